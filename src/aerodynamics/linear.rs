@@ -1,0 +1,15 @@
+use super::{AerodynamicLaw, Coefficients, Stream};
+use crate::number::Number;
+use crate::parameters::Linear;
+
+/// C_D = cd, C_L = cl_slope s.
+impl<T: Number> AerodynamicLaw<T> for Linear<T> {
+    #[inline]
+    fn coefficients(&self, stream: &Stream<T>) -> Coefficients<T> {
+        Coefficients { drag: self.cd, lift: self.cl_slope * stream.spin_ratio() }
+    }
+
+    fn has_corner_at_zero_spin(&self) -> bool {
+        false
+    }
+}

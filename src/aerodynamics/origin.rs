@@ -1,0 +1,28 @@
+use crate::number::Number;
+
+/// A lift coefficient that is replaced near zero spin, where its formula has no lift-free limit or
+/// an infinite slope: for s < s₀ it is the cubic C_L = a u + b u² + c u³ in u = s/s₀ that joins the formula at s₀
+/// with the same value, slope and curvature. Lift then vanishes with the spin, and C_L is C² throughout.
+pub(super) struct CubicOrigin<T> {
+    /// s₀: where the formula takes over.
+    pub join: f64,
+    /// C_L at s₀.
+    pub value: T,
+    /// s₀ dC_L/ds at s₀.
+    pub slope: T,
+    /// s₀² d²C_L/ds² at s₀.
+    pub curvature: T,
+}
+
+impl<T: Number> CubicOrigin<T> {
+    /// C_L at a spin ratio below the join.
+    #[inline]
+    pub fn lift(&self, spin_ratio: T) -> T {
+        let u = spin_ratio / self.join;
+        let rise = self.slope - self.value;
+        let c = self.curvature * 0.5 - rise;
+        let b = rise - c * 2.0;
+        let a = self.value - b - c;
+        (a + (b + c * u) * u) * u
+    }
+}

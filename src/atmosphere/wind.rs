@@ -1,0 +1,71 @@
+use crate::number::{Number, Vector};
+use crate::parameters::{Ground, Wind};
+
+/// ℓ, m: the height over which the logarithmic profile is rounded towards the ground. A fixed step of 0.01 s
+/// resolves it (carry within 1 µm); the pure logarithm, whose scale is the roughness of some millimetres, it
+/// does not (errors of millimetres).
+const ROUNDING: f64 = 0.5;
+
+/// The air's velocity over the ground, uniform or a function of height (docs/model.md, eq. 15).
+#[derive(Clone, Copy, Debug)]
+pub struct WindField<T> {
+    reference: Vector<T>,
+    profile: Option<Profile<T>>,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Profile<T> {
+    roughness: T,
+    ground: T,
+    /// 1/L(z_ref).
+    scale: T,
+}
+
+impl<T: Number> WindField<T> {
+    /// The field of these parameters.
+    pub fn new(wind: &Wind<T>, ground: &Ground<T>) -> Self {
+        let profile = wind.roughness.map(|roughness| Profile {
+            roughness,
+            ground: ground.height,
+            scale: logarithm(wind.reference_height, roughness).recip(),
+        });
+        Self { reference: Vector::new(wind.up, wind.right, wind.downrange), profile }
+    }
+
+    /// The air's velocity, m/s; `height` is asked only where the wind depends on it.
+    #[inline]
+    pub fn at(&self, height: impl FnOnce() -> T) -> Vector<T> {
+        match &self.profile {
+            None => self.reference,
+            Some(profile) => {
+                self.reference * (logarithm(height() - profile.ground, profile.roughness) * profile.scale)
+            }
+        }
+    }
+}
+
+/// L(z) = ln(1 + ζ/z₀) with ζ = (z + √(z² + ℓ²))/2: the logarithmic profile for z ≫ ℓ, smooth through the
+/// ground and below it (the last step of a flight ends there).
+#[inline]
+fn logarithm<T: Number>(height: T, roughness: T) -> T {
+    let rounded = (height + (height * height + ROUNDING * ROUNDING).sqrt()) * 0.5;
+    (rounded / roughness).ln_1p()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::WindField;
+    use crate::Setup;
+
+    #[test]
+    fn exact_wind_at_the_reference_height_and_logarithmic_far_above() {
+        let mut setup = Setup::default();
+        (setup.wind.downrange, setup.wind.roughness) = (5.0, Some(0.03));
+        let field = WindField::new(&setup.wind, &setup.ground);
+        assert!((field.at(|| 10.0).z - 5.0).abs() < 1e-14);
+        let ratio = field.at(|| 1000.0).z / field.at(|| 100.0).z;
+        assert!((ratio - (1000.0 / 0.03_f64).ln_1p() / (100.0 / 0.03_f64).ln_1p()).abs() < 1e-6);
+        let below = field.at(|| -3.0).z;
+        assert!(below > 0.0 && below < field.at(|| 0.0).z);
+    }
+}

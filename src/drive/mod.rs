@@ -1,0 +1,86 @@
+//! One drive, from the setup to its outcomes: impact, launch, flight, landing.
+
+mod outcome;
+
+pub use outcome::Outcome;
+
+use crate::aerodynamics::AerodynamicLaw;
+use crate::error::{Error, Result};
+use crate::flight::{Flight, Landed, fly};
+use crate::impact::{Grip, Impact, strike};
+use crate::number::Number;
+use crate::parameters::Setup;
+
+/// A drive: what the impact makes of a setup, and how the ball flies.
+#[derive(Clone, Copy, Debug)]
+pub struct Drive<T> {
+    /// The impact, with the ball and the club after it.
+    pub impact: Impact<T>,
+    /// The flight.
+    pub flight: Flight<T>,
+    /// Speed of the head before impact, m/s.
+    pub club_speed: T,
+}
+
+impl<T: Number> Drive<T> {
+    /// Hits and flies. The same code gives values over `f64` and exact derivatives over dual numbers; the
+    /// values are not checked against their ranges here ([`Setup::validate`] does).
+    ///
+    /// ```
+    /// use longdrive::{Drive, Outcome, Setup};
+    /// // no air, no gravity worth speaking of along the way: a parabola v² sin 2θ/g, by hand
+    /// let mut setup = Setup::default();
+    /// setup.air.density = 0.0;
+    /// let drive = Drive::new(&setup).unwrap();
+    /// let [speed, angle, carry] = [Outcome::BallSpeed, Outcome::LaunchAngle, Outcome::Carry].map(|o| o.of(&drive).unwrap());
+    /// assert!((carry - speed * speed * (2.0 * angle).sin() / 9.80665).abs() < 1e-9);
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::OffFace`], [`Error::NoStrike`], [`Error::Jammed`], [`Error::Diverged`]. A drive that does not
+    /// fly is no error here: see [`Flight`].
+    pub fn new(setup: &Setup<T>) -> Result<Self> {
+        let impact = strike(setup)?;
+        let flight = fly(setup, &impact.launch)?;
+        Ok(Self { impact, flight, club_speed: setup.swing.speed })
+    }
+
+    /// The landed flight.
+    ///
+    /// # Errors
+    /// [`Error::NoFlight`].
+    pub fn landed(&self) -> Result<&Landed<T>> {
+        match &self.flight {
+            Flight::Landed(landed) => Ok(landed),
+            Flight::None(why) => Err(Error::NoFlight { reason: why.to_string() }),
+        }
+    }
+}
+
+/// Spins below this, rad/s, are taken to lie on the corner at zero spin: some hundreds of times the rounding
+/// of |ω| there.
+const ON_THE_SPIN_CORNER: f64 = 1e-3;
+
+impl Drive<f64> {
+    /// Corners of the model that this drive lies on, where derivatives to the two sides differ: zero spin, and
+    /// the limit between sticking and slipping.
+    pub fn corners(&self, setup: &Setup<f64>) -> Vec<String> {
+        let mut corners = Vec::new();
+        let spin = self.impact.launch.total_spin();
+        if spin < ON_THE_SPIN_CORNER && setup.law.has_corner_at_zero_spin() && setup.air.density > 0.0 {
+            corners.push(format!(
+                "the spin is {spin:.1e} rad/s: with the law {} outcomes have a corner at zero spin, and derivatives \
+                 here lie between those of its two sides",
+                setup.law.name()
+            ));
+        }
+        if let Grip::Sticks(used) | Grip::Slips(used) = self.impact.grip
+            && (used - 1.0).abs() < 1e-9
+        {
+            corners.push(
+                "the contact is at the limit between sticking and slipping: derivatives are those of one side".into(),
+            );
+        }
+        corners
+    }
+}

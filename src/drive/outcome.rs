@@ -1,0 +1,115 @@
+use super::Drive;
+use crate::error::{Error, Result};
+use crate::number::Number;
+use crate::units::Quantity;
+
+/// Declares each outcome once: name, symbol, kind of quantity, unit a person reads, and how it follows from a
+/// drive.
+macro_rules! outcomes {
+    ($( $(#[doc = $doc:literal])+ $Outcome:ident = $name:literal, $symbol:literal, $quantity:ident in $unit:literal, |$drive:ident| $value:expr; )+) => {
+        /// What one may ask of a drive.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub enum Outcome {
+            $( $(#[doc = $doc])+ #[doc = concat!("\n\n`", $name, "`, symbol ", $symbol, ".")] $Outcome, )+
+        }
+
+        impl Outcome {
+            /// All outcomes.
+            pub const ALL: &'static [Self] = &[$( Self::$Outcome ),+];
+
+            /// Name in JSON and on the command line: `carry`.
+            pub fn name(self) -> &'static str {
+                match self { $( Self::$Outcome => $name, )+ }
+            }
+
+            /// Symbol in docs/model.md.
+            pub fn symbol(self) -> &'static str {
+                match self { $( Self::$Outcome => $symbol, )+ }
+            }
+
+            /// One line of documentation.
+            pub fn doc(self) -> &'static str {
+                match self { $( Self::$Outcome => concat!($($doc),+).trim_ascii(), )+ }
+            }
+
+            /// Kind of quantity, with its SI unit.
+            pub fn quantity(self) -> Quantity {
+                match self { $( Self::$Outcome => Quantity::$quantity, )+ }
+            }
+
+            /// The unit people read it in.
+            pub fn unit(self) -> &'static str {
+                match self { $( Self::$Outcome => $unit, )+ }
+            }
+
+            /// The outcome of a drive, over whatever number the drive was computed, SI.
+            ///
+            /// # Errors
+            /// [`Error::NoFlight`] for an outcome of the flight where there is none.
+            pub fn of<T: Number>(self, drive: &Drive<T>) -> Result<T> {
+                match self { $( Self::$Outcome => { let $drive = drive; Ok($value) } )+ }
+            }
+        }
+    };
+}
+
+outcomes! {
+    /// Distance downrange at landing.
+    Carry = "carry", "z_L", LENGTH in "yd", |drive| drive.landed()?.carry;
+    /// Distance right of the target line at landing.
+    Lateral = "lateral", "y_L", LENGTH in "yd", |drive| drive.landed()?.lateral;
+    /// Time from launch to landing.
+    FlightTime = "flight_time", "t_L", TIME in "s", |drive| drive.landed()?.flight_time;
+    /// Greatest height of the flight above the tee.
+    ApexHeight = "apex_height", "x_A", LENGTH in "yd", |drive| drive.landed()?.apex.height;
+    /// Time from launch to the apex.
+    ApexTime = "apex_time", "t_A", TIME in "s", |drive| drive.landed()?.apex.time;
+    /// Distance downrange of the apex.
+    ApexDownrange = "apex_downrange", "z_A", LENGTH in "yd", |drive| drive.landed()?.apex.downrange;
+    /// Angle of the path below horizontal at landing.
+    DescentAngle = "descent_angle", "γ_L", ANGLE in "deg", |drive| {
+        let v = drive.landed()?.velocity;
+        (-v.x).atan2((v.y * v.y + v.z * v.z).sqrt())
+    };
+    /// Speed at landing.
+    LandingSpeed = "landing_speed", "|v_L|", SPEED in "mph", |drive| drive.landed()?.velocity.norm();
+    /// Speed of the ball at launch.
+    BallSpeed = "ball_speed", "|v_0|", SPEED in "mph", |drive| drive.impact.launch.ball_speed();
+    /// Ball speed over club speed.
+    SmashFactor = "smash_factor", "|v_0|/V", NUMBER in "", |drive| drive.impact.launch.ball_speed() / drive.club_speed;
+    /// Angle of the launch above horizontal.
+    LaunchAngle = "launch_angle", "γ_0", ANGLE in "deg", |drive| drive.impact.launch.launch_angle();
+    /// Horizontal direction of the launch, + right.
+    LaunchDirection = "launch_direction", "φ_0", ANGLE in "deg", |drive| drive.impact.launch.launch_direction();
+    /// Spin at launch.
+    Spin = "spin", "|ω_0|", ANGULAR_VELOCITY in "rpm", |drive| drive.impact.launch.total_spin();
+    /// Backspin at launch.
+    Backspin = "backspin", "ω_b", ANGULAR_VELOCITY in "rpm", |drive| drive.impact.launch.backspin();
+    /// Sidespin at launch, + curves right.
+    Sidespin = "sidespin", "ω_s", ANGULAR_VELOCITY in "rpm", |drive| drive.impact.launch.sidespin();
+    /// Tilt of the spin axis at launch, + right.
+    SpinAxis = "spin_axis", "atan2(ω_s, ω_b)", ANGLE in "deg", |drive| drive.impact.launch.spin_axis();
+}
+
+impl Outcome {
+    /// The outcome of this name.
+    ///
+    /// # Errors
+    /// [`Error::Unknown`] with the nearest name.
+    pub fn named(name: &str) -> Result<Self> {
+        Self::ALL.iter().copied().find(|outcome| outcome.name() == name).ok_or_else(|| {
+            let names = Self::ALL.iter().map(|outcome| outcome.name());
+            Error::unknown("outcome", name, names.clone(), format!("there are {}", names.collect::<Vec<_>>().join(", ")))
+        })
+    }
+
+    /// The value of this outcome, `None` where the drive has none: no flight, or an angle without direction.
+    pub fn value(self, drive: &Drive<f64>) -> Option<f64> {
+        self.of(drive).ok().filter(|value| value.is_finite())
+    }
+
+    /// A value as a person reads it.
+    pub fn show(self, value: f64) -> String {
+        self.quantity().show(value, self.unit())
+    }
+}

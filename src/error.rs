@@ -1,0 +1,232 @@
+//! What can be wrong with a question, and what can keep a drive from having an answer.
+
+/// `Result` with longdrive's [`enum@Error`].
+pub type Result<T, E = Error> = std::result::Result<T, E>;
+
+/// Why something could not be done. Every message names the thing, the value, what is allowed, and what to
+/// do.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// A name that nothing bears.
+    #[error("unknown {what} '{name}'{}; {advice}", suggested(suggestion))]
+    Unknown {
+        /// What was named: "parameter", "outcome", "preset", "aerodynamic law".
+        what: &'static str,
+        /// The name given.
+        name: String,
+        /// The nearest name there is.
+        suggestion: Option<String>,
+        /// How to see the names there are.
+        advice: String,
+    },
+    /// A coefficient of another aerodynamic law than the one the setup flies.
+    #[error("'{name}' is not a coefficient of the law '{law}' that this setup flies but of {owners}; set aero.law too")]
+    OtherLaw {
+        /// The parameter.
+        name: String,
+        /// The setup's law.
+        law: &'static str,
+        /// The laws that have such a coefficient.
+        owners: String,
+    },
+    /// A value that cannot be read.
+    #[error("{name}: {source}")]
+    Unreadable {
+        /// The parameter.
+        name: String,
+        /// Why.
+        source: Box<dyn std::error::Error + Send + Sync>,
+    },
+    /// A value outside the range of what is physically possible.
+    #[error("{name} = {value} is outside its range {range}{}", advice.as_ref().map(|a| format!("; {a}")).unwrap_or_default())]
+    OutOfRange {
+        /// The parameter.
+        name: String,
+        /// The value, with its unit.
+        value: String,
+        /// The range, with its unit.
+        range: String,
+        /// What may have been meant.
+        advice: Option<String>,
+    },
+    /// An inertia tensor no body can have.
+    #[error(
+        "club.inertia is not positive definite: its smallest principal moment is {smallest:e} kg m^2; \
+         raise club.inertia.xx, .yy, .zz or reduce the products .xy, .xz, .yz"
+    )]
+    Inertia {
+        /// The smallest eigenvalue, kg m².
+        smallest: f64,
+    },
+    /// A derivative or a search with respect to something that has no number of its own.
+    #[error("{name} cannot be varied or differentiated by: {reason}")]
+    NotVariable {
+        /// The parameter.
+        name: String,
+        /// Why, and what to do.
+        reason: String,
+    },
+    /// A range to search that is none.
+    #[error("--vary {name}: {reason}")]
+    SearchRange {
+        /// The parameter, with its range as given.
+        name: String,
+        /// Why, and what to do.
+        reason: String,
+    },
+    /// A search without anything to vary, a gradient with respect to nothing.
+    #[error("nothing to {doing}: name at least one {what}")]
+    Nothing {
+        /// What was to be done: "vary", "differentiate by".
+        doing: &'static str,
+        /// What to name: "parameter", "outcome".
+        what: &'static str,
+    },
+    /// A setup file that cannot be opened or read.
+    #[error("cannot read the setup file '{file}': {source}; a setup is a preset ({presets}) or a TOML file")]
+    File {
+        /// The file.
+        file: String,
+        /// Why.
+        source: std::io::Error,
+        /// The presets there are.
+        presets: String,
+    },
+    /// A setup file that is not TOML.
+    #[error("{file}: {message}")]
+    Toml {
+        /// The file.
+        file: String,
+        /// The parser's message, with line, column and the line itself.
+        message: String,
+    },
+    /// Something wrong at a place of a setup file.
+    #[error("{file}:{line}:{column}: {source}")]
+    InFile {
+        /// The file.
+        file: String,
+        /// The line, from 1.
+        line: usize,
+        /// The column, from 1.
+        column: usize,
+        /// What is wrong there.
+        source: Box<Error>,
+    },
+    /// A key of a setup file with a value of the wrong kind.
+    #[error("'{key}' is {found}; expected {expected}")]
+    WrongType {
+        /// The key, dotted.
+        key: String,
+        /// What stands there.
+        found: &'static str,
+        /// What should.
+        expected: String,
+    },
+    /// An impact point beyond the edge of the face's ellipsoid.
+    #[error(
+        "the strike is off the face: strike.high = {high_mm} mm and strike.toe = {toe_mm} mm give q = {q} \
+         (q = (high²/roll_radius + toe²/bulge_radius)/face_semi_axis), which must be below 1; strike nearer the sweet spot or flatten the face"
+    )]
+    OffFace {
+        /// `strike.high`, mm.
+        high_mm: f64,
+        /// `strike.toe`, mm.
+        toe_mm: f64,
+        /// The ellipsoid's q.
+        q: f64,
+    },
+    /// A face that does not move towards the ball.
+    #[error(
+        "the club does not strike the ball: the contact point approaches along the face normal at {approach} m/s, \
+         which must be above 0; check swing.speed, club.loft, swing.face_angle and swing.shaft_lean"
+    )]
+    NoStrike {
+        /// n·u⁻, m/s.
+        approach: f64,
+    },
+    /// An impact that the rigid-body equations do not resolve.
+    #[error("the impact has no solution: {reason}")]
+    Jammed {
+        /// Why, with numbers.
+        reason: String,
+    },
+    /// A flight whose numbers overflow.
+    #[error(
+        "the flight diverged at t = {time} s: the step flight.step = {step} s is too coarse for this drag or lift \
+         (or the law gives negative drag here); reduce flight.step or check the ball, the air and the law's coefficients"
+    )]
+    Diverged {
+        /// When, s.
+        time: f64,
+        /// The step, s.
+        step: f64,
+    },
+    /// A drive that does not fly; see the model page, landing.
+    #[error("no flight: {reason}")]
+    NoFlight {
+        /// Why, with numbers.
+        reason: String,
+    },
+    /// An outcome, or its derivative, that does not exist for this drive.
+    #[error("{what} is not defined for this drive: {reason}")]
+    Undefined {
+        /// The outcome or derivative.
+        what: String,
+        /// Why.
+        reason: String,
+    },
+    /// An optimizer setting or problem that makes no sense.
+    #[error("optimizer: {0}")]
+    Optimizer(String),
+}
+
+impl Error {
+    /// The error for a name that is not among `names`, with the nearest of them.
+    pub fn unknown<'a>(
+        what: &'static str,
+        name: &str,
+        names: impl IntoIterator<Item = &'a str>,
+        advice: impl Into<String>,
+    ) -> Self {
+        let suggestion = names
+            .into_iter()
+            .map(|known| (similarity(name, known), known))
+            .filter(|(likeness, _)| *likeness > 0.7)
+            .max_by(|a, b| a.0.total_cmp(&b.0))
+            .map(|(_, known)| known.to_owned());
+        Self::Unknown { what, name: name.into(), suggestion, advice: advice.into() }
+    }
+
+    /// Whether the question was sound but has no answer (a drive that does not fly), as against bad input.
+    pub fn is_an_outcome(&self) -> bool {
+        matches!(self, Self::NoFlight { .. })
+    }
+}
+
+/// How alike two names are, 0 to 1; a name without its group ("loft") is held against the last part too.
+fn similarity(given: &str, known: &str) -> f64 {
+    let last = known.rsplit('.').next().unwrap_or(known);
+    let partial = if given.contains('.') { 0.0 } else { 0.99 * strsim::jaro_winkler(given, last) };
+    strsim::jaro_winkler(given, known).max(partial)
+}
+
+fn suggested(suggestion: &Option<String>) -> String {
+    suggestion.as_ref().map(|name| format!(", did you mean '{name}'?")).unwrap_or_default()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Error;
+
+    #[test]
+    fn nearest_name_is_suggested() {
+        let names = ["club.loft", "club.mass", "swing.attack_angle"];
+        for (given, meant) in [("club.lofft", "club.loft"), ("loft", "club.loft"), ("atack_angle", "swing.attack_angle")] {
+            let message = Error::unknown("parameter", given, names, "list").to_string();
+            assert!(message.contains(&format!("did you mean '{meant}'?")), "{message}");
+        }
+        let message = Error::unknown("parameter", "xyzzy", names, "list").to_string();
+        assert!(!message.contains("did you mean"), "{message}");
+    }
+}

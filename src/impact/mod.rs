@@ -1,0 +1,64 @@
+//! The impact of clubhead and ball: rigid bodies in three dimensions, an ellipsoidal face, after Winfield &
+//! Tan (1994) eqs. 1–20.
+//!
+//! The collision is solved in the head frame (Z forward, X up, Y towards the toe), where the inertia tensor
+//! is given, and its result is turned into the ground frame.
+
+mod delivery;
+mod face;
+mod friction;
+mod rigid_body;
+
+pub use delivery::Delivery;
+pub use face::FacePoint;
+pub use friction::Grip;
+pub use rigid_body::{Collision, Rebound};
+
+use crate::error::{Error, Result};
+use crate::launch::Launch;
+use crate::number::{Number, Vector};
+use crate::parameters::Setup;
+
+/// What an impact leaves behind, in the ground frame.
+#[derive(Clone, Copy, Debug)]
+pub struct Impact<T> {
+    /// The ball as it leaves the face.
+    pub launch: Launch<T>,
+    /// Velocity of the head's centre of mass after impact, m/s.
+    pub club_velocity: Vector<T>,
+    /// Angular velocity of the head after impact, rad/s.
+    pub club_spin: Vector<T>,
+    /// Impulse on the ball, N s.
+    pub impulse: Vector<T>,
+    /// Unit normal of the face at the impact point.
+    pub face_normal: Vector<T>,
+    /// Impact point from the head's centre of mass, m.
+    pub contact_point: Vector<T>,
+    /// Whether the ball sticks to the face or still slips as it leaves.
+    pub grip: Grip,
+}
+
+/// The impact of a setup.
+///
+/// # Errors
+/// [`Error::OffFace`], [`Error::NoStrike`], [`Error::Jammed`].
+pub fn strike<T: Number>(setup: &Setup<T>) -> Result<Impact<T>> {
+    let delivery = Delivery::new(&setup.swing);
+    let collision = Collision::new(setup, &delivery)?;
+    let approach = collision.approach().dot(collision.normal).re();
+    if !(approach > 0.0) {
+        return Err(Error::NoStrike { approach });
+    }
+    let rolling = collision.by_impulse()?;
+    let (rebound, grip) = friction::limited(&collision, rolling, setup.impact.friction)?;
+    let ground = |v| delivery.to_ground(v);
+    Ok(Impact {
+        launch: Launch { velocity: ground(rebound.ball_velocity), spin: ground(rebound.ball_spin) },
+        club_velocity: ground(rebound.club_velocity),
+        club_spin: ground(rebound.club_spin),
+        impulse: ground(rebound.impulse),
+        face_normal: ground(collision.normal),
+        contact_point: ground(collision.contact),
+        grip,
+    })
+}

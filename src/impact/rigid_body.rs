@@ -1,0 +1,223 @@
+use super::delivery::Delivery;
+use super::face::FacePoint;
+use crate::error::{Error, Result};
+use crate::number::{Number, Vector, solve};
+use crate::parameters::Setup;
+
+/// Two rigid bodies about to collide, in the head frame: a head that moves, and a ball at rest.
+#[derive(Clone, Copy, Debug)]
+pub struct Collision<T> {
+    /// Mass of the head M, kg.
+    pub club_mass: T,
+    /// Inertia tensor of the head I_c, kg m².
+    pub club_inertia: [[T; 3]; 3],
+    /// Velocity of the head's centre of mass, m/s.
+    pub club_velocity: Vector<T>,
+    /// Angular velocity of the head, rad/s.
+    pub club_spin: Vector<T>,
+    /// Mass of the ball m, kg.
+    pub ball_mass: T,
+    /// Moment of inertia of the ball I_b, kg m².
+    pub ball_inertia: T,
+    /// Radius of the ball R, m.
+    pub ball_radius: T,
+    /// Contact point from the head's centre of mass r_P, m.
+    pub contact: Vector<T>,
+    /// Unit normal of the face at the contact point n, towards the ball.
+    pub normal: Vector<T>,
+    /// Normal coefficient of restitution e.
+    pub restitution: T,
+    /// Tangential coefficient of restitution e_t.
+    pub tangential_restitution: T,
+}
+
+/// The bodies after the collision.
+#[derive(Clone, Copy, Debug)]
+pub struct Rebound<T> {
+    /// Impulse on the ball, N s.
+    pub impulse: Vector<T>,
+    /// Velocity of the ball, m/s.
+    pub ball_velocity: Vector<T>,
+    /// Angular velocity of the ball, rad/s.
+    pub ball_spin: Vector<T>,
+    /// Velocity of the head's centre of mass, m/s.
+    pub club_velocity: Vector<T>,
+    /// Angular velocity of the head, rad/s.
+    pub club_spin: Vector<T>,
+}
+
+impl<T: Number> Collision<T> {
+    /// The collision that a setup's delivery leads to.
+    ///
+    /// # Errors
+    /// [`Error::OffFace`].
+    #[inline]
+    pub fn new(setup: &Setup<T>, delivery: &Delivery<T>) -> Result<Self> {
+        let face = FacePoint::new(&setup.club, &setup.strike)?;
+        let ball = &setup.ball;
+        Ok(Self {
+            club_mass: setup.club.mass,
+            club_inertia: setup.club.inertia(),
+            club_velocity: delivery.to_head(delivery.velocity),
+            club_spin: delivery.to_head(delivery.closure),
+            ball_mass: ball.mass,
+            ball_inertia: ball.inertia.unwrap_or_else(|| ball.mass * ball.radius * ball.radius * 0.4),
+            ball_radius: ball.radius,
+            contact: face.position,
+            normal: face.normal,
+            restitution: setup.impact.restitution,
+            tangential_restitution: setup.impact.tangential_restitution,
+        })
+    }
+
+    /// u⁻: the velocity of the club's contact point relative to the ball's before impact, m/s.
+    #[inline]
+    pub fn approach(&self) -> Vector<T> {
+        self.club_velocity + self.club_spin.cross(self.contact)
+    }
+
+    /// The impulse from 3 equations (docs/model.md, eqs. 8–10): K J = u⁻ + e (n·u⁻) n + e_t (u⁻ − (n·u⁻) n).
+    ///
+    /// # Errors
+    /// [`Error::Jammed`] where the impulse would have to pull.
+    #[inline]
+    pub fn by_impulse(&self) -> Result<Rebound<T>> {
+        let approach = self.approach();
+        let closing = self.normal * approach.dot(self.normal);
+        let wanted = approach + closing * self.restitution + (approach - closing) * self.tangential_restitution;
+        let columns = self.compliance()?;
+        let rows = [0, 1, 2].map(|row| columns.map(|column| column.to_array()[row]));
+        let impulse = solve(rows, wanted.to_array()).ok_or_else(|| jammed("the contact's 3 × 3 system is singular"))?;
+        self.after(Vector::from_array(impulse))
+    }
+
+    /// The bodies after the impulse J on the ball.
+    ///
+    /// # Errors
+    /// [`Error::Jammed`] where the impulse would have to pull.
+    #[inline]
+    pub fn after(&self, impulse: Vector<T>) -> Result<Rebound<T>> {
+        let push = impulse.dot(self.normal).re();
+        if !(push > 0.0) {
+            return Err(jammed(&format!("the impulse along the face normal would be {push} N s, which must be above 0")));
+        }
+        Ok(Rebound {
+            impulse,
+            ball_velocity: impulse * self.ball_mass.recip(),
+            ball_spin: impulse.cross(self.normal) * (self.ball_radius / self.ball_inertia),
+            club_velocity: self.club_velocity - impulse * self.club_mass.recip(),
+            club_spin: self.club_spin - self.turned_by(self.contact.cross(impulse))?,
+        })
+    }
+
+    /// K by columns: K e = (1/M + 1/m) e − r_P × I_c⁻¹ (r_P × e) − (R²/I_b) n × (n × e), the change of the
+    /// contact points' relative velocity that an impulse e takes away.
+    #[inline]
+    pub fn compliance(&self) -> Result<[Vector<T>; 3]> {
+        let inverse_mass = self.club_mass.recip() + self.ball_mass.recip();
+        let rolling = self.ball_radius * self.ball_radius / self.ball_inertia;
+        let column = |e: Vector<T>| -> Result<Vector<T>> {
+            let turning = self.contact.cross(self.turned_by(self.contact.cross(e))?);
+            Ok(e * inverse_mass - turning - self.normal.cross(self.normal.cross(e)) * rolling)
+        };
+        let (one, zero) = (T::constant(1.0), T::zero());
+        Ok([
+            column(Vector::new(one, zero, zero))?,
+            column(Vector::new(zero, one, zero))?,
+            column(Vector::new(zero, zero, one))?,
+        ])
+    }
+
+    /// I_c⁻¹ L: the angular velocity that an angular momentum gives the head.
+    #[inline]
+    fn turned_by(&self, momentum: Vector<T>) -> Result<Vector<T>> {
+        solve(self.club_inertia, momentum.to_array())
+            .map(Vector::from_array)
+            .ok_or_else(|| jammed("the head's inertia tensor is singular"))
+    }
+
+    /// The same collision from Winfield & Tan's 15 equations in 15 unknowns: 12 generalized speeds and 3
+    /// components of the impulse R on the club; 12 equations of momentum (their eq. 15), restitution (18)
+    /// and no slip (19, 20). Slower by two orders: the oracle of [`by_impulse`](Self::by_impulse).
+    ///
+    /// # Errors
+    /// [`Error::Jammed`] where the system is singular.
+    pub fn by_generalized_speeds(&self) -> Result<Rebound<T>> {
+        const CLUB_VELOCITY: usize = 0;
+        const CLUB_SPIN: usize = 3;
+        const BALL_VELOCITY: usize = 6;
+        const BALL_SPIN: usize = 9;
+        const IMPULSE: usize = 12;
+        const CONTACT: usize = 12;
+        let axes: [Vector<T>; 3] = std::array::from_fn(|k| {
+            Vector::from_array(std::array::from_fn(|i| T::constant(f64::from(u8::from(i == k)))))
+        });
+        let to_ball_surface = -self.normal * self.ball_radius;
+        let mut a = [[T::zero(); 15]; 15];
+        let mut b = [T::zero(); 15];
+
+        let (velocity, spin) = (self.club_velocity.to_array(), self.club_spin.to_array());
+        for i in 0..3 {
+            // momenta of the bodies: ΔP = ± R, ΔL = r × (± R)
+            a[CLUB_VELOCITY + i][CLUB_VELOCITY + i] = self.club_mass;
+            a[CLUB_VELOCITY + i][IMPULSE + i] = T::constant(-1.0);
+            b[CLUB_VELOCITY + i] = self.club_mass * velocity[i];
+            a[BALL_VELOCITY + i][BALL_VELOCITY + i] = self.ball_mass;
+            a[BALL_VELOCITY + i][IMPULSE + i] = T::constant(1.0);
+            a[BALL_SPIN + i][BALL_SPIN + i] = self.ball_inertia;
+            for (k, axis) in axes.into_iter().enumerate() {
+                a[CLUB_SPIN + i][CLUB_SPIN + k] = self.club_inertia[i][k];
+                b[CLUB_SPIN + i] = b[CLUB_SPIN + i] + self.club_inertia[i][k] * spin[k];
+                a[CLUB_SPIN + i][IMPULSE + k] = -self.contact.cross(axis).to_array()[i];
+                a[BALL_SPIN + i][IMPULSE + k] = to_ball_surface.cross(axis).to_array()[i];
+            }
+        }
+
+        // separation along the normal and the two tangents: each −(coefficient) × approach
+        let approach = self.approach();
+        let [first, second] = self.tangents();
+        let directions = [
+            (self.normal, self.restitution),
+            (first, self.tangential_restitution),
+            (second, self.tangential_restitution),
+        ];
+        for (row, (direction, coefficient)) in directions.into_iter().enumerate() {
+            let (along, club_arm, ball_arm) =
+                (direction.to_array(), self.contact.cross(direction).to_array(), to_ball_surface.cross(direction).to_array());
+            for i in 0..3 {
+                a[CONTACT + row][CLUB_VELOCITY + i] = along[i];
+                a[CONTACT + row][CLUB_SPIN + i] = club_arm[i];
+                a[CONTACT + row][BALL_VELOCITY + i] = -along[i];
+                a[CONTACT + row][BALL_SPIN + i] = -ball_arm[i];
+            }
+            b[CONTACT + row] = -coefficient * approach.dot(direction);
+        }
+
+        let u = solve(a, b).ok_or_else(|| jammed("the 15 × 15 system is singular"))?;
+        let vector = |at: usize| Vector::new(u[at], u[at + 1], u[at + 2]);
+        Ok(Rebound {
+            impulse: -vector(IMPULSE),
+            ball_velocity: vector(BALL_VELOCITY),
+            ball_spin: vector(BALL_SPIN),
+            club_velocity: vector(CLUB_VELOCITY),
+            club_spin: vector(CLUB_SPIN),
+        })
+    }
+
+    /// Two unit tangents of the face at the contact point, perpendicular to each other.
+    fn tangents(&self) -> [Vector<T>; 2] {
+        let n = self.normal;
+        // turn about whichever axis the normal is farther from
+        let across = if n.y.re().abs() < 0.9 {
+            Vector::new(n.z, T::zero(), -n.x)
+        } else {
+            Vector::new(T::zero(), n.z, -n.y)
+        };
+        let first = across * across.norm().recip();
+        [first, n.cross(first)]
+    }
+}
+
+pub(super) fn jammed(reason: &str) -> Error {
+    Error::Jammed { reason: reason.into() }
+}

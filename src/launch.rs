@@ -1,0 +1,62 @@
+//! The ball as it leaves the face: what a launch monitor shows.
+
+use crate::number::{Number, Vector};
+
+/// η, rad/s: below it a spin counts as none. |ω| is taken as √(ω·ω + η²) in the air, so that neither it nor
+/// a derivative fails at zero spin.
+pub const LEAST_SPIN: f64 = 1e-6;
+
+/// Velocity and spin of the ball at launch, in the ground frame.
+#[derive(Clone, Copy, Debug)]
+pub struct Launch<T> {
+    /// Velocity, m/s.
+    pub velocity: Vector<T>,
+    /// Angular velocity, rad/s; backspin is along +Y.
+    pub spin: Vector<T>,
+}
+
+impl<T: Number> Launch<T> {
+    /// |v|, m/s.
+    pub fn ball_speed(&self) -> T {
+        self.velocity.norm()
+    }
+
+    /// Angle of the velocity above horizontal, rad.
+    pub fn launch_angle(&self) -> T {
+        self.velocity.x.atan2(self.horizontal_speed())
+    }
+
+    /// Horizontal direction of the velocity, + right of the target line, rad.
+    pub fn launch_direction(&self) -> T {
+        self.velocity.y.atan2(self.velocity.z)
+    }
+
+    /// |ω| as ω·ω/√(ω·ω + η²), rad/s: exactly 0 without spin, and smooth there.
+    pub fn total_spin(&self) -> T {
+        let squared = self.spin.dot(self.spin);
+        squared / (squared + LEAST_SPIN * LEAST_SPIN).sqrt()
+    }
+
+    /// Spin about the horizontal axis perpendicular to the launch direction, rad/s; lifts the ball where > 0.
+    pub fn backspin(&self) -> T {
+        let v = self.velocity;
+        (self.spin.y * v.z - self.spin.z * v.y) / self.horizontal_speed()
+    }
+
+    /// Spin about the axis perpendicular to the velocity in its vertical plane, rad/s; curves right where > 0.
+    pub fn sidespin(&self) -> T {
+        let (v, horizontal) = (self.velocity, self.horizontal_speed());
+        let along = (self.spin.y * v.y + self.spin.z * v.z) / horizontal;
+        (v.x * along - self.spin.x * horizontal) / self.ball_speed()
+    }
+
+    /// Tilt of the spin axis, atan2(sidespin, backspin), rad; + tilts (and curves) right.
+    pub fn spin_axis(&self) -> T {
+        self.sidespin().atan2(self.backspin())
+    }
+
+    fn horizontal_speed(&self) -> T {
+        let v = self.velocity;
+        (v.y * v.y + v.z * v.z).sqrt()
+    }
+}

@@ -1,0 +1,61 @@
+//! The longest golf drive, with exact derivatives.
+//!
+//! longdrive solves
+//!
+//! ```text
+//!   maximise   carry(x)          x: loft λ, attack angle ε, or any other parameters, rad, m, kg, s
+//!   subject to low ≤ x ≤ high    what the club maker and the golfer can do
+//! ```
+//!
+//! where carry is the distance at which a ball lands that a rigid clubhead has struck ([`impact`]) and that
+//! has flown through air with drag, lift and spin decay ([`flight`]). Both are written once, over a
+//! [`Number`](number::Number): with `f64` they give values, with dual numbers the exact gradients and
+//! Hessians ([`derivative`]) that the bound-constrained optimizer ([`optimize`]) and every study
+//! ([`study`]) stand on.
+//!
+//! ```
+//! use longdrive::{Outcome, Setup, derivative};
+//!
+//! let setup = Setup::preset("mae494").unwrap();
+//! let wrt = ["club.loft", "swing.attack_angle"].map(|name| setup.variable(name).unwrap());
+//! let carry = derivative::gradient(&setup, Outcome::Carry, &wrt).unwrap();
+//! assert!((carry.value - 114.312855130798).abs() < 1e-9); // m, at loft 10°, attack 0°
+//! assert!((carry.gradient[0] - 336.769746388603).abs() < 1e-8); // m per radian of loft
+//! ```
+//!
+//! # Frame
+//! X up, Y right of the target line, Z downrange; right-handed. SI units and radians everywhere inside;
+//! degrees, mph and yards only in strings ([`units`]) and reports.
+//!
+//! # Modules
+//! Imports point downward only; what stands on one line does not know its neighbours.
+//!
+//! | | |
+//! |---|---|
+//! | results to bytes | [`report`] |
+//! | questions asked of a drive | [`study`] |
+//! | a bound-constrained minimiser that knows no golf; derivatives by name | [`optimize`], [`derivative`] |
+//! | setup → impact → flight → outcomes | [`drive`] |
+//! | rigid bodies; equation of motion and landing | [`impact`], [`flight`] |
+//! | the ball as it leaves; laws of drag and lift; wind | [`launch`], [`aerodynamics`], [`atmosphere`] |
+//! | every parameter, declared once | [`parameters`] |
+//! | numbers, quantity strings, errors | [`number`], [`units`], [`error`] |
+
+#![deny(unsafe_code)]
+#![warn(missing_docs)]
+
+pub mod aerodynamics;
+pub mod atmosphere;
+pub mod derivative;
+pub mod drive;
+pub mod error;
+pub mod flight;
+pub mod impact;
+pub mod launch;
+pub mod number;
+pub mod parameters;
+pub mod units;
+
+pub use drive::{Drive, Outcome};
+pub use error::{Error, Result};
+pub use parameters::Setup;

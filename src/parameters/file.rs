@@ -1,0 +1,167 @@
+//! Setup files: TOML whose keys are the parameters' dotted names. A string carries its unit, a bare number
+//! is SI; every mistake is reported with its line and column.
+
+use super::declare::UNSET;
+use super::presets::Preset;
+use super::setup::LAW;
+use super::table::Setup;
+use crate::error::{Error, Result};
+use std::path::Path;
+use toml::de::{DeTable, DeValue};
+
+/// The key that names the preset a file starts from.
+const PRESET: &str = "preset";
+
+/// A value of the file with its dotted key, and where both stand.
+struct Item<'a> {
+    key: String,
+    key_at: usize,
+    value: &'a DeValue<'a>,
+    value_at: usize,
+}
+
+impl Setup<f64> {
+    /// Reads a setup file.
+    ///
+    /// # Errors
+    /// [`Error::File`] where it cannot be opened; otherwise as [`from_toml`](Self::from_toml).
+    pub fn from_file(path: &Path) -> Result<Self> {
+        let file = path.display().to_string();
+        match std::fs::read_to_string(path) {
+            Ok(text) => Self::from_toml(&text, &file),
+            Err(source) => Err(Error::File { file, source, presets: Preset::names() }),
+        }
+    }
+
+    /// Reads the text of a setup file; `file` is what messages call it. What the file leaves out comes from
+    /// its `preset`, or from `modern-driver` where it names none.
+    ///
+    /// ```
+    /// use longdrive::Setup;
+    /// let setup = Setup::from_toml("preset = 'mae494'\n[club]\nloft = '12 deg'", "mine.toml").unwrap();
+    /// assert_eq!(setup.club.loft, 12.0_f64.to_radians());
+    /// let error = Setup::from_toml("[club]\nlofft = '12 deg'", "mine.toml").unwrap_err();
+    /// assert!(error.to_string().starts_with("mine.toml:2:1: unknown parameter 'club.lofft', did you mean 'club.loft'?"));
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Toml`] where it is not TOML; [`Error::InFile`] with the place of anything else.
+    pub fn from_toml(text: &str, file: &str) -> Result<Self> {
+        let table = DeTable::parse(text)
+            .map_err(|e| Error::Toml { file: file.into(), message: e.to_string().trim_end().into() })?;
+        let mut items = Vec::new();
+        flatten(table.get_ref(), "", &mut items);
+        // as they stand in the file, but the preset and the law before what builds on them
+        let rank = |key: &str| if key == PRESET { 0 } else if key == LAW { 1 } else { 2 };
+        items.sort_by_key(|item| (rank(&item.key), item.key_at));
+
+        let mut setup = Self::default();
+        for item in &items {
+            setup.apply(item).map_err(|(at, source)| in_file(text, file, at, source))?;
+        }
+        Ok(setup)
+    }
+
+    fn apply(&mut self, item: &Item<'_>) -> Result<(), (usize, Error)> {
+        let at_value = |e| (item.value_at, e);
+        if item.key == PRESET {
+            *self = Self::preset(string(item).map_err(at_value)?).map_err(at_value)?;
+            return Ok(());
+        }
+        if item.key == LAW {
+            return self.set_law(string(item).map_err(at_value)?).map_err(at_value);
+        }
+        let parameter = self.parameter(&item.key).map_err(|e| (item.key_at, e))?;
+        let value = match item.value {
+            DeValue::String(text) => parameter.read(text, false),
+            DeValue::Integer(number) => parameter.read(&number.to_string(), true),
+            DeValue::Float(number) => parameter.read(number.as_str(), true),
+            other => Err(wrong_type(item, other, format!("a number or a string like \"{}\"", example(parameter.default)))),
+        };
+        self.set_value(parameter, value.map_err(at_value)?).map_err(at_value)
+    }
+}
+
+fn example(default: &'static str) -> &'static str {
+    if default == UNSET { "1" } else { default }
+}
+
+fn string<'a>(item: &'a Item<'a>) -> Result<&'a str> {
+    item.value.as_str().ok_or_else(|| wrong_type(item, item.value, "a name in quotes".into()))
+}
+
+fn wrong_type(item: &Item<'_>, found: &DeValue<'_>, expected: String) -> Error {
+    let found = match found {
+        DeValue::String(_) => "a string",
+        DeValue::Integer(_) | DeValue::Float(_) => "a number",
+        DeValue::Boolean(_) => "a boolean",
+        DeValue::Datetime(_) => "a date",
+        DeValue::Array(_) => "an array",
+        DeValue::Table(_) => "a table",
+    };
+    Error::WrongType { key: item.key.clone(), found, expected }
+}
+
+fn flatten<'a>(table: &'a DeTable<'a>, prefix: &str, items: &mut Vec<Item<'a>>) {
+    for (key, value) in table {
+        let name = format!("{prefix}{}", key.get_ref());
+        match value.get_ref() {
+            DeValue::Table(inner) => flatten(inner, &format!("{name}."), items),
+            other => items.push(Item {
+                key: name,
+                key_at: key.span().start,
+                value: other,
+                value_at: value.span().start,
+            }),
+        }
+    }
+}
+
+fn in_file(text: &str, file: &str, at: usize, source: Error) -> Error {
+    let before = text.get(..at).unwrap_or(text);
+    let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
+    Error::InFile {
+        file: file.into(),
+        line: before.matches('\n').count() + 1,
+        column: before[line_start..].chars().count() + 1,
+        source: Box::new(source),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Setup;
+
+    #[test]
+    fn nested_keys_units_and_bare_numbers() {
+        let text = "aero.law = 'linear'\n[swing]\nspeed = 50\n[club]\ninertia = { xx = '5679 g cm^2', yz = 1e-6 }\n\
+                    bulge_radius = inf\n[impact]\nfriction = 0.4\n[aero]\ncd = 0.27";
+        let error = Setup::from_toml(text, "a.toml").unwrap_err().to_string();
+        assert!(error.starts_with("a.toml: "), "a table defined twice is a TOML error: {error}");
+        let setup = Setup::from_toml(&text.replace("\n[aero]\ncd", "\n[a]\n").replace("[a]\n = 0.27", ""), "a.toml").unwrap();
+        assert_eq!((setup.swing.speed, setup.club.inertia_xx), (50.0, 5.679e-4));
+        assert_eq!((setup.club.bulge_radius, setup.impact.friction), (f64::INFINITY, Some(0.4)));
+        assert_eq!(setup.law.name(), "linear");
+    }
+
+    #[test]
+    fn every_mistake_has_its_line_and_column() {
+        for (text, start, says) in [
+            ("[club]\nloft = '10 kg'", "f:2:8: club.loft: \"10 kg\" is not an angle", "deg"),
+            ("[club]\nloft = '10'", "f:2:8: club.loft: \"10\" has no unit", "deg"),
+            ("[club]\nloft = 10", "f:2:8: club.loft = 10 rad", "did you mean \"10 deg\"?"),
+            ("[club]\nloft = nan", "f:2:8: club.loft", "outside its range"),
+            ("[club]\nloft = true", "f:2:8: 'club.loft' is a boolean", "9.8 deg"),
+            ("[club]\nloft = { x = 1 }", "f:2:10: unknown parameter 'club.loft.x'", "did you mean 'club.loft'"),
+            ("\n\nprset = 'mae494'", "f:3:1: unknown parameter 'prset'", "longdrive parameters"),
+            ("preset = 'mae'", "f:1:10: unknown preset 'mae', did you mean 'mae494'?", "winfield-tan"),
+            ("[aero]\nlaw = 'linear'\ncd0 = 0.3", "f:3:1: 'aero.cd0' is not a coefficient of the law 'linear'", "robinson"),
+            ("club = 3", "f:1:1: unknown parameter 'club'", "longdrive parameters"),
+        ] {
+            let message = Setup::from_toml(text, "f").unwrap_err().to_string();
+            assert!(message.starts_with(start) && message.contains(says), "{text:?}: {message}");
+        }
+        let message = Setup::from_toml("[club\nloft = 1", "f").unwrap_err().to_string();
+        assert!(message.contains("line 1, column"), "{message}");
+    }
+}

@@ -1,0 +1,58 @@
+//! What makes three moments and three products the inertia tensor of a body.
+
+use super::table::Club;
+use crate::error::{Error, Result};
+use nalgebra::Matrix3;
+
+impl<T: Copy> Club<T> {
+    /// The inertia tensor about the centre of mass in the head frame, kg m², row by row.
+    #[inline]
+    pub fn inertia(&self) -> [[T; 3]; 3] {
+        let (xy, xz, yz) = (self.inertia_xy, self.inertia_xz, self.inertia_yz);
+        [[self.inertia_xx, xy, xz], [xy, self.inertia_yy, yz], [xz, yz, self.inertia_zz]]
+    }
+}
+
+impl Club<f64> {
+    /// The principal moments, smallest first.
+    fn principal_moments(&self) -> [f64; 3] {
+        let mut moments: [f64; 3] = Matrix3::from(self.inertia()).symmetric_eigenvalues().into();
+        moments.sort_by(f64::total_cmp);
+        moments
+    }
+
+    pub(super) fn check_inertia(&self) -> Result<()> {
+        let [smallest, _, largest] = self.principal_moments();
+        // eigenvalues are good to rounding of the largest
+        if smallest > 1e-14 * largest { Ok(()) } else { Err(Error::Inertia { smallest }) }
+    }
+
+    /// Two principal moments of a rigid body are together at least as large as the third.
+    pub(super) fn triangle_warning(&self) -> Option<String> {
+        let [a, b, c] = self.principal_moments();
+        (a + b < c * (1.0 - 1e-12)).then(|| {
+            format!(
+                "club.inertia: no rigid body has the principal moments {a:.4e}, {b:.4e} and {c:.4e} kg m^2 \
+                 (the two smaller must together reach the largest); flown as given"
+            )
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::Setup;
+    use crate::error::Error;
+
+    #[test]
+    fn an_indefinite_tensor_is_refused_and_a_broken_triangle_warned_of() {
+        let mut setup = Setup::preset("mae494").unwrap();
+        assert!(setup.warnings().is_empty());
+        setup.club.inertia_xy = 1e-3;
+        assert!(matches!(setup.validate(), Err(Error::Inertia { .. })));
+        setup.club.inertia_xy = 0.0;
+        setup.club.inertia_yy = 1e-2;
+        setup.validate().unwrap();
+        assert_eq!(setup.warnings().len(), 1);
+    }
+}

@@ -1,0 +1,21 @@
+//! What a drive depends on: [`Setup`], one table that declares every parameter once, presets with their
+//! sources, and setup files.
+
+#[macro_use]
+mod declare;
+mod file;
+mod inertia;
+mod presets;
+mod range;
+mod setup;
+mod table;
+
+pub use declare::{Kind, Parameter, UNSET};
+pub use presets::{PRESETS, Preset, PresetEntry};
+pub use range::Range;
+pub use setup::LAW;
+pub(crate) use table::with_law;
+pub use table::{
+    Aero, Air, Ball, Club, Contact, Ferguson, FlightConditions, Ground, LaunchMonitor, Law, Linear, Robinson,
+    Setup, SmitsSmith, Strike, Swing, Wind,
+};

@@ -1,0 +1,128 @@
+use super::setup::LAW;
+use super::table::Setup;
+use crate::error::{Error, Result};
+
+/// A named setup: what it changes against the table's defaults, each number with its source.
+#[derive(Debug)]
+pub struct Preset {
+    /// Name on the command line.
+    pub name: &'static str,
+    /// What it is, in a sentence.
+    pub about: &'static str,
+    /// What differs from the defaults.
+    pub entries: &'static [PresetEntry],
+}
+
+/// One number of a preset.
+#[derive(Debug)]
+pub struct PresetEntry {
+    /// The parameter.
+    pub name: &'static str,
+    /// Its value.
+    pub value: &'static str,
+    /// Where it comes from.
+    pub source: &'static str,
+}
+
+const fn entry(name: &'static str, value: &'static str, source: &'static str) -> PresetEntry {
+    PresetEntry { name, value, source }
+}
+
+const WINFIELD_TAN: &str = "Winfield & Tan (1994)";
+const REPORT: &str = "MAE 494 report, listing";
+const NOT_IN_REPORT: &str = "MAE 494 report: not part of the model";
+
+/// The presets. `modern-driver` is the table's defaults themselves.
+pub static PRESETS: &[Preset] = &[
+    Preset {
+        name: "modern-driver",
+        about: "A 460 cc driver of the 2020s at 110 mph in 25 °C sea-level air, flown with what launch monitors predict",
+        entries: &[],
+    },
+    Preset {
+        name: "winfield-tan",
+        about: "Winfield & Tan (1994), 203 g head at 110 mph. Their drag and lift curves (Aoyama 1990) are not printed: \
+                until they are recovered this preset flies the law smits-smith",
+        entries: &[
+            entry("swing.speed", "110 mph", "Winfield & Tan (1994), the speed they optimise at (their single shot: 103 mph)"),
+            entry("swing.attack_angle", "0 deg", "Winfield & Tan (1994), their single shot"),
+            entry("club.mass", "203 g", WINFIELD_TAN),
+            entry("club.loft", "10 deg", "Winfield & Tan (1994), their single shot"),
+            entry("club.inertia.xx", "2.06e-4 kg m^2", "MAE 494 report, rounded; no part in a straight shot"),
+            entry("club.inertia.yy", "3.77e-4 kg m^2", "MAE 494 report; with the depth it gives d²/I_yy = 3.02 per kg, which the printed spin implies"),
+            entry("club.inertia.zz", "2.74e-4 kg m^2", "MAE 494 report, rounded; no part in a straight shot"),
+            entry("club.inertia.xz", "0 kg m^2", "straight shots of a symmetric head"),
+            entry("club.cg_depth", "33.7 mm", "implied by the printed spin, see club.inertia.yy"),
+            entry("club.bulge_radius", "inf", "no part in a strike on the sweet spot, the only one in the paper's results"),
+            entry("club.roll_radius", "inf", "no part in a strike on the sweet spot, the only one in the paper's results"),
+            entry("ball.mass", "46.1 g", "implied by the printed speeds: 203 g (103 − 71.39)/139.16"),
+            entry("ball.radius", "0.84 in", WINFIELD_TAN),
+            entry("impact.restitution", "0.7", WINFIELD_TAN),
+            entry("impact.tangential_restitution", "0", "Winfield & Tan (1994) eqs. 19–20: no slip at exit"),
+            entry("air.density", "1.2 kg/m^3", "not stated; 20 °C at sea level"),
+            entry("air.viscosity", "1.81e-5 Pa s", "not stated; 20 °C"),
+            entry("aero.spin_decay", "0.045 1/s", "fits the paper's two tables; the printed 0.6–0.7 has no unit"),
+            entry(LAW, "smits-smith", "stands in for Aoyama (1990), of the same years; nearest of the laws here to the printed single shot"),
+        ],
+    },
+    Preset {
+        name: "mae494",
+        about: "The MAE 494 report's constants in Winfield & Tan's equations, with the report's law of drag and lift",
+        entries: &[
+            entry("swing.speed", "44.7 m/s", REPORT),
+            entry("swing.attack_angle", "0 deg", "the middle of the report's ranges"),
+            entry("club.mass", "230 g", REPORT),
+            entry("club.loft", "10 deg", "the middle of the report's ranges"),
+            entry("club.inertia.xx", "2.057e-4 kg m^2", REPORT),
+            entry("club.inertia.yy", "3.77e-4 kg m^2", REPORT),
+            entry("club.inertia.zz", "2.738e-4 kg m^2", REPORT),
+            entry("club.inertia.xz", "0 kg m^2", REPORT),
+            entry("club.cg_depth", "37 mm", REPORT),
+            entry("club.bulge_radius", "inf", NOT_IN_REPORT),
+            entry("club.roll_radius", "inf", NOT_IN_REPORT),
+            entry("ball.mass", "49 g", REPORT),
+            entry("ball.radius", "21.336 mm", "MAE 494 report, flight; its impact rounds it to 21 mm"),
+            entry("ball.inertia", "5.85e-6 kg m^2", REPORT),
+            entry("impact.restitution", "0.7", REPORT),
+            entry("impact.tangential_restitution", "0", NOT_IN_REPORT),
+            entry("air.density", "1.225 kg/m^3", REPORT),
+            entry("air.viscosity", "1.81e-5 Pa s", NOT_IN_REPORT),
+            entry("gravity", "9.81 m/s^2", REPORT),
+            entry("aero.spin_decay", "0.7 1/s", "MAE 494 report, from Winfield & Tan's 0.6–0.7"),
+            entry(LAW, "robinson", "MAE 494 report, listing: 0.3, 2.58e-4, 0.319, 2.48e-3"),
+        ],
+    },
+];
+
+impl Preset {
+    /// The preset of this name.
+    pub fn named(name: &str) -> Option<&'static Self> {
+        PRESETS.iter().find(|preset| preset.name == name)
+    }
+
+    /// All presets' names, in a line.
+    pub fn names() -> String {
+        PRESETS.iter().map(|preset| preset.name).collect::<Vec<_>>().join(", ")
+    }
+
+    /// Where the value of a parameter in this preset comes from.
+    pub fn source_of(&self, name: &str) -> Option<&'static str> {
+        self.entries.iter().find(|entry| entry.name == name).map(|entry| entry.source)
+    }
+}
+
+impl Setup<f64> {
+    /// The preset of this name: `modern-driver`, `winfield-tan` or `mae494`.
+    ///
+    /// # Errors
+    /// [`Error::Unknown`] with the nearest name.
+    pub fn preset(name: &str) -> Result<Self> {
+        let preset = Preset::named(name).ok_or_else(|| {
+            let names = PRESETS.iter().map(|preset| preset.name);
+            Error::unknown("preset", name, names, format!("there are {}", Preset::names()))
+        })?;
+        let mut setup = Self::default();
+        setup.set_all(preset.entries.iter().map(|entry| (entry.name, entry.value)))?;
+        Ok(setup)
+    }
+}

@@ -1,0 +1,76 @@
+use crate::units::Quantity;
+
+/// The values a parameter may have: what is physically possible, not what is usual.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Range {
+    /// Lower end, SI.
+    pub low: f64,
+    /// Upper end, SI.
+    pub high: f64,
+    /// Whether the lower end itself is allowed.
+    pub low_included: bool,
+    /// Whether the upper end itself is allowed.
+    pub high_included: bool,
+}
+
+impl Range {
+    /// low ≤ value ≤ high.
+    pub const fn from_to(low: f64, high: f64) -> Self {
+        Self { low, high, low_included: true, high_included: true }
+    }
+
+    /// low < value < high.
+    pub const fn between(low: f64, high: f64) -> Self {
+        Self { low, high, low_included: false, high_included: false }
+    }
+
+    /// low < value ≤ high.
+    pub const fn above_to(low: f64, high: f64) -> Self {
+        Self { low, high, low_included: false, high_included: true }
+    }
+
+    /// −high° < value < high°.
+    pub const fn within_degrees(high: f64) -> Self {
+        let high = high.to_radians();
+        Self::between(-high, high)
+    }
+
+    /// Every finite number.
+    pub const FINITE: Self = Self::between(f64::NEG_INFINITY, f64::INFINITY);
+
+    /// Whether `value` is one of them. NaN never is, infinity only where it is an end that is included.
+    pub fn contains(self, value: f64) -> bool {
+        let above = value > self.low || (self.low_included && value == self.low);
+        let below = value < self.high || (self.high_included && value == self.high);
+        above && below
+    }
+
+    /// The range as a person reads it: "0 kg < … ≤ 2 kg".
+    pub fn show(self, quantity: Quantity, unit: &str) -> String {
+        if self == Self::FINITE {
+            return "any finite number".into();
+        }
+        let sign = |included| if included { "≤" } else { "<" };
+        let low = (self.low != f64::NEG_INFINITY)
+            .then(|| format!("{} {} ", quantity.show(self.low, unit), sign(self.low_included)));
+        let high = (self.high != f64::INFINITY || self.high_included)
+            .then(|| format!(" {} {}", sign(self.high_included), quantity.show(self.high, unit)));
+        format!("{}…{}", low.unwrap_or_default(), high.unwrap_or_default())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Range;
+    use crate::units::Quantity;
+
+    #[test]
+    fn ends_count_only_where_included_and_nan_never() {
+        let radius = Range::above_to(0.0, f64::INFINITY);
+        assert!(radius.contains(f64::INFINITY) && radius.contains(0.3));
+        assert!(!radius.contains(0.0) && !radius.contains(f64::NAN));
+        assert!(!Range::FINITE.contains(f64::INFINITY) && Range::FINITE.contains(-1e300));
+        assert_eq!(radius.show(Quantity::LENGTH, "mm"), "0 mm < … ≤ inf mm");
+        assert_eq!(Range::within_degrees(90.0).show(Quantity::ANGLE, "deg"), "-90 deg < … < 90 deg");
+    }
+}

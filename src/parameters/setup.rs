@@ -1,0 +1,284 @@
+use super::declare::{Kind, Parameter, Slot, UNSET};
+use super::table::{Law, Setup};
+use crate::error::{Error, Result};
+
+/// The name by which the aerodynamic law is chosen: `aero.law = "robinson"`.
+pub const LAW: &str = "aero.law";
+
+const LISTING: &str = "'longdrive parameters' lists them all";
+
+impl Parameter {
+    /// Reads a value of this parameter. With `bare`, a number without a unit is SI, as on the command line;
+    /// otherwise a string must carry its unit, as in a setup file. `none` unsets an optional parameter.
+    ///
+    /// # Errors
+    /// [`Error::Unreadable`] for a wrong or missing unit, [`Error::OutOfRange`].
+    pub fn read(&self, text: &str, bare: bool) -> Result<Option<f64>> {
+        let text = text.trim();
+        if self.kind == Kind::Optional && (text == UNSET || text == "default") {
+            return Ok(None);
+        }
+        let value = if bare { self.quantity.read_bare(text) } else { self.quantity.read(text) };
+        let value = value.map_err(|e| Error::Unreadable { name: self.name.into(), source: Box::new(e) })?;
+        self.check(value)?;
+        Ok(Some(value))
+    }
+
+    /// # Errors
+    /// [`Error::OutOfRange`].
+    pub fn check(&self, value: f64) -> Result<()> {
+        if self.range.contains(value) {
+            return Ok(());
+        }
+        Err(Error::OutOfRange {
+            name: self.name.into(),
+            value: self.show_twice(value),
+            range: self.range.show(self.quantity, self.unit),
+            advice: self.meant_in_display_unit(value),
+        })
+    }
+
+    /// The value in SI, and in the unit people read if that is another.
+    fn show_twice(&self, value: f64) -> String {
+        let si = self.quantity.show(value, self.quantity.si);
+        if self.unit == self.quantity.si { si } else { format!("{si} ({})", self.show(Some(value))) }
+    }
+
+    /// A bare number is SI: "10" for a loft is 10 rad, and most likely 10 deg was meant.
+    fn meant_in_display_unit(&self, value: f64) -> Option<String> {
+        let size = self.quantity.size_of(self.unit)?;
+        let meant = value.is_finite() && self.unit != self.quantity.si && self.range.contains(value * size);
+        meant.then(|| {
+            let number = crate::units::significant(value, 7);
+            format!("a number without a unit is SI, did you mean \"{number} {}\"?", self.unit)
+        })
+    }
+}
+
+impl<T: Copy> Setup<T> {
+    /// The parameters that this setup has, in the table's order: all groups, then the coefficients of its law.
+    pub fn parameters(&self) -> Vec<&'static Parameter> {
+        let mut rows = Vec::new();
+        let mut copy = *self;
+        copy.visit(&mut |row, _| rows.push(row));
+        rows
+    }
+}
+
+impl Setup<f64> {
+    /// The parameter of this name.
+    ///
+    /// # Errors
+    /// [`Error::Unknown`] with the nearest name, or [`Error::OtherLaw`] for a coefficient of another law.
+    pub fn parameter(&self, name: &str) -> Result<&'static Parameter> {
+        let rows = self.parameters();
+        if let Some(row) = rows.iter().find(|row| row.name == name) {
+            return Ok(row);
+        }
+        let owners: Vec<_> = Law::all_rows().filter(|row| row.name == name).filter_map(|row| row.law).collect();
+        if !owners.is_empty() {
+            return Err(Error::OtherLaw { name: name.into(), law: self.law.name(), owners: owners.join(", ") });
+        }
+        Err(Error::unknown("parameter", name, rows.iter().map(|row| row.name).chain([LAW]), LISTING))
+    }
+
+    /// The value of a parameter, `None` where it is unset or belongs to another law.
+    pub fn value(&self, parameter: &Parameter) -> Option<f64> {
+        let mut found = None;
+        let mut copy = *self;
+        copy.visit(&mut |row, slot| {
+            if row == parameter {
+                found = match slot {
+                    Slot::Required(value) | Slot::Setting(value) => Some(*value),
+                    Slot::Optional(value) => *value,
+                };
+            }
+        });
+        found
+    }
+
+    /// Sets a parameter, or the law, by name from a text such as `"10.5 deg"`; a number without unit is SI.
+    ///
+    /// # Errors
+    /// [`Error::Unknown`], [`Error::OtherLaw`], [`Error::Unreadable`], [`Error::OutOfRange`].
+    pub fn set(&mut self, name: &str, text: &str) -> Result<()> {
+        if name == LAW {
+            return self.set_law(text);
+        }
+        let parameter = self.parameter(name)?;
+        let value = parameter.read(text, true)?;
+        self.set_value(parameter, value)
+    }
+
+    /// Applies settings in order, the choice of the law before its coefficients.
+    ///
+    /// # Errors
+    /// As [`set`](Self::set).
+    pub fn set_all<'a>(&mut self, settings: impl IntoIterator<Item = (&'a str, &'a str)> + Clone) -> Result<()> {
+        for (name, text) in settings.clone().into_iter().filter(|(name, _)| *name == LAW) {
+            self.set(name, text)?;
+        }
+        for (name, text) in settings.into_iter().filter(|(name, _)| *name != LAW) {
+            self.set(name, text)?;
+        }
+        Ok(())
+    }
+
+    /// Changes the aerodynamic law; its coefficients are then the published ones, unless it is the law already.
+    ///
+    /// # Errors
+    /// [`Error::Unknown`] with the nearest name.
+    pub fn set_law(&mut self, name: &str) -> Result<()> {
+        let name = name.trim();
+        let law = Law::named(name).ok_or_else(|| {
+            let names = Law::NAMES.iter().copied();
+            Error::unknown("aerodynamic law", name, names, format!("there are {}", Law::NAMES.join(", ")))
+        })?;
+        if law.name() != self.law.name() {
+            self.law = law;
+        }
+        Ok(())
+    }
+
+    /// Sets a parameter to an SI value; `None` unsets an optional one.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`]; [`Error::NotVariable`] where a parameter that needs a value is to be unset.
+    pub fn set_value(&mut self, parameter: &Parameter, value: Option<f64>) -> Result<()> {
+        if let Some(value) = value {
+            parameter.check(value)?;
+        } else if parameter.kind != Kind::Optional {
+            let reason = "it cannot be unset".into();
+            return Err(Error::NotVariable { name: parameter.name.into(), reason });
+        }
+        self.visit(&mut |row, slot| {
+            if row == parameter {
+                match (slot, value) {
+                    (Slot::Required(place) | Slot::Setting(place), Some(value)) => *place = value,
+                    (Slot::Optional(place), value) => *place = value,
+                    (_, None) => {}
+                }
+            }
+        });
+        Ok(())
+    }
+
+    /// Checks every value against its range, and the inertia tensor.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`], [`Error::Inertia`].
+    pub fn validate(&self) -> Result<()> {
+        let mut result = Ok(());
+        let mut copy = *self;
+        copy.visit(&mut |row, slot| {
+            let value = match slot {
+                Slot::Required(value) | Slot::Setting(value) => Some(*value),
+                Slot::Optional(value) => *value,
+            };
+            if let (Ok(()), Some(value)) = (&result, value) {
+                result = row.check(value);
+            }
+        });
+        result.and_then(|()| self.club.check_inertia())
+    }
+
+    /// What is flown as it stands but deserves a word.
+    pub fn warnings(&self) -> Vec<String> {
+        self.club.triangle_warning().into_iter().collect()
+    }
+
+    /// The parameter of this name, if it can be varied and differentiated by.
+    ///
+    /// # Errors
+    /// As [`parameter`](Self::parameter), and [`Error::NotVariable`] for a setting, the law, an unset
+    /// parameter or an infinite radius.
+    pub fn variable(&self, name: &str) -> Result<&'static Parameter> {
+        let refuse = |reason: String| Err(Error::NotVariable { name: name.into(), reason });
+        if name == LAW {
+            return refuse("it is a choice, not a number; compare two runs with --set aero.law=…".into());
+        }
+        let parameter = self.parameter(name)?;
+        if parameter.kind == Kind::Setting {
+            return refuse("it is a setting of the computation, not of the drive".into());
+        }
+        match self.value(parameter) {
+            Some(value) if value.is_finite() => Ok(parameter),
+            Some(_) => refuse("it is infinite (a flat face) here; give it a finite value with --set".into()),
+            None => refuse(format!("it is unset here ({}); give it a value with --set", parameter.doc)),
+        }
+    }
+
+    /// The parameters that [`variable`](Self::variable) accepts.
+    pub fn variables(&self) -> Vec<&'static Parameter> {
+        let mut rows = self.parameters();
+        rows.retain(|row| self.variable(row.name).is_ok());
+        rows
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::PRESETS;
+    use super::{Error, Law, Setup};
+
+    #[test]
+    fn every_default_and_every_preset_reads_back_within_its_range() {
+        for law in Law::NAMES {
+            let mut setup = Setup::default();
+            setup.set_law(law).unwrap();
+            for row in setup.parameters() {
+                assert!(row.quantity.size_of(row.unit).is_some() || row.unit.is_empty(), "{}", row.name);
+                assert_eq!(row.read(row.default, false).unwrap(), setup.value(row), "{}", row.name);
+            }
+        }
+        for preset in PRESETS {
+            Setup::preset(preset.name).unwrap().validate().unwrap();
+        }
+    }
+
+    #[test]
+    fn names_are_unique_within_a_setup() {
+        for law in Law::NAMES {
+            let mut setup = Setup::default();
+            setup.set_law(law).unwrap();
+            let mut names: Vec<_> = setup.parameters().iter().map(|row| row.name).collect();
+            let all = names.len();
+            names.sort_unstable();
+            names.dedup();
+            assert_eq!(names.len(), all);
+        }
+    }
+
+    #[test]
+    fn a_bare_number_is_si_and_a_likely_unit_is_suggested() {
+        let mut setup = Setup::default();
+        setup.set("club.loft", "0.2").unwrap();
+        assert_eq!(setup.club.loft, 0.2);
+        let message = setup.set("club.loft", "10").unwrap_err().to_string();
+        assert!(message.contains("did you mean \"10 deg\"?") && message.contains("90 deg"), "{message}");
+    }
+
+    #[test]
+    fn the_law_is_chosen_before_its_coefficients_are_set() {
+        let mut setup = Setup::default();
+        setup.set_all([("aero.cd", "0.3"), ("aero.law", "linear")]).unwrap();
+        assert_eq!(setup.value(setup.parameter("aero.cd").unwrap()), Some(0.3));
+        assert!(matches!(setup.set("aero.re1", "1"), Err(Error::OtherLaw { .. })));
+        assert!(matches!(setup.set("aero.law", "linaer"), Err(Error::Unknown { suggestion: Some(_), .. })));
+    }
+
+    #[test]
+    fn infinite_and_unset_values_are_allowed_only_where_they_mean_something() {
+        let mut setup = Setup::default();
+        setup.set("club.bulge_radius", "inf").unwrap();
+        setup.set("impact.friction", "0.4").unwrap();
+        setup.set("impact.friction", "none").unwrap();
+        assert_eq!(setup.impact.friction, None);
+        assert!(setup.set("swing.speed", "inf").is_err());
+        assert!(setup.set("swing.speed", "nan").is_err());
+        assert!(setup.set("swing.speed", "none").is_err());
+        assert!(matches!(setup.variable("club.bulge_radius"), Err(Error::NotVariable { .. })));
+        assert!(matches!(setup.variable("impact.friction"), Err(Error::NotVariable { .. })));
+        assert!(matches!(setup.variable("flight.step"), Err(Error::NotVariable { .. })));
+    }
+}

@@ -1,0 +1,254 @@
+//! The table: every scalar of the model, declared once. A row is
+//! `field: type = name, symbol, quantity in unit, range, default, source of the default`, under its
+//! documentation; the type is `T`, `Option<T>` for a parameter that may be unset, or `f64` for a setting of the
+//! computation. The defaults are the preset `modern-driver`; ranges are what is physically possible.
+
+use super::declare::{Kind, Parameter, Slot};
+use super::range::Range;
+use crate::units::Quantity;
+
+parameter_groups! {
+    /// The club just before impact.
+    swing: Swing {
+        /// Speed of the head's centre of mass.
+        speed: T = "swing.speed", "V", SPEED in "mph", Range::above_to(0.0, 1000.0), "110 mph",
+            "a fast amateur's swing, and the speed Winfield & Tan (1994) optimise at";
+        /// Attack angle: the velocity's angle above horizontal (Winfield & Tan's swing elevation).
+        attack_angle: T = "swing.attack_angle", "ε", ANGLE in "deg", Range::within_degrees(90.0), "-0.9 deg",
+            "TrackMan, PGA TOUR averages 2023, driver";
+        /// Horizontal direction of the velocity, + to the right.
+        path: T = "swing.path", "χ", ANGLE in "deg", Range::within_degrees(90.0), "0 deg", "straight swing";
+        /// Yaw of the head, + open (to the right).
+        face_angle: T = "swing.face_angle", "ψ", ANGLE in "deg", Range::within_degrees(90.0), "0 deg",
+            "square face";
+        /// Forward lean of the shaft, which takes loft off.
+        shaft_lean: T = "swing.shaft_lean", "σ", ANGLE in "deg", Range::within_degrees(90.0), "0 deg",
+            "Winfield & Tan (1994): none";
+        /// Head's angular velocity before impact, about the vertical; + closes a right-hander's face.
+        closure_x: T = "swing.closure.x", "ω_cx", ANGULAR_VELOCITY in "rad/s", Range::from_to(-1e4, 1e4), "0 rad/s",
+            "Winfield & Tan (1994): none";
+        /// Head's angular velocity before impact, about the axis to the right; + pitches the face upwards.
+        closure_y: T = "swing.closure.y", "ω_cy", ANGULAR_VELOCITY in "rad/s", Range::from_to(-1e4, 1e4), "0 rad/s",
+            "Winfield & Tan (1994): none";
+        /// Head's angular velocity before impact, about the downrange axis.
+        closure_z: T = "swing.closure.z", "ω_cz", ANGULAR_VELOCITY in "rad/s", Range::from_to(-1e4, 1e4), "0 rad/s",
+            "Winfield & Tan (1994): none";
+    }
+
+    /// Where on the face the ball is struck.
+    strike: Strike {
+        /// Impact point above the sweet spot.
+        high: T = "strike.high", "r₁", LENGTH in "mm", Range::from_to(-0.2, 0.2), "0 mm", "sweet spot";
+        /// Impact point from the sweet spot towards the toe.
+        toe: T = "strike.toe", "r₂", LENGTH in "mm", Range::from_to(-0.2, 0.2), "0 mm", "sweet spot";
+    }
+
+    /// The clubhead.
+    club: Club {
+        /// Mass of the head.
+        mass: T = "club.mass", "M", MASS in "g", Range::from_to(0.05, 2.0), "204 g",
+            "Caldwell & McPhee (2024), a driver of the 2020s";
+        /// Loft at the sweet spot.
+        loft: T = "club.loft", "λ", ANGLE in "deg", Range::within_degrees(90.0), "9.8 deg",
+            "McNally (2016), measured driver";
+        /// Inertia tensor about the centre of mass in the head frame, vertical entry.
+        inertia_xx: T = "club.inertia.xx", "I_xx", INERTIA in "g cm^2", Range::above_to(0.0, 1.0), "5679 g cm^2",
+            "measured driver, docs/sources.md";
+        /// Inertia tensor, heel–toe entry.
+        inertia_yy: T = "club.inertia.yy", "I_yy", INERTIA in "g cm^2", Range::above_to(0.0, 1.0), "4085 g cm^2",
+            "measured driver, docs/sources.md";
+        /// Inertia tensor, entry along the target line.
+        inertia_zz: T = "club.inertia.zz", "I_zz", INERTIA in "g cm^2", Range::above_to(0.0, 1.0), "2843 g cm^2",
+            "measured driver, docs/sources.md";
+        /// Inertia tensor, matrix entry xy (minus the product of inertia).
+        inertia_xy: T = "club.inertia.xy", "I_xy", INERTIA in "g cm^2", Range::from_to(-1.0, 1.0), "0 g cm^2",
+            "head symmetric about the X-Z plane";
+        /// Inertia tensor, matrix entry xz (minus the product of inertia).
+        inertia_xz: T = "club.inertia.xz", "I_xz", INERTIA in "g cm^2", Range::from_to(-1.0, 1.0), "-733 g cm^2",
+            "measured driver, docs/sources.md";
+        /// Inertia tensor, matrix entry yz (minus the product of inertia).
+        inertia_yz: T = "club.inertia.yz", "I_yz", INERTIA in "g cm^2", Range::from_to(-1.0, 1.0), "0 g cm^2",
+            "head symmetric about the X-Z plane";
+        /// Distance from the centre of mass to the face, along the face normal at the sweet spot.
+        cg_depth: T = "club.cg_depth", "d", LENGTH in "mm", Range::from_to(0.0, 0.5), "40.8 mm",
+            "measured driver, docs/sources.md";
+        /// Bulge: the face's radius of curvature from heel to toe; inf for a flat face.
+        bulge_radius: T = "club.bulge_radius", "R_b", LENGTH in "mm", Range::above_to(0.0, f64::INFINITY), "305 mm",
+            "measured driver (12 in), docs/sources.md";
+        /// Roll: the face's radius of curvature from crown to sole; inf for a flat face.
+        roll_radius: T = "club.roll_radius", "R_r", LENGTH in "mm", Range::above_to(0.0, f64::INFINITY), "305 mm",
+            "measured driver (12 in), docs/sources.md";
+        /// Third semi-axis of the face's ellipsoid; unset: √(R_b R_r).
+        face_semi_axis: Option<T> = "club.face_semi_axis", "P_k", LENGTH in "mm", Range::above_to(0.0, f64::INFINITY), "none",
+            "√(R_b R_r): a sphere where bulge and roll are equal";
+    }
+
+    /// The ball.
+    ball: Ball {
+        /// Mass.
+        mass: T = "ball.mass", "m", MASS in "g", Range::above_to(0.0, 1.0), "45.93 g",
+            "Rules of Golf: the heaviest ball allowed";
+        /// Radius.
+        radius: T = "ball.radius", "R", LENGTH in "mm", Range::above_to(0.0, 0.5), "21.335 mm",
+            "Rules of Golf: the smallest ball allowed";
+        /// Moment of inertia; unset: 2/5 m R², a homogeneous ball.
+        inertia: Option<T> = "ball.inertia", "I_b", INERTIA in "g cm^2", Range::above_to(0.0, 1.0), "none",
+            "2/5 m R²; measured 83.4 g cm², docs/sources.md";
+    }
+
+    /// The contact between club and ball.
+    impact: Contact {
+        /// Coefficient of restitution along the face normal.
+        restitution: T = "impact.restitution", "e", NUMBER in "", Range::from_to(0.0, 1.0), "0.83",
+            "USGA limit 0.822 + 0.008, which modern drivers reach";
+        /// Tangential coefficient of restitution: 0 no slip at exit, −1 a frictionless face, 1 elastic.
+        tangential_restitution: T = "impact.tangential_restitution", "e_t", NUMBER in "", Range::from_to(-1.0, 1.0), "-0.15",
+            "measured drivers spin less than rolling predicts: −0.15 ± 0.05, docs/sources.md";
+        /// Coefficient of friction; unset: the ball never slips.
+        friction: Option<T> = "impact.friction", "μ_f", NUMBER in "", Range::from_to(0.0, 100.0), "none",
+            "a driver does not slip, docs/sources.md";
+    }
+
+    /// The air.
+    air: Air {
+        /// Density; 0 is a vacuum.
+        density: T = "air.density", "ρ", DENSITY in "kg/m^3", Range::from_to(0.0, 1000.0), "1.184 kg/m^3",
+            "25 °C at sea level, TrackMan's normalised air";
+        /// Dynamic viscosity.
+        viscosity: T = "air.viscosity", "μ", VISCOSITY in "Pa s", Range::above_to(0.0, 1.0), "1.837e-5 Pa s",
+            "Sutherland's formula at 25 °C, docs/sources.md";
+    }
+
+    /// How the spin decays in the air; the law of drag and lift stands apart.
+    aero: Aero {
+        /// Decay rate of the spin in time: ω ∝ exp(−δ t).
+        spin_decay: T = "aero.spin_decay", "δ", RATE in "1/s", Range::from_to(0.0, 100.0), "0.03 1/s",
+            "TrackMan, driver: 3.1, 8.8 and 12.8 % lost in 1, 3 and 5 s (US patent 8016695, table 6B)";
+        /// Decay of the spin with the way through the air: dω/dt = −κ ω |v_r|/R on top of δ; unset: 0.
+        spin_damping: Option<T> = "aero.spin_damping", "κ", NUMBER in "", Range::from_to(0.0, 1.0), "none",
+            "2.0e-5 in Smits & Smith (1994), Penner (2001) eq. 16";
+    }
+
+    /// The wind: the air's velocity over the ground, uniform or with a logarithmic profile in height.
+    wind: Wind {
+        /// Upward component.
+        up: T = "wind.up", "w_x", SPEED in "m/s", Range::from_to(-150.0, 150.0), "0 m/s", "calm";
+        /// Component to the right.
+        right: T = "wind.right", "w_y", SPEED in "m/s", Range::from_to(-150.0, 150.0), "0 m/s", "calm";
+        /// Downrange component: + tail wind, − head wind.
+        downrange: T = "wind.downrange", "w_z", SPEED in "m/s", Range::from_to(-150.0, 150.0), "0 m/s", "calm";
+        /// Roughness length of the ground under a logarithmic wind profile; unset: uniform wind.
+        roughness: Option<T> = "wind.roughness", "z₀", LENGTH in "mm", Range::above_to(0.0, 10.0), "none",
+            "2.4 mm mown grass to 30 mm open course, docs/sources.md";
+        /// Height above the ground at which the profile has the wind's stated components.
+        reference_height: T = "wind.reference_height", "z_ref", LENGTH in "m", Range::above_to(0.0, 1000.0), "10 m",
+            "meteorological practice";
+    }
+
+    /// The ground.
+    ground: Ground {
+        /// Height of the landing area above the tee.
+        height: T = "ground.height", "h_g", LENGTH in "m", Range::from_to(-10000.0, 10000.0), "0 m", "level ground";
+    }
+
+    /// Gravity, and how the flight is computed.
+    flight: FlightConditions {
+        /// Acceleration of gravity.
+        gravity: T = "gravity", "g", ACCELERATION in "m/s^2", Range::above_to(0.0, 1000.0), "9.80665 m/s^2",
+            "standard gravity";
+        /// Time step of the integration.
+        step: f64 = "flight.step", "h", TIME in "s", Range::above_to(0.0, 1.0), "0.01 s",
+            "carry of driver shots to about 1e-9 m, docs/model.md";
+        /// Longest flight that is followed.
+        time_limit: f64 = "flight.time_limit", "t_max", TIME in "s", Range::above_to(0.0, 1e6), "600 s",
+            "a hundred ordinary drives";
+    }
+}
+
+law_coefficients! { $
+    /// Drag and lift by spin alone: C_D = cd0 + cd1 |ω|, C_L = cl_max (1 − exp(−cl_rate |ω|)).
+    "robinson": Robinson {
+        /// Drag coefficient without spin.
+        cd0: T = "aero.cd0", "cd0", NUMBER in "", Range::from_to(0.0, 100.0), "0.3",
+            "Robinson & Robinson (2013) as the MAE 494 report uses it";
+        /// Growth of the drag coefficient with spin.
+        cd1: T = "aero.cd1", "cd1", PER_ANGULAR_VELOCITY in "s/rad", Range::FINITE, "2.58e-4 s/rad",
+            "Robinson & Robinson (2013) as the MAE 494 report uses it";
+        /// Lift coefficient at very high spin.
+        cl_max: T = "aero.cl_max", "cl_max", NUMBER in "", Range::FINITE, "0.319",
+            "the MAE 494 report's listing (its text prints 0.31)";
+        /// Rate at which lift saturates with spin.
+        cl_rate: T = "aero.cl_rate", "cl_rate", PER_ANGULAR_VELOCITY in "s/rad", Range::from_to(0.0, 10.0), "2.48e-3 s/rad",
+            "Robinson & Robinson (2013) as the MAE 494 report uses it";
+    }
+
+    /// Constant drag, lift in proportion to the spin ratio: C_D = cd, C_L = cl_slope s.
+    "linear": Linear {
+        /// Drag coefficient.
+        cd: T = "aero.cd", "cd", NUMBER in "", Range::from_to(0.0, 100.0), "0.25",
+            "a round figure between the laws of docs/sources.md at s = 0.12";
+        /// Slope of the lift coefficient in the spin ratio.
+        cl_slope: T = "aero.cl_slope", "cl_slope", NUMBER in "", Range::FINITE, "1.5",
+            "a round figure between the laws of docs/sources.md at s = 0.12";
+    }
+
+    /// C_D = cd1 + cd2 s + cd3 sin(π (Re − re1)/re2), C_L = cl1 s^cl_exp (smoothed below s = 0.001).
+    "smits-smith": SmitsSmith {
+        /// Drag coefficient without spin.
+        cd1: T = "aero.cd1", "cd1", NUMBER in "", Range::from_to(0.0, 100.0), "0.24", "Smits & Smith (1994)";
+        /// Growth of the drag coefficient with the spin ratio.
+        cd2: T = "aero.cd2", "cd2", NUMBER in "", Range::FINITE, "0.18", "Smits & Smith (1994)";
+        /// Amplitude of the drag coefficient's variation with the Reynolds number.
+        cd3: T = "aero.cd3", "cd3", NUMBER in "", Range::FINITE, "0.06", "Smits & Smith (1994)";
+        /// Reynolds number at which that variation starts.
+        re1: T = "aero.re1", "re1", NUMBER in "", Range::FINITE, "9e4", "Smits & Smith (1994)";
+        /// Half its period in the Reynolds number.
+        re2: T = "aero.re2", "re2", NUMBER in "", Range::above_to(0.0, 1e12), "2e5", "Smits & Smith (1994)";
+        /// Lift coefficient at s = 1.
+        cl1: T = "aero.cl1", "cl1", NUMBER in "", Range::FINITE, "0.54", "Smits & Smith (1994)";
+        /// Exponent of the spin ratio in the lift coefficient.
+        cl_exp: T = "aero.cl_exp", "cl_exp", NUMBER in "", Range::above_to(0.0, 10.0), "0.4", "Smits & Smith (1994)";
+    }
+
+    /// Quadratics in the spin ratio: C_D = cd0 + cd1 s + cd2 s², C_L = cl0 + cl1 s + cl2 s² (smoothed below s = 0.02).
+    "ferguson": Ferguson {
+        /// Drag coefficient without spin.
+        cd0: T = "aero.cd0", "cd0", NUMBER in "", Range::from_to(0.0, 100.0), "0.1304", "Ferguson, McNally & McPhee (2022)";
+        /// Drag coefficient, linear in the spin ratio.
+        cd1: T = "aero.cd1", "cd1", NUMBER in "", Range::FINITE, "0.9287", "Ferguson, McNally & McPhee (2022)";
+        /// Drag coefficient, quadratic in the spin ratio.
+        cd2: T = "aero.cd2", "cd2", NUMBER in "", Range::FINITE, "-0.8259", "Ferguson, McNally & McPhee (2022)";
+        /// Lift coefficient extrapolated to no spin.
+        cl0: T = "aero.cl0", "cl0", NUMBER in "", Range::FINITE, "0.0504", "Ferguson, McNally & McPhee (2022)";
+        /// Lift coefficient, linear in the spin ratio.
+        cl1: T = "aero.cl1", "cl1", NUMBER in "", Range::FINITE, "1.2031", "Ferguson, McNally & McPhee (2022)";
+        /// Lift coefficient, quadratic in the spin ratio.
+        cl2: T = "aero.cl2", "cl2", NUMBER in "", Range::FINITE, "-1.1490", "Ferguson, McNally & McPhee (2022)";
+    }
+
+    /// What launch monitors predict: C_D = cd0 + cd1 s_c + cd2 s_c² + cd_re (Re/10⁵ − 1.5) with
+    /// s_c = s_cap tanh(s/s_cap), and C_L = cl_max cl_rate s/(1 + cl_rate s).
+    "launch-monitor": LaunchMonitor {
+        /// Drag coefficient without spin at Re = 1.5e5.
+        cd0: T = "aero.cd0", "cd0", NUMBER in "", Range::from_to(0.0, 100.0), "0.14972", "longdrive: fit to 400 shots of TrackMan's flight model, docs/sources.md";
+        /// Drag coefficient, linear in the capped spin ratio.
+        cd1: T = "aero.cd1", "cd1", NUMBER in "", Range::FINITE, "0.79237", "longdrive: fit, docs/sources.md";
+        /// Drag coefficient, quadratic in the capped spin ratio.
+        cd2: T = "aero.cd2", "cd2", NUMBER in "", Range::FINITE, "-0.18328", "longdrive: fit, docs/sources.md";
+        /// Drag coefficient, linear in Re/10⁵.
+        cd_re: T = "aero.cd_re", "cd_re", NUMBER in "", Range::FINITE, "-0.00201", "longdrive: fit, docs/sources.md";
+        /// Cap of the spin ratio in the drag coefficient.
+        s_cap: T = "aero.s_cap", "s_cap", NUMBER in "", Range::above_to(0.0, 100.0), "0.6", "longdrive: fit, docs/sources.md";
+        /// Lift coefficient at very high spin ratio.
+        cl_max: T = "aero.cl_max", "cl_max", NUMBER in "", Range::FINITE, "0.56282", "longdrive: fit, docs/sources.md";
+        /// Rate at which lift saturates with the spin ratio.
+        cl_rate: T = "aero.cl_rate", "cl_rate", NUMBER in "", Range::from_to(0.0, 1000.0), "4.52866", "longdrive: fit, docs/sources.md";
+    }
+}
+
+impl Default for Law<f64> {
+    /// `launch-monitor`.
+    fn default() -> Self {
+        Self::LaunchMonitor(LaunchMonitor::defaults())
+    }
+}

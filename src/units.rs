@@ -1,0 +1,365 @@
+//! Quantity strings to and from SI: `"110 mph"`, `"10.5 deg"`, `"5679 g cm^2"`. Nothing else converts.
+//!
+//! The sizes of the units are those of the `uom` library; what is written here is the grammar that puts
+//! them together (`kg/m^3`, `g cm^2`) and the check that the result is the kind of quantity wanted.
+
+use std::fmt;
+use uom::si::f64::{Angle, Force, Length, Mass, Pressure, Ratio, Time, Velocity, Volume};
+use uom::si::{angle, force, length, mass, pressure, ratio, time, velocity, volume};
+
+/// Powers of length, mass, time and angle. An angle is a dimension of its own here, so that 10 rpm cannot
+/// be taken for 10 per minute.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Dimension([i8; 4]);
+
+impl Dimension {
+    const NONE: Self = Self([0, 0, 0, 0]);
+    const LENGTH: Self = Self([1, 0, 0, 0]);
+    const MASS: Self = Self([0, 1, 0, 0]);
+    const TIME: Self = Self([0, 0, 1, 0]);
+    const ANGLE: Self = Self([0, 0, 0, 1]);
+
+    fn times(self, other: Self, power: i8) -> Self {
+        let Self(mut exponents) = self;
+        for (mine, theirs) in exponents.iter_mut().zip(other.0) {
+            *mine = mine.saturating_add(theirs.saturating_mul(power));
+        }
+        Self(exponents)
+    }
+}
+
+/// A kind of quantity: what a parameter or an outcome is measured in.
+///
+/// ```
+/// use longdrive::units::Quantity;
+/// assert_eq!(Quantity::ANGLE.read("180 deg").unwrap(), std::f64::consts::PI);
+/// assert_eq!(Quantity::SPEED.read("110 mph").unwrap(), 49.1744);
+/// assert!(Quantity::ANGLE.read("10 kg").is_err());
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Quantity {
+    /// What it is called: "an angle".
+    pub name: &'static str,
+    /// Its SI unit: "rad".
+    pub si: &'static str,
+    /// Units a person may write, for messages.
+    pub examples: &'static str,
+    dimension: Dimension,
+}
+
+macro_rules! quantities {
+    ($($(#[doc = $doc:literal])* $id:ident = $name:literal, $si:literal, [$l:literal, $m:literal, $t:literal, $a:literal], $examples:literal;)*) => {
+        impl Quantity {
+            $($(#[doc = $doc])* pub const $id: Self =
+                Self { name: $name, si: $si, examples: $examples, dimension: Dimension([$l, $m, $t, $a]) };)*
+        }
+    };
+}
+
+quantities! {
+    /// Speed, m/s.
+    SPEED = "a speed", "m/s", [1, 0, -1, 0], "mph, m/s, km/h, ft/s";
+    /// Angle, rad.
+    ANGLE = "an angle", "rad", [0, 0, 0, 1], "deg, rad";
+    /// Angular velocity, rad/s.
+    ANGULAR_VELOCITY = "an angular velocity", "rad/s", [0, 0, -1, 1], "rpm, rad/s, deg/s";
+    /// Length, m.
+    LENGTH = "a length", "m", [1, 0, 0, 0], "m, mm, yd, in";
+    /// Mass, kg.
+    MASS = "a mass", "kg", [0, 1, 0, 0], "g, kg, oz";
+    /// Moment of inertia, kg m².
+    INERTIA = "a moment of inertia", "kg m^2", [2, 1, 0, 0], "g cm^2, kg m^2";
+    /// Density, kg/m³.
+    DENSITY = "a density", "kg/m^3", [-3, 1, 0, 0], "kg/m^3, g/L, lb/ft^3";
+    /// Dynamic viscosity, Pa s.
+    VISCOSITY = "a dynamic viscosity", "Pa s", [-1, 1, -1, 0], "Pa s, cP";
+    /// Acceleration, m/s².
+    ACCELERATION = "an acceleration", "m/s^2", [1, 0, -2, 0], "m/s^2, ft/s^2";
+    /// Time, s.
+    TIME = "a time", "s", [0, 0, 1, 0], "s, ms, min";
+    /// Rate of decay, 1/s.
+    RATE = "a rate", "1/s", [0, 0, -1, 0], "1/s, %/s";
+    /// Per angular velocity, s/rad.
+    PER_ANGULAR_VELOCITY = "a quantity per angular velocity", "s/rad", [0, 0, 1, -1], "s/rad, 1/rpm";
+    /// A number without unit.
+    NUMBER = "a plain number", "", [0, 0, 0, 0], "none, %";
+}
+
+/// What can be wrong with a quantity string.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum UnitError {
+    /// No number at the start.
+    #[error("\"{text}\" does not start with a number; write for example \"10.5 {unit}\"")]
+    NoNumber {
+        /// The string.
+        text: String,
+        /// A unit that would fit.
+        unit: &'static str,
+    },
+    /// A unit that is not known.
+    #[error("\"{text}\" has the unknown unit '{unit}'; {wanted} takes {examples}")]
+    UnknownUnit {
+        /// The string.
+        text: String,
+        /// Its unit.
+        unit: String,
+        /// The kind of quantity wanted.
+        wanted: &'static str,
+        /// Units that fit.
+        examples: &'static str,
+    },
+    /// A unit of another kind of quantity.
+    #[error("\"{text}\" is not {wanted}; use one of {examples}")]
+    WrongKind {
+        /// The string.
+        text: String,
+        /// The kind of quantity wanted.
+        wanted: &'static str,
+        /// Units that fit.
+        examples: &'static str,
+    },
+    /// A string without a unit where one is needed.
+    #[error("\"{text}\" has no unit; {wanted} takes {examples}")]
+    NoUnit {
+        /// The string.
+        text: String,
+        /// The kind of quantity wanted.
+        wanted: &'static str,
+        /// Units that fit.
+        examples: &'static str,
+    },
+}
+
+impl Quantity {
+    /// The SI value of a string with a unit. `inf` needs none, and a plain number may stand without.
+    ///
+    /// # Errors
+    /// [`UnitError`]: no number, a missing or unknown unit, or a unit of another kind.
+    pub fn read(self, text: &str) -> Result<f64, UnitError> {
+        match self.split(text)? {
+            (number, "") if number.is_finite() && self.dimension != Dimension::NONE => {
+                Err(UnitError::NoUnit { text: text.into(), wanted: self.name, examples: self.examples })
+            }
+            (number, "") => Ok(number),
+            (number, unit) => self.scaled(number, unit, text),
+        }
+    }
+
+    /// As [`read`](Self::read), but a number without a unit is taken as SI.
+    ///
+    /// # Errors
+    /// [`UnitError`] as for [`read`](Self::read), except a missing unit.
+    pub fn read_bare(self, text: &str) -> Result<f64, UnitError> {
+        match self.split(text)? {
+            (number, "") => Ok(number),
+            (number, unit) => self.scaled(number, unit, text),
+        }
+    }
+
+    /// The number and the unit (perhaps empty) that a string is made of.
+    ///
+    /// # Errors
+    /// [`UnitError::NoNumber`].
+    pub fn split(self, text: &str) -> Result<(f64, &str), UnitError> {
+        split_number(text.trim()).ok_or_else(|| UnitError::NoNumber {
+            text: text.into(),
+            unit: self.examples.split(',').next().unwrap_or_default(),
+        })
+    }
+
+    /// How many SI units one `unit` is, where it is a unit of this kind.
+    ///
+    /// ```
+    /// use longdrive::units::Quantity;
+    /// assert_eq!(Quantity::LENGTH.size_of("yd"), Some(0.9144));
+    /// assert_eq!(Quantity::LENGTH.size_of("kg"), None);
+    /// ```
+    pub fn size_of(self, unit: &str) -> Option<f64> {
+        let (size, dimension) = read_unit(unit)?;
+        (dimension == self.dimension).then_some(size)
+    }
+
+    /// An SI value as a person reads it, in `unit`.
+    ///
+    /// ```
+    /// use longdrive::units::Quantity;
+    /// assert_eq!(Quantity::SPEED.show(49.1744, "mph"), "110 mph");
+    /// ```
+    pub fn show(self, value: f64, unit: &str) -> String {
+        let size = self.size_of(unit).unwrap_or(1.0);
+        let number = significant(value / size, 7);
+        if unit.is_empty() { number } else { format!("{number} {unit}") }
+    }
+
+    fn scaled(self, number: f64, unit: &str, text: &str) -> Result<f64, UnitError> {
+        let (size, dimension) = read_unit(unit).ok_or_else(|| UnitError::UnknownUnit {
+            text: text.into(),
+            unit: unit.into(),
+            wanted: self.name,
+            examples: self.examples,
+        })?;
+        if dimension == self.dimension {
+            Ok(number * size)
+        } else {
+            Err(UnitError::WrongKind { text: text.into(), wanted: self.name, examples: self.examples })
+        }
+    }
+}
+
+impl fmt::Display for Quantity {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name)
+    }
+}
+
+/// A number with at most `digits` significant digits, without trailing zeros.
+///
+/// ```
+/// assert_eq!(longdrive::units::significant(0.25 + 1e-12, 7), "0.25");
+/// assert_eq!(longdrive::units::significant(1.81e-5, 7), "1.81e-5");
+/// ```
+pub fn significant(value: f64, digits: usize) -> String {
+    let rounded: f64 = format!("{value:.*e}", digits.saturating_sub(1)).parse().unwrap_or(value);
+    let plain = rounded == 0.0 || !rounded.is_finite() || (1e-3..1e9).contains(&rounded.abs());
+    if plain { format!("{}", rounded + 0.0) } else { format!("{rounded:e}") }
+}
+
+/// The longest number at the start of `text`, and what follows it.
+fn split_number(text: &str) -> Option<(f64, &str)> {
+    let ends = text.char_indices().map(|(at, _)| at).chain([text.len()]);
+    let number = |end: usize| {
+        let prefix = text.get(..end)?;
+        // "inf", "infinity" and "nan" parse too; "in" of "inch" does not
+        let value = prefix.replace('\u{2212}', "-").parse::<f64>().ok()?;
+        Some((value, end))
+    };
+    let (value, end) = ends.filter_map(number).last()?;
+    Some((value, text[end..].trim()))
+}
+
+/// The SI size and the dimension of a product of units: factors separated by spaces, `*`, `·` or `/` (which
+/// divides by the one factor that follows), each perhaps with a power: `kg/m^3`, `g cm²`, `m s^-2`.
+fn read_unit(text: &str) -> Option<(f64, Dimension)> {
+    let spaced = text.replace('/', " / ").replace(['*', '·'], " ");
+    let (mut size, mut dimension) = (1.0, Dimension::NONE);
+    let mut divide = false;
+    for factor in spaced.split_whitespace() {
+        if factor == "/" {
+            if divide {
+                return None;
+            }
+            divide = true;
+            continue;
+        }
+        let (symbol, power) = split_power(factor)?;
+        let (one, kind) = symbol_size(symbol)?;
+        // whole powers by products: powi may round differently between platforms
+        for _ in 0..power.unsigned_abs() {
+            if divide == (power > 0) { size /= one } else { size *= one }
+        }
+        dimension = dimension.times(kind, if divide { -power } else { power });
+        divide = false;
+    }
+    (!divide && !spaced.trim().is_empty()).then_some((size, dimension))
+}
+
+fn split_power(factor: &str) -> Option<(&str, i8)> {
+    if let Some((symbol, power)) = factor.split_once('^') {
+        return power.parse().ok().filter(|p: &i8| p.abs() <= 9).map(|power| (symbol, power));
+    }
+    let powers = [('²', 2), ('³', 3)];
+    let found = powers.iter().find_map(|&(sign, power)| Some((factor.strip_suffix(sign)?, power)));
+    Some(found.unwrap_or((factor, 1)))
+}
+
+/// The SI size and the dimension of one unit symbol.
+fn symbol_size(symbol: &str) -> Option<(f64, Dimension)> {
+    use Dimension as D;
+    // uom rounds the pound and the ounce to seven digits; its grain is exact, and both are whole numbers of it
+    let grain = || Mass::new::<mass::grain>(1.0).value;
+    let speed = D::LENGTH.times(D::TIME, -1);
+    let force = speed.times(D::MASS, 1).times(D::TIME, -1);
+    Some(match symbol {
+        "1" => (1.0, D::NONE),
+        "%" => (Ratio::new::<ratio::percent>(1.0).value, D::NONE),
+        "m" | "metre" | "metres" | "meter" | "meters" => (1.0, D::LENGTH),
+        "mm" => (Length::new::<length::millimeter>(1.0).value, D::LENGTH),
+        "cm" => (Length::new::<length::centimeter>(1.0).value, D::LENGTH),
+        "km" => (Length::new::<length::kilometer>(1.0).value, D::LENGTH),
+        "in" | "inch" | "inches" => (Length::new::<length::inch>(1.0).value, D::LENGTH),
+        "ft" | "foot" | "feet" => (Length::new::<length::foot>(1.0).value, D::LENGTH),
+        "yd" | "yard" | "yards" => (Length::new::<length::yard>(1.0).value, D::LENGTH),
+        "mi" | "mile" | "miles" => (Length::new::<length::mile>(1.0).value, D::LENGTH),
+        "L" | "l" => (Volume::new::<volume::liter>(1.0).value, D::NONE.times(D::LENGTH, 3)),
+        "kg" => (1.0, D::MASS),
+        "g" | "gram" | "grams" => (Mass::new::<mass::gram>(1.0).value, D::MASS),
+        "mg" => (Mass::new::<mass::milligram>(1.0).value, D::MASS),
+        "oz" => (437.5 * grain(), D::MASS),
+        "lb" | "lbs" => (7000.0 * grain(), D::MASS),
+        "s" | "sec" | "second" | "seconds" => (1.0, D::TIME),
+        "ms" => (Time::new::<time::millisecond>(1.0).value, D::TIME),
+        "min" | "minute" | "minutes" => (Time::new::<time::minute>(1.0).value, D::TIME),
+        "h" | "hour" | "hours" => (Time::new::<time::hour>(1.0).value, D::TIME),
+        "rad" | "radian" | "radians" => (1.0, D::ANGLE),
+        "mrad" => (1e-3, D::ANGLE),
+        "deg" | "°" | "degree" | "degrees" => (Angle::new::<angle::degree>(1.0).value, D::ANGLE),
+        "rev" => (Angle::new::<angle::revolution>(1.0).value, D::ANGLE),
+        "rpm" => {
+            let turn = Angle::new::<angle::revolution>(1.0).value;
+            (turn / 60.0, D::ANGLE.times(D::TIME, -1))
+        }
+        "mph" => (Velocity::new::<velocity::mile_per_hour>(1.0).value, speed),
+        "kph" | "kmh" => (Velocity::new::<velocity::kilometer_per_hour>(1.0).value, speed),
+        "kn" | "knot" | "knots" => (Velocity::new::<velocity::knot>(1.0).value, speed),
+        "N" => (Force::new::<force::newton>(1.0).value, force),
+        "Pa" => (Pressure::new::<pressure::pascal>(1.0).value, force.times(D::LENGTH, -2)),
+        "P" => (0.1, D::MASS.times(D::LENGTH, -1).times(D::TIME, -1)),
+        "cP" => (1e-3, D::MASS.times(D::LENGTH, -1).times(D::TIME, -1)),
+        _ => return None,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Quantity, UnitError};
+
+    #[test]
+    fn exact_definitions_of_units() {
+        for (quantity, text, si) in [
+            (Quantity::SPEED, "1 mph", 0.44704),
+            (Quantity::SPEED, "3.6 km/h", 1.0),
+            (Quantity::LENGTH, "1 yd", 0.9144),
+            (Quantity::LENGTH, "-0.5in", -0.0127),
+            (Quantity::MASS, "1 lb", 0.45359237),
+            (Quantity::MASS, "1 oz", 0.028349523125),
+            (Quantity::INERTIA, "5679 g cm^2", 5.679e-4),
+            (Quantity::INERTIA, "5679 g·cm²", 5.679e-4),
+            (Quantity::DENSITY, "1.2 g/L", 1.2),
+            (Quantity::VISCOSITY, "0.0181 cP", 1.81e-5),
+            (Quantity::VISCOSITY, "1.81e-5 N s/m^2", 1.81e-5),
+            (Quantity::ACCELERATION, "9.81 m s^-2", 9.81),
+            (Quantity::ANGULAR_VELOCITY, "60 rpm", std::f64::consts::TAU),
+            (Quantity::ANGLE, "90°", std::f64::consts::FRAC_PI_2),
+            (Quantity::ANGLE, "\u{2212}90°", -std::f64::consts::FRAC_PI_2),
+            (Quantity::RATE, "4 %/s", 0.04),
+            (Quantity::NUMBER, "0.83", 0.83),
+        ] {
+            let value = quantity.read(text).unwrap();
+            assert!((value - si).abs() <= 4e-16 * si.abs(), "{text}: {value} != {si}");
+        }
+        assert_eq!(Quantity::LENGTH.read("inf"), Ok(f64::INFINITY));
+    }
+
+    #[test]
+    fn wrong_missing_and_unknown_units_are_told_apart() {
+        assert!(matches!(Quantity::ANGLE.read("10 kg"), Err(UnitError::WrongKind { .. })));
+        assert!(matches!(Quantity::ANGLE.read("10"), Err(UnitError::NoUnit { .. })));
+        assert!(matches!(Quantity::ANGLE.read("10 dg"), Err(UnitError::UnknownUnit { .. })));
+        assert!(matches!(Quantity::ANGLE.read("ten deg"), Err(UnitError::NoNumber { .. })));
+        assert!(matches!(Quantity::ANGULAR_VELOCITY.read("10 1/s"), Err(UnitError::WrongKind { .. })));
+        assert!(matches!(Quantity::SPEED.read("10 m/"), Err(UnitError::UnknownUnit { .. })));
+        assert!(matches!(Quantity::SPEED.read("10 m//s"), Err(UnitError::UnknownUnit { .. })));
+        assert!(matches!(Quantity::SPEED.read("10 m^99 s"), Err(UnitError::UnknownUnit { .. })));
+        assert_eq!(Quantity::ANGLE.read_bare("0.25"), Ok(0.25));
+    }
+}
