@@ -53,7 +53,9 @@ pub mod flight;
 pub mod impact;
 pub mod launch;
 pub mod number;
+pub mod optimize;
 pub mod parameters;
+pub mod study;
 pub mod units;
 
 pub use drive::{Drive, Outcome};

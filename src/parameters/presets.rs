@@ -89,6 +89,7 @@ pub static PRESETS: &[Preset] = &[
             entry("air.viscosity", "1.81e-5 Pa s", NOT_IN_REPORT),
             entry("gravity", "9.81 m/s^2", REPORT),
             entry("aero.spin_decay", "0.7 1/s", "MAE 494 report, from Winfield & Tan's 0.6–0.7"),
+            entry("flight.step", "0.01 s", "MAE 494 report, listing: h = 0.01"),
             entry(LAW, "robinson", "MAE 494 report, listing: 0.3, 2.58e-4, 0.319, 2.48e-3"),
         ],
     },

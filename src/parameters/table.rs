@@ -157,8 +157,8 @@ parameter_groups! {
         gravity: T = "gravity", "g", ACCELERATION in "m/s^2", Range::above_to(0.0, 1000.0), "9.80665 m/s^2",
             "standard gravity";
         /// Time step of the integration.
-        step: f64 = "flight.step", "h", TIME in "s", Range::above_to(0.0, 1.0), "0.01 s",
-            "carry of driver shots to about 1e-9 m, docs/model.md";
+        step: f64 = "flight.step", "h", TIME in "s", Range::above_to(0.0, 1.0), "0.005 s",
+            "carry of driver shots to 1e-10 m and their gradients to 1e-8 relative, docs/model.md";
         /// Longest flight that is followed.
         time_limit: f64 = "flight.time_limit", "t_max", TIME in "s", Range::above_to(0.0, 1e6), "600 s",
             "a hundred ordinary drives";
