@@ -222,7 +222,9 @@ mod tests {
     #[test]
     fn nearest_name_is_suggested() {
         let names = ["club.loft", "club.mass", "swing.attack_angle"];
-        for (given, meant) in [("club.lofft", "club.loft"), ("loft", "club.loft"), ("atack_angle", "swing.attack_angle")] {
+        for (given, meant) in
+            [("club.lofft", "club.loft"), ("loft", "club.loft"), ("atack_angle", "swing.attack_angle")]
+        {
             let message = Error::unknown("parameter", given, names, "list").to_string();
             assert!(message.contains(&format!("did you mean '{meant}'?")), "{message}");
         }

@@ -55,6 +55,7 @@ pub mod launch;
 pub mod number;
 pub mod optimize;
 pub mod parameters;
+pub mod report;
 pub mod study;
 pub mod units;
 

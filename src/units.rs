@@ -212,6 +212,20 @@ impl fmt::Display for Quantity {
     }
 }
 
+/// The unit of a derivative, from the units of what changes and of what it changes by.
+///
+/// ```
+/// assert_eq!(longdrive::units::per("m", "rad"), "m per rad");
+/// assert_eq!(longdrive::units::per("m", ""), "m");
+/// ```
+pub fn per(of: &str, by: &str) -> String {
+    match (of, by) {
+        (of, "") => of.into(),
+        ("", by) => format!("per {by}"),
+        (of, by) => format!("{of} per {by}"),
+    }
+}
+
 /// A number with at most `digits` significant digits, without trailing zeros.
 ///
 /// ```
@@ -233,7 +247,7 @@ fn split_number(text: &str) -> Option<(f64, &str)> {
         let value = prefix.replace('\u{2212}', "-").parse::<f64>().ok()?;
         Some((value, end))
     };
-    let (value, end) = ends.filter_map(number).last()?;
+    let (value, end) = ends.rev().find_map(number)?;
     Some((value, text[end..].trim()))
 }
 

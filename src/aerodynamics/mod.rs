@@ -91,7 +91,12 @@ mod tests {
 
     fn stream(spin_ratio: f64) -> Stream<f64> {
         let (radius, speed) = (0.02134, 50.0);
-        Stream { spin: spin_ratio * speed / radius, radius_per_speed: radius / speed, speed, reynolds_per_speed: 3000.0 }
+        Stream {
+            spin: spin_ratio * speed / radius,
+            radius_per_speed: radius / speed,
+            speed,
+            reynolds_per_speed: 3000.0,
+        }
     }
 
     /// C_D and C_L that docs/sources.md tabulates for the two laws at Re = 1.5e5, to the printed digits.
@@ -117,7 +122,7 @@ mod tests {
     fn exact_c2_join_where_a_law_is_smoothed_and_no_lift_without_spin() {
         for (name, join) in [("smits-smith", 0.001), ("ferguson", 0.02)] {
             let law = Law::named(name).unwrap();
-            let setup = { let mut s = crate::Setup::default(); s.law = law; s };
+            let setup = crate::Setup { law, ..crate::Setup::default() };
             let lift = |s: f64| {
                 let law = setup.map(|_, value| Dual2_64::from(value)).law;
                 let s = Dual2_64::from(s).derivative();

@@ -37,9 +37,7 @@ impl<T: Number> WindField<T> {
     pub fn at(&self, height: impl FnOnce() -> T) -> Vector<T> {
         match &self.profile {
             None => self.reference,
-            Some(profile) => {
-                self.reference * (logarithm(height() - profile.ground, profile.roughness) * profile.scale)
-            }
+            Some(profile) => self.reference * (logarithm(height() - profile.ground, profile.roughness) * profile.scale),
         }
     }
 }

@@ -5,8 +5,8 @@ mod seed;
 
 use crate::drive::{Drive, Outcome};
 use crate::error::{Error, Result};
-use crate::parameters::{Parameter, Setup};
 use crate::number::{Jet, Jet2};
+use crate::parameters::{Parameter, Setup};
 use num_dual::{Dual2_64, Dual64};
 use seed::Seeded;
 
@@ -77,12 +77,7 @@ pub fn jacobian(setup: &Setup<f64>, of: &[Outcome], wrt: &[&'static Parameter]) 
 /// What [`Setup::validate`], [`Setup::variable`] and [`Drive::new`] refuse; [`Error::NoFlight`] for an outcome
 /// of a flight that is none; [`Error::Undefined`] where a value or derivative does not exist;
 /// [`Error::Nothing`] without outcomes or, beyond values, without parameters.
-pub fn evaluate(
-    setup: &Setup<f64>,
-    of: &[Outcome],
-    wrt: &[&'static Parameter],
-    order: Order,
-) -> Result<Vec<Taylor>> {
+pub fn evaluate(setup: &Setup<f64>, of: &[Outcome], wrt: &[&'static Parameter], order: Order) -> Result<Vec<Taylor>> {
     evaluate_with(setup, of, wrt, order, |_, _| ())
 }
 

@@ -99,7 +99,12 @@ impl Outcome {
     pub fn named(name: &str) -> Result<Self> {
         Self::ALL.iter().copied().find(|outcome| outcome.name() == name).ok_or_else(|| {
             let names = Self::ALL.iter().map(|outcome| outcome.name());
-            Error::unknown("outcome", name, names.clone(), format!("there are {}", names.collect::<Vec<_>>().join(", ")))
+            Error::unknown(
+                "outcome",
+                name,
+                names.clone(),
+                format!("there are {}", names.collect::<Vec<_>>().join(", ")),
+            )
         })
     }
 

@@ -9,17 +9,19 @@ use crate::number::{Number, Vector};
 pub(super) struct Quintic<T>([T; 6]);
 
 impl<T: Number> Quintic<T> {
-    fn new(h: f64, [x0, v0, a0]: [T; 3], [x1, v1, a1]: [T; 3]) -> Self {
-        let (v0, v1) = (v0 * h, v1 * h);
+    /// From position, velocity and acceleration at the start, the acceleration at the end, and what the step
+    /// added: x₁ − x₀ − h v₀ and v₁ − v₀. These are the step's own small numbers; differences of the sums would
+    /// lose their digits, and with them those of landing speed and Hessian.
+    fn new(h: f64, [x0, v0, a0]: [T; 3], a1: T, [bent, gained]: [T; 2]) -> Self {
+        let gained = gained * h;
         let (a0, a1) = (a0 * (h * h), a1 * (h * h));
-        let way = x1 - x0;
         Self([
             x0,
-            v0,
+            v0 * h,
             a0 * 0.5,
-            way * 10.0 - v0 * 6.0 - v1 * 4.0 - a0 * 1.5 + a1 * 0.5,
-            way * -15.0 + v0 * 8.0 + v1 * 7.0 + a0 * 1.5 - a1,
-            way * 6.0 - (v0 + v1) * 3.0 - (a0 - a1) * 0.5,
+            bent * 10.0 - gained * 4.0 - a0 * 1.5 + a1 * 0.5,
+            bent * -15.0 + gained * 7.0 + a0 * 1.5 - a1,
+            bent * 6.0 - gained * 3.0 - (a0 - a1) * 0.5,
         ])
     }
 
@@ -80,7 +82,11 @@ fn falling_root(mut low: f64, f: impl Fn(f64) -> (f64, f64)) -> f64 {
         if value == 0.0 {
             break;
         }
-        if value > 0.0 { low = s } else { high = s }
+        if value > 0.0 {
+            low = s
+        } else {
+            high = s
+        }
         let newton = s - value / slope;
         let next = if low < newton && newton < high { newton } else { 0.5 * (low + high) };
         if (next - s).abs() <= f64::EPSILON {
@@ -103,8 +109,8 @@ pub(super) struct Segment<T> {
 impl<T: Number> Segment<T> {
     pub fn new(from: &Node<T>, to: &Node<T>, h: f64) -> Self {
         let quintic = |c: fn(Vector<T>) -> T| {
-            let end = |node: &Node<T>| [c(node.position), c(node.velocity), c(node.rate.acceleration)];
-            Quintic::new(h, end(from), end(to))
+            let start = [c(from.position), c(from.velocity), c(from.rate.acceleration)];
+            Quintic::new(h, start, c(to.rate.acceleration), to.added.map(c))
         };
         Self { start: from.time, h, up: quintic(|v| v.x), right: quintic(|v| v.y), downrange: quintic(|v| v.z) }
     }
@@ -134,9 +140,9 @@ mod tests {
 
     #[test]
     fn exact_quintic_reproduces_its_ends() {
-        let q = Quintic::new(0.5, [1.0, 2.0, 3.0], [4.0, 5.0, 6.0]);
-        for (s, [x, v, a]) in [(0.0, [1.0, 2.0, 3.0]), (1.0, [4.0, 5.0, 6.0])] {
-            let ends = [q.value(s), q.slope(s) / 0.5, q.curvature(s) / 0.25];
+        let q = Quintic::new(0.5, [1.0, 2.0, 3.0], 6.0, [4.0 - 1.0 - 0.5 * 2.0, 5.0 - 2.0]);
+        for (s, [x, v, a]) in [(0.0_f64, [1.0_f64, 2.0, 3.0]), (1.0, [4.0, 5.0, 6.0])] {
+            let ends: [f64; 3] = [q.value(s), q.slope(s) / 0.5, q.curvature(s) / 0.25];
             for (got, expected) in ends.iter().zip([x, v, a]) {
                 assert!((got - expected).abs() < 1e-13, "{ends:?}");
             }

@@ -83,13 +83,22 @@ impl fmt::Display for NoFlight {
         match self {
             Self::LaunchedDown { launch_angle } => {
                 let degrees = launch_angle.to_degrees();
-                write!(f, "the ball leaves at {degrees:.3}° to the horizontal and the ground is not below it; more loft or attack angle lets it fly")
+                write!(
+                    f,
+                    "the ball leaves at {degrees:.3}° to the horizontal and the ground is not below it; more loft or attack angle lets it fly"
+                )
             }
             Self::BelowGround { apex_height, ground_height } => {
-                write!(f, "the ball rises to {apex_height:.3} m only, below the ground's height of {ground_height:.3} m")
+                write!(
+                    f,
+                    "the ball rises to {apex_height:.3} m only, below the ground's height of {ground_height:.3} m"
+                )
             }
             Self::Aloft { time, height } => {
-                write!(f, "the ball is still {height:.1} m up after {time} s; raise flight.time_limit to follow it further")
+                write!(
+                    f,
+                    "the ball is still {height:.1} m up after {time} s; raise flight.time_limit to follow it further"
+                )
             }
         }
     }
@@ -112,7 +121,8 @@ pub(super) fn follow<T: Number>(
     let ground = setup.ground.height;
     let step = setup.flight.step;
     let mut above = ground.re() < 0.0;
-    if !above && !(launch.velocity.x.re() > 0.0) {
+    let rising = launch.velocity.x.re() > 0.0;
+    if !above && !rising {
         return Ok(Flight::None(NoFlight::LaunchedDown { launch_angle: launch.launch_angle().re() }));
     }
 

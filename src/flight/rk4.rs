@@ -10,6 +10,8 @@ pub(super) struct Node<T> {
     pub position: Vector<T>,
     pub velocity: Vector<T>,
     pub rate: Rate<T>,
+    /// What the step here added: x − x₀ − h v₀, and v − v₀, as computed, before the sums rounded them.
+    pub added: [Vector<T>; 2],
     /// Way through the air, m; followed only where the spin depends on it.
     air_path: T,
 }
@@ -19,7 +21,8 @@ impl<T: Number> Node<T> {
     pub fn at_launch(motion: &Motion<T>, launch: &Launch<T>) -> Self {
         let zero = T::zero();
         let rate = motion.rate(&motion.spin_at(0.0, zero), launch.velocity, || zero);
-        Self { time: 0.0, position: Vector::zero(), velocity: launch.velocity, rate, air_path: zero }
+        let added = [Vector::zero(); 2];
+        Self { time: 0.0, position: Vector::zero(), velocity: launch.velocity, rate, added, air_path: zero }
     }
 
     /// One step of length `h` of the classical fourth-order Runge–Kutta method (Kutta 1901), to time `end`.
@@ -43,17 +46,18 @@ impl<T: Number> Node<T> {
         });
 
         let spin = motion.spin_at(end, path_after(h, third.airspeed));
-        let fourth = motion.rate(&spin, v + scaled(third.acceleration, h), || {
-            x.x + v.x * h + second.acceleration.x * (half * h)
-        });
+        let fourth = motion
+            .rate(&spin, v + scaled(third.acceleration, h), || x.x + v.x * h + second.acceleration.x * (half * h));
 
         let inner = second.acceleration + third.acceleration;
-        let position = x + scaled(v, h) + scaled(first.acceleration + inner, h * h / 6.0);
-        let velocity = v + scaled(first.acceleration + inner + inner + fourth.acceleration, h / 6.0);
+        let bent = scaled(first.acceleration + inner, h * h / 6.0);
+        let gained = scaled(first.acceleration + inner + inner + fourth.acceleration, h / 6.0);
+        let (position, velocity) = (x + scaled(v, h) + bent, v + gained);
         let inner_speed = second.airspeed + third.airspeed;
         let air_path = path_after(h / 6.0, first.airspeed + inner_speed + inner_speed + fourth.airspeed);
         let spin = if motion.is_damped() { motion.spin_at(end, air_path) } else { spin };
-        Self { time: end, position, velocity, rate: motion.rate(&spin, velocity, || position.x), air_path }
+        let rate = motion.rate(&spin, velocity, || position.x);
+        Self { time: end, position, velocity, rate, added: [bent, gained], air_path }
     }
 
     pub fn is_finite(&self) -> bool {

@@ -29,7 +29,7 @@ impl<T: Number> FacePoint<T> {
         let (high, toe) = (strike.high, strike.toe);
         let sag = high * high * roll + toe * toe * bulge;
         let q = sag * third;
-        if !(q.re() < 1.0) {
+        if q.re() >= 1.0 || q.re().is_nan() {
             return Err(Error::OffFace { high_mm: high.re() * 1e3, toe_mm: toe.re() * 1e3, q: q.re() });
         }
         let root = (-q + 1.0).sqrt();

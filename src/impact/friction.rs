@@ -37,7 +37,7 @@ pub(super) fn limited<T: Number>(
     let direction = normal + tangential * (friction / tangential.norm());
     let [x, y, z] = collision.compliance()?;
     let separating = normal.dot(x * direction.x + y * direction.y + z * direction.z);
-    if !(separating.re() > 0.0) {
+    if separating.re() <= 0.0 || separating.re().is_nan() {
         return Err(jammed(&format!(
             "with impact.friction = {} the ball slips but n·K(n + μ t) = {} /kg, which must be above 0",
             friction.re(),

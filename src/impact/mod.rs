@@ -46,7 +46,7 @@ pub fn strike<T: Number>(setup: &Setup<T>) -> Result<Impact<T>> {
     let delivery = Delivery::new(&setup.swing);
     let collision = Collision::new(setup, &delivery)?;
     let approach = collision.approach().dot(collision.normal).re();
-    if !(approach > 0.0) {
+    if approach <= 0.0 || approach.is_nan() {
         return Err(Error::NoStrike { approach });
     }
     let rolling = collision.by_impulse()?;

@@ -98,8 +98,10 @@ impl<T: Number> Collision<T> {
     #[inline]
     pub fn after(&self, impulse: Vector<T>) -> Result<Rebound<T>> {
         let push = impulse.dot(self.normal).re();
-        if !(push > 0.0) {
-            return Err(jammed(&format!("the impulse along the face normal would be {push} N s, which must be above 0")));
+        if push <= 0.0 || push.is_nan() {
+            return Err(jammed(&format!(
+                "the impulse along the face normal would be {push} N s, which must be above 0"
+            )));
         }
         Ok(Rebound {
             impulse,
@@ -182,8 +184,11 @@ impl<T: Number> Collision<T> {
             (second, self.tangential_restitution),
         ];
         for (row, (direction, coefficient)) in directions.into_iter().enumerate() {
-            let (along, club_arm, ball_arm) =
-                (direction.to_array(), self.contact.cross(direction).to_array(), to_ball_surface.cross(direction).to_array());
+            let (along, club_arm, ball_arm) = (
+                direction.to_array(),
+                self.contact.cross(direction).to_array(),
+                to_ball_surface.cross(direction).to_array(),
+            );
             for i in 0..3 {
                 a[CONTACT + row][CLUB_VELOCITY + i] = along[i];
                 a[CONTACT + row][CLUB_SPIN + i] = club_arm[i];
@@ -208,11 +213,8 @@ impl<T: Number> Collision<T> {
     fn tangents(&self) -> [Vector<T>; 2] {
         let n = self.normal;
         // turn about whichever axis the normal is farther from
-        let across = if n.y.re().abs() < 0.9 {
-            Vector::new(n.z, T::zero(), -n.x)
-        } else {
-            Vector::new(T::zero(), n.z, -n.y)
-        };
+        let across =
+            if n.y.re().abs() < 0.9 { Vector::new(n.z, T::zero(), -n.x) } else { Vector::new(T::zero(), n.z, -n.y) };
         let first = across * across.norm().recip();
         [first, n.cross(first)]
     }

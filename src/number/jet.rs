@@ -35,10 +35,25 @@ impl<const N: usize> Jet<N> {
         jet
     }
 
-    /// f(x) from f(x.re) and f′(x.re).
+    /// Chain rule: f(x) from f(x.re) and f′(x.re).
     #[inline(always)]
     fn chain(self, f: f64, slope: f64) -> Self {
         Self { re: f, gradient: self.gradient.map(|d| slope * d) }
+    }
+
+    /// Product rule.
+    #[inline(always)]
+    fn product(self, other: Self) -> Self {
+        let rule = |a, b| a * other.re + self.re * b;
+        Self { re: self.re * other.re, gradient: zip(self.gradient, other.gradient, rule) }
+    }
+
+    /// Quotient rule.
+    #[inline(always)]
+    fn quotient(self, other: Self) -> Self {
+        let inverse = other.re.recip();
+        let re = self.re * inverse;
+        Self { re, gradient: zip(self.gradient, other.gradient, |a, b| (a - re * b) * inverse) }
     }
 }
 
@@ -71,16 +86,32 @@ impl<const N: usize, const M: usize> Jet2<N, M> {
         all
     }
 
-    /// f(x) from f(x.re), f′(x.re) and f″(x.re).
+    /// Chain rule: f(x) from f(x.re), f′(x.re) and f″(x.re).
     #[inline(always)]
     fn chain(self, f: f64, slope: f64, curvature: f64) -> Self {
         let (g, h) = (self.gradient, self.hessian);
         let bent = g.map(|d| curvature * d);
+        Self { re: f, gradient: g.map(|d| slope * d), hessian: Self::triangle(|k, i, j| slope * h[k] + bent[i] * g[j]) }
+    }
+
+    /// Product rule.
+    #[inline(always)]
+    fn product(self, other: Self) -> Self {
+        let (a, b) = (&self, &other);
         Self {
-            re: f,
-            gradient: g.map(|d| slope * d),
-            hessian: Self::triangle(|k, i, j| slope * h[k] + bent[i] * g[j]),
+            re: a.re * b.re,
+            gradient: zip(a.gradient, b.gradient, |da, db| da * b.re + a.re * db),
+            hessian: Self::triangle(|k, i, j| {
+                let own = a.hessian[k] * b.re + a.re * b.hessian[k];
+                own + (a.gradient[i] * b.gradient[j] + a.gradient[j] * b.gradient[i])
+            }),
         }
+    }
+
+    /// Quotient rule.
+    #[inline(always)]
+    fn quotient(self, other: Self) -> Self {
+        self.product(other.recip())
     }
 }
 
@@ -102,25 +133,6 @@ impl<const N: usize> Sub for Jet<N> {
     #[inline(always)]
     fn sub(self, other: Self) -> Self {
         Self { re: self.re - other.re, gradient: zip(self.gradient, other.gradient, |a, b| a - b) }
-    }
-}
-
-impl<const N: usize> Mul for Jet<N> {
-    type Output = Self;
-    #[inline(always)]
-    fn mul(self, other: Self) -> Self {
-        let product = |a, b| a * other.re + self.re * b;
-        Self { re: self.re * other.re, gradient: zip(self.gradient, other.gradient, product) }
-    }
-}
-
-impl<const N: usize> Div for Jet<N> {
-    type Output = Self;
-    #[inline(always)]
-    fn div(self, other: Self) -> Self {
-        let inverse = other.re.recip();
-        let re = self.re * inverse;
-        Self { re, gradient: zip(self.gradient, other.gradient, |a, b| (a - re * b) * inverse) }
     }
 }
 
@@ -148,31 +160,8 @@ impl<const N: usize, const M: usize> Sub for Jet2<N, M> {
     }
 }
 
-impl<const N: usize, const M: usize> Mul for Jet2<N, M> {
-    type Output = Self;
-    #[inline(always)]
-    fn mul(self, other: Self) -> Self {
-        let (a, b) = (&self, &other);
-        Self {
-            re: a.re * b.re,
-            gradient: zip(a.gradient, b.gradient, |da, db| da * b.re + a.re * db),
-            hessian: Self::triangle(|k, i, j| {
-                let own = a.hessian[k] * b.re + a.re * b.hessian[k];
-                own + (a.gradient[i] * b.gradient[j] + a.gradient[j] * b.gradient[i])
-            }),
-        }
-    }
-}
-
-impl<const N: usize, const M: usize> Div for Jet2<N, M> {
-    type Output = Self;
-    #[inline(always)]
-    fn div(self, other: Self) -> Self {
-        self * other.recip()
-    }
-}
-
-/// The elementary functions of both jets: `f`, `f′` and, for the second, `f″` at the value.
+/// What both jets do alike: the elementary functions, with `f`, `f′` and, for the second, `f″` at the value, and
+/// the operators on plain numbers.
 macro_rules! jet_functions {
     ($Jet:ident<$($n:ident),+>, |$x:ident, $f:ident, $d:ident, $d2:ident| $chain:expr, zero: { $($zero:ident),+ }) => {
         impl<$(const $n: usize),+> Number for $Jet<$($n),+> {
@@ -239,6 +228,22 @@ macro_rules! jet_functions {
             }
         }
 
+        impl<$(const $n: usize),+> Mul for $Jet<$($n),+> {
+            type Output = Self;
+            #[inline(always)]
+            fn mul(self, other: Self) -> Self {
+                self.product(other)
+            }
+        }
+
+        impl<$(const $n: usize),+> Div for $Jet<$($n),+> {
+            type Output = Self;
+            #[inline(always)]
+            fn div(self, other: Self) -> Self {
+                self.quotient(other)
+            }
+        }
+
         impl<$(const $n: usize),+> Neg for $Jet<$($n),+> {
             type Output = Self;
             #[inline(always)]
@@ -277,7 +282,8 @@ macro_rules! jet_functions {
             type Output = Self;
             #[inline(always)]
             fn div(self, other: f64) -> Self {
-                self * other.recip()
+                let inverse = other.recip();
+                self.mul(inverse)
             }
         }
     };

@@ -1,7 +1,6 @@
 use super::Number;
 
-/// Solves A x = b by Gaussian elimination with partial pivoting. `None` where A is singular to working
-/// precision or holds a number that is not finite.
+/// Solves A x = b by Gaussian elimination with partial pivoting. `None` where A is exactly singular or holds a number that is not finite.
 ///
 /// nalgebra's and num-dual's decompositions ask for more than [`Number`] offers; a number type of our own
 /// need not be a field in their sense.
@@ -20,8 +19,9 @@ pub(crate) fn solve<T: Number, const N: usize>(mut a: [[T; N]; N], mut b: [T; N]
         let inverse = a[column][column].recip();
         for row in column + 1..N {
             let factor = a[row][column] * inverse;
-            for k in column + 1..N {
-                a[row][k] = a[row][k] - factor * a[column][k];
+            let (above, below) = a.split_at_mut(row);
+            for (entry, eliminated) in below[0].iter_mut().zip(above[column]).skip(column + 1) {
+                *entry = *entry - factor * eliminated;
             }
             b[row] = b[row] - factor * b[column];
         }

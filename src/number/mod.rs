@@ -23,10 +23,8 @@ pub trait Arithmetic<R>:
 {
 }
 
-impl<T, R> Arithmetic<R> for T where
-    T: Add<R, Output = T> + Sub<R, Output = T> + Mul<R, Output = T> + Div<R, Output = T>
-{
-}
+impl<T, R> Arithmetic<R> for T where T: Add<R, Output = T> + Sub<R, Output = T> + Mul<R, Output = T> + Div<R, Output = T>
+{}
 
 /// A real number, possibly carrying derivatives.
 ///
@@ -145,7 +143,7 @@ impl<D: DualNum<Primitive = f64> + Copy> Number for D {
 #[cfg(test)]
 mod tests {
     use super::Number;
-    use num_dual::{Dual64, Dual2_64};
+    use num_dual::{Dual2_64, Dual64};
 
     #[test]
     fn exact_atan2_has_derivatives_in_every_direction() {

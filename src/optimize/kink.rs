@@ -3,12 +3,14 @@
 use super::problem::{Bounds, Evaluation, Problem};
 
 /// A corner of a function along one variable.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Kink {
-    variable: usize,
-    /// Slopes to the lower and to the upper side.
-    slopes: [f64; 2],
-    at: f64,
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Kink {
+    /// The variable's index.
+    pub variable: usize,
+    /// The slope just below the corner.
+    pub slope_below: f64,
+    /// The slope just above it.
+    pub slope_above: f64,
 }
 
 /// Half the distance between the points compared, in units of the variables' scale.
@@ -30,8 +32,11 @@ pub(super) fn find(problem: &impl Problem, bounds: &Bounds, x: &[f64], phi: f64)
         let smooth = [&below, &above].map(|side| (side.hessian[i][i] * (to - from) - jump).abs());
         let unexplained = smooth[0].min(smooth[1]) > 0.5 * jump.abs();
         let matters = jump.abs() * scale[i] > 1e-6 * phi;
-        (to > from && unexplained && matters)
-            .then(|| Kink { variable: i, slopes: [below.gradient[i], above.gradient[i]], at: x[i] })
+        (to > from && unexplained && matters).then(|| Kink {
+            variable: i,
+            slope_below: below.gradient[i],
+            slope_above: above.gradient[i],
+        })
     })
 }
 
@@ -39,13 +44,4 @@ pub(super) fn find(problem: &impl Problem, bounds: &Bounds, x: &[f64], phi: f64)
 /// all of φ within a thousandth of the variable's scale.
 pub(super) fn is_suspected(evaluation: &Evaluation, scale: &[f64], phi: f64) -> bool {
     (0..scale.len()).any(|i| evaluation.hessian[i][i].abs() * scale[i] * scale[i] > 1e3 * phi)
-}
-
-impl Kink {
-    pub fn describe(&self, residual: f64) -> String {
-        let Self { variable, slopes: [below, above], at } = self;
-        format!(
-            "the slope in variable {variable} at {at} is {below:.6} to the lower side and {above:.6} to the upper, so that no gradient vanishes; KKT residual {residual:.1e}"
-        )
-    }
 }

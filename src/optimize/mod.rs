@@ -36,6 +36,7 @@ mod solution;
 pub mod sqp;
 pub mod status;
 
+pub use kink::Kink;
 pub use problem::{Bounds, Evaluation, Options, Problem};
 pub use solution::{Iteration, Solution, minimize, minimize_watched};
 pub use status::Status;

@@ -49,11 +49,18 @@ impl Bounds {
     /// [`Error::Optimizer`] for ends that are NaN, reversed, infinite on the wrong side, or of different number.
     pub fn new(low: Vec<f64>, high: Vec<f64>) -> Result<Self> {
         if low.len() != high.len() || low.is_empty() {
-            return Err(Error::Optimizer(format!("{} lower and {} upper bounds; give one of each per variable, at least one", low.len(), high.len())));
+            return Err(Error::Optimizer(format!(
+                "{} lower and {} upper bounds; give one of each per variable, at least one",
+                low.len(),
+                high.len()
+            )));
         }
         for (i, (low, high)) in low.iter().zip(&high).enumerate() {
-            if !(low <= high) || *low == f64::INFINITY || *high == f64::NEG_INFINITY {
-                return Err(Error::Optimizer(format!("the bounds of variable {i} are {low} .. {high}; the lower must not exceed the upper")));
+            let is_range = low <= high && *low < f64::INFINITY && *high > f64::NEG_INFINITY;
+            if !is_range {
+                return Err(Error::Optimizer(format!(
+                    "the bounds of variable {i} are {low} .. {high}; the lower must not exceed the upper"
+                )));
             }
         }
         Ok(Self { low, high })
@@ -104,7 +111,9 @@ impl Default for Options {
 
 impl Options {
     pub(super) fn validate(&self) -> Result<()> {
-        let refuse = |what: &str, value: f64, range: &str| Err(Error::Optimizer(format!("{what} = {value} is outside its range {range}")));
+        let refuse = |what: &str, value: f64, range: &str| {
+            Err(Error::Optimizer(format!("{what} = {value} is outside its range {range}")))
+        };
         if !(self.kkt_tolerance > 0.0 && self.kkt_tolerance < 1.0) {
             return refuse("kkt_tolerance", self.kkt_tolerance, "0 < … < 1");
         }

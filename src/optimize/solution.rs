@@ -1,3 +1,4 @@
+use super::kink::Kink;
 use super::problem::{Bounds, Options, Problem};
 use super::sqp::{Sqp, SqpState};
 use super::status::Status;
@@ -26,6 +27,8 @@ pub struct Solution {
     pub upper_multipliers: Vec<f64>,
     /// The KKT residual, relative (see [`status`](super::status)).
     pub kkt_residual: f64,
+    /// The corner that the search ended at, if it did.
+    pub kink: Option<Kink>,
     /// Iterations taken.
     pub iterations: u64,
     /// Evaluations of f with its derivatives.
@@ -87,9 +90,11 @@ pub fn minimize_watched(
     let gradient = state.take_gradient().unwrap_or_default();
     let iterations = state.get_iter();
     let evaluations = result.problem.counts.get("evaluations").copied().unwrap_or_default();
-    let multiplier = |i: usize, at_bound: bool, outward: f64| if at_bound { gradient.get(i).map_or(0.0, |g| (g * outward).max(0.0)) } else { 0.0 };
+    let multiplier = |i: usize, at_bound: bool, outward: f64| {
+        if at_bound { gradient.get(i).map_or(0.0, |g| (g * outward).max(0.0)) } else { 0.0 }
+    };
     let solver = result.solver;
-    let (kkt_residual, moved_start) = (solver.residual(), solver.moved().map(str::to_owned));
+    let (kkt_residual, kink, moved_start) = (solver.residual(), solver.kink(), solver.moved().map(str::to_owned));
     let verdict = solver.into_verdict(iterations);
     Ok(Solution {
         status: verdict.status,
@@ -101,6 +106,7 @@ pub fn minimize_watched(
         gradient,
         x,
         kkt_residual,
+        kink,
         iterations,
         evaluations,
         moved_start,

@@ -1,13 +1,11 @@
 //! The loop: sequential quadratic programming as an argmin `Solver`.
 
 use super::convex::convexified;
-use super::kink;
+use super::kink::{self, Kink};
 use super::problem::{Bounds, Evaluation, Options, Problem};
 use super::qp::{End, Piece, QuadraticProgram, Step};
 use super::status::{Status, Verdict, corner_test, gradient_test, progress_test, radius_test};
-use argmin::core::{
-    Error, IterState, KV, Problem as Counted, Solver, TerminationReason, TerminationStatus,
-};
+use argmin::core::{Error, IterState, KV, Problem as Counted, Solver, TerminationReason, TerminationStatus};
 use argmin::kv;
 use nalgebra::{DMatrix, DVector};
 
@@ -43,6 +41,7 @@ pub struct Sqp {
     idle: u32,
     residual: f64,
     verdict: Option<Verdict>,
+    kink: Option<Kink>,
     /// Where the search began instead, if the start was not defined, and why.
     moved: Option<String>,
 }
@@ -70,12 +69,17 @@ impl Sqp {
             idle: 0,
             residual: f64::INFINITY,
             verdict: None,
+            kink: None,
             moved: None,
         }
     }
 
     pub(super) fn residual(&self) -> f64 {
         self.residual
+    }
+
+    pub(super) fn kink(&self) -> Option<Kink> {
+        self.kink
     }
 
     pub(super) fn moved(&self) -> Option<&str> {
@@ -232,7 +236,8 @@ impl Sqp {
                 return verdict;
             }
             let corner = kink::find(problem, &self.bounds, &at.x, self.phi);
-            corner.map_or(verdict, |corner| Verdict::kink(&corner.describe(self.residual)))
+            self.kink = corner;
+            corner.map_or(verdict, |kink| Verdict::kink(&kink, at.x[kink.variable], self.residual))
         });
     }
 
@@ -256,7 +261,10 @@ impl Sqp {
             }
         }
         match &best {
-            Some(point) => self.moved = Some(format!("the function is not defined at the start ({why}); begun at {:?} instead", point.x)),
+            Some(point) => {
+                self.moved =
+                    Some(format!("the function is not defined at the start ({why}); begun at {:?} instead", point.x))
+            }
             None => self.verdict = Some(Verdict::undefined(self.options.start_trials, &why)),
         }
         Ok(best)
@@ -284,7 +292,8 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
 /// Counts and evaluates. The outer error is argmin's, which never occurs here.
 fn evaluate<P: Problem>(problem: &mut Counted<P>, x: &[f64]) -> Result<Result<Evaluation, String>, Error> {
     problem.problem("evaluations", |p| {
-        Ok(p.evaluate(x).and_then(|f| if f.is_finite() { Ok(f) } else { Err("it or a derivative is not finite".into()) }))
+        Ok(p.evaluate(x)
+            .and_then(|f| if f.is_finite() { Ok(f) } else { Err("it or a derivative is not finite".into()) }))
     })
 }
 

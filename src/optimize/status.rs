@@ -6,6 +6,7 @@
 //! maxᵢ sᵢ |pᵢ|/φ with p the gradient projected on the bounds: its component is 0 where a bound is active and
 //! f falls only towards the outside.
 
+use super::kink::Kink;
 use std::fmt;
 
 /// How a search ended.
@@ -57,7 +58,9 @@ impl Verdict {
     pub fn iteration_limit(iterations: u64, residual: f64) -> Self {
         Self::new(
             Status::IterationLimit,
-            format!("{iterations} iterations used up with a KKT residual of {residual:.1e}; allow more, or start nearer"),
+            format!(
+                "{iterations} iterations used up with a KKT residual of {residual:.1e}; allow more, or start nearer"
+            ),
         )
     }
 
@@ -68,8 +71,13 @@ impl Verdict {
         )
     }
 
-    pub fn kink(description: &str) -> Self {
-        Self::new(Status::StalledAtKink, format!("the function has a corner here: {description}"))
+    pub fn kink(kink: &Kink, at: f64, residual: f64) -> Self {
+        let Kink { variable, slope_below, slope_above } = kink;
+        let message = format!(
+            "the function has a corner in variable {variable} at {at:e}: its slope is {slope_below:.6} below and {slope_above:.6} above, \
+             so that no gradient vanishes; KKT residual {residual:.1e}"
+        );
+        Self::new(Status::StalledAtKink, message)
     }
 }
 

@@ -76,21 +76,43 @@ pub(super) enum Slot<'a, T> {
 
 /// What the type of a field, `T`, `Option<T>` or `f64`, means for the walks over the rows.
 macro_rules! slot {
-    (kind T) => { Kind::Required };
-    (kind Option) => { Kind::Optional };
-    (kind f64) => { Kind::Setting };
-    (default T $f:ident $row:ident) => { $f($row) };
-    (default Option $f:ident $row:ident) => { $row.default_value().map(|_| $f($row)) };
-    (default f64 $f:ident $row:ident) => { $f($row) };
-    (map T $f:ident $row:ident $value:expr) => { $f($row, $value) };
-    (map Option $f:ident $row:ident $value:expr) => { $value.map(|value| $f($row, value)) };
+    (kind T) => {
+        Kind::Required
+    };
+    (kind Option) => {
+        Kind::Optional
+    };
+    (kind f64) => {
+        Kind::Setting
+    };
+    (default T $f:ident $row:ident) => {
+        $f($row)
+    };
+    (default Option $f:ident $row:ident) => {
+        $row.default_value().map(|_| $f($row))
+    };
+    (default f64 $f:ident $row:ident) => {
+        $f($row)
+    };
+    (map T $f:ident $row:ident $value:expr) => {
+        $f($row, $value)
+    };
+    (map Option $f:ident $row:ident $value:expr) => {
+        $value.map(|value| $f($row, value))
+    };
     (map f64 $f:ident $row:ident $value:expr) => {{
         let _ = $row;
         $value
     }};
-    (visit T $f:ident $row:ident $place:expr) => { $f($row, Slot::Required($place)) };
-    (visit Option $f:ident $row:ident $place:expr) => { $f($row, Slot::Optional($place)) };
-    (visit f64 $f:ident $row:ident $place:expr) => { $f($row, Slot::Setting($place)) };
+    (visit T $f:ident $row:ident $place:expr) => {
+        $f($row, Slot::Required($place))
+    };
+    (visit Option $f:ident $row:ident $place:expr) => {
+        $f($row, Slot::Optional($place))
+    };
+    (visit f64 $f:ident $row:ident $place:expr) => {
+        $f($row, Slot::Setting($place))
+    };
 }
 
 /// One struct with a public field per row, and the walks over its rows.

@@ -52,7 +52,15 @@ impl Setup<f64> {
         let mut items = Vec::new();
         flatten(table.get_ref(), "", &mut items);
         // as they stand in the file, but the preset and the law before what builds on them
-        let rank = |key: &str| if key == PRESET { 0 } else if key == LAW { 1 } else { 2 };
+        let rank = |key: &str| {
+            if key == PRESET {
+                0
+            } else if key == LAW {
+                1
+            } else {
+                2
+            }
+        };
         items.sort_by_key(|item| (rank(&item.key), item.key_at));
 
         let mut setup = Self::default();
@@ -76,7 +84,9 @@ impl Setup<f64> {
             DeValue::String(text) => parameter.read(text, false),
             DeValue::Integer(number) => parameter.read(&number.to_string(), true),
             DeValue::Float(number) => parameter.read(number.as_str(), true),
-            other => Err(wrong_type(item, other, format!("a number or a string like \"{}\"", example(parameter.default)))),
+            other => {
+                Err(wrong_type(item, other, format!("a number or a string like \"{}\"", example(parameter.default))))
+            }
         };
         self.set_value(parameter, value.map_err(at_value)?).map_err(at_value)
     }
@@ -107,12 +117,9 @@ fn flatten<'a>(table: &'a DeTable<'a>, prefix: &str, items: &mut Vec<Item<'a>>) 
         let name = format!("{prefix}{}", key.get_ref());
         match value.get_ref() {
             DeValue::Table(inner) => flatten(inner, &format!("{name}."), items),
-            other => items.push(Item {
-                key: name,
-                key_at: key.span().start,
-                value: other,
-                value_at: value.span().start,
-            }),
+            other => {
+                items.push(Item { key: name, key_at: key.span().start, value: other, value_at: value.span().start })
+            }
         }
     }
 }
@@ -138,7 +145,8 @@ mod tests {
                     bulge_radius = inf\n[impact]\nfriction = 0.4\n[aero]\ncd = 0.27";
         let error = Setup::from_toml(text, "a.toml").unwrap_err().to_string();
         assert!(error.starts_with("a.toml: "), "a table defined twice is a TOML error: {error}");
-        let setup = Setup::from_toml(&text.replace("\n[aero]\ncd", "\n[a]\n").replace("[a]\n = 0.27", ""), "a.toml").unwrap();
+        let setup =
+            Setup::from_toml(&text.replace("\n[aero]\ncd", "\n[a]\n").replace("[a]\n = 0.27", ""), "a.toml").unwrap();
         assert_eq!((setup.swing.speed, setup.club.inertia_xx), (50.0, 5.679e-4));
         assert_eq!((setup.club.bulge_radius, setup.impact.friction), (f64::INFINITY, Some(0.4)));
         assert_eq!(setup.law.name(), "linear");
@@ -155,7 +163,11 @@ mod tests {
             ("[club]\nloft = { x = 1 }", "f:2:10: unknown parameter 'club.loft.x'", "did you mean 'club.loft'"),
             ("\n\nprset = 'mae494'", "f:3:1: unknown parameter 'prset'", "longdrive parameters"),
             ("preset = 'mae'", "f:1:10: unknown preset 'mae', did you mean 'mae494'?", "winfield-tan"),
-            ("[aero]\nlaw = 'linear'\ncd0 = 0.3", "f:3:1: 'aero.cd0' is not a coefficient of the law 'linear'", "robinson"),
+            (
+                "[aero]\nlaw = 'linear'\ncd0 = 0.3",
+                "f:3:1: 'aero.cd0' is not a coefficient of the law 'linear'",
+                "robinson",
+            ),
             ("club = 3", "f:1:1: unknown parameter 'club'", "longdrive parameters"),
         ] {
             let message = Setup::from_toml(text, "f").unwrap_err().to_string();

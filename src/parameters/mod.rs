@@ -16,6 +16,6 @@ pub use range::Range;
 pub use setup::LAW;
 pub(crate) use table::with_law;
 pub use table::{
-    Aero, Air, Ball, Club, Contact, Ferguson, FlightConditions, Ground, LaunchMonitor, Law, Linear, Robinson,
-    Setup, SmitsSmith, Strike, Swing, Wind,
+    Aero, Air, Ball, Club, Contact, Ferguson, FlightConditions, Ground, LaunchMonitor, Law, Linear, Robinson, Setup,
+    SmitsSmith, Strike, Swing, Wind,
 };

@@ -3,6 +3,7 @@ use crate::drive::{Drive, Outcome};
 use crate::error::{Error, Result};
 use crate::optimize::{Bounds, Evaluation, Iteration, Options, Solution, Status, minimize_watched};
 use crate::parameters::{Parameter, Setup};
+use crate::units;
 
 /// A parameter to vary, and how far, SI.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,9 +31,13 @@ impl Vary {
     /// [`Error::SearchRange`] for a range that is none; as [`Setup::variable`] and [`Parameter::read`].
     pub fn read(setup: &Setup<f64>, text: &str) -> Result<Self> {
         let refuse = |reason: String| Error::SearchRange { name: text.trim().into(), reason };
-        let (name, range) = text.split_once('=').ok_or_else(|| refuse("write NAME=LOW..HIGH, for example club.loft=4deg..20deg".into()))?;
+        let (name, range) = text
+            .split_once('=')
+            .ok_or_else(|| refuse("write NAME=LOW..HIGH, for example club.loft=4deg..20deg".into()))?;
         let parameter = setup.variable(name.trim())?;
-        let (low, high) = range.split_once("..").ok_or_else(|| refuse(format!("'{range}' is not LOW..HIGH; write for example {name}=4deg..20deg")))?;
+        let (low, high) = range
+            .split_once("..")
+            .ok_or_else(|| refuse(format!("'{range}' is not LOW..HIGH; write for example {name}=4deg..20deg")))?;
         let unreadable = |e| Error::Unreadable { name: name.trim().into(), source: Box::new(e) };
         let (_, low_unit) = parameter.quantity.split(low).map_err(unreadable)?;
         let (_, high_unit) = parameter.quantity.split(high).map_err(unreadable)?;
@@ -50,7 +55,11 @@ impl Vary {
         parameter.check(low)?;
         parameter.check(high)?;
         if low > high {
-            let reason = format!("the range is reversed; did you mean {}..{}?", parameter.show(Some(high)), parameter.show(Some(low)));
+            let reason = format!(
+                "the range is reversed; did you mean {}..{}?",
+                parameter.show(Some(high)),
+                parameter.show(Some(low))
+            );
             return Err(Error::SearchRange { name, reason });
         }
         if !(low.is_finite() && high.is_finite()) {
@@ -104,6 +113,33 @@ impl Optimum {
         self.solution.gradient.iter().map(|slope| -slope).collect()
     }
 
+    /// How the search ended, in a sentence, in terms of the drive.
+    pub fn message(&self) -> String {
+        let of = self.search.maximize.name();
+        match (&self.solution.kink, self.solution.status) {
+            (Some(kink), _) => {
+                let (parameter, outcome) = (self.search.vary[kink.variable].parameter, self.search.maximize);
+                let at = parameter.show(Some(self.solution.x[kink.variable]));
+                format!(
+                    "{of} has a corner at {} = {at}: d {of}/d {} is {:+.4} {} below it and {:+.4} above, so that no gradient vanishes there",
+                    parameter.name,
+                    parameter.name,
+                    -kink.slope_below,
+                    units::per(outcome.quantity().si, parameter.quantity.si),
+                    -kink.slope_above,
+                )
+            }
+            (None, Status::Undefined) => {
+                let trials = self.search.options.start_trials;
+                format!(
+                    "nothing flew: not the start, nor {trials} other points of the ranges searched; {}",
+                    self.solution.message
+                )
+            }
+            _ => self.solution.message.clone(),
+        }
+    }
+
     /// The status in a word; where the optimizer says undefined, nothing flew.
     pub fn status(&self) -> &'static str {
         match self.solution.status {
@@ -138,7 +174,10 @@ pub fn optimum(setup: &Setup<f64>, search: Search, watch: impl FnMut(&Iteration)
     let parameters: Vec<&'static Parameter> = search.vary.iter().map(|vary| vary.parameter).collect();
     for (i, parameter) in parameters.iter().enumerate() {
         if parameters[..i].contains(parameter) {
-            return Err(Error::SearchRange { name: parameter.name.into(), reason: "it is varied twice; give it one range".into() });
+            return Err(Error::SearchRange {
+                name: parameter.name.into(),
+                reason: "it is varied twice; give it one range".into(),
+            });
         }
     }
     let bounds = Bounds::new(
@@ -153,9 +192,15 @@ pub fn optimum(setup: &Setup<f64>, search: Search, watch: impl FnMut(&Iteration)
     let negative = move |x: &[f64]| -> std::result::Result<Evaluation, String> {
         let moved = moved(&base, &wrt, x).map_err(|e| e.to_string())?;
         let taylor = derivative::evaluate(&moved, &[of], &wrt, Order::Second).map_err(|e| e.to_string())?;
-        let Some(Taylor { value, gradient, hessian }) = taylor.into_iter().next() else { return Err("no outcome".into()) };
+        let Some(Taylor { value, gradient, hessian }) = taylor.into_iter().next() else {
+            return Err("no outcome".into());
+        };
         let negated = |row: Vec<f64>| row.into_iter().map(|d| -d).collect();
-        Ok(Evaluation { value: -value, gradient: negated(gradient), hessian: hessian.into_iter().map(negated).collect() })
+        Ok(Evaluation {
+            value: -value,
+            gradient: negated(gradient),
+            hessian: hessian.into_iter().map(negated).collect(),
+        })
     };
     let solution = minimize_watched(negative, &bounds, &start, &search.options, watch)?;
     let best = at(&solution.x)?;

@@ -1,1 +1,31 @@
-fn main(){}
+//! The program: a table of contents. Each command reads its question, asks the library, and prints the answer.
+
+#![deny(unsafe_code)]
+
+mod args;
+mod gradient;
+mod optimize;
+mod output;
+mod parameters;
+mod presets;
+mod question;
+mod simulate;
+
+use args::{Args, Command};
+use clap::Parser;
+use output::Answer;
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    let answer = match Args::parse().command {
+        Command::Simulate(args) => simulate::run(&args),
+        Command::Gradient(args) => gradient::run(&args),
+        Command::Optimize(args) => optimize::run(&args),
+        Command::Parameters(args) => parameters::run(&args),
+        Command::Presets(args) => presets::run(&args),
+    };
+    match answer.and_then(Answer::print) {
+        Ok(code) => code,
+        Err(error) => output::complain(&error),
+    }
+}

@@ -1,18 +1,12 @@
 //! Values, gradients, Hessians and optima against `data/reference_drives.json`, computed independently of this
 //! project and checked there to 34 digits; the file prints 12.
 
-mod common;
-
-use common::{close, data, setup};
+use crate::common::{close, drives, number, setup_of};
 use longdrive::flight::Flight;
 use longdrive::impact::Grip;
 use longdrive::number::Vector;
 use longdrive::{Drive, Outcome, derivative};
 use serde_json::Value;
-
-fn number(value: &Value) -> f64 {
-    value.as_f64().unwrap()
-}
 
 fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
     values.into_iter().map(f64::abs).fold(0.0, f64::max)
@@ -20,9 +14,9 @@ fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
 
 #[test]
 fn independent_values_of_every_outcome() {
-    for drive in data("reference_drives.json")["drives"].as_array().unwrap() {
+    for drive in drives("reference_drives.json") {
         let name = drive["name"].as_str().unwrap();
-        let ours = Drive::new(&setup(drive["setup"].as_object().unwrap())).unwrap();
+        let ours = Drive::new(&setup_of(&drive)).unwrap();
         let theirs = &drive["outcomes"];
         assert!(matches!(ours.flight, Flight::Landed(_)) && theirs["status"] == "landed");
         assert_eq!(matches!(ours.impact.grip, Grip::Slips(_)), theirs["slipped"].as_bool().unwrap(), "{name}");
@@ -59,8 +53,8 @@ fn independent_values_of_every_outcome() {
 
 #[test]
 fn independent_gradients_by_every_parameter() {
-    for drive in data("reference_drives.json")["drives"].as_array().unwrap() {
-        let setup = setup(drive["setup"].as_object().unwrap());
+    for drive in drives("reference_drives.json") {
+        let setup = setup_of(&drive);
         for of in [Outcome::Carry, Outcome::Lateral] {
             let theirs = drive["gradient"][of.name()].as_object().unwrap();
             let wrt: Vec<_> = theirs.keys().map(|name| setup.variable(name).unwrap()).collect();
@@ -70,7 +64,13 @@ fn independent_gradients_by_every_parameter() {
                 // relative, but not finer than 1e-12 of the outcome per sensible change of the parameter
                 let change = setup.value(parameter).unwrap().abs().max(1e-3);
                 let scale = expected.abs().max(1e-4 * ours.value.abs().max(1.0) / change);
-                close(derivative, expected, scale, 1e-8, &format!("{}: d {}/d {}", drive["name"], of.name(), parameter.name));
+                close(
+                    derivative,
+                    expected,
+                    scale,
+                    1e-8,
+                    &format!("{}: d {}/d {}", drive["name"], of.name(), parameter.name),
+                );
             }
         }
     }
@@ -78,12 +78,13 @@ fn independent_gradients_by_every_parameter() {
 
 #[test]
 fn independent_hessians_by_loft_and_attack_angle() {
-    for drive in data("reference_drives.json")["drives"].as_array().unwrap() {
-        let setup = setup(drive["setup"].as_object().unwrap());
+    for drive in drives("reference_drives.json") {
+        let setup = setup_of(&drive);
         let wrt = ["club.loft", "swing.attack_angle"].map(|name| setup.variable(name).unwrap());
         for of in [Outcome::Carry, Outcome::Lateral] {
             let Value::Array(theirs) = &drive[format!("hessian_{}_loft_attack", of.name())] else { continue };
-            let theirs: Vec<Vec<f64>> = theirs.iter().map(|row| row.as_array().unwrap().iter().map(number).collect()).collect();
+            let theirs: Vec<Vec<f64>> =
+                theirs.iter().map(|row| row.as_array().unwrap().iter().map(number).collect()).collect();
             let ours = derivative::hessian(&setup, of, &wrt).unwrap().hessian;
             let scale = largest(theirs.concat()).max(1.0);
             for (ours, theirs) in ours.concat().into_iter().zip(theirs.concat()) {

@@ -1,0 +1,62 @@
+use crate::args::Gradient;
+use crate::output::{Answer, tell, warn};
+use indicatif::{ProgressBar, ProgressStyle};
+use longdrive::derivative::{Order, evaluate_with};
+use longdrive::parameters::Parameter;
+use longdrive::report::{gradient_json, gradient_text};
+use longdrive::{Drive, Outcome, Result, Setup};
+use serde_json::json;
+
+pub fn run(args: &Gradient) -> Result<Answer> {
+    let setup = args.question.setup()?;
+    let of = args.of.iter().map(|name| Outcome::named(name.trim())).collect::<Result<Vec<_>>>()?;
+    let wrt = parameters(&setup, &args.wrt)?;
+    let drive = Drive::new(&setup)?;
+    let warnings = [setup.warnings(), drive.corners(&setup)].concat();
+    warn(&warnings);
+
+    let order = if args.hessian { Order::Second } else { Order::First };
+    let bar = bar();
+    let taylors = evaluate_with(&setup, &of, &wrt, order, |done, passes| {
+        bar.set_length(passes as u64);
+        bar.set_position(done as u64);
+    })?;
+    bar.finish_and_clear();
+
+    let results = of.iter().zip(&taylors);
+    if !args.question.json {
+        let texts: Vec<_> = results.map(|(of, taylor)| gradient_text(*of, &wrt, taylor)).collect();
+        return Ok(Answer::text(texts.join("\n")));
+    }
+    let mut values: Vec<_> = results.map(|(of, taylor)| gradient_json(*of, &wrt, taylor, &warnings)).collect();
+    // one outcome is the answer itself, several are rows of a Jacobian
+    let answer = if let [_] = values.as_slice() { values.swap_remove(0) } else { json!({ "jacobian": values }) };
+    Ok(Answer::json(&answer))
+}
+
+fn parameters(setup: &Setup<f64>, names: &[String]) -> Result<Vec<&'static Parameter>> {
+    if let [all] = names
+        && all == "all"
+    {
+        let variables = setup.variables();
+        let left_out = setup.parameters().into_iter().filter(|row| !variables.contains(row));
+        let left_out: Vec<_> = left_out.map(|row| row.name).collect();
+        tell(&format!("without a number to differentiate by here, left out: {}", left_out.join(", ")));
+        return Ok(variables);
+    }
+    let mut rows: Vec<&'static Parameter> = Vec::new();
+    for name in names {
+        let row = setup.variable(name.trim())?;
+        // naming one twice asks for the same number twice
+        if !rows.contains(&row) {
+            rows.push(row);
+        }
+    }
+    Ok(rows)
+}
+
+/// Progress of a long Hessian, on standard error; nothing where that is no terminal.
+fn bar() -> ProgressBar {
+    let style = ProgressStyle::with_template("{bar:40} {pos}/{len} passes, {eta} left");
+    ProgressBar::new(0).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+}

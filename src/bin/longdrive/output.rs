@@ -1,0 +1,49 @@
+use longdrive::{Error, Result};
+use serde_json::Value;
+use std::io::{self, Write};
+use std::process::ExitCode;
+
+/// What a command has to say on standard output, and whether it found what it was asked for.
+pub struct Answer {
+    text: String,
+    found: bool,
+}
+
+impl Answer {
+    pub fn text(text: String) -> Self {
+        Self { text, found: true }
+    }
+
+    pub fn json(value: &Value) -> Self {
+        Self::text(format!("{value:#}\n"))
+    }
+
+    /// The same answer, with exit status 1 where it says that there is none.
+    pub fn found(self, found: bool) -> Self {
+        Self { found, ..self }
+    }
+
+    pub fn print(self) -> Result<ExitCode> {
+        let mut out = io::stdout().lock();
+        // a reader that has gone away, as `head` does, is no failure of ours
+        let _ = out.write_all(self.text.as_bytes()).and_then(|()| out.flush());
+        Ok(ExitCode::from(u8::from(!self.found)))
+    }
+}
+
+/// A line on standard error.
+pub fn tell(line: &str) {
+    let _ = writeln!(io::stderr().lock(), "{line}");
+}
+
+pub fn warn(warnings: &[String]) {
+    for warning in warnings {
+        tell(&format!("warning: {warning}"));
+    }
+}
+
+/// Says what went wrong; status 1 for a sound question without an answer, 2 for bad input.
+pub fn complain(error: &Error) -> ExitCode {
+    tell(&format!("error: {error}"));
+    ExitCode::from(if error.is_an_outcome() { 1 } else { 2 })
+}

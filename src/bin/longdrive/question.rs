@@ -1,0 +1,36 @@
+use crate::args::Question;
+use longdrive::parameters::{LAW, PRESETS, Preset};
+use longdrive::{Error, Result, Setup};
+use std::path::Path;
+
+impl Question {
+    /// The setup asked about: a preset or a file, with the overrides applied, checked.
+    pub fn setup(&self) -> Result<Setup<f64>> {
+        let mut setup = self.base()?;
+        let settings = self.set.iter().map(|text| split(text)).collect::<Result<Vec<_>>>()?;
+        setup.set_all(settings)?;
+        setup.validate()?;
+        Ok(setup)
+    }
+
+    fn base(&self) -> Result<Setup<f64>> {
+        let path = Path::new(&self.setup);
+        let looks_like_a_file = path.exists() || self.setup.contains(['/', '\\']) || path.extension().is_some();
+        if Preset::named(&self.setup).is_some() || !looks_like_a_file {
+            return Setup::preset(&self.setup).map_err(|_| {
+                let names = PRESETS.iter().map(|preset| preset.name);
+                let advice = format!("there are the presets {} and your own TOML files", Preset::names());
+                Error::unknown("setup", &self.setup, names, advice)
+            });
+        }
+        Setup::from_file(path)
+    }
+}
+
+/// NAME=VALUE.
+fn split(text: &str) -> Result<(&str, &str)> {
+    text.split_once('=').map(|(name, value)| (name.trim(), value.trim())).ok_or_else(|| Error::Unreadable {
+        name: format!("--set {text}"),
+        source: format!("write NAME=VALUE, for example club.loft=10.5deg or {LAW}=robinson").into(),
+    })
+}

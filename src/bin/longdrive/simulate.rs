@@ -1,0 +1,18 @@
+use crate::args::Simulate;
+use crate::output::{Answer, warn};
+use longdrive::flight::Flight;
+use longdrive::report::{drive_json, drive_text};
+use longdrive::{Drive, Result};
+
+pub fn run(args: &Simulate) -> Result<Answer> {
+    let setup = args.question.setup()?;
+    let warnings = setup.warnings();
+    warn(&warnings);
+    let drive = Drive::new(&setup)?;
+    let answer = if args.question.json {
+        Answer::json(&drive_json(&setup, &drive, &warnings))
+    } else {
+        Answer::text(drive_text(&drive))
+    };
+    Ok(answer.found(matches!(drive.flight, Flight::Landed(_))))
+}

@@ -1,0 +1,35 @@
+use crate::number::Vector;
+use crate::parameters::{LAW, Setup};
+use serde_json::{Map, Value, json};
+
+/// A number, `null` for one that does not exist. JSON has no infinity: a flat face's radius is `"inf"`, as
+/// setup files write it.
+pub(super) fn number(value: Option<f64>) -> Value {
+    match value {
+        Some(value) if value == f64::INFINITY => json!("inf"),
+        Some(value) if value.is_finite() => json!(value + 0.0),
+        _ => Value::Null,
+    }
+}
+
+/// The components of a vector, up, right, downrange.
+pub(super) fn vector(v: Vector<f64>) -> Value {
+    Value::Array(v.to_array().map(|component| number(Some(component))).to_vec())
+}
+
+/// Names with their numbers, in order.
+pub(super) fn named<'a>(pairs: impl IntoIterator<Item = (&'a str, Option<f64>)>) -> Value {
+    Value::Object(pairs.into_iter().map(|(name, value)| (name.to_owned(), number(value))).collect::<Map<_, _>>())
+}
+
+/// Every parameter of a setup by its dotted name, and the law.
+pub(super) fn setup(setup: &Setup<f64>) -> Value {
+    let mut all = Map::new();
+    for parameter in setup.parameters() {
+        if parameter.law.is_some() && !all.contains_key(LAW) {
+            all.insert(LAW.into(), json!(setup.law.name()));
+        }
+        all.insert(parameter.name.into(), number(setup.value(parameter)));
+    }
+    Value::Object(all)
+}

@@ -1,0 +1,87 @@
+use super::{json, table::table};
+use crate::error::Result;
+use crate::parameters::{LAW, PRESETS, Preset, Setup};
+use serde_json::{Value, json};
+
+/// The source of a parameter's value in a preset: its own, or the table's where the preset does not change it.
+fn sourced(preset: &Preset, setup: &Setup<f64>) -> Vec<(&'static str, String, Option<f64>, &'static str)> {
+    let entry = |name: &str| preset.entries.iter().find(|entry| entry.name == name);
+    let mut rows: Vec<_> = setup
+        .parameters()
+        .into_iter()
+        .map(|row| {
+            let shown = entry(row.name).map_or(row.default, |entry| entry.value);
+            (row.name, shown.to_owned(), setup.value(row), entry(row.name).map_or(row.source, |entry| entry.source))
+        })
+        .collect();
+    let law_at = rows.iter().position(|(name, ..)| name.starts_with("aero.")).unwrap_or(rows.len());
+    let source =
+        entry(LAW).map_or("what launch monitors predict; smooth, right apex and descent", |entry| entry.source);
+    rows.insert(law_at, (LAW, setup.law.name().into(), None, source));
+    rows
+}
+
+/// The presets as JSON: every number of each with its source.
+///
+/// # Errors
+/// None that a test does not rule out: presets are read as any setup is.
+pub fn presets_json() -> Result<Value> {
+    let one = |preset: &Preset| -> Result<Value> {
+        let setup = Setup::preset(preset.name)?;
+        let sources = sourced(preset, &setup).into_iter().map(|(name, _, _, source)| (name.to_owned(), json!(source)));
+        Ok(json!({
+            "name": preset.name,
+            "about": preset.about,
+            "setup": json::setup(&setup),
+            "sources": sources.collect::<serde_json::Map<_, _>>(),
+        }))
+    };
+    Ok(json!({ "presets": PRESETS.iter().map(one).collect::<Result<Vec<_>>>()? }))
+}
+
+/// The presets as text, a line each.
+pub fn presets_text() -> String {
+    let rows = PRESETS.iter().map(|preset| vec![preset.name.into(), preset.about.into()]);
+    table(&["preset", ""], &[], rows)
+        + "\n  'longdrive presets NAME' prints one as a setup file, with the source of each number\n"
+}
+
+/// A preset as a setup file in TOML, each number with its source.
+///
+/// # Errors
+/// [`Error::Unknown`](crate::Error::Unknown) for a name that no preset bears.
+pub fn preset_toml(name: &str) -> Result<String> {
+    let setup = Setup::preset(name)?;
+    let Some(preset) = Preset::named(name) else { return Ok(String::new()) };
+    let mut text = format!("# {}\n# {}\npreset = \"{}\"\n", preset.name, preset.about, preset.name);
+    let mut group = "";
+    let rows = sourced(preset, &setup);
+    // keys without a table must precede the first table
+    let (bare, grouped): (Vec<_>, Vec<_>) = rows.into_iter().partition(|(name, ..)| !name.contains('.'));
+    for (name, shown, _, source) in bare {
+        text += &format!("{name} = \"{shown}\" # {source}\n");
+    }
+    for (name, shown, _, source) in grouped {
+        let (table, key) = name.split_once('.').unwrap_or(("", name));
+        if table != group {
+            text += &format!("\n[{table}]\n");
+            group = table;
+        }
+        text += &format!("{key} = \"{shown}\" # {source}\n");
+    }
+    Ok(text)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{PRESETS, Setup, preset_toml};
+
+    #[test]
+    fn a_preset_printed_as_a_setup_file_reads_back_as_itself() {
+        for preset in PRESETS {
+            let text = preset_toml(preset.name).unwrap();
+            let read = Setup::from_toml(&text.replace("preset =", "# preset ="), preset.name).unwrap();
+            assert_eq!(read, Setup::preset(preset.name).unwrap(), "{text}");
+        }
+    }
+}

@@ -1,0 +1,94 @@
+//! Drives computed independently of this project, random drives, and how to hold numbers against each other.
+
+use longdrive::Setup;
+use longdrive::parameters::Law;
+use proptest::prelude::*;
+use proptest::strategy::ValueTree;
+use proptest::test_runner::TestRunner;
+use serde_json::{Map, Value};
+
+/// A file of `tests/data`.
+pub fn data(name: &str) -> Value {
+    let path = format!("{}/tests/data/{name}", env!("CARGO_MANIFEST_DIR"));
+    serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap()
+}
+
+/// A setup from its JSON form: every parameter by dotted name, `null` for unset, `"inf"` for a flat face.
+/// What the file does not name is as in Winfield & Tan: rolling at exit, calm, no friction limit.
+pub fn setup(json: &Map<String, Value>) -> Setup<f64> {
+    let mut setup = Setup::preset("winfield-tan").unwrap();
+    setup.set_law(json["aero.law"].as_str().unwrap()).unwrap();
+    for (name, value) in json.iter().filter(|(name, _)| *name != "aero.law") {
+        let parameter = setup.parameter(name).unwrap();
+        let value = match value {
+            Value::Null => None,
+            Value::String(text) => Some(text.parse().unwrap()),
+            number => number.as_f64(),
+        };
+        setup.set_value(parameter, value).unwrap();
+    }
+    setup.validate().unwrap();
+    setup
+}
+
+/// The setup of a JSON drive.
+pub fn setup_of(drive: &Value) -> Setup<f64> {
+    setup(drive["setup"].as_object().unwrap())
+}
+
+/// The drives of a file.
+pub fn drives(file: &str) -> Vec<Value> {
+    data(file)["drives"].as_array().unwrap().clone()
+}
+
+/// A number of a JSON file.
+pub fn number(value: &Value) -> f64 {
+    value.as_f64().unwrap()
+}
+
+/// Asserts |ours − theirs| ≤ tolerance · scale.
+#[track_caller]
+pub fn close(ours: f64, theirs: f64, scale: f64, tolerance: f64, what: &str) {
+    let error = (ours - theirs).abs();
+    assert!(error <= tolerance * scale, "{what}: {ours:e} against {theirs:e}, off by {:e} of {scale:e}", error / scale);
+}
+
+/// Runs a check on so many random setups, the same ones every time.
+pub fn for_random_setups(cases: u32, check: impl Fn(Setup<f64>)) {
+    let mut runner = TestRunner::deterministic();
+    for _ in 0..cases {
+        check(any_setup().new_tree(&mut runner).unwrap().current());
+    }
+}
+
+/// Three-dimensional drives from easy to hard: light and heavy heads, every law, off-centre strikes on curved
+/// faces, products of inertia, closure, wind, with and without the optional parameters.
+fn any_setup() -> impl Strategy<Value = Setup<f64>> {
+    let swing = (20.0..70.0, -0.05..0.25, -0.1..0.1, -0.1..0.1, -0.1..0.1, prop::array::uniform3(-50.0..50.0));
+    let club = (0.05..2.0, 0.02..0.6, prop::array::uniform3(1e-4..8e-4), prop::array::uniform3(-0.4..0.4), 0.0..0.05);
+    let face = (-0.015..0.015, -0.03..0.03, 0.2..0.5, 0.2..0.5, prop::option::of(0.2..0.5));
+    let ball = (0.03..0.06, 0.018..0.025, prop::option::of(0.3..0.5), 0.3..1.0, -0.3..0.3);
+    let air = (0.2..1.5, 0.0..0.8, prop::option::of(0.0..5e-5), prop::array::uniform3(-8.0..8.0), prop::option::of(0.003..0.03));
+    let law = 0..Law::NAMES.len();
+    (swing, club, face, ball, air, law).prop_map(|(swing, club, face, ball, air, law)| {
+        let mut s = Setup::default();
+        s.set_law(Law::NAMES[law]).unwrap();
+        (s.swing.speed, s.swing.attack_angle, s.swing.path, s.swing.face_angle, s.swing.shaft_lean, _) = swing;
+        [s.swing.closure_x, s.swing.closure_y, s.swing.closure_z] = swing.5;
+        (s.club.mass, s.club.loft, _, _, s.club.cg_depth) = club;
+        [s.club.inertia_xx, s.club.inertia_yy, s.club.inertia_zz] = club.2;
+        // |I_ij| < ½ √(I_ii I_jj): positive definite
+        let product = |part: f64, a: f64, b: f64| part * (a * b).sqrt();
+        s.club.inertia_xy = product(club.3[0], s.club.inertia_xx, s.club.inertia_yy);
+        s.club.inertia_xz = product(club.3[1], s.club.inertia_xx, s.club.inertia_zz);
+        s.club.inertia_yz = product(club.3[2], s.club.inertia_yy, s.club.inertia_zz);
+        (s.strike.high, s.strike.toe, s.club.bulge_radius, s.club.roll_radius, s.club.face_semi_axis) = face;
+        (s.ball.mass, s.ball.radius, _, s.impact.restitution, s.impact.tangential_restitution) = ball;
+        s.ball.inertia = ball.2.map(|part: f64| part * s.ball.mass * s.ball.radius * s.ball.radius);
+        (s.air.density, s.aero.spin_decay, s.aero.spin_damping, _, s.wind.roughness) = air;
+        [s.wind.up, s.wind.right, s.wind.downrange] = air.3;
+        s.wind.up *= 0.1;
+        s.validate().unwrap();
+        s
+    })
+}

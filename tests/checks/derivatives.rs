@@ -1,0 +1,179 @@
+//! Derivatives: the number types against each other, against differences, and independent of how they are asked
+//! for.
+
+use crate::common::{close, for_random_setups};
+use longdrive::derivative::{Order, Taylor, evaluate, evaluate_with, gradient, hessian, jacobian};
+use longdrive::number::{Jet, Jet2, Number};
+use longdrive::parameters::Parameter;
+use longdrive::{Drive, Error, Outcome, Setup};
+use nalgebra::{Const, U1};
+use num_dual::{Derivative, Dual2SVec64, DualSVec64, HyperDual64};
+
+fn lands(setup: &Setup<f64>) -> bool {
+    Drive::new(setup).is_ok_and(|drive| drive.landed().is_ok())
+}
+
+/// An outcome of a setup seen over another number, with loft and attack angle as its variables.
+fn over<D: Number>(setup: &Setup<f64>, of: Outcome, variable: impl Fn(f64, usize) -> D) -> D {
+    let lifted = setup.map(|row, value| match row.name {
+        "club.loft" => variable(value, 0),
+        "swing.attack_angle" => variable(value, 1),
+        _ => D::constant(value),
+    });
+    of.of(&Drive::new(&lifted).unwrap()).unwrap()
+}
+
+#[test]
+fn independent_number_types_of_num_dual_agree_with_ours() {
+    for_random_setups(60, |setup| {
+        if !lands(&setup) {
+            return;
+        }
+        for of in [Outcome::Carry, Outcome::Lateral, Outcome::DescentAngle] {
+            let first = over(&setup, of, Jet::<2>::variable);
+            let dual = over(&setup, of, |value, k| DualSVec64::<2>::new(value, Derivative::derivative_generic(Const::<2>, U1, k)));
+            let second = over(&setup, of, Jet2::<2, 3>::variable);
+            let dual2 = over(&setup, of, |value, k| {
+                Dual2SVec64::<2>::new(value, Derivative::derivative_generic(U1, Const::<2>, k), Derivative::none())
+            });
+            let hyper = over(&setup, of, |value, k| HyperDual64::new(value, f64::from(k == 0), f64::from(k == 1), 0.0));
+            let (eps, v1, v2) = (dual.eps.0.unwrap(), dual2.v1.0.unwrap(), dual2.v2.0.unwrap());
+            let scale = first.gradient.iter().fold(1.0, |most: f64, d| most.max(d.abs()));
+            for k in 0..2 {
+                for other in [eps[k], second.gradient[k], v1[k], [hyper.eps1, hyper.eps2][k]] {
+                    close(first.gradient[k], other, scale, 1e-11, "first derivative");
+                }
+            }
+            let scale = v2.amax().max(1.0);
+            for (i, j) in [(0, 0), (1, 0), (1, 1)] {
+                close(second.second(i, j), v2[(i, j)], scale, 1e-9, "second derivative");
+            }
+            close(second.second(0, 1), hyper.eps1eps2, scale, 1e-9, "mixed derivative");
+        }
+    });
+}
+
+#[test]
+fn differences_of_values_agree_with_the_gradient_by_every_parameter() {
+    for_random_setups(25, |setup| {
+        if !lands(&setup) {
+            return;
+        }
+        let wrt = setup.variables();
+        let of = [Outcome::Carry, Outcome::Lateral, Outcome::ApexHeight];
+        let exact = jacobian(&setup, &of, &wrt).unwrap();
+        for (k, parameter) in wrt.iter().enumerate() {
+            let value = setup.value(parameter).unwrap();
+            let (h, values) = differences(&setup, parameter, value, &of);
+            for (taylor, [below, above]) in exact.iter().zip(values) {
+                let difference = (above - below) / (2.0 * h);
+                // rounding of the values over the step, and the step's own truncation
+                let allowed = 1e-6 * difference.abs() + 1e-11 * taylor.value.abs().max(1.0) / h;
+                assert!((taylor.gradient[k] - difference).abs() <= allowed, "{}: {} against {difference}", parameter.name, taylor.gradient[k]);
+            }
+        }
+    });
+}
+
+/// Outcomes at p − h and p + h.
+fn differences(setup: &Setup<f64>, parameter: &'static Parameter, value: f64, of: &[Outcome]) -> (f64, Vec<[f64; 2]>) {
+    let h = 1e-5 * value.abs().max(1e-6);
+    let at = |value: f64| {
+        let mut moved = *setup;
+        // past the range of a parameter the formulas still hold, and the difference is wanted at its end too
+        moved = moved.map(|row, old| if row == parameter { value } else { old });
+        let drive = Drive::new(&moved).unwrap();
+        of.iter().map(|outcome| outcome.of(&drive).unwrap()).collect::<Vec<_>>()
+    };
+    let values = at(value - h).into_iter().zip(at(value + h)).map(|(below, above)| [below, above]).collect();
+    (h, values)
+}
+
+#[test]
+fn differences_of_gradients_agree_with_a_hessian_of_many_parameters() {
+    let mut setup = Setup::default();
+    setup.set_all([("strike.toe", "9 mm"), ("wind.right", "3 m/s"), ("swing.attack_angle", "4 deg")]).unwrap();
+    let names = ["club.loft", "swing.speed", "strike.toe", "air.density", "club.inertia.xx", "aero.cl_max", "wind.right"];
+    let wrt = names.map(|name| setup.variable(name).unwrap());
+    let exact = hessian(&setup, Outcome::Carry, &wrt).unwrap();
+    for (i, parameter) in wrt.iter().enumerate() {
+        let value = setup.value(parameter).unwrap();
+        let h = 1e-4 * value;
+        let at = |value: f64| {
+            let mut moved = setup;
+            moved.set_value(parameter, Some(value)).unwrap();
+            gradient(&moved, Outcome::Carry, &wrt).unwrap().gradient
+        };
+        let (below, above) = (at(value - h), at(value + h));
+        for j in 0..wrt.len() {
+            let difference = (above[j] - below[j]) / (2.0 * h);
+            let size = exact.gradient[j].abs() / value;
+            close(exact.hessian[i][j], difference, difference.abs().max(size), 1e-6, &format!("{} {}", names[i], names[j]));
+            assert_eq!(exact.hessian[i][j], exact.hessian[j][i]);
+        }
+    }
+}
+
+#[test]
+fn derivatives_do_not_depend_on_what_else_is_asked_for() {
+    let mut setup = Setup::preset("mae494").unwrap();
+    setup.set("strike.toe", "5 mm").unwrap();
+    let all = setup.variables();
+    assert!(all.len() > 30);
+    let together = gradient(&setup, Outcome::Carry, &all).unwrap();
+    for (k, parameter) in all.iter().enumerate() {
+        let alone = gradient(&setup, Outcome::Carry, &[parameter]).unwrap();
+        close(alone.gradient[0], together.gradient[k], together.gradient[k].abs().max(1e-9), 1e-11, parameter.name);
+    }
+    let three = ["club.loft", "swing.attack_angle", "swing.speed"].map(|name| setup.variable(name).unwrap());
+    let block = hessian(&setup, Outcome::Carry, &three).unwrap();
+    let pair = hessian(&setup, Outcome::Carry, &three[..2]).unwrap();
+    let one = hessian(&setup, Outcome::Carry, &three[..1]).unwrap();
+    close(block.hessian[0][1], pair.hessian[0][1], pair.hessian[0][1].abs(), 1e-12, "mixed");
+    close(one.hessian[0][0], pair.hessian[0][0], pair.hessian[0][0].abs(), 1e-10, "pure");
+    assert_eq!((one.gradient.len(), block.hessian.len()), (1, 3));
+
+    let mut seen = vec![];
+    evaluate_with(&setup, &[Outcome::Carry], &three, Order::Second, |done, passes| seen.push((done, passes))).unwrap();
+    assert_eq!(seen, [(1, 3), (2, 3), (3, 3)]);
+}
+
+#[test]
+fn values_alone_carry_no_derivatives() {
+    let setup = Setup::default();
+    let taylors = evaluate(&setup, &[Outcome::Carry, Outcome::Spin], &[], Order::Value).unwrap();
+    assert!(taylors.iter().all(|Taylor { gradient, hessian, .. }| gradient.is_empty() && hessian.is_empty()));
+}
+
+#[test]
+fn what_has_no_derivative_says_so_instead_of_nan() {
+    // straight up: the launch has no horizontal direction
+    let mut setup = Setup::preset("mae494").unwrap();
+    setup.set_all([("club.loft", "0 deg"), ("swing.attack_angle", "0 deg"), ("swing.shaft_lean", "0 deg")]).unwrap();
+    setup.swing.attack_angle = 89.9999999_f64.to_radians();
+    let drive = Drive::new(&setup).unwrap();
+    for outcome in Outcome::ALL {
+        assert!(outcome.value(&drive).is_none_or(f64::is_finite), "{}", outcome.name());
+    }
+    // no spin: its axis has no direction
+    let mut setup = Setup::preset("mae494").unwrap();
+    setup.set_all([("club.loft", "0 deg"), ("swing.attack_angle", "0.2 rad")]).unwrap();
+    setup.impact.friction = Some(0.0);
+    setup.set("club.loft", "5 deg").unwrap();
+    let drive = Drive::new(&setup).unwrap();
+    assert_eq!(Outcome::SpinAxis.value(&drive), None);
+    let wrt = [setup.variable("club.loft").unwrap()];
+    assert!(matches!(gradient(&setup, Outcome::SpinAxis, &wrt), Err(Error::Undefined { .. })));
+    assert!(gradient(&setup, Outcome::Carry, &wrt).is_ok());
+    assert!(matches!(gradient(&setup, Outcome::Carry, &[]), Err(Error::Nothing { .. })));
+}
+
+#[test]
+fn zero_spin_is_reported_as_a_corner_of_the_laws_whose_drag_grows_with_spin() {
+    let mut setup = Setup::preset("mae494").unwrap();
+    setup.set_all([("club.loft", "0 deg"), ("swing.attack_angle", "20 deg")]).unwrap();
+    let drive = Drive::new(&setup).unwrap();
+    assert_eq!(drive.corners(&setup).len(), 1);
+    setup.set_law("linear").unwrap();
+    assert!(drive.corners(&setup).is_empty());
+}

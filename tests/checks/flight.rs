@@ -1,0 +1,180 @@
+//! The flight: closed forms, the order of the integration, its accuracy at the default step, and how flights
+//! that are none end.
+
+use crate::common::close;
+use longdrive::derivative::{Order, evaluate, gradient};
+use longdrive::flight::{Flight, NoFlight, fly, trajectory};
+use longdrive::impact::strike;
+use longdrive::launch::Launch;
+use longdrive::number::Vector;
+use longdrive::parameters::Law;
+use longdrive::{Drive, Error, Outcome, Setup};
+
+fn carry(setup: &Setup<f64>) -> f64 {
+    Outcome::Carry.of(&Drive::new(setup).unwrap()).unwrap()
+}
+
+#[test]
+fn exact_parabola_in_a_vacuum() {
+    let mut setup = Setup::default();
+    (setup.air.density, setup.ground.height) = (0.0, 3.0);
+    let launch = Launch { velocity: Vector::new(20.0, 3.0, 50.0), spin: Vector::new(10.0, 300.0, 0.0) };
+    let Flight::Landed(landed) = fly(&setup, &launch).unwrap() else { panic!("it flies") };
+    let g = setup.flight.gravity;
+    let time = (20.0 + (400.0 - 2.0 * g * 3.0_f64).sqrt()) / g;
+    close(landed.flight_time, time, time, 1e-13, "time");
+    close(landed.carry, 50.0 * time, 50.0 * time, 1e-13, "carry");
+    close(landed.lateral, 3.0 * time, 3.0 * time, 1e-13, "lateral");
+    close(landed.velocity.x, 20.0 - g * time, 20.0, 1e-12, "landing velocity");
+    close(landed.apex.height, 200.0 / g, 200.0 / g, 1e-13, "apex");
+    close(landed.apex.time, 20.0 / g, 20.0 / g, 1e-13, "apex time");
+}
+
+#[test]
+fn exact_hop_shorter_than_a_step() {
+    let mut setup = Setup::default();
+    setup.air.density = 0.0;
+    let rise = 0.01;
+    let launch = Launch { velocity: Vector::new(rise, 0.0, 10.0), spin: Vector::zero() };
+    let Flight::Landed(landed) = fly(&setup, &launch).unwrap() else { panic!("it flies") };
+    close(landed.flight_time, 2.0 * rise / setup.flight.gravity, 1e-2, 1e-13, "time");
+    assert_eq!(landed.steps, 1);
+}
+
+#[test]
+fn exact_terminal_fall_from_a_hill() {
+    // no spin, dropped: v = v_t tanh(g t/v_t), and it falls v_t²/g ln cosh(g t/v_t)
+    let mut setup = Setup::default();
+    setup.set_law("linear").unwrap();
+    (setup.ground.height, setup.flight.step) = (-100.0, 0.002);
+    let launch = Launch { velocity: Vector::zero(), spin: Vector::zero() };
+    let Flight::Landed(landed) = fly(&setup, &launch).unwrap() else { panic!("it falls") };
+    let area = std::f64::consts::PI * setup.ball.radius.powi(2);
+    let terminal = (2.0 * setup.ball.mass * setup.flight.gravity / (setup.air.density * area * 0.25)).sqrt();
+    let time = terminal / setup.flight.gravity * (100.0 * setup.flight.gravity / terminal.powi(2)).exp().acosh();
+    // |v_r| is kept from zero by 1e-6 m/s
+    close(landed.flight_time, time, time, 1e-11, "time");
+    close(landed.velocity.x, -terminal * (setup.flight.gravity * time / terminal).tanh(), terminal, 1e-11, "speed");
+    assert_eq!(landed.apex.height, 0.0);
+}
+
+#[test]
+fn exact_uniform_wind_is_a_moving_frame() {
+    // seen from the air, the ball is launched at v − w; a wind across only shifts the landing by w t
+    let mut setup = Setup::default();
+    let still = Launch { velocity: Vector::new(15.0, -6.0, 55.0), spin: Vector::new(0.0, 250.0, 0.0) };
+    let Flight::Landed(a) = fly(&setup, &still).unwrap() else { panic!("it flies") };
+    (setup.wind.right, setup.wind.downrange) = (6.0, -4.0);
+    let moving = Launch { velocity: Vector::new(15.0, 0.0, 51.0), ..still };
+    let Flight::Landed(b) = fly(&setup, &moving).unwrap() else { panic!("it flies") };
+    close(b.flight_time, a.flight_time, a.flight_time, 1e-12, "time");
+    close(b.carry, a.carry - 4.0 * a.flight_time, a.carry, 1e-12, "carry");
+    close(b.lateral, a.lateral + 6.0 * a.flight_time, a.carry, 1e-12, "lateral");
+}
+
+#[test]
+fn order_of_value_and_gradient_in_the_step_is_four() {
+    for law in Law::NAMES {
+        let mut setup = Setup::default();
+        setup.set_law(law).unwrap();
+        setup.set("swing.attack_angle", "4 deg").unwrap();
+        setup.aero.spin_damping = Some(2e-5);
+        let wrt = [setup.variable("club.loft").unwrap()];
+        let at = |step: f64| {
+            let mut setup = setup;
+            setup.flight.step = step;
+            gradient(&setup, Outcome::Carry, &wrt).unwrap()
+        };
+        let exact = at(0.0025);
+        let error = |step| {
+            let taylor = at(step);
+            [(taylor.value - exact.value).abs(), (taylor.gradient[0] - exact.gradient[0]).abs()]
+        };
+        let (coarse, fine) = (error(0.08), error(0.02));
+        for (coarse, fine) in coarse.into_iter().zip(fine) {
+            let order = (coarse / fine).log(4.0);
+            assert!((3.5..4.8).contains(&order), "{law}: order {order} ({coarse:e}, {fine:e})");
+        }
+    }
+}
+
+#[test]
+fn order_default_step_is_within_a_micrometre() {
+    for preset in ["modern-driver", "winfield-tan", "mae494"] {
+        for (attack, wind, roughness) in [("-3 deg", 0.0, None), ("5 deg", 8.0, None), ("5 deg", -8.0, Some(0.01)), ("12 deg", 10.0, Some(0.003))] {
+            let mut setup = Setup::preset(preset).unwrap();
+            setup.set("swing.attack_angle", attack).unwrap();
+            (setup.wind.downrange, setup.wind.right, setup.wind.roughness) = (wind, wind, roughness);
+            let coarse = carry(&setup);
+            setup.flight.step /= 8.0;
+            // the error falls by 4096: what is left of it is the default step's
+            let error = (coarse - carry(&setup)).abs();
+            assert!(error < 1e-6, "{preset}, attack {attack}, wind {wind}, {roughness:?}: {error:e} m");
+        }
+    }
+}
+
+#[test]
+fn exact_gradient_of_carry_by_gravity_in_a_vacuum() {
+    let mut setup = Setup::default();
+    setup.air.density = 0.0;
+    let wrt = [setup.variable("gravity").unwrap()];
+    let carry = &evaluate(&setup, &[Outcome::Carry], &wrt, Order::Second).unwrap()[0];
+    let g = setup.flight.gravity;
+    close(carry.gradient[0], -carry.value / g, carry.value / g, 1e-13, "first derivative");
+    close(carry.hessian[0][0], 2.0 * carry.value / (g * g), carry.value, 1e-13, "second derivative");
+}
+
+#[test]
+fn a_ball_that_does_not_rise_has_no_flight_and_no_carry() {
+    let launch = |up: f64| Launch { velocity: Vector::new(up, 0.0, 60.0), spin: Vector::new(0.0, 300.0, 0.0) };
+    let mut setup = Setup::default();
+    for up in [0.0, -1.0] {
+        assert!(matches!(fly(&setup, &launch(up)).unwrap(), Flight::None(NoFlight::LaunchedDown { .. })));
+    }
+    setup.ground.height = 5.0;
+    setup.air.density = 0.0;
+    // 5 m takes √(2 g 5) = 9.9 m/s
+    assert!(matches!(fly(&setup, &launch(9.9)).unwrap(), Flight::None(NoFlight::BelowGround { apex_height, .. }) if apex_height > 4.9));
+    assert!(matches!(fly(&setup, &launch(9.91)).unwrap(), Flight::Landed(_)));
+    setup.ground.height = -5.0;
+    assert!(matches!(fly(&setup, &launch(-9.0)).unwrap(), Flight::Landed(_)));
+
+    let mut setup = Setup::default();
+    setup.set("swing.attack_angle", "-15 deg").unwrap();
+    let drive = Drive::new(&setup).unwrap();
+    assert!(matches!(Outcome::Carry.of(&drive), Err(Error::NoFlight { .. })));
+    assert_eq!(Outcome::Carry.value(&drive), None);
+    assert!(Outcome::BallSpeed.value(&drive).is_some());
+    let wrt = [setup.variable("club.loft").unwrap()];
+    assert!(matches!(gradient(&setup, Outcome::Carry, &wrt), Err(Error::NoFlight { .. })));
+    assert!(gradient(&setup, Outcome::BallSpeed, &wrt).is_ok());
+}
+
+#[test]
+fn a_flight_without_end_stops_at_the_time_limit() {
+    let mut setup = Setup::default();
+    setup.wind.up = 60.0;
+    setup.flight.time_limit = 20.0;
+    let drive = Drive::new(&setup).unwrap();
+    assert!(matches!(drive.flight, Flight::None(NoFlight::Aloft { time, .. }) if (20.0..20.1).contains(&time)));
+}
+
+#[test]
+fn a_step_too_coarse_for_the_drag_is_an_error_not_a_number() {
+    let mut setup = Setup::default();
+    setup.air.density = 1000.0;
+    setup.set("flight.step", "1 s").unwrap();
+    setup.set("swing.attack_angle", "20 deg").unwrap();
+    assert!(matches!(Drive::new(&setup), Err(Error::Diverged { .. })));
+}
+
+#[test]
+fn a_trajectory_starts_on_the_tee_and_ends_at_the_landing() {
+    let setup = Setup::default();
+    let path = trajectory(&setup, &strike(&setup).unwrap().launch).unwrap();
+    let (first, last) = (path.points[0], path.points[path.points.len() - 1]);
+    assert_eq!((first.time, first.position), (0.0, Vector::zero()));
+    assert_eq!(last.position.z, carry(&setup));
+    assert!(path.points.windows(2).all(|pair| pair[0].time < pair[1].time));
+}

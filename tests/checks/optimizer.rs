@@ -1,0 +1,282 @@
+//! The optimizer on drives with known optima and on functions that are hard in a known way.
+
+use crate::common::{close, data, number, setup_of};
+use longdrive::optimize::{Bounds, Evaluation, Options, Solution, Status, minimize, minimize_watched};
+use longdrive::study::{Search, Vary, optimum};
+use longdrive::{Drive, Error, Setup, study::Optimum};
+use std::cell::RefCell;
+use std::rc::Rc;
+
+type Evaluated = Result<Evaluation, String>;
+
+fn solve(f: impl Fn(&[f64]) -> Evaluated, bounds: &[(f64, f64)], start: &[f64]) -> Solution {
+    let (low, high) = bounds.iter().copied().unzip();
+    minimize(f, &Bounds::new(low, high).unwrap(), start, &Options::default()).unwrap()
+}
+
+fn mae494(attack: f64, loft: f64, ranges: [&str; 2]) -> Optimum {
+    let mut setup = Setup::preset("mae494").unwrap();
+    (setup.swing.attack_angle, setup.club.loft) = (attack.to_radians(), loft.to_radians());
+    let vary = ranges.map(|text| Vary::read(&setup, text).unwrap()).to_vec();
+    let search = Search { vary, ..Search::longest_drive(&setup).unwrap() };
+    optimum(&setup, search, |_| ()).unwrap()
+}
+
+/// An even spread of starts over a box.
+fn starts(count: u32, low: [f64; 2], high: [f64; 2]) -> impl Iterator<Item = [f64; 2]> {
+    // multiples of powers of the plastic number's inverse
+    (0..count).map(move |k| {
+        let part = |step: f64, i: usize| low[i] + (f64::from(k) * step + 0.5).fract() * (high[i] - low[i]);
+        [part(0.754_877_666_246_692_8, 0), part(0.569_840_290_998_053_3, 1)]
+    })
+}
+
+#[test]
+fn independent_optima_from_the_reference_file() {
+    for reference in data("reference_drives.json")["optima"].as_array().unwrap() {
+        let setup = setup_of(reference);
+        let vary = |i: usize| {
+            let parameter = setup.variable(reference["variables"][i].as_str().unwrap()).unwrap();
+            Vary::new(parameter, number(&reference["bounds"][i][0]), number(&reference["bounds"][i][1])).unwrap()
+        };
+        let search = Search { vary: vec![vary(0), vary(1)], ..Search::longest_drive(&setup).unwrap() };
+        let best = optimum(&setup, search, |_| ()).unwrap();
+        assert_eq!(best.solution.status, Status::Converged);
+        close(best.value().unwrap(), number(&reference["carry"]), 1.0, 1e-8, "carry");
+        for i in 0..2 {
+            close(best.solution.x[i], number(&reference["optimum"][i]), 1.0, 1e-10, "optimum");
+            let multiplier = best.solution.lower_multipliers[i] + best.solution.upper_multipliers[i];
+            close(multiplier, number(&reference["multipliers"][i]), 1.0, 1e-8, "multiplier");
+            let bound = match reference["active"][i].as_str().unwrap() {
+                "lower" => number(&reference["bounds"][i][0]),
+                "upper" => number(&reference["bounds"][i][1]),
+                _ => continue,
+            };
+            assert_eq!(best.solution.x[i], bound, "an active bound is exact");
+        }
+    }
+}
+
+#[test]
+fn independent_mae494_optimum_from_every_start_that_flies() {
+    let mut flying = 0;
+    for [loft, attack] in starts(300, [0.0, -10.0], [20.0, 10.0]) {
+        let best = mae494(attack, loft, ["club.loft=0deg..20deg", "swing.attack_angle=-10deg..10deg"]);
+        assert_eq!(best.solution.status, Status::Converged, "from {loft}, {attack}: {}", best.solution.message);
+        close(best.solution.x[0].to_degrees(), 14.682_922_531_9, 1.0, 1e-8, "loft");
+        assert_eq!(best.solution.x[1], 10.0_f64.to_radians());
+        close(best.value().unwrap(), 153.333_552_730_536, 1.0, 1e-9, "carry at step 0.01 s");
+        close(best.solution.upper_multipliers[1], 60.292_494_887_4, 1.0, 1e-6, "multiplier");
+        if best.solution.moved_start.is_none() {
+            flying += 1;
+            assert!(best.solution.iterations <= 15, "{} iterations from {loft}, {attack}", best.solution.iterations);
+        }
+    }
+    assert!((200..300).contains(&flying), "{flying} starts fly");
+}
+
+#[test]
+fn independent_corner_at_zero_spin_is_the_end_of_every_search_in_a_wide_box() {
+    // model page: loft 0°, attack 38.53°, 170.574 m; one-sided slopes +83.7 and −29.7 m/rad
+    for loft_range in ["club.loft=-10deg..20deg", "club.loft=0deg..20deg"] {
+        for [loft, attack] in starts(40, [0.0, -5.0], [20.0, 60.0]) {
+            let best = mae494(attack, loft, [loft_range, "swing.attack_angle=-10deg..60deg"]);
+            let solution = &best.solution;
+            assert_eq!(solution.status, Status::StalledAtKink, "from {loft}, {attack}: {}", solution.message);
+            close(best.value().unwrap(), 170.5743156, 1.0, 1e-6, "carry");
+            close(solution.x[0].to_degrees(), 0.0, 1.0, 1e-6, "loft");
+            close(solution.x[1].to_degrees(), 38.532, 1.0, 1e-3, "attack angle");
+            let kink = solution.kink.unwrap();
+            assert_eq!(kink.variable, 0);
+            close(kink.slope_above, 29.66, 1.0, 0.05, "slope of −carry above");
+            if loft_range.contains("-10") {
+                close(kink.slope_below, -83.72, 1.0, 0.05, "slope of −carry below");
+            }
+            assert!(best.message().contains("club.loft"), "{}", best.message());
+        }
+    }
+}
+
+#[test]
+fn a_start_that_does_not_fly_is_left_for_one_that_does_and_said() {
+    let best = mae494(-9.0, 1.0, ["club.loft=0deg..20deg", "swing.attack_angle=-10deg..10deg"]);
+    assert_eq!(best.solution.status, Status::Converged);
+    assert!(best.solution.moved_start.as_ref().unwrap().contains("no flight"));
+
+    let none = mae494(-9.0, 1.0, ["club.loft=0deg..2deg", "swing.attack_angle=-10deg..-8deg"]);
+    assert_eq!((none.solution.status, none.status(), none.value()), (Status::Undefined, "no-flight", None));
+    assert!(none.drive.is_none() && none.message().contains("nothing flew"));
+}
+
+#[test]
+fn a_setup_cannot_be_searched_over_nothing_or_twice_over_the_same() {
+    let setup = Setup::default();
+    let search = Search { vary: vec![], ..Search::longest_drive(&setup).unwrap() };
+    assert!(matches!(optimum(&setup, search, |_| ()), Err(Error::Nothing { .. })));
+    let loft = Vary::read(&setup, "club.loft=5deg..10deg").unwrap();
+    let search = Search { vary: vec![loft, loft], ..Search::longest_drive(&setup).unwrap() };
+    assert!(matches!(optimum(&setup, search, |_| ()), Err(Error::SearchRange { .. })));
+}
+
+#[test]
+fn exact_values_of_the_default_search_hold_at_its_optimum() {
+    let setup = Setup::default();
+    let best = optimum(&setup, Search::longest_drive(&setup).unwrap(), |_| ()).unwrap();
+    assert_eq!(best.solution.status, Status::Converged);
+    let carry = |loft: f64, attack: f64| {
+        let mut moved = best.setup;
+        (moved.club.loft, moved.swing.attack_angle) = (loft, attack);
+        Drive::new(&moved).unwrap().landed().unwrap().carry
+    };
+    let [loft, attack] = [best.solution.x[0], best.solution.x[1]];
+    assert_eq!(carry(loft, attack), best.value().unwrap());
+    for (d_loft, d_attack) in [(0.01, 0.0), (-0.01, 0.0), (0.0, -0.01)] {
+        assert!(carry(loft + d_loft, attack + d_attack) < best.value().unwrap());
+    }
+    // the multiplier is the price of the bound
+    let gain = carry(loft, attack + 1e-6) - carry(loft, attack - 1e-6);
+    close(best.solution.upper_multipliers[1], gain / 2e-6, 100.0, 1e-5, "price");
+}
+
+/// (1 − x)² + 100 (y − x²)².
+fn rosenbrock(v: &[f64]) -> Evaluated {
+    let (x, y) = (v[0], v[1]);
+    let r = y - x * x;
+    Ok(Evaluation {
+        value: (1.0 - x).powi(2) + 100.0 * r * r,
+        gradient: vec![-2.0 * (1.0 - x) - 400.0 * x * r, 200.0 * r],
+        hessian: vec![vec![2.0 - 400.0 * r + 800.0 * x * x, -400.0 * x], vec![-400.0 * x, 200.0]],
+    })
+}
+
+#[test]
+fn exact_rosenbrock_free_and_against_a_bound() {
+    let free = solve(rosenbrock, &[(-5.0, 5.0), (-5.0, 5.0)], &[-1.2, 1.0]);
+    assert_eq!(free.status, Status::Converged);
+    assert!((free.x[0] - 1.0).abs() < 1e-9 && (free.x[1] - 1.0).abs() < 1e-9);
+
+    // x ≤ ½: y = ¼ and a multiplier 2 (1 − ½) = 1
+    let held = solve(rosenbrock, &[(-5.0, 0.5), (-5.0, 5.0)], &[-1.2, 1.0]);
+    assert_eq!((held.status, held.x[0]), (Status::Converged, 0.5));
+    assert!((held.x[1] - 0.25).abs() < 1e-10 && (held.upper_multipliers[0] - 1.0).abs() < 1e-8);
+
+    let unbounded = solve(rosenbrock, &[(f64::NEG_INFINITY, f64::INFINITY), (f64::NEG_INFINITY, f64::INFINITY)], &[-1.2, 1.0]);
+    assert_eq!(unbounded.status, Status::Converged);
+    assert!((unbounded.x[0] - 1.0).abs() < 1e-8);
+}
+
+#[test]
+fn exact_minima_of_indefinite_functions_lie_in_corners_of_the_box() {
+    // x y on [−1, 2]²: saddle at 0, minima −2 at (−1, 2) and (2, −1)
+    let saddle = |v: &[f64]| Ok(Evaluation { value: v[0] * v[1], gradient: vec![v[1], v[0]], hessian: vec![vec![0.0, 1.0], vec![1.0, 0.0]] });
+    for start in [[0.1, 0.3], [0.5, -0.2], [1.9, 1.8], [-0.9, -0.8]] {
+        let s = solve(saddle, &[(-1.0, 2.0), (-1.0, 2.0)], &start);
+        assert_eq!((s.status, s.value), (Status::Converged, Some(-2.0)), "from {start:?}: {s:?}");
+        assert_eq!(s.lower_multipliers.iter().chain(&s.upper_multipliers).copied().fold(0.0, f64::max), 2.0);
+    }
+    // cos 3x has its minimum where it curves up
+    let wave = |v: &[f64]| {
+        let (sin, cos) = (3.0 * v[0]).sin_cos();
+        Ok(Evaluation { value: cos, gradient: vec![-3.0 * sin], hessian: vec![vec![-9.0 * cos]] })
+    };
+    let s = solve(wave, &[(-0.5, 2.0)], &[0.1]);
+    assert_eq!(s.status, Status::Converged);
+    assert!((s.x[0] - std::f64::consts::FRAC_PI_3).abs() < 1e-9);
+}
+
+#[test]
+fn exact_corner_of_an_absolute_value_ends_as_a_kink() {
+    // |x − 0.3| + (y − x)²: a corner at x = 0.3 = y
+    let f = |v: &[f64]| {
+        let (side, d) = ((v[0] - 0.3).signum(), v[1] - v[0]);
+        Ok(Evaluation {
+            value: (v[0] - 0.3).abs() + d * d,
+            gradient: vec![side - 2.0 * d, 2.0 * d],
+            hessian: vec![vec![2.0, -2.0], vec![-2.0, 2.0]],
+        })
+    };
+    for start in [[-0.9, 0.8], [0.7, -0.4], [0.31, 0.9]] {
+        let s = solve(f, &[(-1.0, 1.0), (-1.0, 1.0)], &start);
+        assert_eq!(s.status, Status::StalledAtKink, "from {start:?}: {}", s.message);
+        assert!((s.x[0] - 0.3).abs() < 1e-8 && (s.x[1] - 0.3).abs() < 1e-6, "{:?}", s.x);
+        let kink = s.kink.unwrap();
+        assert!((kink.slope_below + 1.0).abs() < 1e-4 && (kink.slope_above - 1.0).abs() < 1e-4);
+    }
+}
+
+#[test]
+fn exact_minimum_next_to_a_region_where_the_function_is_not_defined() {
+    // x − ln x, not defined for x ≤ 0: the first steps from far right leap there
+    let f = |v: &[f64]| {
+        if v[0] <= 0.0 {
+            return Err(format!("ln {} does not exist", v[0]));
+        }
+        Ok(Evaluation { value: v[0] - v[0].ln(), gradient: vec![1.0 - 1.0 / v[0]], hessian: vec![vec![v[0].powi(-2)]] })
+    };
+    for start in [9.0, 0.01, -4.0] {
+        let s = solve(f, &[(-10.0, 10.0)], &[start]);
+        assert_eq!(s.status, Status::Converged, "from {start}: {}", s.message);
+        assert!((s.x[0] - 1.0).abs() < 1e-8);
+        assert_eq!(s.moved_start.is_some(), start < 0.0);
+    }
+    let never = solve(|_: &[f64]| Err("it has no value".into()), &[(0.0, 1.0)], &[0.5]);
+    assert_eq!((never.status, never.value), (Status::Undefined, None));
+    assert!(never.message.contains("it has no value"));
+    let nan = solve(|_: &[f64]| Ok(Evaluation { value: f64::NAN, gradient: vec![0.0], hessian: vec![vec![0.0]] }), &[(0.0, 1.0)], &[0.5]);
+    assert_eq!(nan.status, Status::Undefined);
+}
+
+#[test]
+fn exact_badly_scaled_quadratic() {
+    // curvatures 1e-9 and 1e9, in variables of the sizes that go with them
+    let f = |v: &[f64]| {
+        let (a, b) = (v[0] - 2e4, v[1] - 3e-5);
+        Ok(Evaluation { value: 0.5e-9 * a * a + 0.5e9 * b * b, gradient: vec![1e-9 * a, 1e9 * b], hessian: vec![vec![1e-9, 0.0], vec![0.0, 1e9]] })
+    };
+    let s = solve(f, &[(-1e5, 1e5), (-1e-4, 1e-4)], &[0.0, 0.0]);
+    assert_eq!(s.status, Status::Converged);
+    assert!((s.x[0] / 2e4 - 1.0).abs() < 1e-8 && (s.x[1] / 3e-5 - 1.0).abs() < 1e-8, "{s:?}");
+}
+
+#[test]
+fn a_fixed_variable_stays_and_a_linear_function_runs_into_its_bounds() {
+    let f = |v: &[f64]| Ok(Evaluation { value: 3.0 * v[0] - v[1], gradient: vec![3.0, -1.0], hessian: vec![vec![0.0; 2]; 2] });
+    let s = solve(f, &[(-1.0, 1.0), (0.25, 0.25)], &[0.5, 0.25]);
+    assert_eq!((s.status, s.x.as_slice()), (Status::Converged, [-1.0, 0.25].as_slice()));
+    assert_eq!((s.lower_multipliers[0], s.upper_multipliers[1]), (3.0, 1.0));
+}
+
+#[test]
+fn running_out_of_iterations_is_a_status_with_numbers() {
+    let bounds = Bounds::new(vec![-5.0; 2], vec![5.0; 2]).unwrap();
+    let options = Options { max_iterations: 3, ..Options::default() };
+    let s = minimize(rosenbrock, &bounds, &[-1.2, 1.0], &options).unwrap();
+    assert_eq!((s.status, s.iterations), (Status::IterationLimit, 3));
+    assert!(s.message.contains("3 iterations") && s.kkt_residual > 1e-10);
+}
+
+#[test]
+fn iterations_are_shown_in_order_and_never_get_worse() {
+    let seen = Rc::new(RefCell::new(vec![]));
+    let shown = Rc::clone(&seen);
+    let bounds = Bounds::new(vec![-5.0; 2], vec![5.0; 2]).unwrap();
+    let s = minimize_watched(rosenbrock, &bounds, &[-1.2, 1.0], &Options::default(), move |i| shown.borrow_mut().push(i.clone())).unwrap();
+    let seen = seen.borrow();
+    assert_eq!(seen.len() as u64, s.iterations + 1);
+    assert!(seen.iter().enumerate().all(|(k, i)| i.number == k as u64));
+    assert!(seen.windows(2).all(|pair| pair[1].value <= pair[0].value));
+}
+
+#[test]
+fn bounds_starts_and_options_that_make_no_sense_are_errors() {
+    assert!(Bounds::new(vec![1.0], vec![0.0]).is_err());
+    assert!(Bounds::new(vec![f64::NAN], vec![0.0]).is_err());
+    assert!(Bounds::new(vec![f64::INFINITY], vec![f64::INFINITY]).is_err());
+    assert!(Bounds::new(vec![], vec![]).is_err());
+    let bounds = Bounds::new(vec![0.0], vec![1.0]).unwrap();
+    let f = |v: &[f64]| Ok(Evaluation { value: v[0], gradient: vec![1.0], hessian: vec![vec![0.0]] });
+    assert!(minimize(f, &bounds, &[0.1, 0.2], &Options::default()).is_err());
+    assert!(minimize(f, &bounds, &[f64::NAN], &Options::default()).is_err());
+    assert!(minimize(f, &bounds, &[0.1], &Options { kkt_tolerance: 0.0, ..Options::default() }).is_err());
+    assert!(minimize(f, &bounds, &[0.1], &Options { initial_radius: -1.0, ..Options::default() }).is_err());
+}

@@ -1,0 +1,91 @@
+//! Every outcome, its derivative by every parameter and Hessians over six, against `data/independent_drives.json`:
+//! 34 drives computed in quadruple precision by `oracle/oracle.cpp`, a program that shares nothing with this
+//! one. Laws, decay laws, log wind, slip, light and heavy heads, hills, near-zero spin.
+
+use crate::common::{close, drives, number, setup_of};
+use longdrive::derivative::{Order, evaluate};
+use longdrive::impact::Grip;
+use longdrive::parameters::Parameter;
+use longdrive::{Drive, Outcome, Setup};
+use serde_json::Value;
+
+const FILE: &str = "independent_drives.json";
+
+/// How a derivative is held. On smooth drives: relative to itself, or, where terms nearly cancel, to a
+/// hundredth of the outcome per size of the parameters. Two kinds of drive are less smooth on the scale of a
+/// step, and held at `ROUGH` relative to the outcome per size of the parameters: in a logarithmic wind, which
+/// varies within half a metre of the ground, and where the spin ratio falls through the join of a law, which is
+/// C² only.
+struct Bar {
+    tolerance: f64,
+    floor: f64,
+}
+
+const ROUGH: f64 = 1e-5;
+
+impl Bar {
+    fn of(drive: &Value, smooth: f64) -> Self {
+        let rough = !drive["setup"]["wind.roughness"].is_null() || drive["name"].as_str().unwrap().contains("falls through");
+        if rough { Self { tolerance: ROUGH, floor: 1.0 } } else { Self { tolerance: smooth, floor: 0.01 } }
+    }
+
+    #[track_caller]
+    fn hold(&self, ours: f64, theirs: f64, per_parameters: f64, what: &str) {
+        close(ours, theirs, theirs.abs().max(self.floor * per_parameters), self.tolerance, what);
+    }
+}
+
+/// The size of a parameter, or of a sensible change of one that is small.
+fn size(setup: &Setup<f64>, parameter: &Parameter) -> f64 {
+    setup.value(parameter).unwrap().abs().max(0.1)
+}
+
+#[test]
+fn independent_values_within_1e9() {
+    for drive in drives(FILE) {
+        let ours = Drive::new(&setup_of(&drive)).unwrap();
+        assert_eq!(matches!(ours.impact.grip, Grip::Slips(_)), drive["outcomes"]["slipped"].as_bool().unwrap());
+        for outcome in Outcome::ALL {
+            let expected = number(&drive["outcomes"][outcome.name()]);
+            let what = format!("{}: {}", drive["name"], outcome.name());
+            close(outcome.value(&ours).unwrap(), expected, expected.abs().max(1e-3), 1e-9, &what);
+        }
+    }
+}
+
+#[test]
+fn independent_gradients_of_every_outcome_by_every_parameter_within_1e8() {
+    for drive in drives(FILE) {
+        let setup = setup_of(&drive);
+        for outcome in Outcome::ALL {
+            let theirs = drive["gradient"][outcome.name()].as_object().unwrap();
+            let wrt: Vec<_> = theirs.keys().map(|name| setup.variable(name).unwrap()).collect();
+            let ours = &evaluate(&setup, &[*outcome], &wrt, Order::First).unwrap()[0];
+            for (parameter, slope) in wrt.iter().zip(&ours.gradient) {
+                let expected = number(&theirs[parameter.name]);
+                let what = format!("{}: d {}/d {}", drive["name"], outcome.name(), parameter.name);
+                Bar::of(&drive, 1e-8).hold(*slope, expected, ours.value.abs().max(1.0) / size(&setup, parameter), &what);
+            }
+        }
+    }
+}
+
+#[test]
+fn independent_hessians_over_six_parameters_within_1e7() {
+    for drive in drives(FILE) {
+        let setup = setup_of(&drive);
+        let names: Vec<_> = drive["hessian"]["names"].as_array().unwrap().iter().map(|name| name.as_str().unwrap()).collect();
+        let wrt: Vec<_> = names.iter().map(|name| setup.variable(name).unwrap()).collect();
+        let outcomes = [Outcome::Carry, Outcome::Lateral, Outcome::ApexHeight, Outcome::FlightTime];
+        for (outcome, ours) in outcomes.iter().zip(evaluate(&setup, &outcomes, &wrt, Order::Second).unwrap()) {
+            for i in 0..wrt.len() {
+                for j in 0..wrt.len() {
+                    let expected = number(&drive["hessian"][outcome.name()][i][j]);
+                    let per_parameters = ours.value.abs().max(1.0) / (size(&setup, wrt[i]) * size(&setup, wrt[j]));
+                    let what = format!("{}: d² {}/d {} d {}", drive["name"], outcome.name(), names[i], names[j]);
+                    Bar::of(&drive, 1e-7).hold(ours.hessian[i][j], expected, per_parameters, &what);
+                }
+            }
+        }
+    }
+}

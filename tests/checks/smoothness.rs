@@ -1,0 +1,108 @@
+//! Continuity of carry, gradient and Hessian along lines of lofts that cross many changes of the number of steps,
+//! measured at each change on the two adjacent floating-point lofts.
+
+use longdrive::derivative::{Taylor, hessian};
+use longdrive::flight::Flight;
+use longdrive::{Drive, Outcome, Setup};
+
+fn steps(setup: &Setup<f64>) -> usize {
+    match Drive::new(setup).unwrap().flight {
+        Flight::Landed(landed) => landed.steps,
+        Flight::None(why) => panic!("{why}"),
+    }
+}
+
+fn at(setup: &Setup<f64>, loft: f64) -> Setup<f64> {
+    let mut moved = *setup;
+    moved.club.loft = loft;
+    moved
+}
+
+/// Adjacent lofts between `low` and `high` that differ in the number of steps.
+fn change_between(setup: &Setup<f64>, mut low: f64, mut high: f64) -> [f64; 2] {
+    let few = steps(&at(setup, low));
+    while high.next_down() > low {
+        let middle = (low + high) / 2.0;
+        if steps(&at(setup, middle)) == few { low = middle } else { high = middle }
+    }
+    [low, high]
+}
+
+/// The largest relative jumps of value, gradient and Hessian at the changes along a line of lofts, and how many
+/// there were.
+fn jumps(setup: &Setup<f64>, of: Outcome, degrees: (f64, f64)) -> (usize, [f64; 3]) {
+    let wrt = ["club.loft", "swing.attack_angle"].map(|name| setup.variable(name).unwrap());
+    let (mut changes, mut worst) = (0, [0.0_f64; 3]);
+    let loft = |k: usize| (degrees.0 + (degrees.1 - degrees.0) * k as f64 / 200.0).to_radians();
+    for k in 0..200 {
+        if steps(&at(setup, loft(k))) == steps(&at(setup, loft(k + 1))) {
+            continue;
+        }
+        changes += 1;
+        let sides = change_between(setup, loft(k), loft(k + 1));
+        let [a, b]: [Taylor; 2] = sides.map(|loft| hessian(&at(setup, loft), of, &wrt).unwrap());
+        let size = |values: &[f64]| values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+        let jump = |a: &[f64], b: &[f64]| {
+            let most = a.iter().zip(b).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
+            most / size(a)
+        };
+        worst[0] = worst[0].max((a.value - b.value).abs() / a.value.abs());
+        worst[1] = worst[1].max(jump(&a.gradient, &b.gradient));
+        worst[2] = worst[2].max(jump(&a.hessian.concat(), &b.hessian.concat()));
+    }
+    (changes, worst)
+}
+
+#[test]
+fn exact_continuity_of_carry_gradient_and_hessian_where_the_number_of_steps_changes() {
+    for (preset, step) in [("mae494", 0.01), ("modern-driver", 0.005), ("modern-driver", 0.05), ("winfield-tan", 0.2)] {
+        let mut setup = Setup::preset(preset).unwrap();
+        setup.flight.step = step;
+        setup.set_all([("swing.attack_angle", "3 deg"), ("wind.right", "4 m/s")]).unwrap();
+        for of in [Outcome::Carry, Outcome::Lateral, Outcome::FlightTime] {
+            let (changes, worst) = jumps(&setup, of, (8.0, 18.0));
+            println!("{preset}, step {step} s, {}: {changes} changes, jumps {worst:?}", of.name());
+            assert!(changes > if step > 0.1 { 5 } else { 20 }, "{changes}");
+            assert!(worst[0] < 1e-13 && worst[1] < 1e-12 && worst[2] < 1e-10, "{preset} at {step} s: {worst:?}");
+        }
+    }
+}
+
+#[test]
+fn order_of_the_jump_of_the_apex_time_is_that_of_a_c1_function() {
+    // the apex is a root of the quintic's slope, one order less smooth: its height is C², its time C¹
+    let mut setup = Setup::preset("mae494").unwrap();
+    setup.flight.step = 0.05;
+    let (changes, height) = apex_jumps(&setup, Outcome::ApexHeight);
+    let (_, time) = apex_jumps(&setup, Outcome::ApexTime);
+    assert!(changes > 5);
+    assert!(height[0] < 1e-13 && height[1] < 1e-12 && height[2] < 1e-10, "{height:?}");
+    assert!(time[0] < 1e-13 && time[1] < 1e-11 && time[2] < 1e-3, "{time:?}");
+}
+
+/// Jumps where the apex moves from one step to the next.
+fn apex_jumps(setup: &Setup<f64>, of: Outcome) -> (usize, [f64; 3]) {
+    let wrt = ["club.loft", "swing.attack_angle"].map(|name| setup.variable(name).unwrap());
+    let apex_step = |loft: f64| {
+        let time = Outcome::ApexTime.of(&Drive::new(&at(setup, loft)).unwrap()).unwrap();
+        (time / setup.flight.step).floor()
+    };
+    let (mut changes, mut worst) = (0, [0.0_f64; 3]);
+    for k in 0..100 {
+        let [mut low, mut high] = [k, k + 1].map(|k| (8.0 + 0.1 * f64::from(k)).to_radians());
+        if apex_step(low) == apex_step(high) {
+            continue;
+        }
+        changes += 1;
+        let first = apex_step(low);
+        while high.next_down() > low {
+            let middle = (low + high) / 2.0;
+            if apex_step(middle) == first { low = middle } else { high = middle }
+        }
+        let [a, b] = [low, high].map(|loft| hessian(&at(setup, loft), of, &wrt).unwrap());
+        worst[0] = worst[0].max(((a.value - b.value) / a.value).abs());
+        worst[1] = worst[1].max(((a.gradient[0] - b.gradient[0]) / a.gradient[0]).abs());
+        worst[2] = worst[2].max(((a.hessian[0][0] - b.hessian[0][0]) / a.hessian[0][0]).abs());
+    }
+    (changes, worst)
+}
