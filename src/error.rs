@@ -9,7 +9,7 @@ pub type Result<T, E = Error> = std::result::Result<T, E>;
 #[non_exhaustive]
 pub enum Error {
     /// A name that nothing bears.
-    #[error("unknown {what} '{name}'{}; {advice}", suggested(suggestion))]
+    #[error("unknown {what} '{name}'; {}{advice}", suggested(suggestion))]
     Unknown {
         /// What was named: "parameter", "outcome", "preset", "aerodynamic law".
         what: &'static str,
@@ -39,7 +39,7 @@ pub enum Error {
         source: Box<dyn std::error::Error + Send + Sync>,
     },
     /// A value outside the range of what is physically possible.
-    #[error("{name} = {value} is outside its range {range}{}", advice.as_ref().map(|a| format!("; {a}")).unwrap_or_default())]
+    #[error("{name} = {value} is outside its range {range}; {advice}")]
     OutOfRange {
         /// The parameter.
         name: String,
@@ -47,8 +47,8 @@ pub enum Error {
         value: String,
         /// The range, with its unit.
         range: String,
-        /// What may have been meant.
-        advice: Option<String>,
+        /// What to do, or what may have been meant.
+        advice: String,
     },
     /// An inertia tensor no body can have.
     #[error(
@@ -76,7 +76,7 @@ pub enum Error {
         reason: String,
     },
     /// A search without anything to vary, a gradient with respect to nothing.
-    #[error("nothing to {doing}: name at least one {what}")]
+    #[error("nothing to {doing}: name at least one {what}{}", if *doing == "vary" { ", with a range wider than a single value, as in --vary club.loft=4deg..20deg" } else { "" })]
     Nothing {
         /// What was to be done: "vary", "differentiate by".
         doing: &'static str,
@@ -212,7 +212,7 @@ fn similarity(given: &str, known: &str) -> f64 {
 }
 
 fn suggested(suggestion: &Option<String>) -> String {
-    suggestion.as_ref().map(|name| format!(", did you mean '{name}'?")).unwrap_or_default()
+    suggestion.as_ref().map(|name| format!("did you mean '{name}'? ")).unwrap_or_default()
 }
 
 #[cfg(test)]

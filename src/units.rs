@@ -176,7 +176,7 @@ impl Quantity {
     /// ```
     pub fn size_of(self, unit: &str) -> Option<f64> {
         let (size, dimension) = read_unit(unit)?;
-        (dimension == self.dimension).then_some(size)
+        (dimension == self.dimension).then(|| size.of(1.0))
     }
 
     /// An SI value as a person reads it, in `unit`.
@@ -186,8 +186,7 @@ impl Quantity {
     /// assert_eq!(Quantity::SPEED.show(49.1744, "mph"), "110 mph");
     /// ```
     pub fn show(self, value: f64, unit: &str) -> String {
-        let size = self.size_of(unit).unwrap_or(1.0);
-        let number = significant(value / size, 7);
+        let number = significant(value / self.size_of(unit).unwrap_or(1.0), 7);
         if unit.is_empty() { number } else { format!("{number} {unit}") }
     }
 
@@ -199,7 +198,7 @@ impl Quantity {
             examples: self.examples,
         })?;
         if dimension == self.dimension {
-            Ok(number * size)
+            Ok(size.of(number))
         } else {
             Err(UnitError::WrongKind { text: text.into(), wanted: self.name, examples: self.examples })
         }
@@ -251,11 +250,44 @@ fn split_number(text: &str) -> Option<(f64, &str)> {
     Some((value, text[end..].trim()))
 }
 
+/// The SI size of a unit as a fraction, so that decimal units (g, cm², %) divide by whole numbers: 5679 g cm² is
+/// 5679/10⁷ kg m² to the last bit.
+#[derive(Clone, Copy)]
+struct Size {
+    times: f64,
+    over: f64,
+}
+
+impl Size {
+    const ONE: Self = Self { times: 1.0, over: 1.0 };
+
+    fn new(size: f64) -> Self {
+        let inverse = size.recip();
+        if (inverse - inverse.round()).abs() <= 1e-12 * inverse {
+            Self { times: 1.0, over: inverse.round() }
+        } else {
+            Self { times: size, over: 1.0 }
+        }
+    }
+
+    fn times(self, other: Self) -> Self {
+        Self { times: self.times * other.times, over: self.over * other.over }
+    }
+
+    fn inverse(self) -> Self {
+        Self { times: self.over, over: self.times }
+    }
+
+    fn of(self, number: f64) -> f64 {
+        number * self.times / self.over
+    }
+}
+
 /// The SI size and the dimension of a product of units: factors separated by spaces, `*`, `·` or `/` (which
 /// divides by the one factor that follows), each perhaps with a power: `kg/m^3`, `g cm²`, `m s^-2`.
-fn read_unit(text: &str) -> Option<(f64, Dimension)> {
+fn read_unit(text: &str) -> Option<(Size, Dimension)> {
     let spaced = text.replace('/', " / ").replace(['*', '·'], " ");
-    let (mut size, mut dimension) = (1.0, Dimension::NONE);
+    let (mut size, mut dimension) = (Size::ONE, Dimension::NONE);
     let mut divide = false;
     for factor in spaced.split_whitespace() {
         if factor == "/" {
@@ -267,11 +299,12 @@ fn read_unit(text: &str) -> Option<(f64, Dimension)> {
         }
         let (symbol, power) = split_power(factor)?;
         let (one, kind) = symbol_size(symbol)?;
-        // whole powers by products: powi may round differently between platforms
+        let power = if divide { -power } else { power };
+        let one = if power > 0 { Size::new(one) } else { Size::new(one).inverse() };
         for _ in 0..power.unsigned_abs() {
-            if divide == (power > 0) { size /= one } else { size *= one }
+            size = size.times(one);
         }
-        dimension = dimension.times(kind, if divide { -power } else { power });
+        dimension = dimension.times(kind, power);
         divide = false;
     }
     (!divide && !spaced.trim().is_empty()).then_some((size, dimension))
@@ -359,7 +392,16 @@ mod tests {
             (Quantity::NUMBER, "0.83", 0.83),
         ] {
             let value = quantity.read(text).unwrap();
-            assert!((value - si).abs() <= 4e-16 * si.abs(), "{text}: {value} != {si}");
+            assert!((value - si).abs() <= 2e-16 * si.abs(), "{text}: {value} != {si}");
+        }
+        for (quantity, text, si) in [
+            (Quantity::INERTIA, "5679 g cm^2", 5.679e-4),
+            (Quantity::MASS, "45.93 g", 0.04593),
+            (Quantity::LENGTH, "21.335 mm", 0.021335),
+            (Quantity::SPEED, "110 mph", 49.1744),
+            (Quantity::ANGLE, "10 deg", 0.174_532_925_199_432_95),
+        ] {
+            assert_eq!(quantity.read(text), Ok(si), "to the last bit");
         }
         assert_eq!(Quantity::LENGTH.read("inf"), Ok(f64::INFINITY));
     }

@@ -33,8 +33,10 @@ pub struct Solution {
     pub iterations: u64,
     /// Evaluations of f with its derivatives.
     pub evaluations: u64,
-    /// Where the search began instead, and why, if f was not defined at the start.
-    pub moved_start: Option<String>,
+    /// Where the search began: the start, or, where f was not defined there, the best of some other points.
+    pub begun_at: Vec<f64>,
+    /// Why f was not defined at the start, if so.
+    pub undefined_at_start: Option<String>,
 }
 
 /// One iteration, as an observer sees it.
@@ -94,7 +96,8 @@ pub fn minimize_watched(
         if at_bound { gradient.get(i).map_or(0.0, |g| (g * outward).max(0.0)) } else { 0.0 }
     };
     let solver = result.solver;
-    let (kkt_residual, kink, moved_start) = (solver.residual(), solver.kink(), solver.moved().map(str::to_owned));
+    let (kkt_residual, kink) = (solver.residual(), solver.kink());
+    let (begun_at, undefined_at_start) = solver.start();
     let verdict = solver.into_verdict(iterations);
     Ok(Solution {
         status: verdict.status,
@@ -109,7 +112,8 @@ pub fn minimize_watched(
         kink,
         iterations,
         evaluations,
-        moved_start,
+        begun_at,
+        undefined_at_start,
     })
 }
 

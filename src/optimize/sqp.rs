@@ -42,8 +42,9 @@ pub struct Sqp {
     residual: f64,
     verdict: Option<Verdict>,
     kink: Option<Kink>,
-    /// Where the search began instead, if the start was not defined, and why.
-    moved: Option<String>,
+    /// Why f was not defined at the start, and where the search began instead.
+    undefined: Option<String>,
+    begun_at: Vec<f64>,
 }
 /// Points of another side are trusted to rule out further progress only within this distance.
 const CLOSE: f64 = 1e-4;
@@ -70,7 +71,8 @@ impl Sqp {
             residual: f64::INFINITY,
             verdict: None,
             kink: None,
-            moved: None,
+            undefined: None,
+            begun_at: vec![],
         }
     }
 
@@ -82,8 +84,8 @@ impl Sqp {
         self.kink
     }
 
-    pub(super) fn moved(&self) -> Option<&str> {
-        self.moved.as_deref()
+    pub(super) fn start(&self) -> (Vec<f64>, Option<String>) {
+        (self.begun_at.clone(), self.undefined.clone())
     }
 
     pub(super) fn into_verdict(self, iterations: u64) -> Verdict {
@@ -260,13 +262,10 @@ impl Sqp {
                 best = Some(Point { x, f });
             }
         }
-        match &best {
-            Some(point) => {
-                self.moved =
-                    Some(format!("the function is not defined at the start ({why}); begun at {:?} instead", point.x))
-            }
-            None => self.verdict = Some(Verdict::undefined(self.options.start_trials, &why)),
+        if best.is_none() {
+            self.verdict = Some(Verdict::undefined(self.options.start_trials, &why));
         }
+        self.undefined = Some(why);
         Ok(best)
     }
 
@@ -317,6 +316,7 @@ impl<P: Problem> Solver<P, SqpState> for Sqp {
         let Some(at) = self.first_point(problem, start.clone())? else {
             return Ok((state.param(start), None));
         };
+        self.begun_at.clone_from(&at.x);
         let slopes = at.f.gradient.iter().zip(&self.scale).map(|(g, s)| (g * s).abs());
         self.phi = slopes.fold(at.f.value.abs(), f64::max).max(f64::MIN_POSITIVE);
         if let Some(p) = &problem.problem {

@@ -41,7 +41,7 @@ impl Setup<f64> {
     /// let setup = Setup::from_toml("preset = 'mae494'\n[club]\nloft = '12 deg'", "mine.toml").unwrap();
     /// assert_eq!(setup.club.loft, 12.0_f64.to_radians());
     /// let error = Setup::from_toml("[club]\nlofft = '12 deg'", "mine.toml").unwrap_err();
-    /// assert!(error.to_string().starts_with("mine.toml:2:1: unknown parameter 'club.lofft', did you mean 'club.loft'?"));
+    /// assert!(error.to_string().starts_with("mine.toml:2:1: unknown parameter 'club.lofft'; did you mean 'club.loft'?"));
     /// ```
     ///
     /// # Errors
@@ -158,11 +158,11 @@ mod tests {
             ("[club]\nloft = '10 kg'", "f:2:8: club.loft: \"10 kg\" is not an angle", "deg"),
             ("[club]\nloft = '10'", "f:2:8: club.loft: \"10\" has no unit", "deg"),
             ("[club]\nloft = 10", "f:2:8: club.loft = 10 rad", "did you mean \"10 deg\"?"),
-            ("[club]\nloft = nan", "f:2:8: club.loft", "outside its range"),
+            ("[club]\nloft = nan", "f:2:8: club.loft = NaN rad is outside its range", "give a finite number"),
             ("[club]\nloft = true", "f:2:8: 'club.loft' is a boolean", "9.8 deg"),
             ("[club]\nloft = { x = 1 }", "f:2:10: unknown parameter 'club.loft.x'", "did you mean 'club.loft'"),
             ("\n\nprset = 'mae494'", "f:3:1: unknown parameter 'prset'", "longdrive parameters"),
-            ("preset = 'mae'", "f:1:10: unknown preset 'mae', did you mean 'mae494'?", "winfield-tan"),
+            ("preset = 'mae'", "f:1:10: unknown preset 'mae'; did you mean 'mae494'?", "winfield-tan"),
             (
                 "[aero]\nlaw = 'linear'\ncd0 = 0.3",
                 "f:3:1: 'aero.cd0' is not a coefficient of the law 'linear'",

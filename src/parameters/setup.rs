@@ -1,4 +1,5 @@
 use super::declare::{Kind, Parameter, Slot, UNSET};
+use super::range::Range;
 use super::table::{Law, Setup};
 use crate::error::{Error, Result};
 
@@ -20,38 +21,49 @@ impl Parameter {
         }
         let value = if bare { self.quantity.read_bare(text) } else { self.quantity.read(text) };
         let value = value.map_err(|e| Error::Unreadable { name: self.name.into(), source: Box::new(e) })?;
-        self.check(value)?;
+        self.check(value).map_err(|error| match (error, self.meant_in_display_unit(text)) {
+            (Error::OutOfRange { name, value, range, .. }, Some(advice)) => {
+                Error::OutOfRange { name, value, range, advice }
+            }
+            (error, _) => error,
+        })?;
         Ok(Some(value))
     }
 
     /// # Errors
     /// [`Error::OutOfRange`].
     pub fn check(&self, value: f64) -> Result<()> {
+        let Range { low, high, low_included, high_included } = self.range;
         if self.range.contains(value) {
             return Ok(());
         }
-        Err(Error::OutOfRange {
-            name: self.name.into(),
-            value: self.show_twice(value),
-            range: self.range.show(self.quantity, self.unit),
-            advice: self.meant_in_display_unit(value),
-        })
+        let (sign, end) = if value <= low {
+            (if low_included { "at least" } else { "more than" }, low)
+        } else {
+            (if high_included { "at most" } else { "less than" }, high)
+        };
+        let advice = if value.is_finite() {
+            format!("it must be {sign} {}", self.show(Some(end)))
+        } else {
+            "give a finite number".into()
+        };
+        let range = self.range.show(self.quantity, self.unit);
+        Err(Error::OutOfRange { name: self.name.into(), value: self.show_twice(value), range, advice })
     }
 
     /// The value in SI, and in the unit people read if that is another.
     fn show_twice(&self, value: f64) -> String {
         let si = self.quantity.show(value, self.quantity.si);
-        if self.unit == self.quantity.si { si } else { format!("{si} ({})", self.show(Some(value))) }
+        let same = self.unit == self.quantity.si || !value.is_finite();
+        if same { si } else { format!("{si} ({})", self.show(Some(value))) }
     }
 
     /// A bare number is SI: "10" for a loft is 10 rad, and most likely 10 deg was meant.
-    fn meant_in_display_unit(&self, value: f64) -> Option<String> {
-        let size = self.quantity.size_of(self.unit)?;
-        let meant = value.is_finite() && self.unit != self.quantity.si && self.range.contains(value * size);
-        meant.then(|| {
-            let number = crate::units::significant(value, 7);
-            format!("a number without a unit is SI, did you mean \"{number} {}\"?", self.unit)
-        })
+    fn meant_in_display_unit(&self, text: &str) -> Option<String> {
+        let (number, unit) = self.quantity.split(text).ok()?;
+        let meant = number * self.quantity.size_of(self.unit)?;
+        let is_likely = unit.is_empty() && self.unit != self.quantity.si && self.range.contains(meant);
+        is_likely.then(|| format!("a number without a unit is SI, did you mean \"{number} {}\"?", self.unit))
     }
 }
 

@@ -1,6 +1,7 @@
 use super::{json, table::table};
 use crate::derivative::Taylor;
 use crate::drive::Outcome;
+use crate::error::Error;
 use crate::parameters::Parameter;
 use crate::units::{per, significant};
 use serde_json::{Value, json};
@@ -19,6 +20,11 @@ pub fn gradient_json(of: Outcome, wrt: &[&'static Parameter], taylor: &Taylor, w
     }
     result["warnings"] = json!(warnings);
     result
+}
+
+/// An outcome that this drive does not have, as JSON.
+pub fn no_gradient_json(of: Outcome, why: &Error, warnings: &[String]) -> Value {
+    json!({ "of": of.name(), "value": null, "gradient": null, "message": why.to_string(), "warnings": warnings })
 }
 
 /// An outcome with its gradient, and Hessian if there is one, as text.

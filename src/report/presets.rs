@@ -4,20 +4,20 @@ use crate::parameters::{LAW, PRESETS, Preset, Setup};
 use serde_json::{Value, json};
 
 /// The source of a parameter's value in a preset: its own, or the table's where the preset does not change it.
-fn sourced(preset: &Preset, setup: &Setup<f64>) -> Vec<(&'static str, String, Option<f64>, &'static str)> {
+fn sourced(preset: &Preset, setup: &Setup<f64>) -> Vec<(&'static str, String, &'static str)> {
     let entry = |name: &str| preset.entries.iter().find(|entry| entry.name == name);
     let mut rows: Vec<_> = setup
         .parameters()
         .into_iter()
         .map(|row| {
             let shown = entry(row.name).map_or(row.default, |entry| entry.value);
-            (row.name, shown.to_owned(), setup.value(row), entry(row.name).map_or(row.source, |entry| entry.source))
+            (row.name, shown.to_owned(), entry(row.name).map_or(row.source, |entry| entry.source))
         })
         .collect();
     let law_at = rows.iter().position(|(name, ..)| name.starts_with("aero.")).unwrap_or(rows.len());
     let source =
         entry(LAW).map_or("what launch monitors predict; smooth, right apex and descent", |entry| entry.source);
-    rows.insert(law_at, (LAW, setup.law.name().into(), None, source));
+    rows.insert(law_at, (LAW, setup.law.name().into(), source));
     rows
 }
 
@@ -28,7 +28,7 @@ fn sourced(preset: &Preset, setup: &Setup<f64>) -> Vec<(&'static str, String, Op
 pub fn presets_json() -> Result<Value> {
     let one = |preset: &Preset| -> Result<Value> {
         let setup = Setup::preset(preset.name)?;
-        let sources = sourced(preset, &setup).into_iter().map(|(name, _, _, source)| (name.to_owned(), json!(source)));
+        let sources = sourced(preset, &setup).into_iter().map(|(name, _, source)| (name.to_owned(), json!(source)));
         Ok(json!({
             "name": preset.name,
             "about": preset.about,
@@ -54,20 +54,23 @@ pub fn preset_toml(name: &str) -> Result<String> {
     let setup = Setup::preset(name)?;
     let Some(preset) = Preset::named(name) else { return Ok(String::new()) };
     let mut text = format!("# {}\n# {}\npreset = \"{}\"\n", preset.name, preset.about, preset.name);
-    let mut group = "";
+    // keys without a table must precede the first table, and a table stands once
+    let table_of = |name: &str| name.split_once('.').map_or("", |(table, _)| table).to_owned();
     let rows = sourced(preset, &setup);
-    // keys without a table must precede the first table
-    let (bare, grouped): (Vec<_>, Vec<_>) = rows.into_iter().partition(|(name, ..)| !name.contains('.'));
-    for (name, shown, _, source) in bare {
-        text += &format!("{name} = \"{shown}\" # {source}\n");
-    }
-    for (name, shown, _, source) in grouped {
-        let (table, key) = name.split_once('.').unwrap_or(("", name));
-        if table != group {
-            text += &format!("\n[{table}]\n");
-            group = table;
+    let mut tables = vec![String::new()];
+    for (name, ..) in &rows {
+        if !tables.contains(&table_of(name)) {
+            tables.push(table_of(name));
         }
-        text += &format!("{key} = \"{shown}\" # {source}\n");
+    }
+    for table in tables {
+        if !table.is_empty() {
+            text += &format!("\n[{table}]\n");
+        }
+        for (name, shown, source) in rows.iter().filter(|(name, ..)| table_of(name) == table) {
+            let key = name.split_once('.').map_or(*name, |(_, key)| key);
+            text += &format!("{key} = \"{shown}\" # {source}\n");
+        }
     }
     Ok(text)
 }

@@ -130,14 +130,23 @@ impl Optimum {
                 )
             }
             (None, Status::Undefined) => {
-                let trials = self.search.options.start_trials;
+                let (trials, why) = (self.search.options.start_trials, self.solution.undefined_at_start.as_deref());
                 format!(
-                    "nothing flew: not the start, nor {trials} other points of the ranges searched; {}",
-                    self.solution.message
+                    "nothing flew, neither the start nor {trials} other points of the ranges searched; at the start {}",
+                    why.unwrap_or_default()
                 )
             }
             _ => self.solution.message.clone(),
         }
+    }
+
+    /// Where the search began instead, if the start does not fly.
+    pub fn moved_start(&self) -> Option<String> {
+        let why = self.solution.undefined_at_start.as_ref().filter(|_| !self.solution.begun_at.is_empty())?;
+        let begun = self.search.vary.iter().zip(&self.solution.begun_at);
+        let begun: Vec<_> =
+            begun.map(|(vary, x)| format!("{} {}", vary.parameter.name, vary.parameter.show(Some(*x)))).collect();
+        Some(format!("the start does not fly ({why}); begun at {} instead", begun.join(", ")))
     }
 
     /// The status in a word; where the optimizer says undefined, nothing flew.
@@ -165,10 +174,10 @@ impl Optimum {
 /// ```
 ///
 /// # Errors
-/// [`Error::Nothing`] without parameters to vary; [`Error::SearchRange`] for one that is varied twice; what
+/// [`Error::Nothing`] without parameters to vary, or where every range is a single value; [`Error::SearchRange`] for one that is varied twice; what
 /// [`Setup::validate`] refuses.
 pub fn optimum(setup: &Setup<f64>, search: Search, watch: impl FnMut(&Iteration) + 'static) -> Result<Optimum> {
-    if search.vary.is_empty() {
+    if search.vary.iter().all(|vary| vary.low == vary.high) {
         return Err(Error::Nothing { doing: "vary", what: "parameter" });
     }
     let parameters: Vec<&'static Parameter> = search.vary.iter().map(|vary| vary.parameter).collect();

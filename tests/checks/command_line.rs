@@ -1,0 +1,284 @@
+//! The program as a user meets it: answers, JSON, exit statuses, and messages for bad input.
+
+use crate::common::close;
+use assert_cmd::Command;
+use serde_json::Value;
+use std::io::Write;
+
+struct Said {
+    status: i32,
+    out: String,
+    err: String,
+}
+
+fn longdrive(args: &[&str]) -> Said {
+    let output = Command::cargo_bin("longdrive").unwrap().args(args).output().unwrap();
+    let text = |bytes| String::from_utf8(bytes).unwrap();
+    Said { status: output.status.code().unwrap(), out: text(output.stdout), err: text(output.stderr) }
+}
+
+fn json(args: &[&str]) -> (i32, Value) {
+    let said = longdrive(&[args, &["--json"]].concat());
+    (said.status, serde_json::from_str(&said.out).unwrap_or_else(|e| panic!("{e}: {} {}", said.out, said.err)))
+}
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().unwrap_or_else(|| panic!("{value} is no number"))
+}
+
+#[test]
+fn independent_mae494_optimum_as_json() {
+    let ranges = ["--vary", "club.loft=0deg..20deg", "--vary", "swing.attack_angle=-10deg..10deg"];
+    let (status, found) = json(&[&["optimize", "mae494"], ranges.as_slice()].concat());
+    assert_eq!(
+        (status, found["status"].as_str().unwrap(), found["objective"].as_str().unwrap()),
+        (0, "converged", "carry")
+    );
+    close(number(&found["optimum"]["club.loft"]).to_degrees(), 14.682_923, 1.0, 1e-6, "loft");
+    assert_eq!(number(&found["optimum"]["swing.attack_angle"]), 10.0_f64.to_radians());
+    close(number(&found["value"]), 153.333_553, 1.0, 1e-6, "carry");
+    close(number(&found["multipliers"]["swing.attack_angle"]["upper"]), 60.2925, 1.0, 5e-5, "multiplier");
+    assert_eq!(number(&found["multipliers"]["club.loft"]["upper"]), 0.0);
+    assert!(number(&found["kkt_residual"]) <= 1e-10 && number(&found["iterations"]) <= 15.0);
+    assert_eq!(found["constraints"], serde_json::json!([]));
+    let keys: Vec<_> = found.as_object().unwrap().keys().map(String::as_str).collect();
+    for key in ["message", "gradient", "evaluations", "warnings"] {
+        assert!(keys.contains(&key), "{keys:?}");
+    }
+}
+
+#[test]
+fn paper_winfield_tan_shot_as_json() {
+    let set = ["--set", "swing.speed=103 mph", "--set", "club.loft=10deg", "--set", "swing.attack_angle=0deg"];
+    let (status, drive) = json(&[&["simulate", "winfield-tan"], set.as_slice()].concat());
+    assert_eq!((status, drive["status"].as_str()), (0, Some("landed")));
+    let mph = 0.44704;
+    close(number(&drive["launch"]["velocity"][2]) / mph, 139.20, 1.0, 5e-3, "downrange");
+    close(number(&drive["launch"]["velocity"][0]) / mph, 19.85, 1.0, 5e-3, "up");
+    close(number(&drive["launch"]["spin"]) / std::f64::consts::TAU, 38.57, 1.0, 5e-3, "spin");
+    close(number(&drive["club_after"]["velocity"][2]) / mph, 71.39, 1.0, 5e-3, "club");
+    assert_eq!(drive["setup"]["aero.law"], "smits-smith");
+    assert_eq!(drive["setup"]["club.bulge_radius"], "inf");
+    assert_eq!(drive["setup"]["impact.friction"], Value::Null);
+    assert!(number(&drive["flight"]["carry"]) > 150.0);
+}
+
+#[test]
+fn independent_mae494_derivatives_as_json() {
+    let (status, answer) = json(&["gradient", "mae494", "--hessian"]);
+    assert_eq!((status, answer["of"].as_str()), (0, Some("carry")));
+    close(number(&answer["value"]), 114.312855130798, 114.0, 1e-12, "value");
+    close(number(&answer["gradient"]["club.loft"]), 336.769746388603, 336.0, 1e-11, "d/d loft");
+    close(number(&answer["gradient"]["swing.attack_angle"]), 298.564796806673, 298.0, 1e-11, "d/d attack");
+    assert_eq!(answer["hessian"]["names"], serde_json::json!(["club.loft", "swing.attack_angle"]));
+    let expected = [[-3068.07279459, -1950.16104589], [-1950.16104589, -1588.91207472]];
+    for (i, row) in expected.iter().enumerate() {
+        for (j, entry) in row.iter().enumerate() {
+            close(number(&answer["hessian"]["values"][i][j]), *entry, entry.abs(), 1e-9, "Hessian");
+        }
+    }
+}
+
+#[test]
+fn jacobian_and_gradient_by_all_parameters() {
+    let (_, answer) = json(&["gradient", "--of", "carry,lateral", "--wrt", "all"]);
+    let rows = answer["jacobian"].as_array().unwrap();
+    assert_eq!((rows.len(), rows[1]["of"].as_str()), (2, Some("lateral")));
+    assert!(rows[0]["gradient"].as_object().unwrap().len() > 35);
+    let said = longdrive(&["gradient", "--wrt", "all"]);
+    assert!(said.err.contains("left out: ") && said.err.contains("ball.inertia"), "{}", said.err);
+    assert!(said.out.contains("yd per deg") && said.out.contains("m per rad"), "{}", said.out);
+}
+
+#[test]
+fn the_default_search_converges_and_reads_like_an_answer() {
+    let said = longdrive(&["optimize"]);
+    assert_eq!(said.status, 0);
+    for words in [
+        "converged: KKT residual",
+        "club.loft",
+        "at its upper bound: +",
+        "yd per deg",
+        "carry",
+        " m = ",
+        " yd",
+        "ball speed",
+    ] {
+        assert!(said.out.contains(words), "no '{words}' in {}", said.out);
+    }
+    assert!(said.err.contains("trust region"), "iterations on standard error: {}", said.err);
+}
+
+#[test]
+fn a_wide_search_that_ends_at_the_corner_says_so_with_status_one() {
+    let ranges = ["--vary", "club.loft=-5deg..20deg", "--vary", "swing.attack_angle=0deg..60deg"];
+    let (status, found) = json(&[&["optimize", "mae494"], ranges.as_slice()].concat());
+    assert_eq!((status, found["status"].as_str().unwrap()), (1, "stalled-at-kink"));
+    assert!(found["message"].as_str().unwrap().contains("corner at club.loft"), "{found}");
+    close(number(&found["value"]), 170.574, 1.0, 1e-3, "carry");
+    assert_eq!(found["warnings"].as_array().unwrap().len(), 1);
+}
+
+#[test]
+fn no_flight_is_an_outcome_with_status_one_and_never_a_carry() {
+    let set = ["--set", "swing.attack_angle=-20deg"];
+    let (status, drive) = json(&[&["simulate"], set.as_slice()].concat());
+    assert_eq!((status, drive["status"].as_str(), &drive["flight"]), (1, Some("no-flight"), &Value::Null));
+    assert!(number(&drive["launch"]["ball_speed"]) > 50.0);
+    let said = longdrive(&["simulate", "--set", "swing.attack_angle=-20deg"]);
+    assert!(said.status == 1 && said.out.contains("no flight: the ball leaves at -"), "{}", said.out);
+    let (status, gradient) = json(&[&["gradient"], set.as_slice()].concat());
+    assert_eq!((status, &gradient["value"], &gradient["gradient"]), (1, &Value::Null, &Value::Null));
+    let (status, found) = json(&["optimize", "--vary", "swing.attack_angle=-40deg..-30deg"]);
+    assert_eq!((status, found["status"].as_str(), &found["optimum"]), (1, Some("no-flight"), &Value::Null));
+}
+
+#[test]
+fn bad_input_gets_status_two_and_a_message_that_helps() {
+    for (args, says) in [
+        (vec!["simulate", "--set", "club.lofft=10deg"], vec!["'club.lofft'", "did you mean 'club.loft'?"]),
+        (vec!["simulate", "--set", "loft=10deg"], vec!["'loft'", "did you mean 'club.loft'?"]),
+        (vec!["simulate", "--set", "club.loft=10 kg"], vec!["club.loft", "\"10 kg\" is not an angle", "deg"]),
+        (vec!["simulate", "--set", "club.loft=10 dg"], vec!["unknown unit 'dg'", "deg"]),
+        (vec!["simulate", "--set", "club.loft=10"], vec!["10 rad", "-90 deg < … < 90 deg", "did you mean \"10 deg\"?"]),
+        (vec!["simulate", "--set", "club.loft"], vec!["--set club.loft", "NAME=VALUE"]),
+        (vec!["simulate", "--set", "swing.speed=nan"], vec!["NaN", "finite"]),
+        (vec!["simulate", "--set", "swing.speed=inf"], vec!["inf", "finite"]),
+        (vec!["simulate", "--set", "club.mass=10 kg"], vec!["10 kg", "50 g ≤ … ≤ 2000 g", "at most 2000 g"]),
+        (vec!["simulate", "--set", "swing.speed=none"], vec!["swing.speed", "does not start with a number"]),
+        (vec!["simulate", "--set", "aero.law=robinsn"], vec!["did you mean 'robinson'?", "launch-monitor"]),
+        (vec!["simulate", "--set", "aero.cd=0.3"], vec!["'aero.cd'", "linear", "aero.law"]),
+        (vec!["simulate", "--set", "club.inertia.xy=9000 g cm^2"], vec!["not positive definite", "-4.1"]),
+        (
+            vec!["simulate", "--set", "strike.toe=190 mm", "--set", "club.face_semi_axis=40 mm"],
+            vec!["off the face", "190 mm"],
+        ),
+        (
+            vec!["simulate", "--set", "swing.face_angle=80deg", "--set", "swing.path=-80deg"],
+            vec!["does not strike the ball", "m/s"],
+        ),
+        (vec!["simulate", "winfeld-tan"], vec!["did you mean 'winfield-tan'?"]),
+        (vec!["simulate", "no/such/file.toml"], vec!["no/such/file.toml", "modern-driver"]),
+        (vec!["gradient", "--wrt", "club.lof"], vec!["did you mean 'club.loft'?"]),
+        (vec!["gradient", "--of", "cary"], vec!["unknown outcome 'cary'", "did you mean 'carry'?"]),
+        (vec!["gradient", "--wrt", "flight.step"], vec!["flight.step", "setting"]),
+        (vec!["gradient", "--wrt", "ball.inertia"], vec!["ball.inertia", "unset", "--set"]),
+        (vec!["gradient", "mae494", "--wrt", "club.bulge_radius"], vec!["infinite", "--set"]),
+        (vec!["gradient", "--wrt", ""], vec!["nothing to differentiate by"]),
+        (vec!["optimize", "--vary", "club.loft=20deg..4deg"], vec!["reversed", "4 deg..20 deg"]),
+        (vec!["optimize", "--vary", "club.loft=4deg..4deg"], vec!["nothing to vary"]),
+        (vec!["optimize", "--vary", "club.loft=4deg"], vec!["LOW..HIGH"]),
+        (vec!["optimize", "--vary", "club.loft"], vec!["NAME=LOW..HIGH"]),
+        (vec!["optimize", "--vary", "club.loft=4..20"], vec!["did you mean \"4 deg\"?"]),
+        (vec!["optimize", "--vary", "club.loft=4deg..200deg"], vec!["200 deg", "less than 90 deg"]),
+        (vec!["optimize", "--vary", "club.bulge_radius=0.1..inf"], vec!["finite"]),
+        (vec!["optimize", "--vary", "club.loft=4deg..9deg", "--vary", "club.loft=4deg..9deg"], vec!["varied twice"]),
+        (vec!["optimize", "--maximize", "distance"], vec!["unknown outcome 'distance'"]),
+        (vec!["presets", "mae44"], vec!["did you mean 'mae494'?"]),
+        (vec!["fly"], vec!["unrecognized subcommand"]),
+    ] {
+        let said = longdrive(&args);
+        assert_eq!(said.status, 2, "{args:?}: {}", said.err);
+        assert_eq!(said.out, "", "{args:?}");
+        for words in says {
+            assert!(said.err.contains(words), "{args:?}: no '{words}' in {}", said.err);
+        }
+    }
+}
+
+#[test]
+fn a_setup_file_is_read_and_its_mistakes_are_placed() {
+    let file = |text: &str| {
+        let mut file = tempfile::Builder::new().suffix(".toml").tempfile().unwrap();
+        file.write_all(text.as_bytes()).unwrap();
+        file
+    };
+    let good = file(
+        "preset = \"modern-driver\"\n[swing]\nspeed = \"110 mph\"\nattack_angle = \"3 deg\"\n[club]\nloft = \"10.5 deg\"\n\
+         inertia = { xx = \"5679 g cm^2\", yy = \"4085 g cm^2\", zz = \"2843 g cm^2\" }\n[aero]\nlaw = \"robinson\"\ncd0 = 0.3\n",
+    );
+    let path = good.path().to_str().unwrap();
+    let (status, drive) = json(&["simulate", path]);
+    assert_eq!((status, drive["setup"]["aero.law"].as_str()), (0, Some("robinson")));
+    close(number(&drive["setup"]["club.loft"]), 10.5_f64.to_radians(), 1.0, 1e-15, "loft");
+    close(number(&drive["setup"]["club.inertia.xx"]), 5.679e-4, 1e-3, 1e-15, "inertia");
+    let (_, moved) = json(&["simulate", path, "--set", "aero.cd0=0.2"]);
+    assert!(number(&moved["flight"]["carry"]) > number(&drive["flight"]["carry"]));
+
+    for (text, says) in [
+        ("[club]\nlofft = \"10 deg\"\n", vec![":2:1:", "did you mean 'club.loft'?"]),
+        ("[club]\nloft = \"10 kg\"\n", vec![":2:8:", "not an angle"]),
+        ("[club]\nloft = \"10\"\n", vec![":2:8:", "no unit"]),
+        ("[club\nloft = 1\n", vec!["line 1"]),
+        ("preset = \"nobody\"\n", vec![":1:10:", "unknown preset"]),
+    ] {
+        let bad = file(text);
+        let said = longdrive(&["simulate", bad.path().to_str().unwrap()]);
+        assert_eq!(said.status, 2, "{text}");
+        for words in says {
+            assert!(said.err.contains(words), "{text}: no '{words}' in {}", said.err);
+        }
+    }
+    let directory = tempfile::tempdir().unwrap();
+    assert_eq!(longdrive(&["simulate", directory.path().to_str().unwrap()]).status, 2);
+}
+
+#[test]
+fn a_tensor_that_breaks_the_triangle_is_flown_with_a_warning() {
+    let set = ["simulate", "--set", "club.inertia.yy=20000 g cm^2"];
+    let said = longdrive(&set);
+    assert!(said.status == 0 && said.err.contains("warning: club.inertia"), "{}", said.err);
+    assert_eq!(json(&set).1["warnings"].as_array().unwrap().len(), 1);
+}
+
+#[test]
+fn parameters_lists_every_row_with_unit_range_default_and_meaning() {
+    let (_, listing) = json(&["parameters"]);
+    let rows = listing["parameters"].as_array().unwrap();
+    assert!(rows.len() > 55);
+    let loft = rows.iter().find(|row| row["name"] == "club.loft").unwrap();
+    assert_eq!((loft["unit"].as_str(), loft["shown_in"].as_str()), (Some("rad"), Some("deg")));
+    close(number(&loft["range"]["high"]), std::f64::consts::FRAC_PI_2, 1.0, 1e-15, "range");
+    assert!(
+        rows.iter().all(|row| !row["doc"].as_str().unwrap().is_empty() && !row["source"].as_str().unwrap().is_empty())
+    );
+    let text = longdrive(&["parameters", "mae494"]).out;
+    for words in ["club.loft", "9.8 deg", "10 deg", "aero.law = robinson here", "aero.cl_exp", "flight.step"] {
+        assert!(text.contains(words), "{words}");
+    }
+}
+
+#[test]
+fn presets_print_as_setup_files_with_sources() {
+    assert!(longdrive(&["presets"]).out.contains("winfield-tan"));
+    let text = longdrive(&["presets", "winfield-tan"]).out;
+    assert!(text.contains("mass = \"203 g\" # Winfield & Tan (1994)"), "{text}");
+    let mut file = tempfile::Builder::new().suffix(".toml").tempfile().unwrap();
+    file.write_all(text.as_bytes()).unwrap();
+    let setup = |name: &str| json(&["simulate", name]).1["setup"].clone();
+    assert_eq!(setup(file.path().to_str().unwrap()), setup("winfield-tan"));
+    let (_, all) = json(&["presets"]);
+    assert_eq!(all["presets"].as_array().unwrap().len(), 3);
+}
+
+#[test]
+fn limits_of_what_is_possible_are_flown() {
+    for set in [
+        ["--set", "air.density=0"],
+        ["--set", "club.bulge_radius=inf"],
+        ["--set", "club.loft=-3deg"],
+        ["--set", "impact.restitution=1"],
+        ["--set", "club.mass=50 g"],
+        ["--set", "club.mass=2 kg"],
+        ["--set", "gravity=1.62"],
+        ["--set", "aero.spin_damping=2e-5"],
+        ["--set", "wind.roughness=10 mm"],
+        ["--set", "impact.friction=0"],
+    ] {
+        let args = [&["simulate", "--set", "swing.attack_angle=12deg"], set.as_slice()].concat();
+        let (status, drive) = json(&args);
+        assert_eq!((status, drive["status"].as_str()), (0, Some("landed")), "{set:?}");
+        let text = drive.to_string();
+        assert!(!text.contains("NaN") && !text.contains("nan"), "{text}");
+    }
+}

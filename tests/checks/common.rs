@@ -68,7 +68,13 @@ fn any_setup() -> impl Strategy<Value = Setup<f64>> {
     let club = (0.05..2.0, 0.02..0.6, prop::array::uniform3(1e-4..8e-4), prop::array::uniform3(-0.4..0.4), 0.0..0.05);
     let face = (-0.015..0.015, -0.03..0.03, 0.2..0.5, 0.2..0.5, prop::option::of(0.2..0.5));
     let ball = (0.03..0.06, 0.018..0.025, prop::option::of(0.3..0.5), 0.3..1.0, -0.3..0.3);
-    let air = (0.2..1.5, 0.0..0.8, prop::option::of(0.0..5e-5), prop::array::uniform3(-8.0..8.0), prop::option::of(0.003..0.03));
+    let air = (
+        0.2..1.5,
+        0.0..0.8,
+        prop::option::of(0.0..5e-5),
+        prop::array::uniform3(-8.0..8.0),
+        prop::option::of(0.003..0.03),
+    );
     let law = 0..Law::NAMES.len();
     (swing, club, face, ball, air, law).prop_map(|(swing, club, face, ball, air, law)| {
         let mut s = Setup::default();

@@ -31,7 +31,9 @@ fn independent_number_types_of_num_dual_agree_with_ours() {
         }
         for of in [Outcome::Carry, Outcome::Lateral, Outcome::DescentAngle] {
             let first = over(&setup, of, Jet::<2>::variable);
-            let dual = over(&setup, of, |value, k| DualSVec64::<2>::new(value, Derivative::derivative_generic(Const::<2>, U1, k)));
+            let dual = over(&setup, of, |value, k| {
+                DualSVec64::<2>::new(value, Derivative::derivative_generic(Const::<2>, U1, k))
+            });
             let second = over(&setup, of, Jet2::<2, 3>::variable);
             let dual2 = over(&setup, of, |value, k| {
                 Dual2SVec64::<2>::new(value, Derivative::derivative_generic(U1, Const::<2>, k), Derivative::none())
@@ -69,7 +71,12 @@ fn differences_of_values_agree_with_the_gradient_by_every_parameter() {
                 let difference = (above - below) / (2.0 * h);
                 // rounding of the values over the step, and the step's own truncation
                 let allowed = 1e-6 * difference.abs() + 1e-11 * taylor.value.abs().max(1.0) / h;
-                assert!((taylor.gradient[k] - difference).abs() <= allowed, "{}: {} against {difference}", parameter.name, taylor.gradient[k]);
+                assert!(
+                    (taylor.gradient[k] - difference).abs() <= allowed,
+                    "{}: {} against {difference}",
+                    parameter.name,
+                    taylor.gradient[k]
+                );
             }
         }
     });
@@ -93,7 +100,8 @@ fn differences(setup: &Setup<f64>, parameter: &'static Parameter, value: f64, of
 fn differences_of_gradients_agree_with_a_hessian_of_many_parameters() {
     let mut setup = Setup::default();
     setup.set_all([("strike.toe", "9 mm"), ("wind.right", "3 m/s"), ("swing.attack_angle", "4 deg")]).unwrap();
-    let names = ["club.loft", "swing.speed", "strike.toe", "air.density", "club.inertia.xx", "aero.cl_max", "wind.right"];
+    let names =
+        ["club.loft", "swing.speed", "strike.toe", "air.density", "club.inertia.xx", "aero.cl_max", "wind.right"];
     let wrt = names.map(|name| setup.variable(name).unwrap());
     let exact = hessian(&setup, Outcome::Carry, &wrt).unwrap();
     for (i, parameter) in wrt.iter().enumerate() {
@@ -108,7 +116,13 @@ fn differences_of_gradients_agree_with_a_hessian_of_many_parameters() {
         for j in 0..wrt.len() {
             let difference = (above[j] - below[j]) / (2.0 * h);
             let size = exact.gradient[j].abs() / value;
-            close(exact.hessian[i][j], difference, difference.abs().max(size), 1e-6, &format!("{} {}", names[i], names[j]));
+            close(
+                exact.hessian[i][j],
+                difference,
+                difference.abs().max(size),
+                1e-6,
+                &format!("{} {}", names[i], names[j]),
+            );
             assert_eq!(exact.hessian[i][j], exact.hessian[j][i]);
         }
     }

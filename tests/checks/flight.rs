@@ -101,7 +101,9 @@ fn order_of_value_and_gradient_in_the_step_is_four() {
 #[test]
 fn order_default_step_is_within_a_micrometre() {
     for preset in ["modern-driver", "winfield-tan", "mae494"] {
-        for (attack, wind, roughness) in [("-3 deg", 0.0, None), ("5 deg", 8.0, None), ("5 deg", -8.0, Some(0.01)), ("12 deg", 10.0, Some(0.003))] {
+        for (attack, wind, roughness) in
+            [("-3 deg", 0.0, None), ("5 deg", 8.0, None), ("5 deg", -8.0, Some(0.01)), ("12 deg", 10.0, Some(0.003))]
+        {
             let mut setup = Setup::preset(preset).unwrap();
             setup.set("swing.attack_angle", attack).unwrap();
             (setup.wind.downrange, setup.wind.right, setup.wind.roughness) = (wind, wind, roughness);
@@ -135,7 +137,9 @@ fn a_ball_that_does_not_rise_has_no_flight_and_no_carry() {
     setup.ground.height = 5.0;
     setup.air.density = 0.0;
     // 5 m takes √(2 g 5) = 9.9 m/s
-    assert!(matches!(fly(&setup, &launch(9.9)).unwrap(), Flight::None(NoFlight::BelowGround { apex_height, .. }) if apex_height > 4.9));
+    assert!(
+        matches!(fly(&setup, &launch(9.9)).unwrap(), Flight::None(NoFlight::BelowGround { apex_height, .. }) if apex_height > 4.9)
+    );
     assert!(matches!(fly(&setup, &launch(9.91)).unwrap(), Flight::Landed(_)));
     setup.ground.height = -5.0;
     assert!(matches!(fly(&setup, &launch(-9.0)).unwrap(), Flight::Landed(_)));

@@ -28,7 +28,10 @@ fn contact_velocity(velocity: Vector<f64>, spin: Vector<f64>, arm: Vector<f64>) 
 
 fn energy(c: &Collision<f64>, club: (Vector<f64>, Vector<f64>), ball: (Vector<f64>, Vector<f64>)) -> f64 {
     let ((v, w), (vb, wb)) = (club, ball);
-    0.5 * (c.club_mass * v.dot(v) + w.dot(turned(c.club_inertia, w)) + c.ball_mass * vb.dot(vb) + c.ball_inertia * wb.dot(wb))
+    0.5 * (c.club_mass * v.dot(v)
+        + w.dot(turned(c.club_inertia, w))
+        + c.ball_mass * vb.dot(vb)
+        + c.ball_inertia * wb.dot(wb))
 }
 
 #[test]
@@ -36,7 +39,8 @@ fn exact_fifteen_equations_and_three_agree_on_thousands_of_drives() {
     for_random_setups(4000, |setup| {
         let c = collision(&setup);
         let (short, full): (Rebound<f64>, Rebound<f64>) = (c.by_impulse().unwrap(), c.by_generalized_speeds().unwrap());
-        let (speed, spin) = (norm(short.ball_velocity), norm(short.ball_spin) + norm(short.club_spin) + norm(c.club_spin));
+        let (speed, spin) =
+            (norm(short.ball_velocity), norm(short.ball_spin) + norm(short.club_spin) + norm(c.club_spin));
         same(short.impulse, full.impulse, norm(short.impulse), "impulse");
         same(short.ball_velocity, full.ball_velocity, speed, "ball velocity");
         same(short.ball_spin, full.ball_spin, spin, "ball spin");
@@ -71,7 +75,12 @@ fn exact_laws_of_mechanics() {
         let n = c.normal;
         let ball_arm = -n * c.ball_radius;
         let momentum = norm(c.club_velocity) * c.club_mass;
-        same(after.club_velocity * c.club_mass + after.ball_velocity * c.ball_mass, c.club_velocity * c.club_mass, momentum, "momentum");
+        same(
+            after.club_velocity * c.club_mass + after.ball_velocity * c.ball_mass,
+            c.club_velocity * c.club_mass,
+            momentum,
+            "momentum",
+        );
 
         // angular momentum about the contact point, where the impulse has no arm
         let club = |spin, velocity: Vector<f64>| turned(c.club_inertia, spin) - c.contact.cross(velocity * c.club_mass);
@@ -117,7 +126,16 @@ fn exact_loss_of_energy_where_both_restitutions_are_equal() {
 
 #[test]
 fn exact_mirror_symmetry() {
-    let mirrored = ["swing.path", "swing.face_angle", "swing.closure.x", "swing.closure.z", "strike.toe", "club.inertia.xy", "club.inertia.yz", "wind.right"];
+    let mirrored = [
+        "swing.path",
+        "swing.face_angle",
+        "swing.closure.x",
+        "swing.closure.z",
+        "strike.toe",
+        "club.inertia.xy",
+        "club.inertia.yz",
+        "wind.right",
+    ];
     for_random_setups(300, |setup| {
         let other = setup.map(|row, value| if mirrored.contains(&row.name) { -value } else { value });
         let [a, b] = [setup, other].map(|s| longdrive::Drive::new(&s).unwrap());

@@ -25,7 +25,8 @@ const ROUGH: f64 = 1e-5;
 
 impl Bar {
     fn of(drive: &Value, smooth: f64) -> Self {
-        let rough = !drive["setup"]["wind.roughness"].is_null() || drive["name"].as_str().unwrap().contains("falls through");
+        let rough =
+            !drive["setup"]["wind.roughness"].is_null() || drive["name"].as_str().unwrap().contains("falls through");
         if rough { Self { tolerance: ROUGH, floor: 1.0 } } else { Self { tolerance: smooth, floor: 0.01 } }
     }
 
@@ -64,7 +65,12 @@ fn independent_gradients_of_every_outcome_by_every_parameter_within_1e8() {
             for (parameter, slope) in wrt.iter().zip(&ours.gradient) {
                 let expected = number(&theirs[parameter.name]);
                 let what = format!("{}: d {}/d {}", drive["name"], outcome.name(), parameter.name);
-                Bar::of(&drive, 1e-8).hold(*slope, expected, ours.value.abs().max(1.0) / size(&setup, parameter), &what);
+                Bar::of(&drive, 1e-8).hold(
+                    *slope,
+                    expected,
+                    ours.value.abs().max(1.0) / size(&setup, parameter),
+                    &what,
+                );
             }
         }
     }
@@ -74,7 +80,8 @@ fn independent_gradients_of_every_outcome_by_every_parameter_within_1e8() {
 fn independent_hessians_over_six_parameters_within_1e7() {
     for drive in drives(FILE) {
         let setup = setup_of(&drive);
-        let names: Vec<_> = drive["hessian"]["names"].as_array().unwrap().iter().map(|name| name.as_str().unwrap()).collect();
+        let names: Vec<_> =
+            drive["hessian"]["names"].as_array().unwrap().iter().map(|name| name.as_str().unwrap()).collect();
         let wrt: Vec<_> = names.iter().map(|name| setup.variable(name).unwrap()).collect();
         let outcomes = [Outcome::Carry, Outcome::Lateral, Outcome::ApexHeight, Outcome::FlightTime];
         for (outcome, ours) in outcomes.iter().zip(evaluate(&setup, &outcomes, &wrt, Order::Second).unwrap()) {

@@ -3,9 +3,9 @@ use crate::output::{Answer, tell, warn};
 use indicatif::{ProgressBar, ProgressStyle};
 use longdrive::derivative::{Order, evaluate_with};
 use longdrive::parameters::Parameter;
-use longdrive::report::{gradient_json, gradient_text};
+use longdrive::report::{gradient_json, gradient_text, no_gradient_json};
 use longdrive::{Drive, Outcome, Result, Setup};
-use serde_json::json;
+use serde_json::{Value, json};
 
 pub fn run(args: &Gradient) -> Result<Answer> {
     let setup = args.question.setup()?;
@@ -17,21 +17,32 @@ pub fn run(args: &Gradient) -> Result<Answer> {
 
     let order = if args.hessian { Order::Second } else { Order::First };
     let bar = bar();
-    let taylors = evaluate_with(&setup, &of, &wrt, order, |done, passes| {
+    let evaluated = evaluate_with(&setup, &of, &wrt, order, |done, passes| {
         bar.set_length(passes as u64);
         bar.set_position(done as u64);
-    })?;
+    });
     bar.finish_and_clear();
+    let taylors = match evaluated {
+        Err(error) if error.is_an_outcome() && args.question.json => {
+            tell(&format!("error: {error}"));
+            let none: Vec<_> = of.iter().map(|of| no_gradient_json(*of, &error, &warnings)).collect();
+            return Ok(Answer::json(&one_or_rows(none)).found(false));
+        }
+        evaluated => evaluated?,
+    };
 
     let results = of.iter().zip(&taylors);
     if !args.question.json {
         let texts: Vec<_> = results.map(|(of, taylor)| gradient_text(*of, &wrt, taylor)).collect();
         return Ok(Answer::text(texts.join("\n")));
     }
-    let mut values: Vec<_> = results.map(|(of, taylor)| gradient_json(*of, &wrt, taylor, &warnings)).collect();
-    // one outcome is the answer itself, several are rows of a Jacobian
-    let answer = if let [_] = values.as_slice() { values.swap_remove(0) } else { json!({ "jacobian": values }) };
-    Ok(Answer::json(&answer))
+    let values = results.map(|(of, taylor)| gradient_json(*of, &wrt, taylor, &warnings)).collect();
+    Ok(Answer::json(&one_or_rows(values)))
+}
+
+/// One outcome is the answer itself, several are rows of a Jacobian.
+fn one_or_rows(mut values: Vec<Value>) -> Value {
+    if let [_] = values.as_slice() { values.swap_remove(0) } else { json!({ "jacobian": values }) }
 }
 
 fn parameters(setup: &Setup<f64>, names: &[String]) -> Result<Vec<&'static Parameter>> {
@@ -45,7 +56,7 @@ fn parameters(setup: &Setup<f64>, names: &[String]) -> Result<Vec<&'static Param
         return Ok(variables);
     }
     let mut rows: Vec<&'static Parameter> = Vec::new();
-    for name in names {
+    for name in names.iter().filter(|name| !name.trim().is_empty()) {
         let row = setup.variable(name.trim())?;
         // naming one twice asks for the same number twice
         if !rows.contains(&row) {

@@ -17,8 +17,8 @@ pub fn run(args: &Optimize) -> Result<Answer> {
 
     let shown = search.clone();
     let optimum = optimum(&setup, search, move |iteration| tell(&iteration_line(&shown, iteration)))?;
-    if let Some(moved) = &optimum.solution.moved_start {
-        tell(moved);
+    if let Some(moved) = optimum.moved_start() {
+        tell(&moved);
     }
     let mut warnings = setup.warnings();
     if let Some(drive) = &optimum.drive {
