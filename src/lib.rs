@@ -62,3 +62,8 @@ pub mod units;
 pub use drive::{Drive, Outcome};
 pub use error::{Error, Result};
 pub use parameters::Setup;
+
+/// The README's example is run with the documentation's.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -1,0 +1,34 @@
+//! The longest drive, for a golfer with a slower swing who cannot hit up by more than 3°, and what each bound
+//! costs.
+//!
+//! `cargo run --release --example longest_drive`
+
+use longdrive::study::{Search, Vary, optimum};
+use longdrive::{Outcome, Setup};
+
+fn main() -> longdrive::Result<()> {
+    let mut setup = Setup::preset("modern-driver")?;
+    setup.set("swing.speed", "85 mph")?;
+    let vary = ["club.loft=6deg..18deg", "swing.attack_angle=-5deg..3deg"];
+    let search = Search {
+        maximize: Outcome::Carry,
+        vary: vary.iter().map(|text| Vary::read(&setup, text)).collect::<longdrive::Result<_>>()?,
+        ..Search::longest_drive(&setup)?
+    };
+
+    let best =
+        optimum(&setup, search, |iteration| println!("iteration {}: {:.4} m", iteration.number, -iteration.value))?;
+    println!("{}: {}", best.status(), best.message());
+    for (i, vary) in best.search.vary.iter().enumerate() {
+        let price = best.solution.upper_multipliers[i] - best.solution.lower_multipliers[i];
+        println!(
+            "{} = {}, price of its bound {price:.3} m per rad",
+            vary.parameter.name,
+            vary.parameter.show(Some(best.solution.x[i]))
+        );
+    }
+    if let Some(carry) = best.value() {
+        println!("carry {}", Outcome::Carry.show(carry));
+    }
+    Ok(())
+}
