@@ -1,6 +1,7 @@
 //! Corners: recognising one, and saying what is known of it.
 
-use super::problem::{Bounds, Evaluation, Problem};
+use super::frame::{Frame, Point};
+use super::problem::Evaluation;
 
 /// A corner of a function along one variable.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -16,32 +17,29 @@ pub struct Kink {
 /// Half the distance between the points compared, in units of the variables' scale.
 const REACH: f64 = 1e-6;
 
-/// Looks for a corner at `x`: a variable whose slope jumps between two points 2·REACH apart by much more than
+/// Looks for a corner at a point: a variable whose slope jumps between two points 2·REACH apart by much more than
 /// the curvature on either side accounts for.
-pub(super) fn find(problem: &impl Problem, bounds: &Bounds, x: &[f64], phi: f64) -> Option<Kink> {
-    let scale = bounds.scale(x);
-    let defined = |x: &[f64]| problem.evaluate(x).ok().filter(Evaluation::is_finite);
-    (0..x.len()).find_map(|i| {
-        let side = |towards: f64| {
-            let mut moved = x.to_vec();
-            moved[i] = (x[i] + towards * REACH * scale[i]).clamp(bounds.low[i], bounds.high[i]);
-            defined(&moved).map(|evaluation| (moved[i], evaluation))
+pub(super) fn find(frame: &Frame, at: &Point, mut evaluate: impl FnMut(&[f64]) -> Option<Evaluation>) -> Option<Kink> {
+    (0..at.x.len()).find_map(|i| {
+        let mut side = |towards: f64| {
+            let mut moved = at.x.clone();
+            let to = at.x[i] + towards * REACH * frame.scale[i];
+            moved[i] = to.clamp(frame.bounds.low[i], frame.bounds.high[i]);
+            evaluate(&moved).map(|evaluation| (moved[i], evaluation))
         };
         let ((from, below), (to, above)) = (side(-1.0)?, side(1.0)?);
-        let jump = above.gradient[i] - below.gradient[i];
-        let smooth = [&below, &above].map(|side| (side.hessian[i][i] * (to - from) - jump).abs());
-        let unexplained = smooth[0].min(smooth[1]) > 0.5 * jump.abs();
-        let matters = jump.abs() * scale[i] > 1e-6 * phi;
-        (to > from && unexplained && matters).then(|| Kink {
-            variable: i,
-            slope_below: below.gradient[i],
-            slope_above: above.gradient[i],
-        })
+        let (slope_below, slope_above) = (below.gradient[i], above.gradient[i]);
+        let jump = slope_above - slope_below;
+        let is_unexplained = |side: &Evaluation| (side.hessian[i][i] * (to - from) - jump).abs() > 0.5 * jump.abs();
+        let matters = jump.abs() * frame.scale[i] > 1e-6 * frame.phi;
+        let is_corner = to > from && matters && is_unexplained(&below) && is_unexplained(&above);
+        is_corner.then_some(Kink { variable: i, slope_below, slope_above })
     })
 }
 
 /// Whether a converged point may in truth be a smoothed corner: a curvature so high that the slope changes by
 /// all of φ within a thousandth of the variable's scale.
-pub(super) fn is_suspected(evaluation: &Evaluation, scale: &[f64], phi: f64) -> bool {
-    (0..scale.len()).any(|i| evaluation.hessian[i][i].abs() * scale[i] * scale[i] > 1e3 * phi)
+pub(super) fn is_suspected(frame: &Frame, at: &Point) -> bool {
+    let curvature = |i: usize| at.f.hessian[i][i].abs() * frame.scale[i] * frame.scale[i];
+    (0..at.x.len()).any(|i| curvature(i) > 1e3 * frame.phi)
 }

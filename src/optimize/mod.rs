@@ -29,11 +29,15 @@
 //! ```
 
 mod convex;
+mod frame;
 mod kink;
+mod model;
 mod problem;
 pub mod qp;
+mod sides;
 mod solution;
 pub mod sqp;
+mod start;
 pub mod status;
 
 pub use kink::Kink;

@@ -27,9 +27,21 @@ pub struct Evaluation {
 }
 
 impl Evaluation {
-    pub(super) fn is_finite(&self) -> bool {
-        let numbers = self.gradient.iter().chain(self.hessian.iter().flatten());
-        self.value.is_finite() && numbers.into_iter().all(|number| number.is_finite())
+    /// The evaluation, if it is of `n` variables and finite.
+    pub(super) fn checked(self, n: usize) -> std::result::Result<Self, String> {
+        let rows = self.hessian.len();
+        if self.gradient.len() != n || rows != n || self.hessian.iter().any(|row| row.len() != n) {
+            return Err(format!(
+                "of {n} variables it has a gradient of {} and a Hessian of {rows} rows; both must have {n}",
+                self.gradient.len()
+            ));
+        }
+        let mut numbers = self.gradient.iter().chain(self.hessian.iter().flatten());
+        if self.value.is_finite() && numbers.all(|number| number.is_finite()) {
+            Ok(self)
+        } else {
+            Err("its value or a derivative is not finite".into())
+        }
     }
 }
 

@@ -96,8 +96,8 @@ pub fn minimize_watched(
         if at_bound { gradient.get(i).map_or(0.0, |g| (g * outward).max(0.0)) } else { 0.0 }
     };
     let solver = result.solver;
-    let (kkt_residual, kink) = (solver.residual(), solver.kink());
-    let (begun_at, undefined_at_start) = solver.start();
+    let (kkt_residual, kink) = (solver.residual(), solver.kink);
+    let (begun_at, undefined_at_start) = (solver.begun_at.clone(), solver.undefined_at_start.clone());
     let verdict = solver.into_verdict(iterations);
     Ok(Solution {
         status: verdict.status,

@@ -232,6 +232,12 @@ fn exact_minimum_next_to_a_region_where_the_function_is_not_defined() {
         &[0.5],
     );
     assert_eq!(nan.status, Status::Undefined);
+    let narrow = solve(
+        |_: &[f64]| Ok(Evaluation { value: 0.0, gradient: vec![0.0], hessian: vec![vec![0.0]] }),
+        &[(0.0, 1.0), (0.0, 1.0)],
+        &[0.5, 0.5],
+    );
+    assert!(narrow.status == Status::Undefined && narrow.message.contains("gradient of 1"), "{}", narrow.message);
 }
 
 #[test]

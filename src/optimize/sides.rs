@@ -1,0 +1,83 @@
+//! The other sides of corners. Where a function has a corner, the quadratic model of one side promises what the
+//! other does not keep: steps fail, and the trust region shrinks to nothing far from the lowest point of the
+//! corner's edge. So a point met on another side is remembered, and its side becomes a piece of the model (a
+//! bundle of at most one piece for each side, carried by second-order expansions).
+
+use super::frame::{Frame, Point, dot};
+use super::qp::Piece;
+use nalgebra::{DMatrix, DVector};
+
+/// Points farther than this, in units of the scale, tell nothing of a side here.
+const NEARBY: f64 = 0.05;
+/// Points of another side are trusted to rule out further progress only within this distance.
+const CLOSE: f64 = 1e-4;
+
+/// The nearest known point of each other side, nearest first.
+#[derive(Default)]
+pub(super) struct Sides(Vec<Point>);
+
+impl Sides {
+    /// Keeps, of the points known around `at`, the nearest of each other side of a corner nearby.
+    pub fn keep(&mut self, frame: &Frame, at: &Point, candidate: Option<Point>) {
+        let mut known = std::mem::take(&mut self.0);
+        known.extend(candidate);
+        known.retain(|point| frame.distance(point, at) <= NEARBY);
+        known.sort_by(|a, b| frame.distance(a, at).total_cmp(&frame.distance(b, at)));
+        for point in known {
+            let is_new = |side: &Point| are_sides_of_a_corner(frame, side, &point);
+            if is_new(at) && self.0.iter().all(is_new) {
+                self.0.push(point);
+            }
+        }
+    }
+
+    /// Forgets the farthest side, if it is too far to be trusted.
+    pub fn forget_one_too_far(&mut self, frame: &Frame, at: &Point) -> bool {
+        let too_far = self.0.last().is_some_and(|farthest| frame.distance(farthest, at) > CLOSE);
+        if too_far {
+            self.0.pop();
+        }
+        too_far
+    }
+
+    /// Each other side's function around `at`, in scaled variables: carried here by its second-order expansion, and at
+    /// most f, for at a corner that holds a search f is the largest of its sides.
+    pub fn pieces<'a>(&'a self, frame: &'a Frame, at: &'a Point) -> impl Iterator<Item = Piece> + 'a {
+        // the sides' curvature is the mildest known: in the rounded tip of a smoothed corner it is that of no side
+        let mildest = |least: DMatrix<f64>, other: &Point| {
+            let other = scaled_hessian(frame, other);
+            if other.amax() < least.amax() { other } else { least }
+        };
+        let curvature = self.0.iter().fold(scaled_hessian(frame, at), mildest);
+        self.0.iter().map(move |other| {
+            let way = DVector::from_fn(at.x.len(), |i, _| (at.x[i] - other.x[i]) / frame.scale[i]);
+            let (slope, bend) = (scaled_gradient(frame, other), &curvature * &way);
+            let offset = other.f.value - at.f.value + slope.dot(&way) + 0.5 * bend.dot(&way);
+            Piece { offset: offset.min(0.0), gradient: slope + bend }
+        })
+    }
+}
+
+/// Whether two points lie on different sides of a corner: the gradient changes between them, and neither Hessian
+/// accounts for it.
+fn are_sides_of_a_corner(frame: &Frame, a: &Point, b: &Point) -> bool {
+    let d: Vec<f64> = b.x.iter().zip(&a.x).map(|(to, from)| to - from).collect();
+    let jump: Vec<f64> = b.f.gradient.iter().zip(&a.f.gradient).map(|(b, a)| b - a).collect();
+    let bend = |point: &Point| -> Vec<f64> { point.f.hessian.iter().map(|row| dot(row, &d)).collect() };
+    let (here, there) = (bend(a), bend(b));
+    let change = frame.largest(&jump);
+    let is_unexplained = |here_part: f64, there_part: f64| {
+        let rest: Vec<f64> = (0..d.len()).map(|i| jump[i] - here_part * here[i] - there_part * there[i]).collect();
+        frame.largest(&rest) > 0.5 * change
+    };
+    change > 1e-6 * frame.phi && is_unexplained(1.0, 0.0) && is_unexplained(0.0, 1.0) && is_unexplained(0.5, 0.5)
+}
+
+pub(super) fn scaled_gradient(frame: &Frame, at: &Point) -> DVector<f64> {
+    DVector::from_fn(at.x.len(), |i, _| at.f.gradient[i] * frame.scale[i])
+}
+
+pub(super) fn scaled_hessian(frame: &Frame, at: &Point) -> DMatrix<f64> {
+    let n = at.x.len();
+    DMatrix::from_fn(n, n, |i, j| at.f.hessian[i][j] * frame.scale[i] * frame.scale[j])
+}

@@ -1,0 +1,47 @@
+use super::frame::Point;
+use super::problem::{Bounds, Evaluation};
+
+/// Of the points tried where f is not defined at the start, the best of this many is taken; if none is defined,
+/// the first that is.
+const CHOICE: u32 = 8;
+
+/// f at the start, or at another point of the box where it is not defined there; and why it is not.
+pub(super) fn first_point<E>(
+    bounds: &Bounds,
+    start: &[f64],
+    trials: u32,
+    mut evaluate: impl FnMut(&[f64]) -> Result<Result<Evaluation, String>, E>,
+) -> Result<(Option<Point>, Option<String>), E> {
+    let why = match evaluate(start)? {
+        Ok(f) => return Ok((Some(Point { x: start.to_vec(), f }), None)),
+        Err(why) => why,
+    };
+    let mut best: Option<Point> = None;
+    for trial in 0..trials {
+        if trial >= CHOICE && best.is_some() {
+            break;
+        }
+        let x = spread(bounds, start, trial);
+        if let Ok(f) = evaluate(&x)?
+            && best.as_ref().is_none_or(|best| f.value < best.f.value)
+        {
+            best = Some(Point { x, f });
+        }
+    }
+    Ok((best, Some(why)))
+}
+
+/// Point `k` of an even spread over the box: multiples of powers of the generalised golden ratio (Roberts 2018),
+/// from the middle on.
+fn spread(bounds: &Bounds, start: &[f64], k: u32) -> Vec<f64> {
+    let n = start.len();
+    let scale = bounds.scale(start);
+    let golden = (0..64).fold(1.5_f64, |g, _| (1.0 + g).powf(1.0 / (n as f64 + 1.0)));
+    let coordinate = |i: usize| {
+        let part = (0.5 + f64::from(k) * golden.powi(-(i as i32 + 1))).fract();
+        let low = bounds.low[i].max(start[i] - scale[i]);
+        let high = bounds.high[i].min(start[i] + scale[i]);
+        low + part * (high - low)
+    };
+    (0..n).map(coordinate).collect()
+}
