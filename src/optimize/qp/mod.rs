@@ -1,8 +1,10 @@
 //! The quadratic program of a step: Clarabel finds the active set, a polish makes it exact.
 
-use clarabel::algebra::CscMatrix;
-use clarabel::solver::{DefaultSettings, DefaultSolver, IPSolver, SupportedConeT};
+mod interior_point;
+mod polish;
+
 use nalgebra::{DMatrix, DVector};
+use polish::{ActiveSet, Candidate};
 
 /// minimise  ½ dᵀB d + maxₖ (offsetₖ + gradientₖ · d)  over  low ≤ d ≤ high, with B positive definite.
 ///
@@ -87,75 +89,6 @@ impl QuadraticProgram {
         self.low.len()
     }
 
-    /// Clarabel's active set; `None` where it does not answer "solved".
-    fn clarabel(&self) -> Option<ActiveSet> {
-        let (n, pieces) = (self.dimension(), self.pieces.len());
-        // with several pieces their maximum is one more variable t ≥ offsetₖ + gradientₖ · d
-        let epigraph = usize::from(pieces > 1);
-        let size = n + epigraph;
-        // steps in units of the box, the objective in units of its slope over the box: Clarabel's tolerances
-        // are absolute
-        let reach = self.high.amax().max(self.low.amax()).max(f64::MIN_POSITIVE);
-        let slope = self.pieces.iter().map(|piece| piece.gradient.amax()).fold(0.0, f64::max);
-        let unit = (slope * reach).max(f64::MIN_POSITIVE);
-
-        let mut p = vec![vec![0.0; size]; size];
-        for (i, row) in p.iter_mut().enumerate().take(n) {
-            // upper triangle
-            for (j, entry) in row.iter_mut().enumerate().take(n).skip(i) {
-                *entry = self.curvature[(i, j)] * (reach * reach / unit);
-            }
-        }
-        let mut q = vec![0.0; size];
-        if epigraph == 1 {
-            q[n] = 1.0;
-        } else {
-            q.copy_from_slice((&self.pieces[0].gradient * (reach / unit)).as_slice());
-        }
-
-        let mut rows = Vec::with_capacity(2 * n + pieces);
-        let mut limits = Vec::with_capacity(2 * n + pieces);
-        for i in 0..n {
-            for (sign, limit) in [(1.0, self.high[i]), (-1.0, -self.low[i])] {
-                let mut row = vec![0.0; size];
-                row[i] = sign;
-                rows.push(row);
-                limits.push(limit / reach);
-            }
-        }
-        if epigraph == 1 {
-            for piece in &self.pieces {
-                let mut row: Vec<f64> = piece.gradient.iter().map(|g| g * (reach / unit)).collect();
-                row.push(-1.0);
-                rows.push(row);
-                limits.push(-piece.offset / unit);
-            }
-        }
-
-        let cones = [SupportedConeT::NonnegativeConeT(rows.len())];
-        let settings = DefaultSettings { verbose: false, presolve_enable: false, ..DefaultSettings::default() };
-        let (p, a) = (CscMatrix::from(&p), CscMatrix::from(&rows));
-        let mut solver = DefaultSolver::new(&p, &q, &a, &limits, &cones, settings).ok()?;
-        solver.solve();
-        let solution = &solver.solution;
-        if !matches!(solution.status, clarabel::solver::SolverStatus::Solved) {
-            return None;
-        }
-        // at a solution a constraint's multiplier or its slack vanishes: the larger says which
-        let is_active = |row: usize| solution.z[row] > solution.s[row];
-        let end = |i: usize| match (is_active(2 * i + 1), is_active(2 * i)) {
-            _ if self.low[i] == self.high[i] => End::Low,
-            (true, _) => End::Low,
-            (_, true) => End::High,
-            _ => End::Free,
-        };
-        let mut held: Vec<bool> = (0..pieces).map(|k| epigraph == 0 || is_active(2 * n + k)).collect();
-        if !held.contains(&true) {
-            held[0] = true;
-        }
-        Some(ActiveSet { ends: (0..n).map(end).collect(), pieces: held })
-    }
-
     /// An active set to start from without Clarabel: where the first piece's slope leads.
     fn guess(&self) -> ActiveSet {
         let end = |i: usize| match self.pieces[0].gradient[i] {
@@ -166,97 +99,6 @@ impl QuadraticProgram {
         };
         let pieces = (0..self.pieces.len()).map(|k| k == 0).collect();
         ActiveSet { ends: (0..self.dimension()).map(end).collect(), pieces }
-    }
-
-    /// Solves the program with the active ends and pieces as equations:
-    /// B d + Σ αₖ gradientₖ = 0 on the free variables, Σ αₖ = 1, offsetₖ + gradientₖ · d = t.
-    fn equality_step(&self, active: &ActiveSet) -> Option<Candidate> {
-        let free: Vec<usize> = (0..self.dimension()).filter(|&i| active.ends[i] == End::Free).collect();
-        let held: Vec<usize> = (0..self.pieces.len()).filter(|&k| active.pieces[k]).collect();
-        let mut d = DVector::from_fn(self.dimension(), |i, _| match active.ends[i] {
-            End::Free => 0.0,
-            End::Low => self.low[i],
-            End::High => self.high[i],
-        });
-        let bent = &self.curvature * &d;
-
-        let (f, size) = (free.len(), free.len() + held.len() + 1);
-        let mut matrix = DMatrix::zeros(size, size);
-        let mut right = DVector::zeros(size);
-        for (row, &i) in free.iter().enumerate() {
-            for (column, &j) in free.iter().enumerate() {
-                matrix[(row, column)] = self.curvature[(i, j)];
-            }
-            right[row] = -bent[i];
-        }
-        for (at, &k) in held.iter().enumerate() {
-            let Piece { offset, gradient } = &self.pieces[k];
-            for (row, &i) in free.iter().enumerate() {
-                matrix[(row, f + at)] = gradient[i];
-                matrix[(f + at, row)] = gradient[i];
-            }
-            matrix[(f + at, size - 1)] = -1.0;
-            matrix[(size - 1, f + at)] = 1.0;
-            right[f + at] = -offset - gradient.dot(&d);
-        }
-        right[size - 1] = 1.0;
-
-        let solution = matrix.lu().solve(&right)?;
-        if !solution.iter().all(|x| x.is_finite()) {
-            return None;
-        }
-        for (row, &i) in free.iter().enumerate() {
-            d[i] = solution[row];
-        }
-        let mut weights = vec![0.0; self.pieces.len()];
-        for (at, &k) in held.iter().enumerate() {
-            weights[k] = solution[f + at];
-        }
-        Some(Candidate { d, weights, level: solution[size - 1] })
-    }
-
-    /// The active set with what a candidate contradicts put right: free variables beyond an end are held,
-    /// held ones that pull inward are freed, and likewise for the pieces.
-    fn corrected(&self, active: &ActiveSet, candidate: &Candidate) -> ActiveSet {
-        let mut pull = &self.curvature * &candidate.d;
-        for (piece, weight) in self.pieces.iter().zip(&candidate.weights) {
-            pull += &piece.gradient * *weight;
-        }
-        let end = |i: usize| match active.ends[i] {
-            _ if self.low[i] == self.high[i] => End::Low,
-            End::Free if candidate.d[i] < self.low[i] => End::Low,
-            End::Free if candidate.d[i] > self.high[i] => End::High,
-            End::Low if pull[i] < 0.0 => End::Free,
-            End::High if pull[i] > 0.0 => End::Free,
-            same => same,
-        };
-        let tolerance = 1e-12 * (1.0 + candidate.level.abs());
-        let piece = |k: usize| {
-            let Piece { offset, gradient } = &self.pieces[k];
-            if active.pieces[k] {
-                candidate.weights[k] >= 0.0
-            } else {
-                offset + gradient.dot(&candidate.d) > candidate.level + tolerance
-            }
-        };
-        ActiveSet {
-            ends: (0..self.dimension()).map(end).collect(),
-            pieces: (0..self.pieces.len()).map(piece).collect(),
-        }
-    }
-
-    /// The candidate inside the ends.
-    fn clamped(&self, candidate: &Candidate, active: &ActiveSet) -> Step {
-        let mut d = candidate.d.clone();
-        let mut ends = active.ends.clone();
-        for i in 0..self.dimension() {
-            if d[i] <= self.low[i] {
-                (d[i], ends[i]) = (self.low[i], End::Low);
-            } else if d[i] >= self.high[i] {
-                (d[i], ends[i]) = (self.high[i], End::High);
-            }
-        }
-        Step { d, ends, weights: candidate.weights.clone() }
     }
 
     /// The best step down the first piece's slope alone, for when no active set can be solved.
@@ -270,19 +112,6 @@ impl QuadraticProgram {
         step.weights[0] = 1.0;
         step
     }
-}
-
-#[derive(Clone, Debug, PartialEq, Eq)]
-struct ActiveSet {
-    ends: Vec<End>,
-    pieces: Vec<bool>,
-}
-
-struct Candidate {
-    d: DVector<f64>,
-    weights: Vec<f64>,
-    /// The pieces' common value.
-    level: f64,
 }
 
 #[cfg(test)]

@@ -3,30 +3,14 @@
 //! The sizes of the units are those of the `uom` library; what is written here is the grammar that puts
 //! them together (`kg/m^3`, `g cm^2`) and the check that the result is the kind of quantity wanted.
 
+mod error;
+mod expression;
+mod symbols;
+
+pub use error::UnitError;
+
+use expression::{Dimension, read_unit};
 use std::fmt;
-use uom::si::f64::{Angle, Force, Length, Mass, Pressure, Ratio, Time, Velocity, Volume};
-use uom::si::{angle, force, length, mass, pressure, ratio, time, velocity, volume};
-
-/// Powers of length, mass, time and angle. An angle is a dimension of its own here, so that 10 rpm cannot
-/// be taken for 10 per minute.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Dimension([i8; 4]);
-
-impl Dimension {
-    const NONE: Self = Self([0, 0, 0, 0]);
-    const LENGTH: Self = Self([1, 0, 0, 0]);
-    const MASS: Self = Self([0, 1, 0, 0]);
-    const TIME: Self = Self([0, 0, 1, 0]);
-    const ANGLE: Self = Self([0, 0, 0, 1]);
-
-    fn times(self, other: Self, power: i8) -> Self {
-        let Self(mut exponents) = self;
-        for (mine, theirs) in exponents.iter_mut().zip(other.0) {
-            *mine = mine.saturating_add(theirs.saturating_mul(power));
-        }
-        Self(exponents)
-    }
-}
 
 /// A kind of quantity: what a parameter or an outcome is measured in.
 ///
@@ -83,51 +67,6 @@ quantities! {
     PER_ANGULAR_VELOCITY = "a quantity per angular velocity", "s/rad", [0, 0, 1, -1], "s/rad, 1/rpm";
     /// A number without unit.
     NUMBER = "a plain number", "", [0, 0, 0, 0], "none, %";
-}
-
-/// What can be wrong with a quantity string.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum UnitError {
-    /// No number at the start.
-    #[error("\"{text}\" does not start with a number; write for example \"10.5 {unit}\"")]
-    NoNumber {
-        /// The string.
-        text: String,
-        /// A unit that would fit.
-        unit: &'static str,
-    },
-    /// A unit that is not known.
-    #[error("\"{text}\" has the unknown unit '{unit}'; {wanted} takes {examples}")]
-    UnknownUnit {
-        /// The string.
-        text: String,
-        /// Its unit.
-        unit: String,
-        /// The kind of quantity wanted.
-        wanted: &'static str,
-        /// Units that fit.
-        examples: &'static str,
-    },
-    /// A unit of another kind of quantity.
-    #[error("\"{text}\" is not {wanted}; use one of {examples}")]
-    WrongKind {
-        /// The string.
-        text: String,
-        /// The kind of quantity wanted.
-        wanted: &'static str,
-        /// Units that fit.
-        examples: &'static str,
-    },
-    /// A string without a unit where one is needed.
-    #[error("\"{text}\" has no unit; {wanted} takes {examples}")]
-    NoUnit {
-        /// The string.
-        text: String,
-        /// The kind of quantity wanted.
-        wanted: &'static str,
-        /// Units that fit.
-        examples: &'static str,
-    },
 }
 
 impl Quantity {
@@ -248,122 +187,6 @@ fn split_number(text: &str) -> Option<(f64, &str)> {
     };
     let (value, end) = ends.rev().find_map(number)?;
     Some((value, text[end..].trim()))
-}
-
-/// The SI size of a unit as a fraction, so that decimal units (g, cm², %) divide by whole numbers: 5679 g cm² is
-/// 5679/10⁷ kg m² to the last bit.
-#[derive(Clone, Copy)]
-struct Size {
-    times: f64,
-    over: f64,
-}
-
-impl Size {
-    const ONE: Self = Self { times: 1.0, over: 1.0 };
-
-    fn new(size: f64) -> Self {
-        let inverse = size.recip();
-        if (inverse - inverse.round()).abs() <= 1e-12 * inverse {
-            Self { times: 1.0, over: inverse.round() }
-        } else {
-            Self { times: size, over: 1.0 }
-        }
-    }
-
-    fn times(self, other: Self) -> Self {
-        Self { times: self.times * other.times, over: self.over * other.over }
-    }
-
-    fn inverse(self) -> Self {
-        Self { times: self.over, over: self.times }
-    }
-
-    fn of(self, number: f64) -> f64 {
-        number * self.times / self.over
-    }
-}
-
-/// The SI size and the dimension of a product of units: factors separated by spaces, `*`, `·` or `/` (which
-/// divides by the one factor that follows), each perhaps with a power: `kg/m^3`, `g cm²`, `m s^-2`.
-fn read_unit(text: &str) -> Option<(Size, Dimension)> {
-    let spaced = text.replace('/', " / ").replace(['*', '·'], " ");
-    let (mut size, mut dimension) = (Size::ONE, Dimension::NONE);
-    let mut divide = false;
-    for factor in spaced.split_whitespace() {
-        if factor == "/" {
-            if divide {
-                return None;
-            }
-            divide = true;
-            continue;
-        }
-        let (symbol, power) = split_power(factor)?;
-        let (one, kind) = symbol_size(symbol)?;
-        let power = if divide { -power } else { power };
-        let one = if power > 0 { Size::new(one) } else { Size::new(one).inverse() };
-        for _ in 0..power.unsigned_abs() {
-            size = size.times(one);
-        }
-        dimension = dimension.times(kind, power);
-        divide = false;
-    }
-    (!divide && !spaced.trim().is_empty()).then_some((size, dimension))
-}
-
-fn split_power(factor: &str) -> Option<(&str, i8)> {
-    if let Some((symbol, power)) = factor.split_once('^') {
-        return power.parse().ok().filter(|p: &i8| p.abs() <= 9).map(|power| (symbol, power));
-    }
-    let powers = [('²', 2), ('³', 3)];
-    let found = powers.iter().find_map(|&(sign, power)| Some((factor.strip_suffix(sign)?, power)));
-    Some(found.unwrap_or((factor, 1)))
-}
-
-/// The SI size and the dimension of one unit symbol.
-fn symbol_size(symbol: &str) -> Option<(f64, Dimension)> {
-    use Dimension as D;
-    // uom rounds the pound and the ounce to seven digits; its grain is exact, and both are whole numbers of it
-    let grain = || Mass::new::<mass::grain>(1.0).value;
-    let speed = D::LENGTH.times(D::TIME, -1);
-    let force = speed.times(D::MASS, 1).times(D::TIME, -1);
-    Some(match symbol {
-        "1" => (1.0, D::NONE),
-        "%" => (Ratio::new::<ratio::percent>(1.0).value, D::NONE),
-        "m" | "metre" | "metres" | "meter" | "meters" => (1.0, D::LENGTH),
-        "mm" => (Length::new::<length::millimeter>(1.0).value, D::LENGTH),
-        "cm" => (Length::new::<length::centimeter>(1.0).value, D::LENGTH),
-        "km" => (Length::new::<length::kilometer>(1.0).value, D::LENGTH),
-        "in" | "inch" | "inches" => (Length::new::<length::inch>(1.0).value, D::LENGTH),
-        "ft" | "foot" | "feet" => (Length::new::<length::foot>(1.0).value, D::LENGTH),
-        "yd" | "yard" | "yards" => (Length::new::<length::yard>(1.0).value, D::LENGTH),
-        "mi" | "mile" | "miles" => (Length::new::<length::mile>(1.0).value, D::LENGTH),
-        "L" | "l" => (Volume::new::<volume::liter>(1.0).value, D::NONE.times(D::LENGTH, 3)),
-        "kg" => (1.0, D::MASS),
-        "g" | "gram" | "grams" => (Mass::new::<mass::gram>(1.0).value, D::MASS),
-        "mg" => (Mass::new::<mass::milligram>(1.0).value, D::MASS),
-        "oz" => (437.5 * grain(), D::MASS),
-        "lb" | "lbs" => (7000.0 * grain(), D::MASS),
-        "s" | "sec" | "second" | "seconds" => (1.0, D::TIME),
-        "ms" => (Time::new::<time::millisecond>(1.0).value, D::TIME),
-        "min" | "minute" | "minutes" => (Time::new::<time::minute>(1.0).value, D::TIME),
-        "h" | "hour" | "hours" => (Time::new::<time::hour>(1.0).value, D::TIME),
-        "rad" | "radian" | "radians" => (1.0, D::ANGLE),
-        "mrad" => (1e-3, D::ANGLE),
-        "deg" | "°" | "degree" | "degrees" => (Angle::new::<angle::degree>(1.0).value, D::ANGLE),
-        "rev" => (Angle::new::<angle::revolution>(1.0).value, D::ANGLE),
-        "rpm" => {
-            let turn = Angle::new::<angle::revolution>(1.0).value;
-            (turn / 60.0, D::ANGLE.times(D::TIME, -1))
-        }
-        "mph" => (Velocity::new::<velocity::mile_per_hour>(1.0).value, speed),
-        "kph" | "kmh" => (Velocity::new::<velocity::kilometer_per_hour>(1.0).value, speed),
-        "kn" | "knot" | "knots" => (Velocity::new::<velocity::knot>(1.0).value, speed),
-        "N" => (Force::new::<force::newton>(1.0).value, force),
-        "Pa" => (Pressure::new::<pressure::pascal>(1.0).value, force.times(D::LENGTH, -2)),
-        "P" => (0.1, D::MASS.times(D::LENGTH, -1).times(D::TIME, -1)),
-        "cP" => (1e-3, D::MASS.times(D::LENGTH, -1).times(D::TIME, -1)),
-        _ => return None,
-    })
 }
 
 #[cfg(test)]

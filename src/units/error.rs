@@ -1,0 +1,44 @@
+/// What can be wrong with a quantity string.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum UnitError {
+    /// No number at the start.
+    #[error("\"{text}\" does not start with a number; write for example \"10.5 {unit}\"")]
+    NoNumber {
+        /// The string.
+        text: String,
+        /// A unit that would fit.
+        unit: &'static str,
+    },
+    /// A unit that is not known.
+    #[error("\"{text}\" has the unknown unit '{unit}'; {wanted} takes {examples}")]
+    UnknownUnit {
+        /// The string.
+        text: String,
+        /// Its unit.
+        unit: String,
+        /// The kind of quantity wanted.
+        wanted: &'static str,
+        /// Units that fit.
+        examples: &'static str,
+    },
+    /// A unit of another kind of quantity.
+    #[error("\"{text}\" is not {wanted}; use one of {examples}")]
+    WrongKind {
+        /// The string.
+        text: String,
+        /// The kind of quantity wanted.
+        wanted: &'static str,
+        /// Units that fit.
+        examples: &'static str,
+    },
+    /// A string without a unit where one is needed.
+    #[error("\"{text}\" has no unit; {wanted} takes {examples}")]
+    NoUnit {
+        /// The string.
+        text: String,
+        /// The kind of quantity wanted.
+        wanted: &'static str,
+        /// Units that fit.
+        examples: &'static str,
+    },
+}
