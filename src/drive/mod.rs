@@ -2,7 +2,7 @@
 
 mod outcome;
 
-pub use outcome::Outcome;
+pub use outcome::{Outcome, Part};
 
 use crate::aerodynamics::AerodynamicLaw;
 use crate::error::{Error, Result};

@@ -3,10 +3,19 @@ use crate::error::{Error, Result};
 use crate::number::Number;
 use crate::units::Quantity;
 
-/// Declares each outcome once: name, symbol, kind of quantity, unit a person reads, and how it follows from a
-/// drive.
+/// What an outcome is of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// The ball as it leaves the face.
+    Launch,
+    /// The flight: there is none where the ball does not fly.
+    Flight,
+}
+
+/// Declares each outcome once: what it is of, name, symbol, kind of quantity, unit a person reads, and how it follows
+/// from a drive.
 macro_rules! outcomes {
-    ($( $(#[doc = $doc:literal])+ $Outcome:ident = $name:literal, $symbol:literal, $quantity:ident in $unit:literal, |$drive:ident| $value:expr; )+) => {
+    ($( $(#[doc = $doc:literal])+ $Part:ident $Outcome:ident = $name:literal, $symbol:literal, $quantity:ident in $unit:literal, |$drive:ident| $value:expr; )+) => {
         /// What one may ask of a drive.
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         pub enum Outcome {
@@ -16,6 +25,11 @@ macro_rules! outcomes {
         impl Outcome {
             /// All outcomes.
             pub const ALL: &'static [Self] = &[$( Self::$Outcome ),+];
+
+            /// What it is of.
+            pub fn part(self) -> Part {
+                match self { $( Self::$Outcome => Part::$Part, )+ }
+            }
 
             /// Name in JSON and on the command line: `carry`.
             pub fn name(self) -> &'static str {
@@ -55,43 +69,48 @@ macro_rules! outcomes {
 
 outcomes! {
     /// Distance downrange at landing.
-    Carry = "carry", "z_L", LENGTH in "yd", |drive| drive.landed()?.carry;
+    Flight Carry = "carry", "z_L", LENGTH in "yd", |drive| drive.landed()?.carry;
     /// Distance right of the target line at landing.
-    Lateral = "lateral", "y_L", LENGTH in "yd", |drive| drive.landed()?.lateral;
+    Flight Lateral = "lateral", "y_L", LENGTH in "yd", |drive| drive.landed()?.lateral;
     /// Time from launch to landing.
-    FlightTime = "flight_time", "t_L", TIME in "s", |drive| drive.landed()?.flight_time;
+    Flight FlightTime = "flight_time", "t_L", TIME in "s", |drive| drive.landed()?.flight_time;
     /// Greatest height of the flight above the tee.
-    ApexHeight = "apex_height", "x_A", LENGTH in "yd", |drive| drive.landed()?.apex.height;
+    Flight ApexHeight = "apex_height", "x_A", LENGTH in "yd", |drive| drive.landed()?.apex.height;
     /// Time from launch to the apex.
-    ApexTime = "apex_time", "t_A", TIME in "s", |drive| drive.landed()?.apex.time;
+    Flight ApexTime = "apex_time", "t_A", TIME in "s", |drive| drive.landed()?.apex.time;
     /// Distance downrange of the apex.
-    ApexDownrange = "apex_downrange", "z_A", LENGTH in "yd", |drive| drive.landed()?.apex.downrange;
+    Flight ApexDownrange = "apex_downrange", "z_A", LENGTH in "yd", |drive| drive.landed()?.apex.downrange;
     /// Angle of the path below horizontal at landing.
-    DescentAngle = "descent_angle", "γ_L", ANGLE in "deg", |drive| {
+    Flight DescentAngle = "descent_angle", "γ_L", ANGLE in "deg", |drive| {
         let v = drive.landed()?.velocity;
         (-v.x).atan2((v.y * v.y + v.z * v.z).sqrt())
     };
     /// Speed at landing.
-    LandingSpeed = "landing_speed", "|v_L|", SPEED in "mph", |drive| drive.landed()?.velocity.norm();
+    Flight LandingSpeed = "landing_speed", "|v_L|", SPEED in "mph", |drive| drive.landed()?.velocity.norm();
     /// Speed of the ball at launch.
-    BallSpeed = "ball_speed", "|v_0|", SPEED in "mph", |drive| drive.impact.launch.ball_speed();
+    Launch BallSpeed = "ball_speed", "|v_0|", SPEED in "mph", |drive| drive.impact.launch.ball_speed();
     /// Ball speed over club speed.
-    SmashFactor = "smash_factor", "|v_0|/V", NUMBER in "", |drive| drive.impact.launch.ball_speed() / drive.club_speed;
+    Launch SmashFactor = "smash_factor", "|v_0|/V", NUMBER in "", |drive| drive.impact.launch.ball_speed() / drive.club_speed;
     /// Angle of the launch above horizontal.
-    LaunchAngle = "launch_angle", "γ_0", ANGLE in "deg", |drive| drive.impact.launch.launch_angle();
+    Launch LaunchAngle = "launch_angle", "γ_0", ANGLE in "deg", |drive| drive.impact.launch.launch_angle();
     /// Horizontal direction of the launch, + right.
-    LaunchDirection = "launch_direction", "φ_0", ANGLE in "deg", |drive| drive.impact.launch.launch_direction();
+    Launch LaunchDirection = "launch_direction", "φ_0", ANGLE in "deg", |drive| drive.impact.launch.launch_direction();
     /// Spin at launch.
-    Spin = "spin", "|ω_0|", ANGULAR_VELOCITY in "rpm", |drive| drive.impact.launch.total_spin();
+    Launch Spin = "spin", "|ω_0|", ANGULAR_VELOCITY in "rpm", |drive| drive.impact.launch.total_spin();
     /// Backspin at launch.
-    Backspin = "backspin", "ω_b", ANGULAR_VELOCITY in "rpm", |drive| drive.impact.launch.backspin();
+    Launch Backspin = "backspin", "ω_b", ANGULAR_VELOCITY in "rpm", |drive| drive.impact.launch.backspin();
     /// Sidespin at launch, + curves right.
-    Sidespin = "sidespin", "ω_s", ANGULAR_VELOCITY in "rpm", |drive| drive.impact.launch.sidespin();
+    Launch Sidespin = "sidespin", "ω_s", ANGULAR_VELOCITY in "rpm", |drive| drive.impact.launch.sidespin();
     /// Tilt of the spin axis at launch, + right.
-    SpinAxis = "spin_axis", "atan2(ω_s, ω_b)", ANGLE in "deg", |drive| drive.impact.launch.spin_axis();
+    Launch SpinAxis = "spin_axis", "atan2(ω_s, ω_b)", ANGLE in "deg", |drive| drive.impact.launch.spin_axis();
 }
 
 impl Outcome {
+    /// The outcomes of the launch, or of the flight.
+    pub fn of_part(part: Part) -> impl Iterator<Item = Self> + Clone {
+        Self::ALL.iter().copied().filter(move |outcome| outcome.part() == part)
+    }
+
     /// The outcome of this name.
     ///
     /// # Errors

@@ -158,7 +158,7 @@ parameter_groups! {
             "standard gravity";
         /// Time step of the integration.
         step: f64 = "flight.step", "h", TIME in "s", Range::above_to(0.0, 1.0), "0.005 s",
-            "carry of driver shots to 1e-10 m and their gradients to 1e-8 relative, docs/model.md";
+            "carry of the presets' drives within 1.1e-10 m, derivatives within 3e-10 relative, docs/model.md";
         /// Longest flight that is followed.
         time_limit: f64 = "flight.time_limit", "t_max", TIME in "s", Range::above_to(0.0, 1e6), "600 s",
             "a hundred ordinary drives";

@@ -1,70 +1,71 @@
 use super::{json, table::table};
-use crate::drive::{Drive, Outcome};
+use crate::drive::{Drive, Outcome, Part};
 use crate::flight::Flight;
-use crate::impact::Grip;
+use crate::impact::{Grip, Impact};
 use crate::number::Vector;
 use crate::parameters::Setup;
 use crate::units::{Quantity, significant};
-use serde_json::{Value, json};
-
-const LAUNCH: [Outcome; 8] = [
-    Outcome::BallSpeed,
-    Outcome::LaunchAngle,
-    Outcome::LaunchDirection,
-    Outcome::Spin,
-    Outcome::Backspin,
-    Outcome::Sidespin,
-    Outcome::SpinAxis,
-    Outcome::SmashFactor,
-];
-
-const FLIGHT: [Outcome; 8] = [
-    Outcome::Carry,
-    Outcome::Lateral,
-    Outcome::FlightTime,
-    Outcome::ApexHeight,
-    Outcome::ApexTime,
-    Outcome::ApexDownrange,
-    Outcome::DescentAngle,
-    Outcome::LandingSpeed,
-];
+use serde::Serialize;
+use serde_json::{Map, Value};
 
 /// A drive as JSON, SI and radians.
-pub fn drive_json(setup: &Setup<f64>, drive: &Drive<f64>, warnings: &[String]) -> Value {
-    let outcomes = |all: &[Outcome]| json::named(all.iter().map(|outcome| (outcome.name(), outcome.value(drive))));
-    let mut launch = outcomes(&LAUNCH);
-    launch["velocity"] = json::vector(drive.impact.launch.velocity);
-    launch["spin_vector"] = json::vector(drive.impact.launch.spin);
-    let (status, reason, flight) = match &drive.flight {
-        Flight::Landed(_) => ("landed", Value::Null, outcomes(&FLIGHT)),
-        Flight::None(why) => (why.status(), json!(why.to_string()), Value::Null),
-    };
-    json!({
-        "setup": json::setup(setup),
-        "status": status,
-        "message": reason,
-        "launch": launch,
-        "club_after": {
-            "velocity": json::vector(drive.impact.club_velocity),
-            "angular_velocity": json::vector(drive.impact.club_spin),
-        },
-        "slipped": matches!(drive.impact.grip, Grip::Slips(_)),
-        "flight": flight,
-        "warnings": warnings,
-    })
+#[derive(Clone, Debug, Serialize)]
+pub struct DriveReport {
+    /// Every parameter by its dotted name, and `aero.law`.
+    pub setup: Map<String, Value>,
+    /// `landed`, `no-flight` or `aloft`.
+    pub status: &'static str,
+    /// Why there is no landing.
+    pub message: Option<String>,
+    /// The outcomes of the launch, with the vectors `velocity` and `spin_vector`.
+    pub launch: Map<String, Value>,
+    /// The head after impact: `velocity` and `angular_velocity`.
+    pub club_after: Map<String, Value>,
+    /// Whether the ball still slid on the face as it left.
+    pub slipped: bool,
+    /// The outcomes of the flight.
+    pub flight: Option<Map<String, Value>>,
+    /// What deserves a word.
+    pub warnings: Vec<String>,
+}
+
+impl DriveReport {
+    /// The report of a drive.
+    pub fn new(setup: &Setup<f64>, drive: &Drive<f64>, warnings: Vec<String>) -> Self {
+        let of_part = |part| json::named(Outcome::of_part(part).map(|outcome| (outcome.name(), outcome.value(drive))));
+        let Impact { launch, club_velocity, club_spin, grip, .. } = &drive.impact;
+        let vectors = |pairs: [(&str, Vector<f64>); 2]| pairs.map(|(name, v)| (name.to_owned(), json::vector(v)));
+        let (status, message) = match &drive.flight {
+            Flight::Landed(_) => ("landed", None),
+            Flight::None(why) => (why.status(), Some(why.to_string())),
+        };
+        Self {
+            setup: json::setup(setup),
+            status,
+            flight: message.is_none().then(|| of_part(Part::Flight)),
+            message,
+            launch: of_part(Part::Launch)
+                .into_iter()
+                .chain(vectors([("velocity", launch.velocity), ("spin_vector", launch.spin)]))
+                .collect(),
+            club_after: vectors([("velocity", *club_velocity), ("angular_velocity", *club_spin)]).into_iter().collect(),
+            slipped: matches!(grip, Grip::Slips(_)),
+            warnings,
+        }
+    }
 }
 
 /// A drive as text: what a launch monitor shows, and the flight.
 pub fn drive_text(drive: &Drive<f64>) -> String {
-    let row = |outcome: &Outcome| {
+    let row = |outcome: Outcome| {
         let value = outcome.value(drive);
         vec![
             outcome.name().replace('_', " "),
-            value.map_or("–".into(), |v| readable(*outcome, v)),
-            value.map_or("–".into(), |v| si(*outcome, v)),
+            value.map_or("–".into(), |v| readable(outcome, v)),
+            value.map_or("–".into(), |v| si(outcome, v)),
         ]
     };
-    let launch = table(&["launch", "", "SI"], &[1, 2], LAUNCH.iter().map(row));
+    let launch = table(&["launch", "", "SI"], &[1, 2], Outcome::of_part(Part::Launch).map(row));
     let slipped = if matches!(drive.impact.grip, Grip::Slips(_)) { "  the ball slipped on the face\n" } else { "" };
     let bodies = format!(
         "  ball {}\n  club after impact {}\n{slipped}",
@@ -73,7 +74,10 @@ pub fn drive_text(drive: &Drive<f64>) -> String {
     );
     match &drive.flight {
         Flight::Landed(_) => {
-            format!("{launch}\n{bodies}\n{}", table(&["flight", "", "SI"], &[1, 2], FLIGHT.iter().map(row)))
+            format!(
+                "{launch}\n{bodies}\n{}",
+                table(&["flight", "", "SI"], &[1, 2], Outcome::of_part(Part::Flight).map(row))
+            )
         }
         Flight::None(why) => format!("{launch}\n{bodies}\nno flight: {why}\n"),
     }

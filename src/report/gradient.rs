@@ -4,27 +4,57 @@ use crate::drive::Outcome;
 use crate::error::Error;
 use crate::parameters::Parameter;
 use crate::units::{per, significant};
-use serde_json::{Value, json};
+use serde::Serialize;
+use serde_json::{Map, Value};
 
-/// An outcome with its gradient, and Hessian if there is one, as JSON.
-pub fn gradient_json(of: Outcome, wrt: &[&'static Parameter], taylor: &Taylor, warnings: &[String]) -> Value {
-    let names: Vec<&str> = wrt.iter().map(|parameter| parameter.name).collect();
-    let gradient = names.iter().copied().zip(taylor.gradient.iter().map(|d| Some(*d)));
-    let mut result = json!({
-        "of": of.name(),
-        "value": json::number(Some(taylor.value)),
-        "gradient": json::named(gradient),
-    });
-    if !taylor.hessian.is_empty() {
-        result["hessian"] = json!({ "names": names, "values": taylor.hessian });
-    }
-    result["warnings"] = json!(warnings);
-    result
+/// An outcome with its derivatives as JSON, SI and radians.
+#[derive(Clone, Debug, Serialize)]
+pub struct GradientReport {
+    /// The outcome.
+    pub of: &'static str,
+    /// Its value; `null` where the drive has none.
+    pub value: Value,
+    /// Its derivative by each parameter.
+    pub gradient: Option<Map<String, Value>>,
+    /// Its second derivatives, if asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub hessian: Option<HessianReport>,
+    /// Why the drive has no such outcome.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub message: Option<String>,
+    /// What deserves a word.
+    pub warnings: Vec<String>,
 }
 
-/// An outcome that this drive does not have, as JSON.
-pub fn no_gradient_json(of: Outcome, why: &Error, warnings: &[String]) -> Value {
-    json!({ "of": of.name(), "value": null, "gradient": null, "message": why.to_string(), "warnings": warnings })
+/// A symmetric matrix of second derivatives.
+#[derive(Clone, Debug, Serialize)]
+pub struct HessianReport {
+    /// The parameters of its rows and columns.
+    pub names: Vec<&'static str>,
+    /// Its rows.
+    pub values: Vec<Vec<f64>>,
+}
+
+impl GradientReport {
+    /// The report of an outcome's derivatives.
+    pub fn new(of: Outcome, wrt: &[&'static Parameter], taylor: &Taylor, warnings: Vec<String>) -> Self {
+        let names: Vec<&str> = wrt.iter().map(|parameter| parameter.name).collect();
+        let gradient = names.iter().copied().zip(taylor.gradient.iter().map(|d| Some(*d)));
+        Self {
+            of: of.name(),
+            value: json::number(Some(taylor.value)),
+            gradient: Some(json::named(gradient)),
+            hessian: (!taylor.hessian.is_empty()).then(|| HessianReport { names, values: taylor.hessian.clone() }),
+            message: None,
+            warnings,
+        }
+    }
+
+    /// The report of an outcome that this drive does not have.
+    pub fn none(of: Outcome, why: &Error, warnings: Vec<String>) -> Self {
+        let message = Some(why.to_string());
+        Self { of: of.name(), value: Value::Null, gradient: None, hessian: None, message, warnings }
+    }
 }
 
 /// An outcome with its gradient, and Hessian if there is one, as text.

@@ -18,12 +18,12 @@ pub(super) fn vector(v: Vector<f64>) -> Value {
 }
 
 /// Names with their numbers, in order.
-pub(super) fn named<'a>(pairs: impl IntoIterator<Item = (&'a str, Option<f64>)>) -> Value {
-    Value::Object(pairs.into_iter().map(|(name, value)| (name.to_owned(), number(value))).collect::<Map<_, _>>())
+pub(super) fn named<'a>(pairs: impl IntoIterator<Item = (&'a str, Option<f64>)>) -> Map<String, Value> {
+    pairs.into_iter().map(|(name, value)| (name.to_owned(), number(value))).collect()
 }
 
 /// Every parameter of a setup by its dotted name, and the law.
-pub(super) fn setup(setup: &Setup<f64>) -> Value {
+pub(super) fn setup(setup: &Setup<f64>) -> Map<String, Value> {
     let mut all = Map::new();
     for parameter in setup.parameters() {
         if parameter.law.is_some() && !all.contains_key(LAW) {
@@ -31,5 +31,5 @@ pub(super) fn setup(setup: &Setup<f64>) -> Value {
         }
         all.insert(parameter.name.into(), number(setup.value(parameter)));
     }
-    Value::Object(all)
+    all
 }

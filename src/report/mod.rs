@@ -9,8 +9,8 @@ mod parameters;
 mod presets;
 mod table;
 
-pub use drive::{drive_json, drive_text};
-pub use gradient::{gradient_json, gradient_text, no_gradient_json};
-pub use optimum::{iteration_line, optimum_json, optimum_text};
+pub use drive::{DriveReport, drive_text};
+pub use gradient::{GradientReport, HessianReport, gradient_text};
+pub use optimum::{Multipliers, OptimumReport, iteration_line, optimum_text};
 pub use parameters::{parameters_json, parameters_text};
 pub use presets::{preset_toml, presets_json, presets_text};

@@ -4,34 +4,76 @@ use crate::drive::Outcome;
 use crate::optimize::Iteration;
 use crate::study::{Optimum, Search};
 use crate::units::{Quantity, per, significant};
-use serde_json::{Map, Value, json};
+use serde::Serialize;
+use serde_json::{Map, Value};
+use std::collections::BTreeMap;
 
 /// An optimum as JSON, SI and radians.
-pub fn optimum_json(optimum: &Optimum, warnings: &[String]) -> Value {
-    let solution = &optimum.solution;
-    let names: Vec<&str> = optimum.search.vary.iter().map(|vary| vary.parameter.name).collect();
-    let by_name = |values: &[f64]| json::named(names.iter().copied().zip(values.iter().map(|value| Some(*value))));
-    let found = optimum.value().is_some();
-    let multipliers: Map<String, Value> = (0..names.len())
-        .map(|i| {
+#[derive(Clone, Debug, Serialize)]
+pub struct OptimumReport {
+    /// `converged`, `stalled-at-kink`, `stalled`, `iteration-limit` or `no-flight`.
+    pub status: &'static str,
+    /// The same in a sentence, with numbers.
+    pub message: String,
+    /// The outcome made large.
+    pub objective: &'static str,
+    /// Its value; `null` where nothing flew.
+    pub value: Value,
+    /// Where it is, by parameter.
+    pub optimum: Option<Map<String, Value>>,
+    /// The outcome's gradient there.
+    pub gradient: Option<Map<String, Value>>,
+    /// The price of each bound, ≥ 0: what a unit beyond it would bring.
+    pub multipliers: Option<BTreeMap<&'static str, Multipliers>>,
+    /// Constraints on outcomes: none yet.
+    pub constraints: [(); 0],
+    /// The KKT residual, relative.
+    pub kkt_residual: Value,
+    /// Iterations taken.
+    pub iterations: u64,
+    /// Drives with derivatives evaluated.
+    pub evaluations: u64,
+    /// What deserves a word.
+    pub warnings: Vec<String>,
+}
+
+/// The prices of a parameter's bounds.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Multipliers {
+    /// Of the lower bound.
+    pub lower: f64,
+    /// Of the upper bound.
+    pub upper: f64,
+}
+
+impl OptimumReport {
+    /// The report of a search.
+    pub fn new(optimum: &Optimum, warnings: Vec<String>) -> Self {
+        let (solution, vary) = (&optimum.solution, &optimum.search.vary);
+        let found = optimum.value().is_some();
+        let by_name = |values: &[f64]| {
+            let names = vary.iter().map(|vary| vary.parameter.name);
+            found.then(|| json::named(names.zip(values.iter().map(|value| Some(*value)))))
+        };
+        let multipliers = |i: usize| {
             let (lower, upper) = (solution.lower_multipliers[i], solution.upper_multipliers[i]);
-            (names[i].to_owned(), json::named([("lower", Some(lower)), ("upper", Some(upper))]))
-        })
-        .collect();
-    json!({
-        "status": optimum.status(),
-        "message": optimum.message(),
-        "objective": optimum.search.maximize.name(),
-        "value": json::number(optimum.value()),
-        "optimum": if found { by_name(&solution.x) } else { Value::Null },
-        "gradient": if found { by_name(&optimum.gradient()) } else { Value::Null },
-        "multipliers": if found { Value::Object(multipliers) } else { Value::Null },
-        "constraints": [],
-        "kkt_residual": json::number(found.then_some(solution.kkt_residual)),
-        "iterations": solution.iterations,
-        "evaluations": solution.evaluations,
-        "warnings": warnings,
-    })
+            (vary[i].parameter.name, Multipliers { lower, upper })
+        };
+        Self {
+            status: optimum.status(),
+            message: optimum.message(),
+            objective: optimum.search.maximize.name(),
+            value: json::number(optimum.value()),
+            optimum: by_name(&solution.x),
+            gradient: by_name(&optimum.gradient()),
+            multipliers: found.then(|| (0..vary.len()).map(multipliers).collect()),
+            constraints: [],
+            kkt_residual: json::number(found.then_some(solution.kkt_residual)),
+            iterations: solution.iterations,
+            evaluations: solution.evaluations,
+            warnings,
+        }
+    }
 }
 
 /// An optimum as a short text: where it is, what holds it there and what more would bring, and the drive.

@@ -3,9 +3,9 @@ use crate::output::{Answer, tell, warn};
 use indicatif::{ProgressBar, ProgressStyle};
 use longdrive::derivative::{Order, evaluate_with};
 use longdrive::parameters::Parameter;
-use longdrive::report::{gradient_json, gradient_text, no_gradient_json};
+use longdrive::report::{GradientReport, gradient_text};
 use longdrive::{Drive, Outcome, Result, Setup};
-use serde_json::{Value, json};
+use serde::Serialize;
 
 pub fn run(args: &Gradient) -> Result<Answer> {
     let setup = args.question.setup()?;
@@ -25,8 +25,8 @@ pub fn run(args: &Gradient) -> Result<Answer> {
     let taylors = match evaluated {
         Err(error) if error.is_an_outcome() && args.question.json => {
             tell(&format!("error: {error}"));
-            let none: Vec<_> = of.iter().map(|of| no_gradient_json(*of, &error, &warnings)).collect();
-            return Ok(Answer::json(&one_or_rows(none)).found(false));
+            let none = of.iter().map(|of| GradientReport::none(*of, &error, warnings.clone())).collect();
+            return Ok(Answer::json(&Rows::of(none)).found(false));
         }
         evaluated => evaluated?,
     };
@@ -36,13 +36,25 @@ pub fn run(args: &Gradient) -> Result<Answer> {
         let texts: Vec<_> = results.map(|(of, taylor)| gradient_text(*of, &wrt, taylor)).collect();
         return Ok(Answer::text(texts.join("\n")));
     }
-    let values = results.map(|(of, taylor)| gradient_json(*of, &wrt, taylor, &warnings)).collect();
-    Ok(Answer::json(&one_or_rows(values)))
+    let reports = results.map(|(of, taylor)| GradientReport::new(*of, &wrt, taylor, warnings.clone())).collect();
+    Ok(Answer::json(&Rows::of(reports)))
 }
 
 /// One outcome is the answer itself, several are rows of a Jacobian.
-fn one_or_rows(mut values: Vec<Value>) -> Value {
-    if let [_] = values.as_slice() { values.swap_remove(0) } else { json!({ "jacobian": values }) }
+#[derive(Serialize)]
+#[serde(untagged)]
+enum Rows {
+    One(Box<GradientReport>),
+    Several { jacobian: Vec<GradientReport> },
+}
+
+impl Rows {
+    fn of(mut reports: Vec<GradientReport>) -> Self {
+        match reports.pop() {
+            Some(only) if reports.is_empty() => Self::One(Box::new(only)),
+            last => Self::Several { jacobian: reports.into_iter().chain(last).collect() },
+        }
+    }
 }
 
 fn parameters(setup: &Setup<f64>, names: &[String]) -> Result<Vec<&'static Parameter>> {

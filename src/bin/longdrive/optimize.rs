@@ -1,7 +1,7 @@
 use crate::args::Optimize;
 use crate::output::{Answer, tell, warn};
 use longdrive::optimize::{Options, Status};
-use longdrive::report::{iteration_line, optimum_json, optimum_text};
+use longdrive::report::{OptimumReport, iteration_line, optimum_text};
 use longdrive::study::{Search, Vary, optimum};
 use longdrive::{Outcome, Result};
 
@@ -26,7 +26,7 @@ pub fn run(args: &Optimize) -> Result<Answer> {
     }
     warn(&warnings);
     let answer = if args.question.json {
-        Answer::json(&optimum_json(&optimum, &warnings))
+        Answer::json(&OptimumReport::new(&optimum, warnings))
     } else {
         Answer::text(optimum_text(&optimum))
     };

@@ -1,5 +1,5 @@
 use longdrive::{Error, Result};
-use serde_json::Value;
+use serde::Serialize;
 use std::io::{self, Write};
 use std::process::ExitCode;
 
@@ -14,8 +14,9 @@ impl Answer {
         Self { text, found: true }
     }
 
-    pub fn json(value: &Value) -> Self {
-        Self::text(format!("{value:#}\n"))
+    pub fn json(value: &impl Serialize) -> Self {
+        // names are strings and numbers finite: nothing of ours fails to serialise
+        Self::text(serde_json::to_string_pretty(value).unwrap_or_default() + "\n")
     }
 
     /// The same answer, with exit status 1 where it says that there is none.

@@ -1,7 +1,7 @@
 use crate::args::Simulate;
 use crate::output::{Answer, warn};
 use longdrive::flight::Flight;
-use longdrive::report::{drive_json, drive_text};
+use longdrive::report::{DriveReport, drive_text};
 use longdrive::{Drive, Result};
 
 pub fn run(args: &Simulate) -> Result<Answer> {
@@ -10,7 +10,7 @@ pub fn run(args: &Simulate) -> Result<Answer> {
     warn(&warnings);
     let drive = Drive::new(&setup)?;
     let answer = if args.question.json {
-        Answer::json(&drive_json(&setup, &drive, &warnings))
+        Answer::json(&DriveReport::new(&setup, &drive, warnings))
     } else {
         Answer::text(drive_text(&drive))
     };
