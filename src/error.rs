@@ -76,7 +76,7 @@ pub enum Error {
         reason: String,
     },
     /// A search without anything to vary, a gradient with respect to nothing.
-    #[error("nothing to {doing}: name at least one {what}{}", if *doing == "vary" { ", with a range wider than a single value, as in --vary club.loft=4deg..20deg" } else { "" })]
+    #[error("nothing to {doing}: name at least one {what}{}", how_to(doing))]
     Nothing {
         /// What was to be done: "vary", "differentiate by".
         doing: &'static str,
@@ -201,6 +201,13 @@ impl Error {
     /// Whether the question was sound but has no answer (a drive that does not fly), as against bad input.
     pub fn is_an_outcome(&self) -> bool {
         matches!(self, Self::NoFlight { .. })
+    }
+}
+
+fn how_to(doing: &str) -> &'static str {
+    match doing {
+        "vary" => ", with a range wider than a single value, as in --vary club.loft=4deg..20deg",
+        _ => "",
     }
 }
 

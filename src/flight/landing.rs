@@ -85,7 +85,8 @@ impl fmt::Display for NoFlight {
                 let degrees = launch_angle.to_degrees();
                 write!(
                     f,
-                    "the ball leaves at {degrees:.3}° to the horizontal and the ground is not below it; more loft or attack angle lets it fly"
+                    "the ball leaves at {degrees:.3}° to the horizontal and the ground is not below it; \
+                     more loft or attack angle lets it fly"
                 )
             }
             Self::BelowGround { apex_height, ground_height } => {

@@ -101,7 +101,10 @@ pub(super) fn radius_test(radius: f64, residual: f64) -> Option<Verdict> {
 pub(super) fn corner_test(sides: usize, promised: f64, residual: f64) -> Option<Verdict> {
     const LEAST: f64 = 1e-13;
     (sides > 1 && promised <= LEAST).then(|| {
-        let message = format!("{sides} sides of a corner hold the step and the model promises {promised:.1e} <= {LEAST:.0e} (relative); KKT residual {residual:.1e}");
+        let message = format!(
+            "{sides} sides of a corner hold the step and the model promises {promised:.1e} <= {LEAST:.0e} (relative); \
+             KKT residual {residual:.1e}"
+        );
         Verdict::new(Status::Stalled, message)
     })
 }
@@ -112,7 +115,8 @@ pub(super) fn progress_test(idle: u32, promised: f64, residual: f64) -> Option<V
     const PATIENCE: u32 = 4;
     (idle >= PATIENCE).then(|| {
         let message = format!(
-            "for {PATIENCE} iterations the model promised at most rounding (last {promised:.1e}, relative) and the KKT residual stays at {residual:.1e}"
+            "for {PATIENCE} iterations the model promised at most rounding (last {promised:.1e}, relative) and the KKT \
+             residual stays at {residual:.1e}"
         );
         Verdict::new(Status::Stalled, message)
     })

@@ -120,13 +120,11 @@ impl Optimum {
             (Some(kink), _) => {
                 let (parameter, outcome) = (self.search.vary[kink.variable].parameter, self.search.maximize);
                 let at = parameter.show(Some(self.solution.x[kink.variable]));
+                let (by, unit) = (parameter.name, units::per(outcome.quantity().si, parameter.quantity.si));
                 format!(
-                    "{of} has a corner at {} = {at}: d {of}/d {} is {:+.4} {} below it and {:+.4} above, so that no gradient vanishes there",
-                    parameter.name,
-                    parameter.name,
-                    -kink.slope_below,
-                    units::per(outcome.quantity().si, parameter.quantity.si),
-                    -kink.slope_above,
+                    "{of} has a corner at {by} = {at}: d {of}/d {by} is {:+.4} {unit} below it and {:+.4} above, \
+                     so that no gradient vanishes there",
+                    -kink.slope_below, -kink.slope_above,
                 )
             }
             (None, Status::Undefined) => {
