@@ -113,6 +113,14 @@ pub enum Error {
         /// What is wrong there.
         source: Box<Error>,
     },
+    /// A key that a setup file gives twice, in two spellings.
+    #[error("'{key}' is given twice, here and at line {line}; keep one")]
+    Twice {
+        /// The key, dotted.
+        key: String,
+        /// The line of the first.
+        line: usize,
+    },
     /// A key of a setup file with a value of the wrong kind.
     #[error("'{key}' is {found}; expected {expected}")]
     WrongType {
@@ -176,6 +184,9 @@ pub enum Error {
         /// Why.
         reason: String,
     },
+    /// An answer that could not be written.
+    #[error("cannot write the answer: {0}")]
+    Output(std::io::Error),
     /// An optimizer setting or problem that makes no sense.
     #[error("optimizer: {0}")]
     Optimizer(String),
@@ -198,9 +209,10 @@ impl Error {
         Self::Unknown { what, name: name.into(), suggestion, advice: advice.into() }
     }
 
-    /// Whether the question was sound but has no answer (a drive that does not fly), as against bad input.
+    /// Whether the question was sound but has no answer (a drive that does not fly, an angle without direction), as
+    /// against bad input.
     pub fn is_an_outcome(&self) -> bool {
-        matches!(self, Self::NoFlight { .. })
+        matches!(self, Self::NoFlight { .. } | Self::Undefined { .. })
     }
 }
 

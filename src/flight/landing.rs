@@ -137,8 +137,8 @@ pub(super) fn follow<T: Number>(
             return Ok(Flight::None(NoFlight::Aloft { time, height }));
         }
         let next = here.step(&motion, step, steps as f64 * step);
-        if !next.is_finite() {
-            return Err(Error::Diverged { time: next.time, step });
+        if !next.is_finite() || here.is_coarse(step, setup.flight.gravity.re()) {
+            return Err(Error::Diverged { time: here.time, step });
         }
 
         let mut falls_from = 0.0;

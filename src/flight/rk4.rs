@@ -60,6 +60,16 @@ impl<T: Number> Node<T> {
         Self { time: end, position, velocity, rate, added: [bent, gained], air_path }
     }
 
+    /// Whether drag and lift change the airspeed by more than half of it within a step: far beyond where four stages
+    /// follow them, and near where they make the ball run away.
+    #[inline]
+    pub fn is_coarse(&self, h: f64, gravity: f64) -> bool {
+        let mut aerodynamic = self.rate.acceleration.re();
+        aerodynamic.x += gravity;
+        let (change, half) = (aerodynamic.dot(aerodynamic) * h * h, 0.5 * self.rate.airspeed.re());
+        change > half * half
+    }
+
     pub fn is_finite(&self) -> bool {
         let (x, v) = (self.position.re(), self.velocity.re());
         (x.dot(x) + v.dot(v)).is_finite()

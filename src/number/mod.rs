@@ -5,12 +5,19 @@
 //! numbers (values with exact derivatives). A number type of our own implements the same trait and then
 //! runs through the same physics.
 
+mod differentiate;
 mod jet;
 mod linear;
+mod seed;
+mod taylor;
 mod vector;
 
+pub(crate) use differentiate::{Pairs, Seedable, differentiate};
+pub use differentiate::Order;
 pub use jet::{Jet, Jet2};
 pub(crate) use linear::solve;
+pub(crate) use seed::Seeded;
+pub use taylor::Taylor;
 pub use vector::Vector;
 
 use num_dual::DualNum;
@@ -73,6 +80,33 @@ pub trait Number: Copy + Debug + 'static + Neg<Output = Self> + Arithmetic<Self>
     #[inline]
     fn sin(self) -> Self {
         self.sin_cos().0
+    }
+
+    /// cos x.
+    #[inline]
+    fn cos(self) -> Self {
+        self.sin_cos().1
+    }
+
+    /// xⁿ, exact in every derivative also at 0.
+    #[inline]
+    fn powi(self, n: u32) -> Self {
+        // by squaring: no division, and no logarithm of a negative number
+        let (mut power, mut square, mut left) = (Self::constant(1.0), self, n);
+        while left > 0 {
+            if left % 2 == 1 {
+                power = power * square;
+            }
+            square = square * square;
+            left /= 2;
+        }
+        power
+    }
+
+    /// xᵃ for x > 0.
+    #[inline]
+    fn powf(self, a: f64) -> Self {
+        (self.ln() * a).exp()
     }
 
     /// tanh x, finite for every x (sinh/cosh overflows).

@@ -1,26 +1,24 @@
-use nalgebra::{DMatrix, SymmetricEigen};
+use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
 /// A positive definite stand-in for a Hessian, equal to it where the search converges.
 ///
 /// Clarabel must not see an indefinite matrix (it answers with a wrong point). In order of preference:
 /// 1. the Hessian itself, where it is positive definite;
-/// 2. where only variables held at a bound make it indefinite: the Hessian with their diagonal raised. The
-///    free block stays exact, and with it Newton's rate;
+/// 2. where only directions that are held make it indefinite: the Hessian raised along their normals. On what is free
+///    it stays exact, and with it Newton's rate (the augmented Lagrangian's term; Nocedal & Wright 2006, §18.3);
 /// 3. its eigenvalues reflected to |λ| (Gill, Murray & Wright 1981, §4.4.2.1, with reflection for truncation),
 ///    no smaller than 1e-8 of the largest.
-pub(super) fn convexified(hessian: &DMatrix<f64>, held: &[bool]) -> DMatrix<f64> {
+pub(super) fn convexified(hessian: &DMatrix<f64>, held: &[DVector<f64>]) -> DMatrix<f64> {
     if is_positive_definite(hessian) {
         return hessian.clone();
     }
-    let free: Vec<usize> = (0..held.len()).filter(|&i| !held[i]).collect();
-    if free.len() < held.len() && is_positive_definite(&hessian.select_rows(&free).select_columns(&free)) {
-        // some finite amount is enough (Schur complement); doubling finds it
-        let mut raise = hessian.amax();
-        for _ in 0..60 {
-            let mut raised = hessian.clone();
-            for i in (0..held.len()).filter(|&i| held[i]) {
-                raised[(i, i)] += raise;
-            }
+    if !held.is_empty() {
+        let n = hessian.nrows();
+        let normals = held.iter().fold(DMatrix::zeros(n, n), |sum, normal| sum + normal * normal.transpose());
+        // some finite amount is enough (Debreu 1952) if anything is; doubling finds it
+        let mut raise = hessian.amax().max(f64::MIN_POSITIVE);
+        for _ in 0..MOST_DOUBLINGS {
+            let raised = hessian + &normals * raise;
             if is_positive_definite(&raised) {
                 return raised;
             }
@@ -33,6 +31,9 @@ pub(super) fn convexified(hessian: &DMatrix<f64>, held: &[bool]) -> DMatrix<f64>
     &eigenvectors * DMatrix::from_diagonal(&reflected) * eigenvectors.transpose()
 }
 
+/// Beyond 2³⁰ times the Hessian's size the sum is no longer told from singular.
+const MOST_DOUBLINGS: u32 = 30;
+
 /// Whether a symmetric matrix is positive definite by a margin that survives rounding.
 fn is_positive_definite(matrix: &DMatrix<f64>) -> bool {
     let margin = 1e-10 * matrix.amax();
@@ -43,21 +44,21 @@ fn is_positive_definite(matrix: &DMatrix<f64>) -> bool {
 #[cfg(test)]
 mod tests {
     use super::{convexified, is_positive_definite};
-    use nalgebra::dmatrix;
+    use nalgebra::{dmatrix, dvector};
 
     #[test]
     fn exact_hessian_is_kept_where_convex_and_free_block_where_a_held_variable_is_to_blame() {
         let convex = dmatrix![2.0, 1.0; 1.0, 2.0];
-        assert_eq!(convexified(&convex, &[false, false]), convex);
+        assert_eq!(convexified(&convex, &[]), convex);
         let bent = dmatrix![2.0, 1.0; 1.0, -3.0];
-        let raised = convexified(&bent, &[false, true]);
+        let raised = convexified(&bent, &[dvector![0.0, 1.0]]);
         assert!(is_positive_definite(&raised));
         assert_eq!((raised[(0, 0)], raised[(0, 1)]), (2.0, 1.0));
     }
 
     #[test]
     fn exact_reflection_of_a_saddle() {
-        let reflected = convexified(&dmatrix![0.0, 2.0; 2.0, 0.0], &[false, false]);
+        let reflected = convexified(&dmatrix![0.0, 2.0; 2.0, 0.0], &[]);
         assert!((reflected - dmatrix![2.0, 0.0; 0.0, 2.0]).amax() < 1e-14);
     }
 }

@@ -1,44 +1,117 @@
-use super::problem::{Bounds, Evaluation};
+use super::domain::Domain;
+use super::problem::Evaluation;
+use serde::{Deserialize, Serialize};
 
-/// A point with what is known of the function there.
-#[derive(Clone)]
+/// A point with what is known of the functions there.
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub(super) struct Point {
     pub x: Vec<f64>,
     pub f: Evaluation,
 }
 
-/// What a search measures with: the bounds, what a sensible change of each variable is, and what a sensible size of
-/// the function is.
+/// What a search measures with: the domain, what a sensible change of each variable is, and what sensible sizes of
+/// the functions are.
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub(super) struct Frame {
-    pub bounds: Bounds,
+    #[serde(skip)]
+    pub domain: Domain,
+    /// sᵢ.
     pub scale: Vec<f64>,
-    /// φ.
-    pub phi: f64,
+    /// γⱼ: what constraint j changes by for a sensible change of the variables, at the start.
+    pub gamma: Vec<f64>,
+    /// φ at the start.
+    pub first_size: f64,
+}
+
+/// How far a point is from meeting the KKT conditions, relative.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Residual {
+    /// maxᵢ sᵢ |pᵢ|/φ with p the gradient of the Lagrangian, projected on the bounds.
+    pub stationarity: f64,
+    /// maxⱼ vⱼ/γⱼ with vⱼ what constraint j is violated by.
+    pub feasibility: f64,
+    /// maxⱼ |λⱼ| × the distance from the limit that λⱼ belongs to, /φ.
+    pub complementarity: f64,
+}
+
+impl Residual {
+    /// The largest of the three.
+    pub fn largest(self) -> f64 {
+        self.stationarity.max(self.feasibility).max(self.complementarity)
+    }
 }
 
 impl Frame {
     /// The frame of a search that begins at `first`.
-    pub fn new(bounds: Bounds, scale: Vec<f64>, first: &Point) -> Self {
-        let slopes = first.f.gradient.iter().zip(&scale).map(|(g, s)| (g * s).abs());
-        let phi = slopes.fold(first.f.value.abs(), f64::max).max(f64::MIN_POSITIVE);
-        Self { bounds, scale, phi }
+    pub fn new(domain: Domain, scale: Vec<f64>, first: &Point) -> Self {
+        let largest = |gradient: &[f64]| gradient.iter().zip(&scale).map(|(g, s)| (g * s).abs()).fold(0.0, f64::max);
+        let first_size = first.f.objective.value.abs().max(largest(&first.f.objective.gradient));
+        let gamma = |j: usize| {
+            let constraint = &first.f.constraints[j];
+            let change = largest(&constraint.gradient).max(domain.constraints.excess(j, constraint.value).abs());
+            if change > 0.0 { change } else { 1.0 }
+        };
+        let gamma = (0..first.f.constraints.len()).map(gamma).collect();
+        Self { scale, gamma, first_size: first_size.max(f64::MIN_POSITIVE), domain }
     }
 
-    /// The gradient's component where a move inside the bounds can use it, 0 elsewhere.
-    pub fn projected_gradient(&self, at: &Point) -> Vec<f64> {
-        let Bounds { low, high } = &self.bounds;
-        let component = |i: usize| match at.f.gradient[i] {
-            _ if low[i] == high[i] => 0.0,
-            slope if slope > 0.0 && at.x[i] <= low[i] => 0.0,
-            slope if slope < 0.0 && at.x[i] >= high[i] => 0.0,
+    /// φ: what the objective is measured by at a point. |f|, or, where that vanishes, 1 or the size it had at the
+    /// start if that was less.
+    pub fn size(&self, at: &Point) -> f64 {
+        at.f.objective.value.abs().max(self.first_size.min(1.0))
+    }
+
+    /// The gradient of the Lagrangian.
+    pub fn lagrangian_gradient(&self, at: &Point, multipliers: &[f64]) -> Vec<f64> {
+        let mut gradient = at.f.objective.gradient.clone();
+        for (constraint, multiplier) in at.f.constraints.iter().zip(multipliers) {
+            for (sum, slope) in gradient.iter_mut().zip(&constraint.gradient) {
+                *sum += multiplier * slope;
+            }
+        }
+        gradient
+    }
+
+    /// The component of the Lagrangian's gradient where a move inside the bounds can use it, 0 elsewhere.
+    pub fn projected_gradient(&self, at: &Point, multipliers: &[f64]) -> Vec<f64> {
+        let bounds = &self.domain.variables;
+        let project = |(i, slope): (usize, f64)| match slope {
+            _ if bounds.is_fixed(i) => 0.0,
+            slope if slope > 0.0 && at.x[i] <= bounds.low[i] => 0.0,
+            slope if slope < 0.0 && at.x[i] >= bounds.high[i] => 0.0,
             slope => slope,
         };
-        (0..at.x.len()).map(component).collect()
+        self.lagrangian_gradient(at, multipliers).into_iter().enumerate().map(project).collect()
     }
 
-    /// maxᵢ sᵢ |pᵢ|/φ with p the projected gradient.
-    pub fn kkt_residual(&self, at: &Point) -> f64 {
-        self.largest(&self.projected_gradient(at)) / self.phi
+    /// How far a point is from optimal with these multipliers.
+    pub fn residual(&self, at: &Point, multipliers: &[f64]) -> Residual {
+        let size = self.size(at);
+        let limits = &self.domain.constraints;
+        let distance = |(j, multiplier): (usize, &f64)| {
+            let value = at.f.constraints[j].value;
+            let limit = if *multiplier > 0.0 { limits.high[j] } else { limits.low[j] };
+            match multiplier {
+                // at a rounding's distance from an infinite limit there is no such multiplier
+                _ if *multiplier == 0.0 => 0.0,
+                _ if limit.is_infinite() => f64::INFINITY,
+                // what is violated counts as that, not twice
+                _ => (multiplier * (value - limit)).abs() / size * f64::from(limits.excess(j, value) == 0.0),
+            }
+        };
+        Residual {
+            stationarity: self.largest(&self.projected_gradient(at, multipliers)) / size,
+            feasibility: self.violations(&at.f).into_iter().fold(0.0, |most, v| v.abs().max(most)),
+            complementarity: multipliers.iter().enumerate().map(distance).fold(0.0, f64::max),
+        }
+    }
+
+    /// What each constraint is violated by, in units of γⱼ; below the lower limit < 0.
+    pub fn violations(&self, f: &Evaluation) -> Vec<f64> {
+        let excess = |(j, constraint): (usize, &crate::number::Taylor)| {
+            self.domain.constraints.excess(j, constraint.value) / self.gamma[j]
+        };
+        f.constraints.iter().enumerate().map(excess).collect()
     }
 
     /// The largest component of a gradient, in units of the scale.
@@ -52,11 +125,17 @@ impl Frame {
         apart.fold(0.0, f64::max)
     }
 
+    /// Whether a variable lies on one of its bounds.
     pub fn is_at_a_bound(&self, at: &Point, i: usize) -> bool {
-        at.x[i] <= self.bounds.low[i] || at.x[i] >= self.bounds.high[i]
+        let bounds = &self.domain.variables;
+        at.x[i] <= bounds.low[i] || at.x[i] >= bounds.high[i]
     }
 }
 
 pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+pub(super) fn norm(a: &[f64]) -> f64 {
+    dot(a, a).sqrt()
 }

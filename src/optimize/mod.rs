@@ -1,46 +1,65 @@
-//! A bound-constrained minimiser for smooth functions with exact Hessians. It knows no golf.
+//! A minimiser for smooth functions with exact Hessians, over bounds and nonlinear constraints. It knows no golf.
 //!
 //! ```text
-//!   minimise f(x)  subject to  low ≤ x ≤ high
+//!   minimise f(x)  subject to  low ≤ x ≤ high  and  least ≤ c(x) ≤ most
 //! ```
 //!
-//! by sequential quadratic programming: at each iterate the quadratic model of f is minimised over the bounds
-//! and a box-shaped trust region ([`qp`], solved by Clarabel and polished so that active bounds are exact),
-//! the step is kept if f falls as the model promises, and the search ends where the projected gradient
-//! vanishes ([`status`]). The loop ([`sqp`]) is an argmin `Solver`, run by argmin's `Executor`.
+//! by sequential quadratic programming: at each iterate the quadratic model of the Lagrangian is minimised over the
+//! bounds, the linearised constraints and a box-shaped trust region ([`qp`], solved by Clarabel and polished so that
+//! active bounds are exact), the step is kept if the merit falls as the model promises, and the search ends where the
+//! KKT conditions hold ([`status`]). The loop ([`sqp`]) is an argmin `Solver`, run by argmin's `Executor`.
+//!
+//! A problem is a set of [`Functions`] written over any number, whose derivatives are then exact by themselves, or
+//! whatever implements [`Problem`], with Hessians or gradients alone.
 //!
 //! ```
-//! use longdrive::optimize::{Bounds, Evaluation, Options, Status, minimize};
+//! use longdrive::number::Number;
+//! use longdrive::optimize::{Domain, Exact, Functions, Options, Status, Values, minimize};
 //!
-//! // f = (x − 3)² + (x − y)² on [0, 2]²: x ends on its bound 2 with multiplier 2 (3 − 2), and y = x
-//! let f = |x: &[f64]| -> Result<Evaluation, String> {
-//!     let (a, b) = (x[0] - 3.0, x[0] - x[1]);
-//!     Ok(Evaluation {
-//!         value: a * a + b * b,
-//!         gradient: vec![2.0 * a + 2.0 * b, -2.0 * b],
-//!         hessian: vec![vec![4.0, -2.0], vec![-2.0, 2.0]],
-//!     })
-//! };
-//! let bounds = Bounds::new(vec![0.0, 0.0], vec![2.0, 2.0]).unwrap();
-//! let optimum = minimize(f, &bounds, &[0.5, 1.0], &Options::default()).unwrap();
+//! /// f = (x − 3)² + (x − y)²
+//! struct Valley;
+//!
+//! impl Functions for Valley {
+//!     fn evaluate<T: Number>(&self, x: &[T]) -> Result<Values<T>, String> {
+//!         Ok(Values { objective: (x[0] - 3.0).powi(2) + (x[0] - x[1]).powi(2), constraints: vec![] })
+//!     }
+//! }
+//!
+//! // on [0, 2]²: x ends on its bound 2 with multiplier 2 (3 − 2), and y = x
+//! let domain = Domain::new(vec![0.0, 0.0], vec![2.0, 2.0]).unwrap();
+//! let optimum = minimize(Exact(Valley), &domain, &[0.5, 1.0], &Options::default()).unwrap();
 //! assert_eq!(optimum.status, Status::Converged);
 //! assert_eq!(optimum.x[0], 2.0);
 //! assert!((optimum.x[1] - 2.0).abs() < 1e-12 && (optimum.upper_multipliers[0] - 2.0).abs() < 1e-9);
 //! ```
 
 mod convex;
+mod domain;
 mod frame;
+mod functions;
 mod kink;
+mod minimize;
 mod model;
+mod options;
 mod problem;
 pub mod qp;
+mod quasi_newton;
+mod saddle;
+mod search;
 mod sides;
 mod solution;
 pub mod sqp;
 mod start;
 pub mod status;
 
+pub use crate::number::Taylor;
+pub use domain::{Bounds, Domain};
+pub use frame::Residual;
+pub use functions::{Exact, Functions, Gradients, Values};
 pub use kink::Kink;
-pub use problem::{Bounds, Evaluation, Options, Problem};
-pub use solution::{Iteration, Solution, minimize, minimize_watched};
+pub use minimize::{Keep, Snapshot, Watch, minimize, minimize_watched};
+pub use options::Options;
+pub use problem::{Evaluation, Problem};
+pub use search::Effort;
+pub use solution::{Constrained, Iteration, Solution};
 pub use status::Status;

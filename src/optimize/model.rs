@@ -1,68 +1,234 @@
 use super::convex::convexified;
-use super::frame::{Frame, Point, dot};
-use super::qp::{End, Piece, QuadraticProgram, Step};
-use super::sides::{Sides, scaled_gradient, scaled_hessian};
-use nalgebra::DVector;
+use super::frame::{Frame, Point, norm};
+use super::qp::{End, Method, Piece, QuadraticProgram, Row, Step};
+use super::sides::{Sides, scaled_gradient};
+use nalgebra::{DMatrix, DVector};
 
-/// A step that the quadratic model around a point leads to.
+/// The quadratic model around a point: what a search knows there.
+pub(super) struct Model<'a> {
+    pub frame: &'a Frame,
+    pub sides: &'a Sides,
+    pub at: &'a Point,
+    pub multipliers: &'a [f64],
+    /// The Hessian of the Lagrangian in scaled variables, exact or the search's own.
+    pub hessian: &'a DMatrix<f64>,
+    pub radius: f64,
+}
+
+/// A step that the model leads to.
+#[derive(Clone)]
 pub(super) struct Plan {
     /// Where it ends; a variable that ends at a bound is there exactly.
     pub x: Vec<f64>,
     /// Its largest component, in units of the scale.
     pub length: f64,
-    /// What the model says f falls by.
-    pub promised: f64,
+    /// What the model says f falls by; it may rise where constraints ask for it.
+    pub descent: f64,
+    /// The norm of the violations that the linearised constraints leave, in units of γ.
+    pub violation_left: f64,
+    /// The multipliers that go with the step.
+    pub multipliers: Vec<f64>,
     /// How many sides of a corner hold it; 1 away from corners.
     pub sides: usize,
+    /// Whether the linearised constraints could not all be met.
+    pub is_relaxed: bool,
+    /// Who found its active set.
+    pub by: Method,
 }
 
-impl Plan {
-    /// Minimises the model within the bounds and a trust region.
-    pub fn new(frame: &Frame, sides: &Sides, at: &Point, radius: f64) -> Self {
-        let model = model(frame, sides, at, radius);
-        let step = model.solve();
-        Self {
-            x: stepped(frame, at, &step, radius),
+/// Of the trust region, the part that serves to meet the constraints where they cannot all be met; the rest is left
+/// to the objective (Omojokun 1989: 0.8).
+const NORMAL_PART: f64 = 0.8;
+/// Room for the rounding of what is left, where a relaxed row is met with nothing to spare.
+const ROUNDING: f64 = 1e-10;
+/// Weight that keeps the step of least violation short, against the squared violations.
+const SHORT: f64 = 1e-8;
+
+impl Model<'_> {
+    /// Minimises the model within the bounds, the linearised constraints and the trust region. Where the constraints
+    /// contradict each other there, they are relaxed by the least violation that can be reached.
+    pub fn plan(&self) -> Plan {
+        let values: Vec<f64> = self.at.f.constraints.iter().map(|c| c.value).collect();
+        self.plan_from(&values)
+    }
+
+    /// The second-order correction: the same plan with the constraints as they turned out at its end, so that their
+    /// curvature along the way is made up for (Fletcher 1982).
+    pub fn corrected(&self, plan: &Plan, tried: &Point) -> Plan {
+        let d = self.steps_to(&plan.x);
+        let value = |j: usize| {
+            let slope = self.normal(j).dot(&d) * self.frame.gamma[j];
+            tried.f.constraints[j].value - slope
+        };
+        self.plan_from(&(0..self.at.f.constraints.len()).map(value).collect::<Vec<_>>())
+    }
+
+    fn plan_from(&self, values: &[f64]) -> Plan {
+        let program = self.program(values, self.radius);
+        let (step, is_relaxed) = match program.solve() {
+            Some(step) => (step, false),
+            None => {
+                let (nearest, left) = self.least_violation(&program);
+                let mut relaxed = program.clone();
+                for (row, left) in relaxed.rows.iter_mut().zip(&left) {
+                    if row.low == row.high {
+                        row.low -= left;
+                        row.high = row.low;
+                    } else {
+                        row.low -= left.max(0.0) + ROUNDING;
+                        row.high += (-left).max(0.0) + ROUNDING;
+                    }
+                }
+                (relaxed.solve().unwrap_or(nearest), true)
+            }
+        };
+        let x = self.end_of(&step);
+        let d = self.steps_to(&x);
+        let left = program.rows.iter().map(|row| {
+            let value = row.normal.dot(&d);
+            value - value.clamp(row.low, row.high)
+        });
+        Plan {
             length: step.d.amax(),
-            promised: promised(frame, at, &model, &step),
+            descent: self.descent(&program, &d),
+            violation_left: norm(&left.collect::<Vec<_>>()),
+            multipliers: step.multipliers.iter().zip(&self.frame.gamma).map(|(m, gamma)| m / gamma).collect(),
             sides: step.weights.iter().filter(|weight| **weight > 1e-6).count(),
+            by: step.by,
+            is_relaxed,
+            x,
         }
+    }
+
+    /// The program in scaled variables: the point's own piece, those of other sides of corners nearby, and the
+    /// constraints linearised around `values`.
+    fn program(&self, values: &[f64], radius: f64) -> QuadraticProgram {
+        let Self { frame, at, .. } = *self;
+        let n = at.x.len();
+        let own = Piece { offset: 0.0, gradient: scaled_gradient(frame, at) };
+        let bounds = &frame.domain.variables;
+        let limit = |i: usize, bound: f64| ((bound - at.x[i]) / frame.scale[i]).clamp(-radius, radius);
+        let row = |(j, value): (usize, &f64)| {
+            let (limits, gamma) = (&frame.domain.constraints, frame.gamma[j]);
+            let low = (limits.low[j] - value) / gamma;
+            let high = if limits.is_fixed(j) { low } else { (limits.high[j] - value) / gamma };
+            Row { normal: self.normal(j), low, high }
+        };
+        QuadraticProgram {
+            curvature: convexified(self.hessian, &self.held()),
+            pieces: std::iter::once(own).chain(self.sides.pieces(frame, at, self.hessian)).collect(),
+            low: DVector::from_fn(n, |i, _| limit(i, bounds.low[i])),
+            high: DVector::from_fn(n, |i, _| limit(i, bounds.high[i])),
+            rows: values.iter().enumerate().map(row).collect(),
+        }
+    }
+
+    /// The step of least squared violation in the normal part of the trust region, and what it leaves of each row: what
+    /// is missing > 0, what is too much < 0.
+    fn least_violation(&self, program: &QuadraticProgram) -> (Step, Vec<f64>) {
+        let (n, m) = (program.low.len(), program.rows.len());
+        let reach = NORMAL_PART * self.radius;
+        let wide = |j: usize| {
+            let row = &program.rows[j];
+            let mut normal = row.normal.clone().resize_vertically(n + m, 0.0);
+            normal[n + j] = 1.0;
+            Row { normal, ..*row }
+        };
+        let far = |row: &Row| row.low.max(0.0).max(-row.high.min(0.0)) + row.normal.abs().sum() * reach + 1.0;
+        let farthest = program.rows.iter().map(far).fold(1.0, f64::max);
+        let elastic = QuadraticProgram {
+            curvature: DMatrix::from_fn(n + m, n + m, |i, j| match i {
+                _ if i != j => 0.0,
+                i if i < n => SHORT,
+                _ => 1.0,
+            }),
+            pieces: vec![Piece { offset: 0.0, gradient: DVector::zeros(n + m) }],
+            low: DVector::from_fn(n + m, |i, _| if i < n { program.low[i].max(-reach) } else { -farthest }),
+            high: DVector::from_fn(n + m, |i, _| if i < n { program.high[i].min(reach) } else { farthest }),
+            rows: (0..m).map(wide).collect(),
+        };
+        let stay = || Step {
+            d: DVector::zeros(n + m),
+            ends: vec![End::Free; n + m],
+            weights: vec![1.0],
+            multipliers: vec![0.0; m],
+            by: Method::Descent,
+        };
+        let mut step = elastic.solve().unwrap_or_else(stay);
+        step.d = step.d.rows(0, n).into_owned();
+        step.ends.truncate(n);
+        let left = program.rows.iter().map(|row| {
+            let value = row.normal.dot(&step.d);
+            value.clamp(row.low, row.high) - value
+        });
+        let left = left.collect();
+        (step, left)
+    }
+
+    /// The gradient of a constraint, in scaled variables and units of γ.
+    fn normal(&self, j: usize) -> DVector<f64> {
+        let gradient = &self.at.f.constraints[j].gradient;
+        DVector::from_fn(gradient.len(), |i, _| gradient[i] * self.frame.scale[i] / self.frame.gamma[j])
+    }
+
+    /// The normals of what holds the point: bounds that f falls towards the outside of, equations, and constraints
+    /// with multipliers.
+    fn held(&self) -> Vec<DVector<f64>> {
+        let Self { frame, at, .. } = *self;
+        let n = at.x.len();
+        let projected = frame.projected_gradient(at, self.multipliers);
+        let bounds = (0..n).filter(|&i| projected[i] == 0.0 && frame.is_at_a_bound(at, i));
+        let unit = |i: usize| DVector::from_fn(n, |k, _| f64::from(k == i));
+        let is_held = |j: &usize| self.multipliers[*j] != 0.0 || frame.domain.constraints.is_fixed(*j);
+        let rows = (0..at.f.constraints.len()).filter(is_held).map(|j| {
+            let normal = self.normal(j);
+            let length = normal.norm();
+            if length > 0.0 { normal / length } else { normal }
+        });
+        bounds.map(unit).chain(rows).collect()
+    }
+
+    /// The point a step ends at.
+    fn end_of(&self, step: &Step) -> Vec<f64> {
+        let Self { frame, at, radius, .. } = *self;
+        let coordinate = |i: usize| {
+            let (low, high) = (frame.domain.variables.low[i], frame.domain.variables.high[i]);
+            match step.ends[i] {
+                End::Low if step.d[i] > -radius && step.d[i] * frame.scale[i] <= low - at.x[i] => low,
+                End::High if step.d[i] < radius && step.d[i] * frame.scale[i] >= high - at.x[i] => high,
+                _ => (at.x[i] + step.d[i] * frame.scale[i]).clamp(low, high),
+            }
+        };
+        (0..at.x.len()).map(coordinate).collect()
+    }
+
+    /// The way to a point, in scaled variables.
+    fn steps_to(&self, x: &[f64]) -> DVector<f64> {
+        DVector::from_fn(x.len(), |i, _| (x[i] - self.at.x[i]) / self.frame.scale[i])
+    }
+
+    /// What the model says f falls by. With the true Hessian where there is one piece: it promises at least as much as
+    /// the convex stand-in, whose raised curvature along the constraints' normals is none of f's.
+    fn descent(&self, program: &QuadraticProgram, d: &DVector<f64>) -> f64 {
+        if program.pieces.len() > 1 {
+            return -program.value(d);
+        }
+        -(program.pieces[0].gradient.dot(d) + 0.5 * d.dot(&(self.hessian * d)))
     }
 }
 
-/// The quadratic model in scaled variables: the point's own piece, and those of other sides of corners nearby.
-fn model(frame: &Frame, sides: &Sides, at: &Point, radius: f64) -> QuadraticProgram {
+/// The Hessian of the Lagrangian in scaled variables, if every function gives its own.
+pub(super) fn lagrangian_hessian(frame: &Frame, at: &Point, multipliers: &[f64]) -> Option<DMatrix<f64>> {
     let n = at.x.len();
-    let projected = frame.projected_gradient(at);
-    let held: Vec<bool> = (0..n).map(|i| projected[i] == 0.0 && frame.is_at_a_bound(at, i)).collect();
-    let own = Piece { offset: 0.0, gradient: scaled_gradient(frame, at) };
-    let limit = |i: usize, bound: f64| ((bound - at.x[i]) / frame.scale[i]).clamp(-radius, radius);
-    QuadraticProgram {
-        curvature: convexified(&scaled_hessian(frame, at), &held),
-        pieces: std::iter::once(own).chain(sides.pieces(frame, at)).collect(),
-        low: DVector::from_fn(n, |i, _| limit(i, frame.bounds.low[i])),
-        high: DVector::from_fn(n, |i, _| limit(i, frame.bounds.high[i])),
-    }
-}
-
-fn stepped(frame: &Frame, at: &Point, step: &Step, radius: f64) -> Vec<f64> {
-    let coordinate = |i: usize| {
-        let (low, high) = (frame.bounds.low[i], frame.bounds.high[i]);
-        match step.ends[i] {
-            End::Low if step.d[i] > -radius => low,
-            End::High if step.d[i] < radius => high,
-            _ => (at.x[i] + step.d[i] * frame.scale[i]).clamp(low, high),
+    let functions = std::iter::once((&at.f.objective, 1.0)).chain(at.f.constraints.iter().zip(multipliers.iter().copied()));
+    let mut sum = DMatrix::zeros(n, n);
+    for (function, weight) in functions {
+        if function.hessian.is_empty() {
+            return None;
         }
-    };
-    (0..at.x.len()).map(coordinate).collect()
-}
-
-/// With the true Hessian where there is one piece: it promises at least as much as the convex stand-in.
-fn promised(frame: &Frame, at: &Point, model: &QuadraticProgram, step: &Step) -> f64 {
-    if model.pieces.len() > 1 {
-        return -model.value(&step.d);
+        if weight != 0.0 {
+            sum += DMatrix::from_fn(n, n, |i, j| weight * function.hessian[i][j] * frame.scale[i] * frame.scale[j]);
+        }
     }
-    let d: Vec<f64> = step.d.iter().zip(&frame.scale).map(|(d, s)| d * s).collect();
-    let bend: Vec<f64> = at.f.hessian.iter().map(|row| dot(row, &d)).collect();
-    -(dot(&at.f.gradient, &d) + 0.5 * dot(&bend, &d))
+    Some(sum)
 }

@@ -6,6 +6,7 @@
 use super::frame::{Frame, Point, dot};
 use super::qp::Piece;
 use nalgebra::{DMatrix, DVector};
+use serde::{Deserialize, Serialize};
 
 /// Points farther than this, in units of the scale, tell nothing of a side here.
 const NEARBY: f64 = 0.05;
@@ -13,7 +14,7 @@ const NEARBY: f64 = 0.05;
 const CLOSE: f64 = 1e-4;
 
 /// The nearest known point of each other side, nearest first.
-#[derive(Default)]
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub(super) struct Sides(Vec<Point>);
 
 impl Sides {
@@ -42,17 +43,22 @@ impl Sides {
 
     /// Each other side's function around `at`, in scaled variables: carried here by its second-order expansion, and at
     /// most f, for at a corner that holds a search f is the largest of its sides.
-    pub fn pieces<'a>(&'a self, frame: &'a Frame, at: &'a Point) -> impl Iterator<Item = Piece> + 'a {
+    pub fn pieces<'a>(
+        &'a self,
+        frame: &'a Frame,
+        at: &'a Point,
+        hessian: &DMatrix<f64>,
+    ) -> impl Iterator<Item = Piece> + 'a {
         // the sides' curvature is the mildest known: in the rounded tip of a smoothed corner it is that of no side
         let mildest = |least: DMatrix<f64>, other: &Point| {
             let other = scaled_hessian(frame, other);
             if other.amax() < least.amax() { other } else { least }
         };
-        let curvature = self.0.iter().fold(scaled_hessian(frame, at), mildest);
+        let curvature = self.0.iter().fold(hessian.clone(), mildest);
         self.0.iter().map(move |other| {
             let way = DVector::from_fn(at.x.len(), |i, _| (at.x[i] - other.x[i]) / frame.scale[i]);
             let (slope, bend) = (scaled_gradient(frame, other), &curvature * &way);
-            let offset = other.f.value - at.f.value + slope.dot(&way) + 0.5 * bend.dot(&way);
+            let offset = other.f.objective.value - at.f.objective.value + slope.dot(&way) + 0.5 * bend.dot(&way);
             Piece { offset: offset.min(0.0), gradient: slope + bend }
         })
     }
@@ -61,23 +67,28 @@ impl Sides {
 /// Whether two points lie on different sides of a corner: the gradient changes between them, and neither Hessian
 /// accounts for it.
 fn are_sides_of_a_corner(frame: &Frame, a: &Point, b: &Point) -> bool {
+    let is_plain = |p: &Point| p.f.objective.hessian.is_empty();
+    if is_plain(a) || is_plain(b) {
+        // without second derivatives a corner cannot be told from a bend
+        return false;
+    }
     let d: Vec<f64> = b.x.iter().zip(&a.x).map(|(to, from)| to - from).collect();
-    let jump: Vec<f64> = b.f.gradient.iter().zip(&a.f.gradient).map(|(b, a)| b - a).collect();
-    let bend = |point: &Point| -> Vec<f64> { point.f.hessian.iter().map(|row| dot(row, &d)).collect() };
+    let jump: Vec<f64> = b.f.objective.gradient.iter().zip(&a.f.objective.gradient).map(|(b, a)| b - a).collect();
+    let bend = |point: &Point| -> Vec<f64> { point.f.objective.hessian.iter().map(|row| dot(row, &d)).collect() };
     let (here, there) = (bend(a), bend(b));
     let change = frame.largest(&jump);
     let is_unexplained = |here_part: f64, there_part: f64| {
         let rest: Vec<f64> = (0..d.len()).map(|i| jump[i] - here_part * here[i] - there_part * there[i]).collect();
         frame.largest(&rest) > 0.5 * change
     };
-    change > 1e-6 * frame.phi && is_unexplained(1.0, 0.0) && is_unexplained(0.0, 1.0) && is_unexplained(0.5, 0.5)
+    change > 1e-6 * frame.size(a) && is_unexplained(1.0, 0.0) && is_unexplained(0.0, 1.0) && is_unexplained(0.5, 0.5)
 }
 
 pub(super) fn scaled_gradient(frame: &Frame, at: &Point) -> DVector<f64> {
-    DVector::from_fn(at.x.len(), |i, _| at.f.gradient[i] * frame.scale[i])
+    DVector::from_fn(at.x.len(), |i, _| at.f.objective.gradient[i] * frame.scale[i])
 }
 
 pub(super) fn scaled_hessian(frame: &Frame, at: &Point) -> DMatrix<f64> {
     let n = at.x.len();
-    DMatrix::from_fn(n, n, |i, j| at.f.hessian[i][j] * frame.scale[i] * frame.scale[j])
+    DMatrix::from_fn(n, n, |i, j| at.f.objective.hessian[i][j] * frame.scale[i] * frame.scale[j])
 }

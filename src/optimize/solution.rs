@@ -1,13 +1,14 @@
+use super::domain::Domain;
+use super::frame::{Point, Residual};
 use super::kink::Kink;
-use super::problem::{Bounds, Options, Problem};
-use super::sqp::{Sqp, SqpState};
-use super::status::Status;
-use crate::error::{Error, Result};
-use argmin::core::observers::{Observe, ObserverMode};
-use argmin::core::{Executor, KV, State};
+use super::model::lagrangian_hessian;
+use super::search::{Effort, Search};
+use super::sqp::Progress;
+use super::status::{Status, Verdict};
+use serde::{Deserialize, Serialize};
 
 /// What a search found.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Solution {
     /// How it ended.
     pub status: Status,
@@ -15,28 +16,121 @@ pub struct Solution {
     pub message: String,
     /// The point; a variable whose bound is active lies on it exactly.
     pub x: Vec<f64>,
-    /// f there; `None` where the function was never defined.
+    /// f there; `None` where the functions were never defined.
     pub value: Option<f64>,
     /// Gradient of f there.
     pub gradient: Vec<f64>,
-    /// Hessian of f there.
+    /// Hessian of the Lagrangian there; of f alone where there are no constraints. Empty for a problem that gives none.
     pub hessian: Vec<Vec<f64>>,
     /// Multipliers of the lower bounds, ≥ 0: what f would fall by per unit that the bound is lowered.
     pub lower_multipliers: Vec<f64>,
     /// Multipliers of the upper bounds, ≥ 0: what f would fall by per unit that the bound is raised.
     pub upper_multipliers: Vec<f64>,
-    /// The KKT residual, relative (see [`status`](super::status)).
+    /// The constraints, in order.
+    pub constraints: Vec<Constrained>,
+    /// The KKT residual, relative (see [`status`](super::status)): the largest of its parts.
     pub kkt_residual: f64,
+    /// Its parts.
+    pub residual: Residual,
     /// The corner that the search ended at, if it did.
     pub kink: Option<Kink>,
     /// Iterations taken.
     pub iterations: u64,
-    /// Evaluations of f with its derivatives.
+    /// Evaluations of the functions with their derivatives.
     pub evaluations: u64,
+    /// What the iterations were made of.
+    pub effort: Effort,
     /// Where the search began: the start, or, where f was not defined there, the best of some other points.
     pub begun_at: Vec<f64>,
-    /// Why f was not defined at the start, if so.
+    /// Why the functions were not defined at the start, if so.
     pub undefined_at_start: Option<String>,
+}
+
+/// A constraint at a solution.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Constrained {
+    /// cⱼ.
+    pub value: f64,
+    /// What it is beyond its limits: above the upper > 0, below the lower < 0.
+    pub violation: f64,
+    /// λⱼ in ∇f + Σ λⱼ ∇cⱼ + … = 0: > 0 where the upper limit holds it, < 0 where the lower does, 0 where none. What f
+    /// would fall by per unit that the limit is raised.
+    pub multiplier: f64,
+}
+
+impl Solution {
+    /// What a search has found when it ends.
+    pub(super) fn new(domain: &Domain, progress: Progress, start: Vec<f64>, iterations: u64) -> Self {
+        let Progress { search, verdict, undefined_at_start, begun_at, kink } = progress;
+        let largest = search.as_ref().map_or(f64::INFINITY, |search| search.residual.largest());
+        let Verdict { status, message } = verdict.unwrap_or_else(|| Verdict::iteration_limit(iterations, largest));
+        let Some(search) = search else {
+            return Self::nowhere(domain, status, message, start, undefined_at_start);
+        };
+        let Search { frame, at, multipliers, residual, effort, .. } = search;
+        let slopes = frame.lagrangian_gradient(&at, &multipliers);
+        let bounds = &domain.variables;
+        let price = |i: usize, is_held: bool, outward: f64| if is_held { (slopes[i] * outward).max(0.0) } else { 0.0 };
+        let n = at.x.len();
+        let hessian = lagrangian_hessian(&frame, &at, &multipliers).map_or(vec![], |scaled| {
+            let entry = |i: usize, j: usize| scaled[(i, j)] / (frame.scale[i] * frame.scale[j]);
+            (0..n).map(|i| (0..n).map(|j| entry(i, j)).collect()).collect()
+        });
+        let constrained = |(j, multiplier): (usize, &f64)| {
+            let value = at.f.constraints[j].value;
+            Constrained { value, violation: domain.constraints.excess(j, value), multiplier: *multiplier }
+        };
+        let constraints = multipliers.iter().enumerate().map(constrained).collect();
+        let Point { x, f } = at;
+        Self {
+            status,
+            message,
+            value: Some(f.objective.value),
+            lower_multipliers: (0..n).map(|i| price(i, x[i] <= bounds.low[i], 1.0)).collect(),
+            upper_multipliers: (0..n).map(|i| price(i, x[i] >= bounds.high[i], -1.0)).collect(),
+            // exact where it was not scaled there and back
+            hessian: if constraints_are_idle(&multipliers) { f.objective.hessian } else { hessian },
+            gradient: f.objective.gradient,
+            constraints,
+            x,
+            kkt_residual: residual.largest(),
+            residual,
+            kink,
+            iterations,
+            evaluations: effort.evaluations,
+            effort,
+            begun_at,
+            undefined_at_start,
+        }
+    }
+
+    fn nowhere(domain: &Domain, status: Status, message: String, x: Vec<f64>, why: Option<String>) -> Self {
+        let n = domain.variables.dimension();
+        let none = Residual { stationarity: f64::MAX, feasibility: f64::MAX, complementarity: f64::MAX };
+        Self {
+            status,
+            message,
+            value: None,
+            gradient: vec![],
+            hessian: vec![],
+            lower_multipliers: vec![0.0; n],
+            upper_multipliers: vec![0.0; n],
+            constraints: vec![],
+            kkt_residual: f64::MAX,
+            residual: none,
+            kink: None,
+            iterations: 0,
+            evaluations: 0,
+            effort: Effort::default(),
+            begun_at: vec![],
+            undefined_at_start: why,
+            x,
+        }
+    }
+}
+
+fn constraints_are_idle(multipliers: &[f64]) -> bool {
+    multipliers.iter().all(|multiplier| *multiplier == 0.0)
 }
 
 /// One iteration, as an observer sees it.
@@ -50,99 +144,10 @@ pub struct Iteration {
     pub x: Vec<f64>,
     /// The KKT residual, relative.
     pub kkt_residual: f64,
+    /// The largest violation of a constraint, relative.
+    pub violation: f64,
     /// The trust region's size for the next step, in units of the variables' scale.
     pub radius: f64,
     /// Whether the step was kept.
     pub kept: bool,
-}
-
-/// Minimises a function over a box from a start, which is moved into the box first.
-///
-/// # Errors
-/// [`Error::Optimizer`] for a start or options that make no sense. Not converging is a [`Status`], not an error.
-pub fn minimize(problem: impl Problem, bounds: &Bounds, start: &[f64], options: &Options) -> Result<Solution> {
-    minimize_watched(problem, bounds, start, options, |_| ())
-}
-
-/// As [`minimize`], showing every iteration to `watch`.
-///
-/// # Errors
-/// As [`minimize`].
-pub fn minimize_watched(
-    problem: impl Problem,
-    bounds: &Bounds,
-    start: &[f64],
-    options: &Options,
-    watch: impl FnMut(&Iteration) + 'static,
-) -> Result<Solution> {
-    options.validate()?;
-    if start.len() != bounds.dimension() || !start.iter().all(|x| x.is_finite()) {
-        return Err(Error::Optimizer(format!(
-            "the start {start:?} must be {} finite numbers, one per variable",
-            bounds.dimension()
-        )));
-    }
-    let executor = Executor::new(problem, Sqp::new(bounds.clone(), options.clone()))
-        .configure(|state| state.param(start.to_vec()).max_iters(options.max_iterations).counting(true))
-        .add_observer(Watcher(watch), ObserverMode::Always);
-    let mut result = executor.run().map_err(|e| Error::Optimizer(e.to_string()))?;
-
-    let state = &mut result.state;
-    let x = state.take_param().unwrap_or_default();
-    let gradient = state.take_gradient().unwrap_or_default();
-    let iterations = state.get_iter();
-    let evaluations = result.problem.counts.get("evaluations").copied().unwrap_or_default();
-    let multiplier = |i: usize, at_bound: bool, outward: f64| {
-        if at_bound { gradient.get(i).map_or(0.0, |g| (g * outward).max(0.0)) } else { 0.0 }
-    };
-    let solver = result.solver;
-    let (kkt_residual, kink) = (solver.residual(), solver.kink);
-    let (begun_at, undefined_at_start) = (solver.begun_at.clone(), solver.undefined_at_start.clone());
-    let verdict = solver.into_verdict(iterations);
-    Ok(Solution {
-        status: verdict.status,
-        message: verdict.message,
-        value: (verdict.status != Status::Undefined).then(|| state.get_cost()),
-        lower_multipliers: (0..x.len()).map(|i| multiplier(i, x[i] <= bounds.low[i], 1.0)).collect(),
-        upper_multipliers: (0..x.len()).map(|i| multiplier(i, x[i] >= bounds.high[i], -1.0)).collect(),
-        hessian: state.take_hessian().unwrap_or_default(),
-        gradient,
-        x,
-        kkt_residual,
-        kink,
-        iterations,
-        evaluations,
-        begun_at,
-        undefined_at_start,
-    })
-}
-
-/// Passes argmin's observations on.
-struct Watcher<F>(F);
-
-impl<F: FnMut(&Iteration)> Watcher<F> {
-    fn show(&mut self, number: u64, state: &SqpState, kv: &KV) {
-        let float = |key: &str| kv.get(key).and_then(argmin::core::KvValue::get_float);
-        let Some((x, kkt_residual)) = state.get_param().cloned().zip(float("kkt_residual")) else { return };
-        (self.0)(&Iteration {
-            number,
-            value: state.get_cost(),
-            x,
-            kkt_residual,
-            radius: float("radius").unwrap_or_default(),
-            kept: kv.get("kept").and_then(argmin::core::KvValue::get_bool).unwrap_or_default(),
-        });
-    }
-}
-
-impl<F: FnMut(&Iteration)> Observe<SqpState> for Watcher<F> {
-    fn observe_init(&mut self, _: &str, state: &SqpState, kv: &KV) -> std::result::Result<(), argmin::core::Error> {
-        self.show(0, state, kv);
-        Ok(())
-    }
-
-    fn observe_iter(&mut self, state: &SqpState, kv: &KV) -> std::result::Result<(), argmin::core::Error> {
-        self.show(state.get_iter() + 1, state, kv);
-        Ok(())
-    }
 }

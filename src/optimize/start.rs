@@ -1,5 +1,6 @@
 use super::frame::Point;
-use super::problem::{Bounds, Evaluation};
+use super::domain::Bounds;
+use super::problem::Evaluation;
 
 /// Of the points tried where f is not defined at the start, the best of this many is taken; if none is defined,
 /// the first that is.
@@ -23,7 +24,7 @@ pub(super) fn first_point<E>(
         }
         let x = spread(bounds, start, trial);
         if let Ok(f) = evaluate(&x)?
-            && best.as_ref().is_none_or(|best| f.value < best.f.value)
+            && best.as_ref().is_none_or(|best| f.objective.value < best.f.objective.value)
         {
             best = Some(Point { x, f });
         }

@@ -1,26 +1,34 @@
 //! How a search ends. A status is a verdict with its numbers; bad input is an [`Error`](crate::Error) instead.
 //!
 //! Each stopping test is a function of its own. All sizes are relative: variables are measured by
-//! [`Bounds::scale`](super::Bounds::scale) (s), the function by
-//! φ = max(|f|, largest s-scaled gradient at the start), and the KKT residual is
-//! maxᵢ sᵢ |pᵢ|/φ with p the gradient projected on the bounds: its component is 0 where a bound is active and
-//! f falls only towards the outside.
+//! [`Bounds::scale`](super::Bounds::scale) (s), the objective by φ = max(|f|, min(1, φ₀)) with φ₀ the larger of |f| and
+//! its largest s-scaled slope at the start, constraint j by γⱼ, its largest s-scaled slope at the start. The KKT residual
+//! is the largest of maxᵢ sᵢ |pᵢ|/φ, with p the Lagrangian's gradient projected on the bounds (its component is 0 where
+//! a bound is active and f falls only towards the outside), of the constraints' violations over γ, and of the
+//! multipliers times the distance from their limits over φ.
 
+use super::frame::Residual;
 use super::kink::Kink;
+use serde::{Deserialize, Serialize};
 use std::fmt;
 
 /// How a search ended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Status {
-    /// The projected gradient vanishes.
+    /// The KKT conditions hold, and no direction of negative curvature is left.
     Converged,
-    /// The function has a corner here, and no way down from it was found.
+    /// The objective has a corner here, and no way down from it was found.
     StalledAtKink,
-    /// No further progress can be made out above the rounding of the function.
+    /// No further progress can be made out above the rounding of the functions.
     Stalled,
+    /// The constraints cannot all be met near here: their violation is at a minimum that is not zero.
+    Infeasible,
     /// The iterations allowed were used up.
     IterationLimit,
-    /// The function is not defined at the start, nor at any other point tried.
+    /// Stopped from outside; the point is the best so far.
+    Interrupted,
+    /// The functions are not defined at the start, nor at any other point tried.
     Undefined,
 }
 
@@ -31,7 +39,9 @@ impl Status {
             Self::Converged => "converged",
             Self::StalledAtKink => "stalled-at-kink",
             Self::Stalled => "stalled",
+            Self::Infeasible => "infeasible",
             Self::IterationLimit => "iteration-limit",
+            Self::Interrupted => "interrupted",
             Self::Undefined => "undefined",
         }
     }
@@ -44,7 +54,7 @@ impl fmt::Display for Status {
 }
 
 /// A status with the sentence that goes with it.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(super) struct Verdict {
     pub status: Status,
     pub message: String,
@@ -64,27 +74,68 @@ impl Verdict {
         )
     }
 
+    pub fn interrupted(iterations: u64, residual: f64) -> Self {
+        let message = format!("stopped after {iterations} iterations with a KKT residual of {residual:.1e}");
+        Self::new(Status::Interrupted, message)
+    }
+
     pub fn undefined(trials: u32, why: &str) -> Self {
         Self::new(
             Status::Undefined,
-            format!("the function is not defined at the start nor at {trials} other points of the box: {why}"),
+            format!("the functions are not defined at the start nor at {trials} other points of the box: {why}"),
         )
     }
 
     pub fn kink(kink: &Kink, at: f64, residual: f64) -> Self {
         let Kink { variable, slope_below, slope_above } = kink;
+        let side = |slope: &Option<f64>| slope.map_or("out of bounds".into(), |slope| format!("{slope:.6}"));
         let message = format!(
-            "the function has a corner in variable {variable} at {at:e}: its slope is {slope_below:.6} below and {slope_above:.6} above, \
-             so that no gradient vanishes; KKT residual {residual:.1e}"
+            "the objective has a corner in variable {variable} at {at:e}: its slope is {} below and {} above, \
+             so that no gradient vanishes; KKT residual {residual:.1e}",
+            side(slope_below),
+            side(slope_above)
         );
         Self::new(Status::StalledAtKink, message)
     }
+
+    /// The verdict, with what is known of the place.
+    pub fn with(mut self, more: &str) -> Self {
+        self.message += more;
+        self
+    }
 }
 
-/// Converged: the projected gradient is small enough.
-pub(super) fn gradient_test(residual: f64, tolerance: f64) -> Option<Verdict> {
-    let passed = residual <= tolerance;
-    passed.then(|| Verdict::new(Status::Converged, format!("KKT residual {residual:.1e} <= {tolerance:.0e}")))
+/// Converged: the KKT residual is small enough.
+pub(super) fn gradient_test(residual: Residual, tolerance: f64) -> Option<Verdict> {
+    let largest = residual.largest();
+    let passed = largest <= tolerance;
+    passed.then(|| Verdict::new(Status::Converged, format!("KKT residual {largest:.1e} <= {tolerance:.0e}")))
+}
+
+/// Converged as far as can be told: nothing more can be gained, and measured by the size that the objective had at the
+/// start, `shrunk` times what it has here, the residual is small enough.
+pub(super) fn rounding_test(residual: Residual, shrunk: f64, tolerance: f64) -> Option<Verdict> {
+    let largest = residual.stationarity.max(residual.complementarity) / shrunk;
+    (largest <= tolerance && residual.feasibility <= tolerance).then(|| {
+        let message = format!(
+            "KKT residual {largest:.1e} <= {tolerance:.0e}, relative to the objective at the start: rounding lets it \
+             fall no further"
+        );
+        Verdict::new(Status::Converged, message)
+    })
+}
+
+/// Infeasible: the constraints are violated, and the linearised ones say that no step makes it less.
+pub(super) fn infeasible_test(violation: f64, least: f64, radius: f64, tolerance: f64) -> Option<Verdict> {
+    const HOPELESS: f64 = 1e-6;
+    let is_least = violation - least <= HOPELESS * violation * radius.min(1.0);
+    (violation > tolerance && is_least).then(|| {
+        let message = format!(
+            "the constraints contradict each other here: their violation {violation:.3e} (relative) is the least that \
+             can be reached from here"
+        );
+        Verdict::new(Status::Infeasible, message)
+    })
 }
 
 /// The trust region has shrunk to nothing: no step that can be told from none makes the function smaller.

@@ -63,6 +63,12 @@ impl Setup<f64> {
         };
         items.sort_by_key(|item| (rank(&item.key), item.key_at));
 
+        for (i, item) in items.iter().enumerate() {
+            if let Some(first) = items[..i].iter().find(|first| first.key == item.key) {
+                let (line, _) = place(text, first.key_at);
+                return Err(in_file(text, file, item.key_at, Error::Twice { key: item.key.clone(), line }));
+            }
+        }
         let mut setup = Self::default();
         for item in &items {
             setup.apply(item).map_err(|(at, source)| in_file(text, file, at, source))?;
@@ -78,6 +84,10 @@ impl Setup<f64> {
         }
         if item.key == LAW {
             return self.set_law(string(item).map_err(at_value)?).map_err(at_value);
+        }
+        let group = format!("{}.", item.key);
+        if self.parameters().iter().any(|row| row.name.starts_with(&group)) {
+            return Err(at_value(wrong_type(item, item.value, format!("a table, [{}]", item.key))));
         }
         let parameter = self.parameter(&item.key).map_err(|e| (item.key_at, e))?;
         let value = match item.value {
@@ -125,14 +135,15 @@ fn flatten<'a>(table: &'a DeTable<'a>, prefix: &str, items: &mut Vec<Item<'a>>) 
 }
 
 fn in_file(text: &str, file: &str, at: usize, source: Error) -> Error {
+    let (line, column) = place(text, at);
+    Error::InFile { file: file.into(), line, column, source: Box::new(source) }
+}
+
+/// Line and column of a byte, from 1.
+fn place(text: &str, at: usize) -> (usize, usize) {
     let before = text.get(..at).unwrap_or(text);
     let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
-    Error::InFile {
-        file: file.into(),
-        line: before.matches('\n').count() + 1,
-        column: before[line_start..].chars().count() + 1,
-        source: Box::new(source),
-    }
+    (before.matches('\n').count() + 1, before[line_start..].chars().count() + 1)
 }
 
 #[cfg(test)]
@@ -168,7 +179,13 @@ mod tests {
                 "f:3:1: 'aero.cd0' is not a coefficient of the law 'linear'",
                 "robinson",
             ),
-            ("club = 3", "f:1:1: unknown parameter 'club'", "longdrive parameters"),
+            ("club = 3", "f:1:8: 'club' is a number; expected a table", "[club]"),
+            ("[[swing]]\nspeed = 50", "f:1:3: 'swing' is an array; expected a table", "[swing]"),
+            (
+                "\"swing.speed\" = 50\n[swing]\nspeed = 40",
+                "f:3:1: 'swing.speed' is given twice, here and at line 1",
+                "keep one",
+            ),
         ] {
             let message = Setup::from_toml(text, "f").unwrap_err().to_string();
             assert!(message.starts_with(start) && message.contains(says), "{text:?}: {message}");

@@ -178,7 +178,7 @@ impl Setup<f64> {
     /// Checks every value against its range, and the inertia tensor.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`], [`Error::Inertia`].
+    /// [`Error::OutOfRange`], also for a step so short that no one would wait for the flight; [`Error::Inertia`].
     pub fn validate(&self) -> Result<()> {
         let mut result = Ok(());
         let mut copy = *self;
@@ -191,7 +191,24 @@ impl Setup<f64> {
                 result = row.check(value);
             }
         });
-        result.and_then(|()| self.club.check_inertia())
+        result?;
+        self.check_step_count()?;
+        self.club.check_inertia()
+    }
+
+    /// A flight of more steps than anyone waits for is refused before it begins.
+    fn check_step_count(&self) -> Result<()> {
+        const MOST: f64 = 1e7;
+        let (step, limit) = (self.flight.step, self.flight.time_limit);
+        if limit / step <= MOST {
+            return Ok(());
+        }
+        Err(Error::OutOfRange {
+            name: "flight.step".into(),
+            value: format!("{step:e} s"),
+            range: format!("{:e} s <= …: at most {MOST:e} steps up to flight.time_limit = {limit} s", limit / MOST),
+            advice: "take a longer step or a shorter time limit (5 ms is within 1 µm of the exact carry)".into(),
+        })
     }
 
     /// What is flown as it stands but deserves a word.

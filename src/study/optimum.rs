@@ -1,7 +1,7 @@
 use crate::derivative::{self, Order, Taylor};
 use crate::drive::{Drive, Outcome};
 use crate::error::{Error, Result};
-use crate::optimize::{Bounds, Evaluation, Iteration, Options, Solution, Status, minimize_watched};
+use crate::optimize::{Domain, Evaluation, Iteration, Options, Solution, Status, Watch, minimize_watched};
 use crate::parameters::{Parameter, Setup};
 use crate::units;
 
@@ -121,10 +121,13 @@ impl Optimum {
                 let (parameter, outcome) = (self.search.vary[kink.variable].parameter, self.search.maximize);
                 let at = parameter.show(Some(self.solution.x[kink.variable]));
                 let (by, unit) = (parameter.name, units::per(outcome.quantity().si, parameter.quantity.si));
+                let slope = |slope: Option<f64>| {
+                    slope.map_or("not looked at (out of range)".into(), |slope| format!("{:+.4} {unit}", -slope))
+                };
                 format!(
-                    "{of} has a corner at {by} = {at}: d {of}/d {by} is {:+.4} {unit} below it and {:+.4} above, \
-                     so that no gradient vanishes there",
-                    -kink.slope_below, -kink.slope_above,
+                    "{of} has a corner at {by} = {at}: d {of}/d {by} is {} below it and {} above",
+                    slope(kink.slope_below),
+                    slope(kink.slope_above),
                 )
             }
             (None, Status::Undefined) => {
@@ -187,29 +190,23 @@ pub fn optimum(setup: &Setup<f64>, search: Search, watch: impl FnMut(&Iteration)
             });
         }
     }
-    let bounds = Bounds::new(
+    let domain = Domain::new(
         search.vary.iter().map(|vary| vary.low).collect(),
         search.vary.iter().map(|vary| vary.high).collect(),
     )?;
     let start: Vec<f64> = parameters.iter().filter_map(|parameter| setup.value(parameter)).collect();
     let at = |x: &[f64]| moved(setup, &parameters, x);
-    at(&bounds.project(&start))?.validate()?;
+    at(&domain.variables.project(&start))?.validate()?;
 
     let (base, wrt, of) = (*setup, parameters.clone(), search.maximize);
     let negative = move |x: &[f64]| -> std::result::Result<Evaluation, String> {
         let moved = moved(&base, &wrt, x).map_err(|e| e.to_string())?;
         let taylor = derivative::evaluate(&moved, &[of], &wrt, Order::Second).map_err(|e| e.to_string())?;
-        let Some(Taylor { value, gradient, hessian }) = taylor.into_iter().next() else {
-            return Err("no outcome".into());
-        };
-        let negated = |row: Vec<f64>| row.into_iter().map(|d| -d).collect();
-        Ok(Evaluation {
-            value: -value,
-            gradient: negated(gradient),
-            hessian: hessian.into_iter().map(negated).collect(),
-        })
+        let objective = taylor.into_iter().next().map(Taylor::negated).ok_or("no outcome")?;
+        Ok(Evaluation { objective, constraints: vec![] })
     };
-    let solution = minimize_watched(negative, &bounds, &start, &search.options, watch)?;
+    let watch = Watch { iteration: Box::new(watch), ..Watch::default() };
+    let solution = minimize_watched(negative, &domain, &start, &search.options, watch)?;
     let best = at(&solution.x)?;
     let drive = if solution.status == Status::Undefined { None } else { Some(Drive::new(&best)?) };
     Ok(Optimum { search, solution, setup: best, drive })

@@ -9,7 +9,7 @@ use serde::Serialize;
 
 pub fn run(args: &Gradient) -> Result<Answer> {
     let setup = args.question.setup()?;
-    let of = args.of.iter().map(|name| Outcome::named(name.trim())).collect::<Result<Vec<_>>>()?;
+    let of = outcomes(&args.of)?;
     let wrt = parameters(&setup, &args.wrt)?;
     let drive = Drive::new(&setup)?;
     let warnings = [setup.warnings(), drive.corners(&setup)].concat();
@@ -57,10 +57,23 @@ impl Rows {
     }
 }
 
+/// The outcomes named, each once: naming one twice asks for the same numbers twice.
+fn outcomes(names: &[String]) -> Result<Vec<Outcome>> {
+    let mut of = Vec::new();
+    for name in names {
+        let outcome = Outcome::named(name.trim())?;
+        if !of.contains(&outcome) {
+            of.push(outcome);
+        }
+    }
+    Ok(of)
+}
+
 fn parameters(setup: &Setup<f64>, names: &[String]) -> Result<Vec<&'static Parameter>> {
-    if let [all] = names
-        && all == "all"
-    {
+    if names.iter().any(|name| name.trim() == "all") {
+        for name in names.iter().filter(|name| name.trim() != "all") {
+            setup.variable(name.trim())?;
+        }
         let variables = setup.variables();
         let left_out = setup.parameters().into_iter().filter(|row| !variables.contains(row));
         let left_out: Vec<_> = left_out.map(|row| row.name).collect();

@@ -26,9 +26,11 @@ impl Answer {
 
     pub fn print(self) -> Result<ExitCode> {
         let mut out = io::stdout().lock();
-        // a reader that has gone away, as `head` does, is no failure of ours
-        let _ = out.write_all(self.text.as_bytes()).and_then(|()| out.flush());
-        Ok(ExitCode::from(u8::from(!self.found)))
+        match out.write_all(self.text.as_bytes()).and_then(|()| out.flush()) {
+            // a reader that has gone away, as `head` does, is no failure of ours
+            Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(Error::Output(error)),
+            _ => Ok(ExitCode::from(u8::from(!self.found))),
+        }
     }
 }
 

@@ -14,7 +14,8 @@ impl QuadraticProgram {
         // are absolute
         let reach = self.high.amax().max(self.low.amax()).max(f64::MIN_POSITIVE);
         let slope = self.pieces.iter().map(|piece| piece.gradient.amax()).fold(0.0, f64::max);
-        let unit = (slope * reach).max(f64::MIN_POSITIVE);
+        let bend = if self.rows.is_empty() { 0.0 } else { self.curvature.amax() * reach * reach };
+        let unit = (slope * reach).max(bend).max(f64::MIN_POSITIVE);
 
         let mut p = vec![vec![0.0; size]; size];
         for (i, row) in p.iter_mut().enumerate().take(n) {
@@ -30,26 +31,48 @@ impl QuadraticProgram {
             q.copy_from_slice((&self.pieces[0].gradient * (reach / unit)).as_slice());
         }
 
-        let mut rows = Vec::with_capacity(2 * n + pieces);
-        let mut limits = Vec::with_capacity(2 * n + pieces);
+        let mut equations = Vec::new();
+        let mut inequalities = Vec::new();
+        let mut whose = Vec::new();
+        let mut add = |normal: Vec<f64>, limit: f64, is_equation: bool, who: Who| {
+            if is_equation {
+                equations.push((normal, limit));
+            } else if limit.is_finite() {
+                inequalities.push((normal, limit));
+                whose.push(who);
+            }
+        };
+        let wide = |normal: &mut dyn Iterator<Item = f64>| normal.chain(vec![0.0; epigraph]).collect::<Vec<_>>();
         for i in 0..n {
-            for (sign, limit) in [(1.0, self.high[i]), (-1.0, -self.low[i])] {
-                let mut row = vec![0.0; size];
-                row[i] = sign;
-                rows.push(row);
-                limits.push(limit / reach);
+            for (sign, limit, end) in [(1.0, self.high[i], End::High), (-1.0, -self.low[i], End::Low)] {
+                let normal = wide(&mut (0..n).map(|k| if k == i { sign } else { 0.0 }));
+                add(normal, limit / reach, false, Who::Variable(i, end));
+            }
+        }
+        for (j, row) in self.rows.iter().enumerate() {
+            let longest = row.normal.amax().max(f64::MIN_POSITIVE);
+            for (sign, limit, end) in [(1.0, row.high, End::High), (-1.0, -row.low, End::Low)] {
+                let is_equation = row.low == row.high;
+                if !(is_equation && end == End::Low) {
+                    let normal = wide(&mut row.normal.iter().map(|a| sign * a / longest));
+                    add(normal, limit / (reach * longest), is_equation, Who::Row(j, end));
+                }
             }
         }
         if epigraph == 1 {
-            for piece in &self.pieces {
+            for (k, piece) in self.pieces.iter().enumerate() {
                 let mut row: Vec<f64> = piece.gradient.iter().map(|g| g * (reach / unit)).collect();
                 row.push(-1.0);
-                rows.push(row);
-                limits.push(-piece.offset / unit);
+                add(row, -piece.offset / unit, false, Who::Piece(k));
             }
         }
 
-        let cones = [SupportedConeT::NonnegativeConeT(rows.len())];
+        let first_inequality = equations.len();
+        let mut cones = vec![SupportedConeT::NonnegativeConeT(inequalities.len())];
+        if first_inequality > 0 {
+            cones.insert(0, SupportedConeT::ZeroConeT(first_inequality));
+        }
+        let (rows, limits): (Vec<_>, Vec<_>) = equations.into_iter().chain(inequalities).unzip();
         let settings = DefaultSettings { verbose: false, presolve_enable: false, ..DefaultSettings::default() };
         let (p, a) = (CscMatrix::from(&p), CscMatrix::from(&rows));
         let mut solver = DefaultSolver::new(&p, &q, &a, &limits, &cones, settings).ok()?;
@@ -58,18 +81,40 @@ impl QuadraticProgram {
         if !matches!(solution.status, SolverStatus::Solved) {
             return None;
         }
-        // at a solution a constraint's multiplier or its slack vanishes: the larger says which
-        let is_active = |row: usize| solution.z[row] > solution.s[row];
-        let end = |i: usize| match (is_active(2 * i + 1), is_active(2 * i)) {
-            _ if self.low[i] == self.high[i] => End::Low,
-            (true, _) => End::Low,
-            (_, true) => End::High,
-            _ => End::Free,
+
+        let mut active = ActiveSet {
+            ends: vec![End::Free; n],
+            rows: vec![End::Free; self.rows.len()],
+            pieces: vec![epigraph == 0; pieces],
         };
-        let mut held: Vec<bool> = (0..pieces).map(|k| epigraph == 0 || is_active(2 * n + k)).collect();
-        if !held.contains(&true) {
-            held[0] = true;
+        for (at, who) in whose.into_iter().enumerate() {
+            // at a solution a constraint's multiplier or its slack vanishes: the larger says which
+            let row = first_inequality + at;
+            if solution.z[row] > solution.s[row] {
+                match who {
+                    Who::Variable(i, end) => active.ends[i] = end,
+                    Who::Row(j, end) => active.rows[j] = end,
+                    Who::Piece(k) => active.pieces[k] = true,
+                }
+            }
         }
-        Some(ActiveSet { ends: (0..n).map(end).collect(), pieces: held })
+        for (j, _) in self.rows.iter().enumerate().filter(|(_, row)| row.low == row.high) {
+            active.rows[j] = End::Low;
+        }
+        for i in (0..n).filter(|&i| self.low[i] == self.high[i]) {
+            active.ends[i] = End::Low;
+        }
+        if !active.pieces.contains(&true) {
+            active.pieces[0] = true;
+        }
+        Some(active)
     }
+}
+
+/// Whose inequality a row of Clarabel's is.
+#[derive(Clone, Copy)]
+enum Who {
+    Variable(usize, End),
+    Row(usize, End),
+    Piece(usize),
 }

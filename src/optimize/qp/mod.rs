@@ -1,12 +1,14 @@
-//! The quadratic program of a step: Clarabel finds the active set, a polish makes it exact.
+//! The quadratic program of a step: Clarabel finds the active set, a polish makes it exact; a dual active-set method
+//! takes over where Clarabel does not answer.
 
+mod dual;
 mod interior_point;
 mod polish;
 
 use nalgebra::{DMatrix, DVector};
-use polish::{ActiveSet, Candidate};
+use polish::ActiveSet;
 
-/// minimise  ½ dᵀB d + maxₖ (offsetₖ + gradientₖ · d)  over  low ≤ d ≤ high, with B positive definite.
+/// minimise  ½ dᵀB d + maxₖ (offsetₖ + gradientₖ · d)  over  low ≤ d ≤ high  and  rows, with B positive definite.
 ///
 /// One piece is the usual quadratic model of a smooth function; more describe a function with a kink, each
 /// smooth side of it by a piece.
@@ -20,6 +22,8 @@ pub struct QuadraticProgram {
     pub low: DVector<f64>,
     /// Upper ends of the step, ≥ 0.
     pub high: DVector<f64>,
+    /// Linear constraints.
+    pub rows: Vec<Row>,
 }
 
 /// offset + gradient · d.
@@ -31,7 +35,18 @@ pub struct Piece {
     pub gradient: DVector<f64>,
 }
 
-/// Where a variable of a step ends.
+/// low ≤ normal · d ≤ high; an equation where both are one number.
+#[derive(Clone, Debug)]
+pub struct Row {
+    /// Coefficients of d.
+    pub normal: DVector<f64>,
+    /// Lower end, or −∞.
+    pub low: f64,
+    /// Upper end, or ∞.
+    pub high: f64,
+}
+
+/// Where a variable or a row ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum End {
     /// Between its ends.
@@ -51,32 +66,53 @@ pub struct Step {
     pub ends: Vec<End>,
     /// Weight of each piece, ≥ 0, together 1.
     pub weights: Vec<f64>,
+    /// Multiplier of each row: > 0 at its upper end, < 0 at its lower, 0 between. Gradient, curvature and these
+    /// balance: B d + Σ αₖ gradientₖ + Σ μⱼ normalⱼ = 0 on the variables that are free.
+    pub multipliers: Vec<f64>,
+    /// Who found the active set.
+    pub by: Method,
+}
+
+/// Who found the active set of a step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    /// Clarabel.
+    Clarabel,
+    /// Clarabel, after the rows were rescaled.
+    Rescaled,
+    /// The dual active-set method.
+    Dual,
+    /// None: the step runs down the slope.
+    Descent,
 }
 
 impl QuadraticProgram {
-    /// Solves the program.
+    /// Solves the program; `None` where the rows cannot be met within the ends.
     ///
-    /// Clarabel's answer is good to about 1e-8 and may lie that far outside; it tells which ends and pieces are
-    /// active. The polish then solves the remaining equations to rounding, and corrects the active set where
-    /// they disagree with it.
-    pub fn solve(&self) -> Step {
-        let mut active = self.clarabel().unwrap_or_else(|| self.guess());
-        let mut best = None;
-        for _ in 0..2 * (self.dimension() + self.pieces.len()) + 4 {
-            let Some(candidate) = self.equality_step(&active) else { break };
-            let corrected = self.corrected(&active, &candidate);
-            let (step, consistent) = (self.clamped(&candidate, &active), corrected == active);
-            let value = self.value(&step.d);
-            if consistent || best.as_ref().is_none_or(|(least, _)| value < *least) {
-                best = Some((value, step));
+    /// Clarabel's answer is good to about 1e-8 and may lie that far outside; it tells which ends, rows and pieces are
+    /// active. The polish then solves the remaining equations to rounding, and corrects the active set where they
+    /// disagree with it. Where Clarabel answers anything but "solved", or what it says cannot be polished, it is asked
+    /// again with every row at length 1; then the dual active-set method decides.
+    pub fn solve(&self) -> Option<Step> {
+        let mut second_best = None;
+        for (method, program) in [(Method::Clarabel, None), (Method::Rescaled, Some(self.rescaled()))] {
+            let active = program.as_ref().unwrap_or(self).clarabel();
+            match active.map(|active| self.polished(active, method)) {
+                Some(Ok(step)) => return Some(step),
+                Some(Err(Some(step))) => second_best = second_best.or(Some(step)),
+                _ => {}
             }
-            if consistent {
+            if self.rows.is_empty() {
                 break;
             }
-            active = corrected;
         }
-        let at_rest = self.value(&DVector::zeros(self.dimension()));
-        best.filter(|(value, _)| *value <= at_rest).map_or_else(|| self.steepest(), |(_, step)| step)
+        let Some(active) = self.dual_active_set() else {
+            return if self.rows.is_empty() { Some(second_best.unwrap_or_else(|| self.steepest())) } else { None };
+        };
+        match self.polished(active, Method::Dual) {
+            Ok(step) => Some(step),
+            Err(step) => step.or(second_best).or_else(|| self.rows.is_empty().then(|| self.steepest())),
+        }
     }
 
     /// The objective.
@@ -85,20 +121,29 @@ impl QuadraticProgram {
         0.5 * d.dot(&(&self.curvature * d)) + pieces.fold(f64::NEG_INFINITY, f64::max)
     }
 
+    /// The largest amount by which a row is missed.
+    fn missed(&self, d: &DVector<f64>) -> f64 {
+        let missed = |row: &Row| {
+            let value = row.normal.dot(d);
+            (row.low - value).max(value - row.high).max(0.0)
+        };
+        self.rows.iter().map(missed).fold(0.0, f64::max)
+    }
+
     fn dimension(&self) -> usize {
         self.low.len()
     }
 
-    /// An active set to start from without Clarabel: where the first piece's slope leads.
-    fn guess(&self) -> ActiveSet {
-        let end = |i: usize| match self.pieces[0].gradient[i] {
-            _ if self.low[i] == self.high[i] => End::Low,
-            slope if slope > 0.0 && self.low[i] == 0.0 => End::Low,
-            slope if slope < 0.0 && self.high[i] == 0.0 => End::High,
-            _ => End::Free,
-        };
-        let pieces = (0..self.pieces.len()).map(|k| k == 0).collect();
-        ActiveSet { ends: (0..self.dimension()).map(end).collect(), pieces }
+    /// The same program with rows of length 1.
+    fn rescaled(&self) -> Self {
+        let mut scaled = self.clone();
+        for row in &mut scaled.rows {
+            let length = row.normal.norm();
+            if length > 0.0 {
+                *row = Row { normal: &row.normal / length, low: row.low / length, high: row.high / length };
+            }
+        }
+        scaled
     }
 
     /// The best step down the first piece's slope alone, for when no active set can be solved.
@@ -106,17 +151,22 @@ impl QuadraticProgram {
         let slope = &self.pieces[0].gradient;
         let bend = slope.dot(&(&self.curvature * slope));
         let length = if bend > 0.0 { slope.norm_squared() / bend } else { 1.0 };
-        let candidate = Candidate { d: -slope * length, weights: vec![0.0; self.pieces.len()], level: 0.0 };
-        let active = ActiveSet { ends: vec![End::Free; self.dimension()], pieces: vec![] };
-        let mut step = self.clamped(&candidate, &active);
+        let mut step = Step {
+            d: -slope * length,
+            ends: vec![End::Free; self.dimension()],
+            weights: vec![0.0; self.pieces.len()],
+            multipliers: vec![0.0; self.rows.len()],
+            by: Method::Descent,
+        };
         step.weights[0] = 1.0;
+        self.clamp(&mut step);
         step
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{End, Piece, QuadraticProgram};
+    use super::{End, Piece, QuadraticProgram, Row};
     use nalgebra::{DMatrix, DVector, dmatrix, dvector};
 
     /// The minimum over every combination of free, low and high variables: exact, by enumeration.
@@ -156,8 +206,9 @@ mod tests {
             let gradient = DVector::from_fn(n, |_, _| random() * 10_f64.powi(case as i32 % 7 - 3));
             let low = DVector::from_fn(n, |_, _| -random().abs());
             let high = DVector::from_fn(n, |_, _| random().abs());
-            let qp = QuadraticProgram { curvature, pieces: vec![Piece { offset: 0.0, gradient }], low, high };
-            let step = qp.solve();
+            let pieces = vec![Piece { offset: 0.0, gradient }];
+            let qp = QuadraticProgram { curvature, pieces, low, high, rows: vec![] };
+            let step = qp.solve().unwrap();
             let (value, least) = (qp.value(&step.d), enumerated(&qp));
             assert!(value <= least + 1e-12 * least.abs().max(1e-3), "case {case}: {value} against {least}");
             for i in 0..n {
@@ -181,10 +232,55 @@ mod tests {
             ],
             low: dvector![-1.0, -1.0],
             high: dvector![1.0, 1.0],
+            rows: vec![],
         };
-        let step = qp.solve();
+        let step = qp.solve().unwrap();
         assert!((step.d[0] - 0.1).abs() < 1e-14 && (step.d[1] + 0.5).abs() < 1e-14, "{step:?}");
         // stationary: d₀ − α₀ + 2 α₁ = 0, α₀ + α₁ = 1
         assert!((step.weights[0] - 0.7).abs() < 1e-14 && (step.weights[1] - 0.3).abs() < 1e-14);
+    }
+
+    /// Random convex programs with rows, each also by the dual method alone: both exact, so they agree.
+    #[test]
+    fn independent_methods_agree_on_random_programs_with_rows() {
+        let mut state = 0.3_f64;
+        let mut random = || {
+            state = (state * 97.409_1 + 0.137).fract();
+            2.0 * state - 1.0
+        };
+        let (mut infeasible, mut compared) = (0, 0);
+        for case in 0..400 {
+            let (n, m) = (1 + case % 5, 1 + case % 4);
+            let a = DMatrix::from_fn(n, n, |_, _| random());
+            let curvature = &a * a.transpose() + DMatrix::identity(n, n) * 1e-2;
+            let pieces = vec![Piece { offset: 0.0, gradient: DVector::from_fn(n, |_, _| random()) }];
+            let row = |random: &mut dyn FnMut() -> f64, is_equation: bool| {
+                let normal = DVector::from_fn(n, |_, _| random());
+                let low = random() * 0.6;
+                Row { normal, low, high: if is_equation { low } else { low + random().abs() } }
+            };
+            let rows = (0..m).map(|j| row(&mut random, j == 0 && n > 1)).collect();
+            let low = DVector::from_fn(n, |_, _| -random().abs());
+            let high = DVector::from_fn(n, |_, _| random().abs());
+            let qp = QuadraticProgram { curvature, pieces, low, high, rows };
+            let dual = qp.dual_active_set().map(|active| qp.polished(active, super::Method::Dual).unwrap());
+            match (qp.solve(), dual) {
+                (Some(step), Some(dual)) => {
+                    compared += 1;
+                    assert!((&step.d - &dual.d).amax() < 1e-9, "case {case}: {step:?} against {dual:?}");
+                    assert!(qp.missed(&step.d) < 1e-12);
+                    let mut pull = &qp.curvature * &step.d + &qp.pieces[0].gradient;
+                    for (row, multiplier) in qp.rows.iter().zip(&step.multipliers) {
+                        pull += &row.normal * *multiplier;
+                    }
+                    for i in (0..n).filter(|&i| step.ends[i] == End::Free) {
+                        assert!(pull[i].abs() < 1e-9, "case {case}: {pull}");
+                    }
+                }
+                (None, None) => infeasible += 1,
+                (step, dual) => panic!("case {case}: {step:?} against {dual:?}"),
+            }
+        }
+        assert!(compared > 100 && infeasible > 20, "{compared} {infeasible}");
     }
 }

@@ -1,29 +1,62 @@
 //! From an active set to the exact solution it implies, and from there to a better active set.
 
-use super::{End, Piece, QuadraticProgram, Step};
+use super::{End, Method, Piece, QuadraticProgram, Row, Step};
 use nalgebra::{DMatrix, DVector};
 
-/// Which ends and pieces hold a step.
+/// Which ends, rows and pieces hold a step.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct ActiveSet {
     pub ends: Vec<End>,
+    pub rows: Vec<End>,
     pub pieces: Vec<bool>,
 }
 
 /// What an active set implies, perhaps outside the ends.
-pub(super) struct Candidate {
-    pub d: DVector<f64>,
-    pub weights: Vec<f64>,
+struct Candidate {
+    d: DVector<f64>,
+    weights: Vec<f64>,
+    multipliers: Vec<f64>,
     /// The pieces' common value.
-    pub level: f64,
+    level: f64,
 }
 
+/// Rounding allowed where a row is compared with its ends.
+const ROUNDING: f64 = 1e-11;
+
 impl QuadraticProgram {
-    /// Solves the program with the active ends and pieces as equations:
-    /// B d + Σ αₖ gradientₖ = 0 on the free variables, Σ αₖ = 1, offsetₖ + gradientₖ · d = t.
-    pub(super) fn equality_step(&self, active: &ActiveSet) -> Option<Candidate> {
+    /// The exact solution from an active set to begin with. `Err` where none is consistent: the best step met on the
+    /// way, if one is worth taking.
+    pub(super) fn polished(&self, mut active: ActiveSet, by: Method) -> Result<Step, Option<Step>> {
+        let mut best: Option<(f64, Step)> = None;
+        for _ in 0..2 * (self.dimension() + self.rows.len() + self.pieces.len()) + 4 {
+            let Some(candidate) = self.equality_step(&active) else { break };
+            let corrected = self.corrected(&active, &candidate);
+            let step = self.taken(&candidate, &active, by);
+            if corrected == active {
+                return if self.is_worth_it(&step) { Ok(step) } else { Err(None) };
+            }
+            let value = self.value(&step.d);
+            if self.is_worth_it(&step) && best.as_ref().is_none_or(|(least, _)| value < *least) {
+                best = Some((value, step));
+            }
+            active = corrected;
+        }
+        Err(best.map(|(_, step)| step))
+    }
+
+    /// Whether a step meets the rows and, where staying would meet them too, is better than that.
+    fn is_worth_it(&self, step: &Step) -> bool {
+        let stay = DVector::zeros(self.dimension());
+        let rows_met = self.missed(&step.d) <= 1e-9 * (1.0 + step.d.amax());
+        rows_met && (self.missed(&stay) > 0.0 || self.value(&step.d) <= self.value(&stay))
+    }
+
+    /// Solves the program with the active ends, rows and pieces as equations:
+    /// B d + Σ αₖ gradientₖ + Σ μⱼ normalⱼ = 0 on the free variables, Σ αₖ = 1, offsetₖ + gradientₖ · d = t.
+    fn equality_step(&self, active: &ActiveSet) -> Option<Candidate> {
         let free: Vec<usize> = (0..self.dimension()).filter(|&i| active.ends[i] == End::Free).collect();
         let held: Vec<usize> = (0..self.pieces.len()).filter(|&k| active.pieces[k]).collect();
+        let tight: Vec<usize> = (0..self.rows.len()).filter(|&j| active.rows[j] != End::Free).collect();
         let mut d = DVector::from_fn(self.dimension(), |i, _| match active.ends[i] {
             End::Free => 0.0,
             End::Low => self.low[i],
@@ -31,7 +64,8 @@ impl QuadraticProgram {
         });
         let bent = &self.curvature * &d;
 
-        let (f, size) = (free.len(), free.len() + held.len() + 1);
+        let (f, after_pieces) = (free.len(), free.len() + held.len() + 1);
+        let size = after_pieces + tight.len();
         let mut matrix = DMatrix::zeros(size, size);
         let mut right = DVector::zeros(size);
         for (row, &i) in free.iter().enumerate() {
@@ -46,67 +80,127 @@ impl QuadraticProgram {
                 matrix[(row, f + at)] = gradient[i];
                 matrix[(f + at, row)] = gradient[i];
             }
-            matrix[(f + at, size - 1)] = -1.0;
-            matrix[(size - 1, f + at)] = 1.0;
+            matrix[(f + at, after_pieces - 1)] = -1.0;
+            matrix[(after_pieces - 1, f + at)] = 1.0;
             right[f + at] = -offset - gradient.dot(&d);
         }
-        right[size - 1] = 1.0;
-
-        let solution = matrix.lu().solve(&right)?;
-        if !solution.iter().all(|x| x.is_finite()) {
-            return None;
+        right[after_pieces - 1] = 1.0;
+        for (at, &j) in tight.iter().enumerate() {
+            let Row { normal, low, high } = &self.rows[j];
+            for (row, &i) in free.iter().enumerate() {
+                matrix[(row, after_pieces + at)] = normal[i];
+                matrix[(after_pieces + at, row)] = normal[i];
+            }
+            right[after_pieces + at] = if active.rows[j] == End::Low { *low } else { *high } - normal.dot(&d);
         }
+
+        let solution = solved(matrix, &right)?;
         for (row, &i) in free.iter().enumerate() {
             d[i] = solution[row];
         }
-        let mut weights = vec![0.0; self.pieces.len()];
-        for (at, &k) in held.iter().enumerate() {
-            weights[k] = solution[f + at];
-        }
-        Some(Candidate { d, weights, level: solution[size - 1] })
+        let spread = |length: usize, places: &[usize], offset: usize| {
+            let mut all = vec![0.0; length];
+            for (at, &place) in places.iter().enumerate() {
+                all[place] = solution[offset + at];
+            }
+            all
+        };
+        Some(Candidate {
+            d,
+            weights: spread(self.pieces.len(), &held, f),
+            multipliers: spread(self.rows.len(), &tight, after_pieces),
+            level: solution[after_pieces - 1],
+        })
     }
 
-    /// The active set with what a candidate contradicts put right: free variables beyond an end are held,
+    /// The active set with what a candidate contradicts put right: free variables and rows beyond an end are held,
     /// held ones that pull inward are freed, and likewise for the pieces.
-    pub(super) fn corrected(&self, active: &ActiveSet, candidate: &Candidate) -> ActiveSet {
-        let mut pull = &self.curvature * &candidate.d;
-        for (piece, weight) in self.pieces.iter().zip(&candidate.weights) {
+    fn corrected(&self, active: &ActiveSet, candidate: &Candidate) -> ActiveSet {
+        let Candidate { d, weights, multipliers, level } = candidate;
+        let mut pull = &self.curvature * d;
+        for (piece, weight) in self.pieces.iter().zip(weights) {
             pull += &piece.gradient * *weight;
+        }
+        for (row, multiplier) in self.rows.iter().zip(multipliers) {
+            pull += &row.normal * *multiplier;
         }
         let end = |i: usize| match active.ends[i] {
             _ if self.low[i] == self.high[i] => End::Low,
-            End::Free if candidate.d[i] < self.low[i] => End::Low,
-            End::Free if candidate.d[i] > self.high[i] => End::High,
+            End::Free if d[i] < self.low[i] => End::Low,
+            End::Free if d[i] > self.high[i] => End::High,
             End::Low if pull[i] < 0.0 => End::Free,
             End::High if pull[i] > 0.0 => End::Free,
             same => same,
         };
-        let tolerance = 1e-12 * (1.0 + candidate.level.abs());
+        let row = |j: usize| {
+            let Row { normal, low, high } = &self.rows[j];
+            let (value, rounding) = (normal.dot(d), ROUNDING * (1.0 + normal.amax() * d.amax()));
+            match active.rows[j] {
+                _ if low == high => End::Low,
+                End::Free if value < low - rounding => End::Low,
+                End::Free if value > high + rounding => End::High,
+                End::Low if multipliers[j] > 0.0 => End::Free,
+                End::High if multipliers[j] < 0.0 => End::Free,
+                same => same,
+            }
+        };
+        let tolerance = 1e-12 * (1.0 + level.abs());
         let piece = |k: usize| {
             let Piece { offset, gradient } = &self.pieces[k];
-            if active.pieces[k] {
-                candidate.weights[k] >= 0.0
-            } else {
-                offset + gradient.dot(&candidate.d) > candidate.level + tolerance
-            }
+            if active.pieces[k] { weights[k] >= 0.0 } else { offset + gradient.dot(d) > level + tolerance }
         };
         ActiveSet {
             ends: (0..self.dimension()).map(end).collect(),
+            rows: (0..self.rows.len()).map(row).collect(),
             pieces: (0..self.pieces.len()).map(piece).collect(),
         }
     }
 
-    /// The candidate inside the ends.
-    pub(super) fn clamped(&self, candidate: &Candidate, active: &ActiveSet) -> Step {
-        let mut d = candidate.d.clone();
-        let mut ends = active.ends.clone();
-        for i in 0..self.dimension() {
-            if d[i] <= self.low[i] {
-                (d[i], ends[i]) = (self.low[i], End::Low);
-            } else if d[i] >= self.high[i] {
-                (d[i], ends[i]) = (self.high[i], End::High);
-            }
-        }
-        Step { d, ends, weights: candidate.weights.clone() }
+    /// The candidate as a step, inside the ends.
+    fn taken(&self, candidate: &Candidate, active: &ActiveSet, by: Method) -> Step {
+        let Candidate { d, weights, multipliers, .. } = candidate;
+        let mut step = Step {
+            d: d.clone(),
+            ends: active.ends.clone(),
+            weights: weights.clone(),
+            multipliers: multipliers.clone(),
+            by,
+        };
+        self.clamp(&mut step);
+        step
     }
+
+    /// Moves a step inside the ends.
+    pub(super) fn clamp(&self, step: &mut Step) {
+        for i in 0..self.dimension() {
+            let (low, high) = (self.low[i], self.high[i]);
+            step.ends[i] = match step.d[i] {
+                d if d <= low => End::Low,
+                d if d >= high => End::High,
+                _ => End::Free,
+            };
+            step.d[i] = step.d[i].clamp(low, high);
+        }
+    }
+}
+
+/// Solves a symmetric system; where its equations depend on each other, the shortest solution of those that do not
+/// contradict. One refinement takes the last digits of rounding out.
+fn solved(matrix: DMatrix<f64>, right: &DVector<f64>) -> Option<DVector<f64>> {
+    let size = right.amax().max(f64::MIN_POSITIVE);
+    let left_over = |x: &DVector<f64>| right - &matrix * x;
+    let lu = matrix.clone().lu();
+    if let Some(first) = lu.solve(right) {
+        let refined = lu.solve(&left_over(&first)).map_or(first.clone(), |change| &first + change);
+        let best = if left_over(&refined).amax() < left_over(&first).amax() { refined } else { first };
+        if best.iter().all(|x| x.is_finite()) && left_over(&best).amax() <= 1e-10 * size {
+            return Some(best);
+        }
+    }
+    if !matrix.iter().all(|x| x.is_finite()) {
+        return None;
+    }
+    let rank = 1e-12 * matrix.amax();
+    let shortest = matrix.clone().try_svd(true, true, f64::EPSILON, 1000)?.solve(right, rank).ok()?;
+    shortest.iter().all(|x| x.is_finite()).then_some(shortest)
 }

@@ -1,15 +1,29 @@
-use crate::number::{Jet, Jet2, Number};
+use super::{Jet, Jet2, Number};
 use num_dual::{Dual2_64, Dual64};
 
 /// A number that can be an independent variable, and tells derivatives by it. The one place that knows how
 /// each kind stores them.
-pub(super) trait Seeded: Number {
+pub(crate) trait Seeded: Number {
     /// The independent variable of this direction.
     fn seeded(value: f64, direction: usize) -> Self;
     /// First derivative in a direction.
     fn first(&self, direction: usize) -> f64;
     /// Second derivative in two directions, 0 for a number that holds none.
     fn second(&self, i: usize, j: usize) -> f64;
+}
+
+impl Seeded for f64 {
+    fn seeded(value: f64, _: usize) -> Self {
+        value
+    }
+
+    fn first(&self, _: usize) -> f64 {
+        0.0
+    }
+
+    fn second(&self, _: usize, _: usize) -> f64 {
+        0.0
+    }
 }
 
 impl Seeded for Dual64 {

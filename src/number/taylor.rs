@@ -1,0 +1,28 @@
+/// A function's value with its exact derivatives, in the order of the variables asked for.
+#[derive(Clone, Debug, Default, PartialEq, serde::Serialize, serde::Deserialize)]
+pub struct Taylor {
+    /// The value.
+    pub value: f64,
+    /// ∂/∂xᵢ; empty where only values were asked for.
+    pub gradient: Vec<f64>,
+    /// ∂²/∂xᵢ∂xⱼ, row by row, symmetric; empty where no Hessian was asked for.
+    pub hessian: Vec<Vec<f64>>,
+}
+
+impl Taylor {
+    /// Whether the value and every derivative is finite.
+    pub fn is_finite(&self) -> bool {
+        let mut derivatives = self.gradient.iter().chain(self.hessian.iter().flatten());
+        self.value.is_finite() && derivatives.all(|d| d.is_finite())
+    }
+
+    /// The function with the opposite sign.
+    #[must_use]
+    pub fn negated(mut self) -> Self {
+        self.value = -self.value;
+        for d in self.gradient.iter_mut().chain(self.hessian.iter_mut().flatten()) {
+            *d = -*d;
+        }
+        self
+    }
+}

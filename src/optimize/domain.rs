@@ -1,0 +1,96 @@
+use crate::error::{Error, Result};
+
+/// Limits low ≤ v ≤ high of several numbers. An end may be infinite; with low = high a number is fixed.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Bounds {
+    /// Lower ends.
+    pub low: Vec<f64>,
+    /// Upper ends.
+    pub high: Vec<f64>,
+}
+
+impl Bounds {
+    /// Limits.
+    ///
+    /// # Errors
+    /// [`Error::Optimizer`] for ends that are NaN, reversed, infinite on the wrong side, or of different number.
+    pub fn new(low: Vec<f64>, high: Vec<f64>) -> Result<Self> {
+        if low.len() != high.len() {
+            return Err(Error::Optimizer(format!(
+                "{} lower and {} upper limits; give one of each for every number",
+                low.len(),
+                high.len()
+            )));
+        }
+        for (i, (low, high)) in low.iter().zip(&high).enumerate() {
+            let is_range = low <= high && *low < f64::INFINITY && *high > f64::NEG_INFINITY;
+            if !is_range {
+                return Err(Error::Optimizer(format!(
+                    "the limits of number {i} are {low} .. {high}; the lower must not exceed the upper"
+                )));
+            }
+        }
+        Ok(Self { low, high })
+    }
+
+    /// How many numbers they limit.
+    pub fn dimension(&self) -> usize {
+        self.low.len()
+    }
+
+    /// The nearest point within.
+    pub fn project(&self, x: &[f64]) -> Vec<f64> {
+        x.iter().zip(self.low.iter().zip(&self.high)).map(|(x, (low, high))| x.clamp(*low, *high)).collect()
+    }
+
+    /// What a sensible change of each number is: the width of its range, or, where that is infinite, its own size at
+    /// `x` and at least 1.
+    pub fn scale(&self, x: &[f64]) -> Vec<f64> {
+        let scale = |i: usize| match self.high[i] - self.low[i] {
+            0.0 => 1.0,
+            width if width.is_finite() => width,
+            _ => x[i].abs().max(1.0),
+        };
+        (0..self.dimension()).map(scale).collect()
+    }
+
+    /// Whether the two ends of a number are one.
+    pub fn is_fixed(&self, i: usize) -> bool {
+        self.low[i] == self.high[i]
+    }
+
+    /// How far a number is beyond its limits: above the upper > 0, below the lower < 0, within 0.
+    pub fn excess(&self, i: usize, value: f64) -> f64 {
+        value - value.clamp(self.low[i], self.high[i])
+    }
+}
+
+/// Where a solution is looked for: bounds of the variables and limits of the constraint functions.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Domain {
+    /// low ≤ x ≤ high.
+    pub variables: Bounds,
+    /// low ≤ c(x) ≤ high; an equality where both are one number.
+    pub constraints: Bounds,
+}
+
+impl Domain {
+    /// A box, without constraints.
+    ///
+    /// # Errors
+    /// [`Error::Optimizer`] as [`Bounds::new`], and for a box of no variables.
+    pub fn new(low: Vec<f64>, high: Vec<f64>) -> Result<Self> {
+        if low.is_empty() {
+            return Err(Error::Optimizer("there are no variables; give bounds of at least one".into()));
+        }
+        Ok(Self { variables: Bounds::new(low, high)?, constraints: Bounds::default() })
+    }
+
+    /// The same box with limits for the problem's constraint functions c₁ … cₘ.
+    ///
+    /// # Errors
+    /// [`Error::Optimizer`] as [`Bounds::new`].
+    pub fn subject_to(self, low: Vec<f64>, high: Vec<f64>) -> Result<Self> {
+        Ok(Self { constraints: Bounds::new(low, high)?, ..self })
+    }
+}

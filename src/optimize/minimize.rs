@@ -1,0 +1,231 @@
+//! A search from its start to its end, with those who watch it, stop it and keep it.
+
+use super::domain::Domain;
+use super::kink::Kink;
+use super::options::Options;
+use super::problem::Problem;
+use super::solution::{Iteration, Solution};
+use super::sqp::{Progress, Sqp, SqpState};
+use super::status::Status;
+use crate::error::{Error, Result};
+use argmin::core::checkpointing::{Checkpoint, CheckpointingFrequency};
+use argmin::core::observers::{Observe, ObserverMode};
+use argmin::core::{Executor, KV, State};
+use serde::{Deserialize, Serialize};
+use std::cell::RefCell;
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+
+/// Minimises a function within a domain from a start, which is moved into the bounds first.
+///
+/// # Errors
+/// [`Error::Optimizer`] for a start or options that make no sense. Not converging is a [`Status`], not an error.
+pub fn minimize(problem: impl Problem, domain: &Domain, start: &[f64], options: &Options) -> Result<Solution> {
+    minimize_watched(problem, domain, start, options, Watch::default())
+}
+
+/// Those who follow a search.
+pub struct Watch {
+    /// Is shown every iteration.
+    pub iteration: Box<dyn FnMut(&Iteration)>,
+    /// Ends the search, with the best point so far, once it is true.
+    pub interrupt: Arc<AtomicBool>,
+    /// Is given the search after every iteration, to keep it.
+    pub keep: Option<Box<Keep>>,
+    /// A search that was kept, to go on with.
+    pub resume: Option<Snapshot>,
+}
+
+/// Keeps a search, or says why it cannot.
+pub type Keep = dyn FnMut(&Snapshot) -> Result<()>;
+
+impl Default for Watch {
+    fn default() -> Self {
+        Self { iteration: Box::new(|_| ()), interrupt: Arc::default(), keep: None, resume: None }
+    }
+}
+
+/// A search between two iterations: going on from it ends as the search itself would have, bit by bit.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Snapshot {
+    iterations: u64,
+    progress: Progress,
+}
+
+impl Snapshot {
+    /// Iterations done.
+    pub fn iterations(&self) -> u64 {
+        self.iterations
+    }
+}
+
+/// As [`minimize`], with those who follow the search.
+///
+/// # Errors
+/// As [`minimize`]; whatever keeping the search fails with.
+pub fn minimize_watched(
+    problem: impl Problem,
+    domain: &Domain,
+    start: &[f64],
+    options: &Options,
+    watch: Watch,
+) -> Result<Solution> {
+    options.validate()?;
+    let n = domain.variables.dimension();
+    if start.len() != n || !start.iter().all(|x| x.is_finite()) {
+        return Err(Error::Optimizer(format!("the start {start:?} must be {n} finite numbers, one per variable")));
+    }
+    let failure = Arc::default();
+    let found = run(&problem, domain, start, options, watch, &failure)?;
+    match found.kink.and_then(|kink| Some((kink, kink.slope_towards_bound()?))) {
+        Some((kink, (price, is_lower))) if found.status == Status::StalledAtKink => {
+            Ok(held_at_corner(&problem, domain, options, found, kink, price, is_lower))
+        }
+        _ => Ok(found),
+    }
+}
+
+/// One run of argmin's executor.
+fn run(
+    problem: &impl Problem,
+    domain: &Domain,
+    start: &[f64],
+    options: &Options,
+    watch: Watch,
+    failure: &Arc<std::sync::Mutex<Option<Error>>>,
+) -> Result<Solution> {
+    let progress = Progress::default();
+    let solver =
+        Sqp { domain: domain.clone(), options: options.clone(), interrupt: watch.interrupt.clone(), progress };
+    let fresh = SqpState::new().param(start.to_vec()).max_iters(options.max_iterations);
+    let keeper = Keeper {
+        keep: watch.keep.map(RefCell::new),
+        resumed: watch.resume.map(|snapshot| (resumed(&solver, snapshot.clone()), at_iteration(&fresh, &snapshot))),
+        failure: failure.clone(),
+    };
+    let mut executor =
+        Executor::new(ByReference(problem), solver).configure(|_| fresh).add_observer(Watcher(watch.iteration), ObserverMode::Always).timer(false);
+    if keeper.keep.is_some() || keeper.resumed.is_some() {
+        executor = executor.checkpointing(keeper);
+    }
+    let result = executor.run().map_err(|e| {
+        let own = failure.lock().ok().and_then(|mut failure| failure.take());
+        own.unwrap_or_else(|| Error::Optimizer(e.to_string()))
+    })?;
+    let iterations = result.state.get_iter();
+    let start = result.state.param.unwrap_or_default();
+    Ok(Solution::new(domain, result.solver.progress, start, iterations))
+}
+
+/// Where a corner of the objective lies on a bound that it falls towards, that variable stays on the bound, at the price
+/// of the slope inside, and the others are searched on.
+fn held_at_corner(
+    problem: &impl Problem,
+    domain: &Domain,
+    options: &Options,
+    found: Solution,
+    kink: Kink,
+    price: f64,
+    is_lower: bool,
+) -> Solution {
+    let (i, mut held) = (kink.variable, domain.clone());
+    let bound = if is_lower { domain.variables.low[i] } else { domain.variables.high[i] };
+    (held.variables.low[i], held.variables.high[i]) = (bound, bound);
+    let Ok(mut end) = run(problem, &held, &found.x, options, Watch::default(), &Arc::default()) else { return found };
+    if end.status != Status::Converged {
+        return found;
+    }
+    let (lower, upper) = if is_lower { (price, 0.0) } else { (0.0, price) };
+    (end.lower_multipliers[i], end.upper_multipliers[i]) = (lower, upper);
+    end.gradient[i] = lower - upper;
+    end.message += &format!("; variable {i} lies on its bound, where the objective has a corner");
+    end.iterations += found.iterations;
+    end.evaluations += found.evaluations;
+    Solution { kink: Some(kink), begun_at: found.begun_at, undefined_at_start: found.undefined_at_start, ..end }
+}
+
+/// argmin owns its problem; several runs share one.
+struct ByReference<'a, P>(&'a P);
+
+impl<P: Problem> Problem for ByReference<'_, P> {
+    fn evaluate(&self, x: &[f64]) -> std::result::Result<super::Evaluation, String> {
+        self.0.evaluate(x)
+    }
+}
+
+fn resumed(solver: &Sqp, snapshot: Snapshot) -> Sqp {
+    let mut solver = Sqp { progress: snapshot.progress, ..solver.clone() };
+    if let Some(search) = &mut solver.progress.search {
+        search.frame.domain = solver.domain.clone();
+    }
+    solver
+}
+
+fn at_iteration(fresh: &SqpState, snapshot: &Snapshot) -> SqpState {
+    let mut state = fresh.clone();
+    if let Some(search) = &snapshot.progress.search {
+        state = state.param(search.at.x.clone()).cost(search.at.f.objective.value);
+    }
+    state.iter = snapshot.iterations;
+    state
+}
+
+/// argmin's checkpointing, by whoever keeps the search.
+struct Keeper {
+    keep: Option<RefCell<Box<Keep>>>,
+    resumed: Option<(Sqp, SqpState)>,
+    failure: Arc<std::sync::Mutex<Option<Error>>>,
+}
+
+impl Checkpoint<Sqp, SqpState> for Keeper {
+    fn save(&self, solver: &Sqp, state: &SqpState) -> std::result::Result<(), argmin::core::Error> {
+        let Some(keep) = &self.keep else { return Ok(()) };
+        let snapshot = Snapshot { iterations: state.get_iter(), progress: solver.progress.clone() };
+        (keep.borrow_mut())(&snapshot).map_err(|error| {
+            let message = error.to_string();
+            if let Ok(mut failure) = self.failure.lock() {
+                *failure = Some(error);
+            }
+            argmin::core::Error::msg(message)
+        })
+    }
+
+    fn load(&self) -> std::result::Result<Option<(Sqp, SqpState)>, argmin::core::Error> {
+        Ok(self.resumed.clone())
+    }
+
+    fn frequency(&self) -> CheckpointingFrequency {
+        CheckpointingFrequency::Always
+    }
+}
+
+/// Passes argmin's observations on.
+struct Watcher(Box<dyn FnMut(&Iteration)>);
+
+impl Watcher {
+    fn show(&mut self, number: u64, state: &SqpState, kv: &KV) {
+        let float = |key: &str| kv.get(key).and_then(argmin::core::KvValue::get_float);
+        let Some((x, kkt_residual)) = state.get_param().cloned().zip(float("kkt_residual")) else { return };
+        (self.0)(&Iteration {
+            number,
+            value: state.get_cost(),
+            x,
+            kkt_residual,
+            violation: float("violation").unwrap_or_default(),
+            radius: float("radius").unwrap_or_default(),
+            kept: kv.get("kept").and_then(argmin::core::KvValue::get_bool).unwrap_or_default(),
+        });
+    }
+}
+
+impl Observe<SqpState> for Watcher {
+    fn observe_init(&mut self, _: &str, state: &SqpState, kv: &KV) -> std::result::Result<(), argmin::core::Error> {
+        self.show(0, state, kv);
+        Ok(())
+    }
+
+    fn observe_iter(&mut self, state: &SqpState, kv: &KV) -> std::result::Result<(), argmin::core::Error> {
+        self.show(state.get_iter() + 1, state, kv);
+        Ok(())
+    }
+}

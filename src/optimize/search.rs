@@ -1,0 +1,229 @@
+//! What a search knows between two iterations, and what it does with a step.
+
+use super::frame::{Frame, Point, Residual, norm};
+use super::model::{Model, Plan, lagrangian_hessian};
+use super::qp::Method;
+use super::quasi_newton;
+use super::sides::Sides;
+use nalgebra::DMatrix;
+use serde::{Deserialize, Serialize};
+
+/// Steps are kept where the merit falls by at least this part of what the model promised (Conn, Gould & Toint
+/// 2000, §6.1: any small positive number).
+const KEEP: f64 = 1e-4;
+/// The trust region shrinks to this part of the step where less than a quarter was kept of the promise …
+const SHRINK: f64 = 0.25;
+/// … and grows by this factor where more than three quarters were, by a step that it limited (ibid., §17.1).
+const GROW: f64 = 2.0;
+/// Largest trust region, in units of the variables' scale.
+const LARGEST_RADIUS: f64 = 1e10;
+/// Rounding of the functions, relative to φ and γ.
+pub(super) const NOISE: f64 = 1e-14;
+/// Promises below this, relative to φ, are none.
+const LITTLE: f64 = 1e-13;
+/// Of what the violations fall by, the model's merit must fall by at least this part (Nocedal & Wright 2006,
+/// eq. 18.36: ρ).
+const MERIT_SHARE: f64 = 0.1;
+/// What is added when the penalty is raised, so that it is not raised again at once.
+const PENALTY_MARGIN: f64 = 1.5;
+
+/// How often each method found the active set of a step.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Effort {
+    /// Evaluations of the functions with their derivatives.
+    pub evaluations: u64,
+    /// Quadratic programs that Clarabel solved.
+    pub clarabel: u64,
+    /// Those it solved only after their rows were rescaled.
+    pub rescaled: u64,
+    /// Those that the dual active-set method solved.
+    pub dual: u64,
+    /// Those that nothing solved: the step ran down the slope.
+    pub descent: u64,
+    /// Steps whose linearised constraints contradicted each other and were relaxed.
+    pub relaxed: u64,
+    /// Second-order corrections tried.
+    pub corrections: u64,
+}
+
+/// The state of a search.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub(super) struct Search {
+    pub frame: Frame,
+    pub at: Point,
+    pub multipliers: Vec<f64>,
+    /// ν of the merit f + ν ‖v‖₂.
+    pub penalty: f64,
+    pub radius: f64,
+    pub sides: Sides,
+    pub residual: Residual,
+    /// Iterations without progress.
+    pub idle: u32,
+    /// Times the search left a saddle.
+    pub escapes: u32,
+    pub effort: Effort,
+    /// Why the functions were not defined where the last step that failed for it led.
+    pub edge: Option<String>,
+    /// The search's own Hessian by rows, where the problem gives none, and how often it was updated.
+    own_hessian: Option<(Vec<Vec<f64>>, u32)>,
+}
+
+/// What became of a step.
+pub(super) struct Outcome {
+    /// What the merit fell by.
+    fell: f64,
+    /// What the model promised.
+    promised: f64,
+    /// The merit's rounding.
+    noise: f64,
+}
+
+impl Outcome {
+    pub fn is_kept(&self) -> bool {
+        self.fell + self.noise >= KEEP * (self.promised + self.noise)
+    }
+
+    fn is_poor(&self) -> bool {
+        self.fell + self.noise < 0.25 * (self.promised + self.noise)
+    }
+
+    fn is_good(&self) -> bool {
+        self.fell > 0.75 * self.promised
+    }
+}
+
+impl Search {
+    pub fn new(frame: Frame, at: Point, radius: f64) -> Self {
+        let multipliers = vec![0.0; at.f.constraints.len()];
+        let residual = frame.residual(&at, &multipliers);
+        Self {
+            multipliers,
+            penalty: 0.0,
+            radius,
+            sides: Sides::default(),
+            residual,
+            idle: 0,
+            escapes: 0,
+            effort: Effort::default(),
+            edge: None,
+            own_hessian: None,
+            frame,
+            at,
+        }
+    }
+
+    /// The step to try. Where what is known of another side, from too far away, leaves nothing to gain, that is
+    /// forgotten and looked at again.
+    pub fn plan(&mut self) -> Plan {
+        let hessian = self.hessian();
+        loop {
+            let plan = self.model(&hessian).plan();
+            self.count(&plan);
+            let is_hopeless = self.promised(&plan) <= LITTLE * self.frame.size(&self.at);
+            if !(is_hopeless && self.sides.forget_one_too_far(&self.frame, &self.at)) {
+                return plan;
+            }
+        }
+    }
+
+    /// The plan made up for the constraints' curvature, where that may be what a step failed by.
+    pub fn corrected(&mut self, plan: &Plan, tried: &Point) -> Option<Plan> {
+        let missed = norm(&self.frame.violations(&tried.f)) - plan.violation_left;
+        if self.at.f.constraints.is_empty() || missed <= NOISE {
+            return None;
+        }
+        self.effort.corrections += 1;
+        let hessian = self.hessian();
+        let corrected = self.model(&hessian).corrected(plan, tried);
+        self.count(&corrected);
+        Some(corrected)
+    }
+
+    /// Raises the penalty, so that a step that meets the constraints better lowers the model's merit.
+    pub fn raise_penalty(&mut self, plan: &Plan) {
+        let gained = self.violation() - plan.violation_left;
+        if gained > NOISE {
+            let needed = -plan.descent / ((1.0 - MERIT_SHARE) * gained);
+            if needed > self.penalty {
+                self.penalty = PENALTY_MARGIN * needed;
+            }
+        }
+    }
+
+    /// What became of a step that the model planned.
+    pub fn outcome(&self, plan: &Plan, tried: Option<&Point>) -> Outcome {
+        let fell = tried.map_or(f64::NEG_INFINITY, |tried| {
+            let violation = norm(&self.frame.violations(&tried.f));
+            self.at.f.objective.value - tried.f.objective.value + self.penalty * (self.violation() - violation)
+        });
+        let noise = NOISE * self.frame.size(&self.at) + 0.1 * NOISE * self.penalty;
+        Outcome { fell, promised: self.promised(plan), noise }
+    }
+
+    /// The trust region for the next step.
+    pub fn resize(&mut self, plan: &Plan, outcome: &Outcome) {
+        if outcome.is_poor() {
+            self.radius = SHRINK * plan.length.min(self.radius);
+        } else if outcome.is_good() && plan.length >= 0.99 * self.radius {
+            self.radius = (GROW * self.radius).min(LARGEST_RADIUS);
+        }
+    }
+
+    /// Goes on from a point with the multipliers that led there; returns the point left.
+    pub fn move_to(&mut self, to: Point, multipliers: Vec<f64>) -> Point {
+        self.multipliers = multipliers;
+        if to.f.objective.hessian.is_empty() {
+            let (before, updates) = self.own();
+            let after = quasi_newton::updated(&before, &self.frame, &self.at, &to, &self.multipliers, updates == 0);
+            self.own_hessian = Some((rows(&after), updates + 1));
+        }
+        std::mem::replace(&mut self.at, to)
+    }
+
+    /// What the model says the merit falls by.
+    pub fn promised(&self, plan: &Plan) -> f64 {
+        plan.descent + self.penalty * (self.violation() - plan.violation_left)
+    }
+
+    /// ‖v‖₂, in units of γ.
+    pub fn violation(&self) -> f64 {
+        norm(&self.frame.violations(&self.at.f))
+    }
+
+    /// The merit of a point.
+    pub fn merit(&self, at: &Point) -> f64 {
+        at.f.objective.value + self.penalty * norm(&self.frame.violations(&at.f))
+    }
+
+    fn model<'a>(&'a self, hessian: &'a DMatrix<f64>) -> Model<'a> {
+        let Self { frame, sides, at, multipliers, radius, .. } = self;
+        Model { frame, sides, at, multipliers, hessian, radius: *radius }
+    }
+
+    fn hessian(&self) -> DMatrix<f64> {
+        lagrangian_hessian(&self.frame, &self.at, &self.multipliers).unwrap_or_else(|| self.own().0)
+    }
+
+    fn own(&self) -> (DMatrix<f64>, u32) {
+        let n = self.at.x.len();
+        match &self.own_hessian {
+            Some((rows, updates)) => (DMatrix::from_fn(n, n, |i, j| rows[i][j]), *updates),
+            None => (quasi_newton::initial(&self.frame, &self.at), 0),
+        }
+    }
+
+    fn count(&mut self, plan: &Plan) {
+        let counted = match plan.by {
+            Method::Clarabel => &mut self.effort.clarabel,
+            Method::Rescaled => &mut self.effort.rescaled,
+            Method::Dual => &mut self.effort.dual,
+            Method::Descent => &mut self.effort.descent,
+        };
+        *counted += 1;
+        self.effort.relaxed += u64::from(plan.is_relaxed);
+    }
+}
+
+fn rows(matrix: &DMatrix<f64>) -> Vec<Vec<f64>> {
+    matrix.row_iter().map(|row| row.iter().copied().collect()).collect()
+}
