@@ -187,6 +187,32 @@ pub enum Error {
     /// An answer that could not be written.
     #[error("cannot write the answer: {0}")]
     Output(std::io::Error),
+    /// A question about an optimum where none was found.
+    #[error("there is no optimum to ask about: {status}: {message}")]
+    NotConverged {
+        /// How the search ended.
+        status: &'static str,
+        /// The same in a sentence.
+        message: String,
+    },
+    /// A checkpoint file that cannot be used.
+    #[error("the checkpoint '{file}': {reason}")]
+    Checkpoint {
+        /// The file.
+        file: String,
+        /// Why, and what to do.
+        reason: String,
+    },
+    /// A constraint that cannot be read.
+    #[error("--subject-to: {reason}\n  {expression}\n  {}^", " ".repeat(*.column))]
+    Constraint {
+        /// The constraint as given.
+        expression: String,
+        /// Where in it, in characters from 0.
+        column: usize,
+        /// What is wrong there, and what to write.
+        reason: String,
+    },
     /// An optimizer setting or problem that makes no sense.
     #[error("optimizer: {0}")]
     Optimizer(String),
@@ -212,7 +238,7 @@ impl Error {
     /// Whether the question was sound but has no answer (a drive that does not fly, an angle without direction), as
     /// against bad input.
     pub fn is_an_outcome(&self) -> bool {
-        matches!(self, Self::NoFlight { .. } | Self::Undefined { .. })
+        matches!(self, Self::NoFlight { .. } | Self::Undefined { .. } | Self::NotConverged { .. })
     }
 }
 

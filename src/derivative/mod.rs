@@ -65,6 +65,30 @@ pub fn evaluate_with(
     order: Order,
     progress: impl FnMut(usize, usize),
 ) -> Result<Vec<Taylor>> {
+    checked(setup, of, wrt, order, Pairs::All, progress)
+}
+
+/// As [`evaluate`] to second order, with those second derivatives alone that the last parameter takes part in: what the
+/// sensitivity of an optimum to it asks for. The other entries of the Hessians are 0.
+///
+/// # Errors
+/// As [`evaluate`].
+pub(crate) fn towards_last(
+    setup: &Setup<f64>,
+    of: &[Outcome],
+    wrt: &[&'static Parameter],
+) -> Result<Vec<Taylor>> {
+    checked(setup, of, wrt, Order::Second, Pairs::WithLast, |_, _| ())
+}
+
+fn checked(
+    setup: &Setup<f64>,
+    of: &[Outcome],
+    wrt: &[&'static Parameter],
+    order: Order,
+    pairs: Pairs,
+    progress: impl FnMut(usize, usize),
+) -> Result<Vec<Taylor>> {
     setup.validate()?;
     if of.is_empty() {
         return Err(Error::Nothing { doing: "evaluate", what: "outcome" });
@@ -77,7 +101,7 @@ pub fn evaluate_with(
             setup.variable(parameter.name)?;
         }
     }
-    let taylors = differentiate(&Outcomes { setup, of, wrt }, wrt.len(), order, Pairs::All, progress)?;
+    let taylors = differentiate(&Outcomes { setup, of, wrt }, wrt.len(), order, pairs, progress)?;
     for (outcome, taylor) in of.iter().zip(&taylors) {
         check(taylor, *outcome, wrt)?;
     }

@@ -43,12 +43,12 @@ impl Bounds {
         x.iter().zip(self.low.iter().zip(&self.high)).map(|(x, (low, high))| x.clamp(*low, *high)).collect()
     }
 
-    /// What a sensible change of each number is: the width of its range, or, where that is infinite, its own size at
-    /// `x` and at least 1.
+    /// What a sensible change of each number is: the width of its range, but no more than ten times its own size at `x`
+    /// or 1, whichever is larger; where the range is infinite, that size itself.
     pub fn scale(&self, x: &[f64]) -> Vec<f64> {
         let scale = |i: usize| match self.high[i] - self.low[i] {
             0.0 => 1.0,
-            width if width.is_finite() => width,
+            width if width.is_finite() => width.min(10.0 * x[i].abs().max(1.0)),
             _ => x[i].abs().max(1.0),
         };
         (0..self.dimension()).map(scale).collect()

@@ -18,7 +18,7 @@ use crate::number::{Number, Order, Pairs, Seedable, Seeded, differentiate};
 /// }
 ///
 /// let domain = Domain::new(vec![0.1, 0.1], vec![10.0, 10.0]).unwrap().subject_to(vec![1.0], vec![1.0]).unwrap();
-/// let can = minimize(Exact(Can), &domain, &[1.0, 1.0], &Options::default()).unwrap();
+/// let can = minimize(&Exact(Can), &domain, &[1.0, 1.0], &Options::default()).unwrap();
 /// // as tall as it is wide: r = (1/2π)^⅓, h = 2 r
 /// let r = (0.5 / std::f64::consts::PI).cbrt();
 /// assert!((can.x[0] - r).abs() < 1e-12 && (can.x[1] - 2.0 * r).abs() < 1e-12);

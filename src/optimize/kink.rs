@@ -31,33 +31,49 @@ impl Kink {
 const REACH: f64 = 1e-6;
 
 /// Looks for a corner at a point: a variable whose slope jumps between two points 2·REACH apart by much more than
-/// the curvature on either side accounts for.
-pub(super) fn find(frame: &Frame, at: &Point, mut evaluate: impl FnMut(&[f64]) -> Option<Evaluation>) -> Option<Kink> {
+/// the curvature on either side accounts for. `evaluate` gives `None` where the functions are not defined.
+pub(super) fn find<E>(
+    frame: &Frame,
+    at: &Point,
+    mut evaluate: impl FnMut(&[f64]) -> Result<Option<Evaluation>, E>,
+) -> Result<Option<Kink>, E> {
     let bounds = &frame.domain.variables;
-    (0..at.x.len()).filter(|&i| !bounds.is_fixed(i)).find_map(|i| {
+    for i in (0..at.x.len()).filter(|&i| !bounds.is_fixed(i)) {
         let mut side = |towards: f64| {
             let mut moved = at.x.clone();
             let to = at.x[i] + towards * REACH * frame.scale[i];
             moved[i] = to.clamp(bounds.low[i], bounds.high[i]);
-            evaluate(&moved).map(|f| (moved[i], f.objective, moved[i] == to))
+            let objective = evaluate(&moved)?.map(|f| f.objective);
+            Ok(objective.map(|f| Side { x: moved[i], slope: f.gradient[i], hessian: f.hessian, is_inside: moved[i] == to }))
         };
-        let ((from, below, is_below_inside), (to, above, is_above_inside)) = (side(-1.0)?, side(1.0)?);
-        if below.hessian.is_empty() || above.hessian.is_empty() {
-            return None;
+        let (Some(below), Some(above)) = (side(-1.0)?, side(1.0)?) else { return Ok(None) };
+        if is_corner(frame, at, i, &below, &above) {
+            let slope = |side: &Side| side.is_inside.then_some(side.slope);
+            return Ok(Some(Kink { variable: i, slope_below: slope(&below), slope_above: slope(&above) }));
         }
-        let jump = above.gradient[i] - below.gradient[i];
-        let is_unexplained = |bend: f64| (bend * (to - from) - jump).abs() > 0.5 * jump.abs();
-        let matters = jump.abs() * frame.scale[i] > 1e-6 * frame.size(at);
-        // on a bound the one side is the rounded tip of the corner itself, whose curvature may account for anything
-        let is_sharp = (is_unexplained(below.hessian[i][i]) || !is_below_inside)
-            && (is_unexplained(above.hessian[i][i]) || !is_above_inside)
-            && (is_below_inside || is_above_inside);
-        (to > from && matters && is_sharp).then_some(Kink {
-            variable: i,
-            slope_below: is_below_inside.then_some(below.gradient[i]),
-            slope_above: is_above_inside.then_some(above.gradient[i]),
-        })
-    })
+    }
+    Ok(None)
+}
+
+/// The objective a little to one side of a point.
+struct Side {
+    x: f64,
+    slope: f64,
+    hessian: Vec<Vec<f64>>,
+    /// Whether it is where it was meant to be; on a bound it is not.
+    is_inside: bool,
+}
+
+fn is_corner(frame: &Frame, at: &Point, i: usize, below: &Side, above: &Side) -> bool {
+    if below.hessian.is_empty() || above.hessian.is_empty() {
+        return false;
+    }
+    let (apart, jump) = (above.x - below.x, above.slope - below.slope);
+    let matters = jump.abs() * frame.scale[i] > 1e-6 * frame.size(at);
+    // on a bound the one side is the rounded tip of the corner itself, whose curvature may account for anything
+    let is_unexplained = |side: &Side| !side.is_inside || (side.hessian[i][i] * apart - jump).abs() > 0.5 * jump.abs();
+    let is_seen = below.is_inside || above.is_inside;
+    apart > 0.0 && matters && is_seen && is_unexplained(below) && is_unexplained(above)
 }
 
 /// Whether a converged point may in truth be a smoothed corner: a curvature so high that the slope changes by

@@ -20,7 +20,7 @@ use std::sync::atomic::AtomicBool;
 ///
 /// # Errors
 /// [`Error::Optimizer`] for a start or options that make no sense. Not converging is a [`Status`], not an error.
-pub fn minimize(problem: impl Problem, domain: &Domain, start: &[f64], options: &Options) -> Result<Solution> {
+pub fn minimize(problem: &impl Problem, domain: &Domain, start: &[f64], options: &Options) -> Result<Solution> {
     minimize_watched(problem, domain, start, options, Watch::default())
 }
 
@@ -38,6 +38,13 @@ pub struct Watch {
 
 /// Keeps a search, or says why it cannot.
 pub type Keep = dyn FnMut(&Snapshot) -> Result<()>;
+
+impl Watch {
+    /// Shows every iteration.
+    pub fn showing(iteration: impl FnMut(&Iteration) + 'static) -> Self {
+        Self { iteration: Box::new(iteration), ..Self::default() }
+    }
+}
 
 impl Default for Watch {
     fn default() -> Self {
@@ -64,7 +71,7 @@ impl Snapshot {
 /// # Errors
 /// As [`minimize`]; whatever keeping the search fails with.
 pub fn minimize_watched(
-    problem: impl Problem,
+    problem: &impl Problem,
     domain: &Domain,
     start: &[f64],
     options: &Options,
@@ -76,10 +83,10 @@ pub fn minimize_watched(
         return Err(Error::Optimizer(format!("the start {start:?} must be {n} finite numbers, one per variable")));
     }
     let failure = Arc::default();
-    let found = run(&problem, domain, start, options, watch, &failure)?;
+    let found = run(problem, domain, start, options, watch, &failure)?;
     match found.kink.and_then(|kink| Some((kink, kink.slope_towards_bound()?))) {
         Some((kink, (price, is_lower))) if found.status == Status::StalledAtKink => {
-            Ok(held_at_corner(&problem, domain, options, found, kink, price, is_lower))
+            Ok(held_at_corner(problem, domain, options, found, kink, price, is_lower))
         }
         _ => Ok(found),
     }

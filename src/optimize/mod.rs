@@ -27,7 +27,7 @@
 //!
 //! // on [0, 2]²: x ends on its bound 2 with multiplier 2 (3 − 2), and y = x
 //! let domain = Domain::new(vec![0.0, 0.0], vec![2.0, 2.0]).unwrap();
-//! let optimum = minimize(Exact(Valley), &domain, &[0.5, 1.0], &Options::default()).unwrap();
+//! let optimum = minimize(&Exact(Valley), &domain, &[0.5, 1.0], &Options::default()).unwrap();
 //! assert_eq!(optimum.status, Status::Converged);
 //! assert_eq!(optimum.x[0], 2.0);
 //! assert!((optimum.x[1] - 2.0).abs() < 1e-12 && (optimum.upper_multipliers[0] - 2.0).abs() < 1e-9);
@@ -38,14 +38,18 @@ mod domain;
 mod frame;
 mod functions;
 mod kink;
+mod ledger;
 mod minimize;
 mod model;
+mod multistart;
+mod null_space;
 mod options;
 mod problem;
 pub mod qp;
 mod quasi_newton;
 mod saddle;
 mod search;
+pub mod sensitivity;
 mod sides;
 mod solution;
 pub mod sqp;
@@ -57,7 +61,9 @@ pub use domain::{Bounds, Domain};
 pub use frame::Residual;
 pub use functions::{Exact, Functions, Gradients, Values};
 pub use kink::Kink;
+pub use ledger::{Ledger, Run};
 pub use minimize::{Keep, Snapshot, Watch, minimize, minimize_watched};
+pub use multistart::{Follow, Local, minimize_from, starts};
 pub use options::Options;
 pub use problem::{Evaluation, Problem};
 pub use search::Effort;

@@ -24,7 +24,9 @@ pub(super) struct Plan {
     pub length: f64,
     /// What the model says f falls by; it may rise where constraints ask for it.
     pub descent: f64,
-    /// The norm of the violations that the linearised constraints leave, in units of γ.
+    /// The norm of the constraints' violations before it, in units of γ.
+    pub violation: f64,
+    /// What the linearised constraints leave of it.
     pub violation_left: f64,
     /// The multipliers that go with the step.
     pub multipliers: Vec<f64>,
@@ -34,6 +36,14 @@ pub(super) struct Plan {
     pub is_relaxed: bool,
     /// Who found its active set.
     pub by: Method,
+}
+
+impl Plan {
+    /// Whether the trust region kept it from going further.
+    pub fn is_limited_by(&self, radius: f64) -> bool {
+        let part = if self.is_relaxed { NORMAL_PART } else { 1.0 };
+        self.length >= 0.99 * part * radius
+    }
 }
 
 /// Of the trust region, the part that serves to meet the constraints where they cannot all be met; the rest is left
@@ -91,6 +101,7 @@ impl Model<'_> {
         Plan {
             length: step.d.amax(),
             descent: self.descent(&program, &d),
+            violation: norm(&self.frame.violations(&self.at.f)),
             violation_left: norm(&left.collect::<Vec<_>>()),
             multipliers: step.multipliers.iter().zip(&self.frame.gamma).map(|(m, gamma)| m / gamma).collect(),
             sides: step.weights.iter().filter(|weight| **weight > 1e-6).count(),

@@ -1,7 +1,9 @@
 //! The second-order test: a point where the gradient vanishes may be a saddle, or even a maximum.
 
-use super::frame::{Frame, Point};
+use super::frame::{Frame, Point, norm};
 use super::model::lagrangian_hessian;
+use super::null_space::null_space;
+use super::search::{Evaluate, Search};
 use nalgebra::{DMatrix, DVector};
 
 /// Curvature below zero by less than this, in units of φ over the scale squared, is rounding.
@@ -9,17 +11,99 @@ const LEAST: f64 = 1e-8;
 /// Multipliers below this, in units of φ over the scale, hold nothing.
 const IDLE: f64 = 1e-8;
 
-/// The direction of most negative curvature of the Lagrangian along what holds the point, with that curvature, in
-/// scaled variables; `None` where there is none.
-pub(super) fn downward(frame: &Frame, at: &Point, multipliers: &[f64]) -> Option<(DVector<f64>, f64)> {
-    let hessian = lagrangian_hessian(frame, at, multipliers)?;
-    let free = tangents(frame, at, multipliers);
-    if free.ncols() == 0 {
-        return None;
+/// Saddles left before a search gives up on finding anything else.
+const MOST_ESCAPES: u32 = 20;
+
+/// What is to be made smaller.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Goal {
+    /// The merit, along what holds the point.
+    Merit,
+    /// The constraints' violation.
+    Feasibility,
+}
+
+impl Search {
+    /// Where the point is a saddle of what is to be made smaller, goes down from it; whether it did.
+    pub fn leave_saddle(&mut self, goal: Goal, evaluate: &mut Evaluate<'_>) -> Result<bool, argmin::core::Error> {
+        let Some((direction, curvature)) = self.downward(goal).filter(|_| self.escapes < MOST_ESCAPES) else {
+            return Ok(false);
+        };
+        self.escapes += 1;
+        let measure = |search: &Self, at: &Point| match goal {
+            Goal::Merit => search.merit(at),
+            Goal::Feasibility => 0.5 * norm(&search.frame.violations(&at.f)).powi(2),
+        };
+        let before = measure(self, &self.at);
+        let mut reach = self.radius.clamp(1e-3, 0.25);
+        for _ in 0..6 {
+            let expected = -0.5 * curvature * reach * reach;
+            let mut best: Option<(f64, Point)> = None;
+            for sign in [1.0, -1.0] {
+                let coordinate = |i: usize| self.at.x[i] + sign * reach * direction[i] * self.frame.scale[i];
+                let moved: Vec<f64> = (0..self.at.x.len()).map(coordinate).collect();
+                let x = self.frame.domain.variables.project(&moved);
+                self.effort.evaluations += 1;
+                if let Ok(f) = evaluate(&x)? {
+                    let point = Point { x, f };
+                    let value = measure(self, &point);
+                    if value < best.as_ref().map_or(before - 0.1 * expected, |(least, _)| *least) {
+                        best = Some((value, point));
+                    }
+                }
+            }
+            if let Some((_, best)) = best {
+                let multipliers = self.multipliers.clone();
+                self.move_to(best, multipliers);
+                self.radius = reach;
+                self.residual = self.frame.residual(&self.at, &self.multipliers);
+                return Ok(true);
+            }
+            reach *= 0.1;
+        }
+        Ok(false)
     }
-    let reduced = (free.transpose() * hessian * &free).symmetric_eigen();
-    let (least, curvature) = reduced.eigenvalues.argmin();
-    (curvature < -LEAST * frame.size(at)).then(|| (free * reduced.eigenvectors.column(least), curvature))
+
+    /// The direction of most negative curvature, with that curvature, in scaled variables; `None` where there is none.
+    fn downward(&self, goal: Goal) -> Option<(DVector<f64>, f64)> {
+        let Self { frame, at, multipliers, .. } = self;
+        let (hessian, free, size) = match goal {
+            Goal::Merit => {
+                let hessian = lagrangian_hessian(frame, at, multipliers)?;
+                (hessian, tangents(frame, at, multipliers), frame.size(at))
+            }
+            Goal::Feasibility => {
+                let bounds = &frame.domain.variables;
+                let free: Vec<usize> = (0..at.x.len()).filter(|&i| !bounds.is_fixed(i)).collect();
+                let basis = DMatrix::from_fn(at.x.len(), free.len(), |i, k| f64::from(free[k] == i));
+                (violation_hessian(frame, at)?, basis, 1.0)
+            }
+        };
+        if free.ncols() == 0 {
+            return None;
+        }
+        let reduced = (free.transpose() * hessian * &free).symmetric_eigen();
+        let (least, curvature) = reduced.eigenvalues.argmin();
+        (curvature < -LEAST * size).then(|| (free * reduced.eigenvectors.column(least), curvature))
+    }
+}
+
+/// The Hessian of ½‖v‖² in scaled variables, if every constraint gives its own.
+fn violation_hessian(frame: &Frame, at: &Point) -> Option<DMatrix<f64>> {
+    let n = at.x.len();
+    let mut sum = DMatrix::zeros(n, n);
+    for (j, violation) in frame.violations(&at.f).into_iter().enumerate().filter(|(_, violation)| *violation != 0.0) {
+        let (constraint, gamma) = (&at.f.constraints[j], frame.gamma[j]);
+        if constraint.hessian.is_empty() {
+            return None;
+        }
+        sum += DMatrix::from_fn(n, n, |i, k| {
+            let slopes = constraint.gradient[i] * constraint.gradient[k] / (gamma * gamma);
+            let bend = violation * constraint.hessian[i][k] / gamma;
+            (slopes + bend) * frame.scale[i] * frame.scale[k]
+        });
+    }
+    Some(sum)
 }
 
 /// An orthonormal basis, in scaled variables, of the moves that keep every active bound and constraint active.
@@ -40,13 +124,6 @@ pub(super) fn tangents(frame: &Frame, at: &Point, multipliers: &[f64]) -> DMatri
     let rows = DMatrix::from_fn(tight.len(), free.len(), |r, c| {
         at.f.constraints[tight[r]].gradient[free[c]] * frame.scale[free[c]] / frame.gamma[tight[r]]
     });
-    // the null space of the rows: what is left of the whole after their span
-    let gram = rows.transpose() * &rows;
-    let across = gram.symmetric_eigen();
-    let largest = across.eigenvalues.iter().fold(0.0_f64, |most, v| v.max(most));
-    let kept: Vec<usize> =
-        (0..free.len()).filter(|&k| across.eigenvalues[k] <= 1e-14 * largest.max(f64::MIN_POSITIVE)).collect();
-    DMatrix::from_fn(n, kept.len(), |i, k| {
-        free.iter().position(|&f| f == i).map_or(0.0, |row| across.eigenvectors[(row, kept[k])])
-    })
+    let basis = null_space(&rows);
+    DMatrix::from_fn(n, basis.ncols(), |i, k| free.iter().position(|&f| f == i).map_or(0.0, |row| basis[(row, k)]))
 }

@@ -2,6 +2,7 @@
 
 use super::frame::{Frame, Point, Residual, norm};
 use super::model::{Model, Plan, lagrangian_hessian};
+use super::problem::Evaluation;
 use super::qp::Method;
 use super::quasi_newton;
 use super::sides::Sides;
@@ -68,8 +69,12 @@ pub(super) struct Search {
     own_hessian: Option<(Vec<Vec<f64>>, u32)>,
 }
 
+/// Evaluates a problem's functions; the outer error is argmin's.
+pub(super) type Evaluate<'a> =
+    dyn FnMut(&[f64]) -> Result<Result<Evaluation, String>, argmin::core::Error> + 'a;
+
 /// What became of a step.
-pub(super) struct Outcome {
+struct Outcome {
     /// What the merit fell by.
     fell: f64,
     /// What the model promised.
@@ -79,7 +84,7 @@ pub(super) struct Outcome {
 }
 
 impl Outcome {
-    pub fn is_kept(&self) -> bool {
+    fn is_kept(&self) -> bool {
         self.fell + self.noise >= KEEP * (self.promised + self.noise)
     }
 
@@ -112,9 +117,39 @@ impl Search {
         }
     }
 
+    /// One step: plan it, try it, correct it where the constraints' curvature may have spoilt it, and keep it or not.
+    pub fn step(&mut self, evaluate: &mut Evaluate<'_>) -> Result<(Plan, bool), argmin::core::Error> {
+        let mut plan = self.plan();
+        self.raise_penalty(&plan);
+        let mut tried = self.tried(&plan, evaluate)?;
+        let mut outcome = self.outcome(&plan, tried.as_ref());
+
+        if !outcome.is_kept()
+            && let Some(first) = &tried
+            && let Some(corrected) = self.corrected(&plan, first)
+        {
+            let again = self.tried(&corrected, evaluate)?;
+            let second = self.outcome(&plan, again.as_ref());
+            if second.is_kept() {
+                (tried, outcome) = (again, second);
+                plan.multipliers = corrected.multipliers;
+            }
+        }
+
+        let kept = outcome.is_kept();
+        self.resize(&plan, &outcome);
+        let other = match tried {
+            Some(tried) if kept => Some(self.move_to(tried, plan.multipliers.clone())),
+            tried => tried,
+        };
+        // another side of a corner is left behind by a step that crossed it, or met by one that failed at it
+        self.sides.keep(&self.frame, &self.at, other);
+        Ok((plan, kept))
+    }
+
     /// The step to try. Where what is known of another side, from too far away, leaves nothing to gain, that is
     /// forgotten and looked at again.
-    pub fn plan(&mut self) -> Plan {
+    fn plan(&mut self) -> Plan {
         let hessian = self.hessian();
         loop {
             let plan = self.model(&hessian).plan();
@@ -127,7 +162,7 @@ impl Search {
     }
 
     /// The plan made up for the constraints' curvature, where that may be what a step failed by.
-    pub fn corrected(&mut self, plan: &Plan, tried: &Point) -> Option<Plan> {
+    fn corrected(&mut self, plan: &Plan, tried: &Point) -> Option<Plan> {
         let missed = norm(&self.frame.violations(&tried.f)) - plan.violation_left;
         if self.at.f.constraints.is_empty() || missed <= NOISE {
             return None;
@@ -139,9 +174,21 @@ impl Search {
         Some(corrected)
     }
 
+    /// The point that a plan leads to; where the functions are not defined there, why is remembered.
+    fn tried(&mut self, plan: &Plan, evaluate: &mut Evaluate<'_>) -> Result<Option<Point>, argmin::core::Error> {
+        self.effort.evaluations += 1;
+        Ok(match evaluate(&plan.x)? {
+            Ok(f) => Some(Point { x: plan.x.clone(), f }),
+            Err(why) => {
+                self.edge = Some(why);
+                None
+            }
+        })
+    }
+
     /// Raises the penalty, so that a step that meets the constraints better lowers the model's merit.
-    pub fn raise_penalty(&mut self, plan: &Plan) {
-        let gained = self.violation() - plan.violation_left;
+    fn raise_penalty(&mut self, plan: &Plan) {
+        let gained = plan.violation - plan.violation_left;
         if gained > NOISE {
             let needed = -plan.descent / ((1.0 - MERIT_SHARE) * gained);
             if needed > self.penalty {
@@ -151,7 +198,7 @@ impl Search {
     }
 
     /// What became of a step that the model planned.
-    pub fn outcome(&self, plan: &Plan, tried: Option<&Point>) -> Outcome {
+    fn outcome(&self, plan: &Plan, tried: Option<&Point>) -> Outcome {
         let fell = tried.map_or(f64::NEG_INFINITY, |tried| {
             let violation = norm(&self.frame.violations(&tried.f));
             self.at.f.objective.value - tried.f.objective.value + self.penalty * (self.violation() - violation)
@@ -161,10 +208,10 @@ impl Search {
     }
 
     /// The trust region for the next step.
-    pub fn resize(&mut self, plan: &Plan, outcome: &Outcome) {
+    fn resize(&mut self, plan: &Plan, outcome: &Outcome) {
         if outcome.is_poor() {
             self.radius = SHRINK * plan.length.min(self.radius);
-        } else if outcome.is_good() && plan.length >= 0.99 * self.radius {
+        } else if outcome.is_good() && plan.is_limited_by(self.radius) {
             self.radius = (GROW * self.radius).min(LARGEST_RADIUS);
         }
     }
@@ -182,7 +229,7 @@ impl Search {
 
     /// What the model says the merit falls by.
     pub fn promised(&self, plan: &Plan) -> f64 {
-        plan.descent + self.penalty * (self.violation() - plan.violation_left)
+        plan.descent + self.penalty * (plan.violation - plan.violation_left)
     }
 
     /// ‖v‖₂, in units of γ.

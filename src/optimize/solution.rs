@@ -28,6 +28,8 @@ pub struct Solution {
     pub upper_multipliers: Vec<f64>,
     /// The constraints, in order.
     pub constraints: Vec<Constrained>,
+    /// ∂cⱼ/∂xᵢ, a row for each constraint.
+    pub jacobian: Vec<Vec<f64>>,
     /// The KKT residual, relative (see [`status`](super::status)): the largest of its parts.
     pub kkt_residual: f64,
     /// Its parts.
@@ -92,6 +94,7 @@ impl Solution {
             hessian: if constraints_are_idle(&multipliers) { f.objective.hessian } else { hessian },
             gradient: f.objective.gradient,
             constraints,
+            jacobian: f.constraints.into_iter().map(|constraint| constraint.gradient).collect(),
             x,
             kkt_residual: residual.largest(),
             residual,
@@ -116,6 +119,7 @@ impl Solution {
             lower_multipliers: vec![0.0; n],
             upper_multipliers: vec![0.0; n],
             constraints: vec![],
+            jacobian: vec![],
             kkt_residual: f64::MAX,
             residual: none,
             kink: None,

@@ -1,16 +1,22 @@
 //! Results as text and JSON: pure functions, which write nowhere. Text is in units a golfer reads, JSON in SI
 //! and radians.
 
+mod chart;
 mod drive;
 mod gradient;
 mod json;
 mod optimum;
 mod parameters;
 mod presets;
+mod sensitivity;
 mod table;
 
+pub use chart::{ChartPointReport, ChartReport, chart_csv, chart_text};
 pub use drive::{DriveReport, drive_text};
 pub use gradient::{GradientReport, HessianReport, gradient_text};
-pub use optimum::{Multipliers, OptimumReport, iteration_line, optimum_text};
+pub use optimum::{
+    ConstraintReport, LocalReport, Multipliers, OptimumReport, iteration_line, optima_text, optimum_text,
+};
 pub use parameters::{parameters_json, parameters_text};
 pub use presets::{preset_toml, presets_json, presets_text};
+pub use sensitivity::{Analysis, SensitivityReport, sensitivity_text};

@@ -1,8 +1,8 @@
 use super::drive::readable;
 use super::{json, table::table};
 use crate::drive::Outcome;
-use crate::optimize::Iteration;
-use crate::study::{Optimum, Search};
+use crate::optimize::{Constrained, Effort, Iteration};
+use crate::study::{Constraint, Optima, Optimum, Search};
 use crate::units::{Quantity, per, significant};
 use serde::Serialize;
 use serde_json::{Map, Value};
@@ -11,7 +11,7 @@ use std::collections::BTreeMap;
 /// An optimum as JSON, SI and radians.
 #[derive(Clone, Debug, Serialize)]
 pub struct OptimumReport {
-    /// `converged`, `stalled-at-kink`, `stalled`, `iteration-limit` or `no-flight`.
+    /// `converged`, `stalled-at-kink`, `stalled`, `infeasible`, `iteration-limit`, `interrupted` or `no-flight`.
     pub status: &'static str,
     /// The same in a sentence, with numbers.
     pub message: String,
@@ -25,16 +25,61 @@ pub struct OptimumReport {
     pub gradient: Option<Map<String, Value>>,
     /// The price of each bound, ≥ 0: what a unit beyond it would bring.
     pub multipliers: Option<BTreeMap<&'static str, Multipliers>>,
-    /// Constraints on outcomes: none yet.
-    pub constraints: [(); 0],
+    /// The constraints on outcomes.
+    pub constraints: Vec<ConstraintReport>,
     /// The KKT residual, relative.
     pub kkt_residual: Value,
     /// Iterations taken.
     pub iterations: u64,
     /// Drives with derivatives evaluated.
     pub evaluations: u64,
+    /// How the quadratic programs of the steps were solved.
+    pub steps: Effort,
+    /// The local optima of a search from many starts, best first.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub optima: Option<Vec<LocalReport>>,
     /// What deserves a word.
     pub warnings: Vec<String>,
+}
+
+/// A constraint at an optimum.
+#[derive(Clone, Debug, Serialize)]
+pub struct ConstraintReport {
+    /// As it was given.
+    pub expression: String,
+    /// The outcome's value, SI.
+    pub value: f64,
+    /// What the objective would gain per unit that the limit is relaxed, ≥ 0; for an equation, that it is raised.
+    pub multiplier: f64,
+}
+
+/// A local optimum of a search from many starts.
+#[derive(Clone, Debug, Serialize)]
+pub struct LocalReport {
+    /// How the searches ended here.
+    pub status: &'static str,
+    /// The outcome's value; `null` where nothing flew.
+    pub value: Value,
+    /// Where it is, by parameter.
+    pub optimum: Map<String, Value>,
+    /// How many starts ended here.
+    pub starts: usize,
+}
+
+impl LocalReport {
+    /// The reports of local optima.
+    pub fn all(optima: &Optima) -> Vec<Self> {
+        let one = |(best, starts): &(Optimum, Vec<usize>)| {
+            let names = best.search.vary.iter().map(|vary| vary.parameter.name);
+            Self {
+                status: best.status(),
+                value: json::number(best.value()),
+                optimum: json::named(names.zip(best.solution.x.iter().map(|x| Some(*x)))),
+                starts: starts.len(),
+            }
+        };
+        optima.locals.iter().map(one).collect()
+    }
 }
 
 /// The prices of a parameter's bounds.
@@ -67,13 +112,26 @@ impl OptimumReport {
             optimum: by_name(&solution.x),
             gradient: by_name(&optimum.gradient()),
             multipliers: found.then(|| (0..vary.len()).map(multipliers).collect()),
-            constraints: [],
+            constraints: constraints(optimum),
             kkt_residual: json::number(found.then_some(solution.kkt_residual)),
             iterations: solution.iterations,
             evaluations: solution.evaluations,
+            steps: solution.effort,
+            optima: None,
             warnings,
         }
     }
+}
+
+fn constraints(optimum: &Optimum) -> Vec<ConstraintReport> {
+    let constraints = optimum.search.subject_to.iter().zip(&optimum.solution.constraints);
+    let one = |(constraint, at): (&Constraint, &Constrained)| ConstraintReport {
+        expression: constraint.expression.clone(),
+        value: at.value,
+        // what f falls by, the outcome gains
+        multiplier: if constraint.low == constraint.high { at.multiplier } else { at.multiplier.abs() },
+    };
+    constraints.map(one).collect()
 }
 
 /// An optimum as a short text: where it is, what holds it there and what more would bring, and the drive.
@@ -98,7 +156,7 @@ pub fn optimum_text(optimum: &Optimum) -> String {
             bound_in_words(optimum, i),
         ]
     });
-    let place = table(&["vary", "optimum", "range", ""], &[1], rows);
+    let place = table(&["vary", "optimum", "range", ""], &[1], rows) + &constraints_text(optimum);
 
     let launch = [Outcome::BallSpeed, Outcome::LaunchAngle, Outcome::Backspin, Outcome::SmashFactor];
     let flight = [Outcome::ApexHeight, Outcome::DescentAngle, Outcome::FlightTime, Outcome::Lateral];
@@ -123,6 +181,43 @@ pub fn optimum_text(optimum: &Optimum) -> String {
     )
 }
 
+/// The constraints with their prices, as a table; empty without any.
+fn constraints_text(optimum: &Optimum) -> String {
+    let of = optimum.search.maximize;
+    let reports = constraints(optimum);
+    if reports.is_empty() {
+        return String::new();
+    }
+    let rows = optimum.search.subject_to.iter().zip(reports).map(|(constraint, report)| {
+        let outcome = constraint.outcome;
+        let size = |of: Outcome| of.quantity().size_of(of.unit()).unwrap_or(1.0);
+        let price = significant(report.multiplier * size(outcome) / size(of), 3);
+        let unit = per(of.unit(), outcome.unit());
+        let words = match report.multiplier {
+            0.0 => "not active".into(),
+            _ if constraint.low == constraint.high => format!("active: {price} {unit} that it is raised"),
+            _ => format!("active: +{price} {unit} that it is relaxed"),
+        };
+        vec![report.expression, outcome.show(report.value), words]
+    });
+    format!("\n{}", table(&["subject to", "value", ""], &[1], rows))
+}
+
+/// Local optima as a table, best first.
+pub fn optima_text(optima: &Optima) -> String {
+    let Some((first, _)) = optima.locals.first() else { return String::new() };
+    let names = first.search.vary.iter().map(|vary| vary.parameter.name);
+    let head: Vec<&str> = [first.search.maximize.name()].into_iter().chain(names).chain(["starts", ""]).collect();
+    let rows = optima.locals.iter().map(|(best, starts)| {
+        let value = best.value().map_or("–".into(), |value| best.search.maximize.show(value));
+        let x = best.search.vary.iter().zip(&best.solution.x).map(|(vary, x)| vary.parameter.show(Some(*x)));
+        let count = format!("{} of {}", starts.len(), optima.starts);
+        std::iter::once(value).chain(x).chain([count, best.status().into()]).collect()
+    });
+    let right: Vec<usize> = (0..head.len() - 1).collect();
+    format!("\n{}", table(&head, &right, rows))
+}
+
 /// "at its upper bound: +2.11 yd per deg beyond it".
 fn bound_in_words(optimum: &Optimum, i: usize) -> String {
     let (vary, of) = (optimum.search.vary[i], optimum.search.maximize);
@@ -133,8 +228,13 @@ fn bound_in_words(optimum: &Optimum, i: usize) -> String {
         let price = significant(multiplier * size / unit, 3);
         format!("at its {bound} bound: +{price} {} beyond it", per(of.unit(), vary.parameter.unit))
     };
+    let is_corner = optimum.solution.kink.is_some_and(|kink| kink.variable == i);
     if vary.low == vary.high {
         "fixed".into()
+    } else if is_corner && upper + lower > 0.0 {
+        let price = significant((upper + lower) * size / unit, 3);
+        let unit = per(of.unit(), vary.parameter.unit);
+        format!("at its {} bound, a corner: -{price} {unit} inside it", if lower > 0.0 { "lower" } else { "upper" })
     } else if upper > 0.0 {
         at("upper", upper)
     } else if lower > 0.0 {
@@ -157,12 +257,13 @@ pub fn iteration_line(search: &Search, iteration: &Iteration) -> String {
         format!("{} {:.6} {}", vary.parameter.name, x / size, vary.parameter.unit).trim_end().to_owned()
     });
     format!(
-        "{:>3}  {} {:.6} {}  KKT {:.1e}  trust region {:.1e}{}  {}",
+        "{:>3}  {} {:.6} {}  KKT {:.1e}{}  trust region {:.1e}{}  {}",
         iteration.number,
         of.name(),
         -iteration.value,
         of.quantity().si,
         iteration.kkt_residual,
+        if search.subject_to.is_empty() { String::new() } else { format!("  violation {:.1e}", iteration.violation) },
         iteration.radius,
         if iteration.kept { "" } else { "  step refused" },
         x.collect::<Vec<_>>().join(", ")

@@ -1,5 +1,14 @@
 //! Questions asked of a drive.
 
+mod chart;
+mod constraint;
+mod flatness;
 mod optimum;
+mod problem;
+mod sensitivity;
 
-pub use optimum::{Optimum, Search, Vary, optimum};
+pub use chart::{Chart, ChartPoint, chart};
+pub use constraint::Constraint;
+pub use flatness::{Direction, Ellipse, Flatness, Limit, Window, flatness};
+pub use optimum::{Optima, Optimum, Search, Vary, optima, optimum};
+pub use sensitivity::{Change, Changed, Sensitivity, change, sensitivities, sensitivity};

@@ -1,7 +1,11 @@
-use crate::derivative::{self, Order, Taylor};
+use super::constraint::Constraint;
+use super::problem::DriveProblem;
 use crate::drive::{Drive, Outcome};
 use crate::error::{Error, Result};
-use crate::optimize::{Domain, Evaluation, Iteration, Options, Solution, Status, Watch, minimize_watched};
+use crate::optimize::sensitivity::Held;
+use crate::optimize::{
+    Follow, Local, Options, Solution, Status, Watch, minimize_from, minimize_watched, starts,
+};
 use crate::parameters::{Parameter, Setup};
 use crate::units;
 
@@ -38,7 +42,12 @@ impl Vary {
         let (low, high) = range
             .split_once("..")
             .ok_or_else(|| refuse(format!("'{range}' is not LOW..HIGH; write for example {name}=4deg..20deg")))?;
-        let unreadable = |e| Error::Unreadable { name: name.trim().into(), source: Box::new(e) };
+        for (end, which) in [(low, "lower"), (high, "upper")] {
+            if end.trim().is_empty() {
+                return Err(refuse(format!("its {which} end is missing; write for example {name}=4deg..20deg")));
+            }
+        }
+        let unreadable = |e| Error::Unreadable { name: format!("--vary {}", text.trim()), source: Box::new(e) };
         let (_, low_unit) = parameter.quantity.split(low).map_err(unreadable)?;
         let (_, high_unit) = parameter.quantity.split(high).map_err(unreadable)?;
         let low = if low_unit.is_empty() { format!("{low} {high_unit}") } else { low.into() };
@@ -76,6 +85,8 @@ pub struct Search {
     pub maximize: Outcome,
     /// The parameters to vary.
     pub vary: Vec<Vary>,
+    /// Outcomes to hold between limits.
+    pub subject_to: Vec<Constraint>,
     /// The optimizer's settings.
     pub options: Options,
 }
@@ -85,7 +96,7 @@ impl Search {
     pub fn longest_drive(setup: &Setup<f64>) -> Result<Self> {
         let vary = ["club.loft=4deg..20deg", "swing.attack_angle=-5deg..5deg"];
         let vary = vary.iter().map(|text| Vary::read(setup, text)).collect::<Result<_>>()?;
-        Ok(Self { maximize: Outcome::Carry, vary, options: Options::default() })
+        Ok(Self { maximize: Outcome::Carry, vary, subject_to: vec![], options: Options::default() })
     }
 }
 
@@ -130,6 +141,21 @@ impl Optimum {
                     slope(kink.slope_above),
                 )
             }
+            (None, Status::Infeasible) => {
+                let missed = self.search.subject_to.iter().zip(&self.solution.constraints);
+                let missed: Vec<_> = missed
+                    .filter(|(_, constrained)| constrained.violation != 0.0)
+                    .map(|(constraint, constrained)| {
+                        let value = constraint.outcome.show(constrained.value);
+                        let short = constraint.outcome.show(constrained.violation.abs());
+                        format!("{} (it is {value}, {short} away)", constraint.expression)
+                    })
+                    .collect();
+                format!("the constraints cannot all be met; the nearest found still misses {}", missed.join(" and "))
+            }
+            (None, Status::Converged) if self.is_flat() => {
+                format!("{of} does not depend on the parameters varied here: every drive is as good")
+            }
             (None, Status::Undefined) => {
                 let (trials, why) = (self.search.options.start_trials, self.solution.undefined_at_start.as_deref());
                 format!(
@@ -139,6 +165,29 @@ impl Optimum {
             }
             _ => self.solution.message.clone(),
         }
+    }
+
+    /// What holds the optimum: bounds as `club.loft at its upper bound`, constraints as they were given.
+    pub fn active(&self) -> Vec<String> {
+        let Ok(problem) = DriveProblem::new(&self.setup, &self.search) else { return vec![] };
+        if self.solution.value.is_none() {
+            return vec![];
+        }
+        let held = Held::new(&self.solution, &problem.domain);
+        let bound = |i: usize| {
+            let (parameter, is_lower) = (self.search.vary[i].parameter, self.solution.lower_multipliers[i] > 0.0);
+            format!("{} at its {} bound", parameter.name, if is_lower { "lower" } else { "upper" })
+        };
+        let is_bounded = |i: &usize| held.variables[*i] && !problem.domain.variables.is_fixed(*i);
+        let bounds = (0..self.search.vary.len()).filter(is_bounded).map(bound);
+        let limits = held.tight().into_iter().map(|j| self.search.subject_to[j].expression.clone());
+        bounds.chain(limits).collect()
+    }
+
+    /// Whether the outcome does not change with what is varied, to second order.
+    fn is_flat(&self) -> bool {
+        let Solution { gradient, hessian, .. } = &self.solution;
+        gradient.iter().chain(hessian.iter().flatten()).all(|derivative| *derivative == 0.0)
     }
 
     /// Where the search began instead, if the start does not fly.
@@ -162,61 +211,68 @@ impl Optimum {
 /// Finds the parameters that make an outcome largest, from the setup's own values, moved into the ranges.
 ///
 /// ```
-/// use longdrive::{Setup, study::{Search, Vary, optimum}};
+/// use longdrive::{Setup, optimize::Watch, study::{Search, Vary, optimum}};
 /// let setup = Setup::preset("mae494").unwrap();
 /// let vary = ["club.loft=0deg..20deg", "swing.attack_angle=-10deg..10deg"];
 /// let search = Search {
 ///     vary: vary.map(|text| Vary::read(&setup, text).unwrap()).to_vec(),
 ///     ..Search::longest_drive(&setup).unwrap()
 /// };
-/// let best = optimum(&setup, search, |_| ()).unwrap();
+/// let best = optimum(&setup, search, Watch::default()).unwrap();
 /// assert!((best.value().unwrap() - 153.333552731).abs() < 1e-8);
 /// assert!((best.solution.upper_multipliers[1] - 60.2924949).abs() < 1e-6); // m per radian of attack angle
 /// ```
 ///
 /// # Errors
-/// [`Error::Nothing`] without parameters to vary, or where every range is a single value; [`Error::SearchRange`] for one that is varied twice; what
-/// [`Setup::validate`] refuses.
-pub fn optimum(setup: &Setup<f64>, search: Search, watch: impl FnMut(&Iteration) + 'static) -> Result<Optimum> {
+/// [`Error::Nothing`] without parameters to vary, or where every range is a single value; [`Error::SearchRange`] for one
+/// that is varied twice; what [`Setup::validate`] refuses.
+pub fn optimum(setup: &Setup<f64>, search: Search, watch: Watch) -> Result<Optimum> {
+    let problem = posed(setup, &search)?;
+    let solution = minimize_watched(&problem, &problem.domain, &problem.start(), &search.options, watch)?;
+    found(&problem, search, solution)
+}
+
+/// Local optima, best first, each with the numbers of the starts that ended there.
+#[derive(Clone, Debug)]
+pub struct Optima {
+    /// The optima.
+    pub locals: Vec<(Optimum, Vec<usize>)>,
+    /// How many starts there were.
+    pub starts: usize,
+}
+
+/// Searches from the setup's own values and from starts spread evenly over the ranges, side by side.
+///
+/// # Errors
+/// As [`optimum`]; more starts than can be spread.
+pub fn optima(setup: &Setup<f64>, search: &Search, count: usize, follow: &Follow) -> Result<Optima> {
+    let problem = posed(setup, search)?;
+    let starts = starts(&problem.domain, &problem.start(), count.max(1))?;
+    let locals = minimize_from(&problem, &problem.domain, &starts, &search.options, follow)?;
+    let whole = |Local { solution, starts }| Ok((found(&problem, search.clone(), solution)?, starts));
+    Ok(Optima { locals: locals.into_iter().map(whole).collect::<Result<_>>()?, starts: starts.len() })
+}
+
+/// The search as a problem, if it makes sense.
+pub(super) fn posed(setup: &Setup<f64>, search: &Search) -> Result<DriveProblem> {
     if search.vary.iter().all(|vary| vary.low == vary.high) {
         return Err(Error::Nothing { doing: "vary", what: "parameter" });
     }
-    let parameters: Vec<&'static Parameter> = search.vary.iter().map(|vary| vary.parameter).collect();
-    for (i, parameter) in parameters.iter().enumerate() {
-        if parameters[..i].contains(parameter) {
+    for (i, vary) in search.vary.iter().enumerate() {
+        if search.vary[..i].iter().any(|before| before.parameter == vary.parameter) {
             return Err(Error::SearchRange {
-                name: parameter.name.into(),
+                name: vary.parameter.name.into(),
                 reason: "it is varied twice; give it one range".into(),
             });
         }
     }
-    let domain = Domain::new(
-        search.vary.iter().map(|vary| vary.low).collect(),
-        search.vary.iter().map(|vary| vary.high).collect(),
-    )?;
-    let start: Vec<f64> = parameters.iter().filter_map(|parameter| setup.value(parameter)).collect();
-    let at = |x: &[f64]| moved(setup, &parameters, x);
-    at(&domain.variables.project(&start))?.validate()?;
-
-    let (base, wrt, of) = (*setup, parameters.clone(), search.maximize);
-    let negative = move |x: &[f64]| -> std::result::Result<Evaluation, String> {
-        let moved = moved(&base, &wrt, x).map_err(|e| e.to_string())?;
-        let taylor = derivative::evaluate(&moved, &[of], &wrt, Order::Second).map_err(|e| e.to_string())?;
-        let objective = taylor.into_iter().next().map(Taylor::negated).ok_or("no outcome")?;
-        Ok(Evaluation { objective, constraints: vec![] })
-    };
-    let watch = Watch { iteration: Box::new(watch), ..Watch::default() };
-    let solution = minimize_watched(negative, &domain, &start, &search.options, watch)?;
-    let best = at(&solution.x)?;
-    let drive = if solution.status == Status::Undefined { None } else { Some(Drive::new(&best)?) };
-    Ok(Optimum { search, solution, setup: best, drive })
+    let problem = DriveProblem::new(setup, search)?;
+    problem.moved(&problem.domain.variables.project(&problem.start()))?.validate()?;
+    Ok(problem)
 }
 
-/// The setup with these parameters at `x`.
-fn moved(setup: &Setup<f64>, parameters: &[&'static Parameter], x: &[f64]) -> Result<Setup<f64>> {
-    let mut moved = *setup;
-    for (parameter, value) in parameters.iter().zip(x) {
-        moved.set_value(parameter, Some(*value))?;
-    }
-    Ok(moved)
+fn found(problem: &DriveProblem, search: Search, solution: Solution) -> Result<Optimum> {
+    let setup = problem.moved(&solution.x)?;
+    let drive = if solution.status == Status::Undefined { None } else { Some(Drive::new(&setup)?) };
+    Ok(Optimum { search, solution, setup, drive })
 }

@@ -1,4 +1,5 @@
 use clap::{Parser, Subcommand};
+use std::path::PathBuf;
 
 /// The longest golf drive, with exact derivatives.
 ///
@@ -20,6 +21,10 @@ pub enum Command {
     Gradient(Gradient),
     /// Find the parameters that make an outcome largest: by default the loft and attack angle of the longest carry.
     Optimize(Optimize),
+    /// How the optimum answers to every other parameter, what its bounds and constraints cost, and how flat it is.
+    OptimumSensitivity(OptimumSensitivity),
+    /// The optimum as a function of a parameter.
+    Chart(ChartArgs),
     /// List every parameter with its unit, range, default and meaning.
     Parameters(Parameters),
     /// List the presets, or print one as a setup file with the source of each number.
@@ -66,11 +71,9 @@ pub struct Gradient {
     pub hessian: bool,
 }
 
+/// What to look for.
 #[derive(clap::Args)]
-pub struct Optimize {
-    #[command(flatten)]
-    pub question: Question,
-
+pub struct SearchArgs {
     /// The outcome to make as large as possible.
     #[arg(long, value_name = "OUTCOME", default_value = "carry")]
     pub maximize: String,
@@ -80,9 +83,71 @@ pub struct Optimize {
     #[arg(long, value_name = "NAME=LOW..HIGH", allow_hyphen_values = true)]
     pub vary: Vec<String>,
 
-    /// Most iterations.
-    #[arg(long, value_name = "N", default_value_t = 100)]
+    /// An outcome to hold within limits, e.g. "descent_angle >= 38 deg", "20 yd <= apex_height <= 35 yd" or
+    /// "lateral == 0 m". Repeatable.
+    #[arg(long, value_name = "CONSTRAINT", allow_hyphen_values = true)]
+    pub subject_to: Vec<String>,
+
+    /// Search from this many starts, spread evenly over the ranges (the first is the setup's own), and list the local
+    /// optima.
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
+    pub starts: u32,
+
+    /// Keep the search in this file after every iteration, and go on from it where it exists.
+    #[arg(long, value_name = "FILE")]
+    pub checkpoint: Option<PathBuf>,
+
+    /// Most iterations of a search.
+    #[arg(long, value_name = "N", default_value_t = 200)]
     pub max_iterations: u64,
+}
+
+#[derive(clap::Args)]
+pub struct Optimize {
+    #[command(flatten)]
+    pub question: Question,
+
+    #[command(flatten)]
+    pub search: SearchArgs,
+}
+
+#[derive(clap::Args)]
+pub struct OptimumSensitivity {
+    #[command(flatten)]
+    pub question: Question,
+
+    #[command(flatten)]
+    pub search: SearchArgs,
+
+    /// The parameters to answer to, separated by commas; "all" for every one that has a number here and is not varied.
+    #[arg(long, value_name = "NAME,…", value_delimiter = ',', default_value = "all")]
+    pub wrt: Vec<String>,
+
+    /// A change of a parameter, e.g. swing.speed=+5mph: its effect on the optimum is predicted and, beside it, searched
+    /// anew. Repeatable.
+    #[arg(long, value_name = "NAME=AMOUNT", allow_hyphen_values = true)]
+    pub change: Vec<String>,
+
+    /// The loss that the windows allow (default: 1 yd for a distance, 1 % of the outcome otherwise).
+    #[arg(long, value_name = "AMOUNT")]
+    pub loss: Option<String>,
+}
+
+#[derive(clap::Args)]
+pub struct ChartArgs {
+    #[command(flatten)]
+    pub question: Question,
+
+    #[command(flatten)]
+    pub search: SearchArgs,
+
+    /// The parameter to follow the optimum along, with its range, e.g. swing.speed=80mph..130mph.
+    #[arg(long, value_name = "NAME=LOW..HIGH", allow_hyphen_values = true)]
+    pub along: String,
+
+    /// Print the chart as CSV (SI and radians).
+    #[arg(long, conflicts_with = "json")]
+    pub csv: bool,
 }
 
 #[derive(clap::Args)]

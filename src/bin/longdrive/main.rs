@@ -3,12 +3,15 @@
 #![deny(unsafe_code)]
 
 mod args;
+mod chart;
 mod gradient;
 mod optimize;
+mod optimum_sensitivity;
 mod output;
 mod parameters;
 mod presets;
 mod question;
+mod search;
 mod simulate;
 
 use args::{Args, Command};
@@ -21,6 +24,8 @@ fn main() -> ExitCode {
         Command::Simulate(args) => simulate::run(&args),
         Command::Gradient(args) => gradient::run(&args),
         Command::Optimize(args) => optimize::run(&args),
+        Command::OptimumSensitivity(args) => optimum_sensitivity::run(&args),
+        Command::Chart(args) => chart::run(&args),
         Command::Parameters(args) => parameters::run(&args),
         Command::Presets(args) => presets::run(&args),
     };

@@ -1,34 +1,38 @@
 use crate::args::Optimize;
 use crate::output::{Answer, tell, warn};
-use longdrive::optimize::{Options, Status};
-use longdrive::report::{OptimumReport, iteration_line, optimum_text};
-use longdrive::study::{Search, Vary, optimum};
-use longdrive::{Outcome, Result};
+use crate::search::none;
+use longdrive::Result;
+use longdrive::optimize::Status;
+use longdrive::report::{LocalReport, OptimumReport, optima_text, optimum_text};
+use longdrive::study::Optimum;
+use longdrive::Setup;
 
 pub fn run(args: &Optimize) -> Result<Answer> {
     let setup = args.question.setup()?;
-    let vary = args.vary.iter().map(|text| Vary::read(&setup, text)).collect::<Result<Vec<_>>>()?;
-    let default = Search::longest_drive(&setup);
-    let search = Search {
-        maximize: Outcome::named(&args.maximize)?,
-        vary: if vary.is_empty() { default?.vary } else { vary },
-        options: Options { max_iterations: args.max_iterations, ..Options::default() },
+    let search = args.search.search(&setup)?;
+    let optima = args.search.run(&setup, &search)?;
+    let (best, _) = optima.locals.first().ok_or_else(none)?;
+    let warnings = remarks(&setup, best);
+    warn(&warnings);
+    let has_many = args.search.starts > 1;
+    let answer = if args.question.json {
+        let listed = has_many.then(|| LocalReport::all(&optima));
+        Answer::json(&OptimumReport { optima: listed, ..OptimumReport::new(best, warnings) })
+    } else {
+        let listed = if has_many { optima_text(&optima) } else { String::new() };
+        Answer::text(optimum_text(best) + &listed)
     };
+    Ok(answer.found(best.solution.status == Status::Converged))
+}
 
-    let shown = search.clone();
-    let optimum = optimum(&setup, search, move |iteration| tell(&iteration_line(&shown, iteration)))?;
-    if let Some(moved) = optimum.moved_start() {
+/// What deserves a word about an optimum.
+pub fn remarks(setup: &Setup<f64>, best: &Optimum) -> Vec<String> {
+    if let Some(moved) = best.moved_start() {
         tell(&moved);
     }
     let mut warnings = setup.warnings();
-    if let Some(drive) = &optimum.drive {
-        warnings.extend(drive.corners(&optimum.setup));
+    if let Some(drive) = &best.drive {
+        warnings.extend(drive.corners(&best.setup));
     }
-    warn(&warnings);
-    let answer = if args.question.json {
-        Answer::json(&OptimumReport::new(&optimum, warnings))
-    } else {
-        Answer::text(optimum_text(&optimum))
-    };
-    Ok(answer.found(optimum.solution.status == Status::Converged))
+    warnings
 }

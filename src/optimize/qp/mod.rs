@@ -6,7 +6,6 @@ mod interior_point;
 mod polish;
 
 use nalgebra::{DMatrix, DVector};
-use polish::ActiveSet;
 
 /// minimise  ½ dᵀB d + maxₖ (offsetₖ + gradientₖ · d)  over  low ≤ d ≤ high  and  rows, with B positive definite.
 ///

@@ -1,0 +1,34 @@
+use crate::args::ChartArgs;
+use crate::output::{Answer, tell, warn};
+use crate::search::interrupt;
+use longdrive::report::{ChartReport, chart_csv, chart_text};
+use longdrive::study::{Vary, chart};
+use longdrive::{Error, Result};
+use std::sync::atomic::Ordering;
+
+pub fn run(args: &ChartArgs) -> Result<Answer> {
+    let setup = args.question.setup()?;
+    let search = args.search.search(&setup)?;
+    let along = Vary::read(&setup, &args.along)?;
+    warn(&setup.warnings());
+    if args.search.starts > 1 || args.search.checkpoint.is_some() {
+        let source = "a chart follows one optimum from the low end of its range; leave it out".into();
+        let name = if args.search.starts > 1 { "--starts" } else { "--checkpoint" };
+        return Err(Error::Unreadable { name: name.into(), source });
+    }
+    let stop = interrupt();
+    let of = search.maximize;
+    let chart = chart(&setup, &search, along, |point| {
+        let value = point.best.value().map_or("–".into(), |value| of.show(value));
+        tell(&format!("{} {}: {} {value}", along.parameter.name, along.parameter.show(Some(point.at)), of.name()));
+        !stop.load(Ordering::Relaxed)
+    })?;
+    let answer = if args.question.json {
+        Answer::json(&ChartReport::new(&chart))
+    } else if args.csv {
+        Answer::text(chart_csv(&chart)?)
+    } else {
+        Answer::text(chart_text(&chart))
+    };
+    Ok(answer.found(chart.ended.is_none()))
+}

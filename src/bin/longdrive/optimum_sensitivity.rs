@@ -1,0 +1,93 @@
+use crate::args::OptimumSensitivity;
+use crate::optimize::remarks;
+use crate::output::{Answer, tell, warn};
+use crate::search::none;
+use indicatif::{ProgressBar, ProgressStyle};
+use longdrive::parameters::Parameter;
+use longdrive::report::{Analysis, OptimumReport, SensitivityReport, optimum_text, sensitivity_text};
+use longdrive::study::{Change, Optimum, change, flatness, sensitivities};
+use longdrive::units::Quantity;
+use longdrive::{Error, Outcome, Result, Setup};
+
+pub fn run(args: &OptimumSensitivity) -> Result<Answer> {
+    let setup = args.question.setup()?;
+    let search = args.search.search(&setup)?;
+    let wrt = named(&setup, &args.wrt)?;
+    let changes = args.change.iter().map(|text| Change::read(&setup, text)).collect::<Result<Vec<_>>>()?;
+    let loss = args.loss.as_deref().map(|text| loss(search.maximize, text)).transpose()?;
+
+    let optima = args.search.run(&setup, &search)?;
+    let (best, _) = optima.locals.first().ok_or_else(none)?;
+    let warnings = remarks(&setup, best);
+    warn(&warnings);
+    let found = analysed(best, &wrt, &changes, loss);
+    let (sensitivities, flatness, changes) = match found {
+        Err(error) if error.is_an_outcome() => {
+            tell(&format!("error: {error}"));
+            let report = || Answer::json(&OptimumReport::new(best, warnings));
+            let answer = if args.question.json { report() } else { Answer::text(optimum_text(best)) };
+            return Ok(answer.found(false));
+        }
+        found => found?,
+    };
+    let analysis = Analysis { best, sensitivities: &sensitivities, flatness: &flatness, changes: &changes };
+    Ok(if args.question.json {
+        Answer::json(&SensitivityReport::new(&analysis, warnings))
+    } else {
+        Answer::text(optimum_text(best) + &sensitivity_text(&analysis))
+    })
+}
+
+type Found = (Vec<(&'static Parameter, Result<longdrive::study::Sensitivity>)>, longdrive::study::Flatness, Vec<longdrive::study::Changed>);
+
+fn analysed(best: &Optimum, wrt: &[&'static Parameter], changes: &[Change], loss: Option<f64>) -> Result<Found> {
+    let wrt: Vec<_> =
+        wrt.iter().copied().filter(|p| best.search.vary.iter().all(|vary| vary.parameter != *p)).collect();
+    let bar = bar();
+    let sensitivities = sensitivities(best, &wrt, |done, of| {
+        bar.set_length(of as u64);
+        bar.set_position(done as u64);
+    });
+    bar.finish_and_clear();
+    let loss = loss.unwrap_or_else(|| usual_loss(best));
+    let changed = changes.iter().map(|stated| change(best, *stated)).collect::<Result<_>>()?;
+    Ok((sensitivities?, flatness(best, loss)?, changed))
+}
+
+/// 1 yd of a distance, 1 % of anything else.
+fn usual_loss(best: &Optimum) -> f64 {
+    match best.search.maximize.quantity() {
+        Quantity::LENGTH => Quantity::LENGTH.size_of("yd").unwrap_or(1.0),
+        _ => 0.01 * best.value().unwrap_or_default().abs().max(f64::MIN_POSITIVE),
+    }
+}
+
+fn loss(of: Outcome, text: &str) -> Result<f64> {
+    let refuse = |source| Error::Unreadable { name: format!("--loss {text}"), source };
+    match of.quantity().read(text) {
+        Ok(loss) if loss > 0.0 && loss.is_finite() => Ok(loss),
+        Ok(_) => Err(refuse("it must be above 0 and finite, for example 1yd".into())),
+        Err(error) => Err(refuse(Box::new(error))),
+    }
+}
+
+/// The parameters named; "all" are those that have a number here.
+fn named(setup: &Setup<f64>, names: &[String]) -> Result<Vec<&'static Parameter>> {
+    let mut rows: Vec<&'static Parameter> = vec![];
+    for name in names.iter().map(|name| name.trim()).filter(|name| !name.is_empty()) {
+        let more = if name == "all" { setup.variables() } else { vec![setup.variable(name)?] };
+        rows.extend(more);
+    }
+    let mut seen: Vec<&'static Parameter> = vec![];
+    rows.retain(|row| {
+        let is_new = !seen.contains(row);
+        seen.push(row);
+        is_new
+    });
+    Ok(rows)
+}
+
+fn bar() -> ProgressBar {
+    let style = ProgressStyle::with_template("{bar:40} {pos}/{len} parameters, {eta} left");
+    ProgressBar::new(0).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+}

@@ -1,0 +1,82 @@
+//! The search that several commands begin with: who follows it, stops it and keeps it.
+
+use crate::args::SearchArgs;
+use crate::output::tell;
+use indicatif::{ProgressBar, ProgressStyle};
+use longdrive::optimize::{Follow, Ledger, Options};
+use longdrive::report::iteration_line;
+use longdrive::study::{Constraint, Optima, Search, Vary, optima};
+use longdrive::{Error, Outcome, Result, Setup};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
+
+impl SearchArgs {
+    /// What is looked for.
+    pub fn search(&self, setup: &Setup<f64>) -> Result<Search> {
+        let vary = self.vary.iter().map(|text| Vary::read(setup, text)).collect::<Result<Vec<_>>>()?;
+        let default = Search::longest_drive(setup);
+        Ok(Search {
+            maximize: Outcome::named(&self.maximize)?,
+            vary: if vary.is_empty() { default?.vary } else { vary },
+            subject_to: self.subject_to.iter().map(|text| Constraint::read(text)).collect::<Result<_>>()?,
+            options: Options { max_iterations: self.max_iterations, ..Options::default() },
+        })
+    }
+
+    /// Searches, with its progress on standard error.
+    pub fn run(&self, setup: &Setup<f64>, search: &Search) -> Result<Optima> {
+        let ledger = match &self.checkpoint {
+            // exact and complete: every number of the setup and the search is in their debug form
+            Some(path) => Some(Arc::new(Ledger::open(path, &format!("{setup:?} {search:?} {}", self.starts))?)),
+            None => None,
+        };
+        let mut follow = Follow { interrupt: interrupt(), ledger, ..Follow::default() };
+        let bar = if self.starts > 1 { self.many(search, &mut follow) } else { one(search, &mut follow) };
+        let found = optima(setup, search, self.starts as usize, &follow);
+        bar.finish_and_clear();
+        found
+    }
+
+    /// A bar of the searches that have ended, with the best value so far.
+    fn many(&self, search: &Search, follow: &mut Follow) -> ProgressBar {
+        let style = ProgressStyle::with_template("{bar:40} {pos}/{len} searches, {eta} left, best {msg}");
+        let bar = ProgressBar::new(u64::from(self.starts))
+            .with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+        let best: Mutex<Option<f64>> = Mutex::new(None);
+        let (shown, of) = (bar.clone(), search.maximize);
+        follow.end = Some(Arc::new(move |_, solution| {
+            let mut best = best.lock().unwrap_or_else(PoisonError::into_inner);
+            let is_feasible = solution.residual.feasibility <= 1e-6;
+            *best = [*best, solution.value.filter(|_| is_feasible)].into_iter().flatten().reduce(f64::min);
+            shown.set_message(best.map_or("–".into(), |value| of.show(-value)));
+            shown.inc(1);
+        }));
+        bar
+    }
+}
+
+/// Every iteration as a line.
+fn one(search: &Search, follow: &mut Follow) -> ProgressBar {
+    let shown = search.clone();
+    follow.iteration = Some(Arc::new(move |_, iteration| tell(&iteration_line(&shown, iteration))));
+    ProgressBar::hidden()
+}
+
+/// Becomes true on Ctrl-C; a second one ends the program at once.
+pub fn interrupt() -> Arc<AtomicBool> {
+    let flag = Arc::new(AtomicBool::new(false));
+    let shared = flag.clone();
+    // without a handler Ctrl-C ends the program as it ends any other
+    let _ = ctrlc::set_handler(move || {
+        if shared.swap(true, Ordering::Relaxed) {
+            std::process::exit(130);
+        }
+        tell("stopping with the best so far; Ctrl-C again to end at once");
+    });
+    flag
+}
+
+/// Where there is nothing to say about a search that found nothing at all.
+pub fn none() -> Error {
+    Error::Optimizer("no search was run".into())
+}

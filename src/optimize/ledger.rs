@@ -1,0 +1,101 @@
+//! Long work kept in a file: what searches have found, and how far the others have come.
+
+use super::minimize::Snapshot;
+use super::solution::Solution;
+use crate::error::{Error, Result};
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::sync::Mutex;
+
+/// A search that is kept.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Run {
+    /// It has ended.
+    Done(Box<Solution>),
+    /// It is between two iterations.
+    Going(Box<Snapshot>),
+}
+
+/// Searches of one question, kept in a file that is whole at every moment: each state is written beside it and put in
+/// its place at once.
+#[derive(Debug)]
+pub struct Ledger {
+    path: PathBuf,
+    content: Mutex<Content>,
+}
+
+#[derive(Debug, Serialize, Deserialize)]
+struct Content {
+    /// What was asked, in whatever words tell one question from another.
+    question: String,
+    runs: BTreeMap<usize, Run>,
+}
+
+impl Ledger {
+    /// The ledger in a file, with what it holds; a new one where there is no such file.
+    ///
+    /// # Errors
+    /// [`Error::Checkpoint`] for a file that cannot be read, is none of this kind, or belongs to another question.
+    pub fn open(path: &Path, question: &str) -> Result<Self> {
+        let refuse = |reason: String| Error::Checkpoint { file: path.display().to_string(), reason };
+        let content = match std::fs::read_to_string(path) {
+            Ok(text) => serde_json::from_str(&text)
+                .map_err(|e| refuse(format!("it is no checkpoint of a search ({e}); name another file")))?,
+            Err(error) if error.kind() == std::io::ErrorKind::NotFound => {
+                Content { question: question.into(), runs: BTreeMap::new() }
+            }
+            Err(error) => return Err(refuse(format!("it cannot be read ({error})"))),
+        };
+        if content.question != question {
+            let reason = "it belongs to another question (setup, search or options differ); name another file, or \
+                          remove it to begin anew";
+            return Err(refuse(reason.into()));
+        }
+        let ledger = Self { path: path.into(), content: Mutex::new(content) };
+        // what cannot be written is told now, not after hours
+        ledger.write(&*ledger.lock())?;
+        Ok(ledger)
+    }
+
+    /// The search of this number, if it was kept.
+    pub fn run(&self, number: usize) -> Option<Run> {
+        self.lock().runs.get(&number).cloned()
+    }
+
+    /// Searches that have ended.
+    pub fn done(&self) -> usize {
+        self.lock().runs.values().filter(|run| matches!(run, Run::Done(_))).count()
+    }
+
+    /// Keeps a search.
+    ///
+    /// # Errors
+    /// [`Error::Checkpoint`] where the file cannot be written.
+    pub fn keep(&self, number: usize, run: Run) -> Result<()> {
+        let mut content = self.lock();
+        content.runs.insert(number, run);
+        self.write(&content)
+    }
+
+    fn write(&self, content: &Content) -> Result<()> {
+        let folder = self.path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        let written = || -> std::io::Result<()> {
+            let mut beside = tempfile::NamedTempFile::new_in(folder)?;
+            beside.write_all(&serde_json::to_vec(content)?)?;
+            beside.persist(&self.path)?;
+            Ok(())
+        };
+        written().map_err(|error| Error::Checkpoint {
+            file: self.path.display().to_string(),
+            reason: format!("it cannot be written ({error})"),
+        })
+    }
+
+    fn lock(&self) -> std::sync::MutexGuard<'_, Content> {
+        // a search that panicked elsewhere leaves a whole content: it is only ever replaced entry by entry
+        self.content.lock().unwrap_or_else(std::sync::PoisonError::into_inner)
+    }
+}

@@ -1,0 +1,148 @@
+//! Local searches from many starts: the local optima they end at, best first.
+
+use super::domain::Domain;
+use super::ledger::{Ledger, Run};
+use super::minimize::{Watch, minimize_watched};
+use super::options::Options;
+use super::problem::Problem;
+use super::solution::{Iteration, Solution};
+use super::status::Status;
+use crate::error::{Error, Result};
+use rayon::prelude::*;
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+
+/// A local optimum, and how many starts lead to it.
+#[derive(Clone, Debug)]
+pub struct Local {
+    /// The optimum.
+    pub solution: Solution,
+    /// The starts that ended here, by number.
+    pub starts: Vec<usize>,
+}
+
+/// Who follows searches that run side by side.
+#[derive(Clone, Default)]
+pub struct Follow {
+    /// Is shown every iteration, with the start's number.
+    pub iteration: Option<Arc<dyn Fn(usize, &Iteration) + Send + Sync>>,
+    /// Is shown the end of every search, with the start's number.
+    pub end: Option<Arc<dyn Fn(usize, &Solution) + Send + Sync>>,
+    /// Ends all searches, with the best points so far, once it is true.
+    pub interrupt: Arc<AtomicBool>,
+    /// Keeps the searches, and knows those that were kept before.
+    pub ledger: Option<Arc<Ledger>>,
+}
+
+/// Optima closer than this in every variable, in units of its scale, are one.
+const SAME: f64 = 1e-6;
+
+/// Starts spread evenly over the bounds: the one given, then points of Sobol's sequence, scrambled (Owen 1995; Burley
+/// 2020). Where a variable has no end, the spread reaches as far from the start as its scale.
+///
+/// # Errors
+/// [`Error::Optimizer`] for more starts or variables than the sequence has.
+pub fn starts(domain: &Domain, start: &[f64], count: usize) -> Result<Vec<Vec<f64>>> {
+    let (bounds, scale) = (&domain.variables, domain.variables.scale(start));
+    let most = 1 << 16;
+    if count > most || start.len() > sobol_burley::NUM_DIMENSIONS as usize {
+        return Err(Error::Optimizer(format!(
+            "{count} starts in {} variables; at most {most} starts in {} variables can be spread",
+            start.len(),
+            sobol_burley::NUM_DIMENSIONS
+        )));
+    }
+    let coordinate = |index: usize, i: usize| {
+        let end = |bound: f64, beyond: f64| if bound.is_finite() { bound } else { start[i] + beyond };
+        let (low, high) = (end(bounds.low[i], -scale[i]), end(bounds.high[i], scale[i]));
+        low + f64::from(sobol_burley::sample(index as u32, i as u32, 0)) * (high - low)
+    };
+    let spread = |index: usize| (0..start.len()).map(|i| coordinate(index, i)).collect();
+    Ok(std::iter::once(bounds.project(start)).chain((0..count.saturating_sub(1)).map(spread)).collect())
+}
+
+/// Searches from every start, side by side; the local optima found, best first, then what ended otherwise. The order
+/// does not depend on how many threads there are.
+///
+/// # Errors
+/// As [`minimize`](super::minimize); [`Error::Optimizer`] without starts.
+pub fn minimize_from(
+    problem: &(impl Problem + Sync),
+    domain: &Domain,
+    starts: &[Vec<f64>],
+    options: &Options,
+    follow: &Follow,
+) -> Result<Vec<Local>> {
+    let search = |(number, start): (usize, &Vec<f64>)| one(problem, domain, start, options, follow, number);
+    let solutions = starts.par_iter().enumerate().map(search).collect::<Result<Vec<_>>>()?;
+    Ok(collected(domain, solutions))
+}
+
+fn one(
+    problem: &impl Problem,
+    domain: &Domain,
+    start: &[f64],
+    options: &Options,
+    follow: &Follow,
+    number: usize,
+) -> Result<Solution> {
+    let kept = follow.ledger.as_ref().and_then(|ledger| ledger.run(number));
+    let resume = match kept {
+        Some(Run::Done(solution)) => {
+            if let Some(end) = &follow.end {
+                end(number, &solution);
+            }
+            return Ok(*solution);
+        }
+        Some(Run::Going(snapshot)) => Some(*snapshot),
+        None => None,
+    };
+    let mut watch = Watch { interrupt: follow.interrupt.clone(), resume, ..Watch::default() };
+    if let Some(show) = follow.iteration.clone() {
+        watch.iteration = Box::new(move |iteration| show(number, iteration));
+    }
+    if let Some(ledger) = follow.ledger.clone() {
+        watch.keep = Some(Box::new(move |snapshot| ledger.keep(number, Run::Going(Box::new(snapshot.clone())))));
+    }
+    let solution = minimize_watched(problem, domain, start, options, watch)?;
+    if let Some(ledger) = &follow.ledger
+        && solution.status != Status::Interrupted
+    {
+        ledger.keep(number, Run::Done(Box::new(solution.clone())))?;
+    }
+    if let Some(end) = &follow.end {
+        end(number, &solution);
+    }
+    Ok(solution)
+}
+
+/// The distinct ends of searches, best first.
+fn collected(domain: &Domain, solutions: Vec<Solution>) -> Vec<Local> {
+    let mut locals: Vec<Local> = vec![];
+    for (number, solution) in solutions.into_iter().enumerate() {
+        let scale = domain.variables.scale(&solution.x);
+        let is_same = |local: &Local| {
+            let mut apart = local.solution.x.iter().zip(&solution.x).zip(&scale).map(|((a, b), s)| ((a - b) / s).abs());
+            local.solution.status == solution.status && apart.all(|apart| apart <= SAME)
+        };
+        match locals.iter_mut().find(|local| is_same(local)) {
+            Some(local) => {
+                local.starts.push(number);
+                // of the same optimum, the sharper
+                if solution.kkt_residual < local.solution.kkt_residual {
+                    local.solution = solution;
+                }
+            }
+            None => locals.push(Local { solution, starts: vec![number] }),
+        }
+    }
+    let rank = |local: &Local| match local.solution.status {
+        Status::Converged | Status::StalledAtKink => 0,
+        Status::Stalled | Status::IterationLimit | Status::Interrupted => 1,
+        Status::Infeasible => 2,
+        Status::Undefined => 3,
+    };
+    let value = |local: &Local| local.solution.value.unwrap_or(f64::MAX);
+    locals.sort_by(|a, b| rank(a).cmp(&rank(b)).then(value(a).total_cmp(&value(b))));
+    locals
+}

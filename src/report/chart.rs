@@ -1,0 +1,100 @@
+use super::{json, table::table};
+use crate::error::{Error, Result};
+use crate::study::{Chart, ChartPoint, Vary};
+use serde::Serialize;
+use serde_json::{Map, Value};
+
+/// A chart as JSON, SI and radians.
+#[derive(Clone, Debug, Serialize)]
+pub struct ChartReport {
+    /// The parameter it runs along.
+    pub along: &'static str,
+    /// The outcome that is made large.
+    pub objective: &'static str,
+    /// Its points, in order.
+    pub points: Vec<ChartPointReport>,
+    /// Why it ends before the range does; `null` where it does not.
+    pub ended: Option<String>,
+}
+
+/// A point of a chart.
+#[derive(Clone, Debug, Serialize)]
+pub struct ChartPointReport {
+    /// The parameter's value.
+    pub parameter: f64,
+    /// The outcome's best value there.
+    pub value: Value,
+    /// Where it is, by parameter.
+    pub optimum: Map<String, Value>,
+    /// What holds it: bounds and constraints.
+    pub active: Vec<String>,
+    /// What changes here.
+    pub event: Option<String>,
+}
+
+impl ChartReport {
+    /// The report of a chart.
+    pub fn new(chart: &Chart) -> Self {
+        let point = |point: &ChartPoint| {
+            let names = point.best.search.vary.iter().map(|vary| vary.parameter.name);
+            ChartPointReport {
+                parameter: point.at,
+                value: json::number(point.best.value()),
+                optimum: json::named(names.zip(point.best.solution.x.iter().map(|x| Some(*x)))),
+                active: point.active.clone(),
+                event: point.event.clone(),
+            }
+        };
+        Self {
+            along: chart.along.parameter.name,
+            objective: chart.points.first().map_or("", |point| point.best.search.maximize.name()),
+            points: chart.points.iter().map(point).collect(),
+            ended: chart.ended.clone(),
+        }
+    }
+}
+
+/// The columns of a chart, with how each is shown.
+fn head(chart: &Chart) -> Vec<&'static str> {
+    let Some(first) = chart.points.first() else { return vec![] };
+    let varied = first.best.search.vary.iter().map(|vary| vary.parameter.name);
+    [chart.along.parameter.name, first.best.search.maximize.name()].into_iter().chain(varied).collect()
+}
+
+/// A chart as a table.
+pub fn chart_text(chart: &Chart) -> String {
+    let mut columns = head(chart);
+    let right: Vec<usize> = (0..columns.len()).collect();
+    columns.push("active");
+    let rows = chart.points.iter().map(|point| {
+        let show = |(vary, x): (&Vary, &f64)| vary.parameter.show(Some(*x));
+        let value = point.best.value().map_or("–".into(), |value| point.best.search.maximize.show(value));
+        let event = point.event.as_ref().map(|event| format!("<- {event}"));
+        let words = if point.active.is_empty() { "–".into() } else { point.active.join(", ") };
+        [chart.along.parameter.show(Some(point.at)), value]
+            .into_iter()
+            .chain(point.best.search.vary.iter().zip(&point.best.solution.x).map(show))
+            .chain([[Some(words), event].into_iter().flatten().collect::<Vec<_>>().join("  ")])
+            .collect()
+    });
+    let ended = chart.ended.as_ref().map_or(String::new(), |why| format!("\n{why}\n"));
+    table(&columns, &right, rows) + &ended
+}
+
+/// A chart as CSV, SI and radians.
+///
+/// # Errors
+/// [`Error::Output`].
+pub fn chart_csv(chart: &Chart) -> Result<String> {
+    let failed = |error: csv::Error| Error::Output(error.into());
+    let mut writer = csv::Writer::from_writer(vec![]);
+    writer.write_record(head(chart).into_iter().chain(["active", "event"])).map_err(failed)?;
+    for point in &chart.points {
+        let numbers = [point.at, point.best.value().unwrap_or(f64::NAN)];
+        let numbers = numbers.iter().chain(&point.best.solution.x).map(|number| format!("{number:?}"));
+        let words = [point.active.join("; "), point.event.clone().unwrap_or_default()];
+        writer.write_record(numbers.chain(words)).map_err(failed)?;
+    }
+    let bytes = writer.into_inner().map_err(|error| Error::Output(error.into_error()))?;
+    Ok(String::from_utf8_lossy(&bytes).into_owned())
+}

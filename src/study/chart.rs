@@ -1,0 +1,172 @@
+//! The optimum as a function of a parameter, followed by continuation.
+
+use super::optimum::{Optimum, Search, Vary, optimum};
+use super::sensitivity::sensitivity;
+use crate::error::{Error, Result};
+use crate::optimize::{Options, Status, Watch};
+use crate::parameters::Setup;
+
+/// Optima along a parameter.
+#[derive(Clone, Debug)]
+pub struct Chart {
+    /// The parameter and its range.
+    pub along: Vary,
+    /// The optima, in order.
+    pub points: Vec<ChartPoint>,
+    /// Why it ends before the range does, if it does.
+    pub ended: Option<String>,
+}
+
+/// The optimum at one value of the parameter.
+#[derive(Clone, Debug)]
+pub struct ChartPoint {
+    /// The parameter's value, SI.
+    pub at: f64,
+    /// The optimum.
+    pub best: Optimum,
+    /// What holds it.
+    pub active: Vec<String>,
+    /// What happens here: an active bound or constraint comes or goes, or the optimum jumps.
+    pub event: Option<String>,
+}
+
+/// The longest step, as a part of the range.
+const LONGEST: f64 = 1.0 / 16.0;
+/// The shortest.
+const SHORTEST: f64 = 1.0 / 65_536.0;
+/// Events are located to this part of the range.
+const LOCATED: f64 = 1e-10;
+/// Steps whose predicted optimum is farther than this from the one found, in units of the ranges, are halved …
+const TOO_FAR: f64 = 0.02;
+/// … and those nearer than this are followed by longer ones.
+const NEAR: f64 = 0.002;
+/// The trust region of a corrector: it stays with the optimum it follows.
+const RADIUS: f64 = 0.05;
+
+/// Follows the optimum along a parameter: from each optimum the next is predicted by d x*/dp and corrected by a search
+/// from there; steps adapt to how far the two lie apart, and changes of the active bounds and constraints are located.
+/// `watch` is shown every point as it is found.
+///
+/// # Errors
+/// [`Error::NotConverged`] where there is no optimum at the range's low end; [`Error::NotVariable`] for a parameter that
+/// is itself varied; as [`optimum`].
+pub fn chart(
+    setup: &Setup<f64>,
+    search: &Search,
+    along: Vary,
+    mut watch: impl FnMut(&ChartPoint) -> bool,
+) -> Result<Chart> {
+    if search.vary.iter().any(|vary| vary.parameter == along.parameter) {
+        let reason = "it is varied itself: the chart is of its optimum, along another parameter".into();
+        return Err(Error::NotVariable { name: along.parameter.name.into(), reason });
+    }
+    let follower = Follower { setup, search, along };
+    let first = follower.first()?;
+    let mut chart = Chart { along, points: vec![], ended: None };
+    let width = along.high - along.low;
+    let mut step = LONGEST * width;
+    let mut goes_on = watch(&first);
+    chart.points.push(first);
+    while let Some(here) = chart.points.last()
+        && here.at < along.high
+    {
+        if !goes_on {
+            chart.ended = Some(format!("stopped at {}", along.parameter.show(Some(here.at))));
+            break;
+        }
+        let to = if here.at + 1.001 * step >= along.high { along.high } else { here.at + step };
+        let (next, apart) = match follower.next(here, to) {
+            Ok(found) if found.1 <= TOO_FAR || step <= SHORTEST * width => found,
+            Ok(_) => {
+                step *= 0.5;
+                continue;
+            }
+            Err(_) if step > SHORTEST * width => {
+                step *= 0.5;
+                continue;
+            }
+            Err(error) => {
+                let place = along.parameter.show(Some(here.at));
+                chart.ended = Some(format!("no optimum was found beyond {place}: {error}"));
+                break;
+            }
+        };
+        let next = if apart > TOO_FAR {
+            let event = Some("the optimum jumps: the one followed so far is none beyond".into());
+            ChartPoint { event, ..next }
+        } else if next.active != here.active {
+            follower.located(here, next)
+        } else {
+            next
+        };
+        if apart < NEAR {
+            step = (2.0 * step).min(LONGEST * width);
+        }
+        goes_on = watch(&next);
+        chart.points.push(next);
+    }
+    Ok(chart)
+}
+
+/// What is followed.
+struct Follower<'a> {
+    setup: &'a Setup<f64>,
+    search: &'a Search,
+    along: Vary,
+}
+
+impl Follower<'_> {
+    fn first(&self) -> Result<ChartPoint> {
+        let mut setup = *self.setup;
+        setup.set_value(self.along.parameter, Some(self.along.low))?;
+        point(self.along.low, optimum(&setup, self.search.clone(), Watch::default())?)
+    }
+
+    /// The optimum at another value, and how far it is from where it was predicted, in units of the ranges.
+    fn next(&self, here: &ChartPoint, to: f64) -> Result<(ChartPoint, f64)> {
+        let rates = match sensitivity(&here.best, self.along.parameter) {
+            Ok(sensitivity) => sensitivity.optimum,
+            // where an optimum has no sensitivity (the edge of an active set), staying is the best guess
+            Err(_) => vec![0.0; self.search.vary.len()],
+        };
+        let predicted = here.best.solution.x.iter().zip(&rates).zip(&self.search.vary);
+        let predicted: Vec<f64> =
+            predicted.map(|((x, rate), vary)| (x + rate * (to - here.at)).clamp(vary.low, vary.high)).collect();
+        let mut setup = here.best.setup;
+        setup.set_value(self.along.parameter, Some(to))?;
+        for (vary, x) in self.search.vary.iter().zip(&predicted) {
+            setup.set_value(vary.parameter, Some(*x))?;
+        }
+        let options = Options { initial_radius: RADIUS, ..self.search.options.clone() };
+        let found = point(to, optimum(&setup, Search { options, ..self.search.clone() }, Watch::default())?)?;
+        let widths = self.search.vary.iter().map(|vary| vary.high - vary.low);
+        let apart = found.best.solution.x.iter().zip(&predicted).zip(widths);
+        let apart = apart.map(|((x, predicted), width)| if width > 0.0 { (x - predicted).abs() / width } else { 0.0 });
+        let apart = apart.fold(0.0, f64::max);
+        Ok((found, apart))
+    }
+
+    /// The first place between two optima where another bound or constraint holds than at the first.
+    fn located(&self, here: &ChartPoint, there: ChartPoint) -> ChartPoint {
+        let (mut before, mut after) = (here.clone(), there);
+        while after.at - before.at > LOCATED * (self.along.high - self.along.low) {
+            let middle = 0.5 * (before.at + after.at);
+            match self.next(&before, middle) {
+                Ok((found, _)) if found.active == here.active => before = found,
+                Ok((found, _)) => after = found,
+                Err(_) => break,
+            }
+        }
+        let come = after.active.iter().filter(|name| !here.active.contains(name)).map(|name| format!("{name} begins"));
+        let gone = here.active.iter().filter(|name| !after.active.contains(name)).map(|name| format!("{name} ends"));
+        let event = Some(come.chain(gone).collect::<Vec<_>>().join(", "));
+        ChartPoint { event, ..after }
+    }
+}
+
+fn point(at: f64, best: Optimum) -> Result<ChartPoint> {
+    if best.solution.status != Status::Converged {
+        return Err(Error::NotConverged { status: best.status(), message: best.message() });
+    }
+    Ok(ChartPoint { at, active: best.active(), best, event: None })
+}

@@ -1,0 +1,270 @@
+//! How flat the top is: how far each varied parameter may stray for a stated loss.
+
+use super::optimum::{Optimum, posed};
+use super::problem::DriveProblem;
+use crate::error::{Error, Result};
+use crate::optimize::sensitivity::{Held, reduced_hessian};
+use crate::optimize::{Domain, Status};
+use argmin::core::{CostFunction, Executor, State};
+use argmin::solver::brent::BrentRoot;
+use nalgebra::DMatrix;
+
+/// What an optimum allows for a stated loss.
+#[derive(Clone, Debug)]
+pub struct Flatness {
+    /// The loss of the outcome that is allowed, SI.
+    pub loss: f64,
+    /// The window of each varied parameter, the others held at the optimum.
+    pub windows: Vec<Window>,
+    /// The directions of the free parameters, by curvature, the flattest first.
+    pub directions: Vec<Direction>,
+    /// For each pair of free parameters, what they may stray together, by the quadratic.
+    pub ellipses: Vec<Ellipse>,
+}
+
+/// How far a parameter may stray alone, found by flying.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Window {
+    /// Least value, SI.
+    pub low: f64,
+    /// What sets it.
+    pub low_limit: Limit,
+    /// Greatest value.
+    pub high: f64,
+    /// What sets it.
+    pub high_limit: Limit,
+}
+
+/// What ends a window.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Limit {
+    /// The outcome falls by the loss.
+    Loss,
+    /// The bound of the search.
+    Bound,
+    /// A constraint, by number.
+    Constraint(usize),
+    /// Beyond, nothing flies.
+    NoFlight,
+}
+
+/// A direction in which the free parameters move together, an eigenvector of the reduced Hessian in units of their
+/// ranges.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Direction {
+    /// Its component by each varied parameter, SI, of length 1 in units of the ranges.
+    pub along: Vec<f64>,
+    /// How many of these lengths lose as much as is allowed, to second order.
+    pub reach: f64,
+    /// The loss there in truth, found by flying, in both directions; `None` where that leads out of the ranges or
+    /// nothing flies.
+    pub losses: [Option<f64>; 2],
+}
+
+/// An ellipse around the optimum in the plane of two parameters, others held.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Ellipse {
+    /// The two parameters, by their place in the search.
+    pub pair: [usize; 2],
+    /// Its two half-axes, each by its components of the two parameters, SI, the longer (in units of the ranges) first.
+    pub half_axes: [[f64; 2]; 2],
+    /// Least and greatest loss found by flying along it, within ranges and constraints; `None` where no point of it is.
+    pub losses: Option<(f64, f64)>,
+}
+
+/// Points flown along an ellipse.
+const AROUND: usize = 24;
+
+/// The flatness of an optimum for a stated loss of the outcome, SI.
+///
+/// # Errors
+/// [`Error::NotConverged`]; [`Error::Optimizer`] for a loss that is not above 0.
+pub fn flatness(best: &Optimum, loss: f64) -> Result<Flatness> {
+    if !(loss > 0.0 && loss.is_finite()) {
+        return Err(Error::Optimizer(format!("a loss of {loss} allows nothing; state one above 0")));
+    }
+    if best.solution.status != Status::Converged {
+        return Err(Error::NotConverged { status: best.status(), message: best.message() });
+    }
+    let problem = posed(&best.setup, &best.search)?;
+    let top = Top { problem: &problem, best, loss };
+    let windows = (0..best.search.vary.len()).map(|i| top.window(i)).collect::<Result<_>>()?;
+    Ok(Flatness { loss, windows, directions: top.directions(), ellipses: top.ellipses() })
+}
+
+/// The surroundings of an optimum.
+struct Top<'a> {
+    problem: &'a DriveProblem,
+    best: &'a Optimum,
+    loss: f64,
+}
+
+impl Top<'_> {
+    fn domain(&self) -> &Domain {
+        &self.problem.domain
+    }
+
+    /// What is lost at a point, or the constraint that it breaks; `None` where nothing flies.
+    fn lost_at(&self, x: &[f64]) -> Option<Result<f64, usize>> {
+        let values = self.problem.evaluate_values(x).ok()?;
+        let limits = &self.domain().constraints;
+        let excess = |j: usize| limits.excess(j, values[j + 1]).abs();
+        // what holds the optimum is met there to rounding
+        let rounding = |j: usize| 1e-9 * (1.0 + self.best.solution.constraints[j].value.abs());
+        let broken = (0..limits.dimension()).find(|&j| excess(j) > rounding(j));
+        Some(match broken {
+            Some(j) => Err(j),
+            None => Ok(self.best.value().unwrap_or_default() - values[0]),
+        })
+    }
+
+    fn moved(&self, i: usize, to: f64) -> Vec<f64> {
+        let mut x = self.best.solution.x.clone();
+        x[i] = to;
+        x
+    }
+
+    fn window(&self, i: usize) -> Result<Window> {
+        let bounds = &self.domain().variables;
+        let (low, low_limit) = self.end(i, bounds.low[i])?;
+        let (high, high_limit) = self.end(i, bounds.high[i])?;
+        Ok(Window { low, low_limit, high, high_limit })
+    }
+
+    /// How far variable i may go towards a bound.
+    fn end(&self, i: usize, bound: f64) -> Result<(f64, Limit)> {
+        let from = self.best.solution.x[i];
+        let width = bound - from;
+        if width == 0.0 {
+            return Ok((from, Limit::Bound));
+        }
+        let is_within = |part: f64| match self.lost_at(&self.moved(i, from + part * width)) {
+            None => Err(Limit::NoFlight),
+            Some(Err(j)) => Err(Limit::Constraint(j)),
+            Some(Ok(lost)) if lost > self.loss => Err(Limit::Loss),
+            Some(Ok(_)) => Ok(()),
+        };
+        // outward from a small part, so that the first end met is the window's and not one beyond
+        let mut inside = 0.0;
+        let mut part: f64 = 1.0 / 1024.0;
+        let (mut outside, mut limit) = loop {
+            match is_within(part) {
+                Err(limit) => break (part, limit),
+                Ok(()) if part >= 1.0 => return Ok((bound, Limit::Bound)),
+                Ok(()) => inside = part,
+            }
+            part = (part * 1.25).min(1.0);
+        };
+        // what is no loss has an edge without a function to solve: halve
+        while limit != Limit::Loss && outside - inside > 1e-12 {
+            let middle = 0.5 * (inside + outside);
+            match is_within(middle) {
+                Ok(()) => inside = middle,
+                Err(other) => (outside, limit) = (middle, other),
+            }
+        }
+        if limit != Limit::Loss {
+            return Ok((from + inside * width, limit));
+        }
+        let part = self.crossing(i, from, width, inside, outside)?;
+        Ok((from + part * width, Limit::Loss))
+    }
+
+    /// Where between two parts of the way to a bound the loss is what is allowed.
+    fn crossing(&self, i: usize, from: f64, width: f64, inside: f64, outside: f64) -> Result<f64> {
+        let search = BrentRoot::new(inside, outside, 1e-13);
+        let found = Executor::new(Excess { top: self, i, from, width }, search)
+            .configure(|state| state.max_iters(200))
+            .run()
+            .map_err(|e| Error::Optimizer(e.to_string()))?;
+        Ok(found.state.get_best_param().copied().unwrap_or(inside))
+    }
+
+    fn directions(&self) -> Vec<Direction> {
+        let solution = &self.best.solution;
+        let scale = self.domain().variables.scale(&solution.x);
+        let (basis, reduced) = reduced_hessian(solution, self.domain());
+        if basis.ncols() == 0 {
+            return vec![];
+        }
+        let reduced = reduced.symmetric_eigen();
+        let mut order: Vec<usize> = (0..basis.ncols()).collect();
+        order.sort_by(|a, b| reduced.eigenvalues[*a].total_cmp(&reduced.eigenvalues[*b]));
+        let one = |k: usize| {
+            let unit = &basis * reduced.eigenvectors.column(k);
+            let along: Vec<f64> = unit.iter().zip(&scale).map(|(u, s)| u * s).collect();
+            let curvature = reduced.eigenvalues[k];
+            let reach = if curvature > 0.0 { (2.0 * self.loss / curvature).sqrt() } else { f64::INFINITY };
+            let losses = [reach, -reach].map(|reach| {
+                let x: Vec<f64> = solution.x.iter().zip(&along).map(|(x, a)| x + reach * a).collect();
+                self.lost_within(&x)
+            });
+            Direction { along, reach, losses }
+        };
+        order.into_iter().map(one).collect()
+    }
+
+    /// The loss at a point, if it lies within ranges and constraints and flies.
+    fn lost_within(&self, x: &[f64]) -> Option<f64> {
+        let bounds = &self.domain().variables;
+        let is_within = x.iter().enumerate().all(|(i, x)| x.is_finite() && bounds.excess(i, *x) == 0.0);
+        if is_within { self.lost_at(x)?.ok() } else { None }
+    }
+
+    fn ellipses(&self) -> Vec<Ellipse> {
+        let free = Held::new(&self.best.solution, self.domain()).free();
+        let pairs = (0..free.len()).flat_map(|b| (0..b).map(move |a| (a, b)));
+        pairs.filter_map(|(a, b)| self.ellipse([free[a], free[b]])).collect()
+    }
+
+    /// The ellipse of a pair, where the outcome falls in every direction of its plane.
+    fn ellipse(&self, pair: [usize; 2]) -> Option<Ellipse> {
+        let solution = &self.best.solution;
+        let scale = self.domain().variables.scale(&solution.x);
+        let block = DMatrix::from_fn(2, 2, |r, c| {
+            solution.hessian[pair[r]][pair[c]] * scale[pair[r]] * scale[pair[c]]
+        });
+        let block = block.symmetric_eigen();
+        let mut order = [0, 1];
+        order.sort_by(|x, y| block.eigenvalues[*x].total_cmp(&block.eigenvalues[*y]));
+        if block.eigenvalues.min() <= 0.0 {
+            return None;
+        }
+        let half_axes = order.map(|k| {
+            let reach = (2.0 * self.loss / block.eigenvalues[k]).sqrt();
+            [0, 1].map(|row| reach * block.eigenvectors[(row, k)] * scale[pair[row]])
+        });
+        let around = (0..AROUND).filter_map(|step| {
+            let (sin, cos) = (std::f64::consts::TAU * step as f64 / AROUND as f64).sin_cos();
+            let mut x = solution.x.clone();
+            for row in 0..2 {
+                x[pair[row]] += cos * half_axes[0][row] + sin * half_axes[1][row];
+            }
+            self.lost_within(&x)
+        });
+        let losses = around.fold(None, |range: Option<(f64, f64)>, lost| {
+            Some(range.map_or((lost, lost), |(least, most)| (least.min(lost), most.max(lost))))
+        });
+        Some(Ellipse { pair, half_axes, losses })
+    }
+}
+
+/// The loss beyond what is allowed, along a parameter's way to its bound.
+struct Excess<'a> {
+    top: &'a Top<'a>,
+    i: usize,
+    from: f64,
+    width: f64,
+}
+
+impl CostFunction for Excess<'_> {
+    type Param = f64;
+    type Output = f64;
+
+    fn cost(&self, part: &f64) -> std::result::Result<f64, argmin::core::Error> {
+        match self.top.lost_at(&self.top.moved(self.i, self.from + part * self.width)) {
+            Some(Ok(lost)) => Ok(lost - self.top.loss),
+            _ => Err(argmin::core::Error::msg("no flight between two drives that fly")),
+        }
+    }
+}

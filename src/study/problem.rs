@@ -1,0 +1,73 @@
+use super::Search;
+use crate::derivative::{self, Order};
+use crate::drive::Outcome;
+use crate::error::Result;
+use crate::optimize::{Domain, Evaluation, Problem};
+use crate::parameters::{Parameter, Setup};
+
+/// A search for the best drive as the optimizer sees it: the negative of the outcome to be made large, and the outcomes
+/// that are held between limits.
+pub(super) struct DriveProblem {
+    setup: Setup<f64>,
+    vary: Vec<&'static Parameter>,
+    /// The outcome made large, then those of the constraints.
+    of: Vec<Outcome>,
+    pub domain: Domain,
+}
+
+impl DriveProblem {
+    pub fn new(setup: &Setup<f64>, search: &Search) -> Result<Self> {
+        let ends = |end: fn(&super::Vary) -> f64| search.vary.iter().map(end).collect::<Vec<_>>();
+        let domain = Domain::new(ends(|vary| vary.low), ends(|vary| vary.high))?.subject_to(
+            search.subject_to.iter().map(|constraint| constraint.low).collect(),
+            search.subject_to.iter().map(|constraint| constraint.high).collect(),
+        )?;
+        let limited = search.subject_to.iter().map(|constraint| constraint.outcome);
+        Ok(Self {
+            setup: *setup,
+            vary: search.vary.iter().map(|vary| vary.parameter).collect(),
+            of: std::iter::once(search.maximize).chain(limited).collect(),
+            domain,
+        })
+    }
+
+    /// The setup's own values of what is varied.
+    pub fn start(&self) -> Vec<f64> {
+        self.vary.iter().filter_map(|parameter| self.setup.value(parameter)).collect()
+    }
+
+    /// The setup with the varied parameters at `x`.
+    pub fn moved(&self, x: &[f64]) -> Result<Setup<f64>> {
+        let mut moved = self.setup;
+        for (parameter, value) in self.vary.iter().zip(x) {
+            moved.set_value(parameter, Some(*value))?;
+        }
+        Ok(moved)
+    }
+
+    /// The outcome made large at `x`, then those of the constraints.
+    pub fn evaluate_values(&self, x: &[f64]) -> Result<Vec<f64>> {
+        let taylors = derivative::evaluate(&self.moved(x)?, &self.of, &self.vary, Order::Value)?;
+        Ok(taylors.into_iter().map(|taylor| taylor.value).collect())
+    }
+
+    /// The functions at `x` with derivatives by the varied parameters, and by one more.
+    pub fn evaluate_with(&self, x: &[f64], parameter: &'static Parameter) -> Result<Evaluation> {
+        let wrt: Vec<_> = self.vary.iter().copied().chain([parameter]).collect();
+        Ok(as_functions(derivative::towards_last(&self.moved(x)?, &self.of, &wrt)?))
+    }
+}
+
+impl Problem for DriveProblem {
+    fn evaluate(&self, x: &[f64]) -> std::result::Result<Evaluation, String> {
+        let moved = self.moved(x).map_err(|e| e.to_string())?;
+        let taylors = derivative::evaluate(&moved, &self.of, &self.vary, Order::Second);
+        taylors.map(as_functions).map_err(|e| e.to_string())
+    }
+}
+
+fn as_functions(mut taylors: Vec<crate::number::Taylor>) -> Evaluation {
+    let constraints = taylors.split_off(1);
+    let objective = taylors.pop().map(crate::number::Taylor::negated).unwrap_or_default();
+    Evaluation { objective, constraints }
+}

@@ -1,0 +1,163 @@
+use super::optimum::{Optimum, Search, optimum, posed};
+use super::problem::DriveProblem;
+use crate::error::{Error, Result};
+use crate::optimize::sensitivity::{Event, first_event, response};
+use crate::optimize::{Status, Watch};
+use crate::parameters::{Parameter, Setup};
+
+/// How an optimum answers to a parameter that is not varied.
+#[derive(Clone, Debug)]
+pub struct Sensitivity {
+    /// The parameter, p.
+    pub parameter: &'static Parameter,
+    /// d f*/dp: what the best value of the outcome changes by, SI.
+    pub value: f64,
+    /// d² f*/dp².
+    pub curvature: f64,
+    /// d x*/dp of each parameter varied.
+    pub optimum: Vec<f64>,
+}
+
+/// The sensitivity of an optimum to a parameter, from the KKT system with exact second derivatives.
+///
+/// # Errors
+/// [`Error::NotConverged`] where there is no optimum to speak of; [`Error::SearchRange`] for a parameter that is itself
+/// varied; [`Setup::variable`]'s; [`Error::Optimizer`] where the optimum is not isolated.
+pub fn sensitivity(best: &Optimum, parameter: &'static Parameter) -> Result<Sensitivity> {
+    let problem = converged(best)?;
+    if best.search.vary.iter().any(|vary| vary.parameter == parameter) {
+        let reason = "it is varied itself; the price of its bounds is its multiplier".into();
+        return Err(Error::NotVariable { name: parameter.name.into(), reason });
+    }
+    let at = problem.evaluate_with(&best.solution.x, parameter)?;
+    let response = response(&best.solution, &problem.domain, &at)?;
+    Ok(Sensitivity { parameter, value: -response.value, curvature: -response.curvature, optimum: response.x })
+}
+
+/// The sensitivities to each of these parameters, as far as they exist: a reason stands for one that does not.
+///
+/// # Errors
+/// [`Error::NotConverged`].
+pub fn sensitivities(
+    best: &Optimum,
+    wrt: &[&'static Parameter],
+    mut progress: impl FnMut(usize, usize),
+) -> Result<Vec<(&'static Parameter, Result<Sensitivity>)>> {
+    converged(best)?;
+    let one = |(done, parameter): (usize, &&'static Parameter)| {
+        let sensitivity = sensitivity(best, parameter);
+        progress(done + 1, wrt.len());
+        (*parameter, sensitivity)
+    };
+    Ok(wrt.iter().enumerate().map(one).collect())
+}
+
+fn converged(best: &Optimum) -> Result<DriveProblem> {
+    if best.solution.status != Status::Converged {
+        return Err(Error::NotConverged { status: best.status(), message: best.message() });
+    }
+    posed(&best.setup, &best.search)
+}
+
+/// A stated change of a parameter.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Change {
+    /// The parameter.
+    pub parameter: &'static Parameter,
+    /// By how much, SI.
+    pub delta: f64,
+}
+
+impl Change {
+    /// Reads `NAME=+AMOUNT`, for example `swing.speed=+5mph`.
+    ///
+    /// # Errors
+    /// [`Error::Unreadable`]; as [`Setup::variable`]; [`Error::OutOfRange`] where it leads out of the parameter's range.
+    pub fn read(setup: &Setup<f64>, text: &str) -> Result<Self> {
+        let unreadable = |source| Error::Unreadable { name: format!("--change {}", text.trim()), source };
+        let (name, amount) = text
+            .split_once('=')
+            .ok_or_else(|| unreadable("write NAME=AMOUNT, for example swing.speed=+5mph".into()))?;
+        let parameter = setup.variable(name.trim())?;
+        let amount = amount.trim();
+        let delta = parameter.quantity.read(amount.strip_prefix('+').unwrap_or(amount));
+        let delta = delta.map_err(|e| unreadable(Box::new(e)))?;
+        if !delta.is_finite() {
+            return Err(unreadable("the amount must be a finite number".into()));
+        }
+        parameter.check(setup.value(parameter).unwrap_or_default() + delta)?;
+        Ok(Self { parameter, delta })
+    }
+}
+
+/// What a stated change does to an optimum: as predicted from the sensitivity, and as found by searching again.
+#[derive(Clone, Debug)]
+pub struct Changed {
+    /// The change.
+    pub change: Change,
+    /// The predicted value to first order, SI.
+    pub first_order: f64,
+    /// The predicted value to second order.
+    pub second_order: f64,
+    /// The predicted optimum, to first order.
+    pub predicted: Vec<f64>,
+    /// The optimum found anew.
+    pub resolved: Optimum,
+    /// What of the active bounds and constraints changes on the way, and after which part of it, to first order.
+    pub event: Option<(f64, String)>,
+    /// What of them was in truth different at the end.
+    pub differences: Vec<String>,
+}
+
+/// The effect of a stated change on an optimum.
+///
+/// # Errors
+/// As [`sensitivity`]; what the search for the new optimum refuses.
+pub fn change(best: &Optimum, change: Change) -> Result<Changed> {
+    let problem = converged(best)?;
+    let solution = &best.solution;
+    let at = problem.evaluate_with(&solution.x, change.parameter)?;
+    let response = response(solution, &problem.domain, &at)?;
+    let delta = change.delta;
+    let mut setup = best.setup;
+    let value = setup.value(change.parameter).unwrap_or_default();
+    setup.set_value(change.parameter, Some(value + delta))?;
+    let resolved = optimum(&setup, best.search.clone(), Watch::default())?;
+
+    let before = best.value().unwrap_or_default();
+    let first_order = before - response.value * delta;
+    let event = first_event(solution, &problem.domain, &response, delta);
+    Ok(Changed {
+        change,
+        first_order,
+        second_order: first_order - 0.5 * response.curvature * delta * delta,
+        predicted: solution.x.iter().zip(&response.x).map(|(x, rate)| x + rate * delta).collect(),
+        event: event.map(|(part, event)| (part, in_words(&best.search, event))),
+        differences: differences(best, &resolved),
+        resolved,
+    })
+}
+
+fn in_words(search: &Search, event: Event) -> String {
+    let bound = |i: usize, is_lower: bool| {
+        let vary = &search.vary[i];
+        let (name, end) = if is_lower { ("lower", vary.low) } else { ("upper", vary.high) };
+        format!("{name} bound {}", vary.parameter.show(Some(end)))
+    };
+    match event {
+        Event::BoundReached(i, is_lower) => {
+            format!("{} reaches its {}", search.vary[i].parameter.name, bound(i, is_lower))
+        }
+        Event::BoundLeft(i, is_lower) => format!("{} leaves its {}", search.vary[i].parameter.name, bound(i, is_lower)),
+        Event::LimitReached(j, _) => format!("{} becomes active", search.subject_to[j].expression),
+        Event::LimitLeft(j, _) => format!("{} is no longer active", search.subject_to[j].expression),
+    }
+}
+
+/// In which active bounds and constraints two optima differ.
+fn differences(before: &Optimum, after: &Optimum) -> Vec<String> {
+    let (was, is) = (before.active(), after.active());
+    let left = was.iter().filter(|name| !is.contains(name)).map(|name| format!("{name} is no longer active"));
+    let come = is.iter().filter(|name| !was.contains(name)).map(|name| format!("{name} has become active"));
+    left.chain(come).collect()
+}
