@@ -3,6 +3,7 @@
 //!
 //! `cargo run --release --example longest_drive`
 
+use longdrive::optimize::Watch;
 use longdrive::study::{Search, Vary, optimum};
 use longdrive::{Outcome, Setup};
 
@@ -16,8 +17,8 @@ fn main() -> longdrive::Result<()> {
         ..Search::longest_drive(&setup)?
     };
 
-    let best =
-        optimum(&setup, search, |iteration| println!("iteration {}: {:.4} m", iteration.number, -iteration.value))?;
+    let watch = Watch::showing(|iteration| println!("iteration {}: {:.4} m", iteration.number, -iteration.value));
+    let best = optimum(&setup, search, watch)?;
     println!("{}: {}", best.status(), best.message());
     for (i, vary) in best.search.vary.iter().enumerate() {
         let price = best.solution.upper_multipliers[i] - best.solution.lower_multipliers[i];

@@ -1,29 +1,36 @@
-//! The optimizer without golf: a can of one litre with the least sheet metal, its height limited to 10 cm.
+//! The optimizer without golf: a can of one litre with the least sheet metal, its height and then its base limited.
 //!
 //! `cargo run --release --example own_function`
 
-use longdrive::optimize::{Bounds, Evaluation, Options, minimize};
-use num_dual::{DualNum, second_derivative};
+use longdrive::number::Number;
+use longdrive::optimize::{Domain, Exact, Functions, Options, Values, minimize};
 use std::f64::consts::PI;
 
-/// Area of a closed can of volume 1 dm³, with the radius that its height leaves it; dm.
-fn area<D: DualNum<Primitive = f64> + Copy>(height: D) -> D {
-    let radius = (height * PI).recip().sqrt();
-    radius * radius * (2.0 * PI) + radius * height * (2.0 * PI)
+/// Radius and height of a closed can, dm.
+struct Can;
+
+impl Functions for Can {
+    fn evaluate<T: Number>(&self, x: &[T]) -> Result<Values<T>, String> {
+        let (radius, height) = (x[0], x[1]);
+        let area = radius * (radius + height) * (2.0 * PI);
+        let volume = radius * radius * height * PI;
+        Ok(Values { objective: area, constraints: vec![volume] })
+    }
 }
 
 fn main() -> longdrive::Result<()> {
-    let problem = |x: &[f64]| {
-        let (value, slope, curvature) = second_derivative(area, x[0]);
-        Ok(Evaluation { value, gradient: vec![slope], hessian: vec![vec![curvature]] })
-    };
     for highest in [f64::INFINITY, 1.0] {
-        let bounds = Bounds::new(vec![0.1], vec![highest])?;
-        let can = minimize(problem, &bounds, &[0.7], &Options::default())?;
-        println!("height up to {highest} dm: {} ({})", can.status, can.message);
-        let (height, price) = (can.x[0], can.upper_multipliers[0]);
+        let sizes = Domain::new(vec![0.1, 0.1], vec![10.0, highest])?;
+        let litre = sizes.subject_to(vec![1.0], vec![1.0])?;
+        let can = minimize(&Exact(Can), &litre, &[1.0, 0.7], &Options::default())?;
+        println!("height up to {highest} dm: {} ({}, {} iterations)", can.status, can.message, can.iterations);
         if let Some(area) = can.value {
-            println!("  height {height:.9} dm, area {area:.9} dm², price of the bound {price:.6} dm² per dm");
+            let (radius, height, price) = (can.x[0], can.x[1], can.upper_multipliers[1]);
+            println!("  radius {radius:.9} dm, height {height:.9} dm, area {area:.9} dm²");
+            println!(
+                "  price of a taller can {price:.6} dm² per dm, of more volume {:.6} dm² per dm³",
+                -can.constraints[0].multiplier
+            );
         }
     }
     // by hand: the free optimum is as high as wide, h = 2 r = ∛(4/π)

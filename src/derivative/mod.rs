@@ -73,11 +73,7 @@ pub fn evaluate_with(
 ///
 /// # Errors
 /// As [`evaluate`].
-pub(crate) fn towards_last(
-    setup: &Setup<f64>,
-    of: &[Outcome],
-    wrt: &[&'static Parameter],
-) -> Result<Vec<Taylor>> {
+pub(crate) fn towards_last(setup: &Setup<f64>, of: &[Outcome], wrt: &[&'static Parameter]) -> Result<Vec<Taylor>> {
     checked(setup, of, wrt, Order::Second, Pairs::WithLast, |_, _| ())
 }
 
@@ -137,7 +133,10 @@ fn single(mut taylors: Vec<Taylor>) -> Result<Taylor> {
 fn check(taylor: &Taylor, outcome: Outcome, wrt: &[&'static Parameter]) -> Result<()> {
     let undefined = |what: String, reason: &str| Err(Error::Undefined { what, reason: reason.into() });
     if !taylor.value.is_finite() {
-        return undefined(outcome.name().into(), "the direction it measures does not exist (vertical, or without spin)");
+        return undefined(
+            outcome.name().into(),
+            "the direction it measures does not exist (vertical, or without spin)",
+        );
     }
     let edge = "it lies on the edge of a domain (a vertical launch, no spin, a landing at the apex)";
     for (i, parameter) in wrt.iter().enumerate() {

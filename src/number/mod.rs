@@ -12,8 +12,8 @@ mod seed;
 mod taylor;
 mod vector;
 
-pub(crate) use differentiate::{Pairs, Seedable, differentiate};
 pub use differentiate::Order;
+pub(crate) use differentiate::{Pairs, Seedable, differentiate};
 pub use jet::{Jet, Jet2};
 pub(crate) use linear::solve;
 pub(crate) use seed::Seeded;

@@ -44,7 +44,12 @@ pub(super) fn find<E>(
             let to = at.x[i] + towards * REACH * frame.scale[i];
             moved[i] = to.clamp(bounds.low[i], bounds.high[i]);
             let objective = evaluate(&moved)?.map(|f| f.objective);
-            Ok(objective.map(|f| Side { x: moved[i], slope: f.gradient[i], hessian: f.hessian, is_inside: moved[i] == to }))
+            Ok(objective.map(|f| Side {
+                x: moved[i],
+                slope: f.gradient[i],
+                hessian: f.hessian,
+                is_inside: moved[i] == to,
+            }))
         };
         let (Some(below), Some(above)) = (side(-1.0)?, side(1.0)?) else { return Ok(None) };
         if is_corner(frame, at, i, &below, &above) {

@@ -102,16 +102,17 @@ fn run(
     failure: &Arc<std::sync::Mutex<Option<Error>>>,
 ) -> Result<Solution> {
     let progress = Progress::default();
-    let solver =
-        Sqp { domain: domain.clone(), options: options.clone(), interrupt: watch.interrupt.clone(), progress };
+    let solver = Sqp { domain: domain.clone(), options: options.clone(), interrupt: watch.interrupt.clone(), progress };
     let fresh = SqpState::new().param(start.to_vec()).max_iters(options.max_iterations);
     let keeper = Keeper {
         keep: watch.keep.map(RefCell::new),
         resumed: watch.resume.map(|snapshot| (resumed(&solver, snapshot.clone()), at_iteration(&fresh, &snapshot))),
         failure: failure.clone(),
     };
-    let mut executor =
-        Executor::new(ByReference(problem), solver).configure(|_| fresh).add_observer(Watcher(watch.iteration), ObserverMode::Always).timer(false);
+    let mut executor = Executor::new(ByReference(problem), solver)
+        .configure(|_| fresh)
+        .add_observer(Watcher(watch.iteration), ObserverMode::Always)
+        .timer(false);
     if keeper.keep.is_some() || keeper.resumed.is_some() {
         executor = executor.checkpointing(keeper);
     }

@@ -50,7 +50,7 @@ impl Plan {
 /// to the objective (Omojokun 1989: 0.8).
 const NORMAL_PART: f64 = 0.8;
 /// Room for the rounding of what is left, where a relaxed row is met with nothing to spare.
-const ROUNDING: f64 = 1e-10;
+const ROUNDING: f64 = 1e-12;
 /// Weight that keeps the step of least violation short, against the squared violations.
 const SHORT: f64 = 1e-8;
 
@@ -231,7 +231,8 @@ impl Model<'_> {
 /// The Hessian of the Lagrangian in scaled variables, if every function gives its own.
 pub(super) fn lagrangian_hessian(frame: &Frame, at: &Point, multipliers: &[f64]) -> Option<DMatrix<f64>> {
     let n = at.x.len();
-    let functions = std::iter::once((&at.f.objective, 1.0)).chain(at.f.constraints.iter().zip(multipliers.iter().copied()));
+    let functions =
+        std::iter::once((&at.f.objective, 1.0)).chain(at.f.constraints.iter().zip(multipliers.iter().copied()));
     let mut sum = DMatrix::zeros(n, n);
     for (function, weight) in functions {
         if function.hessian.is_empty() {

@@ -30,7 +30,8 @@ pub(super) fn updated(
     let expected = step.dot(&carried);
     let damping = if curvature >= 0.2 * expected { 1.0 } else { 0.8 * expected / (expected - curvature) };
     let change = change * damping + &carried * (1.0 - damping);
-    let updated = &before - &carried * carried.transpose() / expected + &change * change.transpose() / step.dot(&change);
+    let updated =
+        &before - &carried * carried.transpose() / expected + &change * change.transpose() / step.dot(&change);
     if updated.iter().all(|x| x.is_finite()) { updated } else { before }
 }
 

@@ -31,7 +31,9 @@ impl Search {
         };
         self.escapes += 1;
         let measure = |search: &Self, at: &Point| match goal {
-            Goal::Merit => search.merit(at),
+            // along the tangents of what is active it is the Lagrangian that falls, and the merit only once the
+            // constraints are met again
+            Goal::Merit => search.lagrangian(at),
             Goal::Feasibility => 0.5 * norm(&search.frame.violations(&at.f)).powi(2),
         };
         let before = measure(self, &self.at);

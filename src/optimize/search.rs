@@ -70,8 +70,7 @@ pub(super) struct Search {
 }
 
 /// Evaluates a problem's functions; the outer error is argmin's.
-pub(super) type Evaluate<'a> =
-    dyn FnMut(&[f64]) -> Result<Result<Evaluation, String>, argmin::core::Error> + 'a;
+pub(super) type Evaluate<'a> = dyn FnMut(&[f64]) -> Result<Result<Evaluation, String>, argmin::core::Error> + 'a;
 
 /// What became of a step.
 struct Outcome {
@@ -237,9 +236,10 @@ impl Search {
         norm(&self.frame.violations(&self.at.f))
     }
 
-    /// The merit of a point.
-    pub fn merit(&self, at: &Point) -> f64 {
-        at.f.objective.value + self.penalty * norm(&self.frame.violations(&at.f))
+    /// The Lagrangian of a point, with the multipliers of this one.
+    pub fn lagrangian(&self, at: &Point) -> f64 {
+        let pulls = at.f.constraints.iter().zip(&self.multipliers).map(|(constraint, m)| m * constraint.value);
+        at.f.objective.value + pulls.sum::<f64>()
     }
 
     fn model<'a>(&'a self, hessian: &'a DMatrix<f64>) -> Model<'a> {

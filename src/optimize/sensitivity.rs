@@ -89,9 +89,8 @@ pub fn reduced_hessian(solution: &Solution, domain: &Domain) -> (DMatrix<f64>, D
     let (free, tight) = (held.free(), held.tight());
     let rows = DMatrix::from_fn(tight.len(), free.len(), |r, c| solution.jacobian[tight[r]][free[c]] * scale[free[c]]);
     let basis = null_space(&rows);
-    let basis = DMatrix::from_fn(n, basis.ncols(), |i, k| {
-        free.iter().position(|&f| f == i).map_or(0.0, |row| basis[(row, k)])
-    });
+    let basis =
+        DMatrix::from_fn(n, basis.ncols(), |i, k| free.iter().position(|&f| f == i).map_or(0.0, |row| basis[(row, k)]));
     let hessian = DMatrix::from_fn(n, n, |i, k| solution.hessian[i][k] * scale[i] * scale[k]);
     let reduced = basis.transpose() * hessian * &basis;
     (basis, reduced)
@@ -198,7 +197,8 @@ pub fn first_event(solution: &Solution, domain: &Domain, response: &Response, de
             events.push((room.max(0.0) / used, event));
         }
     };
-    let to_ends = |bounds: &Bounds, i: usize, at: f64| [(at - bounds.low[i], 1.0, true), (bounds.high[i] - at, -1.0, false)];
+    let to_ends =
+        |bounds: &Bounds, i: usize, at: f64| [(at - bounds.low[i], 1.0, true), (bounds.high[i] - at, -1.0, false)];
     for i in (0..solution.x.len()).filter(|&i| !domain.variables.is_fixed(i)) {
         if held.variables[i] {
             let (lower, upper) = (solution.lower_multipliers[i], solution.upper_multipliers[i]);

@@ -1,5 +1,5 @@
-use super::frame::Point;
 use super::domain::Bounds;
+use super::frame::Point;
 use super::problem::Evaluation;
 
 /// Of the points tried where f is not defined at the start, the best of this many is taken; if none is defined,

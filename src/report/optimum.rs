@@ -170,8 +170,11 @@ pub fn optimum_text(optimum: &Optimum) -> String {
     let carry = Outcome::Carry
         .value(drive)
         .map_or(String::new(), |carry| format!("  {:<8}{}\n", "carry", length_both_ways(carry)));
-    let objective =
-        if of == Outcome::Carry { String::new() } else { format!("  {:<8}{}\n", format!("{} ", of.name().replace('_', " ")), of.show(value)) };
+    let objective = if of == Outcome::Carry {
+        String::new()
+    } else {
+        format!("  {:<8}{}\n", format!("{} ", of.name().replace('_', " ")), of.show(value))
+    };
     format!(
         "{ending}\n{place}\n{objective}{carry}  {:<8}{}\n  {:<8}{}\n",
         "launch",

@@ -54,7 +54,8 @@ impl SensitivityReport {
         });
         let window = names().zip(&flatness.windows).map(|(name, window)| {
             let limits = [window.low_limit, window.high_limit].map(|limit| limit_name(best, limit));
-            let entry = json!({ "low": window.low, "high": window.high, "low_limit": limits[0], "high_limit": limits[1] });
+            let entry =
+                json!({ "low": window.low, "high": window.high, "low_limit": limits[0], "high_limit": limits[1] });
             (name.to_owned(), entry)
         });
         let directions = flatness.directions.iter().map(|direction| {
@@ -181,8 +182,7 @@ fn direction_text(best: &Optimum, direction: &Direction, loss: &str) -> String {
             format!("{} {sign}{}", vary.parameter.name, vary.parameter.show(Some(amount)))
         })
         .collect();
-    let flown: Vec<_> =
-        direction.losses.iter().flatten().map(|lost| best.search.maximize.show(*lost)).collect();
+    let flown: Vec<_> = direction.losses.iter().flatten().map(|lost| best.search.maximize.show(*lost)).collect();
     let flown = if flown.is_empty() { "out of range".into() } else { format!("{} flown", flown.join(" and ")) };
     format!("  together {}, or the other way: {loss} by the quadratic, {flown}\n", moves.join(", "))
 }

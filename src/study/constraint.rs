@@ -53,7 +53,9 @@ impl Constraint {
                 match (is_at_most(first), is_at_most(second)) {
                     (Some(true), Some(true)) => (left, outcome, right),
                     (Some(false), Some(false)) => (right, outcome, left),
-                    _ => return Err(at(expression, second, "a range needs the same sign twice: LOW <= OUTCOME <= HIGH")),
+                    _ => {
+                        return Err(at(expression, second, "a range needs the same sign twice: LOW <= OUTCOME <= HIGH"));
+                    }
                 }
             }
             _ => {

@@ -221,9 +221,7 @@ impl Top<'_> {
     fn ellipse(&self, pair: [usize; 2]) -> Option<Ellipse> {
         let solution = &self.best.solution;
         let scale = self.domain().variables.scale(&solution.x);
-        let block = DMatrix::from_fn(2, 2, |r, c| {
-            solution.hessian[pair[r]][pair[c]] * scale[pair[r]] * scale[pair[c]]
-        });
+        let block = DMatrix::from_fn(2, 2, |r, c| solution.hessian[pair[r]][pair[c]] * scale[pair[r]] * scale[pair[c]]);
         let block = block.symmetric_eigen();
         let mut order = [0, 1];
         order.sort_by(|x, y| block.eigenvalues[*x].total_cmp(&block.eigenvalues[*y]));

@@ -3,9 +3,7 @@ use super::problem::DriveProblem;
 use crate::drive::{Drive, Outcome};
 use crate::error::{Error, Result};
 use crate::optimize::sensitivity::Held;
-use crate::optimize::{
-    Follow, Local, Options, Solution, Status, Watch, minimize_from, minimize_watched, starts,
-};
+use crate::optimize::{Follow, Local, Options, Solution, Status, Watch, minimize_from, minimize_watched, starts};
 use crate::parameters::{Parameter, Setup};
 use crate::units;
 

@@ -6,7 +6,6 @@
 
 #![allow(clippy::approx_constant)] // No. 70 has 6.2832 for 2π
 
-use crate::problems;
 use longdrive::number::Number;
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_2_SQRT_PI, PI, SQRT_2};
 

@@ -4,7 +4,6 @@
 //! no No. 94.
 
 use super::hock_schittkowski_2::{dot, sum};
-use crate::problems;
 use longdrive::number::Number;
 use std::f64::consts::PI;
 

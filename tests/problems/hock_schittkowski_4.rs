@@ -4,7 +4,6 @@
 //! no No. 115.
 
 use super::hock_schittkowski_2::{COLVILLE_A, COLVILLE_B, COLVILLE_C, COLVILLE_D, COLVILLE_E, dot, sum};
-use crate::problems;
 use longdrive::number::Number;
 
 const INF: f64 = f64::INFINITY;

@@ -2,10 +2,10 @@ use crate::args::Optimize;
 use crate::output::{Answer, tell, warn};
 use crate::search::none;
 use longdrive::Result;
+use longdrive::Setup;
 use longdrive::optimize::Status;
 use longdrive::report::{LocalReport, OptimumReport, optima_text, optimum_text};
 use longdrive::study::Optimum;
-use longdrive::Setup;
 
 pub fn run(args: &Optimize) -> Result<Answer> {
     let setup = args.question.setup()?;

@@ -38,7 +38,11 @@ pub fn run(args: &OptimumSensitivity) -> Result<Answer> {
     })
 }
 
-type Found = (Vec<(&'static Parameter, Result<longdrive::study::Sensitivity>)>, longdrive::study::Flatness, Vec<longdrive::study::Changed>);
+type Found = (
+    Vec<(&'static Parameter, Result<longdrive::study::Sensitivity>)>,
+    longdrive::study::Flatness,
+    Vec<longdrive::study::Changed>,
+);
 
 fn analysed(best: &Optimum, wrt: &[&'static Parameter], changes: &[Change], loss: Option<f64>) -> Result<Found> {
     let wrt: Vec<_> =

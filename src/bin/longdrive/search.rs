@@ -40,8 +40,8 @@ impl SearchArgs {
     /// A bar of the searches that have ended, with the best value so far.
     fn many(&self, search: &Search, follow: &mut Follow) -> ProgressBar {
         let style = ProgressStyle::with_template("{bar:40} {pos}/{len} searches, {eta} left, best {msg}");
-        let bar = ProgressBar::new(u64::from(self.starts))
-            .with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+        let bar =
+            ProgressBar::new(u64::from(self.starts)).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
         let best: Mutex<Option<f64>> = Mutex::new(None);
         let (shown, of) = (bar.clone(), search.maximize);
         follow.end = Some(Arc::new(move |_, solution| {

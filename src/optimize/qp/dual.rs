@@ -36,7 +36,8 @@ impl QuadraticProgram {
         let mut multipliers: Vec<f64> = vec![];
         // an equation that is missed from above is turned round
         let mut signs = vec![1.0; constraints.len()];
-        let slack = |z: &DVector<f64>, k: usize, sign: f64| sign * (constraints[k].normal.dot(z) - constraints[k].limit);
+        let slack =
+            |z: &DVector<f64>, k: usize, sign: f64| sign * (constraints[k].normal.dot(z) - constraints[k].limit);
 
         for _ in 0..20 * (constraints.len() + 1) {
             let reach = 1.0 + z.amax();

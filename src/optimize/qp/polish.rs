@@ -184,23 +184,49 @@ impl QuadraticProgram {
     }
 }
 
-/// Solves a symmetric system; where its equations depend on each other, the shortest solution of those that do not
-/// contradict. One refinement takes the last digits of rounding out.
+/// Solves a symmetric system, balanced so that curvatures and normals of very different sizes do not hide each other.
+/// Where its equations depend on each other, the shortest solution of those that do not contradict; `None` where some
+/// do.
 fn solved(matrix: DMatrix<f64>, right: &DVector<f64>) -> Option<DVector<f64>> {
-    let size = right.amax().max(f64::MIN_POSITIVE);
-    let left_over = |x: &DVector<f64>| right - &matrix * x;
-    let lu = matrix.clone().lu();
-    if let Some(first) = lu.solve(right) {
-        let refined = lu.solve(&left_over(&first)).map_or(first.clone(), |change| &first + change);
-        let best = if left_over(&refined).amax() < left_over(&first).amax() { refined } else { first };
-        if best.iter().all(|x| x.is_finite()) && left_over(&best).amax() <= 1e-10 * size {
-            return Some(best);
-        }
-    }
-    if !matrix.iter().all(|x| x.is_finite()) {
+    if !matrix.iter().chain(right.iter()).all(|x| x.is_finite()) {
         return None;
     }
-    let rank = 1e-12 * matrix.amax();
-    let shortest = matrix.clone().try_svd(true, true, f64::EPSILON, 1000)?.solve(right, rank).ok()?;
-    shortest.iter().all(|x| x.is_finite()).then_some(shortest)
+    let lengths = balance(&matrix);
+    let n = matrix.nrows();
+    let matrix = DMatrix::from_fn(n, n, |i, j| matrix[(i, j)] * lengths[i] * lengths[j]);
+    let right = right.component_mul(&lengths);
+    let left_over = |x: &DVector<f64>| &right - &matrix * x;
+    let lu = matrix.clone().lu();
+    let pivots = lu.u().diagonal().map(f64::abs);
+    let is_regular = pivots.min() > DEPENDENT * pivots.max();
+    if is_regular && let Some(first) = lu.solve(&right) {
+        let refined = lu.solve(&left_over(&first)).map_or(first.clone(), |change| &first + change);
+        let best = if left_over(&refined).norm() < left_over(&first).norm() { refined } else { first };
+        return best.iter().all(|x| x.is_finite()).then(|| best.component_mul(&lengths));
+    }
+    let shortest = matrix.clone().try_svd(true, true, f64::EPSILON, 1000)?.solve(&right, RANK).ok()?;
+    let is_met = left_over(&shortest).amax() <= CONTRADICTS * right.amax().max(f64::MIN_POSITIVE);
+    (is_met && shortest.iter().all(|x| x.is_finite())).then(|| shortest.component_mul(&lengths))
+}
+
+/// Pivots below this part of the largest, after balancing, show equations that depend on each other.
+const DEPENDENT: f64 = 1e-14;
+/// Singular values below this, after balancing, are none.
+const RANK: f64 = 1e-13;
+/// What dependent equations may miss, of the largest right-hand side.
+const CONTRADICTS: f64 = 1e-9;
+
+/// Factors for rows and columns that make the largest entry of each about 1 (Ruiz 2001).
+fn balance(matrix: &DMatrix<f64>) -> DVector<f64> {
+    let n = matrix.nrows();
+    let mut lengths = DVector::from_element(n, 1.0);
+    for _ in 0..4 {
+        let largest = |i: usize| (0..n).map(|j| (matrix[(i, j)] * lengths[i] * lengths[j]).abs()).fold(0.0, f64::max);
+        let factors = DVector::from_fn(n, |i, _| match largest(i) {
+            0.0 => 1.0,
+            entry => entry.sqrt().recip(),
+        });
+        lengths.component_mul_assign(&factors);
+    }
+    lengths
 }
