@@ -187,6 +187,12 @@ impl Search {
 
     /// Raises the penalty, so that a step that meets the constraints better lowers the model's merit.
     fn raise_penalty(&mut self, plan: &Plan) {
+        if !plan.is_relaxed {
+            // an exact penalty is at least the multipliers' norm; one that was too large sinks towards it
+            let scaled = plan.multipliers.iter().zip(&self.frame.gamma).map(|(m, gamma)| m * gamma);
+            let exact = norm(&scaled.collect::<Vec<_>>());
+            self.penalty = exact.max(0.5 * (self.penalty + exact));
+        }
         let gained = plan.violation - plan.violation_left;
         if gained > NOISE {
             let needed = -plan.descent / ((1.0 - MERIT_SHARE) * gained);
@@ -202,7 +208,7 @@ impl Search {
             let violation = norm(&self.frame.violations(&tried.f));
             self.at.f.objective.value - tried.f.objective.value + self.penalty * (self.violation() - violation)
         });
-        let noise = NOISE * self.frame.size(&self.at) + 0.1 * NOISE * self.penalty;
+        let noise = NOISE * (self.frame.size(&self.at) + self.penalty);
         Outcome { fell, promised: self.promised(plan), noise }
     }
 
