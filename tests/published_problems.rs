@@ -1,9 +1,30 @@
-//! The optimizer on published collections of nonlinear programming problems.
+//! The optimizer on published collections of nonlinear programming problems, from the published starts.
 
 mod problems;
 
 use longdrive::optimize::{Domain, Options, Solution, Status, minimize};
 use problems::Case;
+
+/// Problems that end at another of their local minima than the published one, with that value.
+const OTHER_MINIMA: [(&str, f64); 7] = [
+    ("HS2", 4.941_229_318),
+    ("HS16", 23.144_660_94),
+    ("HS20", 40.198_729_81),
+    ("HS55", 20.0 / 3.0),
+    ("HS70", 0.186_349_122),
+    ("MGH02", 48.984_253_68),
+    ("MGH26", 2.795_056_12e-5),
+];
+
+/// Problems that are not solved to the tolerance. HS13 has no multipliers at its solution, so that no residual can
+/// vanish there; HS116 (n = 13) ends at its published value with a residual of about 1e-7.
+const UNSOLVED: [&str; 2] = ["HS13", "HS116"];
+
+/// The KKT residual a problem is held to: 1e-8, but for MGH10 (Meyer): its residuals are differences of 3e4, rounded by
+/// 4e-12, and its gradient multiplies sixteen of them by 6e6.
+fn tolerance(case: &Case) -> f64 {
+    if case.name == "MGH10" { 1e-4 } else { 1e-8 }
+}
 
 fn domain(case: &Case) -> Domain {
     Domain::new(case.low.to_vec(), case.high.to_vec())
@@ -11,63 +32,114 @@ fn domain(case: &Case) -> Domain {
         .unwrap()
 }
 
-fn solve(case: &Case) -> Solution {
-    minimize(&case.evaluate, &domain(case), case.start, &Options::default()).unwrap()
+fn solve(case: &Case, start: &[f64]) -> Solution {
+    minimize(&case.evaluate, &domain(case), start, &Options::default()).unwrap()
+}
+
+/// What the KKT conditions are missed by, reckoned here from the functions and the multipliers: stationarity relative to
+/// the largest of the terms that balance and of |f| (and at least 1), violations relative to the limits (and at least 1).
+fn kkt_residual(case: &Case, solution: &Solution) -> f64 {
+    let at = (case.evaluate)(&solution.x).unwrap();
+    let mut worst = 0.0_f64;
+    for i in 0..case.start.len() {
+        let pulls = at.constraints.iter().zip(&solution.constraints).map(|(c, found)| found.multiplier * c.gradient[i]);
+        let mut terms: Vec<f64> = pulls.collect();
+        terms.extend([at.objective.gradient[i], solution.upper_multipliers[i], -solution.lower_multipliers[i]]);
+        let size = terms.iter().fold(at.objective.value.abs().max(1.0), |most, term| term.abs().max(most));
+        worst = worst.max(terms.iter().sum::<f64>().abs() / size);
+        let is_above = solution.lower_multipliers[i] > 0.0 && solution.x[i] > case.low[i];
+        let is_below = solution.upper_multipliers[i] > 0.0 && solution.x[i] < case.high[i];
+        assert!(!is_above && !is_below, "{}: a multiplier of a bound that is not active", case.name);
+        assert!(case.low[i] <= solution.x[i] && solution.x[i] <= case.high[i], "{}: out of bounds", case.name);
+    }
+    for (j, (c, found)) in at.constraints.iter().zip(&solution.constraints).enumerate() {
+        let (least, most) = (case.least[j], case.most[j]);
+        let excess = c.value - c.value.clamp(least, most);
+        let limit = if found.multiplier > 0.0 { most } else { least };
+        let size = if limit.is_finite() { limit.abs().max(1.0) } else { 1.0 };
+        worst = worst.max(excess.abs() / size);
+        if found.multiplier != 0.0 {
+            worst = worst.max((found.multiplier * (c.value - limit)).abs() / at.objective.value.abs().max(1.0));
+        }
+    }
+    worst
+}
+
+fn check(case: &Case) {
+    let solution = solve(case, case.start);
+    let value = solution.value.unwrap();
+    let residual = kkt_residual(case, &solution);
+    if UNSOLVED.contains(&case.name) {
+        assert_ne!(solution.status, Status::Converged, "{} is solved now: take it off the list", case.name);
+        assert!((value / case.optimum - 1.0).abs() < 1e-6, "{} ends at {value}", case.name);
+        return;
+    }
+    assert_eq!(solution.status, Status::Converged, "{}: {}", case.name, solution.message);
+    assert!(residual <= tolerance(case), "{}: KKT residual {residual:e}", case.name);
+    let other = OTHER_MINIMA.iter().find(|(name, _)| *name == case.name).map(|(_, value)| *value);
+    let expected = other.unwrap_or(case.optimum);
+    // as far as the publication prints digits
+    let off = (value - expected).abs() / expected.abs().max(1e-3);
+    assert!(off <= 4e-6, "{}: {value:e} instead of {expected:e}", case.name);
 }
 
 #[test]
-fn table() {
-    for case in problems::hock_schittkowski().into_iter().chain(problems::more_garbow_hillstrom()) {
-        let s = solve(&case);
-        let value = s.value.unwrap_or(f64::NAN);
-        let off = (value - case.optimum) / case.optimum.abs().max(1.0);
-        let flag = if s.status != Status::Converged || off.abs() > 1e-5 { "  <<<<" } else { "" };
-        println!(
-            "{:8} n={:2} m={:2} {:16} it {:3} ev {:3} f {:.9e} published {:.9e} off {:+.1e} kkt {:.1e}/{:.1e} {:?}{flag}",
-            case.name,
-            case.start.len(),
-            case.least.len(),
-            s.status.name(),
-            s.iterations,
-            s.evaluations,
-            value,
-            case.optimum,
-            off,
-            s.residual.stationarity,
-            s.residual.feasibility,
-            (
-                s.effort.clarabel,
-                s.effort.rescaled,
-                s.effort.dual,
-                s.effort.descent,
-                s.effort.relaxed,
-                s.effort.corrections
-            )
-        );
-    }
+fn published_optima_of_hock_and_schittkowski() {
+    let cases = problems::hock_schittkowski();
+    assert!(cases.len() >= 110, "{}", cases.len());
+    cases.iter().for_each(check);
 }
 
 #[test]
-fn trace() {
-    let Ok(name) = std::env::var("CASE") else { return };
-    for case in problems::hock_schittkowski().into_iter().chain(problems::more_garbow_hillstrom()).into_iter().filter(|case| case.name == name) {
-        let watch = longdrive::optimize::Watch {
-            iteration: Box::new(|i| {
-                println!(
-                    "{:3} f {:.6e} kkt {:.1e} v {:.1e} r {:.1e} kept {} x {:.5?}",
-                    i.number, i.value, i.kkt_residual, i.violation, i.radius, i.kept, i.x
-                )
-            }),
-            ..Default::default()
-        };
-        let s = longdrive::optimize::minimize_watched(
-            &case.evaluate,
-            &domain(&case),
-            case.start,
-            &Options::default(),
-            watch,
-        )
-        .unwrap();
-        println!("{} {} {:?}", s.status, s.message, s.constraints);
+fn published_optima_of_more_garbow_and_hillstrom() {
+    let cases = problems::more_garbow_hillstrom();
+    assert_eq!(cases.len(), 36);
+    cases.iter().for_each(check);
+}
+
+/// The published points themselves, where printed, meet the constraints and have the published value: a check of how the
+/// problems are coded, not of the optimizer.
+#[test]
+fn published_points_have_the_published_values() {
+    for case in problems::hock_schittkowski().iter().chain(&problems::more_garbow_hillstrom()) {
+        if case.at.is_empty() {
+            continue;
+        }
+        let at = (case.evaluate)(case.at).unwrap();
+        let off = (at.objective.value - case.optimum).abs() / case.optimum.abs().max(1.0);
+        assert!(off < 1e-5, "{}: {:e} for {:e}", case.name, at.objective.value, case.optimum);
+        for (j, c) in at.constraints.iter().enumerate() {
+            let slope = c.gradient.iter().zip(case.at).map(|(g, x)| (g * x).abs()).fold(1.0, f64::max);
+            let excess = (c.value - c.value.clamp(case.least[j], case.most[j])).abs();
+            assert!(excess < 1e-4 * slope, "{} misses constraint {j} by {excess:e}", case.name);
+        }
     }
+}
+
+/// Eight other starts around each published one: a search ends at a KKT point, or says that it does not.
+#[test]
+fn order_of_failures_from_other_starts_is_a_few_in_a_hundred() {
+    let (mut failed, mut tried) = (vec![], 0);
+    for case in problems::hock_schittkowski().iter().chain(&problems::more_garbow_hillstrom()) {
+        if UNSOLVED.contains(&case.name) {
+            continue;
+        }
+        for k in 1..=8 {
+            // an even spread of ±30 % of each coordinate's size
+            let part = |i: usize| (f64::from(k) * (0.754_877_666 + 0.569_840_29 * (i + 1) as f64)).fract() - 0.5;
+            let start: Vec<f64> =
+                (0..case.start.len()).map(|i| case.start[i] + 0.6 * part(i) * case.start[i].abs().max(0.3)).collect();
+            tried += 1;
+            let solution = solve(case, &start);
+            match solution.status {
+                Status::Converged => {
+                    let residual = kkt_residual(case, &solution);
+                    assert!(residual <= tolerance(case), "{} from {start:?}: {residual:e}", case.name);
+                }
+                other => failed.push(format!("{} {other}", case.name)),
+            }
+        }
+    }
+    println!("{} of {tried} failed: {failed:?}", failed.len());
+    assert!(failed.len() * 50 <= tried, "{} of {tried}: {failed:?}", failed.len());
 }

@@ -3,7 +3,7 @@ use crate::error::{Error, Result};
 /// Settings of the search, each with its default.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Options {
-    /// Most iterations (200).
+    /// Most iterations (500).
     pub max_iterations: u64,
     /// Largest KKT residual at which the search has converged, relative (1e-10): see [`status`](super::status).
     pub kkt_tolerance: f64,
@@ -16,7 +16,7 @@ pub struct Options {
 
 impl Default for Options {
     fn default() -> Self {
-        Self { max_iterations: 200, kkt_tolerance: 1e-10, initial_radius: 0.5, start_trials: 64 }
+        Self { max_iterations: 500, kkt_tolerance: 1e-10, initial_radius: 0.5, start_trials: 64 }
     }
 }
 

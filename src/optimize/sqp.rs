@@ -8,6 +8,7 @@ use super::options::Options;
 use super::problem::{Evaluation, Problem};
 use super::saddle;
 use super::search::{Evaluate, NOISE, Search};
+use super::sides::Sides;
 use super::start::first_point;
 use super::status::{
     Status, Verdict, corner_test, gradient_test, infeasible_test, progress_test, radius_test, rounding_test,
@@ -62,8 +63,10 @@ impl Sqp {
         let stuck = radius_test(radius, largest).or_else(|| progress_test(search.idle, promised, largest));
         let verdict = gradient_test(residual, tolerance)
             .or(is_infeasible)
-            .or_else(|| stuck.map(|stuck| rounding_test(residual, shrunk, tolerance).unwrap_or(stuck)))
-            .or_else(|| corner_test(plan.map_or(1, |plan| plan.sides), promised, largest));
+            .or_else(|| stuck.map(|stuck| rounding_test(residual, shrunk, tolerance).unwrap_or(stuck)));
+        let corner = corner_test(plan.map_or(1, |plan| plan.sides), promised, largest);
+        let is_by_corner = verdict.is_none() && corner.is_some();
+        let verdict = verdict.or(corner);
         let Some(verdict) = verdict else { return Ok(()) };
         let goal = match verdict.status {
             Status::Converged => Some(saddle::Goal::Merit),
@@ -75,7 +78,13 @@ impl Sqp {
         {
             return Ok(());
         }
-        self.progress.verdict = Some(self.examined(search, verdict, evaluate)?);
+        let verdict = self.examined(search, verdict, evaluate)?;
+        if is_by_corner && verdict.status != Status::StalledAtKink {
+            // what looked like a corner's sides is a bend: the search goes on without them
+            search.sides = Sides::default();
+            return Ok(());
+        }
+        self.progress.verdict = Some(verdict);
         Ok(())
     }
 

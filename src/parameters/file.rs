@@ -180,7 +180,7 @@ mod tests {
                 "robinson",
             ),
             ("club = 3", "f:1:8: 'club' is a number; expected a table", "[club]"),
-            ("[[swing]]\nspeed = 50", "f:1:3: 'swing' is an array; expected a table", "[swing]"),
+            ("[[swing]]\nspeed = 50", "f:1:1: 'swing' is an array; expected a table", "[swing]"),
             (
                 "\"swing.speed\" = 50\n[swing]\nspeed = 40",
                 "f:3:1: 'swing.speed' is given twice, here and at line 1",

@@ -54,7 +54,11 @@ impl Constraint {
                     (Some(true), Some(true)) => (left, outcome, right),
                     (Some(false), Some(false)) => (right, outcome, left),
                     _ => {
-                        return Err(at(expression, second, "a range needs the same sign twice: LOW <= OUTCOME <= HIGH"));
+                        return Err(at(
+                            expression,
+                            second,
+                            "a range needs the same sign twice: LOW <= OUTCOME <= HIGH",
+                        ));
                     }
                 }
             }

@@ -98,7 +98,7 @@ pub struct SearchArgs {
     pub checkpoint: Option<PathBuf>,
 
     /// Most iterations of a search.
-    #[arg(long, value_name = "N", default_value_t = 200)]
+    #[arg(long, value_name = "N", default_value_t = 500)]
     pub max_iterations: u64,
 }
 

@@ -64,7 +64,9 @@ impl QuadraticProgram {
             loop {
                 let (along, against) = directions(&hessian, &constraints, &active, &signs, added)?;
                 let curvature = along.dot(&constraints[added].normal) * signs[added];
-                let is_dependent = curvature <= 1e-12 * length(added).powi(2) / hessian.amax().max(1e-300);
+                // as many normals as there are directions leave none
+                let is_dependent = active.len() >= z.len()
+                    || curvature <= 1e-12 * length(added).powi(2) / hessian.amax().max(f64::MIN_POSITIVE);
                 let blocking = (0..active.len())
                     .filter(|&at| !constraints[active[at]].is_equation && against[at] > 0.0)
                     .map(|at| (multipliers[at] / against[at], at))
