@@ -56,7 +56,7 @@ impl Ledger {
         }
         let ledger = Self { path: path.into(), content: Mutex::new(content) };
         // what cannot be written is told now, not after hours
-        ledger.write(&*ledger.lock())?;
+        ledger.write(&ledger.lock())?;
         Ok(ledger)
     }
 

@@ -63,7 +63,7 @@ pub use functions::{Exact, Functions, Gradients, Values};
 pub use kink::Kink;
 pub use ledger::{Ledger, Run};
 pub use minimize::{Keep, Snapshot, Watch, minimize, minimize_watched};
-pub use multistart::{Follow, Local, minimize_from, starts};
+pub use multistart::{Follow, Local, Shown, minimize_from, starts};
 pub use options::Options;
 pub use problem::{Evaluation, Problem};
 pub use search::Effort;

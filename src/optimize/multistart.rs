@@ -21,13 +21,16 @@ pub struct Local {
     pub starts: Vec<usize>,
 }
 
+/// Shows something of the search of this number.
+pub type Shown<T> = Arc<dyn Fn(usize, &T) + Send + Sync>;
+
 /// Who follows searches that run side by side.
 #[derive(Clone, Default)]
 pub struct Follow {
     /// Is shown every iteration, with the start's number.
-    pub iteration: Option<Arc<dyn Fn(usize, &Iteration) + Send + Sync>>,
+    pub iteration: Option<Shown<Iteration>>,
     /// Is shown the end of every search, with the start's number.
-    pub end: Option<Arc<dyn Fn(usize, &Solution) + Send + Sync>>,
+    pub end: Option<Shown<Solution>>,
     /// Ends all searches, with the best points so far, once it is true.
     pub interrupt: Arc<AtomicBool>,
     /// Keeps the searches, and knows those that were kept before.

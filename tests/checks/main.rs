@@ -1,11 +1,13 @@
 //! What longdrive promises, held against papers, closed forms, independent computations and measured orders.
 //! A test's name says which: `paper_`, `exact_`, `independent_`, `order_`, `differences_`.
 
+mod analysis;
 mod command_line;
 mod common;
 mod derivatives;
 mod flight;
 mod impact;
+mod long_work;
 mod optimizer;
 mod oracle;
 mod reference;

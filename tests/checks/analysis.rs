@@ -1,0 +1,311 @@
+//! Constraints, many starts, what an optimum answers to, how flat it is, and charts of it.
+
+use crate::common::close;
+use longdrive::optimize::{Bounds, Follow, Status, Watch};
+use longdrive::study::{
+    Change, Constraint, Optimum, Search, Vary, change, chart, flatness, optima, optimum, sensitivities, sensitivity,
+};
+use longdrive::{Drive, Error, Outcome, Setup};
+
+fn search(setup: &Setup<f64>, vary: &[&str], subject_to: &[&str]) -> Search {
+    Search {
+        vary: vary.iter().map(|text| Vary::read(setup, text).unwrap()).collect(),
+        subject_to: subject_to.iter().map(|text| Constraint::read(text).unwrap()).collect(),
+        ..Search::longest_drive(setup).unwrap()
+    }
+}
+
+fn best(setup: &Setup<f64>, search: &Search) -> Optimum {
+    let best = optimum(setup, search.clone(), Watch::default()).unwrap();
+    assert_eq!(best.solution.status, Status::Converged, "{}", best.message());
+    best
+}
+
+const BOX: [&str; 2] = ["club.loft=0deg..20deg", "swing.attack_angle=-10deg..10deg"];
+
+/// A drive in three dimensions: off the centre, in the wind, with the face and path askew.
+fn askew() -> Setup<f64> {
+    let mut setup = Setup::default();
+    for (name, value) in [
+        ("strike.high", "6 mm"),
+        ("strike.toe", "-9 mm"),
+        ("swing.path", "2 deg"),
+        ("swing.face_angle", "1 deg"),
+        ("swing.shaft_lean", "1.5 deg"),
+        ("wind.right", "2 m/s"),
+        ("wind.downrange", "-3 m/s"),
+        ("ground.height", "-2 m"),
+        ("flight.step", "0.01 s"),
+    ] {
+        setup.set(name, value).unwrap();
+    }
+    setup
+}
+
+/// d x*/dp and d f*/dp against central differences of optima searched anew, extrapolated once (Richardson).
+fn differences_agree(setup: &Setup<f64>, search: &Search) {
+    let best = best(setup, search);
+    let parameters = best.setup.variables();
+    let wrt: Vec<_> =
+        parameters.into_iter().filter(|p| search.vary.iter().all(|vary| vary.parameter.name != p.name)).collect();
+    let mut compared = 0;
+    for (parameter, sensitivity) in sensitivities(&best, &wrt, |_, _| ()).unwrap() {
+        let exact = sensitivity.unwrap_or_else(|e| panic!("{}: {e}", parameter.name));
+        let value = best.setup.value(parameter).unwrap();
+        // a change of the parameter that is small but far above rounding
+        let unit = parameter.quantity.size_of(parameter.unit).unwrap_or(1.0);
+        let size = if value == 0.0 { 0.1 * unit } else { value.abs() };
+        let moved = |delta: f64| {
+            let mut setup = best.setup;
+            setup.set_value(parameter, Some(value + delta)).ok()?;
+            let mut tight = search.clone();
+            tight.options.kkt_tolerance = 1e-13;
+            let best = optimum(&setup, tight, Watch::default()).unwrap();
+            assert!(best.solution.kkt_residual < 1e-9, "{}: {}", parameter.name, best.message());
+            Some((best.value().unwrap(), best.solution.x))
+        };
+        let central = |h: f64| {
+            let ((above, x_above), (below, x_below)) = (moved(h)?, moved(-h)?);
+            let rates = x_above.iter().zip(&x_below).map(|(a, b)| (a - b) / (2.0 * h));
+            Some(std::iter::once((above - below) / (2.0 * h)).chain(rates).collect::<Vec<f64>>())
+        };
+        let h = 2e-3 * size;
+        // at the end of its range a parameter has one side only
+        let (Some(wide), Some(narrow)) = (central(h), central(0.5 * h)) else { continue };
+        let found: Vec<f64> = narrow.iter().zip(&wide).map(|(narrow, wide)| (4.0 * narrow - wide) / 3.0).collect();
+        let f = best.value().unwrap();
+        let expected = std::iter::once((exact.value, f)).chain(exact.optimum.iter().map(|rate| (*rate, 1.0)));
+        for ((exact, scale), found) in expected.zip(found) {
+            let allowed = 1e-5 * exact.abs() + 1e-8 * scale.abs() / size;
+            assert!((exact - found).abs() <= allowed, "{}: {exact:e} against {found:e}", parameter.name);
+        }
+        compared += 1;
+    }
+    assert!(compared >= 25, "{compared} parameters");
+}
+
+#[test]
+fn differences_of_optima_searched_anew_agree_with_every_sensitivity_on_a_bound() {
+    let setup = Setup::preset("mae494").unwrap();
+    differences_agree(&setup, &search(&setup, &BOX, &[]));
+}
+
+#[test]
+fn differences_of_optima_searched_anew_agree_with_every_sensitivity_at_a_constraint() {
+    let setup = askew();
+    let search = search(
+        &setup,
+        &["club.loft=2deg..20deg", "swing.attack_angle=-5deg..8deg", "swing.face_angle=-6deg..6deg"],
+        &["descent_angle >= 40 deg", "lateral == 0 m", "apex_height <= 35 yd"],
+    );
+    differences_agree(&setup, &search);
+}
+
+#[test]
+fn exact_price_of_a_constraint_is_what_relaxing_it_brings() {
+    let setup = Setup::default();
+    let at = |limit: &str| {
+        best(&setup, &search(&setup, &["club.loft=4deg..20deg", "swing.attack_angle=-5deg..5deg"], &[limit]))
+    };
+    let held = at("apex_height <= 32 m");
+    let constrained = &held.solution.constraints[0];
+    close(constrained.value, 32.0, 1.0, 1e-10, "the limit is met exactly");
+    let gain =
+        (at("apex_height <= 32.001 m").value().unwrap() - at("apex_height <= 31.999 m").value().unwrap()) / 0.002;
+    close(constrained.multiplier, gain, 1.0, 1e-5, "price");
+    assert_eq!(held.active().last().map(String::as_str), Some("apex_height <= 32 m"));
+    // a range, an equation, and the same turned round
+    for (text, value) in
+        [("30 m <= apex_height <= 32 m", 32.0), ("apex_height == 31 m", 31.0), ("31.5 m >= apex_height", 31.5)]
+    {
+        close(at(text).solution.constraints[0].value, value, 1.0, 1e-10, text);
+    }
+}
+
+#[test]
+fn contradictory_constraints_end_as_infeasible_with_the_smallest_violation() {
+    let setup = Setup::default();
+    let search = search(
+        &setup,
+        &["club.loft=4deg..20deg", "swing.attack_angle=-5deg..5deg"],
+        &["apex_height <= 30 m", "apex_height >= 31 m"],
+    );
+    let none = optimum(&setup, search.clone(), Watch::default()).unwrap();
+    assert_eq!((none.solution.status, none.status()), (Status::Infeasible, "infeasible"), "{}", none.message());
+    let message = none.message();
+    assert!(message.contains("apex_height <= 30 m") && message.contains("apex_height >= 31 m"), "{message}");
+    // the least sum of squares lies halfway, where γ is the same for both
+    let violations: Vec<f64> = none.solution.constraints.iter().map(|c| c.violation).collect();
+    close(violations[0], 0.5, 1.0, 1e-6, "too high");
+    close(violations[1], -0.5, 1.0, 1e-6, "too low");
+    assert!(matches!(sensitivity(&none, setup.variable("gravity").unwrap()), Err(Error::NotConverged { .. })));
+    assert!(matches!(flatness(&none, 1.0), Err(Error::NotConverged { .. })));
+}
+
+#[test]
+fn a_fixed_variable_beside_a_constraint_stays_where_it_is() {
+    let setup = Setup::default();
+    let search = search(&setup, &["club.loft=4deg..20deg", "swing.attack_angle=2deg..2deg"], &["apex_height <= 30 m"]);
+    let best = best(&setup, &search);
+    assert_eq!(best.solution.x[1], 2.0_f64.to_radians());
+    close(best.solution.constraints[0].value, 30.0, 1.0, 1e-9, "apex");
+    assert_eq!(best.active(), ["apex_height <= 30 m"]);
+}
+
+#[test]
+fn every_mistake_in_a_constraint_points_into_it() {
+    for (text, column, says) in [
+        ("descent_angel >= 38 deg", 0, "did you mean 'descent_angle'?"),
+        ("descent_angle >= 38 kg", 17, "not an angle"),
+        ("descent_angle >= 38", 17, "has no unit"),
+        ("descent_angle => 38 deg", 14, "no sign"),
+        ("descent_angle > 38 deg", 14, "no sign"),
+        ("descent_angle >= ", 17, "missing"),
+        ("descent_angle", 0, "no sign"),
+        ("", 0, "missing"),
+        ("40 deg <= descent_angle <= 38 deg", 0, "reversed"),
+        ("40 deg <= descent_angle >= 38 deg", 24, "same sign twice"),
+        ("descent_angle <= inf", 17, "finite"),
+        ("carry >= 1 m <= 3 m >= 4 m", 6, "no sign"),
+    ] {
+        let Err(Error::Constraint { column: found, reason, .. }) = Constraint::read(text) else { panic!("{text}") };
+        assert!(found == column && reason.contains(says), "{text:?}: column {found}: {reason}");
+    }
+}
+
+#[test]
+fn independent_mae494_optimum_is_the_best_of_every_batch_of_sixteen() {
+    let setup = Setup::preset("mae494").unwrap();
+    // the box, and one twice as wide: its maximum is the corner at zero spin (model page: 38.53°, 170.574 m)
+    for (vary, value) in
+        [(BOX, 153.333_552_730_5), (["club.loft=-10deg..30deg", "swing.attack_angle=-20deg..20deg"], 0.0)]
+    {
+        let mut values = vec![];
+        for batch in 0..4 {
+            let mut start = setup;
+            // another first start shifts nothing but itself; the spread is the same: so vary the box a little instead
+            start.swing.attack_angle = f64::from(batch) * 0.02;
+            let found = optima(&start, &search(&start, &vary, &[]), 16, &Follow::default()).unwrap();
+            assert_eq!(found.locals.iter().map(|(_, starts)| starts.len()).sum::<usize>(), 16);
+            let (first, _) = &found.locals[0];
+            assert!(matches!(first.solution.status, Status::Converged | Status::StalledAtKink), "{}", first.message());
+            values.push(first.value().unwrap());
+            let ordered: Vec<f64> = found.locals.iter().filter_map(|(local, _)| local.value()).collect();
+            assert!(ordered.windows(2).all(|pair| pair[0] >= pair[1] - 1e-9), "{ordered:?}");
+        }
+        if value > 0.0 {
+            values.iter().for_each(|found| close(*found, value, 1.0, 1e-9, "best of sixteen"));
+        }
+        assert!(values.windows(2).all(|pair| (pair[0] - pair[1]).abs() < 1e-7), "{values:?}");
+    }
+}
+
+#[test]
+fn exact_windows_lose_what_they_allow_and_no_more_within() {
+    let setup = Setup::default();
+    for vary in [
+        ["club.loft=4deg..20deg", "swing.attack_angle=-5deg..5deg"],
+        ["club.loft=4deg..11deg", "swing.attack_angle=-25deg..40deg"],
+    ] {
+        let best = best(&setup, &search(&setup, &vary, &[]));
+        let flat = flatness(&best, 0.9144).unwrap();
+        let lost = |i: usize, to: f64| {
+            let mut moved = best.setup;
+            moved.set_value(best.search.vary[i].parameter, Some(to)).unwrap();
+            best.value().unwrap() - Outcome::Carry.of(&Drive::new(&moved).unwrap()).unwrap()
+        };
+        for (i, window) in flat.windows.iter().enumerate() {
+            let x = best.solution.x[i];
+            assert!(window.low <= x && x <= window.high);
+            for (end, limit) in [(window.low, window.low_limit), (window.high, window.high_limit)] {
+                match limit {
+                    longdrive::study::Limit::Loss => close(lost(i, end), 0.9144, 1.0, 1e-9, "loss at the window's end"),
+                    other => assert_eq!(other, longdrive::study::Limit::Bound),
+                }
+                for part in 1..20 {
+                    assert!(lost(i, x + f64::from(part) / 20.0 * (end - x)) <= 0.9144 + 1e-9);
+                }
+            }
+        }
+        for direction in &flat.directions {
+            for lost in direction.losses.iter().flatten() {
+                // the quadratic is good to the third order's share at this reach
+                assert!((lost / 0.9144 - 1.0).abs() < 0.35, "{direction:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn order_of_the_predicted_change_is_second_and_third() {
+    let setup = Setup::default();
+    let best = best(&setup, &search(&setup, &["club.loft=4deg..20deg", "swing.attack_angle=-5deg..5deg"], &[]));
+    let error = |text: &str| {
+        let changed = change(&best, Change::read(&setup, text).unwrap()).unwrap();
+        assert!(changed.event.is_none() && changed.differences.is_empty());
+        let anew = changed.resolved.value().unwrap();
+        let loft = (changed.predicted[0] - changed.resolved.solution.x[0]).abs();
+        [(changed.first_order - anew).abs(), (changed.second_order - anew).abs(), loft]
+    };
+    let (wide, narrow) = (error("swing.speed=+2mph"), error("swing.speed=+1mph"));
+    let orders = [0, 1, 2].map(|k| (wide[k] / narrow[k]).log2());
+    assert!(
+        (orders[0] - 2.0).abs() < 0.1 && (orders[1] - 3.0).abs() < 0.15 && (orders[2] - 2.0).abs() < 0.15,
+        "{orders:?}"
+    );
+}
+
+#[test]
+fn a_change_that_moves_the_active_set_is_foreseen_and_seen() {
+    let setup = Setup::default();
+    // just inside the limit: more speed lifts the apex onto it
+    let search =
+        search(&setup, &["club.loft=4deg..20deg", "swing.attack_angle=-5deg..5deg"], &["apex_height <= 39 yd"]);
+    let best = best(&setup, &search);
+    assert_eq!(best.active(), ["swing.attack_angle at its upper bound"]);
+    let changed = change(&best, Change::read(&setup, "swing.speed=+10mph").unwrap()).unwrap();
+    let (part, words) = changed.event.unwrap();
+    assert!(part > 0.0 && part < 1.0 && words == "apex_height <= 39 yd becomes active", "{words}");
+    assert!(
+        changed.differences.contains(&"apex_height <= 39 yd has become active".to_owned()),
+        "{:?}",
+        changed.differences
+    );
+}
+
+#[test]
+fn independent_optima_lie_on_the_chart_and_its_events_are_where_the_active_set_changes() {
+    let setup = Setup::default();
+    let search =
+        search(&setup, &["club.loft=4deg..20deg", "swing.attack_angle=-5deg..5deg"], &["apex_height <= 35 yd"]);
+    let along = Vary::read(&setup, "swing.speed=80mph..130mph").unwrap();
+    let chart = chart(&setup, &search, along, |_| true).unwrap();
+    assert!(chart.ended.is_none());
+    assert_eq!((chart.points[0].at, chart.points.last().unwrap().at), (along.low, along.high));
+    assert!(chart.points.windows(2).all(|pair| pair[0].at < pair[1].at));
+    for point in chart.points.iter().step_by(3) {
+        let mut fresh = setup;
+        fresh.swing.speed = point.at;
+        let anew = best(&fresh, &search);
+        close(point.best.value().unwrap(), anew.value().unwrap(), 1.0, 1e-8, "carry on the chart");
+    }
+    // the first event: the apex reaches its limit, just there
+    let event = chart.points.iter().find(|point| point.event.is_some()).unwrap();
+    assert!(event.event.as_ref().unwrap().contains("apex_height <= 35 yd begins"), "{:?}", event.event);
+    let mut before = setup;
+    before.swing.speed = event.at - 1e-6;
+    assert!(!best(&before, &search).active().contains(&"apex_height <= 35 yd".to_owned()));
+    let along_itself = Vary::read(&setup, "club.loft=5deg..6deg").unwrap();
+    assert!(matches!(longdrive::study::chart(&setup, &search, along_itself, |_| true), Err(Error::NotVariable { .. })));
+}
+
+#[test]
+fn a_saddle_is_left_for_a_maximum() {
+    // by symmetry the landing speed is stationary without cross wind, and lowest there
+    let setup = Setup::default();
+    let search = Search { maximize: Outcome::LandingSpeed, ..search(&setup, &["wind.right=-20m/s..20m/s"], &[]) };
+    let best = best(&setup, &search);
+    assert_eq!(best.solution.x[0].abs(), 20.0);
+    let bounds = Bounds::new(vec![0.0], vec![1.0]).unwrap();
+    assert_eq!((bounds.excess(0, 1.5), bounds.excess(0, -1.0), bounds.excess(0, 0.5)), (0.5, -1.0, 0.0));
+}

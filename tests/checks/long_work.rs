@@ -1,0 +1,140 @@
+//! Searches that are stopped, kept and resumed.
+
+use longdrive::number::Number;
+use longdrive::optimize::{
+    Domain, Exact, Follow, Functions, Ledger, Options, Run, Snapshot, Solution, Status, Values, Watch,
+};
+use longdrive::optimize::{minimize_from, minimize_watched, starts};
+use longdrive::{Error, Setup};
+use std::cell::RefCell;
+use std::rc::Rc;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// Rosenbrock's valley within a disc: curved, constrained, and some twenty iterations long.
+struct Valley;
+
+impl Functions for Valley {
+    fn evaluate<T: Number>(&self, x: &[T]) -> Result<Values<T>, String> {
+        let objective = (x[1] - x[0] * x[0]).powi(2) * 100.0 + (-x[0] + 1.0).powi(2);
+        Ok(Values { objective, constraints: vec![x[0] * x[0] + x[1] * x[1]] })
+    }
+}
+
+fn disc() -> Domain {
+    Domain::new(vec![-5.0; 2], vec![5.0; 2]).unwrap().subject_to(vec![f64::NEG_INFINITY], vec![1.5]).unwrap()
+}
+
+const START: [f64; 2] = [-1.2, 1.0];
+
+fn whole() -> Solution {
+    let whole = minimize_watched(&Exact(Valley), &disc(), &START, &Options::default(), Watch::default()).unwrap();
+    assert_eq!(whole.status, Status::Converged);
+    whole
+}
+
+/// A search that keeps its snapshots, and ends itself after `most` iterations.
+fn stopped_after(most: u64) -> (Solution, Option<Snapshot>) {
+    let kept = Rc::new(RefCell::new(None));
+    let (keeper, flag) = (Rc::clone(&kept), Arc::new(AtomicBool::new(most == 0)));
+    let stop = flag.clone();
+    let watch = Watch {
+        interrupt: flag,
+        iteration: Box::new(move |iteration| stop.store(iteration.number >= most, Ordering::Relaxed)),
+        keep: Some(Box::new(move |snapshot| {
+            // through the text that a file would hold
+            let text = serde_json::to_string(snapshot).unwrap();
+            *keeper.borrow_mut() = Some(serde_json::from_str(&text).unwrap());
+            Ok(())
+        })),
+        resume: None,
+    };
+    let solution = minimize_watched(&Exact(Valley), &disc(), &START, &Options::default(), watch).unwrap();
+    let snapshot = kept.borrow_mut().take();
+    (solution, snapshot)
+}
+
+#[test]
+fn exact_same_end_whenever_a_search_is_stopped_and_resumed() {
+    let whole = whole();
+    assert!(whole.iterations >= 10, "{}", whole.iterations);
+    for most in 1..whole.iterations {
+        let (stopped, snapshot) = stopped_after(most);
+        assert_eq!((stopped.status, stopped.iterations), (Status::Interrupted, most));
+        assert!(stopped.value.is_some() && stopped.message.contains("stopped after"));
+        let watch = Watch { resume: snapshot, ..Watch::default() };
+        let resumed = minimize_watched(&Exact(Valley), &disc(), &START, &Options::default(), watch).unwrap();
+        assert_eq!(resumed, whole, "resumed after {most} iterations");
+    }
+}
+
+#[test]
+fn exact_same_optima_when_some_of_many_searches_were_kept_before() {
+    let (domain, options) = (disc(), Options::default());
+    let starts = starts(&domain, &START, 6).unwrap();
+    let fresh = minimize_from(&Exact(Valley), &domain, &starts, &options, &Follow::default()).unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("kept.json");
+    let follow = || Follow { ledger: Some(Arc::new(Ledger::open(&path, "valley").unwrap())), ..Follow::default() };
+    minimize_from(&Exact(Valley), &domain, &starts[..3], &options, &follow()).unwrap();
+    let ledger = Ledger::open(&path, "valley").unwrap();
+    assert_eq!(ledger.done(), 3);
+    let Some(Run::Done(first)) = ledger.run(0) else { panic!("the first search has ended") };
+    assert_eq!(*first, whole());
+    let resumed = minimize_from(&Exact(Valley), &domain, &starts, &options, &follow()).unwrap();
+    assert_eq!(resumed.len(), fresh.len());
+    for (resumed, fresh) in resumed.iter().zip(&fresh) {
+        assert_eq!((&resumed.solution, &resumed.starts), (&fresh.solution, &fresh.starts));
+    }
+    let other = Ledger::open(&path, "another question").unwrap_err();
+    assert!(matches!(&other, Error::Checkpoint { reason, .. } if reason.contains("another question")), "{other}");
+    std::fs::write(&path, "{").unwrap();
+    assert!(Ledger::open(&path, "valley").unwrap_err().to_string().contains("no checkpoint"));
+    assert!(Ledger::open(folder.path(), "valley").is_err());
+}
+
+#[test]
+fn exact_same_answer_of_the_program_when_it_is_killed_again_and_again() {
+    let folder = tempfile::tempdir().unwrap();
+    // a step so short that a search takes seconds
+    let arguments = |checkpoint: &str| {
+        let mut all = vec!["optimize", "--json", "--starts", "3", "--set", "flight.step=0.3ms", "--checkpoint"];
+        all.extend([checkpoint, "--subject-to", "apex_height <= 36 yd"]);
+        all.into_iter().map(str::to_owned).collect::<Vec<_>>()
+    };
+    let program = || std::process::Command::new(assert_cmd::cargo::cargo_bin!("longdrive"));
+    let run = |checkpoint: &std::path::Path| {
+        let output = program().args(arguments(&checkpoint.display().to_string())).output().unwrap();
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        output.stdout
+    };
+    let alone = run(&folder.path().join("alone.json"));
+    let killed = folder.path().join("killed.json");
+    for wait in [60, 140, 230, 330] {
+        let mut child = program()
+            .args(arguments(&killed.display().to_string()))
+            .stdout(std::process::Stdio::null())
+            .stderr(std::process::Stdio::null())
+            .spawn()
+            .unwrap();
+        std::thread::sleep(std::time::Duration::from_millis(wait));
+        let _ = child.kill();
+        child.wait().unwrap();
+    }
+    assert!(killed.exists(), "nothing was kept before the first kill");
+    assert_eq!(run(&killed), alone);
+}
+
+#[test]
+fn what_cannot_be_kept_is_an_error_before_the_search() {
+    let path = std::path::Path::new("/nowhere/at/all.json");
+    let error = Ledger::open(path, "anything").unwrap_err();
+    assert!(matches!(&error, Error::Checkpoint { reason, .. } if reason.contains("cannot be written")), "{error}");
+    // and a keeper that fails ends the search with its own error
+    let setup = Setup::default();
+    let search = longdrive::study::Search::longest_drive(&setup).unwrap();
+    let watch =
+        Watch { keep: Some(Box::new(|_| Err(Error::Optimizer("the disk is full".into())))), ..Watch::default() };
+    let error = longdrive::study::optimum(&setup, search, watch).unwrap_err();
+    assert!(error.to_string().contains("the disk is full"), "{error}");
+}
