@@ -198,7 +198,7 @@ impl Setup<f64> {
 
     /// A flight of more steps than anyone waits for is refused before it begins.
     fn check_step_count(&self) -> Result<()> {
-        const MOST: f64 = 1e7;
+        const MOST: f64 = 1e8;
         let (step, limit) = (self.flight.step, self.flight.time_limit);
         if limit / step <= MOST {
             return Ok(());

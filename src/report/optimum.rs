@@ -1,7 +1,7 @@
 use super::drive::readable;
 use super::{json, table::table};
 use crate::drive::Outcome;
-use crate::optimize::{Constrained, Effort, Iteration};
+use crate::optimize::{Constrained, Effort, Iteration, Status};
 use crate::study::{Constraint, Optima, Optimum, Search};
 use crate::units::{Quantity, per, significant};
 use serde::Serialize;
@@ -197,6 +197,7 @@ fn constraints_text(optimum: &Optimum) -> String {
         let price = significant(report.multiplier * size(outcome) / size(of), 3);
         let unit = per(of.unit(), outcome.unit());
         let words = match report.multiplier {
+            _ if optimum.solution.status != Status::Converged => String::new(),
             0.0 => "not active".into(),
             _ if constraint.low == constraint.high => format!("active: {price} {unit} that it is raised"),
             _ => format!("active: +{price} {unit} that it is relaxed"),
@@ -234,6 +235,9 @@ fn bound_in_words(optimum: &Optimum, i: usize) -> String {
     let is_corner = optimum.solution.kink.is_some_and(|kink| kink.variable == i);
     if vary.low == vary.high {
         "fixed".into()
+    } else if optimum.solution.status != Status::Converged {
+        // a multiplier is a price at an optimum only
+        String::new()
     } else if is_corner && upper + lower > 0.0 {
         let price = significant((upper + lower) * size / unit, 3);
         let unit = per(of.unit(), vary.parameter.unit);

@@ -239,6 +239,17 @@ pub struct Optima {
     pub starts: usize,
 }
 
+impl Optima {
+    /// The best of them.
+    ///
+    /// # Errors
+    /// [`Error::Nothing`] where no search was run.
+    pub fn best(&self) -> Result<&Optimum> {
+        let first = self.locals.first().map(|(best, _)| best);
+        first.ok_or(Error::Nothing { doing: "search from", what: "start" })
+    }
+}
+
 /// Searches from the setup's own values and from starts spread evenly over the ranges, side by side.
 ///
 /// # Errors

@@ -5,6 +5,7 @@
 mod args;
 mod chart;
 mod gradient;
+mod names;
 mod optimize;
 mod optimum_sensitivity;
 mod output;

@@ -1,17 +1,15 @@
 use crate::args::Optimize;
 use crate::output::{Answer, tell, warn};
-use crate::search::none;
-use longdrive::Result;
-use longdrive::Setup;
 use longdrive::optimize::Status;
 use longdrive::report::{LocalReport, OptimumReport, optima_text, optimum_text};
 use longdrive::study::Optimum;
+use longdrive::{Result, Setup};
 
 pub fn run(args: &Optimize) -> Result<Answer> {
     let setup = args.question.setup()?;
     let search = args.search.search(&setup)?;
     let optima = args.search.run(&setup, &search)?;
-    let (best, _) = optima.locals.first().ok_or_else(none)?;
+    let best = optima.best()?;
     let warnings = remarks(&setup, best);
     warn(&warnings);
     let has_many = args.search.starts > 1;

@@ -1,23 +1,22 @@
 use crate::args::OptimumSensitivity;
+use crate::names::variables;
 use crate::optimize::remarks;
-use crate::output::{Answer, tell, warn};
-use crate::search::none;
-use indicatif::{ProgressBar, ProgressStyle};
+use crate::output::{Answer, bar, tell, warn};
 use longdrive::parameters::Parameter;
 use longdrive::report::{Analysis, OptimumReport, SensitivityReport, optimum_text, sensitivity_text};
-use longdrive::study::{Change, Optimum, change, flatness, sensitivities};
+use longdrive::study::{Change, Changed, Flatness, Optimum, Sensitivity, change, flatness, sensitivities};
 use longdrive::units::Quantity;
-use longdrive::{Error, Outcome, Result, Setup};
+use longdrive::{Error, Outcome, Result};
 
 pub fn run(args: &OptimumSensitivity) -> Result<Answer> {
     let setup = args.question.setup()?;
     let search = args.search.search(&setup)?;
-    let wrt = named(&setup, &args.wrt)?;
+    let wrt = variables(&setup, &args.wrt)?;
     let changes = args.change.iter().map(|text| Change::read(&setup, text)).collect::<Result<Vec<_>>>()?;
     let loss = args.loss.as_deref().map(|text| loss(search.maximize, text)).transpose()?;
 
     let optima = args.search.run(&setup, &search)?;
-    let (best, _) = optima.locals.first().ok_or_else(none)?;
+    let best = optima.best()?;
     let warnings = remarks(&setup, best);
     warn(&warnings);
     let found = analysed(best, &wrt, &changes, loss);
@@ -38,16 +37,13 @@ pub fn run(args: &OptimumSensitivity) -> Result<Answer> {
     })
 }
 
-type Found = (
-    Vec<(&'static Parameter, Result<longdrive::study::Sensitivity>)>,
-    longdrive::study::Flatness,
-    Vec<longdrive::study::Changed>,
-);
+/// Sensitivities, flatness, and the effects of stated changes.
+type Found = (Vec<(&'static Parameter, Result<Sensitivity>)>, Flatness, Vec<Changed>);
 
 fn analysed(best: &Optimum, wrt: &[&'static Parameter], changes: &[Change], loss: Option<f64>) -> Result<Found> {
     let wrt: Vec<_> =
         wrt.iter().copied().filter(|p| best.search.vary.iter().all(|vary| vary.parameter != *p)).collect();
-    let bar = bar();
+    let bar = bar("parameters");
     let sensitivities = sensitivities(best, &wrt, |done, of| {
         bar.set_length(of as u64);
         bar.set_position(done as u64);
@@ -73,25 +69,4 @@ fn loss(of: Outcome, text: &str) -> Result<f64> {
         Ok(_) => Err(refuse("it must be above 0 and finite, for example 1yd".into())),
         Err(error) => Err(refuse(Box::new(error))),
     }
-}
-
-/// The parameters named; "all" are those that have a number here.
-fn named(setup: &Setup<f64>, names: &[String]) -> Result<Vec<&'static Parameter>> {
-    let mut rows: Vec<&'static Parameter> = vec![];
-    for name in names.iter().map(|name| name.trim()).filter(|name| !name.is_empty()) {
-        let more = if name == "all" { setup.variables() } else { vec![setup.variable(name)?] };
-        rows.extend(more);
-    }
-    let mut seen: Vec<&'static Parameter> = vec![];
-    rows.retain(|row| {
-        let is_new = !seen.contains(row);
-        seen.push(row);
-        is_new
-    });
-    Ok(rows)
-}
-
-fn bar() -> ProgressBar {
-    let style = ProgressStyle::with_template("{bar:40} {pos}/{len} parameters, {eta} left");
-    ProgressBar::new(0).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
 }

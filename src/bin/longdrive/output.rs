@@ -1,3 +1,4 @@
+use indicatif::{ProgressBar, ProgressStyle};
 use longdrive::{Error, Result};
 use serde::Serialize;
 use std::io::{self, Write};
@@ -49,4 +50,10 @@ pub fn warn(warnings: &[String]) {
 pub fn complain(error: &Error) -> ExitCode {
     tell(&format!("error: {error}"));
     ExitCode::from(if error.is_an_outcome() { 1 } else { 2 })
+}
+
+/// Progress of long work, on standard error; nothing where that is no terminal.
+pub fn bar(of: &str) -> ProgressBar {
+    let style = ProgressStyle::with_template(&format!("{{bar:40}} {{pos}}/{{len}} {of}, {{eta}} left"));
+    ProgressBar::new(0).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
 }

@@ -6,7 +6,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use longdrive::optimize::{Follow, Ledger, Options};
 use longdrive::report::iteration_line;
 use longdrive::study::{Constraint, Optima, Search, Vary, optima};
-use longdrive::{Error, Outcome, Result, Setup};
+use longdrive::{Outcome, Result, Setup};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -74,9 +74,4 @@ pub fn interrupt() -> Arc<AtomicBool> {
         tell("stopping with the best so far; Ctrl-C again to end at once");
     });
     flag
-}
-
-/// Where there is nothing to say about a search that found nothing at all.
-pub fn none() -> Error {
-    Error::Optimizer("no search was run".into())
 }

@@ -1,0 +1,46 @@
+//! Lists of names on the command line. Naming a thing twice asks for it once.
+
+use crate::output::tell;
+use longdrive::parameters::Parameter;
+use longdrive::{Outcome, Result, Setup};
+
+fn given(names: &[String]) -> impl Iterator<Item = &str> {
+    names.iter().map(|name| name.trim()).filter(|name| !name.is_empty())
+}
+
+/// The outcomes named; "all" for every one.
+pub fn outcomes(names: &[String]) -> Result<Vec<Outcome>> {
+    let mut of = Vec::new();
+    for name in given(names) {
+        let named = if name == "all" { Outcome::ALL.to_vec() } else { vec![Outcome::named(name)?] };
+        of.extend(named);
+    }
+    Ok(once(of))
+}
+
+/// The parameters named, to differentiate by; "all" for every one that has a number here.
+pub fn variables(setup: &Setup<f64>, names: &[String]) -> Result<Vec<&'static Parameter>> {
+    let mut rows = Vec::new();
+    for name in given(names) {
+        if name != "all" {
+            rows.push(setup.variable(name)?);
+            continue;
+        }
+        let all = setup.variables();
+        let left_out = setup.parameters().into_iter().filter(|row| !all.contains(row));
+        let left_out: Vec<_> = left_out.map(|row| row.name).collect();
+        tell(&format!("without a number to differentiate by here, left out: {}", left_out.join(", ")));
+        rows.extend(all);
+    }
+    Ok(once(rows))
+}
+
+fn once<T: PartialEq + Copy>(all: Vec<T>) -> Vec<T> {
+    let mut seen: Vec<T> = Vec::new();
+    for one in all {
+        if !seen.contains(&one) {
+            seen.push(one);
+        }
+    }
+    seen
+}
