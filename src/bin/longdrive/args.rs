@@ -88,6 +88,14 @@ pub struct SearchArgs {
     #[arg(long, value_name = "CONSTRAINT", allow_hyphen_values = true)]
     pub subject_to: Vec<String>,
 
+    /// Most iterations of a search.
+    #[arg(long, value_name = "N", default_value_t = 500)]
+    pub max_iterations: u64,
+}
+
+/// How long work is done.
+#[derive(clap::Args)]
+pub struct WorkArgs {
     /// Search from this many starts, spread evenly over the ranges (the first is the setup's own), and list the local
     /// optima.
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
@@ -96,10 +104,6 @@ pub struct SearchArgs {
     /// Keep the search in this file after every iteration, and go on from it where it exists.
     #[arg(long, value_name = "FILE")]
     pub checkpoint: Option<PathBuf>,
-
-    /// Most iterations of a search.
-    #[arg(long, value_name = "N", default_value_t = 500)]
-    pub max_iterations: u64,
 }
 
 #[derive(clap::Args)]
@@ -109,6 +113,9 @@ pub struct Optimize {
 
     #[command(flatten)]
     pub search: SearchArgs,
+
+    #[command(flatten)]
+    pub work: WorkArgs,
 }
 
 #[derive(clap::Args)]
@@ -118,6 +125,9 @@ pub struct OptimumSensitivity {
 
     #[command(flatten)]
     pub search: SearchArgs,
+
+    #[command(flatten)]
+    pub work: WorkArgs,
 
     /// The parameters to answer to, separated by commas; "all" for every one that has a number here and is not varied.
     #[arg(long, value_name = "NAME,…", value_delimiter = ',', default_value = "all")]

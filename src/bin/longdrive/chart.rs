@@ -1,9 +1,9 @@
 use crate::args::ChartArgs;
 use crate::output::{Answer, tell, warn};
 use crate::search::interrupt;
+use longdrive::Result;
 use longdrive::report::{ChartReport, chart_csv, chart_text};
 use longdrive::study::{Vary, chart};
-use longdrive::{Error, Result};
 use std::sync::atomic::Ordering;
 
 pub fn run(args: &ChartArgs) -> Result<Answer> {
@@ -11,11 +11,6 @@ pub fn run(args: &ChartArgs) -> Result<Answer> {
     let search = args.search.search(&setup)?;
     let along = Vary::read(&setup, &args.along)?;
     warn(&setup.warnings());
-    if args.search.starts > 1 || args.search.checkpoint.is_some() {
-        let source = "a chart follows one optimum from the low end of its range; leave it out".into();
-        let name = if args.search.starts > 1 { "--starts" } else { "--checkpoint" };
-        return Err(Error::Unreadable { name: name.into(), source });
-    }
     let stop = interrupt();
     let of = search.maximize;
     let chart = chart(&setup, &search, along, |point| {

@@ -8,11 +8,11 @@ use longdrive::{Result, Setup};
 pub fn run(args: &Optimize) -> Result<Answer> {
     let setup = args.question.setup()?;
     let search = args.search.search(&setup)?;
-    let optima = args.search.run(&setup, &search)?;
+    let optima = args.work.run(&setup, &search)?;
     let best = optima.best()?;
     let warnings = remarks(&setup, best);
     warn(&warnings);
-    let has_many = args.search.starts > 1;
+    let has_many = args.work.starts > 1;
     let answer = if args.question.json {
         let listed = has_many.then(|| LocalReport::all(&optima));
         Answer::json(&OptimumReport { optima: listed, ..OptimumReport::new(best, warnings) })

@@ -15,7 +15,7 @@ pub fn run(args: &OptimumSensitivity) -> Result<Answer> {
     let changes = args.change.iter().map(|text| Change::read(&setup, text)).collect::<Result<Vec<_>>>()?;
     let loss = args.loss.as_deref().map(|text| loss(search.maximize, text)).transpose()?;
 
-    let optima = args.search.run(&setup, &search)?;
+    let optima = args.work.run(&setup, &search)?;
     let best = optima.best()?;
     let warnings = remarks(&setup, best);
     warn(&warnings);

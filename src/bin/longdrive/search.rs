@@ -1,6 +1,6 @@
 //! The search that several commands begin with: who follows it, stops it and keeps it.
 
-use crate::args::SearchArgs;
+use crate::args::{SearchArgs, WorkArgs};
 use crate::output::tell;
 use indicatif::{ProgressBar, ProgressStyle};
 use longdrive::optimize::{Follow, Ledger, Options};
@@ -22,7 +22,9 @@ impl SearchArgs {
             options: Options { max_iterations: self.max_iterations, ..Options::default() },
         })
     }
+}
 
+impl WorkArgs {
     /// Searches, with its progress on standard error.
     pub fn run(&self, setup: &Setup<f64>, search: &Search) -> Result<Optima> {
         let ledger = match &self.checkpoint {
