@@ -26,8 +26,10 @@ pub struct ChartPointReport {
     pub value: Value,
     /// Where it is, by parameter.
     pub optimum: Map<String, Value>,
-    /// What holds it: bounds and constraints.
+    /// What holds it: parameters at a bound, and constraints.
     pub active: Vec<String>,
+    /// At which bound, `lower` or `upper`.
+    pub bounds: Map<String, Value>,
     /// What changes here.
     pub event: Option<String>,
 }
@@ -37,11 +39,13 @@ impl ChartReport {
     pub fn new(chart: &Chart) -> Self {
         let point = |point: &ChartPoint| {
             let names = point.best.search.vary.iter().map(|vary| vary.parameter.name);
+            let bounds = point.active.iter().filter_map(|active| Some((active.name.clone(), active.end?.into())));
             ChartPointReport {
                 parameter: point.at,
                 value: json::number(point.best.value()),
                 optimum: json::named(names.zip(point.best.solution.x.iter().map(|x| Some(*x)))),
-                active: point.active.clone(),
+                active: point.active.iter().map(|active| active.name.clone()).collect(),
+                bounds: bounds.collect(),
                 event: point.event.clone(),
             }
         };
@@ -70,7 +74,7 @@ pub fn chart_text(chart: &Chart) -> String {
         let show = |(vary, x): (&Vary, &f64)| vary.parameter.show(Some(*x));
         let value = point.best.value().map_or("–".into(), |value| point.best.search.maximize.show(value));
         let event = point.event.as_ref().map(|event| format!("<- {event}"));
-        let words = if point.active.is_empty() { "–".into() } else { point.active.join(", ") };
+        let words = if point.active.is_empty() { "–".into() } else { listed(point, ", ") };
         [chart.along.parameter.show(Some(point.at)), value]
             .into_iter()
             .chain(point.best.search.vary.iter().zip(&point.best.solution.x).map(show))
@@ -92,9 +96,14 @@ pub fn chart_csv(chart: &Chart) -> Result<String> {
     for point in &chart.points {
         let numbers = [point.at, point.best.value().unwrap_or(f64::NAN)];
         let numbers = numbers.iter().chain(&point.best.solution.x).map(|number| format!("{number:?}"));
-        let words = [point.active.join("; "), point.event.clone().unwrap_or_default()];
+        let words = [listed(point, "; "), point.event.clone().unwrap_or_default()];
         writer.write_record(numbers.chain(words)).map_err(failed)?;
     }
     let bytes = writer.into_inner().map_err(|error| Error::Output(error.into_error()))?;
     Ok(String::from_utf8_lossy(&bytes).into_owned())
+}
+
+/// What holds a point, in words.
+fn listed(point: &ChartPoint, separator: &str) -> String {
+    point.active.iter().map(ToString::to_string).collect::<Vec<_>>().join(separator)
 }

@@ -1,7 +1,8 @@
 //! The optimum as a function of a parameter, followed by continuation.
 
-use super::optimum::{Optimum, Search, Vary, optimum};
+use super::optimum::{Active, Optimum, Search, optimum};
 use super::sensitivity::sensitivity;
+use super::vary::Vary;
 use crate::error::{Error, Result};
 use crate::optimize::{Options, Status, Watch};
 use crate::parameters::Setup;
@@ -25,7 +26,7 @@ pub struct ChartPoint {
     /// The optimum.
     pub best: Optimum,
     /// What holds it.
-    pub active: Vec<String>,
+    pub active: Vec<Active>,
     /// What happens here: an active bound or constraint comes or goes, or the optimum jumps.
     pub event: Option<String>,
 }

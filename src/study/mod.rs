@@ -6,9 +6,11 @@ mod flatness;
 mod optimum;
 mod problem;
 mod sensitivity;
+mod vary;
 
 pub use chart::{Chart, ChartPoint, chart};
 pub use constraint::Constraint;
 pub use flatness::{Direction, Ellipse, Flatness, Limit, Window, flatness};
-pub use optimum::{Optima, Optimum, Search, Vary, optima, optimum};
+pub use optimum::{Active, Optima, Optimum, Search, optima, optimum};
 pub use sensitivity::{Change, Changed, Sensitivity, change, sensitivities, sensitivity};
+pub use vary::Vary;

@@ -1,80 +1,13 @@
 use super::constraint::Constraint;
 use super::problem::DriveProblem;
+use super::vary::Vary;
 use crate::drive::{Drive, Outcome};
 use crate::error::{Error, Result};
 use crate::optimize::sensitivity::Held;
 use crate::optimize::{Follow, Local, Options, Solution, Status, Watch, minimize_from, minimize_watched, starts};
-use crate::parameters::{Parameter, Setup};
+use crate::parameters::Setup;
 use crate::units;
-
-/// A parameter to vary, and how far, SI.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Vary {
-    /// The parameter.
-    pub parameter: &'static Parameter,
-    /// Least value.
-    pub low: f64,
-    /// Greatest value.
-    pub high: f64,
-}
-
-impl Vary {
-    /// Reads `NAME=LOW..HIGH`, for example `club.loft=4deg..20deg`. A low end without unit takes that of the
-    /// high end; two numbers without units are SI.
-    ///
-    /// ```
-    /// use longdrive::{Setup, study::Vary};
-    /// let loft = Vary::read(&Setup::default(), "club.loft=4..20deg").unwrap();
-    /// assert_eq!((loft.low, loft.high), (4.0_f64.to_radians(), 20.0_f64.to_radians()));
-    /// assert!(Vary::read(&Setup::default(), "club.loft=20deg..4deg").is_err());
-    /// ```
-    ///
-    /// # Errors
-    /// [`Error::SearchRange`] for a range that is none; as [`Setup::variable`] and [`Parameter::read`].
-    pub fn read(setup: &Setup<f64>, text: &str) -> Result<Self> {
-        let refuse = |reason: String| Error::SearchRange { name: text.trim().into(), reason };
-        let (name, range) = text
-            .split_once('=')
-            .ok_or_else(|| refuse("write NAME=LOW..HIGH, for example club.loft=4deg..20deg".into()))?;
-        let parameter = setup.variable(name.trim())?;
-        let (low, high) = range
-            .split_once("..")
-            .ok_or_else(|| refuse(format!("'{range}' is not LOW..HIGH; write for example {name}=4deg..20deg")))?;
-        for (end, which) in [(low, "lower"), (high, "upper")] {
-            if end.trim().is_empty() {
-                return Err(refuse(format!("its {which} end is missing; write for example {name}=4deg..20deg")));
-            }
-        }
-        let unreadable = |e| Error::Unreadable { name: format!("--vary {}", text.trim()), source: Box::new(e) };
-        let (_, low_unit) = parameter.quantity.split(low).map_err(unreadable)?;
-        let (_, high_unit) = parameter.quantity.split(high).map_err(unreadable)?;
-        let low = if low_unit.is_empty() { format!("{low} {high_unit}") } else { low.into() };
-        let end = |text: &str| parameter.read(text, true).map(Option::unwrap_or_default);
-        Self::new(parameter, end(&low)?, end(high)?)
-    }
-
-    /// A parameter with a range in SI.
-    ///
-    /// # Errors
-    /// [`Error::SearchRange`] where it is reversed or infinite, [`Error::OutOfRange`].
-    pub fn new(parameter: &'static Parameter, low: f64, high: f64) -> Result<Self> {
-        let name = format!("{}={}..{}", parameter.name, parameter.show(Some(low)), parameter.show(Some(high)));
-        parameter.check(low)?;
-        parameter.check(high)?;
-        if low > high {
-            let reason = format!(
-                "the range is reversed; did you mean {}..{}?",
-                parameter.show(Some(high)),
-                parameter.show(Some(low))
-            );
-            return Err(Error::SearchRange { name, reason });
-        }
-        if !(low.is_finite() && high.is_finite()) {
-            return Err(Error::SearchRange { name, reason: "both ends must be finite".into() });
-        }
-        Ok(Self { parameter, low, high })
-    }
-}
+use std::fmt;
 
 /// What to look for.
 #[derive(Clone, Debug)]
@@ -95,6 +28,24 @@ impl Search {
         let vary = ["club.loft=4deg..20deg", "swing.attack_angle=-5deg..5deg"];
         let vary = vary.iter().map(|text| Vary::read(setup, text)).collect::<Result<_>>()?;
         Ok(Self { maximize: Outcome::Carry, vary, subject_to: vec![], options: Options::default() })
+    }
+}
+
+/// Something that holds an optimum. It reads `club.loft at its upper bound`, or as the constraint was given.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Active {
+    /// The varied parameter, or the constraint's expression.
+    pub name: String,
+    /// The bound, `lower` or `upper`; `None` for a constraint.
+    pub end: Option<&'static str>,
+}
+
+impl fmt::Display for Active {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.end {
+            Some(end) => write!(f, "{} at its {end} bound", self.name),
+            None => f.write_str(&self.name),
+        }
     }
 }
 
@@ -165,20 +116,21 @@ impl Optimum {
         }
     }
 
-    /// What holds the optimum: bounds as `club.loft at its upper bound`, constraints as they were given.
-    pub fn active(&self) -> Vec<String> {
+    /// What holds the optimum: bounds that are active, and constraints.
+    pub fn active(&self) -> Vec<Active> {
         let Ok(problem) = DriveProblem::new(&self.setup, &self.search) else { return vec![] };
         if self.solution.value.is_none() {
             return vec![];
         }
         let held = Held::new(&self.solution, &problem.domain);
         let bound = |i: usize| {
-            let (parameter, is_lower) = (self.search.vary[i].parameter, self.solution.lower_multipliers[i] > 0.0);
-            format!("{} at its {} bound", parameter.name, if is_lower { "lower" } else { "upper" })
+            let end = if self.solution.lower_multipliers[i] > 0.0 { "lower" } else { "upper" };
+            Active { name: self.search.vary[i].parameter.name.into(), end: Some(end) }
         };
         let is_bounded = |i: &usize| held.variables[*i] && !problem.domain.variables.is_fixed(*i);
         let bounds = (0..self.search.vary.len()).filter(is_bounded).map(bound);
-        let limits = held.tight().into_iter().map(|j| self.search.subject_to[j].expression.clone());
+        let limits = held.tight().into_iter();
+        let limits = limits.map(|j| Active { name: self.search.subject_to[j].expression.clone(), end: None });
         bounds.chain(limits).collect()
     }
 

@@ -1,4 +1,4 @@
-use super::optimum::{Optimum, Search, optimum, posed};
+use super::optimum::{Active, Optimum, Search, optimum, posed};
 use super::problem::DriveProblem;
 use crate::error::{Error, Result};
 use crate::optimize::sensitivity::{Event, first_event, response};
@@ -157,7 +157,8 @@ fn in_words(search: &Search, event: Event) -> String {
 /// In which active bounds and constraints two optima differ.
 fn differences(before: &Optimum, after: &Optimum) -> Vec<String> {
     let (was, is) = (before.active(), after.active());
-    let left = was.iter().filter(|name| !is.contains(name)).map(|name| format!("{name} is no longer active"));
-    let come = is.iter().filter(|name| !was.contains(name)).map(|name| format!("{name} has become active"));
-    left.chain(come).collect()
+    let only = |these: &[Active], others: &[Active], words: &str| -> Vec<String> {
+        these.iter().filter(|one| !others.contains(one)).map(|one| format!("{one} {words}")).collect()
+    };
+    [only(&was, &is, "is no longer active"), only(&is, &was, "has become active")].concat()
 }

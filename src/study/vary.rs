@@ -1,0 +1,71 @@
+use crate::error::{Error, Result};
+use crate::parameters::{Parameter, Setup};
+
+/// A parameter to vary, and how far, SI.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Vary {
+    /// The parameter.
+    pub parameter: &'static Parameter,
+    /// Least value.
+    pub low: f64,
+    /// Greatest value.
+    pub high: f64,
+}
+
+impl Vary {
+    /// Reads `NAME=LOW..HIGH`, for example `club.loft=4deg..20deg`. A low end without unit takes that of the
+    /// high end; two numbers without units are SI.
+    ///
+    /// ```
+    /// use longdrive::{Setup, study::Vary};
+    /// let loft = Vary::read(&Setup::default(), "club.loft=4..20deg").unwrap();
+    /// assert_eq!((loft.low, loft.high), (4.0_f64.to_radians(), 20.0_f64.to_radians()));
+    /// assert!(Vary::read(&Setup::default(), "club.loft=20deg..4deg").is_err());
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::SearchRange`] for a range that is none; as [`Setup::variable`] and [`Parameter::read`].
+    pub fn read(setup: &Setup<f64>, text: &str) -> Result<Self> {
+        let refuse = |reason: String| Error::SearchRange { name: text.trim().into(), reason };
+        let (name, range) = text
+            .split_once('=')
+            .ok_or_else(|| refuse("write NAME=LOW..HIGH, for example club.loft=4deg..20deg".into()))?;
+        let parameter = setup.variable(name.trim())?;
+        let (low, high) = range
+            .split_once("..")
+            .ok_or_else(|| refuse(format!("'{range}' is not LOW..HIGH; write for example {name}=4deg..20deg")))?;
+        for (end, which) in [(low, "lower"), (high, "upper")] {
+            if end.trim().is_empty() {
+                return Err(refuse(format!("its {which} end is missing; write for example {name}=4deg..20deg")));
+            }
+        }
+        let unreadable = |e| Error::Unreadable { name: format!("--vary {}", text.trim()), source: Box::new(e) };
+        let (_, low_unit) = parameter.quantity.split(low).map_err(unreadable)?;
+        let (_, high_unit) = parameter.quantity.split(high).map_err(unreadable)?;
+        let low = if low_unit.is_empty() { format!("{low} {high_unit}") } else { low.into() };
+        let end = |text: &str| parameter.read(text, true).map(Option::unwrap_or_default);
+        Self::new(parameter, end(&low)?, end(high)?)
+    }
+
+    /// A parameter with a range in SI.
+    ///
+    /// # Errors
+    /// [`Error::SearchRange`] where it is reversed or infinite, [`Error::OutOfRange`].
+    pub fn new(parameter: &'static Parameter, low: f64, high: f64) -> Result<Self> {
+        let name = format!("{}={}..{}", parameter.name, parameter.show(Some(low)), parameter.show(Some(high)));
+        parameter.check(low)?;
+        parameter.check(high)?;
+        if low > high {
+            let reason = format!(
+                "the range is reversed; did you mean {}..{}?",
+                parameter.show(Some(high)),
+                parameter.show(Some(low))
+            );
+            return Err(Error::SearchRange { name, reason });
+        }
+        if !(low.is_finite() && high.is_finite()) {
+            return Err(Error::SearchRange { name, reason: "both ends must be finite".into() });
+        }
+        Ok(Self { parameter, low, high })
+    }
+}
