@@ -36,45 +36,53 @@ pub(crate) trait Seedable {
 /// Variables differentiated by in one pass of a gradient: wider is cheaper for each, as far as measured.
 const GRADIENT_WIDTH: usize = 12;
 
-/// Each output of `f` with its derivatives by `n` variables; `progress` is told how many passes of how many are done.
-pub(crate) fn differentiate<F: Seedable>(
+/// Each output of `f`, alone.
+pub(crate) fn values<F: Seedable>(f: &F) -> Result<Vec<Taylor>, F::Error> {
+    let outputs = f.outputs::<f64>(&[])?;
+    Ok(outputs.into_iter().map(|value| Taylor { value, ..Taylor::default() }).collect())
+}
+
+/// Each output of `f` with its gradient by `n` variables; `progress` is told how many passes of how many are done.
+pub(crate) fn first<F: Seedable>(
     f: &F,
     n: usize,
-    order: Order,
-    pairs: Pairs,
     mut progress: impl FnMut(usize, usize),
 ) -> Result<Vec<Taylor>, F::Error> {
     let mut taylors = vec![];
     let places: Vec<usize> = (0..n).collect();
-    match order {
-        Order::Value => pass::<f64, F>(f, n, &[], order, &mut taylors)?,
-        Order::First => {
-            let chunks = places.chunks(GRADIENT_WIDTH);
-            let passes = chunks.len();
-            for (done, chunk) in chunks.enumerate() {
-                match chunk.len() {
-                    1 => pass::<Dual64, F>(f, n, chunk, order, &mut taylors)?,
-                    2 => pass::<Jet<2>, F>(f, n, chunk, order, &mut taylors)?,
-                    3..=4 => pass::<Jet<4>, F>(f, n, chunk, order, &mut taylors)?,
-                    _ => pass::<Jet<GRADIENT_WIDTH>, F>(f, n, chunk, order, &mut taylors)?,
-                }
-                progress(done + 1, passes);
-            }
+    let chunks = places.chunks(GRADIENT_WIDTH);
+    let passes = chunks.len();
+    for (done, chunk) in chunks.enumerate() {
+        match chunk.len() {
+            1 => pass::<Dual64, F>(f, n, chunk, Order::First, &mut taylors)?,
+            2 => pass::<Jet<2>, F>(f, n, chunk, Order::First, &mut taylors)?,
+            3..=4 => pass::<Jet<4>, F>(f, n, chunk, Order::First, &mut taylors)?,
+            _ => pass::<Jet<GRADIENT_WIDTH>, F>(f, n, chunk, Order::First, &mut taylors)?,
         }
-        Order::Second if n == 1 => {
-            pass::<Dual2_64, F>(f, n, &[0], order, &mut taylors)?;
-            progress(1, 1);
-        }
-        Order::Second => {
-            // a pass for each pair: wider second-order jets cost more for each entry
-            let is_wanted = |i: usize| pairs == Pairs::All || i + 1 == n;
-            let wanted = places.iter().filter(|i| is_wanted(**i));
-            let wanted: Vec<[usize; 2]> = wanted.flat_map(|&i| (0..i).map(move |j| [j, i])).collect();
-            for (done, pair) in wanted.iter().enumerate() {
-                pass::<Jet2<2, 3>, F>(f, n, pair, order, &mut taylors)?;
-                progress(done + 1, wanted.len());
-            }
-        }
+        progress(done + 1, passes);
+    }
+    Ok(taylors)
+}
+
+/// Each output of `f` with its gradient and the wanted part of its Hessian by `n` variables; `progress` as in [`first`].
+pub(crate) fn second<F: Seedable>(
+    f: &F,
+    n: usize,
+    pairs: Pairs,
+    mut progress: impl FnMut(usize, usize),
+) -> Result<Vec<Taylor>, F::Error> {
+    let mut taylors = vec![];
+    if n == 1 {
+        pass::<Dual2_64, F>(f, n, &[0], Order::Second, &mut taylors)?;
+        progress(1, 1);
+        return Ok(taylors);
+    }
+    // a pass for each pair: wider second-order jets cost more for each entry
+    let is_wanted = |i: &usize| pairs == Pairs::All || i + 1 == n;
+    let wanted: Vec<[usize; 2]> = (0..n).filter(is_wanted).flat_map(|i| (0..i).map(move |j| [j, i])).collect();
+    for (done, pair) in wanted.iter().enumerate() {
+        pass::<Jet2<2, 3>, F>(f, n, pair, Order::Second, &mut taylors)?;
+        progress(done + 1, wanted.len());
     }
     Ok(taylors)
 }

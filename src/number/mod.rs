@@ -13,7 +13,7 @@ mod taylor;
 mod vector;
 
 pub use differentiate::Order;
-pub(crate) use differentiate::{Pairs, Seedable, differentiate};
+pub(crate) use differentiate::{Pairs, Seedable, first, second, values};
 pub use jet::{Jet, Jet2};
 pub(crate) use linear::solve;
 pub(crate) use seed::Seeded;

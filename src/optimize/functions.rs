@@ -1,5 +1,5 @@
 use super::problem::{Evaluation, Problem};
-use crate::number::{Number, Order, Pairs, Seedable, Seeded, differentiate};
+use crate::number::{Number, Pairs, Seedable, Seeded, Taylor, first, second};
 
 /// The functions of a problem, written once over the number: their derivatives are then exact by themselves.
 ///
@@ -46,7 +46,7 @@ pub struct Exact<F>(pub F);
 
 impl<F: Functions> Problem for Exact<F> {
     fn evaluate(&self, x: &[f64]) -> Result<Evaluation, String> {
-        evaluate(&self.0, x, Order::Second)
+        second(&At { functions: &self.0, x }, x.len(), Pairs::All, |_, _| ()).map(split)
     }
 }
 
@@ -56,15 +56,14 @@ pub struct Gradients<F>(pub F);
 
 impl<F: Functions> Problem for Gradients<F> {
     fn evaluate(&self, x: &[f64]) -> Result<Evaluation, String> {
-        evaluate(&self.0, x, Order::First)
+        first(&At { functions: &self.0, x }, x.len(), |_, _| ()).map(split)
     }
 }
 
-/// The functions at `x` with derivatives up to `order`.
-pub(super) fn evaluate(functions: &impl Functions, x: &[f64], order: Order) -> Result<Evaluation, String> {
-    let mut all = differentiate(&At { functions, x }, x.len(), order, Pairs::All, |_, _| ())?;
+/// f and c from all outputs in a row.
+fn split(mut all: Vec<Taylor>) -> Evaluation {
     let constraints = all.split_off(1);
-    Ok(Evaluation { objective: all.swap_remove(0), constraints })
+    Evaluation { objective: all.swap_remove(0), constraints }
 }
 
 struct At<'a, F> {

@@ -41,6 +41,11 @@ impl Ledger {
     /// [`Error::Checkpoint`] for a file that cannot be read, is none of this kind, or belongs to another question.
     pub fn open(path: &Path, question: &str) -> Result<Self> {
         let refuse = |reason: String| Error::Checkpoint { file: path.display().to_string(), reason };
+        if std::fs::metadata(path).is_ok_and(|found| !found.is_file()) {
+            return Err(refuse(
+                "it is no file; name one that does not exist yet, or one that a search was kept in".into(),
+            ));
+        }
         let content = match std::fs::read_to_string(path) {
             Ok(text) => serde_json::from_str(&text)
                 .map_err(|e| refuse(format!("it is no checkpoint of a search ({e}); name another file")))?,

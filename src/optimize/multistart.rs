@@ -109,7 +109,7 @@ fn one(
     }
     let solution = minimize_watched(problem, domain, start, options, watch)?;
     if let Some(ledger) = &follow.ledger
-        && solution.status != Status::Interrupted
+        && !matches!(solution.status, Status::Interrupted | Status::IterationLimit)
     {
         ledger.keep(number, Run::Done(Box::new(solution.clone())))?;
     }

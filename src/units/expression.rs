@@ -1,27 +1,7 @@
 //! The grammar of units: products of symbols with powers, as a size and a dimension.
 
+use super::dimension::Dimension;
 use super::symbols::symbol_size;
-
-/// Powers of length, mass, time and angle. An angle is a dimension of its own here, so that 10 rpm cannot
-/// be taken for 10 per minute.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Dimension(pub [i8; 4]);
-
-impl Dimension {
-    pub const NONE: Self = Self([0, 0, 0, 0]);
-    pub const LENGTH: Self = Self([1, 0, 0, 0]);
-    pub const MASS: Self = Self([0, 1, 0, 0]);
-    pub const TIME: Self = Self([0, 0, 1, 0]);
-    pub const ANGLE: Self = Self([0, 0, 0, 1]);
-
-    pub fn times(self, other: Self, power: i8) -> Self {
-        let Self(mut exponents) = self;
-        for (mine, theirs) in exponents.iter_mut().zip(other.0) {
-            *mine = mine.saturating_add(theirs.saturating_mul(power));
-        }
-        Self(exponents)
-    }
-}
 
 /// The SI size of a unit as a fraction, so that decimal units (g, cm², %) divide by whole numbers: 5679 g cm² is
 /// 5679/10⁷ kg m² to the last bit.

@@ -3,13 +3,15 @@
 //! The sizes of the units are those of the `uom` library; what is written here is the grammar that puts
 //! them together (`kg/m^3`, `g cm^2`) and the check that the result is the kind of quantity wanted.
 
+mod dimension;
 mod error;
 mod expression;
 mod symbols;
 
 pub use error::UnitError;
 
-use expression::{Dimension, read_unit};
+use dimension::Dimension;
+use expression::read_unit;
 use std::fmt;
 
 /// A kind of quantity: what a parameter or an outcome is measured in.

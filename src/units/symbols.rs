@@ -1,4 +1,4 @@
-use super::expression::Dimension;
+use super::dimension::Dimension;
 use uom::si::f64::{Angle, Force, Length, Mass, Pressure, Ratio, Time, Velocity, Volume};
 use uom::si::{angle, force, length, mass, pressure, ratio, time, velocity, volume};
 

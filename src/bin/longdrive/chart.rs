@@ -3,7 +3,7 @@ use crate::output::{Answer, tell, warn};
 use crate::search::interrupt;
 use longdrive::Result;
 use longdrive::report::{ChartReport, chart_csv, chart_text};
-use longdrive::study::{Vary, chart};
+use longdrive::study::{Chart, Vary, chart};
 use std::sync::atomic::Ordering;
 
 pub fn run(args: &ChartArgs) -> Result<Answer> {
@@ -17,7 +17,17 @@ pub fn run(args: &ChartArgs) -> Result<Answer> {
         let value = point.best.value().map_or("–".into(), |value| of.show(value));
         tell(&format!("{} {}: {} {value}", along.parameter.name, along.parameter.show(Some(point.at)), of.name()));
         !stop.load(Ordering::Relaxed)
-    })?;
+    });
+    let chart = match chart {
+        Err(error) if error.is_an_outcome() => {
+            tell(&format!("error: {error}"));
+            let none = Chart { along, points: vec![], ended: Some(error.to_string()) };
+            let answer =
+                if args.question.json { Answer::json(&ChartReport::new(&none)) } else { Answer::text(String::new()) };
+            return Ok(answer.found(false));
+        }
+        chart => chart?,
+    };
     let answer = if args.question.json {
         Answer::json(&ChartReport::new(&chart))
     } else if args.csv {

@@ -28,8 +28,7 @@ impl WorkArgs {
     /// Searches, with its progress on standard error.
     pub fn run(&self, setup: &Setup<f64>, search: &Search) -> Result<Optima> {
         let ledger = match &self.checkpoint {
-            // exact and complete: every number of the setup and the search is in their debug form
-            Some(path) => Some(Arc::new(Ledger::open(path, &format!("{setup:?} {search:?} {}", self.starts))?)),
+            Some(path) => Some(Arc::new(Ledger::open(path, &question(setup, search, self.starts))?)),
             None => None,
         };
         let mut follow = Follow { interrupt: interrupt(), ledger, ..Follow::default() };
@@ -55,6 +54,14 @@ impl WorkArgs {
         }));
         bar
     }
+}
+
+/// The question in words that tell it from any other: every number of the setup and the search is in their debug form,
+/// to the last digit. More iterations make no other question.
+fn question(setup: &Setup<f64>, search: &Search, starts: u32) -> String {
+    let options = Options { max_iterations: 0, ..search.options.clone() };
+    let search = Search { options, ..search.clone() };
+    format!("{setup:?} {search:?} {starts}")
 }
 
 /// Every iteration as a line.

@@ -48,7 +48,10 @@ impl QuadraticProgram {
     fn is_worth_it(&self, step: &Step) -> bool {
         let stay = DVector::zeros(self.dimension());
         let rows_met = self.missed(&step.d) <= 1e-9 * (1.0 + step.d.amax());
-        rows_met && (self.missed(&stay) > 0.0 || self.value(&step.d) <= self.value(&stay))
+        // a step that should be none is rounding, up or down
+        let reach = self.high.amax().max(self.low.amax());
+        let rounding = 1e-14 * reach * self.pieces.iter().map(|piece| piece.gradient.amax()).fold(0.0, f64::max);
+        rows_met && (self.missed(&stay) > 0.0 || self.value(&step.d) <= self.value(&stay) + rounding)
     }
 
     /// Solves the program with the active ends, rows and pieces as equations:

@@ -1,0 +1,19 @@
+#!/bin/sh
+# Compares longdrive's optimizer with its peers and prints the table. Usage: benches/optimizers/run.sh [DIR]
+# DIR (results in this directory by default) gets solvers.md, problems.md, and every outcome as JSON lines.
+set -eu
+cd "$(dirname "$0")"
+out="${1:-results}"
+mkdir -p "$out"
+
+[ -x .venv/bin/python ] || python3 -m venv .venv
+.venv/bin/pip install --quiet --requirement requirements.txt
+cargo build --release -j1
+
+# one thread, on one processor where that can be asked for
+export OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 RAYON_NUM_THREADS=1
+pin=""
+if command -v taskset >/dev/null; then pin="taskset -c 0"; fi
+
+$pin .venv/bin/python scipy_peer.py target/release/optimizers >"$out/scipy.jsonl"
+$pin target/release/optimizers --scipy "$out/scipy.jsonl" -o "$out"

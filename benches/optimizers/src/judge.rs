@@ -1,0 +1,156 @@
+//! The judge of all solvers alike: are the KKT conditions met at x? It knows x and the problem, and nothing else.
+//!
+//! Active are the bounds and constraint limits within 1e-6 (relative to the limit, at least 1). Their multipliers are
+//! those of nonnegative least squares. Stationarity is relative, in each component, to the largest of the terms that
+//! balance, of |f| and of 1; violations relative to the limit and 1; complementarity to |f| and 1.
+
+use crate::nnls;
+use crate::oracle::evaluate;
+use crate::problems::Case;
+use longdrive::optimize::Evaluation;
+use nalgebra::{DMatrix, DVector};
+
+const ACTIVE: f64 = 1e-6;
+
+/// What the KKT conditions are missed by.
+#[derive(Clone, Copy, Debug)]
+pub struct Judgement {
+    pub value: f64,
+    pub feasibility: f64,
+    pub stationarity: f64,
+    pub complementarity: f64,
+}
+
+impl Judgement {
+    pub fn residual(&self) -> f64 {
+        [self.feasibility, self.stationarity, self.complementarity]
+            .into_iter()
+            .fold(0.0, |most, part| if part.is_nan() { f64::INFINITY } else { part.max(most) })
+    }
+
+    pub fn is_at_published_optimum(&self, case: &Case) -> bool {
+        (self.value - case.optimum).abs() <= 1e-5 * case.optimum.abs().max(1.0)
+    }
+}
+
+/// A bound or a limit that is (nearly) active: ∇f + multiplier · slope + … = 0 with multiplier ≥ 0, or of any sign.
+struct Active {
+    slope: Vec<f64>,
+    is_equality: bool,
+    distance: f64,
+}
+
+pub fn judge(case: &Case, x: &[f64]) -> Judgement {
+    let lost = Judgement {
+        value: f64::NAN,
+        feasibility: f64::INFINITY,
+        stationarity: f64::INFINITY,
+        complementarity: f64::INFINITY,
+    };
+    if x.len() != case.start.len() || x.iter().any(|x| !x.is_finite()) {
+        return lost;
+    }
+    let at = evaluate(case, x);
+    let is_defined = at.objective.is_finite() && at.constraints.iter().all(|c| c.is_finite());
+    if !is_defined {
+        return lost;
+    }
+    let value = at.objective.value;
+    let (active, feasibility) = active_set(case, x, &at);
+    let (stationarity, complementarity) = multipliers_fit(&active, &at.objective.gradient, value);
+    Judgement { value, feasibility, stationarity, complementarity }
+}
+
+fn active_set(case: &Case, x: &[f64], at: &Evaluation) -> (Vec<Active>, f64) {
+    let (mut active, mut worst) = (vec![], 0.0_f64);
+    let mut limit = |value: f64, low: f64, high: f64, slope: Vec<f64>| {
+        let scaled = |distance: f64, limit: f64| distance / limit.abs().max(1.0);
+        let (above, below) = (value - low, high - value);
+        if low.is_finite() {
+            worst = worst.max(scaled(-above, low));
+        }
+        if high.is_finite() {
+            worst = worst.max(scaled(-below, high));
+        }
+        if low == high {
+            active.push(Active { slope, is_equality: true, distance: 0.0 });
+            return;
+        }
+        if low.is_finite() && scaled(above, low) <= ACTIVE {
+            active.push(Active {
+                slope: slope.iter().map(|s| -s).collect(),
+                is_equality: false,
+                distance: above.max(0.0),
+            });
+        }
+        if high.is_finite() && scaled(below, high) <= ACTIVE {
+            active.push(Active { slope, is_equality: false, distance: below.max(0.0) });
+        }
+    };
+    for i in 0..x.len() {
+        let unit = (0..x.len()).map(|k| if k == i { 1.0 } else { 0.0 }).collect();
+        limit(x[i], case.low[i], case.high[i], unit);
+    }
+    for (j, c) in at.constraints.iter().enumerate() {
+        limit(c.value, case.least[j], case.most[j], c.gradient.clone());
+    }
+    (active, worst)
+}
+
+/// Stationarity and complementarity with the multipliers that fit best, in two passes: the second knows the sizes of
+/// the terms that the first has found, and weighs each component by them.
+fn multipliers_fit(active: &[Active], gradient: &[f64], value: f64) -> (f64, f64) {
+    let n = gradient.len();
+    let least = value.abs().max(1.0);
+    let free: Vec<bool> = active.iter().map(|a| a.is_equality).collect();
+    let mut sizes: Vec<f64> = gradient.iter().map(|g| g.abs().max(least)).collect();
+    let mut best = (f64::INFINITY, f64::INFINITY);
+    for _ in 0..3 {
+        let slopes = DMatrix::from_fn(n, active.len(), |i, j| active[j].slope[i] / sizes[i]);
+        let target = DVector::from_fn(n, |i, _| -gradient[i] / sizes[i]);
+        let multipliers = nnls::solve(&slopes, &target, &free);
+        let mut stationarity = 0.0_f64;
+        for i in 0..n {
+            let pulls = || active.iter().zip(multipliers.iter()).map(|(a, m)| a.slope[i] * m);
+            let size = pulls().fold(gradient[i].abs().max(least), |most, pull| pull.abs().max(most));
+            stationarity = stationarity.max((gradient[i] + pulls().sum::<f64>()).abs() / size);
+            sizes[i] = size;
+        }
+        let gaps = active.iter().zip(multipliers.iter()).map(|(a, m)| (a.distance * m).abs() / least);
+        let found = (stationarity, gaps.fold(0.0, f64::max));
+        if found.0.max(found.1) < best.0.max(best.1) {
+            best = found;
+        }
+    }
+    best
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn residual(name: &str, x: &[f64]) -> f64 {
+        let cases = crate::all();
+        judge(cases.iter().find(|case| case.name == name).unwrap(), x).residual()
+    }
+
+    /// HS35: the published optimum (4/3, 7/9, 4/9), on its constraint.
+    #[test]
+    fn an_optimum_passes_and_its_neighbours_do_not() {
+        let at = [4.0 / 3.0, 7.0 / 9.0, 4.0 / 9.0];
+        assert!(residual("HS35", &at) < 1e-14);
+        assert!(residual("HS35", &[at[0] + 1e-4, at[1] - 1e-4, at[2]]) > 1e-5);
+        assert!(residual("HS35", &[at[0], at[1], at[2] + 1e-4]) > 1e-5);
+    }
+
+    /// HS4: f = (x₁ + 1)³/3 + x₂ rises from its bounds (1, 0): both multipliers have their sign only there.
+    #[test]
+    fn multipliers_of_the_wrong_sign_do_not_pass() {
+        assert!(residual("HS4", &[1.0, 0.0]) < 1e-14);
+        assert!(residual("HS4", &[2.0, 0.0]) > 0.1);
+        assert!(residual("HS4", &[1.0, 1.0]) > 0.1);
+        // HS45: f = 2 − Πx/120, least at the upper bounds; at the lower ones it would fall
+        assert!(residual("HS45", &[1.0, 2.0, 3.0, 4.0, 5.0]) < 1e-14);
+        assert!(residual("HS45", &[0.0, 2.0, 3.0, 4.0, 5.0]) > 0.1);
+    }
+}

@@ -1,0 +1,30 @@
+//! What a solver brings back from a problem.
+
+use serde::{Deserialize, Serialize};
+
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Outcome {
+    pub solver: String,
+    pub problem: String,
+    /// What the solver says of itself; the judge does not read it.
+    pub status: String,
+    /// Where it ended; empty where it failed.
+    pub x: Vec<Option<f64>>,
+    /// Points evaluated.
+    pub evaluations: usize,
+    pub iterations: Option<u64>,
+    /// The solver's own time in seconds, evaluations left out: the fastest of the repetitions.
+    pub seconds: f64,
+}
+
+impl Outcome {
+    pub fn failed(solver: &str, problem: &str, status: String) -> Self {
+        let (solver, problem) = (solver.into(), problem.into());
+        Self { solver, problem, status, x: vec![], evaluations: 0, iterations: None, seconds: f64::NAN }
+    }
+
+    /// The point; what JSON could not write is not a number.
+    pub fn point(&self) -> Vec<f64> {
+        self.x.iter().map(|x| x.unwrap_or(f64::NAN)).collect()
+    }
+}
