@@ -68,7 +68,7 @@ pub enum Error {
         reason: String,
     },
     /// A range to search that is none.
-    #[error("--vary {name}: {reason}")]
+    #[error("the range {name}: {reason}")]
     SearchRange {
         /// The parameter, with its range as given.
         name: String,

@@ -50,8 +50,12 @@ impl<T: Number> Launch<T> {
         (v.x * along - self.spin.x * horizontal) / self.ball_speed()
     }
 
-    /// Tilt of the spin axis, atan2(sidespin, backspin), rad; + tilts (and curves) right.
+    /// Tilt of the spin axis, atan2(sidespin, backspin), rad; + tilts (and curves) right. NaN where there is no spin but
+    /// rounding.
     pub fn spin_axis(&self) -> T {
+        if self.spin.dot(self.spin).re() < LEAST_SPIN * LEAST_SPIN {
+            return T::constant(f64::NAN);
+        }
         self.sidespin().atan2(self.backspin())
     }
 

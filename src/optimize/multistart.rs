@@ -10,7 +10,7 @@ use super::status::Status;
 use crate::error::{Error, Result};
 use rayon::prelude::*;
 use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// A local optimum, and how many starts lead to it.
 #[derive(Clone, Debug)]
@@ -100,6 +100,9 @@ fn one(
         Some(Run::Going(snapshot)) => Some(*snapshot),
         None => None,
     };
+    if follow.interrupt.load(Ordering::Relaxed) {
+        return Ok(Solution::not_begun(domain, start.to_vec()));
+    }
     let mut watch = Watch { interrupt: follow.interrupt.clone(), resume, ..Watch::default() };
     if let Some(show) = follow.iteration.clone() {
         watch.iteration = Box::new(move |iteration| show(number, iteration));

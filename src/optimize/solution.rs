@@ -107,6 +107,11 @@ impl Solution {
         }
     }
 
+    /// The end of a search that was stopped before it began.
+    pub(super) fn not_begun(domain: &Domain, start: Vec<f64>) -> Self {
+        Self::nowhere(domain, Status::Interrupted, "stopped before it began".into(), start, None)
+    }
+
     fn nowhere(domain: &Domain, status: Status, message: String, x: Vec<f64>, why: Option<String>) -> Self {
         let n = domain.variables.dimension();
         let none = Residual { stationarity: f64::MAX, feasibility: f64::MAX, complementarity: f64::MAX };

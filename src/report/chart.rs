@@ -13,6 +13,8 @@ pub struct ChartReport {
     pub objective: &'static str,
     /// Its points, in order.
     pub points: Vec<ChartPointReport>,
+    /// Why it begins after the range does; `null` where it does not.
+    pub begun: Option<String>,
     /// Why it ends before the range does; `null` where it does not.
     pub ended: Option<String>,
 }
@@ -53,6 +55,7 @@ impl ChartReport {
             along: chart.along.parameter.name,
             objective: chart.points.first().map_or("", |point| point.best.search.maximize.name()),
             points: chart.points.iter().map(point).collect(),
+            begun: chart.begun.clone(),
             ended: chart.ended.clone(),
         }
     }
@@ -81,8 +84,8 @@ pub fn chart_text(chart: &Chart) -> String {
             .chain([[Some(words), event].into_iter().flatten().collect::<Vec<_>>().join("  ")])
             .collect()
     });
-    let ended = chart.ended.as_ref().map_or(String::new(), |why| format!("\n{why}\n"));
-    table(&columns, &right, rows) + &ended
+    let notes = chart.begun.iter().chain(&chart.ended).map(|why| format!("\n{why}\n"));
+    table(&columns, &right, rows) + &notes.collect::<String>()
 }
 
 /// A chart as CSV, SI and radians.

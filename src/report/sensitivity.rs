@@ -78,7 +78,8 @@ impl SensitivityReport {
                 "resolved": {
                     "status": changed.resolved.status(),
                     "value": json::number(changed.resolved.value()),
-                    "optimum": by_name(&changed.resolved.solution.x),
+                    "optimum": changed.resolved.value().map(|_| by_name(&changed.resolved.solution.x)),
+                    "message": changed.resolved.message(),
                 },
                 "event": changed.event.as_ref().map(|(part, words)| json!({ "after": part, "message": words })),
                 "differences": changed.differences,
@@ -201,7 +202,10 @@ fn change_text(best: &Optimum, changed: &Changed) -> String {
     let rows = [
         row("now", best.value(), &best.solution.x),
         row("predicted", Some(changed.second_order), &changed.predicted),
-        row("searched anew", changed.resolved.value(), &changed.resolved.solution.x),
+        match changed.resolved.value() {
+            Some(value) => row("searched anew", Some(value), &changed.resolved.solution.x),
+            None => row("searched anew", None, &[]),
+        },
     ];
     let right: Vec<usize> = (1..head.len()).collect();
     let mut text = format!("\n{}", table(&head, &right, rows));

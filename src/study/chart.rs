@@ -14,6 +14,8 @@ pub struct Chart {
     pub along: Vary,
     /// The optima, in order.
     pub points: Vec<ChartPoint>,
+    /// Why it begins after the range does, if it does.
+    pub begun: Option<String>,
     /// Why it ends before the range does, if it does.
     pub ended: Option<String>,
 }
@@ -49,7 +51,7 @@ const RADIUS: f64 = 0.05;
 /// `watch` is shown every point as it is found.
 ///
 /// # Errors
-/// [`Error::NotConverged`] where there is no optimum at the range's low end; [`Error::NotVariable`] for a parameter that
+/// [`Error::NotConverged`] where no optimum is found to begin with; [`Error::NotVariable`] for a parameter that
 /// is itself varied; as [`optimum`].
 pub fn chart(
     setup: &Setup<f64>,
@@ -62,8 +64,8 @@ pub fn chart(
         return Err(Error::NotVariable { name: along.parameter.name.into(), reason });
     }
     let follower = Follower { setup, search, along };
-    let first = follower.first()?;
-    let mut chart = Chart { along, points: vec![], ended: None };
+    let (first, begun) = follower.first()?;
+    let mut chart = Chart { along, points: vec![], begun, ended: None };
     let width = along.high - along.low;
     let mut step = LONGEST * width;
     let mut goes_on = watch(&first);
@@ -76,6 +78,8 @@ pub fn chart(
             break;
         }
         let to = if here.at + 1.001 * step >= along.high { along.high } else { here.at + step };
+        // a step meant to end at zero ends there
+        let to = if to.abs() < LOCATED * width { 0.0 } else { to };
         let (next, apart) = match follower.next(here, to) {
             Ok(found) if found.1 <= TOO_FAR || step <= SHORTEST * width => found,
             Ok(_) => {
@@ -117,10 +121,28 @@ struct Follower<'a> {
 }
 
 impl Follower<'_> {
-    fn first(&self) -> Result<ChartPoint> {
-        let mut setup = *self.setup;
-        setup.set_value(self.along.parameter, Some(self.along.low))?;
-        point(self.along.low, optimum(&setup, self.search.clone(), Watch::default())?)
+    /// The optimum at the range's low end, or at the first of a few places where there is one; and why not before.
+    fn first(&self) -> Result<(ChartPoint, Option<String>)> {
+        let Vary { parameter, low, high } = self.along;
+        let mut why = None;
+        for place in 0..=(1.0 / LONGEST) as u32 {
+            let at = low + f64::from(place) * LONGEST * (high - low);
+            let mut setup = *self.setup;
+            setup.set_value(parameter, Some(at))?;
+            let found = optimum(&setup, self.search.clone(), Watch::default()).and_then(|best| point(at, best));
+            match found {
+                Ok(point) => {
+                    let show = |value: f64| parameter.show(Some(value));
+                    let begun = why.map(|why: Error| {
+                        format!("from {} on, for there was no optimum at {}: {why}", show(at), show(low))
+                    });
+                    return Ok((point, begun));
+                }
+                Err(error) if error.is_an_outcome() => why = why.or(Some(error)),
+                Err(error) => return Err(error),
+            }
+        }
+        Err(why.unwrap_or(Error::Nothing { doing: "chart", what: "optimum" }))
     }
 
     /// The optimum at another value, and how far it is from where it was predicted, in units of the ranges.

@@ -192,6 +192,12 @@ pub struct Optima {
 }
 
 impl Optima {
+    /// How many searches were stopped from outside before they ended.
+    pub fn stopped(&self) -> usize {
+        let is_stopped = |best: &Optimum| best.solution.status == Status::Interrupted;
+        self.locals.iter().filter(|(best, _)| is_stopped(best)).map(|(_, starts)| starts.len()).sum()
+    }
+
     /// The best of them.
     ///
     /// # Errors
@@ -234,6 +240,6 @@ pub(super) fn posed(setup: &Setup<f64>, search: &Search) -> Result<DriveProblem>
 
 fn found(problem: &DriveProblem, search: Search, solution: Solution) -> Result<Optimum> {
     let setup = problem.moved(&solution.x)?;
-    let drive = if solution.status == Status::Undefined { None } else { Some(Drive::new(&setup)?) };
+    let drive = if solution.value.is_none() { None } else { Some(Drive::new(&setup)?) };
     Ok(Optimum { search, solution, setup, drive })
 }

@@ -25,10 +25,7 @@ pub struct Sensitivity {
 /// varied; [`Setup::variable`]'s; [`Error::Optimizer`] where the optimum is not isolated.
 pub fn sensitivity(best: &Optimum, parameter: &'static Parameter) -> Result<Sensitivity> {
     let problem = converged(best)?;
-    if best.search.vary.iter().any(|vary| vary.parameter == parameter) {
-        let reason = "it is varied itself; the price of its bounds is its multiplier".into();
-        return Err(Error::NotVariable { name: parameter.name.into(), reason });
-    }
+    refuse_varied(&best.search, parameter)?;
     let at = problem.evaluate_with(&best.solution.x, parameter)?;
     let response = response(&best.solution, &problem.domain, &at)?;
     Ok(Sensitivity { parameter, value: -response.value, curvature: -response.curvature, optimum: response.x })
@@ -50,6 +47,18 @@ pub fn sensitivities(
         (*parameter, sensitivity)
     };
     Ok(wrt.iter().enumerate().map(one).collect())
+}
+
+/// A parameter that is varied has no sensitivity: its optimum is what is found.
+///
+/// # Errors
+/// [`Error::NotVariable`].
+pub fn refuse_varied(search: &Search, parameter: &Parameter) -> Result<()> {
+    if search.vary.iter().any(|vary| vary.parameter == parameter) {
+        let reason = "it is varied itself; the price of its bounds is its multiplier".into();
+        return Err(Error::NotVariable { name: parameter.name.into(), reason });
+    }
+    Ok(())
 }
 
 fn converged(best: &Optimum) -> Result<DriveProblem> {
@@ -115,6 +124,7 @@ pub struct Changed {
 /// As [`sensitivity`]; what the search for the new optimum refuses.
 pub fn change(best: &Optimum, change: Change) -> Result<Changed> {
     let problem = converged(best)?;
+    refuse_varied(&best.search, change.parameter)?;
     let solution = &best.solution;
     let at = problem.evaluate_with(&solution.x, change.parameter)?;
     let response = response(solution, &problem.domain, &at)?;
@@ -156,6 +166,9 @@ fn in_words(search: &Search, event: Event) -> String {
 
 /// In which active bounds and constraints two optima differ.
 fn differences(before: &Optimum, after: &Optimum) -> Vec<String> {
+    if after.solution.status != Status::Converged {
+        return vec![format!("no optimum was found ({}: {})", after.status(), after.message())];
+    }
     let (was, is) = (before.active(), after.active());
     let only = |these: &[Active], others: &[Active], words: &str| -> Vec<String> {
         these.iter().filter(|one| !others.contains(one)).map(|one| format!("{one} {words}")).collect()

@@ -39,7 +39,7 @@ impl Vary {
                 return Err(refuse(format!("its {which} end is missing; write for example {name}=4deg..20deg")));
             }
         }
-        let unreadable = |e| Error::Unreadable { name: format!("--vary {}", text.trim()), source: Box::new(e) };
+        let unreadable = |e| Error::Unreadable { name: format!("the range {}", text.trim()), source: Box::new(e) };
         let (_, low_unit) = parameter.quantity.split(low).map_err(unreadable)?;
         let (_, high_unit) = parameter.quantity.split(high).map_err(unreadable)?;
         let low = if low_unit.is_empty() { format!("{low} {high_unit}") } else { low.into() };

@@ -84,7 +84,7 @@ pub struct SearchArgs {
     pub vary: Vec<String>,
 
     /// An outcome to hold within limits, e.g. "descent_angle >= 38 deg", "20 yd <= apex_height <= 35 yd" or
-    /// "lateral == 0 m". Repeatable.
+    /// "lateral == 0 m"; every limit with its unit. Repeatable.
     #[arg(long, value_name = "CONSTRAINT", allow_hyphen_values = true)]
     pub subject_to: Vec<String>,
 

@@ -21,7 +21,7 @@ pub fn run(args: &ChartArgs) -> Result<Answer> {
     let chart = match chart {
         Err(error) if error.is_an_outcome() => {
             tell(&format!("error: {error}"));
-            let none = Chart { along, points: vec![], ended: Some(error.to_string()) };
+            let none = Chart { along, points: vec![], begun: None, ended: Some(error.to_string()) };
             let answer =
                 if args.question.json { Answer::json(&ChartReport::new(&none)) } else { Answer::text(String::new()) };
             return Ok(answer.found(false));
@@ -35,5 +35,5 @@ pub fn run(args: &ChartArgs) -> Result<Answer> {
     } else {
         Answer::text(chart_text(&chart))
     };
-    Ok(answer.found(chart.ended.is_none()))
+    Ok(answer.found(chart.begun.is_none() && chart.ended.is_none()))
 }

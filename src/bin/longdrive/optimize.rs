@@ -20,7 +20,7 @@ pub fn run(args: &Optimize) -> Result<Answer> {
         let listed = if has_many { optima_text(&optima) } else { String::new() };
         Answer::text(optimum_text(best) + &listed)
     };
-    Ok(answer.found(best.solution.status == Status::Converged))
+    Ok(answer.found(best.solution.status == Status::Converged && optima.stopped() == 0))
 }
 
 /// What deserves a word about an optimum.

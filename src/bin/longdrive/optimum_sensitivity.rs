@@ -3,8 +3,10 @@ use crate::names::variables;
 use crate::optimize::remarks;
 use crate::output::{Answer, bar, tell, warn};
 use longdrive::parameters::Parameter;
-use longdrive::report::{Analysis, OptimumReport, SensitivityReport, optimum_text, sensitivity_text};
-use longdrive::study::{Change, Changed, Flatness, Optimum, Sensitivity, change, flatness, sensitivities};
+use longdrive::report::{Analysis, LocalReport, OptimumReport, SensitivityReport, optimum_text, sensitivity_text};
+use longdrive::study::{
+    Change, Changed, Flatness, Optimum, Sensitivity, change, flatness, refuse_varied, sensitivities,
+};
 use longdrive::units::Quantity;
 use longdrive::{Error, Outcome, Result};
 
@@ -13,12 +15,25 @@ pub fn run(args: &OptimumSensitivity) -> Result<Answer> {
     let search = args.search.search(&setup)?;
     let wrt = variables(&setup, &args.wrt)?;
     let changes = args.change.iter().map(|text| Change::read(&setup, text)).collect::<Result<Vec<_>>>()?;
+    let is_named = |parameter: &Parameter| args.wrt.iter().any(|name| name.trim() == parameter.name);
+    let asked = wrt.iter().copied().filter(|parameter| is_named(parameter));
+    for parameter in asked.chain(changes.iter().map(|change| change.parameter)) {
+        refuse_varied(&search, parameter)?;
+    }
     let loss = args.loss.as_deref().map(|text| loss(search.maximize, text)).transpose()?;
 
     let optima = args.work.run(&setup, &search)?;
     let best = optima.best()?;
     let warnings = remarks(&setup, best);
     warn(&warnings);
+    if optima.stopped() > 0 {
+        let answer = if args.question.json {
+            Answer::json(&OptimumReport::new(best, warnings))
+        } else {
+            Answer::text(optimum_text(best))
+        };
+        return Ok(answer.found(false));
+    }
     let found = analysed(best, &wrt, &changes, loss);
     let (sensitivities, flatness, changes) = match found {
         Err(error) if error.is_an_outcome() => {
@@ -29,12 +44,17 @@ pub fn run(args: &OptimumSensitivity) -> Result<Answer> {
         }
         found => found?,
     };
+    // where nothing that was asked for exists, there is no answer
+    let is_answered = sensitivities.is_empty() || sensitivities.iter().any(|(_, sensitivity)| sensitivity.is_ok());
     let analysis = Analysis { best, sensitivities: &sensitivities, flatness: &flatness, changes: &changes };
-    Ok(if args.question.json {
-        Answer::json(&SensitivityReport::new(&analysis, warnings))
+    let answer = if args.question.json {
+        let mut report = SensitivityReport::new(&analysis, warnings);
+        report.optimum.optima = (args.work.starts > 1).then(|| LocalReport::all(&optima));
+        Answer::json(&report)
     } else {
         Answer::text(optimum_text(best) + &sensitivity_text(&analysis))
-    })
+    };
+    Ok(answer.found(is_answered))
 }
 
 /// Sensitivities, flatness, and the effects of stated changes.

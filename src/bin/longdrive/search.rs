@@ -35,6 +35,11 @@ impl WorkArgs {
         let bar = if self.starts > 1 { self.many(search, &mut follow) } else { one(search, &mut follow) };
         let found = optima(setup, search, self.starts as usize, &follow);
         bar.finish_and_clear();
+        if let Ok(optima) = &found
+            && optima.stopped() > 0
+        {
+            tell(&format!("{} of {} searches were stopped before their end", optima.stopped(), optima.starts));
+        }
         found
     }
 
