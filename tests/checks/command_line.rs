@@ -5,24 +5,24 @@ use assert_cmd::Command;
 use serde_json::Value;
 use std::io::Write;
 
-struct Said {
-    status: i32,
-    out: String,
-    err: String,
+pub struct Said {
+    pub status: i32,
+    pub out: String,
+    pub err: String,
 }
 
-fn longdrive(args: &[&str]) -> Said {
+pub fn longdrive(args: &[&str]) -> Said {
     let output = Command::cargo_bin("longdrive").unwrap().args(args).output().unwrap();
     let text = |bytes| String::from_utf8(bytes).unwrap();
     Said { status: output.status.code().unwrap(), out: text(output.stdout), err: text(output.stderr) }
 }
 
-fn json(args: &[&str]) -> (i32, Value) {
+pub fn json(args: &[&str]) -> (i32, Value) {
     let said = longdrive(&[args, &["--json"]].concat());
     (said.status, serde_json::from_str(&said.out).unwrap_or_else(|e| panic!("{e}: {} {}", said.out, said.err)))
 }
 
-fn number(value: &Value) -> f64 {
+pub fn number(value: &Value) -> f64 {
     value.as_f64().unwrap_or_else(|| panic!("{value} is no number"))
 }
 

@@ -3,6 +3,7 @@
 
 mod analysis;
 mod command_line;
+mod command_line_search;
 mod common;
 mod derivatives;
 mod flight;
