@@ -2,7 +2,7 @@ use super::optimum::OptimumReport;
 use super::{json, table::table};
 use crate::error::Result;
 use crate::parameters::Parameter;
-use crate::study::{Changed, Direction, Flatness, Limit, Optimum, Sensitivity, Vary, Window};
+use crate::study::{Changed, Direction, Ellipse, Flatness, Limit, Optimum, Sensitivity, Vary, Window};
 use crate::units::significant;
 use serde::Serialize;
 use serde_json::{Map, Value, json};
@@ -171,7 +171,29 @@ fn windows_text(best: &Optimum, flatness: &Flatness) -> String {
     for direction in flatness.directions.iter().filter(|direction| direction.reach.is_finite()) {
         text += &direction_text(best, direction, &loss);
     }
+    for ellipse in &flatness.ellipses {
+        text += &ellipse_text(best, ellipse, &loss);
+    }
     text
+}
+
+/// "ellipse of club.loft and swing.attack_angle: half-axes (+1.2 deg, -3.4 deg) and (…), 0.9 yd to 1.1 yd flown around it".
+fn ellipse_text(best: &Optimum, ellipse: &Ellipse, loss: &str) -> String {
+    let pair = ellipse.pair.map(|i| best.search.vary[i].parameter);
+    let axis = |components: [f64; 2]| {
+        let [first, second] = [0, 1].map(|row| {
+            let sign = if components[row] < 0.0 { "-" } else { "+" };
+            format!("{sign}{}", pair[row].show(Some(components[row].abs())))
+        });
+        format!("({first}, {second})")
+    };
+    let of = best.search.maximize;
+    let flown = ellipse.losses.map_or("out of range".into(), |(least, most)| {
+        format!("{} to {} flown around it", of.show(least), of.show(most))
+    });
+    let [long, short] = ellipse.half_axes.map(axis);
+    let [first, second] = pair.map(|parameter| parameter.name);
+    format!("  ellipse of {first} and {second} for {loss}: half-axes {long} and {short}, {flown}\n")
 }
 
 /// "together club.loft +1.2 deg, swing.attack_angle -0.9 deg, or both the other way: …".

@@ -81,6 +81,20 @@ fn independent_mae494_optimum_from_every_start_that_flies() {
 }
 
 #[test]
+fn every_start_in_a_box_twice_as_wide_ends_at_the_same_kkt_point() {
+    let mut values = vec![];
+    for [loft, attack] in starts(200, [-10.0, -20.0], [30.0, 20.0]) {
+        let best = mae494(attack, loft, ["club.loft=-10deg..30deg", "swing.attack_angle=-20deg..20deg"]);
+        assert_eq!(best.solution.status, Status::Converged, "from {loft}, {attack}: {}", best.solution.message);
+        assert!(best.solution.kkt_residual <= 1e-10 && best.solution.iterations <= 15);
+        assert_eq!(best.solution.x[1], 20.0_f64.to_radians());
+        values.push(best.value().unwrap());
+    }
+    let (least, most) = values.iter().fold((f64::MAX, f64::MIN), |(a, b), v| (v.min(a), v.max(b)));
+    assert!(most - least < 1e-9 && least > 162.0, "{least} to {most}");
+}
+
+#[test]
 fn independent_corner_at_zero_spin_is_the_end_of_every_search_in_a_wide_box() {
     // model page: loft 0°, attack 38.53°, 170.574 m; one-sided slopes +83.7 and −29.7 m/rad
     for loft_range in ["club.loft=-10deg..20deg", "club.loft=0deg..20deg"] {

@@ -6,6 +6,7 @@ mod interior_point;
 mod polish;
 
 use nalgebra::{DMatrix, DVector};
+use polish::ActiveSet;
 
 /// minimise  ½ dᵀB d + maxₖ (offsetₖ + gradientₖ · d)  over  low ≤ d ≤ high  and  rows, with B positive definite.
 ///
@@ -94,24 +95,26 @@ impl QuadraticProgram {
     /// again with every row at length 1; then the dual active-set method decides.
     pub fn solve(&self) -> Option<Step> {
         let mut second_best = None;
-        for (method, program) in [(Method::Clarabel, None), (Method::Rescaled, Some(self.rescaled()))] {
-            let active = program.as_ref().unwrap_or(self).clarabel();
-            match active.map(|active| self.polished(active, method)) {
-                Some(Ok(step)) => return Some(step),
-                Some(Err(Some(step))) => second_best = second_best.or(Some(step)),
-                _ => {}
-            }
-            if self.rows.is_empty() {
-                break;
-            }
-        }
-        let Some(active) = self.dual_active_set() else {
-            return if self.rows.is_empty() { Some(second_best.unwrap_or_else(|| self.steepest())) } else { None };
-        };
-        match self.polished(active, Method::Dual) {
+        let mut exact = |active: Option<ActiveSet>, method: Method| match self.polished(active?, method) {
             Ok(step) => Some(step),
-            Err(step) => step.or(second_best).or_else(|| self.rows.is_empty().then(|| self.steepest())),
+            Err(step) => {
+                second_best = second_best.take().or(step);
+                None
+            }
+        };
+        let by_clarabel = exact(self.clarabel(), Method::Clarabel);
+        let has_rows = !self.rows.is_empty();
+        let by_either =
+            by_clarabel.or_else(|| if has_rows { exact(self.rescaled().clarabel(), Method::Rescaled) } else { None });
+        if by_either.is_some() {
+            return by_either;
         }
+        let by_dual = self.dual_active_set();
+        if by_dual.is_none() && has_rows {
+            return None;
+        }
+        let by_any = exact(by_dual, Method::Dual).or(second_best);
+        if has_rows { by_any } else { Some(by_any.unwrap_or_else(|| self.steepest())) }
     }
 
     /// The objective.
