@@ -9,7 +9,9 @@ pub(crate) trait Seeded: Number {
     /// First derivative in a direction.
     fn first(&self, direction: usize) -> f64;
     /// Second derivative in two directions, 0 for a number that holds none.
-    fn second(&self, i: usize, j: usize) -> f64;
+    fn second(&self, _i: usize, _j: usize) -> f64 {
+        0.0
+    }
 }
 
 impl Seeded for f64 {
@@ -18,10 +20,6 @@ impl Seeded for f64 {
     }
 
     fn first(&self, _: usize) -> f64 {
-        0.0
-    }
-
-    fn second(&self, _: usize, _: usize) -> f64 {
         0.0
     }
 }
@@ -33,10 +31,6 @@ impl Seeded for Dual64 {
 
     fn first(&self, _: usize) -> f64 {
         self.eps
-    }
-
-    fn second(&self, _: usize, _: usize) -> f64 {
-        0.0
     }
 }
 
@@ -61,10 +55,6 @@ impl<const N: usize> Seeded for Jet<N> {
 
     fn first(&self, direction: usize) -> f64 {
         self.gradient[direction]
-    }
-
-    fn second(&self, _: usize, _: usize) -> f64 {
-        0.0
     }
 }
 

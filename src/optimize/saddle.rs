@@ -2,7 +2,7 @@
 
 use super::frame::{Frame, Point, norm};
 use super::model::lagrangian_hessian;
-use super::null_space::null_space;
+use super::null_space::free_moves;
 use super::search::{Evaluate, Search};
 use nalgebra::{DMatrix, DVector};
 
@@ -126,6 +126,5 @@ pub(super) fn tangents(frame: &Frame, at: &Point, multipliers: &[f64]) -> DMatri
     let rows = DMatrix::from_fn(tight.len(), free.len(), |r, c| {
         at.f.constraints[tight[r]].gradient[free[c]] * frame.scale[free[c]] / frame.gamma[tight[r]]
     });
-    let basis = null_space(&rows);
-    DMatrix::from_fn(n, basis.ncols(), |i, k| free.iter().position(|&f| f == i).map_or(0.0, |row| basis[(row, k)]))
+    free_moves(n, &free, &rows)
 }

@@ -1,7 +1,7 @@
 //! The sensitivity of an optimum: how it moves with a parameter of the problem, from the KKT system (Fiacco 1976).
 
 use super::domain::{Bounds, Domain};
-use super::null_space::null_space;
+use super::null_space::free_moves;
 use super::problem::Evaluation;
 use super::solution::Solution;
 use crate::error::{Error, Result};
@@ -88,9 +88,7 @@ pub fn reduced_hessian(solution: &Solution, domain: &Domain) -> (DMatrix<f64>, D
     let scale = domain.variables.scale(&solution.x);
     let (free, tight) = (held.free(), held.tight());
     let rows = DMatrix::from_fn(tight.len(), free.len(), |r, c| solution.jacobian[tight[r]][free[c]] * scale[free[c]]);
-    let basis = null_space(&rows);
-    let basis =
-        DMatrix::from_fn(n, basis.ncols(), |i, k| free.iter().position(|&f| f == i).map_or(0.0, |row| basis[(row, k)]));
+    let basis = free_moves(n, &free, &rows);
     let hessian = DMatrix::from_fn(n, n, |i, k| solution.hessian[i][k] * scale[i] * scale[k]);
     let reduced = basis.transpose() * hessian * &basis;
     (basis, reduced)

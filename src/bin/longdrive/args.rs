@@ -121,13 +121,7 @@ pub struct Optimize {
 #[derive(clap::Args)]
 pub struct OptimumSensitivity {
     #[command(flatten)]
-    pub question: Question,
-
-    #[command(flatten)]
-    pub search: SearchArgs,
-
-    #[command(flatten)]
-    pub work: WorkArgs,
+    pub optimize: Optimize,
 
     /// The parameters to answer to, separated by commas; "all" for every one that has a number here and is not varied.
     #[arg(long, value_name = "NAME,…", value_delimiter = ',', default_value = "all")]

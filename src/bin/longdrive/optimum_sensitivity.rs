@@ -1,4 +1,4 @@
-use crate::args::OptimumSensitivity;
+use crate::args::{Optimize, OptimumSensitivity};
 use crate::names::variables;
 use crate::optimize::remarks;
 use crate::output::{Answer, bar, tell, warn};
@@ -11,8 +11,9 @@ use longdrive::units::Quantity;
 use longdrive::{Error, Outcome, Result};
 
 pub fn run(args: &OptimumSensitivity) -> Result<Answer> {
-    let setup = args.question.setup()?;
-    let search = args.search.search(&setup)?;
+    let Optimize { question, search, work } = &args.optimize;
+    let setup = question.setup()?;
+    let search = search.search(&setup)?;
     let wrt = variables(&setup, &args.wrt)?;
     let changes = args.change.iter().map(|text| Change::read(&setup, text)).collect::<Result<Vec<_>>>()?;
     let is_named = |parameter: &Parameter| args.wrt.iter().any(|name| name.trim() == parameter.name);
@@ -22,12 +23,12 @@ pub fn run(args: &OptimumSensitivity) -> Result<Answer> {
     }
     let loss = args.loss.as_deref().map(|text| loss(search.maximize, text)).transpose()?;
 
-    let optima = args.work.run(&setup, &search)?;
+    let optima = work.run(&setup, &search)?;
     let best = optima.best()?;
     let warnings = remarks(&setup, best);
     warn(&warnings);
     if optima.stopped() > 0 {
-        let answer = if args.question.json {
+        let answer = if question.json {
             Answer::json(&OptimumReport::new(best, warnings))
         } else {
             Answer::text(optimum_text(best))
@@ -39,7 +40,7 @@ pub fn run(args: &OptimumSensitivity) -> Result<Answer> {
         Err(error) if error.is_an_outcome() => {
             tell(&format!("error: {error}"));
             let report = || Answer::json(&OptimumReport::new(best, warnings));
-            let answer = if args.question.json { report() } else { Answer::text(optimum_text(best)) };
+            let answer = if question.json { report() } else { Answer::text(optimum_text(best)) };
             return Ok(answer.found(false));
         }
         found => found?,
@@ -47,9 +48,9 @@ pub fn run(args: &OptimumSensitivity) -> Result<Answer> {
     // where nothing that was asked for exists, there is no answer
     let is_answered = sensitivities.is_empty() || sensitivities.iter().any(|(_, sensitivity)| sensitivity.is_ok());
     let analysis = Analysis { best, sensitivities: &sensitivities, flatness: &flatness, changes: &changes };
-    let answer = if args.question.json {
+    let answer = if question.json {
         let mut report = SensitivityReport::new(&analysis, warnings);
-        report.optimum.optima = (args.work.starts > 1).then(|| LocalReport::all(&optima));
+        report.optimum.optima = (work.starts > 1).then(|| LocalReport::all(&optima));
         Answer::json(&report)
     } else {
         Answer::text(optimum_text(best) + &sensitivity_text(&analysis))

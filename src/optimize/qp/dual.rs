@@ -2,7 +2,7 @@
 //! minimum, the most violated constraint is added again and again, and what then pulls the wrong way is dropped. It
 //! needs no tolerance to tell active from inactive, and it proves infeasibility.
 
-use super::polish::ActiveSet;
+use super::active_set::{ActiveSet, Holder};
 use super::{End, QuadraticProgram};
 use nalgebra::{DMatrix, DVector};
 
@@ -11,14 +11,7 @@ struct Constraint {
     normal: DVector<f64>,
     limit: f64,
     is_equation: bool,
-    who: Who,
-}
-
-#[derive(Clone, Copy)]
-enum Who {
-    Variable(usize, End),
-    Row(usize, End),
-    Piece(usize),
+    holder: Holder,
 }
 
 /// Curvature given to the pieces' common value, which has none of its own.
@@ -56,7 +49,7 @@ impl QuadraticProgram {
                 let rank = |k: usize| (!constraints[k].is_equation, missed(k) / length(k));
                 rank(a).0.cmp(&rank(b).0).then(rank(a).1.total_cmp(&rank(b).1))
             });
-            let Some(added) = worst else { return Some(self.active_set(&constraints, &active)) };
+            let Some(added) = worst else { return Some(self.held_by(active.iter().map(|&k| constraints[k].holder))) };
             if constraints[added].is_equation {
                 signs[added] = if slack(&z, added, 1.0) > 0.0 { -1.0 } else { 1.0 };
             }
@@ -119,7 +112,7 @@ impl QuadraticProgram {
             for (sign, limit, end) in [(1.0, self.low[i], End::Low), (-1.0, -self.high[i], End::High)] {
                 let mut normal = DVector::zeros(size);
                 normal[i] = sign;
-                all.push(Constraint { normal, limit, is_equation: false, who: Who::Variable(i, end) });
+                all.push(Constraint { normal, limit, is_equation: false, holder: Holder::Variable(i, end) });
             }
         }
         for (j, row) in self.rows.iter().enumerate() {
@@ -127,7 +120,7 @@ impl QuadraticProgram {
             for (sign, limit, end) in [(1.0, row.low, End::Low), (-1.0, -row.high, End::High)] {
                 if limit.is_finite() && !(is_equation && end == End::High) {
                     let normal = (&row.normal * sign).resize_vertically(size, 0.0);
-                    all.push(Constraint { normal, limit, is_equation, who: Who::Row(j, end) });
+                    all.push(Constraint { normal, limit, is_equation, holder: Holder::Row(j, end) });
                 }
             }
         }
@@ -135,34 +128,9 @@ impl QuadraticProgram {
             // t − gradient · d ≥ offset
             let mut normal = (-&piece.gradient).resize_vertically(size, 0.0);
             normal[n] = 1.0;
-            all.push(Constraint { normal, limit: piece.offset, is_equation: false, who: Who::Piece(k) });
+            all.push(Constraint { normal, limit: piece.offset, is_equation: false, holder: Holder::Piece(k) });
         }
         all
-    }
-
-    fn active_set(&self, constraints: &[Constraint], active: &[usize]) -> ActiveSet {
-        let mut set = ActiveSet {
-            ends: vec![End::Free; self.dimension()],
-            rows: vec![End::Free; self.rows.len()],
-            pieces: vec![self.pieces.len() == 1; self.pieces.len()],
-        };
-        for &k in active {
-            match constraints[k].who {
-                Who::Variable(i, end) => set.ends[i] = end,
-                Who::Row(j, end) => set.rows[j] = end,
-                Who::Piece(piece) => set.pieces[piece] = true,
-            }
-        }
-        if !set.pieces.contains(&true) {
-            set.pieces[0] = true;
-        }
-        for (j, _) in self.rows.iter().enumerate().filter(|(_, row)| row.low == row.high) {
-            set.rows[j] = End::Low;
-        }
-        for i in (0..self.dimension()).filter(|&i| self.low[i] == self.high[i]) {
-            set.ends[i] = End::Low;
-        }
-        set
     }
 }
 

@@ -1,4 +1,4 @@
-use super::polish::ActiveSet;
+use super::active_set::{ActiveSet, Holder};
 use super::{End, QuadraticProgram};
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{DefaultSettings, DefaultSolver, IPSolver, SolverStatus, SupportedConeT};
@@ -34,19 +34,19 @@ impl QuadraticProgram {
         let mut equations = Vec::new();
         let mut inequalities = Vec::new();
         let mut whose = Vec::new();
-        let mut add = |normal: Vec<f64>, limit: f64, is_equation: bool, who: Who| {
+        let mut add = |normal: Vec<f64>, limit: f64, is_equation: bool, holder: Holder| {
             if is_equation {
                 equations.push((normal, limit));
             } else if limit.is_finite() {
                 inequalities.push((normal, limit));
-                whose.push(who);
+                whose.push(holder);
             }
         };
         let wide = |normal: &mut dyn Iterator<Item = f64>| normal.chain(vec![0.0; epigraph]).collect::<Vec<_>>();
         for i in 0..n {
             for (sign, limit, end) in [(1.0, self.high[i], End::High), (-1.0, -self.low[i], End::Low)] {
                 let normal = wide(&mut (0..n).map(|k| if k == i { sign } else { 0.0 }));
-                add(normal, limit / reach, false, Who::Variable(i, end));
+                add(normal, limit / reach, false, Holder::Variable(i, end));
             }
         }
         for (j, row) in self.rows.iter().enumerate() {
@@ -55,7 +55,7 @@ impl QuadraticProgram {
                 let is_equation = row.low == row.high;
                 if !(is_equation && end == End::Low) {
                     let normal = wide(&mut row.normal.iter().map(|a| sign * a / longest));
-                    add(normal, limit / (reach * longest), is_equation, Who::Row(j, end));
+                    add(normal, limit / (reach * longest), is_equation, Holder::Row(j, end));
                 }
             }
         }
@@ -63,7 +63,7 @@ impl QuadraticProgram {
             for (k, piece) in self.pieces.iter().enumerate() {
                 let mut row: Vec<f64> = piece.gradient.iter().map(|g| g * (reach / unit)).collect();
                 row.push(-1.0);
-                add(row, -piece.offset / unit, false, Who::Piece(k));
+                add(row, -piece.offset / unit, false, Holder::Piece(k));
             }
         }
 
@@ -82,39 +82,9 @@ impl QuadraticProgram {
             return None;
         }
 
-        let mut active = ActiveSet {
-            ends: vec![End::Free; n],
-            rows: vec![End::Free; self.rows.len()],
-            pieces: vec![epigraph == 0; pieces],
-        };
-        for (at, who) in whose.into_iter().enumerate() {
-            // at a solution a constraint's multiplier or its slack vanishes: the larger says which
-            let row = first_inequality + at;
-            if solution.z[row] > solution.s[row] {
-                match who {
-                    Who::Variable(i, end) => active.ends[i] = end,
-                    Who::Row(j, end) => active.rows[j] = end,
-                    Who::Piece(k) => active.pieces[k] = true,
-                }
-            }
-        }
-        for (j, _) in self.rows.iter().enumerate().filter(|(_, row)| row.low == row.high) {
-            active.rows[j] = End::Low;
-        }
-        for i in (0..n).filter(|&i| self.low[i] == self.high[i]) {
-            active.ends[i] = End::Low;
-        }
-        if !active.pieces.contains(&true) {
-            active.pieces[0] = true;
-        }
-        Some(active)
+        // at a solution a constraint's multiplier or its slack vanishes: the larger says which
+        let holds = |row: usize| solution.z[row] > solution.s[row];
+        let holders = whose.into_iter().enumerate().filter(|(at, _)| holds(first_inequality + at));
+        Some(self.held_by(holders.map(|(_, holder)| holder)))
     }
-}
-
-/// Whose inequality a row of Clarabel's is.
-#[derive(Clone, Copy)]
-enum Who {
-    Variable(usize, End),
-    Row(usize, End),
-    Piece(usize),
 }

@@ -1,12 +1,13 @@
 //! The quadratic program of a step: Clarabel finds the active set, a polish makes it exact; a dual active-set method
 //! takes over where Clarabel does not answer.
 
+mod active_set;
 mod dual;
 mod interior_point;
 mod polish;
 
+use active_set::ActiveSet;
 use nalgebra::{DMatrix, DVector};
-use polish::ActiveSet;
 
 /// minimise  ½ dᵀB d + maxₖ (offsetₖ + gradientₖ · d)  over  low ≤ d ≤ high  and  rows, with B positive definite.
 ///

@@ -1,15 +1,8 @@
 //! From an active set to the exact solution it implies, and from there to a better active set.
 
+use super::active_set::ActiveSet;
 use super::{End, Method, Piece, QuadraticProgram, Row, Step};
 use nalgebra::{DMatrix, DVector};
-
-/// Which ends, rows and pieces hold a step.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct ActiveSet {
-    pub ends: Vec<End>,
-    pub rows: Vec<End>,
-    pub pieces: Vec<bool>,
-}
 
 /// What an active set implies, perhaps outside the ends.
 struct Candidate {
