@@ -1,5 +1,6 @@
 use super::domain::Domain;
 use super::problem::Evaluation;
+use crate::number::Taylor;
 use serde::{Deserialize, Serialize};
 
 /// A point with what is known of the functions there.
@@ -7,6 +8,19 @@ use serde::{Deserialize, Serialize};
 pub(super) struct Point {
     pub x: Vec<f64>,
     pub f: Evaluation,
+}
+
+impl Point {
+    /// A component of the Lagrangian's gradient.
+    pub fn lagrangian_slope(&self, multipliers: &[f64], i: usize) -> f64 {
+        let pulls = self.f.constraints.iter().zip(multipliers);
+        pulls.fold(self.f.objective.gradient[i], |sum, (constraint, m)| sum + m * constraint.gradient[i])
+    }
+
+    /// The gradient of the Lagrangian.
+    pub fn lagrangian_gradient(&self, multipliers: &[f64]) -> Vec<f64> {
+        (0..self.x.len()).map(|i| self.lagrangian_slope(multipliers, i)).collect()
+    }
 }
 
 /// What a search measures with: the domain, what a sensible change of each variable is, and what sensible sizes of
@@ -61,27 +75,15 @@ impl Frame {
         at.f.objective.value.abs().max(self.first_size.min(1.0))
     }
 
-    /// The gradient of the Lagrangian.
-    pub fn lagrangian_gradient(&self, at: &Point, multipliers: &[f64]) -> Vec<f64> {
-        let mut gradient = at.f.objective.gradient.clone();
-        for (constraint, multiplier) in at.f.constraints.iter().zip(multipliers) {
-            for (sum, slope) in gradient.iter_mut().zip(&constraint.gradient) {
-                *sum += multiplier * slope;
-            }
-        }
-        gradient
-    }
-
-    /// The component of the Lagrangian's gradient where a move inside the bounds can use it, 0 elsewhere.
-    pub fn projected_gradient(&self, at: &Point, multipliers: &[f64]) -> Vec<f64> {
+    /// The slope of the projected Lagrangian: its component where a move inside the bounds can use it, 0 elsewhere.
+    pub fn projected_slope(&self, at: &Point, multipliers: &[f64], i: usize) -> f64 {
         let bounds = &self.domain.variables;
-        let project = |(i, slope): (usize, f64)| match slope {
+        match at.lagrangian_slope(multipliers, i) {
             _ if bounds.is_fixed(i) => 0.0,
             slope if slope > 0.0 && at.x[i] <= bounds.low[i] => 0.0,
             slope if slope < 0.0 && at.x[i] >= bounds.high[i] => 0.0,
             slope => slope,
-        };
-        self.lagrangian_gradient(at, multipliers).into_iter().enumerate().map(project).collect()
+        }
     }
 
     /// How far a point is from optimal with these multipliers.
@@ -100,23 +102,22 @@ impl Frame {
             }
         };
         Residual {
-            stationarity: self.largest(&self.projected_gradient(at, multipliers)) / size,
-            feasibility: self.violations(&at.f).into_iter().fold(0.0, |most, v| v.abs().max(most)),
+            stationarity: self.largest((0..at.x.len()).map(|i| self.projected_slope(at, multipliers, i))) / size,
+            feasibility: self.violations(&at.f).fold(0.0, |most, v| v.abs().max(most)),
             complementarity: multipliers.iter().enumerate().map(distance).fold(0.0, f64::max),
         }
     }
 
     /// What each constraint is violated by, in units of γⱼ; below the lower limit < 0.
-    pub fn violations(&self, f: &Evaluation) -> Vec<f64> {
-        let excess = |(j, constraint): (usize, &crate::number::Taylor)| {
-            self.domain.constraints.excess(j, constraint.value) / self.gamma[j]
-        };
-        f.constraints.iter().enumerate().map(excess).collect()
+    pub fn violations<'a>(&'a self, f: &'a Evaluation) -> impl Iterator<Item = f64> + 'a {
+        let limits = &self.domain.constraints;
+        let excess = |(j, constraint): (usize, &Taylor)| limits.excess(j, constraint.value) / self.gamma[j];
+        f.constraints.iter().enumerate().map(excess)
     }
 
     /// The largest component of a gradient, in units of the scale.
-    pub fn largest(&self, gradient: &[f64]) -> f64 {
-        gradient.iter().zip(&self.scale).map(|(p, s)| (p * s).abs()).fold(0.0, f64::max)
+    pub fn largest(&self, gradient: impl IntoIterator<Item = f64>) -> f64 {
+        gradient.into_iter().zip(&self.scale).map(|(p, s)| (p * s).abs()).fold(0.0, f64::max)
     }
 
     /// The distance of two points, in units of the scale.
@@ -132,10 +133,6 @@ impl Frame {
     }
 }
 
-pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
-}
-
-pub(super) fn norm(a: &[f64]) -> f64 {
-    dot(a, a).sqrt()
+pub(super) fn norm(a: impl IntoIterator<Item = f64>) -> f64 {
+    a.into_iter().map(|a| a * a).sum::<f64>().sqrt()
 }

@@ -1,6 +1,6 @@
 use super::convex::convexified;
 use super::frame::{Frame, Point, norm};
-use super::qp::{End, Method, Piece, QuadraticProgram, Row, Step};
+use super::qp::{End, Method, Piece, QuadraticProgram, Row, Step, quadratic_form};
 use super::sides::{Sides, scaled_gradient};
 use nalgebra::{DMatrix, DVector};
 
@@ -101,8 +101,8 @@ impl Model<'_> {
         Plan {
             length: step.d.amax(),
             descent: self.descent(&program, &d),
-            violation: norm(&self.frame.violations(&self.at.f)),
-            violation_left: norm(&left.collect::<Vec<_>>()),
+            violation: norm(self.frame.violations(&self.at.f)),
+            violation_left: norm(left),
             multipliers: step.multipliers.iter().zip(&self.frame.gamma).map(|(m, gamma)| m / gamma).collect(),
             sides: step.weights.iter().filter(|weight| **weight > 1e-6).count(),
             by: step.by,
@@ -187,8 +187,8 @@ impl Model<'_> {
     fn held(&self) -> Vec<DVector<f64>> {
         let Self { frame, at, .. } = *self;
         let n = at.x.len();
-        let projected = frame.projected_gradient(at, self.multipliers);
-        let bounds = (0..n).filter(|&i| projected[i] == 0.0 && frame.is_at_a_bound(at, i));
+        let is_held = |i: usize| frame.is_at_a_bound(at, i) && frame.projected_slope(at, self.multipliers, i) == 0.0;
+        let bounds = (0..n).filter(|&i| is_held(i));
         let unit = |i: usize| DVector::from_fn(n, |k, _| f64::from(k == i));
         let is_held = |j: &usize| self.multipliers[*j] != 0.0 || frame.domain.constraints.is_fixed(*j);
         let rows = (0..at.f.constraints.len()).filter(is_held).map(|j| {
@@ -224,7 +224,7 @@ impl Model<'_> {
         if program.pieces.len() > 1 {
             return -program.value(d);
         }
-        -(program.pieces[0].gradient.dot(d) + 0.5 * d.dot(&(self.hessian * d)))
+        -(program.pieces[0].gradient.dot(d) + 0.5 * quadratic_form(self.hessian, d))
     }
 }
 

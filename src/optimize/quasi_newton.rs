@@ -12,7 +12,7 @@ pub(super) fn updated(
     is_first: bool,
 ) -> DMatrix<f64> {
     let n = from.x.len();
-    let (start, end) = (frame.lagrangian_gradient(from, multipliers), frame.lagrangian_gradient(to, multipliers));
+    let (start, end) = (from.lagrangian_gradient(multipliers), to.lagrangian_gradient(multipliers));
     let step = DVector::from_fn(n, |i, _| (to.x[i] - from.x[i]) / frame.scale[i]);
     let change = DVector::from_fn(n, |i, _| (end[i] - start[i]) * frame.scale[i]);
     let curvature = step.dot(&change);
@@ -38,6 +38,6 @@ pub(super) fn updated(
 /// The Hessian to begin with: f changes by its slope over the whole scale.
 pub(super) fn initial(frame: &Frame, at: &Point) -> DMatrix<f64> {
     let n = at.x.len();
-    let slope = frame.largest(&at.f.objective.gradient).max(f64::MIN_POSITIVE);
+    let slope = frame.largest(at.f.objective.gradient.iter().copied()).max(f64::MIN_POSITIVE);
     DMatrix::identity(n, n) * slope
 }

@@ -34,7 +34,7 @@ impl Search {
             // along the tangents of what is active it is the Lagrangian that falls, and the merit only once the
             // constraints are met again
             Goal::Merit => search.lagrangian(at),
-            Goal::Feasibility => 0.5 * norm(&search.frame.violations(&at.f)).powi(2),
+            Goal::Feasibility => 0.5 * norm(search.frame.violations(&at.f)).powi(2),
         };
         let before = measure(self, &self.at);
         let mut reach = self.radius.clamp(1e-3, 0.25);
@@ -94,7 +94,7 @@ impl Search {
 fn violation_hessian(frame: &Frame, at: &Point) -> Option<DMatrix<f64>> {
     let n = at.x.len();
     let mut sum = DMatrix::zeros(n, n);
-    for (j, violation) in frame.violations(&at.f).into_iter().enumerate().filter(|(_, violation)| *violation != 0.0) {
+    for (j, violation) in frame.violations(&at.f).enumerate().filter(|(_, violation)| *violation != 0.0) {
         let (constraint, gamma) = (&at.f.constraints[j], frame.gamma[j]);
         if constraint.hessian.is_empty() {
             return None;
@@ -112,9 +112,8 @@ fn violation_hessian(frame: &Frame, at: &Point) -> Option<DMatrix<f64>> {
 pub(super) fn tangents(frame: &Frame, at: &Point, multipliers: &[f64]) -> DMatrix<f64> {
     let n = at.x.len();
     let size = frame.size(at);
-    let slopes = frame.lagrangian_gradient(at, multipliers);
     let is_held = |i: usize| {
-        let presses = (slopes[i] * frame.scale[i]).abs() > IDLE * size;
+        let presses = (at.lagrangian_slope(multipliers, i) * frame.scale[i]).abs() > IDLE * size;
         frame.domain.variables.is_fixed(i) || frame.is_at_a_bound(at, i) && presses
     };
     let is_tight = |j: &usize| {

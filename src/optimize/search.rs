@@ -28,11 +28,13 @@ const MERIT_SHARE: f64 = 0.1;
 /// What is added when the penalty is raised, so that it is not raised again at once.
 const PENALTY_MARGIN: f64 = 1.5;
 
-/// How often each method found the active set of a step.
+/// How often each method solved the quadratic program of a step.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Effort {
     /// Evaluations of the functions with their derivatives.
     pub evaluations: u64,
+    /// Quadratic programs of bounds alone, solved from face to face of their box.
+    pub faces: u64,
     /// Quadratic programs that Clarabel solved.
     pub clarabel: u64,
     /// Those it solved only after their rows were rescaled.
@@ -162,7 +164,7 @@ impl Search {
 
     /// The plan made up for the constraints' curvature, where that may be what a step failed by.
     fn corrected(&mut self, plan: &Plan, tried: &Point) -> Option<Plan> {
-        let missed = norm(&self.frame.violations(&tried.f)) - plan.violation_left;
+        let missed = norm(self.frame.violations(&tried.f)) - plan.violation_left;
         if self.at.f.constraints.is_empty() || missed <= NOISE {
             return None;
         }
@@ -190,7 +192,7 @@ impl Search {
         if !plan.is_relaxed {
             // an exact penalty is at least the multipliers' norm; one that was too large sinks towards it
             let scaled = plan.multipliers.iter().zip(&self.frame.gamma).map(|(m, gamma)| m * gamma);
-            let exact = norm(&scaled.collect::<Vec<_>>());
+            let exact = norm(scaled);
             self.penalty = exact.max(0.5 * (self.penalty + exact));
         }
         let gained = plan.violation - plan.violation_left;
@@ -205,7 +207,7 @@ impl Search {
     /// What became of a step that the model planned.
     fn outcome(&self, plan: &Plan, tried: Option<&Point>) -> Outcome {
         let fell = tried.map_or(f64::NEG_INFINITY, |tried| {
-            let violation = norm(&self.frame.violations(&tried.f));
+            let violation = norm(self.frame.violations(&tried.f));
             self.at.f.objective.value - tried.f.objective.value + self.penalty * (self.violation() - violation)
         });
         let noise = NOISE * (self.frame.size(&self.at) + self.penalty);
@@ -239,7 +241,7 @@ impl Search {
 
     /// ‖v‖₂, in units of γ.
     pub fn violation(&self) -> f64 {
-        norm(&self.frame.violations(&self.at.f))
+        norm(self.frame.violations(&self.at.f))
     }
 
     /// The Lagrangian of a point, with the multipliers of this one.
@@ -267,6 +269,7 @@ impl Search {
 
     fn count(&mut self, plan: &Plan) {
         let counted = match plan.by {
+            Method::Faces => &mut self.effort.faces,
             Method::Clarabel => &mut self.effort.clarabel,
             Method::Rescaled => &mut self.effort.rescaled,
             Method::Dual => &mut self.effort.dual,

@@ -3,7 +3,7 @@
 //! corner's edge. So a point met on another side is remembered, and its side becomes a piece of the model (a
 //! bundle of at most one piece for each side, carried by second-order expansions).
 
-use super::frame::{Frame, Point, dot};
+use super::frame::{Frame, Point};
 use super::qp::Piece;
 use nalgebra::{DMatrix, DVector};
 use serde::{Deserialize, Serialize};
@@ -72,14 +72,16 @@ fn are_sides_of_a_corner(frame: &Frame, a: &Point, b: &Point) -> bool {
         // without second derivatives a corner cannot be told from a bend
         return false;
     }
-    let d: Vec<f64> = b.x.iter().zip(&a.x).map(|(to, from)| to - from).collect();
-    let jump: Vec<f64> = b.f.objective.gradient.iter().zip(&a.f.objective.gradient).map(|(b, a)| b - a).collect();
-    let bend = |point: &Point| -> Vec<f64> { point.f.objective.hessian.iter().map(|row| dot(row, &d)).collect() };
-    let (here, there) = (bend(a), bend(b));
-    let change = frame.largest(&jump);
+    let jump = |i: usize| b.f.objective.gradient[i] - a.f.objective.gradient[i];
+    let bend = |at: &Point, i: usize| -> f64 {
+        let way = b.x.iter().zip(&a.x).map(|(to, from)| to - from);
+        at.f.objective.hessian[i].iter().zip(way).map(|(bend, way)| bend * way).sum()
+    };
+    let n = a.x.len();
+    let change = frame.largest((0..n).map(jump));
     let is_unexplained = |here_part: f64, there_part: f64| {
-        let rest: Vec<f64> = (0..d.len()).map(|i| jump[i] - here_part * here[i] - there_part * there[i]).collect();
-        frame.largest(&rest) > 0.5 * change
+        let rest = |i: usize| jump(i) - here_part * bend(a, i) - there_part * bend(b, i);
+        frame.largest((0..n).map(rest)) > 0.5 * change
     };
     change > 1e-6 * frame.size(a) && is_unexplained(1.0, 0.0) && is_unexplained(0.0, 1.0) && is_unexplained(0.5, 0.5)
 }

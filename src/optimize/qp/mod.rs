@@ -1,8 +1,9 @@
-//! The quadratic program of a step: Clarabel finds the active set, a polish makes it exact; a dual active-set method
-//! takes over where Clarabel does not answer.
+//! The quadratic program of a step. Of bounds alone, a walk over the faces of the box solves it; in general Clarabel finds
+//! the active set, a polish makes it exact, and a dual active-set method takes over where Clarabel does not answer.
 
 mod active_set;
 mod dual;
+mod faces;
 mod interior_point;
 mod polish;
 
@@ -77,6 +78,8 @@ pub struct Step {
 /// Who found the active set of a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Method {
+    /// The walk over the faces of the box.
+    Faces,
     /// Clarabel.
     Clarabel,
     /// Clarabel, after the rows were rescaled.
@@ -90,11 +93,15 @@ pub enum Method {
 impl QuadraticProgram {
     /// Solves the program; `None` where the rows cannot be met within the ends.
     ///
-    /// Clarabel's answer is good to about 1e-8 and may lie that far outside; it tells which ends, rows and pieces are
+    /// The faces of the box come first: where their walk ends its answer is proven, exact, and found in a hundredth of the
+    /// time that Clarabel takes for a few variables. For all else, Clarabel's answer is good to about 1e-8 and may lie that far outside; it tells which ends, rows and pieces are
     /// active. The polish then solves the remaining equations to rounding, and corrects the active set where they
     /// disagree with it. Where Clarabel answers anything but "solved", or what it says cannot be polished, it is asked
     /// again with every row at length 1; then the dual active-set method decides.
     pub fn solve(&self) -> Option<Step> {
+        if let Some(step) = self.by_faces() {
+            return Some(step);
+        }
         let mut second_best = None;
         let mut exact = |active: Option<ActiveSet>, method: Method| match self.polished(active?, method) {
             Ok(step) => Some(step),
@@ -121,7 +128,7 @@ impl QuadraticProgram {
     /// The objective.
     pub fn value(&self, d: &DVector<f64>) -> f64 {
         let pieces = self.pieces.iter().map(|piece| piece.offset + piece.gradient.dot(d));
-        0.5 * d.dot(&(&self.curvature * d)) + pieces.fold(f64::NEG_INFINITY, f64::max)
+        0.5 * quadratic_form(&self.curvature, d) + pieces.fold(f64::NEG_INFINITY, f64::max)
     }
 
     /// The largest amount by which a row is missed.
@@ -165,6 +172,11 @@ impl QuadraticProgram {
         self.clamp(&mut step);
         step
     }
+}
+
+/// dᵀ B d.
+pub(super) fn quadratic_form(b: &DMatrix<f64>, d: &DVector<f64>) -> f64 {
+    b.column_iter().zip(d).map(|(column, d_j)| d_j * column.dot(d)).sum()
 }
 
 #[cfg(test)]

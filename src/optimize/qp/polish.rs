@@ -38,13 +38,14 @@ impl QuadraticProgram {
     }
 
     /// Whether a step meets the rows and, where staying would meet them too, is better than that.
-    fn is_worth_it(&self, step: &Step) -> bool {
-        let stay = DVector::zeros(self.dimension());
+    pub(super) fn is_worth_it(&self, step: &Step) -> bool {
         let rows_met = self.missed(&step.d) <= 1e-9 * (1.0 + step.d.amax());
         // a step that should be none is rounding, up or down
         let reach = self.high.amax().max(self.low.amax());
         let rounding = 1e-14 * reach * self.pieces.iter().map(|piece| piece.gradient.amax()).fold(0.0, f64::max);
-        rows_met && (self.missed(&stay) > 0.0 || self.value(&step.d) <= self.value(&stay) + rounding)
+        let staying = self.pieces.iter().map(|piece| piece.offset).fold(f64::NEG_INFINITY, f64::max);
+        let staying_misses = self.rows.iter().any(|row| row.low > 0.0 || row.high < 0.0);
+        rows_met && (staying_misses || self.value(&step.d) <= staying + rounding)
     }
 
     /// Solves the program with the active ends, rows and pieces as equations:
@@ -120,14 +121,6 @@ impl QuadraticProgram {
         for (row, multiplier) in self.rows.iter().zip(multipliers) {
             pull += &row.normal * *multiplier;
         }
-        let end = |i: usize| match active.ends[i] {
-            _ if self.low[i] == self.high[i] => End::Low,
-            End::Free if d[i] < self.low[i] => End::Low,
-            End::Free if d[i] > self.high[i] => End::High,
-            End::Low if pull[i] < 0.0 => End::Free,
-            End::High if pull[i] > 0.0 => End::Free,
-            same => same,
-        };
         let row = |j: usize| {
             let Row { normal, low, high } = &self.rows[j];
             let (value, rounding) = (normal.dot(d), ROUNDING * (1.0 + normal.amax() * d.amax()));
@@ -146,9 +139,21 @@ impl QuadraticProgram {
             if active.pieces[k] { weights[k] >= 0.0 } else { offset + gradient.dot(d) > level + tolerance }
         };
         ActiveSet {
-            ends: (0..self.dimension()).map(end).collect(),
+            ends: (0..self.dimension()).map(|i| self.corrected_end(i, active.ends[i], d[i], pull[i])).collect(),
             rows: (0..self.rows.len()).map(row).collect(),
             pieces: (0..self.pieces.len()).map(piece).collect(),
+        }
+    }
+
+    /// Where a variable ends instead, with what its place and its pull contradict put right.
+    pub(super) fn corrected_end(&self, i: usize, end: End, d: f64, pull: f64) -> End {
+        match end {
+            _ if self.low[i] == self.high[i] => End::Low,
+            End::Free if d < self.low[i] => End::Low,
+            End::Free if d > self.high[i] => End::High,
+            End::Low if pull < 0.0 => End::Free,
+            End::High if pull > 0.0 => End::Free,
+            same => same,
         }
     }
 

@@ -1,0 +1,61 @@
+//! A program of bounds alone, from face to face of its box: what a search without constraints asks for at every step.
+
+use super::{End, Method, Piece, QuadraticProgram, Step};
+use nalgebra::{DMatrix, DVector};
+
+/// Faces looked at before the program is left to Clarabel; a few are enough wherever the walk ends at all.
+const MOST_FACES: usize = 20;
+
+impl QuadraticProgram {
+    /// The exact solution of a program of bounds alone, by the primal-dual active-set method (Hintermüller, Ito & Kunisch
+    /// 2002): what is free is solved for, what then lies beyond an end is held there, what is held but pulls inward
+    /// is freed. Where nothing is left to change the KKT conditions hold, which is proof enough where the program is strictly
+    /// convex. `None` where the walk does not end, or rows or corners belong to the program.
+    pub(super) fn by_faces(&self) -> Option<Step> {
+        let ([Piece { gradient, .. }], true) = (self.pieces.as_slice(), self.rows.is_empty()) else { return None };
+        let n = self.dimension();
+        let end = |i: usize| if self.low[i] == self.high[i] { End::Low } else { End::Free };
+        let mut step = Step {
+            d: DVector::zeros(n),
+            ends: (0..n).map(end).collect(),
+            weights: vec![1.0],
+            multipliers: vec![],
+            by: Method::Faces,
+        };
+        for _ in 0..MOST_FACES {
+            self.minimize_on_face(gradient, &mut step)?;
+            let mut is_settled = true;
+            for i in 0..n {
+                let pull = gradient[i] + self.curvature.column(i).dot(&step.d);
+                let end = self.corrected_end(i, step.ends[i], step.d[i], pull);
+                is_settled &= end == step.ends[i];
+                step.ends[i] = end;
+            }
+            if is_settled {
+                self.clamp(&mut step);
+                return self.is_worth_it(&step).then_some(step);
+            }
+        }
+        None
+    }
+
+    /// Moves a step to the least value with the variables at an end held there:
+    /// B d + gradient = 0 on the free ones.
+    fn minimize_on_face(&self, gradient: &DVector<f64>, Step { d, ends, .. }: &mut Step) -> Option<()> {
+        let (n, is_free) = (d.len(), |i: usize| ends[i] == End::Free);
+        for i in (0..n).filter(|&i| !is_free(i)) {
+            d[i] = if ends[i] == End::Low { self.low[i] } else { self.high[i] };
+        }
+        for i in (0..n).filter(|&i| is_free(i)) {
+            let held = (0..n).filter(|&j| !is_free(j));
+            d[i] = -gradient[i] - held.map(|j| self.curvature[(i, j)] * d[j]).sum::<f64>();
+        }
+        // what is held stays by an equation d = d of its own
+        let face = DMatrix::from_fn(n, n, |i, j| match (is_free(i) && is_free(j), i == j) {
+            (true, _) => self.curvature[(i, j)],
+            (false, is_diagonal) => f64::from(is_diagonal),
+        });
+        face.cholesky()?.solve_mut(d);
+        d.iter().all(|x| x.is_finite()).then_some(())
+    }
+}
