@@ -1,4 +1,4 @@
-use nalgebra::{DMatrix, DVector, SymmetricEigen};
+use nalgebra::{Cholesky, DMatrix, DVector, SymmetricEigen};
 
 /// A positive definite stand-in for a Hessian, equal to it where the search converges.
 ///
@@ -8,23 +8,41 @@ use nalgebra::{DMatrix, DVector, SymmetricEigen};
 ///    it stays exact, and with it Newton's rate (the augmented Lagrangian's term; Nocedal & Wright 2006, §18.3);
 /// 3. its eigenvalues reflected to |λ| (Gill, Murray & Wright 1981, §4.4.2.1, with reflection for truncation),
 ///    no smaller than 1e-8 of the largest.
-pub(super) fn convexified(hessian: &DMatrix<f64>, held: &[DVector<f64>]) -> DMatrix<f64> {
-    if is_positive_definite(hessian) {
-        return hessian.clone();
+///
+/// It is written to `convex`.
+pub(super) fn convexify(
+    hessian: &DMatrix<f64>,
+    held: impl FnOnce() -> Vec<DVector<f64>>,
+    convex: &mut DMatrix<f64>,
+) {
+    if is_positive_definite(hessian, convex) {
+        convex.copy_from(hessian);
+    } else {
+        *convex = raised(hessian, &held()).unwrap_or_else(|| reflected(hessian));
     }
+}
+
+/// The Hessian raised along normals until it is positive definite, if they are to blame.
+fn raised(hessian: &DMatrix<f64>, held: &[DVector<f64>]) -> Option<DMatrix<f64>> {
     if !held.is_empty() {
         let n = hessian.nrows();
         let normals = held.iter().fold(DMatrix::zeros(n, n), |sum, normal| sum + normal * normal.transpose());
         // some finite amount is enough (Debreu 1952) if anything is; doubling finds it
+        let mut room = DMatrix::default();
         let mut raise = hessian.amax().max(f64::MIN_POSITIVE);
         for _ in 0..MOST_DOUBLINGS {
             let raised = hessian + &normals * raise;
-            if is_positive_definite(&raised) {
-                return raised;
+            if is_positive_definite(&raised, &mut room) {
+                return Some(raised);
             }
             raise *= 2.0;
         }
     }
+    None
+}
+
+/// The Hessian with its eigenvalues reflected to |λ|.
+fn reflected(hessian: &DMatrix<f64>) -> DMatrix<f64> {
     let SymmetricEigen { eigenvectors, eigenvalues } = hessian.clone().symmetric_eigen();
     let floor = FLOOR * eigenvalues.amax().max(f64::MIN_POSITIVE);
     let reflected = eigenvalues.map(|value| value.abs().max(floor));
@@ -38,20 +56,33 @@ const FLOOR: f64 = 1e-8;
 const MOST_DOUBLINGS: u32 = 30;
 
 /// Whether a symmetric matrix is positive definite by a margin that survives rounding: each entry of the diagonal can be
-/// smaller by that part of itself, so that curvatures of very different sizes do not hide each other.
-fn is_positive_definite(matrix: &DMatrix<f64>) -> bool {
+/// smaller by that part of itself, so that curvatures of very different sizes do not hide each other. It is factorised in
+/// `room`.
+fn is_positive_definite(matrix: &DMatrix<f64>, room: &mut DMatrix<f64>) -> bool {
     const MARGIN: f64 = 1e-13;
-    let mut lowered = matrix.clone();
-    for i in 0..matrix.nrows() {
+    let n = matrix.nrows();
+    let mut lowered = std::mem::take(room);
+    lowered.resize_mut(n, n, 0.0);
+    lowered.copy_from(matrix);
+    for i in 0..n {
         lowered[(i, i)] *= 1.0 - MARGIN;
     }
-    lowered.cholesky().is_some()
+    let factors = lowered.cholesky();
+    let is_found = factors.is_some();
+    *room = factors.map(Cholesky::unpack_dirty).unwrap_or_default();
+    is_found
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{convexified, is_positive_definite};
-    use nalgebra::{dmatrix, dvector};
+    use super::{convexify, is_positive_definite};
+    use nalgebra::{DMatrix, DVector, dmatrix, dvector};
+
+    fn convexified(hessian: &DMatrix<f64>, held: &[DVector<f64>]) -> DMatrix<f64> {
+        let mut convex = DMatrix::zeros(2, 2);
+        convexify(hessian, || held.to_vec(), &mut convex);
+        convex
+    }
 
     #[test]
     fn exact_hessian_is_kept_where_convex_and_free_block_where_a_held_variable_is_to_blame() {
@@ -59,7 +90,7 @@ mod tests {
         assert_eq!(convexified(&convex, &[]), convex);
         let bent = dmatrix![2.0, 1.0; 1.0, -3.0];
         let raised = convexified(&bent, &[dvector![0.0, 1.0]]);
-        assert!(is_positive_definite(&raised));
+        assert!(is_positive_definite(&raised, &mut DMatrix::default()));
         assert_eq!((raised[(0, 0)], raised[(0, 1)]), (2.0, 1.0));
     }
 

@@ -5,7 +5,7 @@ use super::kink::Kink;
 use super::options::Options;
 use super::problem::Problem;
 use super::solution::{Iteration, Solution};
-use super::sqp::{Progress, Sqp, SqpState};
+use super::sqp::{Progress, Sqp, SqpState, Standing};
 use super::status::Status;
 use crate::error::{Error, Result};
 use argmin::core::checkpointing::{Checkpoint, CheckpointingFrequency};
@@ -111,7 +111,7 @@ fn run(
     };
     let mut executor = Executor::new(ByReference(problem), solver)
         .configure(|_| fresh)
-        .add_observer(Watcher(watch.iteration), ObserverMode::Always)
+        .add_observer(Watcher::new(watch.iteration), ObserverMode::Always)
         .timer(false);
     if keeper.keep.is_some() || keeper.resumed.is_some() {
         executor = executor.checkpointing(keeper);
@@ -208,32 +208,35 @@ impl Checkpoint<Sqp, SqpState> for Keeper {
 }
 
 /// Passes argmin's observations on.
-struct Watcher(Box<dyn FnMut(&Iteration)>);
+struct Watcher {
+    show: Box<dyn FnMut(&Iteration)>,
+    /// What was shown last; it is filled anew each time.
+    shown: Iteration,
+}
 
 impl Watcher {
-    fn show(&mut self, number: u64, state: &SqpState, kv: &KV) {
-        let float = |key: &str| kv.get(key).and_then(argmin::core::KvValue::get_float);
-        let Some((x, kkt_residual)) = state.get_param().cloned().zip(float("kkt_residual")) else { return };
-        (self.0)(&Iteration {
-            number,
-            value: state.get_cost(),
-            x,
-            kkt_residual,
-            violation: float("violation").unwrap_or_default(),
-            radius: float("radius").unwrap_or_default(),
-            kept: kv.get("kept").and_then(argmin::core::KvValue::get_bool).unwrap_or_default(),
-        });
+    fn new(show: Box<dyn FnMut(&Iteration)>) -> Self {
+        Self { show, shown: Iteration::default() }
+    }
+
+    fn show(&mut self, number: u64, state: &SqpState) {
+        let (Some(at), Some(standing)) = (state.get_param(), state.get_residuals()) else { return };
+        let mut x = std::mem::take(&mut self.shown.x);
+        x.clone_from(at);
+        let &Standing { kkt_residual, violation, radius, kept } = standing;
+        self.shown = Iteration { number, value: state.get_cost(), x, kkt_residual, violation, radius, kept };
+        (self.show)(&self.shown);
     }
 }
 
 impl Observe<SqpState> for Watcher {
-    fn observe_init(&mut self, _: &str, state: &SqpState, kv: &KV) -> std::result::Result<(), argmin::core::Error> {
-        self.show(0, state, kv);
+    fn observe_init(&mut self, _: &str, state: &SqpState, _: &KV) -> std::result::Result<(), argmin::core::Error> {
+        self.show(0, state);
         Ok(())
     }
 
-    fn observe_iter(&mut self, state: &SqpState, kv: &KV) -> std::result::Result<(), argmin::core::Error> {
-        self.show(state.get_iter() + 1, state, kv);
+    fn observe_iter(&mut self, state: &SqpState, _: &KV) -> std::result::Result<(), argmin::core::Error> {
+        self.show(state.get_iter() + 1, state);
         Ok(())
     }
 }

@@ -1,7 +1,7 @@
-use super::convex::convexified;
+use super::convex::convexify;
 use super::frame::{Frame, Point, norm};
 use super::qp::{End, Method, Piece, QuadraticProgram, Row, Step, quadratic_form};
-use super::sides::{Sides, scaled_gradient};
+use super::sides::Sides;
 use nalgebra::{DMatrix, DVector};
 
 /// The quadratic model around a point: what a search knows there.
@@ -57,28 +57,28 @@ const SHORT: f64 = 1e-8;
 impl Model<'_> {
     /// Minimises the model within the bounds, the linearised constraints and the trust region. Where the constraints
     /// contradict each other there, they are relaxed by the least violation that can be reached.
-    pub fn plan(&self) -> Plan {
-        let values: Vec<f64> = self.at.f.constraints.iter().map(|c| c.value).collect();
-        self.plan_from(&values)
+    pub fn plan(&self, program: &mut QuadraticProgram) -> Plan {
+        self.plan_from(|j| self.at.f.constraints[j].value, program)
     }
 
     /// The second-order correction: the same plan with the constraints as they turned out at its end, so that their
     /// curvature along the way is made up for (Fletcher 1982).
-    pub fn corrected(&self, plan: &Plan, tried: &Point) -> Plan {
+    pub fn corrected(&self, plan: &Plan, tried: &Point, program: &mut QuadraticProgram) -> Plan {
         let d = self.steps_to(&plan.x);
         let value = |j: usize| {
             let slope = self.normal(j).dot(&d) * self.frame.gamma[j];
             tried.f.constraints[j].value - slope
         };
-        self.plan_from(&(0..self.at.f.constraints.len()).map(value).collect::<Vec<_>>())
+        self.plan_from(value, program)
     }
 
-    fn plan_from(&self, values: &[f64]) -> Plan {
-        let program = self.program(values, self.radius);
+    /// The plan with the constraints linearised around these values; `program` is written over.
+    fn plan_from(&self, value: impl Fn(usize) -> f64, program: &mut QuadraticProgram) -> Plan {
+        self.pose(value, program);
         let (step, is_relaxed) = match program.solve() {
             Some(step) => (step, false),
             None => {
-                let (nearest, left) = self.least_violation(&program);
+                let (nearest, left) = self.least_violation(program);
                 let mut relaxed = program.clone();
                 for (row, left) in relaxed.rows.iter_mut().zip(&left) {
                     if row.low == row.high {
@@ -100,7 +100,7 @@ impl Model<'_> {
         });
         Plan {
             length: step.d.amax(),
-            descent: self.descent(&program, &d),
+            descent: self.descent(program, &d),
             violation: norm(self.frame.violations(&self.at.f)),
             violation_left: norm(left),
             multipliers: step.multipliers.iter().zip(&self.frame.gamma).map(|(m, gamma)| m / gamma).collect(),
@@ -111,26 +111,28 @@ impl Model<'_> {
         }
     }
 
-    /// The program in scaled variables: the point's own piece, those of other sides of corners nearby, and the
-    /// constraints linearised around `values`.
-    fn program(&self, values: &[f64], radius: f64) -> QuadraticProgram {
-        let Self { frame, at, .. } = *self;
-        let n = at.x.len();
-        let own = Piece { offset: 0.0, gradient: scaled_gradient(frame, at) };
+    /// Poses the program in scaled variables: the point's own piece, those of other sides of corners nearby, and the
+    /// constraints linearised around these values.
+    fn pose(&self, value: impl Fn(usize) -> f64, program: &mut QuadraticProgram) {
+        let Self { frame, at, radius, .. } = *self;
+        program.resize(at.x.len(), at.f.constraints.len());
+        convexify(self.hessian, || self.held(), &mut program.curvature);
+
+        let own = &mut program.pieces[0].gradient;
+        own.iter_mut().enumerate().for_each(|(i, slope)| *slope = at.f.objective.gradient[i] * frame.scale[i]);
+        program.pieces.extend(self.sides.pieces(frame, at, self.hessian));
+
         let bounds = &frame.domain.variables;
         let limit = |i: usize, bound: f64| ((bound - at.x[i]) / frame.scale[i]).clamp(-radius, radius);
-        let row = |(j, value): (usize, &f64)| {
+        for i in 0..at.x.len() {
+            program.low[i] = limit(i, bounds.low[i]);
+            program.high[i] = limit(i, bounds.high[i]);
+        }
+        for (j, row) in program.rows.iter_mut().enumerate() {
             let (limits, gamma) = (&frame.domain.constraints, frame.gamma[j]);
-            let low = (limits.low[j] - value) / gamma;
-            let high = if limits.is_fixed(j) { low } else { (limits.high[j] - value) / gamma };
-            Row { normal: self.normal(j), low, high }
-        };
-        QuadraticProgram {
-            curvature: convexified(self.hessian, &self.held()),
-            pieces: std::iter::once(own).chain(self.sides.pieces(frame, at, self.hessian)).collect(),
-            low: DVector::from_fn(n, |i, _| limit(i, bounds.low[i])),
-            high: DVector::from_fn(n, |i, _| limit(i, bounds.high[i])),
-            rows: values.iter().enumerate().map(row).collect(),
+            let low = (limits.low[j] - value(j)) / gamma;
+            let high = if limits.is_fixed(j) { low } else { (limits.high[j] - value(j)) / gamma };
+            *row = Row { normal: self.normal(j), low, high };
         }
     }
 
@@ -230,17 +232,24 @@ impl Model<'_> {
 
 /// The Hessian of the Lagrangian in scaled variables, if every function gives its own.
 pub(super) fn lagrangian_hessian(frame: &Frame, at: &Point, multipliers: &[f64]) -> Option<DMatrix<f64>> {
+    let mut sum = DMatrix::default();
+    sum_hessians(frame, at, multipliers, &mut sum).then_some(sum)
+}
+
+/// As [`lagrangian_hessian`], written over a matrix; whether there is one.
+pub(super) fn sum_hessians(frame: &Frame, at: &Point, multipliers: &[f64], sum: &mut DMatrix<f64>) -> bool {
     let n = at.x.len();
+    sum.resize_mut(n, n, 0.0);
+    sum.fill(0.0);
     let functions =
         std::iter::once((&at.f.objective, 1.0)).chain(at.f.constraints.iter().zip(multipliers.iter().copied()));
-    let mut sum = DMatrix::zeros(n, n);
     for (function, weight) in functions {
         if function.hessian.is_empty() {
-            return None;
+            return false;
         }
-        if weight != 0.0 {
-            sum += DMatrix::from_fn(n, n, |i, j| weight * function.hessian[i][j] * frame.scale[i] * frame.scale[j]);
+        for (i, j) in (0..n).flat_map(|i| (0..n).map(move |j| (i, j))).filter(|_| weight != 0.0) {
+            sum[(i, j)] += weight * function.hessian[i][j] * frame.scale[i] * frame.scale[j];
         }
     }
-    Some(sum)
+    true
 }

@@ -77,7 +77,11 @@ pub fn minimize_from(
     follow: &Follow,
 ) -> Result<Vec<Local>> {
     let search = |(number, start): (usize, &Vec<f64>)| one(problem, domain, start, options, follow, number);
-    let solutions = starts.par_iter().enumerate().map(search).collect::<Result<Vec<_>>>()?;
+    let solutions = match starts {
+        // nothing to share: no threads are started
+        [only] => vec![search((0, only))?],
+        _ => starts.par_iter().enumerate().map(search).collect::<Result<Vec<_>>>()?,
+    };
     Ok(collected(domain, solutions))
 }
 

@@ -1,9 +1,9 @@
 //! What a search knows between two iterations, and what it does with a step.
 
 use super::frame::{Frame, Point, Residual, norm};
-use super::model::{Model, Plan, lagrangian_hessian};
+use super::model::{Model, Plan, sum_hessians};
 use super::problem::Evaluation;
-use super::qp::Method;
+use super::qp::{Method, QuadraticProgram};
 use super::quasi_newton;
 use super::sides::Sides;
 use nalgebra::DMatrix;
@@ -67,8 +67,18 @@ pub(super) struct Search {
     pub effort: Effort,
     /// Why the functions were not defined where the last step that failed for it led.
     pub edge: Option<String>,
+    #[serde(skip)]
+    workspace: Workspace,
     /// The search's own Hessian by rows, where the problem gives none, and how often it was updated.
     own_hessian: Option<(Vec<Vec<f64>>, u32)>,
+}
+
+/// What every iteration writes anew, in the same room.
+#[derive(Clone, Debug, Default)]
+struct Workspace {
+    /// The Hessian of the Lagrangian in scaled variables, exact or the search's own.
+    hessian: DMatrix<f64>,
+    program: QuadraticProgram,
 }
 
 /// Evaluates a problem's functions; the outer error is argmin's.
@@ -112,6 +122,7 @@ impl Search {
             escapes: 0,
             effort: Effort::default(),
             edge: None,
+            workspace: Workspace::default(),
             own_hessian: None,
             frame,
             at,
@@ -151,15 +162,27 @@ impl Search {
     /// The step to try. Where what is known of another side, from too far away, leaves nothing to gain, that is
     /// forgotten and looked at again.
     fn plan(&mut self) -> Plan {
-        let hessian = self.hessian();
         loop {
-            let plan = self.model(&hessian).plan();
-            self.count(&plan);
+            let plan = self.planned(|model, program| model.plan(program));
             let is_hopeless = self.promised(&plan) <= LITTLE * self.frame.size(&self.at);
             if !(is_hopeless && self.sides.forget_one_too_far(&self.frame, &self.at)) {
                 return plan;
             }
         }
+    }
+
+    /// A plan by the model around the point, counted.
+    fn planned(&mut self, by: impl FnOnce(&Model, &mut QuadraticProgram) -> Plan) -> Plan {
+        let mut workspace = std::mem::take(&mut self.workspace);
+        let Workspace { hessian, program } = &mut workspace;
+        if !sum_hessians(&self.frame, &self.at, &self.multipliers, hessian) {
+            *hessian = self.own().0;
+        }
+        let Self { frame, sides, at, multipliers, radius, .. } = &*self;
+        let plan = by(&Model { frame, sides, at, multipliers, hessian, radius: *radius }, program);
+        self.workspace = workspace;
+        self.count(&plan);
+        plan
     }
 
     /// The plan made up for the constraints' curvature, where that may be what a step failed by.
@@ -169,10 +192,7 @@ impl Search {
             return None;
         }
         self.effort.corrections += 1;
-        let hessian = self.hessian();
-        let corrected = self.model(&hessian).corrected(plan, tried);
-        self.count(&corrected);
-        Some(corrected)
+        Some(self.planned(|model, program| model.corrected(plan, tried, program)))
     }
 
     /// The point that a plan leads to; where the functions are not defined there, why is remembered.
@@ -248,15 +268,6 @@ impl Search {
     pub fn lagrangian(&self, at: &Point) -> f64 {
         let pulls = at.f.constraints.iter().zip(&self.multipliers).map(|(constraint, m)| m * constraint.value);
         at.f.objective.value + pulls.sum::<f64>()
-    }
-
-    fn model<'a>(&'a self, hessian: &'a DMatrix<f64>) -> Model<'a> {
-        let Self { frame, sides, at, multipliers, radius, .. } = self;
-        Model { frame, sides, at, multipliers, hessian, radius: *radius }
-    }
-
-    fn hessian(&self) -> DMatrix<f64> {
-        lagrangian_hessian(&self.frame, &self.at, &self.multipliers).unwrap_or_else(|| self.own().0)
     }
 
     fn own(&self) -> (DMatrix<f64>, u32) {

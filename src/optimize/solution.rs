@@ -143,7 +143,7 @@ fn constraints_are_idle(multipliers: &[f64]) -> bool {
 }
 
 /// One iteration, as an observer sees it.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Iteration {
     /// 0 for the start.
     pub number: u64,

@@ -1,7 +1,7 @@
 //! The loop: sequential quadratic programming as an argmin `Solver`.
 
 use super::domain::Domain;
-use super::frame::Frame;
+use super::frame::{Frame, Residual};
 use super::kink::{self, Kink};
 use super::model::Plan;
 use super::options::Options;
@@ -14,13 +14,26 @@ use super::status::{
     Status, Verdict, corner_test, gradient_test, infeasible_test, progress_test, radius_test, rounding_test,
 };
 use argmin::core::{Error, IterState, KV, Problem as Counted, Solver, TerminationReason, TerminationStatus};
-use argmin::kv;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// argmin's state for this solver: the point and the objective; all else is the solver's own.
-pub type SqpState = IterState<Vec<f64>, (), (), (), (), f64>;
+/// argmin's state for this solver: the point, the objective, and for observers how the search stands; all else is the
+/// solver's own.
+pub type SqpState = IterState<Vec<f64>, (), (), (), Standing, f64>;
+
+/// How a search stands after an iteration.
+#[derive(Clone, Copy, Debug)]
+pub struct Standing {
+    /// The KKT residual, relative.
+    pub kkt_residual: f64,
+    /// The largest violation of a constraint, relative.
+    pub violation: f64,
+    /// The trust region's size for the next step.
+    pub radius: f64,
+    /// Whether the step was kept.
+    pub kept: bool,
+}
 
 /// The solver. [`minimize`](super::minimize) builds and runs it.
 #[derive(Clone)]
@@ -116,12 +129,6 @@ impl Sqp {
             (None, _) => verdict,
         })
     }
-
-    fn report(&self, kept: bool) -> Option<KV> {
-        let search = self.progress.search.as_ref()?;
-        let (violation, residual) = (search.residual.feasibility, search.residual.largest());
-        Some(kv!("kkt_residual" => residual; "radius" => search.radius; "kept" => kept; "violation" => violation;))
-    }
 }
 
 impl<P: Problem> Solver<P, SqpState> for Sqp {
@@ -147,9 +154,9 @@ impl<P: Problem> Solver<P, SqpState> for Sqp {
         let mut search = Search::new(frame, at, self.options.initial_radius);
         search.effort.evaluations = count;
         self.judge(&mut search, None, &mut |x| evaluate(problem, x, m))?;
-        let state = stored(state, &search);
+        let state = stored(state, &search, true);
         self.progress.search = Some(search);
-        Ok((state, self.report(true)))
+        Ok((state, None))
     }
 
     fn next_iter(&mut self, problem: &mut Counted<P>, state: SqpState) -> Result<(SqpState, Option<KV>), Error> {
@@ -157,9 +164,9 @@ impl<P: Problem> Solver<P, SqpState> for Sqp {
         let m = self.domain.constraints.dimension();
         let (plan, kept) = search.step(&mut |x| evaluate(problem, x, m))?;
         self.judge(&mut search, Some(&plan), &mut |x| evaluate(problem, x, m))?;
-        let state = stored(state, &search);
+        let state = stored(state, &search, kept);
         self.progress.search = Some(search);
-        Ok((state, self.report(kept)))
+        Ok((state, None))
     }
 
     fn terminate(&mut self, state: &SqpState) -> TerminationStatus {
@@ -177,8 +184,13 @@ impl<P: Problem> Solver<P, SqpState> for Sqp {
     }
 }
 
-fn stored(state: SqpState, search: &Search) -> SqpState {
-    state.param(search.at.x.clone()).cost(search.at.f.objective.value)
+fn stored(mut state: SqpState, search: &Search, kept: bool) -> SqpState {
+    // the point before makes room
+    let mut x = state.take_param().unwrap_or_default();
+    x.clone_from(&search.at.x);
+    let Residual { feasibility: violation, .. } = search.residual;
+    let standing = Standing { kkt_residual: search.residual.largest(), violation, radius: search.radius, kept };
+    state.param(x).cost(search.at.f.objective.value).residuals(standing)
 }
 
 /// Evaluates. What is not finite or not of the right shape counts as not defined. The outer error is argmin's.

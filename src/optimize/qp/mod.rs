@@ -14,7 +14,7 @@ use nalgebra::{DMatrix, DVector};
 ///
 /// One piece is the usual quadratic model of a smooth function; more describe a function with a kink, each
 /// smooth side of it by a piece.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct QuadraticProgram {
     /// B.
     pub curvature: DMatrix<f64>,
@@ -29,7 +29,7 @@ pub struct QuadraticProgram {
 }
 
 /// offset + gradient · d.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Piece {
     /// Value at d = 0.
     pub offset: f64,
@@ -38,7 +38,7 @@ pub struct Piece {
 }
 
 /// low ≤ normal · d ≤ high; an equation where both are one number.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Row {
     /// Coefficients of d.
     pub normal: DVector<f64>,
@@ -123,6 +123,17 @@ impl QuadraticProgram {
         }
         let by_any = exact(by_dual, Method::Dual).or(second_best);
         if has_rows { by_any } else { Some(by_any.unwrap_or_else(|| self.steepest())) }
+    }
+
+    /// Makes room for a program of `n` variables, one piece and `m` rows, without moving what has it.
+    pub(super) fn resize(&mut self, n: usize, m: usize) {
+        if self.dimension() != n {
+            let own = Piece { offset: 0.0, gradient: DVector::zeros(n) };
+            let (low, high) = (DVector::zeros(n), DVector::zeros(n));
+            *self = Self { curvature: DMatrix::zeros(n, n), pieces: vec![own], low, high, rows: vec![] };
+        }
+        self.pieces.truncate(1);
+        self.rows.resize_with(m, Row::default);
     }
 
     /// The objective.
