@@ -1,9 +1,10 @@
-//! No heap memory is used inside a flight, over whatever number it is computed. A program of its own, for it
-//! counts every allocation of the process.
+//! No heap memory is used inside a flight, over whatever number it is computed, and little in an iteration of the
+//! optimizer. A program of its own, for it counts every allocation of the process.
 
 use longdrive::flight::fly;
 use longdrive::impact::strike;
-use longdrive::number::{Jet, Jet2, Number};
+use longdrive::number::{Jet, Jet2, Number, Taylor};
+use longdrive::optimize::{Domain, Evaluation, Options, Status, minimize};
 use longdrive::{Drive, Setup};
 
 fn allocations<T: Number>(setup: &Setup<f64>, variable: impl Fn(f64) -> T) -> u64 {
@@ -24,5 +25,45 @@ fn exact_count_of_allocations_in_a_drive_is_zero() {
         assert_eq!(allocations(&setup, |value| value), 0);
         assert_eq!(allocations(&setup, |value| Jet::<12>::variable(value, 3)), 0);
         assert_eq!(allocations(&setup, |value| Jet2::<2, 3>::variable(value, 1)), 0);
+    }
+}
+
+/// f = eˣ + e⁻ʸ + (x − y)², convex everywhere.
+fn bowl(at: &[f64]) -> Result<Evaluation, String> {
+    let (x, y) = (at[0], at[1]);
+    let (rising, falling, apart) = (x.exp(), (-y).exp(), x - y);
+    let objective = Taylor {
+        value: rising + falling + apart * apart,
+        gradient: vec![rising + 2.0 * apart, -falling - 2.0 * apart],
+        hessian: vec![vec![rising + 2.0, -2.0], vec![-2.0, falling + 2.0]],
+    };
+    Ok(Evaluation { objective, constraints: vec![] })
+}
+
+/// The step, its ends and its weight; the matrix of its faces; the way to the point, and the point; argmin's copy of the
+/// best point.
+const PER_ITERATION: u64 = 7;
+
+#[test]
+fn regress_allocations_in_an_iteration_within_bounds() {
+    let domain = Domain::new(vec![0.0, -1.0], vec![20.0, 20.0]).unwrap();
+    let search = |most: u64| {
+        let options = Options { max_iterations: most, ..Options::default() };
+        let mut solution = None;
+        let counted =
+            allocation_counter::measure(|| solution = Some(minimize(&bowl, &domain, &[20.0, 18.0], &options)));
+        (counted.count_total, solution.unwrap().unwrap())
+    };
+    let evaluation = allocation_counter::measure(|| drop(bowl(&[0.0, 0.0]))).count_total;
+    let (_, end) = search(500);
+    assert_eq!((end.status, end.x[0]), (Status::Converged, 0.0));
+    assert_eq!(end.effort.faces, end.iterations);
+    assert!(end.iterations > 10, "{}", end.iterations);
+    // the first iteration makes the room that the others use, and the last writes the verdict
+    for iterations in 2..end.iterations {
+        let ((before, first), (after, second)) = (search(iterations - 1), search(iterations));
+        let evaluations = (second.evaluations - first.evaluations) * evaluation;
+        let own = after - before - evaluations;
+        assert!(own <= PER_ITERATION, "{own} allocations in iteration {iterations}");
     }
 }

@@ -10,11 +10,7 @@ use nalgebra::{Cholesky, DMatrix, DVector, SymmetricEigen};
 ///    no smaller than 1e-8 of the largest.
 ///
 /// It is written to `convex`.
-pub(super) fn convexify(
-    hessian: &DMatrix<f64>,
-    held: impl FnOnce() -> Vec<DVector<f64>>,
-    convex: &mut DMatrix<f64>,
-) {
+pub(super) fn convexify(hessian: &DMatrix<f64>, held: impl FnOnce() -> Vec<DVector<f64>>, convex: &mut DMatrix<f64>) {
     if is_positive_definite(hessian, convex) {
         convex.copy_from(hessian);
     } else {
@@ -61,13 +57,15 @@ const MOST_DOUBLINGS: u32 = 30;
 fn is_positive_definite(matrix: &DMatrix<f64>, room: &mut DMatrix<f64>) -> bool {
     const MARGIN: f64 = 1e-13;
     let n = matrix.nrows();
+    if room.nrows() != n {
+        *room = DMatrix::zeros(n, n);
+    }
     let mut lowered = std::mem::take(room);
-    lowered.resize_mut(n, n, 0.0);
     lowered.copy_from(matrix);
     for i in 0..n {
         lowered[(i, i)] *= 1.0 - MARGIN;
     }
-    let factors = lowered.cholesky();
+    let factors = Cholesky::new(lowered);
     let is_found = factors.is_some();
     *room = factors.map(Cholesky::unpack_dirty).unwrap_or_default();
     is_found

@@ -61,10 +61,10 @@ impl Model<'_> {
         self.plan_from(|j| self.at.f.constraints[j].value, program)
     }
 
-    /// The second-order correction: the same plan with the constraints as they turned out at its end, so that their
+    /// The second-order correction: the plan with the constraints as they turned out at its end, so that their
     /// curvature along the way is made up for (Fletcher 1982).
-    pub fn corrected(&self, plan: &Plan, tried: &Point, program: &mut QuadraticProgram) -> Plan {
-        let d = self.steps_to(&plan.x);
+    pub fn corrected(&self, tried: &Point, program: &mut QuadraticProgram) -> Plan {
+        let d = self.steps_to(&tried.x);
         let value = |j: usize| {
             let slope = self.normal(j).dot(&d) * self.frame.gamma[j];
             tried.f.constraints[j].value - slope
@@ -239,7 +239,9 @@ pub(super) fn lagrangian_hessian(frame: &Frame, at: &Point, multipliers: &[f64])
 /// As [`lagrangian_hessian`], written over a matrix; whether there is one.
 pub(super) fn sum_hessians(frame: &Frame, at: &Point, multipliers: &[f64], sum: &mut DMatrix<f64>) -> bool {
     let n = at.x.len();
-    sum.resize_mut(n, n, 0.0);
+    if sum.nrows() != n {
+        *sum = DMatrix::zeros(n, n);
+    }
     sum.fill(0.0);
     let functions =
         std::iter::once((&at.f.objective, 1.0)).chain(at.f.constraints.iter().zip(multipliers.iter().copied()));

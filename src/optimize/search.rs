@@ -133,14 +133,14 @@ impl Search {
     pub fn step(&mut self, evaluate: &mut Evaluate<'_>) -> Result<(Plan, bool), argmin::core::Error> {
         let mut plan = self.plan();
         self.raise_penalty(&plan);
-        let mut tried = self.tried(&plan, evaluate)?;
+        let mut tried = self.tried(std::mem::take(&mut plan.x), evaluate)?;
         let mut outcome = self.outcome(&plan, tried.as_ref());
 
         if !outcome.is_kept()
             && let Some(first) = &tried
             && let Some(corrected) = self.corrected(&plan, first)
         {
-            let again = self.tried(&corrected, evaluate)?;
+            let again = self.tried(corrected.x, evaluate)?;
             let second = self.outcome(&plan, again.as_ref());
             if second.is_kept() {
                 (tried, outcome) = (again, second);
@@ -192,14 +192,14 @@ impl Search {
             return None;
         }
         self.effort.corrections += 1;
-        Some(self.planned(|model, program| model.corrected(plan, tried, program)))
+        Some(self.planned(|model, program| model.corrected(tried, program)))
     }
 
-    /// The point that a plan leads to; where the functions are not defined there, why is remembered.
-    fn tried(&mut self, plan: &Plan, evaluate: &mut Evaluate<'_>) -> Result<Option<Point>, argmin::core::Error> {
+    /// The point at the end of a plan; where the functions are not defined there, why is remembered.
+    fn tried(&mut self, x: Vec<f64>, evaluate: &mut Evaluate<'_>) -> Result<Option<Point>, argmin::core::Error> {
         self.effort.evaluations += 1;
-        Ok(match evaluate(&plan.x)? {
-            Ok(f) => Some(Point { x: plan.x.clone(), f }),
+        Ok(match evaluate(&x)? {
+            Ok(f) => Some(Point { x, f }),
             Err(why) => {
                 self.edge = Some(why);
                 None

@@ -20,13 +20,13 @@ pub(super) struct Sides(Vec<Point>);
 impl Sides {
     /// Keeps, of the points known around `at`, the nearest of each other side of a corner nearby.
     pub fn keep(&mut self, frame: &Frame, at: &Point, candidate: Option<Point>) {
+        let is_side = |point: &Point| frame.distance(point, at) <= NEARBY && are_sides_of_a_corner(frame, at, point);
         let mut known = std::mem::take(&mut self.0);
-        known.extend(candidate);
-        known.retain(|point| frame.distance(point, at) <= NEARBY);
+        known.retain(is_side);
+        known.extend(candidate.filter(is_side));
         known.sort_by(|a, b| frame.distance(a, at).total_cmp(&frame.distance(b, at)));
         for point in known {
-            let is_new = |side: &Point| are_sides_of_a_corner(frame, side, &point);
-            if is_new(at) && self.0.iter().all(is_new) {
+            if self.0.iter().all(|side| are_sides_of_a_corner(frame, side, &point)) {
                 self.0.push(point);
             }
         }
@@ -43,24 +43,23 @@ impl Sides {
 
     /// Each other side's function around `at`, in scaled variables: carried here by its second-order expansion, and at
     /// most f, for at a corner that holds a search f is the largest of its sides.
-    pub fn pieces<'a>(
-        &'a self,
-        frame: &'a Frame,
-        at: &'a Point,
-        hessian: &DMatrix<f64>,
-    ) -> impl Iterator<Item = Piece> + 'a {
+    pub fn pieces(&self, frame: &Frame, at: &Point, hessian: &DMatrix<f64>) -> Vec<Piece> {
+        if self.0.is_empty() {
+            return vec![];
+        }
         // the sides' curvature is the mildest known: in the rounded tip of a smoothed corner it is that of no side
         let mildest = |least: DMatrix<f64>, other: &Point| {
             let other = scaled_hessian(frame, other);
             if other.amax() < least.amax() { other } else { least }
         };
         let curvature = self.0.iter().fold(hessian.clone(), mildest);
-        self.0.iter().map(move |other| {
+        let piece = |other: &Point| {
             let way = DVector::from_fn(at.x.len(), |i, _| (at.x[i] - other.x[i]) / frame.scale[i]);
             let (slope, bend) = (scaled_gradient(frame, other), &curvature * &way);
             let offset = other.f.objective.value - at.f.objective.value + slope.dot(&way) + 0.5 * bend.dot(&way);
             Piece { offset: offset.min(0.0), gradient: slope + bend }
-        })
+        };
+        self.0.iter().map(piece).collect()
     }
 }
 

@@ -1,7 +1,7 @@
 //! A program of bounds alone, from face to face of its box: what a search without constraints asks for at every step.
 
 use super::{End, Method, Piece, QuadraticProgram, Step};
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{Cholesky, DMatrix, DVector};
 
 /// Faces looked at before the program is left to Clarabel; a few are enough wherever the walk ends at all.
 const MOST_FACES: usize = 20;
@@ -22,8 +22,9 @@ impl QuadraticProgram {
             multipliers: vec![],
             by: Method::Faces,
         };
+        let mut room = DMatrix::zeros(n, n);
         for _ in 0..MOST_FACES {
-            self.minimize_on_face(gradient, &mut step)?;
+            self.minimize_on_face(gradient, &mut step, &mut room)?;
             let mut is_settled = true;
             for i in 0..n {
                 let pull = gradient[i] + self.curvature.column(i).dot(&step.d);
@@ -39,9 +40,10 @@ impl QuadraticProgram {
         None
     }
 
-    /// Moves a step to the least value with the variables at an end held there:
-    /// B d + gradient = 0 on the free ones.
-    fn minimize_on_face(&self, gradient: &DVector<f64>, Step { d, ends, .. }: &mut Step) -> Option<()> {
+    /// Moves a step to the least value with the variables at an end held there: B d + gradient = 0 on the free ones, a
+    /// system that is factorised in `room`.
+    fn minimize_on_face(&self, gradient: &DVector<f64>, step: &mut Step, room: &mut DMatrix<f64>) -> Option<()> {
+        let Step { d, ends, .. } = step;
         let (n, is_free) = (d.len(), |i: usize| ends[i] == End::Free);
         for i in (0..n).filter(|&i| !is_free(i)) {
             d[i] = if ends[i] == End::Low { self.low[i] } else { self.high[i] };
@@ -51,11 +53,13 @@ impl QuadraticProgram {
             d[i] = -gradient[i] - held.map(|j| self.curvature[(i, j)] * d[j]).sum::<f64>();
         }
         // what is held stays by an equation d = d of its own
-        let face = DMatrix::from_fn(n, n, |i, j| match (is_free(i) && is_free(j), i == j) {
-            (true, _) => self.curvature[(i, j)],
-            (false, is_diagonal) => f64::from(is_diagonal),
-        });
-        face.cholesky()?.solve_mut(d);
+        for (i, j) in (0..n).flat_map(|i| (0..n).map(move |j| (i, j))) {
+            let is_free = is_free(i) && is_free(j);
+            room[(i, j)] = if is_free { self.curvature[(i, j)] } else { f64::from(i == j) };
+        }
+        let factors = Cholesky::new(std::mem::take(room))?;
+        factors.solve_mut(d);
+        *room = factors.unpack_dirty();
         d.iter().all(|x| x.is_finite()).then_some(())
     }
 }
