@@ -63,3 +63,33 @@ impl QuadraticProgram {
         d.iter().all(|x| x.is_finite()).then_some(())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Method, Piece, QuadraticProgram};
+    use nalgebra::{DMatrix, DVector};
+
+    #[test]
+    fn independent_clarabel_agrees_with_the_walk_over_faces() {
+        let mut state = 0.7_f64;
+        let mut random = || {
+            state = (state * 97.409_1 + 0.137).fract();
+            2.0 * state - 1.0
+        };
+        for case in 0..200 {
+            let n = 1 + case % 6;
+            let a = DMatrix::from_fn(n, n, |_, _| random());
+            let qp = QuadraticProgram {
+                curvature: &a * a.transpose() + DMatrix::identity(n, n) * 1e-2,
+                pieces: vec![Piece { offset: 0.0, gradient: DVector::from_fn(n, |_, _| random()) }],
+                low: DVector::from_fn(n, |_, _| -random().abs()),
+                high: DVector::from_fn(n, |_, _| random().abs()),
+                rows: vec![],
+            };
+            let walked = qp.by_faces().unwrap();
+            let clarabel = qp.polished(qp.clarabel().unwrap(), Method::Clarabel).unwrap();
+            assert!((&walked.d - &clarabel.d).amax() < 1e-10, "case {case}: {walked:?} against {clarabel:?}");
+            assert_eq!(walked.ends, clarabel.ends, "case {case}");
+        }
+    }
+}
