@@ -51,9 +51,9 @@ const FLOOR: f64 = 1e-8;
 /// Beyond 2³⁰ times the Hessian's size the sum is no longer told from singular.
 const MOST_DOUBLINGS: u32 = 30;
 
-/// Whether a symmetric matrix is positive definite by a margin that survives rounding: each entry of the diagonal can be
-/// smaller by that part of itself, so that curvatures of very different sizes do not hide each other. It is factorised in
-/// `room`.
+/// Whether a symmetric matrix is positive definite by a margin that survives rounding: each entry of the diagonal can
+/// be smaller by that part of itself, so that curvatures of very different sizes do not hide each other. It is
+/// factorised in `room`.
 fn is_positive_definite(matrix: &DMatrix<f64>, room: &mut DMatrix<f64>) -> bool {
     const MARGIN: f64 = 1e-13;
     let n = matrix.nrows();

@@ -5,9 +5,10 @@
 //! ```
 //!
 //! by sequential quadratic programming: at each iterate the quadratic model of the Lagrangian is minimised over the
-//! bounds, the linearised constraints and a box-shaped trust region ([`qp`]: of bounds alone from face to face of the box,
-//! all else by Clarabel, polished so that active bounds are exact), the step is kept if the merit falls as the model promises, and the search ends where the
-//! KKT conditions hold ([`status`]). The loop ([`sqp`]) is an argmin `Solver`, run by argmin's `Executor`.
+//! bounds, the linearised constraints and a box-shaped trust region ([`qp`]: bounds alone from face to face of the box,
+//! all else by Clarabel, polished so that active bounds are exact), the step is kept if the merit falls as the model
+//! promises, and the search ends where the KKT conditions hold ([`status`]). The loop ([`sqp`]) is an argmin `Solver`,
+//! run by argmin's `Executor`.
 //!
 //! A problem is a set of [`Functions`] written over any number, whose derivatives are then exact by themselves, or
 //! whatever implements [`Problem`], with Hessians or gradients alone.

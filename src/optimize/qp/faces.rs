@@ -7,10 +7,10 @@ use nalgebra::{Cholesky, DMatrix, DVector};
 const MOST_FACES: usize = 20;
 
 impl QuadraticProgram {
-    /// The exact solution of a program of bounds alone, by the primal-dual active-set method (Hintermüller, Ito & Kunisch
-    /// 2002): what is free is solved for, what then lies beyond an end is held there, what is held but pulls inward
-    /// is freed. Where nothing is left to change the KKT conditions hold, which is proof enough where the program is strictly
-    /// convex. `None` where the walk does not end, or rows or corners belong to the program.
+    /// The exact solution of a program of bounds alone, by the primal-dual active-set method (Hintermüller, Ito &
+    /// Kunisch 2002): what is free is solved for, what then lies beyond an end is held there, what is held but pulls
+    /// inward is freed. Where nothing is left to change the KKT conditions hold: proof enough, for the program is
+    /// strictly convex. `None` where the walk does not end, or rows or corners belong to the program.
     pub(super) fn by_faces(&self) -> Option<Step> {
         let ([Piece { gradient, .. }], true) = (self.pieces.as_slice(), self.rows.is_empty()) else { return None };
         let n = self.dimension();

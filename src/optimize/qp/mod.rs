@@ -1,5 +1,5 @@
-//! The quadratic program of a step. Of bounds alone, a walk over the faces of the box solves it; in general Clarabel finds
-//! the active set, a polish makes it exact, and a dual active-set method takes over where Clarabel does not answer.
+//! The quadratic program of a step. Of bounds alone, a walk over the faces of the box solves it; in general Clarabel
+//! finds the active set, a polish makes it exact, and a dual active-set method takes over where Clarabel does not answer.
 
 mod active_set;
 mod dual;
@@ -93,11 +93,11 @@ pub enum Method {
 impl QuadraticProgram {
     /// Solves the program; `None` where the rows cannot be met within the ends.
     ///
-    /// The faces of the box come first: where their walk ends its answer is proven, exact, and found in a hundredth of the
-    /// time that Clarabel takes for a few variables. For all else, Clarabel's answer is good to about 1e-8 and may lie that far outside; it tells which ends, rows and pieces are
-    /// active. The polish then solves the remaining equations to rounding, and corrects the active set where they
-    /// disagree with it. Where Clarabel answers anything but "solved", or what it says cannot be polished, it is asked
-    /// again with every row at length 1; then the dual active-set method decides.
+    /// The faces of the box come first: where their walk ends its answer is proven, exact, and found in a fraction of
+    /// the time that Clarabel takes. For all else, Clarabel's answer is good to about 1e-8 and may lie that far outside;
+    /// it tells which ends, rows and pieces are active. The polish then solves the remaining equations to rounding, and
+    /// corrects the active set where they disagree with it. Where Clarabel answers anything but "solved", or what it
+    /// says cannot be polished, it is asked again with every row at length 1; then the dual active-set method decides.
     pub fn solve(&self) -> Option<Step> {
         if let Some(step) = self.by_faces() {
             return Some(step);
