@@ -2,7 +2,7 @@
 
 use super::optimum::{Active, Optimum, Search, optimum};
 use super::sensitivity::sensitivity;
-use super::vary::Vary;
+use super::Vary;
 use crate::error::{Error, Result};
 use crate::optimize::{Options, Status, Watch};
 use crate::parameters::Setup;
