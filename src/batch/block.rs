@@ -54,6 +54,13 @@ impl Tally {
         }
     }
 
+    /// Adds another tally.
+    pub fn merge(&mut self, other: Self) {
+        for (ours, theirs) in self.0.iter_mut().zip(other.0) {
+            *ours += theirs;
+        }
+    }
+
     /// The tally of counts by the statuses' names; names of none are passed over.
     pub fn of<'a>(counts: impl IntoIterator<Item = (&'a str, u64)>) -> Self {
         let mut tally = Self::default();
@@ -119,5 +126,11 @@ impl Block {
     /// The outcomes, SI.
     pub fn outcomes(&self, row: usize) -> impl Iterator<Item = Option<f64>> {
         (0..self.outcomes.len()).map(move |outcome| self.outcome(row, outcome))
+    }
+
+    /// A column of results: the outcomes, then the derivatives.
+    pub fn result(&self, column: usize) -> impl Iterator<Item = Option<f64>> {
+        let column = self.outcomes.iter().chain(&self.derivatives).nth(column);
+        column.into_iter().flatten().map(|value| Some(*value).filter(|value| value.is_finite()))
     }
 }

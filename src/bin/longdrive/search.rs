@@ -31,7 +31,7 @@ impl WorkArgs {
             Some(path) => Some(Arc::new(Ledger::open(path, &question(setup, search, self.starts))?)),
             None => None,
         };
-        let mut follow = Follow { interrupt: interrupt(), ledger, ..Follow::default() };
+        let mut follow = Follow { interrupt: interrupt(BEST_SO_FAR), ledger, ..Follow::default() };
         let bar = if self.starts > 1 { self.many(search, &mut follow) } else { one(search, &mut follow) };
         let found = optima(setup, search, self.starts as usize, &follow);
         bar.finish_and_clear();
@@ -76,8 +76,11 @@ fn one(search: &Search, follow: &mut Follow) -> ProgressBar {
     ProgressBar::hidden()
 }
 
-/// Becomes true on Ctrl-C; a second one ends the program at once.
-pub fn interrupt() -> Arc<AtomicBool> {
+/// What a search does on Ctrl-C.
+pub const BEST_SO_FAR: &str = "stopping with the best so far";
+
+/// Becomes true on Ctrl-C, which is answered with a line of what happens then; a second one ends the program at once.
+pub fn interrupt(stopping: &'static str) -> Arc<AtomicBool> {
     let flag = Arc::new(AtomicBool::new(false));
     let shared = flag.clone();
     // without a handler Ctrl-C ends the program as it ends any other
@@ -85,7 +88,7 @@ pub fn interrupt() -> Arc<AtomicBool> {
         if shared.swap(true, Ordering::Relaxed) {
             std::process::exit(130);
         }
-        tell("stopping with the best so far; Ctrl-C again to end at once");
+        tell(&format!("{stopping}; Ctrl-C again to end at once"));
     });
     flag
 }
