@@ -42,6 +42,6 @@ pub use grid::{Axis, Grid};
 pub use points::Points;
 pub use run::{Batch, CHUNK, Run, gradient_batch, simulate_batch};
 pub use sequence::Sequence;
-pub use table::{CsvTable, open_table};
 #[cfg(feature = "parquet")]
 pub use table::ParquetTable;
+pub use table::{CsvTable, open_table};

@@ -47,9 +47,8 @@ impl Points for Sequence {
     fn read(&mut self, most: usize, values: &mut Vec<f64>) -> Result<usize> {
         let rows = self.rows.saturating_sub(self.next).min(most as u64);
         for row in self.next..self.next + rows {
-            let value = |(i, vary): (usize, &Vary)| {
-                vary.low + sobol::coordinate(row, i, self.seed) * (vary.high - vary.low)
-            };
+            let value =
+                |(i, vary): (usize, &Vary)| vary.low + sobol::coordinate(row, i, self.seed) * (vary.high - vary.low);
             values.extend(self.over.iter().enumerate().map(value));
         }
         self.next += rows;

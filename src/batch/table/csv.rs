@@ -68,7 +68,8 @@ impl CsvTable {
 }
 
 fn begin(path: &Path) -> Result<Reader<File>> {
-    let file = File::open(path).map_err(|error| refused(path, String::new(), format!("it cannot be read ({error})")))?;
+    let file =
+        File::open(path).map_err(|error| refused(path, String::new(), format!("it cannot be read ({error})")))?;
     Ok(ReaderBuilder::new().trim(Trim::All).from_reader(file))
 }
 
@@ -95,7 +96,10 @@ impl Column {
             let unit = self.parameter.unit;
             match cell {
                 "" => "the cell is empty; every row needs a value".into(),
-                _ => format!("'{cell}' is not a number; units stand in the head, as in '{} [{unit}]'", self.parameter.name),
+                _ => format!(
+                    "'{cell}' is not a number; units stand in the head, as in '{} [{unit}]'",
+                    self.parameter.name
+                ),
             }
         })?;
         match &self.unit {

@@ -134,7 +134,8 @@ impl Points for ParquetTable {
             let first = into.len();
             into.resize(first + wanted * width, 0.0);
             for (i, parameter) in self.parameters.iter().enumerate() {
-                let place = || format!(", rows {} to {}, column {}", self.next + 1, self.next + wanted as u64, parameter.name);
+                let place =
+                    || format!(", rows {} to {}, column {}", self.next + 1, self.next + wanted as u64, parameter.name);
                 let column = values(&mut self.columns[i], wanted)
                     .map_err(|error| refused(&self.path, place(), error.to_string()))?;
                 if column.len() < wanted || column.iter().any(|value| value.is_nan()) {

@@ -9,6 +9,7 @@ use longdrive::study::{Constraint, Optima, Search, Vary, optima};
 use longdrive::{Outcome, Result, Setup};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
+use std::time::{Duration, Instant};
 
 impl SearchArgs {
     /// What is looked for.
@@ -76,6 +77,9 @@ fn one(search: &Search, follow: &mut Follow) -> ProgressBar {
     ProgressBar::hidden()
 }
 
+/// Signals within this time are one: a program around this one (`timeout`) may send its own beside the terminal's.
+const ONE_PRESS: Duration = Duration::from_millis(300);
+
 /// What a search does on Ctrl-C.
 pub const BEST_SO_FAR: &str = "stopping with the best so far";
 
@@ -83,12 +87,18 @@ pub const BEST_SO_FAR: &str = "stopping with the best so far";
 pub fn interrupt(stopping: &'static str) -> Arc<AtomicBool> {
     let flag = Arc::new(AtomicBool::new(false));
     let shared = flag.clone();
+    let mut first = None;
     // without a handler Ctrl-C ends the program as it ends any other
     let _ = ctrlc::set_handler(move || {
-        if shared.swap(true, Ordering::Relaxed) {
-            std::process::exit(130);
+        shared.store(true, Ordering::Relaxed);
+        match first {
+            None => {
+                first = Some(Instant::now());
+                tell(&format!("{stopping}; Ctrl-C again to end at once"));
+            }
+            Some(first) if first.elapsed() > ONE_PRESS => std::process::exit(130),
+            Some(_) => {}
         }
-        tell(&format!("{stopping}; Ctrl-C again to end at once"));
     });
     flag
 }

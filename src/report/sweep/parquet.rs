@@ -16,9 +16,10 @@ use std::sync::Arc;
 const MAGIC: &[u8] = b"PAR1";
 /// The length of the metadata and the magic number end a file.
 const TAIL: usize = 8;
-/// Most rows of a row group, and most bytes of its numbers.
+/// Rows of a row group, at most and, however wide the table, at least; and most bytes of its numbers in between.
 const MOST_ROWS: usize = 128 * CHUNK;
-const MOST_BYTES: usize = 64 << 20;
+const LEAST_ROWS: usize = 16 * CHUNK;
+const MOST_BYTES: usize = 16 << 20;
 /// Most bytes of the distinct values of a swept parameter that are kept once instead of in every row.
 const MOST_DISTINCT: usize = 64 << 10;
 
@@ -95,10 +96,11 @@ impl SweepParquet {
         })
     }
 
-    /// How many blocks of [`CHUNK`] rows make a row group: fewer for wide tables, so that a group has room in memory.
+    /// How many blocks of [`CHUNK`] rows make a row group: fewer for wide tables, so that a group has room in memory
+    /// and little is computed again after a kill.
     pub fn blocks_of_group(&self) -> usize {
         let width = 9 * (self.parameters + self.results) + 1;
-        (MOST_BYTES / width).clamp(CHUNK, MOST_ROWS) / CHUNK
+        (MOST_BYTES / width).clamp(LEAST_ROWS, MOST_ROWS) / CHUNK
     }
 
     /// The first bytes of a file.

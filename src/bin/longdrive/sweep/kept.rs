@@ -164,6 +164,10 @@ impl<'a> Kept<'a> {
             let rest = if self.groups.pending.is_empty() { Ok(()) } else { self.write_group(table).map(|_| ()) };
             self.write_foot(table).and(rest)?;
         }
+        if !is_complete && self.since > 0 {
+            // where this cannot be entered, a resumed sweep begins a little earlier
+            let _ = self.keep(&[]);
+        }
         if is_complete {
             self.file.sync_all().and_then(|()| self.journal.remove()).map_err(|error| self.failed(&error))?;
         }

@@ -41,10 +41,15 @@ pub fn run(args: &Sweep) -> Result<Answer> {
     bar.set_position(output.rows());
     bar.reset_eta();
     let run = Run { first_row: output.rows(), threads: args.threads, stop: Some(&stop) };
-    let done = batch.run(points.as_mut(), &run, |block| writer.rows(block), |rows: Rows| {
-        bar.inc(rows.rows);
-        output.take(rows)
-    });
+    let done = batch.run(
+        points.as_mut(),
+        &run,
+        |block| writer.rows(block),
+        |rows: Rows| {
+            bar.inc(rows.rows);
+            output.take(rows)
+        },
+    );
     bar.finish_and_clear();
     let done = match done {
         // a reader that has gone away, as `head` does, is no failure of ours
