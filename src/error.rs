@@ -185,14 +185,12 @@ pub enum Error {
         reason: String,
     },
     /// A batch that no one has room for.
-    #[error("{rows} drives would take {size}{}, more than {limit}; {advice}", timed(time))]
+    #[error("{rows} drives would take {size}, more than {limit}; {advice}")]
     TooLarge {
         /// How many drives.
         rows: String,
-        /// The space their rows would take.
+        /// The space their rows would take, and the time where it is known.
         size: String,
-        /// The time they would take, where it is known.
-        time: Option<String>,
         /// What there is.
         limit: String,
         /// What to do.
@@ -272,10 +270,6 @@ impl Error {
     pub fn is_an_outcome(&self) -> bool {
         matches!(self, Self::NoFlight { .. } | Self::Undefined { .. } | Self::NotConverged { .. })
     }
-}
-
-fn timed(time: &Option<String>) -> String {
-    time.as_ref().map(|time| format!(" and about {time}")).unwrap_or_default()
 }
 
 fn how_to(doing: &str) -> &'static str {

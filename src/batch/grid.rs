@@ -78,7 +78,6 @@ impl Grid {
             Error::TooLarge {
                 rows: format!("{rows:.1e}"),
                 size: format!("{:.1e} GB", rows * 8.0 * (axes.len() + 1) as f64 / 1e9),
-                time: None,
                 limit: "any disk".into(),
                 advice: "take fewer values, or --sample points of the same ranges".into(),
             }

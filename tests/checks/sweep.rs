@@ -209,7 +209,7 @@ fn bad_axes_say_what_to_write() {
     assert!(matches!(Grid::new(vec![]), Err(Error::Nothing { .. })));
     let huge = vec![axis("club.loft=5deg..15deg:10000000000"), axis("swing.path=-1deg..1deg:10000000000")];
     let message = Grid::new(huge).unwrap_err().to_string();
-    assert!(message.contains("1.0e20 drives would take 2.4e12 GB"), "{message}");
+    assert!(message.contains("1.0e20 drives would take 2.4e12 GB, more than any disk"), "{message}");
 }
 
 fn table(name: &str, text: &str) -> (tempfile::TempDir, PathBuf) {

@@ -45,10 +45,10 @@ pub fn check(args: &Sweep, batch: &Batch, points: &mut dyn Points, writer: &Writ
         0 => std::thread::available_parallelism().map_or(1, usize::from),
         threads => threads,
     };
+    let time = duration(seconds / tried as f64 * rows as f64 / threads as f64);
     Err(Error::TooLarge {
         rows: rows.to_string(),
-        size: size(bytes),
-        time: Some(duration(seconds / tried as f64 * rows as f64 / threads as f64)),
+        size: format!("{} and about {time}", size(bytes)),
         limit,
         advice: "take fewer values or outcomes, --sample points of the same ranges, or a larger --max-size".into(),
     })
