@@ -235,6 +235,7 @@ fn bad_input_to_a_sweep_is_status_2_and_says_what_to_write() {
         (with(&["--json"]), "name a file with -o"),
         (with(&["--resume"]), "only a file can be gone on with"),
         (with(&["--max-size", "much"]), "write a size like"),
+        (with(&["--sample", "0"]), "--sample"),
         (with(&["--sample", "5"]), "--sample says how many points there are"),
         (with(&["--points", "points.csv"]), "--points"),
         (vec!["--points", "points.csv"], "points.csv: it cannot be read"),

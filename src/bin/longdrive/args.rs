@@ -167,7 +167,7 @@ pub struct Sweep {
     pub over: Vec<String>,
 
     /// Spread this many points evenly over the ranges of --over (which then have no counts): Sobol's sequence.
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     pub sample: Option<u64>,
 
     /// Another seed, other points of --sample.

@@ -39,7 +39,7 @@ pub struct Kept<'a> {
 #[cfg(feature = "parquet")]
 #[derive(Default)]
 struct Groups {
-    /// Those that are written, each with the bytes and rows before it.
+    /// Those that are written, each with the bytes, the rows and their tally before it.
     placed: Vec<(PlacedGroup, u64, u64, Tally)>,
     /// Blocks of the next one.
     pending: Vec<Block>,
@@ -66,7 +66,7 @@ impl<'a> Kept<'a> {
             let _ = journal.remove();
             unwritable(error)
         })?;
-        Self { since: 0, ..Self::at_the_beginning(path, file, journal, writer) }.begun()
+        Self::at_the_beginning(path, file, journal, writer).begun()
     }
 
     fn at_the_beginning(path: &Path, file: File, journal: Journal, writer: &'a Writer) -> Self {
