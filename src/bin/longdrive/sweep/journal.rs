@@ -42,6 +42,7 @@ impl Entry {
     }
 
     /// The metadata of the row group.
+    #[cfg(feature = "parquet")]
     pub fn group(&self) -> Vec<u8> {
         let digits = self.group.as_bytes();
         let byte = |pair: &[u8]| u8::from_str_radix(std::str::from_utf8(pair).unwrap_or_default(), 16).unwrap_or(0);
@@ -115,6 +116,7 @@ impl Journal {
     }
 
     /// Forgets entries of more than so many bytes of rows.
+    #[cfg(feature = "parquet")]
     pub fn forget_beyond(&mut self, bytes: u64) -> io::Result<()> {
         while let Some((_, at)) = self.entries.pop_if(|(of, _)| *of > bytes) {
             self.length = at;

@@ -1,5 +1,7 @@
 use super::journal::{Entry, Journal};
-use super::rows::{Content, Rows, Table, Writer};
+#[cfg(feature = "parquet")]
+use super::rows::Table;
+use super::rows::{Content, Rows, Writer};
 use super::target::refused;
 use crate::output::tell;
 #[cfg(feature = "parquet")]

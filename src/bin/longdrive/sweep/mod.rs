@@ -93,7 +93,7 @@ impl Summary {
     }
 
     fn text(&self) -> String {
-        let counts = self.status.iter().filter(|(_, count)| **count != Value::from(0));
+        let counts = self.status.iter().filter(|(_, count)| count.as_u64() != Some(0));
         let counts: Vec<_> = counts.map(|(status, count)| format!("{count} {status}")).collect();
         let part = if self.written == self.rows { String::new() } else { format!(" of {}", self.rows) };
         let file = if self.file == "-" { String::new() } else { format!(" in {}", self.file) };
