@@ -184,6 +184,36 @@ pub enum Error {
         /// Why.
         reason: String,
     },
+    /// A batch that no one has room for.
+    #[error("{rows} drives would take {size}, more than {limit}; {advice}")]
+    TooLarge {
+        /// How many drives.
+        rows: String,
+        /// The space their rows would take, and the time where it is known.
+        size: String,
+        /// What there is.
+        limit: String,
+        /// What to do.
+        advice: String,
+    },
+    /// A table of points that cannot be read.
+    #[error("{file}{place}: {reason}")]
+    Table {
+        /// The file.
+        file: String,
+        /// Where in it: ", row 3, column club.loft"; empty for the file itself.
+        place: String,
+        /// What is wrong there, and what to do.
+        reason: String,
+    },
+    /// A file of results that cannot be begun, written or gone on with.
+    #[error("the file '{file}': {reason}")]
+    Results {
+        /// The file.
+        file: String,
+        /// Why, and what to do.
+        reason: String,
+    },
     /// An answer that could not be written.
     #[error("cannot write the answer: {0}")]
     Output(std::io::Error),
@@ -245,6 +275,7 @@ impl Error {
 fn how_to(doing: &str) -> &'static str {
     match doing {
         "vary" => ", with a range wider than a single value, as in --vary club.loft=4deg..20deg",
+        "sweep" => ", as in --over club.loft=5deg..15deg:101",
         _ => "",
     }
 }

@@ -33,7 +33,7 @@
 //! | | |
 //! |---|---|
 //! | results to bytes | [`report`] |
-//! | questions asked of a drive | [`study`] |
+//! | questions asked of a drive; of very many drives | [`study`], [`batch`] |
 //! | a bound-constrained minimiser that knows no golf; derivatives by name | [`optimize`], [`derivative`] |
 //! | setup → impact → flight → outcomes | [`drive`] |
 //! | rigid bodies; equation of motion and landing | [`impact`], [`flight`] |
@@ -46,6 +46,7 @@
 
 pub mod aerodynamics;
 pub mod atmosphere;
+pub mod batch;
 pub mod derivative;
 pub mod drive;
 pub mod error;

@@ -52,6 +52,7 @@ mod saddle;
 mod search;
 pub mod sensitivity;
 mod sides;
+pub(crate) mod sobol;
 mod solution;
 pub mod sqp;
 mod start;

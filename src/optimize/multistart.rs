@@ -5,6 +5,7 @@ use super::ledger::{Ledger, Run};
 use super::minimize::{Watch, minimize_watched};
 use super::options::Options;
 use super::problem::Problem;
+use super::sobol;
 use super::solution::{Iteration, Solution};
 use super::status::Status;
 use crate::error::{Error, Result};
@@ -48,17 +49,17 @@ const SAME: f64 = 1e-6;
 pub fn starts(domain: &Domain, start: &[f64], count: usize) -> Result<Vec<Vec<f64>>> {
     let (bounds, scale) = (&domain.variables, domain.variables.scale(start));
     let most = 1 << 16;
-    if count > most || start.len() > sobol_burley::NUM_DIMENSIONS as usize {
+    if count > most || start.len() > sobol::MOST_VARIABLES {
         return Err(Error::Optimizer(format!(
             "{count} starts in {} variables; at most {most} starts in {} variables can be spread",
             start.len(),
-            sobol_burley::NUM_DIMENSIONS
+            sobol::MOST_VARIABLES
         )));
     }
     let coordinate = |index: usize, i: usize| {
         let end = |bound: f64, beyond: f64| if bound.is_finite() { bound } else { start[i] + beyond };
         let (low, high) = (end(bounds.low[i], -scale[i]), end(bounds.high[i], scale[i]));
-        low + f64::from(sobol_burley::sample(index as u32, i as u32, 0)) * (high - low)
+        low + sobol::coordinate(index as u64, i, 0) * (high - low)
     };
     let spread = |index: usize| (0..start.len()).map(|i| coordinate(index, i)).collect();
     Ok(std::iter::once(bounds.project(start)).chain((0..count.saturating_sub(1)).map(spread)).collect())

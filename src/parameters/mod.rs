@@ -9,6 +9,7 @@ mod presets;
 mod range;
 mod setup;
 mod table;
+mod vary;
 
 pub use declare::{Kind, Parameter, UNSET};
 pub use presets::{PRESETS, Preset, PresetEntry};
@@ -19,3 +20,4 @@ pub use table::{
     Aero, Air, Ball, Club, Contact, Ferguson, FlightConditions, Ground, LaunchMonitor, Law, Linear, Robinson, Setup,
     SmitsSmith, Strike, Swing, Wind,
 };
+pub use vary::Vary;

@@ -9,6 +9,7 @@ mod optimum;
 mod parameters;
 mod presets;
 mod sensitivity;
+mod sweep;
 mod table;
 
 pub use chart::{ChartPointReport, ChartReport, chart_csv, chart_text};
@@ -20,3 +21,6 @@ pub use optimum::{
 pub use parameters::{parameters_json, parameters_text};
 pub use presets::{preset_toml, presets_json, presets_text};
 pub use sensitivity::{Analysis, SensitivityReport, sensitivity_text};
+#[cfg(feature = "parquet")]
+pub use sweep::{ParquetGroup, PlacedGroup, SweepParquet};
+pub use sweep::{SweepCsv, SweepJsonLines};

@@ -1,8 +1,8 @@
 //! The optimum as a function of a parameter, followed by continuation.
 
+use super::Vary;
 use super::optimum::{Active, Optimum, Search, optimum};
 use super::sensitivity::sensitivity;
-use super::vary::Vary;
 use crate::error::{Error, Result};
 use crate::optimize::{Options, Status, Watch};
 use crate::parameters::Setup;

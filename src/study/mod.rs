@@ -6,11 +6,10 @@ mod flatness;
 mod optimum;
 mod problem;
 mod sensitivity;
-mod vary;
 
+pub use crate::parameters::Vary;
 pub use chart::{Chart, ChartPoint, chart};
 pub use constraint::Constraint;
 pub use flatness::{Direction, Ellipse, Flatness, Limit, Window, flatness};
 pub use optimum::{Active, Optima, Optimum, Search, optima, optimum};
 pub use sensitivity::{Change, Changed, Sensitivity, change, refuse_varied, sensitivities, sensitivity};
-pub use vary::Vary;

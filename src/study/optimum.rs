@@ -1,6 +1,6 @@
+use super::Vary;
 use super::constraint::Constraint;
 use super::problem::DriveProblem;
-use super::vary::Vary;
 use crate::drive::{Drive, Outcome};
 use crate::error::{Error, Result};
 use crate::optimize::sensitivity::Held;

@@ -4,6 +4,7 @@
 mod analysis;
 mod command_line;
 mod command_line_search;
+mod command_line_sweep;
 mod common;
 mod derivatives;
 mod flight;
@@ -13,3 +14,4 @@ mod optimizer;
 mod oracle;
 mod reference;
 mod smoothness;
+mod sweep;

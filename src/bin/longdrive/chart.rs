@@ -1,6 +1,6 @@
 use crate::args::ChartArgs;
 use crate::output::{Answer, tell, warn};
-use crate::search::interrupt;
+use crate::search::{BEST_SO_FAR, interrupt};
 use longdrive::Result;
 use longdrive::report::{ChartReport, chart_csv, chart_text};
 use longdrive::study::{Chart, Vary, chart};
@@ -11,7 +11,7 @@ pub fn run(args: &ChartArgs) -> Result<Answer> {
     let search = args.search.search(&setup)?;
     let along = Vary::read(&setup, &args.along)?;
     warn(&setup.warnings());
-    let stop = interrupt();
+    let stop = interrupt(BEST_SO_FAR);
     let of = search.maximize;
     let chart = chart(&setup, &search, along, |point| {
         let value = point.best.value().map_or("–".into(), |value| of.show(value));

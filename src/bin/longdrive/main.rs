@@ -14,6 +14,7 @@ mod presets;
 mod question;
 mod search;
 mod simulate;
+mod sweep;
 
 use args::{Args, Command};
 use clap::Parser;
@@ -27,6 +28,7 @@ fn main() -> ExitCode {
         Command::Optimize(args) => optimize::run(&args),
         Command::OptimumSensitivity(args) => optimum_sensitivity::run(&args),
         Command::Chart(args) => chart::run(&args),
+        Command::Sweep(args) => sweep::run(&args),
         Command::Parameters(args) => parameters::run(&args),
         Command::Presets(args) => presets::run(&args),
     };

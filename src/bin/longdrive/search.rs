@@ -9,6 +9,7 @@ use longdrive::study::{Constraint, Optima, Search, Vary, optima};
 use longdrive::{Outcome, Result, Setup};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
+use std::time::{Duration, Instant};
 
 impl SearchArgs {
     /// What is looked for.
@@ -31,7 +32,7 @@ impl WorkArgs {
             Some(path) => Some(Arc::new(Ledger::open(path, &question(setup, search, self.starts))?)),
             None => None,
         };
-        let mut follow = Follow { interrupt: interrupt(), ledger, ..Follow::default() };
+        let mut follow = Follow { interrupt: interrupt(BEST_SO_FAR), ledger, ..Follow::default() };
         let bar = if self.starts > 1 { self.many(search, &mut follow) } else { one(search, &mut follow) };
         let found = optima(setup, search, self.starts as usize, &follow);
         bar.finish_and_clear();
@@ -76,16 +77,28 @@ fn one(search: &Search, follow: &mut Follow) -> ProgressBar {
     ProgressBar::hidden()
 }
 
-/// Becomes true on Ctrl-C; a second one ends the program at once.
-pub fn interrupt() -> Arc<AtomicBool> {
+/// Signals within this time are one: a program around this one (`timeout`) may send its own beside the terminal's.
+const ONE_PRESS: Duration = Duration::from_millis(300);
+
+/// What a search does on Ctrl-C.
+pub const BEST_SO_FAR: &str = "stopping with the best so far";
+
+/// Becomes true on Ctrl-C, which is answered with a line of what happens then; a second one ends the program at once.
+pub fn interrupt(stopping: &'static str) -> Arc<AtomicBool> {
     let flag = Arc::new(AtomicBool::new(false));
     let shared = flag.clone();
+    let mut first = None;
     // without a handler Ctrl-C ends the program as it ends any other
     let _ = ctrlc::set_handler(move || {
-        if shared.swap(true, Ordering::Relaxed) {
-            std::process::exit(130);
+        shared.store(true, Ordering::Relaxed);
+        match first {
+            None => {
+                first = Some(Instant::now());
+                tell(&format!("{stopping}; Ctrl-C again to end at once"));
+            }
+            Some(first) if first.elapsed() > ONE_PRESS => std::process::exit(130),
+            Some(_) => {}
         }
-        tell("stopping with the best so far; Ctrl-C again to end at once");
     });
     flag
 }

@@ -1,5 +1,6 @@
+use super::declare::Parameter;
+use super::table::Setup;
 use crate::error::{Error, Result};
-use crate::parameters::{Parameter, Setup};
 
 /// A parameter to vary, and how far, SI.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -17,7 +18,7 @@ impl Vary {
     /// high end; two numbers without units are SI.
     ///
     /// ```
-    /// use longdrive::{Setup, study::Vary};
+    /// use longdrive::{Setup, parameters::Vary};
     /// let loft = Vary::read(&Setup::default(), "club.loft=4..20deg").unwrap();
     /// assert_eq!((loft.low, loft.high), (4.0_f64.to_radians(), 20.0_f64.to_radians()));
     /// assert!(Vary::read(&Setup::default(), "club.loft=20deg..4deg").is_err());

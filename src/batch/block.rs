@@ -1,0 +1,136 @@
+use std::fmt;
+
+/// How a drive of a batch ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Status {
+    /// On the ground: it has every outcome.
+    Landed,
+    /// It left the face and did not fly: launched down, or below the ground all the way. Outcomes of the launch only.
+    NoFlight,
+    /// Still in the air at `flight.time_limit`. Outcomes of the launch only.
+    Aloft,
+    /// The numbers of the flight overflowed: `flight.step` is too coarse. No outcomes.
+    Diverged,
+    /// The club does not strike the ball: off the face, moving away, or jammed. No outcomes.
+    NoStrike,
+    /// A value of the point is outside its parameter's range, or the inertia tensor is one that no body can have. No
+    /// outcomes.
+    OutOfRange,
+}
+
+impl Status {
+    /// Every status.
+    pub const ALL: [Self; 6] =
+        [Self::Landed, Self::NoFlight, Self::Aloft, Self::Diverged, Self::NoStrike, Self::OutOfRange];
+
+    /// Its name in files: `landed`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Landed => "landed",
+            Self::NoFlight => "no-flight",
+            Self::Aloft => "aloft",
+            Self::Diverged => "diverged",
+            Self::NoStrike => "no-strike",
+            Self::OutOfRange => "out-of-range",
+        }
+    }
+}
+
+impl fmt::Display for Status {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+/// How many drives ended in which way.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Tally([u64; Status::ALL.len()]);
+
+impl Tally {
+    /// Counts the drives of a block.
+    pub fn add(&mut self, block: &Block) {
+        for status in &block.status {
+            self.0[*status as usize] += 1;
+        }
+    }
+
+    /// Adds another tally.
+    pub fn merge(&mut self, other: Self) {
+        for (ours, theirs) in self.0.iter_mut().zip(other.0) {
+            *ours += theirs;
+        }
+    }
+
+    /// The tally of counts by the statuses' names; names of none are passed over.
+    pub fn of<'a>(counts: impl IntoIterator<Item = (&'a str, u64)>) -> Self {
+        let mut tally = Self::default();
+        for (name, count) in counts {
+            if let Some(status) = Status::ALL.into_iter().find(|status| status.name() == name) {
+                tally.0[status as usize] = count;
+            }
+        }
+        tally
+    }
+
+    /// Each status with its number of drives.
+    pub fn counts(&self) -> impl Iterator<Item = (Status, u64)> {
+        Status::ALL.into_iter().map(|status| (status, self.0[status as usize]))
+    }
+}
+
+/// Drives of consecutive points. A value that does not exist is `None`, and never a NaN.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Block {
+    pub(super) first_row: u64,
+    /// The points, one after the other.
+    pub(super) points: Vec<f64>,
+    pub(super) parameters: usize,
+    pub(super) status: Vec<Status>,
+    /// A column for each outcome; a number that is not finite stands for a value that does not exist.
+    pub(super) outcomes: Vec<Vec<f64>>,
+    /// A column for each outcome and parameter, the parameters of the first outcome first; likewise.
+    pub(super) derivatives: Vec<Vec<f64>>,
+}
+
+impl Block {
+    /// The row of its first point, from 0.
+    pub fn first_row(&self) -> u64 {
+        self.first_row
+    }
+
+    /// How many drives it holds.
+    pub fn rows(&self) -> usize {
+        self.status.len()
+    }
+
+    /// The values of the swept parameters, SI.
+    pub fn point(&self, row: usize) -> &[f64] {
+        &self.points[row * self.parameters..][..self.parameters]
+    }
+
+    /// How the drive ended.
+    pub fn status(&self, row: usize) -> Status {
+        self.status[row]
+    }
+
+    /// The outcome of this number, SI.
+    pub fn outcome(&self, row: usize, outcome: usize) -> Option<f64> {
+        Some(self.outcomes[outcome][row]).filter(|value| value.is_finite())
+    }
+
+    /// The derivatives of all outcomes by all parameters, SI, the parameters of the first outcome first.
+    pub fn derivatives(&self, row: usize) -> impl Iterator<Item = Option<f64>> {
+        self.derivatives.iter().map(move |column| Some(column[row]).filter(|value| value.is_finite()))
+    }
+
+    /// The outcomes, SI.
+    pub fn outcomes(&self, row: usize) -> impl Iterator<Item = Option<f64>> {
+        (0..self.outcomes.len()).map(move |outcome| self.outcome(row, outcome))
+    }
+
+    /// A column of results: the outcomes, then the derivatives.
+    pub fn result(&self, column: usize) -> impl Iterator<Item = Option<f64>> {
+        let column = self.outcomes.iter().chain(&self.derivatives).nth(column);
+        column.into_iter().flatten().map(|value| Some(*value).filter(|value| value.is_finite()))
+    }
+}

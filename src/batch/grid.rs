@@ -1,0 +1,129 @@
+use super::points::{Points, refuse_repeated};
+use crate::error::{Error, Result};
+use crate::parameters::{Parameter, Setup, Vary};
+
+/// Values of a parameter at equal distances, both ends among them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Axis {
+    /// The parameter and its range, SI.
+    pub over: Vary,
+    /// How many values; a single one is the lower end.
+    pub count: u64,
+}
+
+impl Axis {
+    /// Reads `NAME=LOW..HIGH:COUNT`, for example `club.loft=5deg..15deg:101`.
+    ///
+    /// ```
+    /// use longdrive::{Setup, batch::Axis};
+    /// let axis = Axis::read(&Setup::default(), "swing.speed=40..50m/s:6").unwrap();
+    /// assert_eq!((axis.value(0), axis.value(1), axis.value(5)), (40.0, 42.0, 50.0));
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::SearchRange`] for a count that is missing or 0; as [`Vary::read`].
+    pub fn read(setup: &Setup<f64>, text: &str) -> Result<Self> {
+        let refuse = |reason: String| Error::SearchRange { name: text.trim().into(), reason };
+        let Some((range, count)) = text.rsplit_once(':') else {
+            // a range that is none is the greater mistake
+            Vary::read(setup, text)?;
+            return Err(refuse(format!("how many values? write for example {}:101", text.trim())));
+        };
+        let over = Vary::read(setup, range)?;
+        match count.trim().parse() {
+            Ok(0) => Err(refuse("0 values are none; write for example :101, or :1 for the lower end alone".into())),
+            Ok(count) => Ok(Self { over, count }),
+            Err(_) => Err(refuse(format!("'{count}' is not a number of values; write for example {range}:101"))),
+        }
+    }
+
+    /// The value of this number, from 0, SI: low + (high − low) i/(count − 1).
+    pub fn value(&self, i: u64) -> f64 {
+        let Vary { low, high, .. } = self.over;
+        match i {
+            0 => low,
+            // the end itself, without the rounding of the way there
+            i if i + 1 >= self.count => high,
+            i => low + (high - low) * i as f64 / (self.count - 1) as f64,
+        }
+    }
+}
+
+/// Every combination of the values of some parameters; the first axis is outermost, the last one changes from row to
+/// row.
+#[derive(Clone, Debug)]
+pub struct Grid {
+    axes: Vec<Axis>,
+    parameters: Vec<&'static Parameter>,
+    rows: u64,
+    next: u64,
+}
+
+impl Grid {
+    /// The grid of these axes.
+    ///
+    /// # Errors
+    /// [`Error::TooLarge`] for more rows than can be counted; [`Error::SearchRange`] for an axis without values or a
+    /// parameter given twice; [`Error::Nothing`] without axes.
+    pub fn new(axes: Vec<Axis>) -> Result<Self> {
+        let parameters: Vec<_> = axes.iter().map(|axis| axis.over.parameter).collect();
+        refuse_repeated(&parameters)?;
+        if let Some(axis) = axes.iter().find(|axis| axis.count == 0) {
+            let reason = "0 values are none".into();
+            return Err(Error::SearchRange { name: axis.over.parameter.name.into(), reason });
+        }
+        let rows = axes.iter().try_fold(1_u64, |rows, axis| rows.checked_mul(axis.count));
+        let rows = rows.ok_or_else(|| {
+            let rows: f64 = axes.iter().map(|axis| axis.count as f64).product();
+            Error::TooLarge {
+                rows: format!("{rows:.1e}"),
+                size: format!("{:.1e} GB", rows * 8.0 * (axes.len() + 1) as f64 / 1e9),
+                limit: "any disk".into(),
+                advice: "take fewer values, or --sample points of the same ranges".into(),
+            }
+        })?;
+        Ok(Self { axes, parameters, rows, next: 0 })
+    }
+
+    /// The axes, outermost first.
+    pub fn axes(&self) -> &[Axis] {
+        &self.axes
+    }
+}
+
+impl Points for Grid {
+    fn parameters(&self) -> &[&'static Parameter] {
+        &self.parameters
+    }
+
+    fn rows(&self) -> u64 {
+        self.rows
+    }
+
+    fn seek(&mut self, row: u64) -> Result<()> {
+        self.next = row;
+        Ok(())
+    }
+
+    fn read(&mut self, most: usize, values: &mut Vec<f64>) -> Result<usize> {
+        let rows = self.rows.saturating_sub(self.next).min(most as u64);
+        for row in self.next..self.next + rows {
+            let first = values.len();
+            let mut rest = row;
+            for axis in self.axes.iter().rev() {
+                values.push(axis.value(rest % axis.count));
+                rest /= axis.count;
+            }
+            values[first..].reverse();
+        }
+        self.next += rows;
+        Ok(rows as usize)
+    }
+
+    fn identity(&self) -> String {
+        let axis = |axis: &Axis| {
+            format!("{}={:?}..{:?}:{}", axis.over.parameter.name, axis.over.low, axis.over.high, axis.count)
+        };
+        self.axes.iter().map(axis).collect::<Vec<_>>().join(" ")
+    }
+}

@@ -1,0 +1,89 @@
+use super::block::{Block, Status};
+use crate::derivative::{self, Order};
+use crate::drive::{Drive, Outcome};
+use crate::error::{Error, Result};
+use crate::flight::{Flight, NoFlight};
+use crate::parameters::{Parameter, Setup};
+
+/// Computes chunks of drives: the only place in a batch where drives are hit and flown.
+#[derive(Clone, Debug)]
+pub(crate) struct Kernel {
+    pub setup: Setup<f64>,
+    /// The parameters that have a value in each point.
+    pub parameters: Vec<&'static Parameter>,
+    pub of: Vec<Outcome>,
+    /// What the outcomes are differentiated by; nothing for values alone.
+    pub wrt: Vec<&'static Parameter>,
+}
+
+impl Kernel {
+    /// The drives of some points, given one after the other.
+    pub fn evaluate(&self, first_row: u64, points: Vec<f64>) -> Block {
+        let rows = points.len() / self.parameters.len();
+        let empty = |columns: usize| vec![vec![f64::NAN; rows]; columns];
+        let mut block = Block {
+            first_row,
+            parameters: self.parameters.len(),
+            status: vec![Status::OutOfRange; rows],
+            outcomes: empty(self.of.len()),
+            derivatives: empty(self.of.len() * self.wrt.len()),
+            points,
+        };
+        for row in 0..rows {
+            if let Ok(setup) = self.moved(block.point(row)) {
+                self.drive(&setup, row, &mut block);
+            }
+        }
+        block
+    }
+
+    fn moved(&self, point: &[f64]) -> Result<Setup<f64>> {
+        let mut setup = self.setup;
+        for (parameter, value) in self.parameters.iter().zip(point) {
+            setup.set_value(parameter, Some(*value))?;
+        }
+        setup.validate()?;
+        Ok(setup)
+    }
+
+    fn drive(&self, setup: &Setup<f64>, row: usize, block: &mut Block) {
+        let drive = match Drive::new(setup) {
+            Ok(drive) => drive,
+            Err(Error::Diverged { .. }) => return block.status[row] = Status::Diverged,
+            Err(_) => return block.status[row] = Status::NoStrike,
+        };
+        block.status[row] = match &drive.flight {
+            Flight::Landed(_) => Status::Landed,
+            Flight::None(NoFlight::Aloft { .. }) => Status::Aloft,
+            Flight::None(_) => Status::NoFlight,
+        };
+        for (outcome, column) in self.of.iter().zip(&mut block.outcomes) {
+            column[row] = outcome.value(&drive).unwrap_or(f64::NAN);
+        }
+        if !self.wrt.is_empty() {
+            self.differentiate(setup, row, block);
+        }
+    }
+
+    /// The derivatives that exist: all at once, or where one is missing each by itself.
+    fn differentiate(&self, setup: &Setup<f64>, row: usize, block: &mut Block) {
+        let mut columns = block.derivatives.iter_mut();
+        let mut put = |d: f64| {
+            if let Some(column) = columns.next() {
+                column[row] = d;
+            }
+        };
+        match derivative::evaluate(setup, &self.of, &self.wrt, Order::First) {
+            Ok(taylors) => taylors.iter().flat_map(|taylor| &taylor.gradient).for_each(|d| put(*d)),
+            Err(_) => {
+                for (outcome, values) in self.of.iter().zip(&block.outcomes) {
+                    for parameter in &self.wrt {
+                        let exists = values[row].is_finite();
+                        let d = exists.then(|| derivative::gradient(setup, *outcome, &[parameter]));
+                        put(d.and_then(Result::ok).map_or(f64::NAN, |taylor| taylor.gradient[0]));
+                    }
+                }
+            }
+        }
+    }
+}

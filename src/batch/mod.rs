@@ -1,0 +1,47 @@
+//! Drives by the million: the outcomes, and their exact derivatives, at every point of a grid, a quasi-random sequence
+//! or a table.
+//!
+//! ```text
+//!   points ──chunks──▶ drives, side by side ──in order──▶ whoever takes the rows
+//! ```
+//!
+//! Points are read in chunks of [`CHUNK`] rows, a bounded number of chunks is under way at a time, and finished ones
+//! are handed on in the order of the points: memory does not grow with the batch, and what is handed on does not
+//! depend on the number of threads.
+//!
+//! ```
+//! use longdrive::batch::{Axis, Grid, Run, simulate_batch};
+//! use longdrive::{Outcome, Setup};
+//!
+//! let setup = Setup::default();
+//! let axis = |text| Axis::read(&setup, text).unwrap();
+//! let mut grid = Grid::new(vec![axis("club.loft=8deg..12deg:3"), axis("swing.speed=40..50 m/s:2")]).unwrap();
+//! let mut rows = vec![];
+//! simulate_batch(&setup, &mut grid, &[Outcome::BallSpeed], &Run::default(), |block| {
+//!     rows.extend((0..block.rows()).map(|row| (block.point(row).to_vec(), block.outcome(row, 0))));
+//!     Ok(())
+//! })
+//! .unwrap();
+//! // the first axis is outermost, ends are included
+//! assert_eq!((rows.len(), rows[1].0[0]), (6, 8.0_f64.to_radians()));
+//! assert_eq!((rows[1].0[1], rows[5].0[0]), (50.0, 12.0_f64.to_radians()));
+//! // ball speed is in proportion to club speed
+//! assert!((rows[1].1.unwrap() / rows[0].1.unwrap() - 50.0 / 40.0).abs() < 1e-12);
+//! ```
+
+mod block;
+mod grid;
+mod kernel;
+mod points;
+mod run;
+mod sequence;
+mod table;
+
+pub use block::{Block, Status, Tally};
+pub use grid::{Axis, Grid};
+pub use points::Points;
+pub use run::{Batch, CHUNK, Run, gradient_batch, simulate_batch};
+pub use sequence::Sequence;
+#[cfg(feature = "parquet")]
+pub use table::ParquetTable;
+pub use table::{CsvTable, open_table};

@@ -1,0 +1,175 @@
+use super::block::Block;
+use super::kernel::Kernel;
+use super::points::Points;
+use crate::drive::Outcome;
+use crate::error::{Error, Result};
+use crate::parameters::{Parameter, Setup};
+use std::collections::BTreeMap;
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc;
+
+/// Rows of a chunk: the piece of a batch that one thread computes at a time.
+pub const CHUNK: usize = 1024;
+
+/// Chunks under way at a time, for each thread: enough that none waits for the order to be restored.
+const UNDER_WAY: u64 = 4;
+
+/// How a batch is run.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Run<'a> {
+    /// The first row to compute (0): a multiple of [`CHUNK`] where the blocks are to be those of an undisturbed run.
+    pub first_row: u64,
+    /// Threads (0: as many as there are processors).
+    pub threads: usize,
+    /// Ends the batch, after the chunks under way, once it is true.
+    pub stop: Option<&'a AtomicBool>,
+}
+
+/// What is asked of every point.
+#[derive(Clone, Debug)]
+pub struct Batch {
+    kernel: Kernel,
+}
+
+impl Batch {
+    /// Outcomes of the setup at the points of some parameters, with their derivatives by `wrt`, if any.
+    ///
+    /// # Errors
+    /// What [`Setup::validate`] refuses; [`Error::Nothing`] without outcomes or swept parameters;
+    /// [`Error::NotVariable`], [`Error::Unknown`] and [`Error::OtherLaw`] as [`Setup::variable`].
+    pub fn new(
+        setup: &Setup<f64>,
+        parameters: &[&'static Parameter],
+        of: &[Outcome],
+        wrt: &[&'static Parameter],
+    ) -> Result<Self> {
+        setup.validate()?;
+        if of.is_empty() {
+            return Err(Error::Nothing { doing: "evaluate", what: "outcome" });
+        }
+        super::points::refuse_repeated(parameters)?;
+        for parameter in parameters.iter().chain(wrt) {
+            setup.variable(parameter.name)?;
+        }
+        let (parameters, of, wrt) = (parameters.to_vec(), of.to_vec(), wrt.to_vec());
+        Ok(Self { kernel: Kernel { setup: *setup, parameters, of, wrt } })
+    }
+
+    /// The setup that the points move.
+    pub fn setup(&self) -> &Setup<f64> {
+        &self.kernel.setup
+    }
+
+    /// The swept parameters.
+    pub fn parameters(&self) -> &[&'static Parameter] {
+        &self.kernel.parameters
+    }
+
+    /// The outcomes.
+    pub fn outcomes(&self) -> &[Outcome] {
+        &self.kernel.of
+    }
+
+    /// What the outcomes are differentiated by.
+    pub fn wrt(&self) -> &[&'static Parameter] {
+        &self.kernel.wrt
+    }
+
+    /// The drives of some points, given one after the other.
+    pub fn evaluate(&self, first_row: u64, points: Vec<f64>) -> Block {
+        self.kernel.evaluate(first_row, points)
+    }
+
+    /// Computes the drives of all points. Each block goes through `work` on the thread that computed it, and what that
+    /// makes of it to `sink`, in the order of the points. Returns the row after the last one handed on: the number of
+    /// points, unless it was stopped.
+    ///
+    /// # Errors
+    /// What `points` and `sink` return; rows before an unreadable point are handed on first.
+    pub fn run<R: Send>(
+        &self,
+        points: &mut dyn Points,
+        run: &Run<'_>,
+        work: impl Fn(Block) -> R + Sync,
+        mut sink: impl FnMut(R) -> Result<()>,
+    ) -> Result<u64> {
+        points.seek(run.first_row)?;
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(run.threads).build();
+        let pool = pool.map_err(|error| Error::Output(std::io::Error::other(error)))?;
+        let most = UNDER_WAY * pool.current_num_threads() as u64;
+        let is_stopped = || run.stop.is_some_and(|stop| stop.load(Ordering::Relaxed));
+        pool.in_place_scope(|scope| {
+            let (finished, results) = mpsc::channel();
+            let mut waiting = BTreeMap::new();
+            let (mut begun, mut next) = (0, 0);
+            let (mut row, mut done) = (run.first_row, run.first_row);
+            let mut end = None;
+            loop {
+                while end.is_none() && begun - next < most {
+                    let mut values = Vec::with_capacity(CHUNK * self.kernel.parameters.len());
+                    let read = if is_stopped() { Ok(0) } else { points.read(CHUNK, &mut values) };
+                    match read {
+                        Ok(0) => end = Some(Ok(())),
+                        Err(error) => end = Some(Err(error)),
+                        Ok(rows) => {
+                            let (first_row, finished, work) = (row, finished.clone(), &work);
+                            row += rows as u64;
+                            scope.spawn(move |_| {
+                                let compute = || work(self.kernel.evaluate(first_row, values));
+                                // nobody listens once the sink has refused
+                                let _ = finished.send((begun, rows as u64, catch_unwind(AssertUnwindSafe(compute))));
+                            });
+                            begun += 1;
+                        }
+                    }
+                }
+                if next == begun {
+                    return end.unwrap_or(Ok(())).map(|()| done);
+                }
+                let Ok((chunk, rows, result)) = results.recv() else { return Ok(done) };
+                waiting.insert(chunk, (rows, result.unwrap_or_else(|panic| resume_unwind(panic))));
+                while let Some((rows, result)) = waiting.remove(&next) {
+                    sink(result)?;
+                    next += 1;
+                    done += rows;
+                }
+            }
+        })
+    }
+}
+
+/// Outcomes of the drives at all points, handed to `sink` in order, a block of at most [`CHUNK`] rows at a time.
+/// Returns the row after the last one handed on.
+///
+/// # Errors
+/// As [`Batch::new`] and [`Batch::run`]. A drive that does not fly is no error but has its [`Status`](super::Status).
+pub fn simulate_batch(
+    setup: &Setup<f64>,
+    points: &mut dyn Points,
+    of: &[Outcome],
+    run: &Run<'_>,
+    mut sink: impl FnMut(&Block) -> Result<()>,
+) -> Result<u64> {
+    let batch = Batch::new(setup, points.parameters(), of, &[])?;
+    batch.run(points, run, |block| block, |block| sink(&block))
+}
+
+/// As [`simulate_batch`], with the exact derivatives of every outcome by each parameter of `wrt`.
+///
+/// # Errors
+/// As [`simulate_batch`]; [`Error::Nothing`] without parameters to differentiate by.
+pub fn gradient_batch(
+    setup: &Setup<f64>,
+    points: &mut dyn Points,
+    of: &[Outcome],
+    wrt: &[&'static Parameter],
+    run: &Run<'_>,
+    mut sink: impl FnMut(&Block) -> Result<()>,
+) -> Result<u64> {
+    if wrt.is_empty() {
+        return Err(Error::Nothing { doing: "differentiate by", what: "parameter" });
+    }
+    let batch = Batch::new(setup, points.parameters(), of, wrt)?;
+    batch.run(points, run, |block| block, |block| sink(&block))
+}

@@ -1,0 +1,63 @@
+use super::points::{Points, refuse_repeated};
+use crate::error::{Error, Result};
+use crate::optimize::sobol;
+use crate::parameters::{Parameter, Vary};
+
+/// Points spread evenly over ranges of some parameters, however many are taken: Sobol's sequence, scrambled (Owen 1995;
+/// Burley 2020). After 65 536 points it goes on with another scrambling.
+#[derive(Clone, Debug)]
+pub struct Sequence {
+    over: Vec<Vary>,
+    parameters: Vec<&'static Parameter>,
+    rows: u64,
+    seed: u32,
+    next: u64,
+}
+
+impl Sequence {
+    /// The first `rows` points over these ranges; another seed gives other points.
+    ///
+    /// # Errors
+    /// [`Error::SearchRange`] for a parameter given twice; [`Error::Nothing`] without ranges.
+    pub fn new(over: Vec<Vary>, rows: u64, seed: u32) -> Result<Self> {
+        let parameters: Vec<_> = over.iter().map(|vary| vary.parameter).collect();
+        refuse_repeated(&parameters)?;
+        if over.len() > sobol::MOST_VARIABLES {
+            let reason = format!("points of at most {} parameters can be spread evenly", sobol::MOST_VARIABLES);
+            return Err(Error::SearchRange { name: format!("of {} parameters", over.len()), reason });
+        }
+        Ok(Self { over, parameters, rows, seed, next: 0 })
+    }
+}
+
+impl Points for Sequence {
+    fn parameters(&self) -> &[&'static Parameter] {
+        &self.parameters
+    }
+
+    fn rows(&self) -> u64 {
+        self.rows
+    }
+
+    fn seek(&mut self, row: u64) -> Result<()> {
+        self.next = row;
+        Ok(())
+    }
+
+    fn read(&mut self, most: usize, values: &mut Vec<f64>) -> Result<usize> {
+        let rows = self.rows.saturating_sub(self.next).min(most as u64);
+        for row in self.next..self.next + rows {
+            let value =
+                |(i, vary): (usize, &Vary)| vary.low + sobol::coordinate(row, i, self.seed) * (vary.high - vary.low);
+            values.extend(self.over.iter().enumerate().map(value));
+        }
+        self.next += rows;
+        Ok(rows as usize)
+    }
+
+    fn identity(&self) -> String {
+        let range = |vary: &Vary| format!("{}={:?}..{:?}", vary.parameter.name, vary.low, vary.high);
+        let ranges: Vec<_> = self.over.iter().map(range).collect();
+        format!("{} points, seed {}, of {}", self.rows, self.seed, ranges.join(" "))
+    }
+}

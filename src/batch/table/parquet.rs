@@ -1,0 +1,159 @@
+use super::{Fingerprint, column, refuse_columns, refused};
+use crate::batch::points::Points;
+use crate::error::Result;
+use crate::parameters::{Parameter, Setup};
+use parquet::column::reader::ColumnReader;
+use parquet::errors::ParquetError;
+use parquet::file::reader::{FileReader, SerializedFileReader};
+use std::fs::File;
+use std::path::{Path, PathBuf};
+
+/// Points in a Parquet file: columns of numbers, SI, named by parameters. It is read a row group at a time.
+pub struct ParquetTable {
+    path: PathBuf,
+    file: SerializedFileReader<File>,
+    parameters: Vec<&'static Parameter>,
+    rows: u64,
+    fingerprint: u64,
+    /// The row group that is read next.
+    group: usize,
+    /// Where the columns of the one being read stand, and how many of its rows are left.
+    columns: Vec<ColumnReader>,
+    left: usize,
+    next: u64,
+}
+
+impl ParquetTable {
+    /// The table in a file. All of it is read once, so that a value that is missing is told before any work.
+    ///
+    /// # Errors
+    /// [`Error::Table`](crate::Error::Table) for a file that cannot be read, a column that is no parameter, given
+    /// twice or not of numbers, and a missing value.
+    pub fn open(setup: &Setup<f64>, path: &Path) -> Result<Self> {
+        let unreadable = |reason: String| refused(path, String::new(), format!("it cannot be read ({reason})"));
+        let opened = File::open(path).map_err(|error| unreadable(error.to_string()))?;
+        let file = SerializedFileReader::new(opened).map_err(|error| unreadable(error.to_string()))?;
+        let schema = file.metadata().file_metadata().schema_descr_ptr();
+        let mut parameters = vec![];
+        for (at, head) in schema.columns().iter().enumerate() {
+            let name = head.path().string();
+            parameters.push(column(setup, path, at + 1, &name)?);
+            if head.max_rep_level() > 0 || head.max_def_level() > 1 {
+                return Err(refused(path, format!(", column {name}"), "it is nested; a column of numbers is wanted"));
+            }
+        }
+        refuse_columns(path, &parameters)?;
+        let rows = file.metadata().file_metadata().num_rows().max(0) as u64;
+        let (path, columns) = (path.to_owned(), vec![]);
+        let mut table = Self { path, file, parameters, rows, fingerprint: 0, group: 0, columns, left: 0, next: 0 };
+        let mut fingerprint = Fingerprint::new();
+        let mut values = vec![];
+        while table.read(super::super::CHUNK, &mut values)? > 0 {
+            for value in values.drain(..) {
+                fingerprint.add(&value.to_bits().to_le_bytes());
+            }
+        }
+        table.fingerprint = fingerprint.0;
+        table.seek(0)?;
+        Ok(table)
+    }
+
+    fn unreadable(&self, error: ParquetError) -> crate::Error {
+        refused(&self.path, format!(", after row {}", self.next), error.to_string())
+    }
+
+    /// Begins row groups until one has rows left; false at the end.
+    fn open_group(&mut self) -> Result<bool> {
+        while self.left == 0 {
+            if self.group == self.file.num_row_groups() {
+                return Ok(false);
+            }
+            let group = self.file.get_row_group(self.group).map_err(|error| self.unreadable(error))?;
+            let columns = (0..self.parameters.len()).map(|i| group.get_column_reader(i));
+            self.columns = columns.collect::<Result<_, _>>().map_err(|error| self.unreadable(error))?;
+            self.left = group.metadata().num_rows().max(0) as usize;
+            self.group += 1;
+        }
+        Ok(true)
+    }
+}
+
+/// The next values of a column; fewer where some are missing.
+fn values(column: &mut ColumnReader, rows: usize) -> Result<Vec<f64>, ParquetError> {
+    macro_rules! read {
+        ($column:expr, $into:expr) => {{
+            let (mut values, mut levels) = (Vec::with_capacity(rows), Vec::new());
+            let mut read = 0;
+            while read < rows {
+                let (records, _, _) = $column.read_records(rows - read, Some(&mut levels), None, &mut values)?;
+                if records == 0 {
+                    break;
+                }
+                read += records;
+            }
+            values.into_iter().map($into).collect()
+        }};
+    }
+    Ok(match column {
+        ColumnReader::DoubleColumnReader(column) => read!(column, |value| value),
+        ColumnReader::FloatColumnReader(column) => read!(column, f64::from),
+        ColumnReader::Int32ColumnReader(column) => read!(column, f64::from),
+        ColumnReader::Int64ColumnReader(column) => read!(column, |value| value as f64),
+        _ => return Err(ParquetError::General("it is no column of numbers".into())),
+    })
+}
+
+impl Points for ParquetTable {
+    fn parameters(&self) -> &[&'static Parameter] {
+        &self.parameters
+    }
+
+    fn rows(&self) -> u64 {
+        self.rows
+    }
+
+    fn seek(&mut self, row: u64) -> Result<()> {
+        (self.group, self.left, self.next) = (0, 0, 0);
+        let mut passed = vec![];
+        while self.next < row {
+            let most = (row - self.next).min(super::super::CHUNK as u64) as usize;
+            passed.clear();
+            if self.read(most, &mut passed)? == 0 {
+                break;
+            }
+        }
+        Ok(())
+    }
+
+    fn read(&mut self, most: usize, into: &mut Vec<f64>) -> Result<usize> {
+        let width = self.parameters.len();
+        let mut rows = 0;
+        // a chunk may reach over the end of a row group
+        while rows < most && self.open_group()? {
+            let wanted = self.left.min(most - rows);
+            let first = into.len();
+            into.resize(first + wanted * width, 0.0);
+            for (i, parameter) in self.parameters.iter().enumerate() {
+                let place =
+                    || format!(", rows {} to {}, column {}", self.next + 1, self.next + wanted as u64, parameter.name);
+                let column = values(&mut self.columns[i], wanted)
+                    .map_err(|error| refused(&self.path, place(), error.to_string()))?;
+                if column.len() < wanted || column.iter().any(|value| value.is_nan()) {
+                    return Err(refused(&self.path, place(), "a value is missing; every row needs one"));
+                }
+                for (row, value) in column.into_iter().enumerate() {
+                    into[first + row * width + i] = value;
+                }
+            }
+            self.left -= wanted;
+            self.next += wanted as u64;
+            rows += wanted;
+        }
+        Ok(rows)
+    }
+
+    fn identity(&self) -> String {
+        let names: Vec<_> = self.parameters.iter().map(|parameter| parameter.name).collect();
+        format!("table of {} rows of {}, fingerprint {:016x}", self.rows, names.join(" "), self.fingerprint)
+    }
+}

@@ -1,0 +1,261 @@
+use super::journal::{Entry, Journal};
+#[cfg(feature = "parquet")]
+use super::rows::Table;
+use super::rows::{Content, Rows, Writer};
+use super::target::refused;
+use crate::output::tell;
+#[cfg(feature = "parquet")]
+use longdrive::batch::Block;
+use longdrive::batch::Tally;
+#[cfg(feature = "parquet")]
+use longdrive::report::{ParquetGroup, PlacedGroup, SweepParquet};
+use longdrive::{Error, Result};
+use std::fs::{File, OpenOptions};
+use std::io::{self, Seek, SeekFrom, Write};
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+/// A line of the journal at most so often, and after at least so many blocks.
+const OFTEN: Duration = Duration::from_secs(1);
+const BLOCKS: u64 = 16;
+
+/// A file of rows that can be gone on with. Whatever happens, it holds whole rows, and its journal knows how many of
+/// them an undisturbed run would have written in the same bytes.
+pub struct Kept<'a> {
+    path: PathBuf,
+    file: File,
+    journal: Journal,
+    writer: &'a Writer,
+    /// What is written.
+    rows: u64,
+    bytes: u64,
+    tally: Tally,
+    /// Blocks since the last line of the journal, and when that was.
+    since: u64,
+    last: Option<Instant>,
+    #[cfg(feature = "parquet")]
+    groups: Groups,
+}
+
+/// Row groups of a Parquet file.
+#[cfg(feature = "parquet")]
+#[derive(Default)]
+struct Groups {
+    /// Those that are written, each with the bytes, the rows and their tally before it.
+    placed: Vec<(PlacedGroup, u64, u64, Tally)>,
+    /// Blocks of the next one.
+    pending: Vec<Block>,
+}
+
+impl<'a> Kept<'a> {
+    pub fn open(path: &Path, writer: &'a Writer, resume: bool, overwrite: bool) -> Result<Self> {
+        let exists = path.exists();
+        if exists && resume {
+            return Self::go_on(path, writer);
+        }
+        if exists && !overwrite {
+            let reason = if Journal::path(path).exists() {
+                "it exists, from a sweep that did not end; --resume goes on with it, --overwrite replaces it"
+            } else {
+                "it exists; --overwrite replaces it"
+            };
+            return Err(refused(path, reason));
+        }
+        let unwritable = |error: io::Error| refused(path, format!("it cannot be written ({error})"));
+        // the journal first: a file without one is complete
+        let journal = Journal::begin(path, &writer.question).map_err(unwritable)?;
+        let file = OpenOptions::new().write(true).create(true).truncate(true).open(path).map_err(|error| {
+            let _ = journal.remove();
+            unwritable(error)
+        })?;
+        Self::at_the_beginning(path, file, journal, writer).begun()
+    }
+
+    fn at_the_beginning(path: &Path, file: File, journal: Journal, writer: &'a Writer) -> Self {
+        Self {
+            path: path.into(),
+            file,
+            journal,
+            writer,
+            rows: 0,
+            bytes: 0,
+            tally: Tally::default(),
+            since: 0,
+            last: None,
+            #[cfg(feature = "parquet")]
+            groups: Groups::default(),
+        }
+    }
+
+    fn begun(mut self) -> Result<Self> {
+        self.append(&self.writer.head())?;
+        Ok(self)
+    }
+
+    fn go_on(path: &Path, writer: &'a Writer) -> Result<Self> {
+        let unusable = |error: io::Error| refused(path, format!("it cannot be gone on with ({error})"));
+        let file = OpenOptions::new().write(true).open(path).map_err(unusable)?;
+        let length = file.metadata().map_err(unusable)?.len();
+        let Some((journal, question, entries)) =
+            Journal::open(path, |entry| entry.bytes <= length).map_err(unusable)?
+        else {
+            let beside = Journal::path(path);
+            let reason = format!(
+                "there is nothing to go on with: without {} it is complete, or no sweep's; --overwrite replaces it",
+                beside.display()
+            );
+            return Err(refused(path, reason));
+        };
+        if let Some(part) = writer.question.difference(&question) {
+            let reason = format!(
+                "it belongs to another question ({part} differs); repeat the command that began it, or --overwrite it"
+            );
+            return Err(refused(path, reason));
+        }
+        let mut kept = Self::at_the_beginning(path, file, journal, writer);
+        if let Some(last) = entries.last() {
+            (kept.rows, kept.bytes, kept.tally) = (last.rows, last.bytes, last.tally());
+        }
+        #[cfg(feature = "parquet")]
+        if let Table::Parquet(table) = &writer.table {
+            kept.groups.restore(table, &entries, table.head().len() as u64)?;
+        }
+        kept.cut().map_err(unusable)?;
+        tell(&format!("going on after {} rows", kept.rows));
+        if kept.rows == 0 { kept.begun() } else { Ok(kept) }
+    }
+
+    pub fn rows(&self) -> u64 {
+        self.rows
+    }
+
+    pub fn tally(&self) -> Tally {
+        self.tally
+    }
+
+    pub fn take(&mut self, rows: Rows) -> Result<()> {
+        match rows.content {
+            Content::Text(bytes) => {
+                self.append(&bytes)?;
+                self.rows += rows.rows;
+                self.tally.merge(rows.tally);
+                self.since += 1;
+                if self.since >= BLOCKS && self.last.is_none_or(|last| last.elapsed() >= OFTEN) {
+                    self.keep(&[])?;
+                }
+            }
+            #[cfg(feature = "parquet")]
+            Content::Block(block) => {
+                let Table::Parquet(table) = &self.writer.table else { return Ok(()) };
+                self.groups.pending.push(block);
+                if self.groups.pending.len() == table.blocks_of_group() {
+                    let metadata = self.write_group(table)?;
+                    self.keep(&metadata)?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Makes the file whole: what was computed is written, and a Parquet file gets its foot. The journal goes once the
+    /// file is complete.
+    pub fn close(&mut self, is_complete: bool) -> Result<()> {
+        #[cfg(feature = "parquet")]
+        if let Table::Parquet(table) = &self.writer.table {
+            // after an error of the disk there may be no room for these rows
+            let rest = if self.groups.pending.is_empty() { Ok(()) } else { self.write_group(table).map(|_| ()) };
+            self.write_foot(table).and(rest)?;
+        }
+        if !is_complete && self.since > 0 {
+            // where this cannot be entered, a resumed sweep begins a little earlier
+            let _ = self.keep(&[]);
+        }
+        if is_complete {
+            self.file.sync_all().and_then(|()| self.journal.remove()).map_err(|error| self.failed(&error))?;
+        }
+        Ok(())
+    }
+
+    /// Appends all of some bytes or none.
+    fn append(&mut self, bytes: &[u8]) -> Result<()> {
+        if let Err(error) = self.file.write_all(bytes) {
+            // part of a row is none
+            let _ = self.cut();
+            return Err(self.failed(&error));
+        }
+        self.bytes += bytes.len() as u64;
+        Ok(())
+    }
+
+    fn cut(&mut self) -> io::Result<()> {
+        self.file.set_len(self.bytes)?;
+        self.file.seek(SeekFrom::Start(self.bytes)).map(|_| ())
+    }
+
+    fn failed(&self, error: &io::Error) -> Error {
+        refused(
+            &self.path,
+            format!(
+                "it cannot be written on ({error}); its first {} rows are complete and stay valid; make room, then go on \
+                 with the same command and --resume",
+                self.rows
+            ),
+        )
+    }
+
+    /// Enters what is written in the journal.
+    fn keep(&mut self, group: &[u8]) -> Result<()> {
+        let entry = Entry::new(self.rows, self.bytes, self.tally, group);
+        self.file.sync_data().and_then(|()| self.journal.add(&entry)).map_err(|error| self.failed(&error))?;
+        (self.since, self.last) = (0, Some(Instant::now()));
+        Ok(())
+    }
+}
+
+#[cfg(feature = "parquet")]
+impl Kept<'_> {
+    /// Writes the blocks that wait as a row group; its metadata.
+    fn write_group(&mut self, table: &SweepParquet) -> Result<Vec<u8>> {
+        let blocks = std::mem::take(&mut self.groups.pending);
+        let ParquetGroup { bytes, metadata } = table.group(&blocks)?;
+        let (at, before) = (self.bytes, (self.rows, self.tally));
+        self.append(&bytes)?;
+        let placed = table.place(&metadata, at, self.groups.placed.len())?;
+        self.groups.placed.push((placed, at, before.0, before.1));
+        for block in &blocks {
+            self.rows += block.rows() as u64;
+            self.tally.add(block);
+        }
+        Ok(metadata)
+    }
+
+    /// Without a foot no row of a Parquet file can be read: where there is no room for it, row groups make room.
+    fn write_foot(&mut self, table: &SweepParquet) -> Result<()> {
+        let mut no_room = None;
+        loop {
+            let groups: Vec<_> = self.groups.placed.iter().map(|(group, ..)| group.clone()).collect();
+            let foot = table.foot(&groups)?;
+            let Err(error) = self.file.write_all(&foot) else { break };
+            let Some((_, at, rows, tally)) = self.groups.placed.pop() else { return Err(self.failed(&error)) };
+            (self.bytes, self.rows, self.tally) = (at, rows, tally);
+            self.cut().and_then(|()| self.journal.forget_beyond(at)).map_err(|error| self.failed(&error))?;
+            no_room = Some(error);
+        }
+        // what had to go is no longer complete
+        no_room.map_or(Ok(()), |error| Err(self.failed(&error)))
+    }
+}
+
+#[cfg(feature = "parquet")]
+impl Groups {
+    /// The row groups that a journal knows.
+    fn restore(&mut self, table: &SweepParquet, entries: &[Entry], head: u64) -> Result<()> {
+        let mut before = (head, 0, Tally::default());
+        for entry in entries {
+            let placed = table.place(&entry.group(), before.0, self.placed.len())?;
+            self.placed.push((placed, before.0, before.1, before.2));
+            before = (entry.bytes, entry.rows, entry.tally());
+        }
+        Ok(())
+    }
+}

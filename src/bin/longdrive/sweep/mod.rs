@@ -1,0 +1,102 @@
+//! Very many drives, to a file.
+
+mod journal;
+mod kept;
+mod points;
+mod room;
+mod rows;
+mod target;
+
+use crate::args::Sweep;
+use crate::names::{outcomes, variables};
+use crate::output::{Answer, bar, tell, warn};
+use crate::search::interrupt;
+use longdrive::batch::{Batch, Run, Tally};
+use longdrive::{Error, Result};
+use rows::{Rows, Writer};
+use serde::Serialize;
+use serde_json::{Map, Value};
+use std::io::ErrorKind;
+use target::Target;
+
+pub fn run(args: &Sweep) -> Result<Answer> {
+    let setup = args.question.setup()?;
+    let of = outcomes(&args.outcomes)?;
+    let target = Target::new(args)?;
+    let mut points = points::points(&setup, args)?;
+    let wrt = match args.wrt.as_slice() {
+        [] if args.gradient => points.parameters().to_vec(),
+        names => variables(&setup, names)?,
+    };
+    let batch = Batch::new(&setup, points.parameters(), &of, &wrt)?;
+    let writer = Writer::new(&batch, target.format, points.identity())?;
+    room::check(args, &batch, points.as_mut(), &writer, &target)?;
+    let mut output = target.open(&writer, args)?;
+    warn(&setup.warnings());
+
+    let total = points.rows();
+    let stop = interrupt("stopping after the drives under way");
+    let bar = bar("drives");
+    bar.set_length(total);
+    bar.set_position(output.rows());
+    bar.reset_eta();
+    let run = Run { first_row: output.rows(), threads: args.threads, stop: Some(&stop) };
+    let done = batch.run(
+        points.as_mut(),
+        &run,
+        |block| writer.rows(block),
+        |rows: Rows| {
+            bar.inc(rows.rows);
+            output.take(rows)
+        },
+    );
+    bar.finish_and_clear();
+    let done = match done {
+        // a reader that has gone away, as `head` does, is no failure of ours
+        Err(Error::Output(error)) if error.kind() == ErrorKind::BrokenPipe => return Ok(Answer::text(String::new())),
+        done => done,
+    };
+    let is_complete = done.as_ref().is_ok_and(|done| *done == total);
+    // what closing the file says of its rows is the last word
+    output.close(is_complete)?;
+    done?;
+
+    let summary = Summary::new(total, output.tally(), args);
+    if !is_complete {
+        tell(&format!("stopped: {}; go on with the same command and --resume", summary.text()));
+    }
+    Ok(match (args.question.json, target.is_standard_output()) {
+        (true, _) => Answer::json(&summary),
+        (false, false) if is_complete => Answer::text(summary.text() + "\n"),
+        _ => Answer::text(String::new()),
+    }
+    .found(is_complete))
+}
+
+/// What a sweep did, as JSON.
+#[derive(Serialize)]
+struct Summary {
+    file: String,
+    /// Rows of the whole sweep.
+    rows: u64,
+    /// Rows that are written.
+    written: u64,
+    /// How many of them ended how.
+    status: Map<String, Value>,
+}
+
+impl Summary {
+    fn new(rows: u64, tally: Tally, args: &Sweep) -> Self {
+        let status = tally.counts().map(|(status, count)| (status.name().into(), count.into())).collect();
+        let written = tally.counts().map(|(_, count)| count).sum();
+        Self { file: args.output.display().to_string(), rows, written, status }
+    }
+
+    fn text(&self) -> String {
+        let counts = self.status.iter().filter(|(_, count)| count.as_u64() != Some(0));
+        let counts: Vec<_> = counts.map(|(status, count)| format!("{count} {status}")).collect();
+        let part = if self.written == self.rows { String::new() } else { format!(" of {}", self.rows) };
+        let file = if self.file == "-" { String::new() } else { format!(" in {}", self.file) };
+        format!("{}{part} drives{file}: {}", self.written, counts.join(", "))
+    }
+}

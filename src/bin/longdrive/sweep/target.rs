@@ -1,0 +1,150 @@
+use super::kept::Kept;
+use super::rows::{Content, Rows, Writer};
+use crate::args::{Format, Sweep};
+use longdrive::batch::Tally;
+use longdrive::{Error, Result};
+use std::fs::{File, OpenOptions};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+/// Where the rows go.
+pub struct Target {
+    path: PathBuf,
+    pub format: Format,
+}
+
+pub fn refused(path: &Path, reason: impl Into<String>) -> Error {
+    Error::Results { file: path.display().to_string(), reason: reason.into() }
+}
+
+impl Target {
+    pub fn new(args: &Sweep) -> Result<Self> {
+        let target = Self { path: args.output.clone(), format: Format::Csv };
+        let refuse = |reason: &str| Err(refused(&target.path, reason));
+        let ending = target.path.extension().and_then(|ending| ending.to_str()).unwrap_or_default().to_lowercase();
+        let format = match (args.format, ending.as_str()) {
+            (Some(format), _) => format,
+            (None, "csv") => Format::Csv,
+            (None, "jsonl" | "ndjson") => Format::Jsonl,
+            #[cfg(feature = "parquet")]
+            (None, "parquet") => Format::Parquet,
+            (None, _) if target.is_standard_output() => Format::Csv,
+            _ => return refuse("its name must end in .csv, .jsonl or .parquet, or --format must name the format"),
+        };
+        if target.is_standard_output() && args.question.json {
+            return refuse("standard output cannot take the rows and the summary of --json; name a file with -o");
+        }
+        if target.is_stream() && args.resume {
+            return refuse("only a file can be gone on with; name one with -o");
+        }
+        #[cfg(feature = "parquet")]
+        if target.is_stream() && format == Format::Parquet {
+            return refuse("Parquet needs a file; name one with -o, or take --format csv or jsonl");
+        }
+        if target.path.is_dir() {
+            return refuse("it is a folder; name a file");
+        }
+        Ok(Self { format, ..target })
+    }
+
+    pub fn is_standard_output(&self) -> bool {
+        self.path == Path::new("-")
+    }
+
+    /// Whether it takes bytes and keeps none: a pipe, a terminal, a device.
+    fn is_stream(&self) -> bool {
+        self.is_standard_output() || std::fs::metadata(&self.path).is_ok_and(|found| !found.is_file())
+    }
+
+    /// The file, where it is one that keeps its bytes.
+    pub fn file(&self) -> Option<&Path> {
+        (!self.is_stream()).then_some(&self.path)
+    }
+
+    /// Begins, or goes on with what was kept.
+    pub fn open<'a>(&self, writer: &'a Writer, args: &Sweep) -> Result<Output<'a>> {
+        if let Some(path) = self.file() {
+            return Ok(Output::Kept(Kept::open(path, writer, args.resume, args.overwrite)?));
+        }
+        let mut stream = if self.is_standard_output() {
+            Stream { to: To::Standard(io::stdout()), tally: Tally::default() }
+        } else {
+            let file = OpenOptions::new().write(true).open(&self.path);
+            let file = file.map_err(|error| refused(&self.path, format!("it cannot be written ({error})")))?;
+            Stream { to: To::Device(file), tally: Tally::default() }
+        };
+        stream.write(&writer.head())?;
+        Ok(Output::Stream(stream))
+    }
+}
+
+/// Where the rows are going.
+pub enum Output<'a> {
+    Kept(Kept<'a>),
+    Stream(Stream),
+}
+
+pub struct Stream {
+    to: To,
+    tally: Tally,
+}
+
+enum To {
+    Standard(io::Stdout),
+    Device(File),
+}
+
+impl Stream {
+    fn write(&mut self, bytes: &[u8]) -> Result<()> {
+        let to: &mut dyn Write = match &mut self.to {
+            To::Standard(out) => out,
+            To::Device(file) => file,
+        };
+        to.write_all(bytes).and_then(|()| to.flush()).map_err(|error| {
+            if error.kind() == io::ErrorKind::BrokenPipe {
+                return Error::Output(error);
+            }
+            let rows: u64 = self.tally.counts().map(|(_, count)| count).sum();
+            Error::Output(io::Error::new(error.kind(), format!("{error}; {rows} rows were written before")))
+        })
+    }
+}
+
+impl Output<'_> {
+    /// Rows that were kept before.
+    pub fn rows(&self) -> u64 {
+        match self {
+            Self::Kept(kept) => kept.rows(),
+            Self::Stream(_) => 0,
+        }
+    }
+
+    pub fn tally(&self) -> Tally {
+        match self {
+            Self::Kept(kept) => kept.tally(),
+            Self::Stream(stream) => stream.tally,
+        }
+    }
+
+    pub fn take(&mut self, rows: Rows) -> Result<()> {
+        match self {
+            Self::Kept(kept) => kept.take(rows),
+            Self::Stream(stream) => {
+                stream.tally.merge(rows.tally);
+                match rows.content {
+                    Content::Text(bytes) => stream.write(&bytes),
+                    #[cfg(feature = "parquet")]
+                    Content::Block(_) => Ok(()),
+                }
+            }
+        }
+    }
+
+    /// Ends what was written so that it can be read.
+    pub fn close(&mut self, is_complete: bool) -> Result<()> {
+        match self {
+            Self::Kept(kept) => kept.close(is_complete),
+            Self::Stream(_) => Ok(()),
+        }
+    }
+}

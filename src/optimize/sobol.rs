@@ -1,0 +1,31 @@
+//! Sobol's sequence, scrambled (Owen 1995; Burley 2020): points that fill a box evenly, however many are taken.
+
+/// How many variables a point may have.
+pub(crate) const MOST_VARIABLES: usize = sobol_burley::NUM_DIMENSIONS as usize;
+
+/// Points of one scrambling.
+const LENGTH: u64 = 1 << 16;
+
+/// The coordinate of a point in the unit interval. After 65 536 points the sequence goes on with another scrambling:
+/// each stretch of that many is as even as the first.
+pub(crate) fn coordinate(point: u64, variable: usize, seed: u32) -> f64 {
+    let scrambling = seed.wrapping_add((point / LENGTH) as u32);
+    f64::from(sobol_burley::sample((point % LENGTH) as u32, variable as u32, scrambling))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::coordinate;
+
+    #[test]
+    fn exact_each_stretch_has_one_point_in_each_cell() {
+        for stretch in [0_u64, 1 << 16, 3 << 16] {
+            let mut seen = [[0; 16]; 16];
+            for point in stretch..stretch + 256 {
+                let cell = |variable| (16.0 * coordinate(point, variable, 7)) as usize;
+                seen[cell(0)][cell(1)] += 1;
+            }
+            assert_eq!(seen, [[1; 16]; 16]);
+        }
+    }
+}

@@ -1,0 +1,45 @@
+use super::{STATUS, parameter_names, push_number, result_names};
+use crate::batch::{Batch, Block};
+
+/// A batch as CSV. What does not exist is an empty cell.
+#[derive(Clone, Debug)]
+pub struct SweepCsv {
+    names: Vec<String>,
+}
+
+impl SweepCsv {
+    /// The table of a batch.
+    pub fn new(batch: &Batch) -> Self {
+        let parameters = parameter_names(batch).into_iter().map(str::to_owned);
+        Self { names: parameters.chain([STATUS.to_owned()]).chain(result_names(batch)).collect() }
+    }
+
+    /// The first line, with the names of the columns: none of them needs quotes.
+    pub fn head(&self) -> Vec<u8> {
+        (self.names.join(",") + "\n").into_bytes()
+    }
+
+    /// A line for each drive.
+    pub fn rows(&self, block: &Block) -> Vec<u8> {
+        let mut bytes = Vec::with_capacity(block.rows() * self.names.len() * 20);
+        for row in 0..block.rows() {
+            for value in block.point(row) {
+                match value.is_finite() {
+                    true => push_number(&mut bytes, *value),
+                    // a flat face
+                    false => bytes.extend_from_slice(b"inf"),
+                }
+                bytes.push(b',');
+            }
+            bytes.extend_from_slice(block.status(row).name().as_bytes());
+            for value in block.outcomes(row).chain(block.derivatives(row)) {
+                bytes.push(b',');
+                if let Some(value) = value {
+                    push_number(&mut bytes, value);
+                }
+            }
+            bytes.push(b'\n');
+        }
+        bytes
+    }
+}

@@ -1,0 +1,50 @@
+use super::{STATUS, parameter_names, push_number, result_names};
+use crate::batch::{Batch, Block};
+
+/// A batch as JSON lines: an object for each drive. What does not exist is `null`.
+#[derive(Clone, Debug)]
+pub struct SweepJsonLines {
+    /// `"name":`, for each swept parameter.
+    parameters: Vec<String>,
+    /// `,"name":`, for each outcome and derivative.
+    results: Vec<String>,
+}
+
+impl SweepJsonLines {
+    /// The table of a batch.
+    pub fn new(batch: &Batch) -> Self {
+        let key = |name: &str| format!("\"{name}\":");
+        Self {
+            parameters: parameter_names(batch).into_iter().map(key).collect(),
+            results: result_names(batch).iter().map(|name| format!(",{}", key(name))).collect(),
+        }
+    }
+
+    /// A line for each drive.
+    pub fn rows(&self, block: &Block) -> Vec<u8> {
+        let width = self.parameters.len() + self.results.len();
+        let mut bytes = Vec::with_capacity(block.rows() * (width * 40 + 20));
+        for row in 0..block.rows() {
+            bytes.push(b'{');
+            for (key, value) in self.parameters.iter().zip(block.point(row)) {
+                bytes.extend_from_slice(key.as_bytes());
+                match value.is_finite() {
+                    true => push_number(&mut bytes, *value),
+                    // a flat face: JSON has no infinity
+                    false => bytes.extend_from_slice(b"\"inf\""),
+                }
+                bytes.push(b',');
+            }
+            bytes.extend_from_slice(format!("\"{STATUS}\":\"{}\"", block.status(row)).as_bytes());
+            for (key, value) in self.results.iter().zip(block.outcomes(row).chain(block.derivatives(row))) {
+                bytes.extend_from_slice(key.as_bytes());
+                match value {
+                    Some(value) => push_number(&mut bytes, value),
+                    None => bytes.extend_from_slice(b"null"),
+                }
+            }
+            bytes.extend_from_slice(b"}\n");
+        }
+        bytes
+    }
+}

@@ -1,0 +1,247 @@
+//! `longdrive sweep` as a user meets it: files, kills and resumes, full disks, closed pipes, and bad input.
+
+use crate::command_line::{json, longdrive};
+use assert_cmd::cargo::cargo_bin;
+use std::fs;
+use std::io::{BufRead, BufReader, Write};
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Stdio};
+use std::time::Duration;
+
+const FORMATS: [&str; 3] = ["csv", "jsonl", "parquet"];
+
+/// Some hundred thousand drives with steps so coarse that they take a second or two, of a table wide enough for
+/// several row groups.
+fn many() -> Vec<&'static str> {
+    let over = ["--over", "club.loft=-3deg..15deg:96", "--over", "swing.attack_angle=-5deg..5deg:1024"];
+    [&["sweep", "--set", "flight.step=1s", "--outcomes", "all", "--gradient"], &over[..]].concat()
+}
+
+fn start(args: &[&str], file: &Path, more: &[&str]) -> Child {
+    let mut program = Command::new(cargo_bin!("longdrive"));
+    program.args(args).arg("-o").arg(file).args(more).stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap()
+}
+
+/// Runs to the end: exit status, and what it said on standard error.
+fn finish(child: Child) -> (Option<i32>, String) {
+    let output = child.wait_with_output().unwrap();
+    (output.status.code(), String::from_utf8(output.stderr).unwrap())
+}
+
+fn sidecar(file: &Path) -> PathBuf {
+    PathBuf::from(format!("{}.resume", file.display()))
+}
+
+/// Waits until some rows are safe, or the program has ended.
+fn wait_for_rows(child: &mut Child, file: &Path) {
+    let has_rows = || fs::read_to_string(sidecar(file)).is_ok_and(|text| text.lines().count() > 1);
+    while !has_rows() && child.try_wait().unwrap().is_none() {
+        std::thread::sleep(Duration::from_millis(2));
+    }
+}
+
+fn killed_and_resumed(format: &str) {
+    let folder = tempfile::tempdir().unwrap();
+    let [whole, part] = ["whole", "part"].map(|name| folder.path().join(format!("{name}.{format}")));
+    let (status, said) = finish(start(&many(), &whole, &["--threads", "1"]));
+    assert_eq!(status, Some(0), "{said}");
+    assert!(!sidecar(&whole).exists());
+
+    let mut child = start(&many(), &part, &["--threads", "2"]);
+    wait_for_rows(&mut child, &part);
+    child.kill().unwrap();
+    child.wait().unwrap();
+    if sidecar(&part).exists() {
+        // what a kill may cut short: a row, a row group, a line of the sidecar
+        let append = |path: &Path, bytes: &[u8]| {
+            fs::OpenOptions::new().append(true).open(path).unwrap().write_all(bytes).unwrap();
+        };
+        append(&part, b"0.1,0.2,lan");
+        append(&sidecar(&part), b"{\"rows\":99");
+
+        // it is not gone on with by mistake, as another question, or over
+        let (status, said) = finish(start(&many(), &part, &[]));
+        assert_eq!(status, Some(2));
+        assert!(said.contains("--resume goes on with it"), "{said}");
+        let (status, said) = finish(start(&many(), &part, &["--resume", "--set", "swing.speed=100mph"]));
+        assert_eq!(status, Some(2));
+        assert!(said.contains("another question (the setup differs)"), "{said}");
+        let (status, said) = finish(start(&many(), &part, &["--resume", "--wrt", "air.density"]));
+        assert_eq!(status, Some(2));
+        assert!(said.contains("the derivatives differs"), "{said}");
+
+        // Ctrl-C, as far as it has not ended before
+        let mut child = start(&many(), &part, &["--resume"]);
+        std::thread::sleep(Duration::from_millis(50));
+        let _ = Command::new("kill").args(["-INT", &child.id().to_string()]).status();
+        let _ = child.try_wait();
+        let (status, said) = finish(child);
+        assert!(status == Some(0) || status == Some(1) || status.is_none(), "{status:?} {said}");
+        if status == Some(1) {
+            assert!(said.contains("--resume") && said.contains("stopped: "), "{said}");
+            readable(&part, format);
+        }
+    }
+    if sidecar(&part).exists() {
+        let (status, said) = finish(start(&many(), &part, &["--resume", "--threads", "3"]));
+        assert_eq!(status, Some(0), "{said}");
+        assert!(said.contains("going on after "), "{said}");
+    }
+    assert!(!sidecar(&part).exists());
+    assert!(fs::read(&part).unwrap() == fs::read(&whole).unwrap(), "another file than that of an undisturbed run");
+    let (status, said) = finish(start(&many(), &part, &["--resume"]));
+    assert_eq!(status, Some(2));
+    assert!(said.contains("nothing to go on with"), "{said}");
+}
+
+/// How many rows a file holds, all of them whole.
+fn readable(path: &Path, format: &str) -> usize {
+    match format {
+        "csv" => {
+            let mut reader = csv::Reader::from_path(path).unwrap();
+            reader.records().map(|row| assert_eq!(row.unwrap().len(), 51)).count()
+        }
+        "jsonl" => {
+            let text = fs::read_to_string(path).unwrap();
+            assert!(text.is_empty() || text.ends_with('\n'));
+            text.lines().filter(|line| serde_json::from_str::<serde_json::Value>(line).is_ok()).count()
+        }
+        _ => {
+            use parquet::file::reader::{FileReader, SerializedFileReader};
+            let file = SerializedFileReader::new(fs::File::open(path).unwrap()).unwrap();
+            file.get_row_iter(None).unwrap().filter(Result::is_ok).count()
+        }
+    }
+}
+
+#[test]
+fn exact_csv_of_a_killed_and_resumed_sweep() {
+    killed_and_resumed("csv");
+}
+
+#[test]
+fn exact_json_lines_of_a_killed_and_resumed_sweep() {
+    killed_and_resumed("jsonl");
+}
+
+#[test]
+fn exact_parquet_of_a_killed_and_resumed_sweep() {
+    killed_and_resumed("parquet");
+}
+
+#[cfg(unix)]
+#[test]
+fn a_full_disk_leaves_whole_rows_that_can_be_gone_on_with() {
+    let folder = tempfile::tempdir().unwrap();
+    for format in FORMATS {
+        let [whole, part] = ["whole", "part"].map(|name| folder.path().join(format!("{name}.{format}")));
+        assert_eq!(finish(start(&many(), &whole, &[])).0, Some(0));
+        // a file may not grow beyond this many KiB; the signal that says so is ignored, and writing fails
+        let most = fs::metadata(&whole).unwrap().len() / 1024 * 3 / 5;
+        let limited = format!("trap '' XFSZ; ulimit -f {most}; exec \"$@\"");
+        let mut program = Command::new("bash");
+        program.args(["-c", &limited, "bash"]).arg(cargo_bin!("longdrive")).args(many()).arg("-o").arg(&part);
+        let output = program.output().unwrap();
+        let said = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(2), "{said}");
+        let rows: usize = said.split("its first ").nth(1).unwrap().split(' ').next().unwrap().parse().unwrap();
+        assert!(rows > 10_000 && said.contains("rows are complete and stay valid"), "{said}");
+        assert_eq!(readable(&part, format), rows);
+        assert_eq!(finish(start(&many(), &part, &["--resume"])).0, Some(0));
+        assert!(fs::read(&part).unwrap() == fs::read(&whole).unwrap(), "{format}");
+    }
+}
+
+#[test]
+fn a_full_device_and_a_closed_pipe() {
+    let rows = ["sweep", "--set", "flight.step=1s", "--over", "club.loft=5deg..15deg:20000"];
+    if Path::new("/dev/full").exists() {
+        let said = longdrive(&[&rows[..], &["-o", "/dev/full", "--format", "csv"]].concat());
+        assert_eq!(said.status, 2);
+        assert!(said.err.contains("cannot write the answer: No space left"), "{}", said.err);
+        assert!(!Path::new("/dev/full.resume").exists());
+    }
+    let mut program = Command::new(cargo_bin!("longdrive"));
+    let mut child = program.args(rows).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+    let mut line = String::new();
+    BufReader::new(child.stdout.take().unwrap()).read_line(&mut line).unwrap();
+    assert_eq!(line, "club.loft,status,carry\n");
+    let output = child.wait_with_output().unwrap();
+    assert_eq!((output.status.code(), String::from_utf8(output.stderr).unwrap().as_str()), (Some(0), ""));
+}
+
+#[test]
+fn a_batch_without_room_is_refused_with_its_size() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("grid.csv");
+    let rows = ["sweep", "--over", "club.loft=5deg..15deg:1000001", "--over", "swing.path=-5deg..5deg:1000001"];
+    let said = longdrive(&[&rows[..], &["-o", file.to_str().unwrap()]].concat());
+    assert_eq!(said.status, 2);
+    for words in ["1000002000001 drives would take ", " TB and about ", "that are free in", "--sample"] {
+        assert!(said.err.contains(words), "{words}: {}", said.err);
+    }
+    let said = longdrive(&["sweep", "--over", "club.loft=5deg..15deg:1001", "--max-size", "10kB"]);
+    assert_eq!(said.status, 2);
+    assert!(said.err.contains("more than --max-size 10kB"), "{}", said.err);
+    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0, "nothing was begun");
+}
+
+#[test]
+fn exact_table_and_sample_on_the_command_line() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    fs::write(file("points.csv"), "club.loft [deg],swing.speed [mph]\n10,110\n-20,100\n").unwrap();
+    let out = file("out.jsonl");
+    let (status, summary) = json(&["sweep", "--points", &file("points.csv"), "-o", &out, "--gradient"]);
+    assert_eq!((status, &summary["rows"], &summary["written"]), (0, &2.into(), &2.into()));
+    assert_eq!((&summary["status"]["landed"], &summary["status"]["no-flight"]), (&1.into(), &1.into()));
+    let text = fs::read_to_string(&out).unwrap();
+    let rows: Vec<serde_json::Value> = text.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+    let at = ["--set", "club.loft=10deg", "--set", "swing.speed=110mph"];
+    let (_, drive) = json(&[&["gradient", "--wrt", "club.loft,swing.speed"], &at[..]].concat());
+    assert_eq!(rows[0]["carry"], drive["value"]);
+    assert_eq!(rows[0]["d_carry/d_swing.speed"], drive["gradient"]["swing.speed"]);
+    assert!(rows[1]["carry"].is_null() && rows[1]["status"] == "no-flight");
+
+    let sample = ["sweep", "--sample", "8", "--over", "club.loft=5deg..15deg", "--wrt", "air.density"];
+    let said = longdrive(&sample);
+    assert_eq!((said.status, said.out.lines().count()), (0, 9), "{}", said.err);
+    assert!(said.out.starts_with("club.loft,status,carry,d_carry/d_air.density\n"));
+    assert_eq!(said.out, longdrive(&[&sample[..], &["--threads", "1"]].concat()).out);
+    assert_ne!(said.out, longdrive(&[&sample[..], &["--seed", "1"]].concat()).out);
+}
+
+#[test]
+fn bad_input_to_a_sweep_is_status_2_and_says_what_to_write() {
+    let over = ["--over", "club.loft=5deg..15deg:3"];
+    let with = |more: &[&'static str]| [&over[..], more].concat();
+    for (args, says) in [
+        (vec![], "--over club.loft=5deg..15deg:101"),
+        (vec!["--over", "club.loft=15deg..5deg:3"], "the range is reversed"),
+        (vec!["--over", "club.loft=5deg..15deg:0"], "0 values are none"),
+        (vec!["--over", "club.loft=5deg..15deg"], "how many values?"),
+        (vec!["--over", "club.lofft=5deg..15deg:3"], "did you mean 'club.loft'?"),
+        (with(&over), "club.loft: it is given twice"),
+        (with(&["--outcomes", "cary"]), "did you mean 'carry'?"),
+        (with(&["--outcomes", ","]), "name at least one outcome"),
+        (with(&["--wrt", "swing.sped"]), "did you mean 'swing.speed'?"),
+        (with(&["-o", "grid.xlsx"]), "must end in .csv, .jsonl or .parquet"),
+        (with(&["-o", "grid"]), "must end in .csv, .jsonl or .parquet"),
+        (with(&["-o", "/nowhere/at/all.csv"]), "cannot be written"),
+        (with(&["-o", "src", "--format", "csv"]), "it is a folder"),
+        (with(&["-o", "Cargo.toml", "--format", "csv"]), "it exists; --overwrite replaces it"),
+        (with(&["-o", "Cargo.toml", "--format", "csv", "--resume"]), "nothing to go on with"),
+        (with(&["--format", "parquet"]), "Parquet needs a file"),
+        (with(&["--json"]), "name a file with -o"),
+        (with(&["--resume"]), "only a file can be gone on with"),
+        (with(&["--max-size", "much"]), "write a size like"),
+        (with(&["--sample", "0"]), "--sample"),
+        (with(&["--sample", "5"]), "--sample says how many points there are"),
+        (with(&["--points", "points.csv"]), "--points"),
+        (vec!["--points", "points.csv"], "points.csv: it cannot be read"),
+    ] {
+        let said = longdrive(&[&["sweep"], args.as_slice()].concat());
+        assert_eq!((said.status, said.out.as_str()), (2, ""), "{args:?}: {}", said.err);
+        assert!(said.err.contains(says), "{args:?}: {}", said.err);
+    }
+}
