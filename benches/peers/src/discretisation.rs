@@ -1,0 +1,111 @@
+//! What the discretisation costs and how far off it is.
+
+use crate::clock;
+use crate::grid;
+use crate::tasks::{Discretisation, mae494, ready, two};
+use longdrive::derivative::{Evaluator, Order, Taylor};
+use longdrive::{Outcome, Result};
+use serde_json::{Value, json};
+
+/// The drives whose errors are looked at, in degrees of loft and attack angle: the peers', and the optimum.
+const PLACES: [[f64; 2]; 2] = [[10.0, 0.0], [14.682_922_531_9, 10.0]];
+const METHODS: [&str; 3] = ["rk4", "dp5", "dp8"];
+/// Steps of the work–precision table, s, by method.
+const LADDERS: [[f64; 7]; 3] = [
+    [0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.3],
+    [0.01, 0.02, 0.05, 0.1, 0.2, 0.3, 0.5],
+    [0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 0.8],
+];
+/// The error of the rows 'at 1 µm', m.
+const MICROMETRE: f64 = 1e-6;
+/// Steps tried for them: this many, at equal distances up to 1 s.
+const STEPS: u32 = 200;
+
+fn reference() -> Discretisation {
+    Discretisation::new("rk4", 0.0005)
+}
+
+fn taylors(by: &Discretisation, order: Order) -> Result<Vec<Taylor>> {
+    let setup = mae494(by)?;
+    let evaluator = Evaluator::new(&setup, &[Outcome::Carry], &two(&setup)?, order)?;
+    PLACES.iter().map(|place| Ok(evaluator.at(&place.map(f64::to_radians))?.swap_remove(0))).collect()
+}
+
+fn largest<'a>(pairs: impl Iterator<Item = (&'a f64, &'a f64)>) -> f64 {
+    pairs.map(|(found, exact)| (found - exact).abs()).fold(0.0, f64::max)
+}
+
+/// The largest errors of carry, gradient and Hessian over the places.
+fn errors(found: &[Taylor], exact: &[Taylor]) -> [f64; 3] {
+    let mut errors = [0.0_f64; 3];
+    for (found, exact) in found.iter().zip(exact) {
+        let hessians = found.hessian.iter().flatten().zip(exact.hessian.iter().flatten());
+        let each =
+            [(found.value - exact.value).abs(), largest(found.gradient.iter().zip(&exact.gradient)), largest(hessians)];
+        errors = std::array::from_fn(|i| errors[i].max(each[i]));
+    }
+    errors
+}
+
+/// Seconds of value, gradient and Hessian.
+fn times(by: &Discretisation, budget: f64) -> Result<[f64; 3]> {
+    let mut seconds = [f64::NAN; 3];
+    for (seconds, task) in seconds.iter_mut().zip(["T1", "T2", "T3"]) {
+        if let Some(operation) = ready(task, by)? {
+            *seconds = clock::fastest(budget, operation);
+        }
+    }
+    Ok(seconds)
+}
+
+/// The fastest method among those whose step is the largest that, like every smaller one tried, has
+/// errors within 1 µm.
+fn choose(
+    error: impl Fn(&Discretisation) -> Result<f64>,
+    time: impl Fn(&Discretisation) -> Result<f64>,
+) -> Result<Value> {
+    let mut candidates = vec![];
+    for method in METHODS {
+        let mut best = None;
+        for i in 1..=STEPS {
+            let step = f64::from(i) / f64::from(STEPS);
+            let error = error(&Discretisation::new(method, step))?;
+            if error > MICROMETRE {
+                break;
+            }
+            best = Some((step, error));
+        }
+        let Some((step, error)) = best else { continue };
+        let seconds = time(&Discretisation::new(method, step))?;
+        candidates.push((seconds, json!({"method": method, "step": step, "error": error, "seconds": seconds})));
+    }
+    candidates.sort_by(|a, b| a.0.total_cmp(&b.0));
+    Ok(candidates.into_iter().map(|(_, candidate)| candidate).collect())
+}
+
+/// Candidates, fastest first: by the errors at the two places, for single drives, and by those over the grid, for T6.
+pub fn one_micrometre() -> Result<Value> {
+    let exact = taylors(&reference(), Order::Value)?;
+    let single = choose(|by| Ok(errors(&taylors(by, Order::Value)?, &exact)[0]), |by| Ok(times(by, 0.1)?[1]))?;
+    let exact = grid::carries(&reference())?;
+    let over_grid = |by: &Discretisation| Ok(largest(grid::carries(by)?.iter().zip(&exact)));
+    Ok(json!({"single": single, "grid": choose(over_grid, |by| Ok(grid::Rows::new(by)?.time_middle()))?}))
+}
+
+/// Errors and times by method and step.
+pub fn work_precision(mut row: impl FnMut(Value)) -> Result<()> {
+    let exact = taylors(&reference(), Order::Second)?;
+    for (method, ladder) in METHODS.iter().zip(LADDERS) {
+        for step in ladder {
+            let by = Discretisation::new(method, step);
+            let [carry, gradient, hessian] = errors(&taylors(&by, Order::Second)?, &exact);
+            row(json!({
+                "method": method,
+                "step": step,
+                "errors": [carry, gradient, hessian],
+                "seconds": times(&by, 0.1)?,
+            }));
+        }
+    }
+    Ok(())
+}

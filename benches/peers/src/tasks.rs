@@ -1,0 +1,126 @@
+//! The tasks of a single drive.
+
+use longdrive::derivative::{Evaluator, Order, Taylor};
+use longdrive::optimize::Watch;
+use longdrive::parameters::Parameter;
+use longdrive::study::{Optimum, Search, Vary, optimum};
+use longdrive::{Outcome, Result, Setup};
+use std::hint::black_box;
+
+/// The tasks of a single drive, as they are asked for.
+pub const SINGLE: [&str; 8] = ["T1", "T2", "T3", "T4", "T5", "all", "3-D", "3-D-all"];
+
+/// The twelve parameters of T4: loft, attack, M, m, R, I_b, d, I_yy, e, V, ρ, δ.
+const TWELVE: [&str; 12] = [
+    "club.loft",
+    "swing.attack_angle",
+    "club.mass",
+    "ball.mass",
+    "ball.radius",
+    "ball.inertia",
+    "club.cg_depth",
+    "club.inertia.yy",
+    "impact.restitution",
+    "swing.speed",
+    "air.density",
+    "aero.spin_decay",
+];
+
+/// How the flight is integrated, in place of the preset's own.
+#[derive(Clone, Debug, Default)]
+pub struct Discretisation {
+    pub method: Option<String>,
+    pub step: Option<String>,
+}
+
+impl Discretisation {
+    pub fn new(method: &str, step: f64) -> Self {
+        Self { method: Some(method.into()), step: Some(format!("{step}")) }
+    }
+
+    pub fn apply(&self, mut setup: Setup<f64>) -> Result<Setup<f64>> {
+        if let Some(method) = &self.method {
+            setup.set("flight.method", method)?;
+        }
+        if let Some(step) = &self.step {
+            setup.set("flight.step", step)?;
+        }
+        Ok(setup)
+    }
+}
+
+/// What the peers compute: loft 10°, attack angle 0°.
+pub fn mae494(by: &Discretisation) -> Result<Setup<f64>> {
+    by.apply(Setup::preset("mae494")?)
+}
+
+/// A drive out of its plane: no symmetry to use.
+fn in_space(by: &Discretisation) -> Result<Setup<f64>> {
+    let mut setup = Setup::preset("modern-driver")?;
+    setup.set_all([("swing.path", "2 deg"), ("strike.toe", "5 mm"), ("wind.right", "2 m/s")])?;
+    by.apply(setup)
+}
+
+pub fn named(setup: &Setup<f64>, names: &[&str]) -> Result<Vec<&'static Parameter>> {
+    names.iter().map(|name| setup.variable(name)).collect()
+}
+
+/// Loft and attack angle.
+pub fn two(setup: &Setup<f64>) -> Result<Vec<&'static Parameter>> {
+    named(setup, &TWELVE[..2])
+}
+
+/// What came out of a task.
+pub enum Answer {
+    Drive(Taylor),
+    Optimum(Box<Optimum>),
+}
+
+impl Answer {
+    /// Value, derivatives (the optimum's place, in degrees), and what else there is to say.
+    pub fn parts(self) -> (f64, Vec<f64>, String) {
+        match self {
+            Self::Drive(taylor) => {
+                let rows = taylor.hessian.iter().enumerate();
+                let upper = rows.flat_map(|(i, row)| row[i..].iter().copied());
+                let derivatives: Vec<f64> = taylor.gradient.iter().copied().chain(upper).collect();
+                let parameters = taylor.gradient.len();
+                let note = if parameters > 12 { format!("{parameters} parameters") } else { String::new() };
+                (taylor.value, derivatives, note)
+            }
+            Self::Optimum(best) => {
+                let place = best.solution.x.iter().map(|x| x.to_degrees()).collect();
+                let note = format!("{} evaluations, {}", best.solution.evaluations, best.solution.status.name());
+                (best.value().unwrap_or(f64::NAN), place, note)
+            }
+        }
+    }
+}
+
+/// A task of a single drive made ready: what can be checked once has been.
+pub fn ready(task: &str, by: &Discretisation) -> Result<Option<Box<dyn Fn() -> Result<Answer>>>> {
+    let setup = if task.starts_with("3-D") { in_space(by)? } else { mae494(by)? };
+    let (wrt, order) = match task {
+        "T1" | "3-D" => (two(&setup)?, Order::Value),
+        "T2" => (two(&setup)?, Order::First),
+        "T3" => (two(&setup)?, Order::Second),
+        "T4" => (named(&setup, &TWELVE)?, Order::First),
+        "all" | "3-D-all" => (setup.variables(), Order::First),
+        "T5" => {
+            let ranges = ["club.loft=0deg..25deg", "swing.attack_angle=-10deg..10deg"];
+            let vary = ranges.iter().map(|text| Vary::read(&setup, text)).collect::<Result<_>>()?;
+            let search = Search { vary, ..Search::longest_drive(&setup)? };
+            return Ok(Some(Box::new(move || {
+                let best = optimum(black_box(&setup), search.clone(), Watch::default())?;
+                Ok(Answer::Optimum(Box::new(best)))
+            })));
+        }
+        _ => return Ok(None),
+    };
+    let evaluator = Evaluator::new(&setup, &[Outcome::Carry], &wrt, order)?;
+    let x: Vec<f64> = wrt.iter().map(|parameter| setup.value(parameter).unwrap_or(f64::NAN)).collect();
+    Ok(Some(Box::new(move || {
+        let mut taylors = evaluator.at(black_box(&x))?;
+        Ok(Answer::Drive(taylors.swap_remove(0)))
+    })))
+}
