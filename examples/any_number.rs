@@ -3,7 +3,7 @@
 //!
 //! `cargo run --release --example any_number`
 
-use longdrive::number::Number;
+use longdrive::number::{Number, Numbers};
 use longdrive::{Drive, Outcome, Setup};
 use num_dual::Dual3_64;
 

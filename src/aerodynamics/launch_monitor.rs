@@ -1,17 +1,17 @@
 use super::{AerodynamicLaw, Coefficients, Stream};
-use crate::number::Number;
+use crate::number::Numbers;
 use crate::parameters::LaunchMonitor;
 
 /// C_D = cd0 + cd1 s_c + cd2 s_c² + cd_re (Re/10⁵ − 1.5), s_c = s_cap tanh(s/s_cap);
 /// C_L = cl_max cl_rate s/(1 + cl_rate s). A surrogate of what launch monitors predict, fitted for
 /// 0.06 < s < 0.33 and 7e4 < Re < 2.3e5; smooth everywhere, no lift without spin.
-impl<T: Number> AerodynamicLaw<T> for LaunchMonitor<T> {
-    #[inline]
+impl<T: Numbers> AerodynamicLaw<T> for LaunchMonitor<T> {
+    #[inline(always)]
     fn coefficients(&self, stream: &Stream<T>) -> Coefficients<T> {
         let s = stream.spin_ratio();
-        let capped = self.s_cap * (s / self.s_cap).tanh();
-        let reynolds = stream.reynolds() / 1e5 - 1.5;
-        let drag = self.cd0 + (self.cd1 + self.cd2 * capped) * capped + self.cd_re * reynolds;
+        let capped = self.s_cap * (s * self.s_cap.recip()).tanh();
+        let reynolds = stream.reynolds() * 1e-5 - 1.5;
+        let drag = self.cd2.mul_add(capped, self.cd1).mul_add(capped, self.cd_re.mul_add(reynolds, self.cd0));
         let hill = self.cl_rate * s;
         Coefficients { drag, lift: self.cl_max * hill / (hill + 1.0) }
     }

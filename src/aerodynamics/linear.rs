@@ -1,10 +1,10 @@
 use super::{AerodynamicLaw, Coefficients, Stream};
-use crate::number::Number;
+use crate::number::Numbers;
 use crate::parameters::Linear;
 
 /// C_D = cd, C_L = cl_slope s.
-impl<T: Number> AerodynamicLaw<T> for Linear<T> {
-    #[inline]
+impl<T: Numbers> AerodynamicLaw<T> for Linear<T> {
+    #[inline(always)]
     fn coefficients(&self, stream: &Stream<T>) -> Coefficients<T> {
         Coefficients { drag: self.cd, lift: self.cl_slope * stream.spin_ratio() }
     }

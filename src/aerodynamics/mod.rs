@@ -10,7 +10,7 @@ mod origin;
 mod robinson;
 mod smits_smith;
 
-use crate::number::Number;
+use crate::number::Numbers;
 use crate::parameters::{Law, with_law};
 
 /// The air as it streams past the ball.
@@ -26,15 +26,15 @@ pub struct Stream<T> {
     pub reynolds_per_speed: T,
 }
 
-impl<T: Number> Stream<T> {
+impl<T: Numbers> Stream<T> {
     /// s = R |ω|/|v|.
-    #[inline]
+    #[inline(always)]
     pub fn spin_ratio(&self) -> T {
         self.spin * self.radius_per_speed
     }
 
     /// Re = ρ |v| 2R/μ.
-    #[inline]
+    #[inline(always)]
     pub fn reynolds(&self) -> T {
         self.speed * self.reynolds_per_speed
     }
@@ -50,13 +50,13 @@ pub struct Coefficients<T> {
 }
 
 /// A law of drag and lift. One method is required.
-pub trait AerodynamicLaw<T: Number> {
+pub trait AerodynamicLaw<T: Numbers> {
     /// C_D and C_L in this stream. C_L must vanish with the spin: the lift's direction does.
     fn coefficients(&self, stream: &Stream<T>) -> Coefficients<T>;
 
     /// The coefficients of a law that depends on the spin alone, so that a flight asks once for each time
     /// and not for each speed it tries there.
-    #[inline]
+    #[inline(always)]
     fn by_spin_alone(&self, _spin: T) -> Option<Coefficients<T>> {
         None
     }
@@ -67,15 +67,22 @@ pub trait AerodynamicLaw<T: Number> {
     }
 }
 
-impl<T: Number> AerodynamicLaw<T> for Law<T> {
-    #[inline]
+/// Whichever law it is: asked by a call, since there are many and they are asked for at every stage of every method.
+impl<T: Numbers> AerodynamicLaw<T> for Law<T> {
+    #[inline(always)]
     fn coefficients(&self, stream: &Stream<T>) -> Coefficients<T> {
-        with_law!(self, |law| law.coefficients(stream))
+        T::outlined(
+            #[inline(always)]
+            || with_law!(self, |law| law.coefficients(stream)),
+        )
     }
 
-    #[inline]
+    #[inline(always)]
     fn by_spin_alone(&self, spin: T) -> Option<Coefficients<T>> {
-        with_law!(self, |law| law.by_spin_alone(spin))
+        T::outlined(
+            #[inline(always)]
+            || with_law!(self, |law| law.by_spin_alone(spin)),
+        )
     }
 
     fn has_corner_at_zero_spin(&self) -> bool {

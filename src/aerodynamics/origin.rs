@@ -1,4 +1,4 @@
-use crate::number::Number;
+use crate::number::Numbers;
 
 /// A lift coefficient that is replaced near zero spin, where its formula has no lift-free limit or
 /// an infinite slope: for s < s₀ it is the cubic C_L = a u + b u² + c u³ in u = s/s₀ that joins the formula at s₀
@@ -14,9 +14,9 @@ pub(super) struct CubicOrigin<T> {
     pub curvature: T,
 }
 
-impl<T: Number> CubicOrigin<T> {
+impl<T: Numbers> CubicOrigin<T> {
     /// C_L at a spin ratio below the join.
-    #[inline]
+    #[inline(always)]
     pub fn lift(&self, spin_ratio: T) -> T {
         let u = spin_ratio / self.join;
         let rise = self.slope - self.value;

@@ -1,4 +1,4 @@
-use crate::number::{Number, Vector};
+use crate::number::{Numbers, Vector};
 use crate::parameters::{Ground, Wind};
 
 /// ℓ, m: the height over which the logarithmic profile is rounded towards the ground. A fixed step of 0.01 s
@@ -21,7 +21,7 @@ struct Profile<T> {
     scale: T,
 }
 
-impl<T: Number> WindField<T> {
+impl<T: Numbers> WindField<T> {
     /// The field of these parameters.
     pub fn new(wind: &Wind<T>, ground: &Ground<T>) -> Self {
         let profile = wind.roughness.map(|roughness| Profile {
@@ -32,8 +32,32 @@ impl<T: Number> WindField<T> {
         Self { reference: Vector::new(wind.up, wind.right, wind.downrange), profile }
     }
 
+    /// The wind where it is the same everywhere.
+    #[inline(always)]
+    pub(crate) fn uniform(&self) -> Option<Vector<T>> {
+        if self.profile.is_some() { None } else { Some(self.reference) }
+    }
+
+    /// Whether it never blows, to the derivatives carried.
+    #[inline(always)]
+    pub(crate) fn is_calm(&self) -> bool {
+        self.uniform().is_some_and(|wind| wind.to_array().iter().all(|w| w.is_zero()))
+    }
+
+    /// The same over another number.
+    #[inline(always)]
+    pub(crate) fn map<U>(&self, f: &mut impl FnMut(T) -> U) -> WindField<U> {
+        let reference = self.reference.map(&mut *f);
+        let profile = self.profile.map(|Profile { roughness, ground, scale }| Profile {
+            roughness: f(roughness),
+            ground: f(ground),
+            scale: f(scale),
+        });
+        WindField { reference, profile }
+    }
+
     /// The air's velocity, m/s; `height` is asked only where the wind depends on it.
-    #[inline]
+    #[inline(always)]
     pub fn at(&self, height: impl FnOnce() -> T) -> Vector<T> {
         match &self.profile {
             None => self.reference,
@@ -44,8 +68,8 @@ impl<T: Number> WindField<T> {
 
 /// L(z) = ln(1 + ζ/z₀) with ζ = (z + √(z² + ℓ²))/2: the logarithmic profile for z ≫ ℓ, smooth through the
 /// ground and below it (the last step of a flight ends there).
-#[inline]
-fn logarithm<T: Number>(height: T, roughness: T) -> T {
+#[inline(always)]
+fn logarithm<T: Numbers>(height: T, roughness: T) -> T {
     let rounded = (height + (height * height + ROUNDING * ROUNDING).sqrt()) * 0.5;
     (rounded / roughness).ln_1p()
 }

@@ -1,12 +1,16 @@
 //! Exact derivatives of any outcomes with respect to any parameters, chosen by name at run time. Dual
 //! numbers enter and leave here only.
 
-use crate::drive::{Drive, Outcome};
-use crate::error::{Error, Result};
-use crate::number::{Pairs, Seedable, Seeded, first, second, values};
-use crate::parameters::{Parameter, Setup};
+mod chain;
+mod evaluator;
 
 pub use crate::number::{Order, Taylor};
+pub use evaluator::Evaluator;
+
+use crate::drive::Outcome;
+use crate::error::{Error, Result};
+use crate::number::Pairs;
+use crate::parameters::{Parameter, Setup};
 
 /// Value and gradient of an outcome.
 ///
@@ -47,7 +51,7 @@ pub fn jacobian(setup: &Setup<f64>, of: &[Outcome], wrt: &[&'static Parameter]) 
 /// Outcomes of a drive with their derivatives up to `order`.
 ///
 /// # Errors
-/// What [`Setup::validate`], [`Setup::variable`] and [`Drive::new`] refuse; [`Error::NoFlight`] for an outcome
+/// What [`Setup::validate`], [`Setup::variable`] and [`Drive::new`](crate::Drive::new) refuse; [`Error::NoFlight`] for an outcome
 /// of a flight that is none; [`Error::Undefined`] where a value or derivative does not exist;
 /// [`Error::Nothing`] without outcomes or, beyond values, without parameters.
 pub fn evaluate(setup: &Setup<f64>, of: &[Outcome], wrt: &[&'static Parameter], order: Order) -> Result<Vec<Taylor>> {
@@ -65,7 +69,7 @@ pub fn evaluate_with(
     order: Order,
     progress: impl FnMut(usize, usize),
 ) -> Result<Vec<Taylor>> {
-    checked(setup, of, wrt, order, Pairs::All, progress)
+    Evaluator::new(setup, of, wrt, order)?.at_setup(setup, progress)
 }
 
 /// As [`evaluate`] to second order, with those second derivatives alone that the last parameter takes part in: what the
@@ -74,83 +78,9 @@ pub fn evaluate_with(
 /// # Errors
 /// As [`evaluate`].
 pub(crate) fn towards_last(setup: &Setup<f64>, of: &[Outcome], wrt: &[&'static Parameter]) -> Result<Vec<Taylor>> {
-    checked(setup, of, wrt, Order::Second, Pairs::WithLast, |_, _| ())
-}
-
-fn checked(
-    setup: &Setup<f64>,
-    of: &[Outcome],
-    wrt: &[&'static Parameter],
-    order: Order,
-    pairs: Pairs,
-    progress: impl FnMut(usize, usize),
-) -> Result<Vec<Taylor>> {
-    setup.validate()?;
-    if of.is_empty() {
-        return Err(Error::Nothing { doing: "evaluate", what: "outcome" });
-    }
-    if order > Order::Value {
-        if wrt.is_empty() {
-            return Err(Error::Nothing { doing: "differentiate by", what: "parameter" });
-        }
-        for parameter in wrt {
-            setup.variable(parameter.name)?;
-        }
-    }
-    let (outcomes, n) = (Outcomes { setup, of, wrt }, wrt.len());
-    let taylors = match order {
-        Order::Value => values(&outcomes)?,
-        Order::First => first(&outcomes, n, progress)?,
-        Order::Second => second(&outcomes, n, pairs, progress)?,
-    };
-    for (outcome, taylor) in of.iter().zip(&taylors) {
-        check(taylor, *outcome, wrt)?;
-    }
-    Ok(taylors)
-}
-
-/// Outcomes of a setup, to be differentiated by parameters.
-struct Outcomes<'a> {
-    setup: &'a Setup<f64>,
-    of: &'a [Outcome],
-    wrt: &'a [&'static Parameter],
-}
-
-impl Seedable for Outcomes<'_> {
-    type Error = Error;
-
-    fn outputs<D: Seeded>(&self, seeds: &[usize]) -> Result<Vec<D>> {
-        let is_seeded = |parameter| seeds.iter().position(|&seed| self.wrt[seed] == parameter);
-        let lifted = self.setup.map(|parameter, value| match is_seeded(parameter) {
-            Some(direction) => D::seeded(value, direction),
-            None => D::constant(value),
-        });
-        let drive = Drive::new(&lifted)?;
-        self.of.iter().map(|outcome| outcome.of(&drive)).collect()
-    }
+    Evaluator::new(setup, of, wrt, Order::Second)?.of_pairs(Pairs::WithLast).at_setup(setup, |_, _| ())
 }
 
 fn single(mut taylors: Vec<Taylor>) -> Result<Taylor> {
     taylors.pop().ok_or(Error::Nothing { doing: "evaluate", what: "outcome" })
-}
-
-/// No NaN leaves: a value or derivative that is not finite does not exist.
-fn check(taylor: &Taylor, outcome: Outcome, wrt: &[&'static Parameter]) -> Result<()> {
-    let undefined = |what: String, reason: &str| Err(Error::Undefined { what, reason: reason.into() });
-    if !taylor.value.is_finite() {
-        return undefined(
-            outcome.name().into(),
-            "the direction it measures does not exist (vertical, or without spin)",
-        );
-    }
-    let edge = "it lies on the edge of a domain (a vertical launch, no spin, a landing at the apex)";
-    for (i, parameter) in wrt.iter().enumerate() {
-        if taylor.gradient.get(i).is_some_and(|d| !d.is_finite()) {
-            return undefined(format!("d {}/d {}", outcome.name(), parameter.name), edge);
-        }
-        if taylor.hessian.get(i).is_some_and(|row| row.iter().any(|d| !d.is_finite())) {
-            return undefined(format!("the second derivative of {} by {}", outcome.name(), parameter.name), edge);
-        }
-    }
-    Ok(())
 }

@@ -2,6 +2,7 @@
 
 mod outcome;
 
+pub(crate) use outcome::Shown;
 pub use outcome::{Outcome, Part};
 
 use crate::aerodynamics::AerodynamicLaw;

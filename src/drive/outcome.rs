@@ -1,5 +1,7 @@
 use super::Drive;
 use crate::error::{Error, Result};
+use crate::flight::{Flight, Landed};
+use crate::launch::Launch;
 use crate::number::Number;
 use crate::units::Quantity;
 
@@ -10,6 +12,15 @@ pub enum Part {
     Launch,
     /// The flight: there is none where the ball does not fly.
     Flight,
+}
+
+/// What outcomes are read from.
+#[derive(Clone, Copy)]
+pub(crate) struct Shown<'a, T> {
+    pub launch: &'a Launch<T>,
+    /// Speed of the head before impact, m/s.
+    pub club_speed: T,
+    pub landed: Option<&'a Landed<T>>,
 }
 
 /// Declares each outcome once: what it is of, name, symbol, kind of quantity, unit a person reads, and how it follows
@@ -61,7 +72,23 @@ macro_rules! outcomes {
             /// # Errors
             /// [`Error::NoFlight`] for an outcome of the flight where there is none.
             pub fn of<T: Number>(self, drive: &Drive<T>) -> Result<T> {
-                match self { $( Self::$Outcome => { let $drive = drive; Ok($value) } )+ }
+                let landed = match &drive.flight {
+                    Flight::Landed(landed) => Some(landed),
+                    Flight::None(_) => None,
+                };
+                let shown = Shown { launch: &drive.impact.launch, club_speed: drive.club_speed, landed };
+                self.shown(&shown).ok_or_else(|| match &drive.flight {
+                    Flight::None(why) => Error::NoFlight { reason: why.to_string() },
+                    Flight::Landed(_) => Error::Undefined {
+                        what: self.name().into(),
+                        reason: "the flight was followed for its landing alone".into(),
+                    },
+                })
+            }
+
+            /// The outcome where what it is of is there.
+            pub(crate) fn shown<T: Number>(self, shown: &Shown<'_, T>) -> Option<T> {
+                match self { $( Self::$Outcome => { let $drive = shown; Some($value) } )+ }
             }
         }
     };
@@ -69,46 +96,51 @@ macro_rules! outcomes {
 
 outcomes! {
     /// Distance downrange at landing.
-    Flight Carry = "carry", "z_L", LENGTH in "yd", |drive| drive.landed()?.carry;
+    Flight Carry = "carry", "z_L", LENGTH in "yd", |drive| drive.landed?.carry;
     /// Distance right of the target line at landing.
-    Flight Lateral = "lateral", "y_L", LENGTH in "yd", |drive| drive.landed()?.lateral;
+    Flight Lateral = "lateral", "y_L", LENGTH in "yd", |drive| drive.landed?.lateral;
     /// Time from launch to landing.
-    Flight FlightTime = "flight_time", "t_L", TIME in "s", |drive| drive.landed()?.flight_time;
+    Flight FlightTime = "flight_time", "t_L", TIME in "s", |drive| drive.landed?.flight_time;
     /// Greatest height of the flight above the tee.
-    Flight ApexHeight = "apex_height", "x_A", LENGTH in "yd", |drive| drive.landed()?.apex.height;
+    Flight ApexHeight = "apex_height", "x_A", LENGTH in "yd", |drive| drive.landed?.apex?.height;
     /// Time from launch to the apex.
-    Flight ApexTime = "apex_time", "t_A", TIME in "s", |drive| drive.landed()?.apex.time;
+    Flight ApexTime = "apex_time", "t_A", TIME in "s", |drive| drive.landed?.apex?.time;
     /// Distance downrange of the apex.
-    Flight ApexDownrange = "apex_downrange", "z_A", LENGTH in "yd", |drive| drive.landed()?.apex.downrange;
+    Flight ApexDownrange = "apex_downrange", "z_A", LENGTH in "yd", |drive| drive.landed?.apex?.downrange;
     /// Angle of the path below horizontal at landing.
     Flight DescentAngle = "descent_angle", "γ_L", ANGLE in "deg", |drive| {
-        let v = drive.landed()?.velocity;
+        let v = drive.landed?.velocity;
         (-v.x).atan2((v.y * v.y + v.z * v.z).sqrt())
     };
     /// Speed at landing.
-    Flight LandingSpeed = "landing_speed", "|v_L|", SPEED in "mph", |drive| drive.landed()?.velocity.norm();
+    Flight LandingSpeed = "landing_speed", "|v_L|", SPEED in "mph", |drive| drive.landed?.velocity.norm();
     /// Speed of the ball at launch.
-    Launch BallSpeed = "ball_speed", "|v_0|", SPEED in "mph", |drive| drive.impact.launch.ball_speed();
+    Launch BallSpeed = "ball_speed", "|v_0|", SPEED in "mph", |drive| drive.launch.ball_speed();
     /// Ball speed over club speed.
-    Launch SmashFactor = "smash_factor", "|v_0|/V", NUMBER in "", |drive| drive.impact.launch.ball_speed() / drive.club_speed;
+    Launch SmashFactor = "smash_factor", "|v_0|/V", NUMBER in "", |drive| drive.launch.ball_speed() / drive.club_speed;
     /// Angle of the launch above horizontal.
-    Launch LaunchAngle = "launch_angle", "γ_0", ANGLE in "deg", |drive| drive.impact.launch.launch_angle();
+    Launch LaunchAngle = "launch_angle", "γ_0", ANGLE in "deg", |drive| drive.launch.launch_angle();
     /// Horizontal direction of the launch, + right.
-    Launch LaunchDirection = "launch_direction", "φ_0", ANGLE in "deg", |drive| drive.impact.launch.launch_direction();
+    Launch LaunchDirection = "launch_direction", "φ_0", ANGLE in "deg", |drive| drive.launch.launch_direction();
     /// Spin at launch.
-    Launch Spin = "spin", "|ω_0|", ANGULAR_VELOCITY in "rpm", |drive| drive.impact.launch.total_spin();
+    Launch Spin = "spin", "|ω_0|", ANGULAR_VELOCITY in "rpm", |drive| drive.launch.total_spin();
     /// Backspin at launch.
-    Launch Backspin = "backspin", "ω_b", ANGULAR_VELOCITY in "rpm", |drive| drive.impact.launch.backspin();
+    Launch Backspin = "backspin", "ω_b", ANGULAR_VELOCITY in "rpm", |drive| drive.launch.backspin();
     /// Sidespin at launch, + curves right.
-    Launch Sidespin = "sidespin", "ω_s", ANGULAR_VELOCITY in "rpm", |drive| drive.impact.launch.sidespin();
+    Launch Sidespin = "sidespin", "ω_s", ANGULAR_VELOCITY in "rpm", |drive| drive.launch.sidespin();
     /// Tilt of the spin axis at launch, + right.
-    Launch SpinAxis = "spin_axis", "atan2(ω_s, ω_b)", ANGLE in "deg", |drive| drive.impact.launch.spin_axis();
+    Launch SpinAxis = "spin_axis", "atan2(ω_s, ω_b)", ANGLE in "deg", |drive| drive.launch.spin_axis();
 }
 
 impl Outcome {
     /// The outcomes of the launch, or of the flight.
     pub fn of_part(part: Part) -> impl Iterator<Item = Self> + Clone {
         Self::ALL.iter().copied().filter(move |outcome| outcome.part() == part)
+    }
+
+    /// Whether it is read off the apex.
+    pub(crate) fn is_of_the_apex(self) -> bool {
+        matches!(self, Self::ApexHeight | Self::ApexTime | Self::ApexDownrange)
     }
 
     /// The outcome of this name.

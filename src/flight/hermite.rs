@@ -1,48 +1,76 @@
-use super::rk4::Node;
-use crate::number::{Number, Vector};
+use super::motion::Motion;
+use super::node::{Added, Node};
+use super::space::{Linear, Space};
+use super::surroundings::Surroundings;
+use crate::number::{Number, Numbers, Vector, inlined};
 
-/// A coordinate between two nodes as a quintic in s = (t − t₀)/h with the position, velocity and acceleration
-/// of both ends. Neighbouring quintics join C², which is what makes carry C² in the parameters: a cubic (no
+/// A coordinate, or all of them, between two nodes as a quintic in s = (t − t₀)/h with the position, velocity and
+/// acceleration of both ends. Neighbouring quintics join C², which is what makes carry C² in the parameters: a cubic (no
 /// acceleration) is C¹ and its Hessian jumps where the number of steps changes; a shortened last step is only
 /// C⁰.
 #[derive(Clone, Copy)]
-pub(super) struct Quintic<T>([T; 6]);
+pub(super) struct Quintic<C>([C; 6]);
 
-impl<T: Number> Quintic<T> {
+impl<C: Copy> Quintic<C> {
     /// From position, velocity and acceleration at the start, the acceleration at the end, and what the step
     /// added: x₁ − x₀ − h v₀ and v₁ − v₀. These are the step's own small numbers; differences of the sums would
     /// lose their digits, and with them those of landing speed and Hessian.
-    fn new(h: f64, [x0, v0, a0]: [T; 3], a1: T, [bent, gained]: [T; 2]) -> Self {
-        let gained = gained * h;
-        let (a0, a1) = (a0 * (h * h), a1 * (h * h));
+    #[inline(always)]
+    fn new<T>(h: f64, [x0, v0, a0]: [C; 3], a1: C, [bent, gained]: [C; 2]) -> Self
+    where
+        C: Linear<T>,
+    {
+        let gained = gained.scaled(h);
+        let (a0, a1) = (a0.scaled(h * h), a1.scaled(h * h));
+        let half = inlined(
+            #[inline(always)]
+            |a: C| a.scaled(0.5),
+        );
         Self([
             x0,
-            v0 * h,
-            a0 * 0.5,
-            bent * 10.0 - gained * 4.0 - a0 * 1.5 + a1 * 0.5,
-            bent * -15.0 + gained * 7.0 + a0 * 1.5 - a1,
-            bent * 6.0 - gained * 3.0 - (a0 - a1) * 0.5,
+            v0.scaled(h),
+            half(a0),
+            gained.along(-4.0, a0.along(-1.5, bent.along(10.0, half(a1)))),
+            gained.along(7.0, a0.along(1.5, bent.scaled(-15.0) - a1)),
+            gained.along(-3.0, bent.along(6.0, half(a1 - a0))),
         ])
     }
 
     /// The coordinate at s.
-    pub fn value(&self, s: T) -> T {
+    #[inline(always)]
+    pub fn value<T: Copy>(&self, s: T) -> C
+    where
+        C: Linear<T>,
+    {
         let Self([c0, c1, c2, c3, c4, c5]) = *self;
-        ((((c5 * s + c4) * s + c3) * s + c2) * s + c1) * s + c0
+        c5.times_plus(s, c4).times_plus(s, c3).times_plus(s, c2).times_plus(s, c1).times_plus(s, c0)
     }
 
     /// d/ds.
-    pub fn slope(&self, s: T) -> T {
+    #[inline(always)]
+    pub fn slope<T: Copy>(&self, s: T) -> C
+    where
+        C: Linear<T>,
+    {
         let Self([_, c1, c2, c3, c4, c5]) = *self;
-        (((c5 * s * 5.0 + c4 * 4.0) * s + c3 * 3.0) * s + c2 * 2.0) * s + c1
+        let upper = c5.scaled(5.0).times_plus(s, c4.scaled(4.0)).times_plus(s, c3.scaled(3.0));
+        upper.times_plus(s, c2.scaled(2.0)).times_plus(s, c1)
     }
 
     /// d²/ds².
-    pub fn curvature(&self, s: T) -> T {
+    #[inline(always)]
+    pub fn curvature<T: Copy>(&self, s: T) -> C
+    where
+        C: Linear<T>,
+    {
         let Self([_, _, c2, c3, c4, c5]) = *self;
-        ((c5 * s * 20.0 + c4 * 12.0) * s + c3 * 6.0) * s + c2 * 2.0
+        let upper = c5.scaled(20.0).times_plus(s, c4.scaled(12.0));
+        upper.times_plus(s, c3.scaled(6.0)).times_plus(s, c2.scaled(2.0))
     }
+}
 
+impl<T: Number> Quintic<T> {
+    #[inline(always)]
     fn re(&self) -> Quintic<f64> {
         Quintic(self.0.map(T::re))
     }
@@ -51,23 +79,55 @@ impl<T: Number> Quintic<T> {
     ///
     /// Found in plain numbers, then lifted: each Newton step in T makes one more order of derivatives exact
     /// (the implicit function theorem), and two serve gradient and Hessian.
+    #[inline(always)]
     pub fn falls_to(&self, level: T, from: f64) -> T {
         let (plain, target) = (self.re(), level.re());
-        let found = falling_root(from, |s| (plain.value(s) - target, plain.slope(s)));
-        lifted(found, |s| (self.value(s) - level) / self.slope(s))
+        let found = falling_root(
+            from,
+            #[inline(always)]
+            |s| (plain.value(s) - target, plain.slope(s)),
+        );
+        self.lifted_fall(level, T::constant(found))
     }
 
     /// Where the coordinate, rising at the start and not at the end, is highest.
+    #[inline(always)]
     pub fn top(&self) -> T {
         let plain = self.re();
-        let found = falling_root(0.0, |s| (plain.slope(s), plain.curvature(s)));
-        lifted(found, |s| self.slope(s) / self.curvature(s))
+        let found = falling_root(
+            0.0,
+            #[inline(always)]
+            |s| (plain.slope(s), plain.curvature(s)),
+        );
+        self.lifted_top(T::constant(found))
     }
 }
 
-fn lifted<T: Number>(found: f64, newton_step: impl Fn(T) -> T) -> T {
-    let s = T::constant(found);
-    let s = s - newton_step(s);
+impl<T: Numbers> Quintic<T> {
+    /// The fall to a level from where it is known without derivatives.
+    #[inline(always)]
+    pub fn lifted_fall(&self, level: T, found: T) -> T {
+        lifted(
+            found,
+            #[inline(always)]
+            |s| (self.value(s) - level) / self.slope(s),
+        )
+    }
+
+    /// The top from where it is known without derivatives.
+    #[inline(always)]
+    pub fn lifted_top(&self, found: T) -> T {
+        lifted(
+            found,
+            #[inline(always)]
+            |s| self.slope(s) / self.curvature(s),
+        )
+    }
+}
+
+#[inline(always)]
+fn lifted<T: Numbers>(found: T, newton_step: impl Fn(T) -> T) -> T {
+    let s = found - newton_step(found);
     s - newton_step(s)
 }
 
@@ -98,38 +158,57 @@ fn falling_root(mut low: f64, f: impl Fn(f64) -> (f64, f64)) -> f64 {
 }
 
 /// The path between two nodes.
-pub(super) struct Segment<T> {
+pub(super) struct Segment<S> {
     start: f64,
     h: f64,
-    up: Quintic<T>,
-    right: Quintic<T>,
-    downrange: Quintic<T>,
+    path: Quintic<S>,
 }
 
-impl<T: Number> Segment<T> {
-    pub fn new(from: &Node<T>, to: &Node<T>, h: f64) -> Self {
-        let quintic = |c: fn(Vector<T>) -> T| {
-            let start = [c(from.position), c(from.velocity), c(from.rate.acceleration)];
-            Quintic::new(h, start, c(to.rate.acceleration), to.added.map(c))
-        };
-        Self { start: from.time, h, up: quintic(|v| v.x), right: quintic(|v| v.y), downrange: quintic(|v| v.z) }
+impl<S: Copy> Segment<S> {
+    /// The path of the step that leads from one node to the other.
+    #[inline(always)]
+    pub fn new<T: Numbers, L: Surroundings<T>>(
+        motion: &Motion<T, S, L>,
+        from: &Node<T, S>,
+        to: &Node<T, S>,
+        added: &Added<T, S>,
+        h: f64,
+    ) -> Self
+    where
+        S: Space<T>,
+    {
+        let start = [from.position, from.velocity, motion.acceleration(&from.rate)];
+        let path = Quintic::new::<T>(h, start, motion.acceleration(&to.rate), added.sums(motion, h));
+        Self { start: from.time, h, path }
     }
 
-    pub fn height(&self) -> &Quintic<T> {
-        &self.up
+    #[inline(always)]
+    pub fn height<T: Numbers>(&self) -> Quintic<T>
+    where
+        S: Space<T>,
+    {
+        Quintic(self.path.0.map(S::up))
     }
 
-    pub fn time(&self, s: T) -> T {
+    #[inline(always)]
+    pub fn time<T: Numbers>(&self, s: T) -> T {
         s * self.h + self.start
     }
 
-    pub fn position(&self, s: T) -> Vector<T> {
-        Vector::new(self.up.value(s), self.right.value(s), self.downrange.value(s))
+    #[inline(always)]
+    pub fn position<T: Numbers>(&self, s: T) -> Vector<T>
+    where
+        S: Space<T>,
+    {
+        self.path.value(s).in_space()
     }
 
-    pub fn velocity(&self, s: T) -> Vector<T> {
-        let per_second = T::constant(1.0 / self.h);
-        Vector::new(self.up.slope(s), self.right.slope(s), self.downrange.slope(s)) * per_second
+    #[inline(always)]
+    pub fn velocity<T: Numbers>(&self, s: T) -> Vector<T>
+    where
+        S: Space<T>,
+    {
+        self.path.slope(s).scaled(1.0 / self.h).in_space()
     }
 }
 
@@ -140,7 +219,7 @@ mod tests {
 
     #[test]
     fn exact_quintic_reproduces_its_ends() {
-        let q = Quintic::new(0.5, [1.0, 2.0, 3.0], 6.0, [4.0 - 1.0 - 0.5 * 2.0, 5.0 - 2.0]);
+        let q = Quintic::new::<f64>(0.5, [1.0, 2.0, 3.0], 6.0, [4.0 - 1.0 - 0.5 * 2.0, 5.0 - 2.0]);
         for (s, [x, v, a]) in [(0.0_f64, [1.0_f64, 2.0, 3.0]), (1.0, [4.0, 5.0, 6.0])] {
             let ends: [f64; 3] = [q.value(s), q.slope(s) / 0.5, q.curvature(s) / 0.25];
             for (got, expected) in ends.iter().zip([x, v, a]) {

@@ -1,10 +1,16 @@
 use super::hermite::Segment;
 use super::motion::Motion;
-use super::rk4::Node;
+use super::node::{Node, Stepper};
+use super::pace::Pace;
+use super::rk4::Classical;
+use super::shot::Shot;
+use super::space::{Plane, Space};
+use super::surroundings::{Still, Surroundings};
+use super::tableau::Higher;
 use crate::error::{Error, Result};
 use crate::launch::Launch;
 use crate::number::{Number, Vector};
-use crate::parameters::Setup;
+use crate::parameters::{Law, Method, Setup};
 use std::fmt;
 
 /// How a flight ends.
@@ -27,10 +33,42 @@ pub struct Landed<T> {
     pub flight_time: T,
     /// Velocity at landing, m/s.
     pub velocity: Vector<T>,
-    /// The highest point of the flight.
-    pub apex: Apex<T>,
+    /// The highest point of the flight; `None` where it was not asked for.
+    pub apex: Option<Apex<T>>,
     /// Steps of the integration, the last one cut by the landing.
     pub steps: usize,
+}
+
+impl<T: Number> Landed<T> {
+    /// The highest point of the flight.
+    ///
+    /// # Errors
+    /// [`Error::Undefined`] where the flight was followed for its landing alone.
+    pub fn apex(&self) -> Result<&Apex<T>> {
+        self.apex.as_ref().ok_or_else(|| Error::Undefined {
+            what: "the apex".into(),
+            reason: "the flight was followed for its landing alone".into(),
+        })
+    }
+}
+
+impl<T: Copy> Landed<T> {
+    /// The same over another number.
+    #[inline(always)]
+    pub(crate) fn map<U>(&self, mut f: impl FnMut(T) -> U) -> Landed<U> {
+        Landed {
+            carry: f(self.carry),
+            lateral: f(self.lateral),
+            flight_time: f(self.flight_time),
+            velocity: self.velocity.map(&mut f),
+            apex: self.apex.map(|apex| Apex {
+                height: f(apex.height),
+                time: f(apex.time),
+                downrange: f(apex.downrange),
+            }),
+            steps: self.steps,
+        }
+    }
 }
 
 /// The highest point of a flight; the launch itself where the ball only falls.
@@ -105,74 +143,152 @@ impl fmt::Display for NoFlight {
     }
 }
 
+/// What is wanted of a flight beyond its landing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Wanted {
+    /// Nothing.
+    Landing,
+    /// The apex.
+    Apex,
+}
+
 /// Flies the ball from launch to landing (docs/model.md, eqs. 12–18). No heap memory is used.
 ///
 /// # Errors
 /// [`Error::Diverged`] where the numbers overflow.
 pub fn fly<T: Number>(setup: &Setup<T>, launch: &Launch<T>) -> Result<Flight<T>> {
-    follow(setup, launch, |_| ())
+    Shot::new(setup, launch).fly::<Vector<T>>(&Pace::of(setup), Wanted::Apex, |_| ())
 }
 
-/// As [`fly`], showing each node of the integration to `observe`, from the launch on.
-pub(super) fn follow<T: Number>(
-    setup: &Setup<T>,
-    launch: &Launch<T>,
-    mut observe: impl FnMut(&Node<T>),
-) -> Result<Flight<T>> {
-    let ground = setup.ground.height;
-    let step = setup.flight.step;
-    let mut above = ground.re() < 0.0;
-    let rising = launch.velocity.x.re() > 0.0;
-    if !above && !rising {
-        return Ok(Flight::None(NoFlight::LaunchedDown { launch_angle: launch.launch_angle().re() }));
+impl<T: Number> Shot<T> {
+    /// The flight in a space, showing each node of the integration to `observe`, from the launch on.
+    #[inline(always)]
+    pub(super) fn fly<S: Space<T>>(
+        &self,
+        pace: &Pace,
+        wanted: Wanted,
+        observe: impl FnMut(&Node<T, S>),
+    ) -> Result<Flight<T>> {
+        self.fly_by::<S, Law<T>>(self.law, pace, wanted, observe)
     }
 
-    let motion = Motion::new(setup, launch);
-    let mut here = Node::at_launch(&motion, launch);
-    let mut apex = Apex { height: T::zero(), time: T::zero(), downrange: T::zero() };
-    for steps in 1.. {
-        observe(&here);
-        if here.time >= setup.flight.time_limit {
-            let (time, height) = (here.time, here.position.x.re());
-            return Ok(Flight::None(NoFlight::Aloft { time, height }));
+    /// The flight by the shortest way there is: in the plane where it stays there, and with the one law whose
+    /// coefficients change with the time alone taken in rather than called.
+    #[inline(always)]
+    pub(super) fn fly_shortest(&self, pace: &Pace, wanted: Wanted) -> Result<Flight<T>> {
+        if !(self.is_plane() && self.is_in_still_air()) {
+            return self.fly::<Vector<T>>(pace, wanted, |_| ());
         }
-        let next = here.step(&motion, step, steps as f64 * step);
-        if !next.is_finite() || here.is_coarse(step, setup.flight.gravity.re()) {
-            return Err(Error::Diverged { time: here.time, step });
+        match self.law {
+            Law::Robinson(law) => self.fly_by::<Plane<T>, _>(Still(law), pace, wanted, |_| ()),
+            law => self.fly_by::<Plane<T>, _>(Still(law), pace, wanted, |_| ()),
         }
-
-        let mut falls_from = 0.0;
-        if here.velocity.x.re() > 0.0 && next.velocity.x.re() <= 0.0 {
-            let segment = Segment::new(&here, &next, step);
-            let s = segment.height().top();
-            let top = segment.position(s);
-            if top.x.re() > apex.height.re() {
-                apex = Apex { height: top.x, time: segment.time(s), downrange: top.z };
-            }
-            if !above && top.x.re() <= ground.re() {
-                let (apex_height, ground_height) = (top.x.re(), ground.re());
-                return Ok(Flight::None(NoFlight::BelowGround { apex_height, ground_height }));
-            }
-            above = true;
-            falls_from = s.re();
-        }
-
-        if next.position.x.re() > ground.re() {
-            above = true;
-        } else if above {
-            let segment = Segment::new(&here, &next, step);
-            let s = segment.height().falls_to(ground, falls_from);
-            let landing = segment.position(s);
-            return Ok(Flight::Landed(Landed {
-                carry: landing.z,
-                lateral: landing.y,
-                flight_time: segment.time(s),
-                velocity: segment.velocity(s),
-                apex,
-                steps,
-            }));
-        }
-        here = next;
     }
-    unreachable!("the loop ends by the time limit")
+
+    #[inline(always)]
+    fn fly_by<S: Space<T>, L: Surroundings<T>>(
+        &self,
+        law: L,
+        pace: &Pace,
+        wanted: Wanted,
+        observe: impl FnMut(&Node<T, S>),
+    ) -> Result<Flight<T>> {
+        match pace.method {
+            Method::Rk4 => T::outlined(
+                #[inline(always)]
+                || self.follow::<S, L, Classical<T>>(law, pace, wanted, observe),
+            ),
+            Method::DormandPrince5 | Method::DormandPrince8 => T::outlined(
+                #[inline(always)]
+                || self.follow::<S, L, Higher<T>>(law, pace, wanted, observe),
+            ),
+        }
+    }
+
+    #[inline(always)]
+    fn follow<S: Space<T>, L: Surroundings<T>, M: Stepper<T, S>>(
+        &self,
+        law: L,
+        pace: &Pace,
+        wanted: Wanted,
+        mut observe: impl FnMut(&Node<T, S>),
+    ) -> Result<Flight<T>> {
+        let ground = self.ground;
+        let step = pace.step;
+        let mut above = ground.re() < 0.0;
+        let rising = self.velocity.x.re() > 0.0;
+        if !above && !rising {
+            let launch = Launch { velocity: self.velocity, spin: self.axis };
+            return Ok(Flight::None(NoFlight::LaunchedDown { launch_angle: launch.launch_angle().re() }));
+        }
+
+        let motion = Motion::<T, S, L>::new(self, law);
+        let stepper = M::new(&motion, pace);
+        let mut here = Node::at_launch(&motion, self);
+        let mut apex = Apex { height: T::zero(), time: T::zero(), downrange: T::zero() };
+        for steps in 1.. {
+            observe(&here);
+            if here.time >= pace.time_limit {
+                let (time, height) = (here.time, here.position.up().re());
+                return Ok(Flight::None(NoFlight::Aloft { time, height }));
+            }
+            let time = steps as f64 * step;
+            let (next, _) = stepper.step(&motion, &here, time);
+            // NaN is no less than 1, and infinite numbers pull as much
+            let is_followed = here.coarseness(step).re() <= 1.0;
+
+            let falls = here.velocity.up().re() > 0.0 && next.velocity.up().re() <= 0.0;
+            let is_low = next.position.up().re() <= ground.re();
+            // a step without an event
+            if is_followed && !is_low && !(falls && (wanted == Wanted::Apex || !above)) {
+                above = true;
+                here = next;
+                continue;
+            }
+
+            if !is_followed || next.is_lost() {
+                return Err(Error::Diverged { time: here.time, step });
+            }
+
+            // the step once more, with what it added: kept at every step, that would fill the registers for nothing
+            // (copies, so that what every step uses is not kept in memory for the sake of the call)
+            let (motion, stepper, from) = (motion, stepper, here);
+            let (to, added) = T::outlined(
+                #[inline(always)]
+                || stepper.step(&motion, &from, time),
+            );
+            let segment = Segment::new(&motion, &from, &to, &added, step);
+            let mut falls_from = 0.0;
+            if falls {
+                let s = segment.height().top();
+                let top = segment.position(s);
+                if top.x.re() > apex.height.re() {
+                    apex = Apex { height: top.x, time: segment.time(s), downrange: top.z };
+                }
+                if !above && top.x.re() <= ground.re() {
+                    let (apex_height, ground_height) = (top.x.re(), ground.re());
+                    return Ok(Flight::None(NoFlight::BelowGround { apex_height, ground_height }));
+                }
+                above = true;
+                falls_from = s.re();
+            }
+
+            if !is_low {
+                above = true;
+            } else if above {
+                let s = segment.height().falls_to(ground, falls_from);
+                let landing = segment.position(s);
+                return Ok(Flight::Landed(Landed {
+                    carry: landing.z,
+                    lateral: landing.y,
+                    flight_time: segment.time(s),
+                    velocity: segment.velocity(s),
+                    apex: (wanted == Wanted::Apex).then_some(apex),
+                    steps,
+                }));
+            }
+            here = to;
+        }
+        unreachable!("the loop ends by the time limit")
+    }
 }

@@ -1,100 +1,162 @@
-use crate::aerodynamics::{AerodynamicLaw, Coefficients, Stream};
+use super::shot::Shot;
+use super::space::Space;
+use super::surroundings::Surroundings;
+use crate::aerodynamics::Stream;
 use crate::atmosphere::WindField;
-use crate::launch::{LEAST_SPIN, Launch};
-use crate::number::{Number, Vector};
-use crate::parameters::{Law, Setup};
-use std::f64::consts::PI;
+use crate::number::{Numbers, Vector};
 
 /// m/s: keeps |v_r| and its derivatives finite where the ball hangs still in the air.
 const LEAST_SPEED: f64 = 1e-6;
 
 /// The equation of motion of one flight (docs/model.md, eqs. 12–15): what stays the same from launch to landing.
-pub(super) struct Motion<T> {
-    law: Law<T>,
-    wind: WindField<T>,
-    /// ρ A/(2 m): deceleration per C_D |v|², 1/m.
+#[derive(Clone, Copy)]
+pub(super) struct Motion<T: Numbers, S: Space<T>, L> {
+    law: L,
+    air: Air<T, S>,
     force_per_mass: T,
-    gravity: T,
+    pub gravity: T,
     radius: T,
     reynolds_per_speed: T,
-    /// |ω₀| = √(ω₀·ω₀ + η²), and ω₀/|ω₀|: the axis, which the spin keeps (and of no length without spin).
-    spin: T,
-    axis: Vector<T>,
-    /// δ, and κ/R where spin is damped by the way through the air.
+    pub spin: T,
+    axis: S::Axis,
     decay: T,
     damping: Option<T>,
 }
 
+/// How the air moves.
+#[derive(Clone, Copy)]
+enum Air<T, S> {
+    Calm,
+    Uniform(S),
+    Profile(WindField<T>),
+}
+
 /// The spin at one time, with what follows from it alone.
 #[derive(Clone, Copy)]
-pub(super) struct SpinNow<T> {
+pub(super) struct SpinNow<T: Numbers, S: Space<T>> {
     /// |ω|, rad/s.
     size: T,
-    coefficients: Option<Coefficients<T>>,
+    forces: Option<Forces<T, S>>,
 }
 
-/// What moves the ball at one instant.
+/// ρ A/(2 m) C_L along the axis, and ρ A/(2 m) C_D.
 #[derive(Clone, Copy)]
-pub(super) struct Rate<T> {
-    pub acceleration: Vector<T>,
+struct Forces<T: Numbers, S: Space<T>> {
+    lift: S::Axis,
+    drag: T,
+}
+
+/// What moves the ball at one instant: the acceleration is |v_r| `pull` − g X. The two factors are kept apart
+/// for numbers that wait for the root in |v_r|.
+#[derive(Clone, Copy)]
+pub(super) struct Rate<T, S> {
     /// |v_r|.
     pub airspeed: T,
+    /// ρ A/(2 m) (C_L (ω/|ω|) × v_r − C_D v_r).
+    pub pull: S,
 }
 
-impl<T: Number> Motion<T> {
-    pub fn new(setup: &Setup<T>, launch: &Launch<T>) -> Self {
-        let radius = setup.ball.radius;
-        let density = setup.air.density;
-        let spin = (launch.spin.dot(launch.spin) + LEAST_SPIN * LEAST_SPIN).sqrt();
+impl<T: Numbers, S: Space<T>, L: Surroundings<T>> Motion<T, S, L> {
+    #[inline(always)]
+    pub fn new(shot: &Shot<T>, law: L) -> Self {
+        let air = match shot.wind.uniform() {
+            None => Air::Profile(shot.wind),
+            Some(_) if shot.wind.is_calm() => Air::Calm,
+            Some(wind) => Air::Uniform(S::of(wind)),
+        };
         Self {
-            law: setup.law,
-            wind: WindField::new(&setup.wind, &setup.ground),
-            force_per_mass: density * radius * radius * (0.5 * PI) / setup.ball.mass,
-            gravity: setup.flight.gravity,
-            radius,
-            reynolds_per_speed: density * radius * 2.0 / setup.air.viscosity,
-            spin,
-            axis: launch.spin * spin.recip(),
-            decay: setup.aero.spin_decay,
-            damping: setup.aero.spin_damping.map(|damping| damping / radius),
+            law,
+            air,
+            force_per_mass: shot.force_per_mass,
+            gravity: shot.gravity,
+            radius: shot.radius,
+            reynolds_per_speed: shot.reynolds_per_speed,
+            spin: shot.spin,
+            axis: S::axis(shot.axis),
+            decay: shot.decay,
+            damping: shot.damping,
         }
     }
 
     /// Whether the spin depends on the way through the air and not on the time alone.
-    #[inline]
+    #[inline(always)]
     pub fn is_damped(&self) -> bool {
-        self.damping.is_some()
+        !L::STILL && self.damping.is_some()
     }
 
-    /// The spin after `time` and a way `air_path` through the air: ω = ω₀ exp(−δ t − κ ℓ/R).
-    #[inline]
-    pub fn spin_at(&self, time: f64, air_path: T) -> SpinNow<T> {
-        let mut exponent = self.decay * -time;
-        if let Some(damping) = self.damping {
-            exponent = exponent - damping * air_path;
+    /// exp(−δ t): what is left of a spin after a time, apart from damping.
+    #[inline(always)]
+    pub fn fading(&self, time: f64) -> T {
+        (self.decay * -time).exp()
+    }
+
+    /// The spin, with what follows from it, where it would be `faded` but for the way through the air so far:
+    /// ω = ω₀ exp(−δ t − κ ℓ/R).
+    #[inline(always)]
+    pub fn spin(&self, faded: T, air_path: impl FnOnce() -> T) -> SpinNow<T, S> {
+        let size = match self.damping {
+            _ if L::STILL => faded,
+            None => faded,
+            Some(damping) => {
+                let path = air_path();
+                T::outlined(
+                    #[inline(always)]
+                    || faded * (-(damping * path)).exp(),
+                )
+            }
+        };
+        let forces = self.law.by_spin_alone(size).map(
+            #[inline(always)]
+            |c| self.forces(c.lift, c.drag),
+        );
+        SpinNow { size, forces }
+    }
+
+    #[inline(always)]
+    fn forces(&self, lift: T, drag: T) -> Forces<T, S> {
+        Forces { lift: S::longer(self.axis, self.force_per_mass * lift), drag: self.force_per_mass * drag }
+    }
+
+    /// What moves the ball; `height` is asked only where the wind depends on it.
+    #[inline(always)]
+    pub fn rate(&self, spin: &SpinNow<T, S>, velocity: S, height: impl FnOnce() -> T) -> Rate<T, S> {
+        let relative = match &self.air {
+            _ if L::STILL => velocity,
+            Air::Calm => velocity,
+            Air::Uniform(wind) => velocity - *wind,
+            Air::Profile(field) => velocity - S::of(field.at(height)),
+        };
+        let square = relative.square_plus(LEAST_SPEED * LEAST_SPEED);
+        let (airspeed, forces) = match spin.forces {
+            Some(forces) => (square.sqrt(), forces),
+            None => {
+                let (airspeed, inverse) = square.sqrt_recip();
+                let c = self.law.coefficients(&Stream {
+                    spin: spin.size,
+                    radius_per_speed: self.radius * inverse,
+                    speed: airspeed,
+                    reynolds_per_speed: self.reynolds_per_speed,
+                });
+                (airspeed, self.forces(c.lift, c.drag))
+            }
+        };
+        Rate { airspeed, pull: relative.turned_and_held(forces.lift, forces.drag) }
+    }
+
+    /// dv/dt.
+    #[inline(always)]
+    pub fn acceleration(&self, rate: &Rate<T, S>) -> S {
+        rate.pull.times_plus(rate.airspeed, S::of(Vector::new(-self.gravity, T::zero(), T::zero())))
+    }
+
+    /// A velocity, after as long a time at this rate.
+    #[inline(always)]
+    pub fn after(&self, rate: &Rate<T, S>, time: f64, velocity: S) -> S {
+        if T::IS_LONE {
+            // the root in |v_r| comes last: all else is ready when it is
+            rate.pull.scaled(time).times_plus(rate.airspeed, velocity.raised(self.gravity * -time))
+        } else {
+            self.acceleration(rate).along(time, velocity)
         }
-        let size = self.spin * exponent.exp();
-        SpinNow { size, coefficients: self.law.by_spin_alone(size) }
-    }
-
-    /// dv/dt = k |v_r| (C_L (ω/|ω|) × v_r − C_D v_r) − g I with k = ρ A/(2 m); `height` is asked
-    /// only where the wind depends on it.
-    #[inline]
-    pub fn rate(&self, spin: &SpinNow<T>, velocity: Vector<T>, height: impl FnOnce() -> T) -> Rate<T> {
-        let relative = velocity - self.wind.at(height);
-        let airspeed = (relative.dot(relative) + LEAST_SPEED * LEAST_SPEED).sqrt();
-        let coefficients = spin.coefficients.unwrap_or_else(|| {
-            self.law.coefficients(&Stream {
-                spin: spin.size,
-                radius_per_speed: self.radius / airspeed,
-                speed: airspeed,
-                reynolds_per_speed: self.reynolds_per_speed,
-            })
-        });
-        let pressure = self.force_per_mass * airspeed;
-        let lift = self.axis.cross(relative) * (pressure * coefficients.lift);
-        let mut acceleration = lift - relative * (pressure * coefficients.drag);
-        acceleration.x = acceleration.x - self.gravity;
-        Rate { acceleration, airspeed }
     }
 }

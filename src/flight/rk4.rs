@@ -1,77 +1,124 @@
-use super::motion::{Motion, Rate};
-use crate::launch::Launch;
-use crate::number::{Number, Vector};
+use super::motion::{Motion, Rate, SpinNow};
+use super::node::{Added, Node, Stepper};
+use super::pace::Pace;
+use super::space::Space;
+use super::surroundings::Surroundings;
+use crate::number::{Numbers, inlined};
 
-/// The ball at the end of a step, with its acceleration there: the first stage of the next step and, for the
-/// landing, the second derivative of the path.
+/// The classical fourth-order Runge–Kutta method (Kutta 1901) with a fixed step.
+///
+/// For x″ = a(t, x, x′) its position update Σ bᵢ vᵢ is h v + h²/6 (a₁ + a₂ + a₃), and the stages' positions
+/// are wanted only where the wind depends on height.
 #[derive(Clone, Copy)]
-pub(super) struct Node<T> {
-    pub time: f64,
-    pub position: Vector<T>,
-    pub velocity: Vector<T>,
-    pub rate: Rate<T>,
-    /// What the step here added: x − x₀ − h v₀, and v − v₀, as computed, before the sums rounded them.
-    pub added: [Vector<T>; 2],
-    /// Way through the air, m; followed only where the spin depends on it.
-    air_path: T,
+pub(super) struct Classical<T> {
+    step: f64,
+    /// exp(−δ h/2).
+    fading: T,
 }
 
-impl<T: Number> Node<T> {
-    /// The ball on the tee, leaving.
-    pub fn at_launch(motion: &Motion<T>, launch: &Launch<T>) -> Self {
-        let zero = T::zero();
-        let rate = motion.rate(&motion.spin_at(0.0, zero), launch.velocity, || zero);
-        let added = [Vector::zero(); 2];
-        Self { time: 0.0, position: Vector::zero(), velocity: launch.velocity, rate, added, air_path: zero }
+/// What moves the ball at the second, third and fourth stage, and the spin at the end.
+struct Stages<T: Numbers, S: Space<T>> {
+    second: Rate<T, S>,
+    third: Rate<T, S>,
+    fourth: Rate<T, S>,
+    faded: T,
+    last_spin: SpinNow<T, S>,
+}
+
+impl<T: Numbers> Classical<T> {
+    #[inline(always)]
+    fn stages<S: Space<T>, L: Surroundings<T>>(&self, motion: &Motion<T, S, L>, from: &Node<T, S>) -> Stages<T, S> {
+        let (h, half) = (self.step, 0.5 * self.step);
+        let (x, v, first) = (from.position, from.velocity, from.rate);
+        let path_after = inlined(
+            #[inline(always)]
+            |time: f64, rate: &Rate<T, S>| rate.airspeed.scale_add(time, from.air_path),
+        );
+        let halfway = from.faded * self.fading;
+        let faded = halfway * self.fading;
+
+        let spin = motion.spin(
+            halfway,
+            #[inline(always)]
+            || path_after(half, &first),
+        );
+        let second = motion.rate(
+            &spin,
+            motion.after(&first, half, v),
+            #[inline(always)]
+            || v.along(half, x).up(),
+        );
+
+        let spin = if motion.is_damped() {
+            motion.spin(
+                halfway,
+                #[inline(always)]
+                || path_after(half, &second),
+            )
+        } else {
+            spin
+        };
+        let third = motion.rate(
+            &spin,
+            motion.after(&second, half, v),
+            #[inline(always)]
+            || motion.acceleration(&first).along(half * half, v.along(half, x)).up(),
+        );
+
+        let last_spin = motion.spin(
+            faded,
+            #[inline(always)]
+            || path_after(h, &third),
+        );
+        let fourth = motion.rate(
+            &last_spin,
+            motion.after(&third, h, v),
+            #[inline(always)]
+            || motion.acceleration(&second).along(half * h, v.along(h, x)).up(),
+        );
+        Stages { second, third, fourth, faded, last_spin }
+    }
+}
+
+impl<T: Numbers, S: Space<T>> Stepper<T, S> for Classical<T> {
+    #[inline(always)]
+    fn new<L: Surroundings<T>>(motion: &Motion<T, S, L>, pace: &Pace) -> Self {
+        let step = pace.step;
+        Self { step, fading: motion.fading(0.5 * step) }
     }
 
-    /// One step of length `h` of the classical fourth-order Runge–Kutta method (Kutta 1901), to time `end`.
-    ///
-    /// For x″ = a(t, x, x′) its position update Σ bᵢ vᵢ is h v + h²/6 (a₁ + a₂ + a₃), and the stages' positions
-    /// are wanted only where the wind depends on height.
-    #[inline]
-    pub fn step(&self, motion: &Motion<T>, h: f64, end: f64) -> Self {
-        let half = 0.5 * h;
-        let middle = self.time + half;
-        let (x, v, first) = (self.position, self.velocity, self.rate);
-        let scaled = |a: Vector<T>, factor: f64| Vector::new(a.x * factor, a.y * factor, a.z * factor);
-        let path_after = |time: f64, airspeed: T| self.air_path + airspeed * time;
-
-        let spin = motion.spin_at(middle, path_after(half, first.airspeed));
-        let second = motion.rate(&spin, v + scaled(first.acceleration, half), || x.x + v.x * half);
-
-        let spin = if motion.is_damped() { motion.spin_at(middle, path_after(half, second.airspeed)) } else { spin };
-        let third = motion.rate(&spin, v + scaled(second.acceleration, half), || {
-            x.x + v.x * half + first.acceleration.x * (half * half)
-        });
-
-        let spin = motion.spin_at(end, path_after(h, third.airspeed));
-        let fourth = motion
-            .rate(&spin, v + scaled(third.acceleration, h), || x.x + v.x * h + second.acceleration.x * (half * h));
-
-        let inner = second.acceleration + third.acceleration;
-        let bent = scaled(first.acceleration + inner, h * h / 6.0);
-        let gained = scaled(first.acceleration + inner + inner + fourth.acceleration, h / 6.0);
-        let (position, velocity) = (x + scaled(v, h) + bent, v + gained);
-        let inner_speed = second.airspeed + third.airspeed;
-        let air_path = path_after(h / 6.0, first.airspeed + inner_speed + inner_speed + fourth.airspeed);
-        let spin = if motion.is_damped() { motion.spin_at(end, air_path) } else { spin };
-        let rate = motion.rate(&spin, velocity, || position.x);
-        Self { time: end, position, velocity, rate, added: [bent, gained], air_path }
-    }
-
-    /// Whether drag and lift change the airspeed by more than half of it within a step: far beyond where four stages
-    /// follow them, and near where they make the ball run away.
-    #[inline]
-    pub fn is_coarse(&self, h: f64, gravity: f64) -> bool {
-        let mut aerodynamic = self.rate.acceleration.re();
-        aerodynamic.x += gravity;
-        let (change, half) = (aerodynamic.dot(aerodynamic) * h * h, 0.5 * self.rate.airspeed.re());
-        change > half * half
-    }
-
-    pub fn is_finite(&self) -> bool {
-        let (x, v) = (self.position.re(), self.velocity.re());
-        (x.dot(x) + v.dot(v)).is_finite()
+    #[inline(always)]
+    fn step<L: Surroundings<T>>(
+        &self,
+        motion: &Motion<T, S, L>,
+        from: &Node<T, S>,
+        time: f64,
+    ) -> (Node<T, S>, Added<T, S>) {
+        let h = self.step;
+        let stages = self.stages(motion, from);
+        // a₁ + a₂ + a₃ and a₁ + 2 a₂ + 2 a₃
+        let inner = motion.acceleration(&stages.second) + motion.acceleration(&stages.third);
+        let sum = motion.acceleration(&from.rate) + inner;
+        let weighted = sum + inner;
+        let position = sum.along(h * h / 6.0, from.velocity.along(h, from.position));
+        let velocity = motion.after(&stages.fourth, h / 6.0, weighted.along(h / 6.0, from.velocity));
+        let (mut air_path, mut spin) = (from.air_path, stages.last_spin);
+        if motion.is_damped() {
+            let inner = stages.second.airspeed + stages.third.airspeed;
+            air_path = (from.rate.airspeed + inner + inner + stages.fourth.airspeed).scale_add(h / 6.0, air_path);
+            spin = motion.spin(
+                stages.faded,
+                #[inline(always)]
+                || air_path,
+            );
+        }
+        let rate = motion.rate(
+            &spin,
+            velocity,
+            #[inline(always)]
+            || position.up(),
+        );
+        let added = Added { bent: sum, gained: weighted, last: stages.fourth, weight: h / 6.0 };
+        (Node { time, position, velocity, rate, faded: stages.faded, air_path }, added)
     }
 }

@@ -1,4 +1,6 @@
-use super::landing::{Flight, follow};
+use super::landing::{Flight, Wanted};
+use super::pace::Pace;
+use super::shot::Shot;
 use crate::error::Result;
 use crate::launch::Launch;
 use crate::number::Vector;
@@ -38,7 +40,8 @@ pub struct TrajectoryPoint {
 /// As [`fly`](super::fly).
 pub fn trajectory(setup: &Setup<f64>, launch: &Launch<f64>) -> Result<Trajectory> {
     let mut points = Vec::new();
-    let flight = follow(setup, launch, |node| {
+    let shot = Shot::new(setup, launch);
+    let flight = shot.fly::<Vector<f64>>(&Pace::of(setup), Wanted::Apex, |node| {
         points.push(TrajectoryPoint { time: node.time, position: node.position, velocity: node.velocity });
     })?;
     if let Flight::Landed(landed) = &flight {

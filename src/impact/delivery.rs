@@ -1,4 +1,4 @@
-use crate::number::{Number, Vector};
+use crate::number::{Numbers, Vector};
 use crate::parameters::Swing;
 
 /// The club just before impact: its motion in the ground frame, and the axes of the head frame.
@@ -12,9 +12,9 @@ pub struct Delivery<T> {
     pub axes: [Vector<T>; 3],
 }
 
-impl<T: Number> Delivery<T> {
+impl<T: Numbers> Delivery<T> {
     /// The delivery of a swing (docs/model.md, eqs. 1–2): the head is pitched by a = ε − σ, then yawed by ψ.
-    #[inline]
+    #[inline(always)]
     pub fn new(swing: &Swing<T>) -> Self {
         let (sin_attack, cos_attack) = swing.attack_angle.sin_cos();
         let (sin_path, cos_path) = swing.path.sin_cos();
@@ -33,14 +33,14 @@ impl<T: Number> Delivery<T> {
     }
 
     /// A vector of the head frame, in the ground frame.
-    #[inline]
+    #[inline(always)]
     pub fn to_ground(&self, v: Vector<T>) -> Vector<T> {
         let [x, y, z] = self.axes;
         x * v.x + y * v.y + z * v.z
     }
 
     /// A vector of the ground frame, in the head frame.
-    #[inline]
+    #[inline(always)]
     pub fn to_head(&self, v: Vector<T>) -> Vector<T> {
         let [x, y, z] = self.axes;
         Vector::new(x.dot(v), y.dot(v), z.dot(v))

@@ -1,5 +1,5 @@
 use crate::error::{Error, Result};
-use crate::number::{Number, Vector};
+use crate::number::{Number, Numbers, Vector, inlined};
 use crate::parameters::{Club, Strike};
 
 /// Where the ball is struck, in the head frame.
@@ -11,27 +11,46 @@ pub struct FacePoint<T> {
     pub normal: Vector<T>,
 }
 
-impl<T: Number> FacePoint<T> {
+impl<T: Numbers> FacePoint<T> {
     /// The struck point of the face's ellipsoid (docs/model.md, eqs. 3–5; Winfield & Tan eqs. 11–12), in the
     /// form that stays exact as a radius grows to infinity.
     ///
     /// # Errors
     /// [`Error::OffFace`] where the ellipsoid has no such point.
     #[inline]
-    pub fn new(club: &Club<T>, strike: &Strike<T>) -> Result<Self> {
-        let (roll, bulge) = (curvature(club.roll_radius), curvature(club.bulge_radius));
+    pub fn new(club: &Club<T>, strike: &Strike<T>) -> Result<Self>
+    where
+        T: Number,
+    {
+        let (point, q) = Self::unchecked(club, strike);
+        if q.re() >= 1.0 || q.re().is_nan() {
+            let (high_mm, toe_mm) = (strike.high.re() * 1e3, strike.toe.re() * 1e3);
+            return Err(Error::OffFace { high_mm, toe_mm, q: q.re() });
+        }
+        Ok(point)
+    }
+
+    /// The struck point, which is one where q, given beside it, is below 1.
+    #[inline(always)]
+    pub(super) fn unchecked(club: &Club<T>, strike: &Strike<T>) -> (Self, T) {
+        // 1/R is 0 for a flat direction
+        let (roll, bulge) = (club.roll_radius.recip(), club.bulge_radius.recip());
         let third = match club.face_semi_axis {
-            Some(semi_axis) => curvature(semi_axis),
+            Some(semi_axis) => semi_axis.recip(),
             // √(bulge · roll): a flat direction makes it 0, where the root has no derivative
-            None if roll.re() == 0.0 || bulge.re() == 0.0 => T::zero(),
-            None => (roll * bulge).sqrt(),
+            None => {
+                let product = roll * bulge;
+                T::choose(
+                    product.below(f64::MIN_POSITIVE),
+                    T::zero,
+                    #[inline(always)]
+                    || product.sqrt(),
+                )
+            }
         };
         let (high, toe) = (strike.high, strike.toe);
         let sag = high * high * roll + toe * toe * bulge;
         let q = sag * third;
-        if q.re() >= 1.0 || q.re().is_nan() {
-            return Err(Error::OffFace { high_mm: high.re() * 1e3, toe_mm: toe.re() * 1e3, q: q.re() });
-        }
         let root = (-q + 1.0).sqrt();
         let point = Vector::new(high, toe, club.cg_depth - sag / (root + 1.0));
         let normal = Vector::new(high * roll, toe * bulge, root);
@@ -39,15 +58,12 @@ impl<T: Number> FacePoint<T> {
 
         // face frame (i', j', k') to head frame: pitched by the loft
         let (sin, cos) = club.loft.sin_cos();
-        let pitched = |v: Vector<T>| Vector::new(v.x * cos + v.z * sin, v.y, v.z * cos - v.x * sin);
-        Ok(Self { position: pitched(point), normal: pitched(unit) })
+        let pitched = inlined(
+            #[inline(always)]
+            |v: Vector<T>| Vector::new(v.x * cos + v.z * sin, v.y, v.z * cos - v.x * sin),
+        );
+        (Self { position: pitched(point), normal: pitched(unit) }, q)
     }
-}
-
-/// 1/R, 0 for a flat direction.
-#[inline]
-fn curvature<T: Number>(radius: T) -> T {
-    if radius.re() == f64::INFINITY { T::zero() } else { radius.recip() }
 }
 
 #[cfg(test)]

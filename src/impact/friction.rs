@@ -1,4 +1,4 @@
-use super::rigid_body::{Collision, Rebound, jammed};
+use super::rigid_body::{Collision, Factors, Rebound, jammed};
 use crate::error::Result;
 use crate::number::Number;
 
@@ -22,6 +22,7 @@ pub enum Grip {
 #[inline]
 pub(super) fn limited<T: Number>(
     collision: &Collision<T>,
+    factors: &Factors<T>,
     sticking: Rebound<T>,
     friction: Option<T>,
 ) -> Result<(Rebound<T>, Grip)> {
@@ -35,7 +36,7 @@ pub(super) fn limited<T: Number>(
         return Ok((sticking, Grip::Sticks(used)));
     }
     let direction = normal + tangential * (friction / tangential.norm());
-    let [x, y, z] = collision.compliance()?;
+    let [x, y, z] = collision.columns(&factors.inertia);
     let separating = normal.dot(x * direction.x + y * direction.y + z * direction.z);
     if separating.re() <= 0.0 || separating.re().is_nan() {
         return Err(jammed(&format!(
@@ -45,5 +46,6 @@ pub(super) fn limited<T: Number>(
         )));
     }
     let size = collision.approach().dot(normal) * (collision.restitution + 1.0) / separating;
-    Ok((collision.after(direction * size)?, Grip::Slips(used)))
+    let slipping = collision.checked(collision.after(direction * size, factors))?;
+    Ok((slipping, Grip::Slips(used)))
 }

@@ -16,7 +16,7 @@ pub use rigid_body::{Collision, Rebound};
 
 use crate::error::{Error, Result};
 use crate::launch::Launch;
-use crate::number::{Number, Vector};
+use crate::number::{Number, Numbers, Vector, inlined};
 use crate::parameters::Setup;
 
 /// What an impact leaves behind, in the ground frame.
@@ -49,9 +49,13 @@ pub fn strike<T: Number>(setup: &Setup<T>) -> Result<Impact<T>> {
     if approach <= 0.0 || approach.is_nan() {
         return Err(Error::NoStrike { approach });
     }
-    let rolling = collision.by_impulse()?;
-    let (rebound, grip) = friction::limited(&collision, rolling, setup.impact.friction)?;
-    let ground = |v| delivery.to_ground(v);
+    let factors = collision.checked_factors()?;
+    let rolling = collision.checked(collision.rolling(&factors))?;
+    let (rebound, grip) = friction::limited(&collision, &factors, rolling, setup.impact.friction)?;
+    let ground = inlined(
+        #[inline(always)]
+        |v| delivery.to_ground(v),
+    );
     Ok(Impact {
         launch: Launch { velocity: ground(rebound.ball_velocity), spin: ground(rebound.ball_spin) },
         club_velocity: ground(rebound.club_velocity),
@@ -61,4 +65,42 @@ pub fn strike<T: Number>(setup: &Setup<T>) -> Result<Impact<T>> {
         contact_point: ground(collision.contact),
         grip,
     })
+}
+
+/// A launch that is one only where the checks hold.
+pub(crate) struct Unchecked<T> {
+    pub launch: Launch<T>,
+    /// Below 1 where the strike is on the face.
+    q: T,
+    /// Above 0 where the face approaches the ball.
+    approach: T,
+    /// Above 0 where the impulse pushes.
+    push: T,
+}
+
+impl<T: Numbers> Unchecked<T> {
+    /// The launch of a contact that sticks, with nothing to branch on.
+    #[inline(always)]
+    pub fn new(setup: &Setup<T>) -> Self {
+        let delivery = Delivery::new(&setup.swing);
+        let (face, q) = FacePoint::unchecked(&setup.club, &setup.strike);
+        let collision = Collision::at(setup, &delivery, &face);
+        let rebound = collision.rolling(&collision.factors());
+        let (velocity, spin) = (delivery.to_ground(rebound.ball_velocity), delivery.to_ground(rebound.ball_spin));
+        Self {
+            launch: Launch { velocity, spin },
+            q,
+            approach: collision.approach().dot(collision.normal),
+            push: rebound.impulse.dot(collision.normal),
+        }
+    }
+
+    /// What must all hold.
+    #[inline(always)]
+    pub fn checks(&self) -> [T::Mask; 4] {
+        let Launch { velocity, spin } = self.launch;
+        // NaN is below nothing: what is not a number does not hold
+        let size = velocity.dot(velocity) + spin.dot(spin);
+        [self.q.below(1.0), (-self.approach).below(0.0), (-self.push).below(0.0), size.below(f64::MAX)]
+    }
 }

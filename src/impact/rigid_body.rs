@@ -1,7 +1,7 @@
 use super::delivery::Delivery;
 use super::face::FacePoint;
 use crate::error::{Error, Result};
-use crate::number::{Number, Vector, solve};
+use crate::number::{Number, Numbers, SymmetricFactors, Vector, inlined, solve};
 use crate::parameters::Setup;
 
 /// Two rigid bodies about to collide, in the head frame: a head that moves, and a ball at rest.
@@ -46,6 +46,104 @@ pub struct Rebound<T> {
     pub club_spin: Vector<T>,
 }
 
+impl<T: Numbers> Collision<T> {
+    /// The collision of a head that strikes the ball at a point of its face.
+    #[inline(always)]
+    pub(super) fn at(setup: &Setup<T>, delivery: &Delivery<T>, face: &FacePoint<T>) -> Self {
+        let ball = &setup.ball;
+        Self {
+            club_mass: setup.club.mass,
+            club_inertia: setup.club.inertia(),
+            club_velocity: delivery.to_head(delivery.velocity),
+            club_spin: delivery.to_head(delivery.closure),
+            ball_mass: ball.mass,
+            ball_inertia: ball.inertia.unwrap_or_else(
+                #[inline(always)]
+                || ball.mass * ball.radius * ball.radius * 0.4,
+            ),
+            ball_radius: ball.radius,
+            contact: face.position,
+            normal: face.normal,
+            restitution: setup.impact.restitution,
+            tangential_restitution: setup.impact.tangential_restitution,
+        }
+    }
+
+    /// u⁻: the velocity of the club's contact point relative to the ball's before impact, m/s.
+    #[inline(always)]
+    pub fn approach(&self) -> Vector<T> {
+        self.club_velocity + self.club_spin.cross(self.contact)
+    }
+
+    /// The factors of K and of I_c.
+    #[inline(always)]
+    pub(super) fn factors(&self) -> Factors<T> {
+        let [[xx, ..], [xy, yy, _], [xz, yz, zz]] = self.club_inertia;
+        let inertia = SymmetricFactors::new([xx, xy, yy, xz, yz, zz]);
+        let [x, y, z] = self.columns(&inertia);
+        Factors { inertia, compliance: SymmetricFactors::new([x.x, x.y, y.y, x.z, y.z, z.z]) }
+    }
+
+    /// The rebound whose impulse solves the 3 equations (docs/model.md, eqs. 8–10):
+    /// K J = u⁻ + e (n·u⁻) n + e_t (u⁻ − (n·u⁻) n).
+    #[inline(always)]
+    pub(super) fn rolling(&self, factors: &Factors<T>) -> Rebound<T> {
+        let approach = self.approach();
+        let closing = self.normal * approach.dot(self.normal);
+        let wanted = approach + closing * self.restitution + (approach - closing) * self.tangential_restitution;
+        self.after(Vector::from_array(factors.compliance.solve(wanted.to_array())), factors)
+    }
+
+    /// The bodies after the impulse J on the ball.
+    #[inline(always)]
+    pub(super) fn after(&self, impulse: Vector<T>, factors: &Factors<T>) -> Rebound<T> {
+        let turned = Vector::from_array(factors.inertia.solve(self.contact.cross(impulse).to_array()));
+        Rebound {
+            impulse,
+            ball_velocity: impulse * self.ball_mass.recip(),
+            ball_spin: impulse.cross(self.normal) * (self.ball_radius / self.ball_inertia),
+            club_velocity: self.club_velocity - impulse * self.club_mass.recip(),
+            club_spin: self.club_spin - turned,
+        }
+    }
+
+    /// K by columns: K e = (1/M + 1/m) e − r_P × I_c⁻¹ (r_P × e) − (R²/I_b) n × (n × e), the change of the
+    /// contact points' relative velocity that an impulse e takes away.
+    #[inline(always)]
+    pub(super) fn columns(&self, inertia: &SymmetricFactors<T>) -> [Vector<T>; 3] {
+        let inverse_mass = self.club_mass.recip() + self.ball_mass.recip();
+        let rolling = self.ball_radius * self.ball_radius / self.ball_inertia;
+        let (arm, n) = (self.contact, self.normal);
+        // of a unit vector e the product a × e has two of a's components: r_P × e and n × (n × e) = n (n·e) − (n·n) e
+        let squared = n.dot(n) * rolling + inverse_mass;
+        let column = inlined(
+            #[inline(always)]
+            |arm_cross_e: [T; 3], along: T| {
+                let turned = Vector::from_array(inertia.solve(arm_cross_e));
+                -arm.cross(turned) - n * (along * rolling)
+            },
+        );
+        let zero = T::zero();
+        let mut columns = [
+            column([zero, arm.z, -arm.y], n.x),
+            column([-arm.z, zero, arm.x], n.y),
+            column([arm.y, -arm.x, zero], n.z),
+        ];
+        columns[0].x = columns[0].x + squared;
+        columns[1].y = columns[1].y + squared;
+        columns[2].z = columns[2].z + squared;
+        columns
+    }
+}
+
+/// The two symmetric matrices of a collision, factored.
+pub(super) struct Factors<T> {
+    /// I_c.
+    pub inertia: SymmetricFactors<T>,
+    /// K.
+    pub compliance: SymmetricFactors<T>,
+}
+
 impl<T: Number> Collision<T> {
     /// The collision that a setup's delivery leads to.
     ///
@@ -53,89 +151,50 @@ impl<T: Number> Collision<T> {
     /// [`Error::OffFace`].
     #[inline]
     pub fn new(setup: &Setup<T>, delivery: &Delivery<T>) -> Result<Self> {
-        let face = FacePoint::new(&setup.club, &setup.strike)?;
-        let ball = &setup.ball;
-        Ok(Self {
-            club_mass: setup.club.mass,
-            club_inertia: setup.club.inertia(),
-            club_velocity: delivery.to_head(delivery.velocity),
-            club_spin: delivery.to_head(delivery.closure),
-            ball_mass: ball.mass,
-            ball_inertia: ball.inertia.unwrap_or_else(|| ball.mass * ball.radius * ball.radius * 0.4),
-            ball_radius: ball.radius,
-            contact: face.position,
-            normal: face.normal,
-            restitution: setup.impact.restitution,
-            tangential_restitution: setup.impact.tangential_restitution,
-        })
+        Ok(Self::at(setup, delivery, &FacePoint::new(&setup.club, &setup.strike)?))
     }
 
-    /// u⁻: the velocity of the club's contact point relative to the ball's before impact, m/s.
-    #[inline]
-    pub fn approach(&self) -> Vector<T> {
-        self.club_velocity + self.club_spin.cross(self.contact)
-    }
-
-    /// The impulse from 3 equations (docs/model.md, eqs. 8–10): K J = u⁻ + e (n·u⁻) n + e_t (u⁻ − (n·u⁻) n).
+    /// The impulse from 3 equations (docs/model.md, eqs. 8–10).
     ///
     /// # Errors
     /// [`Error::Jammed`] where the impulse would have to pull.
     #[inline]
     pub fn by_impulse(&self) -> Result<Rebound<T>> {
-        let approach = self.approach();
-        let closing = self.normal * approach.dot(self.normal);
-        let wanted = approach + closing * self.restitution + (approach - closing) * self.tangential_restitution;
-        let columns = self.compliance()?;
-        let rows = [0, 1, 2].map(|row| columns.map(|column| column.to_array()[row]));
-        let impulse = solve(rows, wanted.to_array()).ok_or_else(|| jammed("the contact's 3 × 3 system is singular"))?;
-        self.after(Vector::from_array(impulse))
+        let factors = self.checked_factors()?;
+        self.checked(self.rolling(&factors))
     }
 
-    /// The bodies after the impulse J on the ball.
+    /// K by columns (docs/model.md, eq. 9).
     ///
     /// # Errors
-    /// [`Error::Jammed`] where the impulse would have to pull.
+    /// [`Error::Jammed`] where the head's inertia tensor is none.
+    pub fn compliance(&self) -> Result<[Vector<T>; 3]> {
+        Ok(self.columns(&self.checked_factors()?.inertia))
+    }
+
+    /// The factors, where the head's inertia tensor is one.
     #[inline]
-    pub fn after(&self, impulse: Vector<T>) -> Result<Rebound<T>> {
-        let push = impulse.dot(self.normal).re();
+    pub(super) fn checked_factors(&self) -> Result<Factors<T>> {
+        let factors = self.factors();
+        if !factors.inertia.is_positive() {
+            return Err(jammed("the head's inertia tensor is not positive definite"));
+        }
+        if !factors.compliance.is_positive() {
+            return Err(jammed("the contact's 3 × 3 system is singular"));
+        }
+        Ok(factors)
+    }
+
+    /// A rebound whose impulse pushes.
+    #[inline]
+    pub(super) fn checked(&self, rebound: Rebound<T>) -> Result<Rebound<T>> {
+        let push = rebound.impulse.dot(self.normal).re();
         if push <= 0.0 || push.is_nan() {
             return Err(jammed(&format!(
                 "the impulse along the face normal would be {push} N s, which must be above 0"
             )));
         }
-        Ok(Rebound {
-            impulse,
-            ball_velocity: impulse * self.ball_mass.recip(),
-            ball_spin: impulse.cross(self.normal) * (self.ball_radius / self.ball_inertia),
-            club_velocity: self.club_velocity - impulse * self.club_mass.recip(),
-            club_spin: self.club_spin - self.turned_by(self.contact.cross(impulse))?,
-        })
-    }
-
-    /// K by columns: K e = (1/M + 1/m) e − r_P × I_c⁻¹ (r_P × e) − (R²/I_b) n × (n × e), the change of the
-    /// contact points' relative velocity that an impulse e takes away.
-    #[inline]
-    pub fn compliance(&self) -> Result<[Vector<T>; 3]> {
-        let inverse_mass = self.club_mass.recip() + self.ball_mass.recip();
-        let rolling = self.ball_radius * self.ball_radius / self.ball_inertia;
-        let column = |e: Vector<T>| -> Result<Vector<T>> {
-            let turning = self.contact.cross(self.turned_by(self.contact.cross(e))?);
-            Ok(e * inverse_mass - turning - self.normal.cross(self.normal.cross(e)) * rolling)
-        };
-        let (one, zero) = (T::constant(1.0), T::zero());
-        Ok([
-            column(Vector::new(one, zero, zero))?,
-            column(Vector::new(zero, one, zero))?,
-            column(Vector::new(zero, zero, one))?,
-        ])
-    }
-
-    /// I_c⁻¹ L: the angular velocity that an angular momentum gives the head.
-    #[inline]
-    fn turned_by(&self, momentum: Vector<T>) -> Result<Vector<T>> {
-        solve(self.club_inertia, momentum.to_array())
-            .map(Vector::from_array)
-            .ok_or_else(|| jammed("the head's inertia tensor is singular"))
+        Ok(rebound)
     }
 
     /// The same collision from Winfield & Tan's 15 equations in 15 unknowns: 12 generalized speeds and 3

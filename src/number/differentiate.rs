@@ -36,12 +36,6 @@ pub(crate) trait Seedable {
 /// Variables differentiated by in one pass of a gradient: wider is cheaper for each, as far as measured.
 const GRADIENT_WIDTH: usize = 12;
 
-/// Each output of `f`, alone.
-pub(crate) fn values<F: Seedable>(f: &F) -> Result<Vec<Taylor>, F::Error> {
-    let outputs = f.outputs::<f64>(&[])?;
-    Ok(outputs.into_iter().map(|value| Taylor { value, ..Taylor::default() }).collect())
-}
-
 /// Each output of `f` with its gradient by `n` variables; `progress` is told how many passes of how many are done.
 pub(crate) fn first<F: Seedable>(
     f: &F,

@@ -1,4 +1,4 @@
-use super::Number;
+use super::{Number, Numbers};
 
 /// Solves A x = b by Gaussian elimination with partial pivoting. `None` where A is exactly singular or holds a number that is not finite.
 ///
@@ -35,9 +35,53 @@ pub(crate) fn solve<T: Number, const N: usize>(mut a: [[T; N]; N], mut b: [T; N]
     Some(b)
 }
 
+/// A symmetric 3 × 3 matrix as L D Lᵀ, without a pivot: exact to rounding where it is positive definite, which inertia
+/// tensors and compliances are. There is no branch in it.
+#[derive(Clone, Copy)]
+pub(crate) struct SymmetricFactors<T> {
+    /// 1/D.
+    inverse_pivots: [T; 3],
+    /// L below its diagonal of ones: (1,0), (2,0), (2,1).
+    below: [T; 3],
+}
+
+impl<T: Numbers> SymmetricFactors<T> {
+    /// From the lower triangle, row by row.
+    #[inline(always)]
+    pub fn new([a00, a10, a11, a20, a21, a22]: [T; 6]) -> Self {
+        let first = a00.recip();
+        let (l10, l20) = (a10 * first, a20 * first);
+        let second = (a11 - l10 * a10).recip();
+        let left = a21 - l20 * a10;
+        let l21 = left * second;
+        let third = (a22 - l20 * a20 - l21 * left).recip();
+        Self { inverse_pivots: [first, second, third], below: [l10, l20, l21] }
+    }
+
+    /// The x of A x = b.
+    #[inline(always)]
+    pub fn solve(&self, [b0, b1, b2]: [T; 3]) -> [T; 3] {
+        let ([d0, d1, d2], [l10, l20, l21]) = (self.inverse_pivots, self.below);
+        let y1 = b1 - l10 * b0;
+        let y2 = b2 - l20 * b0 - l21 * y1;
+        let x2 = y2 * d2;
+        let x1 = y1 * d1 - l21 * x2;
+        [b0 * d0 - l10 * x1 - l20 * x2, x1, x2]
+    }
+
+    /// Whether each pivot is positive and finite, as those of a positive definite matrix are.
+    #[inline(always)]
+    pub fn is_positive(&self) -> bool
+    where
+        T: Number,
+    {
+        self.inverse_pivots.iter().all(|pivot| pivot.re() > 0.0 && pivot.re().is_finite())
+    }
+}
+
 #[cfg(test)]
 mod tests {
-    use super::solve;
+    use super::{SymmetricFactors, solve};
 
     #[test]
     fn exact_system_that_needs_a_pivot() {
@@ -49,5 +93,17 @@ mod tests {
     fn exact_singular_and_non_finite_systems_have_no_solution() {
         assert_eq!(solve([[1.0, 2.0], [2.0, 4.0]], [1.0, 2.0]), None);
         assert_eq!(solve([[f64::NAN]], [1.0]), None);
+    }
+
+    #[test]
+    fn exact_solution_of_a_symmetric_system_and_a_pivot_that_is_none() {
+        // A (1, 2, 3) = b by hand
+        let factors = SymmetricFactors::new([4.0, 2.0, 5.0, 1.0, 3.0, 6.0]);
+        let x: [f64; 3] = factors.solve([11.0, 21.0, 25.0]);
+        for (x, expected) in x.iter().zip([1.0, 2.0, 3.0]) {
+            assert!((x - expected).abs() < 1e-14);
+        }
+        assert!(factors.is_positive());
+        assert!(!SymmetricFactors::new([1.0, 2.0, 1.0, 0.0, 0.0, 1.0]).is_positive());
     }
 }

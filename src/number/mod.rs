@@ -1,21 +1,46 @@
 //! The numbers the physics is written over.
 //!
-//! [`Number`] lists the few operations that a drive needs. It is implemented once, for every
-//! [`num_dual::DualNum`] over `f64`: for `f64` itself (plain values) and for each of num-dual's dual
-//! numbers (values with exact derivatives). A number type of our own implements the same trait and then
-//! runs through the same physics.
+//! [`Numbers`] lists the few operations that a drive needs, [`Number`] adds that there is one value to look at.
+//! Both are implemented once, for every [`num_dual::DualNum`] over `f64`: for `f64` itself (plain values) and for each of
+//! num-dual's dual numbers (values with exact derivatives). Number types of our own implement the same traits and
+//! run through the same physics: [`Jet`] and [`Jet2`] carry derivatives in plain arrays or in the registers of a vector
+//! unit, and lanes hold several drives side by side.
 
 mod differentiate;
+mod exponential;
+mod fast;
+mod fused;
 mod jet;
+mod jet2;
+mod lanes;
+mod level;
 mod linear;
+#[cfg(target_arch = "x86_64")]
+mod pack;
+#[cfg(target_arch = "x86_64")]
+mod pair;
+mod partial;
 mod seed;
 mod taylor;
 mod vector;
 
 pub use differentiate::Order;
-pub(crate) use differentiate::{Pairs, Seedable, first, second, values};
-pub use jet::{Jet, Jet2};
-pub(crate) use linear::solve;
+pub(crate) use differentiate::{Pairs, Seedable, first, second};
+#[cfg(target_arch = "x86_64")]
+pub(crate) use fast::Wide;
+pub(crate) use fast::{Counterpart, Fast};
+pub use fused::Fused;
+pub use jet::Jet;
+pub use jet2::Jet2;
+pub(crate) use lanes::Lanes;
+pub use lanes::Mask;
+pub(crate) use level::{Level, Task, inlined};
+pub(crate) use linear::{SymmetricFactors, solve};
+#[cfg(target_arch = "x86_64")]
+pub(crate) use pack::{Pack2, Pack4, Pack8};
+#[cfg(target_arch = "x86_64")]
+pub(crate) use pair::Pair;
+pub use partial::Partial;
 pub(crate) use seed::Seeded;
 pub use taylor::Taylor;
 pub use vector::Vector;
@@ -33,26 +58,19 @@ pub trait Arithmetic<R>:
 impl<T, R> Arithmetic<R> for T where T: Add<R, Output = T> + Sub<R, Output = T> + Mul<R, Output = T> + Div<R, Output = T>
 {}
 
-/// A real number, possibly carrying derivatives.
+/// A real number, possibly carrying derivatives, or several of them side by side.
 ///
-/// Branches and iterations look at [`re`](Number::re) only, so that a drive takes the same path whatever
-/// it is evaluated over.
-///
-/// ```
-/// use longdrive::number::Number;
-/// use num_dual::Dual64;
-///
-/// fn cube<T: Number>(x: T) -> T { x * x * x }
-///
-/// assert_eq!(cube(2.0), 8.0);
-/// let at_two = cube(Dual64::from(2.0).derivative());
-/// assert_eq!((at_two.re, at_two.eps), (8.0, 12.0)); // 3 x²
-/// ```
-pub trait Number: Copy + Debug + 'static + Neg<Output = Self> + Arithmetic<Self> + Arithmetic<f64> {
+/// Where there may be several, there is no one value to branch on: a formula that changes its form asks
+/// [`below`](Numbers::below) and [`choose`](Numbers::choose)s.
+pub trait Numbers: Copy + Debug + 'static + Neg<Output = Self> + Arithmetic<Self> + Arithmetic<f64> {
+    /// The answer to a comparison: `bool`, or one for each of several.
+    type Mask: Mask;
+    /// Whether it is a lone value: then a chain of operations waits for each result, and a longer way that shortens the chain
+    /// is the faster one. With derivatives or neighbours there is enough to do meanwhile.
+    const IS_LONE: bool = false;
+
     /// The number with this value and no derivatives.
     fn constant(value: f64) -> Self;
-    /// The value, without derivatives.
-    fn re(self) -> f64;
     /// 1/x.
     fn recip(self) -> Self;
     /// √x.
@@ -69,21 +87,67 @@ pub trait Number: Copy + Debug + 'static + Neg<Output = Self> + Arithmetic<Self>
     fn sin_cos(self) -> (Self, Self);
     /// arctan x.
     fn atan(self) -> Self;
+    /// Whether the value is below a limit.
+    fn below(self, limit: f64) -> Self::Mask;
+    /// `self` where the mask holds, `other` where it does not.
+    fn blend(self, other: Self, mask: Self::Mask) -> Self;
+    /// Whether the value and every derivative are 0, for each of several.
+    fn is_zero(self) -> bool;
+    /// Whether the value, and that of each of several, is finite.
+    fn is_finite(self) -> Self::Mask;
 
     /// Zero.
-    #[inline]
+    #[inline(always)]
     fn zero() -> Self {
         Self::constant(0.0)
     }
 
+    /// x a + b, rounded once where that is as fast.
+    #[inline(always)]
+    fn mul_add(self, a: Self, b: Self) -> Self {
+        self * a + b
+    }
+
+    /// x a + b with a plain factor.
+    #[inline(always)]
+    fn scale_add(self, a: f64, b: Self) -> Self {
+        self * a + b
+    }
+
+    /// √x and 1/√x.
+    #[inline(always)]
+    fn sqrt_recip(self) -> (Self, Self) {
+        let root = self.sqrt();
+        (root, root.recip())
+    }
+
+    /// `yes()` where the mask holds, `no()` where it does not; what no one needs is not computed.
+    #[inline(always)]
+    fn choose(mask: Self::Mask, yes: impl FnOnce() -> Self, no: impl FnOnce() -> Self) -> Self {
+        if mask.all() {
+            yes()
+        } else if !mask.any() {
+            no()
+        } else {
+            yes().blend(no(), mask)
+        }
+    }
+
+    /// Work on these numbers that is a function of its own, called and not taken in: for what is asked for in many places
+    /// and would make each of them large.
+    #[inline(always)]
+    fn outlined<R>(work: impl FnOnce() -> R) -> R {
+        level::outlined(work)
+    }
+
     /// sin x.
-    #[inline]
+    #[inline(always)]
     fn sin(self) -> Self {
         self.sin_cos().0
     }
 
     /// cos x.
-    #[inline]
+    #[inline(always)]
     fn cos(self) -> Self {
         self.sin_cos().1
     }
@@ -110,14 +174,34 @@ pub trait Number: Copy + Debug + 'static + Neg<Output = Self> + Arithmetic<Self>
     }
 
     /// tanh x, finite for every x (sinh/cosh overflows).
-    #[inline]
+    #[inline(always)]
     fn tanh(self) -> Self {
-        if self.re() < 0.0 {
-            return -(-self).tanh();
-        }
-        let decay = (self * -2.0).exp_m1();
-        -decay / (decay + 2.0)
+        let is_negative = self.below(0.0);
+        let size = (-self).blend(self, is_negative);
+        let decay = (size * -2.0).exp_m1();
+        let tanh = -decay / (decay + 2.0);
+        (-tanh).blend(tanh, is_negative)
     }
+}
+
+/// A real number, possibly carrying derivatives, with one value to look at.
+///
+/// Branches and iterations look at [`re`](Number::re) only, so that a drive takes the same path whatever
+/// it is evaluated over.
+///
+/// ```
+/// use longdrive::number::Number;
+/// use num_dual::Dual64;
+///
+/// fn cube<T: Number>(x: T) -> T { x * x * x }
+///
+/// assert_eq!(cube(2.0), 8.0);
+/// let at_two = cube(Dual64::from(2.0).derivative());
+/// assert_eq!((at_two.re, at_two.eps), (8.0, 12.0)); // 3 x²
+/// ```
+pub trait Number: Numbers<Mask = bool> {
+    /// The value, without derivatives.
+    fn re(self) -> f64;
 
     /// The angle of the point (x, y), with `self` as y. The derivatives are exact in every direction, also
     /// along the axes: the point is turned onto the positive x-axis first. At the origin there is no angle.
@@ -131,14 +215,13 @@ pub trait Number: Copy + Debug + 'static + Neg<Output = Self> + Arithmetic<Self>
     }
 }
 
-impl<D: DualNum<Primitive = f64> + Copy> Number for D {
+impl<D: DualNum<Primitive = f64> + Copy> Numbers for D {
+    type Mask = bool;
+    const IS_LONE: bool = D::NDERIV == 0;
+
     #[inline(always)]
     fn constant(value: f64) -> Self {
         D::from(value)
-    }
-    #[inline(always)]
-    fn re(self) -> f64 {
-        num_dual::DualStruct::re(&self)
     }
     #[inline(always)]
     fn recip(self) -> Self {
@@ -172,11 +255,35 @@ impl<D: DualNum<Primitive = f64> + Copy> Number for D {
     fn atan(self) -> Self {
         DualNum::atan(&self)
     }
+    #[inline(always)]
+    fn below(self, limit: f64) -> bool {
+        num_dual::DualStruct::re(&self) < limit
+    }
+    #[inline(always)]
+    fn blend(self, other: Self, mask: bool) -> Self {
+        if mask { self } else { other }
+    }
+    #[inline(always)]
+    fn is_zero(self) -> bool {
+        // a dual number does not show its derivatives here; only a plain one is known to be 0
+        D::NDERIV == 0 && num_dual::DualStruct::re(&self) == 0.0
+    }
+    #[inline(always)]
+    fn is_finite(self) -> bool {
+        num_dual::DualStruct::re(&self).is_finite()
+    }
+}
+
+impl<D: DualNum<Primitive = f64> + Copy> Number for D {
+    #[inline(always)]
+    fn re(self) -> f64 {
+        num_dual::DualStruct::re(&self)
+    }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::Number;
+    use super::{Number, Numbers};
     use num_dual::{Dual2_64, Dual64};
 
     #[test]
@@ -184,7 +291,7 @@ mod tests {
         // d/dt atan2(sin t, cos t) = 1, and its second derivative is 0
         for k in 0..16 {
             let t = Dual2_64::from(f64::from(k) * std::f64::consts::FRAC_PI_8 - 3.0).derivative();
-            let (y, x) = Number::sin_cos(t);
+            let (y, x) = Numbers::sin_cos(t);
             let angle = Number::atan2(y, x);
             assert!((angle.v1 - 1.0).abs() < 1e-14, "{angle:?}");
             assert!(angle.v2.abs() < 1e-14, "{angle:?}");
@@ -195,10 +302,10 @@ mod tests {
 
     #[test]
     fn exact_tanh_is_finite_far_out_and_keeps_its_digits_near_zero() {
-        assert_eq!(Number::tanh(Dual64::from(800.0).derivative()).re, 1.0);
-        assert_eq!(Number::tanh(Dual64::from(-800.0).derivative()).eps, 0.0);
-        let small = Number::tanh(Dual64::from(1e-9).derivative());
+        assert_eq!(Numbers::tanh(Dual64::from(800.0).derivative()).re, 1.0);
+        assert_eq!(Numbers::tanh(Dual64::from(-800.0).derivative()).eps, 0.0);
+        let small = Numbers::tanh(Dual64::from(1e-9).derivative());
         assert!((small.re / 1e-9 - 1.0).abs() < 1e-15 && (small.eps - 1.0).abs() < 1e-15);
-        assert!((Number::tanh(0.7_f64) - 0.7_f64.tanh()).abs() < 1e-16);
+        assert!((Numbers::tanh(0.7_f64) - 0.7_f64.tanh()).abs() < 1e-16);
     }
 }

@@ -1,4 +1,4 @@
-use super::Number;
+use super::{Number, Numbers};
 use std::ops::{Add, Mul, Neg, Sub};
 
 /// A vector of three components; in the ground frame x is up, y right and z downrange.
@@ -20,27 +20,33 @@ pub struct Vector<T> {
 
 impl<T> Vector<T> {
     /// The vector with these components.
-    #[inline]
+    #[inline(always)]
     pub const fn new(x: T, y: T, z: T) -> Self {
         Self { x, y, z }
     }
+
+    /// The same over another number.
+    #[inline(always)]
+    pub(crate) fn map<U>(self, mut f: impl FnMut(T) -> U) -> Vector<U> {
+        Vector::new(f(self.x), f(self.y), f(self.z))
+    }
 }
 
-impl<T: Number> Vector<T> {
+impl<T: Numbers> Vector<T> {
     /// The zero vector.
-    #[inline]
+    #[inline(always)]
     pub fn zero() -> Self {
         Self::new(T::zero(), T::zero(), T::zero())
     }
 
     /// Scalar product.
-    #[inline]
+    #[inline(always)]
     pub fn dot(self, other: Self) -> T {
-        self.x * other.x + self.y * other.y + self.z * other.z
+        self.x.mul_add(other.x, self.y.mul_add(other.y, self.z * other.z))
     }
 
     /// Vector product.
-    #[inline]
+    #[inline(always)]
     pub fn cross(self, other: Self) -> Self {
         Self::new(
             self.y * other.z - self.z * other.y,
@@ -50,56 +56,59 @@ impl<T: Number> Vector<T> {
     }
 
     /// Euclidean length. Its derivative does not exist at zero length.
-    #[inline]
+    #[inline(always)]
     pub fn norm(self) -> T {
         self.dot(self).sqrt()
     }
 
-    /// The components' values, without derivatives.
-    pub fn re(self) -> Vector<f64> {
-        Vector::new(self.x.re(), self.y.re(), self.z.re())
-    }
-
     /// The components in order.
-    #[inline]
+    #[inline(always)]
     pub fn to_array(self) -> [T; 3] {
         [self.x, self.y, self.z]
     }
 
     /// The vector with these components in order.
-    #[inline]
+    #[inline(always)]
     pub fn from_array([x, y, z]: [T; 3]) -> Self {
         Self::new(x, y, z)
     }
 }
 
-impl<T: Number> Add for Vector<T> {
-    type Output = Self;
+impl<T: Number> Vector<T> {
+    /// The components' values, without derivatives.
     #[inline]
+    pub fn re(self) -> Vector<f64> {
+        Vector::new(self.x.re(), self.y.re(), self.z.re())
+    }
+}
+
+impl<T: Numbers> Add for Vector<T> {
+    type Output = Self;
+    #[inline(always)]
     fn add(self, other: Self) -> Self {
         Self::new(self.x + other.x, self.y + other.y, self.z + other.z)
     }
 }
 
-impl<T: Number> Sub for Vector<T> {
+impl<T: Numbers> Sub for Vector<T> {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn sub(self, other: Self) -> Self {
         Self::new(self.x - other.x, self.y - other.y, self.z - other.z)
     }
 }
 
-impl<T: Number> Neg for Vector<T> {
+impl<T: Numbers> Neg for Vector<T> {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn neg(self) -> Self {
         Self::new(-self.x, -self.y, -self.z)
     }
 }
 
-impl<T: Number> Mul<T> for Vector<T> {
+impl<T: Numbers> Mul<T> for Vector<T> {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn mul(self, factor: T) -> Self {
         Self::new(self.x * factor, self.y * factor, self.z * factor)
     }

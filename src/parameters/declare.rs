@@ -188,12 +188,14 @@ macro_rules! parameter_groups {
             $( $(#[doc = $doc])* pub $group: $Group<T>, )+
             /// The aerodynamic law (`aero.law`) and its coefficients.
             pub law: Law<T>,
+            /// The method of integration (`flight.method`).
+            pub method: Method,
         }
 
         impl Default for Setup<f64> {
             /// The preset `modern-driver`.
             fn default() -> Self {
-                Self { $( $group: $Group::defaults(), )+ law: Law::default() }
+                Self { $( $group: $Group::defaults(), )+ law: Law::default(), method: Method::default() }
             }
         }
 
@@ -202,7 +204,7 @@ macro_rules! parameter_groups {
             /// and unset parameters stay as they are.
             pub fn map<U>(&self, mut f: impl FnMut(&'static Parameter, T) -> U) -> Setup<U> {
                 let f = &mut f;
-                Setup { $( $group: self.$group.map(f), )+ law: self.law.map(f) }
+                Setup { $( $group: self.$group.map(f), )+ law: self.law.map(f), method: self.method }
             }
 
             pub(super) fn visit(&mut self, f: &mut dyn FnMut(&'static Parameter, Slot<'_, T>)) {
@@ -249,7 +251,8 @@ macro_rules! law_coefficients {
                 match self { $( Self::$Law(_) => $name, )+ }
             }
 
-            fn map<U>(&self, f: &mut impl FnMut(&'static Parameter, T) -> U) -> Law<U> {
+            #[inline(always)]
+            pub(crate) fn map<U>(&self, f: &mut impl FnMut(&'static Parameter, T) -> U) -> Law<U> {
                 match self { $( Self::$Law(law) => Law::$Law(law.map(f)), )+ }
             }
 

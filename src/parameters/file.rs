@@ -2,6 +2,7 @@
 //! is SI; every mistake is reported with its line and column.
 
 use super::declare::UNSET;
+use super::method::{METHOD, Method};
 use super::presets::Preset;
 use super::setup::LAW;
 use super::table::Setup;
@@ -84,6 +85,10 @@ impl Setup<f64> {
         }
         if item.key == LAW {
             return self.set_law(string(item).map_err(at_value)?).map_err(at_value);
+        }
+        if item.key == METHOD {
+            self.method = Method::named(string(item).map_err(at_value)?).map_err(at_value)?;
+            return Ok(());
         }
         let group = format!("{}.", item.key);
         if self.parameters().iter().any(|row| row.name.starts_with(&group)) {

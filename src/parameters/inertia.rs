@@ -6,7 +6,7 @@ use nalgebra::Matrix3;
 
 impl<T: Copy> Club<T> {
     /// The inertia tensor about the centre of mass in the head frame, kg m², row by row.
-    #[inline]
+    #[inline(always)]
     pub fn inertia(&self) -> [[T; 3]; 3] {
         let (xy, xz, yz) = (self.inertia_xy, self.inertia_xz, self.inertia_yz);
         [[self.inertia_xx, xy, xz], [xy, self.inertia_yy, yz], [xz, yz, self.inertia_zz]]

@@ -5,6 +5,7 @@
 mod declare;
 mod file;
 mod inertia;
+mod method;
 mod presets;
 mod range;
 mod setup;
@@ -12,6 +13,7 @@ mod table;
 mod vary;
 
 pub use declare::{Kind, Parameter, UNSET};
+pub use method::{METHOD, Method};
 pub use presets::{PRESETS, Preset, PresetEntry};
 pub use range::Range;
 pub use setup::LAW;

@@ -1,4 +1,5 @@
 use super::declare::{Kind, Parameter, Slot, UNSET};
+use super::method::{METHOD, Method};
 use super::range::Range;
 use super::table::{Law, Setup};
 use crate::error::{Error, Result};
@@ -77,6 +78,21 @@ impl<T: Copy> Setup<T> {
     }
 }
 
+impl<T: Copy> Setup<T> {
+    /// Puts numbers in the places of some parameters, unchecked; `value` makes each from its place in the list.
+    pub(crate) fn put(&mut self, parameters: &[&'static Parameter], mut value: impl FnMut(usize) -> T) {
+        self.visit(&mut |row, slot| {
+            if let Some(i) = parameters.iter().position(|parameter| *parameter == row) {
+                match slot {
+                    Slot::Required(place) => *place = value(i),
+                    Slot::Optional(place) => *place = Some(value(i)),
+                    Slot::Setting(_) => {}
+                }
+            }
+        });
+    }
+}
+
 impl Setup<f64> {
     /// The parameter of this name.
     ///
@@ -91,7 +107,7 @@ impl Setup<f64> {
         if !owners.is_empty() {
             return Err(Error::OtherLaw { name: name.into(), law: self.law.name(), owners: owners.join(", ") });
         }
-        Err(Error::unknown("parameter", name, rows.iter().map(|row| row.name).chain([LAW]), LISTING))
+        Err(Error::unknown("parameter", name, rows.iter().map(|row| row.name).chain([LAW, METHOD]), LISTING))
     }
 
     /// The value of a parameter, `None` where it is unset or belongs to another law.
@@ -116,6 +132,10 @@ impl Setup<f64> {
     pub fn set(&mut self, name: &str, text: &str) -> Result<()> {
         if name == LAW {
             return self.set_law(text);
+        }
+        if name == METHOD {
+            self.method = Method::named(text)?;
+            return Ok(());
         }
         let parameter = self.parameter(name)?;
         let value = parameter.read(text, true)?;
@@ -225,6 +245,9 @@ impl Setup<f64> {
         let refuse = |reason: String| Err(Error::NotVariable { name: name.into(), reason });
         if name == LAW {
             return refuse("it is a choice, not a number; compare two runs with --set aero.law=…".into());
+        }
+        if name == METHOD {
+            return refuse("it is a setting of the computation, not of the drive".into());
         }
         let parameter = self.parameter(name)?;
         if parameter.kind == Kind::Setting {

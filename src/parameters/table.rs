@@ -4,6 +4,7 @@
 //! computation. The defaults are the preset `modern-driver`; ranges are what is physically possible.
 
 use super::declare::{Kind, Parameter, Slot};
+use super::method::Method;
 use super::range::Range;
 use crate::units::Quantity;
 

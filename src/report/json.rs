@@ -1,5 +1,5 @@
 use crate::number::Vector;
-use crate::parameters::{LAW, Setup};
+use crate::parameters::{LAW, METHOD, Setup};
 use serde_json::{Map, Value, json};
 
 /// A number, `null` for one that does not exist. JSON has no infinity: a flat face's radius is `"inf"`, as
@@ -30,6 +30,9 @@ pub(super) fn setup(setup: &Setup<f64>) -> Map<String, Value> {
             all.insert(LAW.into(), json!(setup.law.name()));
         }
         all.insert(parameter.name.into(), number(setup.value(parameter)));
+        if parameter.name == "flight.step" {
+            all.insert(METHOD.into(), json!(setup.method.name()));
+        }
     }
     all
 }

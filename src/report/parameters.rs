@@ -1,5 +1,5 @@
 use super::{json, table::table};
-use crate::parameters::{Kind, LAW, Law, Parameter, Setup};
+use crate::parameters::{Kind, LAW, Law, METHOD, Method, Parameter, Setup};
 use serde_json::{Value, json};
 
 /// The rows of a setup, and then those of the laws it does not fly.
@@ -55,6 +55,9 @@ pub fn parameters_text(setup: &Setup<f64>) -> String {
     let (mine, others): (Vec<_>, Vec<_>) =
         rows(setup).into_iter().partition(|(row, _)| row.law.is_none_or(|law| law == setup.law.name()));
     let mut text = table(&head, &[2, 3], mine.into_iter().map(line));
+    let methods = Method::ALL.iter().map(|method| format!("{} (order {})", method.name(), method.order()));
+    text +=
+        &format!("\n  {METHOD} = {} here; there are {}\n", setup.method.name(), methods.collect::<Vec<_>>().join(", "));
     text += &format!("\n  {LAW} = {} here; the coefficients of the other laws:\n", setup.law.name());
     for law in Law::NAMES {
         let of_law: Vec<_> = others.iter().copied().filter(|(row, _)| row.law == Some(law)).collect();

@@ -1,6 +1,6 @@
 use super::{json, table::table};
 use crate::error::Result;
-use crate::parameters::{LAW, PRESETS, Preset, Setup};
+use crate::parameters::{LAW, METHOD, PRESETS, Preset, Setup};
 use serde_json::{Value, json};
 
 /// The source of a parameter's value in a preset: its own, or the table's where the preset does not change it.
@@ -18,6 +18,9 @@ fn sourced(preset: &Preset, setup: &Setup<f64>) -> Vec<(&'static str, String, &'
     let source =
         entry(LAW).map_or("what launch monitors predict; smooth, right apex and descent", |entry| entry.source);
     rows.insert(law_at, (LAW, setup.law.name().into(), source));
+    let method_at = rows.iter().position(|(name, ..)| *name == "flight.step").unwrap_or(rows.len());
+    let source = entry(METHOD).map_or("the classical method: what the project's sources fly", |entry| entry.source);
+    rows.insert(method_at, (METHOD, setup.method.name().into(), source));
     rows
 }
 

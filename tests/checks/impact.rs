@@ -2,7 +2,7 @@
 
 use crate::common::{close, for_random_setups};
 use longdrive::impact::{Collision, Delivery, Grip, Rebound, strike};
-use longdrive::number::{Jet, Number, Vector};
+use longdrive::number::{Jet, Numbers, Vector};
 use longdrive::{Error, Outcome, Setup, derivative};
 
 fn collision(setup: &Setup<f64>) -> Collision<f64> {

@@ -155,7 +155,8 @@ fn exact_values_of_the_default_search_hold_at_its_optimum() {
         Drive::new(&moved).unwrap().landed().unwrap().carry
     };
     let [loft, attack] = [best.solution.x[0], best.solution.x[1]];
-    assert_eq!(carry(loft, attack), best.value().unwrap());
+    // the optimizer's numbers are the general path's to their rounding
+    assert!((carry(loft, attack) / best.value().unwrap() - 1.0).abs() < 1e-13);
     for (d_loft, d_attack) in [(0.01, 0.0), (-0.01, 0.0), (0.0, -0.01)] {
         assert!(carry(loft + d_loft, attack + d_attack) < best.value().unwrap());
     }

@@ -1,0 +1,133 @@
+use super::chain::{Asked, first, second, values};
+use super::{Order, Taylor};
+use crate::drive::{Outcome, Part};
+use crate::error::{Error, Result};
+use crate::number::Pairs;
+use crate::parameters::{Parameter, Setup};
+
+/// A question asked of many drives: outcomes, with derivatives by parameters, of one setup at changing values of these
+/// parameters. What can be checked once is checked when it is made.
+///
+/// ```
+/// use longdrive::derivative::{Evaluator, Order};
+/// use longdrive::{Outcome, Setup};
+/// let setup = Setup::preset("mae494").unwrap();
+/// let loft = setup.variable("club.loft").unwrap();
+/// let carry = Evaluator::new(&setup, &[Outcome::Carry], &[loft], Order::First).unwrap();
+/// let at_ten_degrees = carry.at(&[10.0_f64.to_radians()]).unwrap();
+/// assert!((at_ten_degrees[0].value - 114.312855130798).abs() < 1e-9); // the preset's own loft
+/// assert!(carry.at(&[2.0]).is_err()); // 115°
+/// ```
+#[derive(Clone, Debug)]
+pub struct Evaluator {
+    setup: Setup<f64>,
+    of: Vec<Outcome>,
+    wrt: Vec<&'static Parameter>,
+    order: Order,
+    pairs: Pairs,
+    turns_inertia: bool,
+}
+
+impl Evaluator {
+    /// # Errors
+    /// What [`Setup::validate`] and [`Setup::variable`] refuse; [`Error::Nothing`] without outcomes or, beyond values,
+    /// without parameters.
+    pub fn new(setup: &Setup<f64>, of: &[Outcome], wrt: &[&'static Parameter], order: Order) -> Result<Self> {
+        setup.validate()?;
+        if of.is_empty() {
+            return Err(Error::Nothing { doing: "evaluate", what: "outcome" });
+        }
+        if order > Order::Value {
+            if wrt.is_empty() {
+                return Err(Error::Nothing { doing: "differentiate by", what: "parameter" });
+            }
+            for parameter in wrt {
+                setup.variable(parameter.name)?;
+            }
+        }
+        let turns_inertia = wrt.iter().any(|parameter| parameter.name.starts_with("club.inertia"));
+        let (of, wrt) = (of.to_vec(), wrt.to_vec());
+        Ok(Self { setup: *setup, of, wrt, order, pairs: Pairs::All, turns_inertia })
+    }
+
+    /// The same with those second derivatives alone.
+    pub(super) fn of_pairs(self, pairs: Pairs) -> Self {
+        Self { pairs, ..self }
+    }
+
+    /// The parameters, in the order of the values and derivatives.
+    pub fn parameters(&self) -> &[&'static Parameter] {
+        &self.wrt
+    }
+
+    /// The outcomes where the parameters have these values, SI.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] and [`Error::Inertia`] for values no drive can have; what [`Drive::new`](crate::Drive::new)
+    /// refuses; [`Error::NoFlight`] for an outcome of a flight that is none; [`Error::Undefined`] where a value or
+    /// derivative does not exist.
+    ///
+    /// # Panics
+    /// Where there are not as many values as parameters.
+    pub fn at(&self, values: &[f64]) -> Result<Vec<Taylor>> {
+        assert_eq!(values.len(), self.wrt.len(), "a value for each parameter");
+        for (parameter, value) in self.wrt.iter().zip(values) {
+            parameter.check(*value)?;
+        }
+        if self.turns_inertia {
+            let mut moved = self.setup;
+            for (parameter, value) in self.wrt.iter().zip(values) {
+                moved.set_value(parameter, Some(*value))?;
+            }
+            moved.validate()?;
+        }
+        self.unchecked(values, |_, _| ())
+    }
+
+    /// The outcomes of the setup itself, telling `progress` how many passes of how many are done.
+    pub(super) fn at_setup(&self, setup: &Setup<f64>, progress: impl FnMut(usize, usize)) -> Result<Vec<Taylor>> {
+        let values: Vec<f64> = self.wrt.iter().map(|row| setup.value(row).unwrap_or(f64::NAN)).collect();
+        self.unchecked(&values, progress)
+    }
+
+    fn unchecked(&self, x: &[f64], progress: impl FnMut(usize, usize)) -> Result<Vec<Taylor>> {
+        let asked = Asked {
+            setup: &self.setup,
+            of: &self.of,
+            wrt: &self.wrt,
+            x,
+            flies: self.of.iter().any(|outcome| outcome.part() == Part::Flight),
+            has_apex: self.of.iter().any(|outcome| outcome.is_of_the_apex()),
+        };
+        let taylors = match self.order {
+            Order::Value => values(&asked)?,
+            Order::First => first(&asked, progress)?,
+            Order::Second => second(&asked, self.pairs, progress)?,
+        };
+        for (outcome, taylor) in self.of.iter().zip(&taylors) {
+            check(taylor, *outcome, &self.wrt)?;
+        }
+        Ok(taylors)
+    }
+}
+
+/// No NaN leaves: a value or derivative that is not finite does not exist.
+fn check(taylor: &Taylor, outcome: Outcome, wrt: &[&'static Parameter]) -> Result<()> {
+    let undefined = |what: String, reason: &str| Err(Error::Undefined { what, reason: reason.into() });
+    if !taylor.value.is_finite() {
+        return undefined(
+            outcome.name().into(),
+            "the direction it measures does not exist (vertical, or without spin)",
+        );
+    }
+    let edge = "it lies on the edge of a domain (a vertical launch, no spin, a landing at the apex)";
+    for (i, parameter) in wrt.iter().enumerate() {
+        if taylor.gradient.get(i).is_some_and(|d| !d.is_finite()) {
+            return undefined(format!("d {}/d {}", outcome.name(), parameter.name), edge);
+        }
+        if taylor.hessian.get(i).is_some_and(|row| row.iter().any(|d| !d.is_finite())) {
+            return undefined(format!("the second derivative of {} by {}", outcome.name(), parameter.name), edge);
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,110 @@
+use super::motion::{Motion, Rate};
+use super::pace::Pace;
+use super::shot::Shot;
+use super::space::Space;
+use super::surroundings::Surroundings;
+use crate::number::{Number, Numbers, Vector};
+
+/// The ball at the end of a step, with what moves it there: the first stage of the next step and, for the
+/// landing, the second derivative of the path.
+#[derive(Clone, Copy)]
+pub(super) struct Node<T, S> {
+    pub time: f64,
+    pub position: S,
+    pub velocity: S,
+    pub rate: Rate<T, S>,
+    /// |ω₀| exp(−δ t): the spin, apart from damping.
+    pub faded: T,
+    /// Way through the air, m; followed only where the spin depends on it.
+    pub air_path: T,
+}
+
+/// What a step added, in the sums it was made of: multiplied out at the apex and the landing alone.
+#[derive(Clone, Copy)]
+pub(super) struct Added<T, S> {
+    /// x − x₀ − h v₀ over h `weight`, before the sum rounded it.
+    pub bent: S,
+    /// v − v₀ over `weight`, but for the last stage.
+    pub gained: S,
+    pub last: Rate<T, S>,
+    pub weight: f64,
+}
+
+impl<T: Numbers, S: Space<T>> Added<T, S> {
+    /// x − x₀ − h v₀ and v − v₀, as computed, before the sums rounded them.
+    #[inline(always)]
+    pub fn sums<L: Surroundings<T>>(&self, motion: &Motion<T, S, L>, h: f64) -> [S; 2] {
+        let gained = self.gained + motion.acceleration(&self.last);
+        [self.bent.scaled(h * self.weight), gained.scaled(self.weight)]
+    }
+}
+
+/// A method that takes a flight from node to node with a fixed step.
+pub(super) trait Stepper<T: Numbers, S: Space<T>>: Copy {
+    /// The method at this pace.
+    fn new<L: Surroundings<T>>(motion: &Motion<T, S, L>, pace: &Pace) -> Self;
+    /// The node one step on, at `time`, and what the step added.
+    fn step<L: Surroundings<T>>(
+        &self,
+        motion: &Motion<T, S, L>,
+        from: &Node<T, S>,
+        time: f64,
+    ) -> (Node<T, S>, Added<T, S>);
+}
+
+impl<T: Numbers, S: Space<T>> Rate<T, S> {
+    /// As [`Node::blend`].
+    #[inline(always)]
+    fn blend(&self, other: &Self, mask: T::Mask) -> Self {
+        Self { airspeed: self.airspeed.blend(other.airspeed, mask), pull: self.pull.blend(other.pull, mask) }
+    }
+}
+
+impl<T: Numbers, S: Space<T>> Node<T, S> {
+    /// The ball on the tee, leaving.
+    #[inline(always)]
+    pub fn at_launch<L: Surroundings<T>>(motion: &Motion<T, S, L>, shot: &Shot<T>) -> Self {
+        let (zero, velocity) = (T::zero(), S::of(shot.velocity));
+        let rate = motion.rate(
+            &motion.spin(
+                motion.spin,
+                #[inline(always)]
+                || zero,
+            ),
+            velocity,
+            #[inline(always)]
+            || zero,
+        );
+        let position = S::of(Vector::new(zero, zero, zero));
+        Self { time: 0.0, position, velocity, rate, faded: motion.spin, air_path: zero }
+    }
+
+    /// `self` in the lanes where the mask holds, `other` in those where it does not; they are at the same time.
+    #[inline(always)]
+    pub fn blend(&self, other: &Self, mask: T::Mask) -> Self {
+        Self {
+            time: self.time,
+            position: self.position.blend(other.position, mask),
+            velocity: self.velocity.blend(other.velocity, mask),
+            rate: self.rate.blend(&other.rate, mask),
+            faded: self.faded.blend(other.faded, mask),
+            air_path: self.air_path.blend(other.air_path, mask),
+        }
+    }
+
+    /// What is below 1 where drag and lift change the airspeed by less than half of it within a step. Beyond is far
+    /// from where four stages follow them, and near where they make the ball run away.
+    #[inline(always)]
+    pub fn coarseness(&self, h: f64) -> T {
+        self.rate.pull.square_plus(0.0) * (4.0 * h * h)
+    }
+}
+
+impl<T: Number, S: Space<T>> Node<T, S> {
+    /// Whether its numbers have overflowed.
+    #[inline(always)]
+    pub fn is_lost(&self) -> bool {
+        let size = self.position.square_plus(0.0).re() + self.velocity.square_plus(0.0).re();
+        !size.is_finite()
+    }
+}

@@ -1,0 +1,289 @@
+//! Vector registers as numbers: lanes of drives side by side, or partial derivatives of one.
+//!
+//! The one place that names instructions. A register type is used only inside a [`Task`](super::Task) that runs on the
+//! [`Level`](super::Level) it belongs to, which asks the processor first; that is what each `unsafe` here relies on.
+#![allow(unsafe_code)]
+
+use super::exponential::{self, Powers};
+use super::lanes::{Bits, Lanes};
+use super::{Fused, Numbers, Partial};
+use std::arch::x86_64::*;
+use std::fmt;
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+/// A register type with its operators, its use as partial derivatives of a [`Fused`] number, and as lanes.
+macro_rules! pack {
+    (
+        $(#[doc = $doc:literal])+ $Pack:ident($Register:ty) of $width:literal,
+        operators $add:ident $sub:ident $mul:ident $div:ident,
+        spread $set:ident, fused $mul_add:ident, root $sqrt:ident, least $min:ident $max:ident, outlined $outlined:ident,
+        power |$rounded:ident| $power:expr, below |$x:ident, $limit:ident| $below:expr,
+        blend |$yes:ident, $no:ident, $mask:ident| $blend:expr, root and inverse |$square:ident| $sqrt_recip:expr
+    ) => {
+        $(#[doc = $doc])+
+        #[derive(Clone, Copy)]
+        pub(crate) struct $Pack($Register);
+
+        impl $Pack {
+            #[inline(always)]
+            fn spread(value: f64) -> Self {
+                Self(unsafe { $set(value) })
+            }
+            #[inline(always)]
+            pub fn from_array(values: [f64; $width]) -> Self {
+                // SAFETY: the register is as many numbers in a row
+                Self(unsafe { std::mem::transmute::<[f64; $width], $Register>(values) })
+            }
+            #[inline(always)]
+            pub fn to_array(self) -> [f64; $width] {
+                // SAFETY: as above
+                unsafe { std::mem::transmute::<$Register, [f64; $width]>(self.0) }
+            }
+            #[inline(always)]
+            fn each(self, f: impl Fn(f64) -> f64) -> Self {
+                Self::from_array(self.to_array().map(f))
+            }
+        }
+
+        impl fmt::Debug for $Pack {
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                self.to_array().fmt(f)
+            }
+        }
+
+        pack!(operator $Pack Add add $add);
+        pack!(operator $Pack Sub sub $sub);
+        pack!(operator $Pack Mul mul $mul);
+        pack!(operator $Pack Div div $div);
+
+        impl Neg for $Pack {
+            type Output = Self;
+            #[inline(always)]
+            fn neg(self) -> Self {
+                Self::spread(-0.0) - self
+            }
+        }
+
+        impl Powers for $Pack {
+            #[inline(always)]
+            fn two_to(rounded: Self) -> Self {
+                let $rounded = rounded.0;
+                Self(unsafe { $power })
+            }
+            #[inline(always)]
+            fn clamped(self, low: f64, high: f64) -> Self {
+                // the second operand is taken where one is NaN: it stays
+                Self(unsafe { $min($set(high), $max($set(low), self.0)) })
+            }
+        }
+
+        impl Numbers for $Pack {
+            type Mask = Bits<$width>;
+
+            #[inline(always)]
+            fn constant(value: f64) -> Self {
+                Self::spread(value)
+            }
+            #[inline(always)]
+            fn recip(self) -> Self {
+                Self::spread(1.0) / self
+            }
+            #[inline(always)]
+            fn sqrt(self) -> Self {
+                Self(unsafe { $sqrt(self.0) })
+            }
+            #[inline(always)]
+            fn sqrt_recip(self) -> (Self, Self) {
+                let $square = self;
+                $sqrt_recip
+            }
+            #[inline(always)]
+            fn exp(self) -> Self {
+                exponential::exp(self)
+            }
+            #[inline(always)]
+            fn exp_m1(self) -> Self {
+                exponential::exp_m1(self)
+            }
+            #[inline(always)]
+            fn ln(self) -> Self {
+                self.each(f64::ln)
+            }
+            #[inline(always)]
+            fn ln_1p(self) -> Self {
+                self.each(f64::ln_1p)
+            }
+            #[inline(always)]
+            fn sin_cos(self) -> (Self, Self) {
+                (self.each(f64::sin), self.each(f64::cos))
+            }
+            #[inline(always)]
+            fn atan(self) -> Self {
+                self.each(f64::atan)
+            }
+            #[inline(always)]
+            fn below(self, limit: f64) -> Bits<$width> {
+                let ($x, $limit) = (self.0, Self::spread(limit).0);
+                Bits(unsafe { $below } as u8)
+            }
+            #[inline(always)]
+            fn blend(self, other: Self, mask: Bits<$width>) -> Self {
+                let ($yes, $no, $mask) = (self.0, other.0, mask.0);
+                Self(unsafe { $blend })
+            }
+            #[inline(always)]
+            fn is_zero(self) -> bool {
+                self.to_array().iter().all(|x| *x == 0.0)
+            }
+            #[inline(always)]
+            fn is_finite(self) -> Bits<$width> {
+                // x − x is 0 where x is finite and NaN, below nothing, where it is not
+                (self - self).below(1.0)
+            }
+            #[inline(always)]
+            fn outlined<R>(work: impl FnOnce() -> R) -> R {
+                unsafe { super::level::$outlined(work) }
+            }
+            #[inline(always)]
+            fn mul_add(self, a: Self, b: Self) -> Self {
+                Self(unsafe { $mul_add(self.0, a.0, b.0) })
+            }
+            #[inline(always)]
+            fn scale_add(self, a: f64, b: Self) -> Self {
+                self.mul_add(Self::spread(a), b)
+            }
+        }
+
+        impl Lanes for $Pack {
+            const WIDTH: usize = $width;
+            type Lane = f64;
+
+            #[inline(always)]
+            fn lane(self, i: usize) -> f64 {
+                self.to_array()[i]
+            }
+            #[inline(always)]
+            fn from_lanes(f: impl FnMut(usize) -> f64) -> Self {
+                Self::from_array(std::array::from_fn(f))
+            }
+            #[inline(always)]
+            fn mask(bits: u8) -> Bits<$width> {
+                Bits(bits)
+            }
+            #[inline(always)]
+            fn bits(mask: Bits<$width>) -> u8 {
+                mask.0
+            }
+        }
+
+        impl Partial<Fused> for $Pack {
+            const IS_NARROW: bool = $width == 2;
+
+            #[inline(always)]
+            fn none() -> Self {
+                Self::spread(0.0)
+            }
+            #[inline(always)]
+            fn times(self, b: Fused) -> Self {
+                self * b.0
+            }
+            #[inline(always)]
+            fn times_plus(self, b: Fused, other: Self) -> Self {
+                self.scale_add(b.0, other)
+            }
+            #[inline(always)]
+            fn scaled(self, b: f64) -> Self {
+                self * b
+            }
+            #[inline(always)]
+            fn scaled_plus(self, b: f64, other: Self) -> Self {
+                self.scale_add(b, other)
+            }
+            #[inline(always)]
+            fn either(self, other: Self, mask: bool) -> Self {
+                if mask { self } else { other }
+            }
+            #[inline(always)]
+            fn vanishes(self) -> bool {
+                self.is_zero()
+            }
+            #[inline(always)]
+            fn outlined<R>(work: impl FnOnce() -> R) -> R {
+                unsafe { super::level::$outlined(work) }
+            }
+        }
+    };
+
+    (operator $Pack:ident $Operator:ident $operation:ident $instruction:ident) => {
+        impl $Operator for $Pack {
+            type Output = Self;
+            #[inline(always)]
+            fn $operation(self, other: Self) -> Self {
+                Self(unsafe { $instruction(self.0, other.0) })
+            }
+        }
+
+        impl $Operator<f64> for $Pack {
+            type Output = Self;
+            #[inline(always)]
+            fn $operation(self, other: f64) -> Self {
+                self.$operation(Self::spread(other))
+            }
+        }
+    };
+}
+
+pack! {
+    /// Two numbers (SSE2, with FMA).
+    Pack2(__m128d) of 2,
+    operators _mm_add_pd _mm_sub_pd _mm_mul_pd _mm_div_pd,
+    spread _mm_set1_pd, fused _mm_fmadd_pd, root _mm_sqrt_pd, least _mm_min_pd _mm_max_pd, outlined outlined_four,
+    power |k| _mm_castsi128_pd(_mm_slli_epi64::<52>(_mm_add_epi64(_mm_castpd_si128(k), _mm_set1_epi64x(1023)))),
+    below |x, limit| _mm_movemask_pd(_mm_cmplt_pd(x, limit)),
+    blend |yes, no, mask| {
+        let bit = _mm_set_epi64x(2, 1);
+        let set = _mm_cmpeq_epi64(_mm_and_si128(_mm_set1_epi64x(i64::from(mask)), bit), bit);
+        _mm_blendv_pd(no, yes, _mm_castsi128_pd(set))
+    },
+    root and inverse |x| { let root = x.sqrt(); (root, root.recip()) }
+}
+
+pack! {
+    /// Four numbers (AVX2 with FMA).
+    Pack4(__m256d) of 4,
+    operators _mm256_add_pd _mm256_sub_pd _mm256_mul_pd _mm256_div_pd,
+    spread _mm256_set1_pd, fused _mm256_fmadd_pd, root _mm256_sqrt_pd, least _mm256_min_pd _mm256_max_pd, outlined outlined_four,
+    power |k| _mm256_castsi256_pd(
+        _mm256_slli_epi64::<52>(_mm256_add_epi64(_mm256_castpd_si256(k), _mm256_set1_epi64x(1023)))
+    ),
+    below |x, limit| _mm256_movemask_pd(_mm256_cmp_pd::<_CMP_LT_OQ>(x, limit)),
+    blend |yes, no, mask| {
+        let bit = _mm256_set_epi64x(8, 4, 2, 1);
+        let set = _mm256_cmpeq_epi64(_mm256_and_si256(_mm256_set1_epi64x(i64::from(mask)), bit), bit);
+        _mm256_blendv_pd(no, yes, _mm256_castsi256_pd(set))
+    },
+    root and inverse |x| { let root = x.sqrt(); (root, root.recip()) }
+}
+
+pack! {
+    /// Eight numbers (AVX-512).
+    Pack8(__m512d) of 8,
+    operators _mm512_add_pd _mm512_sub_pd _mm512_mul_pd _mm512_div_pd,
+    spread _mm512_set1_pd, fused _mm512_fmadd_pd, root _mm512_sqrt_pd, least _mm512_min_pd _mm512_max_pd, outlined outlined_eight,
+    power |k| _mm512_castsi512_pd(
+        _mm512_slli_epi64::<52>(_mm512_add_epi64(_mm512_castpd_si512(k), _mm512_set1_epi64(1023)))
+    ),
+    below |x, limit| _mm512_cmp_pd_mask::<_CMP_LT_OQ>(x, limit),
+    blend |yes, no, mask| _mm512_mask_blend_pd(mask, no, yes),
+    root and inverse |x| {
+        // 14 bits from a table, 70 by one step of fourth order, the rounding put right by one of Newton's: the
+        // divider is busy three times as long with a root and a quotient
+        let guess = Self(unsafe { _mm512_rsqrt14_pd(x.0) });
+        let error = -(x * guess).mul_add(guess, Self::spread(-1.0));
+        let series = error.scale_add(35.0 / 128.0, Self::spread(0.3125));
+        let series = series.mul_add(error, Self::spread(0.375)).mul_add(error, Self::spread(0.5));
+        let inverse = (guess * error).mul_add(series, guess);
+        let root = x * inverse;
+        (root, inverse)
+    }
+}

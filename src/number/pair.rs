@@ -1,0 +1,252 @@
+use super::{Counterpart, Fused, Jet2, Number, Numbers, Pack4, Partial};
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+/// A value with its first and second derivatives in two directions, a and b, in registers of four.
+///
+/// The gradient is held twice, each time as wide as the second derivatives (aa, ab, bb) and in the order in which one factor
+/// of a product meets the other: the product rule is then multiplications of whole registers, without a shuffle.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Pair {
+    re: Fused,
+    /// ∂a, ∂a, ∂b.
+    first: Pack4,
+    /// ∂a, ∂b, ∂b.
+    second: Pack4,
+    /// ∂²aa, ∂²ab, ∂²bb.
+    hessian: Pack4,
+}
+
+impl Counterpart<Jet2<2, 3>> for Pair {
+    #[inline(always)]
+    fn made_of(plain: Jet2<2, 3>) -> Self {
+        let ([a, b], [aa, ab, bb]) = (plain.gradient, plain.hessian);
+        Self {
+            re: Fused(plain.re),
+            first: Pack4::from_array([a, a, b, 0.0]),
+            second: Pack4::from_array([a, b, b, 0.0]),
+            hessian: Pack4::from_array([aa, ab, bb, 0.0]),
+        }
+    }
+    #[inline(always)]
+    fn plain(self) -> Jet2<2, 3> {
+        let ([a, b, ..], [aa, ab, bb, _]) = (self.second.to_array(), self.hessian.to_array());
+        Jet2 { re: self.re.0, gradient: [a, b], hessian: [aa, ab, bb] }
+    }
+}
+
+impl Pair {
+    /// Chain rule: f(x) from f(x.re), f′(x.re) and f″(x.re).
+    #[inline(always)]
+    fn chain(self, f: Fused, slope: Fused, curvature: Fused) -> Self {
+        let bent = self.first.times(curvature);
+        Self {
+            re: f,
+            first: self.first.times(slope),
+            second: self.second.times(slope),
+            hessian: self.hessian.times_plus(slope, bent * self.second),
+        }
+    }
+
+    /// Each register of two.
+    #[inline(always)]
+    fn with(self, other: Self, re: Fused, f: impl Fn(Pack4, Pack4) -> Pack4) -> Self {
+        Self {
+            re,
+            first: f(self.first, other.first),
+            second: f(self.second, other.second),
+            hessian: f(self.hessian, other.hessian),
+        }
+    }
+}
+
+impl Add for Pair {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        self.with(
+            other,
+            self.re + other.re,
+            #[inline(always)]
+            |a, b| a + b,
+        )
+    }
+}
+
+impl Sub for Pair {
+    type Output = Self;
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        self.with(
+            other,
+            self.re - other.re,
+            #[inline(always)]
+            |a, b| a - b,
+        )
+    }
+}
+
+impl Mul for Pair {
+    type Output = Self;
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        let (a, b) = (self, other);
+        let own = a.hessian.times_plus(b.re, b.hessian.times(a.re));
+        Self {
+            re: a.re * b.re,
+            first: a.first.times_plus(b.re, b.first.times(a.re)),
+            second: a.second.times_plus(b.re, b.second.times(a.re)),
+            hessian: a.first.mul_add(b.second, a.second.mul_add(b.first, own)),
+        }
+    }
+}
+
+impl Div for Pair {
+    type Output = Self;
+    #[inline(always)]
+    fn div(self, other: Self) -> Self {
+        self.mul(other.recip())
+    }
+}
+
+impl Neg for Pair {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self { re: -self.re, first: -self.first, second: -self.second, hessian: -self.hessian }
+    }
+}
+
+impl Add<f64> for Pair {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, other: f64) -> Self {
+        Self { re: self.re + other, ..self }
+    }
+}
+
+impl Sub<f64> for Pair {
+    type Output = Self;
+    #[inline(always)]
+    fn sub(self, other: f64) -> Self {
+        Self { re: self.re - other, ..self }
+    }
+}
+
+impl Mul<f64> for Pair {
+    type Output = Self;
+    #[inline(always)]
+    fn mul(self, other: f64) -> Self {
+        Self {
+            re: self.re * other,
+            first: self.first * other,
+            second: self.second * other,
+            hessian: self.hessian * other,
+        }
+    }
+}
+
+impl Div<f64> for Pair {
+    type Output = Self;
+    #[inline(always)]
+    fn div(self, other: f64) -> Self {
+        self.mul(other.recip())
+    }
+}
+
+impl Numbers for Pair {
+    type Mask = bool;
+
+    #[inline(always)]
+    fn constant(value: f64) -> Self {
+        let none = Pack4::from_array([0.0; 4]);
+        Self { re: Fused(value), first: none, second: none, hessian: none }
+    }
+    #[inline(always)]
+    fn recip(self) -> Self {
+        let f = self.re.recip();
+        let square = f * f;
+        self.chain(f, -square, square * f * 2.0)
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        let (f, inverse) = self.re.sqrt_recip();
+        let slope = inverse * 0.5;
+        self.chain(f, slope, -(slope * inverse * inverse * 0.5))
+    }
+    #[inline(always)]
+    fn exp(self) -> Self {
+        let f = self.re.exp();
+        self.chain(f, f, f)
+    }
+    #[inline(always)]
+    fn exp_m1(self) -> Self {
+        let f = self.re.exp_m1();
+        self.chain(f, f + 1.0, f + 1.0)
+    }
+    #[inline(always)]
+    fn ln(self) -> Self {
+        let slope = self.re.recip();
+        self.chain(self.re.ln(), slope, -(slope * slope))
+    }
+    #[inline(always)]
+    fn ln_1p(self) -> Self {
+        let slope = (self.re + 1.0).recip();
+        self.chain(self.re.ln_1p(), slope, -(slope * slope))
+    }
+    #[inline(always)]
+    fn sin_cos(self) -> (Self, Self) {
+        let (sin, cos) = self.re.sin_cos();
+        (self.chain(sin, cos, -sin), self.chain(cos, -sin, -cos))
+    }
+    #[inline(always)]
+    fn atan(self) -> Self {
+        let slope = (self.re * self.re + 1.0).recip();
+        self.chain(self.re.atan(), slope, self.re * slope * slope * -2.0)
+    }
+    #[inline(always)]
+    fn below(self, limit: f64) -> bool {
+        self.re.below(limit)
+    }
+    #[inline(always)]
+    fn blend(self, other: Self, mask: bool) -> Self {
+        if mask { self } else { other }
+    }
+    #[inline(always)]
+    fn is_zero(self) -> bool {
+        self.re.is_zero() && self.second.is_zero() && self.hessian.is_zero()
+    }
+    #[inline(always)]
+    fn is_finite(self) -> bool {
+        self.re.is_finite()
+    }
+    #[inline(always)]
+    fn outlined<R>(work: impl FnOnce() -> R) -> R {
+        <Fused as Numbers>::outlined(work)
+    }
+    #[inline(always)]
+    fn mul_add(self, a: Self, b: Self) -> Self {
+        let own = self.hessian.times_plus(a.re, a.hessian.times_plus(self.re, b.hessian));
+        Self {
+            re: self.re.mul_add(a.re, b.re),
+            first: self.first.times_plus(a.re, a.first.times_plus(self.re, b.first)),
+            second: self.second.times_plus(a.re, a.second.times_plus(self.re, b.second)),
+            hessian: self.first.mul_add(a.second, self.second.mul_add(a.first, own)),
+        }
+    }
+    #[inline(always)]
+    fn scale_add(self, a: f64, b: Self) -> Self {
+        self.with(
+            b,
+            self.re.scale_add(a, b.re),
+            #[inline(always)]
+            |x, y| x.scale_add(a, y),
+        )
+    }
+}
+
+impl Number for Pair {
+    #[inline(always)]
+    fn re(self) -> f64 {
+        self.re.0
+    }
+}
