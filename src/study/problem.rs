@@ -1,5 +1,5 @@
 use super::Search;
-use crate::derivative::{self, Order};
+use crate::derivative::{self, Evaluator, Order};
 use crate::drive::Outcome;
 use crate::error::Result;
 use crate::optimize::{Domain, Evaluation, Problem};
@@ -12,6 +12,8 @@ pub(super) struct DriveProblem {
     vary: Vec<&'static Parameter>,
     /// The outcome made large, then those of the constraints.
     of: Vec<Outcome>,
+    values: Evaluator,
+    derivatives: Evaluator,
     pub domain: Domain,
 }
 
@@ -23,12 +25,11 @@ impl DriveProblem {
             search.subject_to.iter().map(|constraint| constraint.high).collect(),
         )?;
         let limited = search.subject_to.iter().map(|constraint| constraint.outcome);
-        Ok(Self {
-            setup: *setup,
-            vary: search.vary.iter().map(|vary| vary.parameter).collect(),
-            of: std::iter::once(search.maximize).chain(limited).collect(),
-            domain,
-        })
+        let vary: Vec<_> = search.vary.iter().map(|vary| vary.parameter).collect();
+        let of: Vec<_> = std::iter::once(search.maximize).chain(limited).collect();
+        let evaluator = |order| Evaluator::new(setup, &of, &vary, order);
+        let (values, derivatives) = (evaluator(Order::Value)?, evaluator(Order::Second)?);
+        Ok(Self { setup: *setup, vary, of, values, derivatives, domain })
     }
 
     /// The setup's own values of what is varied.
@@ -47,7 +48,7 @@ impl DriveProblem {
 
     /// The outcome made large at `x`, then those of the constraints.
     pub fn evaluate_values(&self, x: &[f64]) -> Result<Vec<f64>> {
-        let taylors = derivative::evaluate(&self.moved(x)?, &self.of, &self.vary, Order::Value)?;
+        let taylors = self.values.at(x)?;
         Ok(taylors.into_iter().map(|taylor| taylor.value).collect())
     }
 
@@ -60,8 +61,7 @@ impl DriveProblem {
 
 impl Problem for DriveProblem {
     fn evaluate(&self, x: &[f64]) -> std::result::Result<Evaluation, String> {
-        let moved = self.moved(x).map_err(|e| e.to_string())?;
-        let taylors = derivative::evaluate(&moved, &self.of, &self.vary, Order::Second);
+        let taylors = self.derivatives.at(x);
         taylors.map(as_functions).map_err(|e| e.to_string())
     }
 }
