@@ -29,6 +29,7 @@
 //! assert!((rows[1].1.unwrap() / rows[0].1.unwrap() - 50.0 / 40.0).abs() < 1e-12);
 //! ```
 
+mod abreast;
 mod block;
 mod grid;
 mod kernel;
