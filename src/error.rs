@@ -243,6 +243,14 @@ pub enum Error {
         /// What is wrong there, and what to write.
         reason: String,
     },
+    /// A tolerance that no integration meets.
+    #[error("the tolerance of {tolerance:e} m on carry: {reason}")]
+    Tolerance {
+        /// The tolerance, m.
+        tolerance: f64,
+        /// Why, and what to do.
+        reason: String,
+    },
     /// An optimizer setting or problem that makes no sense.
     #[error("optimizer: {0}")]
     Optimizer(String),

@@ -1,5 +1,6 @@
 //! Questions asked of a drive.
 
+mod accuracy;
 mod chart;
 mod constraint;
 mod flatness;
@@ -8,6 +9,7 @@ mod problem;
 mod sensitivity;
 
 pub use crate::parameters::Vary;
+pub use accuracy::{Accuracy, accuracy};
 pub use chart::{Chart, ChartPoint, chart};
 pub use constraint::Constraint;
 pub use flatness::{Direction, Ellipse, Flatness, Limit, Window, flatness};

@@ -13,6 +13,7 @@ pub(super) fn symbol_size(symbol: &str) -> Option<(f64, Dimension)> {
         "1" => (1.0, D::NONE),
         "%" => (Ratio::new::<ratio::percent>(1.0).value, D::NONE),
         "m" | "metre" | "metres" | "meter" | "meters" => (1.0, D::LENGTH),
+        "um" | "µm" | "μm" => (Length::new::<length::micrometer>(1.0).value, D::LENGTH),
         "mm" => (Length::new::<length::millimeter>(1.0).value, D::LENGTH),
         "cm" => (Length::new::<length::centimeter>(1.0).value, D::LENGTH),
         "km" => (Length::new::<length::kilometer>(1.0).value, D::LENGTH),

@@ -44,6 +44,11 @@ pub struct Question {
     #[arg(long, value_name = "NAME=VALUE")]
     pub set: Vec<String>,
 
+    /// Fly every drive of this question to within this length of its exact carry (1um where none is given), as cheaply as that
+    /// goes: method and step are chosen once, before the first drive. Without: flight.method and flight.step.
+    #[arg(long, value_name = "LENGTH", num_args = 0..=1, default_missing_value = "1um", require_equals = true)]
+    pub tolerance: Option<String>,
+
     /// Print the answer as JSON (SI and radians) to standard output, and nothing else there.
     #[arg(long)]
     pub json: bool,

@@ -10,6 +10,8 @@ pub fn run(args: &ChartArgs) -> Result<Answer> {
     let setup = args.question.setup()?;
     let search = args.search.search(&setup)?;
     let along = Vary::read(&setup, &args.along)?;
+    let ranges: Vec<_> = search.vary.iter().copied().chain([along]).collect();
+    let setup = args.question.within_tolerance(setup, &ranges)?;
     warn(&setup.warnings());
     let stop = interrupt(BEST_SO_FAR);
     let of = search.maximize;

@@ -7,7 +7,7 @@ use longdrive::{Drive, Error, Result};
 use serde::Serialize;
 
 pub fn run(args: &Gradient) -> Result<Answer> {
-    let setup = args.question.setup()?;
+    let setup = args.question.within_tolerance(args.question.setup()?, &[])?;
     let of = outcomes(&args.of)?;
     let wrt = variables(&setup, &args.wrt)?;
     let drive = Drive::new(&setup)?;

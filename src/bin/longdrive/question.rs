@@ -1,5 +1,8 @@
 use crate::args::Question;
-use longdrive::parameters::{LAW, PRESETS, Preset};
+use crate::output::tell;
+use longdrive::parameters::{LAW, PRESETS, Preset, Vary};
+use longdrive::study::{Accuracy, accuracy};
+use longdrive::units::Quantity;
 use longdrive::{Error, Result, Setup};
 use std::path::Path;
 
@@ -10,6 +13,21 @@ impl Question {
         let settings = self.set.iter().map(|text| split(text)).collect::<Result<Vec<_>>>()?;
         setup.set_all(settings)?;
         setup.validate()?;
+        Ok(setup)
+    }
+
+    /// The setup, flown within the tolerance asked for wherever its parameters lie in these ranges.
+    pub fn within_tolerance(&self, setup: Setup<f64>, ranges: &[Vary]) -> Result<Setup<f64>> {
+        let Some(text) = &self.tolerance else { return Ok(setup) };
+        let unreadable = |e| Error::Unreadable { name: "--tolerance".into(), source: Box::new(e) };
+        let tolerance = Quantity::LENGTH.read(text).map_err(unreadable)?;
+        let Accuracy { method, step, error, drives } = accuracy(&setup, ranges, tolerance)?;
+        tell(&format!(
+            "flying {} with a step of {step:.4} s: carry within {error:.1e} m of the exact one in {drives} drives looked at",
+            method.name()
+        ));
+        let mut setup = Setup { method, ..setup };
+        setup.flight.step = step;
         Ok(setup)
     }
 

@@ -21,6 +21,7 @@ use target::Target;
 
 pub fn run(args: &Sweep) -> Result<Answer> {
     let setup = args.question.setup()?;
+    let setup = args.question.within_tolerance(setup, &points::ranges(&setup, args)?)?;
     let of = outcomes(&args.outcomes)?;
     let target = Target::new(args)?;
     let mut points = points::points(&setup, args)?;

@@ -8,10 +8,24 @@ pub fn points(setup: &Setup<f64>, args: &Sweep) -> Result<Box<dyn Points>> {
     if let Some(table) = &args.points {
         return open_table(setup, table);
     }
-    let Some(rows) = args.sample else {
-        let axes = args.over.iter().map(|text| Axis::read(setup, text)).collect::<Result<_>>()?;
-        return Ok(Box::new(Grid::new(axes)?));
-    };
+    let Some(rows) = args.sample else { return Ok(Box::new(Grid::new(axes(setup, args)?)?)) };
+    Ok(Box::new(Sequence::new(varied(setup, args)?, rows, args.seed)?))
+}
+
+/// The ranges that the points lie in, as far as they are known beforehand: a table's are not.
+pub fn ranges(setup: &Setup<f64>, args: &Sweep) -> Result<Vec<Vary>> {
+    match (&args.points, args.sample) {
+        (Some(_), _) => Ok(vec![]),
+        (None, Some(_)) => varied(setup, args),
+        (None, None) => Ok(axes(setup, args)?.into_iter().map(|axis| axis.over).collect()),
+    }
+}
+
+fn axes(setup: &Setup<f64>, args: &Sweep) -> Result<Vec<Axis>> {
+    args.over.iter().map(|text| Axis::read(setup, text)).collect()
+}
+
+fn varied(setup: &Setup<f64>, args: &Sweep) -> Result<Vec<Vary>> {
     let over = args.over.iter().map(|text| match text.rsplit_once(':') {
         Some((range, _)) => Err(Error::SearchRange {
             name: text.clone(),
@@ -19,5 +33,5 @@ pub fn points(setup: &Setup<f64>, args: &Sweep) -> Result<Box<dyn Points>> {
         }),
         None => Vary::read(setup, text),
     });
-    Ok(Box::new(Sequence::new(over.collect::<Result<_>>()?, rows, args.seed)?))
+    over.collect()
 }
