@@ -7,6 +7,7 @@ mod command_line_search;
 mod command_line_sweep;
 mod common;
 mod derivatives;
+mod fast_paths;
 mod flight;
 mod impact;
 mod long_work;

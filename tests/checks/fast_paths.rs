@@ -1,0 +1,213 @@
+//! The ways that are fast against the one that is general: fused and packed numbers, the plane, laws taken in, drives side by
+//! side, the chain rule between impact and flight, methods of higher order.
+
+use crate::common::{close, for_random_setups};
+use longdrive::batch::{Axis, Grid, Run, Sequence, Status, gradient_batch};
+use longdrive::derivative::{Evaluator, Order, Taylor};
+use longdrive::number::{Jet, Jet2, Number};
+use longdrive::parameters::{Law, Method, Parameter, Vary};
+use longdrive::study::accuracy;
+use longdrive::{Drive, Outcome, Setup};
+use std::cell::Cell;
+
+const TWO: [&str; 2] = ["club.loft", "swing.attack_angle"];
+
+fn variables(setup: &Setup<f64>, names: &[&str]) -> Vec<&'static Parameter> {
+    names.iter().map(|name| setup.variable(name).unwrap()).collect()
+}
+
+fn fast(setup: &Setup<f64>, of: Outcome, wrt: &[&'static Parameter], order: Order) -> Taylor {
+    let x: Vec<f64> = wrt.iter().map(|row| setup.value(row).unwrap()).collect();
+    Evaluator::new(setup, &[of], wrt, order).unwrap().at(&x).unwrap().remove(0)
+}
+
+/// The general way: whatever number, in space, every law called.
+fn general<D: Number>(setup: &Setup<f64>, of: Outcome, variable: impl Fn(f64, usize) -> D) -> D {
+    let lifted = setup.map(|row, value| match TWO.iter().position(|name| *name == row.name) {
+        Some(k) => variable(value, k),
+        None => D::constant(value),
+    });
+    of.of(&Drive::new(&lifted).unwrap()).unwrap()
+}
+
+/// Setups that stay in the plane and setups that do not, with every law and method.
+fn for_every_way(check: impl Fn(&Setup<f64>)) {
+    let sideways = [("swing.path", "2 deg"), ("strike.toe", "8 mm"), ("wind.right", "3 m/s")];
+    let windy = [("wind.downrange", "-5 m/s"), ("aero.spin_damping", "2e-5"), ("wind.roughness", "30 mm")];
+    for law in Law::NAMES {
+        for method in Method::ALL {
+            for changes in [&[][..], &sideways, &windy] {
+                let mut setup = Setup::default();
+                setup.set_law(law).unwrap();
+                setup.method = *method;
+                setup.set_all(changes.iter().copied()).unwrap();
+                setup.set_all([("swing.attack_angle", "2 deg"), ("flight.step", "0.02 s")]).unwrap();
+                check(&setup);
+            }
+        }
+    }
+}
+
+#[test]
+fn exact_agreement_of_the_fast_ways_with_the_general_one() {
+    for_every_way(|setup| {
+        let wrt = variables(setup, &TWO);
+        for of in [Outcome::Carry, Outcome::Lateral, Outcome::ApexHeight, Outcome::DescentAngle] {
+            let jet = general(setup, of, Jet::<2>::variable);
+            let jet2 = general(setup, of, Jet2::<2, 3>::variable);
+            let (value, first, second) = (
+                fast(setup, of, &wrt, Order::Value),
+                fast(setup, of, &wrt, Order::First),
+                fast(setup, of, &wrt, Order::Second),
+            );
+            let size = jet.re.abs().max(0.1);
+            for taylor in [&value, &first, &second] {
+                close(taylor.value, jet.re, size, 1e-13, "value");
+            }
+            let steep = jet.gradient[0].abs().max(jet.gradient[1].abs()).max(1.0);
+            for k in 0..2 {
+                close(first.gradient[k], jet.gradient[k], steep, 1e-12, "gradient");
+                close(second.gradient[k], jet.gradient[k], steep, 1e-12, "gradient of the second order");
+            }
+            let bent = jet2.hessian.iter().fold(1.0, |most: f64, h| most.max(h.abs()));
+            for (i, j) in [(0, 0), (0, 1), (1, 1)] {
+                close(second.hessian[i][j], jet2.second(i, j), bent, 1e-10, "Hessian");
+            }
+        }
+    });
+}
+
+#[test]
+fn exact_chain_rule_between_impact_and_flight() {
+    // by all parameters at once, which goes through the flight's inputs, and two by two, which does not
+    for_random_setups(25, |setup| {
+        if !Drive::new(&setup).is_ok_and(|drive| drive.landed().is_ok()) {
+            return;
+        }
+        let all = setup.variables();
+        for of in [Outcome::Carry, Outcome::ApexTime, Outcome::SmashFactor] {
+            let chained = fast(&setup, of, &all, Order::First);
+            let steep = chained.gradient.iter().fold(1e-6, |most: f64, d| most.max(d.abs()));
+            for (pair, gradient) in all.chunks(2).zip(chained.gradient.chunks(2)) {
+                let direct = fast(&setup, of, pair, Order::First);
+                close(chained.value, direct.value, direct.value.abs().max(1.0), 1e-12, "value");
+                for (a, b) in gradient.iter().zip(&direct.gradient) {
+                    close(*a, *b, b.abs().max(1e-3 * steep), 1e-11, pair[0].name);
+                }
+            }
+        }
+    });
+}
+
+#[test]
+fn exact_agreement_of_drives_side_by_side_with_drives_alone() {
+    let ranges = ["club.loft=1deg..25deg", "swing.attack_angle=-12deg..10deg", "swing.speed=25m/s..60m/s"];
+    for_every_way(|setup| {
+        let vary: Vec<Vary> = ranges.iter().map(|text| Vary::read(setup, text).unwrap()).collect();
+        let wrt: Vec<_> = vary.iter().map(|vary| vary.parameter).collect();
+        let of = [Outcome::Carry, Outcome::Lateral, Outcome::ApexHeight, Outcome::BallSpeed];
+        let alone = Evaluator::new(setup, &of, &wrt, Order::First).unwrap();
+        let mut points = Sequence::new(vary, 150, 7).unwrap();
+        let landed = Cell::new(0);
+        gradient_batch(setup, &mut points, &of, &wrt, &Run::default(), |block| {
+            for row in 0..block.rows() {
+                let taylors = alone.at(block.point(row));
+                assert_eq!(block.status(row) == Status::Landed, taylors.is_ok(), "{:?}", block.point(row));
+                let Ok(taylors) = taylors else { continue };
+                landed.set(landed.get() + 1);
+                for (i, taylor) in taylors.iter().enumerate() {
+                    let size = taylor.value.abs().max(0.1);
+                    close(block.outcome(row, i).unwrap(), taylor.value, size, 1e-12, of[i].name());
+                }
+                let gradients = taylors.iter().flat_map(|taylor| {
+                    let steep = taylor.gradient.iter().fold(1.0, |most: f64, d| most.max(d.abs()));
+                    taylor.gradient.iter().map(move |d| (d, steep))
+                });
+                for (ours, (theirs, steep)) in block.derivatives(row).zip(gradients) {
+                    close(ours.unwrap(), *theirs, steep, 1e-11, "derivative");
+                }
+            }
+            Ok(())
+        })
+        .unwrap();
+        assert!(landed.get() > 75, "{}", landed.get());
+    });
+}
+
+#[test]
+fn statuses_of_a_mixed_grid_agree_with_single_drives() {
+    let setup = Setup::preset("mae494").unwrap();
+    let axis = |text| Axis::read(&setup, text).unwrap();
+    let axes = vec![axis("club.loft=-20deg..30deg:41"), axis("swing.attack_angle=-20deg..20deg:33")];
+    let mut grid = Grid::new(axes).unwrap();
+    let wrt = variables(&setup, &TWO);
+    let (mut landed, mut down) = (0, 0);
+    gradient_batch(&setup, &mut grid, &[Outcome::Carry], &wrt, &Run::default(), |block| {
+        for row in 0..block.rows() {
+            let mut alone = setup;
+            (alone.club.loft, alone.swing.attack_angle) = (block.point(row)[0], block.point(row)[1]);
+            let flies = Drive::new(&alone).unwrap().landed().is_ok();
+            assert_eq!(block.status(row), if flies { Status::Landed } else { Status::NoFlight });
+            assert_eq!(block.outcome(row, 0).is_some(), flies);
+            *(if flies { &mut landed } else { &mut down }) += 1;
+        }
+        Ok(())
+    })
+    .unwrap();
+    assert!(landed > 300 && down > 300, "{landed} {down}");
+}
+
+#[test]
+fn order_of_each_method_is_its_own_in_value_and_gradient() {
+    let mut setup = Setup::preset("mae494").unwrap();
+    setup.set_all([("club.loft", "14 deg"), ("wind.right", "3 m/s")]).unwrap();
+    let wrt = variables(&setup, &TWO);
+    let at = |method: Method, step: f64| {
+        let mut setup = Setup { method, ..setup };
+        setup.flight.step = step;
+        fast(&setup, Outcome::FlightTime, &wrt, Order::First)
+    };
+    let exact = at(Method::DormandPrince8, 0.02);
+    for (method, step) in [(Method::Rk4, 0.1), (Method::DormandPrince5, 0.2), (Method::DormandPrince8, 0.8)] {
+        // averaged over some halvings: where in its last step the ball lands changes the constant
+        let error = |step: f64| {
+            let all: Vec<f64> = (0..8)
+                .map(|k| {
+                    let taylor = at(method, step * (1.0 + 0.03 * f64::from(k)));
+                    let slope = (taylor.gradient[0] - exact.gradient[0]).abs() / exact.gradient[0].abs();
+                    (taylor.value - exact.value).abs().max(slope)
+                })
+                .collect();
+            all.iter().sum::<f64>() / all.len() as f64
+        };
+        let measured = (error(step) / error(step / 2.0)).log2();
+        // the landing's quintic is of order 6: it bounds what the method of order 8 shows
+        let order = f64::from(method.order().min(6));
+        assert!(measured > order - 0.7, "{} shows order {measured}", method.name());
+    }
+}
+
+#[test]
+fn independent_drives_between_those_looked_at_are_within_the_tolerance() {
+    for (preset, tolerance) in [("mae494", 1e-6), ("modern-driver", 1e-6), ("modern-driver", 1e-3)] {
+        let setup = Setup::preset(preset).unwrap();
+        let ranges = ["club.loft=5deg..20deg", "swing.attack_angle=-5deg..5deg"];
+        let ranges: Vec<Vary> = ranges.iter().map(|text| Vary::read(&setup, text).unwrap()).collect();
+        let found = accuracy(&setup, &ranges, tolerance).unwrap();
+        assert!(found.error <= tolerance && found.step > 0.01, "{found:?}");
+        let mut flown = Setup { method: found.method, ..setup };
+        flown.flight.step = found.step;
+        let mut fine = Setup { method: Method::Rk4, ..setup };
+        fine.flight.step = 0.002;
+        for k in 0..40 {
+            let loft = (5.0 + 15.0 * f64::from(k) / 39.0).to_radians();
+            let carry = |setup: &Setup<f64>| {
+                let mut moved = *setup;
+                (moved.club.loft, moved.swing.attack_angle) = (loft, (f64::from(k % 7) - 3.0).to_radians());
+                Drive::new(&moved).unwrap().landed().unwrap().carry
+            };
+            close(carry(&flown), carry(&fine), 1.0, tolerance, preset);
+        }
+    }
+    assert!(accuracy(&Setup::default(), &[], 0.0).is_err() && accuracy(&Setup::default(), &[], f64::NAN).is_err());
+}
