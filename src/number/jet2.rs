@@ -177,48 +177,8 @@ impl<const N: usize, const M: usize, B: Numbers> Numbers for Jet2<N, M, B> {
     fn constant(value: f64) -> Self {
         Self { re: B::constant(value), gradient: [B::zero(); N], hessian: [B::zero(); M] }
     }
-    #[inline(always)]
-    fn recip(self) -> Self {
-        let f = self.re.recip();
-        let square = f * f;
-        self.chain(f, -square, square * f * 2.0)
-    }
-    #[inline(always)]
-    fn sqrt(self) -> Self {
-        let (f, inverse) = self.re.sqrt_recip();
-        let slope = inverse * 0.5;
-        self.chain(f, slope, -(slope * inverse * inverse * 0.5))
-    }
-    #[inline(always)]
-    fn exp(self) -> Self {
-        let f = self.re.exp();
-        self.chain(f, f, f)
-    }
-    #[inline(always)]
-    fn exp_m1(self) -> Self {
-        let f = self.re.exp_m1();
-        self.chain(f, f + 1.0, f + 1.0)
-    }
-    #[inline(always)]
-    fn ln(self) -> Self {
-        let slope = self.re.recip();
-        self.chain(self.re.ln(), slope, -(slope * slope))
-    }
-    #[inline(always)]
-    fn ln_1p(self) -> Self {
-        let slope = (self.re + 1.0).recip();
-        self.chain(self.re.ln_1p(), slope, -(slope * slope))
-    }
-    #[inline(always)]
-    fn sin_cos(self) -> (Self, Self) {
-        let (sin, cos) = self.re.sin_cos();
-        (self.chain(sin, cos, -sin), self.chain(cos, -sin, -cos))
-    }
-    #[inline(always)]
-    fn atan(self) -> Self {
-        let slope = (self.re * self.re + 1.0).recip();
-        self.chain(self.re.atan(), slope, self.re * slope * slope * -2.0)
-    }
+    second_order_functions!();
+
     #[inline(always)]
     fn below(self, limit: f64) -> Self::Mask {
         self.re.below(limit)

@@ -6,6 +6,8 @@
 //! run through the same physics: [`Jet`] and [`Jet2`] carry derivatives in plain arrays or in the registers of a vector
 //! unit, and lanes hold several drives side by side.
 
+#[macro_use]
+mod second_order;
 mod differentiate;
 mod exponential;
 mod fast;
