@@ -109,7 +109,7 @@ impl<const N: usize, const M: usize, B: Numbers> Mul for Jet2<N, M, B> {
                 #[inline(always)]
                 |k, i, j| {
                     let own = a.hessian[k].mul_add(b.re, a.re * b.hessian[k]);
-                    a.gradient[i].mul_add(b.gradient[j], a.gradient[j].mul_add(b.gradient[i], own))
+                    own + a.gradient[i].mul_add(b.gradient[j], a.gradient[j] * b.gradient[i])
                 },
             ),
         }
