@@ -56,6 +56,23 @@ impl<const N: usize, const M: usize, B: Numbers> Jet2<N, M, B> {
         }
     }
 
+    /// Product rule.
+    #[inline(always)]
+    fn product(self, other: Self) -> Self {
+        let (a, b) = (&self, &other);
+        Self {
+            re: a.re * b.re,
+            gradient: std::array::from_fn(|i| a.gradient[i].mul_add(b.re, a.re * b.gradient[i])),
+            hessian: Self::triangle(
+                #[inline(always)]
+                |k, i, j| {
+                    let own = a.hessian[k].mul_add(b.re, a.re * b.hessian[k]);
+                    own + a.gradient[i].mul_add(b.gradient[j], a.gradient[j] * b.gradient[i])
+                },
+            ),
+        }
+    }
+
     /// Each entry of two.
     #[inline(always)]
     fn entrywise(self, other: Self, f: impl Fn(B, B) -> B) -> Self {
@@ -101,18 +118,7 @@ impl<const N: usize, const M: usize, B: Numbers> Mul for Jet2<N, M, B> {
     type Output = Self;
     #[inline(always)]
     fn mul(self, other: Self) -> Self {
-        let (a, b) = (&self, &other);
-        Self {
-            re: a.re * b.re,
-            gradient: std::array::from_fn(|i| a.gradient[i].mul_add(b.re, a.re * b.gradient[i])),
-            hessian: Self::triangle(
-                #[inline(always)]
-                |k, i, j| {
-                    let own = a.hessian[k].mul_add(b.re, a.re * b.hessian[k]);
-                    own + a.gradient[i].mul_add(b.gradient[j], a.gradient[j] * b.gradient[i])
-                },
-            ),
-        }
+        self.product(other)
     }
 }
 
