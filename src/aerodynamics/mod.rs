@@ -86,7 +86,7 @@ impl<T: Numbers> AerodynamicLaw<T> for Law<T> {
     }
 
     fn has_corner_at_zero_spin(&self) -> bool {
-        with_law!(self, |law| law.has_corner_at_zero_spin())
+        with_law!(self, |law| AerodynamicLaw::<T>::has_corner_at_zero_spin(law))
     }
 }
 

@@ -177,9 +177,9 @@ impl<S: Copy> Segment<S> {
     where
         S: Space<T>,
     {
-        let start = [from.position, from.velocity, motion.acceleration(&from.rate)];
+        let start = [from.state.position, from.state.velocity, motion.acceleration(&from.rate)];
         let path = Quintic::new::<T>(h, start, motion.acceleration(&to.rate), added.sums(motion, h));
-        Self { start: from.time, h, path }
+        Self { start: from.state.time, h, path }
     }
 
     #[inline(always)]

@@ -5,11 +5,11 @@ use super::pace::Pace;
 use super::rk4::Classical;
 use super::shot::Shot;
 use super::space::{Plane, Space};
-use super::surroundings::{Still, Surroundings};
+use super::surroundings::{Spun, Still, Surroundings};
 use super::tableau::Higher;
 use crate::error::{Error, Result};
 use crate::launch::Launch;
-use crate::number::{Number, Vector};
+use crate::number::{Factor, Number, Vector};
 use crate::parameters::{Law, Method, Setup};
 use std::fmt;
 
@@ -173,14 +173,17 @@ impl<T: Number> Shot<T> {
     }
 
     /// The flight by the shortest way there is: in the plane where it stays there, and with the one law whose
-    /// coefficients change with the time alone taken in rather than called.
+    /// coefficients change with the time alone taken in rather than called, if its constants can be of type `C`.
     #[inline(always)]
-    pub(super) fn fly_shortest(&self, pace: &Pace, wanted: Wanted) -> Result<Flight<T>> {
+    pub(super) fn fly_shortest<C: Factor<T>>(&self, pace: &Pace, wanted: Wanted) -> Result<Flight<T>> {
         if !(self.is_plane() && self.is_in_still_air()) {
             return self.fly::<Vector<T>>(pace, wanted, |_| ());
         }
         match self.law {
-            Law::Robinson(law) => self.fly_by::<Plane<T>, _>(Still(law), pace, wanted, |_| ()),
+            Law::Robinson(law) if self.has_constants::<C>() => {
+                let law = Spun::<C>::new(&law, self.force_per_mass);
+                self.fly_by::<Plane<T>, _>(law, pace, wanted, |_| ())
+            }
             law => self.fly_by::<Plane<T>, _>(Still(law), pace, wanted, |_| ()),
         }
     }
@@ -196,17 +199,17 @@ impl<T: Number> Shot<T> {
         match pace.method {
             Method::Rk4 => T::outlined(
                 #[inline(always)]
-                || self.follow::<S, L, Classical<T>>(law, pace, wanted, observe),
+                || self.follow::<S, L, Classical<L::Constant>>(law, pace, wanted, observe),
             ),
             Method::DormandPrince5 | Method::DormandPrince8 => T::outlined(
                 #[inline(always)]
-                || self.follow::<S, L, Higher<T>>(law, pace, wanted, observe),
+                || self.follow::<S, L, Higher<L::Constant>>(law, pace, wanted, observe),
             ),
         }
     }
 
     #[inline(always)]
-    fn follow<S: Space<T>, L: Surroundings<T>, M: Stepper<T, S>>(
+    fn follow<S: Space<T>, L: Surroundings<T>, M: Stepper<T, S, L::Constant>>(
         &self,
         law: L,
         pace: &Pace,
@@ -228,8 +231,8 @@ impl<T: Number> Shot<T> {
         let mut apex = Apex { height: T::zero(), time: T::zero(), downrange: T::zero() };
         for steps in 1.. {
             observe(&here);
-            if here.time >= pace.time_limit {
-                let (time, height) = (here.time, here.position.up().re());
+            if here.state.time >= pace.time_limit {
+                let (time, height) = (here.state.time, here.state.position.up().re());
                 return Ok(Flight::None(NoFlight::Aloft { time, height }));
             }
             let time = steps as f64 * step;
@@ -237,8 +240,8 @@ impl<T: Number> Shot<T> {
             // NaN is no less than 1, and infinite numbers pull as much
             let is_followed = here.coarseness(step).re() <= 1.0;
 
-            let falls = here.velocity.up().re() > 0.0 && next.velocity.up().re() <= 0.0;
-            let is_low = next.position.up().re() <= ground.re();
+            let falls = here.state.velocity.up().re() > 0.0 && next.state.velocity.up().re() <= 0.0;
+            let is_low = next.state.position.up().re() <= ground.re();
             // a step without an event
             if is_followed && !is_low && !(falls && (wanted == Wanted::Apex || !above)) {
                 above = true;
@@ -247,15 +250,19 @@ impl<T: Number> Shot<T> {
             }
 
             if !is_followed || next.is_lost() {
-                return Err(Error::Diverged { time: here.time, step });
+                return Err(Error::Diverged { time: here.state.time, step });
             }
 
             // the step once more, with what it added: kept at every step, that would fill the registers for nothing
             // (copies, so that what every step uses is not kept in memory for the sake of the call)
-            let (motion, stepper, from) = (motion, stepper, here);
-            let (to, added) = T::outlined(
+            let (motion, stepper, start) = (motion, stepper, here.state);
+            let (from, to, added) = T::outlined(
                 #[inline(always)]
-                || stepper.step(&motion, &from, time),
+                || {
+                    let from = Node::at(&motion, start);
+                    let (to, added) = stepper.step(&motion, &from, time);
+                    (from, to, added)
+                },
             );
             let segment = Segment::new(&motion, &from, &to, &added, step);
             let mut falls_from = 0.0;

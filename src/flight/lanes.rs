@@ -4,12 +4,12 @@
 use super::hermite::{Quintic, Segment};
 use super::landing::{Apex, Landed, Wanted};
 use super::motion::Motion;
-use super::node::{Node, Stepper};
+use super::node::{Node, State, Stepper};
 use super::pace::Pace;
 use super::rk4::Classical;
 use super::shot::Shot;
 use super::space::{Plane, Space};
-use super::surroundings::{Still, Surroundings};
+use super::surroundings::{Spun, Still, Surroundings};
 use super::tableau::Higher;
 use crate::number::{Lanes, Vector, inlined};
 use crate::parameters::{Law, Method};
@@ -23,23 +23,23 @@ pub(crate) struct Formation<T> {
     pub sound: u8,
 }
 
-/// An event of some of the flights: the node from which the step leads in which it falls. That step is taken once more at the
+/// An event of some of the flights: the state from which the step leads in which it falls. That step is taken once more at the
 /// end, for all of them together.
 #[derive(Clone, Copy)]
 struct Event<T, S> {
     lanes: u8,
     time: T,
-    from: Node<T, S>,
+    from: State<T, S>,
 }
 
 impl<T: Lanes, S: Space<T>> Event<T, S> {
     #[inline(always)]
     fn none(here: &Node<T, S>) -> Self {
-        Self { lanes: 0, time: T::zero(), from: *here }
+        Self { lanes: 0, time: T::zero(), from: here.state }
     }
 
     #[inline(always)]
-    fn happens(&mut self, lanes: u8, from: &Node<T, S>) {
+    fn happens(&mut self, lanes: u8, from: &State<T, S>) {
         let mask = T::mask(lanes);
         self.lanes |= lanes;
         self.time = T::constant(from.time).blend(self.time, mask);
@@ -55,7 +55,10 @@ impl<T: Lanes> Shot<T> {
             return self.abreast_by::<Vector<T>, _>(self.law, pace, wanted, flying);
         }
         match self.law {
-            Law::Robinson(law) => self.abreast_by::<Plane<T>, _>(Still(law), pace, wanted, flying),
+            Law::Robinson(law) if self.has_constants::<T::Value>() => {
+                let law = Spun::<T::Value>::new(&law, self.force_per_mass);
+                self.abreast_by::<Plane<T>, _>(law, pace, wanted, flying)
+            }
             law => self.abreast_by::<Plane<T>, _>(Still(law), pace, wanted, flying),
         }
     }
@@ -71,17 +74,17 @@ impl<T: Lanes> Shot<T> {
         match pace.method {
             Method::Rk4 => T::outlined(
                 #[inline(always)]
-                || self.abreast::<S, L, Classical<T>>(law, pace, wanted, flying),
+                || self.abreast::<S, L, Classical<L::Constant>>(law, pace, wanted, flying),
             ),
             Method::DormandPrince5 | Method::DormandPrince8 => T::outlined(
                 #[inline(always)]
-                || self.abreast::<S, L, Higher<T>>(law, pace, wanted, flying),
+                || self.abreast::<S, L, Higher<L::Constant>>(law, pace, wanted, flying),
             ),
         }
     }
 
     #[inline(always)]
-    fn abreast<S: Space<T>, L: Surroundings<T>, M: Stepper<T, S>>(
+    fn abreast<S: Space<T>, L: Surroundings<T>, M: Stepper<T, S, L::Constant>>(
         &self,
         law: L,
         pace: &Pace,
@@ -101,25 +104,25 @@ impl<T: Lanes> Shot<T> {
         let motion = Motion::<T, S, L>::new(self, law);
         let stepper = M::new(&motion, pace);
         let mut here = Node::at_launch(&motion, self);
-        let mut active = flying & (is_rising(here.velocity) | is_above(T::zero()));
+        let mut active = flying & (is_rising(here.state.velocity) | is_above(T::zero()));
         let mut above = is_above(T::zero());
-        let mut rising = is_rising(here.velocity);
+        let mut rising = is_rising(here.state.velocity);
         let (mut apex, mut landing) = (Event::none(&here), Event::none(&here));
         let mut steps = 0;
-        while active != 0 && here.time < pace.time_limit {
+        while active != 0 && here.state.time < pace.time_limit {
             steps += 1;
             let (next, _) = stepper.step(&motion, &here, f64::from(steps) * step);
             // a comparison with NaN does not hold: what is lost is not followed
-            let followed = T::bits(here.coarseness(step).below(1.0)) & T::bits(next.position.up().is_finite());
-            let (now_above, now_rising) = (is_above(next.position.up()), is_rising(next.velocity));
+            let followed = T::bits(here.coarseness(step).below(1.0)) & T::bits(next.state.position.up().is_finite());
+            let (now_above, now_rising) = (is_above(next.state.position.up()), is_rising(next.state.velocity));
             let falls = active & rising & !now_rising;
             let lands = active & !now_above & above & followed;
             active &= followed & !(falls & (!above & !now_above | lands));
             if falls & active != 0 && wanted == Wanted::Apex {
-                apex.happens(falls & active, &here);
+                apex.happens(falls & active, &here.state);
             }
             if lands & active != 0 {
-                landing.happens(lands & active, &here);
+                landing.happens(lands & active, &here.state);
                 active &= !lands;
             }
             above |= now_above;
@@ -132,7 +135,7 @@ impl<T: Lanes> Shot<T> {
 
     /// Where in their steps the events fall.
     #[inline(always)]
-    fn landings<S: Space<T>, L: Surroundings<T>, M: Stepper<T, S>>(
+    fn landings<S: Space<T>, L: Surroundings<T>, M: Stepper<T, S, L::Constant>>(
         &self,
         motion: &Motion<T, S, L>,
         stepper: &M,
@@ -146,8 +149,9 @@ impl<T: Lanes> Shot<T> {
             T::outlined(
                 #[inline(always)]
                 || {
-                    let (to, added) = stepper.step(motion, &event.from, 0.0);
-                    Segment::new(motion, &event.from, &to, &added, h)
+                    let from = Node::at(motion, event.from);
+                    let (to, added) = stepper.step(motion, &from, 0.0);
+                    Segment::new(motion, &from, &to, &added, h)
                 },
             )
         };

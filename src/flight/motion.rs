@@ -3,23 +3,23 @@ use super::space::Space;
 use super::surroundings::Surroundings;
 use crate::aerodynamics::Stream;
 use crate::atmosphere::WindField;
-use crate::number::{Numbers, Vector};
+use crate::number::{Factor, Numbers, Vector};
 
 /// m/s: keeps |v_r| and its derivatives finite where the ball hangs still in the air.
 const LEAST_SPEED: f64 = 1e-6;
 
 /// The equation of motion of one flight (docs/model.md, eqs. 12–15): what stays the same from launch to landing.
 #[derive(Clone, Copy)]
-pub(super) struct Motion<T: Numbers, S: Space<T>, L> {
+pub(super) struct Motion<T: Numbers, S: Space<T>, L: Surroundings<T>> {
     law: L,
     air: Air<T, S>,
     force_per_mass: T,
-    pub gravity: T,
+    pub gravity: L::Constant,
     radius: T,
     reynolds_per_speed: T,
     pub spin: T,
     axis: S::Axis,
-    decay: T,
+    decay: L::Constant,
     damping: Option<T>,
 }
 
@@ -54,6 +54,8 @@ pub(super) struct Rate<T, S> {
     pub airspeed: T,
     /// ρ A/(2 m) (C_L (ω/|ω|) × v_r − C_D v_r).
     pub pull: S,
+    /// Their product, where derivatives have a shorter way to it; asked for its derivatives alone.
+    pub push: S,
 }
 
 impl<T: Numbers, S: Space<T>, L: Surroundings<T>> Motion<T, S, L> {
@@ -68,12 +70,12 @@ impl<T: Numbers, S: Space<T>, L: Surroundings<T>> Motion<T, S, L> {
             law,
             air,
             force_per_mass: shot.force_per_mass,
-            gravity: shot.gravity,
+            gravity: L::Constant::of(shot.gravity),
             radius: shot.radius,
             reynolds_per_speed: shot.reynolds_per_speed,
             spin: shot.spin,
             axis: S::axis(shot.axis),
-            decay: shot.decay,
+            decay: L::Constant::of(shot.decay),
             damping: shot.damping,
         }
     }
@@ -86,7 +88,7 @@ impl<T: Numbers, S: Space<T>, L: Surroundings<T>> Motion<T, S, L> {
 
     /// exp(−δ t): what is left of a spin after a time, apart from damping.
     #[inline(always)]
-    pub fn fading(&self, time: f64) -> T {
+    pub fn fading(&self, time: f64) -> L::Constant {
         (self.decay * -time).exp()
     }
 
@@ -114,7 +116,9 @@ impl<T: Numbers, S: Space<T>, L: Surroundings<T>> Motion<T, S, L> {
 
     #[inline(always)]
     fn forces(&self, lift: T, drag: T) -> Forces<T, S> {
-        Forces { lift: S::longer(self.axis, self.force_per_mass * lift), drag: self.force_per_mass * drag }
+        let [lift, drag] =
+            if L::FORCES { [lift, drag] } else { [self.force_per_mass * lift, self.force_per_mass * drag] };
+        Forces { lift: S::longer(self.axis, lift), drag }
     }
 
     /// What moves the ball; `height` is asked only where the wind depends on it.
@@ -127,26 +131,33 @@ impl<T: Numbers, S: Space<T>, L: Surroundings<T>> Motion<T, S, L> {
             Air::Profile(field) => velocity - S::of(field.at(height)),
         };
         let square = relative.square_plus(LEAST_SPEED * LEAST_SPEED);
-        let (airspeed, forces) = match spin.forces {
-            Some(forces) => (square.sqrt(), forces),
+        let (airspeed, inverse) = square.sqrt_recip();
+        let forces = match spin.forces {
+            Some(forces) => forces,
             None => {
-                let (airspeed, inverse) = square.sqrt_recip();
                 let c = self.law.coefficients(&Stream {
                     spin: spin.size,
                     radius_per_speed: self.radius * inverse,
                     speed: airspeed,
                     reynolds_per_speed: self.reynolds_per_speed,
                 });
-                (airspeed, self.forces(c.lift, c.drag))
+                self.forces(c.lift, c.drag)
             }
         };
-        Rate { airspeed, pull: relative.turned_and_held(forces.lift, forces.drag) }
+        let Forces { lift, drag } = forces;
+        Rate {
+            airspeed,
+            pull: relative.turned_and_held(lift, drag),
+            push: relative.turned_and_held_by_size(lift, drag, airspeed, inverse),
+        }
     }
 
     /// dv/dt.
     #[inline(always)]
     pub fn acceleration(&self, rate: &Rate<T, S>) -> S {
-        rate.pull.times_plus(rate.airspeed, S::of(Vector::new(-self.gravity, T::zero(), T::zero())))
+        let weight = S::of(Vector::zero()).raised(-self.gravity);
+        let value = rate.pull.times_plus(rate.airspeed, weight);
+        value.with_derivatives_of(rate.push.raised(-self.gravity))
     }
 
     /// A velocity, after as long a time at this rate.
@@ -154,7 +165,8 @@ impl<T: Numbers, S: Space<T>, L: Surroundings<T>> Motion<T, S, L> {
     pub fn after(&self, rate: &Rate<T, S>, time: f64, velocity: S) -> S {
         if T::IS_LONE {
             // the root in |v_r| comes last: all else is ready when it is
-            rate.pull.scaled(time).times_plus(rate.airspeed, velocity.raised(self.gravity * -time))
+            let value = rate.pull.scaled(time).times_plus(rate.airspeed, velocity.raised(self.gravity * -time));
+            value.with_derivatives_of(self.acceleration(rate).along(time, velocity))
         } else {
             self.acceleration(rate).along(time, velocity)
         }

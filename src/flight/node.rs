@@ -5,18 +5,24 @@ use super::space::Space;
 use super::surroundings::Surroundings;
 use crate::number::{Number, Numbers, Vector};
 
-/// The ball at the end of a step, with what moves it there: the first stage of the next step and, for the
-/// landing, the second derivative of the path.
+/// The ball at one time.
 #[derive(Clone, Copy)]
-pub(super) struct Node<T, S> {
+pub(super) struct State<T, S> {
     pub time: f64,
     pub position: S,
     pub velocity: S,
-    pub rate: Rate<T, S>,
     /// |ω₀| exp(−δ t): the spin, apart from damping.
     pub faded: T,
     /// Way through the air, m; followed only where the spin depends on it.
     pub air_path: T,
+}
+
+/// The ball at the end of a step, with what moves it there: the first stage of the next step and, for the
+/// landing, the second derivative of the path.
+#[derive(Clone, Copy)]
+pub(super) struct Node<T, S> {
+    pub state: State<T, S>,
+    pub rate: Rate<T, S>,
 }
 
 /// What a step added, in the sums it was made of: multiplied out at the apex and the landing alone.
@@ -40,11 +46,11 @@ impl<T: Numbers, S: Space<T>> Added<T, S> {
 }
 
 /// A method that takes a flight from node to node with a fixed step.
-pub(super) trait Stepper<T: Numbers, S: Space<T>>: Copy {
+pub(super) trait Stepper<T: Numbers, S: Space<T>, C>: Copy {
     /// The method at this pace.
-    fn new<L: Surroundings<T>>(motion: &Motion<T, S, L>, pace: &Pace) -> Self;
+    fn new<L: Surroundings<T, Constant = C>>(motion: &Motion<T, S, L>, pace: &Pace) -> Self;
     /// The node one step on, at `time`, and what the step added.
-    fn step<L: Surroundings<T>>(
+    fn step<L: Surroundings<T, Constant = C>>(
         &self,
         motion: &Motion<T, S, L>,
         from: &Node<T, S>,
@@ -52,11 +58,17 @@ pub(super) trait Stepper<T: Numbers, S: Space<T>>: Copy {
     ) -> (Node<T, S>, Added<T, S>);
 }
 
-impl<T: Numbers, S: Space<T>> Rate<T, S> {
-    /// As [`Node::blend`].
+impl<T: Numbers, S: Space<T>> State<T, S> {
+    /// `self` in the lanes where the mask holds, `other` in those where it does not; the time is the former's.
     #[inline(always)]
-    fn blend(&self, other: &Self, mask: T::Mask) -> Self {
-        Self { airspeed: self.airspeed.blend(other.airspeed, mask), pull: self.pull.blend(other.pull, mask) }
+    pub fn blend(&self, other: &Self, mask: T::Mask) -> Self {
+        Self {
+            time: self.time,
+            position: self.position.blend(other.position, mask),
+            velocity: self.velocity.blend(other.velocity, mask),
+            faded: self.faded.blend(other.faded, mask),
+            air_path: self.air_path.blend(other.air_path, mask),
+        }
     }
 }
 
@@ -64,32 +76,28 @@ impl<T: Numbers, S: Space<T>> Node<T, S> {
     /// The ball on the tee, leaving.
     #[inline(always)]
     pub fn at_launch<L: Surroundings<T>>(motion: &Motion<T, S, L>, shot: &Shot<T>) -> Self {
-        let (zero, velocity) = (T::zero(), S::of(shot.velocity));
-        let rate = motion.rate(
-            &motion.spin(
-                motion.spin,
-                #[inline(always)]
-                || zero,
-            ),
-            velocity,
-            #[inline(always)]
-            || zero,
-        );
+        let zero = T::zero();
         let position = S::of(Vector::new(zero, zero, zero));
-        Self { time: 0.0, position, velocity, rate, faded: motion.spin, air_path: zero }
+        let velocity = S::of(shot.velocity);
+        Self::at(motion, State { time: 0.0, position, velocity, faded: motion.spin, air_path: zero })
     }
 
-    /// `self` in the lanes where the mask holds, `other` in those where it does not; they are at the same time.
+    /// The ball in a state, with what moves it there.
     #[inline(always)]
-    pub fn blend(&self, other: &Self, mask: T::Mask) -> Self {
-        Self {
-            time: self.time,
-            position: self.position.blend(other.position, mask),
-            velocity: self.velocity.blend(other.velocity, mask),
-            rate: self.rate.blend(&other.rate, mask),
-            faded: self.faded.blend(other.faded, mask),
-            air_path: self.air_path.blend(other.air_path, mask),
-        }
+    pub fn at<L: Surroundings<T>>(motion: &Motion<T, S, L>, state: State<T, S>) -> Self {
+        let State { position, velocity, faded, air_path, .. } = state;
+        let spin = motion.spin(
+            faded,
+            #[inline(always)]
+            || air_path,
+        );
+        let rate = motion.rate(
+            &spin,
+            velocity,
+            #[inline(always)]
+            || position.up(),
+        );
+        Self { state, rate }
     }
 
     /// What is below 1 where drag and lift change the airspeed by less than half of it within a step. Beyond is far
@@ -104,7 +112,7 @@ impl<T: Number, S: Space<T>> Node<T, S> {
     /// Whether its numbers have overflowed.
     #[inline(always)]
     pub fn is_lost(&self) -> bool {
-        let size = self.position.square_plus(0.0).re() + self.velocity.square_plus(0.0).re();
+        let size = self.state.position.square_plus(0.0).re() + self.state.velocity.square_plus(0.0).re();
         !size.is_finite()
     }
 }

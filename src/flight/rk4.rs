@@ -1,19 +1,19 @@
 use super::motion::{Motion, Rate, SpinNow};
-use super::node::{Added, Node, Stepper};
+use super::node::{Added, Node, State, Stepper};
 use super::pace::Pace;
 use super::space::Space;
 use super::surroundings::Surroundings;
-use crate::number::{Numbers, inlined};
+use crate::number::{Factor, Numbers, inlined};
 
 /// The classical fourth-order Runge–Kutta method (Kutta 1901) with a fixed step.
 ///
 /// For x″ = a(t, x, x′) its position update Σ bᵢ vᵢ is h v + h²/6 (a₁ + a₂ + a₃), and the stages' positions
 /// are wanted only where the wind depends on height.
 #[derive(Clone, Copy)]
-pub(super) struct Classical<T> {
+pub(super) struct Classical<C> {
     step: f64,
     /// exp(−δ h/2).
-    fading: T,
+    fading: C,
 }
 
 /// What moves the ball at the second, third and fourth stage, and the spin at the end.
@@ -25,17 +25,25 @@ struct Stages<T: Numbers, S: Space<T>> {
     last_spin: SpinNow<T, S>,
 }
 
-impl<T: Numbers> Classical<T> {
+impl<C> Classical<C> {
     #[inline(always)]
-    fn stages<S: Space<T>, L: Surroundings<T>>(&self, motion: &Motion<T, S, L>, from: &Node<T, S>) -> Stages<T, S> {
+    fn stages<T: Numbers, S: Space<T>, L: Surroundings<T>>(
+        &self,
+        motion: &Motion<T, S, L>,
+        from: &Node<T, S>,
+    ) -> Stages<T, S>
+    where
+        C: Factor<T>,
+    {
         let (h, half) = (self.step, 0.5 * self.step);
-        let (x, v, first) = (from.position, from.velocity, from.rate);
+        let State { position: x, velocity: v, faded, air_path, .. } = from.state;
+        let first = from.rate;
         let path_after = inlined(
             #[inline(always)]
-            |time: f64, rate: &Rate<T, S>| rate.airspeed.scale_add(time, from.air_path),
+            |time: f64, rate: &Rate<T, S>| rate.airspeed.scale_add(time, air_path),
         );
-        let halfway = from.faded * self.fading;
-        let faded = halfway * self.fading;
+        let halfway = self.fading.times(faded);
+        let faded = self.fading.times(halfway);
 
         let spin = motion.spin(
             halfway,
@@ -80,15 +88,15 @@ impl<T: Numbers> Classical<T> {
     }
 }
 
-impl<T: Numbers, S: Space<T>> Stepper<T, S> for Classical<T> {
+impl<T: Numbers, S: Space<T>, C: Factor<T>> Stepper<T, S, C> for Classical<C> {
     #[inline(always)]
-    fn new<L: Surroundings<T>>(motion: &Motion<T, S, L>, pace: &Pace) -> Self {
+    fn new<L: Surroundings<T, Constant = C>>(motion: &Motion<T, S, L>, pace: &Pace) -> Self {
         let step = pace.step;
         Self { step, fading: motion.fading(0.5 * step) }
     }
 
     #[inline(always)]
-    fn step<L: Surroundings<T>>(
+    fn step<L: Surroundings<T, Constant = C>>(
         &self,
         motion: &Motion<T, S, L>,
         from: &Node<T, S>,
@@ -96,13 +104,14 @@ impl<T: Numbers, S: Space<T>> Stepper<T, S> for Classical<T> {
     ) -> (Node<T, S>, Added<T, S>) {
         let h = self.step;
         let stages = self.stages(motion, from);
+        let State { position: x, velocity: v, mut air_path, .. } = from.state;
         // a₁ + a₂ + a₃ and a₁ + 2 a₂ + 2 a₃
         let inner = motion.acceleration(&stages.second) + motion.acceleration(&stages.third);
         let sum = motion.acceleration(&from.rate) + inner;
         let weighted = sum + inner;
-        let position = sum.along(h * h / 6.0, from.velocity.along(h, from.position));
-        let velocity = motion.after(&stages.fourth, h / 6.0, weighted.along(h / 6.0, from.velocity));
-        let (mut air_path, mut spin) = (from.air_path, stages.last_spin);
+        let position = sum.along(h * h / 6.0, v.along(h, x));
+        let velocity = motion.after(&stages.fourth, h / 6.0, weighted.along(h / 6.0, v));
+        let mut spin = stages.last_spin;
         if motion.is_damped() {
             let inner = stages.second.airspeed + stages.third.airspeed;
             air_path = (from.rate.airspeed + inner + inner + stages.fourth.airspeed).scale_add(h / 6.0, air_path);
@@ -119,6 +128,7 @@ impl<T: Numbers, S: Space<T>> Stepper<T, S> for Classical<T> {
             || position.up(),
         );
         let added = Added { bent: sum, gained: weighted, last: stages.fourth, weight: h / 6.0 };
-        (Node { time, position, velocity, rate, faded: stages.faded, air_path }, added)
+        let state = State { time, position, velocity, faded: stages.faded, air_path };
+        (Node { state, rate }, added)
     }
 }

@@ -1,6 +1,6 @@
 use crate::atmosphere::WindField;
 use crate::launch::{LEAST_SPIN, Launch};
-use crate::number::{Numbers, Vector};
+use crate::number::{Factor, Numbers, Vector};
 use crate::parameters::{Law, Setup};
 use std::f64::consts::PI;
 
@@ -77,6 +77,15 @@ impl<T: Numbers> Shot<T> {
     #[inline(always)]
     pub fn is_in_still_air(&self) -> bool {
         self.damping.is_none() && self.wind.is_calm()
+    }
+
+    /// Whether the quantities that stay the same in calm air can be of this type: whether it carries derivatives, or they
+    /// carry none.
+    #[inline(always)]
+    pub fn has_constants<C: Factor<T>>(&self) -> bool {
+        let mut are_plain = self.force_per_mass.is_constant() & self.gravity.is_constant() & self.decay.is_constant();
+        self.law.map(&mut |_, value| are_plain &= value.is_constant());
+        C::HAS_DERIVATIVES || are_plain
     }
 
     /// Whether nothing about a flight in calm air leaves the vertical plane of the target line, to the derivatives carried.

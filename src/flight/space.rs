@@ -1,4 +1,4 @@
-use crate::number::{Numbers, Vector, inlined};
+use crate::number::{Factor, Numbers, Vector, inlined};
 use std::ops::{Add, Sub};
 
 /// What can be added and multiplied by numbers.
@@ -42,10 +42,14 @@ pub(super) trait Space<T: Numbers>: Linear<T> {
     fn longer(axis: Self::Axis, k: T) -> Self::Axis;
     /// axis × v − k v.
     fn turned_and_held(self, axis: Self::Axis, k: T) -> Self;
+    /// The same times |v|, given with its inverse.
+    fn turned_and_held_by_size(self, axis: Self::Axis, k: T, size: T, inverse: T) -> Self;
+    /// As [`Numbers::with_derivatives_of`].
+    fn with_derivatives_of(self, other: Self) -> Self;
     /// v·v + more.
     fn square_plus(self, more: f64) -> T;
     /// The vector k higher.
-    fn raised(self, k: T) -> Self;
+    fn raised(self, k: impl Factor<T>) -> Self;
     /// Its upward component.
     fn up(self) -> T;
     /// `self` where the mask holds, `other` where it does not.
@@ -99,12 +103,21 @@ impl<T: Numbers> Space<T> for Vector<T> {
         )
     }
     #[inline(always)]
+    fn turned_and_held_by_size(self, axis: Self, k: T, size: T, _inverse: T) -> Self {
+        self.turned_and_held(axis, k) * size
+    }
+    #[inline(always)]
+    fn with_derivatives_of(self, _other: Self) -> Self {
+        // both ways are the same one
+        self
+    }
+    #[inline(always)]
     fn square_plus(self, more: f64) -> T {
         self.x.mul_add(self.x, self.y.mul_add(self.y, self.z.mul_add(self.z, T::constant(more))))
     }
     #[inline(always)]
-    fn raised(self, k: T) -> Self {
-        Self::new(self.x + k, self.y, self.z)
+    fn raised(self, k: impl Factor<T>) -> Self {
+        Self::new(k.plus(self.x), self.y, self.z)
     }
     #[inline(always)]
     fn up(self) -> T {
@@ -176,15 +189,28 @@ impl<T: Numbers> Space<T> for Plane<T> {
     }
     #[inline(always)]
     fn turned_and_held(self, axis: T, k: T) -> Self {
-        Self { up: axis.mul_add(self.downrange, -(k * self.up)), downrange: -axis.mul_add(self.up, k * self.downrange) }
+        let [downrange, up] = T::complex_product([-k, axis], [self.downrange, self.up]);
+        Self { up, downrange }
+    }
+    #[inline(always)]
+    fn turned_and_held_by_size(self, axis: T, k: T, size: T, inverse: T) -> Self {
+        let [downrange, up] = T::sized_product([-k, axis], [self.downrange, self.up], size, inverse);
+        Self { up, downrange }
+    }
+    #[inline(always)]
+    fn with_derivatives_of(self, other: Self) -> Self {
+        Self {
+            up: self.up.with_derivatives_of(other.up),
+            downrange: self.downrange.with_derivatives_of(other.downrange),
+        }
     }
     #[inline(always)]
     fn square_plus(self, more: f64) -> T {
         self.up.mul_add(self.up, self.downrange.mul_add(self.downrange, T::constant(more)))
     }
     #[inline(always)]
-    fn raised(self, k: T) -> Self {
-        Self { up: self.up + k, downrange: self.downrange }
+    fn raised(self, k: impl Factor<T>) -> Self {
+        Self { up: k.plus(self.up), downrange: self.downrange }
     }
     #[inline(always)]
     fn up(self) -> T {

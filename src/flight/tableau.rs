@@ -1,9 +1,9 @@
 use super::motion::{Motion, Rate};
-use super::node::{Added, Node, Stepper};
+use super::node::{Added, Node, State, Stepper};
 use super::pace::Pace;
 use super::space::Space;
 use super::surroundings::Surroundings;
-use crate::number::{Numbers, inlined};
+use crate::number::{Factor, Numbers, inlined};
 use crate::parameters::Method;
 use std::sync::LazyLock;
 
@@ -95,12 +95,12 @@ impl Tableau {
 
 /// A method of higher order than [`Classical`](super::rk4::Classical), from its tableau.
 #[derive(Clone, Copy)]
-pub(super) struct Higher<T> {
+pub(super) struct Higher<C> {
     tableau: &'static Tableau,
     step: f64,
     /// exp(−δ cᵢ h), and exp(−δ h).
-    fading: [T; MOST_STAGES],
-    fading_at_end: T,
+    fading: [C; MOST_STAGES],
+    fading_at_end: C,
 }
 
 /// The accelerations of a step's stages, and the airspeeds.
@@ -109,21 +109,28 @@ struct Stages<T, S> {
     airspeeds: [T; MOST_STAGES],
 }
 
-impl<T: Numbers> Higher<T> {
+impl<C> Higher<C> {
     #[inline(always)]
-    fn stages<S: Space<T>, L: Surroundings<T>>(&self, motion: &Motion<T, S, L>, from: &Node<T, S>) -> Stages<T, S> {
-        let (h, tableau) = (self.step, self.tableau);
+    fn stages<T: Numbers, S: Space<T>, L: Surroundings<T>>(
+        &self,
+        motion: &Motion<T, S, L>,
+        from: &Node<T, S>,
+    ) -> Stages<T, S>
+    where
+        C: Factor<T>,
+    {
+        let (h, tableau, start) = (self.step, self.tableau, from.state);
         let mut accelerations = [motion.acceleration(&from.rate); MOST_STAGES];
         let mut airspeeds = [from.rate.airspeed; MOST_STAGES];
         for i in 1..tableau.a.len() {
-            let mut velocity = from.velocity;
+            let mut velocity = start.velocity;
             for &(j, weight) in tableau.a[i] {
                 velocity = accelerations[j].along(h * weight, velocity);
             }
             let air_path = inlined(
                 #[inline(always)]
                 || {
-                    let mut path = from.air_path;
+                    let mut path = start.air_path;
                     for &(j, weight) in tableau.a[i] {
                         path = airspeeds[j].scale_add(h * weight, path);
                     }
@@ -133,14 +140,14 @@ impl<T: Numbers> Higher<T> {
             let height = inlined(
                 #[inline(always)]
                 || {
-                    let mut position = from.velocity.along(tableau.c[i] * h, from.position);
+                    let mut position = start.velocity.along(tableau.c[i] * h, start.position);
                     for (acceleration, weight) in accelerations.iter().zip(&tableau.position[i]).take(i) {
                         position = acceleration.along(h * h * weight, position);
                     }
                     position.up()
                 },
             );
-            let spin = motion.spin(from.faded * self.fading[i], air_path);
+            let spin = motion.spin(self.fading[i].times(start.faded), air_path);
             let rate: Rate<T, S> = motion.rate(&spin, velocity, height);
             accelerations[i] = motion.acceleration(&rate);
             airspeeds[i] = rate.airspeed;
@@ -150,7 +157,7 @@ impl<T: Numbers> Higher<T> {
 
     /// Σ wⱼ aⱼ.
     #[inline(always)]
-    fn sum<S: Space<T>>(&self, stages: &Stages<T, S>, weights: &[f64; MOST_STAGES]) -> S {
+    fn sum<T: Numbers, S: Space<T>>(&self, stages: &Stages<T, S>, weights: &[f64; MOST_STAGES]) -> S {
         let mut sum = stages.accelerations[0].scaled(weights[0]);
         for (acceleration, weight) in stages.accelerations.iter().zip(weights).take(self.tableau.a.len()).skip(1) {
             sum = acceleration.along(*weight, sum);
@@ -159,11 +166,11 @@ impl<T: Numbers> Higher<T> {
     }
 }
 
-impl<T: Numbers, S: Space<T>> Stepper<T, S> for Higher<T> {
+impl<T: Numbers, S: Space<T>, C: Factor<T>> Stepper<T, S, C> for Higher<C> {
     #[inline(always)]
-    fn new<L: Surroundings<T>>(motion: &Motion<T, S, L>, pace: &Pace) -> Self {
+    fn new<L: Surroundings<T, Constant = C>>(motion: &Motion<T, S, L>, pace: &Pace) -> Self {
         let (tableau, step) = (Tableau::of(pace.method), pace.step);
-        let mut fading = [T::constant(1.0); MOST_STAGES];
+        let mut fading = [C::constant(1.0); MOST_STAGES];
         for (fading, c) in fading.iter_mut().zip(tableau.c).take(tableau.a.len()) {
             *fading = motion.fading(c * step);
         }
@@ -171,38 +178,30 @@ impl<T: Numbers, S: Space<T>> Stepper<T, S> for Higher<T> {
     }
 
     #[inline(always)]
-    fn step<L: Surroundings<T>>(
+    fn step<L: Surroundings<T, Constant = C>>(
         &self,
         motion: &Motion<T, S, L>,
         from: &Node<T, S>,
         time: f64,
     ) -> (Node<T, S>, Added<T, S>) {
-        let h = self.step;
+        let (h, start) = (self.step, from.state);
         let stages = self.stages(motion, from);
         let (bent, gained) = (self.sum(&stages, &self.tableau.end), self.sum(&stages, &self.tableau.b));
-        let position = bent.along(h * h, from.velocity.along(h, from.position));
-        let velocity = gained.along(h, from.velocity);
-        let (faded, mut air_path) = (from.faded * self.fading_at_end, from.air_path);
+        let position = bent.along(h * h, start.velocity.along(h, start.position));
+        let velocity = gained.along(h, start.velocity);
+        let (faded, mut air_path) = (self.fading_at_end.times(start.faded), start.air_path);
         if motion.is_damped() {
             for (airspeed, weight) in stages.airspeeds.iter().zip(&self.tableau.b).take(self.tableau.a.len()) {
                 air_path = airspeed.scale_add(h * weight, air_path);
             }
         }
-        let rate = motion.rate(
-            &motion.spin(
-                faded,
-                #[inline(always)]
-                || air_path,
-            ),
-            velocity,
-            #[inline(always)]
-            || position.up(),
-        );
+        let state = State { time, position, velocity, faded, air_path };
         // all stages are in the sums: the last adds nothing to them
-        let none = Rate { airspeed: T::zero(), pull: velocity.scaled(0.0) };
+        let still = velocity.scaled(0.0);
+        let none = Rate { airspeed: T::zero(), pull: still, push: still };
         let gained = gained.raised(motion.gravity);
         let added = Added { bent, gained, last: none, weight: h };
-        (Node { time, position, velocity, rate, faded, air_path }, added)
+        (Node::at(motion, state), added)
     }
 }
 

@@ -1,4 +1,5 @@
 use super::landing::{Flight, Wanted};
+use super::node::State;
 use super::pace::Pace;
 use super::shot::Shot;
 use crate::error::Result;
@@ -42,7 +43,8 @@ pub fn trajectory(setup: &Setup<f64>, launch: &Launch<f64>) -> Result<Trajectory
     let mut points = Vec::new();
     let shot = Shot::new(setup, launch);
     let flight = shot.fly::<Vector<f64>>(&Pace::of(setup), Wanted::Apex, |node| {
-        points.push(TrajectoryPoint { time: node.time, position: node.position, velocity: node.velocity });
+        let State { time, position, velocity, .. } = node.state;
+        points.push(TrajectoryPoint { time, position, velocity });
     })?;
     if let Flight::Landed(landed) = &flight {
         points.push(TrajectoryPoint {

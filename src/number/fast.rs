@@ -1,11 +1,13 @@
-use super::{Fused, Jet, Jet2, Number};
 #[cfg(target_arch = "x86_64")]
-use super::{Pack2, Pack4, Pack8, Pair};
+use super::{Free2, Free4, Pack2, Pack4, Pack8, Pair};
+use super::{Fused, Jet, Jet2, Number};
 
 /// A number in plain arrays, and what holds the same in the registers of a vector unit.
 pub(crate) trait Fast: Number {
     /// With fused multiply–add, and registers of four.
     type Four: Counterpart<Self>;
+    /// The same, among as many registers as a processor with registers of eight has.
+    type Eight: Counterpart<Self>;
 }
 
 /// A number that holds the same as a plain one.
@@ -18,6 +20,7 @@ pub(crate) trait Counterpart<T>: Number {
 
 impl Fast for f64 {
     type Four = Fused;
+    type Eight = Fused;
 }
 
 impl Counterpart<f64> for Fused {
@@ -33,9 +36,13 @@ impl Counterpart<f64> for Fused {
 
 impl Fast for Jet2<2, 3> {
     #[cfg(target_arch = "x86_64")]
-    type Four = Pair;
+    type Four = Pair<Pack4>;
+    #[cfg(target_arch = "x86_64")]
+    type Eight = Pair<Free4>;
     #[cfg(not(target_arch = "x86_64"))]
     type Four = Self;
+    #[cfg(not(target_arch = "x86_64"))]
+    type Eight = Self;
 }
 
 #[cfg(not(target_arch = "x86_64"))]
@@ -76,12 +83,16 @@ macro_rules! registers {
 
 /// Jets of `$n` directions: what holds them at each level.
 macro_rules! fast {
-    ($n:literal: $Four:ty) => {
+    ($n:literal: $Four:ty, $Eight:ty) => {
         impl Fast for Jet<$n> {
             #[cfg(target_arch = "x86_64")]
             type Four = $Four;
+            #[cfg(target_arch = "x86_64")]
+            type Eight = $Eight;
             #[cfg(not(target_arch = "x86_64"))]
             type Four = Self;
+            #[cfg(not(target_arch = "x86_64"))]
+            type Eight = Self;
         }
 
         #[cfg(not(target_arch = "x86_64"))]
@@ -97,11 +108,12 @@ macro_rules! fast {
 }
 
 registers!(2 = 1 x Pack2 of 2);
-fast!(2: Jet<1, Fused, Pack2>);
+registers!(2 = 1 x Free2 of 2);
+fast!(2: Jet<1, Fused, Pack2>, Jet<1, Fused, Free2>);
 registers!(8 = 2 x Pack4 of 4);
 registers!(8 = 1 x Pack8 of 8);
 registers!(12 = 3 x Pack4 of 4);
-fast!(12: Jet<3, Fused, Pack4>);
+fast!(12: Jet<3, Fused, Pack4>, Jet<3, Fused, Pack4>);
 registers!(24 = 3 x Pack8 of 8);
 
 /// A jet of 8 K directions in registers of eight, which [`Level::Eight`](super::Level::Eight) has.

@@ -55,6 +55,7 @@ impl Powers for Fused {
 
 impl Numbers for Fused {
     type Mask = bool;
+    type Value = Self;
     const IS_LONE: bool = true;
 
     #[inline(always)]
@@ -105,6 +106,10 @@ impl Numbers for Fused {
     #[inline(always)]
     fn is_zero(self) -> bool {
         self.0 == 0.0
+    }
+    #[inline(always)]
+    fn is_constant(self) -> bool {
+        true
     }
     #[inline(always)]
     fn is_finite(self) -> bool {

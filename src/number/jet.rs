@@ -47,6 +47,18 @@ impl<const K: usize, B: Numbers, P: Partial<B>> Jet<K, B, P> {
     fn chain(self, f: B, slope: B) -> Self {
         Self { re: f, gradient: each!(i: K => self.gradient[i].times(slope)) }
     }
+
+    /// The product with a number without derivatives.
+    #[inline(always)]
+    pub(super) fn times_value(self, k: B) -> Self {
+        Self { re: k * self.re, gradient: each!(i: K => self.gradient[i].times(k)) }
+    }
+
+    /// The same and another number.
+    #[inline(always)]
+    pub(super) fn times_value_plus(self, k: B, y: Self) -> Self {
+        Self { re: k.mul_add(self.re, y.re), gradient: each!(i: K => self.gradient[i].times_plus(k, y.gradient[i])) }
+    }
 }
 
 impl<const K: usize, B: Numbers, P: Partial<B>> Add for Jet<K, B, P> {
@@ -127,7 +139,9 @@ impl<const K: usize, B: Numbers, P: Partial<B>> Div<f64> for Jet<K, B, P> {
 
 impl<const K: usize, B: Numbers, P: Partial<B>> Numbers for Jet<K, B, P> {
     type Mask = B::Mask;
-    const IS_LONE: bool = K == 1 && P::IS_NARROW;
+    type Value = B;
+    // the values wait for each other as they do alone; the derivatives fill the time
+    const IS_LONE: bool = B::IS_LONE;
 
     #[inline(always)]
     fn constant(value: f64) -> Self {
@@ -179,9 +193,39 @@ impl<const K: usize, B: Numbers, P: Partial<B>> Numbers for Jet<K, B, P> {
         let gradient = each!(i: K => self.gradient[i].either(other.gradient[i], mask));
         Self { re: self.re.blend(other.re, mask), gradient }
     }
+    /// By the partial derivatives in the four parts of z and c, which are the same for every direction.
+    #[inline(always)]
+    fn sized_product(c: [Self; 2], z: [Self; 2], size: Self, inverse: Self) -> [Self; 2] {
+        let ([a, b], [x, y], size) = ([c[0].re, c[1].re], [z[0].re, z[1].re], size.re);
+        let product = B::complex_product([a, b], [x, y]);
+        let (along, held, turned) = ([x * inverse.re, y * inverse.re], a * size, b * size);
+        let (by_a, by_b) = ([x * size, y * size], [-(y * size), x * size]);
+        let part = inlined(
+            #[inline(always)]
+            |n: usize, by_x: B, by_y: B| Self {
+                re: product[n] * size,
+                gradient: each!(i: K => {
+                    let by_c = c[1].gradient[i].times_plus(by_b[n], c[0].gradient[i].times(by_a[n]));
+                    z[0].gradient[i].times_plus(by_x, z[1].gradient[i].times_plus(by_y, by_c))
+                }),
+            },
+        );
+        [
+            part(0, along[0].mul_add(product[0], held), along[1].mul_add(product[0], -turned)),
+            part(1, along[0].mul_add(product[1], turned), along[1].mul_add(product[1], held)),
+        ]
+    }
+    #[inline(always)]
+    fn with_derivatives_of(self, other: Self) -> Self {
+        Self { gradient: other.gradient, ..self }
+    }
     #[inline(always)]
     fn is_zero(self) -> bool {
         self.re.is_zero() && self.gradient.iter().all(|d| d.vanishes())
+    }
+    #[inline(always)]
+    fn is_constant(self) -> bool {
+        self.gradient.iter().all(|d| d.vanishes())
     }
     #[inline(always)]
     fn is_finite(self) -> Self::Mask {

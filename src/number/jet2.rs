@@ -75,7 +75,7 @@ impl<const N: usize, const M: usize, B: Numbers> Jet2<N, M, B> {
 
     /// Each entry of two.
     #[inline(always)]
-    fn entrywise(self, other: Self, f: impl Fn(B, B) -> B) -> Self {
+    pub(super) fn entrywise(self, other: Self, f: impl Fn(B, B) -> B) -> Self {
         Self {
             re: f(self.re, other.re),
             gradient: std::array::from_fn(|i| f(self.gradient[i], other.gradient[i])),
@@ -85,7 +85,7 @@ impl<const N: usize, const M: usize, B: Numbers> Jet2<N, M, B> {
 
     /// Each entry.
     #[inline(always)]
-    fn each(self, f: impl Fn(B) -> B) -> Self {
+    pub(super) fn each(self, f: impl Fn(B) -> B) -> Self {
         Self { re: f(self.re), gradient: self.gradient.map(&f), hessian: self.hessian.map(&f) }
     }
 }
@@ -178,6 +178,7 @@ impl<const N: usize, const M: usize, B: Numbers> Div<f64> for Jet2<N, M, B> {
 
 impl<const N: usize, const M: usize, B: Numbers> Numbers for Jet2<N, M, B> {
     type Mask = B::Mask;
+    type Value = B;
 
     #[inline(always)]
     fn constant(value: f64) -> Self {
@@ -200,6 +201,10 @@ impl<const N: usize, const M: usize, B: Numbers> Numbers for Jet2<N, M, B> {
     #[inline(always)]
     fn is_zero(self) -> bool {
         self.re.is_zero() && self.gradient.iter().chain(&self.hessian).all(|d| d.is_zero())
+    }
+    #[inline(always)]
+    fn is_constant(self) -> bool {
+        self.gradient.iter().chain(&self.hessian).all(|d| d.is_zero())
     }
     #[inline(always)]
     fn is_finite(self) -> Self::Mask {

@@ -10,6 +10,7 @@
 mod second_order;
 mod differentiate;
 mod exponential;
+mod factor;
 mod fast;
 mod fused;
 mod jet;
@@ -28,6 +29,7 @@ mod vector;
 
 pub use differentiate::Order;
 pub(crate) use differentiate::{Pairs, Seedable, first, second};
+pub use factor::Factor;
 #[cfg(target_arch = "x86_64")]
 pub(crate) use fast::Wide;
 pub(crate) use fast::{Counterpart, Fast};
@@ -39,7 +41,7 @@ pub use lanes::Mask;
 pub(crate) use level::{Level, Task, inlined};
 pub(crate) use linear::{SymmetricFactors, solve};
 #[cfg(target_arch = "x86_64")]
-pub(crate) use pack::{Pack2, Pack4, Pack8};
+pub(crate) use pack::{Free2, Free4, Pack2, Pack4, Pack8};
 #[cfg(target_arch = "x86_64")]
 pub(crate) use pair::Pair;
 pub use partial::Partial;
@@ -67,6 +69,8 @@ impl<T, R> Arithmetic<R> for T where T: Add<R, Output = T> + Sub<R, Output = T> 
 pub trait Numbers: Copy + Debug + 'static + Neg<Output = Self> + Arithmetic<Self> + Arithmetic<f64> {
     /// The answer to a comparison: `bool`, or one for each of several.
     type Mask: Mask;
+    /// The same without derivatives.
+    type Value: Factor<Self>;
     /// Whether it is a lone value: then a chain of operations waits for each result, and a longer way that shortens the chain
     /// is the faster one. With derivatives or neighbours there is enough to do meanwhile.
     const IS_LONE: bool = false;
@@ -95,6 +99,8 @@ pub trait Numbers: Copy + Debug + 'static + Neg<Output = Self> + Arithmetic<Self
     fn blend(self, other: Self, mask: Self::Mask) -> Self;
     /// Whether the value and every derivative are 0, for each of several.
     fn is_zero(self) -> bool;
+    /// Whether every derivative is 0, for each of several.
+    fn is_constant(self) -> bool;
     /// Whether the value, and that of each of several, is finite.
     fn is_finite(self) -> Self::Mask;
 
@@ -121,6 +127,25 @@ pub trait Numbers: Copy + Debug + 'static + Neg<Output = Self> + Arithmetic<Self
     fn sqrt_recip(self) -> (Self, Self) {
         let root = self.sqrt();
         (root, root.recip())
+    }
+
+    /// c z for complex numbers z and c, each as its real and imaginary part.
+    #[inline(always)]
+    fn complex_product(c: [Self; 2], z: [Self; 2]) -> [Self; 2] {
+        [c[0].mul_add(z[0], -(c[1] * z[1])), c[0].mul_add(z[1], c[1] * z[0])]
+    }
+
+    /// |z| c z, given |z| and its inverse.
+    #[inline(always)]
+    fn sized_product(c: [Self; 2], z: [Self; 2], size: Self, _inverse: Self) -> [Self; 2] {
+        let [real, imaginary] = Self::complex_product(c, z);
+        [real * size, imaginary * size]
+    }
+
+    /// This value with the derivatives of another number that has the same; itself, where it has brought its own.
+    #[inline(always)]
+    fn with_derivatives_of(self, _other: Self) -> Self {
+        self
     }
 
     /// `yes()` where the mask holds, `no()` where it does not; what no one needs is not computed.
@@ -219,6 +244,8 @@ pub trait Number: Numbers<Mask = bool> {
 
 impl<D: DualNum<Primitive = f64> + Copy> Numbers for D {
     type Mask = bool;
+    // a dual number does not show its derivatives here: whether there are any is not asked
+    type Value = D;
     const IS_LONE: bool = D::NDERIV == 0;
 
     #[inline(always)]
@@ -269,6 +296,10 @@ impl<D: DualNum<Primitive = f64> + Copy> Numbers for D {
     fn is_zero(self) -> bool {
         // a dual number does not show its derivatives here; only a plain one is known to be 0
         D::NDERIV == 0 && num_dual::DualStruct::re(&self) == 0.0
+    }
+    #[inline(always)]
+    fn is_constant(self) -> bool {
+        D::NDERIV == 0
     }
     #[inline(always)]
     fn is_finite(self) -> bool {

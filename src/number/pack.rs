@@ -14,11 +14,20 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 /// A register type with its operators, its use as partial derivatives of a [`Fused`] number, and as lanes.
 macro_rules! pack {
     (
-        $(#[doc = $doc:literal])+ $Pack:ident($Register:ty) of $width:literal,
-        operators $add:ident $sub:ident $mul:ident $div:ident,
-        spread $set:ident, fused $mul_add:ident, root $sqrt:ident, least $min:ident $max:ident, outlined $outlined:ident,
-        power |$rounded:ident| $power:expr, below |$x:ident, $limit:ident| $below:expr,
-        blend |$yes:ident, $no:ident, $mask:ident| $blend:expr, root and inverse |$square:ident| $sqrt_recip:expr
+        $( $(#[doc = $doc:literal])+ $Pack:ident outlined $outlined:ident, )+
+        as $Register:ident of $width:literal, $instructions:tt
+    ) => {
+        $( pack! { type $(#[doc = $doc])+ $Pack($Register) of $width outlined $outlined, $instructions } )+
+    };
+
+    (
+        type $(#[doc = $doc:literal])+ $Pack:ident($Register:ident) of $width:literal outlined $outlined:ident,
+        {
+            operators $add:ident $sub:ident $mul:ident $div:ident,
+            spread $set:ident, fused $mul_add:ident, root $sqrt:ident, least $min:ident $max:ident,
+            power |$rounded:ident| $power:expr, below |$x:ident, $limit:ident| $below:expr,
+            blend |$yes:ident, $no:ident, $mask:ident| $blend:expr, root and inverse |$square:ident| $sqrt_recip:expr
+        }
     ) => {
         $(#[doc = $doc])+
         #[derive(Clone, Copy)]
@@ -79,6 +88,7 @@ macro_rules! pack {
 
         impl Numbers for $Pack {
             type Mask = Bits<$width>;
+            type Value = Self;
 
             #[inline(always)]
             fn constant(value: f64) -> Self {
@@ -136,6 +146,10 @@ macro_rules! pack {
                 self.to_array().iter().all(|x| *x == 0.0)
             }
             #[inline(always)]
+            fn is_constant(self) -> bool {
+                true
+            }
+            #[inline(always)]
             fn is_finite(self) -> Bits<$width> {
                 // x − x is 0 where x is finite and NaN, below nothing, where it is not
                 (self - self).below(1.0)
@@ -177,8 +191,6 @@ macro_rules! pack {
         }
 
         impl Partial<Fused> for $Pack {
-            const IS_NARROW: bool = $width == 2;
-
             #[inline(always)]
             fn none() -> Self {
                 Self::spread(0.0)
@@ -235,55 +247,68 @@ macro_rules! pack {
 
 pack! {
     /// Two numbers (SSE2, with FMA).
-    Pack2(__m128d) of 2,
-    operators _mm_add_pd _mm_sub_pd _mm_mul_pd _mm_div_pd,
-    spread _mm_set1_pd, fused _mm_fmadd_pd, root _mm_sqrt_pd, least _mm_min_pd _mm_max_pd, outlined outlined_four,
-    power |k| _mm_castsi128_pd(_mm_slli_epi64::<52>(_mm_add_epi64(_mm_castpd_si128(k), _mm_set1_epi64x(1023)))),
-    below |x, limit| _mm_movemask_pd(_mm_cmplt_pd(x, limit)),
-    blend |yes, no, mask| {
-        let bit = _mm_set_epi64x(2, 1);
-        let set = _mm_cmpeq_epi64(_mm_and_si128(_mm_set1_epi64x(i64::from(mask)), bit), bit);
-        _mm_blendv_pd(no, yes, _mm_castsi128_pd(set))
-    },
-    root and inverse |x| { let root = x.sqrt(); (root, root.recip()) }
+    Pack2 outlined outlined_four,
+    /// Two numbers, in one of twice as many registers (AVX-512).
+    Free2 outlined outlined_eight,
+    as __m128d of 2,
+    {
+        operators _mm_add_pd _mm_sub_pd _mm_mul_pd _mm_div_pd,
+        spread _mm_set1_pd, fused _mm_fmadd_pd, root _mm_sqrt_pd, least _mm_min_pd _mm_max_pd,
+        power |k| _mm_castsi128_pd(_mm_slli_epi64::<52>(_mm_add_epi64(_mm_castpd_si128(k), _mm_set1_epi64x(1023)))),
+        below |x, limit| _mm_movemask_pd(_mm_cmplt_pd(x, limit)),
+        blend |yes, no, mask| {
+            let bit = _mm_set_epi64x(2, 1);
+            let set = _mm_cmpeq_epi64(_mm_and_si128(_mm_set1_epi64x(i64::from(mask)), bit), bit);
+            _mm_blendv_pd(no, yes, _mm_castsi128_pd(set))
+        },
+        root and inverse |x| { let root = x.sqrt(); (root, root.recip()) }
+    }
 }
 
 pack! {
     /// Four numbers (AVX2 with FMA).
-    Pack4(__m256d) of 4,
-    operators _mm256_add_pd _mm256_sub_pd _mm256_mul_pd _mm256_div_pd,
-    spread _mm256_set1_pd, fused _mm256_fmadd_pd, root _mm256_sqrt_pd, least _mm256_min_pd _mm256_max_pd, outlined outlined_four,
-    power |k| _mm256_castsi256_pd(
-        _mm256_slli_epi64::<52>(_mm256_add_epi64(_mm256_castpd_si256(k), _mm256_set1_epi64x(1023)))
-    ),
-    below |x, limit| _mm256_movemask_pd(_mm256_cmp_pd::<_CMP_LT_OQ>(x, limit)),
-    blend |yes, no, mask| {
-        let bit = _mm256_set_epi64x(8, 4, 2, 1);
-        let set = _mm256_cmpeq_epi64(_mm256_and_si256(_mm256_set1_epi64x(i64::from(mask)), bit), bit);
-        _mm256_blendv_pd(no, yes, _mm256_castsi256_pd(set))
-    },
-    root and inverse |x| { let root = x.sqrt(); (root, root.recip()) }
+    Pack4 outlined outlined_four,
+    /// Four numbers, in one of twice as many registers (AVX-512).
+    Free4 outlined outlined_eight,
+    as __m256d of 4,
+    {
+        operators _mm256_add_pd _mm256_sub_pd _mm256_mul_pd _mm256_div_pd,
+        spread _mm256_set1_pd, fused _mm256_fmadd_pd, root _mm256_sqrt_pd, least _mm256_min_pd _mm256_max_pd,
+        power |k| _mm256_castsi256_pd(
+            _mm256_slli_epi64::<52>(_mm256_add_epi64(_mm256_castpd_si256(k), _mm256_set1_epi64x(1023)))
+        ),
+        below |x, limit| _mm256_movemask_pd(_mm256_cmp_pd::<_CMP_LT_OQ>(x, limit)),
+        blend |yes, no, mask| {
+            let bit = _mm256_set_epi64x(8, 4, 2, 1);
+            let set = _mm256_cmpeq_epi64(_mm256_and_si256(_mm256_set1_epi64x(i64::from(mask)), bit), bit);
+            _mm256_blendv_pd(no, yes, _mm256_castsi256_pd(set))
+        },
+        root and inverse |x| { let root = x.sqrt(); (root, root.recip()) }
+    }
 }
 
 pack! {
     /// Eight numbers (AVX-512).
-    Pack8(__m512d) of 8,
-    operators _mm512_add_pd _mm512_sub_pd _mm512_mul_pd _mm512_div_pd,
-    spread _mm512_set1_pd, fused _mm512_fmadd_pd, root _mm512_sqrt_pd, least _mm512_min_pd _mm512_max_pd, outlined outlined_eight,
-    power |k| _mm512_castsi512_pd(
-        _mm512_slli_epi64::<52>(_mm512_add_epi64(_mm512_castpd_si512(k), _mm512_set1_epi64(1023)))
-    ),
-    below |x, limit| _mm512_cmp_pd_mask::<_CMP_LT_OQ>(x, limit),
-    blend |yes, no, mask| _mm512_mask_blend_pd(mask, no, yes),
-    root and inverse |x| {
-        // 14 bits from a table, 70 by one step of fourth order, the rounding put right by one of Newton's: the
-        // divider is busy three times as long with a root and a quotient
-        let guess = Self(unsafe { _mm512_rsqrt14_pd(x.0) });
-        let error = -(x * guess).mul_add(guess, Self::spread(-1.0));
-        let series = error.scale_add(35.0 / 128.0, Self::spread(0.3125));
-        let series = series.mul_add(error, Self::spread(0.375)).mul_add(error, Self::spread(0.5));
-        let inverse = (guess * error).mul_add(series, guess);
-        let root = x * inverse;
-        (root, inverse)
+    Pack8 outlined outlined_eight,
+    as __m512d of 8,
+    {
+        operators _mm512_add_pd _mm512_sub_pd _mm512_mul_pd _mm512_div_pd,
+        spread _mm512_set1_pd, fused _mm512_fmadd_pd, root _mm512_sqrt_pd, least _mm512_min_pd _mm512_max_pd,
+        power |k| _mm512_castsi512_pd(
+            _mm512_slli_epi64::<52>(_mm512_add_epi64(_mm512_castpd_si512(k), _mm512_set1_epi64(1023)))
+        ),
+        below |x, limit| _mm512_cmp_pd_mask::<_CMP_LT_OQ>(x, limit),
+        blend |yes, no, mask| _mm512_mask_blend_pd(mask, no, yes),
+        root and inverse |x| {
+            // 14 bits from a table, 70 by one step of fourth order, the rounding put right by one of Newton's: the
+            // divider is busy three times as long with a root and a quotient
+            let guess = Self(unsafe { _mm512_rsqrt14_pd(x.0) });
+            let error = -(x * guess).mul_add(guess, Self::spread(-1.0));
+            let series = error.scale_add(35.0 / 128.0, Self::spread(0.3125));
+            let series = series.mul_add(error, Self::spread(0.375)).mul_add(error, Self::spread(0.5));
+            let inverse = (guess * error).mul_add(series, guess);
+            let root = x * inverse;
+            (root, inverse)
+        }
     }
 }

@@ -1,40 +1,41 @@
-use super::{Counterpart, Fused, Jet2, Number, Numbers, Pack4, Partial};
+use super::{Counterpart, Fused, Jet2, Lanes, Number, Numbers, Partial};
 use std::ops::{Add, Div, Mul, Neg, Sub};
+
+/// A register of four.
+pub(crate) trait Register: Partial<Fused> + Lanes<Lane = f64> {}
+
+impl<P: Partial<Fused> + Lanes<Lane = f64>> Register for P {}
 
 /// A value with its first and second derivatives in two directions, a and b, in registers of four.
 ///
 /// The gradient is held twice, each time as wide as the second derivatives (aa, ab, bb) and in the order in which one factor
 /// of a product meets the other: the product rule is then multiplications of whole registers, without a shuffle.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Pair {
-    re: Fused,
+pub(crate) struct Pair<P> {
+    pub(super) re: Fused,
     /// ∂a, ∂a, ∂b.
-    first: Pack4,
+    first: P,
     /// ∂a, ∂b, ∂b.
-    second: Pack4,
+    second: P,
     /// ∂²aa, ∂²ab, ∂²bb.
-    hessian: Pack4,
+    hessian: P,
 }
 
-impl Counterpart<Jet2<2, 3>> for Pair {
+impl<P: Register> Counterpart<Jet2<2, 3>> for Pair<P> {
     #[inline(always)]
     fn made_of(plain: Jet2<2, 3>) -> Self {
         let ([a, b], [aa, ab, bb]) = (plain.gradient, plain.hessian);
-        Self {
-            re: Fused(plain.re),
-            first: Pack4::from_array([a, a, b, 0.0]),
-            second: Pack4::from_array([a, b, b, 0.0]),
-            hessian: Pack4::from_array([aa, ab, bb, 0.0]),
-        }
+        let row = |entries: [f64; 3]| P::from_lanes(|i| entries.get(i).copied().unwrap_or(0.0));
+        Self { re: Fused(plain.re), first: row([a, a, b]), second: row([a, b, b]), hessian: row([aa, ab, bb]) }
     }
     #[inline(always)]
     fn plain(self) -> Jet2<2, 3> {
-        let ([a, b, ..], [aa, ab, bb, _]) = (self.second.to_array(), self.hessian.to_array());
-        Jet2 { re: self.re.0, gradient: [a, b], hessian: [aa, ab, bb] }
+        let gradient = [0, 1].map(|i| self.second.lane(i));
+        Jet2 { re: self.re.0, gradient, hessian: [0, 1, 2].map(|i| self.hessian.lane(i)) }
     }
 }
 
-impl Pair {
+impl<P: Register> Pair<P> {
     /// Chain rule: f(x) from f(x.re), f′(x.re) and f″(x.re).
     #[inline(always)]
     fn chain(self, f: Fused, slope: Fused, curvature: Fused) -> Self {
@@ -49,7 +50,7 @@ impl Pair {
 
     /// Each register of two.
     #[inline(always)]
-    fn with(self, other: Self, re: Fused, f: impl Fn(Pack4, Pack4) -> Pack4) -> Self {
+    fn with(self, other: Self, re: Fused, f: impl Fn(P, P) -> P) -> Self {
         Self {
             re,
             first: f(self.first, other.first),
@@ -59,7 +60,7 @@ impl Pair {
     }
 }
 
-impl Add for Pair {
+impl<P: Register> Add for Pair<P> {
     type Output = Self;
     #[inline(always)]
     fn add(self, other: Self) -> Self {
@@ -72,7 +73,7 @@ impl Add for Pair {
     }
 }
 
-impl Sub for Pair {
+impl<P: Register> Sub for Pair<P> {
     type Output = Self;
     #[inline(always)]
     fn sub(self, other: Self) -> Self {
@@ -85,7 +86,7 @@ impl Sub for Pair {
     }
 }
 
-impl Mul for Pair {
+impl<P: Register> Mul for Pair<P> {
     type Output = Self;
     #[inline(always)]
     fn mul(self, other: Self) -> Self {
@@ -100,7 +101,7 @@ impl Mul for Pair {
     }
 }
 
-impl Div for Pair {
+impl<P: Register> Div for Pair<P> {
     type Output = Self;
     #[inline(always)]
     fn div(self, other: Self) -> Self {
@@ -108,7 +109,7 @@ impl Div for Pair {
     }
 }
 
-impl Neg for Pair {
+impl<P: Register> Neg for Pair<P> {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
@@ -116,7 +117,7 @@ impl Neg for Pair {
     }
 }
 
-impl Add<f64> for Pair {
+impl<P: Register> Add<f64> for Pair<P> {
     type Output = Self;
     #[inline(always)]
     fn add(self, other: f64) -> Self {
@@ -124,7 +125,7 @@ impl Add<f64> for Pair {
     }
 }
 
-impl Sub<f64> for Pair {
+impl<P: Register> Sub<f64> for Pair<P> {
     type Output = Self;
     #[inline(always)]
     fn sub(self, other: f64) -> Self {
@@ -132,7 +133,7 @@ impl Sub<f64> for Pair {
     }
 }
 
-impl Mul<f64> for Pair {
+impl<P: Register> Mul<f64> for Pair<P> {
     type Output = Self;
     #[inline(always)]
     fn mul(self, other: f64) -> Self {
@@ -145,7 +146,7 @@ impl Mul<f64> for Pair {
     }
 }
 
-impl Div<f64> for Pair {
+impl<P: Register> Div<f64> for Pair<P> {
     type Output = Self;
     #[inline(always)]
     fn div(self, other: f64) -> Self {
@@ -153,12 +154,13 @@ impl Div<f64> for Pair {
     }
 }
 
-impl Numbers for Pair {
+impl<P: Register> Numbers for Pair<P> {
     type Mask = bool;
+    type Value = Fused;
 
     #[inline(always)]
     fn constant(value: f64) -> Self {
-        let none = Pack4::from_array([0.0; 4]);
+        let none = P::zero();
         Self { re: Fused(value), first: none, second: none, hessian: none }
     }
     second_order_functions!();
@@ -173,7 +175,11 @@ impl Numbers for Pair {
     }
     #[inline(always)]
     fn is_zero(self) -> bool {
-        self.re.is_zero() && self.second.is_zero() && self.hessian.is_zero()
+        self.re.is_zero() && self.is_constant()
+    }
+    #[inline(always)]
+    fn is_constant(self) -> bool {
+        self.second.is_zero() && self.hessian.is_zero()
     }
     #[inline(always)]
     fn is_finite(self) -> bool {
@@ -181,7 +187,7 @@ impl Numbers for Pair {
     }
     #[inline(always)]
     fn outlined<R>(work: impl FnOnce() -> R) -> R {
-        <Fused as Numbers>::outlined(work)
+        <P as Numbers>::outlined(work)
     }
     #[inline(always)]
     fn mul_add(self, a: Self, b: Self) -> Self {
@@ -204,7 +210,7 @@ impl Numbers for Pair {
     }
 }
 
-impl Number for Pair {
+impl<P: Register> Number for Pair<P> {
     #[inline(always)]
     fn re(self) -> f64 {
         self.re.0

@@ -7,9 +7,6 @@ use std::ops::{Add, Neg, Sub};
 pub trait Partial<B: Numbers>:
     Copy + Debug + 'static + Add<Output = Self> + Sub<Output = Self> + Neg<Output = Self>
 {
-    /// Whether it is so narrow that work on it leaves the processor waiting for the value: see [`Numbers::IS_LONE`].
-    const IS_NARROW: bool = false;
-
     /// No change.
     fn none() -> Self;
     /// d b.
