@@ -217,6 +217,14 @@ pub enum Error {
     /// An answer that could not be written.
     #[error("cannot write the answer: {0}")]
     Output(std::io::Error),
+    /// A plot that cannot be drawn.
+    #[error("the plot '{name}': {reason}")]
+    Plot {
+        /// The plot, or the file it was to be.
+        name: String,
+        /// Why, and what to do.
+        reason: String,
+    },
     /// A question about an optimum where none was found.
     #[error("there is no optimum to ask about: {status}: {message}")]
     NotConverged {

@@ -7,6 +7,7 @@ mod gradient;
 mod json;
 mod optimum;
 mod parameters;
+pub mod plot;
 mod presets;
 mod sensitivity;
 mod sweep;
