@@ -3,6 +3,7 @@
 
 mod chart;
 mod drive;
+pub mod figures;
 mod gradient;
 mod json;
 mod optimum;

@@ -10,8 +10,10 @@ mod optimize;
 mod optimum_sensitivity;
 mod output;
 mod parameters;
+mod plot;
 mod presets;
 mod question;
+mod report;
 mod search;
 mod simulate;
 mod sweep;
@@ -28,6 +30,8 @@ fn main() -> ExitCode {
         Command::Optimize(args) => optimize::run(&args),
         Command::OptimumSensitivity(args) => optimum_sensitivity::run(&args),
         Command::Chart(args) => chart::run(&args),
+        Command::Plot(args) => plot::run(&args),
+        Command::Report(args) => report::run(&args),
         Command::Sweep(args) => sweep::run(&args),
         Command::Parameters(args) => parameters::run(&args),
         Command::Presets(args) => presets::run(&args),

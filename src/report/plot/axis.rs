@@ -1,6 +1,6 @@
 use crate::drive::Outcome;
 use crate::parameters::Parameter;
-use crate::units::{Quantity, System};
+use crate::units::{Quantity, System, significant};
 
 /// What is measured along an axis or by a colour.
 #[derive(Clone, Debug, PartialEq)]
@@ -39,6 +39,15 @@ impl Measure {
     /// An SI value in the unit of a system.
     pub fn in_units(&self, value: f64, system: System) -> f64 {
         value / self.quantity.size_of(system.unit(self.unit)).unwrap_or(1.0)
+    }
+
+    /// An SI value as golfers of both systems read it: "1 yd (0.914 m)".
+    pub fn show_both(&self, value: f64) -> String {
+        let [us, metric] = [System::Us, System::Metric].map(|system| {
+            let unit = system.unit(self.unit);
+            format!("{} {unit}", significant(self.in_units(value, system), 4)).trim_end().to_owned()
+        });
+        if us == metric { us } else { format!("{us} ({metric})") }
     }
 
     /// What it is called, with the unit of a system: "carry [yd]".

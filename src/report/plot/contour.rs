@@ -7,7 +7,7 @@ use crate::units::System;
 use contour::ContourBuilder;
 
 /// About how many lines a map has.
-const LINES: f64 = 9.0;
+const LINES: f64 = 14.0;
 
 /// The ground at and above a level.
 pub(super) struct Ground {

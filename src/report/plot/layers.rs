@@ -132,12 +132,20 @@ fn ground(area: &Area<'_>, plane: &Plane<'_>, palette: &Palette, system: System,
         path(area, &plane.all(line), stroke(palette.faint, 0.7))?;
     }
     let (columns, rows) = (field.columns, field.rows());
-    for i in (0..field.values.len()).filter(|i| field.values[*i].is_none()) {
-        let (column, row) = ((i % columns) as f64, (i / columns) as f64);
+    // where there is nothing: whole runs of each row, a little over their neighbours, so that no seams show
+    let corner = |column: f64, row: f64| {
         let end = |at: f64, count: usize| at.clamp(0.0, (count - 1) as f64);
-        let corner = |by: f64| field.place(end(column + by, columns), end(row + by, rows));
-        if let [Some(low), Some(high)] = [plane.pixel(corner(-0.5)), plane.pixel(corner(0.5))] {
-            block(area, [low[0], high[1]], [high[0], low[1]], palette.nothing, 1.0)?;
+        plane.pixel(field.place(end(column, columns), end(row, rows)))
+    };
+    for (row, values) in field.values.chunks(columns).enumerate() {
+        let mut column = 0;
+        for run in values.chunk_by(|a, b| a.is_none() == b.is_none()) {
+            let (from, to) = (column as f64 - 0.5, (column + run.len()) as f64 - 0.5);
+            column += run.len();
+            let corners = [corner(from, row as f64 - 0.52), corner(to, row as f64 + 0.52)];
+            if let (true, [Some(low), Some(high)]) = (run[0].is_none(), corners) {
+                block(area, [low[0], high[1]], [high[0], low[1]], palette.nothing, 1.0)?;
+            }
         }
     }
     Ok(())

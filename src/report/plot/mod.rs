@@ -22,10 +22,14 @@ mod figure;
 mod layers;
 mod legend;
 mod palette;
+#[cfg(feature = "png")]
+mod png;
 mod svg;
 mod ticks;
 
 pub use axis::{Axis, Measure, Scale};
 pub use csv::figure_csv;
 pub use figure::{Bar, Field, Figure, Hue, Layer};
+#[cfg(feature = "png")]
+pub use png::figure_png;
 pub use svg::{Look, Shades, dark_rules, figure_svg};

@@ -70,7 +70,7 @@ pub fn figure_svg(figure: &Figure, look: &Look) -> Result<String> {
     let y_title = y.title();
     let heads = titles.len() as f64 + if y_title.is_empty() { 0.0 } else { 1.0 };
     let left = 14.0 + CHARACTER * y.longest() as f64;
-    let frame = [left, heads * LINE + legend_height + 16.0];
+    let frame = [left, heads * LINE + legend_height + 20.0];
     let frame = [frame[0], frame[1], width - 16.0, frame[1] + figure.aspect * (width - 16.0 - left)];
     let height = frame[3] + 2.0 * LINE + 10.0;
 
@@ -88,7 +88,7 @@ pub fn figure_svg(figure: &Figure, look: &Look) -> Result<String> {
             entry(&area, palette, layer, [6.0 + at_x, legend_top + at_y])?;
         }
         let faint = || font(TEXT, palette.faint, false);
-        words(&area, &y_title, [6.0, frame[1] - 0.5 * LINE], HPos::Left, faint())?;
+        words(&area, &y_title, [6.0, frame[1] - 0.5 * LINE - 5.0], HPos::Left, faint())?;
         words(&area, &x.title(), [frame[2], frame[3] + 1.6 * LINE], HPos::Right, faint())?;
 
         let plane = Plane { x: &x, y: &y, frame };

@@ -62,7 +62,7 @@ impl Drawn {
             (self.low, self.high) = (self.low.floor(), self.high.ceil());
         }
         let (from, to) = ((self.low - 1e-9).ceil() as i64, (self.high + 1e-9).floor() as i64);
-        let every = ((to - from) as usize / count.max(1)).max(1);
+        let every = ((to - from) as usize).div_ceil(count.max(1)).max(1);
         self.ticks = (from..=to).step_by(every).map(|decade| decade as f64).collect();
     }
 
