@@ -2,10 +2,12 @@
 //! and radians.
 
 mod chart;
+mod document;
 mod drive;
 pub mod figures;
 mod gradient;
 mod json;
+mod mae494;
 mod optimum;
 mod parameters;
 pub mod plot;
@@ -15,8 +17,10 @@ mod sweep;
 mod table;
 
 pub use chart::{ChartPointReport, ChartReport, chart_csv, chart_text};
+pub use document::Document;
 pub use drive::{DriveReport, drive_text};
 pub use gradient::{GradientReport, HessianReport, gradient_text};
+pub use mae494::{mae494_document, mae494_json};
 pub use optimum::{
     ConstraintReport, LocalReport, Multipliers, OptimumReport, iteration_line, optima_text, optimum_text,
 };

@@ -31,6 +31,8 @@ pub enum Command {
     Report(Report),
     /// Very many drives: every point of a grid, a quasi-random sequence or a table, to CSV, JSON lines or Parquet.
     Sweep(Sweep),
+    /// A published study computed anew, its every number beside what it prints.
+    Reproduce(Reproduce),
     /// List every parameter with its unit, range, default and meaning.
     Parameters(Parameters),
     /// List the presets, or print one as a setup file with the source of each number.
@@ -358,6 +360,28 @@ pub enum Format {
     /// Apache Parquet, a missing value null.
     #[cfg(feature = "parquet")]
     Parquet,
+}
+
+#[derive(clap::Args)]
+pub struct Reproduce {
+    /// The study.
+    #[arg(value_enum, value_name = "STUDY")]
+    pub study: Published,
+
+    /// Print the answer as JSON (SI and radians) to standard output, and nothing else there.
+    #[arg(long)]
+    pub json: bool,
+
+    /// Write the reproduction as a Markdown file into this folder too.
+    #[arg(long, short, value_name = "DIR")]
+    pub output: Option<PathBuf>,
+}
+
+/// A study that can be reproduced.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub enum Published {
+    /// The student report "Optimization of a Golf Driver", MAE 494.
+    Mae494,
 }
 
 #[derive(clap::Args)]

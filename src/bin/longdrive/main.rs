@@ -14,6 +14,7 @@ mod plot;
 mod presets;
 mod question;
 mod report;
+mod reproduce;
 mod search;
 mod simulate;
 mod sweep;
@@ -33,6 +34,7 @@ fn main() -> ExitCode {
         Command::Plot(args) => plot::run(&args),
         Command::Report(args) => report::run(&args),
         Command::Sweep(args) => sweep::run(&args),
+        Command::Reproduce(args) => reproduce::run(&args),
         Command::Parameters(args) => parameters::run(&args),
         Command::Presets(args) => presets::run(&args),
     };
