@@ -5,4 +5,7 @@
 
 mod mae494;
 
-pub use mae494::{Delivery, Mae494, Peak, Regression, Row, mae494};
+pub use mae494::{
+    Average, Constant, Delivery, End, Energy, Landing, Landings, Launched, Mae494, Method, Noise, Parametric, Peak,
+    Regression, Row, Searches, Slopes, Subsystems, Teeth, mae494,
+};

@@ -372,7 +372,7 @@ pub struct Reproduce {
     #[arg(long)]
     pub json: bool,
 
-    /// Write the reproduction as a Markdown file into this folder too.
+    /// Write it into this folder too: a page (index.html), Markdown, and every plot as SVG with its data as CSV.
     #[arg(long, short, value_name = "DIR")]
     pub output: Option<PathBuf>,
 }

@@ -3,14 +3,25 @@
 //! Its flight loop overshoots the ground, its optimizer got lost in the teeth that makes, and a regression took its place. Here its
 //! constants stand in Winfield & Tan's equations (the preset `mae494`), and every optimum it prints is held against the exact one.
 
+mod average;
+mod launches;
+mod lbfgs;
+mod noise;
+mod parametric;
 mod printed;
 mod regression;
+mod searches;
 mod tables;
+mod while_loop;
 
+pub use average::Average;
+pub use launches::{Energy, Launched, Subsystems};
+pub use noise::{Landings, Noise, Slopes, Teeth};
+pub use parametric::{Constant, Parametric};
 pub use regression::{Peak, Regression};
+pub use searches::{End, Landing, Method, Searches};
 pub use tables::Row;
 
-use crate::drive::Drive;
 use crate::error::Result;
 use crate::parameters::Setup;
 
@@ -55,6 +66,18 @@ pub struct Mae494 {
     pub regression: Regression,
     /// The optimum that the slipped regression gives, with what it carries in the model.
     pub slipped: Delivery,
+    /// Why its distances cannot be.
+    pub energy: Energy,
+    /// Its subsystems, each with its own optimum.
+    pub subsystems: Subsystems,
+    /// Its third study.
+    pub average: Average,
+    /// Its parametric study.
+    pub parametric: Parametric,
+    /// Its noise.
+    pub noise: Noise,
+    /// What searches make of that noise, and of landings without.
+    pub searches: Vec<Searches>,
 }
 
 /// Reproduces the report; `progress` is told what is computed.
@@ -67,13 +90,29 @@ pub fn mae494(mut progress: impl FnMut(&str)) -> Result<Mae494> {
     let regression = Regression::new()?;
     let slipped =
         Delivery { loft: regression.slipped.loft, attack_angle: printed::REGRESSION_ATTACK.to_radians(), carry: 0.0 };
-    let slipped = Delivery { carry: Drive::new(&slipped.set(&setup))?.landed()?.carry, ..slipped };
+    let slipped = Delivery { carry: tables::carried(&slipped.set(&setup))?, ..slipped };
     progress("the tables");
+    let optimum = tables::optimum(&setup)?;
+    let (table1, table2) = (tables::table1(&setup)?, tables::table2(&setup)?);
+    progress("launches");
+    let energy = Energy::new(&setup, optimum.printed.carry)?;
+    let subsystems = Subsystems::new(&optimum)?;
+    progress("the flight loop's noise");
+    let noise = Noise::new(&setup)?;
+    progress("searches on it");
+    let searches = searches::searches(&setup)?;
+    progress("the parametric study");
     Ok(Mae494 {
-        optimum: tables::optimum(&setup)?,
-        table1: tables::table1(&setup)?,
-        table2: tables::table2(&setup)?,
+        average: Average::new(&setup)?,
+        parametric: Parametric::new(&optimum)?,
+        optimum,
+        table1,
+        table2,
         regression,
         slipped,
+        energy,
+        subsystems,
+        noise,
+        searches,
     })
 }

@@ -1,7 +1,6 @@
 use super::{ATTACK_ANGLE, Delivery, LOFT, printed};
 use crate::drive::{Drive, Outcome};
-use crate::error::Result;
-use crate::flight::Flight;
+use crate::error::{Error, Result};
 use crate::optimize::{Follow, Options};
 use crate::parameters::{Setup, Vary};
 use crate::study::{Active, Optimum, Search, optima};
@@ -61,7 +60,7 @@ fn row(setup: &Setup<f64>, printed: Delivery, names: &[&str]) -> Result<Row> {
     let search = Search { maximize: Outcome::Carry, vary, subject_to: vec![], options: Options::default() };
     // some printed optima do not fly, and carry may have more than one peak
     let best = optima(&at, &search, 8, &Follow::default())?.best()?.clone();
-    Ok(Row { printed, active: best.active(), best, at_printed: carry(&at)? })
+    Ok(Row { printed, active: best.active(), best, at_printed: carried_if_flown(&at)? })
 }
 
 /// The range in which the report searches a parameter.
@@ -71,10 +70,15 @@ pub(super) fn range(setup: &Setup<f64>, name: &str) -> Result<Vary> {
     Vary::new(setup.variable(name)?, low, high)
 }
 
+/// How far a drive carries, m.
+pub(super) fn carried(setup: &Setup<f64>) -> Result<f64> {
+    Ok(Drive::new(setup)?.landed()?.carry)
+}
+
 /// How far a drive carries, m; `None` where it does not fly.
-pub(super) fn carry(setup: &Setup<f64>) -> Result<Option<f64>> {
-    Ok(match Drive::new(setup)?.flight {
-        Flight::Landed(landed) => Some(landed.carry),
-        Flight::None(_) => None,
-    })
+pub(super) fn carried_if_flown(setup: &Setup<f64>) -> Result<Option<f64>> {
+    match carried(setup) {
+        Err(Error::NoFlight { .. }) => Ok(None),
+        carried => carried.map(Some),
+    }
 }
