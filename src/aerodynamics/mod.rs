@@ -9,6 +9,7 @@ mod linear;
 mod origin;
 mod robinson;
 mod smits_smith;
+mod winfield_tan;
 
 use crate::number::Numbers;
 use crate::parameters::{Law, with_law};
