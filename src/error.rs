@@ -259,6 +259,12 @@ pub enum Error {
         /// Why, and what to do.
         reason: String,
     },
+    /// A calibration that cannot be made.
+    #[error("calibration: {reason}")]
+    Calibration {
+        /// Why, and what to do.
+        reason: String,
+    },
     /// An optimizer setting or problem that makes no sense.
     #[error("optimizer: {0}")]
     Optimizer(String),
@@ -291,6 +297,7 @@ impl Error {
 fn how_to(doing: &str) -> &'static str {
     match doing {
         "vary" => ", with a range wider than a single value, as in --vary club.loft=4deg..20deg",
+        "fit" => ", as in --fit aero.cd0 or --fit aero.cd0=0.1..0.4",
         "sweep" => ", as in --over club.loft=5deg..15deg:101",
         _ => "",
     }

@@ -1,6 +1,7 @@
 //! Questions asked of a drive.
 
 mod accuracy;
+pub mod calibrate;
 mod chart;
 mod constraint;
 mod flatness;
