@@ -1,6 +1,7 @@
 //! Results as text and JSON: pure functions, which write nowhere. Text is in units a golfer reads, JSON in SI
 //! and radians.
 
+mod calibration;
 mod chart;
 mod document;
 mod drive;
@@ -16,6 +17,7 @@ mod sensitivity;
 mod sweep;
 mod table;
 
+pub use calibration::{CalibrationReport, calibration_document, calibration_json, calibration_toml};
 pub use chart::{ChartPointReport, ChartReport, chart_csv, chart_text};
 pub use document::Document;
 pub use drive::{DriveReport, drive_text};

@@ -23,6 +23,8 @@ pub enum Command {
     Optimize(Optimize),
     /// How the optimum answers to every other parameter, what its bounds and constraints cost, and how flat it is.
     OptimumSensitivity(OptimumSensitivity),
+    /// Fit parameters to measured shots, with their uncertainty and what the data do not tell.
+    Calibrate(Calibrate),
     /// The optimum as a function of a parameter.
     Chart(ChartArgs),
     /// A plot as SVG or PNG, or its data as CSV.
@@ -148,6 +150,49 @@ pub struct OptimumSensitivity {
     /// The loss that the windows allow (default: 1 yd for a distance, 1 % of the outcome otherwise).
     #[arg(long, value_name = "AMOUNT")]
     pub loss: Option<String>,
+}
+
+#[derive(clap::Args)]
+pub struct Calibrate {
+    /// Measured shots in CSV, a row each: columns named by parameters and outcomes, the unit in the head, as in "carry [yd]";
+    /// see docs/calibration.md.
+    #[arg(value_name = "DATA")]
+    pub data: PathBuf,
+
+    #[command(flatten)]
+    pub question: Question,
+
+    /// A parameter to fit, e.g. aero.cd0 or aero.cd0=0.1..0.4. Repeatable.
+    #[arg(long, value_name = "NAME[=LOW..HIGH]", required = true, allow_hyphen_values = true)]
+    pub fit: Vec<String>,
+
+    /// Let outliers pull no harder than a residual of 1.345 σ (Huber's loss).
+    #[arg(long)]
+    pub huber: bool,
+
+    /// Search from this many starts, spread evenly over the ranges; the first is the setup's own.
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
+    pub starts: u32,
+
+    /// Fit again K times, each without a K-th of the rows, and show how well these are told.
+    #[arg(long, value_name = "K", default_value_t = 0)]
+    pub folds: u32,
+
+    /// Another aerodynamic law, as published and fitted, on the same rows by held-out error. Repeatable.
+    #[arg(long, value_name = "LAW")]
+    pub compare: Vec<String>,
+
+    /// Most iterations of a search.
+    #[arg(long, value_name = "N", default_value_t = 200)]
+    pub max_iterations: u64,
+
+    /// Write the fitted setup into this file.
+    #[arg(long, short, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+
+    /// Write the report into this folder too: a page (index.html), Markdown, and plots of the residuals with their data.
+    #[arg(long, value_name = "DIR")]
+    pub plot: Option<PathBuf>,
 }
 
 #[derive(clap::Args)]

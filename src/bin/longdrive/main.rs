@@ -3,6 +3,7 @@
 #![deny(unsafe_code)]
 
 mod args;
+mod calibrate;
 mod chart;
 mod gradient;
 mod names;
@@ -30,6 +31,7 @@ fn main() -> ExitCode {
         Command::Gradient(args) => gradient::run(&args),
         Command::Optimize(args) => optimize::run(&args),
         Command::OptimumSensitivity(args) => optimum_sensitivity::run(&args),
+        Command::Calibrate(args) => calibrate::run(&args),
         Command::Chart(args) => chart::run(&args),
         Command::Plot(args) => plot::run(&args),
         Command::Report(args) => report::run(&args),

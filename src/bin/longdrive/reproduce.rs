@@ -22,7 +22,7 @@ pub fn run(args: &Reproduce) -> Result<Answer> {
 }
 
 /// Writes a document with its figures and their data into a folder, which is made where it is not there.
-fn write(folder: &Path, document: &Document, look: &Look) -> Result<()> {
+pub fn write(folder: &Path, document: &Document, look: &Look) -> Result<()> {
     let mut files = vec![
         ("report.md".to_owned(), document.markdown()),
         ("index.html".to_owned(), document.html(&Look { width: 720, ..*look })?),
