@@ -16,6 +16,7 @@ mod presets;
 mod sensitivity;
 mod sweep;
 mod table;
+mod winfield_tan;
 
 pub use calibration::{CalibrationReport, calibration_document, calibration_json, calibration_toml};
 pub use chart::{ChartPointReport, ChartReport, chart_csv, chart_text};
@@ -32,3 +33,4 @@ pub use sensitivity::{Analysis, SensitivityReport, sensitivity_text};
 #[cfg(feature = "parquet")]
 pub use sweep::{ParquetGroup, PlacedGroup, SweepParquet};
 pub use sweep::{SweepCsv, SweepJsonLines};
+pub use winfield_tan::{winfield_tan_document, winfield_tan_json};

@@ -427,6 +427,8 @@ pub struct Reproduce {
 pub enum Published {
     /// The student report "Optimization of a Golf Driver", MAE 494.
     Mae494,
+    /// Winfield & Tan (1994), "Optimization of clubhead loft and swing elevation angles".
+    WinfieldTan,
 }
 
 #[derive(clap::Args)]

@@ -1,8 +1,8 @@
 use crate::args::{Published, Reproduce};
 use crate::output::{Answer, tell};
 use longdrive::report::plot::{Look, figure_csv, figure_svg};
-use longdrive::report::{Document, mae494_document, mae494_json};
-use longdrive::reproduce::mae494;
+use longdrive::report::{Document, mae494_document, mae494_json, winfield_tan_document, winfield_tan_json};
+use longdrive::reproduce::{mae494, winfield_tan};
 use longdrive::units::System;
 use longdrive::{Error, Result};
 use std::fs;
@@ -13,6 +13,10 @@ pub fn run(args: &Reproduce) -> Result<Answer> {
         Published::Mae494 => {
             let found = mae494(|what| tell(&format!("computing {what}")))?;
             (mae494_document(&found), mae494_json(&found), System::Metric)
+        }
+        Published::WinfieldTan => {
+            let found = winfield_tan(|what| tell(&format!("computing {what}")))?;
+            (winfield_tan_document(&found), winfield_tan_json(&found), System::Us)
         }
     };
     if let Some(folder) = &args.output {

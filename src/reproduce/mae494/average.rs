@@ -19,6 +19,11 @@ pub struct Average {
 impl Average {
     /// The study for a setup.
     pub(super) fn new(setup: &Setup<f64>) -> Result<Self> {
+        Self::at(setup, &printed::AVERAGED_LOFTS, printed::AVERAGE_LOFT)
+    }
+
+    /// The same at these lofts, deg, beside this printed best one.
+    pub(in crate::reproduce) fn at(setup: &Setup<f64>, lofts: &[f64], printed_loft: f64) -> Result<Self> {
         let loft = setup.variable(LOFT)?;
         let evaluators = printed::AVERAGED.map(|degrees| {
             let mut at = *setup;
@@ -37,18 +42,18 @@ impl Average {
             }
             Ok(mean)
         };
-        let rows = printed::AVERAGED_LOFTS.map(|degrees| {
+        let rows = lofts.iter().map(|degrees| {
             let loft = degrees.to_radians();
             Ok((loft, average(&[loft])?.value))
         });
-        let rows: Vec<(f64, f64)> = rows.into_iter().collect::<Result<_>>()?;
+        let rows: Vec<(f64, f64)> = rows.collect::<Result<_>>()?;
 
         let problem = |x: &[f64]| {
             let objective = average(x).map_err(|error| error.to_string())?.negated();
             Ok(Evaluation { objective, constraints: vec![] })
         };
         let [low, high] = printed::LOFT.map(f64::to_radians);
-        let printed = printed::AVERAGE_LOFT.to_radians();
+        let printed = printed_loft.to_radians();
         let found = minimize(&problem, &Domain::new(vec![low], vec![high])?, &[printed], &Options::default())?;
         match found.value {
             Some(value) if found.status == Status::Converged => Ok(Self { printed, rows, best: (found.x[0], -value) }),
