@@ -251,27 +251,27 @@ law_coefficients! { $
     /// C_L = (cl_hill x/(x + cl_half) + cl_slope x)/(1 + ((v − cl_speed)/cl_width)²).
     "winfield-tan": WinfieldTan {
         /// Drag coefficient without spin at 50 m/s.
-        cd0: T = "aero.cd0", "cd0", NUMBER in "", Range::from_to(0.0, 100.0), "0.1948", "longdrive: fit to Winfield & Tan (1994), docs/validation.md";
+        cd0: T = "aero.cd0", "cd0", NUMBER in "", Range::from_to(0.0, 100.0), "0.194599", "longdrive: fit to Winfield & Tan (1994), docs/validation.md";
         /// Drag coefficient, linear in x.
-        cd1: T = "aero.cd1", "cd1", NUMBER in "", Range::FINITE, "0.6056", "longdrive: fit, docs/validation.md";
+        cd1: T = "aero.cd1", "cd1", NUMBER in "", Range::FINITE, "0.604802", "longdrive: fit, docs/validation.md";
         /// Drag coefficient, quadratic in x.
-        cd2: T = "aero.cd2", "cd2", NUMBER in "", Range::FINITE, "-1.3712", "longdrive: fit, docs/validation.md";
+        cd2: T = "aero.cd2", "cd2", NUMBER in "", Range::FINITE, "-1.346167", "longdrive: fit, docs/validation.md";
         /// Drag coefficient, cubic in x.
-        cd3: T = "aero.cd3", "cd3", NUMBER in "", Range::FINITE, "8.0192", "longdrive: fit, docs/validation.md";
+        cd3: T = "aero.cd3", "cd3", NUMBER in "", Range::FINITE, "7.96419", "longdrive: fit, docs/validation.md";
         /// Relative growth of the drag coefficient with speed, linear in u.
-        cd_v1: T = "aero.cd_v1", "cd_v1", NUMBER in "", Range::FINITE, "0.1085", "longdrive: fit, docs/validation.md";
+        cd_v1: T = "aero.cd_v1", "cd_v1", NUMBER in "", Range::FINITE, "0.12026", "longdrive: fit, docs/validation.md";
         /// Relative growth of the drag coefficient with speed, quadratic in u.
-        cd_v2: T = "aero.cd_v2", "cd_v2", NUMBER in "", Range::from_to(0.0, 100.0), "0.1302", "longdrive: fit, docs/validation.md";
+        cd_v2: T = "aero.cd_v2", "cd_v2", NUMBER in "", Range::from_to(0.0, 100.0), "0.139425", "longdrive: fit, docs/validation.md";
         /// Height of the part of the lift coefficient that saturates with spin.
-        cl_hill: T = "aero.cl_hill", "cl_hill", NUMBER in "", Range::FINITE, "0.2449", "longdrive: fit, docs/validation.md";
+        cl_hill: T = "aero.cl_hill", "cl_hill", NUMBER in "", Range::FINITE, "0.240357", "longdrive: fit, docs/validation.md";
         /// Where that part is half its height, in x.
-        cl_half: T = "aero.cl_half", "cl_half", NUMBER in "", Range::above_to(0.0, 100.0), "0.0597", "longdrive: fit, docs/validation.md";
+        cl_half: T = "aero.cl_half", "cl_half", NUMBER in "", Range::above_to(0.0, 100.0), "0.0587927", "longdrive: fit, docs/validation.md";
         /// Slope in x of the part of the lift coefficient that does not saturate.
-        cl_slope: T = "aero.cl_slope", "cl_slope", NUMBER in "", Range::FINITE, "0.62736", "longdrive: fit, docs/validation.md";
+        cl_slope: T = "aero.cl_slope", "cl_slope", NUMBER in "", Range::FINITE, "0.625145", "longdrive: fit, docs/validation.md";
         /// Speed at which the lift coefficient is largest.
-        cl_speed: T = "aero.cl_speed", "cl_speed", SPEED in "m/s", Range::from_to(-1000.0, 1000.0), "41.672 m/s", "longdrive: fit, docs/validation.md";
+        cl_speed: T = "aero.cl_speed", "cl_speed", SPEED in "m/s", Range::from_to(-1000.0, 1000.0), "41.74701 m/s", "longdrive: fit, docs/validation.md";
         /// How far from that speed it has fallen to half.
-        cl_width: T = "aero.cl_width", "cl_width", SPEED in "m/s", Range::above_to(0.0, 1000.0), "26.161 m/s", "longdrive: fit, docs/validation.md";
+        cl_width: T = "aero.cl_width", "cl_width", SPEED in "m/s", Range::above_to(0.0, 1000.0), "27.33617 m/s", "longdrive: fit, docs/validation.md";
     }
 }
 

@@ -74,9 +74,8 @@ fn compare(
 ) -> Result<()> {
     let mut other = *setup;
     other.set_law(law)?;
-    if law != setup.law.name() {
-        held.push((format!("{law}, as published"), HeldOut::as_it_stands(&other, table)?));
-    }
+    let name = if law == setup.law.name() { "as the setup has it" } else { "as published" };
+    held.push((format!("{law}, {name}"), HeldOut::as_it_stands(&other, table)?));
     let own = Law::all_rows().filter(|row| row.law == Some(other.law.name()));
     let coefficients = own.map(|row| Vary { parameter: row, low: row.range.low, high: row.range.high });
     let kept = plan.fit.iter().filter(|vary| vary.parameter.law.is_none()).copied();
