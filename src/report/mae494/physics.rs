@@ -31,8 +31,8 @@ pub(super) fn subsystems(document: &mut Document, found: &Mae494) {
     let parts = &found.subsystems;
     document.heading("Its subsystems");
     document.paragraph(
-        "The report says that the optimum of its two subsystems, combined, is that of the whole. Each by itself wants something else, and the impact \
-         ties what the flight would choose: loft raises the launch and adds spin by the same degree.",
+        "The report says that the optimum of its two subsystems, combined, is that of the whole. But each by itself wants something else, and the impact \
+         does not let the flight choose: the loft that raises the launch also slows the ball and spins it.",
     );
     let row = |what: &str, launched: &Launched| {
         vec![
