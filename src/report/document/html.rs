@@ -10,7 +10,7 @@ body{font:16px/1.5 system-ui,sans-serif;max-width:62rem;margin:auto;padding:1rem
 .wide{overflow-x:auto}\
 table{border-collapse:collapse;font-size:.875rem}\
 td,th{padding:.2rem .6rem;border-bottom:1px solid #8884;white-space:nowrap;text-align:right}\
-td:last-child,th:last-child{text-align:left}\
+td:last-child,th:last-child{text-align:left;white-space:normal;min-width:10rem}\
 figure{margin:1rem 0}\
 svg{max-width:100%;height:auto}\
 @media print{body{max-width:none;font-size:10pt}table{font-size:7pt}td,th{white-space:normal}}";

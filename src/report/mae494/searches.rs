@@ -56,7 +56,8 @@ fn method(method: Method) -> &'static str {
 fn ends(searches: &[Searches], best: &Delivery) -> Figure {
     let angle = |label: &str| Axis::linear(Measure::new(label, Quantity::ANGLE, "deg"));
     let mut figure =
-        Figure::new("ends", "Where searches from the same starts end", angle("loft"), angle("attack angle"));
+        Figure::new("ends", "Where searches from the same starts end", angle("loft"), angle("attack angle"))
+            .noted("A search that ends where it began hides its start.");
     if let Some(any) = searches.first() {
         let points = any.ends.iter().map(|end| [end.start.loft, end.start.attack_angle]).collect();
         figure = figure.with(Layer::Dots { name: "starts".into(), hue: Hue::Faint, points });
