@@ -217,6 +217,14 @@ pub enum Error {
     /// An answer that could not be written.
     #[error("cannot write the answer: {0}")]
     Output(std::io::Error),
+    /// A plot that cannot be drawn.
+    #[error("the plot '{name}': {reason}")]
+    Plot {
+        /// The plot, or the file it was to be.
+        name: String,
+        /// Why, and what to do.
+        reason: String,
+    },
     /// A question about an optimum where none was found.
     #[error("there is no optimum to ask about: {status}: {message}")]
     NotConverged {
@@ -248,6 +256,12 @@ pub enum Error {
     Tolerance {
         /// The tolerance, m.
         tolerance: f64,
+        /// Why, and what to do.
+        reason: String,
+    },
+    /// A calibration that cannot be made.
+    #[error("calibration: {reason}")]
+    Calibration {
         /// Why, and what to do.
         reason: String,
     },
@@ -283,6 +297,7 @@ impl Error {
 fn how_to(doing: &str) -> &'static str {
     match doing {
         "vary" => ", with a range wider than a single value, as in --vary club.loft=4deg..20deg",
+        "fit" => ", as in --fit aero.cd0 or --fit aero.cd0=0.1..0.4",
         "sweep" => ", as in --over club.loft=5deg..15deg:101",
         _ => "",
     }

@@ -16,6 +16,24 @@ pub struct Launch<T> {
 }
 
 impl<T: Number> Launch<T> {
+    /// The launch with these conditions, as a launch monitor reports them: what [`ball_speed`](Self::ball_speed),
+    /// [`launch_angle`](Self::launch_angle), [`launch_direction`](Self::launch_direction), [`backspin`](Self::backspin) and
+    /// [`sidespin`](Self::sidespin) then say. SI.
+    ///
+    /// ```
+    /// use longdrive::launch::Launch;
+    /// let launch = Launch::with_conditions(70.0, 0.2, 0.1, 300.0, -50.0);
+    /// assert!((launch.ball_speed() - 70.0_f64).abs() < 1e-12 && (launch.launch_direction() - 0.1).abs() < 1e-15);
+    /// assert!((launch.backspin() - 300.0).abs() < 1e-12 && (launch.sidespin() + 50.0).abs() < 1e-12);
+    /// ```
+    pub fn with_conditions(ball_speed: T, angle: T, direction: T, backspin: T, sidespin: T) -> Self {
+        let ((rise, run), (right, ahead)) = (angle.sin_cos(), direction.sin_cos());
+        let velocity = Vector::new(rise, run * right, run * ahead) * ball_speed;
+        let back_axis = Vector::new(T::zero(), ahead, -right);
+        let side_axis = Vector::new(-run, rise * right, rise * ahead);
+        Self { velocity, spin: back_axis * backspin + side_axis * sidespin }
+    }
+
     /// |v|, m/s.
     pub fn ball_speed(&self) -> T {
         self.velocity.norm()

@@ -33,6 +33,7 @@
 //! | | |
 //! |---|---|
 //! | results to bytes | [`report`] |
+//! | published studies, computed anew | [`reproduce`] |
 //! | questions asked of a drive; of very many drives | [`study`], [`batch`] |
 //! | a bound-constrained minimiser that knows no golf; derivatives by name | [`optimize`], [`derivative`] |
 //! | setup → impact → flight → outcomes | [`drive`] |
@@ -57,6 +58,7 @@ pub mod number;
 pub mod optimize;
 pub mod parameters;
 pub mod report;
+pub mod reproduce;
 pub mod study;
 pub mod units;
 

@@ -9,6 +9,7 @@ mod linear;
 mod origin;
 mod robinson;
 mod smits_smith;
+mod winfield_tan;
 
 use crate::number::Numbers;
 use crate::parameters::{Law, with_law};
@@ -120,6 +121,26 @@ mod tests {
                 let c = law.coefficients(&stream);
                 assert!((c.drag - drag).abs() < 1e-3, "{name} C_D({s}) = {}", c.drag);
                 assert!((c.lift - lift).abs() < 1e-3, "{name} C_L({s})");
+            }
+        }
+    }
+
+    /// What the law recovered from Winfield & Tan must be where their flights pass: positive drag, and lift that begins at 0
+    /// and rises with spin.
+    #[test]
+    fn exact_signs_of_the_recovered_law() {
+        let law = Law::named("winfield-tan").unwrap();
+        for speed in [25.0, 35.0, 45.0, 55.0, 70.0] {
+            let at = |s: f64| {
+                let stream =
+                    Stream { spin: s * speed, radius_per_speed: 1.0 / speed, speed, reynolds_per_speed: 3000.0 };
+                law.coefficients(&stream)
+            };
+            assert_eq!(at(0.0).lift, 0.0);
+            for k in 0..40 {
+                let (here, next) = (at(f64::from(k) * 0.01), at(f64::from(k + 1) * 0.01));
+                assert!(here.drag > 0.15 && next.drag > here.drag && next.drag < 1.5, "C_D at {speed}: {next:?}");
+                assert!(next.lift > here.lift && next.lift < 0.6, "C_L at {speed}: {next:?}");
             }
         }
     }

@@ -17,6 +17,8 @@ use std::marker::PhantomData;
 /// A question, at one place.
 pub(super) struct Asked<'a> {
     pub setup: &'a Setup<f64>,
+    /// The ball as it leaves, where no club makes it.
+    pub launch: Option<&'a Launch<f64>>,
     pub of: &'a [Outcome],
     pub wrt: &'a [&'static Parameter],
     /// The parameters' values.
@@ -50,6 +52,10 @@ impl Asked<'_> {
     /// The impact over a faster number, where it is one that needs no second look.
     fn strike_quickly<J: Seeded + Fast>(&self, seeds: &[usize]) -> Option<Struck<J>> {
         let setup = self.lifted::<J>(seeds);
+        if let Some(launch) = self.launch {
+            let launch = Launch { velocity: launch.velocity.map(J::constant), spin: launch.spin.map(J::constant) };
+            return Some(Struck { launch, club_speed: setup.swing.speed, shot: Shot::new(&setup, &launch) });
+        }
         let sticks = setup.impact.friction.is_none();
         sticks.then(|| Level::run_four(Strike::<J, J::Four> { setup: &setup, number: PhantomData })).flatten().flatten()
     }

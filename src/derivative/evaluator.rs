@@ -2,6 +2,7 @@ use super::chain::{Asked, first, second, values};
 use super::{Order, Taylor};
 use crate::drive::{Outcome, Part};
 use crate::error::{Error, Result};
+use crate::launch::Launch;
 use crate::number::Pairs;
 use crate::parameters::{Parameter, Setup};
 
@@ -21,6 +22,7 @@ use crate::parameters::{Parameter, Setup};
 #[derive(Clone, Debug)]
 pub struct Evaluator {
     setup: Setup<f64>,
+    launch: Option<Launch<f64>>,
     of: Vec<Outcome>,
     wrt: Vec<&'static Parameter>,
     order: Order,
@@ -47,7 +49,27 @@ impl Evaluator {
         }
         let turns_inertia = wrt.iter().any(|parameter| parameter.name.starts_with("club.inertia"));
         let (of, wrt) = (of.to_vec(), wrt.to_vec());
-        Ok(Self { setup: *setup, of, wrt, order, pairs: Pairs::All, turns_inertia })
+        Ok(Self { setup: *setup, launch: None, of, wrt, order, pairs: Pairs::All, turns_inertia })
+    }
+
+    /// The same question of a ball that leaves like this, whatever the club: a launch monitor's shot. Nothing then depends on
+    /// the parameters of the impact.
+    ///
+    /// ```
+    /// use longdrive::derivative::{Evaluator, Order};
+    /// use longdrive::launch::Launch;
+    /// use longdrive::{Outcome, Setup};
+    /// // without air, carry = v² sin 2θ/g
+    /// let mut setup = Setup::default();
+    /// setup.air.density = 0.0;
+    /// let gravity = setup.variable("gravity").unwrap();
+    /// let carry = Evaluator::new(&setup, &[Outcome::Carry], &[gravity], Order::First).unwrap();
+    /// let carry = carry.launched(Launch::with_conditions(60.0, 0.2, 0.0, 250.0, 0.0)).at(&[9.8]).unwrap();
+    /// assert!((carry[0].value - 3600.0 * 0.4_f64.sin() / 9.8).abs() < 1e-9);
+    /// assert!((carry[0].gradient[0] + carry[0].value / 9.8).abs() < 1e-9);
+    /// ```
+    pub fn launched(self, launch: Launch<f64>) -> Self {
+        Self { launch: Some(launch), ..self }
     }
 
     /// The same with those second derivatives alone.
@@ -93,6 +115,7 @@ impl Evaluator {
     fn unchecked(&self, x: &[f64], progress: impl FnMut(usize, usize)) -> Result<Vec<Taylor>> {
         let asked = Asked {
             setup: &self.setup,
+            launch: self.launch.as_ref(),
             of: &self.of,
             wrt: &self.wrt,
             x,

@@ -39,6 +39,7 @@ mod domain;
 mod frame;
 mod functions;
 mod kink;
+pub mod least_squares;
 mod ledger;
 mod minimize;
 mod model;

@@ -20,6 +20,6 @@ pub use setup::LAW;
 pub(crate) use table::with_law;
 pub use table::{
     Aero, Air, Ball, Club, Contact, Ferguson, FlightConditions, Ground, LaunchMonitor, Law, Linear, Robinson, Setup,
-    SmitsSmith, Strike, Swing, Wind,
+    SmitsSmith, Strike, Swing, Wind, WinfieldTan,
 };
 pub use vary::Vary;

@@ -42,7 +42,7 @@ pub static PRESETS: &[Preset] = &[
     Preset {
         name: "winfield-tan",
         about: "Winfield & Tan (1994), 203 g head at 110 mph. Their drag and lift curves (Aoyama 1990) are not printed: \
-                until they are recovered this preset flies the law smits-smith",
+                the law winfield-tan is recovered from their tables",
         entries: &[
             entry(
                 "swing.speed",
@@ -77,11 +77,15 @@ pub static PRESETS: &[Preset] = &[
             entry("impact.tangential_restitution", "0", "Winfield & Tan (1994) eqs. 19–20: no slip at exit"),
             entry("air.density", "1.2 kg/m^3", "not stated; 20 °C at sea level"),
             entry("air.viscosity", "1.81e-5 Pa s", "not stated; 20 °C"),
-            entry("aero.spin_decay", "0.045 1/s", "fits the paper's two tables; the printed 0.6–0.7 has no unit"),
+            entry(
+                "aero.spin_decay",
+                "0.045 1/s",
+                "within what the paper's tables allow, docs/validation.md; the printed 0.6–0.7 has no unit",
+            ),
             entry(
                 LAW,
-                "smits-smith",
-                "stands in for Aoyama (1990): of the same years, distances within 4 % of the paper's (its single shot: 195.2 yd against 197.3, but 16.5 yd high against 14.2)",
+                "winfield-tan",
+                "recovered from the paper's tables, docs/validation.md: distances within 0.33 yd, optimum angles within 0.14°",
             ),
         ],
     },

@@ -245,6 +245,34 @@ law_coefficients! { $
         /// Rate at which lift saturates with the spin ratio.
         cl_rate: T = "aero.cl_rate", "cl_rate", NUMBER in "", Range::from_to(0.0, 1000.0), "4.52866", "longdrive: fit, docs/sources.md";
     }
+
+    /// Recovered from Winfield & Tan's tables: with x = s √(v/50 m/s) and u = (v − 50 m/s)/20 m/s,
+    /// C_D = (cd0 + cd1 x + cd2 x² + cd3 x³)(1 + cd_v1 u + cd_v2 u²) and
+    /// C_L = (cl_hill x/(x + cl_half) + cl_slope x)/(1 + ((v − cl_speed)/cl_width)²).
+    "winfield-tan": WinfieldTan {
+        /// Drag coefficient without spin at 50 m/s.
+        cd0: T = "aero.cd0", "cd0", NUMBER in "", Range::from_to(0.0, 100.0), "0.194599", "longdrive: fit to Winfield & Tan (1994), docs/validation.md";
+        /// Drag coefficient, linear in x.
+        cd1: T = "aero.cd1", "cd1", NUMBER in "", Range::FINITE, "0.604802", "longdrive: fit, docs/validation.md";
+        /// Drag coefficient, quadratic in x.
+        cd2: T = "aero.cd2", "cd2", NUMBER in "", Range::FINITE, "-1.346167", "longdrive: fit, docs/validation.md";
+        /// Drag coefficient, cubic in x.
+        cd3: T = "aero.cd3", "cd3", NUMBER in "", Range::FINITE, "7.96419", "longdrive: fit, docs/validation.md";
+        /// Relative growth of the drag coefficient with speed, linear in u.
+        cd_v1: T = "aero.cd_v1", "cd_v1", NUMBER in "", Range::FINITE, "0.12026", "longdrive: fit, docs/validation.md";
+        /// Relative growth of the drag coefficient with speed, quadratic in u.
+        cd_v2: T = "aero.cd_v2", "cd_v2", NUMBER in "", Range::from_to(0.0, 100.0), "0.139425", "longdrive: fit, docs/validation.md";
+        /// Height of the part of the lift coefficient that saturates with spin.
+        cl_hill: T = "aero.cl_hill", "cl_hill", NUMBER in "", Range::FINITE, "0.240357", "longdrive: fit, docs/validation.md";
+        /// Where that part is half its height, in x.
+        cl_half: T = "aero.cl_half", "cl_half", NUMBER in "", Range::above_to(0.0, 100.0), "0.0587927", "longdrive: fit, docs/validation.md";
+        /// Slope in x of the part of the lift coefficient that does not saturate.
+        cl_slope: T = "aero.cl_slope", "cl_slope", NUMBER in "", Range::FINITE, "0.625145", "longdrive: fit, docs/validation.md";
+        /// Speed at which the lift coefficient is largest.
+        cl_speed: T = "aero.cl_speed", "cl_speed", SPEED in "m/s", Range::from_to(-1000.0, 1000.0), "41.74701 m/s", "longdrive: fit, docs/validation.md";
+        /// How far from that speed it has fallen to half.
+        cl_width: T = "aero.cl_width", "cl_width", SPEED in "m/s", Range::above_to(0.0, 1000.0), "27.33617 m/s", "longdrive: fit, docs/validation.md";
+    }
 }
 
 impl Default for Law<f64> {

@@ -1,20 +1,29 @@
 //! Results as text and JSON: pure functions, which write nowhere. Text is in units a golfer reads, JSON in SI
 //! and radians.
 
+mod calibration;
 mod chart;
+mod document;
 mod drive;
+pub mod figures;
 mod gradient;
 mod json;
+mod mae494;
 mod optimum;
 mod parameters;
+pub mod plot;
 mod presets;
 mod sensitivity;
 mod sweep;
 mod table;
+mod winfield_tan;
 
+pub use calibration::{CalibrationReport, calibration_document, calibration_json, calibration_toml};
 pub use chart::{ChartPointReport, ChartReport, chart_csv, chart_text};
+pub use document::Document;
 pub use drive::{DriveReport, drive_text};
 pub use gradient::{GradientReport, HessianReport, gradient_text};
+pub use mae494::{mae494_document, mae494_json};
 pub use optimum::{
     ConstraintReport, LocalReport, Multipliers, OptimumReport, iteration_line, optima_text, optimum_text,
 };
@@ -24,3 +33,4 @@ pub use sensitivity::{Analysis, SensitivityReport, sensitivity_text};
 #[cfg(feature = "parquet")]
 pub use sweep::{ParquetGroup, PlacedGroup, SweepParquet};
 pub use sweep::{SweepCsv, SweepJsonLines};
+pub use winfield_tan::{winfield_tan_document, winfield_tan_json};

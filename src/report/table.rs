@@ -15,3 +15,15 @@ pub(super) fn table(head: &[&str], right: &[usize], rows: impl IntoIterator<Item
     }
     table.trim_fmt() + "\n"
 }
+
+/// A paragraph, broken into lines that are read with ease.
+pub(super) fn paragraph(text: &str) -> String {
+    const WIDTH: u16 = 110;
+    let mut table = Table::new();
+    table.load_style(presets::NOTHING).set_content_arrangement(ContentArrangement::Dynamic).set_width(WIDTH);
+    table.add_row([text]);
+    if let Some(column) = table.column_mut(0) {
+        column.set_padding((0, 0));
+    }
+    table.trim_fmt() + "\n"
+}

@@ -5,6 +5,7 @@ use super::problem::DriveProblem;
 use crate::error::{Error, Result};
 use crate::optimize::sensitivity::{Held, reduced_hessian};
 use crate::optimize::{Domain, Status};
+use crate::units::Quantity;
 use argmin::core::{CostFunction, Executor, State};
 use argmin::solver::brent::BrentRoot;
 use nalgebra::DMatrix;
@@ -70,6 +71,14 @@ pub struct Ellipse {
     pub half_axes: [[f64; 2]; 2],
     /// Least and greatest loss found by flying along it, within ranges and constraints; `None` where no point of it is.
     pub losses: Option<(f64, f64)>,
+}
+
+/// The loss that is asked about where no one states another: 1 yd of a distance, 1 % of anything else. SI.
+pub fn usual_loss(best: &Optimum) -> f64 {
+    match best.search.maximize.quantity() {
+        Quantity::LENGTH => Quantity::LENGTH.size_of("yd").unwrap_or(1.0),
+        _ => 0.01 * best.value().unwrap_or_default().abs().max(f64::MIN_POSITIVE),
+    }
 }
 
 /// Points flown along an ellipse.

@@ -1,9 +1,11 @@
 //! Questions asked of a drive.
 
 mod accuracy;
+pub mod calibrate;
 mod chart;
 mod constraint;
 mod flatness;
+mod map;
 mod optimum;
 mod problem;
 mod sensitivity;
@@ -12,6 +14,7 @@ pub use crate::parameters::Vary;
 pub use accuracy::{Accuracy, accuracy};
 pub use chart::{Chart, ChartPoint, chart};
 pub use constraint::Constraint;
-pub use flatness::{Direction, Ellipse, Flatness, Limit, Window, flatness};
+pub use flatness::{Direction, Ellipse, Flatness, Limit, Window, flatness, usual_loss};
+pub use map::{Fineness, Map, Slope, map};
 pub use optimum::{Active, Optima, Optimum, Search, optima, optimum};
 pub use sensitivity::{Change, Changed, Sensitivity, change, refuse_varied, sensitivities, sensitivity};

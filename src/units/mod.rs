@@ -7,8 +7,10 @@ mod dimension;
 mod error;
 mod expression;
 mod symbols;
+mod system;
 
 pub use error::UnitError;
+pub use system::System;
 
 use dimension::Dimension;
 use expression::read_unit;

@@ -57,7 +57,7 @@ fn paper_winfield_tan_shot_as_json() {
     close(number(&drive["launch"]["velocity"][0]) / mph, 19.85, 1.0, 5e-3, "up");
     close(number(&drive["launch"]["spin"]) / std::f64::consts::TAU, 38.57, 1.0, 5e-3, "spin");
     close(number(&drive["club_after"]["velocity"][2]) / mph, 71.39, 1.0, 5e-3, "club");
-    assert_eq!(drive["setup"]["aero.law"], "smits-smith");
+    assert_eq!(drive["setup"]["aero.law"], "winfield-tan");
     assert_eq!(drive["setup"]["club.bulge_radius"], "inf");
     assert_eq!(drive["setup"]["impact.friction"], Value::Null);
     assert!(number(&drive["flight"]["carry"]) > 150.0);

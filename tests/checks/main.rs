@@ -2,6 +2,7 @@
 //! A test's name says which: `paper_`, `exact_`, `independent_`, `order_`, `differences_`.
 
 mod analysis;
+mod calibration;
 mod command_line;
 mod command_line_search;
 mod command_line_sweep;
@@ -14,5 +15,6 @@ mod long_work;
 mod optimizer;
 mod oracle;
 mod reference;
+mod reproduce;
 mod smoothness;
 mod sweep;

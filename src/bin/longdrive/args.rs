@@ -23,10 +23,18 @@ pub enum Command {
     Optimize(Optimize),
     /// How the optimum answers to every other parameter, what its bounds and constraints cost, and how flat it is.
     OptimumSensitivity(OptimumSensitivity),
+    /// Fit parameters to measured shots, with their uncertainty and what the data do not tell.
+    Calibrate(Calibrate),
     /// The optimum as a function of a parameter.
     Chart(ChartArgs),
+    /// A plot as SVG or PNG, or its data as CSV.
+    Plot(Plot),
+    /// A page to look at: the drive, the map of the optimum, its prices, what it answers to; with its plots and their data.
+    Report(Report),
     /// Very many drives: every point of a grid, a quasi-random sequence or a table, to CSV, JSON lines or Parquet.
     Sweep(Sweep),
+    /// A published study computed anew, its every number beside what it prints.
+    Reproduce(Reproduce),
     /// List every parameter with its unit, range, default and meaning.
     Parameters(Parameters),
     /// List the presets, or print one as a setup file with the source of each number.
@@ -145,6 +153,49 @@ pub struct OptimumSensitivity {
 }
 
 #[derive(clap::Args)]
+pub struct Calibrate {
+    /// Measured shots in CSV, a row each: columns named by parameters and outcomes, the unit in the head, as in "carry [yd]";
+    /// see docs/calibration.md.
+    #[arg(value_name = "DATA")]
+    pub data: PathBuf,
+
+    #[command(flatten)]
+    pub question: Question,
+
+    /// A parameter to fit, e.g. aero.cd0 or aero.cd0=0.1..0.4. Repeatable.
+    #[arg(long, value_name = "NAME[=LOW..HIGH]", required = true, allow_hyphen_values = true)]
+    pub fit: Vec<String>,
+
+    /// Let outliers pull no harder than a residual of 1.345 σ (Huber's loss).
+    #[arg(long)]
+    pub huber: bool,
+
+    /// Search from this many starts, spread evenly over the ranges; the first is the setup's own.
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
+    pub starts: u32,
+
+    /// Fit again K times, each without a K-th of the rows, and show how well these are told.
+    #[arg(long, value_name = "K", default_value_t = 0)]
+    pub folds: u32,
+
+    /// Another aerodynamic law, as published and fitted, on the same rows by held-out error. Repeatable.
+    #[arg(long, value_name = "LAW")]
+    pub compare: Vec<String>,
+
+    /// Most iterations of a search.
+    #[arg(long, value_name = "N", default_value_t = 200)]
+    pub max_iterations: u64,
+
+    /// Write the fitted setup into this file.
+    #[arg(long, short, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+
+    /// Write the report into this folder too: a page (index.html), Markdown, and plots of the residuals with their data.
+    #[arg(long, value_name = "DIR")]
+    pub plot: Option<PathBuf>,
+}
+
+#[derive(clap::Args)]
 pub struct ChartArgs {
     #[command(flatten)]
     pub question: Question,
@@ -159,6 +210,128 @@ pub struct ChartArgs {
     /// Print the chart as CSV (SI and radians).
     #[arg(long, conflicts_with = "json")]
     pub csv: bool,
+}
+
+#[derive(clap::Args)]
+pub struct Plot {
+    #[command(subcommand)]
+    pub kind: PlotKind,
+}
+
+#[derive(Subcommand)]
+pub enum PlotKind {
+    /// The path of the ball.
+    Trajectory(PlotTrajectory),
+    /// An outcome over two parameters, with its gradients and the optimum.
+    Contour(PlotContour),
+    /// The optimum as a function of a parameter.
+    Chart(PlotChart),
+}
+
+/// How a plot is drawn.
+#[derive(clap::Args)]
+pub struct Drawing {
+    /// The file to write; its ending says what: .svg or .png for a picture, .csv for its data (SI and radians).
+    #[arg(long, short, value_name = "FILE")]
+    pub output: PathBuf,
+
+    /// The units on the axes.
+    #[arg(long, value_enum, default_value_t = Units::Us)]
+    pub units: Units,
+
+    /// For a dark page.
+    #[arg(long)]
+    pub dark: bool,
+
+    /// The picture's width, pixels; a PNG has twice as many dots. Text keeps its size.
+    #[arg(long, value_name = "PIXELS", default_value_t = 480, value_parser = clap::value_parser!(u32).range(240..=4000))]
+    pub width: u32,
+}
+
+/// The units of a plot.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub enum Units {
+    /// Metres and metres per second.
+    Metric,
+    /// Yards and miles per hour.
+    Us,
+}
+
+/// Where a trajectory is seen from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub enum Seen {
+    /// From the side.
+    Side,
+    /// From above.
+    Top,
+}
+
+#[derive(clap::Args)]
+pub struct PlotTrajectory {
+    #[command(flatten)]
+    pub question: Question,
+
+    #[command(flatten)]
+    pub drawing: Drawing,
+
+    /// Where it is seen from.
+    #[arg(long, value_enum, default_value_t = Seen::Side)]
+    pub view: Seen,
+}
+
+#[derive(clap::Args)]
+pub struct PlotContour {
+    #[command(flatten)]
+    pub question: Question,
+
+    #[command(flatten)]
+    pub search: SearchArgs,
+
+    #[command(flatten)]
+    pub drawing: Drawing,
+}
+
+#[derive(clap::Args)]
+pub struct PlotChart {
+    #[command(flatten)]
+    pub question: Question,
+
+    #[command(flatten)]
+    pub search: SearchArgs,
+
+    #[command(flatten)]
+    pub drawing: Drawing,
+
+    /// The parameter to follow the optimum along, with its range, e.g. swing.speed=80mph..130mph.
+    #[arg(long, value_name = "NAME=LOW..HIGH", allow_hyphen_values = true)]
+    pub along: String,
+
+    /// What to draw along it: the outcome, or one of the parameters varied.
+    #[arg(long, value_name = "NAME")]
+    pub show: Option<String>,
+}
+
+#[derive(clap::Args)]
+pub struct Report {
+    #[command(flatten)]
+    pub question: Question,
+
+    #[command(flatten)]
+    pub search: SearchArgs,
+
+    /// The folder to write: index.html, and each plot as NAME-metric.svg, NAME-us.svg and NAME.csv. Made where it does not
+    /// exist; other files in it are left alone.
+    #[arg(long, short, value_name = "DIR")]
+    pub output: PathBuf,
+
+    /// The parameter to follow the optimum along, with its range.
+    #[arg(
+        long,
+        value_name = "NAME=LOW..HIGH",
+        default_value = "swing.speed=80mph..130mph",
+        allow_hyphen_values = true
+    )]
+    pub along: String,
 }
 
 #[derive(clap::Args)]
@@ -232,6 +405,30 @@ pub enum Format {
     /// Apache Parquet, a missing value null.
     #[cfg(feature = "parquet")]
     Parquet,
+}
+
+#[derive(clap::Args)]
+pub struct Reproduce {
+    /// The study.
+    #[arg(value_enum, value_name = "STUDY")]
+    pub study: Published,
+
+    /// Print the answer as JSON (SI and radians) to standard output, and nothing else there.
+    #[arg(long)]
+    pub json: bool,
+
+    /// Write it into this folder too: a page (index.html), Markdown, and every plot as SVG with its data as CSV.
+    #[arg(long, short, value_name = "DIR")]
+    pub output: Option<PathBuf>,
+}
+
+/// A study that can be reproduced.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub enum Published {
+    /// The student report "Optimization of a Golf Driver", MAE 494.
+    Mae494,
+    /// Winfield & Tan (1994), "Optimization of clubhead loft and swing elevation angles".
+    WinfieldTan,
 }
 
 #[derive(clap::Args)]

@@ -3,6 +3,7 @@
 #![deny(unsafe_code)]
 
 mod args;
+mod calibrate;
 mod chart;
 mod gradient;
 mod names;
@@ -10,8 +11,11 @@ mod optimize;
 mod optimum_sensitivity;
 mod output;
 mod parameters;
+mod plot;
 mod presets;
 mod question;
+mod report;
+mod reproduce;
 mod search;
 mod simulate;
 mod sweep;
@@ -27,8 +31,12 @@ fn main() -> ExitCode {
         Command::Gradient(args) => gradient::run(&args),
         Command::Optimize(args) => optimize::run(&args),
         Command::OptimumSensitivity(args) => optimum_sensitivity::run(&args),
+        Command::Calibrate(args) => calibrate::run(&args),
         Command::Chart(args) => chart::run(&args),
+        Command::Plot(args) => plot::run(&args),
+        Command::Report(args) => report::run(&args),
         Command::Sweep(args) => sweep::run(&args),
+        Command::Reproduce(args) => reproduce::run(&args),
         Command::Parameters(args) => parameters::run(&args),
         Command::Presets(args) => presets::run(&args),
     };

@@ -5,9 +5,8 @@ use crate::output::{Answer, bar, tell, warn};
 use longdrive::parameters::Parameter;
 use longdrive::report::{Analysis, LocalReport, OptimumReport, SensitivityReport, optimum_text, sensitivity_text};
 use longdrive::study::{
-    Change, Changed, Flatness, Optimum, Sensitivity, change, flatness, refuse_varied, sensitivities,
+    Change, Changed, Flatness, Optimum, Sensitivity, change, flatness, refuse_varied, sensitivities, usual_loss,
 };
-use longdrive::units::Quantity;
 use longdrive::{Error, Outcome, Result};
 
 pub fn run(args: &OptimumSensitivity) -> Result<Answer> {
@@ -74,14 +73,6 @@ fn analysed(best: &Optimum, wrt: &[&'static Parameter], changes: &[Change], loss
     let loss = loss.unwrap_or_else(|| usual_loss(best));
     let changed = changes.iter().map(|stated| change(best, *stated)).collect::<Result<_>>()?;
     Ok((sensitivities?, flatness(best, loss)?, changed))
-}
-
-/// 1 yd of a distance, 1 % of anything else.
-fn usual_loss(best: &Optimum) -> f64 {
-    match best.search.maximize.quantity() {
-        Quantity::LENGTH => Quantity::LENGTH.size_of("yd").unwrap_or(1.0),
-        _ => 0.01 * best.value().unwrap_or_default().abs().max(f64::MIN_POSITIVE),
-    }
 }
 
 fn loss(of: Outcome, text: &str) -> Result<f64> {

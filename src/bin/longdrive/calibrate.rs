@@ -1,0 +1,85 @@
+use crate::args::Calibrate;
+use crate::output::{Answer, tell, warn};
+use crate::reproduce::write;
+use crate::search::{BEST_SO_FAR, interrupt};
+use longdrive::optimize::least_squares::{Follow, Loss, Status};
+use longdrive::parameters::{Law, Vary};
+use longdrive::report::plot::Look;
+use longdrive::report::{CalibrationReport, calibration_document, calibration_json, calibration_toml};
+use longdrive::study::calibrate::{HeldOut, Plan, ShotTable, calibrate, held_out};
+use longdrive::{Error, Result, Setup};
+use std::fs::{self, File};
+use std::sync::Arc;
+
+pub fn run(args: &Calibrate) -> Result<Answer> {
+    let setup = args.question.setup()?;
+    warn(&setup.warnings());
+    let file = args.data.display().to_string();
+    let cannot = |error: std::io::Error| Error::Table {
+        file: file.clone(),
+        place: String::new(),
+        reason: format!("it cannot be read ({error})"),
+    };
+    let table = ShotTable::read(&setup, &file, File::open(&args.data).map_err(cannot)?)?;
+    let mut plan = Plan::read(&setup, &args.fit)?;
+    plan.starts = args.starts as usize;
+    plan.options.max_iterations = args.max_iterations;
+    if args.huber {
+        plan.options.loss = Loss::HUBER;
+    }
+    let follow = Follow { iteration: Some(Arc::new(shown)), interrupt: interrupt(BEST_SO_FAR) };
+    let found = calibrate(&setup, &table, &plan, &follow)?;
+
+    let quiet = Follow { iteration: None, ..follow };
+    let mut held = vec![];
+    if args.folds > 0 || !args.compare.is_empty() {
+        let folds = if args.folds > 0 { args.folds as usize } else { 5.min(table.shots.len()) };
+        tell(&format!("fitting {folds} times, each without a part of the rows"));
+        let name = format!("{}, fitted as above", setup.law.name());
+        held.push((name, held_out(&setup, &table, &plan, folds, &quiet)?));
+        for law in &args.compare {
+            compare(&setup, law, &table, &plan, folds, &quiet, &mut held)?;
+        }
+    }
+    let report = CalibrationReport { table: &table, found: &found, held_out: &held };
+    let document = calibration_document(&report);
+    if let Some(path) = &args.output {
+        fs::write(path, calibration_toml(&found, &file)).map_err(|error| Error::Results {
+            file: path.display().to_string(),
+            reason: format!("{error}; name a file that can be written"),
+        })?;
+        tell(&format!("wrote the fitted setup into {}", path.display()));
+    }
+    if let Some(folder) = &args.plot {
+        write(folder, &document, &Look::default())?;
+    }
+    let answer =
+        if args.question.json { Answer::json(&calibration_json(&report)) } else { Answer::text(document.text()) };
+    Ok(answer.found(found.fit.status == Status::Converged))
+}
+
+fn shown(iteration: u64, sum: f64) {
+    tell(&format!("iteration {iteration:3}  half the sum of squares {sum:.6e}"));
+}
+
+/// Another law on the same rows: as it is published, and with all its coefficients fitted.
+fn compare(
+    setup: &Setup<f64>,
+    law: &str,
+    table: &ShotTable,
+    plan: &Plan,
+    folds: usize,
+    follow: &Follow,
+    held: &mut Vec<(String, HeldOut)>,
+) -> Result<()> {
+    let mut other = *setup;
+    other.set_law(law)?;
+    let name = if law == setup.law.name() { "as the setup has it" } else { "as published" };
+    held.push((format!("{law}, {name}"), HeldOut::as_it_stands(&other, table)?));
+    let own = Law::all_rows().filter(|row| row.law == Some(other.law.name()));
+    let coefficients = own.map(|row| Vary { parameter: row, low: row.range.low, high: row.range.high });
+    let kept = plan.fit.iter().filter(|vary| vary.parameter.law.is_none()).copied();
+    let all = Plan { fit: kept.chain(coefficients).collect(), ..plan.clone() };
+    held.push((format!("{law}, all coefficients fitted"), held_out(&other, table, &all, folds, follow)?));
+    Ok(())
+}

@@ -1,0 +1,140 @@
+use crate::args::{Drawing, Plot, PlotChart, PlotContour, PlotKind, PlotTrajectory, Question, Seen, Units};
+use crate::output::{Answer, tell, warn};
+use longdrive::optimize::Watch;
+use longdrive::report::figures::{Flown, View, chart_figures, map_figure, trajectory_figure};
+use longdrive::report::plot::{Figure, Look, Shades, figure_csv, figure_svg};
+use longdrive::study::{Fineness, Map, Optimum, Search, Vary, chart, flatness, map, optimum, usual_loss};
+use longdrive::units::System;
+use longdrive::{Error, Result, Setup};
+use serde_json::json;
+use std::path::Path;
+
+pub fn run(args: &Plot) -> Result<Answer> {
+    match &args.kind {
+        PlotKind::Trajectory(args) => trajectory(args),
+        PlotKind::Contour(args) => contour(args),
+        PlotKind::Chart(args) => along(args),
+    }
+}
+
+fn trajectory(args: &PlotTrajectory) -> Result<Answer> {
+    let format = Format::of(&args.drawing.output)?;
+    let setup = args.question.within_tolerance(args.question.setup()?, &[])?;
+    warn(&setup.warnings());
+    let flown = Flown::new("", &setup)?;
+    flown.drive.landed()?;
+    let view = match args.view {
+        Seen::Side => View::Side,
+        Seen::Top => View::Top,
+    };
+    written(&args.question, &args.drawing, format, &trajectory_figure(&[flown], view))
+}
+
+fn contour(args: &PlotContour) -> Result<Answer> {
+    let format = Format::of(&args.drawing.output)?;
+    let setup = args.question.setup()?;
+    let search = args.search.search(&setup)?;
+    let setup = args.question.within_tolerance(setup, &search.vary)?;
+    let (best, map) = mapped(&setup, &search)?;
+    let best = best.as_ref();
+    let flatness = best.map(|best| flatness(best, usual_loss(best))).transpose()?;
+    written(&args.question, &args.drawing, format, &map_figure(&map, best, flatness.as_ref()))
+}
+
+/// The map around an optimum; around the setup itself, where there is none.
+fn mapped(setup: &Setup<f64>, search: &Search) -> Result<(Option<Optimum>, Map)> {
+    let [across, up, ..] = search.vary[..] else {
+        let (name, reason) = ("--vary".into(), "a map needs two parameters: give --vary twice".into());
+        return Err(Error::SearchRange { name, reason });
+    };
+    let best = optimum(setup, search.clone(), Watch::default())?;
+    let is_found = best.solution.status == longdrive::optimize::Status::Converged;
+    if !is_found {
+        tell(&format!("without an optimum: {}: {}", best.status(), best.message()));
+    }
+    let around = if is_found { &best.setup } else { setup };
+    let map = map(around, search.maximize, across, up, Fineness::default())?;
+    Ok((is_found.then_some(best), map))
+}
+
+fn along(args: &PlotChart) -> Result<Answer> {
+    let format = Format::of(&args.drawing.output)?;
+    let setup = args.question.setup()?;
+    let search = args.search.search(&setup)?;
+    let along = Vary::read(&setup, &args.along)?;
+    let shown = match &args.show {
+        Some(name) if name != search.maximize.name() => {
+            let names = || search.vary.iter().map(|vary| vary.parameter.name).chain([search.maximize.name()]);
+            let advice = || format!("a chart shows {}", names().collect::<Vec<_>>().join(", "));
+            let at = search.vary.iter().position(|vary| vary.parameter.name == name);
+            1 + at.ok_or_else(|| Error::unknown("curve", name, names(), advice()))?
+        }
+        _ => 0,
+    };
+    let ranges: Vec<_> = search.vary.iter().copied().chain([along]).collect();
+    let setup = args.question.within_tolerance(setup, &ranges)?;
+    let chart = chart(&setup, &search, along, |_| true)?;
+    for note in chart.begun.iter().chain(&chart.ended) {
+        tell(note);
+    }
+    match chart_figures(&chart).get(shown) {
+        Some(figure) => written(&args.question, &args.drawing, format, figure),
+        None => Err(Error::Nothing { doing: "draw", what: "optimum" }),
+    }
+}
+
+/// What a plot is written as.
+#[derive(Clone, Copy)]
+enum Format {
+    Svg,
+    #[cfg(feature = "png")]
+    Png,
+    Csv,
+}
+
+impl Format {
+    /// What a file's name asks for.
+    fn of(file: &Path) -> Result<Self> {
+        let ending = file.extension().map(|ending| ending.to_string_lossy().to_lowercase());
+        match ending.as_deref() {
+            Some("svg") => Ok(Self::Svg),
+            #[cfg(feature = "png")]
+            Some("png") => Ok(Self::Png),
+            Some("csv") => Ok(Self::Csv),
+            _ => {
+                let pictures = if cfg!(feature = "png") { ".svg or .png" } else { ".svg" };
+                let reason = format!(
+                    "its ending does not say what to write; end it in {pictures} for a picture, or in .csv for its data"
+                );
+                Err(Error::Plot { name: file.display().to_string(), reason })
+            }
+        }
+    }
+}
+
+fn written(question: &Question, drawing: &Drawing, format: Format, figure: &Figure) -> Result<Answer> {
+    let system = match drawing.units {
+        Units::Metric => System::Metric,
+        Units::Us => System::Us,
+    };
+    let shades = if drawing.dark { Shades::Dark } else { Shades::Light };
+    let look = Look { system, shades, width: drawing.width };
+    let bytes = match format {
+        Format::Svg => figure_svg(figure, &look)?.into_bytes(),
+        #[cfg(feature = "png")]
+        Format::Png => longdrive::report::plot::figure_png(figure, &look, 2.0)?,
+        Format::Csv => figure_csv(figure)?.into_bytes(),
+    };
+    let file = drawing.output.display().to_string();
+    std::fs::write(&drawing.output, &bytes)
+        .map_err(|error| Error::Results { file: file.clone(), reason: error.to_string() })?;
+    tell(&format!("{file}: {}", figure.title));
+    if !figure.note.is_empty() {
+        tell(&figure.note);
+    }
+    Ok(if question.json {
+        Answer::json(&json!({ "file": file, "title": figure.title, "note": figure.note, "bytes": bytes.len() }))
+    } else {
+        Answer::text(String::new())
+    })
+}

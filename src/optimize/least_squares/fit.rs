@@ -1,0 +1,277 @@
+//! The loop: a step, the gain ratio, the damping, the verdict.
+
+use super::super::domain::Domain;
+use super::step::Point;
+use super::{Options, Residuals, Rows};
+use crate::error::{Error, Result};
+use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+use std::fmt;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// First damping, relative to the scaled columns, whose length is 1 (Madsen, Nielsen & Tingleff 2004, eq. 3.14: τ between 1e-6
+/// for a start that is good and 1 for one that is not).
+const FIRST_DAMPING: f64 = 1e-3;
+/// A gain that the residuals' rounding hides, relative to F.
+const NOISE: f64 = 1e-15;
+/// Damping at which a step is no longer one.
+const MOST_DAMPING: f64 = 1e20;
+
+/// How a fit ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Status {
+    /// No direction is left, within the bounds, in which the sum falls.
+    Converged,
+    /// No step makes the sum smaller, though the slope is not 0.
+    Stalled,
+    /// The iterations allowed were used up.
+    IterationLimit,
+    /// Stopped from outside; the point is the best so far.
+    Interrupted,
+    /// The residuals are not defined at the start.
+    Undefined,
+}
+
+impl Status {
+    /// The status in a word: `converged`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Converged => "converged",
+            Self::Stalled => "stalled",
+            Self::IterationLimit => "iteration-limit",
+            Self::Interrupted => "interrupted",
+            Self::Undefined => "undefined",
+        }
+    }
+}
+
+impl fmt::Display for Status {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+/// What a fit found.
+#[derive(Clone, Debug)]
+pub struct Fit {
+    /// How it ended.
+    pub status: Status,
+    /// The same in a sentence, with its numbers.
+    pub message: String,
+    /// The point.
+    pub x: Vec<f64>,
+    /// Residuals and Jacobian there; empty where they were never defined.
+    pub rows: Rows,
+    /// F = Σ ρ(rᵢ).
+    pub cost: f64,
+    /// Iterations taken.
+    pub iterations: u64,
+    /// Evaluations of the residuals.
+    pub evaluations: u64,
+    /// Trial points at which the residuals were not defined.
+    pub refused: u64,
+    /// Why the last of these was refused.
+    pub why_refused: Option<String>,
+}
+
+/// Who follows a fit.
+#[derive(Clone, Default)]
+pub struct Follow {
+    /// Is shown the number of each iteration and F.
+    pub iteration: Option<Arc<dyn Fn(u64, f64) + Send + Sync>>,
+    /// Ends the fit, with the best point so far, once it is true.
+    pub interrupt: Arc<AtomicBool>,
+}
+
+/// Fits from a start, which is moved into the bounds first.
+///
+/// # Errors
+/// [`Error::Optimizer`] for a start of the wrong length or that is not finite, and for a tolerance or loss that makes no sense.
+pub fn fit(residuals: &impl Residuals, domain: &Domain, start: &[f64], options: &Options) -> Result<Fit> {
+    fit_watched(residuals, domain, start, options, &Follow::default())
+}
+
+/// Fits from every start, side by side; what was found, the smallest sum first. The order does not depend on the number of
+/// threads. [`starts`](super::super::starts) spreads starts.
+///
+/// # Errors
+/// As [`fit`]; [`Error::Optimizer`] without starts.
+pub fn fit_from(
+    residuals: &(impl Residuals + Sync),
+    domain: &Domain,
+    starts: &[Vec<f64>],
+    options: &Options,
+    follow: &Follow,
+) -> Result<Vec<Fit>> {
+    if starts.is_empty() {
+        return Err(Error::Optimizer("there are no starts to fit from".into()));
+    }
+    let one = |start: &Vec<f64>| fit_watched(residuals, domain, start, options, follow);
+    let mut fits = starts.par_iter().map(one).collect::<Result<Vec<_>>>()?;
+    let rank = |fit: &Fit| if fit.rows.residuals.is_empty() { f64::INFINITY } else { fit.cost };
+    fits.sort_by(|a, b| rank(a).total_cmp(&rank(b)));
+    Ok(fits)
+}
+
+/// As [`fit`], with those who follow it.
+///
+/// # Errors
+/// As [`fit`].
+pub fn fit_watched(
+    residuals: &impl Residuals,
+    domain: &Domain,
+    start: &[f64],
+    options: &Options,
+    follow: &Follow,
+) -> Result<Fit> {
+    let bounds = &domain.variables;
+    if start.len() != bounds.dimension() || !start.iter().all(|x| x.is_finite()) {
+        let n = bounds.dimension();
+        return Err(Error::Optimizer(format!("the start {start:?} must be {n} finite numbers, one per variable")));
+    }
+    if !(options.tolerance > 0.0 && options.tolerance < 1.0) {
+        return Err(Error::Optimizer(format!("tolerance = {} is outside its range 0 < … < 1", options.tolerance)));
+    }
+    if let super::Loss::Huber(k) = options.loss
+        && !(k > 0.0 && k.is_finite())
+    {
+        return Err(Error::Optimizer(format!("Huber's k = {k} is outside its range 0 < … < inf")));
+    }
+    let start = bounds.project(start);
+    let evaluate = |x: Vec<f64>| {
+        let rows = residuals.evaluate(&x)?;
+        Point::new(x, rows, options.loss)
+    };
+    let at = match evaluate(start.clone()) {
+        Ok(at) => at,
+        Err(why) => return Ok(nowhere(start, why)),
+    };
+    let mut search = Search::new(at);
+    let (status, message) = loop {
+        if let Some(show) = &follow.iteration {
+            show(search.iterations, search.at.cost);
+        }
+        let cosine = search.at.cosine(bounds);
+        if let Some(verdict) = search.verdict(cosine, options, follow.interrupt.load(Ordering::Relaxed)) {
+            break verdict;
+        }
+        if let Some(verdict) = search.advance(domain, cosine, &evaluate) {
+            break verdict;
+        }
+    };
+    let Search { at, iterations, evaluations, refused, why_refused, .. } = search;
+    let Point { x, rows, cost, .. } = at;
+    Ok(Fit { status, message, x, rows, cost, iterations, evaluations, refused, why_refused })
+}
+
+/// What a fit knows between two iterations.
+struct Search {
+    at: Point,
+    scale: Vec<f64>,
+    damping: f64,
+    growth: f64,
+    iterations: u64,
+    evaluations: u64,
+    refused: u64,
+    why_refused: Option<String>,
+}
+
+impl Search {
+    fn new(at: Point) -> Self {
+        let mut scale = vec![0.0; at.x.len()];
+        at.lengthen(&mut scale);
+        let why_refused = None;
+        Self { at, scale, damping: FIRST_DAMPING, growth: 2.0, iterations: 0, evaluations: 1, refused: 0, why_refused }
+    }
+
+    fn verdict(&self, cosine: f64, options: &Options, is_interrupted: bool) -> Option<(Status, String)> {
+        let tolerance = options.tolerance;
+        if cosine <= tolerance {
+            return Some((Status::Converged, format!("largest cosine {cosine:.1e} <= {tolerance:.0e}")));
+        }
+        if is_interrupted {
+            return Some((Status::Interrupted, format!("stopped with a largest cosine of {cosine:.1e}")));
+        }
+        (self.iterations >= options.max_iterations).then(|| {
+            let message = format!("{} iterations used up with a largest cosine of {cosine:.1e}", self.iterations);
+            (Status::IterationLimit, message)
+        })
+    }
+
+    /// Tries steps until one is kept.
+    fn advance(
+        &mut self,
+        domain: &Domain,
+        cosine: f64,
+        evaluate: &impl Fn(Vec<f64>) -> Result<Point, String>,
+    ) -> Option<(Status, String)> {
+        self.iterations += 1;
+        loop {
+            let stalled = |what: &str| {
+                let message = format!("{what}; largest cosine {cosine:.1e}. Start elsewhere, or fit fewer parameters");
+                Some((Status::Stalled, message))
+            };
+            if self.damping > MOST_DAMPING {
+                let why = self.why_refused.as_ref().map_or(String::new(), |why| format!(" (last refused: {why})"));
+                return stalled(&format!("no step makes the sum smaller{why}"));
+            }
+            let Some((to, promised)) = self.at.step(&domain.variables, &self.scale, self.damping) else {
+                self.grow();
+                continue;
+            };
+            if promised <= NOISE * self.at.cost || to == self.at.x {
+                // what a step without damping could still gain is what tells the end from a standstill
+                let undamped = self.at.step(&domain.variables, &self.scale, 1e-14).map_or(0.0, |(_, gain)| gain);
+                if undamped <= 1e3 * NOISE * self.at.cost || self.damping <= FIRST_DAMPING {
+                    let message = format!(
+                        "a step promises {undamped:.1e} of the sum {:.3e}: rounding lets it fall no further",
+                        self.at.cost
+                    );
+                    return Some((Status::Converged, message));
+                }
+                return stalled("steps too short to tell");
+            }
+            self.evaluations += 1;
+            match evaluate(to) {
+                Ok(next) => {
+                    // the gain ratio and the damping that follows it: Nielsen (1999); Madsen, Nielsen & Tingleff (2004), alg. 3.16
+                    let gain = (self.at.cost - next.cost) / promised;
+                    if gain > 0.0 {
+                        self.damping *= (1.0 - (2.0 * gain - 1.0).powi(3)).max(1.0 / 3.0);
+                        self.damping = self.damping.max(1e-16);
+                        self.growth = 2.0;
+                        next.lengthen(&mut self.scale);
+                        self.at = next;
+                        return None;
+                    }
+                }
+                Err(why) => {
+                    self.refused += 1;
+                    self.why_refused = Some(why);
+                }
+            }
+            self.grow();
+        }
+    }
+
+    fn grow(&mut self) {
+        self.damping *= self.growth;
+        self.growth *= 2.0;
+    }
+}
+
+fn nowhere(x: Vec<f64>, why: String) -> Fit {
+    Fit {
+        status: Status::Undefined,
+        message: format!("the residuals are not defined at the start: {why}"),
+        x,
+        rows: Rows::default(),
+        cost: f64::INFINITY,
+        iterations: 0,
+        evaluations: 1,
+        refused: 1,
+        why_refused: Some(why),
+    }
+}

@@ -1,0 +1,213 @@
+//! Nonlinear least squares over bounds, with exact Jacobians. It knows no golf.
+//!
+//! ```text
+//!   minimise F(x) = Σ ρ(rᵢ(x))  subject to  low ≤ x ≤ high,   ρ(r) = ½ r², or Huber's
+//! ```
+//!
+//! by Levenberg and Marquardt's method: each step is the convex quadratic program of the damped Gauss–Newton model over the
+//! bounds ([`qp`](super::qp)), so that active bounds are exact; the damping follows the gain ratio. Where residuals are not
+//! defined at a trial point, the step is refused and the damping grows.
+//!
+//! ```
+//! use longdrive::optimize::Domain;
+//! use longdrive::optimize::least_squares::{Options, Rows, Status, fit};
+//!
+//! // the line a + b t through (0, 1), (1, 3), (2, 5): a = 1, b = 2, nothing left over
+//! let line = |x: &[f64]| Ok(Rows {
+//!     residuals: [(0.0, 1.0), (1.0, 3.0), (2.0, 5.0)].iter().map(|(t, y)| x[0] + x[1] * t - y).collect(),
+//!     jacobian: [0.0, 1.0, 2.0].iter().map(|t| vec![1.0, *t]).collect(),
+//! });
+//! let domain = Domain::new(vec![f64::NEG_INFINITY; 2], vec![f64::INFINITY; 2]).unwrap();
+//! let found = fit(&line, &domain, &[0.0, 0.0], &Options::default()).unwrap();
+//! assert_eq!(found.status, Status::Converged);
+//! assert!((found.x[0] - 1.0).abs() < 1e-12 && (found.x[1] - 2.0).abs() < 1e-12);
+//! ```
+
+mod fit;
+mod loss;
+mod step;
+
+pub use fit::{Fit, Follow, Status, fit, fit_from, fit_watched};
+pub use loss::Loss;
+
+/// Residuals and their Jacobian at a point.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Rows {
+    /// r₁ … rₘ.
+    pub residuals: Vec<f64>,
+    /// ∂rᵢ/∂xⱼ, a row for each residual.
+    pub jacobian: Vec<Vec<f64>>,
+}
+
+/// What is to be made small: one method.
+pub trait Residuals {
+    /// The residuals and their Jacobian at `x`.
+    ///
+    /// # Errors
+    /// A sentence saying why there are none at `x`. The search then steps back.
+    fn evaluate(&self, x: &[f64]) -> Result<Rows, String>;
+}
+
+impl<F: Fn(&[f64]) -> Result<Rows, String>> Residuals for F {
+    fn evaluate(&self, x: &[f64]) -> Result<Rows, String> {
+        self(x)
+    }
+}
+
+/// Settings of a fit, each with its default.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Options {
+    /// What is summed (squares).
+    pub loss: Loss,
+    /// Most iterations (200).
+    pub max_iterations: u64,
+    /// Largest cosine of the angle between the residuals and a column of the Jacobian that is free to move, at which the fit
+    /// has converged (1e-10; Moré 1978, MINPACK's `gtol`).
+    pub tolerance: f64,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self { loss: Loss::Squares, max_iterations: 200, tolerance: 1e-10 }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Fit, Options, Residuals, Rows, Status, fit};
+    use crate::optimize::Domain;
+
+    /// A model with its gradient by the parameters.
+    type Model = fn(x: f64, b: &[f64]) -> (f64, Vec<f64>);
+
+    /// A problem of NIST's Statistical Reference Datasets, nonlinear regression (itl.nist.gov/div898/strd/nls), with its
+    /// certified parameters and residual sum of squares.
+    struct Dataset {
+        name: &'static str,
+        data: &'static [(f64, f64)],
+        model: Model,
+        starts: [&'static [f64]; 2],
+        certified: &'static [f64],
+        sum: f64,
+    }
+
+    impl Residuals for Dataset {
+        fn evaluate(&self, b: &[f64]) -> Result<Rows, String> {
+            let rows = self.data.iter().map(|(y, x)| {
+                let (value, gradient) = (self.model)(*x, b);
+                (value - y, gradient)
+            });
+            let (residuals, jacobian) = rows.unzip();
+            Ok(Rows { residuals, jacobian })
+        }
+    }
+
+    const SETS: [Dataset; 3] = [
+        Dataset {
+            name: "Misra1a",
+            data: &[
+                (10.07, 77.6),
+                (14.73, 114.9),
+                (17.94, 141.1),
+                (23.93, 190.8),
+                (29.61, 239.9),
+                (35.18, 289.0),
+                (40.02, 332.8),
+                (44.82, 378.4),
+                (50.76, 434.8),
+                (55.05, 477.3),
+                (61.01, 536.8),
+                (66.40, 593.1),
+                (75.47, 689.1),
+                (81.78, 760.0),
+            ],
+            model: |x, b| {
+                let e = (-b[1] * x).exp();
+                (b[0] * (1.0 - e), vec![1.0 - e, b[0] * x * e])
+            },
+            starts: [&[500.0, 1e-4], &[250.0, 5e-4]],
+            certified: &[2.389_421_291_8e2, 5.501_564_318_1e-4],
+            sum: 1.245_513_889_4e-1,
+        },
+        Dataset {
+            name: "BoxBOD",
+            data: &[(109.0, 1.0), (149.0, 2.0), (149.0, 3.0), (191.0, 5.0), (213.0, 7.0), (224.0, 10.0)],
+            model: |x, b| {
+                let e = (-b[1] * x).exp();
+                (b[0] * (1.0 - e), vec![1.0 - e, b[0] * x * e])
+            },
+            starts: [&[1.0, 1.0], &[100.0, 0.75]],
+            certified: &[2.138_094_088_9e2, 5.472_374_854_2e-1],
+            sum: 1.168_008_876_6e3,
+        },
+        Dataset {
+            name: "MGH09",
+            data: &[
+                (0.1957, 4.0),
+                (0.1947, 2.0),
+                (0.1735, 1.0),
+                (0.16, 0.5),
+                (0.0844, 0.25),
+                (0.0627, 0.167),
+                (0.0456, 0.125),
+                (0.0342, 0.1),
+                (0.0323, 0.0833),
+                (0.0235, 0.0714),
+                (0.0246, 0.0625),
+            ],
+            model: |x, b| {
+                let (over, under) = (x * x + x * b[1], x * x + x * b[2] + b[3]);
+                let value = b[0] * over / under;
+                (value, vec![over / under, b[0] * x / under, -value * x / under, -value / under])
+            },
+            starts: [&[25.0, 39.0, 41.5, 39.0], &[0.25, 0.39, 0.415, 0.39]],
+            certified: &[1.928_069_345_8e-1, 1.912_823_287_3e-1, 1.230_565_069_3e-1, 1.360_623_306_8e-1],
+            sum: 3.075_056_038_5e-4,
+        },
+    ];
+
+    fn fitted(set: &Dataset, start: &[f64], low: f64, high: f64) -> Fit {
+        let n = set.certified.len();
+        let domain = Domain::new(vec![low; n], vec![high; n]).unwrap();
+        fit(set, &domain, start, &Options { max_iterations: 1000, ..Options::default() }).unwrap()
+    }
+
+    #[test]
+    fn paper_nist_reference_data_from_both_starts() {
+        for set in &SETS {
+            for start in set.starts {
+                let found = fitted(set, start, f64::NEG_INFINITY, f64::INFINITY);
+                assert_eq!(found.status, Status::Converged, "{}: {}", set.name, found.message);
+                assert!((2.0 * found.cost / set.sum - 1.0).abs() < 1e-9, "{}: {}", set.name, 2.0 * found.cost);
+                for (b, certified) in found.x.iter().zip(set.certified) {
+                    assert!((b / certified - 1.0).abs() < 1e-6, "{}: {b} against {certified}", set.name);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn exact_active_bound() {
+        // with b₁ ≤ 230 the best b₂ of Misra1a solves a problem of one variable: its slope vanishes there, b₁ stays on its bound
+        let found = fitted(&SETS[0], &[200.0, 6e-4], 0.0, 230.0);
+        assert_eq!((found.status, found.x[0]), (Status::Converged, 230.0));
+        let slope = |k: usize| -> f64 {
+            found.rows.residuals.iter().zip(&found.rows.jacobian).map(|(r, row)| r * row[k]).sum()
+        };
+        assert!(slope(0) < 0.0 && slope(1).abs() < 1e-6 * slope(0).abs() * 230.0 / 5e-4, "{} {}", slope(0), slope(1));
+    }
+
+    #[test]
+    fn exact_steps_into_the_undefined_are_refused_and_the_fit_goes_on() {
+        // √x − 1 from 9: the first undamped step leads to −3
+        let root = |x: &[f64]| match x[0] >= 0.0 {
+            true => Ok(Rows { residuals: vec![x[0].sqrt() - 1.0], jacobian: vec![vec![0.5 / x[0].sqrt()]] }),
+            false => Err(format!("there is no root of {}", x[0])),
+        };
+        let domain = Domain::new(vec![f64::NEG_INFINITY], vec![f64::INFINITY]).unwrap();
+        let found = fit(&root, &domain, &[9.0], &Options::default()).unwrap();
+        assert_eq!(found.status, Status::Converged, "{}", found.message);
+        assert!((found.x[0] - 1.0).abs() < 1e-7 && found.refused > 0, "{found:?}");
+        assert!(found.why_refused.unwrap().contains("no root"));
+    }
+}

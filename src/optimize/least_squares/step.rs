@@ -1,0 +1,92 @@
+//! The damped Gauss–Newton model at a point, and its minimum over the bounds.
+
+use super::super::domain::Bounds;
+use super::super::qp::{Piece, QuadraticProgram};
+use super::{Loss, Rows};
+use nalgebra::{DMatrix, DVector};
+
+/// A point with its residuals, and the model there, in variables scaled by `scale`.
+#[derive(Clone, Debug)]
+pub(super) struct Point {
+    pub x: Vec<f64>,
+    pub rows: Rows,
+    pub cost: f64,
+    gradient: DVector<f64>,
+    curvature: DMatrix<f64>,
+}
+
+impl Point {
+    /// The point, if residuals and Jacobian are of the right shape and finite.
+    pub fn new(x: Vec<f64>, rows: Rows, loss: Loss) -> Result<Self, String> {
+        let n = x.len();
+        if rows.jacobian.len() != rows.residuals.len() || rows.jacobian.iter().any(|row| row.len() != n) {
+            return Err(format!("the Jacobian is not of {} rows of {n}", rows.residuals.len()));
+        }
+        let all = rows.residuals.iter().chain(rows.jacobian.iter().flatten());
+        if !all.copied().all(f64::is_finite) {
+            return Err("a residual or a derivative is not finite".into());
+        }
+        let (mut gradient, mut curvature) = (DVector::zeros(n), DMatrix::zeros(n, n));
+        for (r, row) in rows.residuals.iter().zip(&rows.jacobian) {
+            let weight = loss.weight(*r);
+            for i in 0..n {
+                gradient[i] += weight * r * row[i];
+                for j in 0..=i {
+                    curvature[(i, j)] += weight * row[i] * row[j];
+                }
+            }
+        }
+        curvature.fill_upper_triangle_with_lower_triangle();
+        let cost = rows.residuals.iter().map(|r| loss.of(*r)).sum();
+        Ok(Self { x, rows, cost, gradient, curvature })
+    }
+
+    /// Lengths of the Jacobian's columns, none shorter than in `longest` (Moré 1978: the scale never shrinks).
+    pub fn lengthen(&self, longest: &mut [f64]) {
+        for (i, length) in longest.iter_mut().enumerate() {
+            *length = length.max(self.curvature[(i, i)].sqrt());
+        }
+    }
+
+    /// The largest cosine between the residuals and a column whose variable is free to go down the slope.
+    pub fn cosine(&self, bounds: &Bounds) -> f64 {
+        let size = (2.0 * self.cost).sqrt();
+        let of = |i: usize| {
+            let (slope, length) = (self.gradient[i], self.curvature[(i, i)].sqrt());
+            let is_held = slope > 0.0 && self.x[i] <= bounds.low[i] || slope < 0.0 && self.x[i] >= bounds.high[i];
+            if is_held || length == 0.0 || size == 0.0 { 0.0 } else { slope.abs() / (length * size) }
+        };
+        (0..self.x.len()).map(of).fold(0.0, f64::max)
+    }
+
+    /// The step that makes the model ½ dᵀ(JᵀWJ + μ D²) d + gᵀd least over the bounds, and what the undamped model
+    /// promises to fall by.
+    pub fn step(&self, bounds: &Bounds, scale: &[f64], damping: f64) -> Option<(Vec<f64>, f64)> {
+        /// Steps beyond this, in scaled units, are not taken at once.
+        const FAR: f64 = 1e12;
+        let n = self.x.len();
+        let size = |i: usize| if scale[i] > 0.0 { scale[i] } else { 1.0 };
+        let damped = |i: usize, j: usize| {
+            let own = if i == j { damping } else { 0.0 };
+            self.curvature[(i, j)] / (size(i) * size(j)) + own
+        };
+        let end = |i: usize, bound: f64| ((bound - self.x[i]) * size(i)).clamp(-FAR, FAR);
+        let gradient = DVector::from_fn(n, |i, _| self.gradient[i] / size(i));
+        let program = QuadraticProgram {
+            curvature: DMatrix::from_fn(n, n, damped),
+            pieces: vec![Piece { offset: 0.0, gradient }],
+            low: DVector::from_fn(n, |i, _| end(i, bounds.low[i])),
+            high: DVector::from_fn(n, |i, _| end(i, bounds.high[i])),
+            rows: vec![],
+        };
+        let found = program.solve()?;
+        let d = DVector::from_fn(n, |i, _| found.d[i] / size(i));
+        let promised = -(self.gradient.dot(&d) + 0.5 * d.dot(&(&self.curvature * &d)));
+        let to = |i: usize| match found.ends[i] {
+            super::super::qp::End::Low if bounds.low[i].is_finite() => bounds.low[i],
+            super::super::qp::End::High if bounds.high[i].is_finite() => bounds.high[i],
+            _ => (self.x[i] + d[i]).clamp(bounds.low[i], bounds.high[i]),
+        };
+        Some(((0..n).map(to).collect(), promised))
+    }
+}

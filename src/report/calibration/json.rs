@@ -1,0 +1,84 @@
+use super::{CalibrationReport, by_outcome};
+use crate::report::json;
+use serde_json::{Map, Value, json};
+
+/// The calibration as JSON, SI and radians.
+pub fn calibration_json(report: &CalibrationReport<'_>) -> Value {
+    let CalibrationReport { table, found, held_out } = report;
+    let statistics = &found.statistics;
+    let names: Vec<&str> = found.estimates.iter().map(|estimate| estimate.parameter.name).collect();
+    let estimates: Map<String, Value> = found
+        .estimates
+        .iter()
+        .map(|estimate| {
+            let ends = estimate.standard_error.map(|error| {
+                let reach = statistics.reach * error;
+                [estimate.value - reach, estimate.value + reach]
+            });
+            let entry = json!({
+                "value": json::number(Some(estimate.value)),
+                "standard_error": json::number(estimate.standard_error),
+                "interval_95": ends,
+                "at_bound": estimate.is_at_bound,
+            });
+            (estimate.parameter.name.to_owned(), entry)
+        })
+        .collect();
+    let matrix = |entry: &dyn Fn(usize, usize) -> Option<f64>| -> Vec<Vec<Value>> {
+        (0..names.len()).map(|a| (0..names.len()).map(|b| json::number(entry(a, b))).collect()).collect()
+    };
+    let undetermined: Vec<Value> = statistics
+        .undetermined
+        .iter()
+        .map(|direction| Value::Object(json::named(direction.parts.iter().map(|(at, part)| (names[*at], Some(*part))))))
+        .collect();
+    let residuals: Vec<Value> = found
+        .remainders
+        .iter()
+        .map(|remainder| {
+            json!({
+                "row": remainder.row,
+                "outcome": remainder.outcome.name(),
+                "stationary": remainder.stationary.map(|parameter| parameter.name),
+                "measured": remainder.measured,
+                "difference": remainder.difference,
+                "residual": remainder.residual,
+            })
+        })
+        .collect();
+    let held: Vec<Value> = held_out
+        .iter()
+        .map(|(name, held)| {
+            let rms: Map<String, Value> =
+                by_outcome(held).into_iter().map(|(name, rms, ..)| (name, json::number(Some(rms)))).collect();
+            json!({ "of": name, "folds": held.folds, "rms_in_sigma": held.mean_square().sqrt(), "rms": rms })
+        })
+        .collect();
+    json!({
+        "status": found.fit.status.name(),
+        "message": found.fit.message,
+        "data": {
+            "file": table.file,
+            "shots": table.shots.len(),
+            "values": table.residuals(),
+            "launch_conditions": table.is_launched,
+            "remarks": table.remarks,
+        },
+        "estimates": estimates,
+        "names": names,
+        "covariance": matrix(&|a, b| statistics.covariance[a][b]),
+        "correlation": matrix(&|a, b| statistics.correlation(a, b)),
+        "undetermined": undetermined,
+        "chi_square": json::number(Some(statistics.chi_square)),
+        "degrees_of_freedom": statistics.degrees_of_freedom,
+        "probability": json::number(statistics.probability),
+        "error_scale": json::number(Some(statistics.scale)),
+        "iterations": found.fit.iterations,
+        "evaluations": found.fit.evaluations,
+        "refused": { "count": found.fit.refused, "last": found.fit.why_refused },
+        "starts": { "made": found.starts.0, "same": found.starts.1 },
+        "residuals": residuals,
+        "held_out": held,
+        "setup": json::setup(&found.setup),
+    })
+}

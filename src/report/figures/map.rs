@@ -1,0 +1,92 @@
+use crate::report::plot::{Axis, Field, Figure, Hue, Layer, Measure};
+use crate::study::{Flatness, Map, Optimum, Slope, Vary};
+
+/// The longest arrow, as a part of the map's width.
+const LONGEST_ARROW: f64 = 0.1;
+
+/// A map with its gradients and, where the search of an optimum varied both its parameters, the optimum with its window.
+pub fn map_figure(map: &Map, best: Option<&Optimum>, flatness: Option<&Flatness>) -> Figure {
+    let Map { of, across, up, columns, values, missing, slopes } = map;
+    let [x, y] = [across, up].map(|vary| Axis::linear(Measure::parameter(vary.parameter)).exactly(vary.low, vary.high));
+    let measure = Measure::outcome(*of);
+    let title = format!("{} over {} and {}", capital(&measure.label), x.measure.label, y.measure.label);
+    let name = format!("map-{}", of.name());
+    let field = Field {
+        measure,
+        x: [across.low, across.high],
+        y: [up.low, up.high],
+        columns: *columns,
+        values: values.clone(),
+        nothing: "no drive",
+    };
+    let mut figure = Figure::new(name, title, x, y).with(Layer::Contours(field)).with(arrows(across, up, slopes));
+    figure.aspect = 0.85;
+    let mut notes =
+        vec!["The edges are the bounds; the arrows are exact gradients, in units of the ranges.".to_owned()];
+    if let Some(why) = missing {
+        notes.push(format!("Grey: no value; first because {why}."));
+    }
+    if let Some(best) = best
+        && let Some([i, j]) = place(best, across, up)
+    {
+        let hue = Hue::Series(1);
+        let at = [best.solution.x[i], best.solution.x[j]];
+        if let Some(flatness) = flatness {
+            let (wide, tall) = (flatness.windows[i], flatness.windows[j]);
+            let cross = [[[wide.low, at[1]], [wide.high, at[1]]], [[at[0], tall.low], [at[0], tall.high]]];
+            for (ends, name) in cross.into_iter().zip(["window", ""]) {
+                figure.layers.push(Layer::Line { name: name.into(), hue, is_dashed: false, points: ends.to_vec() });
+            }
+            let loss = Measure::outcome(best.search.maximize).show_both(flatness.loss);
+            notes.push(format!("The window is how far each parameter may stray alone for a loss of {loss}."));
+            if let Some(ellipse) = ellipse(best, flatness, [i, j]) {
+                figure.layers.push(ellipse);
+                notes.push("The ellipse is how far both may together, by the quadratic.".into());
+            }
+        }
+        figure.layers.push(Layer::Mark { name: "optimum".into(), hue, at });
+    }
+    figure.noted(notes.join(" "))
+}
+
+/// Where in an optimum's search the parameters of a map stand; `None` where it did not vary both.
+fn place(best: &Optimum, across: &Vary, up: &Vary) -> Option<[usize; 2]> {
+    let at = |of: &Vary| best.search.vary.iter().position(|vary| vary.parameter == of.parameter);
+    best.value()?;
+    Some([at(across)?, at(up)?])
+}
+
+/// Gradients in units of the ranges, as the map shows them: steepest ascent on the page.
+fn arrows(across: &Vary, up: &Vary, slopes: &[Slope]) -> Layer {
+    let width = [across, up].map(|vary| vary.high - vary.low);
+    let scaled = |gradient: [f64; 2]| [gradient[0] * width[0], gradient[1] * width[1]];
+    let longest = slopes.iter().map(|slope| {
+        let [x, y] = scaled(slope.gradient);
+        x.hypot(y)
+    });
+    let longest = longest.fold(f64::MIN_POSITIVE, f64::max);
+    let arrow = |slope: &Slope| {
+        let [x, y] = scaled(slope.gradient).map(|part| part * LONGEST_ARROW / longest);
+        [slope.at, [slope.at[0] + x * width[0], slope.at[1] + y * width[1]]]
+    };
+    Layer::Arrows { name: "gradient".into(), hue: Hue::Ink, arrows: slopes.iter().map(arrow).collect() }
+}
+
+/// The ellipse of both parameters, where both are free.
+fn ellipse(best: &Optimum, flatness: &Flatness, pair: [usize; 2]) -> Option<Layer> {
+    let turned = [pair[1], pair[0]];
+    let ellipse = flatness.ellipses.iter().find(|ellipse| ellipse.pair == pair || ellipse.pair == turned)?;
+    let order = if ellipse.pair == pair { [0, 1] } else { [1, 0] };
+    let point = |angle: f64| {
+        let [long, short] = ellipse.half_axes;
+        order.map(|k| best.solution.x[ellipse.pair[k]] + angle.cos() * long[k] + angle.sin() * short[k])
+    };
+    let around = (0..=120).map(|i| point(std::f64::consts::TAU * f64::from(i) / 120.0)).collect();
+    Some(Layer::dashed("ellipse", 1, around))
+}
+
+/// A word that begins a line.
+pub(super) fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
+}

@@ -1,0 +1,76 @@
+//! The exhibit of the noise.
+
+use super::per_radian;
+use crate::report::document::Document;
+use crate::report::plot::{Axis, Figure, Layer, Measure};
+use crate::reproduce::{Landings, Noise, Slopes};
+use crate::units::{Quantity, significant};
+
+pub(super) fn noise(document: &mut Document, noise: &Noise) {
+    document.heading("Its noise");
+    document.paragraph(format!(
+        "The report's flight loop stops at the first step of {} s that ends below the ground. Carry then has teeth: around loft 10°, attack angle 0°, \
+         one every {}° of loft, {} m high. That is no noise but a bias. A small difference lies within one tooth, where the number of steps does \
+         not change: it sees the slope of carry at a fixed time, not that at landing. Its sign is wrong at {} of the {} lofts below. Where the \
+         straight line between the loop's last two steps meets the ground, that is cured.",
+        noise.step,
+        significant(noise.teeth.width.to_degrees(), 3),
+        significant(noise.teeth.height, 3),
+        noise.wrong_signs(),
+        noise.slopes.len(),
+    ));
+    document.figure(zoomed(&noise.zoom));
+    document.paragraph(format!(
+        "Slopes of carry by loft at attack angle 0°, differences of {} rad as MATLAB's fmincon takes them:",
+        significant(noise.difference, 3)
+    ));
+    let rows = noise.slopes.iter().map(|slopes| {
+        vec![
+            format!("{:.0}°", slopes.loft.to_degrees()),
+            per_radian(slopes.exact),
+            per_radian(slopes.at_fixed_time),
+            per_radian(slopes.overshot),
+            per_radian(slopes.interpolated),
+            if slopes.overshot * slopes.exact < 0.0 { "the loop's sign is wrong" } else { "" }.into(),
+        ]
+    });
+    document.table(&["loft", "exact", "exact, at fixed time", "loop", "loop, interpolated", ""], rows);
+    document.figure(slopes(&noise.slopes));
+    document
+        .paragraph("A shorter time step does not help. At loft 10°, attack angle 0° the loop's differences with it:");
+    let rows =
+        noise.shorter_steps.iter().map(|(step, slope)| vec![format!("{step} s"), per_radian(*slope), String::new()]);
+    document.table(&["time step", "loop", ""], rows);
+    document.paragraph(
+        "Longer differences reach over the teeth, and are wrong by the curvature instead. The same place with the time step as it was:",
+    );
+    let rows = noise.longer_differences.iter().map(|(difference, slopes)| {
+        let [overshot, interpolated, smooth] = slopes.map(per_radian);
+        vec![format!("{} rad", significant(*difference, 3)), overshot, interpolated, smooth, String::new()]
+    });
+    document.table(&["difference", "loop", "loop, interpolated", "smooth landing", ""], rows);
+}
+
+fn loft() -> Axis {
+    Axis::linear(Measure::new("loft", Quantity::ANGLE, "deg"))
+}
+
+fn zoomed(zoom: &[Landings]) -> Figure {
+    let points = |carry: fn(&Landings) -> f64| zoom.iter().map(|at| [at.loft, carry(at)]).collect();
+    let carry = Axis::linear(Measure::new("carry", Quantity::LENGTH, "m"));
+    Figure::new("teeth", "Carry at high zoom, attack angle 0°", loft(), carry)
+        .with(Layer::line("the report's loop", 1, points(|at| at.overshot)))
+        .with(Layer::line("the loop, interpolated", 2, points(|at| at.interpolated)))
+        .with(Layer::line("smooth landing", 0, points(|at| at.smooth)))
+        .noted("The loop is off by its Euler steps too: interpolated it runs beside the smooth landing, not on it.")
+}
+
+fn slopes(slopes: &[Slopes]) -> Figure {
+    let points = |slope: fn(&Slopes) -> f64| slopes.iter().map(|at| [at.loft, slope(at).to_radians()]).collect();
+    let slope = Axis::linear(Measure::new("carry per degree of loft", Quantity::LENGTH, "m"));
+    Figure::new("slopes", "Slopes of carry by loft, attack angle 0°", loft(), slope)
+        .with(Layer::line("exact, at fixed time", 3, points(|at| at.at_fixed_time)))
+        .with(Layer::dots("differences of the report's loop", 1, points(|at| at.overshot)))
+        .with(Layer::line("exact", 0, points(|at| at.exact)))
+        .with(Layer::dots("differences of the loop, interpolated", 2, points(|at| at.interpolated)))
+}

@@ -1,0 +1,73 @@
+//! Searches on the noise and without it.
+
+use super::metres;
+use crate::report::document::Document;
+use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};
+use crate::reproduce::{Delivery, Landing, Mae494, Method, Searches};
+use crate::units::Quantity;
+
+/// A search within this of the best carry, m, has found it.
+const FOUND: f64 = 0.01;
+
+pub(super) fn searches(document: &mut Document, found: &Mae494) {
+    let best = found.optimum.exact();
+    let count = found.searches.first().map_or(0, |searches| searches.ends.len());
+    document.heading("What searches make of it");
+    document.paragraph(format!(
+        "From the same {count} starts in the report's ranges, all of which fly: the searches that end within a centimetre of the best carry, \
+         {}; what the others miss is measured by the smooth landing. A flight with exact derivatives counts as one. L-BFGS is argmin's, with the line \
+         search of Moré and Thuente; it knows no bounds, and x = middle + half the width · sin u gives it none.",
+        metres(best.carry),
+    ));
+    let rows = found.searches.iter().map(|searches| {
+        let missed = searches.missed(best.carry);
+        let worst = missed.last().copied().unwrap_or_default();
+        let median = missed.get(missed.len() / 2).copied().unwrap_or_default();
+        vec![
+            format!("{} of {count}", searches.within(FOUND, best.carry)),
+            metres(median),
+            metres(worst),
+            format!("{}", searches.flights() / count.max(1) as u64),
+            landing(searches.landing).into(),
+            method(searches.method).into(),
+        ]
+    });
+    document.table(&["found", "median miss", "worst miss", "flights each", "landing", "method"], rows);
+    document.figure(ends(&found.searches, &best));
+}
+
+fn landing(landing: Landing) -> &'static str {
+    match landing {
+        Landing::Overshot => "the report's loop",
+        Landing::Interpolated => "loop, interpolated",
+        Landing::Smooth => "smooth",
+    }
+}
+
+fn method(method: Method) -> &'static str {
+    match method {
+        Method::LimitedMemory => "L-BFGS, differences",
+        Method::LimitedMemoryExact => "L-BFGS, exact gradients",
+        Method::QuasiNewton => "longdrive without Hessians, differences",
+        Method::Exact => "longdrive, exact gradients and Hessians",
+    }
+}
+
+fn ends(searches: &[Searches], best: &Delivery) -> Figure {
+    let angle = |label: &str| Axis::linear(Measure::new(label, Quantity::ANGLE, "deg"));
+    let mut figure =
+        Figure::new("ends", "Where searches from the same starts end", angle("loft"), angle("attack angle"))
+            .noted("A search that ends where it began hides its start.");
+    if let Some(any) = searches.first() {
+        let points = any.ends.iter().map(|end| [end.start.loft, end.start.attack_angle]).collect();
+        figure = figure.with(Layer::Dots { name: "starts".into(), hue: Hue::Faint, points });
+    }
+    let shown = [(Landing::Overshot, Method::LimitedMemory, 1), (Landing::Overshot, Method::QuasiNewton, 2)];
+    for (landing, by, hue) in shown {
+        for searches in searches.iter().filter(|searches| (searches.landing, searches.method) == (landing, by)) {
+            let points = searches.ends.iter().map(|end| [end.at.loft, end.at.attack_angle]).collect();
+            figure = figure.with(Layer::dots(format!("{} on the report's loop", method(by)), hue, points));
+        }
+    }
+    figure.with(Layer::Mark { name: "the optimum".into(), hue: Hue::Series(0), at: [best.loft, best.attack_angle] })
+}

@@ -1,0 +1,119 @@
+use crate::drive::Outcome;
+use crate::parameters::Parameter;
+use crate::units::{Quantity, System, significant};
+
+/// What is measured along an axis or by a colour.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Measure {
+    /// What it is called: "carry".
+    pub label: String,
+    /// Its kind of quantity; values are SI.
+    pub quantity: Quantity,
+    /// The unit that golfers read it in, whichever of the two systems it belongs to.
+    pub unit: &'static str,
+}
+
+impl Measure {
+    /// A measure of this name.
+    pub fn new(label: impl Into<String>, quantity: Quantity, unit: &'static str) -> Self {
+        Self { label: label.into(), quantity, unit }
+    }
+
+    /// A number without unit.
+    pub fn plain(label: impl Into<String>) -> Self {
+        Self::new(label, Quantity::NUMBER, "")
+    }
+
+    /// An outcome.
+    pub fn outcome(outcome: Outcome) -> Self {
+        Self::new(outcome.name().replace('_', " "), outcome.quantity(), outcome.unit())
+    }
+
+    /// A parameter.
+    pub fn parameter(parameter: &Parameter) -> Self {
+        let last = parameter.name.rsplit_once('.').map_or(parameter.name, |(_, last)| last);
+        let label = if last.len() < 3 { parameter.name.replace('.', " ") } else { last.replace('_', " ") };
+        Self::new(label, parameter.quantity, parameter.unit)
+    }
+
+    /// An SI value in the unit of a system.
+    pub fn in_units(&self, value: f64, system: System) -> f64 {
+        value / self.quantity.size_of(system.unit(self.unit)).unwrap_or(1.0)
+    }
+
+    /// An SI value as golfers of both systems read it: "1 yd (0.914 m)".
+    pub fn show_both(&self, value: f64) -> String {
+        let [us, metric] = [System::Us, System::Metric].map(|system| {
+            let unit = system.unit(self.unit);
+            format!("{} {unit}", significant(self.in_units(value, system), 4)).trim_end().to_owned()
+        });
+        if us == metric { us } else { format!("{us} ({metric})") }
+    }
+
+    /// What it is called, with the unit of a system: "carry [yd]".
+    pub fn titled(&self, system: System) -> String {
+        with_unit(&self.label, system.unit(self.unit))
+    }
+
+    /// What it is called, with its SI unit: "carry [m]".
+    pub fn titled_si(&self) -> String {
+        with_unit(&self.label, self.quantity.si)
+    }
+}
+
+fn with_unit(label: &str, unit: &str) -> String {
+    if unit.is_empty() { label.into() } else { format!("{label} [{unit}]") }
+}
+
+/// How values lie along an axis.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Scale {
+    /// Evenly.
+    Linear,
+    /// By their logarithm; what is not above zero has no place.
+    Log,
+    /// Whole numbers from 0, a name for each, the first on top: the bars of a tornado.
+    Names(Vec<String>),
+}
+
+/// An axis.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Axis {
+    /// What it measures.
+    pub measure: Measure,
+    /// How.
+    pub scale: Scale,
+    /// What it reaches at least, SI, beside the data.
+    pub reach: Option<[f64; 2]>,
+    /// Whether it ends exactly there, and what lies beyond is not shown.
+    pub is_exact: bool,
+}
+
+impl Axis {
+    /// An axis as wide as its data.
+    pub fn linear(measure: Measure) -> Self {
+        Self { measure, scale: Scale::Linear, reach: None, is_exact: false }
+    }
+
+    /// A logarithmic axis as wide as its data.
+    pub fn log(measure: Measure) -> Self {
+        Self { scale: Scale::Log, ..Self::linear(measure) }
+    }
+
+    /// Names, one below the other.
+    pub fn names(names: impl IntoIterator<Item = String>) -> Self {
+        Self { scale: Scale::Names(names.into_iter().collect()), ..Self::linear(Measure::plain("")) }
+    }
+
+    /// The same, that reaches at least from `low` to `high`, SI.
+    #[must_use]
+    pub fn reaching(self, low: f64, high: f64) -> Self {
+        Self { reach: Some([low, high]), ..self }
+    }
+
+    /// The same, from `low` to `high` exactly, SI.
+    #[must_use]
+    pub fn exactly(self, low: f64, high: f64) -> Self {
+        Self { is_exact: true, ..self.reaching(low, high) }
+    }
+}

@@ -1,0 +1,204 @@
+use super::axis::{Axis, Measure};
+
+/// A plot as data: what is drawn, not how. Pictures and tables are views of it. All numbers are SI.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Figure {
+    /// A name for files: "trajectory-side".
+    pub name: String,
+    /// What it shows, in a few words.
+    pub title: String,
+    /// What a reader should know beside, in a sentence or two; may be empty.
+    pub note: String,
+    /// The horizontal axis.
+    pub x: Axis,
+    /// The vertical axis.
+    pub y: Axis,
+    /// Height over width of the picture.
+    pub aspect: f64,
+    /// What is drawn, the lowest first.
+    pub layers: Vec<Layer>,
+}
+
+impl Figure {
+    /// A plot without anything in it yet.
+    pub fn new(name: impl Into<String>, title: impl Into<String>, x: Axis, y: Axis) -> Self {
+        let (name, title) = (name.into(), title.into());
+        Self { name, title, note: String::new(), x, y, aspect: 0.72, layers: vec![] }
+    }
+
+    /// The same with one more layer on top.
+    #[must_use]
+    pub fn with(mut self, layer: Layer) -> Self {
+        self.layers.push(layer);
+        self
+    }
+
+    /// The same with a note.
+    #[must_use]
+    pub fn noted(self, note: impl Into<String>) -> Self {
+        Self { note: note.into(), ..self }
+    }
+}
+
+/// The colour of a layer, the same in all plots of a report.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Hue {
+    /// Text and axes.
+    Ink,
+    /// What stands back.
+    Faint,
+    /// A series, by number; they begin again after [`Hue::SERIES`].
+    Series(usize),
+}
+
+impl Hue {
+    /// How many colours there are for series.
+    pub const SERIES: usize = 6;
+}
+
+/// Something drawn. A name, where it is not empty, stands in the legend and in the table of the data.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Layer {
+    /// A line through points; it breaks where a coordinate is not finite.
+    Line {
+        /// Its name.
+        name: String,
+        /// Its colour.
+        hue: Hue,
+        /// Whether it is dashed.
+        is_dashed: bool,
+        /// Its points.
+        points: Vec<[f64; 2]>,
+    },
+    /// Points.
+    Dots {
+        /// Their name.
+        name: String,
+        /// Their colour.
+        hue: Hue,
+        /// Where they are.
+        points: Vec<[f64; 2]>,
+    },
+    /// What lies between two lines.
+    Band {
+        /// Its name.
+        name: String,
+        /// Its colour.
+        hue: Hue,
+        /// Its edges: x, low, high.
+        points: Vec<[f64; 3]>,
+    },
+    /// Horizontal bars, for an axis of names.
+    Bars {
+        /// Their name.
+        name: String,
+        /// Their colour.
+        hue: Hue,
+        /// Each bar: the number of its name, from, to.
+        bars: Vec<Bar>,
+    },
+    /// Lines of equal value with the ground between them coloured.
+    Contours(Field),
+    /// A place with a word beside it.
+    Mark {
+        /// The word.
+        name: String,
+        /// Its colour.
+        hue: Hue,
+        /// Where it is.
+        at: [f64; 2],
+    },
+    /// Arrows.
+    Arrows {
+        /// Their name.
+        name: String,
+        /// Their colour.
+        hue: Hue,
+        /// Each from where to where.
+        arrows: Vec<[[f64; 2]; 2]>,
+    },
+    /// A rectangle.
+    Frame {
+        /// Its name.
+        name: String,
+        /// Its colour.
+        hue: Hue,
+        /// Its low corner.
+        low: [f64; 2],
+        /// Its high corner.
+        high: [f64; 2],
+    },
+}
+
+impl Layer {
+    /// A line.
+    pub fn line(name: impl Into<String>, hue: usize, points: Vec<[f64; 2]>) -> Self {
+        Self::Line { name: name.into(), hue: Hue::Series(hue), is_dashed: false, points }
+    }
+
+    /// A dashed line.
+    pub fn dashed(name: impl Into<String>, hue: usize, points: Vec<[f64; 2]>) -> Self {
+        Self::Line { name: name.into(), hue: Hue::Series(hue), is_dashed: true, points }
+    }
+
+    /// Points.
+    pub fn dots(name: impl Into<String>, hue: usize, points: Vec<[f64; 2]>) -> Self {
+        Self::Dots { name: name.into(), hue: Hue::Series(hue), points }
+    }
+
+    /// What it is called, and its colour where it has one of its own.
+    pub fn named(&self) -> (&str, Option<Hue>) {
+        match self {
+            Self::Line { name, hue, .. }
+            | Self::Dots { name, hue, .. }
+            | Self::Band { name, hue, .. }
+            | Self::Bars { name, hue, .. }
+            | Self::Mark { name, hue, .. }
+            | Self::Arrows { name, hue, .. }
+            | Self::Frame { name, hue, .. } => (name, Some(*hue)),
+            Self::Contours(field) => (&field.measure.label, None),
+        }
+    }
+}
+
+/// A horizontal bar.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bar {
+    /// The number of its name on the axis.
+    pub place: usize,
+    /// Where it begins.
+    pub from: f64,
+    /// Where it ends.
+    pub to: f64,
+}
+
+/// Values over a grid that spans both axes' ends evenly.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Field {
+    /// What is measured.
+    pub measure: Measure,
+    /// First and last column.
+    pub x: [f64; 2],
+    /// First and last row.
+    pub y: [f64; 2],
+    /// Columns.
+    pub columns: usize,
+    /// Row by row from the lowest; `None` where there is no value.
+    pub values: Vec<Option<f64>>,
+    /// What it means where there is none: "no flight".
+    pub nothing: &'static str,
+}
+
+impl Field {
+    /// Rows.
+    pub fn rows(&self) -> usize {
+        self.values.len().checked_div(self.columns).unwrap_or(0)
+    }
+
+    /// The place of a column and a row, counted from 0; parts of them lie between.
+    pub fn place(&self, column: f64, row: f64) -> [f64; 2] {
+        let along =
+            |[low, high]: [f64; 2], part: f64, count: usize| low + (high - low) * part / (count.max(2) - 1) as f64;
+        [along(self.x, column, self.columns), along(self.y, row, self.rows())]
+    }
+}

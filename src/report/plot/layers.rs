@@ -1,0 +1,195 @@
+//! Each kind of layer as it is drawn, in pixels of the plot.
+
+use super::canvas::{Area, FINE, LINE, Labels, block, failed, fine, path, stroke};
+use super::contour::{Ground, grounds};
+use super::figure::{Field, Figure, Layer};
+use super::palette::Palette;
+use super::ticks::Drawn;
+use crate::error::Result;
+use crate::units::{System, significant};
+use plotters::element::{Circle, DashedPathElement, PathElement, Polygon};
+use plotters::style::{Color, RGBColor};
+
+/// The plane of the axes on the sheet.
+pub(super) struct Plane<'a> {
+    pub x: &'a Drawn,
+    pub y: &'a Drawn,
+    /// Left, top, right and bottom, pixels.
+    pub frame: [f64; 4],
+}
+
+impl Plane<'_> {
+    /// Where SI coordinates lie, pixels; `None` off the axes.
+    pub fn pixel(&self, [x, y]: [f64; 2]) -> Option<[f64; 2]> {
+        let [left, top, right, bottom] = self.frame;
+        let along = |drawn: &Drawn, value: f64, from: f64, to: f64| {
+            let part = (drawn.place(value)? - drawn.low) / (drawn.high - drawn.low);
+            (-1e-6..=1.0 + 1e-6).contains(&part).then_some(from + part * (to - from))
+        };
+        Some([along(self.x, x, left, right)?, along(self.y, y, bottom, top)?])
+    }
+
+    fn all(&self, points: &[[f64; 2]]) -> Vec<[f64; 2]> {
+        points.iter().filter_map(|point| self.pixel(*point)).collect()
+    }
+
+    /// The pieces of a line that lie on the plane.
+    fn pieces(&self, points: &[[f64; 2]]) -> Vec<Vec<[f64; 2]>> {
+        let placed: Vec<_> = points.iter().map(|point| self.pixel(*point)).collect();
+        placed.split(Option::is_none).map(|piece| piece.iter().flatten().copied().collect()).collect()
+    }
+}
+
+/// Draws one layer; its words wait for the labels.
+pub(super) fn draw(area: &Area<'_>, plane: &Plane<'_>, palette: &Palette, system: System, layer: &Layer) -> Result<()> {
+    let color = layer.named().1.map_or(palette.ink, |hue| palette.of(hue));
+    match layer {
+        Layer::Line { is_dashed, points, .. } => {
+            plane.pieces(points).iter().try_for_each(|piece| line(area, piece, color, *is_dashed))
+        }
+        Layer::Dots { points, .. } => plane.all(points).into_iter().try_for_each(|at| dot(area, at, color)),
+        Layer::Band { points, .. } => {
+            let low = points.iter().map(|[x, low, _]| [*x, *low]);
+            let high = points.iter().rev().map(|[x, _, high]| [*x, *high]);
+            polygon(area, &plane.all(&low.chain(high).collect::<Vec<_>>()), color, 0.22)
+        }
+        Layer::Bars { bars, .. } => bars.iter().try_for_each(|bar| {
+            let ends = [bar.from, bar.to].map(|x| plane.pixel([x, bar.place as f64]));
+            let [Some(from), Some(to)] = ends else { return Ok(()) };
+            let half = 7.0;
+            block(area, [from[0].min(to[0]), from[1] - half], [from[0].max(to[0]), from[1] + half], color, 0.85)
+        }),
+        Layer::Contours(field) => ground(area, plane, palette, system, field),
+        Layer::Mark { at, .. } => plane.pixel(*at).map_or(Ok(()), |at| star(area, palette, at, color)),
+        Layer::Arrows { arrows, .. } => arrows.iter().try_for_each(|[from, to]| {
+            let ends = [plane.pixel(*from), plane.pixel(*to)];
+            if let [Some(from), Some(to)] = ends { arrow(area, from, to, color) } else { Ok(()) }
+        }),
+        Layer::Frame { low, high, .. } => {
+            let [Some(low), Some(high)] = [plane.pixel(*low), plane.pixel(*high)] else { return Ok(()) };
+            let corners = [low, [high[0], low[1]], high, [low[0], high[1]], low];
+            line(area, &corners, color, true)
+        }
+    }
+}
+
+/// The words of the layers: at marks, then on contours as far as there is room.
+pub(super) fn label(labels: &mut Labels<'_, '_>, plane: &Plane<'_>, system: System, figure: &Figure) -> Result<()> {
+    for layer in &figure.layers {
+        if let Layer::Mark { name, hue, at } = layer
+            && let Some(at) = plane.pixel(*at)
+        {
+            let half = Labels::extent(name, [0.0, 0.0])[1][0];
+            let is_left = at[0] + 2.0 * half + 10.0 > plane.frame[2];
+            let side = if is_left { -half - 9.0 } else { half + 9.0 };
+            // beside, above or below the mark, wherever no other word is
+            let heights = [0.0, -LINE, LINE, -2.0 * LINE, 2.0 * LINE].map(|up| at[1] + up);
+            let is_inside = |y: &f64| {
+                (plane.frame[1]..=plane.frame[3]).contains(&(y + 0.5 * LINE)) && *y > plane.frame[1] + 0.5 * LINE
+            };
+            let free = |y: &f64| is_inside(y) && labels.is_free(Labels::extent(name, [at[0] + side, *y]));
+            let y = heights.into_iter().find(free).unwrap_or(at[1]);
+            labels.write(name, [at[0] + side, y], labels.palette.of(*hue), true)?;
+        }
+    }
+    for layer in &figure.layers {
+        if let Layer::Contours(field) = layer {
+            for ground in grounds(field, system) {
+                levels(labels, plane, &ground)?;
+            }
+        }
+    }
+    Ok(())
+}
+
+/// The level of a contour, once, where there is most room.
+fn levels(labels: &mut Labels<'_, '_>, plane: &Plane<'_>, ground: &Ground) -> Result<()> {
+    let [left, top, right, bottom] = plane.frame;
+    let text = significant(ground.level, 6);
+    let room = |at: &[f64; 2]| (at[0] - left).min(right - at[0]).min(at[1] - top).min(bottom - at[1]);
+    let longest = ground.lines.iter().max_by_key(|line| line.len());
+    let places = longest.map(|line| plane.all(line)).unwrap_or_default();
+    let is_free = |at: &&[f64; 2]| room(at) > 24.0 && labels.is_free(Labels::extent(&text, **at));
+    // near the middle of the line first: ends crowd together
+    let middle = places.len() / 2;
+    let outward =
+        (0..places.len()).map(|i| if i % 2 == 0 { middle.wrapping_add(i / 2) } else { middle.wrapping_sub(i / 2 + 1) });
+    let place = outward.filter_map(|i| places.get(i)).find(is_free).copied();
+    place.map_or(Ok(()), |at| labels.write(&text, at, labels.palette.ink, false))
+}
+
+fn ground(area: &Area<'_>, plane: &Plane<'_>, palette: &Palette, system: System, field: &Field) -> Result<()> {
+    let grounds = grounds(field, system);
+    let shade = |i: usize| {
+        // the shade of what lies between this level and the next
+        let next = grounds.get(i + 1).map_or(1.0, |next| next.part);
+        palette.height(0.5 * (grounds[i].part + next))
+    };
+    for (i, ground) in grounds.iter().enumerate() {
+        ground.outlines.iter().try_for_each(|outline| polygon(area, &plane.all(outline), shade(i), 1.0))?;
+    }
+    for line in grounds.iter().flat_map(|ground| &ground.lines) {
+        path(area, &plane.all(line), stroke(palette.faint, 0.7))?;
+    }
+    let (columns, rows) = (field.columns, field.rows());
+    // where there is nothing: whole runs of each row, a little over their neighbours, so that no seams show
+    let corner = |column: f64, row: f64| {
+        let end = |at: f64, count: usize| at.clamp(0.0, (count - 1) as f64);
+        plane.pixel(field.place(end(column, columns), end(row, rows)))
+    };
+    for (row, values) in field.values.chunks(columns).enumerate() {
+        let mut column = 0;
+        for run in values.chunk_by(|a, b| a.is_none() == b.is_none()) {
+            let (from, to) = (column as f64 - 0.5, (column + run.len()) as f64 - 0.5);
+            column += run.len();
+            let corners = [corner(from, row as f64 - 0.52), corner(to, row as f64 + 0.52)];
+            if let (true, [Some(low), Some(high)]) = (run[0].is_none(), corners) {
+                block(area, [low[0], high[1]], [high[0], low[1]], palette.nothing, 1.0)?;
+            }
+        }
+    }
+    Ok(())
+}
+
+pub(super) fn line(area: &Area<'_>, points: &[[f64; 2]], color: RGBColor, is_dashed: bool) -> Result<()> {
+    if points.len() < 2 {
+        return points.iter().try_for_each(|at| dot(area, *at, color));
+    }
+    let style = stroke(color, 2.0);
+    if !is_dashed {
+        return path(area, points, style);
+    }
+    let points: Vec<_> = points.iter().map(|[x, y]| (fine(*x), fine(*y))).collect();
+    area.draw(&DashedPathElement::new(points, 6 * FINE, 4 * FINE, style)).map_err(failed)
+}
+
+pub(super) fn dot(area: &Area<'_>, [x, y]: [f64; 2], color: RGBColor) -> Result<()> {
+    area.draw(&Circle::new((fine(x), fine(y)), 3 * FINE, color.filled())).map_err(failed)
+}
+
+fn star(area: &Area<'_>, palette: &Palette, [x, y]: [f64; 2], color: RGBColor) -> Result<()> {
+    for (radius, color) in [(6.5, palette.ground), (5.0, color), (2.0, palette.ground)] {
+        area.draw(&Circle::new((fine(x), fine(y)), fine(radius), color.filled())).map_err(failed)?;
+    }
+    Ok(())
+}
+
+fn polygon(area: &Area<'_>, points: &[[f64; 2]], color: RGBColor, alpha: f64) -> Result<()> {
+    let points: Vec<_> = points.iter().map(|[x, y]| (fine(*x), fine(*y))).collect();
+    area.draw(&Polygon::new(points, color.mix(alpha).filled())).map_err(failed)
+}
+
+pub(super) fn arrow(area: &Area<'_>, from: [f64; 2], to: [f64; 2], color: RGBColor) -> Result<()> {
+    let [dx, dy] = [to[0] - from[0], to[1] - from[1]];
+    let length = dx.hypot(dy);
+    if length < 1.0 {
+        return Ok(());
+    }
+    let [dx, dy] = [dx / length, dy / length];
+    let head = 6.0_f64.min(0.6 * length);
+    let wing = |side: f64| [to[0] - head * (dx - side * 0.5 * dy), to[1] - head * (dy + side * 0.5 * dx)];
+    path(area, &[from, to], stroke(color, 1.3))?;
+    let points: Vec<_> = [wing(1.0), to, wing(-1.0)].iter().map(|[x, y]| (fine(*x), fine(*y))).collect();
+    area.draw(&PathElement::new(points.clone(), stroke(color, 1.3))).map_err(failed)?;
+    area.draw(&Polygon::new(points, color.filled())).map_err(failed)
+}

@@ -1,0 +1,35 @@
+//! Plots. A [`Figure`] is data: axes and layers, in SI. SVG, PNG and CSV are views of it, in either system of units, light
+//! or dark.
+//!
+//! ```
+//! use longdrive::report::plot::{Axis, Figure, Layer, Look, Measure, figure_csv, figure_svg};
+//! use longdrive::units::Quantity;
+//!
+//! let distance = Measure::new("downrange", Quantity::LENGTH, "yd");
+//! let height = Measure::new("height", Quantity::LENGTH, "yd");
+//! let figure = Figure::new("stone", "A thrown stone", Axis::linear(distance), Axis::linear(height))
+//!     .with(Layer::line("path", 0, vec![[0.0, 0.0], [10.0, 5.0], [20.0, 0.0]]));
+//! let svg = figure_svg(&figure, &Look::default()).unwrap();
+//! assert!(svg.starts_with("<svg") && svg.contains("downrange [yd]"));
+//! assert!(figure_csv(&figure).unwrap().contains("downrange [m]"));
+//! ```
+
+mod axis;
+mod canvas;
+mod contour;
+mod csv;
+mod figure;
+mod layers;
+mod legend;
+mod palette;
+#[cfg(feature = "png")]
+mod png;
+mod svg;
+mod ticks;
+
+pub use axis::{Axis, Measure, Scale};
+pub use csv::figure_csv;
+pub use figure::{Bar, Field, Figure, Hue, Layer};
+#[cfg(feature = "png")]
+pub use png::figure_png;
+pub use svg::{Look, Shades, dark_rules, figure_svg};

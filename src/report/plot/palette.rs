@@ -1,0 +1,89 @@
+use super::figure::Hue;
+use plotters::style::RGBColor;
+
+/// The colours of a picture. Series are told apart by the colour-blind too (hues after Okabe & Ito, 2008, darkened or
+/// lightened until each stands out 3 : 1 from the ground), and colour is never the only sign.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Palette {
+    /// The page.
+    pub ground: RGBColor,
+    /// Text and axes.
+    pub ink: RGBColor,
+    /// What stands back.
+    pub faint: RGBColor,
+    /// Lines of the mesh.
+    pub mesh: RGBColor,
+    /// Where a field has no value.
+    pub nothing: RGBColor,
+    series: [RGBColor; Hue::SERIES],
+    /// The lowest, middle and highest ground of a field.
+    heights: [RGBColor; 3],
+}
+
+/// For a bright page and for print.
+pub const LIGHT: Palette = Palette {
+    ground: RGBColor(255, 255, 255),
+    ink: RGBColor(28, 33, 40),
+    faint: RGBColor(94, 103, 115),
+    mesh: RGBColor(222, 226, 231),
+    nothing: RGBColor(206, 200, 194),
+    series: [
+        RGBColor(0, 101, 166),
+        RGBColor(197, 79, 0),
+        RGBColor(0, 122, 90),
+        RGBColor(160, 70, 128),
+        RGBColor(134, 104, 0),
+        RGBColor(25, 125, 160),
+    ],
+    heights: [RGBColor(246, 249, 237), RGBColor(170, 214, 190), RGBColor(72, 158, 166)],
+};
+
+/// For a dark page.
+pub const DARK: Palette = Palette {
+    ground: RGBColor(20, 24, 29),
+    ink: RGBColor(232, 236, 240),
+    faint: RGBColor(152, 162, 174),
+    mesh: RGBColor(52, 59, 68),
+    nothing: RGBColor(62, 56, 50),
+    series: [
+        RGBColor(98, 180, 240),
+        RGBColor(255, 158, 82),
+        RGBColor(64, 200, 160),
+        RGBColor(228, 152, 202),
+        RGBColor(226, 200, 84),
+        RGBColor(130, 215, 236),
+    ],
+    heights: [RGBColor(26, 33, 42), RGBColor(27, 70, 84), RGBColor(38, 122, 122)],
+};
+
+/// Steps of a field's colour.
+pub(super) const STEPS: usize = 24;
+
+impl Palette {
+    pub(super) fn of(&self, hue: Hue) -> RGBColor {
+        match hue {
+            Hue::Ink => self.ink,
+            Hue::Faint => self.faint,
+            Hue::Series(i) => self.series[i % Hue::SERIES],
+        }
+    }
+
+    /// The ground of a field at a part of its range, 0 to 1.
+    pub(super) fn height(&self, part: f64) -> RGBColor {
+        let part = (part.clamp(0.0, 1.0) * STEPS as f64).round() / STEPS as f64 * 2.0;
+        let (low, high) = if part < 1.0 { (0, 1) } else { (1, 2) };
+        let (a, b, part) = (self.heights[low], self.heights[high], part - low as f64);
+        let mix = |a: u8, b: u8| (f64::from(a) + part * (f64::from(b) - f64::from(a))).round() as u8;
+        RGBColor(mix(a.0, b.0), mix(a.1, b.1), mix(a.2, b.2))
+    }
+
+    /// Every colour, in the same order in each palette.
+    pub(super) fn all(&self) -> Vec<RGBColor> {
+        let heights = (0..=STEPS).map(|step| self.height(step as f64 / STEPS as f64));
+        [self.ground, self.ink, self.faint, self.mesh, self.nothing]
+            .into_iter()
+            .chain(self.series)
+            .chain(heights)
+            .collect()
+    }
+}

@@ -1,0 +1,158 @@
+//! Where an axis ends and which values stand on it.
+
+use super::axis::{Axis, Scale};
+use crate::units::{System, significant};
+use plotters::coord::ranged1d::{DefaultFormatting, KeyPointHint, Ranged};
+use std::ops::Range;
+
+/// An axis as drawn: its ends and ticks, in the unit of a system, of the logarithm where it is logarithmic.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Drawn {
+    axis: Axis,
+    system: System,
+    pub low: f64,
+    pub high: f64,
+    pub ticks: Vec<f64>,
+    /// Decimals of the numbers on a linear axis.
+    decimals: usize,
+}
+
+impl Drawn {
+    /// An axis around these SI values, with about `count` ticks. `None` where nothing of them has a place on it.
+    pub fn new(axis: &Axis, values: impl Iterator<Item = f64>, system: System, count: usize) -> Option<Self> {
+        let mut drawn = Self { axis: axis.clone(), system, low: 0.0, high: 1.0, ticks: vec![], decimals: 0 };
+        if let Scale::Names(names) = &axis.scale {
+            // the first on top
+            (drawn.low, drawn.high) = (names.len() as f64 - 0.5, -0.5);
+            drawn.ticks = (0..names.len()).map(|i| i as f64).collect();
+            return (!names.is_empty()).then_some(drawn);
+        }
+        let reach = axis.reach.into_iter().flatten();
+        let values: Vec<f64> = if axis.is_exact { reach.collect() } else { values.chain(reach).collect() };
+        let mut places = values.into_iter().filter_map(|value| drawn.place(value));
+        let first = places.next()?;
+        let (low, high) = places.fold((first, first), |(low, high), place| (low.min(place), high.max(place)));
+        // a single value still needs a width
+        let (low, high) =
+            if high > low { (low, high) } else { (low - 0.5 * low.abs().max(1.0), high + 0.5 * high.abs().max(1.0)) };
+        (drawn.low, drawn.high) = (low, high);
+        match axis.scale {
+            Scale::Log => drawn.decades(count),
+            _ => drawn.even(count),
+        }
+        Some(drawn)
+    }
+
+    fn even(&mut self, count: usize) {
+        let step = nice_step((self.high - self.low) / count as f64);
+        self.decimals = (-step.log10().floor()).max(0.0) as usize;
+        if !self.axis.is_exact {
+            // on to the next tick, unless the data end close below one
+            let slack = 1e-9;
+            self.low = (self.low / step + slack).floor() * step;
+            self.high = (self.high / step - slack).ceil() * step;
+        }
+        let from = (self.low / step - 1e-9).ceil() as i64;
+        let to = (self.high / step + 1e-9).floor() as i64;
+        self.ticks = (from..=to).map(|i| i as f64 * step).collect();
+    }
+
+    fn decades(&mut self, count: usize) {
+        if !self.axis.is_exact {
+            (self.low, self.high) = (self.low.floor(), self.high.ceil());
+        }
+        let (from, to) = ((self.low - 1e-9).ceil() as i64, (self.high + 1e-9).floor() as i64);
+        let every = ((to - from) as usize).div_ceil(count.max(1)).max(1);
+        self.ticks = (from..=to).step_by(every).map(|decade| decade as f64).collect();
+    }
+
+    /// Where an SI value lies; `None` where it has no place.
+    pub fn place(&self, value: f64) -> Option<f64> {
+        let place = match self.axis.scale {
+            Scale::Names(_) => value,
+            Scale::Linear => self.axis.measure.in_units(value, self.system),
+            Scale::Log => self.axis.measure.in_units(value, self.system).log10(),
+        };
+        place.is_finite().then_some(place)
+    }
+
+    /// What stands at a tick.
+    pub fn text(&self, tick: f64) -> String {
+        match &self.axis.scale {
+            Scale::Names(names) => names.get(tick.round() as usize).cloned().unwrap_or_default(),
+            // a tick near zero is zero: no "-0"
+            Scale::Linear => format!("{:.*}", self.decimals, tick + 0.0).replace('-', "\u{2212}"),
+            Scale::Log if (-2.5..=3.5).contains(&tick) => significant(10.0_f64.powf(tick), 3),
+            Scale::Log => format!("1e{tick:.0}").replace('-', "\u{2212}"),
+        }
+    }
+
+    /// What the axis is called.
+    pub fn title(&self) -> String {
+        self.axis.measure.titled(self.system)
+    }
+
+    /// Characters of the longest text at a tick.
+    pub fn longest(&self) -> usize {
+        self.ticks.iter().map(|tick| self.text(*tick).chars().count()).max().unwrap_or(0)
+    }
+}
+
+/// To the plotting library an axis is a coordinate with ticks.
+impl Ranged for Drawn {
+    type FormatOption = DefaultFormatting;
+    type ValueType = f64;
+
+    fn range(&self) -> Range<f64> {
+        self.low..self.high
+    }
+
+    fn map(&self, value: &f64, limit: (i32, i32)) -> i32 {
+        let part = (value - self.low) / (self.high - self.low);
+        limit.0 + (part * f64::from(limit.1 - limit.0)).round() as i32
+    }
+
+    fn key_points<Hint: KeyPointHint>(&self, hint: Hint) -> Vec<f64> {
+        // all its ticks are of the heavy kind
+        if hint.weight().allow_light_points() { vec![] } else { self.ticks.clone() }
+    }
+}
+
+/// The step of 1, 2 or 5 times a power of ten that is nearest above.
+pub(super) fn nice_step(step: f64) -> f64 {
+    let power = 10.0_f64.powf(step.log10().floor());
+    let [one, two, five, ten] = [1.0, 2.0, 5.0, 10.0].map(|digit| digit * power);
+    let enough = |nice: &f64| *nice >= step * (1.0 - 1e-9);
+    [one, two, five].into_iter().find(enough).unwrap_or(ten)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::axis::Measure;
+    use super::{Axis, Drawn, System, nice_step};
+    use crate::units::Quantity;
+
+    #[test]
+    fn steps_are_one_two_or_five() {
+        for (step, nice) in [(0.9, 1.0), (1.1, 2.0), (3.0, 5.0), (7.0, 10.0), (0.03, 0.05), (20.0, 20.0)] {
+            assert!((nice_step(step) - nice).abs() < 1e-12 * nice, "{step}");
+        }
+    }
+
+    #[test]
+    fn an_axis_ends_on_ticks_in_the_unit_read() {
+        let axis = Axis::linear(Measure::new("carry", Quantity::LENGTH, "yd"));
+        let drawn = Drawn::new(&axis, [0.0, 255.3].into_iter(), System::Us, 6).unwrap();
+        assert_eq!(
+            (drawn.low, drawn.high, drawn.text(50.0), drawn.title()),
+            (0.0, 300.0, "50".into(), "carry [yd]".into())
+        );
+        let drawn = Drawn::new(&axis, [0.0, 255.3].into_iter(), System::Metric, 6).unwrap();
+        assert_eq!((drawn.high, drawn.title()), (300.0, "carry [m]".into()));
+        let log = Axis::log(Measure::plain("error"));
+        let drawn = Drawn::new(&log, [3e-12, 0.0, 0.5].into_iter(), System::Us, 5).unwrap();
+        assert_eq!((drawn.low, drawn.high), (-12.0, 0.0));
+        assert_eq!(drawn.place(0.0), None);
+        assert!(Drawn::new(&log, [0.0].into_iter(), System::Us, 5).is_none());
+    }
+}

@@ -1,0 +1,180 @@
+//! What the paper prints, beside what comes out.
+
+use super::{degrees, in_yards, spread, yards};
+use crate::report::document::Document;
+use crate::report::plot::{Axis, Figure, Layer, Measure};
+use crate::reproduce::{Best, MISPRINTS, WinfieldTan};
+use crate::units::Quantity;
+
+pub(super) fn shot(document: &mut Document, found: &WinfieldTan) {
+    let (ours, theirs) = (&found.shot.computed, &found.shot.printed);
+    let mph = Quantity::SPEED.size_of("mph").unwrap_or(f64::NAN);
+    let row = |what: &str, unit: &str, size: f64, ours: f64, theirs: f64| {
+        let show = |value: f64| format!("{:.2} {unit}", value / size).trim_end().to_owned();
+        vec![show(theirs), show(ours), format!("{:+.2}", (ours - theirs) / size), what.into()]
+    };
+    document.heading("The single shot");
+    document.paragraph("Loft 10°, attack angle 0°, 103 mph.");
+    let yd = Quantity::LENGTH.size_of("yd").unwrap_or(f64::NAN);
+    let degree = 1.0_f64.to_radians();
+    document.table(
+        &["printed", "computed", "difference", "what"],
+        [
+            row("ball upwards", "mph", mph, ours.up, theirs.up),
+            row("ball downrange", "mph", mph, ours.downrange, theirs.downrange),
+            row("backspin", "rev/s", std::f64::consts::TAU, ours.backspin, theirs.backspin),
+            row("club downrange after impact", "mph", mph, ours.club_after, theirs.club_after),
+            row("launch angle", "deg", degree, ours.launch_angle, theirs.launch_angle),
+            row("carry", "yd", yd, ours.carry, theirs.carry),
+            row("flight time", "s", 1.0, ours.flight_time, theirs.flight_time),
+            row("apex", "yd", yd, ours.apex_height, theirs.apex_height),
+            row("time of the apex", "s", 1.0, ours.apex_time, theirs.apex_time),
+        ],
+    );
+    document.paragraph(format!(
+        "The printed launch angle is a slip: the printed components of the ball's velocity give {}. The robot Iron Byron, with the same \
+         delivery, hit {} ± {}: the computed carry lies {:.2} standard deviations from its mean.",
+        degrees(theirs.up.atan2(theirs.downrange)),
+        yards(found.shot.robot.0),
+        yards(found.shot.robot.1),
+        (ours.carry - found.shot.robot.0).abs() / found.shot.robot.1,
+    ));
+}
+
+pub(super) fn optimum(document: &mut Document, found: &WinfieldTan) {
+    let Best { computed, printed, at_printed } = &found.optimum;
+    document.heading("The optimum");
+    document.table(
+        &["loft", "attack angle", "carry", ""],
+        [
+            vec![degrees(printed.loft), degrees(printed.attack_angle), yards(printed.carry), "printed".into()],
+            vec![
+                degrees(printed.loft),
+                degrees(printed.attack_angle),
+                yards(*at_printed),
+                "printed delivery, flown".into(),
+            ],
+            vec![degrees(computed.loft), degrees(computed.attack_angle), yards(computed.carry), "exact".into()],
+        ],
+    );
+    document.paragraph(format!(
+        "The optimum lies on a ridge: as the attack angle rises the best loft falls, and carry hardly changes. The printed delivery \
+         carries only {:.3} yd less than the exact best, so that where on the ridge a search ends says little. Along it:",
+        in_yards(computed.carry - at_printed)
+    ));
+    document.table(
+        &["attack angle", "best loft", "carry", "less than the best"],
+        found.ridge.iter().map(|point| {
+            let less = format!("{:.3} yd", in_yards(computed.carry - point.carry).max(0.0));
+            vec![degrees(point.attack_angle), degrees(point.loft), yards(point.carry), less]
+        }),
+    );
+}
+
+pub(super) fn tables(document: &mut Document, found: &WinfieldTan) {
+    document.heading("Its tables");
+    let all = || found.table1.iter().chain(&found.table2);
+    let (carry_rms, carry_worst) = spread(all().map(|row| in_yards(row.computed.carry - row.printed.carry)));
+    let angles = found.table1.iter().map(|row| row.computed.attack_angle - row.printed.attack_angle);
+    let angles = angles.chain(found.table2.iter().map(|row| row.computed.loft - row.printed.loft)).map(f64::to_degrees);
+    let (angle_rms, angle_worst) = spread(angles);
+    document.paragraph(format!(
+        "Over all {} rows distances differ by {carry_rms:.3} yd rms (at most {carry_worst:.2}), optimum angles by {angle_rms:.3}° rms (at \
+         most {angle_worst:.2}°).",
+        all().count()
+    ));
+    document.paragraph("Table 1: the best attack angle at each loft.");
+    document.table(
+        &["loft", "attack printed", "attack", "carry printed", "carry", "difference"],
+        found.table1.iter().map(|row| line(row, true)),
+    );
+    document.paragraph("Table 2: the best loft at each attack angle.");
+    document.table(
+        &["attack angle", "loft printed", "loft", "carry printed", "carry", "difference"],
+        found.table2.iter().map(|row| line(row, false)),
+    );
+    let slips = MISPRINTS.map(|(table, row, scanned, taken)| format!("Table {table} at {row}°, {scanned} for {taken}"));
+    document.paragraph(format!(
+        "Three numbers of the print, as scanned, break columns that are smooth otherwise, and are corrected here: {}.",
+        slips.join("; ")
+    ));
+    document.figure(ridges(found));
+    document.figure(left_over(found));
+}
+
+fn line(row: &Best, is_by_loft: bool) -> Vec<String> {
+    let Best { computed, printed, .. } = row;
+    let (given, theirs, ours) = match is_by_loft {
+        true => (printed.loft, printed.attack_angle, computed.attack_angle),
+        false => (printed.attack_angle, printed.loft, computed.loft),
+    };
+    vec![
+        format!("{:.0}°", given.to_degrees()),
+        degrees(theirs),
+        degrees(ours),
+        yards(printed.carry),
+        yards(computed.carry),
+        format!("{:+.2} yd", in_yards(computed.carry - printed.carry)),
+    ]
+}
+
+fn angle(label: &str) -> Axis {
+    Axis::linear(Measure::new(label, Quantity::ANGLE, "deg"))
+}
+
+fn ridges(found: &WinfieldTan) -> Figure {
+    let points = |rows: &[Best], is_printed: bool| {
+        let of = |row: &Best| if is_printed { row.printed } else { row.computed };
+        rows.iter().map(|row| [of(row).attack_angle, of(row).loft]).collect::<Vec<_>>()
+    };
+    Figure::new(
+        "optima",
+        "The best attack angle at each loft, and the best loft at each attack angle",
+        angle("attack angle"),
+        angle("loft"),
+    )
+    .with(Layer::line("best attack angle", 0, points(&found.table1, false)))
+    .with(Layer::line("best loft", 1, points(&found.table2, false)))
+    .with(Layer::dots("Table 1, printed", 0, points(&found.table1, true)))
+    .with(Layer::dots("Table 2, printed", 1, points(&found.table2, true)))
+}
+
+fn left_over(found: &WinfieldTan) -> Figure {
+    let points = |rows: &[Best]| {
+        rows.iter().map(|row| [row.printed.carry, row.computed.carry - row.printed.carry]).collect::<Vec<_>>()
+    };
+    let carry = |label: &str| Axis::linear(Measure::new(label, Quantity::LENGTH, "yd"));
+    Figure::new(
+        "tables-left-over",
+        "What the law leaves over of the tables",
+        carry("carry printed"),
+        carry("computed − printed"),
+    )
+    .with(Layer::dots("Table 1", 0, points(&found.table1)))
+    .with(Layer::dots("Table 2", 1, points(&found.table2)))
+}
+
+pub(super) fn average(document: &mut Document, found: &WinfieldTan) {
+    let mean = &found.average;
+    document.heading("The average over attack angles");
+    document.paragraph("Carry averaged over attack angles of 0, 1 … 10°, at each loft.");
+    document.table(
+        &["loft", "average carry"],
+        mean.rows.iter().map(|(loft, carry)| vec![format!("{:.0}°", loft.to_degrees()), yards(*carry)]),
+    );
+    let row = |(loft, carry): (f64, f64), what: &str| vec![degrees(loft), yards(carry), what.to_owned()];
+    document.table(
+        &["best loft", "average carry", "how"],
+        [
+            row(mean.printed, "printed: top of a polynomial of fifth order"),
+            row(mean.by_polynomial, "top of the polynomial of fifth order through these rows"),
+            row(mean.best, "exact optimum of the average, no polynomial"),
+        ],
+    );
+    let carry = Axis::linear(Measure::new("average carry", Quantity::LENGTH, "yd"));
+    document.figure(
+        Figure::new("average", "Average carry over attack angles of 0–10°", angle("loft"), carry)
+            .with(Layer::line("computed", 0, mean.rows.iter().map(|(loft, carry)| [*loft, *carry]).collect()))
+            .with(Layer::dots("printed optimum", 1, vec![[mean.printed.0, mean.printed.1]])),
+    );
+}

@@ -1,0 +1,63 @@
+use super::{ATTACK_ANGLE, LOFT, printed};
+use crate::derivative::{Evaluator, Order};
+use crate::drive::Outcome;
+use crate::error::{Error, Result};
+use crate::optimize::{Domain, Evaluation, Options, Status, Taylor, minimize};
+use crate::parameters::Setup;
+
+/// The report's third study: carry averaged over the attack angles 0, 1 … 10°, by loft.
+#[derive(Clone, Debug)]
+pub struct Average {
+    /// The loft that the report finds best, rad.
+    pub printed: f64,
+    /// The lofts it looks at, rad, with the average carry, m.
+    pub rows: Vec<(f64, f64)>,
+    /// The exact optimum: loft, rad, and average carry, m.
+    pub best: (f64, f64),
+}
+
+impl Average {
+    /// The study for a setup.
+    pub(super) fn new(setup: &Setup<f64>) -> Result<Self> {
+        Self::at(setup, &printed::AVERAGED_LOFTS, printed::AVERAGE_LOFT)
+    }
+
+    /// The same at these lofts, deg, beside this printed best one.
+    pub(in crate::reproduce) fn at(setup: &Setup<f64>, lofts: &[f64], printed_loft: f64) -> Result<Self> {
+        let loft = setup.variable(LOFT)?;
+        let evaluators = printed::AVERAGED.map(|degrees| {
+            let mut at = *setup;
+            at.set_value(setup.variable(ATTACK_ANGLE)?, Some(degrees.to_radians()))?;
+            Evaluator::new(&at, &[Outcome::Carry], &[loft], Order::Second)
+        });
+        let evaluators = evaluators.into_iter().collect::<Result<Vec<_>>>()?;
+        let average = |x: &[f64]| -> Result<Taylor> {
+            let mut mean = Taylor { value: 0.0, gradient: vec![0.0], hessian: vec![vec![0.0]] };
+            for evaluator in &evaluators {
+                let carry = &evaluator.at(x)?[0];
+                let part = 1.0 / evaluators.len() as f64;
+                mean.value += part * carry.value;
+                mean.gradient[0] += part * carry.gradient[0];
+                mean.hessian[0][0] += part * carry.hessian[0][0];
+            }
+            Ok(mean)
+        };
+        let rows = lofts.iter().map(|degrees| {
+            let loft = degrees.to_radians();
+            Ok((loft, average(&[loft])?.value))
+        });
+        let rows: Vec<(f64, f64)> = rows.collect::<Result<_>>()?;
+
+        let problem = |x: &[f64]| {
+            let objective = average(x).map_err(|error| error.to_string())?.negated();
+            Ok(Evaluation { objective, constraints: vec![] })
+        };
+        let [low, high] = printed::LOFT.map(f64::to_radians);
+        let printed = printed_loft.to_radians();
+        let found = minimize(&problem, &Domain::new(vec![low], vec![high])?, &[printed], &Options::default())?;
+        match found.value {
+            Some(value) if found.status == Status::Converged => Ok(Self { printed, rows, best: (found.x[0], -value) }),
+            _ => Err(Error::NotConverged { status: found.status.name(), message: found.message }),
+        }
+    }
+}

@@ -1,0 +1,170 @@
+use super::{ATTACK_ANGLE, Delivery, LOFT, Row, tables};
+use crate::derivative;
+use crate::drive::Outcome;
+use crate::error::{Error, Result};
+use crate::flight::{Flight, fly};
+use crate::launch::Launch;
+use crate::number::{Number, Taylor, Vector};
+use crate::optimize::{
+    Domain, Evaluation, Exact, Follow, Functions, Options, Problem, Status, Values, minimize_from, starts,
+};
+use crate::parameters::Setup;
+use std::f64::consts::FRAC_PI_2;
+
+/// A straight launch, and how far it carries.
+#[derive(Clone, Copy, Debug)]
+pub struct Launched {
+    /// Ball speed, m/s.
+    pub speed: f64,
+    /// Launch angle, rad.
+    pub angle: f64,
+    /// Backspin, rad/s.
+    pub spin: f64,
+    /// Carry, m.
+    pub carry: f64,
+}
+
+/// Why the report's distances cannot come from its model: how fast a ball can leave, and how far it then can fly.
+#[derive(Clone, Copy, Debug)]
+pub struct Energy {
+    /// The most a ball can leave at, (1 + e)/(1 + m/M) V, m/s.
+    pub fastest: f64,
+    /// The farthest flight of any ball no faster than that, whatever its launch angle and spin.
+    pub farthest: Launched,
+    /// What a m/s more would bring there, m per m/s.
+    pub price_of_speed: f64,
+    /// The slowest launch that carries as far as the report's longest distance.
+    pub needed: Launched,
+    /// The club's kinetic energy, ½ M V², J.
+    pub club: f64,
+    /// The ball's kinetic energy, ½ m v², when it leaves at its fastest, J.
+    pub ball: f64,
+    /// The same for the launch that the report's longest distance needs, J.
+    pub ball_needed: f64,
+}
+
+/// Whether the best launch for the flight is one that the impact can give: the report's "subsystem optimum".
+#[derive(Clone, Debug)]
+pub struct Subsystems {
+    /// What the impact gives at the optimum of the whole.
+    pub whole: Launched,
+    /// The launch that the flight alone would have at that ball speed.
+    pub flight: Launched,
+    /// What the impact alone would have, the fastest ball, at the attack angle of the optimum of the whole: it carries so far.
+    pub impact: Delivery,
+    /// Carry's slopes by ball speed, launch angle and backspin at the optimum of the whole: m per m/s, per rad, per rad/s.
+    pub slopes: [f64; 3],
+    /// What a radian of loft changes of carry through ball speed, launch angle and backspin, m/rad: in sum nothing at the optimum.
+    pub by_loft: [f64; 3],
+    /// The same for the attack angle: in sum the price of its bound.
+    pub by_attack_angle: [f64; 3],
+}
+
+/// Speeds, m/s, and spins, rad/s, wide enough for any golf ball.
+const SLOWEST: f64 = 10.0;
+const MOST_SPEED: f64 = 300.0;
+const MOST_SPIN: f64 = 1000.0;
+
+/// Launch angles just inside the horizontal and the vertical, where no ball flies far.
+const ANGLES: [f64; 2] = [0.01, FRAC_PI_2 - 0.01];
+
+impl Energy {
+    /// The argument for a setup, against a distance in m.
+    pub(super) fn new(setup: &Setup<f64>, distance: f64) -> Result<Self> {
+        let (head, ball) = (setup.club.mass, setup.ball.mass);
+        let fastest = (1.0 + setup.impact.restitution) / (1.0 + ball / head) * setup.swing.speed;
+        let alone = FlightAlone { setup: *setup, wanted: Wanted::Farthest };
+        let (farthest, prices) = alone.best([SLOWEST, fastest])?;
+        let slowest = FlightAlone { setup: *setup, wanted: Wanted::SlowestBeyond(distance) };
+        let (needed, _) = slowest.best([SLOWEST, MOST_SPEED])?;
+        let energy = |mass: f64, speed: f64| 0.5 * mass * speed * speed;
+        Ok(Self {
+            fastest,
+            farthest,
+            price_of_speed: prices[0],
+            needed,
+            club: energy(head, setup.swing.speed),
+            ball: energy(ball, fastest),
+            ball_needed: energy(ball, needed.speed),
+        })
+    }
+}
+
+impl Subsystems {
+    /// The two subsystems beside the optimum of the whole.
+    pub(super) fn new(optimum: &Row) -> Result<Self> {
+        let setup = &optimum.best.setup;
+        let quantities = [Outcome::BallSpeed, Outcome::LaunchAngle, Outcome::Backspin];
+        let wrt = [setup.variable(LOFT)?, setup.variable(ATTACK_ANGLE)?];
+        let impact = derivative::jacobian(setup, &quantities, &wrt)?;
+        let launch: Vec<f64> = impact.iter().map(|quantity| quantity.value).collect();
+        let alone = FlightAlone { setup: *setup, wanted: Wanted::Farthest };
+        let failed = |message| Error::Undefined { what: "the carry of the launch".into(), reason: message };
+        let flight: Taylor =
+            Exact(alone).evaluate(&launch).map(|all: Evaluation| all.objective).map_err(failed)?.negated();
+        let slopes = [0, 1, 2].map(|quantity| flight.gradient[quantity]);
+        let through = |parameter: usize| [0, 1, 2].map(|q| slopes[q] * impact[q].gradient[parameter]);
+        let (own_choice, _) = alone.best([launch[0], launch[0]])?;
+        let square = Delivery { loft: 0.0, ..optimum.exact() };
+        let square = Delivery { carry: tables::carried(&square.set(setup))?, ..square };
+        Ok(Self {
+            whole: Launched { speed: launch[0], angle: launch[1], spin: launch[2], carry: flight.value },
+            flight: own_choice,
+            impact: square,
+            slopes,
+            by_loft: through(0),
+            by_attack_angle: through(1),
+        })
+    }
+}
+
+/// A flight by its launch alone, x = (ball speed, launch angle, backspin), with nothing asked of a club.
+#[derive(Clone, Copy)]
+struct FlightAlone {
+    setup: Setup<f64>,
+    wanted: Wanted,
+}
+
+#[derive(Clone, Copy)]
+enum Wanted {
+    Farthest,
+    /// The least ball speed that carries this far, m.
+    SlowestBeyond(f64),
+}
+
+impl FlightAlone {
+    /// The best launch with a ball speed in this range, and the prices of the upper bounds.
+    fn best(self, speeds: [f64; 2]) -> Result<(Launched, Vec<f64>)> {
+        let domain = Domain::new(vec![speeds[0], ANGLES[0], 0.0], vec![speeds[1], ANGLES[1], MOST_SPIN])?;
+        let domain = match self.wanted {
+            Wanted::Farthest => domain,
+            Wanted::SlowestBeyond(distance) => domain.subject_to(vec![distance], vec![f64::INFINITY])?,
+        };
+        let middle: Vec<f64> = (0..3).map(|i| 0.5 * (domain.variables.low[i] + domain.variables.high[i])).collect();
+        let starts = starts(&domain, &middle, 16)?;
+        let found = minimize_from(&Exact(self), &domain, &starts, &Options::default(), &Follow::default())?;
+        let best = found.into_iter().map(|local| local.solution).find(|best| best.status == Status::Converged);
+        let best = best.ok_or(Error::Nothing { doing: "find", what: "launch that is best" })?;
+        let carry = match self.wanted {
+            Wanted::Farthest => -best.value.unwrap_or_default(),
+            Wanted::SlowestBeyond(_) => best.constraints[0].value,
+        };
+        Ok((Launched { speed: best.x[0], angle: best.x[1], spin: best.x[2], carry }, best.upper_multipliers))
+    }
+}
+
+impl Functions for FlightAlone {
+    fn evaluate<T: Number>(&self, x: &[T]) -> std::result::Result<Values<T>, String> {
+        let (sin, cos) = x[1].sin_cos();
+        let velocity = Vector::new(x[0] * sin, T::zero(), x[0] * cos);
+        let launch = Launch { velocity, spin: Vector::new(T::zero(), x[2], T::zero()) };
+        let setup = self.setup.map(|_, value| T::constant(value));
+        match fly(&setup, &launch).map_err(|error| error.to_string())? {
+            Flight::None(why) => Err(why.to_string()),
+            Flight::Landed(landed) => Ok(match self.wanted {
+                Wanted::Farthest => Values { objective: -landed.carry, constraints: vec![] },
+                Wanted::SlowestBeyond(_) => Values { objective: x[0], constraints: vec![landed.carry] },
+            }),
+        }
+    }
+}

@@ -1,0 +1,118 @@
+//! The MAE 494 student report "Optimization of a Golf Driver", which redid Winfield & Tan (1994).
+//!
+//! Its flight loop overshoots the ground, its optimizer got lost in the teeth that makes, and a regression took its place. Here its
+//! constants stand in Winfield & Tan's equations (the preset `mae494`), and every optimum it prints is held against the exact one.
+
+mod average;
+mod launches;
+mod lbfgs;
+mod noise;
+mod parametric;
+mod printed;
+mod regression;
+mod searches;
+mod tables;
+mod while_loop;
+
+pub use average::Average;
+pub use launches::{Energy, Launched, Subsystems};
+pub use noise::{Landings, Noise, Slopes, Teeth};
+pub use parametric::{Constant, Parametric};
+pub use regression::{Peak, Regression};
+pub use searches::{End, Landing, Method, Searches};
+pub use tables::Row;
+
+use crate::error::Result;
+use crate::parameters::Setup;
+
+/// The parameters that the report varies.
+const LOFT: &str = "club.loft";
+const ATTACK_ANGLE: &str = "swing.attack_angle";
+
+/// How the ball is struck, and how far it carries.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Delivery {
+    /// Loft, rad.
+    pub loft: f64,
+    /// Attack angle, the report's swing elevation, rad.
+    pub attack_angle: f64,
+    /// Carry, m.
+    pub carry: f64,
+}
+
+impl Delivery {
+    fn in_degrees(loft: f64, attack_angle: f64, carry: f64) -> Self {
+        Self { loft: loft.to_radians(), attack_angle: attack_angle.to_radians(), carry }
+    }
+
+    /// A setup struck like this.
+    fn set(&self, setup: &Setup<f64>) -> Setup<f64> {
+        let mut setup = *setup;
+        (setup.club.loft, setup.swing.attack_angle) = (self.loft, self.attack_angle);
+        setup
+    }
+}
+
+/// The report, reproduced.
+#[derive(Clone, Debug)]
+pub struct Mae494 {
+    /// The optimum over both angles, beside the one the report recommends.
+    pub optimum: Row,
+    /// Its Table 1: the best loft at each attack angle.
+    pub table1: Vec<Row>,
+    /// Its Table 2: the best attack angle at each loft.
+    pub table2: Vec<Row>,
+    /// Its regression.
+    pub regression: Regression,
+    /// The optimum that the slipped regression gives, with what it carries in the model.
+    pub slipped: Delivery,
+    /// Why its distances cannot be.
+    pub energy: Energy,
+    /// Its subsystems, each with its own optimum.
+    pub subsystems: Subsystems,
+    /// Its third study.
+    pub average: Average,
+    /// Its parametric study.
+    pub parametric: Parametric,
+    /// Its noise.
+    pub noise: Noise,
+    /// What searches make of that noise, and of landings without.
+    pub searches: Vec<Searches>,
+}
+
+/// Reproduces the report; `progress` is told what is computed.
+///
+/// # Errors
+/// [`Error::NotConverged`](crate::Error::NotConverged) where a search fails.
+pub fn mae494(mut progress: impl FnMut(&str)) -> Result<Mae494> {
+    let setup = Setup::preset("mae494")?;
+    progress("the regression");
+    let regression = Regression::new()?;
+    let slipped =
+        Delivery { loft: regression.slipped.loft, attack_angle: printed::REGRESSION_ATTACK.to_radians(), carry: 0.0 };
+    let slipped = Delivery { carry: tables::carried(&slipped.set(&setup))?, ..slipped };
+    progress("the tables");
+    let optimum = tables::optimum(&setup)?;
+    let (table1, table2) = (tables::table1(&setup)?, tables::table2(&setup)?);
+    progress("launches");
+    let energy = Energy::new(&setup, optimum.printed.carry)?;
+    let subsystems = Subsystems::new(&optimum)?;
+    progress("the flight loop's noise");
+    let noise = Noise::new(&setup)?;
+    progress("searches on it");
+    let searches = searches::searches(&setup)?;
+    progress("the parametric study");
+    Ok(Mae494 {
+        average: Average::new(&setup)?,
+        parametric: Parametric::new(&optimum)?,
+        optimum,
+        table1,
+        table2,
+        regression,
+        slipped,
+        energy,
+        subsystems,
+        noise,
+        searches,
+    })
+}

@@ -1,0 +1,145 @@
+use super::while_loop::{Stop, fly_past_the_ground};
+use super::{Delivery, LOFT, tables};
+use crate::derivative;
+use crate::drive::Outcome;
+use crate::error::Result;
+use crate::parameters::Setup;
+
+/// The "noise" of the report's flight loop, seen near: carry with teeth, and slopes that are those of a tooth.
+#[derive(Clone, Debug)]
+pub struct Noise {
+    /// The loop's time step, s.
+    pub step: f64,
+    /// The step of the forward differences, rad: what MATLAB's `fmincon` takes, √ε.
+    pub difference: f64,
+    /// Carry by loft at high zoom, at attack angle 0°.
+    pub zoom: Vec<Landings>,
+    /// What the zoom shows of the teeth.
+    pub teeth: Teeth,
+    /// Slopes of carry by loft at attack angle 0°.
+    pub slopes: Vec<Slopes>,
+    /// Slopes at loft 10°, attack angle 0° with shorter time steps, s: the difference of the loop.
+    pub shorter_steps: Vec<(f64, f64)>,
+    /// Slopes at loft 10°, attack angle 0° by longer differences, rad: of the loop, interpolated, smooth.
+    pub longer_differences: Vec<(f64, [f64; 3])>,
+}
+
+/// One loft with its carry by three landings.
+#[derive(Clone, Copy, Debug)]
+pub struct Landings {
+    /// Loft, rad.
+    pub loft: f64,
+    /// Where the report's loop stops, m.
+    pub overshot: f64,
+    /// The same interpolated between its last two steps, m.
+    pub interpolated: f64,
+    /// The smooth landing, m.
+    pub smooth: f64,
+}
+
+/// Jumps of the loop's carry from one number of steps to the next.
+#[derive(Clone, Copy, Debug)]
+pub struct Teeth {
+    /// How many there are in the zoom.
+    pub count: usize,
+    /// Their mean width, rad of loft.
+    pub width: f64,
+    /// Their mean height, m.
+    pub height: f64,
+}
+
+/// Slopes of carry by loft, m/rad.
+#[derive(Clone, Copy, Debug)]
+pub struct Slopes {
+    /// Loft, rad.
+    pub loft: f64,
+    /// Exact, at landing.
+    pub exact: f64,
+    /// Exact, at the fixed time at which the ball lands: carry's slope without the landing's own.
+    pub at_fixed_time: f64,
+    /// By a forward difference of the report's loop.
+    pub overshot: f64,
+    /// By a forward difference of the interpolated loop.
+    pub interpolated: f64,
+}
+
+/// Points of the zoom, and how far it reaches to both sides of 10°.
+const ZOOM: u32 = 400;
+const REACH: f64 = 0.5;
+
+impl Noise {
+    /// The exhibit, in the air and with the club of a setup.
+    pub(super) fn new(setup: &Setup<f64>) -> Result<Self> {
+        let (step, difference) = (setup.flight.step, f64::EPSILON.sqrt());
+        let loop_at = |loft: f64, step: f64| fly_past_the_ground(&level(setup, loft), step);
+        let smooth_at = |loft: f64| tables::carried(&level(setup, loft));
+        let ten = 10.0_f64.to_radians();
+
+        let zoom = (0..=ZOOM).map(|k| {
+            let loft = (10.0 + REACH * (2.0 * f64::from(k) / f64::from(ZOOM) - 1.0)).to_radians();
+            let Stop { overshot, interpolated } = loop_at(loft, step)?;
+            Ok(Landings { loft, overshot, interpolated, smooth: smooth_at(loft)? })
+        });
+        let zoom: Vec<Landings> = zoom.collect::<Result<_>>()?;
+        let forward = |loft: f64, by: f64, step: f64| {
+            let (here, there) = (loop_at(loft, step)?, loop_at(loft + by, step)?);
+            Ok([(there.overshot - here.overshot) / by, (there.interpolated - here.interpolated) / by])
+        };
+        let slopes = (6..=20).map(|degrees| {
+            let loft = f64::from(degrees).to_radians();
+            let [overshot, interpolated] = forward(loft, difference, step)?;
+            let (exact, at_fixed_time) = exact_slopes(&level(setup, loft))?;
+            Ok(Slopes { loft, exact, at_fixed_time, overshot, interpolated })
+        });
+        let shorter = [step, 0.1 * step, 0.01 * step, 0.001 * step];
+        let shorter = shorter.map(|shorter| Ok((shorter, forward(ten, difference, shorter)?[0])));
+        let longer = [difference, 1e-6, 1e-4, 1e-3, 1e-2, 1e-1].map(|longer| {
+            let [overshot, interpolated] = forward(ten, longer, step)?;
+            Ok((longer, [overshot, interpolated, (smooth_at(ten + longer)? - smooth_at(ten)?) / longer]))
+        });
+        Ok(Self {
+            step,
+            difference,
+            teeth: Teeth::of(&zoom),
+            zoom,
+            slopes: slopes.collect::<Result<_>>()?,
+            shorter_steps: shorter.into_iter().collect::<Result<_>>()?,
+            longer_differences: longer.into_iter().collect::<Result<_>>()?,
+        })
+    }
+
+    /// At how many of the lofts looked at the loop's slope has the wrong sign.
+    pub fn wrong_signs(&self) -> usize {
+        self.slopes.iter().filter(|slopes| slopes.overshot * slopes.exact < 0.0).count()
+    }
+}
+
+impl Teeth {
+    /// The steps of the zoom in which the loop's carry jumps by more than the smooth one changes over all of it in ten.
+    fn of(zoom: &[Landings]) -> Self {
+        let jump = |pair: &[Landings]| {
+            let smooth = pair[1].smooth - pair[0].smooth;
+            (pair[1].overshot - pair[0].overshot - smooth, smooth)
+        };
+        let jumps = zoom.windows(2).map(jump).filter(|(jump, smooth)| jump.abs() > 3.0 * smooth.abs());
+        let heights: Vec<f64> = jumps.map(|(jump, _)| jump.abs()).collect();
+        let count = heights.len();
+        let reach = zoom.last().map_or(0.0, |last| last.loft) - zoom.first().map_or(0.0, |first| first.loft);
+        let per = count.max(1) as f64;
+        Self { count, width: reach / per, height: heights.iter().sum::<f64>() / per }
+    }
+}
+
+/// A setup at attack angle 0° with this loft.
+fn level(setup: &Setup<f64>, loft: f64) -> Setup<f64> {
+    Delivery { loft, attack_angle: 0.0, carry: 0.0 }.set(setup)
+}
+
+/// d carry/d loft, and the same at fixed time: d z/dλ = d carry/dλ − ż d t/dλ.
+fn exact_slopes(setup: &Setup<f64>) -> Result<(f64, f64)> {
+    let of = [Outcome::Carry, Outcome::FlightTime, Outcome::LandingSpeed, Outcome::DescentAngle];
+    let at = derivative::jacobian(setup, &of, &[setup.variable(LOFT)?])?;
+    let (carry, time) = (at[0].gradient[0], at[1].gradient[0]);
+    let downrange_speed = at[2].value * at[3].value.cos();
+    Ok((carry, carry - downrange_speed * time))
+}

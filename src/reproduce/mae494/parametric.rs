@@ -1,0 +1,78 @@
+use super::Row;
+use crate::error::Result;
+use crate::study::{Change, Changed, Sensitivity, change, sensitivity};
+
+/// The report's parametric study, which it calls for and does not make: what its constants do to the optimum.
+#[derive(Clone, Debug)]
+pub struct Parametric {
+    /// Exact sensitivities of the optimum, the constant that matters most (per per cent of itself) first.
+    pub sensitivities: Vec<Constant>,
+    /// The changes it asks about, predicted and searched anew.
+    pub changes: Vec<Changed>,
+}
+
+/// A constant of the report's model and what it does to the optimum.
+#[derive(Clone, Debug)]
+pub struct Constant {
+    /// The constant's value, SI.
+    pub value: f64,
+    /// The sensitivity.
+    pub sensitivity: Sensitivity,
+}
+
+impl Constant {
+    /// What the best carry gains if the constant grows by one per cent, m.
+    pub fn carry_per_cent(&self) -> f64 {
+        0.01 * self.value * self.sensitivity.value
+    }
+
+    /// How far the best loft moves if the constant grows by one per cent, rad.
+    pub fn loft_per_cent(&self) -> f64 {
+        0.01 * self.value * self.sensitivity.optimum[0]
+    }
+}
+
+/// The constants of its model, the law's coefficients among them.
+const CONSTANTS: [&str; 17] = [
+    "swing.speed",
+    "club.mass",
+    "club.cg_depth",
+    "club.inertia.xx",
+    "club.inertia.yy",
+    "club.inertia.zz",
+    "ball.mass",
+    "ball.radius",
+    "ball.inertia",
+    "impact.restitution",
+    "air.density",
+    "gravity",
+    "aero.spin_decay",
+    "aero.cd0",
+    "aero.cd1",
+    "aero.cl_max",
+    "aero.cl_rate",
+];
+
+/// What it asks about, by so large a part of each.
+const CHANGES: [(&str, f64); 4] =
+    [("ball.mass", -0.1), ("ball.mass", 0.1), ("club.inertia.yy", -0.1), ("club.inertia.yy", 0.1)];
+
+impl Parametric {
+    /// The study around the optimum.
+    pub(super) fn new(optimum: &Row) -> Result<Self> {
+        let best = &optimum.best;
+        let constant = |name: &&str| {
+            let parameter = best.setup.variable(name)?;
+            let value = best.setup.value(parameter).unwrap_or_default();
+            Ok(Constant { value, sensitivity: sensitivity(best, parameter)? })
+        };
+        let mut sensitivities = CONSTANTS.iter().map(constant).collect::<Result<Vec<_>>>()?;
+        sensitivities.sort_by(|a, b| b.carry_per_cent().abs().total_cmp(&a.carry_per_cent().abs()));
+        let changed = |(name, part): &(&str, f64)| {
+            let parameter = best.setup.variable(name)?;
+            let delta = part * best.setup.value(parameter).unwrap_or_default();
+            change(best, Change { parameter, delta })
+        };
+        Ok(Self { sensitivities, changes: CHANGES.iter().map(changed).collect::<Result<_>>()? })
+    }
+}

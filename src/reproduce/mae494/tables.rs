@@ -1,0 +1,84 @@
+use super::{ATTACK_ANGLE, Delivery, LOFT, printed};
+use crate::drive::{Drive, Outcome};
+use crate::error::{Error, Result};
+use crate::optimize::{Follow, Options};
+use crate::parameters::{Setup, Vary};
+use crate::study::{Active, Optimum, Search, optima};
+
+/// A row of one of the report's tables beside the exact optimum of its own model.
+#[derive(Clone, Debug)]
+pub struct Row {
+    /// The row as printed.
+    pub printed: Delivery,
+    /// The exact optimum of what the row varies.
+    pub best: Optimum,
+    /// What holds it.
+    pub active: Vec<Active>,
+    /// How far the printed optimum carries in the same model, m; `None` where it does not fly.
+    pub at_printed: Option<f64>,
+}
+
+impl Row {
+    /// What the printed optimum loses to the exact one, m; all of it where it does not fly.
+    pub fn cost(&self) -> f64 {
+        self.best.value().unwrap_or_default() - self.at_printed.unwrap_or_default()
+    }
+
+    /// Loft and attack angle of the exact optimum, with its carry.
+    pub fn exact(&self) -> Delivery {
+        let setup = &self.best.setup;
+        Delivery {
+            loft: setup.club.loft,
+            attack_angle: setup.swing.attack_angle,
+            carry: self.best.value().unwrap_or_default(),
+        }
+    }
+}
+
+/// Table 1: the best loft at each attack angle.
+pub(super) fn table1(setup: &Setup<f64>) -> Result<Vec<Row>> {
+    let rows = printed::TABLE_1.map(|[attack, loft, distance]| Delivery::in_degrees(loft, attack, distance));
+    rows.into_iter().map(|printed| row(setup, printed, &[LOFT])).collect()
+}
+
+/// Table 2: the best attack angle at each loft.
+pub(super) fn table2(setup: &Setup<f64>) -> Result<Vec<Row>> {
+    let rows = printed::TABLE_2.map(|[loft, attack, distance]| Delivery::in_degrees(loft, attack, distance));
+    rows.into_iter().map(|printed| row(setup, printed, &[ATTACK_ANGLE])).collect()
+}
+
+/// The exact optimum over loft and attack angle.
+pub(super) fn optimum(setup: &Setup<f64>) -> Result<Row> {
+    let [loft, attack, distance] = printed::OPTIMUM;
+    row(setup, Delivery::in_degrees(loft, attack, distance), &[LOFT, ATTACK_ANGLE])
+}
+
+/// The exact optimum over these parameters within the report's ranges; what is not varied is as printed.
+fn row(setup: &Setup<f64>, printed: Delivery, names: &[&str]) -> Result<Row> {
+    let at = printed.set(setup);
+    let vary = names.iter().map(|name| range(setup, name)).collect::<Result<_>>()?;
+    let search = Search { maximize: Outcome::Carry, vary, subject_to: vec![], options: Options::default() };
+    // some printed optima do not fly, and carry may have more than one peak
+    let best = optima(&at, &search, 8, &Follow::default())?.best()?.clone();
+    Ok(Row { printed, active: best.active(), best, at_printed: carried_if_flown(&at)? })
+}
+
+/// The range in which the report searches a parameter.
+pub(super) fn range(setup: &Setup<f64>, name: &str) -> Result<Vary> {
+    let ends = if name == LOFT { printed::LOFT } else { printed::ATTACK };
+    let [low, high] = ends.map(f64::to_radians);
+    Vary::new(setup.variable(name)?, low, high)
+}
+
+/// How far a drive carries, m.
+pub(super) fn carried(setup: &Setup<f64>) -> Result<f64> {
+    Ok(Drive::new(setup)?.landed()?.carry)
+}
+
+/// How far a drive carries, m; `None` where it does not fly.
+pub(super) fn carried_if_flown(setup: &Setup<f64>) -> Result<Option<f64>> {
+    match carried(setup) {
+        Err(Error::NoFlight { .. }) => Ok(None),
+        carried => carried.map(Some),
+    }
+}

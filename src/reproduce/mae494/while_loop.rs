@@ -1,0 +1,47 @@
+//! THE COUNTER-EXAMPLE: the flight loop of the report's listing. It is here to be shown failing; no answer of this library
+//! comes from it.
+
+use crate::aerodynamics::{AerodynamicLaw, Stream};
+use crate::error::Result;
+use crate::impact::strike;
+use crate::number::Vector;
+use crate::parameters::Setup;
+use std::f64::consts::PI;
+
+/// Where the loop takes the ball to have landed.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Stop {
+    /// Downrange where the loop stops, the first step below the ground, m: the report's distance.
+    pub overshot: f64,
+    /// Downrange where the straight line between the last two steps meets the ground, m: the cheap cure.
+    pub interpolated: f64,
+}
+
+/// Flies in steps of `step` s until the height is below zero, as the listing does: the forces of a step are those at its
+/// beginning (its `ode45` integrates a constant), and the position follows with the velocity at its end.
+pub(super) fn fly_past_the_ground(setup: &Setup<f64>, step: f64) -> Result<Stop> {
+    let launch = strike(setup)?.launch;
+    let area = PI * setup.ball.radius * setup.ball.radius;
+    let (spin_at_launch, mut velocity) = (launch.total_spin(), launch.velocity);
+    let axis = if spin_at_launch > 0.0 { launch.spin * (1.0 / spin_at_launch) } else { launch.spin };
+    let (mut before, mut here, mut steps) = (Vector::zero(), Vector::zero(), 0_u32);
+    while here.x >= 0.0 {
+        let spin = spin_at_launch * (-setup.aero.spin_decay * step * f64::from(steps)).exp();
+        let speed = velocity.norm();
+        let coefficients = setup.law.coefficients(&Stream {
+            spin,
+            radius_per_speed: setup.ball.radius / speed,
+            speed,
+            reynolds_per_speed: 2.0 * setup.air.density * setup.ball.radius / setup.air.viscosity,
+        });
+        let pressure = 0.5 * setup.air.density * area * speed / setup.ball.mass;
+        let pull = axis.cross(velocity) * coefficients.lift - velocity * coefficients.drag;
+        let weight = Vector::new(setup.flight.gravity, 0.0, 0.0);
+        velocity = velocity + (pull * pressure - weight) * step;
+        before = here;
+        here = here + velocity * step;
+        steps += 1;
+    }
+    let part = before.x / (before.x - here.x);
+    Ok(Stop { overshot: here.z, interpolated: before.z + part * (here.z - before.z) })
+}

@@ -1,0 +1,78 @@
+use super::printed;
+use crate::drive::{Drive, Outcome};
+use crate::error::Result;
+use crate::parameters::Setup;
+use crate::units::Quantity;
+
+/// The numbers that the paper prints of its single shot, SI.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SingleShot {
+    /// The ball's speed upwards, m/s.
+    pub up: f64,
+    /// The ball's speed downrange, m/s.
+    pub downrange: f64,
+    /// Backspin, rad/s.
+    pub backspin: f64,
+    /// The club's speed downrange after impact, m/s.
+    pub club_after: f64,
+    /// Launch angle, rad.
+    pub launch_angle: f64,
+    /// Carry, m.
+    pub carry: f64,
+    /// Flight time, s.
+    pub flight_time: f64,
+    /// Apex height, m.
+    pub apex_height: f64,
+    /// Time of the apex, s.
+    pub apex_time: f64,
+}
+
+/// The single shot, computed and printed.
+#[derive(Clone, Copy, Debug)]
+pub struct Struck {
+    /// As it comes out.
+    pub computed: SingleShot,
+    /// As it is printed.
+    pub printed: SingleShot,
+    /// The robot's mean distance and its standard deviation, m.
+    pub robot: (f64, f64),
+}
+
+impl Struck {
+    pub(super) fn new(setup: &Setup<f64>) -> Result<Self> {
+        let unit = |quantity: Quantity, unit: &str| quantity.size_of(unit).unwrap_or(f64::NAN);
+        let (mph, yard) = (unit(Quantity::SPEED, "mph"), unit(Quantity::LENGTH, "yd"));
+        let [speed, loft, attack] = printed::SHOT_DELIVERY;
+        let mut at = *setup;
+        at.swing.speed = speed * mph;
+        (at.club.loft, at.swing.attack_angle) = (loft.to_radians(), attack.to_radians());
+        let drive = Drive::new(&at)?;
+        let of = |outcome: Outcome| outcome.of(&drive);
+        let computed = SingleShot {
+            up: drive.impact.launch.velocity.x,
+            downrange: drive.impact.launch.velocity.z,
+            backspin: of(Outcome::Backspin)?,
+            club_after: drive.impact.club_velocity.z,
+            launch_angle: of(Outcome::LaunchAngle)?,
+            carry: of(Outcome::Carry)?,
+            flight_time: of(Outcome::FlightTime)?,
+            apex_height: of(Outcome::ApexHeight)?,
+            apex_time: of(Outcome::ApexTime)?,
+        };
+        let ([up, downrange, revolutions, club_after, angle], [carry, flight_time, apex, apex_time]) =
+            (printed::IMPACT, printed::SHOT);
+        let printed = SingleShot {
+            up: up * mph,
+            downrange: downrange * mph,
+            backspin: revolutions * std::f64::consts::TAU,
+            club_after: club_after * mph,
+            launch_angle: angle.to_radians(),
+            carry: carry * yard,
+            flight_time,
+            apex_height: apex * yard,
+            apex_time,
+        };
+        let [mean, deviation] = printed::ROBOT;
+        Ok(Self { computed, printed, robot: (mean * yard, deviation * yard) })
+    }
+}

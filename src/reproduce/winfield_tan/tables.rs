@@ -1,0 +1,103 @@
+//! The optima that the paper prints, searched anew.
+
+use super::printed;
+use crate::drive::{Drive, Outcome};
+use crate::error::{Error, Result};
+use crate::optimize::{Options, Status, Watch};
+use crate::parameters::{Setup, Vary};
+use crate::study::{Search, optimum as search};
+use crate::units::Quantity;
+
+const LOFT: &str = "club.loft";
+const ATTACK_ANGLE: &str = "swing.attack_angle";
+/// Searched between these, deg: far beyond what the paper prints.
+const LOFTS: [f64; 2] = [-10.0, 40.0];
+const ATTACKS: [f64; 2] = [-20.0, 50.0];
+
+/// How the ball is struck, and how far it carries, SI.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Point {
+    /// Loft, rad.
+    pub loft: f64,
+    /// Attack angle, rad.
+    pub attack_angle: f64,
+    /// Carry, m.
+    pub carry: f64,
+}
+
+/// An optimum, computed and printed.
+#[derive(Clone, Copy, Debug)]
+pub struct Best {
+    /// As it comes out.
+    pub computed: Point,
+    /// As it is printed, corrected.
+    pub printed: Point,
+    /// How far the printed delivery carries, m.
+    pub at_printed: f64,
+}
+
+fn yards(carry: f64) -> f64 {
+    carry * Quantity::LENGTH.size_of("yd").unwrap_or(f64::NAN)
+}
+
+fn point(loft: f64, attack_angle: f64, carry: f64) -> Point {
+    Point { loft: loft.to_radians(), attack_angle: attack_angle.to_radians(), carry: yards(carry) }
+}
+
+pub(super) fn optimum(setup: &Setup<f64>) -> Result<Best> {
+    let [loft, attack, carry] = printed::OPTIMUM;
+    best(setup, point(loft, attack, carry), &[LOFT, ATTACK_ANGLE])
+}
+
+pub(super) fn table1(setup: &Setup<f64>) -> Result<Vec<Best>> {
+    printed::TABLE_1
+        .iter()
+        .map(|[loft, attack, carry]| best(setup, point(*loft, *attack, *carry), &[ATTACK_ANGLE]))
+        .collect()
+}
+
+pub(super) fn table2(setup: &Setup<f64>) -> Result<Vec<Best>> {
+    printed::TABLE_2.iter().map(|[attack, loft, carry]| best(setup, point(*loft, *attack, *carry), &[LOFT])).collect()
+}
+
+/// The best loft at attack angles from 6° below the optimum's to 6° above.
+pub(super) fn ridge(setup: &Setup<f64>, top: &Best) -> Result<Vec<Point>> {
+    let steps = (-6..=6).map(|step| top.computed.attack_angle + f64::from(step).to_radians());
+    let mut from = top.computed;
+    steps
+        .map(|attack_angle| {
+            from.attack_angle = attack_angle;
+            from = searched(setup, from, &[LOFT])?;
+            Ok(from)
+        })
+        .collect()
+}
+
+fn best(setup: &Setup<f64>, printed: Point, names: &[&str]) -> Result<Best> {
+    let at_printed = Drive::new(&at(setup, printed))?.landed()?.carry;
+    Ok(Best { computed: searched(setup, printed, names)?, printed, at_printed })
+}
+
+fn at(setup: &Setup<f64>, point: Point) -> Setup<f64> {
+    let mut at = *setup;
+    (at.club.loft, at.swing.attack_angle) = (point.loft, point.attack_angle);
+    at
+}
+
+/// The optimum in these parameters, from a point.
+fn searched(setup: &Setup<f64>, from: Point, names: &[&str]) -> Result<Point> {
+    let range = |name: &&str| {
+        let [low, high] = if *name == LOFT { LOFTS } else { ATTACKS };
+        Vary::new(setup.variable(name)?, low.to_radians(), high.to_radians())
+    };
+    let vary = names.iter().map(range).collect::<Result<Vec<_>>>()?;
+    let asked = Search { maximize: Outcome::Carry, vary, subject_to: vec![], options: Options::default() };
+    let found = search(&at(setup, from), asked, Watch::default())?;
+    match found.value() {
+        Some(carry) if found.solution.status == Status::Converged => {
+            let (loft, attack_angle) = (found.setup.club.loft, found.setup.swing.attack_angle);
+            Ok(Point { loft, attack_angle, carry })
+        }
+        _ => Err(Error::NotConverged { status: found.status(), message: found.message() }),
+    }
+}

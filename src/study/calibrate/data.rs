@@ -1,0 +1,230 @@
+use super::column::{Column, Holds};
+use super::shot::{Measurement, Shot, Stationary};
+use crate::drive::{Outcome, Part};
+use crate::error::{Error, Result};
+use crate::launch::Launch;
+use crate::parameters::{Parameter, Setup};
+use csv::{ReaderBuilder, StringRecord, Trim};
+use std::io::Read;
+
+/// Measured shots, a row each.
+///
+/// The head names parameters (inputs of the shot), outcomes (what was measured), `sigma OUTCOME` (its standard uncertainty),
+/// `stationary` (names of parameters, separated by spaces, in which carry is at its largest there), `sigma stationary`, and
+/// `note`; with its unit in brackets, or in SI without. Where `ball_speed`, `launch_angle` and `spin` or `backspin` stand beside no
+/// parameter of swing, club, strike or impact, the rows are launch conditions, and the ball flies from them without an impact.
+#[derive(Clone, Debug)]
+pub struct ShotTable {
+    /// Where it was read from, for messages.
+    pub file: String,
+    /// The shots.
+    pub shots: Vec<Shot>,
+    /// Whether rows are launch conditions.
+    pub is_launched: bool,
+    /// What deserves a word: outcomes without a sigma column.
+    pub remarks: Vec<String>,
+    /// Whether every residual has a stated standard uncertainty.
+    pub has_sigmas: bool,
+}
+
+/// Outcomes that, all together, are a launch.
+const CONDITIONS: [Outcome; 7] = [
+    Outcome::BallSpeed,
+    Outcome::LaunchAngle,
+    Outcome::LaunchDirection,
+    Outcome::Spin,
+    Outcome::Backspin,
+    Outcome::Sidespin,
+    Outcome::SpinAxis,
+];
+
+impl ShotTable {
+    /// Reads a table in CSV.
+    ///
+    /// # Errors
+    /// [`Error::Table`] with row and column for a column that is unknown, given twice or in a wrong unit, a cell that is no
+    /// number, a sigma that is not positive, a value outside its range, a row without a measurement, and a table without rows.
+    pub fn read(setup: &Setup<f64>, file: &str, source: impl Read) -> Result<Self> {
+        let mut reader = ReaderBuilder::new().trim(Trim::All).comment(Some(b'#')).from_reader(source);
+        let refused = |place: String, reason: String| Error::Table { file: file.into(), place, reason };
+        let head = reader.headers().map_err(|error| refused(String::new(), error.to_string()))?.clone();
+        let mut columns: Vec<Column> = vec![];
+        for (at, text) in head.iter().enumerate() {
+            let place = || format!(", column {}", at + 1);
+            let column = Column::read(setup, text).map_err(|error| refused(place(), error.to_string()))?;
+            if column.holds != Holds::Note && columns.iter().any(|other| other.holds == column.holds) {
+                return Err(refused(place(), format!("'{}' has two columns; keep one", column.head)));
+            }
+            columns.push(column);
+        }
+        let reading = Reading { setup, is_launched: is_launched(&columns), columns };
+        let mut shots = vec![];
+        for (at, record) in reader.records().enumerate() {
+            let row = at + 1;
+            let record = record.map_err(|error| refused(format!(", row {row}"), error.to_string()))?;
+            let shot = reading.shot(row, &record);
+            shots.push(shot.map_err(|(column, why)| {
+                let column = column.map_or(String::new(), |name| format!(", column {name}"));
+                refused(format!(", row {row}{column}"), why)
+            })?);
+        }
+        if shots.is_empty() {
+            return Err(refused(String::new(), "it has no rows; give one for each shot".into()));
+        }
+        let remarks = reading.remarks();
+        let Reading { is_launched, .. } = reading;
+        let has_sigmas = remarks.is_empty();
+        Ok(Self { file: file.into(), shots, is_launched, remarks, has_sigmas })
+    }
+
+    /// How many residuals there are.
+    pub fn residuals(&self) -> usize {
+        self.shots.iter().map(Shot::residuals).sum()
+    }
+
+    /// Whether a parameter is an input of the shots.
+    pub fn gives(&self, parameter: &'static Parameter) -> bool {
+        self.shots.iter().any(|shot| shot.inputs.iter().any(|(row, _)| *row == parameter))
+    }
+}
+
+/// Whether the columns are those of launch conditions.
+fn is_launched(columns: &[Column]) -> bool {
+    let has = |outcome| columns.iter().any(|column| column.holds == Holds::Outcome(outcome));
+    let struck = ["swing.", "club.", "strike.", "impact."];
+    let is_struck = columns.iter().any(|column| struck.iter().any(|group| column.head.starts_with(group)));
+    let has_spin = has(Outcome::Spin) || has(Outcome::Backspin);
+    has(Outcome::BallSpeed) && has(Outcome::LaunchAngle) && has_spin && !is_struck
+}
+
+/// A table being read.
+struct Reading<'a> {
+    setup: &'a Setup<f64>,
+    columns: Vec<Column>,
+    is_launched: bool,
+}
+
+/// The column in which something is wrong, and what.
+type Wrong = (Option<String>, String);
+
+impl Reading<'_> {
+    fn cell(&self, record: &StringRecord, holds: Holds) -> Result<Option<f64>, Wrong> {
+        let Some(at) = self.columns.iter().position(|column| column.holds == holds) else { return Ok(None) };
+        let column = &self.columns[at];
+        column.value(record.get(at).unwrap_or_default()).map_err(|why| (Some(column.head.clone()), why))
+    }
+
+    fn sigma(&self, record: &StringRecord, holds: Holds, one: f64) -> Result<f64, Wrong> {
+        let sigma = self.cell(record, holds)?;
+        let has_column = self.columns.iter().any(|column| column.holds == holds);
+        match sigma {
+            Some(sigma) if sigma > 0.0 => Ok(sigma),
+            None if !has_column => Ok(one),
+            _ => {
+                let head = self.columns.iter().find(|column| column.holds == holds).map(|column| column.head.clone());
+                Err((head, "a standard uncertainty must be a number above 0 wherever there is a measurement".into()))
+            }
+        }
+    }
+
+    fn shot(&self, row: usize, record: &StringRecord) -> Result<Shot, Wrong> {
+        let (mut inputs, mut measured) = (vec![], vec![]);
+        let mut at_shot = *self.setup;
+        for column in &self.columns {
+            let here = || Some(column.head.clone());
+            match column.holds {
+                Holds::Input(parameter) => {
+                    let Some(value) = self.cell(record, column.holds)? else {
+                        return Err((here(), "the cell is empty; every row needs the shot's own inputs".into()));
+                    };
+                    at_shot.set_value(parameter, Some(value)).map_err(|error| (here(), error.to_string()))?;
+                    inputs.push((parameter, value));
+                }
+                Holds::Outcome(outcome) if !(self.is_launched && CONDITIONS.contains(&outcome)) => {
+                    if self.is_launched && outcome.part() == Part::Launch {
+                        return Err((here(), "rows of launch conditions have no club".into()));
+                    }
+                    if let Some(value) = self.cell(record, column.holds)? {
+                        let sigma = self.sigma(record, Holds::Sigma(outcome), column.one())?;
+                        measured.push(Measurement { outcome, value, sigma });
+                    }
+                }
+                _ => {}
+            }
+        }
+        at_shot.validate().map_err(|error| (None, error.to_string()))?;
+        let launch = if self.is_launched { Some(self.launch(record)?) } else { None };
+        let stationary = self.stationary(record, &at_shot)?;
+        if measured.is_empty() && stationary.is_empty() {
+            return Err((None, "nothing is measured in it; give an outcome, or take the row out".into()));
+        }
+        Ok(Shot { row, inputs, launch, measured, stationary })
+    }
+
+    fn launch(&self, record: &StringRecord) -> Result<Launch<f64>, Wrong> {
+        let [speed, angle, direction, spin, backspin, sidespin, axis] =
+            CONDITIONS.map(|outcome| self.cell(record, Holds::Outcome(outcome)));
+        let wanted = |cell: Option<f64>, what: Outcome| {
+            cell.ok_or_else(|| (Some(what.name().to_owned()), "the cell is empty; every launch needs one".to_owned()))
+        };
+        let (speed, angle) = (wanted(speed?, Outcome::BallSpeed)?, wanted(angle?, Outcome::LaunchAngle)?);
+        let wrong = |what: Outcome, why: &str| Err((Some(what.name().to_owned()), why.to_owned()));
+        if speed <= 0.0 {
+            return wrong(Outcome::BallSpeed, "the ball's speed must be above 0");
+        }
+        if angle.abs() >= std::f64::consts::FRAC_PI_2 {
+            return wrong(Outcome::LaunchAngle, "the launch must be between −90° and 90°");
+        }
+        let (back, side) = match (spin?, backspin?, sidespin?, axis?) {
+            (None, Some(back), side, None) => (back, side.unwrap_or(0.0)),
+            (Some(spin), None, None, axis) => {
+                let (sin, cos) = axis.unwrap_or(0.0).sin_cos();
+                (spin * cos, spin * sin)
+            }
+            (Some(spin), None, Some(side), None) if side.abs() <= spin => ((spin * spin - side * side).sqrt(), side),
+            _ => {
+                return wrong(
+                    Outcome::Spin,
+                    "give the spin once: backspin with sidespin, or spin with spin_axis or with a sidespin no larger",
+                );
+            }
+        };
+        Ok(Launch::with_conditions(speed, angle, direction?.unwrap_or(0.0), back, side))
+    }
+
+    fn stationary(&self, record: &StringRecord, at_shot: &Setup<f64>) -> Result<Vec<Stationary>, Wrong> {
+        let Some(at) = self.columns.iter().position(|column| column.holds == Holds::Stationary) else {
+            return Ok(vec![]);
+        };
+        let here = || Some("stationary".to_owned());
+        let mut all = vec![];
+        for name in record.get(at).unwrap_or_default().split_whitespace() {
+            let parameter = at_shot.variable(name).map_err(|error| (here(), error.to_string()))?;
+            if self.is_launched {
+                return Err((here(), "rows of launch conditions have no parameter to be best in".into()));
+            }
+            let one = crate::units::Quantity::ANGLE.size_of("deg").unwrap_or(1.0);
+            if parameter.quantity != crate::units::Quantity::ANGLE {
+                return Err((here(), format!("{name} is no angle; optima are read in angles")));
+            }
+            all.push(Stationary { parameter, sigma: self.sigma(record, Holds::SigmaStationary, one)? });
+        }
+        Ok(all)
+    }
+
+    /// Which measured columns have no standard uncertainty beside them.
+    fn remarks(&self) -> Vec<String> {
+        let has = |holds: Holds| self.columns.iter().any(|column| column.holds == holds);
+        let remark = |column: &Column| match column.holds {
+            Holds::Outcome(outcome) if self.is_launched && CONDITIONS.contains(&outcome) => None,
+            Holds::Outcome(outcome) if !has(Holds::Sigma(outcome)) => {
+                Some(format!("{0} has no column 'sigma {0}': 1 {1} is taken for each", outcome.name(), column.unit()))
+            }
+            Holds::Stationary if !has(Holds::SigmaStationary) => {
+                Some("stationary has no column 'sigma stationary': 1 deg is taken for each".into())
+            }
+            _ => None,
+        };
+        self.columns.iter().filter_map(remark).collect()
+    }
+}

@@ -1,0 +1,240 @@
+use super::data::ShotTable;
+use super::residuals::ShotResiduals;
+use super::shot::Shot;
+use super::statistics::Statistics;
+use crate::drive::Outcome;
+use crate::error::{Error, Result};
+use crate::optimize::least_squares::{Fit, Follow, Loss, Options, Residuals, fit_from};
+use crate::optimize::{Domain, starts};
+use crate::parameters::{Parameter, Setup, Vary};
+
+/// What to fit, and how.
+#[derive(Clone, Debug)]
+pub struct Plan {
+    /// The parameters with their ranges, whose ends may be infinite.
+    pub fit: Vec<Vary>,
+    /// Searches, spread over the ranges; the first begins at the setup's own values.
+    pub starts: usize,
+    /// Loss and limits.
+    pub options: Options,
+}
+
+/// A fitted parameter, SI.
+#[derive(Clone, Copy, Debug)]
+pub struct Estimate {
+    /// The parameter.
+    pub parameter: &'static Parameter,
+    /// Its value.
+    pub value: f64,
+    /// Standard error; `None` where the data do not determine it or a bound holds it.
+    pub standard_error: Option<f64>,
+    /// Whether it ended on a bound of its range.
+    pub is_at_bound: bool,
+}
+
+/// A residual.
+#[derive(Clone, Debug)]
+pub struct Remainder {
+    /// The row of the table.
+    pub row: usize,
+    /// What was measured; carry where a parameter was stationary.
+    pub outcome: Outcome,
+    /// The parameter in which carry is stationary, if it is that.
+    pub stationary: Option<&'static Parameter>,
+    /// What was measured, SI; `None` for a parameter that is stationary.
+    pub measured: Option<f64>,
+    /// Computed − measured, SI. For a stationary parameter how far its optimum lies from where the row has it, to first order.
+    pub difference: f64,
+    /// The same in units of its standard uncertainty.
+    pub residual: f64,
+}
+
+/// Parameters fitted to shots.
+#[derive(Clone, Debug)]
+pub struct Calibration {
+    /// The setup with the fitted values.
+    pub setup: Setup<f64>,
+    /// How the search ended.
+    pub fit: Fit,
+    /// Searches made, and how many of them ended at this sum (within 1e-6 of it).
+    pub starts: (usize, usize),
+    /// The parameters.
+    pub estimates: Vec<Estimate>,
+    /// What the data say of them.
+    pub statistics: Statistics,
+    /// What is left over, row by row.
+    pub remainders: Vec<Remainder>,
+    /// Times that the curvatures of the optima were renewed.
+    pub renewals: usize,
+}
+
+impl Plan {
+    /// A plan to fit these, by least squares from the setup's own values. A name without a range has the parameter's own.
+    ///
+    /// # Errors
+    /// As [`Vary::read`]; [`Error::Nothing`] without names.
+    pub fn read(setup: &Setup<f64>, fit: &[String]) -> Result<Self> {
+        if fit.is_empty() {
+            return Err(Error::Nothing { doing: "fit", what: "parameter" });
+        }
+        let one = |text: &String| match text.contains('=') {
+            true => Vary::read(setup, text),
+            false => {
+                let parameter = setup.variable(text.trim())?;
+                Ok(Vary { parameter, low: parameter.range.low, high: parameter.range.high })
+            }
+        };
+        let fit = fit.iter().map(one).collect::<Result<Vec<_>>>()?;
+        for (at, vary) in fit.iter().enumerate() {
+            if fit[..at].iter().any(|other| other.parameter == vary.parameter) {
+                return Err(Error::Calibration {
+                    reason: format!("{} is to be fitted twice; name it once", vary.parameter.name),
+                });
+            }
+        }
+        Ok(Self { fit, starts: 1, options: Options::default() })
+    }
+
+    fn check(&self, table: &ShotTable) -> Result<()> {
+        let refuse = |reason: String| Err(Error::Calibration { reason });
+        for Vary { parameter, .. } in &self.fit {
+            if table.gives(parameter) {
+                return refuse(format!(
+                    "{} is a column of {}; what the rows give cannot be fitted",
+                    parameter.name, table.file
+                ));
+            }
+            let is_stationary =
+                |shot: &Shot| shot.stationary.iter().any(|stationary| stationary.parameter == *parameter);
+            if table.shots.iter().any(is_stationary) {
+                return refuse(format!("{} cannot be fitted to rows that are optima in it", parameter.name));
+            }
+        }
+        if table.residuals() < self.fit.len() {
+            return refuse(format!(
+                "{} has {} measured values, fewer than the {} parameters to fit; measure more or fit less",
+                table.file,
+                table.residuals(),
+                self.fit.len()
+            ));
+        }
+        Ok(())
+    }
+}
+
+/// Fits parameters of a setup to measured shots.
+///
+/// Rows with a stationary parameter enter with the angle by which carry's optimum is missed, −slope/|curvature|; the curvature is
+/// held while the search runs, and renewed until it stays.
+///
+/// # Errors
+/// [`Error::Calibration`] for a plan that does not fit the table; [`Error::NotConverged`] where rows do not fly at any start,
+/// with each of them.
+pub fn calibrate(setup: &Setup<f64>, table: &ShotTable, plan: &Plan, follow: &Follow) -> Result<Calibration> {
+    /// Curvatures are renewed at most so often, until none changes by more than this part.
+    const RENEWALS: usize = 8;
+    const SAME: f64 = 1e-4;
+    plan.check(table)?;
+    let fitted: Vec<_> = plan.fit.iter().map(|vary| vary.parameter).collect();
+    let ends = |end: fn(&Vary) -> f64| plan.fit.iter().map(end).collect::<Vec<_>>();
+    let domain = Domain::new(ends(|vary| vary.low), ends(|vary| vary.high))?;
+    let own: Vec<f64> = fitted.iter().filter_map(|parameter| setup.value(parameter)).collect();
+    let own = domain.variables.project(&own);
+    let mut problem = ShotResiduals { setup: *setup, shots: &table.shots, fitted, curvatures: vec![] };
+    let mut from = starts(&domain, &own, plan.starts)?;
+    problem.curvatures = flat_or(&problem, &from)?;
+    let mut renewals = 0;
+    let (fits, curvatures) = loop {
+        let fits = fit_from(&problem, &domain, &from, &plan.options, follow)?;
+        let best = &fits[0];
+        if best.rows.residuals.is_empty() {
+            return Err(nothing_flies(&problem, &own));
+        }
+        let renewed = problem.curvatures_at(&best.x)?;
+        let pairs = renewed.iter().flatten().zip(problem.curvatures.iter().flatten());
+        let is_same = pairs.clone().all(|(new, old)| (new / old - 1.0).abs() <= SAME);
+        if is_same || renewals == RENEWALS || follow.interrupt.load(std::sync::atomic::Ordering::Relaxed) {
+            break (fits, renewed);
+        }
+        renewals += 1;
+        from = if renewals == 1 { fits.iter().map(|fit| fit.x.clone()).collect() } else { vec![best.x.clone()] };
+        problem.curvatures = renewed;
+    };
+    drop(curvatures);
+    let same =
+        fits.iter().filter(|fit| (fit.cost - fits[0].cost).abs() <= 1e-6 * fits[0].cost.abs().max(1e-12)).count();
+    let found = finished(&problem, &domain, table, fits, plan.options.loss)?;
+    Ok(Calibration { starts: (plan.starts, same), renewals, ..found })
+}
+
+/// Curvatures at the first start where every row flies.
+fn flat_or(problem: &ShotResiduals<'_>, starts: &[Vec<f64>]) -> Result<Vec<Vec<f64>>> {
+    let found = starts.iter().find_map(|start| problem.curvatures_at(start).ok());
+    found.ok_or_else(|| nothing_flies(problem, &starts[0]))
+}
+
+fn nothing_flies(problem: &ShotResiduals<'_>, start: &[f64]) -> Error {
+    let why = match problem.each(start) {
+        Ok(each) => {
+            let rows = each.iter().zip(problem.shots);
+            let failed =
+                rows.filter_map(|(row, shot)| row.as_ref().err().map(|why| format!("row {}: {why}", shot.row)));
+            failed.collect::<Vec<_>>().join("; ")
+        }
+        Err(error) => error.to_string(),
+    };
+    Error::Calibration {
+        reason: format!("at the start not every row has an answer ({why}); take these rows out, or start elsewhere"),
+    }
+}
+
+fn finished(
+    problem: &ShotResiduals<'_>,
+    domain: &Domain,
+    table: &ShotTable,
+    fits: Vec<Fit>,
+    loss: Loss,
+) -> Result<Calibration> {
+    let fit = fits.into_iter().next().ok_or(Error::Nothing { doing: "fit", what: "start" })?;
+    let bounds = &domain.variables;
+    let is_free: Vec<bool> = (0..fit.x.len()).map(|i| bounds.low[i] < fit.x[i] && fit.x[i] < bounds.high[i]).collect();
+    let statistics = Statistics::new(&fit.rows, &is_free, table.has_sigmas, loss)?;
+    let estimates = problem.fitted.iter().enumerate().map(|(i, parameter)| Estimate {
+        parameter,
+        value: fit.x[i],
+        standard_error: statistics.standard_error(i),
+        is_at_bound: !is_free[i],
+    });
+    let estimates = estimates.collect();
+    let remainders = remainders(&table.shots, &fit.rows.residuals);
+    let setup = problem.moved(&fit.x)?;
+    Ok(Calibration { setup, fit, starts: (1, 1), estimates, statistics, remainders, renewals: 0 })
+}
+
+/// Residuals with what they are of.
+pub(super) fn remainders(shots: &[Shot], residuals: &[f64]) -> Vec<Remainder> {
+    let of = |shot: &Shot| {
+        let row = shot.row;
+        let measured = shot.measured.iter().map(move |m| (row, m.outcome, None, Some(m.value), m.sigma));
+        let stationary = shot.stationary.iter().map(move |s| (row, Outcome::Carry, Some(s.parameter), None, s.sigma));
+        measured.chain(stationary).collect::<Vec<_>>()
+    };
+    let all = shots.iter().flat_map(of).zip(residuals);
+    all.map(|((row, outcome, stationary, measured, sigma), residual)| Remainder {
+        row,
+        outcome,
+        stationary,
+        measured,
+        difference: residual * sigma,
+        residual: *residual,
+    })
+    .collect()
+}
+
+/// The residuals of shots flown with a setup as it stands.
+pub(super) fn flown(setup: &Setup<f64>, shots: &[Shot]) -> Result<Vec<Remainder>> {
+    let mut problem = ShotResiduals { setup: *setup, shots, fitted: vec![], curvatures: vec![] };
+    problem.curvatures = problem.curvatures_at(&[])?;
+    let rows = problem.evaluate(&[]).map_err(|reason| Error::Calibration { reason })?;
+    Ok(remainders(shots, &rows.residuals))
+}

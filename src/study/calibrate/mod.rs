@@ -1,0 +1,16 @@
+//! Calibration: parameters of a setup fitted to measured shots by least squares with exact Jacobians, with what the data say of
+//! them and what they do not.
+
+mod column;
+mod data;
+mod estimate;
+mod folds;
+mod residuals;
+mod shot;
+mod statistics;
+
+pub use data::ShotTable;
+pub use estimate::{Calibration, Estimate, Plan, Remainder, calibrate};
+pub use folds::{HeldOut, held_out};
+pub use shot::{Measurement, Shot, Stationary};
+pub use statistics::{Statistics, Undetermined};

@@ -1,0 +1,107 @@
+//! Measured shots as residuals: (computed − measured)/σ, with exact Jacobians by the parameters that are fitted.
+
+use super::shot::{Shot, Stationary};
+use crate::derivative::{self, Evaluator, Order};
+use crate::drive::Outcome;
+use crate::error::Result;
+use crate::optimize::least_squares::{Residuals, Rows};
+use crate::parameters::{Parameter, Setup};
+use rayon::prelude::*;
+
+/// Shots, and what is fitted to them.
+pub(super) struct ShotResiduals<'a> {
+    pub setup: Setup<f64>,
+    pub shots: &'a [Shot],
+    pub fitted: Vec<&'static Parameter>,
+    /// |∂²carry/∂q²| of each stationary parameter of each shot, m/rad²: what turns a slope into an angle. Held fixed during a
+    /// fit, so that Jacobians stay exact.
+    pub curvatures: Vec<Vec<f64>>,
+}
+
+impl ShotResiduals<'_> {
+    /// The setup with the fitted parameters at `x`.
+    pub fn moved(&self, x: &[f64]) -> Result<Setup<f64>> {
+        let mut moved = self.setup;
+        for (parameter, value) in self.fitted.iter().zip(x) {
+            moved.set_value(parameter, Some(*value))?;
+        }
+        moved.validate()?;
+        Ok(moved)
+    }
+
+    /// |∂²carry/∂q²| at `x`, as [`curvatures`](Self::curvatures) are.
+    pub fn curvatures_at(&self, x: &[f64]) -> Result<Vec<Vec<f64>>> {
+        let moved = self.moved(x)?;
+        let of = |shot: &Shot| {
+            let setup = at_shot(&moved, shot)?;
+            let one = |stationary: &Stationary| {
+                Ok(derivative::hessian(&setup, Outcome::Carry, &[stationary.parameter])?.hessian[0][0].abs())
+            };
+            shot.stationary.iter().map(one).collect::<Result<Vec<f64>>>()
+        };
+        self.shots.par_iter().map(of).collect()
+    }
+
+    /// The residuals of one shot, each with its row of the Jacobian.
+    fn of(&self, moved: &Setup<f64>, at: usize) -> Result<Vec<(f64, Vec<f64>)>> {
+        let shot = &self.shots[at];
+        let setup = at_shot(moved, shot)?;
+        let mut rows = vec![];
+        if !shot.measured.is_empty() {
+            let of: Vec<_> = shot.measured.iter().map(|measurement| measurement.outcome).collect();
+            let values: Vec<_> = self.fitted.iter().filter_map(|parameter| setup.value(parameter)).collect();
+            let order = if self.fitted.is_empty() { Order::Value } else { Order::First };
+            let asked = Evaluator::new(&setup, &of, &self.fitted, order)?;
+            let asked = match shot.launch {
+                Some(launch) => asked.launched(launch),
+                None => asked,
+            };
+            for (taylor, measurement) in asked.at(&values)?.into_iter().zip(&shot.measured) {
+                let row = taylor.gradient.iter().map(|d| d / measurement.sigma).collect();
+                rows.push(((taylor.value - measurement.value) / measurement.sigma, row));
+            }
+        }
+        for (stationary, curvature) in shot.stationary.iter().zip(&self.curvatures[at]) {
+            let wrt: Vec<_> = self.fitted.iter().copied().chain([stationary.parameter]).collect();
+            let last = self.fitted.len();
+            let carry = derivative::towards_last(&setup, &[Outcome::Carry], &wrt)?.swap_remove(0);
+            let per = 1.0 / (curvature.max(f64::MIN_POSITIVE) * stationary.sigma);
+            let row = carry.hessian[last][..last].iter().map(|d| d * per).collect();
+            rows.push((carry.gradient[last] * per, row));
+        }
+        Ok(rows)
+    }
+
+    fn all(&self, x: &[f64]) -> std::result::Result<Rows, String> {
+        let moved = self.moved(x).map_err(|error| error.to_string())?;
+        let of = |at: usize| self.of(&moved, at).map_err(|error| format!("row {}: {error}", self.shots[at].row));
+        let shots: Vec<_> = (0..self.shots.len()).into_par_iter().map(of).collect::<std::result::Result<_, _>>()?;
+        let (residuals, jacobian) = shots.into_iter().flatten().unzip();
+        Ok(Rows { residuals, jacobian })
+    }
+
+    /// The residuals of each shot by itself at `x`, or why it has none.
+    pub fn each(&self, x: &[f64]) -> Result<Vec<std::result::Result<Vec<f64>, String>>> {
+        let moved = self.moved(x)?;
+        let of = |at: usize| {
+            let rows = self.of(&moved, at).map_err(|error| error.to_string())?;
+            Ok(rows.into_iter().map(|(residual, _)| residual).collect())
+        };
+        Ok((0..self.shots.len()).into_par_iter().map(of).collect())
+    }
+}
+
+impl Residuals for ShotResiduals<'_> {
+    fn evaluate(&self, x: &[f64]) -> std::result::Result<Rows, String> {
+        self.all(x)
+    }
+}
+
+/// The setup of a shot.
+pub(super) fn at_shot(setup: &Setup<f64>, shot: &Shot) -> Result<Setup<f64>> {
+    let mut setup = *setup;
+    for (parameter, value) in &shot.inputs {
+        setup.set_value(parameter, Some(*value))?;
+    }
+    Ok(setup)
+}

@@ -1,0 +1,111 @@
+//! An outcome over two parameters: the landscape that an optimum is the top of.
+
+use super::Vary;
+use crate::derivative::{Evaluator, Order};
+use crate::drive::Outcome;
+use crate::error::{Error, Result};
+use crate::parameters::Setup;
+use rayon::prelude::*;
+
+/// An outcome at the nodes of a grid, with its gradient at some.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Map {
+    /// The outcome.
+    pub of: Outcome,
+    /// The parameter that runs across.
+    pub across: Vary,
+    /// The parameter that runs up.
+    pub up: Vary,
+    /// Nodes across.
+    pub columns: usize,
+    /// The outcome at each node, SI, row by row from the lowest; `None` where the drive has none.
+    pub values: Vec<Option<f64>>,
+    /// Why it has none, at the first such node.
+    pub missing: Option<String>,
+    /// The gradient at a coarser grid of places.
+    pub slopes: Vec<Slope>,
+}
+
+/// A gradient at a place of a map, SI.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Slope {
+    /// The place: across, up.
+    pub at: [f64; 2],
+    /// The derivatives by both.
+    pub gradient: [f64; 2],
+}
+
+/// How fine a map is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Fineness {
+    /// Nodes to each side.
+    pub nodes: usize,
+    /// Gradients to each side.
+    pub slopes: usize,
+}
+
+impl Default for Fineness {
+    /// 61 nodes, lines without corners to the eye, and 7 gradients.
+    fn default() -> Self {
+        Self { nodes: 61, slopes: 7 }
+    }
+}
+
+/// An outcome over two parameters of a setup, side by side on all processors.
+///
+/// ```
+/// use longdrive::study::{Fineness, Vary, map};
+/// use longdrive::{Outcome, Setup};
+/// let setup = Setup::default();
+/// let [across, up] = ["club.loft=8deg..12deg", "swing.speed=40..50m/s"].map(|text| Vary::read(&setup, text).unwrap());
+/// let speeds = map(&setup, Outcome::BallSpeed, across, up, Fineness { nodes: 3, slopes: 1 }).unwrap();
+/// // ball speed is in proportion to club speed: the highest row over the lowest
+/// assert!((speeds.values[6].unwrap() / speeds.values[0].unwrap() - 1.25).abs() < 1e-12);
+/// ```
+///
+/// # Errors
+/// [`Error::SearchRange`] where both parameters are one or a range is a single value; what [`Setup::validate`] refuses;
+/// [`Error::NoFlight`] where no node has a value.
+pub fn map(setup: &Setup<f64>, of: Outcome, across: Vary, up: Vary, fineness: Fineness) -> Result<Map> {
+    let refuse =
+        |vary: &Vary, reason: &str| Err(Error::SearchRange { name: vary.parameter.name.into(), reason: reason.into() });
+    if across.parameter == up.parameter {
+        return refuse(&up, "a map needs two different parameters");
+    }
+    for vary in [&across, &up] {
+        if vary.low == vary.high {
+            return refuse(vary, "a map needs a range wider than a single value");
+        }
+    }
+    let wrt = [across.parameter, up.parameter];
+    let values = Evaluator::new(setup, &[of], &wrt, Order::Value)?;
+    let gradients = Evaluator::new(setup, &[of], &wrt, Order::First)?;
+    let columns = fineness.nodes.max(2);
+    let place = |vary: Vary, part: f64| vary.low + part * (vary.high - vary.low);
+
+    let nodes: Vec<Result<f64>> = (0..columns * columns)
+        .into_par_iter()
+        .map(|i| {
+            let part = |at: usize| at as f64 / (columns - 1) as f64;
+            let x = [place(across, part(i % columns)), place(up, part(i / columns))];
+            Ok(values.at(&x)?[0].value)
+        })
+        .collect();
+    let missing = nodes.iter().find_map(|node| node.as_ref().err()).map(ToString::to_string);
+    let values: Vec<Option<f64>> = nodes.into_iter().map(Result::ok).collect();
+    if values.iter().all(Option::is_none) {
+        let reason = missing.unwrap_or_default();
+        return Err(Error::NoFlight {
+            reason: format!("not one drive of the map has a {}; at its low corner: {reason}", of.name()),
+        });
+    }
+    let slopes = (0..fineness.slopes * fineness.slopes).into_par_iter().filter_map(|i| {
+        // in the middle of equal cells
+        let part = |at: usize| (at as f64 + 0.5) / fineness.slopes as f64;
+        let at = [place(across, part(i % fineness.slopes)), place(up, part(i / fineness.slopes))];
+        // where there is no drive, or it has a corner, there is no slope to show
+        let found = gradients.at(&at).ok()?;
+        Some(Slope { at, gradient: [found[0].gradient[0], found[0].gradient[1]] })
+    });
+    Ok(Map { of, across, up, columns, values, missing, slopes: slopes.collect() })
+}
