@@ -7,6 +7,7 @@ pub mod figures;
 mod gradient;
 mod json;
 mod optimum;
+pub mod page;
 mod parameters;
 pub mod plot;
 mod presets;
