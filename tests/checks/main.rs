@@ -14,5 +14,6 @@ mod long_work;
 mod optimizer;
 mod oracle;
 mod reference;
+mod report;
 mod smoothness;
 mod sweep;

@@ -22,7 +22,7 @@ pub fn map_figure(map: &Map, best: Option<&Optimum>, flatness: Option<&Flatness>
     let mut figure = Figure::new(name, title, x, y).with(Layer::Contours(field)).with(arrows(across, up, slopes));
     figure.aspect = 0.85;
     let mut notes =
-        vec!["The edges are the bounds; the arrows are exact gradients, in units of the ranges.".to_owned()];
+        vec!["The edges are the bounds; the arrows are exact gradients in units of the ranges, their length as the root of the slope.".to_owned()];
     if let Some(why) = missing {
         notes.push(format!("Grey: no value; first because {why}."));
     }
@@ -56,17 +56,18 @@ fn place(best: &Optimum, across: &Vary, up: &Vary) -> Option<[usize; 2]> {
     Some([at(across)?, at(up)?])
 }
 
-/// Gradients in units of the ranges, as the map shows them: steepest ascent on the page.
+/// Gradients in units of the ranges, as the map shows them: steepest ascent on the page. Lengths go as the root of the slope:
+/// in proportion to it, those near the top would be too short to show their direction.
 fn arrows(across: &Vary, up: &Vary, slopes: &[Slope]) -> Layer {
     let width = [across, up].map(|vary| vary.high - vary.low);
     let scaled = |gradient: [f64; 2]| [gradient[0] * width[0], gradient[1] * width[1]];
-    let longest = slopes.iter().map(|slope| {
-        let [x, y] = scaled(slope.gradient);
-        x.hypot(y)
-    });
-    let longest = longest.fold(f64::MIN_POSITIVE, f64::max);
+    let size = |[x, y]: [f64; 2]| x.hypot(y);
+    let longest = slopes.iter().map(|slope| size(scaled(slope.gradient))).fold(f64::MIN_POSITIVE, f64::max);
     let arrow = |slope: &Slope| {
-        let [x, y] = scaled(slope.gradient).map(|part| part * LONGEST_ARROW / longest);
+        let scaled = scaled(slope.gradient);
+        let steepness = size(scaled).max(f64::MIN_POSITIVE);
+        let length = LONGEST_ARROW * (steepness / longest).sqrt();
+        let [x, y] = scaled.map(|part| part / steepness * length);
         [slope.at, [slope.at[0] + x * width[0], slope.at[1] + y * width[1]]]
     };
     Layer::Arrows { name: "gradient".into(), hue: Hue::Ink, arrows: slopes.iter().map(arrow).collect() }

@@ -54,13 +54,13 @@ fn tile_name(name: &str) -> String {
 pub(super) fn outcomes(flown: &[Flown]) -> Markup {
     html! {
         div.wide { table {
-            thead { tr { th { "outcome" } @for one in flown { th.number { (one.name) } } th { "" } } }
+            thead { tr { th { "outcome" } @for one in flown { th.number { (one.name) } } th.doc { "" } } }
             tbody {
                 @for of in Outcome::of_part(Part::Launch).chain(Outcome::of_part(Part::Flight)) {
                     tr {
                         td { (of.name().replace('_', " ")) }
                         @for one in flown { td.number { (outcome(of, of.value(&one.drive))) } }
-                        td.faint { (of.doc()) }
+                        td.faint.doc { (of.doc()) }
                     }
                 }
             }
@@ -96,9 +96,9 @@ pub(super) fn optimum(best: &Optimum, flatness: Option<&Flatness>) -> Markup {
                         td.number { (parameter(vary.parameter, solution.x[i])) }
                         td.number { (parameter(vary.parameter, vary.low)) }
                         td.number { (parameter(vary.parameter, vary.high)) }
-                        td { (both(|system| bound_in_units(best, i, |unit| system.unit(unit)))) }
+                        td.words { (both(|system| bound_in_units(best, i, |unit| system.unit(unit)))) }
                         @if let Some(window) = window(i) {
-                            td {
+                            td.words {
                                 (parameter(vary.parameter, window.low)) (limit(best, window.low_limit)) " … "
                                 (parameter(vary.parameter, window.high)) (limit(best, window.high_limit))
                             }
@@ -162,7 +162,7 @@ pub(super) fn setup(findings: &Findings<'_>) -> Result<Markup> {
             thead { tr { th { "parameter" } th.number { "value" } th { "source" } } }
             tbody {
                 @for (name, shown, source) in rows {
-                    tr { td { (name) } td.number { (shown) } td { (source) } }
+                    tr { td { (name) } td.number { (shown) } td.words { (source) } }
                 }
             }
         } }
