@@ -13,8 +13,10 @@ mod parameters;
 mod presets;
 mod question;
 mod search;
+mod sensitivity;
 mod simulate;
 mod sweep;
+mod verify;
 
 use args::{Args, Command};
 use clap::Parser;
@@ -29,6 +31,8 @@ fn main() -> ExitCode {
         Command::OptimumSensitivity(args) => optimum_sensitivity::run(&args),
         Command::Chart(args) => chart::run(&args),
         Command::Sweep(args) => sweep::run(&args),
+        Command::Verify(args) => verify::run(&args),
+        Command::Sensitivity(args) => sensitivity::run(&args),
         Command::Parameters(args) => parameters::run(&args),
         Command::Presets(args) => presets::run(&args),
     };
