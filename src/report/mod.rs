@@ -1,8 +1,10 @@
 //! Results as text and JSON: pure functions, which write nowhere. Text is in units a golfer reads, JSON in SI
 //! and radians.
 
+mod certificate;
 mod chart;
 mod drive;
+mod effects;
 pub mod figures;
 mod gradient;
 mod json;
@@ -15,8 +17,10 @@ mod sensitivity;
 mod sweep;
 mod table;
 
+pub use certificate::{CertificateReport, CertificateRow, certificate_text};
 pub use chart::{ChartPointReport, ChartReport, chart_csv, chart_text};
 pub use drive::{DriveReport, drive_text};
+pub use effects::{EffectsReport, Totals, effects_text};
 pub use gradient::{GradientReport, HessianReport, gradient_text};
 pub use optimum::{
     ConstraintReport, LocalReport, Multipliers, OptimumReport, iteration_line, optima_text, optimum_text,

@@ -2,11 +2,10 @@
 
 use crate::command_line::{json, longdrive, number};
 use crate::common::close;
-use longdrive::report::figures::{
-    Effect, Flown, VCurve, View, map_figure, tornado_figure, trajectory_figure, vcurve_figure,
-};
+use longdrive::report::figures::{Flown, View, map_figure, tornado_figure, trajectory_figure, vcurve_figure};
 use longdrive::report::plot::{Axis, Figure, Layer, Look, Measure, Shades, figure_csv, figure_svg};
-use longdrive::study::{Fineness, Vary, map};
+use longdrive::study::certificate::certify;
+use longdrive::study::{Fineness, Vary, effects, map, with_defaults};
 use longdrive::units::System;
 use longdrive::{Error, Outcome, Setup, derivative, flight, impact};
 use std::path::Path;
@@ -37,15 +36,16 @@ fn figures() -> Vec<Figure> {
     let fineness = Fineness { nodes: 21, slopes: 4 };
     let landscape = map(&setup, Outcome::Carry, ranges[0], ranges[1], fineness).unwrap();
     let flown = [Flown::new("as <set> & \"up\"", &setup).unwrap()];
-    let effect = |name: &str, lower, higher| Effect { name: name.into(), lower, higher };
-    let curve =
-        VCurve { name: "d carry/d loft".into(), points: vec![[1e-1, 1e-2], [1e-6, 1e-11], [1e-7, 0.0], [1e-12, 1e-4]] };
+    let sigmas = with_defaults(&setup, &[]).unwrap();
+    let effects = effects(&setup, &[Outcome::Carry], &sigmas, |_, _| ()).unwrap();
+    let loft = setup.variable("club.loft").unwrap();
+    let certificate = certify(&setup, &[Outcome::Carry], &[loft], |_, _| ()).unwrap();
     vec![
         trajectory_figure(&flown, View::Side),
         trajectory_figure(&flown, View::Top),
         map_figure(&landscape, None, None),
-        tornado_figure(Outcome::Carry, &[effect("a ± 1", -1.0, 2.0), effect("b ± 1", 5.0, -5.0)]),
-        vcurve_figure(&[curve]),
+        tornado_figure(&effects[0]),
+        vcurve_figure(&certificate.rows),
     ]
 }
 
@@ -120,8 +120,24 @@ fn what_cannot_be_drawn_is_told() {
     let empty = Figure::new("none", "t", Axis::linear(Measure::plain("x")), Axis::log(Measure::plain("y")));
     let error = figure_svg(&empty.with(Layer::line("", 0, vec![[1.0, 0.0]])), &Look::default()).unwrap_err();
     assert!(matches!(&error, Error::Plot { name, reason } if name == "none" && reason.contains("vertical")), "{error}");
-    let curve = figures().pop().unwrap();
-    assert!(curve.note.contains("1 differences hit the derivative exactly"), "{}", curve.note);
+}
+
+#[test]
+fn independent_tornado_bars_are_drives_flown_and_v_curves_fall_and_rise() {
+    let all = figures();
+    let csv = figure_csv(&all[3]).unwrap();
+    let bar = csv.lines().find(|line| line.starts_with("bar,swing speed ± 0.5 mph,0.0,-")).unwrap();
+    let lower: f64 = bar.rsplit(',').next().unwrap().parse().unwrap();
+    let carry =
+        |speed: &str| number(&json(&["simulate", "--set", &format!("swing.speed={speed}")]).1["flight"]["carry"]);
+    close(lower, carry("109.5 mph") - carry("110 mph"), 1.0, 1e-9, "the bar of a slower swing");
+
+    // the error falls as the square of the step, then rises as one over it
+    let curve = rows(&figure_csv(&all[4]).unwrap(), "line");
+    let error = |step: f64| curve.iter().find(|row| (row[0] / step - 1.0).abs() < 1e-3).unwrap()[1];
+    assert!((error(1e-2) / error(1e-3) - 100.0).abs() < 20.0, "{} over {}", error(1e-2), error(1e-3));
+    let lowest = curve.iter().map(|row| row[1]).fold(f64::INFINITY, f64::min);
+    assert!(lowest < 1e-8 && error(1e-12) > 100.0 * lowest, "{curve:?}");
 }
 
 #[test]
@@ -161,6 +177,8 @@ fn the_ending_of_the_file_says_what_a_plot_is_written_as() {
         ("trajectory", vec!["--view", "top"]),
         ("contour", vec![]),
         ("chart", vec!["--along", "swing.speed=90..110 mph"]),
+        ("tornado", vec!["--of", "lateral", "--sigma", "swing.path=1deg"]),
+        ("vcurve", vec!["--wrt", "swing.speed"]),
     ] {
         for file in [&svg, &csv] {
             let said = longdrive(&[&["plot", kind, "-o", file, "--units", "metric"], extra.as_slice()].concat());

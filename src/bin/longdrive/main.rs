@@ -15,8 +15,10 @@ mod presets;
 mod question;
 mod report;
 mod search;
+mod sensitivity;
 mod simulate;
 mod sweep;
+mod verify;
 
 use args::{Args, Command};
 use clap::Parser;
@@ -33,6 +35,8 @@ fn main() -> ExitCode {
         Command::Plot(args) => plot::run(&args),
         Command::Report(args) => report::run(&args),
         Command::Sweep(args) => sweep::run(&args),
+        Command::Verify(args) => verify::run(&args),
+        Command::Sensitivity(args) => sensitivity::run(&args),
         Command::Parameters(args) => parameters::run(&args),
         Command::Presets(args) => presets::run(&args),
     };

@@ -3,8 +3,11 @@ use crate::output::{Answer, bar, tell, warn};
 use longdrive::optimize::{Status, Watch};
 use longdrive::report::figures::Flown;
 use longdrive::report::page::{Document, Findings, report_documents};
-use longdrive::study::{Fineness, Vary, chart, flatness, map, optimum, usual_loss};
-use longdrive::{Error, Result};
+use longdrive::study::certificate::{Row, certify};
+use longdrive::study::{
+    Fineness, Search, Sigma, Vary, chart, effects, flatness, map, optimum, usual_loss, with_defaults,
+};
+use longdrive::{Error, Outcome, Result, Setup};
 use serde_json::json;
 use std::path::Path;
 
@@ -18,12 +21,14 @@ pub fn run(args: &Report) -> Result<Answer> {
     let ranges: Vec<_> = search.vary.iter().copied().chain([along]).collect();
     let setup = args.question.within_tolerance(setup, &ranges)?;
     let preset = args.question.preset()?;
+    let given = args.sigma.iter().map(|text| Sigma::read(&setup, text)).collect::<Result<Vec<_>>>()?;
+    let sigmas = with_defaults(&setup, &given)?;
     // before the work, not after it
     let folder = &args.output;
     std::fs::create_dir_all(folder).map_err(|error| unwritable(folder, &error))?;
 
     let bar = bar("parts");
-    bar.set_length(USUAL_POINTS + 4);
+    bar.set_length(USUAL_POINTS + 5);
     let mut remarks = setup.warnings();
     let mut flown = vec![Flown::new("as set up", &setup)?];
     remarks.extend(flown[0].drive.corners(&setup));
@@ -58,6 +63,16 @@ pub fn run(args: &Report) -> Result<Answer> {
         None
     };
 
+    let of = if search.maximize == Outcome::Lateral {
+        vec![Outcome::Carry]
+    } else {
+        vec![search.maximize, Outcome::Lateral]
+    };
+    let effects = said(effects(&setup, &of, &sigmas, |_, _| ()), &mut remarks)?.unwrap_or_default();
+    bar.inc(1);
+    let rows = said(rows(&setup, &search), &mut remarks)?.unwrap_or_default();
+    bar.inc(1);
+
     let findings = Findings {
         name: &args.question.setup,
         setup: &setup,
@@ -67,8 +82,8 @@ pub fn run(args: &Report) -> Result<Answer> {
         flatness: flatness.as_ref(),
         map: map.as_ref(),
         chart: chart.as_ref(),
-        effects: &[],
-        curves: &[],
+        effects: &effects,
+        rows: &rows,
         remarks: &remarks,
     };
     let documents = report_documents(&findings)?;
@@ -87,6 +102,20 @@ pub fn run(args: &Report) -> Result<Answer> {
         Answer::text(String::new())
     };
     Ok(answer.found(is_found && flown[0].drive.landed().is_ok()))
+}
+
+/// The derivatives of the outcome by what is varied, and by the speed of the swing, beside differences.
+fn rows(setup: &Setup<f64>, search: &Search) -> Result<Vec<Row>> {
+    let mut wrt: Vec<_> = search.vary.iter().map(|vary| vary.parameter).collect();
+    let speed = setup.variable("swing.speed")?;
+    if !wrt.contains(&speed) {
+        wrt.push(speed);
+    }
+    let of = search.maximize;
+    let mut rows = certify(setup, &[of], &wrt, |_, _| ())?.rows;
+    // not those of the landing, which are looked at beside
+    rows.retain(|row| row.of == of);
+    Ok(rows)
 }
 
 /// A part of the report; where it has no answer the report says so, and goes on.

@@ -8,6 +8,6 @@ mod vcurve;
 
 pub use chart::chart_figures;
 pub use map::map_figure;
-pub use tornado::{Effect, tornado_figure};
+pub use tornado::tornado_figure;
 pub use trajectory::{Flown, View, trajectory_figure};
-pub use vcurve::{VCurve, vcurve_figure};
+pub use vcurve::vcurve_figure;

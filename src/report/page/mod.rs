@@ -3,14 +3,12 @@
 mod numbers;
 mod sections;
 
-use super::figures::{
-    Effect, Flown, VCurve, View, chart_figures, map_figure, tornado_figure, trajectory_figure, vcurve_figure,
-};
+use super::figures::{Flown, View, chart_figures, map_figure, tornado_figure, trajectory_figure, vcurve_figure};
 use super::plot::{Figure, Look, Shades, dark_rules, figure_csv, figure_svg};
-use crate::drive::Outcome;
 use crate::error::Result;
 use crate::parameters::{Preset, Setup};
-use crate::study::{Chart, Flatness, Map, Optimum};
+use crate::study::certificate::Row;
+use crate::study::{Chart, Effects, Flatness, Map, Optimum};
 use crate::units::System;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
@@ -33,9 +31,9 @@ pub struct Findings<'a> {
     /// The optimum along a parameter.
     pub chart: Option<&'a Chart>,
     /// What stated uncertainties of parameters do to outcomes.
-    pub effects: &'a [(Outcome, Vec<Effect>)],
+    pub effects: &'a [Effects],
     /// Differences beside exact derivatives.
-    pub curves: &'a [VCurve],
+    pub rows: &'a [Row],
     /// What deserves a word.
     pub remarks: &'a [String],
 }
@@ -58,8 +56,8 @@ pub fn report_documents(findings: &Findings<'_>) -> Result<Vec<Document>> {
         drive: vec![trajectory_figure(findings.flown, View::Side), trajectory_figure(findings.flown, View::Top)],
         map: findings.map.map(|map| map_figure(map, findings.best, findings.flatness)).into_iter().collect(),
         chart: findings.chart.map(chart_figures).unwrap_or_default(),
-        effects: findings.effects.iter().map(|(of, effects)| tornado_figure(*of, effects)).collect(),
-        curves: if findings.curves.is_empty() { vec![] } else { vec![vcurve_figure(findings.curves)] },
+        effects: findings.effects.iter().map(tornado_figure).collect(),
+        curves: if findings.rows.is_empty() { vec![] } else { vec![vcurve_figure(findings.rows)] },
     };
     let mut documents = vec![Document { name: "index.html".into(), text: page(findings, &plots)?.into_string() }];
     for figure in plots.all() {
@@ -138,10 +136,10 @@ fn page(findings: &Findings<'_>, plots: &Plots) -> Result<Markup> {
                         section { h2 { "The optimum for every golfer" } (chart?) }
                     }
                     @if !plots.effects.is_empty() {
-                        section { h2 { "What moves it" } (effects?) }
+                        section { h2 { "What moves it" } (effects?) (sections::uncertainties(findings.effects)) }
                     }
                     @if !plots.curves.is_empty() {
-                        section { h2 { "How exact the derivatives are" } (curves?) }
+                        section { h2 { "How exact the derivatives are" } (curves?) (sections::verdicts(findings.rows)) }
                     }
                     section { h2 { "The setup" } (sections::setup(findings)?) }
                 }

@@ -9,7 +9,8 @@ use crate::optimize::Status;
 use crate::report::figures::Flown;
 use crate::report::optimum::{bound_in_units, constraints};
 use crate::report::presets::sources;
-use crate::study::{Flatness, Limit, Optimum};
+use crate::study::certificate::Row;
+use crate::study::{Effects, Flatness, Limit, Optimum};
 use crate::units::{per, significant};
 use maud::{Markup, html};
 
@@ -146,6 +147,50 @@ fn limits(best: &Optimum) -> Markup {
                                 }))
                             }
                         }
+                    }
+                }
+            }
+        } }
+    }
+}
+
+/// The uncertainties that the bars are of, with their sources.
+pub(super) fn uncertainties(effects: &[Effects]) -> Markup {
+    let Some(first) = effects.first() else { return html! {} };
+    let sigmas = first.effects.iter().filter_map(|effect| Some(effect.bar?.sigma));
+    html! {
+        details { summary { "The uncertainties, and where they come from" }
+            div.wide { table {
+                thead { tr { th { "parameter" } th.number { "standard uncertainty" } th { "source" } } }
+                tbody {
+                    @for sigma in sigmas {
+                        tr {
+                            td { (sigma.parameter.name) }
+                            td.number { (parameter(sigma.parameter, sigma.value)) }
+                            td.words { (sigma.source.unwrap_or("as given")) }
+                        }
+                    }
+                }
+            } }
+        }
+    }
+}
+
+/// Each derivative beside the best that differences make of it.
+pub(super) fn verdicts(rows: &[Row]) -> Markup {
+    html! {
+        div.wide { table {
+            thead { tr {
+                th { "derivative" } th.number { "exact, SI" } th.number { "differences, extrapolated" } th.number { "apart" } th { "verdict" }
+            } }
+            tbody {
+                @for row in rows {
+                    tr {
+                        td { "d " (row.of.name()) "/d " (row.parameter.name) }
+                        td.number { (significant(row.first.exact, 10)) }
+                        td.number { (row.first.best.map_or("–".into(), |best| significant(best.value, 10))) }
+                        td.number { (format!("{:.1e}", row.first.error)) }
+                        td { (row.verdict().name()) }
                     }
                 }
             }
