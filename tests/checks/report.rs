@@ -43,7 +43,7 @@ fn figures() -> Vec<Figure> {
     vec![
         trajectory_figure(&flown, View::Side),
         trajectory_figure(&flown, View::Top),
-        map_figure(&landscape, None, None),
+        map_figure(&landscape, &[], None, None),
         tornado_figure(&effects[0]),
         vcurve_figure(&certificate.rows),
     ]
@@ -123,6 +123,25 @@ fn what_cannot_be_drawn_is_told() {
 }
 
 #[test]
+fn exact_limits_on_a_map_are_where_the_outcome_is_at_its_limit() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = path(&folder, "x.csv");
+    let said = longdrive(&["plot", "contour", "-o", &file, "--subject-to", "descent_angle >= 38 deg"]);
+    assert_eq!(said.status, 0, "{}", said.err);
+    let csv = std::fs::read_to_string(&file).unwrap();
+    let line: Vec<&str> = csv.lines().filter(|row| row.starts_with("line,descent_angle >= 38 deg,")).collect();
+    assert!(line.len() > 20, "{csv}");
+    // pieces are parted by rows without numbers
+    for row in line.iter().filter(|row| !row.contains("deg,,")).step_by(7) {
+        let at: Vec<&str> = row.split(',').skip(2).take(2).collect();
+        let set = [format!("club.loft={}", at[0]), format!("swing.attack_angle={}", at[1])];
+        let (_, drive) = json(&["simulate", "--set", &set[0], "--set", &set[1]]);
+        // between nodes a map is straight
+        close(number(&drive["flight"]["descent_angle"]).to_degrees(), 38.0, 1.0, 0.01, row);
+    }
+}
+
+#[test]
 fn independent_tornado_bars_are_drives_flown_and_v_curves_fall_and_rise() {
     let all = figures();
     let csv = figure_csv(&all[3]).unwrap();
@@ -189,7 +208,9 @@ fn the_ending_of_the_file_says_what_a_plot_is_written_as() {
             );
         }
         let text = std::fs::read_to_string(&svg).unwrap();
-        assert!(words(&whole(&text)).iter().any(|text| text.ends_with("[m]") || text.ends_with("[deg]")));
+        assert!(
+            words(&whole(&text)).iter().any(|text| ["[m]", "[deg]", "relative"].iter().any(|end| text.ends_with(end)))
+        );
         assert!(std::fs::read_to_string(&csv).unwrap().starts_with("kind,name,"));
     }
     let (status, answer) = json(&["plot", "trajectory", "-o", &svg]);

@@ -10,7 +10,8 @@ use longdrive::report::figures::{
 use longdrive::report::plot::{Figure, Look, Shades, figure_csv, figure_svg};
 use longdrive::study::certificate::certify;
 use longdrive::study::{
-    Fineness, Map, Optimum, Search, Sigma, Vary, chart, effects, flatness, map, optimum, usual_loss, with_defaults,
+    Constraint, Fineness, Map, Optimum, Search, Sigma, Vary, chart, effects, flatness, map, optimum, usual_loss,
+    with_defaults,
 };
 use longdrive::units::System;
 use longdrive::{Error, Outcome, Result, Setup};
@@ -47,8 +48,9 @@ fn contour(args: &PlotContour) -> Result<Answer> {
     let setup = args.question.within_tolerance(setup, &search.vary)?;
     let (best, map) = mapped(&setup, &search)?;
     let best = best.as_ref();
+    let limits = limits(best.map_or(&setup, |best| &best.setup), &search)?;
     let flatness = best.map(|best| flatness(best, usual_loss(best))).transpose()?;
-    written(&args.question, &args.drawing, format, &map_figure(&map, best, flatness.as_ref()))
+    written(&args.question, &args.drawing, format, &map_figure(&map, &limits, best, flatness.as_ref()))
 }
 
 /// The map around an optimum; around the setup itself, where there is none.
@@ -65,6 +67,15 @@ fn mapped(setup: &Setup<f64>, search: &Search) -> Result<(Option<Optimum>, Map)>
     let around = if is_found { &best.setup } else { setup };
     let map = map(around, search.maximize, across, up, Fineness::default())?;
     Ok((is_found.then_some(best), map))
+}
+
+/// The constraints of a search with the map of each one's outcome, over the first two parameters varied.
+pub fn limits(around: &Setup<f64>, search: &Search) -> Result<Vec<(Constraint, Map)>> {
+    let [across, up, ..] = search.vary[..] else { return Ok(vec![]) };
+    let values = Fineness { slopes: 0, ..Fineness::default() };
+    let limit =
+        |constraint: &Constraint| Ok((constraint.clone(), map(around, constraint.outcome, across, up, values)?));
+    search.subject_to.iter().map(limit).collect()
 }
 
 fn along(args: &PlotChart) -> Result<Answer> {

@@ -1,5 +1,6 @@
 use crate::args::Report;
 use crate::output::{Answer, bar, tell, warn};
+use crate::plot::limits;
 use longdrive::optimize::{Status, Watch};
 use longdrive::report::figures::Flown;
 use longdrive::report::page::{Document, Findings, report_documents};
@@ -51,6 +52,7 @@ pub fn run(args: &Report) -> Result<Answer> {
         [across, up, ..] => said(map(around, search.maximize, across, up, Fineness::default()), &mut remarks)?,
         _ => None,
     };
+    let limits = said(limits(around, &search), &mut remarks)?.unwrap_or_default();
     bar.inc(1);
     let is_varied = search.vary.iter().any(|vary| vary.parameter == along.parameter);
     let chart = if is_found && !is_varied {
@@ -81,6 +83,7 @@ pub fn run(args: &Report) -> Result<Answer> {
         best,
         flatness: flatness.as_ref(),
         map: map.as_ref(),
+        limits: &limits,
         chart: chart.as_ref(),
         effects: &effects,
         rows: &rows,
@@ -123,7 +126,10 @@ fn said<T>(part: Result<T>, remarks: &mut Vec<String>) -> Result<Option<T>> {
     match part {
         Ok(part) => Ok(Some(part)),
         Err(error) if error.is_an_outcome() => {
-            remarks.push(error.to_string());
+            let remark = error.to_string();
+            if !remarks.contains(&remark) {
+                remarks.push(remark);
+            }
             Ok(None)
         }
         Err(error) => Err(error),

@@ -8,7 +8,7 @@ use super::plot::{Figure, Look, Shades, dark_rules, figure_csv, figure_svg};
 use crate::error::Result;
 use crate::parameters::{Preset, Setup};
 use crate::study::certificate::Row;
-use crate::study::{Chart, Effects, Flatness, Map, Optimum};
+use crate::study::{Chart, Constraint, Effects, Flatness, Map, Optimum};
 use crate::units::System;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
@@ -28,6 +28,8 @@ pub struct Findings<'a> {
     pub flatness: Option<&'a Flatness>,
     /// The map around it.
     pub map: Option<&'a Map>,
+    /// The constraints, each with the map of its outcome.
+    pub limits: &'a [(Constraint, Map)],
     /// The optimum along a parameter.
     pub chart: Option<&'a Chart>,
     /// What stated uncertainties of parameters do to outcomes.
@@ -53,8 +55,12 @@ pub struct Document {
 /// As [`figure_svg`] and [`figure_csv`].
 pub fn report_documents(findings: &Findings<'_>) -> Result<Vec<Document>> {
     let plots = Plots {
-        drive: vec![trajectory_figure(findings.flown, View::Side), trajectory_figure(findings.flown, View::Top)],
-        map: findings.map.map(|map| map_figure(map, findings.best, findings.flatness)).into_iter().collect(),
+        drive: trajectories(findings.flown),
+        map: findings
+            .map
+            .map(|map| map_figure(map, findings.limits, findings.best, findings.flatness))
+            .into_iter()
+            .collect(),
         chart: findings.chart.map(chart_figures).unwrap_or_default(),
         effects: findings.effects.iter().map(tornado_figure).collect(),
         curves: if findings.rows.is_empty() { vec![] } else { vec![vcurve_figure(findings.rows)] },
@@ -68,6 +74,13 @@ pub fn report_documents(findings: &Findings<'_>) -> Result<Vec<Document>> {
         documents.push(Document { name: csv_name(figure), text: figure_csv(figure)? });
     }
     Ok(documents)
+}
+
+/// The paths of what flies, from both sides.
+fn trajectories(flown: &[Flown]) -> Vec<Figure> {
+    let flying: Vec<Flown> = flown.iter().filter(|one| !one.path.points.is_empty()).cloned().collect();
+    let views: &[View] = if flying.is_empty() { &[] } else { &[View::Side, View::Top] };
+    views.iter().map(|view| trajectory_figure(&flying, *view)).collect()
 }
 
 /// The plots of a page, by section.

@@ -21,6 +21,18 @@ pub(super) struct Ground {
     pub lines: Vec<Vec<[f64; 2]>>,
 }
 
+impl Field {
+    /// The line on which the field has a value, SI: its pieces one after the other, parted by points that are no numbers.
+    pub fn line_at(&self, level: f64) -> Vec<[f64; 2]> {
+        if self.columns < 2 || self.rows() < 2 || self.values.iter().all(Option::is_none) {
+            return vec![];
+        }
+        let ground = outlined(self, &continued(self), &[level]).pop();
+        let pieces = ground.map(|ground| ground.lines).unwrap_or_default();
+        pieces.join(&[f64::NAN; 2])
+    }
+}
+
 /// The grounds of a field, the lowest first: each covers a part of the one before.
 pub(super) fn grounds(field: &Field, system: System) -> Vec<Ground> {
     let known = field.values.iter().flatten().map(|value| field.measure.in_units(*value, system));
@@ -37,9 +49,15 @@ pub(super) fn grounds(field: &Field, system: System) -> Vec<Ground> {
     let all = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]
         .map(|[x, y]: [f64; 2]| field.place(x * (columns - 1) as f64, y * (rows - 1) as f64));
     let base = Ground { level: low, part: 0.0, outlines: vec![all.to_vec()], lines: vec![] };
+    std::iter::once(base).chain(outlined(field, &values, &levels)).collect()
+}
+
+/// The ground at and above each level of the values of a field's nodes.
+fn outlined(field: &Field, values: &[f64], levels: &[f64]) -> Vec<Ground> {
+    let (columns, rows) = (field.columns, field.rows());
     let builder = ContourBuilder::new(columns, rows, true);
-    let found = builder.contours(&values, &levels).unwrap_or_default();
-    let above = found.iter().zip(&levels).enumerate().map(|(i, (contour, level))| {
+    let found = builder.contours(values, levels).unwrap_or_default();
+    let above = found.iter().zip(levels).enumerate().map(|(i, (contour, level))| {
         let polygons = contour.geometry().0.iter();
         // the crate puts the first node at ½ and closes rings half a cell outside
         let node = |at: f64, count: usize| (at - 0.5).clamp(0.0, (count - 1) as f64);
@@ -61,7 +79,7 @@ pub(super) fn grounds(field: &Field, system: System) -> Vec<Ground> {
         ground.outlines.iter_mut().chain(&mut ground.lines).flatten().for_each(place);
         ground
     });
-    std::iter::once(base).chain(above).collect()
+    above.collect()
 }
 
 /// Round numbers that part the map into grounds of about the same size: a map is steep in one place and flat in another, and
