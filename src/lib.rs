@@ -70,3 +70,8 @@ pub use parameters::Setup;
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;
+
+/// And that of the plots.
+#[cfg(doctest)]
+#[doc = include_str!("../docs/plots.md")]
+struct Plots;

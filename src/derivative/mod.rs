@@ -2,6 +2,7 @@
 //! numbers enter and leave here only.
 
 mod chain;
+pub mod check;
 mod evaluator;
 
 pub use crate::number::{Order, Taylor};

@@ -3,7 +3,7 @@
 
 use super::declare::UNSET;
 use super::method::{METHOD, Method};
-use super::presets::Preset;
+use super::presets::{PRESETS, Preset};
 use super::setup::LAW;
 use super::table::Setup;
 use crate::error::{Error, Result};
@@ -32,6 +32,18 @@ impl Setup<f64> {
             Ok(text) => Self::from_toml(&text, &file),
             Err(source) => Err(Error::File { file, source, presets: Preset::names() }),
         }
+    }
+
+    /// The preset that a setup file starts from: `modern-driver` where it names none.
+    ///
+    /// # Errors
+    /// As [`from_file`](Self::from_file).
+    pub fn preset_of_file(path: &Path) -> Result<&'static Preset> {
+        Self::from_file(path)?;
+        let text = std::fs::read_to_string(path).unwrap_or_default();
+        let table = DeTable::parse(&text).ok();
+        let named = table.as_ref().and_then(|table| table.get_ref().get(PRESET)?.get_ref().as_str());
+        Ok(named.and_then(Preset::named).unwrap_or(&PRESETS[0]))
     }
 
     /// Reads the text of a setup file; `file` is what messages call it. What the file leaves out comes from

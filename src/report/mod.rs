@@ -2,14 +2,17 @@
 //! and radians.
 
 mod calibration;
+mod certificate;
 mod chart;
 mod document;
 mod drive;
+mod effects;
 pub mod figures;
 mod gradient;
 mod json;
 mod mae494;
 mod optimum;
+pub mod page;
 mod parameters;
 pub mod plot;
 mod presets;
@@ -19,9 +22,11 @@ mod table;
 mod winfield_tan;
 
 pub use calibration::{CalibrationReport, calibration_document, calibration_json, calibration_toml};
+pub use certificate::{CertificateReport, CertificateRow, certificate_text};
 pub use chart::{ChartPointReport, ChartReport, chart_csv, chart_text};
 pub use document::Document;
 pub use drive::{DriveReport, drive_text};
+pub use effects::{EffectsReport, Totals, effects_text};
 pub use gradient::{GradientReport, HessianReport, gradient_text};
 pub use mae494::{mae494_document, mae494_json};
 pub use optimum::{

@@ -123,7 +123,7 @@ impl OptimumReport {
     }
 }
 
-fn constraints(optimum: &Optimum) -> Vec<ConstraintReport> {
+pub(super) fn constraints(optimum: &Optimum) -> Vec<ConstraintReport> {
     let constraints = optimum.search.subject_to.iter().zip(&optimum.solution.constraints);
     let one = |(constraint, at): (&Constraint, &Constrained)| ConstraintReport {
         expression: constraint.expression.clone(),
@@ -224,13 +224,19 @@ pub fn optima_text(optima: &Optima) -> String {
 
 /// "at its upper bound: +2.11 yd per deg beyond it".
 fn bound_in_words(optimum: &Optimum, i: usize) -> String {
+    bound_in_units(optimum, i, |unit| unit)
+}
+
+/// The same with other units in place of those that the parameter and the outcome declare.
+pub(super) fn bound_in_units(optimum: &Optimum, i: usize, unit: impl Fn(&'static str) -> &'static str) -> String {
     let (vary, of) = (optimum.search.vary[i], optimum.search.maximize);
-    let size = vary.parameter.quantity.size_of(vary.parameter.unit).unwrap_or(1.0);
-    let unit = of.quantity().size_of(of.unit()).unwrap_or(1.0);
+    let (by_unit, of_unit) = (unit(vary.parameter.unit), unit(of.unit()));
+    let size = vary.parameter.quantity.size_of(by_unit).unwrap_or(1.0);
+    let unit = of.quantity().size_of(of_unit).unwrap_or(1.0);
     let (lower, upper) = (optimum.solution.lower_multipliers[i], optimum.solution.upper_multipliers[i]);
     let at = |bound: &str, multiplier: f64| {
         let price = significant(multiplier * size / unit, 3);
-        format!("at its {bound} bound: +{price} {} beyond it", per(of.unit(), vary.parameter.unit))
+        format!("at its {bound} bound: +{price} {} beyond it", per(of_unit, by_unit))
     };
     let is_corner = optimum.solution.kink.is_some_and(|kink| kink.variable == i);
     if vary.low == vary.high {
@@ -240,7 +246,7 @@ fn bound_in_words(optimum: &Optimum, i: usize) -> String {
         String::new()
     } else if is_corner && upper + lower > 0.0 {
         let price = significant((upper + lower) * size / unit, 3);
-        let unit = per(of.unit(), vary.parameter.unit);
+        let unit = per(of_unit, by_unit);
         format!("at its {} bound, a corner: -{price} {unit} inside it", if lower > 0.0 { "lower" } else { "upper" })
     } else if upper > 0.0 {
         at("upper", upper)

@@ -24,6 +24,40 @@ fn sourced(preset: &Preset, setup: &Setup<f64>) -> Vec<(&'static str, String, &'
     rows
 }
 
+/// Where each number of a setup comes from: its name, its value as a person reads it, and its source. A number that differs
+/// from the preset's is the asker's own.
+pub fn sources(setup: &Setup<f64>, preset: &Preset) -> Result<Vec<(&'static str, String, String)>> {
+    let base = Setup::preset(preset.name)?;
+    let known = sourced(preset, &base);
+    let source = |name: &str, is_kept: bool| {
+        let known = known.iter().find(|(known, ..)| *known == name);
+        match known {
+            Some((.., source)) if is_kept => (*source).to_owned(),
+            Some((_, shown, _)) => format!("as given, in place of {shown}"),
+            None => "as given".into(),
+        }
+    };
+    let mut rows: Vec<_> = setup
+        .parameters()
+        .into_iter()
+        .map(|row| {
+            let value = setup.value(row);
+            // a coefficient of another law than the preset's has its own source
+            let source = match base.parameter(row.name) {
+                Ok(known) => source(row.name, base.value(known) == value),
+                Err(_) if value == row.default_value() => row.source.to_owned(),
+                Err(_) => format!("as given, in place of {}", row.default),
+            };
+            (row.name, row.show(value), source)
+        })
+        .collect();
+    let law_at = rows.iter().position(|(name, ..)| name.starts_with("aero.")).unwrap_or(rows.len());
+    rows.insert(law_at, (LAW, setup.law.name().into(), source(LAW, base.law.name() == setup.law.name())));
+    let method_at = rows.iter().position(|(name, ..)| *name == "flight.step").unwrap_or(rows.len());
+    rows.insert(method_at, (METHOD, setup.method.name().into(), source(METHOD, base.method == setup.method)));
+    Ok(rows)
+}
+
 /// The presets as JSON: every number of each with its source.
 ///
 /// # Errors

@@ -40,7 +40,7 @@ pub struct Slope {
 pub struct Fineness {
     /// Nodes to each side.
     pub nodes: usize,
-    /// Gradients to each side.
+    /// Gradients to each side; 0 for none.
     pub slopes: usize,
 }
 

@@ -2,19 +2,24 @@
 
 mod accuracy;
 pub mod calibrate;
+pub mod certificate;
 mod chart;
 mod constraint;
+mod effects;
 mod flatness;
 mod map;
 mod optimum;
 mod problem;
 mod sensitivity;
+mod sigma;
 
 pub use crate::parameters::Vary;
 pub use accuracy::{Accuracy, accuracy};
 pub use chart::{Chart, ChartPoint, chart};
 pub use constraint::Constraint;
+pub use effects::{Bar, Effect, Effects, effects};
 pub use flatness::{Direction, Ellipse, Flatness, Limit, Window, flatness, usual_loss};
 pub use map::{Fineness, Map, Slope, map};
 pub use optimum::{Active, Optima, Optimum, Search, optima, optimum};
 pub use sensitivity::{Change, Changed, Sensitivity, change, refuse_varied, sensitivities, sensitivity};
+pub use sigma::{Sigma, with_defaults};

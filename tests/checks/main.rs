@@ -16,5 +16,6 @@ mod optimizer;
 mod oracle;
 mod reference;
 mod reproduce;
+mod report;
 mod smoothness;
 mod sweep;

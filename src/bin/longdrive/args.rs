@@ -35,6 +35,10 @@ pub enum Command {
     Sweep(Sweep),
     /// A published study computed anew, its every number beside what it prints.
     Reproduce(Reproduce),
+    /// Hold every exact derivative against differences, and everything they rest on: exit status 1 if any fails.
+    Verify(Verify),
+    /// What outcomes answer to: slopes, elasticities, and the effect of an uncertainty of each parameter, the largest first.
+    Sensitivity(SensitivityArgs),
     /// List every parameter with its unit, range, default and meaning.
     Parameters(Parameters),
     /// List the presets, or print one as a setup file with the source of each number.
@@ -226,6 +230,10 @@ pub enum PlotKind {
     Contour(PlotContour),
     /// The optimum as a function of a parameter.
     Chart(PlotChart),
+    /// What standard uncertainties of parameters do to an outcome.
+    Tornado(PlotTornado),
+    /// Central differences beside exact derivatives, by their step.
+    Vcurve(PlotVcurve),
 }
 
 /// How a plot is drawn.
@@ -312,6 +320,41 @@ pub struct PlotChart {
 }
 
 #[derive(clap::Args)]
+pub struct PlotTornado {
+    #[command(flatten)]
+    pub question: Question,
+
+    #[command(flatten)]
+    pub drawing: Drawing,
+
+    /// The outcome.
+    #[arg(long, value_name = "OUTCOME", default_value = "carry")]
+    pub of: String,
+
+    /// The standard uncertainty of a parameter, e.g. swing.speed=1mph or air.density=0.5%. Repeatable; others have the defaults
+    /// of `longdrive sensitivity`.
+    #[arg(long, value_name = "NAME=AMOUNT")]
+    pub sigma: Vec<String>,
+}
+
+#[derive(clap::Args)]
+pub struct PlotVcurve {
+    #[command(flatten)]
+    pub question: Question,
+
+    #[command(flatten)]
+    pub drawing: Drawing,
+
+    /// The outcomes, separated by commas.
+    #[arg(long, value_name = "OUTCOME,…", value_delimiter = ',', default_value = "carry")]
+    pub of: Vec<String>,
+
+    /// The parameters, separated by commas.
+    #[arg(long, value_name = "NAME,…", value_delimiter = ',', default_value = "club.loft,swing.attack_angle")]
+    pub wrt: Vec<String>,
+}
+
+#[derive(clap::Args)]
 pub struct Report {
     #[command(flatten)]
     pub question: Question,
@@ -323,6 +366,11 @@ pub struct Report {
     /// exist; other files in it are left alone.
     #[arg(long, short, value_name = "DIR")]
     pub output: PathBuf,
+
+    /// The standard uncertainty of a parameter, e.g. swing.speed=1mph or air.density=0.5%. Repeatable; others have the defaults
+    /// of `longdrive sensitivity`.
+    #[arg(long, value_name = "NAME=AMOUNT")]
+    pub sigma: Vec<String>,
 
     /// The parameter to follow the optimum along, with its range.
     #[arg(
@@ -392,6 +440,45 @@ pub struct Sweep {
     /// Threads (0: as many as there are processors); the results do not depend on it.
     #[arg(long, value_name = "N", default_value_t = 0)]
     pub threads: usize,
+}
+
+#[derive(clap::Args)]
+pub struct Verify {
+    #[command(flatten)]
+    pub question: Question,
+
+    /// The outcomes, separated by commas; "all" for every one.
+    #[arg(long, value_name = "OUTCOME,…", value_delimiter = ',', default_value = "carry,lateral")]
+    pub of: Vec<String>,
+
+    /// The parameters, separated by commas; "all" for every one that has a number here.
+    #[arg(long, value_name = "NAME,…", value_delimiter = ',', default_value = "all")]
+    pub wrt: Vec<String>,
+}
+
+#[derive(clap::Args)]
+pub struct SensitivityArgs {
+    #[command(flatten)]
+    pub question: Question,
+
+    /// The outcomes, separated by commas; "all" for every one.
+    #[arg(long, value_name = "OUTCOME,…", value_delimiter = ',', default_value = "carry")]
+    pub of: Vec<String>,
+
+    /// A standard uncertainty of a parameter, e.g. swing.speed=1mph or air.density=0.5% of its value. Repeatable.
+    #[arg(long, value_name = "NAME=AMOUNT")]
+    pub sigma: Vec<String>,
+
+    /// Leave parameters without a --sigma without an uncertainty (by default some have one, with its source).
+    #[arg(long)]
+    pub no_defaults: bool,
+
+    /// Ask at the optimum of a search, where the best value's own slopes stand beside those of the drive.
+    #[arg(long)]
+    pub at_optimum: bool,
+
+    #[command(flatten)]
+    pub search: SearchArgs,
 }
 
 /// How rows are written.

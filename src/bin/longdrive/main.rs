@@ -17,8 +17,10 @@ mod question;
 mod report;
 mod reproduce;
 mod search;
+mod sensitivity;
 mod simulate;
 mod sweep;
+mod verify;
 
 use args::{Args, Command};
 use clap::Parser;
@@ -37,6 +39,8 @@ fn main() -> ExitCode {
         Command::Report(args) => report::run(&args),
         Command::Sweep(args) => sweep::run(&args),
         Command::Reproduce(args) => reproduce::run(&args),
+        Command::Verify(args) => verify::run(&args),
+        Command::Sensitivity(args) => sensitivity::run(&args),
         Command::Parameters(args) => parameters::run(&args),
         Command::Presets(args) => presets::run(&args),
     };

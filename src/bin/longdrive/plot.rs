@@ -1,11 +1,20 @@
-use crate::args::{Drawing, Plot, PlotChart, PlotContour, PlotKind, PlotTrajectory, Question, Seen, Units};
+use crate::args::{
+    Drawing, Plot, PlotChart, PlotContour, PlotKind, PlotTornado, PlotTrajectory, PlotVcurve, Question, Seen, Units,
+};
+use crate::names::{outcomes, variables};
 use crate::output::{Answer, tell, warn};
 use longdrive::optimize::Watch;
-use longdrive::report::figures::{Flown, View, chart_figures, map_figure, trajectory_figure};
+use longdrive::report::figures::{
+    Flown, View, chart_figures, map_figure, tornado_figure, trajectory_figure, vcurve_figure,
+};
 use longdrive::report::plot::{Figure, Look, Shades, figure_csv, figure_svg};
-use longdrive::study::{Fineness, Map, Optimum, Search, Vary, chart, flatness, map, optimum, usual_loss};
+use longdrive::study::certificate::certify;
+use longdrive::study::{
+    Constraint, Fineness, Map, Optimum, Search, Sigma, Vary, chart, effects, flatness, map, optimum, usual_loss,
+    with_defaults,
+};
 use longdrive::units::System;
-use longdrive::{Error, Result, Setup};
+use longdrive::{Error, Outcome, Result, Setup};
 use serde_json::json;
 use std::path::Path;
 
@@ -14,6 +23,8 @@ pub fn run(args: &Plot) -> Result<Answer> {
         PlotKind::Trajectory(args) => trajectory(args),
         PlotKind::Contour(args) => contour(args),
         PlotKind::Chart(args) => along(args),
+        PlotKind::Tornado(args) => tornado(args),
+        PlotKind::Vcurve(args) => vcurve(args),
     }
 }
 
@@ -37,8 +48,9 @@ fn contour(args: &PlotContour) -> Result<Answer> {
     let setup = args.question.within_tolerance(setup, &search.vary)?;
     let (best, map) = mapped(&setup, &search)?;
     let best = best.as_ref();
+    let limits = limits(best.map_or(&setup, |best| &best.setup), &search)?;
     let flatness = best.map(|best| flatness(best, usual_loss(best))).transpose()?;
-    written(&args.question, &args.drawing, format, &map_figure(&map, best, flatness.as_ref()))
+    written(&args.question, &args.drawing, format, &map_figure(&map, &limits, best, flatness.as_ref()))
 }
 
 /// The map around an optimum; around the setup itself, where there is none.
@@ -55,6 +67,15 @@ fn mapped(setup: &Setup<f64>, search: &Search) -> Result<(Option<Optimum>, Map)>
     let around = if is_found { &best.setup } else { setup };
     let map = map(around, search.maximize, across, up, Fineness::default())?;
     Ok((is_found.then_some(best), map))
+}
+
+/// The constraints of a search with the map of each one's outcome, over the first two parameters varied.
+pub fn limits(around: &Setup<f64>, search: &Search) -> Result<Vec<(Constraint, Map)>> {
+    let [across, up, ..] = search.vary[..] else { return Ok(vec![]) };
+    let values = Fineness { slopes: 0, ..Fineness::default() };
+    let limit =
+        |constraint: &Constraint| Ok((constraint.clone(), map(around, constraint.outcome, across, up, values)?));
+    search.subject_to.iter().map(limit).collect()
 }
 
 fn along(args: &PlotChart) -> Result<Answer> {
@@ -81,6 +102,32 @@ fn along(args: &PlotChart) -> Result<Answer> {
         Some(figure) => written(&args.question, &args.drawing, format, figure),
         None => Err(Error::Nothing { doing: "draw", what: "optimum" }),
     }
+}
+
+fn tornado(args: &PlotTornado) -> Result<Answer> {
+    let format = Format::of(&args.drawing.output)?;
+    let setup = args.question.within_tolerance(args.question.setup()?, &[])?;
+    let of = Outcome::named(&args.of)?;
+    let given = args.sigma.iter().map(|text| Sigma::read(&setup, text)).collect::<Result<Vec<_>>>()?;
+    let found = effects(&setup, &[of], &with_defaults(&setup, &given)?, |_, _| ())?;
+    match found.first() {
+        Some(effects) => written(&args.question, &args.drawing, format, &tornado_figure(effects)),
+        None => Err(Error::Nothing { doing: "draw", what: "outcome" }),
+    }
+}
+
+fn vcurve(args: &PlotVcurve) -> Result<Answer> {
+    let format = Format::of(&args.drawing.output)?;
+    let setup = args.question.within_tolerance(args.question.setup()?, &[])?;
+    let (of, wrt) = (outcomes(&args.of)?, variables(&setup, &args.wrt)?);
+    let certificate = certify(&setup, &of, &wrt, |_, _| ())?;
+    for (of, why) in &certificate.missing {
+        tell(&format!("left out: {}: {why}", of.name()));
+    }
+    // in the order asked for, without what is looked at beside
+    let asked = of.iter().flat_map(|of| wrt.iter().map(move |parameter| (*of, *parameter)));
+    let row = |(of, parameter)| certificate.rows.iter().find(|row| row.of == of && row.parameter == parameter);
+    written(&args.question, &args.drawing, format, &vcurve_figure(asked.filter_map(row)))
 }
 
 /// What a plot is written as.

@@ -31,6 +31,11 @@ impl Question {
         Ok(setup)
     }
 
+    /// The preset that the setup started from.
+    pub fn preset(&self) -> Result<&'static Preset> {
+        Preset::named(&self.setup).map_or_else(|| Setup::preset_of_file(Path::new(&self.setup)), Ok)
+    }
+
     fn base(&self) -> Result<Setup<f64>> {
         let path = Path::new(&self.setup);
         let looks_like_a_file = path.exists() || self.setup.contains(['/', '\\']) || path.extension().is_some();

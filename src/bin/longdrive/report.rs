@@ -1,6 +1,142 @@
 use crate::args::Report;
-use crate::output::Answer;
-use longdrive::Result;
-pub fn run(_args: &Report) -> Result<Answer> {
-    Ok(Answer::text(String::new()))
+use crate::output::{Answer, bar, tell, warn};
+use crate::plot::limits;
+use longdrive::optimize::{Status, Watch};
+use longdrive::report::figures::Flown;
+use longdrive::report::page::{Document, Findings, report_documents};
+use longdrive::study::certificate::{Row, certify};
+use longdrive::study::{
+    Fineness, Search, Sigma, Vary, chart, effects, flatness, map, optimum, usual_loss, with_defaults,
+};
+use longdrive::{Error, Outcome, Result, Setup};
+use serde_json::json;
+use std::path::Path;
+
+/// Optima along the parameter are about this many: what the bar counts to.
+const USUAL_POINTS: u64 = 24;
+
+pub fn run(args: &Report) -> Result<Answer> {
+    let setup = args.question.setup()?;
+    let search = args.search.search(&setup)?;
+    let along = Vary::read(&setup, &args.along)?;
+    let ranges: Vec<_> = search.vary.iter().copied().chain([along]).collect();
+    let setup = args.question.within_tolerance(setup, &ranges)?;
+    let preset = args.question.preset()?;
+    let given = args.sigma.iter().map(|text| Sigma::read(&setup, text)).collect::<Result<Vec<_>>>()?;
+    let sigmas = with_defaults(&setup, &given)?;
+    // before the work, not after it
+    let folder = &args.output;
+    std::fs::create_dir_all(folder).map_err(|error| unwritable(folder, &error))?;
+
+    let bar = bar("parts");
+    bar.set_length(USUAL_POINTS + 5);
+    let mut remarks = setup.warnings();
+    let mut flown = vec![Flown::new("as set up", &setup)?];
+    remarks.extend(flown[0].drive.corners(&setup));
+    bar.inc(1);
+
+    let found = optimum(&setup, search.clone(), Watch::default())?;
+    let is_found = found.solution.status == Status::Converged;
+    if !is_found {
+        remarks.push(format!("no optimum: {}: {}", found.status(), found.message()));
+    }
+    let best = is_found.then_some(&found);
+    if let Some(best) = best {
+        flown.push(Flown::new("optimum", &best.setup)?);
+    }
+    let flatness = best.map(|best| flatness(best, usual_loss(best))).transpose()?;
+    bar.inc(1);
+
+    let around = best.map_or(&setup, |best| &best.setup);
+    let map = match search.vary[..] {
+        [across, up, ..] => said(map(around, search.maximize, across, up, Fineness::default()), &mut remarks)?,
+        _ => None,
+    };
+    let limits = said(limits(around, &search), &mut remarks)?.unwrap_or_default();
+    bar.inc(1);
+    let is_varied = search.vary.iter().any(|vary| vary.parameter == along.parameter);
+    let chart = if is_found && !is_varied {
+        let watch = |_: &_| {
+            bar.inc(1);
+            true
+        };
+        said(chart(&setup, &search, along, watch), &mut remarks)?
+    } else {
+        None
+    };
+
+    let of = if search.maximize == Outcome::Lateral {
+        vec![Outcome::Carry]
+    } else {
+        vec![search.maximize, Outcome::Lateral]
+    };
+    let effects = said(effects(&setup, &of, &sigmas, |_, _| ()), &mut remarks)?.unwrap_or_default();
+    bar.inc(1);
+    let rows = said(rows(&setup, &search), &mut remarks)?.unwrap_or_default();
+    bar.inc(1);
+
+    let findings = Findings {
+        name: &args.question.setup,
+        setup: &setup,
+        preset,
+        flown: &flown,
+        best,
+        flatness: flatness.as_ref(),
+        map: map.as_ref(),
+        limits: &limits,
+        chart: chart.as_ref(),
+        effects: &effects,
+        rows: &rows,
+        remarks: &remarks,
+    };
+    let documents = report_documents(&findings)?;
+    for Document { name, text } in &documents {
+        let file = folder.join(name);
+        std::fs::write(&file, text).map_err(|error| unwritable(&file, &error))?;
+    }
+    bar.finish_and_clear();
+    warn(&remarks);
+    let index = folder.join("index.html");
+    tell(&format!("{} ({} files)", index.display(), documents.len()));
+    let names: Vec<&str> = documents.iter().map(|document| document.name.as_str()).collect();
+    let answer = if args.question.json {
+        Answer::json(&json!({ "folder": folder, "files": names, "remarks": remarks }))
+    } else {
+        Answer::text(String::new())
+    };
+    Ok(answer.found(is_found && flown[0].drive.landed().is_ok()))
+}
+
+/// The derivatives of the outcome by what is varied, and by the speed of the swing, beside differences.
+fn rows(setup: &Setup<f64>, search: &Search) -> Result<Vec<Row>> {
+    let mut wrt: Vec<_> = search.vary.iter().map(|vary| vary.parameter).collect();
+    let speed = setup.variable("swing.speed")?;
+    if !wrt.contains(&speed) {
+        wrt.push(speed);
+    }
+    let of = search.maximize;
+    let mut rows = certify(setup, &[of], &wrt, |_, _| ())?.rows;
+    // not those of the landing, which are looked at beside
+    rows.retain(|row| row.of == of);
+    Ok(rows)
+}
+
+/// A part of the report; where it has no answer the report says so, and goes on.
+fn said<T>(part: Result<T>, remarks: &mut Vec<String>) -> Result<Option<T>> {
+    match part {
+        Ok(part) => Ok(Some(part)),
+        Err(error) if error.is_an_outcome() => {
+            let remark = error.to_string();
+            if !remarks.contains(&remark) {
+                remarks.push(remark);
+            }
+            Ok(None)
+        }
+        Err(error) => Err(error),
+    }
+}
+
+fn unwritable(file: &Path, error: &std::io::Error) -> Error {
+    let reason = format!("it cannot be written: {error}; name another with -o");
+    Error::Results { file: file.display().to_string(), reason }
 }

@@ -1,28 +1,35 @@
 use crate::report::plot::{Axis, Field, Figure, Hue, Layer, Measure};
-use crate::study::{Flatness, Map, Optimum, Slope, Vary};
+use crate::study::{Constraint, Flatness, Map, Optimum, Slope, Vary};
 
 /// The longest arrow, as a part of the map's width.
 const LONGEST_ARROW: f64 = 0.1;
 
-/// A map with its gradients and, where the search of an optimum varied both its parameters, the optimum with its window.
-pub fn map_figure(map: &Map, best: Option<&Optimum>, flatness: Option<&Flatness>) -> Figure {
-    let Map { of, across, up, columns, values, missing, slopes } = map;
+/// A map with its gradients, the limits of outcomes as lines on it (each with a map of its outcome), and where the search of an
+/// optimum varied both its parameters, the optimum with its window.
+pub fn map_figure(
+    map: &Map,
+    limits: &[(Constraint, Map)],
+    best: Option<&Optimum>,
+    flatness: Option<&Flatness>,
+) -> Figure {
+    let Map { of, across, up, missing, slopes, .. } = map;
     let [x, y] = [across, up].map(|vary| Axis::linear(Measure::parameter(vary.parameter)).exactly(vary.low, vary.high));
     let measure = Measure::outcome(*of);
     let title = format!("{} over {} and {}", capital(&measure.label), x.measure.label, y.measure.label);
     let name = format!("map-{}", of.name());
-    let field = Field {
-        measure,
-        x: [across.low, across.high],
-        y: [up.low, up.high],
-        columns: *columns,
-        values: values.clone(),
-        nothing: "no drive",
-    };
+    let field = field(map);
     let mut figure = Figure::new(name, title, x, y).with(Layer::Contours(field)).with(arrows(across, up, slopes));
     figure.aspect = 0.85;
+    for (i, (constraint, map)) in limits.iter().enumerate() {
+        let field = self::field(map);
+        let mut ends: Vec<f64> = [constraint.low, constraint.high].into_iter().filter(|end| end.is_finite()).collect();
+        ends.dedup();
+        for (end, name) in ends.into_iter().zip([constraint.expression.as_str(), ""]) {
+            figure.layers.push(Layer::dashed(name, 2 + i, field.line_at(end)));
+        }
+    }
     let mut notes =
-        vec!["The edges are the bounds; the arrows are exact gradients, in units of the ranges.".to_owned()];
+        vec!["The edges are the bounds; the arrows are exact gradients in units of the ranges, their length as the root of the slope.".to_owned()];
     if let Some(why) = missing {
         notes.push(format!("Grey: no value; first because {why}."));
     }
@@ -49,6 +56,18 @@ pub fn map_figure(map: &Map, best: Option<&Optimum>, flatness: Option<&Flatness>
     figure.noted(notes.join(" "))
 }
 
+/// A map as a field to draw.
+fn field(map: &Map) -> Field {
+    Field {
+        measure: Measure::outcome(map.of),
+        x: [map.across.low, map.across.high],
+        y: [map.up.low, map.up.high],
+        columns: map.columns,
+        values: map.values.clone(),
+        nothing: "no drive",
+    }
+}
+
 /// Where in an optimum's search the parameters of a map stand; `None` where it did not vary both.
 fn place(best: &Optimum, across: &Vary, up: &Vary) -> Option<[usize; 2]> {
     let at = |of: &Vary| best.search.vary.iter().position(|vary| vary.parameter == of.parameter);
@@ -56,17 +75,18 @@ fn place(best: &Optimum, across: &Vary, up: &Vary) -> Option<[usize; 2]> {
     Some([at(across)?, at(up)?])
 }
 
-/// Gradients in units of the ranges, as the map shows them: steepest ascent on the page.
+/// Gradients in units of the ranges, as the map shows them: steepest ascent on the page. Lengths go as the root of the slope:
+/// in proportion to it, those near the top would be too short to show their direction.
 fn arrows(across: &Vary, up: &Vary, slopes: &[Slope]) -> Layer {
     let width = [across, up].map(|vary| vary.high - vary.low);
     let scaled = |gradient: [f64; 2]| [gradient[0] * width[0], gradient[1] * width[1]];
-    let longest = slopes.iter().map(|slope| {
-        let [x, y] = scaled(slope.gradient);
-        x.hypot(y)
-    });
-    let longest = longest.fold(f64::MIN_POSITIVE, f64::max);
+    let size = |[x, y]: [f64; 2]| x.hypot(y);
+    let longest = slopes.iter().map(|slope| size(scaled(slope.gradient))).fold(f64::MIN_POSITIVE, f64::max);
     let arrow = |slope: &Slope| {
-        let [x, y] = scaled(slope.gradient).map(|part| part * LONGEST_ARROW / longest);
+        let scaled = scaled(slope.gradient);
+        let steepness = size(scaled).max(f64::MIN_POSITIVE);
+        let length = LONGEST_ARROW * (steepness / longest).sqrt();
+        let [x, y] = scaled.map(|part| part / steepness * length);
         [slope.at, [slope.at[0] + x * width[0], slope.at[1] + y * width[1]]]
     };
     Layer::Arrows { name: "gradient".into(), hue: Hue::Ink, arrows: slopes.iter().map(arrow).collect() }

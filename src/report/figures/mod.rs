@@ -2,8 +2,12 @@
 
 mod chart;
 mod map;
+mod tornado;
 mod trajectory;
+mod vcurve;
 
 pub use chart::chart_figures;
 pub use map::map_figure;
+pub use tornado::tornado_figure;
 pub use trajectory::{Flown, View, trajectory_figure};
+pub use vcurve::vcurve_figure;

@@ -71,7 +71,9 @@ pub fn trajectory_figure(flown: &[Flown], view: View) -> Figure {
             continue;
         };
         let up = path.points.last().map_or(0.0, |point| point.position.x);
-        figure.layers.push(Layer::Mark { name: "landing".into(), hue, at: seen(up, right, carry) });
+        // the ends of several lie close together, and the legend tells them apart
+        let landing = if flown.len() == 1 { "landing" } else { "" };
+        figure.layers.push(Layer::Mark { name: landing.into(), hue, at: seen(up, right, carry) });
         let apex = [Outcome::ApexHeight, Outcome::ApexDownrange].map(|outcome| outcome.value(drive));
         if let (View::Side, [Some(height), Some(downrange)]) = (view, apex) {
             figure.layers.push(Layer::Mark { name: "apex".into(), hue, at: [downrange, height] });

@@ -29,10 +29,9 @@ impl Measure {
         Self::new(outcome.name().replace('_', " "), outcome.quantity(), outcome.unit())
     }
 
-    /// A parameter.
+    /// A parameter: "swing speed".
     pub fn parameter(parameter: &Parameter) -> Self {
-        let last = parameter.name.rsplit_once('.').map_or(parameter.name, |(_, last)| last);
-        let label = if last.len() < 3 { parameter.name.replace('.', " ") } else { last.replace('_', " ") };
+        let label = parameter.name.replace(['.', '_'], " ");
         Self::new(label, parameter.quantity, parameter.unit)
     }
 

@@ -72,7 +72,7 @@ pub(super) struct Labels<'a, 'b> {
 impl Labels<'_, '_> {
     /// The place that words would take around a point, pixels.
     pub fn extent(text: &str, middle: [f64; 2]) -> [[f64; 2]; 2] {
-        let half = [0.54 * CHARACTER * text.chars().count() as f64 + 4.0, 0.5 * LINE];
+        let half = [0.58 * CHARACTER * text.chars().count() as f64 + 4.0, 0.5 * LINE];
         [[middle[0] - half[0], middle[1] - half[1]], [middle[0] + half[0], middle[1] + half[1]]]
     }
 

@@ -7,13 +7,13 @@ use crate::units::System;
 use contour::ContourBuilder;
 
 /// About how many lines a map has.
-const LINES: f64 = 14.0;
+const LINES: usize = 11;
 
 /// The ground at and above a level.
 pub(super) struct Ground {
     /// The level, in the unit read.
     pub level: f64,
-    /// Where it stands between the lowest and the highest value, 0 to 1.
+    /// Where it stands among the levels, 0 to 1.
     pub part: f64,
     /// Its outlines, in the plane of the axes, SI; a hole is reached along a line without width.
     pub outlines: Vec<Vec<[f64; 2]>>,
@@ -21,30 +21,49 @@ pub(super) struct Ground {
     pub lines: Vec<Vec<[f64; 2]>>,
 }
 
+impl Field {
+    /// The line on which the field has a value, SI: its pieces one after the other, parted by points that are no numbers.
+    pub fn line_at(&self, level: f64) -> Vec<[f64; 2]> {
+        if self.columns < 2 || self.rows() < 2 || self.values.iter().all(Option::is_none) {
+            return vec![];
+        }
+        let ground = outlined(self, &continued(self), &[level]).pop();
+        let pieces = ground.map(|ground| ground.lines).unwrap_or_default();
+        pieces.join(&[f64::NAN; 2])
+    }
+}
+
 /// The grounds of a field, the lowest first: each covers a part of the one before.
 pub(super) fn grounds(field: &Field, system: System) -> Vec<Ground> {
     let known = field.values.iter().flatten().map(|value| field.measure.in_units(*value, system));
-    let (low, high) = known.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)));
+    let mut known: Vec<f64> = known.filter(|value| value.is_finite()).collect();
+    known.sort_by(f64::total_cmp);
     let (columns, rows) = (field.columns, field.rows());
-    if !(low.is_finite() && high.is_finite()) || columns < 2 || rows < 2 {
+    let Some(&low) = known.first() else { return vec![] };
+    if columns < 2 || rows < 2 {
         return vec![];
     }
-    let step = nice_step(((high - low) / LINES).max(1e-9 * high.abs().max(1e-300)));
-    let first = (low / step).ceil() as i64;
-    let levels: Vec<f64> = (first..).map(|i| i as f64 * step).take_while(|level| *level <= high).collect();
+    let levels = levels(&known);
     let values: Vec<f64> = continued(field).iter().map(|value| field.measure.in_units(*value, system)).collect();
     // the lowest ground is everything
     let all = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]
         .map(|[x, y]: [f64; 2]| field.place(x * (columns - 1) as f64, y * (rows - 1) as f64));
     let base = Ground { level: low, part: 0.0, outlines: vec![all.to_vec()], lines: vec![] };
+    std::iter::once(base).chain(outlined(field, &values, &levels)).collect()
+}
+
+/// The ground at and above each level of the values of a field's nodes.
+fn outlined(field: &Field, values: &[f64], levels: &[f64]) -> Vec<Ground> {
+    let (columns, rows) = (field.columns, field.rows());
     let builder = ContourBuilder::new(columns, rows, true);
-    let found = builder.contours(&values, &levels).unwrap_or_default();
-    let above = found.iter().zip(&levels).map(|(contour, level)| {
+    let found = builder.contours(values, levels).unwrap_or_default();
+    let above = found.iter().zip(levels).enumerate().map(|(i, (contour, level))| {
         let polygons = contour.geometry().0.iter();
         // the crate puts the first node at ½ and closes rings half a cell outside
         let node = |at: f64, count: usize| (at - 0.5).clamp(0.0, (count - 1) as f64);
         let node = |x: f64, y: f64| [node(x, columns), node(y, rows)];
-        let mut ground = Ground { level: *level, part: (level - low) / (high - low), outlines: vec![], lines: vec![] };
+        let part = (i + 1) as f64 / levels.len() as f64;
+        let mut ground = Ground { level: *level, part, outlines: vec![], lines: vec![] };
         for polygon in polygons {
             let outer: Vec<[f64; 2]> = polygon.exterior().0.iter().map(|at| node(at.x, at.y)).collect();
             let holes = polygon.interiors().iter().map(|hole| hole.0.iter().map(|at| node(at.x, at.y)).collect());
@@ -60,7 +79,24 @@ pub(super) fn grounds(field: &Field, system: System) -> Vec<Ground> {
         ground.outlines.iter_mut().chain(&mut ground.lines).flatten().for_each(place);
         ground
     });
-    std::iter::once(base).chain(above).collect()
+    above.collect()
+}
+
+/// Round numbers that part the map into grounds of about the same size: a map is steep in one place and flat in another, and
+/// evenly spaced levels would leave the flat top without a line.
+fn levels(sorted: &[f64]) -> Vec<f64> {
+    let (low, high) = (sorted[0], sorted[sorted.len() - 1]);
+    let round = nice_step((high - low) / 100.0);
+    if !(round > 0.0 && round.is_finite()) {
+        return vec![];
+    }
+    let level = |i: usize| (sorted[i * (sorted.len() - 1) / (LINES + 1)] / round).round() * round;
+    // the last one is as near the top as a round number comes
+    let last = ((high / round).ceil() - 1.0) * round;
+    let mut levels: Vec<f64> =
+        (1..=LINES).map(level).chain([last]).filter(|level| *level > low && *level < high).collect();
+    levels.dedup();
+    levels
 }
 
 /// The pieces of a ring that do not run along the border of the map.
@@ -117,4 +153,63 @@ fn continued(field: &Field) -> Vec<f64> {
         }
     }
     values.into_iter().map(Option::unwrap_or_default).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::axis::Measure;
+    use super::{Field, grounds};
+    use crate::units::System;
+
+    fn field(f: impl Fn(f64, f64) -> Option<f64>) -> Field {
+        let mut field = Field {
+            measure: Measure::plain("f"),
+            x: [0.0, 3.0],
+            y: [1.0, 2.0],
+            columns: 13,
+            values: vec![None; 13 * 9],
+            nothing: "nothing",
+        };
+        let place = |i: usize| field.place((i % 13) as f64, (i / 13) as f64);
+        field.values = (0..13 * 9).map(|i| f(place(i)[0], place(i)[1])).collect();
+        field
+    }
+
+    /// The area within an outline, by the shoelace formula.
+    fn area(outline: &[[f64; 2]]) -> f64 {
+        let next = outline.iter().cycle().skip(1);
+        0.5 * outline.iter().zip(next).map(|(a, b)| a[0] * b[1] - b[0] * a[1]).sum::<f64>().abs()
+    }
+
+    #[test]
+    fn exact_lines_of_a_plane_lie_on_it_and_part_it_evenly() {
+        let grounds = grounds(&field(|x, y| Some(2.0 * x - y)), System::Us);
+        assert!(grounds.len() > 8, "{}", grounds.len());
+        for ground in &grounds[1..] {
+            assert!(!ground.lines.is_empty());
+            for [x, y] in ground.lines.iter().flatten() {
+                assert!((2.0 * x - y - ground.level).abs() < 1e-12, "({x}, {y}) is not on {}", ground.level);
+            }
+        }
+        // each covers a part of the one before, and the lowest everything
+        let areas: Vec<f64> = grounds.iter().map(|ground| ground.outlines.iter().map(|o| area(o)).sum()).collect();
+        assert!((areas[0] - 3.0).abs() < 1e-12 && areas.windows(2).all(|pair| pair[1] < pair[0]), "{areas:?}");
+    }
+
+    #[test]
+    fn exact_a_basin_is_a_hole_and_what_is_missing_bends_no_line() {
+        let bowl = |x: f64, y: f64| (x - 1.5).powi(2) + 4.0 * (y - 1.5).powi(2);
+        let rim = grounds(&field(|x, y| Some(bowl(x, y))), System::Us);
+        // the hole takes its area from the ground around it
+        let lowest = &rim[1];
+        assert!(area(&lowest.outlines[0]) < 2.95, "{}", area(&lowest.outlines[0]));
+        let plane = |x: f64, y: f64| (x < 2.0 || y < 1.5).then_some(x);
+        for ground in &grounds(&field(plane), System::Us)[1..] {
+            for [x, _] in ground.lines.iter().flatten().filter(|[x, _]| *x < 1.9) {
+                assert!((x - ground.level).abs() < 1e-12);
+            }
+        }
+        assert!(grounds(&field(|_, _| None), System::Us).is_empty());
+        assert_eq!(grounds(&field(|_, _| Some(1.0)), System::Us).len(), 1);
+    }
 }

@@ -77,6 +77,7 @@ pub(super) fn draw(area: &Area<'_>, plane: &Plane<'_>, palette: &Palette, system
 pub(super) fn label(labels: &mut Labels<'_, '_>, plane: &Plane<'_>, system: System, figure: &Figure) -> Result<()> {
     for layer in &figure.layers {
         if let Layer::Mark { name, hue, at } = layer
+            && !name.is_empty()
             && let Some(at) = plane.pixel(*at)
         {
             let half = Labels::extent(name, [0.0, 0.0])[1][0];

@@ -53,7 +53,7 @@ pub const DARK: Palette = Palette {
         RGBColor(226, 200, 84),
         RGBColor(130, 215, 236),
     ],
-    heights: [RGBColor(26, 33, 42), RGBColor(27, 70, 84), RGBColor(38, 122, 122)],
+    heights: [RGBColor(26, 33, 42), RGBColor(27, 70, 84), RGBColor(34, 106, 106)],
 };
 
 /// Steps of a field's colour.
@@ -85,5 +85,43 @@ impl Palette {
             .chain(self.series)
             .chain(heights)
             .collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{DARK, LIGHT, RGBColor};
+
+    /// The contrast of two colours, 1 to 21 (WCAG 2.1, relative luminance).
+    fn contrast(a: RGBColor, b: RGBColor) -> f64 {
+        let linear = |part: u8| {
+            let part = f64::from(part) / 255.0;
+            if part <= 0.04045 { part / 12.92 } else { ((part + 0.055) / 1.055).powf(2.4) }
+        };
+        let luminance = |c: RGBColor| 0.2126 * linear(c.0) + 0.7152 * linear(c.1) + 0.0722 * linear(c.2);
+        let (a, b) = (luminance(a) + 0.05, luminance(b) + 0.05);
+        a.max(b) / a.min(b)
+    }
+
+    #[test]
+    fn exact_contrasts_are_enough_to_read_by() {
+        for palette in [LIGHT, DARK] {
+            for color in palette.series {
+                let found = contrast(color, palette.ground);
+                assert!(found >= 3.0, "{color:?}: {found}");
+            }
+            assert!(contrast(palette.ink, palette.ground) >= 7.0 && contrast(palette.faint, palette.ground) >= 4.5);
+            // words on a map, and its lines
+            assert!(palette.heights.iter().all(|height| contrast(palette.ink, *height) >= 4.5));
+        }
+    }
+
+    #[test]
+    fn exact_every_colour_of_light_pictures_has_one_for_the_dark() {
+        let light = LIGHT.all();
+        assert_eq!(light.len(), DARK.all().len());
+        for (i, color) in light.iter().enumerate() {
+            assert!(!light[..i].contains(color), "{color:?} stands for two");
+        }
     }
 }

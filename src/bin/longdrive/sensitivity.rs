@@ -1,0 +1,54 @@
+use crate::args::SensitivityArgs;
+use crate::names::outcomes;
+use crate::output::{Answer, bar, tell, warn};
+use longdrive::optimize::{Status, Watch};
+use longdrive::report::{EffectsReport, effects_text};
+use longdrive::study::{Sigma, effects, optimum, sensitivities, with_defaults};
+use longdrive::{Drive, Error, Outcome, Result};
+use serde_json::json;
+
+pub fn run(args: &SensitivityArgs) -> Result<Answer> {
+    let mut setup = args.question.within_tolerance(args.question.setup()?, &[])?;
+    let of = outcomes(&args.of)?;
+    let given = args.sigma.iter().map(|text| Sigma::read(&setup, text)).collect::<Result<Vec<_>>>()?;
+    let mut best = None;
+    if args.at_optimum {
+        let search = args.search.search(&setup)?;
+        let found = optimum(&setup, search, Watch::default())?;
+        if found.solution.status != Status::Converged {
+            return Err(Error::NotConverged { status: found.status(), message: found.message() });
+        }
+        tell(&found.message());
+        setup = found.setup;
+        best = Some(found);
+    }
+    let sigmas = if args.no_defaults { given } else { with_defaults(&setup, &given)? };
+    let drive = Drive::new(&setup)?;
+    let warnings = [setup.warnings(), drive.corners(&setup)].concat();
+    warn(&warnings);
+    let bar = bar("uncertainties");
+    let found = effects(&setup, &of, &sigmas, |done, all| {
+        bar.set_length(all as u64);
+        bar.set_position(done as u64);
+    });
+    bar.finish_and_clear();
+    let found = found?;
+    let totals = match &best {
+        Some(best) => {
+            let varied = |row: &&_| !best.search.vary.iter().any(|vary| vary.parameter == *row);
+            let wrt: Vec<_> = setup.variables().into_iter().filter(varied).collect();
+            Some((best.search.maximize, sensitivities(best, &wrt, |_, _| ())?))
+        }
+        None => None,
+    };
+    let totals_of =
+        |of: Outcome| totals.as_ref().filter(|(maximized, _)| *maximized == of).map(|(_, all)| all.as_slice());
+    let answer = if args.question.json {
+        let reports: Vec<_> = found.iter().map(|effects| EffectsReport::new(effects, totals_of(effects.of))).collect();
+        Answer::json(&json!({ "outcomes": reports, "warnings": warnings }))
+    } else {
+        let texts: Vec<_> = found.iter().map(|effects| effects_text(effects, totals_of(effects.of))).collect();
+        Answer::text(texts.join("\n"))
+    };
+    Ok(answer)
+}

@@ -1,0 +1,30 @@
+use crate::args::Verify;
+use crate::names::{outcomes, variables};
+use crate::output::{Answer, bar, tell, warn};
+use longdrive::Result;
+use longdrive::report::{CertificateReport, certificate_text};
+use longdrive::study::certificate::certify;
+
+pub fn run(args: &Verify) -> Result<Answer> {
+    let setup = args.question.within_tolerance(args.question.setup()?, &[])?;
+    let of = outcomes(&args.of)?;
+    let wrt = variables(&setup, &args.wrt)?;
+    let bar = bar("parameters");
+    let certificate = certify(&setup, &of, &wrt, |done, all| {
+        bar.set_length(all as u64);
+        bar.set_position(done as u64);
+    });
+    bar.finish_and_clear();
+    let certificate = certificate?;
+    let warnings = [setup.warnings(), certificate.corners.clone()].concat();
+    warn(&warnings);
+    for (of, why) in &certificate.missing {
+        tell(&format!("left out: {}: {why}", of.name()));
+    }
+    let answer = if args.question.json {
+        Answer::json(&CertificateReport::new(&certificate, warnings))
+    } else {
+        Answer::text(certificate_text(&certificate))
+    };
+    Ok(answer.found(certificate.passed()))
+}

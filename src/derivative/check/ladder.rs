@@ -1,0 +1,115 @@
+use super::estimate::{Difference, Estimate, Side, estimate};
+
+/// The steps 10^(-k/2) of a ladder, in units of the scale: from 1e-1 down to 1e-13, two to a decade.
+pub const STEPS: std::ops::RangeInclusive<i32> = 2..=26;
+
+/// The steps for functions that are dear: from 1e-1 to 1e-5, and three that show the rounding.
+pub const FEW_STEPS: [i32; 12] = [2, 3, 4, 5, 6, 7, 8, 9, 10, 19, 20, 21];
+
+/// Differences are extrapolated over steps of at least this part of the scale. What is rounded off below it (a corner within
+/// a millionth) counts as not rounded at all.
+const LEAST_STEP: f64 = 1e-6;
+
+/// Steps at which second differences are nothing but rounding.
+const ROUNDING_ONLY: std::ops::Range<f64> = 1e-12..2e-9;
+
+/// One step of a ladder and what the function is to both sides; `None` where it has no value.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rung {
+    /// The step h.
+    pub step: f64,
+    /// f(x − h).
+    pub below: Option<f64>,
+    /// f(x + h).
+    pub above: Option<f64>,
+}
+
+/// A function of one variable, sampled around a place at steps of falling size.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Ladder {
+    /// The size of the variable: steps are parts of it.
+    pub scale: f64,
+    /// f(x).
+    pub centre: f64,
+    /// How large the numbers are that f is computed from: |f(x)|, or more.
+    pub size: f64,
+    /// The samples, the largest step first.
+    pub rungs: Vec<Rung>,
+}
+
+impl Ladder {
+    /// Samples several functions at once around `at`, at the steps 10^(-k/2) of the scale for each k of `steps` ([`STEPS`] or
+    /// [`FEW_STEPS`]). A value that is not finite, or missing, is none.
+    pub fn sample(
+        at: f64,
+        scale: f64,
+        steps: impl IntoIterator<Item = i32>,
+        mut f: impl FnMut(f64) -> Vec<f64>,
+    ) -> Vec<Self> {
+        let centre = f(at);
+        let blank = |centre: &f64| Self { scale, centre: *centre, size: centre.abs(), rungs: vec![] };
+        let mut ladders: Vec<Self> = centre.iter().map(blank).collect();
+        for k in steps {
+            // the step that is left after rounding
+            let step = (at + scale * 10.0_f64.powf(-0.5 * f64::from(k))) - at;
+            if step <= 0.0 {
+                break;
+            }
+            let [below, above] = [f(at - step), f(at + step)];
+            let finite = |values: &[f64], i: usize| values.get(i).copied().filter(|value| value.is_finite());
+            for (i, ladder) in ladders.iter_mut().enumerate() {
+                ladder.rungs.push(Rung { step, below: finite(&below, i), above: finite(&above, i) });
+            }
+        }
+        ladders
+    }
+
+    /// The same of a function that is computed from numbers of at least this size, whatever is left of them.
+    #[must_use]
+    pub fn made_of(self, size: f64) -> Self {
+        Self { size: self.size.max(size), ..self }
+    }
+
+    /// How much of the value at the centre is rounding: the most that second differences amount to where the function itself
+    /// cannot bend.
+    pub fn rounding(&self) -> f64 {
+        let second = |rung: &Rung| {
+            let is_small = ROUNDING_ONLY.contains(&(rung.step / self.scale));
+            Some((rung.above? + rung.below? - 2.0 * self.centre).abs() / 2.0).filter(|_| is_small)
+        };
+        self.rungs.iter().filter_map(second).fold(rounding_of(self.centre), f64::max)
+    }
+
+    /// The plain difference at a step.
+    pub(super) fn difference(&self, rung: &Rung, side: Side) -> Option<f64> {
+        match side {
+            Side::Both => Some((rung.above? - rung.below?) / (2.0 * rung.step)),
+            Side::Above => Some((rung.above? - self.centre) / rung.step),
+            Side::Below => Some((self.centre - rung.below?) / rung.step),
+        }
+    }
+
+    /// The derivative to a side, extrapolated to steps of 0; `None` where there are too few values.
+    pub fn slope(&self, side: Side) -> Option<Estimate> {
+        let is_wide = |rung: &&Rung| rung.step >= 0.999 * LEAST_STEP * self.scale;
+        let rounding = self.rounding();
+        let difference = |rung: &Rung| {
+            let value = self.difference(rung, side)?;
+            let largest =
+                [rung.below, rung.above].into_iter().flatten().fold(0.0_f64, |most, value| most.max(value.abs()));
+            // a central difference divides the rounding of two values by two steps, a one-sided one by one
+            let share = if side == Side::Both { 1.0 } else { 2.0 };
+            Some(Difference {
+                step: rung.step,
+                value,
+                rounding: share * rounding.max(rounding_of(largest)) / rung.step,
+            })
+        };
+        estimate(&self.rungs.iter().filter(is_wide).map(difference).collect::<Vec<_>>(), side)
+    }
+}
+
+/// The least rounding that a value is given: a few units in the last place.
+pub(super) fn rounding_of(value: f64) -> f64 {
+    4.0 * f64::EPSILON * value.abs()
+}

@@ -1,0 +1,88 @@
+//! Exact derivatives held against differences: a certificate for a function of one's own.
+//!
+//! Values at x ± h, with h from 1e-1 to 1e-13 of the variable's scale, make three checks:
+//!
+//! - the **V-curve** of plain central differences: with a smaller step they come nearer, as h², until rounding over the step
+//!   takes them away again;
+//! - the **verdict**: differences extrapolated to steps of 0, with an estimate of how far off they may be, which is the bar;
+//! - **Taylor's remainders**: with an exact gradient and Hessian they shrink as h, h², h³.
+//!
+//! ```
+//! use longdrive::derivative::check::{Verdict, check};
+//! use longdrive::derivative::Taylor;
+//!
+//! // x² y³ at (2, 1), and the same with a derivative that is off by a millionth
+//! let f = |x: &[f64], slip: f64| Taylor {
+//!     value: x[0] * x[0] * x[1].powi(3),
+//!     gradient: vec![2.0 * x[0] * x[1].powi(3) * slip, 3.0 * x[0] * x[0] * x[1] * x[1]],
+//!     hessian: vec![],
+//! };
+//! let right = check(|x| Some(f(x, 1.0)), &[2.0, 1.0], &[2.0, 1.0]);
+//! assert!(right.gradient.iter().all(|check| check.verdict == Verdict::Pass));
+//! let wrong = check(|x| Some(f(x, 1.0 + 1e-6)), &[2.0, 1.0], &[2.0, 1.0]);
+//! assert_eq!(wrong.gradient[0].verdict, Verdict::Fail);
+//! ```
+
+mod estimate;
+mod ladder;
+mod remainder;
+mod verdict;
+
+pub use estimate::{Estimate, Side};
+pub use ladder::{FEW_STEPS, Ladder, Rung, STEPS};
+pub use remainder::taylor_slopes;
+pub use verdict::{BAR, Check, Demand, NEXT_TO_NOTHING, Point, Verdict};
+
+use super::Taylor;
+
+/// A function's derivatives beside differences.
+#[derive(Clone, Debug)]
+pub struct Checked {
+    /// Each ∂f/∂xᵢ beside differences of values.
+    pub gradient: Vec<Check>,
+    /// Each ∂²f/∂xᵢ∂xⱼ beside differences of ∂f/∂xⱼ along xᵢ; empty where the function tells no Hessian.
+    pub hessian: Vec<Vec<Check>>,
+    /// The slopes of Taylor's remainders along each xᵢ, 1, 2 and 3; without a Hessian the third is that of a polynomial without it.
+    pub slopes: Vec<[Option<f64>; 3]>,
+}
+
+impl Checked {
+    /// Whether nothing failed.
+    pub fn passed(&self) -> bool {
+        self.gradient.iter().chain(self.hessian.iter().flatten()).all(|check| check.verdict != Verdict::Fail)
+    }
+}
+
+/// Checks the derivatives that `f` tells at `x` against differences of its own values and gradients; `scale` is the size of each
+/// variable, of which steps are parts. `f` is `None` where it has no value.
+///
+/// # Panics
+/// Where there are not as many scales as variables, or a scale is not above 0.
+pub fn check(f: impl Fn(&[f64]) -> Option<Taylor>, x: &[f64], scale: &[f64]) -> Checked {
+    assert_eq!(x.len(), scale.len(), "a scale for each variable");
+    assert!(scale.iter().all(|scale| *scale > 0.0), "scales above 0: {scale:?}");
+    let exact = f(x).unwrap_or(Taylor { value: f64::NAN, gradient: vec![f64::NAN; x.len()], hessian: vec![] });
+    let along = |i: usize, value: f64| {
+        let mut moved = x.to_vec();
+        moved[i] = value;
+        f(&moved)
+    };
+    let mut checked = Checked { gradient: vec![], hessian: vec![], slopes: vec![] };
+    for i in 0..x.len() {
+        let values = |value: f64| vec![along(i, value).map_or(f64::NAN, |taylor| taylor.value)];
+        for ladder in Ladder::sample(x[i], scale[i], STEPS, values) {
+            let second = exact.hessian.get(i).map_or(0.0, |row| row[i]);
+            checked.gradient.push(ladder.judge(exact.gradient[i], Demand::FIRST));
+            checked.slopes.push(taylor_slopes(&ladder, exact.gradient[i], second));
+        }
+        if let Some(row) = exact.hessian.get(i) {
+            let gradients = |value: f64| along(i, value).map_or(vec![], |taylor| taylor.gradient);
+            let ladders = Ladder::sample(x[i], scale[i], FEW_STEPS, gradients);
+            let judged = |(j, ladder): (usize, Ladder)| {
+                ladder.made_of(exact.value.abs() / scale[j]).judge(row[j], Demand::SECOND)
+            };
+            checked.hessian.push(ladders.into_iter().enumerate().map(judged).collect());
+        }
+    }
+    checked
+}

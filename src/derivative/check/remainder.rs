@@ -1,0 +1,38 @@
+use super::Ladder;
+use super::ladder::rounding_of;
+
+/// Remainders this many times above the rounding of the function are more than rounding.
+const ABOVE_ROUNDING: f64 = 100.0;
+
+/// A slope is measured over so many of the smallest steps that are left: two decades.
+const STEPS: usize = 5;
+
+/// The remainders of Taylor's polynomials: how |f(x+h) − f|, |f(x+h) − f − h f′| and |f(x+h) − f − h f′ − ½ h² f″| shrink with h. With
+/// exact derivatives their slopes, in logarithms, are 1, 2 and 3 or, where a next derivative is 0, more. `None` where too little is
+/// left above rounding to measure one.
+pub fn taylor_slopes(ladder: &Ladder, first: f64, second: f64) -> [Option<f64>; 3] {
+    [slope(ladder, |_| 0.0), slope(ladder, |h| h * first), slope(ladder, |h| h * (first + 0.5 * h * second))]
+}
+
+/// The slope of the remainder of a polynomial over the smallest steps at which it stands out of the rounding.
+fn slope(ladder: &Ladder, polynomial: impl Fn(f64) -> f64) -> Option<f64> {
+    let (size, rounding) = (ladder.scale, ladder.rounding());
+    let logarithms = |sign: f64| {
+        let points = ladder.rungs.iter().map_while(|rung| {
+            let value = if sign > 0.0 { rung.above? } else { rung.below? };
+            let remainder = (value - ladder.centre - polynomial(sign * rung.step)).abs();
+            (remainder > ABOVE_ROUNDING * rounding.max(rounding_of(value)))
+                .then(|| ((rung.step / size).log10(), remainder.log10()))
+        });
+        points.collect::<Vec<_>>()
+    };
+    let [above, below] = [1.0, -1.0].map(logarithms);
+    let points = if above.len() >= below.len() { above } else { below };
+    let points = points.get(points.len().checked_sub(STEPS)?..)?;
+    // least squares
+    let mean = |f: fn(&(f64, f64)) -> f64| points.iter().map(f).sum::<f64>() / points.len() as f64;
+    let (x, y) = (mean(|p| p.0), mean(|p| p.1));
+    let covariance: f64 = points.iter().map(|p| (p.0 - x) * (p.1 - y)).sum();
+    let variance: f64 = points.iter().map(|p| (p.0 - x) * (p.0 - x)).sum();
+    Some(covariance / variance)
+}

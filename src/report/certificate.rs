@@ -1,0 +1,251 @@
+use super::{json, table::table};
+use crate::derivative::check::{Check, Point, Verdict};
+use crate::study::certificate::{Certificate, Convergence, Row};
+use crate::units::significant;
+use serde::Serialize;
+use serde_json::{Value, json};
+
+/// A certificate of derivatives as JSON, SI and radians.
+#[derive(Clone, Debug, Serialize)]
+pub struct CertificateReport {
+    /// Whether nothing failed and every planted error was caught.
+    pub passed: bool,
+    /// Each outcome by each parameter, the worst first.
+    pub rows: Vec<CertificateRow>,
+    /// What became of the planted errors.
+    pub negative_control: Value,
+    /// Derivatives at the landing beside differences at a fixed time.
+    pub landing: Value,
+    /// The outcomes where the number of steps changes.
+    pub continuity: Value,
+    /// How the outcomes converge with the time step.
+    pub convergence: Value,
+    /// Outcomes that the drive has no derivatives of, with the reason.
+    pub missing: Value,
+    /// What deserves a word.
+    pub warnings: Vec<String>,
+}
+
+/// A derivative beside differences.
+#[derive(Clone, Debug, Serialize)]
+pub struct CertificateRow {
+    /// The outcome.
+    pub outcome: &'static str,
+    /// The parameter.
+    pub parameter: &'static str,
+    /// `pass`, `fail` or `corner`.
+    pub verdict: &'static str,
+    /// The exact derivative.
+    pub exact: Value,
+    /// The best that differences make of it.
+    pub best_difference: Value,
+    /// How far apart they are.
+    pub error: Value,
+    /// How far they may be.
+    pub bar: Value,
+    /// The slopes below and above a corner.
+    pub sides: Option<[f64; 2]>,
+    /// The step at which a plain central difference comes nearest.
+    pub best_step: Value,
+    /// How near.
+    pub best_step_error: Value,
+    /// The slopes of the remainders of Taylor's polynomials of degree 0, 1, 2; `null` where little but rounding is left.
+    pub taylor_slopes: [Value; 3],
+    /// The second derivative by the parameter, likewise.
+    pub second: Value,
+    /// The V-curve: steps of plain central differences, and their errors.
+    pub curve: Value,
+}
+
+impl CertificateReport {
+    /// The report of a certificate.
+    pub fn new(certificate: &Certificate, warnings: Vec<String>) -> Self {
+        let planted = certificate
+            .planted
+            .iter()
+            .map(|planted| json!({ "error": planted.plant.name(), "rows": planted.rows, "caught": planted.caught }));
+        let landing = certificate.landing.iter().map(|row| {
+            let mut entry = check_json(&row.check);
+            entry["outcome"] = row.of.name().into();
+            entry["parameter"] = row.parameter.name.into();
+            entry["landing_term"] = json::number(Some(row.landing_term));
+            entry
+        });
+        let continuity = certificate.continuity.iter().map(|found| {
+            json!({
+                "outcome": found.of.name(),
+                "parameter": found.parameter.name,
+                "at": found.at,
+                "steps": found.steps,
+                "jumps": found.jumps,
+                "bars": found.bars,
+                "continuous_derivatives": found.smoothness,
+                "verdict": verdict_of(found.passed()),
+            })
+        });
+        let convergence = certificate.convergence.iter().map(|found| {
+            let errors = |which: usize| found.errors.iter().map(|(_, pair)| pair[which]).collect::<Vec<_>>();
+            json!({
+                "outcome": found.of.name(),
+                "steps": found.errors.iter().map(|(step, _)| *step).collect::<Vec<_>>(),
+                "value_errors": errors(0),
+                "gradient_errors": errors(1),
+                "orders": found.orders,
+                "expected": found.expected,
+                "verdict": verdict_of(found.passed()),
+            })
+        });
+        let missing = certificate.missing.iter().map(|(of, why)| json!({ "outcome": of.name(), "message": why }));
+        Self {
+            passed: certificate.passed(),
+            rows: certificate.rows.iter().map(CertificateRow::new).collect(),
+            negative_control: json!({ "caught": certificate.caught(), "planted": planted.collect::<Vec<_>>() }),
+            landing: landing.collect(),
+            continuity: continuity.collect(),
+            convergence: convergence.collect(),
+            missing: missing.collect(),
+            warnings,
+        }
+    }
+}
+
+impl CertificateRow {
+    fn new(row: &Row) -> Self {
+        let check = &row.first;
+        let best = check.best_step();
+        Self {
+            outcome: row.of.name(),
+            parameter: row.parameter.name,
+            verdict: row.verdict().name(),
+            exact: json::number(Some(check.exact)),
+            best_difference: json::number(check.best.map(|best| best.value)),
+            error: json::number(Some(check.error)),
+            bar: json::number(Some(check.bar)),
+            sides: check.sides,
+            best_step: json::number(best.map(|best| best.step)),
+            best_step_error: json::number(best.map(|best| best.error)),
+            taylor_slopes: row.slopes.map(json::number),
+            second: row.second.as_ref().map(check_json).unwrap_or_default(),
+            curve: curve_json(&check.curve),
+        }
+    }
+}
+
+fn verdict_of(passed: bool) -> &'static str {
+    if passed { Verdict::Pass.name() } else { Verdict::Fail.name() }
+}
+
+fn check_json(check: &Check) -> Value {
+    json!({
+        "verdict": check.verdict.name(),
+        "exact": json::number(Some(check.exact)),
+        "best_difference": json::number(check.best.map(|best| best.value)),
+        "error": json::number(Some(check.error)),
+        "bar": json::number(Some(check.bar)),
+        "sides": check.sides,
+    })
+}
+
+fn curve_json(curve: &[Point]) -> Value {
+    let (steps, errors): (Vec<f64>, Vec<f64>) = curve.iter().map(|point| (point.step, point.error)).unzip();
+    json!({ "steps": steps, "errors": errors })
+}
+
+/// A certificate as text: a verdict a row, the worst first, then what else was looked at.
+pub fn certificate_text(certificate: &Certificate) -> String {
+    let mut text = rows_text(&certificate.rows) + "\n";
+    for row in certificate.rows.iter().filter(|row| row.verdict() == Verdict::Corner) {
+        let [below, above] = row.first.sides.unwrap_or([row.first.exact; 2]).map(|slope| significant(slope, 7));
+        let (of, parameter) = (row.of.name(), row.parameter.name);
+        text += &format!("  {of} has a corner in {parameter}: its slope is {below} below and {above} above (SI)\n");
+    }
+    text += &landing_text(certificate);
+    for found in &certificate.continuity {
+        let show = |values: [f64; 3]| values.map(|value| format!("{value:.0e}")).join(", ");
+        text += &format!(
+            "  {}: {} where {} steps become {}, value, gradient and Hessian of {} jump by {} (rounding: {}); {} derivatives are continuous\n",
+            verdict_of(found.passed()),
+            found.parameter.show(Some(found.at)),
+            found.steps[0],
+            found.steps[1],
+            found.of.name(),
+            show(found.jumps),
+            show(found.bars),
+            found.smoothness,
+        );
+    }
+    for found in &certificate.convergence {
+        text += &convergence_text(found);
+    }
+    for planted in &certificate.planted {
+        let verdict = verdict_of(planted.is_caught());
+        let (name, caught, rows) = (planted.plant.name(), planted.caught, planted.rows);
+        text += &format!("  {verdict}: planted error \"{name}\" caught in {caught} of {rows} rows\n");
+    }
+    for (of, why) in &certificate.missing {
+        text += &format!("  left out: {}: {why}\n", of.name());
+    }
+    let count = |verdict| certificate.rows.iter().filter(|row| row.verdict() == verdict).count();
+    let counts =
+        [Verdict::Fail, Verdict::Corner, Verdict::Pass].map(|verdict| format!("{} {}", count(verdict), verdict.name()));
+    text + &format!("\n{}: {}\n", if certificate.passed() { "passed" } else { "FAILED" }, counts.join(", "))
+}
+
+fn rows_text(rows: &[Row]) -> String {
+    let head = ["outcome", "by", "verdict", "exact (SI)", "off by", "may be", "best step", "off by", "Taylor slopes"];
+    let rows = rows.iter().map(|row| {
+        let check = &row.first;
+        let relative = |error: f64| match check.exact {
+            0.0 => format!("{error:.0e}"),
+            exact => format!("{:.0e} of it", error / exact.abs()),
+        };
+        let best = check.best_step();
+        let slopes = row.slopes.map(|slope| slope.map_or("–".into(), |slope| format!("{slope:.2}")));
+        vec![
+            row.of.name().into(),
+            row.parameter.name.into(),
+            row.verdict().name().into(),
+            significant(check.exact, 10),
+            relative(check.error),
+            relative(check.bar),
+            best.map_or("–".into(), |best| format!("{:.0e}", best.step / row.ladder.scale)),
+            best.map_or("–".into(), |best| relative(best.error)),
+            slopes.join(" "),
+        ]
+    });
+    table(&head, &[3, 4, 5, 6, 7], rows)
+}
+
+fn landing_text(certificate: &Certificate) -> String {
+    let landing = &certificate.landing;
+    let Some(worst) = landing.iter().max_by(|a, b| {
+        let [a, b] = [a, b]
+            .map(|row| (row.check.verdict != Verdict::Pass, row.check.error / row.check.bar.max(f64::MIN_POSITIVE)));
+        a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
+    }) else {
+        return "  the landing as an implicit function was not looked at: no landing, a corner, or a logarithmic wind\n".into();
+    };
+    let passed = landing.iter().filter(|row| row.check.verdict == Verdict::Pass).count();
+    format!(
+        "  {}: {passed} of {} derivatives at the landing are those of the state at its time, moved to the ground; the worst, d {}/d {}, is \
+         off by {:.0e} (may be {:.0e})\n",
+        verdict_of(passed == landing.len()),
+        landing.len(),
+        worst.of.name(),
+        worst.parameter.name,
+        worst.check.error,
+        worst.check.bar,
+    )
+}
+
+fn convergence_text(found: &Convergence) -> String {
+    let [value, gradient] =
+        found.orders.map(|order| order.map_or("rounding only".into(), |order| format!("{order:.2}")));
+    format!(
+        "  {}: {} converges with the step to order {value}, its gradient to order {gradient} (expected: {} and {})\n",
+        verdict_of(found.passed()),
+        found.of.name(),
+        found.expected[0],
+        found.expected[1]
+    )
+}

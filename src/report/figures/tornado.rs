@@ -1,0 +1,74 @@
+use super::map::capital;
+use crate::report::plot::{Axis, Bar, Figure, Hue, Layer, Measure};
+use crate::study::{Effect, Effects, Sigma};
+
+/// Most bars of a tornado: the largest; the others are counted in the note.
+const MOST: usize = 15;
+
+/// An effect of an uncertainty, to both sides.
+struct Ends {
+    sigma: Sigma,
+    lower: f64,
+    higher: f64,
+    /// Whether both ends were flown; a straight bar stands for one that could not be.
+    is_flown: bool,
+}
+
+/// What standard uncertainties of parameters do to an outcome, as bars, the largest on top: flown at p − σ and p + σ, one
+/// parameter at a time.
+pub fn tornado_figure(effects: &Effects) -> Figure {
+    let ends = |effect: &Effect| {
+        let bar = effect.bar?;
+        let [lower, higher] = bar.flown;
+        Some(Ends {
+            sigma: bar.sigma,
+            lower: lower.unwrap_or(-bar.first_order),
+            higher: higher.unwrap_or(bar.first_order),
+            is_flown: lower.is_some() && higher.is_some(),
+        })
+    };
+    let size = |ends: &Ends| ends.lower.abs().max(ends.higher.abs());
+    let mut ranked: Vec<Ends> = effects.effects.iter().filter_map(ends).collect();
+    ranked.sort_by(|a, b| size(b).total_cmp(&size(a)));
+    let left_out = ranked.len().saturating_sub(MOST);
+    ranked.truncate(MOST);
+
+    let measure = Measure::outcome(effects.of);
+    let names = ranked.iter().map(|ends| {
+        let parameter = ends.sigma.parameter;
+        format!("{} ± {}", Measure::parameter(parameter).label, parameter.show(Some(ends.sigma.value)))
+    });
+    let x = Axis::linear(Measure { label: format!("change of {}", measure.label), ..measure.clone() });
+    let bars = |name: &str, hue: usize, to: fn(&Ends) -> f64| {
+        let bars = ranked.iter().enumerate().map(|(place, ends)| Bar { place, from: 0.0, to: to(ends) });
+        Layer::Bars { name: name.into(), hue: Hue::Series(hue), bars: bars.collect() }
+    };
+    let title = format!("What moves {}", measure.label);
+    let mut figure = Figure::new(format!("tornado-{}", effects.of.name()), title, x, Axis::names(names))
+        .with(bars("parameter lower", 1, |ends| ends.lower))
+        .with(bars("parameter higher", 0, |ends| ends.higher));
+    // as tall as its bars take
+    figure.aspect = 0.13 + 0.085 * ranked.len() as f64;
+    figure.noted(note(effects, &ranked, left_out, &measure))
+}
+
+fn note(effects: &Effects, ranked: &[Ends], left_out: usize, measure: &Measure) -> String {
+    let mut note = format!(
+        "{} flown with each parameter off by its standard uncertainty. All together, independent: ± {}.",
+        capital(&measure.label),
+        measure.show_both(effects.standard_uncertainty()),
+    );
+    let straight = ranked.iter().filter(|ends| !ends.is_flown).count();
+    if straight > 0 {
+        note += &format!(" {straight} could not be flown at both ends and are drawn from the derivative.");
+    }
+    let linearity = effects.linearity();
+    if linearity > 0.0 {
+        note +=
+            &format!(" Bars shorter than {} are lost in what straight lines neglect.", measure.show_both(linearity));
+    }
+    if left_out > 0 {
+        note += &format!(" {left_out} smaller ones are not shown.");
+    }
+    note
+}

@@ -1,0 +1,215 @@
+//! The parts of a page that are words and tables.
+
+use super::Findings;
+use super::numbers::{both, outcome, parameter};
+use crate::drive::{Outcome, Part};
+use crate::error::Result;
+use crate::flight::Flight;
+use crate::optimize::Status;
+use crate::report::figures::Flown;
+use crate::report::optimum::{bound_in_units, constraints};
+use crate::report::presets::sources;
+use crate::study::certificate::Row;
+use crate::study::{Effects, Flatness, Limit, Optimum};
+use crate::units::{per, significant};
+use maud::{Markup, html};
+
+/// What a launch monitor shows, of the drive as set up.
+pub(super) fn panel(findings: &Findings<'_>) -> Markup {
+    const SHOWN: [Outcome; 10] = [
+        Outcome::BallSpeed,
+        Outcome::SmashFactor,
+        Outcome::LaunchAngle,
+        Outcome::Backspin,
+        Outcome::SpinAxis,
+        Outcome::Carry,
+        Outcome::Lateral,
+        Outcome::ApexHeight,
+        Outcome::DescentAngle,
+        Outcome::FlightTime,
+    ];
+    let Some(first) = findings.flown.first() else { return html! {} };
+    let inputs =
+        ["swing.speed", "swing.attack_angle"].into_iter().filter_map(|name| findings.setup.variable(name).ok());
+    html! {
+        dl.panel {
+            @for row in inputs {
+                @if let Some(value) = findings.setup.value(row) {
+                    div { dt { (tile_name(row.name)) } dd { (parameter(row, value)) } }
+                }
+            }
+            @for of in SHOWN {
+                div { dt { (of.name().replace('_', " ")) } dd { (outcome(of, of.value(&first.drive))) } }
+            }
+        }
+    }
+}
+
+/// What a tile calls a parameter: "club speed", as launch monitors do.
+fn tile_name(name: &str) -> String {
+    let last = name.rsplit('.').next().unwrap_or(name);
+    if name == "swing.speed" { "club speed".into() } else { last.replace('_', " ") }
+}
+
+/// Every outcome of each drive.
+pub(super) fn outcomes(flown: &[Flown]) -> Markup {
+    html! {
+        div.wide { table {
+            thead { tr { th { "outcome" } @for one in flown { th.number { (one.name) } } th.doc { "" } } }
+            tbody {
+                @for of in Outcome::of_part(Part::Launch).chain(Outcome::of_part(Part::Flight)) {
+                    tr {
+                        td { (of.name().replace('_', " ")) }
+                        @for one in flown { td.number { (outcome(of, of.value(&one.drive))) } }
+                        td.faint.doc { (of.doc()) }
+                    }
+                }
+            }
+        } }
+        @for one in flown {
+            @if let Flight::None(why) = &one.drive.flight { p.warning { (one.name) ": no flight: " (why.to_string()) } }
+        }
+    }
+}
+
+/// Where the optimum is, what holds it, and what more would bring.
+pub(super) fn optimum(best: &Optimum, flatness: Option<&Flatness>) -> Markup {
+    let (search, solution) = (&best.search, &best.solution);
+    let of = search.maximize;
+    let window = |i: usize| flatness.map(|flatness| flatness.windows[i]);
+    html! {
+        p {
+            "Largest " (of.name().replace('_', " ")) ": " strong { (outcome(of, best.value())) } ". "
+            span.faint {
+                (best.status()) ": " (best.message()) " (" (solution.iterations) " iterations, " (solution.evaluations)
+                " evaluations)"
+            }
+        }
+        div.wide { table {
+            thead { tr {
+                th { "varied" } th.number { "optimum" } th.number { "from" } th.number { "to" } th { "price of the bound" }
+                @if let Some(flatness) = flatness { th { "alone, for " (outcome(of, Some(flatness.loss))) " less" } }
+            } }
+            tbody {
+                @for (i, vary) in search.vary.iter().enumerate() {
+                    tr {
+                        td { (vary.parameter.name) }
+                        td.number { (parameter(vary.parameter, solution.x[i])) }
+                        td.number { (parameter(vary.parameter, vary.low)) }
+                        td.number { (parameter(vary.parameter, vary.high)) }
+                        td.words { (both(|system| bound_in_units(best, i, |unit| system.unit(unit)))) }
+                        @if let Some(window) = window(i) {
+                            td.words {
+                                (parameter(vary.parameter, window.low)) (limit(best, window.low_limit)) " … "
+                                (parameter(vary.parameter, window.high)) (limit(best, window.high_limit))
+                            }
+                        }
+                    }
+                }
+            }
+        } }
+        (limits(best))
+    }
+}
+
+/// What ends a window, where it is not the loss.
+fn limit(best: &Optimum, limit: Limit) -> String {
+    match limit {
+        Limit::Loss => String::new(),
+        Limit::Bound => " (bound)".into(),
+        Limit::Constraint(j) => format!(" ({})", best.search.subject_to[j].expression),
+        Limit::NoFlight => " (no flight)".into(),
+    }
+}
+
+/// The constraints with their prices.
+fn limits(best: &Optimum) -> Markup {
+    let of = best.search.maximize;
+    let reports = constraints(best);
+    if reports.is_empty() {
+        return html! {};
+    }
+    html! {
+        div.wide { table {
+            thead { tr { th { "subject to" } th.number { "value" } th { "price" } } }
+            tbody {
+                @for (constraint, report) in best.search.subject_to.iter().zip(reports) {
+                    tr {
+                        td { (report.expression) }
+                        td.number { (outcome(constraint.outcome, Some(report.value))) }
+                        td {
+                            @if best.solution.status != Status::Converged {} @else if report.multiplier == 0.0 { "not active" } @else {
+                                (both(|system| {
+                                    let [of_unit, by_unit] = [of, constraint.outcome].map(|outcome| system.unit(outcome.unit()));
+                                    let size = |outcome: Outcome, unit| outcome.quantity().size_of(unit).unwrap_or(1.0);
+                                    let price = report.multiplier * size(constraint.outcome, by_unit) / size(of, of_unit);
+                                    format!("{} {} that it is moved", significant(price, 3), per(of_unit, by_unit))
+                                }))
+                            }
+                        }
+                    }
+                }
+            }
+        } }
+    }
+}
+
+/// The uncertainties that the bars are of, with their sources.
+pub(super) fn uncertainties(effects: &[Effects]) -> Markup {
+    let Some(first) = effects.first() else { return html! {} };
+    let sigmas = first.effects.iter().filter_map(|effect| Some(effect.bar?.sigma));
+    html! {
+        details { summary { "The uncertainties, and where they come from" }
+            div.wide { table {
+                thead { tr { th { "parameter" } th.number { "standard uncertainty" } th { "source" } } }
+                tbody {
+                    @for sigma in sigmas {
+                        tr {
+                            td { (sigma.parameter.name) }
+                            td.number { (parameter(sigma.parameter, sigma.value)) }
+                            td.words { (sigma.source.unwrap_or("as given")) }
+                        }
+                    }
+                }
+            } }
+        }
+    }
+}
+
+/// Each derivative beside the best that differences make of it.
+pub(super) fn verdicts(rows: &[Row]) -> Markup {
+    html! {
+        div.wide { table {
+            thead { tr {
+                th { "derivative" } th.number { "exact, SI" } th.number { "differences, extrapolated" } th.number { "apart" } th { "verdict" }
+            } }
+            tbody {
+                @for row in rows {
+                    tr {
+                        td { "d " (row.of.name()) "/d " (row.parameter.name) }
+                        td.number { (significant(row.first.exact, 10)) }
+                        td.number { (row.first.best.map_or("–".into(), |best| significant(best.value, 10))) }
+                        td.number { (format!("{:.1e}", row.first.error)) }
+                        td { (row.verdict().name()) }
+                    }
+                }
+            }
+        } }
+    }
+}
+
+/// Every number of the setup, with its source.
+pub(super) fn setup(findings: &Findings<'_>) -> Result<Markup> {
+    let rows = sources(findings.setup, findings.preset)?;
+    Ok(html! {
+        p.faint { "As the program reads it; started from the preset " (findings.preset.name) "." }
+        div.wide { table {
+            thead { tr { th { "parameter" } th.number { "value" } th { "source" } } }
+            tbody {
+                @for (name, shown, source) in rows {
+                    tr { td { (name) } td.number { (shown) } td.words { (source) } }
+                }
+            }
+        } }
+    })
+}

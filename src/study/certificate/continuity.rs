@@ -1,0 +1,146 @@
+use super::scale::scale;
+use crate::derivative::{Order, Taylor, evaluate};
+use crate::drive::{Drive, Outcome};
+use crate::error::Result;
+use crate::flight::Flight;
+use crate::parameters::{Parameter, Setup};
+
+/// Points looked at to each side for a change of the number of steps, over a tenth of the parameter's scale.
+const LOOKED_AT: i32 = 400;
+
+/// Floating-point numbers to each side of a change over which values scatter by rounding.
+const NEIGHBOURS: usize = 8;
+
+/// The jump that may be left, in scatters to either side.
+const BAR: f64 = 4.0;
+
+/// Rounding that a scatter over a few neighbours may miss, of the largest entry.
+const LEAST_SCATTER: f64 = 1e-14;
+
+/// An outcome where the number of time steps of the flight changes: on adjacent floating-point values of a parameter.
+#[derive(Clone, Debug)]
+pub struct Continuity {
+    /// The outcome.
+    pub of: Outcome,
+    /// The parameter that is moved.
+    pub parameter: &'static Parameter,
+    /// Its value just before the change, SI.
+    pub at: f64,
+    /// The numbers of steps before and after.
+    pub steps: [usize; 2],
+    /// The relative jumps of the value, the gradient and the Hessian.
+    pub jumps: [f64; 3],
+    /// The jumps that rounding may make, by the scatter beside the change.
+    pub bars: [f64; 3],
+    /// How many derivatives are to be continuous: 2, or 1 for what is read off a velocity or the time of the apex.
+    pub smoothness: usize,
+}
+
+impl Continuity {
+    /// Whether no jump is more than rounding.
+    pub fn passed(&self) -> bool {
+        self.jumps.iter().zip(self.bars).take(self.smoothness + 1).all(|(jump, bar)| *jump <= bar)
+    }
+}
+
+/// The nearest change of the number of steps along `wrt[0]`, if there is one near by; derivatives are by all of `wrt`.
+///
+/// # Errors
+/// As [`evaluate`].
+pub(super) fn continuity(setup: &Setup<f64>, of: &[Outcome], wrt: &[&'static Parameter]) -> Result<Vec<Continuity>> {
+    let Some(&parameter) = wrt.first() else { return Ok(vec![]) };
+    let Some([low, high]) = change(setup, parameter) else { return Ok(vec![]) };
+    let neighbours = |from: f64, next: fn(f64) -> f64| {
+        let values = std::iter::successors(Some(from), |value| Some(next(*value))).take(NEIGHBOURS);
+        values
+            .map(|value| evaluate(&moved(setup, parameter, value)?, of, wrt, Order::Second))
+            .collect::<Result<Vec<_>>>()
+    };
+    let (before, after) = (neighbours(low, f64::next_down)?, neighbours(high, f64::next_up)?);
+    let steps = [low, high].map(|value| steps(setup, parameter, value).unwrap_or_default());
+    let continuity = |(i, of): (usize, &Outcome)| {
+        let pairs = [0, 1, 2].map(|order| {
+            let entries =
+                |side: &[Vec<Taylor>]| side.iter().map(|taylors| entries(&taylors[i], order)).collect::<Vec<_>>();
+            jump(&entries(&before), &entries(&after))
+        });
+        Continuity {
+            of: *of,
+            parameter,
+            at: low,
+            steps,
+            jumps: pairs.map(|(jump, _)| jump),
+            bars: pairs.map(|(_, bar)| bar),
+            smoothness: smoothness(*of),
+        }
+    };
+    Ok(of.iter().enumerate().map(continuity).collect())
+}
+
+/// How many derivatives of an outcome are continuous: a velocity off the quintic, and the root of its slope, is one order less smooth
+/// than a position.
+pub(super) fn smoothness(of: Outcome) -> usize {
+    use Outcome::{ApexDownrange, ApexTime, DescentAngle, LandingSpeed};
+    if matches!(of, DescentAngle | LandingSpeed | ApexTime | ApexDownrange) { 1 } else { 2 }
+}
+
+/// The value, the gradient or the Hessian.
+fn entries(taylor: &Taylor, order: usize) -> Vec<f64> {
+    match order {
+        0 => vec![taylor.value],
+        1 => taylor.gradient.clone(),
+        _ => taylor.hessian.concat(),
+    }
+}
+
+/// How far the means of two sides are apart, of the largest entry, and how far they may be by the scatter of each side.
+fn jump(before: &[Vec<f64>], after: &[Vec<f64>]) -> (f64, f64) {
+    let (mut jump, mut scatter, mut size) = (0.0_f64, 0.0_f64, 0.0_f64);
+    for entry in 0..before[0].len() {
+        let [a, b] = [before, after].map(|side| {
+            let values = side.iter().map(|one| one[entry]);
+            let mean = values.clone().sum::<f64>() / side.len() as f64;
+            (mean, values.fold(0.0_f64, |most, value| most.max((value - mean).abs())))
+        });
+        jump = jump.max((a.0 - b.0).abs());
+        scatter = scatter.max(a.1).max(b.1);
+        size = size.max(a.0.abs());
+    }
+    if size == 0.0 { (jump, 0.0) } else { (jump / size, BAR * (scatter / size).max(LEAST_SCATTER)) }
+}
+
+fn moved(setup: &Setup<f64>, parameter: &'static Parameter, value: f64) -> Result<Setup<f64>> {
+    let mut moved = *setup;
+    moved.set_value(parameter, Some(value))?;
+    Ok(moved)
+}
+
+fn steps(setup: &Setup<f64>, parameter: &'static Parameter, value: f64) -> Option<usize> {
+    match Drive::new(&moved(setup, parameter, value).ok()?).ok()?.flight {
+        Flight::Landed(landed) => Some(landed.steps),
+        Flight::None(_) => None,
+    }
+}
+
+/// Adjacent values of the parameter, the lower first, that differ in the number of steps.
+fn change(setup: &Setup<f64>, parameter: &'static Parameter) -> Option<[f64; 2]> {
+    let at = setup.value(parameter)?;
+    let here = steps(setup, parameter, at)?;
+    let spacing = 0.1 * scale(setup, parameter) / f64::from(LOOKED_AT);
+    for k in 1..=LOOKED_AT {
+        for sign in [1.0, -1.0] {
+            let (mut same, mut other) = (at + sign * spacing * f64::from(k - 1), at + sign * spacing * f64::from(k));
+            if steps(setup, parameter, other).is_none_or(|steps| steps == here) {
+                continue;
+            }
+            loop {
+                let middle = same + 0.5 * (other - same);
+                if middle == same || middle == other {
+                    return Some([same.min(other), same.max(other)]);
+                }
+                if steps(setup, parameter, middle)? == here { same = middle } else { other = middle }
+            }
+        }
+    }
+    None
+}

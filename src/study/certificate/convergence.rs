@@ -1,0 +1,94 @@
+use crate::derivative::{Taylor, jacobian};
+use crate::drive::{Drive, Outcome};
+use crate::error::Result;
+use crate::parameters::{Law, Parameter, Setup};
+
+/// Steps to a flight; the last are the reference.
+const STEPS: [u32; 7] = [16, 32, 64, 128, 256, 512, 2048];
+
+/// Errors smaller than this, relative, are rounding.
+const ROUNDING: f64 = 1e-11;
+
+/// An order is measured over at least so many errors.
+const MEASURED: usize = 3;
+
+/// How far below the expected order a measured one may be: the error's next term still shows at steps like these.
+const SHORT_OF: f64 = 0.5;
+
+/// How an outcome converges with the time step.
+#[derive(Clone, Debug)]
+pub struct Convergence {
+    /// The outcome.
+    pub of: Outcome,
+    /// Steps, s, with the relative errors of value and gradient there.
+    pub errors: Vec<(f64, [f64; 2])>,
+    /// The measured orders of value and gradient; `None` where too few errors stand out of the rounding.
+    pub orders: [Option<f64>; 2],
+    /// The orders expected of them.
+    pub expected: [u32; 2],
+}
+
+impl Convergence {
+    /// Whether the orders are the method's.
+    pub fn passed(&self) -> bool {
+        let falls_short =
+            |(order, expected): (&Option<f64>, u32)| order.is_some_and(|o| o < f64::from(expected) - SHORT_OF);
+        !self.orders.iter().zip(self.expected).any(falls_short)
+    }
+}
+
+/// How the outcomes of the flight, and their derivatives by `wrt`, converge with the step. A logarithmic wind is left out: it changes
+/// within centimetres of the ground, and no order shows at steps that are longer.
+///
+/// # Errors
+/// As [`jacobian`].
+pub(super) fn convergence(setup: &Setup<f64>, of: &[Outcome], wrt: &[&'static Parameter]) -> Result<Vec<Convergence>> {
+    if setup.wind.roughness.is_some() {
+        return Ok(vec![]);
+    }
+    let time = Drive::new(setup)?.landed()?.flight_time;
+    let mut flown = vec![];
+    for steps in STEPS {
+        let mut setup = *setup;
+        // a little more than a whole number of steps, so that none ends just before or just after the landing
+        setup.flight.step = time / (f64::from(steps) - 0.5);
+        if setup.flight.step <= 1.0 {
+            // too coarse a step may not follow the flight: an error at that step there is none
+            if let Ok(taylors) = jacobian(&setup, of, wrt) {
+                flown.push((setup.flight.step, taylors));
+            }
+        }
+    }
+    let Some((_, reference)) = flown.pop() else { return Ok(vec![]) };
+    let convergence = |(i, of): (usize, &Outcome)| {
+        let errors: Vec<_> = flown.iter().map(|(step, taylors)| (*step, errors(&taylors[i], &reference[i]))).collect();
+        let orders = [0, 1].map(|which| order(&errors, which));
+        Convergence { of: *of, errors, orders, expected: expected(setup) }
+    };
+    Ok(of.iter().enumerate().map(convergence).collect())
+}
+
+/// The orders of value and gradient: the method's, unless the force has but two continuous derivatives, as where a law is joined to
+/// its smoothing. The step that crosses the joint is then off by h⁴, and its derivative by h³.
+fn expected(setup: &Setup<f64>) -> [u32; 2] {
+    let order = setup.method.order();
+    if matches!(setup.law, Law::Ferguson(_) | Law::SmitsSmith(_)) { [order.min(4), order.min(3)] } else { [order; 2] }
+}
+
+/// Relative errors of value and gradient.
+fn errors(found: &Taylor, reference: &Taylor) -> [f64; 2] {
+    let size = reference.gradient.iter().fold(0.0_f64, |most, d| most.max(d.abs()));
+    let off = found.gradient.iter().zip(&reference.gradient).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
+    let relative = |off: f64, size: f64| if size > 0.0 { off / size } else { 0.0 };
+    [relative((found.value - reference.value).abs(), reference.value.abs()), relative(off, size)]
+}
+
+/// The slope of the errors, in logarithms, from the largest step to the smallest at which they stand out of the rounding.
+fn order(errors: &[(f64, [f64; 2])], which: usize) -> Option<f64> {
+    let standing: Vec<_> =
+        errors.iter().map(|(step, pair)| (*step, pair[which])).take_while(|(_, e)| *e > ROUNDING).collect();
+    match standing.as_slice() {
+        [(from, coarse), .., (to, fine)] if standing.len() >= MEASURED => Some((coarse / fine).ln() / (from / to).ln()),
+        _ => None,
+    }
+}

@@ -1,0 +1,126 @@
+//! A certificate of a drive's derivatives: each beside differences, the landing as an implicit function, smoothness where the number
+//! of steps changes, convergence with the step, and errors planted to see that they are caught.
+
+mod continuity;
+mod convergence;
+mod landing;
+mod planted;
+mod rows;
+mod scale;
+
+pub use continuity::Continuity;
+pub use convergence::Convergence;
+pub use landing::AtLanding;
+pub use planted::{Plant, Planted};
+pub use rows::Row;
+
+use crate::derivative::check::Verdict;
+use crate::derivative::{Order, evaluate};
+use crate::drive::{Drive, Outcome, Part};
+use crate::error::{Error, Result};
+use crate::parameters::{Parameter, Setup};
+use rayon::prelude::*;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// What was found of the derivatives of a drive.
+#[derive(Clone, Debug)]
+pub struct Certificate {
+    /// Each outcome by each parameter, the worst first.
+    pub rows: Vec<Row>,
+    /// Derivatives at the landing beside differences at a fixed time; empty where there is no landing that can be held so.
+    pub landing: Vec<AtLanding>,
+    /// Each outcome of the flight where the number of steps changes; empty where it does not near by.
+    pub continuity: Vec<Continuity>,
+    /// How each outcome of the flight converges with the step.
+    pub convergence: Vec<Convergence>,
+    /// The planted errors.
+    pub planted: [Planted; 3],
+    /// Outcomes that the drive has no derivatives of, and why.
+    pub missing: Vec<(Outcome, String)>,
+    /// Corners that the drive lies on, in words.
+    pub corners: Vec<String>,
+}
+
+impl Certificate {
+    /// Whether nothing failed and every planted error was caught.
+    pub fn passed(&self) -> bool {
+        self.rows.iter().all(|row| row.verdict() != Verdict::Fail)
+            && self.landing.iter().all(|row| row.check.verdict != Verdict::Fail)
+            && self.continuity.iter().all(Continuity::passed)
+            && self.convergence.iter().all(Convergence::passed)
+            && self.caught()
+    }
+
+    /// Whether every planted error was caught wherever it was planted.
+    pub fn caught(&self) -> bool {
+        self.planted.iter().all(Planted::is_caught)
+    }
+}
+
+/// Certifies the derivatives of some outcomes by some parameters, telling `progress` how many parameters of how many are done. The
+/// flight time is looked at too where a landing is: the landing's derivatives hang on it.
+///
+/// # Errors
+/// What [`evaluate`] refuses; [`Error::NoFlight`] and [`Error::Undefined`] where the drive has none of the outcomes.
+pub fn certify(
+    setup: &Setup<f64>,
+    of: &[Outcome],
+    wrt: &[&'static Parameter],
+    progress: impl Fn(usize, usize) + Sync,
+) -> Result<Certificate> {
+    let (of, missing) = present(setup, of, wrt)?;
+    let drive = Drive::new(setup)?;
+    let exact = evaluate(setup, &of, wrt, Order::First)?;
+    let done = AtomicUsize::new(0);
+    let by_parameter = wrt.par_iter().enumerate().map(|(k, parameter)| {
+        let slopes: Vec<f64> = exact.iter().map(|taylor| taylor.gradient[k]).collect();
+        let rows = rows::rows(setup, &of, parameter, &slopes);
+        progress(done.fetch_add(1, Ordering::Relaxed) + 1, wrt.len());
+        rows
+    });
+    let mut rows = by_parameter.collect::<Result<Vec<_>>>()?.concat();
+    let planted = planted::planted(setup, &rows);
+    rows.sort_by(|a, b| a.verdict().cmp(&b.verdict()).then(b.severity().total_cmp(&a.severity())));
+
+    let has_corner = rows.iter().any(|row| row.verdict() == Verdict::Corner);
+    let flown: Vec<Outcome> = of.iter().copied().filter(|of| of.part() == Part::Flight).collect();
+    // at a corner of the model nothing is smooth, and what is said of each parameter is said in its row
+    let is_smooth = !flown.is_empty() && !has_corner;
+    let pair = &wrt[..wrt.len().min(2)];
+    Ok(Certificate {
+        landing: if is_smooth { landing::at_landing(setup, wrt)? } else { vec![] },
+        continuity: if is_smooth { continuity::continuity(setup, &flown, pair)? } else { vec![] },
+        convergence: if is_smooth { convergence::convergence(setup, &flown, pair)? } else { vec![] },
+        planted,
+        rows,
+        missing,
+        corners: drive.corners(setup),
+    })
+}
+
+/// The outcomes that the drive has derivatives of, and those that it has not.
+fn present(
+    setup: &Setup<f64>,
+    of: &[Outcome],
+    wrt: &[&'static Parameter],
+) -> Result<(Vec<Outcome>, Vec<(Outcome, String)>)> {
+    let mut wanted = of.to_vec();
+    if of.iter().any(|of| landing::AT_LANDING.contains(of)) && !of.contains(&Outcome::FlightTime) {
+        wanted.push(Outcome::FlightTime);
+    }
+    let (mut present, mut missing, mut why) = (vec![], vec![], None);
+    for one in wanted {
+        match evaluate(setup, &[one], wrt, Order::First) {
+            Ok(_) => present.push(one),
+            Err(error) if error.is_an_outcome() => {
+                missing.push((one, error.to_string()));
+                why.get_or_insert(error);
+            }
+            Err(error) => return Err(error),
+        }
+    }
+    if present.is_empty() {
+        return Err(why.unwrap_or(Error::Nothing { doing: "evaluate", what: "outcome" }));
+    }
+    Ok((present, missing))
+}

@@ -1,0 +1,74 @@
+use super::continuity::smoothness;
+use super::scale::scale;
+use crate::derivative::check::{Check, Demand, FEW_STEPS, Ladder, STEPS, Verdict, taylor_slopes};
+use crate::derivative::{Evaluator, Order, Taylor, evaluate};
+use crate::drive::Outcome;
+use crate::error::Result;
+use crate::parameters::{Parameter, Setup};
+
+/// The derivatives of an outcome by a parameter, beside differences.
+#[derive(Clone, Debug)]
+pub struct Row {
+    /// The outcome.
+    pub of: Outcome,
+    /// The parameter.
+    pub parameter: &'static Parameter,
+    /// The samples of the outcome.
+    pub ladder: Ladder,
+    /// ∂/∂p beside differences of values.
+    pub first: Check,
+    /// ∂²/∂p² beside differences of ∂/∂p; `None` where it does not exist, or is not continuous ([`smoothness`]).
+    pub second: Option<Check>,
+    /// The slopes of Taylor's remainders: 1, 2 and 3, or more.
+    pub slopes: [Option<f64>; 3],
+}
+
+impl Row {
+    /// The verdict on both derivatives. A second derivative that jumps (a corner of the first) is no corner of the outcome.
+    pub fn verdict(&self) -> Verdict {
+        let second = self.second.as_ref().map_or(Verdict::Pass, |check| check.verdict);
+        if self.first.verdict == Verdict::Pass && second == Verdict::Fail { Verdict::Fail } else { self.first.verdict }
+    }
+
+    /// The error in bars: above 1 a derivative is wrong.
+    pub fn severity(&self) -> f64 {
+        let of = |check: &Check| if check.error == 0.0 { 0.0 } else { check.error / check.bar };
+        of(&self.first).max(self.second.as_ref().map_or(0.0, of))
+    }
+}
+
+/// The rows of some outcomes by one parameter. `exact` are the outcomes' derivatives by it, as they come of the question that is
+/// certified.
+///
+/// # Errors
+/// What [`Evaluator::new`] refuses. Where a drive around the setup has no outcome there is no sample.
+pub(super) fn rows(
+    setup: &Setup<f64>,
+    of: &[Outcome],
+    parameter: &'static Parameter,
+    exact: &[f64],
+) -> Result<Vec<Row>> {
+    let (at, scale) = (setup.value(parameter).unwrap_or_default(), scale(setup, parameter));
+    let evaluator = |order| Evaluator::new(setup, of, &[parameter], order);
+    let (values, gradients) = (evaluator(Order::Value)?, evaluator(Order::First)?);
+    let curvatures = evaluate(setup, of, &[parameter], Order::Second).ok();
+    let told = |taylors: Result<Vec<Taylor>>, f: fn(&Taylor) -> f64| {
+        taylors.map_or(vec![f64::NAN; of.len()], |all| all.iter().map(f).collect())
+    };
+    let of_values = Ladder::sample(at, scale, STEPS, |x| told(values.at(&[x]), |taylor| taylor.value));
+    let of_gradients = Ladder::sample(at, scale, FEW_STEPS, |x| told(gradients.at(&[x]), |taylor| taylor.gradient[0]));
+    let row = |(i, (ladder, gradients)): (usize, (Ladder, Ladder))| {
+        let curvature = curvatures.as_ref().map(|taylors| taylors[i].hessian[0][0]);
+        Row {
+            of: of[i],
+            parameter,
+            first: ladder.judge(exact[i], Demand::FIRST),
+            second: curvature
+                .filter(|_| smoothness(of[i]) > 1)
+                .map(|d| gradients.made_of(ladder.size / scale).judge(d, Demand::SECOND)),
+            slopes: taylor_slopes(&ladder, exact[i], curvature.unwrap_or_default()),
+            ladder,
+        }
+    };
+    Ok(of_values.into_iter().zip(of_gradients).enumerate().map(row).collect())
+}

@@ -1,0 +1,117 @@
+use crate::error::{Error, Result};
+use crate::parameters::{Parameter, Setup};
+
+/// A standard uncertainty of a parameter.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sigma {
+    /// The parameter.
+    pub parameter: &'static Parameter,
+    /// Its standard deviation, SI.
+    pub value: f64,
+    /// Where it comes from; `None` where it was given.
+    pub source: Option<&'static str>,
+}
+
+impl Sigma {
+    /// Reads `NAME=AMOUNT`, for example `swing.speed=1mph`, or `air.density=0.5%`: a part of the parameter's own value, unless the
+    /// parameter is a plain number, of which 1 % is 0.01.
+    ///
+    /// ```
+    /// use longdrive::{Setup, study::Sigma};
+    /// let setup = Setup::default();
+    /// assert_eq!(Sigma::read(&setup, "swing.speed=1 m/s").unwrap().value, 1.0);
+    /// assert_eq!(Sigma::read(&setup, "swing.speed=10%").unwrap().value, 0.1 * setup.swing.speed);
+    /// assert!(Sigma::read(&setup, "swing.speed=-1 m/s").is_err());
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Unreadable`] for what is no amount above 0; as [`Setup::variable`].
+    pub fn read(setup: &Setup<f64>, text: &str) -> Result<Self> {
+        let unreadable = |source| Error::Unreadable { name: format!("--sigma {}", text.trim()), source };
+        let (name, amount) = text
+            .split_once('=')
+            .ok_or_else(|| unreadable("write NAME=AMOUNT, for example swing.speed=1mph or air.density=0.5%".into()))?;
+        let parameter = setup.variable(name.trim())?;
+        let value = amount_of(setup, parameter, amount).map_err(unreadable)?;
+        if !(value > 0.0 && value.is_finite()) {
+            return Err(unreadable("a standard deviation must be a finite number above 0".into()));
+        }
+        Ok(Self { parameter, value, source: None })
+    }
+}
+
+/// An amount of a parameter, SI: with a unit, bare in SI, or a part of its own value in %.
+pub(super) fn amount_of(
+    setup: &Setup<f64>,
+    parameter: &Parameter,
+    text: &str,
+) -> std::result::Result<f64, Box<dyn std::error::Error + Send + Sync>> {
+    match parameter.quantity.read_bare(text.trim()) {
+        Ok(value) => Ok(value),
+        Err(error) => {
+            let part = text.trim().strip_suffix('%').and_then(|part| part.trim().parse::<f64>().ok());
+            let own = setup.value(parameter).unwrap_or_default().abs();
+            part.map(|percent| percent / 100.0 * own).ok_or_else(|| error.into())
+        }
+    }
+}
+
+/// An amount in a unit, or a part of the parameter's value.
+enum Amount {
+    Of(f64, &'static str),
+    Part(f64),
+}
+
+const MONITOR: &str = "assumed: what launch monitors state of a ball (0.5 mph, 0.3 deg), taken for the club";
+const STRIKE: &str = "assumed: a mark on the face, read to a millimetre";
+const LAW_DRAG: &str = "docs/sources.md: credible laws differ by 0.015 in C_D";
+const LAW_LIFT: &str = "docs/sources.md: credible laws differ by 0.02 in C_L, a tenth of it";
+const AIR: &str = "assumed: temperature within 1.5 K";
+const WIND: &str = "assumed: wind within 1 m/s";
+
+/// The uncertainties taken where none is given: of one drive as it is measured on a calm range.
+const DEFAULTS: &[(&str, Amount, &str)] = &[
+    ("swing.speed", Amount::Of(0.5, "mph"), MONITOR),
+    ("swing.attack_angle", Amount::Of(0.3, "deg"), MONITOR),
+    ("swing.path", Amount::Of(0.3, "deg"), MONITOR),
+    ("swing.face_angle", Amount::Of(0.3, "deg"), MONITOR),
+    ("club.loft", Amount::Of(0.3, "deg"), MONITOR),
+    ("strike.high", Amount::Of(1.0, "mm"), STRIKE),
+    ("strike.toe", Amount::Of(1.0, "mm"), STRIKE),
+    ("impact.tangential_restitution", Amount::Of(0.05, ""), "docs/sources.md: −0.15 ± 0.05"),
+    ("air.density", Amount::Part(0.005), AIR),
+    ("wind.right", Amount::Of(1.0, "m/s"), WIND),
+    ("wind.downrange", Amount::Of(1.0, "m/s"), WIND),
+    ("aero.cd", Amount::Of(0.015, ""), LAW_DRAG),
+    ("aero.cd0", Amount::Of(0.015, ""), LAW_DRAG),
+    ("aero.cl_max", Amount::Part(0.1), LAW_LIFT),
+    ("aero.cl_slope", Amount::Part(0.1), LAW_LIFT),
+];
+
+/// The uncertainties given, then the defaults of other parameters of the setup.
+///
+/// # Errors
+/// [`Error::SearchRange`] for a parameter that is given twice.
+pub fn with_defaults(setup: &Setup<f64>, given: &[Sigma]) -> Result<Vec<Sigma>> {
+    for (i, sigma) in given.iter().enumerate() {
+        if given[..i].iter().any(|other| other.parameter == sigma.parameter) {
+            let reason = "its uncertainty is given twice; keep one".into();
+            return Err(Error::SearchRange { name: sigma.parameter.name.into(), reason });
+        }
+    }
+    let mut all = given.to_vec();
+    for (name, amount, source) in DEFAULTS {
+        let Ok(parameter) = setup.variable(name) else { continue };
+        if given.iter().any(|sigma| sigma.parameter == parameter) {
+            continue;
+        }
+        let value = match amount {
+            Amount::Of(number, unit) => number * parameter.quantity.size_of(unit).unwrap_or(1.0),
+            Amount::Part(part) => part * setup.value(parameter).unwrap_or_default().abs(),
+        };
+        if value > 0.0 {
+            all.push(Sigma { parameter, value, source: Some(source) });
+        }
+    }
+    Ok(all)
+}

@@ -1,0 +1,340 @@
+//! Plots and the page: what is drawn is what was computed, files are whole and need nothing else, and bad input is told.
+
+use crate::command_line::{json, longdrive, number};
+use crate::common::close;
+use longdrive::report::figures::{Flown, View, map_figure, tornado_figure, trajectory_figure, vcurve_figure};
+use longdrive::report::plot::{Axis, Figure, Layer, Look, Measure, Shades, figure_csv, figure_svg};
+use longdrive::study::certificate::certify;
+use longdrive::study::{Fineness, Vary, effects, map, with_defaults};
+use longdrive::units::System;
+use longdrive::{Error, Outcome, Setup, derivative, flight, impact};
+use std::path::Path;
+
+const XMLNS: &str = "http://www.w3.org/2000/svg";
+
+/// Parses a picture: it is well formed, names no other file, and nothing in it is not a number.
+fn whole(svg: &str) -> roxmltree::Document<'_> {
+    assert_eq!(svg.matches("http").count(), 1, "the name space alone");
+    assert!(svg.contains(&format!("xmlns=\"{XMLNS}\"")) && !svg.contains("NaN") && !svg.contains("inf"), "{svg}");
+    roxmltree::Document::parse(svg).unwrap_or_else(|error| panic!("{error}: {svg}"))
+}
+
+fn words<'a>(svg: &'a roxmltree::Document<'_>) -> Vec<&'a str> {
+    svg.descendants().filter(|node| node.has_tag_name("text")).filter_map(|node| node.text()).map(str::trim).collect()
+}
+
+/// Rows of a table of data, of one kind.
+fn rows(csv: &str, kind: &str) -> Vec<Vec<f64>> {
+    let rows = csv.lines().skip(1).filter(|row| row.starts_with(&format!("{kind},")));
+    rows.map(|row| row.split(',').skip(2).map(|cell| cell.parse().unwrap_or(f64::NAN)).collect()).collect()
+}
+
+fn figures() -> Vec<Figure> {
+    let setup = Setup::default();
+    let ranges =
+        ["club.loft=4deg..20deg", "swing.attack_angle=-15deg..5deg"].map(|text| Vary::read(&setup, text).unwrap());
+    let fineness = Fineness { nodes: 21, slopes: 4 };
+    let landscape = map(&setup, Outcome::Carry, ranges[0], ranges[1], fineness).unwrap();
+    let flown = [Flown::new("as <set> & \"up\"", &setup).unwrap()];
+    let sigmas = with_defaults(&setup, &[]).unwrap();
+    let effects = effects(&setup, &[Outcome::Carry], &sigmas, |_, _| ()).unwrap();
+    let loft = setup.variable("club.loft").unwrap();
+    let certificate = certify(&setup, &[Outcome::Carry], &[loft], |_, _| ()).unwrap();
+    vec![
+        trajectory_figure(&flown, View::Side),
+        trajectory_figure(&flown, View::Top),
+        map_figure(&landscape, &[], None, None),
+        tornado_figure(&effects[0]),
+        vcurve_figure(&certificate.rows),
+    ]
+}
+
+#[test]
+fn exact_data_of_a_trajectory_are_the_points_flown() {
+    let setup = Setup::default();
+    let path = flight::trajectory(&setup, &impact::strike(&setup).unwrap().launch).unwrap();
+    let figure = trajectory_figure(&[Flown::new("", &setup).unwrap()], View::Side);
+    let csv = figure_csv(&figure).unwrap();
+    assert!(csv.starts_with("kind,name,downrange [m],height [m]\n"), "{csv}");
+    let points = rows(&csv, "line");
+    assert_eq!(points.len(), path.points.len());
+    for (row, point) in points.iter().zip(&path.points) {
+        assert_eq!(*row, [point.position.z, point.position.x], "to the last bit");
+    }
+}
+
+#[test]
+fn exact_places_on_the_picture_are_those_of_the_data() {
+    // a line from corner to corner of exact axes ends in the corners of the frame, in metres as in yards
+    let length = || Axis::linear(Measure::outcome(Outcome::Carry)).exactly(0.0, 91.44);
+    let figure = Figure::new("n", "t", length(), length()).with(Layer::line(
+        "",
+        0,
+        vec![[0.0, 0.0], [45.72, 45.72], [91.44, 91.44]],
+    ));
+    let ends = |system| {
+        let svg = figure_svg(&figure, &Look { system, ..Look::default() }).unwrap();
+        let svg = whole(&svg);
+        let line = svg.descendants().filter(|node| node.has_tag_name("polyline"));
+        let line =
+            line.filter_map(|node| node.attribute("points")).find(|points| points.split_whitespace().count() == 3);
+        let points = line.unwrap().split_whitespace().map(|point| point.split_once(',').unwrap());
+        points.map(|(x, y)| [x, y].map(|at| at.parse::<f64>().unwrap())).collect::<Vec<_>>()
+    };
+    for system in System::ALL {
+        let [low, middle, high] = ends(system)[..] else { panic!("three points") };
+        assert!(low[0] < high[0] && low[1] > high[1]);
+        for axis in 0..2 {
+            close(middle[axis], 0.5 * (low[axis] + high[axis]), 1.0, 1.0, "half-way, to a tenth of a pixel");
+        }
+    }
+    let us = figure_svg(&figure, &Look::default()).unwrap();
+    let ticks = whole(&us);
+    assert!(words(&ticks).contains(&"100") && words(&ticks).contains(&"carry [yd]"), "100 yd are 91.44 m");
+}
+
+#[test]
+fn pictures_are_whole_in_both_systems_light_and_dark() {
+    for figure in figures() {
+        let mut seen: Vec<String> = vec![];
+        for system in System::ALL {
+            for shades in [Shades::Light, Shades::Dark] {
+                let svg = figure_svg(&figure, &Look { system, shades, ..Look::default() }).unwrap();
+                let parsed = whole(&svg);
+                assert_eq!(parsed.root_element().attribute("aria-label"), Some(figure.title.as_str()));
+                assert!(!seen.contains(&svg) || figure.name == "vcurve", "{}: each looks its own way", figure.name);
+                let unit = if system == System::Us { "[yd]" } else { "[m]" };
+                let has_lengths = figure.x.measure.titled_si().contains("[m]");
+                assert_eq!(words(&parsed).iter().any(|text| text.contains(unit)), has_lengths, "{}", figure.name);
+                drop(parsed);
+                seen.push(svg);
+            }
+        }
+        let table = figure_csv(&figure).unwrap();
+        assert!(table.lines().count() > 2 && !table.contains("NaN"), "{table}");
+    }
+}
+
+#[test]
+fn what_cannot_be_drawn_is_told() {
+    let empty = Figure::new("none", "t", Axis::linear(Measure::plain("x")), Axis::log(Measure::plain("y")));
+    let error = figure_svg(&empty.with(Layer::line("", 0, vec![[1.0, 0.0]])), &Look::default()).unwrap_err();
+    assert!(matches!(&error, Error::Plot { name, reason } if name == "none" && reason.contains("vertical")), "{error}");
+}
+
+#[test]
+fn exact_limits_on_a_map_are_where_the_outcome_is_at_its_limit() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = path(&folder, "x.csv");
+    let said = longdrive(&["plot", "contour", "-o", &file, "--subject-to", "descent_angle >= 38 deg"]);
+    assert_eq!(said.status, 0, "{}", said.err);
+    let csv = std::fs::read_to_string(&file).unwrap();
+    let line: Vec<&str> = csv.lines().filter(|row| row.starts_with("line,descent_angle >= 38 deg,")).collect();
+    assert!(line.len() > 20, "{csv}");
+    // pieces are parted by rows without numbers
+    for row in line.iter().filter(|row| !row.contains("deg,,")).step_by(7) {
+        let at: Vec<&str> = row.split(',').skip(2).take(2).collect();
+        let set = [format!("club.loft={}", at[0]), format!("swing.attack_angle={}", at[1])];
+        let (_, drive) = json(&["simulate", "--set", &set[0], "--set", &set[1]]);
+        // between nodes a map is straight
+        close(number(&drive["flight"]["descent_angle"]).to_degrees(), 38.0, 1.0, 0.01, row);
+    }
+}
+
+#[test]
+fn independent_tornado_bars_are_drives_flown_and_v_curves_fall_and_rise() {
+    let all = figures();
+    let csv = figure_csv(&all[3]).unwrap();
+    let bar = csv.lines().find(|line| line.starts_with("bar,swing speed ± 0.5 mph,0.0,-")).unwrap();
+    let lower: f64 = bar.rsplit(',').next().unwrap().parse().unwrap();
+    let carry =
+        |speed: &str| number(&json(&["simulate", "--set", &format!("swing.speed={speed}")]).1["flight"]["carry"]);
+    close(lower, carry("109.5 mph") - carry("110 mph"), 1.0, 1e-9, "the bar of a slower swing");
+
+    // the error falls as the square of the step, then rises as one over it
+    let curve = rows(&figure_csv(&all[4]).unwrap(), "line");
+    let error = |step: f64| curve.iter().find(|row| (row[0] / step - 1.0).abs() < 1e-3).unwrap()[1];
+    assert!((error(1e-2) / error(1e-3) - 100.0).abs() < 20.0, "{} over {}", error(1e-2), error(1e-3));
+    let lowest = curve.iter().map(|row| row[1]).fold(f64::INFINITY, f64::min);
+    assert!(lowest < 1e-8 && error(1e-12) > 100.0 * lowest, "{curve:?}");
+}
+
+#[test]
+fn independent_maps_hold_the_drives_and_gradients_of_other_commands() {
+    let setup = Setup::default();
+    let [across, up] =
+        ["club.loft=4deg..20deg", "swing.attack_angle=-15deg..5deg"].map(|text| Vary::read(&setup, text).unwrap());
+    let found = map(&setup, Outcome::Carry, across, up, Fineness { nodes: 5, slopes: 3 }).unwrap();
+    assert!(found.values[0].is_none() && found.missing.as_ref().unwrap().contains("no flight"), "{found:?}");
+    // the node in the third column of the top row: loft 12°, attack 5°
+    let set = ["--set", "club.loft=12deg", "--set", "swing.attack_angle=5deg"];
+    let (_, drive) = json(&[&["simulate"], set.as_slice()].concat());
+    close(found.values[22].unwrap(), number(&drive["flight"]["carry"]), 250.0, 1e-13, "carry");
+    let slope = found.slopes.last().unwrap();
+    let mut there = setup;
+    for (parameter, value) in [across.parameter, up.parameter].into_iter().zip(slope.at) {
+        there.set_value(parameter, Some(value)).unwrap();
+    }
+    let taylor = derivative::gradient(&there, Outcome::Carry, &[across.parameter, up.parameter]).unwrap();
+    for axis in 0..2 {
+        close(slope.gradient[axis], taylor.gradient[axis], 100.0, 1e-12, "gradient");
+    }
+    assert!(matches!(map(&setup, Outcome::Carry, across, across, Fineness::default()), Err(Error::SearchRange { .. })));
+    let down = Vary::read(&setup, "swing.attack_angle=-40deg..-30deg").unwrap();
+    assert!(matches!(map(&setup, Outcome::Carry, across, down, Fineness::default()), Err(Error::NoFlight { .. })));
+}
+
+fn path(folder: &tempfile::TempDir, name: &str) -> String {
+    folder.path().join(name).display().to_string()
+}
+
+#[test]
+fn the_ending_of_the_file_says_what_a_plot_is_written_as() {
+    let folder = tempfile::tempdir().unwrap();
+    let (svg, csv) = (path(&folder, "x.svg"), path(&folder, "x.csv"));
+    for (kind, extra) in [
+        ("trajectory", vec!["--view", "top"]),
+        ("contour", vec![]),
+        ("chart", vec!["--along", "swing.speed=90..110 mph"]),
+        ("tornado", vec!["--of", "lateral", "--sigma", "swing.path=1deg"]),
+        ("vcurve", vec!["--wrt", "swing.speed"]),
+    ] {
+        for file in [&svg, &csv] {
+            let said = longdrive(&[&["plot", kind, "-o", file, "--units", "metric"], extra.as_slice()].concat());
+            assert!(
+                said.status == 0 && said.out.is_empty() && said.err.contains(file.as_str()),
+                "{kind}: {}",
+                said.err
+            );
+        }
+        let text = std::fs::read_to_string(&svg).unwrap();
+        assert!(
+            words(&whole(&text)).iter().any(|text| ["[m]", "[deg]", "relative"].iter().any(|end| text.ends_with(end)))
+        );
+        assert!(std::fs::read_to_string(&csv).unwrap().starts_with("kind,name,"));
+    }
+    let (status, answer) = json(&["plot", "trajectory", "-o", &svg]);
+    assert_eq!((status, answer["file"].as_str()), (0, Some(svg.as_str())));
+}
+
+#[cfg(feature = "png")]
+#[test]
+fn a_png_has_its_size_and_its_words() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = path(&folder, "x.PNG");
+    assert_eq!(longdrive(&["plot", "trajectory", "-o", &file, "--width", "300"]).status, 0);
+    let bytes = std::fs::read(&file).unwrap();
+    assert_eq!((&bytes[..8], &bytes[16..20]), (b"\x89PNG\r\n\x1a\n".as_slice(), 600_u32.to_be_bytes().as_slice()));
+    // with its text it takes more room than without: a missing font would leave blanks
+    let setup = Setup::default();
+    let figure = trajectory_figure(&[Flown::new("", &setup).unwrap()], View::Side);
+    let silent = Figure { title: String::new(), ..figure.clone() };
+    let size = |figure| longdrive::report::plot::figure_png(figure, &Look::default(), 1.0).unwrap().len();
+    assert!(size(&figure) > size(&silent) + 500);
+}
+
+#[test]
+fn the_page_is_complete_in_itself_and_says_what_it_holds() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("mine.txt"), "left alone").unwrap();
+    std::fs::write(folder.path().join("index.html"), "replaced").unwrap();
+    let setup = folder.path().join("a<b>&c.toml");
+    std::fs::write(&setup, "preset = 'mae494'\n[swing]\nspeed = '100 mph'\n").unwrap();
+    let directory = folder.path().display().to_string();
+    let ranges = ["--vary", "club.loft=0deg..20deg", "--vary", "swing.attack_angle=-10deg..10deg"];
+    let (status, answer) =
+        json(&[&["report", &setup.display().to_string(), "-o", &directory], ranges.as_slice()].concat());
+    assert_eq!(status, 0, "{answer}");
+    assert_eq!(std::fs::read_to_string(folder.path().join("mine.txt")).unwrap(), "left alone");
+
+    let page = std::fs::read_to_string(folder.path().join("index.html")).unwrap();
+    assert!(page.contains("a&lt;b&gt;&amp;c.toml") && !page.contains("a<b>"), "escaped");
+    assert_eq!(page.matches("http").count(), page.matches(XMLNS).count(), "nothing from elsewhere");
+    for word in ["<script", "src=", "@import", "url(", "NaN", "replaced"] {
+        assert!(!page.contains(word), "{word}");
+    }
+    for words in [
+        "as given, in place of 44.7 m/s",
+        "MAE 494 report, listing",
+        "at its upper bound: +",
+        "yd per deg",
+        "m per deg",
+        "robinson",
+    ] {
+        assert!(page.contains(words), "no '{words}'");
+    }
+    for parameter in Setup::preset("mae494").unwrap().parameters() {
+        assert!(page.contains(parameter.name), "{}", parameter.name);
+    }
+    let pictures: Vec<&str> = page.split("<svg").skip(1).map(|rest| rest.split_once("</svg>").unwrap().0).collect();
+    for picture in &pictures {
+        whole(&format!("<svg{picture}</svg>"));
+    }
+    let files: Vec<&str> = answer["files"].as_array().unwrap().iter().filter_map(|name| name.as_str()).collect();
+    let count = |end: &str| files.iter().filter(|name| name.ends_with(end)).count();
+    assert_eq!(
+        (count("-us.svg"), count("-metric.svg"), 2 * count(".csv")),
+        (count(".csv"), count(".csv"), pictures.len())
+    );
+    for name in files {
+        let text = std::fs::read_to_string(folder.path().join(name)).unwrap();
+        assert!(!text.is_empty());
+        if name.ends_with(".svg") {
+            whole(&text);
+        }
+        assert!(name == "index.html" || page.contains(&format!("href=\"{name}\"")), "{name} is linked");
+    }
+}
+
+#[test]
+fn a_report_without_an_optimum_says_why_and_ends_with_status_one() {
+    let folder = tempfile::tempdir().unwrap();
+    let directory = folder.path().join("new").join("folder").display().to_string();
+    let limits = ["--subject-to", "descent_angle >= 80 deg"];
+    let said = longdrive(&[&["report", "-o", &directory], limits.as_slice()].concat());
+    assert_eq!(said.status, 1, "{}", said.err);
+    let page = std::fs::read_to_string(Path::new(&directory).join("index.html")).unwrap();
+    assert!(page.contains("no optimum: infeasible") && page.contains("The landscape"), "{}", said.err);
+    let said = longdrive(&[
+        "report",
+        "-o",
+        &directory,
+        "--set",
+        "swing.attack_angle=-20deg",
+        "--vary",
+        "swing.attack_angle=-40deg..-30deg",
+    ]);
+    assert!(said.status == 1 && said.err.contains("no flight"), "{}", said.err);
+}
+
+#[test]
+fn bad_plots_and_folders_get_messages_that_help() {
+    let folder = tempfile::tempdir().unwrap();
+    let (svg, file) = (path(&folder, "x.svg"), path(&folder, "file"));
+    std::fs::write(&file, "").unwrap();
+    let missing = path(&folder, "no/such/x.svg");
+    let beneath = format!("{file}/report");
+    for (args, status, says) in [
+        (vec!["plot", "trajectory", "-o", "x.jpg"], 2, vec!["'x.jpg'", ".svg", ".csv"]),
+        (vec!["plot", "trajectory", "-o", "x"], 2, vec!["'x'", "ending"]),
+        (vec!["plot", "trajectory", "-o", &missing], 2, vec![&missing, "No such file"]),
+        (vec!["plot", "trajectory", "-o", &svg, "--width", "10"], 2, vec!["240"]),
+        (vec!["plot", "trajectory", "-o", &svg, "--set", "swing.attack_angle=-20deg"], 1, vec!["no flight"]),
+        (vec!["plot", "contour", "-o", &svg, "--vary", "club.loft=4deg..20deg"], 2, vec!["two parameters", "--vary"]),
+        (
+            vec!["plot", "chart", "-o", &svg, "--along", "swing.speed=40..50", "--show", "club.lof"],
+            2,
+            vec!["did you mean 'club.loft'?"],
+        ),
+        (vec!["plot", "pie", "-o", &svg], 2, vec!["unrecognized subcommand"]),
+        (vec!["report", "-o", &beneath], 2, vec!["cannot be written", &beneath]),
+        (vec!["report"], 2, vec!["--output"]),
+    ] {
+        let said = longdrive(&args);
+        assert_eq!(said.status, status, "{args:?}: {}", said.err);
+        for words in says {
+            assert!(said.err.contains(words), "{args:?}: no '{words}' in {}", said.err);
+        }
+        assert!(!Path::new(&svg).exists(), "{args:?}: nothing is written");
+    }
+}
