@@ -13,6 +13,7 @@ mod presets;
 mod sensitivity;
 mod sweep;
 mod table;
+mod uncertainty;
 
 pub use certificate::{CertificateReport, CertificateRow, certificate_text};
 pub use chart::{ChartPointReport, ChartReport, chart_csv, chart_text};
@@ -28,3 +29,4 @@ pub use sensitivity::{Analysis, SensitivityReport, sensitivity_text};
 #[cfg(feature = "parquet")]
 pub use sweep::{ParquetGroup, PlacedGroup, SweepParquet};
 pub use sweep::{SweepCsv, SweepJsonLines};
+pub use uncertainty::{UncertaintyReport, uncertainty_text};

@@ -16,6 +16,7 @@ mod search;
 mod sensitivity;
 mod simulate;
 mod sweep;
+mod uncertainty;
 mod verify;
 
 use args::{Args, Command};
@@ -33,6 +34,7 @@ fn main() -> ExitCode {
         Command::Sweep(args) => sweep::run(&args),
         Command::Verify(args) => verify::run(&args),
         Command::Sensitivity(args) => sensitivity::run(&args),
+        Command::Uncertainty(args) => uncertainty::run(&args),
         Command::Parameters(args) => parameters::run(&args),
         Command::Presets(args) => presets::run(&args),
     };
