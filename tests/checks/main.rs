@@ -3,6 +3,7 @@
 
 mod analysis;
 mod command_line;
+mod command_line_certainty;
 mod command_line_search;
 mod command_line_sweep;
 mod common;
@@ -16,3 +17,5 @@ mod oracle;
 mod reference;
 mod smoothness;
 mod sweep;
+mod uncertainty;
+mod verify;

@@ -93,12 +93,18 @@ fn errors(found: &Taylor, reference: &Taylor) -> [f64; 2] {
     [relative((found.value - reference.value).abs(), reference.value.abs()), relative(off, size)]
 }
 
-/// The slope of the errors, in logarithms, from the largest step to the smallest at which they stand out of the rounding.
+/// The median of the orders from each step to the next, as far as errors stand out of the rounding: where an error passes through 0 at
+/// one step, the order before it is too large and the one after too small.
 fn order(errors: &[(f64, [f64; 2])], which: usize) -> Option<f64> {
     let standing: Vec<_> =
         errors.iter().map(|(step, pair)| (*step, pair[which])).take_while(|(_, e)| *e > ROUNDING).collect();
-    match standing.as_slice() {
-        [(from, coarse), .., (to, fine)] if standing.len() >= MEASURED => Some((coarse / fine).ln() / (from / to).ln()),
-        _ => None,
+    let order = |pair: &[(f64, f64)]| (pair[0].1 / pair[1].1).ln() / (pair[0].0 / pair[1].0).ln();
+    let mut orders: Vec<f64> = standing.windows(2).map(order).collect();
+    orders.sort_by(f64::total_cmp);
+    let middle = orders.len() / 2;
+    match orders.len() {
+        few if few + 1 < MEASURED => None,
+        odd if odd % 2 == 1 => Some(orders[middle]),
+        _ => Some(0.5 * (orders[middle - 1] + orders[middle])),
     }
 }

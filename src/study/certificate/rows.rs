@@ -40,6 +40,12 @@ impl Row {
     }
 }
 
+/// What is asked of differences of outcomes. A logarithmic wind changes within centimetres of the ground, and derivatives with where the
+/// last steps end: differences over more than one such place are trusted to a tenth of what must be seen.
+pub(super) fn demand(setup: &Setup<f64>) -> Demand {
+    if setup.wind.roughness.is_some() { Demand { least_bar: 1e-7, ..Demand::FIRST } } else { Demand::FIRST }
+}
+
 /// The rows of some outcomes by one parameter. `exact` are the outcomes' derivatives by it, as they come of the question that is
 /// certified.
 ///
@@ -67,7 +73,7 @@ pub(super) fn rows(
         Row {
             of: of[i],
             parameter,
-            first: ladder.judge(exact[i], Demand::FIRST),
+            first: ladder.judge(exact[i], demand(setup)),
             second: curvature
                 .filter(|_| smoothness(of[i]) > 1)
                 .map(|d| gradients.made_of(ladder.size / scale).judge(d, Demand::SECOND)),
