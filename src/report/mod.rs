@@ -20,6 +20,7 @@ mod sensitivity;
 mod sweep;
 mod table;
 mod winfield_tan;
+mod uncertainty;
 
 pub use calibration::{CalibrationReport, calibration_document, calibration_json, calibration_toml};
 pub use certificate::{CertificateReport, CertificateRow, certificate_text};
@@ -39,3 +40,4 @@ pub use sensitivity::{Analysis, SensitivityReport, sensitivity_text};
 pub use sweep::{ParquetGroup, PlacedGroup, SweepParquet};
 pub use sweep::{SweepCsv, SweepJsonLines};
 pub use winfield_tan::{winfield_tan_document, winfield_tan_json};
+pub use uncertainty::{UncertaintyReport, uncertainty_text};

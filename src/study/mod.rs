@@ -12,6 +12,7 @@ mod optimum;
 mod problem;
 mod sensitivity;
 mod sigma;
+pub mod uncertainty;
 
 pub use crate::parameters::Vary;
 pub use accuracy::{Accuracy, accuracy};

@@ -4,6 +4,7 @@
 mod analysis;
 mod calibration;
 mod command_line;
+mod command_line_certainty;
 mod command_line_search;
 mod command_line_sweep;
 mod common;
@@ -19,3 +20,5 @@ mod reproduce;
 mod report;
 mod smoothness;
 mod sweep;
+mod uncertainty;
+mod verify;

@@ -39,6 +39,8 @@ pub enum Command {
     Verify(Verify),
     /// What outcomes answer to: slopes, elasticities, and the effect of an uncertainty of each parameter, the largest first.
     Sensitivity(SensitivityArgs),
+    /// What is uncertain about outcomes where parameters are: by exact derivatives, and by many drives.
+    Uncertainty(UncertaintyArgs),
     /// List every parameter with its unit, range, default and meaning.
     Parameters(Parameters),
     /// List the presets, or print one as a setup file with the source of each number.
@@ -479,6 +481,34 @@ pub struct SensitivityArgs {
 
     #[command(flatten)]
     pub search: SearchArgs,
+}
+
+#[derive(clap::Args)]
+pub struct UncertaintyArgs {
+    #[command(flatten)]
+    pub question: Question,
+
+    /// The outcomes, separated by commas; "all" for every one. With carry and lateral come landing ellipses.
+    #[arg(long, value_name = "OUTCOME,…", value_delimiter = ',', default_value = "carry,lateral")]
+    pub of: Vec<String>,
+
+    /// A standard deviation of a parameter that is normally distributed about its value, e.g. swing.speed=1mph or
+    /// air.density=0.5% of its value. Repeatable; without any (and without --distribution) the defaults of "sensitivity".
+    #[arg(long, value_name = "NAME=AMOUNT")]
+    pub sigma: Vec<String>,
+
+    /// A parameter's distribution: NAME=normal(MEAN,DEVIATION), NAME=uniform(LOW,HIGH) or NAME=triangular(LOW,MODE,HIGH).
+    /// Repeatable.
+    #[arg(long, value_name = "NAME=KIND(…)")]
+    pub distribution: Vec<String>,
+
+    /// Points of the sample: this many drives for each uncertain parameter, and twice as many more.
+    #[arg(long, value_name = "N", default_value_t = 4096, value_parser = clap::value_parser!(u64).range(2..=1_000_000))]
+    pub samples: u64,
+
+    /// Another seed, another sample.
+    #[arg(long, value_name = "SEED", default_value_t = 0)]
+    pub seed: u64,
 }
 
 /// How rows are written.

@@ -20,6 +20,7 @@ mod search;
 mod sensitivity;
 mod simulate;
 mod sweep;
+mod uncertainty;
 mod verify;
 
 use args::{Args, Command};
@@ -41,6 +42,7 @@ fn main() -> ExitCode {
         Command::Reproduce(args) => reproduce::run(&args),
         Command::Verify(args) => verify::run(&args),
         Command::Sensitivity(args) => sensitivity::run(&args),
+        Command::Uncertainty(args) => uncertainty::run(&args),
         Command::Parameters(args) => parameters::run(&args),
         Command::Presets(args) => presets::run(&args),
     };

@@ -49,9 +49,10 @@ impl Estimate {
 /// Most differences that are combined: an error of h⁸ for central ones.
 const MOST: usize = 4;
 
-/// The best estimate of all stretches of consecutive differences. It goes from small steps to large ones, and ends where larger
-/// steps contradict smaller ones beyond what both may be off: a derivative is the limit of small steps.
-pub(super) fn estimate(differences: &[Option<Difference>], side: Side) -> Option<Estimate> {
+/// The best estimate of all stretches of consecutive differences. A derivative is the limit of small steps: it goes from small steps to
+/// large ones, and ends where one is no further off than is enough, or where larger steps contradict smaller ones beyond what both may
+/// be off.
+pub(super) fn estimate(differences: &[Option<Difference>], side: Side, enough: f64) -> Option<Estimate> {
     let mut best: Option<Estimate> = None;
     for first in (0..differences.len()).rev() {
         for count in 2..=MOST.min(differences.len() - first) {
@@ -62,6 +63,9 @@ pub(super) fn estimate(differences: &[Option<Difference>], side: Side) -> Option
                 Some(finer) if finer.uncertainty <= found.uncertainty => {}
                 _ => best = Some(found),
             }
+        }
+        if best.is_some_and(|best| best.uncertainty <= enough) {
+            return best;
         }
     }
     best
@@ -100,7 +104,7 @@ mod tests {
         // central differences of x⁷ at 1: 7 + 35 h² + 21 h⁴ + h⁶, of which four steps leave nothing
         let d = |h: f64| 7.0 + 35.0 * h.powi(2) + 21.0 * h.powi(4) + h.powi(6);
         let steps = [0.4, 0.2, 0.1, 0.05].map(|h| Some(Difference { step: h, value: d(h), rounding: 1e-16 / h }));
-        let found = estimate(&steps, Side::Both).unwrap();
+        let found = estimate(&steps, Side::Both, 0.0).unwrap();
         assert!((found.value - 7.0).abs() < 1e-13 && found.uncertainty < 1e-3, "{found:?}");
     }
 
@@ -118,7 +122,7 @@ mod tests {
         for (name, f, at, exact) in cases {
             let scale = if at == 0.0 { 1.0 } else { at };
             let ladder = Ladder::sample(at, scale, STEPS, |x| vec![f(x)]).pop().unwrap();
-            let found = ladder.slope(Side::Both).unwrap();
+            let found = ladder.slope(Side::Both, 0.0).unwrap();
             assert!((found.value - exact).abs() <= 2.0 * found.uncertainty, "{name}: {found:?} against {exact}");
             assert!(found.uncertainty <= 1e-6 * exact.abs().max(1.0), "{name}: {found:?}");
         }

@@ -89,8 +89,9 @@ impl Ladder {
         }
     }
 
-    /// The derivative to a side, extrapolated to steps of 0; `None` where there are too few values.
-    pub fn slope(&self, side: Side) -> Option<Estimate> {
+    /// The derivative to a side, extrapolated to steps of 0, no further off than is `enough` if small steps allow; `None` where there
+    /// are too few values.
+    pub fn slope(&self, side: Side, enough: f64) -> Option<Estimate> {
         let is_wide = |rung: &&Rung| rung.step >= 0.999 * LEAST_STEP * self.scale;
         let rounding = self.rounding();
         let difference = |rung: &Rung| {
@@ -105,7 +106,7 @@ impl Ladder {
                 rounding: share * rounding.max(rounding_of(largest)) / rung.step,
             })
         };
-        estimate(&self.rungs.iter().filter(is_wide).map(difference).collect::<Vec<_>>(), side)
+        estimate(&self.rungs.iter().filter(is_wide).map(difference).collect::<Vec<_>>(), side, enough)
     }
 }
 

@@ -97,10 +97,10 @@ impl Ladder {
         };
         let curve = self.rungs.iter().filter_map(plain).collect();
         let sides = self.corner();
-        let best = [Side::Both, Side::Above, Side::Below].into_iter().find_map(|side| self.slope(side));
-        let error = best.map_or(f64::INFINITY, |best| (exact - best.value).abs());
         let worth = exact.abs().max(self.next_to_nothing());
         let least = demand.least_bar * worth + OWN_ROUNDING * self.size / self.scale;
+        let best = [Side::Both, Side::Above, Side::Below].into_iter().find_map(|side| self.slope(side, least / BAR));
+        let error = best.map_or(f64::INFINITY, |best| (exact - best.value).abs());
         let bar = best.map_or(0.0, |best| least.max(BAR * best.uncertainty));
         let is_seen = demand.seen.is_none_or(|seen| bar <= seen * worth);
         let verdict = if sides.is_some() {
@@ -120,7 +120,7 @@ impl Ladder {
 
     /// The slopes to both sides, where they are not the same.
     fn corner(&self) -> Option<[f64; 2]> {
-        let (below, above) = (self.slope(Side::Below)?, self.slope(Side::Above)?);
+        let (below, above) = (self.slope(Side::Below, 0.0)?, self.slope(Side::Above, 0.0)?);
         let apart = (above.value - below.value).abs();
         let size = above.value.abs().max(below.value.abs());
         let is_corner = apart > 10.0 * (above.uncertainty + below.uncertainty) && apart > 1e-4 * size;

@@ -22,6 +22,9 @@ use crate::parameters::{Parameter, Setup};
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+/// An outcome without derivatives, and why.
+pub type Missing = (Outcome, String);
+
 /// What was found of the derivatives of a drive.
 #[derive(Clone, Debug)]
 pub struct Certificate {
@@ -36,15 +39,16 @@ pub struct Certificate {
     /// The planted errors.
     pub planted: [Planted; 3],
     /// Outcomes that the drive has no derivatives of, and why.
-    pub missing: Vec<(Outcome, String)>,
+    pub missing: Vec<Missing>,
     /// Corners that the drive lies on, in words.
     pub corners: Vec<String>,
 }
 
 impl Certificate {
-    /// Whether nothing failed and every planted error was caught.
+    /// Whether there was something to certify, nothing failed, and every planted error was caught.
     pub fn passed(&self) -> bool {
-        self.rows.iter().all(|row| row.verdict() != Verdict::Fail)
+        !self.rows.is_empty()
+            && self.rows.iter().all(|row| row.verdict() != Verdict::Fail)
             && self.landing.iter().all(|row| row.check.verdict != Verdict::Fail)
             && self.continuity.iter().all(Continuity::passed)
             && self.convergence.iter().all(Convergence::passed)
@@ -61,18 +65,22 @@ impl Certificate {
 /// flight time is looked at too where a landing is: the landing's derivatives hang on it.
 ///
 /// # Errors
-/// What [`evaluate`] refuses; [`Error::NoFlight`] and [`Error::Undefined`] where the drive has none of the outcomes.
+/// What [`evaluate`] refuses. Outcomes that the drive does not have are listed as missing.
 pub fn certify(
     setup: &Setup<f64>,
     of: &[Outcome],
     wrt: &[&'static Parameter],
     progress: impl Fn(usize, usize) + Sync,
 ) -> Result<Certificate> {
+    if of.is_empty() {
+        return Err(Error::Nothing { doing: "evaluate", what: "outcome" });
+    }
     let (of, missing) = present(setup, of, wrt)?;
     let drive = Drive::new(setup)?;
-    let exact = evaluate(setup, &of, wrt, Order::First)?;
+    let exact = if of.is_empty() { vec![] } else { evaluate(setup, &of, wrt, Order::First)? };
     let done = AtomicUsize::new(0);
-    let by_parameter = wrt.par_iter().enumerate().map(|(k, parameter)| {
+    let asked = if of.is_empty() { &[] } else { wrt };
+    let by_parameter = asked.par_iter().enumerate().map(|(k, parameter)| {
         let slopes: Vec<f64> = exact.iter().map(|taylor| taylor.gradient[k]).collect();
         let rows = rows::rows(setup, &of, parameter, &slopes);
         progress(done.fetch_add(1, Ordering::Relaxed) + 1, wrt.len());
@@ -99,28 +107,18 @@ pub fn certify(
 }
 
 /// The outcomes that the drive has derivatives of, and those that it has not.
-fn present(
-    setup: &Setup<f64>,
-    of: &[Outcome],
-    wrt: &[&'static Parameter],
-) -> Result<(Vec<Outcome>, Vec<(Outcome, String)>)> {
+fn present(setup: &Setup<f64>, of: &[Outcome], wrt: &[&'static Parameter]) -> Result<(Vec<Outcome>, Vec<Missing>)> {
     let mut wanted = of.to_vec();
     if of.iter().any(|of| landing::AT_LANDING.contains(of)) && !of.contains(&Outcome::FlightTime) {
         wanted.push(Outcome::FlightTime);
     }
-    let (mut present, mut missing, mut why) = (vec![], vec![], None);
+    let (mut present, mut missing) = (vec![], vec![]);
     for one in wanted {
         match evaluate(setup, &[one], wrt, Order::First) {
             Ok(_) => present.push(one),
-            Err(error) if error.is_an_outcome() => {
-                missing.push((one, error.to_string()));
-                why.get_or_insert(error);
-            }
+            Err(error) if error.is_an_outcome() => missing.push((one, error.to_string())),
             Err(error) => return Err(error),
         }
-    }
-    if present.is_empty() {
-        return Err(why.unwrap_or(Error::Nothing { doing: "evaluate", what: "outcome" }));
     }
     Ok((present, missing))
 }

@@ -1,6 +1,6 @@
 use super::landing::AT_LANDING;
-use super::rows::Row;
-use crate::derivative::check::{Demand, Verdict};
+use super::rows::{Row, demand};
+use crate::derivative::check::Verdict;
 use crate::drive::{Drive, Outcome};
 use crate::parameters::Setup;
 
@@ -56,7 +56,7 @@ pub(super) fn planted(setup: &Setup<f64>, rows: &[Row]) -> [Planted; 3] {
                 continue;
             };
             planted.rows += 1;
-            planted.caught += usize::from(row.ladder.judge(wrong, Demand::FIRST).verdict == Verdict::Fail);
+            planted.caught += usize::from(row.ladder.judge(wrong, demand(setup)).verdict == Verdict::Fail);
         }
         planted
     })

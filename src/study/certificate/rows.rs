@@ -6,6 +6,9 @@ use crate::drive::Outcome;
 use crate::error::Result;
 use crate::parameters::{Parameter, Setup};
 
+/// The least size of the numbers that an outcome is made of, in the unit people read it in.
+const LEAST_SIZE: f64 = 1e-6;
+
 /// The derivatives of an outcome by a parameter, beside differences.
 #[derive(Clone, Debug)]
 pub struct Row {
@@ -37,6 +40,12 @@ impl Row {
     }
 }
 
+/// What is asked of differences of outcomes. A logarithmic wind changes within centimetres of the ground, and derivatives with where the
+/// last steps end: differences over more than one such place are trusted to a tenth of what must be seen.
+pub(super) fn demand(setup: &Setup<f64>) -> Demand {
+    if setup.wind.roughness.is_some() { Demand { least_bar: 1e-7, ..Demand::FIRST } } else { Demand::FIRST }
+}
+
 /// The rows of some outcomes by one parameter. `exact` are the outcomes' derivatives by it, as they come of the question that is
 /// certified.
 ///
@@ -58,11 +67,13 @@ pub(super) fn rows(
     let of_values = Ladder::sample(at, scale, STEPS, |x| told(values.at(&[x]), |taylor| taylor.value));
     let of_gradients = Ladder::sample(at, scale, FEW_STEPS, |x| told(gradients.at(&[x]), |taylor| taylor.gradient[0]));
     let row = |(i, (ladder, gradients)): (usize, (Ladder, Ladder))| {
+        // zero spin is what rounding leaves of spins that cancel
+        let ladder = ladder.made_of(LEAST_SIZE * of[i].quantity().size_of(of[i].unit()).unwrap_or(1.0));
         let curvature = curvatures.as_ref().map(|taylors| taylors[i].hessian[0][0]);
         Row {
             of: of[i],
             parameter,
-            first: ladder.judge(exact[i], Demand::FIRST),
+            first: ladder.judge(exact[i], demand(setup)),
             second: curvature
                 .filter(|_| smoothness(of[i]) > 1)
                 .map(|d| gradients.made_of(ladder.size / scale).judge(d, Demand::SECOND)),

@@ -1,0 +1,53 @@
+use crate::args::UncertaintyArgs;
+use crate::names::outcomes;
+use crate::output::{Answer, bar, tell, warn};
+use longdrive::report::{UncertaintyReport, uncertainty_text};
+use longdrive::study::uncertainty::{Plan, Uncertain, uncertainty};
+use longdrive::study::{Sigma, with_defaults};
+use longdrive::{Error, Result, Setup};
+
+pub fn run(args: &UncertaintyArgs) -> Result<Answer> {
+    let setup = args.question.within_tolerance(args.question.setup()?, &[])?;
+    let of = outcomes(&args.of)?;
+    let inputs = inputs(&setup, args)?;
+    let warnings = setup.warnings();
+    warn(&warnings);
+    let plan = Plan { samples: args.samples as usize, seed: args.seed };
+    let bar = bar("drives");
+    let found = uncertainty(&setup, &of, &inputs, plan, |done, all| {
+        bar.set_length(all as u64);
+        bar.set_position(done as u64);
+    });
+    bar.finish_and_clear();
+    let found = found?;
+    let is_found = found.outcomes.iter().all(|outcome| outcome.sampled.is_some());
+    let answer = if args.question.json {
+        Answer::json(&UncertaintyReport::new(&found, warnings))
+    } else {
+        Answer::text(uncertainty_text(&found))
+    };
+    Ok(answer.found(is_found))
+}
+
+/// What is said to be uncertain; where nothing is, what is by default.
+fn inputs(setup: &Setup<f64>, args: &UncertaintyArgs) -> Result<Vec<Uncertain>> {
+    let sigmas = args.sigma.iter().map(|text| Sigma::read(setup, text)).collect::<Result<Vec<_>>>()?;
+    let distributions =
+        args.distribution.iter().map(|text| Uncertain::read(setup, text)).collect::<Result<Vec<_>>>()?;
+    let is_given = !(sigmas.is_empty() && distributions.is_empty());
+    let sigmas = if is_given { sigmas } else { with_defaults(setup, &[])? };
+    for sigma in sigmas.iter() {
+        if let Some(source) = sigma.source {
+            let shown = sigma.parameter.show(Some(sigma.value));
+            tell(&format!("default: {} within {shown} (one standard deviation): {source}", sigma.parameter.name));
+        }
+    }
+    let inputs: Vec<_> = sigmas.iter().map(|sigma| Uncertain::normal(setup, sigma)).chain(distributions).collect();
+    for (i, input) in inputs.iter().enumerate() {
+        if inputs[..i].iter().any(|other| other.parameter == input.parameter) {
+            let reason = "its uncertainty is given twice; keep one".into();
+            return Err(Error::SearchRange { name: input.parameter.name.into(), reason });
+        }
+    }
+    Ok(inputs)
+}

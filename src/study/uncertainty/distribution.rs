@@ -1,0 +1,153 @@
+use crate::error::{Error, Result};
+use crate::parameters::{Parameter, Setup};
+use crate::study::Sigma;
+use crate::study::sigma::amount_of;
+use statrs::distribution::{ContinuousCDF, Normal, Triangular, Uniform};
+
+/// How an uncertain number is distributed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Distribution {
+    /// Normal, with its mean and standard deviation.
+    Normal {
+        /// Mean.
+        mean: f64,
+        /// Standard deviation.
+        deviation: f64,
+    },
+    /// Every value between two ends alike.
+    Uniform {
+        /// Lower end.
+        low: f64,
+        /// Upper end.
+        high: f64,
+    },
+    /// Rising from one end to the likeliest value, and falling to the other.
+    Triangular {
+        /// Lower end.
+        low: f64,
+        /// The likeliest value.
+        mode: f64,
+        /// Upper end.
+        high: f64,
+    },
+}
+
+/// j₀,₁: the first zero of the Bessel function J₀.
+const FIRST_ZERO_OF_J0: f64 = 2.404_825_557_695_773;
+
+impl Distribution {
+    /// The value below which a share `p` of all lies, 0 < p < 1.
+    pub fn quantile(&self, p: f64) -> f64 {
+        // widths are above 0, which is all that is asked of them
+        match *self {
+            Self::Normal { mean, deviation } => Normal::new(mean, deviation).map_or(f64::NAN, |d| d.inverse_cdf(p)),
+            Self::Uniform { low, high } => Uniform::new(low, high).map_or(f64::NAN, |d| d.inverse_cdf(p)),
+            Self::Triangular { low, mode, high } => {
+                Triangular::new(low, high, mode).map_or(f64::NAN, |d| d.inverse_cdf(p))
+            }
+        }
+    }
+
+    /// The mean.
+    pub fn mean(&self) -> f64 {
+        match *self {
+            Self::Normal { mean, .. } => mean,
+            Self::Uniform { low, high } => 0.5 * (low + high),
+            Self::Triangular { low, mode, high } => (low + mode + high) / 3.0,
+        }
+    }
+
+    /// The second, third and fourth moments about the mean.
+    pub fn central_moments(&self) -> [f64; 3] {
+        match *self {
+            Self::Normal { deviation, .. } => [deviation.powi(2), 0.0, 3.0 * deviation.powi(4)],
+            Self::Uniform { low, high } => [(high - low).powi(2) / 12.0, 0.0, (high - low).powi(4) / 80.0],
+            Self::Triangular { low, mode, high } => {
+                let (a, c, b) = (low, mode, high);
+                let second = (a * a + b * b + c * c - a * b - a * c - b * c) / 18.0;
+                let third = (a + b - 2.0 * c) * (2.0 * a - b - c) * (a - 2.0 * b + c) / 270.0;
+                // every triangular distribution has the kurtosis 12/5
+                [second, third, 2.4 * second * second]
+            }
+        }
+    }
+
+    /// The standard deviation.
+    pub fn deviation(&self) -> f64 {
+        self.central_moments()[0].sqrt()
+    }
+
+    /// Poincaré's constant C, or a little more: the variance of any f is at most C times the mean of f′². σ² of a normal distribution,
+    /// (width/π)² of a uniform one, and (longer side/j₀,₁)² of a triangular one (Roustant, Barthe & Iooss 2017).
+    pub fn poincare(&self) -> f64 {
+        match *self {
+            Self::Normal { deviation, .. } => deviation.powi(2),
+            Self::Uniform { low, high } => ((high - low) / std::f64::consts::PI).powi(2),
+            Self::Triangular { low, mode, high } => ((mode - low).max(high - mode) / FIRST_ZERO_OF_J0).powi(2),
+        }
+    }
+}
+
+/// An uncertain parameter.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Uncertain {
+    /// The parameter.
+    pub parameter: &'static Parameter,
+    /// How it is distributed, SI.
+    pub distribution: Distribution,
+}
+
+impl Uncertain {
+    /// Normally distributed about the setup's own value.
+    pub fn normal(setup: &Setup<f64>, sigma: &Sigma) -> Self {
+        let mean = setup.value(sigma.parameter).unwrap_or_default();
+        Self { parameter: sigma.parameter, distribution: Distribution::Normal { mean, deviation: sigma.value } }
+    }
+
+    /// Reads `NAME=normal(MEAN,DEVIATION)`, `NAME=uniform(LOW,HIGH)` or `NAME=triangular(LOW,MODE,HIGH)`.
+    ///
+    /// ```
+    /// use longdrive::{Setup, study::uncertainty::{Distribution, Uncertain}};
+    /// let speed = Uncertain::read(&Setup::default(), "swing.speed=uniform(45 m/s, 50 m/s)").unwrap();
+    /// assert_eq!(speed.distribution, Distribution::Uniform { low: 45.0, high: 50.0 });
+    /// assert!(Uncertain::read(&Setup::default(), "swing.speed=uniform(50 m/s, 45 m/s)").is_err());
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Unreadable`] for what is no distribution; [`Error::OutOfRange`] where an end or the mean is none the parameter may
+    /// have; as [`Setup::variable`].
+    pub fn read(setup: &Setup<f64>, text: &str) -> Result<Self> {
+        let unreadable = |source| Error::Unreadable { name: format!("--distribution {}", text.trim()), source };
+        let how = "write NAME=normal(MEAN,DEVIATION), NAME=uniform(LOW,HIGH) or NAME=triangular(LOW,MODE,HIGH)";
+        let (name, rest) = text.split_once('=').ok_or_else(|| unreadable(how.into()))?;
+        let parameter = setup.variable(name.trim())?;
+        let (kind, rest) = rest.split_once('(').ok_or_else(|| unreadable(how.into()))?;
+        let inside = rest.trim().strip_suffix(')').ok_or_else(|| unreadable("the closing ) is missing".into()))?;
+        let amounts = inside.split(',').map(|part| amount_of(setup, parameter, part));
+        let amounts = amounts.collect::<std::result::Result<Vec<_>, _>>().map_err(unreadable)?;
+        let distribution = match (kind.trim(), amounts.as_slice()) {
+            ("normal", &[mean, deviation]) if deviation > 0.0 && deviation.is_finite() => {
+                Distribution::Normal { mean, deviation }
+            }
+            ("normal", &[_, _]) => {
+                return Err(unreadable("the standard deviation must be a finite number above 0".into()));
+            }
+            ("uniform", &[low, high]) if low < high => Distribution::Uniform { low, high },
+            ("triangular", &[low, mode, high]) if low < high && (low..=high).contains(&mode) => {
+                Distribution::Triangular { low, mode, high }
+            }
+            ("uniform" | "triangular", &[_, _] | &[_, _, _]) => {
+                return Err(unreadable("its values must rise from the lower end to the upper".into()));
+            }
+            _ => return Err(unreadable(how.into())),
+        };
+        match distribution {
+            Distribution::Normal { mean, .. } => parameter.check(mean)?,
+            Distribution::Uniform { low, high } | Distribution::Triangular { low, high, .. } => {
+                parameter.check(low)?;
+                parameter.check(high)?;
+            }
+        }
+        Ok(Self { parameter, distribution })
+    }
+}

@@ -1,0 +1,38 @@
+/// An ellipse that holds a share of the landings.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LandingEllipse {
+    /// The share, where landings are normally distributed.
+    pub share: f64,
+    /// Its centre: lateral and carry, m.
+    pub centre: [f64; 2],
+    /// Its half-axes by their components of lateral and carry, m, the longer first.
+    pub half_axes: [[f64; 2]; 2],
+}
+
+impl LandingEllipse {
+    /// The ellipse of a mean and a covariance of lateral and carry. A share p of a normal distribution lies within −2 ln(1 − p)
+    /// squared deviations.
+    pub fn new(share: f64, centre: [f64; 2], covariance: [[f64; 2]; 2]) -> Self {
+        let radius = (-2.0 * (1.0 - share).ln()).sqrt();
+        let [[xx, xy], [_, yy]] = covariance;
+        let eigen = nalgebra::Matrix2::new(xx, xy, xy, yy).symmetric_eigen();
+        let axis = |k: usize| {
+            // rounding may leave a flat one a little below 0
+            let length = radius * eigen.eigenvalues[k].max(0.0).sqrt();
+            [0, 1].map(|row| length * eigen.eigenvectors[(row, k)])
+        };
+        let (long, short) = if eigen.eigenvalues[0] >= eigen.eigenvalues[1] { (0, 1) } else { (1, 0) };
+        Self { share, centre, half_axes: [axis(long), axis(short)] }
+    }
+
+    /// Whether a landing lies within it.
+    pub fn contains(&self, landing: [f64; 2]) -> bool {
+        let off = [landing[0] - self.centre[0], landing[1] - self.centre[1]];
+        let part = |axis: [f64; 2]| {
+            let square = axis[0] * axis[0] + axis[1] * axis[1];
+            let along = off[0] * axis[0] + off[1] * axis[1];
+            if square > 0.0 { (along / square).powi(2) } else { 0.0 }
+        };
+        self.half_axes.map(part).iter().sum::<f64>() <= 1.0
+    }
+}

@@ -1,0 +1,217 @@
+//! What is uncertain about a drive whose parameters are: by its derivatives, and by many drives.
+//!
+//! ```text
+//!   distributions ──▶ delta method: exact gradient and Hessian at the means
+//!                 └─▶ sample, flown ──▶ moments, Sobol' shares, landing ellipses
+//!                                   └─▶ exact gradients at the sample ──▶ bounds on the total shares
+//! ```
+
+mod delta;
+mod distribution;
+mod ellipse;
+mod model;
+
+pub use delta::{Moments, delta_method};
+pub use distribution::{Distribution, Uncertain};
+pub use ellipse::LandingEllipse;
+pub use model::{Design, Indices, Interval, Plan, Statistics};
+
+use crate::batch::{Batch, CHUNK, Tally};
+use crate::derivative::{Order, Taylor, evaluate};
+use crate::drive::Outcome;
+use crate::error::{Error, Result};
+use crate::parameters::{Parameter, Setup};
+use rayon::prelude::*;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// The shares of the landings that ellipses are drawn for.
+pub const SHARES: [f64; 2] = [0.5, 0.95];
+
+/// What is uncertain about a drive.
+#[derive(Clone, Debug)]
+pub struct Uncertainty {
+    /// The uncertain parameters.
+    pub inputs: Vec<Uncertain>,
+    /// Each outcome.
+    pub outcomes: Vec<OutcomeUncertainty>,
+    /// How the drives of the sample ended, all N (d + 2) of them.
+    pub tally: Tally,
+    /// How the sample was taken.
+    pub plan: Plan,
+    /// Ellipses of the landings; empty unless carry and lateral are asked for.
+    pub ellipses: Vec<SampledEllipse>,
+}
+
+/// What is uncertain about an outcome.
+#[derive(Clone, Debug)]
+pub struct OutcomeUncertainty {
+    /// The outcome.
+    pub of: Outcome,
+    /// By the gradient, and by gradient and Hessian, at the means; `None` where the drive there has none.
+    pub delta: Option<(Moments, Option<Moments>)>,
+    /// By flying; `None` where no drive of the sample has the outcome.
+    pub sampled: Option<Statistics>,
+    /// Each uncertain parameter's bound on its total share by exact gradients (Sobol' & Kucherenko 2009; Lamboni et al. 2013).
+    pub slopes: Vec<Option<Slopes>>,
+}
+
+/// A derivative-based global sensitivity measure.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Slopes {
+    /// The mean of (∂f/∂p)², SI.
+    pub mean_square: f64,
+    /// C mean((∂f/∂p)²) / variance: the total share is at most this.
+    pub bound: f64,
+}
+
+/// A landing ellipse by the gradients, with the share of the flown landings in it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SampledEllipse {
+    /// The ellipse.
+    pub ellipse: LandingEllipse,
+    /// Whether it is of the gradients at the means, or of the sample.
+    pub by_gradient: bool,
+    /// The share of the landings flown that lie in it.
+    pub holds: f64,
+}
+
+impl OutcomeUncertainty {
+    /// The parameter to measure first: the one whose knowledge takes most off the variance, and the standard deviation that is left
+    /// on average.
+    pub fn measure_first(&self, inputs: &[Uncertain]) -> Option<(&'static Parameter, f64)> {
+        let sampled = self.sampled.as_ref()?;
+        let share =
+            |(input, indices): (&Uncertain, &Option<Indices>)| Some((input.parameter, indices.as_ref()?.first.value));
+        let (parameter, share) =
+            inputs.iter().zip(&sampled.indices).filter_map(share).max_by(|a, b| a.1.total_cmp(&b.1))?;
+        Some((parameter, sampled.deviation.value * (1.0 - share).max(0.0).sqrt()))
+    }
+}
+
+/// What is uncertain about some outcomes where these parameters are, independently of each other; `progress` is told how many drives
+/// of how many are done.
+///
+/// # Errors
+/// [`Error::Nothing`] without outcomes or uncertain parameters; [`Error::SearchRange`] for a parameter given twice or a sample too
+/// small; what [`Batch::new`] refuses.
+pub fn uncertainty(
+    setup: &Setup<f64>,
+    of: &[Outcome],
+    inputs: &[Uncertain],
+    plan: Plan,
+    progress: impl Fn(usize, usize) + Sync,
+) -> Result<Uncertainty> {
+    if plan.samples < 2 {
+        let reason = "statistics take a sample of 2 points at least".into();
+        return Err(Error::SearchRange { name: format!("--samples {}", plan.samples), reason });
+    }
+    let parameters: Vec<_> = inputs.iter().map(|input| input.parameter).collect();
+    let distributions: Vec<_> = inputs.iter().map(|input| input.distribution).collect();
+    let values = Batch::new(setup, &parameters, of, &[])?;
+    let gradients = Batch::new(setup, &parameters, of, &parameters)?;
+
+    let design = Design::new(&distributions, plan);
+    let total = design.points.len() * plan.samples;
+    let done = AtomicUsize::new(0);
+    let fly = |(set, points): (usize, &Vec<Vec<f64>>)| {
+        // exact gradients at the first set of points
+        let batch = if set == 0 { &gradients } else { &values };
+        let blocks = points.par_chunks(CHUNK).map(|chunk| {
+            let block = batch.evaluate(0, chunk.concat());
+            progress(done.fetch_add(chunk.len(), Ordering::Relaxed) + chunk.len(), total);
+            block
+        });
+        blocks.collect::<Vec<_>>()
+    };
+    let sets: Vec<_> = design.points.iter().enumerate().map(fly).collect();
+    let mut tally = Tally::default();
+    sets.iter().flatten().for_each(|block| tally.add(block));
+
+    let at_means = at_means(setup, of, inputs);
+    let column =
+        |blocks: &[crate::batch::Block], i: usize| blocks.iter().flat_map(|block| block.result(i)).collect::<Vec<_>>();
+    let of_len = of.len();
+    let outcome = |(i, of): (usize, &Outcome)| {
+        let sampled = design.statistics(&sets.iter().map(|blocks| column(blocks, i)).collect::<Vec<_>>());
+        let slopes = inputs.iter().enumerate().map(|(k, input)| {
+            // the outcomes' columns, then those of their derivatives
+            let derivatives = column(&sets[0], of_len + i * inputs.len() + k);
+            let variance = sampled.as_ref()?.deviation.value.powi(2);
+            slopes(&derivatives, &input.distribution, variance)
+        });
+        OutcomeUncertainty {
+            of: *of,
+            delta: at_means[i].as_ref().map(|taylor| delta_method(taylor, &distributions)),
+            slopes: slopes.collect(),
+            sampled,
+        }
+    };
+    let outcomes: Vec<_> = of.iter().enumerate().map(outcome).collect();
+    let place = |wanted: Outcome| of.iter().position(|of| *of == wanted);
+    let ellipses = match (place(Outcome::Lateral), place(Outcome::Carry)) {
+        (Some(lateral), Some(carry)) => {
+            let landings = |i: usize| sets[..2].iter().flat_map(|blocks| column(blocks, i)).collect::<Vec<_>>();
+            let landings = landings(lateral).into_iter().zip(landings(carry)).filter_map(|(y, z)| Some([y?, z?]));
+            let by_gradient = at_means[lateral].as_ref().zip(at_means[carry].as_ref());
+            ellipses(&landings.collect::<Vec<_>>(), by_gradient, &distributions)
+        }
+        _ => vec![],
+    };
+    Ok(Uncertainty { inputs: inputs.to_vec(), outcomes, tally, plan, ellipses })
+}
+
+/// Each outcome with gradient and Hessian where all uncertain parameters have their means; `None` where there is none.
+fn at_means(setup: &Setup<f64>, of: &[Outcome], inputs: &[Uncertain]) -> Vec<Option<Taylor>> {
+    let mut at = *setup;
+    let is_set = inputs.iter().all(|input| at.set_value(input.parameter, Some(input.distribution.mean())).is_ok());
+    let parameters: Vec<_> = inputs.iter().map(|input| input.parameter).collect();
+    let taylor = |of: &Outcome| {
+        let of_order = |order| evaluate(&at, &[*of], &parameters, order).ok()?.pop();
+        // a gradient may exist where a Hessian does not
+        is_set.then(|| of_order(Order::Second).or_else(|| of_order(Order::First))).flatten()
+    };
+    of.iter().map(taylor).collect()
+}
+
+/// The measure of a parameter from derivatives at a sample, those that exist.
+fn slopes(derivatives: &[Option<f64>], distribution: &Distribution, variance: f64) -> Option<Slopes> {
+    let squares: Vec<f64> = derivatives.iter().flatten().map(|d| d * d).collect();
+    if squares.is_empty() || variance <= 0.0 {
+        return None;
+    }
+    let mean_square = squares.iter().sum::<f64>() / squares.len() as f64;
+    Some(Slopes { mean_square, bound: distribution.poincare() * mean_square / variance })
+}
+
+/// The ellipses of landings [lateral, carry], by the sample and by the gradients at the means.
+fn ellipses(
+    landings: &[[f64; 2]],
+    by_gradient: Option<(&Taylor, &Taylor)>,
+    distributions: &[Distribution],
+) -> Vec<SampledEllipse> {
+    if landings.len() < 2 {
+        return vec![];
+    }
+    let n = landings.len() as f64;
+    let mean = [0, 1].map(|row| landings.iter().map(|landing| landing[row]).sum::<f64>() / n);
+    let product = |i: usize, j: usize| {
+        landings.iter().map(|landing| (landing[i] - mean[i]) * (landing[j] - mean[j])).sum::<f64>() / (n - 1.0)
+    };
+    let sampled = [[product(0, 0), product(0, 1)], [product(1, 0), product(1, 1)]];
+    let linear = by_gradient.map(|(lateral, carry)| {
+        let gradients = [&lateral.gradient, &carry.gradient];
+        let product = |i: usize, j: usize| {
+            let terms = gradients[i].iter().zip(gradients[j]).zip(distributions);
+            terms.map(|((a, b), distribution)| a * b * distribution.central_moments()[0]).sum::<f64>()
+        };
+        ([lateral.value, carry.value], [[product(0, 0), product(0, 1)], [product(1, 0), product(1, 1)]])
+    });
+    let ellipse = |by_gradient: bool, centre: [f64; 2], covariance: [[f64; 2]; 2], share: f64| {
+        let ellipse = LandingEllipse::new(share, centre, covariance);
+        let within = landings.iter().filter(|landing| ellipse.contains(**landing)).count();
+        SampledEllipse { ellipse, by_gradient, holds: within as f64 / n }
+    };
+    let sampled = SHARES.map(|share| ellipse(false, mean, sampled, share));
+    let linear = linear.map(|(centre, covariance)| SHARES.map(|share| ellipse(true, centre, covariance, share)));
+    sampled.into_iter().chain(linear.into_iter().flatten()).collect()
+}

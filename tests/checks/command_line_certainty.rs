@@ -1,0 +1,141 @@
+//! verify, sensitivity and uncertainty, as a user meets them.
+
+use crate::command_line::{json, longdrive, number};
+use crate::common::close;
+
+#[test]
+fn exact_derivatives_are_certified_as_json() {
+    let (status, found) = json(&["verify", "mae494", "--of", "carry", "--wrt", "club.loft,swing.speed"]);
+    assert_eq!(
+        (status, found["passed"].as_bool(), found["negative_control"]["caught"].as_bool()),
+        (0, Some(true), Some(true))
+    );
+    let rows = found["rows"].as_array().unwrap();
+    let loft = rows.iter().find(|row| row["outcome"] == "carry" && row["parameter"] == "club.loft").unwrap();
+    assert_eq!(loft["verdict"], "pass");
+    close(number(&loft["exact"]), 336.769746388603, 1.0, 1e-8, "exact");
+    close(number(&loft["best_difference"]), 336.769746388603, 1.0, 1e-6, "difference");
+    assert!(number(&loft["error"]) <= number(&loft["bar"]));
+    assert_eq!(loft["curve"]["steps"].as_array().unwrap().len(), 25);
+    assert!(found["landing"].as_array().unwrap().len() == 6 && !found["continuity"].as_array().unwrap().is_empty());
+    let said = longdrive(&["verify", "mae494", "--wrt", "club.loft"]);
+    assert!(said.status == 0 && said.out.contains("passed: 0 fail, 0 corner, 3 pass"), "{}", said.out);
+}
+
+#[test]
+fn exact_corners_are_neither_pass_nor_fail_and_no_flight_is_no_pass() {
+    let corner = ["verify", "mae494", "--set", "club.loft=0deg", "--set", "swing.attack_angle=20deg"];
+    let (status, found) = json(&[corner.as_slice(), &["--of", "carry", "--wrt", "club.loft"]].concat());
+    let carry = found["rows"].as_array().unwrap().iter().find(|row| row["outcome"] == "carry").unwrap();
+    assert_eq!((status, carry["verdict"].as_str()), (0, Some("corner")));
+    let [below, above] = [0, 1].map(|side| number(&carry["sides"][side]));
+    assert!(below > above + 10.0, "{below} {above}");
+    let (status, found) = json(&["verify", "mae494", "--set", "swing.attack_angle=-20deg", "--wrt", "club.loft"]);
+    assert_eq!((status, found["passed"].as_bool()), (1, Some(false)));
+    assert!(found["missing"][0]["message"].as_str().unwrap().contains("no flight"));
+}
+
+#[test]
+fn exact_effects_and_the_sensitivity_of_an_optimum_as_json() {
+    let (status, found) = json(&["sensitivity", "--sigma", "swing.speed=1 mph", "--no-defaults"]);
+    let carry = &found["outcomes"][0];
+    let first = &carry["effects"][0];
+    assert_eq!((status, first["parameter"].as_str()), (0, Some("swing.speed")));
+    close(number(&first["effect"]), number(&first["gradient"]) * 0.44704, 1.0, 1e-12, "effect");
+    close(number(&carry["standard_uncertainty"]), number(&first["effect"]), 1.0, 1e-12, "together");
+    assert!(carry["effects"][1]["sigma"].is_null());
+
+    let (status, found) = json(&["sensitivity", "mae494", "--at-optimum", "--vary", "club.loft=0deg..20deg"]);
+    assert_eq!(status, 0);
+    let effects = found["outcomes"][0]["effects"].as_array().unwrap();
+    let of = |name: &str| effects.iter().find(|effect| effect["parameter"] == name).unwrap();
+    // a free optimum: the envelope theorem makes the total slope that of the drive, and there is none by what is varied
+    close(number(&of("swing.speed")["total"]), number(&of("swing.speed")["gradient"]), 1.0, 1e-7, "envelope");
+    assert!(of("club.loft")["total"].is_null() && number(&of("club.loft")["gradient"]).abs() < 1e-6);
+}
+
+#[test]
+fn exact_uncertainty_as_json_is_the_same_for_the_same_seed() {
+    let asked = [
+        "uncertainty",
+        "--sigma",
+        "swing.speed=1mph",
+        "--distribution",
+        "club.loft=triangular(9deg,10deg,11deg)",
+        "--samples",
+        "200",
+    ];
+    let (status, found) = json(&asked);
+    assert_eq!((status, number(&found["drives"]), number(&found["statuses"]["landed"])), (0, 800.0, 800.0));
+    let carry = &found["outcomes"][0];
+    let deviation = &carry["monte_carlo"]["deviation"];
+    assert!(
+        number(&deviation["low"]) <= number(&deviation["value"])
+            && number(&deviation["value"]) <= number(&deviation["high"])
+    );
+    close(
+        number(&deviation["value"]),
+        number(&carry["delta"]["deviation"]),
+        number(&deviation["value"]),
+        0.2,
+        "deviation",
+    );
+    assert_eq!(carry["measure_first"]["parameter"], "swing.speed");
+    assert_eq!(found["ellipses"].as_array().unwrap().len(), 4);
+    let one_thread = assert_cmd::Command::cargo_bin("longdrive")
+        .unwrap()
+        .args(asked)
+        .arg("--json")
+        .env("RAYON_NUM_THREADS", "1")
+        .output();
+    assert_eq!(serde_json::from_slice::<serde_json::Value>(&one_thread.unwrap().stdout).unwrap(), found);
+    assert_ne!(json(&[asked.as_slice(), &["--seed", "1"]].concat()).1["outcomes"], found["outcomes"]);
+}
+
+#[test]
+fn drives_that_do_not_fly_are_reported_and_none_at_all_is_no_answer() {
+    let partly = [
+        "uncertainty",
+        "--set",
+        "swing.attack_angle=0deg",
+        "--distribution",
+        "club.loft=uniform(-2deg,4deg)",
+        "--samples",
+        "200",
+    ];
+    let said = longdrive(&partly);
+    assert!(said.status == 0 && said.out.contains("no-flight") && said.out.contains("shares without"), "{}", said.out);
+    let never = [
+        "uncertainty",
+        "--set",
+        "swing.attack_angle=-30deg",
+        "--sigma",
+        "club.loft=0.1deg",
+        "--samples",
+        "50",
+        "--of",
+        "carry",
+    ];
+    let (status, found) = json(&never);
+    assert_eq!((status, number(&found["statuses"]["no-flight"])), (1, 150.0));
+    assert!(found["outcomes"][0]["monte_carlo"].is_null());
+}
+
+#[test]
+fn mistakes_are_bad_input_and_say_what_to_write() {
+    for (args, says) in [
+        (vec!["verify", "--of", "cary"], "did you mean 'carry'?"),
+        (vec!["verify", "--wrt", "flight.step"], "setting of the computation"),
+        (vec!["sensitivity", "--sigma", "swing.speed"], "write NAME=AMOUNT"),
+        (vec!["sensitivity", "--sigma", "swing.speed=-1mph"], "above 0"),
+        (vec!["sensitivity", "--sigma", "swing.speed=1mph", "--sigma", "swing.speed=2mph"], "given twice"),
+        (vec!["uncertainty", "--distribution", "club.loft=gauss(1deg,2deg)"], "write NAME=normal(MEAN,DEVIATION)"),
+        (vec!["uncertainty", "--distribution", "club.loft=uniform(12deg,9deg)"], "must rise"),
+        (vec!["uncertainty", "--sigma", "club.lofft=1deg"], "did you mean 'club.loft'?"),
+        (vec!["uncertainty", "--samples", "1"], "2..=1000000"),
+    ] {
+        let said = longdrive(&args);
+        assert!(said.status == 2 && said.err.contains(says), "{args:?}: {} {}", said.status, said.err);
+        assert!(said.out.is_empty(), "{}", said.out);
+    }
+}

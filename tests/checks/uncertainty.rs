@@ -1,0 +1,243 @@
+//! Uncertainty: known shares of known functions, moments of known distributions, and drives.
+
+use crate::common::close;
+use longdrive::batch::Status;
+use longdrive::study::uncertainty::{Design, Distribution, Plan, Statistics, Uncertain, uncertainty};
+use longdrive::study::{Sigma, effects, with_defaults};
+use longdrive::{Drive, Error, Outcome, Setup, derivative};
+use std::f64::consts::PI;
+
+fn statistics(inputs: &[Distribution], plan: Plan, f: impl Fn(&[f64]) -> Option<f64>) -> Statistics {
+    let design = Design::new(inputs, plan);
+    let values = design.points.iter().map(|points| points.iter().map(|point| f(point)).collect()).collect::<Vec<_>>();
+    design.statistics(&values).unwrap()
+}
+
+/// sin x₁ + 7 sin² x₂ + 0.1 x₃⁴ sin x₁ on (−π, π)³ (Ishigami & Homma 1990), and its shares by hand.
+fn ishigami(x: &[f64]) -> Option<f64> {
+    Some(x[0].sin() + 7.0 * x[1].sin().powi(2) + 0.1 * x[2].powi(4) * x[0].sin())
+}
+
+fn ishigami_shares() -> (f64, [f64; 3], [f64; 3]) {
+    let (a, b) = (7.0_f64, 0.1_f64);
+    let alone = [0.5 * (1.0 + b * PI.powi(4) / 5.0).powi(2), a * a / 8.0, 0.0];
+    let together = 8.0 * b * b * PI.powi(8) / 225.0; // of x₁ and x₃
+    let variance = alone.iter().sum::<f64>() + together;
+    let total = [alone[0] + together, alone[1], together];
+    (variance, alone.map(|share| share / variance), total.map(|share| share / variance))
+}
+
+const CIRCLE: Distribution = Distribution::Uniform { low: -PI, high: PI };
+
+#[test]
+fn exact_shares_of_ishigamis_function_lie_within_their_intervals() {
+    let (variance, first, total) = ishigami_shares();
+    close(variance, 13.8446, 1.0, 1e-4, "variance");
+    let found = statistics(&[CIRCLE; 3], Plan { samples: 16_384, seed: 1 }, ishigami);
+    assert!(found.mean.contains(3.5) && found.deviation.contains(variance.sqrt()), "{found:?}");
+    for (i, indices) in found.indices.iter().enumerate() {
+        let indices = indices.unwrap();
+        assert!(indices.first.contains(first[i]) && indices.total.contains(total[i]), "{i}: {indices:?}");
+        assert!(indices.first.high - indices.first.low < 0.06, "{i}: {indices:?}");
+        close(indices.total.value, total[i], 1.0, 0.02, "total");
+    }
+}
+
+#[test]
+fn exact_shares_of_the_g_function_lie_within_their_intervals() {
+    // Π (|4 x − 2| + a)/(1 + a) on the unit cube: V_i = 1/(3 (1 + a_i)²) (Saltelli & Sobol' 1995)
+    let a = [0.0, 1.0, 4.5, 9.0];
+    let alone = a.map(|a: f64| 1.0 / (3.0 * (1.0 + a).powi(2)));
+    let variance = alone.iter().map(|v| 1.0 + v).product::<f64>() - 1.0;
+    let g = |x: &[f64]| Some(x.iter().zip(a).map(|(x, a)| ((4.0 * x - 2.0).abs() + a) / (1.0 + a)).product());
+    let unit = Distribution::Uniform { low: 0.0, high: 1.0 };
+    let found = statistics(&[unit; 4], Plan { samples: 16_384, seed: 3 }, g);
+    assert!(found.mean.contains(1.0) && found.deviation.contains(variance.sqrt()), "{found:?}");
+    for (i, indices) in found.indices.iter().enumerate() {
+        let indices = indices.unwrap();
+        let others: f64 = alone.iter().enumerate().filter(|(j, _)| *j != i).map(|(_, v)| 1.0 + v).product();
+        assert!(indices.first.contains(alone[i] / variance), "{i}: {indices:?}");
+        assert!(indices.total.contains(alone[i] * others / variance), "{i}: {indices:?}");
+    }
+}
+
+#[test]
+fn exact_shares_lie_within_95_percent_intervals_about_that_often() {
+    let (variance, first, total) = ishigami_shares();
+    let (mut within, mut all) = (0, 0);
+    for seed in 0..60 {
+        let found = statistics(&[CIRCLE; 3], Plan { samples: 1024, seed }, ishigami);
+        let shares = found.indices.iter().map(|indices| indices.unwrap()).enumerate();
+        let held = shares.flat_map(|(i, indices)| [indices.first.contains(first[i]), indices.total.contains(total[i])]);
+        let held = held.chain([found.mean.contains(3.5), found.deviation.contains(variance.sqrt())]);
+        held.for_each(|is_within| {
+            within += usize::from(is_within);
+            all += 1;
+        });
+    }
+    // 480 of them, some depend on each other: three standard deviations of 480 independent ones are 3 %
+    let share = f64::from(u32::try_from(within).unwrap()) / f64::from(u32::try_from(all).unwrap());
+    assert!((0.92..=0.98).contains(&share), "{within} of {all}");
+}
+
+#[test]
+fn exact_sampled_moments_are_those_of_the_distributions() {
+    let triangle = Distribution::Triangular { low: 1.0, mode: 2.0, high: 5.0 };
+    let normal = Distribution::Normal { mean: -3.0, deviation: 0.5 };
+    for distribution in [triangle, normal, CIRCLE] {
+        let found = statistics(&[distribution], Plan { samples: 20_000, seed: 5 }, |x| Some(x[0]));
+        assert!(
+            found.mean.contains(distribution.mean()) && found.deviation.contains(distribution.deviation()),
+            "{found:?}"
+        );
+        let indices = found.indices[0].unwrap();
+        assert!(indices.first.contains(1.0) || (indices.first.value - 1.0).abs() < 0.02, "{indices:?}");
+        // Poincaré: the variance of x itself is below the constant, that of a normal distribution at it
+        assert!(distribution.deviation().powi(2) <= distribution.poincare() * (1.0 + 1e-15), "{distribution:?}");
+    }
+}
+
+#[test]
+fn exact_values_that_are_missing_are_counted_and_nothing_is_invented_for_them() {
+    let found = statistics(&[CIRCLE], Plan { samples: 1000, seed: 0 }, |x| (x[0] > 0.0).then_some(x[0]));
+    assert!(found.left_out > 500 && found.left_out < 900, "{}", found.left_out);
+    close(found.mean.value, PI / 2.0, 1.0, 0.1, "the mean of those there are");
+    let design = Design::new(&[CIRCLE], Plan { samples: 10, seed: 0 });
+    assert!(design.statistics(&vec![vec![None; 10]; 3]).is_none());
+    let constant = statistics(&[CIRCLE], Plan { samples: 10, seed: 0 }, |_| Some(2.0));
+    assert!(constant.indices[0].is_none() && constant.deviation.value == 0.0);
+}
+
+fn drive() -> (Setup<f64>, Vec<Uncertain>) {
+    let setup = Setup::default();
+    let sigmas = ["swing.speed=1 mph", "club.loft=0.5 deg", "swing.face_angle=1 deg", "air.density=1%"];
+    let inputs = sigmas.map(|text| Uncertain::normal(&setup, &Sigma::read(&setup, text).unwrap()));
+    (setup, inputs.to_vec())
+}
+
+#[test]
+fn exact_gradients_and_flown_drives_agree_where_the_drive_is_nearly_linear() {
+    let (setup, inputs) = drive();
+    let of = [Outcome::Carry, Outcome::Lateral];
+    let plan = Plan { samples: 2048, seed: 7 };
+    let found = uncertainty(&setup, &of, &inputs, plan, |_, _| ()).unwrap();
+    for outcome in &found.outcomes {
+        let (first, second) = outcome.delta.unwrap();
+        let (second, sampled) = (second.unwrap(), outcome.sampled.as_ref().unwrap());
+        close(first.deviation, sampled.deviation.value, first.deviation, 0.05, outcome.of.name());
+        assert!(sampled.deviation.contains(second.deviation), "{}: {sampled:?} {second:?}", outcome.of.name());
+        assert!(sampled.mean.contains(second.mean), "{}: {sampled:?} {second:?}", outcome.of.name());
+        for (indices, slopes) in sampled.indices.iter().zip(&outcome.slopes) {
+            // a bound, but for the sampling of both
+            let (total, bound) = (indices.unwrap().total, slopes.unwrap().bound);
+            assert!(bound >= total.low - 0.02, "{}: {total:?} {bound}", outcome.of.name());
+        }
+    }
+    let [carry, lateral] = found.outcomes.as_slice() else { panic!() };
+    assert_eq!(carry.measure_first(&inputs).unwrap().0.name, "swing.speed");
+    assert_eq!(lateral.measure_first(&inputs).unwrap().0.name, "swing.face_angle");
+    assert_eq!(found.ellipses.len(), 4);
+    for sampled in &found.ellipses {
+        close(sampled.holds, sampled.ellipse.share, 1.0, 0.03, "share of the landings");
+    }
+    assert_eq!(found.tally.counts().map(|(_, count)| count).sum::<u64>(), 6 * 2048);
+
+    // the same seed, the same bits; another, others
+    let again = uncertainty(&setup, &of, &inputs, plan, |_, _| ()).unwrap();
+    assert_eq!(format!("{:?}", again.outcomes), format!("{:?}", found.outcomes));
+    let other = uncertainty(&setup, &of, &inputs, Plan { seed: 8, ..plan }, |_, _| ()).unwrap();
+    assert_ne!(format!("{:?}", other.outcomes), format!("{:?}", found.outcomes));
+}
+
+#[test]
+fn exact_drives_that_do_not_fly_are_counted() {
+    let mut setup = Setup::default();
+    setup.set_all([("club.loft", "1 deg"), ("swing.attack_angle", "0 deg")]).unwrap();
+    let inputs = [Uncertain::read(&setup, "club.loft=uniform(-2 deg, 4 deg)").unwrap()];
+    let found = uncertainty(&setup, &[Outcome::Carry], &inputs, Plan { samples: 300, seed: 0 }, |_, _| ()).unwrap();
+    let count = |wanted: Status| found.tally.counts().find(|(status, _)| *status == wanted).unwrap().1;
+    // a third of the range launches downwards
+    assert!(count(Status::NoFlight) > 200 && count(Status::NoFlight) < 400, "{:?}", found.tally);
+    assert_eq!(count(Status::NoFlight) + count(Status::Landed), 900);
+    assert!(found.outcomes[0].sampled.as_ref().unwrap().left_out > 0);
+}
+
+#[test]
+fn exact_effects_are_slopes_times_uncertainties_ranked_by_size() {
+    let setup = Setup::default();
+    let given = [Sigma::read(&setup, "swing.speed=2 mph").unwrap(), Sigma::read(&setup, "ball.mass=1%").unwrap()];
+    let sigmas = with_defaults(&setup, &given).unwrap();
+    assert!(sigmas.len() > 8 && sigmas.iter().skip(2).all(|sigma| sigma.source.is_some()));
+    let found = effects(&setup, &[Outcome::Carry], &sigmas, |_, _| ()).unwrap().remove(0);
+    let carry = Outcome::Carry.of(&Drive::new(&setup).unwrap()).unwrap();
+    close(found.value, carry, carry, 1e-14, "value");
+    let bars: Vec<_> = found.effects.iter().filter_map(|effect| Some((effect, effect.bar?))).collect();
+    assert_eq!(bars.len(), sigmas.len());
+    assert!(bars.windows(2).all(|pair| pair[0].1.first_order.abs() >= pair[1].1.first_order.abs()));
+    for (effect, bar) in bars {
+        let exact = derivative::hessian(&setup, Outcome::Carry, &[effect.parameter]).unwrap();
+        let sigma = bar.sigma.value;
+        close(bar.first_order, sigma * exact.gradient[0], carry, 1e-13, effect.parameter.name);
+        close(
+            bar.second_order.unwrap(),
+            0.5 * sigma * sigma * exact.hessian[0][0],
+            carry,
+            1e-13,
+            effect.parameter.name,
+        );
+        // flown: what two terms of Taylor's series say, to the third
+        let third = 0.1 * (bar.first_order.abs() + bar.second_order.unwrap().abs()) * 0.2 + 1e-9;
+        for (flown, sign) in bar.flown.into_iter().zip([-1.0, 1.0]) {
+            close(
+                flown.unwrap(),
+                sign * bar.first_order + bar.second_order.unwrap(),
+                1.0,
+                third,
+                effect.parameter.name,
+            );
+        }
+    }
+    // ball speed is in proportion to club speed: an elasticity of 1
+    let speed = effects(&setup, &[Outcome::BallSpeed], &given, |_, _| ()).unwrap().remove(0);
+    let of_speed = speed.effects.iter().find(|effect| effect.parameter.name == "swing.speed").unwrap();
+    close(of_speed.elasticity.unwrap(), 1.0, 1.0, 1e-12, "elasticity");
+}
+
+#[test]
+fn mistakes_in_uncertainties_are_named() {
+    let setup = Setup::default();
+    for text in [
+        "swing.speed",
+        "swing.speed=fast",
+        "swing.speed=0 mph",
+        "swing.speed=-1 mph",
+        "swing.speed=inf",
+        "swing.speed=1 kg",
+    ] {
+        assert!(matches!(Sigma::read(&setup, text), Err(Error::Unreadable { .. })), "{text}");
+    }
+    assert!(matches!(Sigma::read(&setup, "swing.sped=1 mph"), Err(Error::Unknown { .. })));
+    assert!(matches!(Sigma::read(&setup, "flight.step=1 ms"), Err(Error::NotVariable { .. })));
+    for text in [
+        "normal(1 deg)",
+        "normal(1 deg,0 deg)",
+        "uniform(2 deg,1 deg)",
+        "triangular(1 deg,5 deg,2 deg)",
+        "gauss(1,2)",
+        "uniform(1 deg,2 deg",
+        "1 deg",
+    ] {
+        let text = format!("club.loft={text}");
+        assert!(matches!(Uncertain::read(&setup, &text), Err(Error::Unreadable { .. })), "{text}");
+    }
+    assert!(matches!(Uncertain::read(&setup, "club.mass=uniform(0 g,200 g)"), Err(Error::OutOfRange { .. })));
+    let (setup, inputs) = drive();
+    let twice = [inputs[0], inputs[0]];
+    let plan = Plan { samples: 100, seed: 0 };
+    let of = [Outcome::Carry];
+    assert!(matches!(uncertainty(&setup, &of, &twice, plan, |_, _| ()), Err(Error::SearchRange { .. })));
+    assert!(matches!(uncertainty(&setup, &of, &[], plan, |_, _| ()), Err(Error::Nothing { .. })));
+    assert!(matches!(uncertainty(&setup, &[], &inputs, plan, |_, _| ()), Err(Error::Nothing { .. })));
+    let too_small = Plan { samples: 1, seed: 0 };
+    assert!(matches!(uncertainty(&setup, &of, &inputs, too_small, |_, _| ()), Err(Error::SearchRange { .. })));
+}
