@@ -19,8 +19,8 @@ mod presets;
 mod sensitivity;
 mod sweep;
 mod table;
-mod winfield_tan;
 mod uncertainty;
+mod winfield_tan;
 
 pub use calibration::{CalibrationReport, calibration_document, calibration_json, calibration_toml};
 pub use certificate::{CertificateReport, CertificateRow, certificate_text};
@@ -39,5 +39,5 @@ pub use sensitivity::{Analysis, SensitivityReport, sensitivity_text};
 #[cfg(feature = "parquet")]
 pub use sweep::{ParquetGroup, PlacedGroup, SweepParquet};
 pub use sweep::{SweepCsv, SweepJsonLines};
-pub use winfield_tan::{winfield_tan_document, winfield_tan_json};
 pub use uncertainty::{UncertaintyReport, uncertainty_text};
+pub use winfield_tan::{winfield_tan_document, winfield_tan_json};
