@@ -225,10 +225,8 @@ impl Search {
                 // what a step without damping could still gain is what tells the end from a standstill
                 let undamped = self.at.step(&domain.variables, &self.scale, 1e-14).map_or(0.0, |(_, gain)| gain);
                 if undamped <= 1e3 * NOISE * self.at.cost || self.damping <= FIRST_DAMPING {
-                    let message = format!(
-                        "a step promises {undamped:.1e} of the sum {:.3e}: rounding lets it fall no further",
-                        self.at.cost
-                    );
+                    let part = if self.at.cost > 0.0 { undamped / self.at.cost } else { 0.0 };
+                    let message = format!("a step promises {part:.1e} of the sum: rounding lets it fall no further");
                     return Some((Status::Converged, message));
                 }
                 return stalled("steps too short to tell");

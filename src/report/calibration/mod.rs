@@ -22,19 +22,19 @@ pub struct CalibrationReport<'a> {
     pub held_out: &'a [(String, HeldOut)],
 }
 
-impl Estimate {
-    /// The estimate as a person reads it, with its 95 % interval.
-    fn row(&self, reach: f64) -> Vec<String> {
-        let show = |value: f64| self.parameter.show(Some(value));
-        let (error, interval) = match self.standard_error {
-            Some(error) => {
-                (show(error), format!("{} .. {}", show(self.value - reach * error), show(self.value + reach * error)))
-            }
-            None if self.is_at_bound => ("–".into(), "on the bound of its range".into()),
-            None => ("–".into(), "not determined by the data".into()),
-        };
-        vec![self.parameter.name.into(), show(self.value), error, interval]
-    }
+/// The estimate as a person reads it, with its 95 % interval.
+fn estimated(estimate: &Estimate, reach: f64) -> Vec<String> {
+    let Estimate { parameter, value, standard_error, is_at_bound } = estimate;
+    let show = |value: f64| parameter.show(Some(value));
+    let (error, interval) = match standard_error {
+        Some(error) => (
+            significant(error / parameter.quantity.size_of(parameter.unit).unwrap_or(1.0), 2),
+            format!("{} .. {}", show(value - reach * error), show(value + reach * error)),
+        ),
+        None if *is_at_bound => ("–".into(), "on the bound of its range".into()),
+        None => ("–".into(), "not determined by the data".into()),
+    };
+    vec![parameter.name.into(), show(*value), error, interval]
 }
 
 /// The calibration as a document.
@@ -64,7 +64,7 @@ pub fn calibration_document(report: &CalibrationReport<'_>) -> Document {
     document.heading("Estimates");
     document.table(
         &["parameter", "estimate", "standard error", "95 % interval"],
-        found.estimates.iter().map(|estimate| estimate.row(statistics.reach)),
+        found.estimates.iter().map(|estimate| estimated(estimate, statistics.reach)),
     );
     let (chi, dof) = (significant(statistics.chi_square, 5), statistics.degrees_of_freedom);
     document.paragraph(match statistics.probability {
@@ -131,16 +131,21 @@ fn row(remainder: &Remainder) -> Vec<String> {
     let Remainder { row, outcome, stationary, measured, difference, residual } = remainder;
     let (what, measured, difference) = match stationary {
         Some(parameter) => {
-            let difference = parameter.show(Some(*difference));
+            let difference = short(*difference, parameter.quantity.size_of(parameter.unit), parameter.unit);
             (format!("optimum in {}", parameter.name), String::new(), difference)
         }
         None => (
             outcome.name().into(),
             measured.map_or(String::new(), |value| outcome.show(value)),
-            outcome.quantity().show((difference * 1e6).round() * 1e-6, outcome.unit()),
+            short(*difference, outcome.quantity().size_of(outcome.unit()), outcome.unit()),
         ),
     };
     vec![row.to_string(), measured, difference, format!("{residual:.2}"), what]
+}
+
+/// A difference to four decimals of its unit.
+fn short(difference: f64, size: Option<f64>, unit: &str) -> String {
+    format!("{:+.4} {unit}", difference / size.unwrap_or(1.0)).trim_end().to_owned()
 }
 
 /// Root mean squares of the held-out differences, outcome by outcome.

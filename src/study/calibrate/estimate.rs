@@ -134,6 +134,8 @@ pub fn calibrate(setup: &Setup<f64>, table: &ShotTable, plan: &Plan, follow: &Fo
     /// Curvatures are renewed at most so often, until none changes by more than this part.
     const RENEWALS: usize = 8;
     const SAME: f64 = 1e-4;
+    /// Points tried for a start where not every row flies at those given.
+    const START_TRIALS: usize = 64;
     plan.check(table)?;
     let fitted: Vec<_> = plan.fit.iter().map(|vary| vary.parameter).collect();
     let ends = |end: fn(&Vary) -> f64| plan.fit.iter().map(end).collect::<Vec<_>>();
@@ -142,9 +144,16 @@ pub fn calibrate(setup: &Setup<f64>, table: &ShotTable, plan: &Plan, follow: &Fo
     let own = domain.variables.project(&own);
     let mut problem = ShotResiduals { setup: *setup, shots: &table.shots, fitted, curvatures: vec![] };
     let mut from = starts(&domain, &own, plan.starts)?;
-    problem.curvatures = flat_or(&problem, &from)?;
+    if !from.iter().any(|start| problem.begin(start)) {
+        // as a search does whose functions are not defined at its start, others are tried
+        let others = starts(&domain, &own, START_TRIALS)?;
+        from = others.into_iter().filter(|start| problem.begin(start)).take(1).collect();
+        if from.is_empty() {
+            return Err(nothing_flies(&problem, &own));
+        }
+    }
     let mut renewals = 0;
-    let (fits, curvatures) = loop {
+    let fits = loop {
         let fits = fit_from(&problem, &domain, &from, &plan.options, follow)?;
         let best = &fits[0];
         if best.rows.residuals.is_empty() {
@@ -154,23 +163,16 @@ pub fn calibrate(setup: &Setup<f64>, table: &ShotTable, plan: &Plan, follow: &Fo
         let pairs = renewed.iter().flatten().zip(problem.curvatures.iter().flatten());
         let is_same = pairs.clone().all(|(new, old)| (new / old - 1.0).abs() <= SAME);
         if is_same || renewals == RENEWALS || follow.interrupt.load(std::sync::atomic::Ordering::Relaxed) {
-            break (fits, renewed);
+            break fits;
         }
         renewals += 1;
         from = if renewals == 1 { fits.iter().map(|fit| fit.x.clone()).collect() } else { vec![best.x.clone()] };
         problem.curvatures = renewed;
     };
-    drop(curvatures);
     let same =
         fits.iter().filter(|fit| (fit.cost - fits[0].cost).abs() <= 1e-6 * fits[0].cost.abs().max(1e-12)).count();
     let found = finished(&problem, &domain, table, fits, plan.options.loss)?;
     Ok(Calibration { starts: (plan.starts, same), renewals, ..found })
-}
-
-/// Curvatures at the first start where every row flies.
-fn flat_or(problem: &ShotResiduals<'_>, starts: &[Vec<f64>]) -> Result<Vec<Vec<f64>>> {
-    let found = starts.iter().find_map(|start| problem.curvatures_at(start).ok());
-    found.ok_or_else(|| nothing_flies(problem, &starts[0]))
 }
 
 fn nothing_flies(problem: &ShotResiduals<'_>, start: &[f64]) -> Error {
@@ -184,7 +186,9 @@ fn nothing_flies(problem: &ShotResiduals<'_>, start: &[f64]) -> Error {
         Err(error) => error.to_string(),
     };
     Error::Calibration {
-        reason: format!("at the start not every row has an answer ({why}); take these rows out, or start elsewhere"),
+        reason: format!(
+            "not every row has an answer at the start, nor at any other tried ({why}); take these rows out, or start elsewhere"
+        ),
     }
 }
 

@@ -80,6 +80,13 @@ impl ShotResiduals<'_> {
         Ok(Rows { residuals, jacobian })
     }
 
+    /// Takes the curvatures from `x` where every row has an answer there; says whether it has.
+    pub fn begin(&mut self, x: &[f64]) -> bool {
+        let Ok(curvatures) = self.curvatures_at(x) else { return false };
+        self.curvatures = curvatures;
+        self.evaluate(x).is_ok()
+    }
+
     /// The residuals of each shot by itself at `x`, or why it has none.
     pub fn each(&self, x: &[f64]) -> Result<Vec<std::result::Result<Vec<f64>, String>>> {
         let moved = self.moved(x)?;
@@ -104,4 +111,41 @@ pub(super) fn at_shot(setup: &Setup<f64>, shot: &Shot) -> Result<Setup<f64>> {
         setup.set_value(parameter, Some(*value))?;
     }
     Ok(setup)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::ShotResiduals;
+    use crate::Setup;
+    use crate::optimize::least_squares::Residuals;
+    use crate::study::calibrate::ShotTable;
+
+    #[test]
+    fn differences_match_the_jacobian_of_measured_and_stationary_rows() {
+        let text = "club.loft [deg],swing.attack_angle [deg],stationary,sigma stationary [deg],carry [yd],flight_time\n\
+                    12,8.3,swing.attack_angle,0.05,229,\n9,13,swing.attack_angle club.loft,0.1,,6\n";
+        let setup = Setup::preset("winfield-tan").unwrap();
+        let table = ShotTable::read(&setup, "optima.csv", text.as_bytes()).unwrap();
+        let names = ["aero.cd0", "aero.cl_hill", "aero.cl_speed", "aero.spin_decay", "ball.mass"];
+        let fitted: Vec<_> = names.iter().map(|name| setup.variable(name).unwrap()).collect();
+        let x: Vec<f64> = fitted.iter().map(|row| setup.value(row).unwrap()).collect();
+        let mut problem = ShotResiduals { setup, shots: &table.shots, fitted, curvatures: vec![] };
+        problem.curvatures = problem.curvatures_at(&x).unwrap();
+        let here = problem.evaluate(&x).unwrap();
+        assert_eq!(here.residuals.len(), 5);
+        for i in 0..x.len() {
+            let h = 1e-5 * x[i].abs();
+            let at = |by: f64| {
+                let mut x = x.clone();
+                x[i] += by;
+                problem.evaluate(&x).unwrap().residuals
+            };
+            let (above, below) = (at(h), at(-h));
+            for (k, row) in here.jacobian.iter().enumerate() {
+                let difference = (above[k] - below[k]) / (2.0 * h);
+                let size = row[i].abs().max(1e-3 / x[i].abs());
+                assert!((difference - row[i]).abs() < 1e-6 * size, "{k} {}: {difference} {}", names[i], row[i]);
+            }
+        }
+    }
 }

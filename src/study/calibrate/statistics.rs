@@ -135,11 +135,9 @@ mod tests {
         let jacobian: Vec<Vec<f64>> = [0.0, 1.0, 2.0].iter().map(|t| vec![1.0, *t]).collect();
         let rows = Rows { residuals: vec![0.5, -1.0, 0.5], jacobian };
         let line = Statistics::new(&rows, &[true, true], true, Loss::Squares).unwrap();
-        let expected = [[5.0 / 6.0, -0.5], [-0.5, 0.5]];
-        for a in 0..2 {
-            for b in 0..2 {
-                assert!((line.covariance[a][b].unwrap() - expected[a][b]).abs() < 1e-12);
-            }
+        let expected = [(0, 0, 5.0 / 6.0), (0, 1, -0.5), (1, 0, -0.5), (1, 1, 0.5)];
+        for (a, b, exact) in expected {
+            assert!((line.covariance[a][b].unwrap() - exact).abs() < 1e-12);
         }
         assert_eq!((line.degrees_of_freedom, line.chi_square), (1, 1.5));
         // P(χ²₁ > 1.5) = erfc(√0.75)
