@@ -10,6 +10,9 @@ use crate::units::{Quantity, significant};
 const SPEEDS: [f64; 4] = [30.0, 40.0, 50.0, 65.0];
 const SPIN_RATIOS: [f64; 6] = [0.03, 0.06, 0.10, 0.15, 0.20, 0.30];
 
+/// The most spin of the paper's flights, rad/s: loft 17.14° at 110 mph.
+const MOST_SPIN: f64 = 450.0;
+
 pub(super) fn law(document: &mut Document, found: &WinfieldTan) {
     let fit = &found.fitted.law;
     let left = (fit.statistics.chi_square / fit.statistics.degrees_of_freedom as f64).sqrt();
@@ -34,14 +37,15 @@ pub(super) fn law(document: &mut Document, found: &WinfieldTan) {
         ]
     });
     document.table(&["in the preset", "fitted anew", "standard error", "coefficient"], rows);
-    document.paragraph("It is meant for what the paper's flights pass through, 25 < v < 68 m/s and 0.02 < s < 0.35; beyond, it is smooth, \
+    document.paragraph("It is meant for what the paper's flights pass through, 25 < v < 68 m/s, 0.02 < s < 0.35 and spins up to 450 rad/s, where it is shown; beyond, it is smooth, \
                         positive and rises with spin, but nothing says that it is right.");
     document.table(
         &["s", "C_D at 30 m/s", "40", "50", "65", "C_L at 30 m/s", "40", "50", "65"],
         SPIN_RATIOS.map(|s| {
-            let at = SPEEDS.map(|speed| coefficients(found, s, speed));
-            let drag = at.iter().map(|(drag, _)| format!("{drag:.3}"));
-            let lift = at.iter().map(|(_, lift)| format!("{lift:.3}"));
+            let at = SPEEDS.map(|speed| is_flown(found, s, speed).then(|| coefficients(found, s, speed)));
+            let cell = |value: Option<f64>| value.map_or("–".into(), |value| format!("{value:.3}"));
+            let drag = at.iter().map(|c| cell(c.map(|(drag, _)| drag)));
+            let lift = at.iter().map(|c| cell(c.map(|(_, lift)| lift)));
             std::iter::once(format!("{s:.2}")).chain(drag).chain(lift).collect()
         }),
     );
@@ -49,7 +53,8 @@ pub(super) fn law(document: &mut Document, found: &WinfieldTan) {
         let axes = (Axis::linear(Measure::plain("spin ratio")), Axis::linear(Measure::plain(title)));
         let mut figure = Figure::new(format!("law-{name}"), format!("{title} of the recovered law"), axes.0, axes.1);
         for (i, speed) in SPEEDS.into_iter().enumerate() {
-            let points = (1..=35).map(|k| f64::from(k) * 0.01).map(|s| {
+            let flown = (1..=35).map(|k| f64::from(k) * 0.01).filter(|s| is_flown(found, *s, speed));
+            let points = flown.map(|s| {
                 let (drag, lift) = coefficients(found, s, speed);
                 [s, if is_drag { drag } else { lift }]
             });
@@ -57,6 +62,11 @@ pub(super) fn law(document: &mut Document, found: &WinfieldTan) {
         }
         document.figure(figure);
     }
+}
+
+/// Whether a ball of the paper has as much spin.
+fn is_flown(found: &WinfieldTan, spin_ratio: f64, speed: f64) -> bool {
+    spin_ratio * speed / found.setup.ball.radius <= MOST_SPIN
 }
 
 /// A standard error to two digits.

@@ -11,7 +11,7 @@ pub(super) fn shot(document: &mut Document, found: &WinfieldTan) {
     let mph = Quantity::SPEED.size_of("mph").unwrap_or(f64::NAN);
     let row = |what: &str, unit: &str, size: f64, ours: f64, theirs: f64| {
         let show = |value: f64| format!("{:.2} {unit}", value / size).trim_end().to_owned();
-        vec![show(theirs), show(ours), format!("{:+.2}", (ours - theirs) / size), what.into()]
+        vec![show(theirs), show(ours), signed((ours - theirs) / size), what.into()]
     };
     document.heading("The single shot");
     document.paragraph("Loft 10°, attack angle 0°, 103 mph.");
@@ -114,8 +114,13 @@ fn line(row: &Best, is_by_loft: bool) -> Vec<String> {
         degrees(ours),
         yards(printed.carry),
         yards(computed.carry),
-        format!("{:+.2} yd", in_yards(computed.carry - printed.carry)),
+        signed(in_yards(computed.carry - printed.carry)) + " yd",
     ]
+}
+
+/// A difference to two decimals; one of nothing has no sign.
+fn signed(difference: f64) -> String {
+    if difference.abs() < 0.005 { "0.00".into() } else { format!("{difference:+.2}") }
 }
 
 fn angle(label: &str) -> Axis {
