@@ -136,7 +136,7 @@ mod tests {
                 let e = (-b[1] * x).exp();
                 (b[0] * (1.0 - e), vec![1.0 - e, b[0] * x * e])
             },
-            // from (1, 1), the first of its starts, every step of this method goes on towards b₂ = ∞: see the test of many starts
+            // from (1, 1), the first of its starts, a search without bounds goes on towards b₂ = ∞: see the test within bounds
             starts: [&[100.0, 0.75], &[100.0, 0.75]],
             certified: &[2.138_094_088_9e2, 5.472_374_854_2e-1],
             sum: 1.168_008_876_6e3,
@@ -188,15 +188,17 @@ mod tests {
     }
 
     #[test]
-    fn paper_nist_boxbod_from_its_hard_start_needs_several() {
+    fn paper_nist_boxbod_within_bounds_from_its_hard_start_and_from_several() {
         let set = &SETS[1];
         let domain = Domain::new(vec![0.0, 0.0], vec![1000.0, 10.0]).unwrap();
-        let hard = [1.0, 1.0];
-        let alone = fit(set, &domain, &hard, &Options::default()).unwrap();
-        assert!(2.0 * alone.cost > 8.0 * set.sum, "a local fit finds it now: {}", 2.0 * alone.cost);
-        let spread = starts(&domain, &hard, 8).unwrap();
+        let spread = starts(&domain, &[1.0, 1.0], 8).unwrap();
+        assert_eq!(spread[0], [1.0, 1.0]);
+        let alone = fit(set, &domain, &spread[0], &Options::default()).unwrap();
         let found = fit_from(set, &domain, &spread, &Options::default(), &Follow::default()).unwrap();
-        assert!((2.0 * found[0].cost / set.sum - 1.0).abs() < 1e-9, "{}", 2.0 * found[0].cost);
+        for best in [&alone, &found[0]] {
+            assert!((2.0 * best.cost / set.sum - 1.0).abs() < 1e-9, "{}", 2.0 * best.cost);
+        }
+        assert_eq!(found.len(), 8);
         assert!(found.windows(2).all(|pair| pair[0].cost <= pair[1].cost));
     }
 
