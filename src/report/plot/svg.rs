@@ -62,7 +62,6 @@ pub fn figure_svg(figure: &Figure, look: &Look) -> Result<String> {
         Error::Plot { name: figure.name.clone(), reason }
     };
     let [xs, ys] = [0, 1].map(|axis| coordinates(figure).map(move |point| point[axis]));
-    let x = Drawn::new(&figure.x, xs, look.system, (width / 80.0) as usize).ok_or_else(|| nothing("horizontal"))?;
     let y = Drawn::new(&figure.y, ys, look.system, 6).ok_or_else(|| nothing("vertical"))?;
 
     let titles = wrapped(&figure.title, ((width - 12.0) / (CHARACTER * 1.25)) as usize);
@@ -70,6 +69,9 @@ pub fn figure_svg(figure: &Figure, look: &Look) -> Result<String> {
     let y_title = y.title();
     let heads = titles.len() as f64 + if y_title.is_empty() { 0.0 } else { 1.0 };
     let left = 14.0 + CHARACTER * y.longest() as f64;
+    // as many numbers as find room beside each other
+    let count = ((width - left) / 72.0).max(2.0) as usize;
+    let x = Drawn::new(&figure.x, xs, look.system, count).ok_or_else(|| nothing("horizontal"))?;
     let frame = [left, heads * LINE + legend_height + 20.0];
     let frame = [frame[0], frame[1], width - 16.0, frame[1] + figure.aspect * (width - 16.0 - left)];
     let height = frame[3] + 2.0 * LINE + 10.0;
