@@ -1,9 +1,13 @@
 use super::map::capital;
 use crate::report::plot::{Axis, Bar, Figure, Hue, Layer, Measure};
 use crate::study::{Effect, Effects, Sigma};
+use crate::units::significant;
 
 /// Most bars of a tornado: the largest; the others are counted in the note.
 const MOST: usize = 15;
+
+/// Bars below this part of all together have no length to see.
+const STILL: f64 = 1e-3;
 
 /// An effect of an uncertainty, to both sides.
 struct Ends {
@@ -28,15 +32,19 @@ pub fn tornado_figure(effects: &Effects) -> Figure {
         })
     };
     let size = |ends: &Ends| ends.lower.abs().max(ends.higher.abs());
-    let mut ranked: Vec<Ends> = effects.effects.iter().filter_map(ends).collect();
+    let (mut ranked, still): (Vec<Ends>, Vec<Ends>) =
+        effects.effects.iter().filter_map(ends).partition(|ends| size(ends) > STILL * effects.standard_uncertainty());
     ranked.sort_by(|a, b| size(b).total_cmp(&size(a)));
     let left_out = ranked.len().saturating_sub(MOST);
     ranked.truncate(MOST);
+    let still: Vec<String> = still.iter().map(|ends| Measure::parameter(ends.sigma.parameter).label).collect();
 
     let measure = Measure::outcome(effects.of);
     let names = ranked.iter().map(|ends| {
         let parameter = ends.sigma.parameter;
-        format!("{} ± {}", Measure::parameter(parameter).label, parameter.show(Some(ends.sigma.value)))
+        let size = parameter.quantity.size_of(parameter.unit).unwrap_or(1.0);
+        let sigma = significant(ends.sigma.value / size, 3);
+        format!("{} ± {sigma} {}", Measure::parameter(parameter).label, parameter.unit).trim_end().to_owned()
     });
     let x = Axis::linear(Measure { label: format!("change of {}", measure.label), ..measure.clone() });
     let bars = |name: &str, hue: usize, to: fn(&Ends) -> f64| {
@@ -48,11 +56,11 @@ pub fn tornado_figure(effects: &Effects) -> Figure {
         .with(bars("parameter lower", 1, |ends| ends.lower))
         .with(bars("parameter higher", 0, |ends| ends.higher));
     // as tall as its bars take
-    figure.aspect = 0.13 + 0.085 * ranked.len() as f64;
-    figure.noted(note(effects, &ranked, left_out, &measure))
+    figure.aspect = 0.16 + 0.11 * ranked.len() as f64;
+    figure.noted(note(effects, &ranked, &still, left_out, &measure))
 }
 
-fn note(effects: &Effects, ranked: &[Ends], left_out: usize, measure: &Measure) -> String {
+fn note(effects: &Effects, ranked: &[Ends], still: &[String], left_out: usize, measure: &Measure) -> String {
     let mut note = format!(
         "{} flown with each parameter off by its standard uncertainty. All together, independent: ± {}.",
         capital(&measure.label),
@@ -66,6 +74,9 @@ fn note(effects: &Effects, ranked: &[Ends], left_out: usize, measure: &Measure) 
     if linearity > 0.0 {
         note +=
             &format!(" Bars shorter than {} are lost in what straight lines neglect.", measure.show_both(linearity));
+    }
+    if !still.is_empty() {
+        note += &format!(" Next to nothing: {}.", still.join(", "));
     }
     if left_out > 0 {
         note += &format!(" {left_out} smaller ones are not shown.");

@@ -62,7 +62,8 @@ pub fn report_documents(findings: &Findings<'_>) -> Result<Vec<Document>> {
             .into_iter()
             .collect(),
         chart: findings.chart.map(chart_figures).unwrap_or_default(),
-        effects: findings.effects.iter().map(tornado_figure).collect(),
+        // without any effect there is no bar to draw
+        effects: findings.effects.iter().filter(|e| e.standard_uncertainty() > 0.0).map(tornado_figure).collect(),
         curves: if findings.rows.is_empty() { vec![] } else { vec![vcurve_figure(findings.rows)] },
     };
     let mut documents = vec![Document { name: "index.html".into(), text: page(findings, &plots)?.into_string() }];

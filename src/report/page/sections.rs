@@ -159,20 +159,19 @@ pub(super) fn uncertainties(effects: &[Effects]) -> Markup {
     let Some(first) = effects.first() else { return html! {} };
     let sigmas = first.effects.iter().filter_map(|effect| Some(effect.bar?.sigma));
     html! {
-        details { summary { "The uncertainties, and where they come from" }
-            div.wide { table {
-                thead { tr { th { "parameter" } th.number { "standard uncertainty" } th { "source" } } }
-                tbody {
-                    @for sigma in sigmas {
-                        tr {
-                            td { (sigma.parameter.name) }
-                            td.number { (parameter(sigma.parameter, sigma.value)) }
-                            td.words { (sigma.source.unwrap_or("as given")) }
-                        }
+        h3 { "The uncertainties, and where they come from" }
+        div.wide { table {
+            thead { tr { th { "parameter" } th.number { "standard uncertainty" } th { "source" } } }
+            tbody {
+                @for sigma in sigmas {
+                    tr {
+                        td { (sigma.parameter.name) }
+                        td.number { (parameter(sigma.parameter, sigma.value)) }
+                        td.words { (sigma.source.unwrap_or("as given")) }
                     }
                 }
-            } }
-        }
+            }
+        } }
     }
 }
 

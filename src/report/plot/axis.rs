@@ -49,12 +49,12 @@ impl Measure {
         if us == metric { us } else { format!("{us} ({metric})") }
     }
 
-    /// What it is called, with the unit of a system: "carry [yd]".
+    /// What it is called, with the unit of a system: `carry [yd]`.
     pub fn titled(&self, system: System) -> String {
         with_unit(&self.label, system.unit(self.unit))
     }
 
-    /// What it is called, with its SI unit: "carry [m]".
+    /// What it is called, with its SI unit: `carry [m]`.
     pub fn titled_si(&self) -> String {
         with_unit(&self.label, self.quantity.si)
     }

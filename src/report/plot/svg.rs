@@ -62,17 +62,19 @@ pub fn figure_svg(figure: &Figure, look: &Look) -> Result<String> {
         Error::Plot { name: figure.name.clone(), reason }
     };
     let [xs, ys] = [0, 1].map(|axis| coordinates(figure).map(move |point| point[axis]));
-    let x = Drawn::new(&figure.x, xs, look.system, (width / 80.0) as usize).ok_or_else(|| nothing("horizontal"))?;
     let y = Drawn::new(&figure.y, ys, look.system, 6).ok_or_else(|| nothing("vertical"))?;
 
     let titles = wrapped(&figure.title, ((width - 12.0) / (CHARACTER * 1.25)) as usize);
     let (legend, legend_height) = laid_out(figure, width - 12.0);
     let y_title = y.title();
     let heads = titles.len() as f64 + if y_title.is_empty() { 0.0 } else { 1.0 };
-    let left = 14.0 + CHARACTER * y.longest() as f64;
+    let left = 15.0 + 1.1 * CHARACTER * y.longest() as f64;
+    // as many numbers as find room beside each other
+    let count = ((width - left) / 60.0).max(2.0) as usize;
+    let x = Drawn::new(&figure.x, xs, look.system, count).ok_or_else(|| nothing("horizontal"))?;
     let frame = [left, heads * LINE + legend_height + 20.0];
     let frame = [frame[0], frame[1], width - 16.0, frame[1] + figure.aspect * (width - 16.0 - left)];
-    let height = frame[3] + 2.0 * LINE + 10.0;
+    let height = (frame[3] + 2.0 * LINE + 10.0).ceil();
 
     let mut svg = String::new();
     {
@@ -170,7 +172,7 @@ fn opened(svg: &str, figure: &Figure, width: f64, height: f64) -> String {
     let (fine_width, fine_height) = (fine(width), fine(height));
     let body = svg.split_once('>').map_or("", |(_, body)| body);
     format!(
-        "<svg width=\"{width}\" height=\"{height:.0}\" viewBox=\"0 0 {fine_width} {fine_height}\" role=\"img\" \
+        "<svg width=\"{width}\" height=\"{height}\" viewBox=\"0 0 {fine_width} {fine_height}\" role=\"img\" \
          aria-label=\"{}\" xmlns=\"http://www.w3.org/2000/svg\">\n<desc>{}</desc>{body}",
         escaped(&figure.title),
         escaped(&figure.note),
