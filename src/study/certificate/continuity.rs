@@ -14,8 +14,9 @@ const NEIGHBOURS: usize = 8;
 /// The jump that may be left, in scatters to either side.
 const BAR: f64 = 4.0;
 
-/// Rounding that a scatter over a few neighbours may miss, of the largest entry.
-const LEAST_SCATTER: f64 = 1e-14;
+/// The relative jumps of value, gradient and Hessian that are promised not to be exceeded: rounding that the scatter over a few
+/// neighbours may miss.
+const PROMISED: [f64; 3] = [1e-13, 1e-12, 1e-10];
 
 /// An outcome where the number of time steps of the flight changes: on adjacent floating-point values of a parameter.
 #[derive(Clone, Debug)]
@@ -30,7 +31,7 @@ pub struct Continuity {
     pub steps: [usize; 2],
     /// The relative jumps of the value, the gradient and the Hessian.
     pub jumps: [f64; 3],
-    /// The jumps that rounding may make, by the scatter beside the change.
+    /// The jumps that may be: those promised, or what rounding makes by the scatter beside the change.
     pub bars: [f64; 3],
     /// How many derivatives are to be continuous: 2, or 1 for what is read off a velocity or the time of the apex.
     pub smoothness: usize,
@@ -62,7 +63,7 @@ pub(super) fn continuity(setup: &Setup<f64>, of: &[Outcome], wrt: &[&'static Par
         let pairs = [0, 1, 2].map(|order| {
             let entries =
                 |side: &[Vec<Taylor>]| side.iter().map(|taylors| entries(&taylors[i], order)).collect::<Vec<_>>();
-            jump(&entries(&before), &entries(&after))
+            jump(&entries(&before), &entries(&after), PROMISED[order])
         });
         Continuity {
             of: *of,
@@ -94,7 +95,7 @@ fn entries(taylor: &Taylor, order: usize) -> Vec<f64> {
 }
 
 /// How far the means of two sides are apart, of the largest entry, and how far they may be by the scatter of each side.
-fn jump(before: &[Vec<f64>], after: &[Vec<f64>]) -> (f64, f64) {
+fn jump(before: &[Vec<f64>], after: &[Vec<f64>], promised: f64) -> (f64, f64) {
     let (mut jump, mut scatter, mut size) = (0.0_f64, 0.0_f64, 0.0_f64);
     for entry in 0..before[0].len() {
         let [a, b] = [before, after].map(|side| {
@@ -106,7 +107,7 @@ fn jump(before: &[Vec<f64>], after: &[Vec<f64>]) -> (f64, f64) {
         scatter = scatter.max(a.1).max(b.1);
         size = size.max(a.0.abs());
     }
-    if size == 0.0 { (jump, 0.0) } else { (jump / size, BAR * (scatter / size).max(LEAST_SCATTER)) }
+    if size == 0.0 { (jump, 0.0) } else { (jump / size, promised.max(BAR * scatter / size)) }
 }
 
 fn moved(setup: &Setup<f64>, parameter: &'static Parameter, value: f64) -> Result<Setup<f64>> {

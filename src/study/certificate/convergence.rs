@@ -1,3 +1,4 @@
+use super::continuity::smoothness;
 use crate::derivative::{Taylor, jacobian};
 use crate::drive::{Drive, Outcome};
 use crate::error::Result;
@@ -69,16 +70,18 @@ pub(super) fn convergence(setup: &Setup<f64>, of: &[Outcome], wrt: &[&'static Pa
     let convergence = |(i, of): (usize, &Outcome)| {
         let errors: Vec<_> = flown.iter().map(|(step, taylors)| (*step, errors(&taylors[i], &reference[i]))).collect();
         let orders = [0, 1].map(|which| order(&errors, which));
-        Convergence { of: *of, errors, orders, expected: expected(setup), short_of }
+        Convergence { of: *of, errors, orders, expected: expected(setup, *of), short_of }
     };
     Ok(of.iter().enumerate().map(convergence).collect())
 }
 
-/// The orders of value and gradient: the method's, unless the force has but two continuous derivatives, as where a law is joined to
-/// its smoothing. The step that crosses the joint is then off by h⁴, and its derivative by h³.
-fn expected(setup: &Setup<f64>) -> [u32; 2] {
-    let order = setup.method.order();
-    if is_joined(setup) { [order.min(4), order.min(3)] } else { [order; 2] }
+/// The orders of value and gradient: the method's, as far as the quintic between the steps goes: h⁶ in a position and h⁵ in its
+/// derivatives, one less in a velocity, and h³ in the derivative of the root of its slope. A law that is joined to its smoothing has but
+/// two continuous derivatives: the step that crosses the joint is off by h⁴, and its derivative by h³.
+fn expected(setup: &Setup<f64>, of: Outcome) -> [u32; 2] {
+    let interpolated = if smoothness(of) > 1 { [6, 5] } else { [5, 3] };
+    let forced = if is_joined(setup) { [4, 3] } else { [u32::MAX; 2] };
+    [0, 1].map(|which: usize| setup.method.order().min(interpolated[which]).min(forced[which]))
 }
 
 fn is_joined(setup: &Setup<f64>) -> bool {
