@@ -18,11 +18,13 @@ fn main() -> Result<()> {
     }
     println!("## Every outcome by every parameter\n");
     println!(
-        "| preset | derivatives | pass | worst error, first | worst error, second | landing, held at a fixed time | planted errors caught |"
+        "| preset | derivatives | pass | worst error, relative | worst error of a second derivative, in bars | landing, held at a fixed time | planted errors caught |"
     );
     println!("|---|---|---|---|---|---|---|");
     certificates.iter().for_each(|(name, certificate)| println!("{}", row(name, certificate)));
-    println!("\nErrors are relative to the derivative, over rows whose derivative is more than next to nothing.\n");
+    println!(
+        "\nErrors are relative to the derivative, over rows whose derivative is more than next to nothing; a bar is the error that a derivative may have.\n"
+    );
 
     let setup = Setup::preset("mae494")?;
     let loft = [setup.variable("club.loft")?];
@@ -39,13 +41,13 @@ fn row(name: &str, certificate: &Certificate) -> String {
     let is_something = |row: &&longdrive::study::certificate::Row| row.first.exact.abs() > row.ladder.next_to_nothing();
     let first = rows.iter().filter(is_something).map(|row| row.first.error / row.first.exact.abs());
     let second = rows.iter().filter(is_something).filter_map(|row| row.second.as_ref());
-    let second = second.map(|check| check.error / check.exact.abs()).filter(|error| error.is_finite());
+    let second = second.filter(|check| check.error > 0.0).map(|check| check.error / check.bar);
     let passed = rows.iter().filter(|row| row.verdict() == Verdict::Pass).count();
     let landing = certificate.landing.iter().filter(|row| row.check.verdict == Verdict::Pass).count();
     let planted =
         certificate.planted.map(|planted| format!("{} {}/{}", planted.plant.name(), planted.caught, planted.rows));
     format!(
-        "| `{name}` | {} | {passed} | {:.0e} | {:.0e} | {landing} of {} | {} |",
+        "| `{name}` | {} | {passed} | {:.0e} | {:.2} | {landing} of {} | {} |",
         rows.len(),
         first.fold(0.0, f64::max),
         second.fold(0.0, f64::max),
