@@ -29,7 +29,8 @@ pub struct Continuity {
     pub at: f64,
     /// The numbers of steps before and after.
     pub steps: [usize; 2],
-    /// The relative jumps of the value, the gradient and the Hessian.
+    /// The jumps of the value, the gradient and the Hessian by parameters in units of their scales, relative to the largest entry or the
+    /// value.
     pub jumps: [f64; 3],
     /// The jumps that may be: those promised, or what rounding makes by the scatter beside the change.
     pub bars: [f64; 3],
@@ -59,11 +60,14 @@ pub(super) fn continuity(setup: &Setup<f64>, of: &[Outcome], wrt: &[&'static Par
     };
     let (before, after) = (neighbours(low, f64::next_down)?, neighbours(high, f64::next_up)?);
     let steps = [low, high].map(|value| steps(setup, parameter, value).unwrap_or_default());
+    let scales: Vec<f64> = wrt.iter().map(|parameter| scale(setup, parameter)).collect();
     let continuity = |(i, of): (usize, &Outcome)| {
+        let value = before[0][i].value.abs();
         let pairs = [0, 1, 2].map(|order| {
-            let entries =
-                |side: &[Vec<Taylor>]| side.iter().map(|taylors| entries(&taylors[i], order)).collect::<Vec<_>>();
-            jump(&entries(&before), &entries(&after), PROMISED[order])
+            let entries = |side: &[Vec<Taylor>]| {
+                side.iter().map(|taylors| entries(&taylors[i], &scales, order)).collect::<Vec<_>>()
+            };
+            jump(&entries(&before), &entries(&after), value, PROMISED[order])
         });
         Continuity {
             of: *of,
@@ -85,18 +89,24 @@ pub(super) fn smoothness(of: Outcome) -> usize {
     if matches!(of, DescentAngle | LandingSpeed | ApexTime | ApexDownrange) { 1 } else { 2 }
 }
 
-/// The value, the gradient or the Hessian.
-fn entries(taylor: &Taylor, order: usize) -> Vec<f64> {
+/// The value, the gradient or the Hessian, of parameters in units of their scales.
+fn entries(taylor: &Taylor, scales: &[f64], order: usize) -> Vec<f64> {
     match order {
         0 => vec![taylor.value],
-        1 => taylor.gradient.clone(),
-        _ => taylor.hessian.concat(),
+        1 => taylor.gradient.iter().zip(scales).map(|(d, scale)| d * scale).collect(),
+        _ => {
+            let row = |(row, scale): (&Vec<f64>, &f64)| -> Vec<f64> {
+                row.iter().zip(scales).map(|(d, other)| d * scale * other).collect()
+            };
+            taylor.hessian.iter().zip(scales).flat_map(row).collect()
+        }
     }
 }
 
-/// How far the means of two sides are apart, of the largest entry, and how far they may be by the scatter of each side.
-fn jump(before: &[Vec<f64>], after: &[Vec<f64>], promised: f64) -> (f64, f64) {
-    let (mut jump, mut scatter, mut size) = (0.0_f64, 0.0_f64, 0.0_f64);
+/// How far the means of two sides are apart, of the largest entry or the outcome's value, which rounding is a part of, and how far they may
+/// be by the scatter of each side.
+fn jump(before: &[Vec<f64>], after: &[Vec<f64>], value: f64, promised: f64) -> (f64, f64) {
+    let (mut jump, mut scatter, mut size) = (0.0_f64, 0.0_f64, value);
     for entry in 0..before[0].len() {
         let [a, b] = [before, after].map(|side| {
             let values = side.iter().map(|one| one[entry]);
