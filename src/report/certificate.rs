@@ -163,7 +163,7 @@ pub fn certificate_text(certificate: &Certificate) -> String {
     for found in &certificate.continuity {
         let show = |values: [f64; 3]| values.map(|value| format!("{value:.0e}")).join(", ");
         text += &format!(
-            "  {}: {} where {} steps become {}, value, gradient and Hessian of {} jump by {} (rounding: {}); {} derivatives are continuous\n",
+            "  {}: {} where {} steps become {}, value, gradient and Hessian of {} jump by {} (may be {}); {} derivatives are continuous\n",
             verdict_of(found.passed()),
             found.parameter.show(Some(found.at)),
             found.steps[0],

@@ -11,6 +11,7 @@ fn exact_derivatives_are_certified_as_json() {
         (0, Some(true), Some(true))
     );
     let rows = found["rows"].as_array().unwrap();
+    assert_eq!(rows.len(), 2);
     let loft = rows.iter().find(|row| row["outcome"] == "carry" && row["parameter"] == "club.loft").unwrap();
     assert_eq!(loft["verdict"], "pass");
     close(number(&loft["exact"]), 336.769746388603, 1.0, 1e-8, "exact");
@@ -19,7 +20,7 @@ fn exact_derivatives_are_certified_as_json() {
     assert_eq!(loft["curve"]["steps"].as_array().unwrap().len(), 25);
     assert!(found["landing"].as_array().unwrap().len() == 6 && !found["continuity"].as_array().unwrap().is_empty());
     let said = longdrive(&["verify", "mae494", "--wrt", "club.loft"]);
-    assert!(said.status == 0 && said.out.contains("passed: 0 fail, 0 corner, 3 pass"), "{}", said.out);
+    assert!(said.status == 0 && said.out.contains("passed: 0 fail, 0 corner, 2 pass"), "{}", said.out);
 }
 
 #[test]
@@ -45,7 +46,7 @@ fn exact_effects_and_the_sensitivity_of_an_optimum_as_json() {
     close(number(&carry["standard_uncertainty"]), number(&first["effect"]), 1.0, 1e-12, "together");
     assert!(carry["effects"][1]["sigma"].is_null());
 
-    let (status, found) = json(&["sensitivity", "mae494", "--at-optimum", "--vary", "club.loft=0deg..20deg"]);
+    let (status, found) = json(&["sensitivity", "mae494", "--at-optimum", "--vary", "club.loft=0deg..40deg"]);
     assert_eq!(status, 0);
     let effects = found["outcomes"][0]["effects"].as_array().unwrap();
     let of = |name: &str| effects.iter().find(|effect| effect["parameter"] == name).unwrap();
@@ -61,7 +62,7 @@ fn exact_uncertainty_as_json_is_the_same_for_the_same_seed() {
         "--sigma",
         "swing.speed=1mph",
         "--distribution",
-        "club.loft=triangular(9deg,10deg,11deg)",
+        "club.loft=triangular(9.5deg,9.8deg,10.1deg)",
         "--samples",
         "200",
     ];

@@ -52,13 +52,17 @@ fn exact_shares_of_the_g_function_lie_within_their_intervals() {
     let g = |x: &[f64]| Some(x.iter().zip(a).map(|(x, a)| ((4.0 * x - 2.0).abs() + a) / (1.0 + a)).product());
     let unit = Distribution::Uniform { low: 0.0, high: 1.0 };
     let found = statistics(&[unit; 4], Plan { samples: 16_384, seed: 3 }, g);
-    assert!(found.mean.contains(1.0) && found.deviation.contains(variance.sqrt()), "{found:?}");
+    let mut held = vec![found.mean.contains(1.0), found.deviation.contains(variance.sqrt())];
     for (i, indices) in found.indices.iter().enumerate() {
         let indices = indices.unwrap();
         let others: f64 = alone.iter().enumerate().filter(|(j, _)| *j != i).map(|(_, v)| 1.0 + v).product();
-        assert!(indices.first.contains(alone[i] / variance), "{i}: {indices:?}");
-        assert!(indices.total.contains(alone[i] * others / variance), "{i}: {indices:?}");
+        let (first, total) = (alone[i] / variance, alone[i] * others / variance);
+        held.extend([indices.first.contains(first), indices.total.contains(total)]);
+        close(indices.first.value, first, 1.0, 0.03, "first");
+        close(indices.total.value, total, 1.0, 0.03, "total");
     }
+    // of ten intervals of 95 % one may miss
+    assert!(held.iter().filter(|is_within| !**is_within).count() <= 1, "{held:?} {found:?}");
 }
 
 #[test]
@@ -110,7 +114,7 @@ fn exact_values_that_are_missing_are_counted_and_nothing_is_invented_for_them() 
 
 fn drive() -> (Setup<f64>, Vec<Uncertain>) {
     let setup = Setup::default();
-    let sigmas = ["swing.speed=1 mph", "club.loft=0.5 deg", "swing.face_angle=1 deg", "air.density=1%"];
+    let sigmas = ["swing.speed=1 mph", "club.loft=0.2 deg", "swing.face_angle=1 deg", "air.density=1%"];
     let inputs = sigmas.map(|text| Uncertain::normal(&setup, &Sigma::read(&setup, text).unwrap()));
     (setup, inputs.to_vec())
 }

@@ -74,7 +74,7 @@ fn differences_certify_two_hundred_random_drives() {
         drives.set(drives.get() + 1);
         rows.set(rows.get() + certificate.rows.len());
     });
-    assert!(drives.get() == 200 && rows.get() == 200 * 3 * AT_A_TIME, "{} drives, {} rows", drives.get(), rows.get());
+    assert!(drives.get() == 200 && rows.get() == 200 * 2 * AT_A_TIME, "{} drives, {} rows", drives.get(), rows.get());
 }
 
 #[test]

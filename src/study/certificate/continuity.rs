@@ -14,8 +14,9 @@ const NEIGHBOURS: usize = 8;
 /// The jump that may be left, in scatters to either side.
 const BAR: f64 = 4.0;
 
-/// Rounding that a scatter over a few neighbours may miss, of the largest entry.
-const LEAST_SCATTER: f64 = 1e-14;
+/// The relative jumps of value, gradient and Hessian that are promised not to be exceeded: rounding that the scatter over a few
+/// neighbours may miss.
+const PROMISED: [f64; 3] = [1e-13, 1e-12, 1e-10];
 
 /// An outcome where the number of time steps of the flight changes: on adjacent floating-point values of a parameter.
 #[derive(Clone, Debug)]
@@ -28,9 +29,10 @@ pub struct Continuity {
     pub at: f64,
     /// The numbers of steps before and after.
     pub steps: [usize; 2],
-    /// The relative jumps of the value, the gradient and the Hessian.
+    /// The jumps of the value, the gradient and the Hessian by parameters in units of their scales, relative to the largest entry or the
+    /// value.
     pub jumps: [f64; 3],
-    /// The jumps that rounding may make, by the scatter beside the change.
+    /// The jumps that may be: those promised, or what rounding makes by the scatter beside the change.
     pub bars: [f64; 3],
     /// How many derivatives are to be continuous: 2, or 1 for what is read off a velocity or the time of the apex.
     pub smoothness: usize,
@@ -58,11 +60,14 @@ pub(super) fn continuity(setup: &Setup<f64>, of: &[Outcome], wrt: &[&'static Par
     };
     let (before, after) = (neighbours(low, f64::next_down)?, neighbours(high, f64::next_up)?);
     let steps = [low, high].map(|value| steps(setup, parameter, value).unwrap_or_default());
+    let scales: Vec<f64> = wrt.iter().map(|parameter| scale(setup, parameter)).collect();
     let continuity = |(i, of): (usize, &Outcome)| {
+        let value = before[0][i].value.abs();
         let pairs = [0, 1, 2].map(|order| {
-            let entries =
-                |side: &[Vec<Taylor>]| side.iter().map(|taylors| entries(&taylors[i], order)).collect::<Vec<_>>();
-            jump(&entries(&before), &entries(&after))
+            let entries = |side: &[Vec<Taylor>]| {
+                side.iter().map(|taylors| entries(&taylors[i], &scales, order)).collect::<Vec<_>>()
+            };
+            jump(&entries(&before), &entries(&after), value, PROMISED[order])
         });
         Continuity {
             of: *of,
@@ -84,18 +89,24 @@ pub(super) fn smoothness(of: Outcome) -> usize {
     if matches!(of, DescentAngle | LandingSpeed | ApexTime | ApexDownrange) { 1 } else { 2 }
 }
 
-/// The value, the gradient or the Hessian.
-fn entries(taylor: &Taylor, order: usize) -> Vec<f64> {
+/// The value, the gradient or the Hessian, of parameters in units of their scales.
+fn entries(taylor: &Taylor, scales: &[f64], order: usize) -> Vec<f64> {
     match order {
         0 => vec![taylor.value],
-        1 => taylor.gradient.clone(),
-        _ => taylor.hessian.concat(),
+        1 => taylor.gradient.iter().zip(scales).map(|(d, scale)| d * scale).collect(),
+        _ => {
+            let row = |(row, scale): (&Vec<f64>, &f64)| -> Vec<f64> {
+                row.iter().zip(scales).map(|(d, other)| d * scale * other).collect()
+            };
+            taylor.hessian.iter().zip(scales).flat_map(row).collect()
+        }
     }
 }
 
-/// How far the means of two sides are apart, of the largest entry, and how far they may be by the scatter of each side.
-fn jump(before: &[Vec<f64>], after: &[Vec<f64>]) -> (f64, f64) {
-    let (mut jump, mut scatter, mut size) = (0.0_f64, 0.0_f64, 0.0_f64);
+/// How far the means of two sides are apart, of the largest entry or the outcome's value, which rounding is a part of, and how far they may
+/// be by the scatter of each side.
+fn jump(before: &[Vec<f64>], after: &[Vec<f64>], value: f64, promised: f64) -> (f64, f64) {
+    let (mut jump, mut scatter, mut size) = (0.0_f64, 0.0_f64, value);
     for entry in 0..before[0].len() {
         let [a, b] = [before, after].map(|side| {
             let values = side.iter().map(|one| one[entry]);
@@ -106,7 +117,7 @@ fn jump(before: &[Vec<f64>], after: &[Vec<f64>]) -> (f64, f64) {
         scatter = scatter.max(a.1).max(b.1);
         size = size.max(a.0.abs());
     }
-    if size == 0.0 { (jump, 0.0) } else { (jump / size, BAR * (scatter / size).max(LEAST_SCATTER)) }
+    if size == 0.0 { (jump, 0.0) } else { (jump / size, promised.max(BAR * scatter / size)) }
 }
 
 fn moved(setup: &Setup<f64>, parameter: &'static Parameter, value: f64) -> Result<Setup<f64>> {

@@ -1,3 +1,4 @@
+use super::continuity::smoothness;
 use crate::derivative::{Taylor, jacobian};
 use crate::drive::{Drive, Outcome};
 use crate::error::Result;
@@ -12,11 +13,15 @@ const ROUNDING: f64 = 1e-11;
 /// An order is measured over at least so many errors.
 const MEASURED: usize = 3;
 
-/// How far below the expected order a measured one may be: the error's next term still shows at steps like these.
-const SHORT_OF: f64 = 0.5;
+/// How far below the expected order a measured one may be. The error's next term still shows at steps like these; a mistake in a method
+/// costs a whole order.
+const SHORT_OF: f64 = 0.75;
 
-/// The same with a law that is joined to its smoothing, where errors scatter by how the steps happen to fall on the joint.
+/// The same with a law that is joined to its smoothing, where errors scatter by how the steps happen to fall on the joint …
 const SHORT_OF_ACROSS_A_JOINT: f64 = 1.0;
+
+/// … and small ones are of nothing else.
+const SCATTER_ACROSS_A_JOINT: f64 = 1e-8;
 
 /// How an outcome converges with the time step.
 #[derive(Clone, Debug)]
@@ -65,20 +70,23 @@ pub(super) fn convergence(setup: &Setup<f64>, of: &[Outcome], wrt: &[&'static Pa
         }
     }
     let Some((_, reference)) = flown.pop() else { return Ok(vec![]) };
-    let short_of = if is_joined(setup) { SHORT_OF_ACROSS_A_JOINT } else { SHORT_OF };
+    let (short_of, floor) =
+        if is_joined(setup) { (SHORT_OF_ACROSS_A_JOINT, SCATTER_ACROSS_A_JOINT) } else { (SHORT_OF, ROUNDING) };
     let convergence = |(i, of): (usize, &Outcome)| {
         let errors: Vec<_> = flown.iter().map(|(step, taylors)| (*step, errors(&taylors[i], &reference[i]))).collect();
-        let orders = [0, 1].map(|which| order(&errors, which));
-        Convergence { of: *of, errors, orders, expected: expected(setup), short_of }
+        let orders = [0, 1].map(|which| order(&errors, which, floor));
+        Convergence { of: *of, errors, orders, expected: expected(setup, *of), short_of }
     };
     Ok(of.iter().enumerate().map(convergence).collect())
 }
 
-/// The orders of value and gradient: the method's, unless the force has but two continuous derivatives, as where a law is joined to
-/// its smoothing. The step that crosses the joint is then off by h⁴, and its derivative by h³.
-fn expected(setup: &Setup<f64>) -> [u32; 2] {
-    let order = setup.method.order();
-    if is_joined(setup) { [order.min(4), order.min(3)] } else { [order; 2] }
+/// The orders of value and gradient: the method's, as far as the quintic between the steps goes: h⁶ in a position and h⁵ in its
+/// derivatives, one less in a velocity, and h³ in the derivative of the root of its slope. A law that is joined to its smoothing has but
+/// two continuous derivatives: the step that crosses the joint is off by h⁴, and its derivative by h³.
+fn expected(setup: &Setup<f64>, of: Outcome) -> [u32; 2] {
+    let interpolated = if smoothness(of) > 1 { [6, 5] } else { [5, 3] };
+    let forced = if is_joined(setup) { [4, 3] } else { [u32::MAX; 2] };
+    [0, 1].map(|which: usize| setup.method.order().min(interpolated[which]).min(forced[which]))
 }
 
 fn is_joined(setup: &Setup<f64>) -> bool {
@@ -93,11 +101,11 @@ fn errors(found: &Taylor, reference: &Taylor) -> [f64; 2] {
     [relative((found.value - reference.value).abs(), reference.value.abs()), relative(off, size)]
 }
 
-/// The median of the orders from each step to the next, as far as errors stand out of the rounding: where an error passes through 0 at
+/// The median of the orders from each step to the next, as far as errors stand out of the rounding (`floor`): where an error passes through 0 at
 /// one step, the order before it is too large and the one after too small.
-fn order(errors: &[(f64, [f64; 2])], which: usize) -> Option<f64> {
+fn order(errors: &[(f64, [f64; 2])], which: usize, floor: f64) -> Option<f64> {
     let standing: Vec<_> =
-        errors.iter().map(|(step, pair)| (*step, pair[which])).take_while(|(_, e)| *e > ROUNDING).collect();
+        errors.iter().map(|(step, pair)| (*step, pair[which])).take_while(|(_, e)| *e > floor).collect();
     let order = |pair: &[(f64, f64)]| (pair[0].1 / pair[1].1).ln() / (pair[0].0 / pair[1].0).ln();
     let mut orders: Vec<f64> = standing.windows(2).map(order).collect();
     orders.sort_by(f64::total_cmp);

@@ -11,6 +11,7 @@ mod scale;
 pub use continuity::Continuity;
 pub use convergence::Convergence;
 pub use landing::AtLanding;
+use planted::LandingTerms;
 pub use planted::{Plant, Planted};
 pub use rows::Row;
 
@@ -61,8 +62,7 @@ impl Certificate {
     }
 }
 
-/// Certifies the derivatives of some outcomes by some parameters, telling `progress` how many parameters of how many are done. The
-/// flight time is looked at too where a landing is: the landing's derivatives hang on it.
+/// Certifies the derivatives of some outcomes by some parameters, telling `progress` how many parameters of how many are done.
 ///
 /// # Errors
 /// What [`evaluate`] refuses. Outcomes that the drive does not have are listed as missing.
@@ -87,7 +87,7 @@ pub fn certify(
         rows
     });
     let mut rows = by_parameter.collect::<Result<Vec<_>>>()?.concat();
-    let planted = planted::planted(setup, &rows);
+    let planted = planted::planted(setup, &rows, LandingTerms::new(setup, asked).as_ref());
     rows.sort_by(|a, b| a.verdict().cmp(&b.verdict()).then(b.severity().total_cmp(&a.severity())));
 
     let has_corner = rows.iter().any(|row| row.verdict() == Verdict::Corner);
@@ -108,12 +108,8 @@ pub fn certify(
 
 /// The outcomes that the drive has derivatives of, and those that it has not.
 fn present(setup: &Setup<f64>, of: &[Outcome], wrt: &[&'static Parameter]) -> Result<(Vec<Outcome>, Vec<Missing>)> {
-    let mut wanted = of.to_vec();
-    if of.iter().any(|of| landing::AT_LANDING.contains(of)) && !of.contains(&Outcome::FlightTime) {
-        wanted.push(Outcome::FlightTime);
-    }
     let (mut present, mut missing) = (vec![], vec![]);
-    for one in wanted {
+    for &one in of {
         match evaluate(setup, &[one], wrt, Order::First) {
             Ok(_) => present.push(one),
             Err(error) if error.is_an_outcome() => missing.push((one, error.to_string())),

@@ -1,8 +1,9 @@
 use super::landing::AT_LANDING;
 use super::rows::{Row, demand};
 use crate::derivative::check::Verdict;
+use crate::derivative::gradient;
 use crate::drive::{Drive, Outcome};
-use crate::parameters::Setup;
+use crate::parameters::{Parameter, Setup};
 
 /// A wrong derivative, planted where a right one stood.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -47,12 +48,35 @@ impl Planted {
     }
 }
 
+/// How the landing answers to each parameter: velocity there, and the derivative of its time.
+pub(super) struct LandingTerms {
+    per_time: [f64; 3],
+    times: Vec<(&'static Parameter, f64)>,
+}
+
+impl LandingTerms {
+    /// The terms of a drive by some parameters; `None` where it does not land.
+    pub fn new(setup: &Setup<f64>, wrt: &[&'static Parameter]) -> Option<Self> {
+        let velocity = Drive::new(setup).ok()?.landed().ok()?.velocity;
+        let time = gradient(setup, Outcome::FlightTime, wrt).ok()?;
+        let times = wrt.iter().copied().zip(time.gradient).collect();
+        Some(Self { per_time: [velocity.z, velocity.y, 1.0], times })
+    }
+
+    /// What of a derivative is the landing's.
+    fn of(&self, row: &Row) -> Option<f64> {
+        let place = AT_LANDING.iter().position(|of| *of == row.of)?;
+        let (_, time) = self.times.iter().find(|(parameter, _)| *parameter == row.parameter)?;
+        Some(self.per_time[place] * time)
+    }
+}
+
 /// Plants each error in every row that passed, and judges again.
-pub(super) fn planted(setup: &Setup<f64>, rows: &[Row]) -> [Planted; 3] {
+pub(super) fn planted(setup: &Setup<f64>, rows: &[Row], landing: Option<&LandingTerms>) -> [Planted; 3] {
     Plant::ALL.map(|plant| {
         let mut planted = Planted { plant, rows: 0, caught: 0 };
         for row in rows.iter().filter(|row| row.first.verdict == Verdict::Pass) {
-            let Some(wrong) = wrong(setup, plant, row, rows).filter(|wrong| *wrong != row.first.exact) else {
+            let Some(wrong) = wrong(plant, row, landing).filter(|wrong| *wrong != row.first.exact) else {
                 continue;
             };
             planted.rows += 1;
@@ -62,19 +86,15 @@ pub(super) fn planted(setup: &Setup<f64>, rows: &[Row]) -> [Planted; 3] {
     })
 }
 
-fn wrong(setup: &Setup<f64>, plant: Plant, row: &Row, rows: &[Row]) -> Option<f64> {
+fn wrong(plant: Plant, row: &Row, landing: Option<&LandingTerms>) -> Option<f64> {
     let exact = row.first.exact;
-    let least = row.ladder.next_to_nothing();
-    match plant {
-        Plant::Sign => Some(-exact).filter(|_| exact.abs() >= least),
-        Plant::Millionth => Some(exact * (1.0 + 1e-6)).filter(|_| exact.abs() >= least),
+    let (size, wrong) = match plant {
+        Plant::Sign => (exact, -exact),
+        Plant::Millionth => (exact, exact * (1.0 + 1e-6)),
         Plant::LandingTerm => {
-            let velocity = Drive::new(setup).ok()?.landed().ok()?.velocity;
-            let place = AT_LANDING.iter().position(|of| *of == row.of)?;
-            let per_time = [velocity.z, velocity.y, 1.0][place];
-            let is_time = |other: &&Row| other.of == Outcome::FlightTime && other.parameter == row.parameter;
-            let term = per_time * rows.iter().find(is_time)?.first.exact;
-            Some(exact - term).filter(|_| term.abs() >= least)
+            let term = landing?.of(row)?;
+            (term, exact - term)
         }
-    }
+    };
+    Some(wrong).filter(|_| size.abs() >= row.ladder.next_to_nothing())
 }

@@ -20,7 +20,7 @@ pub struct Row {
     pub ladder: Ladder,
     /// ∂/∂p beside differences of values.
     pub first: Check,
-    /// ∂²/∂p² beside differences of ∂/∂p; `None` where it does not exist, or is not continuous ([`smoothness`]).
+    /// ∂²/∂p² beside differences of ∂/∂p; `None` where it does not exist, or is not continuous.
     pub second: Option<Check>,
     /// The slopes of Taylor's remainders: 1, 2 and 3, or more.
     pub slopes: [Option<f64>; 3],

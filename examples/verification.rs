@@ -1,0 +1,92 @@
+//! What was measured of the derivatives, as the Markdown of `docs/verification.md`.
+//!
+//! `cargo run --release --example verification > docs/verification.md`
+
+use longdrive::derivative::check::Verdict;
+use longdrive::parameters::PRESETS;
+use longdrive::study::certificate::{Certificate, certify};
+use longdrive::{Outcome, Result, Setup};
+
+const HEAD: &str = include_str!("verification_head.md");
+
+fn main() -> Result<()> {
+    println!("{HEAD}");
+    let mut certificates = vec![];
+    for preset in PRESETS {
+        let setup = Setup::preset(preset.name)?;
+        certificates.push((preset.name, certify(&setup, Outcome::ALL, &setup.variables(), |_, _| ())?));
+    }
+    println!("## Every outcome by every parameter\n");
+    println!(
+        "| preset | derivatives | pass | worst error, relative | worst error of a second derivative, in bars | landing, held at a fixed time | planted errors caught |"
+    );
+    println!("|---|---|---|---|---|---|---|");
+    certificates.iter().for_each(|(name, certificate)| println!("{}", row(name, certificate)));
+    println!(
+        "\nErrors are relative to the derivative, over rows whose derivative is more than next to nothing; a bar is the error that a derivative may have.\n"
+    );
+
+    let setup = Setup::preset("mae494")?;
+    let loft = [setup.variable("club.loft")?];
+    let carry = certify(&setup, &[Outcome::Carry], &loft, |_, _| ())?;
+    v_curve(&carry);
+    for (name, certificate) in &certificates {
+        smoothness(name, certificate);
+    }
+    Ok(())
+}
+
+fn row(name: &str, certificate: &Certificate) -> String {
+    let rows = &certificate.rows;
+    let is_something = |row: &&longdrive::study::certificate::Row| row.first.exact.abs() > row.ladder.next_to_nothing();
+    let first = rows.iter().filter(is_something).map(|row| row.first.error / row.first.exact.abs());
+    let second = rows.iter().filter(is_something).filter_map(|row| row.second.as_ref());
+    let second = second.filter(|check| check.error > 0.0).map(|check| check.error / check.bar);
+    let passed = rows.iter().filter(|row| row.verdict() == Verdict::Pass).count();
+    let landing = certificate.landing.iter().filter(|row| row.check.verdict == Verdict::Pass).count();
+    let planted =
+        certificate.planted.map(|planted| format!("{} {}/{}", planted.plant.name(), planted.caught, planted.rows));
+    format!(
+        "| `{name}` | {} | {passed} | {:.0e} | {:.2} | {landing} of {} | {} |",
+        rows.len(),
+        first.fold(0.0, f64::max),
+        second.fold(0.0, f64::max),
+        certificate.landing.len(),
+        planted.join(", ")
+    )
+}
+
+fn v_curve(carry: &Certificate) {
+    println!(
+        "## The V-curve\n\nCarry of `mae494` by loft: the error of plain central differences, in parts of the derivative. The step in parts of the loft.\n"
+    );
+    println!("| step | error |\n|---|---|");
+    for row in carry.rows.iter().filter(|row| row.of == Outcome::Carry) {
+        for point in row.first.curve.iter().step_by(2) {
+            println!("| {:.0e} | {:.0e} |", point.step / row.ladder.scale, point.error / row.first.exact.abs());
+        }
+        let best = row.first.best.map_or(f64::NAN, |best| best.value);
+        println!("\nExact {:.10} m/rad, extrapolated from differences {best:.10}.", row.first.exact);
+    }
+    for row in carry.landing.iter().filter(|row| row.of == Outcome::Carry) {
+        println!(
+            "\nWithout the landing term, {:.2} m/rad, it would be {:.2}: a loop that stops at a fixed step has the wrong sign here.\n",
+            row.landing_term,
+            row.check.exact - row.landing_term
+        );
+    }
+}
+
+fn smoothness(name: &str, certificate: &Certificate) {
+    println!(
+        "## `{name}`: steps\n\n| outcome | jump where the number of steps changes: value, gradient, Hessian | order in the step: value, gradient |\n|---|---|---|"
+    );
+    for found in &certificate.continuity {
+        let orders = certificate.convergence.iter().find(|other| other.of == found.of).map(|other| other.orders);
+        let orders =
+            orders.unwrap_or_default().map(|order| order.map_or("rounding".into(), |order| format!("{order:.2}")));
+        let jumps = found.jumps.map(|jump| format!("{jump:.0e}")).join(", ");
+        println!("| {} | {jumps} | {} |", found.of.name(), orders.join(", "));
+    }
+    println!();
+}
