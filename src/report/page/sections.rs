@@ -160,7 +160,7 @@ pub(super) fn uncertainties(effects: &[Effects]) -> Markup {
     let sigmas = first.effects.iter().filter_map(|effect| Some(effect.bar?.sigma));
     html! {
         h3 { "The uncertainties, and where they come from" }
-        div.wide { table {
+        div.wide { table.told {
             thead { tr { th { "parameter" } th.number { "standard uncertainty" } th { "source" } } }
             tbody {
                 @for sigma in sigmas {
@@ -202,7 +202,7 @@ pub(super) fn setup(findings: &Findings<'_>) -> Result<Markup> {
     let rows = sources(findings.setup, findings.preset)?;
     Ok(html! {
         p.faint { "As the program reads it; started from the preset " (findings.preset.name) "." }
-        div.wide { table {
+        div.wide { table.told {
             thead { tr { th { "parameter" } th.number { "value" } th { "source" } } }
             tbody {
                 @for (name, shown, source) in rows {
