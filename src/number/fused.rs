@@ -120,7 +120,7 @@ impl Numbers for Fused {
     #[allow(unsafe_code)]
     fn outlined<R>(work: impl FnOnce() -> R) -> R {
         // SAFETY: fused numbers are used at the levels from four on, which have asked the processor
-        unsafe { super::level::outlined_four(work) }
+        unsafe { super::outlined::fused::outlined(work) }
     }
     #[inline(always)]
     fn mul_add(self, a: Self, b: Self) -> Self {

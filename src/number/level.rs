@@ -69,28 +69,6 @@ impl Level {
     }
 }
 
-/// [`Numbers::outlined`](super::Numbers::outlined) for numbers that any level has.
-#[inline(never)]
-pub(super) fn outlined<R>(work: impl FnOnce() -> R) -> R {
-    work()
-}
-
-/// The same for numbers of [`Level::Four`].
-#[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx2,fma")]
-#[inline(never)]
-pub(super) fn outlined_four<R>(work: impl FnOnce() -> R) -> R {
-    work()
-}
-
-/// The same for numbers of [`Level::Eight`].
-#[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx2,fma,avx512f,avx512dq,avx512vl")]
-#[inline(never)]
-pub(super) fn outlined_eight<R>(work: impl FnOnce() -> R) -> R {
-    work()
-}
-
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2,fma")]
 fn with_four<W: Task>(task: W) -> W::Output {

@@ -18,6 +18,7 @@ mod jet2;
 mod lanes;
 mod level;
 mod linear;
+mod outlined;
 #[cfg(target_arch = "x86_64")]
 mod pack;
 #[cfg(target_arch = "x86_64")]
@@ -164,7 +165,7 @@ pub trait Numbers: Copy + Debug + 'static + Neg<Output = Self> + Arithmetic<Self
     /// and would make each of them large.
     #[inline(always)]
     fn outlined<R>(work: impl FnOnce() -> R) -> R {
-        level::outlined(work)
+        outlined::plain::outlined(work)
     }
 
     /// sin x.

@@ -14,14 +14,14 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 /// A register type with its operators, its use as partial derivatives of a [`Fused`] number, and as lanes.
 macro_rules! pack {
     (
-        $( $(#[doc = $doc:literal])+ $Pack:ident outlined $outlined:ident, )+
+        $( $(#[doc = $doc:literal])+ $Pack:ident outlined $partials:ident $lanes:ident, )+
         as $Register:ident of $width:literal, $instructions:tt
     ) => {
-        $( pack! { type $(#[doc = $doc])+ $Pack($Register) of $width outlined $outlined, $instructions } )+
+        $( pack! { type $(#[doc = $doc])+ $Pack($Register) of $width outlined $partials $lanes, $instructions } )+
     };
 
     (
-        type $(#[doc = $doc:literal])+ $Pack:ident($Register:ident) of $width:literal outlined $outlined:ident,
+        type $(#[doc = $doc:literal])+ $Pack:ident($Register:ident) of $width:literal outlined $partials:ident $lanes:ident,
         {
             operators $add:ident $sub:ident $mul:ident $div:ident,
             spread $set:ident, fused $mul_add:ident, root $sqrt:ident, least $min:ident $max:ident,
@@ -156,7 +156,7 @@ macro_rules! pack {
             }
             #[inline(always)]
             fn outlined<R>(work: impl FnOnce() -> R) -> R {
-                unsafe { super::level::$outlined(work) }
+                unsafe { super::outlined::$lanes::outlined(work) }
             }
             #[inline(always)]
             fn mul_add(self, a: Self, b: Self) -> Self {
@@ -221,7 +221,7 @@ macro_rules! pack {
             }
             #[inline(always)]
             fn outlined<R>(work: impl FnOnce() -> R) -> R {
-                unsafe { super::level::$outlined(work) }
+                unsafe { super::outlined::$partials::outlined(work) }
             }
         }
     };
@@ -247,9 +247,9 @@ macro_rules! pack {
 
 pack! {
     /// Two numbers (SSE2, with FMA).
-    Pack2 outlined outlined_four,
+    Pack2 outlined two two,
     /// Two numbers, in one of twice as many registers (AVX-512).
-    Free2 outlined outlined_eight,
+    Free2 outlined two_of_32 two_of_32,
     as __m128d of 2,
     {
         operators _mm_add_pd _mm_sub_pd _mm_mul_pd _mm_div_pd,
@@ -267,9 +267,9 @@ pack! {
 
 pack! {
     /// Four numbers (AVX2 with FMA).
-    Pack4 outlined outlined_four,
+    Pack4 outlined four four_lanes,
     /// Four numbers, in one of twice as many registers (AVX-512).
-    Free4 outlined outlined_eight,
+    Free4 outlined four_of_32 four_of_32,
     as __m256d of 4,
     {
         operators _mm256_add_pd _mm256_sub_pd _mm256_mul_pd _mm256_div_pd,
@@ -289,7 +289,7 @@ pack! {
 
 pack! {
     /// Eight numbers (AVX-512).
-    Pack8 outlined outlined_eight,
+    Pack8 outlined eight eight_lanes,
     as __m512d of 8,
     {
         operators _mm512_add_pd _mm512_sub_pd _mm512_mul_pd _mm512_div_pd,

@@ -187,7 +187,7 @@ impl<P: Register> Numbers for Pair<P> {
     }
     #[inline(always)]
     fn outlined<R>(work: impl FnOnce() -> R) -> R {
-        <P as Numbers>::outlined(work)
+        <P as Partial<Fused>>::outlined(work)
     }
     #[inline(always)]
     fn mul_add(self, a: Self, b: Self) -> Self {

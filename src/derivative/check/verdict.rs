@@ -99,13 +99,19 @@ impl Ladder {
         let sides = self.corner();
         let worth = exact.abs().max(self.next_to_nothing());
         let least = demand.least_bar * worth + OWN_ROUNDING * self.size / self.scale;
-        let best = [Side::Both, Side::Above, Side::Below].into_iter().find_map(|side| self.slope(side, least / BAR));
+        let bar_of = |best: &Estimate| least.max(BAR * best.uncertainty);
+        let is_seen = |bar: f64| demand.seen.is_none_or(|seen| bar <= seen * worth);
+        // differences to one side see what central ones do not: a slope whose own slope jumps here
+        let estimates = [Side::Both, Side::Above, Side::Below].map(|side| self.slope(side, least / BAR));
+        let estimates = || estimates.iter().flatten().copied();
+        let best = estimates()
+            .find(|best| is_seen(bar_of(best)))
+            .or_else(|| estimates().min_by(|a, b| a.uncertainty.total_cmp(&b.uncertainty)));
         let error = best.map_or(f64::INFINITY, |best| (exact - best.value).abs());
-        let bar = best.map_or(0.0, |best| least.max(BAR * best.uncertainty));
-        let is_seen = demand.seen.is_none_or(|seen| bar <= seen * worth);
+        let bar = best.as_ref().map_or(0.0, bar_of);
         let verdict = if sides.is_some() {
             Verdict::Corner
-        } else if error <= bar && is_seen {
+        } else if error <= bar && is_seen(bar) {
             Verdict::Pass
         } else {
             Verdict::Fail
