@@ -1,5 +1,6 @@
 use super::{json, table::table};
 use crate::derivative::check::{Check, Point, Verdict};
+use crate::reproduce::LoopRow;
 use crate::study::certificate::{Certificate, Convergence, Row};
 use crate::units::significant;
 use serde::Serialize;
@@ -20,6 +21,8 @@ pub struct CertificateReport {
     pub continuity: Value,
     /// How the outcomes converge with the time step.
     pub convergence: Value,
+    /// What differences make of the MAE 494 report's while-loop, by each parameter that carry was certified by.
+    pub while_loop: Value,
     /// Outcomes that the drive has no derivatives of, with the reason.
     pub missing: Value,
     /// What deserves a word.
@@ -58,8 +61,8 @@ pub struct CertificateRow {
 }
 
 impl CertificateReport {
-    /// The report of a certificate.
-    pub fn new(certificate: &Certificate, warnings: Vec<String>) -> Self {
+    /// The report of a certificate, beside the while-loop's rows.
+    pub fn new(certificate: &Certificate, loops: &[LoopRow], warnings: Vec<String>) -> Self {
         let planted = certificate
             .planted
             .iter()
@@ -103,6 +106,7 @@ impl CertificateReport {
             landing: landing.collect(),
             continuity: continuity.collect(),
             convergence: convergence.collect(),
+            while_loop: loops.iter().map(loop_json).collect(),
             missing: missing.collect(),
             warnings,
         }
@@ -146,13 +150,22 @@ fn check_json(check: &Check) -> Value {
     })
 }
 
+fn loop_json(row: &LoopRow) -> Value {
+    let mut entry = check_json(&row.check);
+    entry["parameter"] = row.parameter.name.into();
+    entry["difference"] = json::number(row.small_difference());
+    entry["sign_is_wrong"] = row.has_wrong_sign().into();
+    entry["curve"] = curve_json(&row.check.curve);
+    entry
+}
+
 fn curve_json(curve: &[Point]) -> Value {
     let (steps, errors): (Vec<f64>, Vec<f64>) = curve.iter().map(|point| (point.step, point.error)).unzip();
     json!({ "steps": steps, "errors": errors })
 }
 
-/// A certificate as text: a verdict a row, the worst first, then what else was looked at.
-pub fn certificate_text(certificate: &Certificate) -> String {
+/// A certificate as text: a verdict a row, the worst first, then what else was looked at, and the while-loop beside it.
+pub fn certificate_text(certificate: &Certificate, loops: &[LoopRow]) -> String {
     let mut text = rows_text(&certificate.rows) + "\n";
     for row in certificate.rows.iter().filter(|row| row.verdict() == Verdict::Corner) {
         let [below, above] = row.first.sides.unwrap_or([row.first.exact; 2]).map(|slope| significant(slope, 7));
@@ -182,6 +195,7 @@ pub fn certificate_text(certificate: &Certificate) -> String {
         let (name, caught, rows) = (planted.plant.name(), planted.caught, planted.rows);
         text += &format!("  {verdict}: planted error \"{name}\" caught in {caught} of {rows} rows\n");
     }
+    text += &loops_text(loops);
     for (of, why) in &certificate.missing {
         text += &format!("  left out: {}: {why}\n", of.name());
     }
@@ -235,6 +249,23 @@ fn landing_text(certificate: &Certificate) -> String {
         worst.parameter.name,
         worst.check.error,
         worst.check.bar,
+    )
+}
+
+fn loops_text(loops: &[LoopRow]) -> String {
+    let off =
+        |row: &&LoopRow| row.small_difference().map_or(0.0, |it| (it - row.check.exact).abs() / row.check.exact.abs());
+    let telling = loops.iter().filter(|row| row.check.exact != 0.0);
+    let Some(worst) = telling.max_by(|a, b| off(a).total_cmp(&off(b))) else { return String::new() };
+    let passed = loops.iter().filter(|row| row.check.verdict == Verdict::Pass).count();
+    format!(
+        "  for comparison, a while-loop that stops at the first step below the ground (the MAE 494 report's): by {passed} of {} parameters \
+         differences of its carry would pass, by {} they have the wrong sign; farthest off by {}: {} at a step of 1e-8 instead of {} (SI)\n",
+        loops.len(),
+        loops.iter().filter(|row| row.has_wrong_sign()).count(),
+        worst.parameter.name,
+        worst.small_difference().map_or("–".into(), |it| significant(it, 4)),
+        significant(worst.check.exact, 4),
     )
 }
 

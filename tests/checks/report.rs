@@ -45,7 +45,7 @@ fn figures() -> Vec<Figure> {
         trajectory_figure(&flown, View::Top),
         map_figure(&landscape, &[], None, None),
         tornado_figure(&effects[0]),
-        vcurve_figure(&certificate.rows),
+        vcurve_figure(&certificate.rows, &longdrive::reproduce::while_loop(&setup, &certificate.rows)),
     ]
 }
 

@@ -171,3 +171,33 @@ fn differences_to_one_side_certify_at_the_end_of_a_range() {
     assert_eq!(certificate.rows[0].first.exact, exact);
     assert!(certificate.rows[0].first.curve.is_empty(), "no central differences beyond a range");
 }
+
+/// docs/model.md: on the report's loop a small difference sees −65 m/rad at 10° of loft, and carry goes by +337.
+#[test]
+fn paper_while_loop_has_the_wrong_sign_beside_the_certificate() {
+    let setup = Setup::preset("mae494").unwrap();
+    let loft = setup.variable("club.loft").unwrap();
+    let certificate = certify(&setup, &[Outcome::Carry], &[loft], |_, _| ()).unwrap();
+    let loops = longdrive::reproduce::while_loop(&setup, &certificate.rows);
+    let [row] = &loops[..] else { panic!("{loops:?}") };
+    let small = row.small_difference().unwrap();
+    assert!((small + 65.0).abs() < 1.0 && (row.check.exact - 337.0).abs() < 1.0, "{small}");
+    assert!(row.has_wrong_sign() && row.check.verdict != Verdict::Pass);
+    // what the loop does not know it is not asked
+    let mut windy = setup;
+    windy.set("wind.downrange", "3").unwrap();
+    assert!(longdrive::reproduce::while_loop(&windy, &certificate.rows).is_empty());
+}
+
+/// Zero spin: carry has a corner, lateral has none, and its derivatives are right though their own slopes jump.
+#[test]
+fn exact_slopes_beside_a_corner_pass() {
+    let mut setup = Setup::preset("mae494").unwrap();
+    setup.set_all([("club.loft", "0 deg"), ("swing.attack_angle", "10 deg")]).unwrap();
+    let wrt = ["strike.toe", "swing.path", "club.loft"].map(|name| setup.variable(name).unwrap());
+    let certificate = certify(&setup, &[Outcome::Carry, Outcome::Lateral], &wrt, |_, _| ()).unwrap();
+    for row in &certificate.rows {
+        let expected = if row.of == Outcome::Carry { Verdict::Corner } else { Verdict::Pass };
+        assert_eq!(row.verdict(), expected, "d {}/d {}", row.of.name(), row.parameter.name);
+    }
+}

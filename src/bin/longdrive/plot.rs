@@ -8,6 +8,7 @@ use longdrive::report::figures::{
     Flown, View, chart_figures, map_figure, tornado_figure, trajectory_figure, vcurve_figure,
 };
 use longdrive::report::plot::{Figure, Look, Shades, figure_csv, figure_svg};
+use longdrive::reproduce::while_loop;
 use longdrive::study::certificate::certify;
 use longdrive::study::{
     Constraint, Fineness, Map, Optimum, Search, Sigma, Vary, chart, effects, flatness, map, optimum, usual_loss,
@@ -127,7 +128,12 @@ fn vcurve(args: &PlotVcurve) -> Result<Answer> {
     // in the order asked for, without what is looked at beside
     let asked = of.iter().flat_map(|of| wrt.iter().map(move |parameter| (*of, *parameter)));
     let row = |(of, parameter)| certificate.rows.iter().find(|row| row.of == of && row.parameter == parameter);
-    written(&args.question, &args.drawing, format, &vcurve_figure(asked.filter_map(row)))
+    written(
+        &args.question,
+        &args.drawing,
+        format,
+        &vcurve_figure(asked.filter_map(row), &while_loop(&setup, &certificate.rows)),
+    )
 }
 
 /// What a plot is written as.

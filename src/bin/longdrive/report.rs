@@ -4,6 +4,7 @@ use crate::plot::limits;
 use longdrive::optimize::{Status, Watch};
 use longdrive::report::figures::Flown;
 use longdrive::report::page::{Document, Findings, report_documents};
+use longdrive::reproduce::while_loop;
 use longdrive::study::certificate::{Row, certify};
 use longdrive::study::{
     Fineness, Search, Sigma, Vary, chart, effects, flatness, map, optimum, usual_loss, with_defaults,
@@ -87,6 +88,7 @@ pub fn run(args: &Report) -> Result<Answer> {
         chart: chart.as_ref(),
         effects: &effects,
         rows: &rows,
+        loops: &while_loop(&setup, &rows),
         remarks: &remarks,
     };
     let documents = report_documents(&findings)?;

@@ -3,6 +3,7 @@ use crate::names::{outcomes, variables};
 use crate::output::{Answer, bar, tell, warn};
 use longdrive::Result;
 use longdrive::report::{CertificateReport, certificate_text};
+use longdrive::reproduce::while_loop;
 use longdrive::study::certificate::certify;
 
 pub fn run(args: &Verify) -> Result<Answer> {
@@ -21,10 +22,11 @@ pub fn run(args: &Verify) -> Result<Answer> {
     for (of, why) in &certificate.missing {
         tell(&format!("left out: {}: {why}", of.name()));
     }
+    let loops = while_loop(&setup, &certificate.rows);
     let answer = if args.question.json {
-        Answer::json(&CertificateReport::new(&certificate, warnings))
+        Answer::json(&CertificateReport::new(&certificate, &loops, warnings))
     } else {
-        Answer::text(certificate_text(&certificate))
+        Answer::text(certificate_text(&certificate, &loops))
     };
     Ok(answer.found(certificate.passed()))
 }

@@ -1,25 +1,42 @@
+use crate::derivative::check::Point;
+use crate::drive::Outcome;
 use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};
+use crate::reproduce::LoopRow;
 use crate::study::certificate::Row;
 
 /// V-curves of plain central differences of values beside exact derivatives: truncation to the right, rounding to the left.
-/// Steps are parts of the parameter's size; errors, of the derivative, or of outcome over size where that is 0.
-pub fn vcurve_figure<'a>(rows: impl IntoIterator<Item = &'a Row>) -> Figure {
+/// Steps are parts of the parameter's size; errors, of the derivative, or of outcome over size where that is 0. Beside them the
+/// differences of a while-loop that overshoots the ground, by the parameters of these rows.
+pub fn vcurve_figure<'a>(rows: impl IntoIterator<Item = &'a Row>, loops: &[LoopRow]) -> Figure {
     let x = Axis::log(Measure::plain("step, relative"));
     let y = Axis::log(Measure::plain("error of the difference, relative"));
     let mut figure = Figure::new("vcurve", "Central differences against exact derivatives", x, y);
     let mut exact = 0;
+    let mut looped = vec![];
     for (i, Row { of, parameter, ladder, first, .. }) in rows.into_iter().enumerate() {
         let unit = if first.exact == 0.0 { ladder.size / ladder.scale } else { first.exact.abs() };
-        let points = first.curve.iter().map(|point| [point.step / ladder.scale, point.error / unit]);
-        let points: Vec<[f64; 2]> = points.collect();
+        let of_curve = |curve: &[Point]| -> Vec<[f64; 2]> {
+            curve.iter().map(|point| [point.step / ladder.scale, point.error / unit]).collect()
+        };
+        let points = of_curve(&first.curve);
+        if let Some(row) = loops.iter().find(|row| *of == Outcome::Carry && row.parameter == *parameter) {
+            looped.push((format!("the same of a while-loop, by {}", parameter.name), of_curve(&row.check.curve)));
+        }
         exact += points.iter().filter(|[_, error]| *error <= 0.0).count();
         let name = format!("d {}/d {}", of.name(), parameter.name);
         figure.layers.push(Layer::Line { name, hue: Hue::Series(i), is_dashed: i % 2 == 1, points });
+    }
+    let first_loop = figure.layers.len();
+    for (i, (name, points)) in looped.into_iter().enumerate() {
+        figure.layers.push(Layer::Line { name, hue: Hue::Series(first_loop + i), is_dashed: true, points });
     }
     let mut note =
         "A difference errs by the square of its step to the right of the lowest point, by rounding over the step to \
                     the left; the exact derivative by neither."
             .to_owned();
+    if figure.layers.len() > first_loop {
+        note += " A while-loop that stops at the first step below the ground has no slope that small steps see.";
+    }
     if exact > 0 {
         note +=
             &format!(" Differences that hit it to the last bit: {exact}; they have no place on a logarithmic axis.");

@@ -7,6 +7,7 @@ use super::figures::{Flown, View, chart_figures, map_figure, tornado_figure, tra
 use super::plot::{Figure, Look, Shades, dark_rules, figure_csv, figure_svg};
 use crate::error::Result;
 use crate::parameters::{Preset, Setup};
+use crate::reproduce::LoopRow;
 use crate::study::certificate::Row;
 use crate::study::{Chart, Constraint, Effects, Flatness, Map, Optimum};
 use crate::units::System;
@@ -36,6 +37,8 @@ pub struct Findings<'a> {
     pub effects: &'a [Effects],
     /// Differences beside exact derivatives.
     pub rows: &'a [Row],
+    /// The same of the MAE 494 report's while-loop.
+    pub loops: &'a [LoopRow],
     /// What deserves a word.
     pub remarks: &'a [String],
 }
@@ -64,7 +67,7 @@ pub fn report_documents(findings: &Findings<'_>) -> Result<Vec<Document>> {
         chart: findings.chart.map(chart_figures).unwrap_or_default(),
         // without any effect there is no bar to draw
         effects: findings.effects.iter().filter(|e| e.standard_uncertainty() > 0.0).map(tornado_figure).collect(),
-        curves: if findings.rows.is_empty() { vec![] } else { vec![vcurve_figure(findings.rows)] },
+        curves: if findings.rows.is_empty() { vec![] } else { vec![vcurve_figure(findings.rows, findings.loops)] },
     };
     let mut documents = vec![Document { name: "index.html".into(), text: page(findings, &plots)?.into_string() }];
     for figure in plots.all() {

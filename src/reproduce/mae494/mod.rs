@@ -21,6 +21,7 @@ pub use parametric::{Constant, Parametric};
 pub use regression::{Peak, Regression};
 pub use searches::{End, Landing, Method, Searches};
 pub use tables::Row;
+pub(super) use while_loop::fly_past_the_ground;
 
 use crate::error::Result;
 use crate::parameters::Setup;

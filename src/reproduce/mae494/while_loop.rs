@@ -2,7 +2,7 @@
 //! comes from it.
 
 use crate::aerodynamics::{AerodynamicLaw, Stream};
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::impact::strike;
 use crate::number::Vector;
 use crate::parameters::Setup;
@@ -10,7 +10,7 @@ use std::f64::consts::PI;
 
 /// Where the loop takes the ball to have landed.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Stop {
+pub(in super::super) struct Stop {
     /// Downrange where the loop stops, the first step below the ground, m: the report's distance.
     pub overshot: f64,
     /// Downrange where the straight line between the last two steps meets the ground, m: the cheap cure.
@@ -19,14 +19,21 @@ pub(super) struct Stop {
 
 /// Flies in steps of `step` s until the height is below zero, as the listing does: the forces of a step are those at its
 /// beginning (its `ode45` integrates a constant), and the position follows with the velocity at its end.
-pub(super) fn fly_past_the_ground(setup: &Setup<f64>, step: f64) -> Result<Stop> {
+///
+/// # Errors
+/// As [`strike`]; [`Error::NoFlight`] where the ball is still in the air at the time limit.
+pub(in super::super) fn fly_past_the_ground(setup: &Setup<f64>, step: f64) -> Result<Stop> {
     let launch = strike(setup)?.launch;
     let area = PI * setup.ball.radius * setup.ball.radius;
     let (spin_at_launch, mut velocity) = (launch.total_spin(), launch.velocity);
     let axis = if spin_at_launch > 0.0 { launch.spin * (1.0 / spin_at_launch) } else { launch.spin };
     let (mut before, mut here, mut steps) = (Vector::zero(), Vector::zero(), 0_u32);
     while here.x >= 0.0 {
-        let spin = spin_at_launch * (-setup.aero.spin_decay * step * f64::from(steps)).exp();
+        let time = step * f64::from(steps);
+        if time > setup.flight.time_limit {
+            return Err(Error::NoFlight { reason: format!("the loop still runs after {time} s") });
+        }
+        let spin = spin_at_launch * (-setup.aero.spin_decay * time).exp();
         let speed = velocity.norm();
         let coefficients = setup.law.coefficients(&Stream {
             spin,
