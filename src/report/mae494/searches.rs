@@ -16,7 +16,8 @@ pub(super) fn searches(document: &mut Document, found: &Mae494) {
     document.paragraph(format!(
         "From the same {count} starts in the report's ranges, all of which fly: the searches that end within a centimetre of the best carry, \
          {}; what the others miss is measured by the smooth landing. A flight with exact derivatives counts as one. L-BFGS is argmin's, with the line \
-         search of Moré and Thuente; it knows no bounds, and x = middle + half the width · sin u gives it none.",
+         search of Moré and Thuente; it knows no bounds, and x = middle + half the width · sin u gives it none. Where \
+         a drive does not fly it is told a carry of 0.",
         metres(best.carry),
     ));
     let rows = found.searches.iter().map(|searches| {

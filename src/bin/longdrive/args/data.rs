@@ -1,0 +1,71 @@
+//! Measured shots and published studies.
+
+use super::Question;
+use std::path::PathBuf;
+
+#[derive(clap::Args)]
+pub struct Calibrate {
+    /// Measured shots in CSV, a row each: columns named by parameters and outcomes, the unit in the head, as in "carry [yd]";
+    /// see docs/calibration.md.
+    #[arg(value_name = "DATA")]
+    pub data: PathBuf,
+
+    #[command(flatten)]
+    pub question: Question,
+
+    /// A parameter to fit, e.g. aero.cd0 or aero.cd0=0.1..0.4. Repeatable.
+    #[arg(long, value_name = "NAME[=LOW..HIGH]", required = true, allow_hyphen_values = true)]
+    pub fit: Vec<String>,
+
+    /// Let outliers pull no harder than a residual of 1.345 σ (Huber's loss).
+    #[arg(long)]
+    pub huber: bool,
+
+    /// Search from this many starts, spread evenly over the ranges; the first is the setup's own.
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
+    pub starts: u32,
+
+    /// Fit again K times, each without a K-th of the rows, and show how well these are told.
+    #[arg(long, value_name = "K", default_value_t = 0)]
+    pub folds: u32,
+
+    /// Another aerodynamic law, as published and fitted, on the same rows by held-out error. Repeatable.
+    #[arg(long, value_name = "LAW")]
+    pub compare: Vec<String>,
+
+    /// Most iterations of a search.
+    #[arg(long, value_name = "N", default_value_t = 200)]
+    pub max_iterations: u64,
+
+    /// Write the fitted setup into this file.
+    #[arg(long, short, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+
+    /// Write the report into this folder too: a page (index.html), Markdown, and plots of the residuals with their data.
+    #[arg(long, value_name = "DIR")]
+    pub plot: Option<PathBuf>,
+}
+
+#[derive(clap::Args)]
+pub struct Reproduce {
+    /// The study.
+    #[arg(value_enum, value_name = "STUDY")]
+    pub study: Published,
+
+    /// Print the answer as JSON (SI and radians) to standard output, and nothing else there.
+    #[arg(long)]
+    pub json: bool,
+
+    /// Write it into this folder too: a page (index.html), Markdown, and every plot as SVG with its data as CSV.
+    #[arg(long, short, value_name = "DIR")]
+    pub output: Option<PathBuf>,
+}
+
+/// A study that can be reproduced.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub enum Published {
+    /// The student report "Optimization of a Golf Driver", MAE 494.
+    Mae494,
+    /// Winfield & Tan (1994), "Optimization of clubhead loft and swing elevation angles".
+    WinfieldTan,
+}

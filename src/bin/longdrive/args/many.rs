@@ -1,0 +1,77 @@
+//! Very many drives.
+
+use super::Question;
+use std::path::PathBuf;
+
+#[derive(clap::Args)]
+pub struct Sweep {
+    #[command(flatten)]
+    pub question: Question,
+
+    /// A parameter to sweep, with its range and number of values, ends included, e.g. club.loft=5deg..15deg:101.
+    /// Repeatable: every combination, the first outermost.
+    #[arg(long, value_name = "NAME=LOW..HIGH:COUNT", allow_hyphen_values = true)]
+    pub over: Vec<String>,
+
+    /// Spread this many points evenly over the ranges of --over (which then have no counts): Sobol's sequence.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    pub sample: Option<u64>,
+
+    /// Another seed, other points of --sample.
+    #[arg(long, value_name = "SEED", default_value_t = 0, requires = "sample")]
+    pub seed: u32,
+
+    /// Take the points from a table (.csv or .parquet): a column for each parameter, in SI, or in the unit that a head
+    /// like "club.loft [deg]" names.
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["over", "sample"])]
+    pub points: Option<PathBuf>,
+
+    /// The outcomes, separated by commas; "all" for every one.
+    #[arg(long, value_name = "OUTCOME,…", value_delimiter = ',', default_value = "carry")]
+    pub outcomes: Vec<String>,
+
+    /// The exact derivatives of the outcomes too, by the swept parameters.
+    #[arg(long)]
+    pub gradient: bool,
+
+    /// The exact derivatives of the outcomes too, by these parameters, separated by commas.
+    #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
+    pub wrt: Vec<String>,
+
+    /// The file to write; its ending says in which format (.csv, .jsonl, .parquet). "-" is standard output.
+    #[arg(long, short, value_name = "FILE", default_value = "-")]
+    pub output: PathBuf,
+
+    /// The format, whatever the file's name ends in (standard output: CSV unless said otherwise).
+    #[arg(long, value_enum)]
+    pub format: Option<Format>,
+
+    /// Go on with a sweep that was stopped or killed: the file ends up as if nothing had happened.
+    #[arg(long, conflicts_with = "overwrite")]
+    pub resume: bool,
+
+    /// Replace a file that exists.
+    #[arg(long)]
+    pub overwrite: bool,
+
+    /// Refuse to begin what would take more than this, e.g. 50GB (without it: more than the disk has free).
+    #[arg(long, value_name = "SIZE")]
+    pub max_size: Option<String>,
+
+    /// Threads (0: as many as there are processors); the results do not depend on it.
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub threads: usize,
+}
+
+/// How rows are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub enum Format {
+    /// Comma-separated values, a missing one an empty cell.
+    Csv,
+    /// A JSON object for each drive, a line each, a missing value null.
+    #[value(alias = "ndjson")]
+    Jsonl,
+    /// Apache Parquet, a missing value null.
+    #[cfg(feature = "parquet")]
+    Parquet,
+}
