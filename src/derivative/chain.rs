@@ -44,31 +44,37 @@ impl Asked<'_> {
         if let Some(struck) = self.strike_quickly(seeds) {
             return Ok(struck);
         }
-        let setup = self.lifted::<J>(seeds);
+        let setup = self.lifted(seeds, |plain: J| plain);
         let launch = strike(&setup)?.launch;
         Ok(Struck { launch, club_speed: setup.swing.speed, shot: Shot::new(&setup, &launch) })
     }
 
     /// The impact over a faster number, where it is one that needs no second look.
     fn strike_quickly<J: Seeded + Fast>(&self, seeds: &[usize]) -> Option<Struck<J>> {
-        let setup = self.lifted::<J>(seeds);
         if let Some(launch) = self.launch {
+            let setup = self.lifted(seeds, |plain: J| plain);
             let launch = Launch { velocity: launch.velocity.map(J::constant), spin: launch.spin.map(J::constant) };
             return Some(Struck { launch, club_speed: setup.swing.speed, shot: Shot::new(&setup, &launch) });
         }
-        let sticks = setup.impact.friction.is_none();
-        sticks.then(|| Level::run_four(Strike::<J, J::Four> { setup: &setup, number: PhantomData })).flatten().flatten()
+        if self.setup.impact.friction.is_some() {
+            return None;
+        }
+        Level::run_four(Strike::<J, J::Four> { asked: self, seeds, number: PhantomData })?
     }
 
-    /// The setup, where parameter `seeds[k]` is the independent variable of direction k.
-    fn lifted<J: Seeded>(&self, seeds: &[usize]) -> Setup<J> {
-        self.setup.map(|parameter, value| match self.wrt.iter().position(|row| *row == parameter) {
-            None => J::constant(value),
-            Some(place) => match seeds.iter().position(|seed| *seed == place) {
-                None => J::constant(self.x[place]),
-                Some(direction) => J::seeded(self.x[place], direction),
+    /// The setup, where parameter `seeds[k]` is the independent variable of direction k, over what `made` makes of each number.
+    #[inline(always)]
+    fn lifted<J: Seeded, F: Numbers>(&self, seeds: &[usize], made: impl Fn(J) -> F) -> Setup<F> {
+        self.setup.map(
+            #[inline(always)]
+            |parameter, value| {
+                let Some(place) = self.wrt.iter().position(|row| *row == parameter) else { return F::constant(value) };
+                match seeds.iter().position(|seed| *seed == place) {
+                    None => F::constant(self.x[place]),
+                    Some(direction) => made(J::seeded(self.x[place], direction)),
+                }
             },
-        })
+        )
     }
 
     /// The flight, where it is asked for; over the number it is asked for in, or a faster one that holds the same.
@@ -97,16 +103,17 @@ impl Asked<'_> {
 
 /// An impact over a number that holds the same as another; nothing where it is not one that needs no second look.
 struct Strike<'a, J, F> {
-    setup: &'a Setup<J>,
-    number: PhantomData<F>,
+    asked: &'a Asked<'a>,
+    seeds: &'a [usize],
+    number: PhantomData<(J, F)>,
 }
 
-impl<J: Number, F: Counterpart<J>> Task for Strike<'_, J, F> {
+impl<J: Seeded, F: Counterpart<J>> Task for Strike<'_, J, F> {
     type Output = Option<Struck<J>>;
 
     #[inline(always)]
     fn run(self) -> Self::Output {
-        let setup = self.setup.map(|_, plain| F::made_of(plain));
+        let setup = self.asked.lifted(self.seeds, F::made_of);
         let struck = Unchecked::new(&setup);
         if struck.checks() != [true; 4] {
             return None;
@@ -114,7 +121,7 @@ impl<J: Number, F: Counterpart<J>> Task for Strike<'_, J, F> {
         let (launch, shot) = (struck.launch, Shot::new(&setup, &struck.launch));
         Some(Struck {
             launch: Launch { velocity: launch.velocity.map(F::plain), spin: launch.spin.map(F::plain) },
-            club_speed: self.setup.swing.speed,
+            club_speed: setup.swing.speed.plain(),
             shot: shot.map(F::plain),
         })
     }
@@ -194,22 +201,24 @@ fn chained(asked: &Asked<'_>, mut progress: impl FnMut(usize, usize)) -> Result<
         progress(1, 1);
         return Ok(taylors);
     }
-    let gradients: Vec<&[f64]> = inputs.gradients.chunks(asked.wrt.len()).collect();
-    let moving: Vec<usize> = (0..gradients.len()).filter(|&i| gradients[i].iter().any(|d| *d != 0.0)).collect();
+    let gradients = inputs.gradients.chunks_exact(asked.wrt.len());
+    let moves = |(input, gradient): (usize, &[f64])| gradient.iter().any(|d| *d != 0.0).then_some(input);
+    let moving: Vec<usize> = gradients.enumerate().filter_map(moves).collect();
+    let gradient = |input: usize| &inputs.gradients[input * asked.wrt.len()..][..asked.wrt.len()];
     let by_input = moving.len() < asked.wrt.len();
     let directions = if by_input { moving.len() } else { asked.wrt.len() };
     // how far a direction moves an input, and what the derivative in that direction adds to a gradient
     let seed = |input: usize, direction: usize| match by_input {
         true => f64::from(u8::from(moving[direction] == input)),
-        false => gradients[input][direction],
+        false => gradient(input)[direction],
     };
-    let add = |gradient: &mut [f64], direction: usize, derivative: f64| match by_input {
+    let add = |sums: &mut [f64], direction: usize, derivative: f64| match by_input {
         true => {
-            for (sum, d) in gradient.iter_mut().zip(gradients[moving[direction]]) {
+            for (sum, d) in sums.iter_mut().zip(gradient(moving[direction])) {
                 *sum += derivative * d;
             }
         }
-        false => gradient[direction] = derivative,
+        false => sums[direction] = derivative,
     };
     let wide = match Level::here() {
         Level::Eight => 24,
@@ -265,16 +274,21 @@ fn take<const N: usize>(
     taylors: &mut [Taylor],
 ) {
     let n = asked.wrt.len();
-    let inputs = inputs.get_or_insert_with(|| Inputs { shot: struck.shot.map(|jet| jet.re), gradients: vec![] });
-    let mut input = 0;
+    let inputs = inputs.get_or_insert_with(|| {
+        let mut count = 0;
+        let shot = struck.shot.map(|jet| {
+            count += 1;
+            jet.re
+        });
+        Inputs { shot, gradients: vec![0.0; count * n] }
+    });
+    let mut rows = inputs.gradients.chunks_mut(n);
     struck.shot.map(|jet| {
-        if inputs.gradients.len() == input * n {
-            inputs.gradients.resize((input + 1) * n, 0.0);
+        if let Some(row) = rows.next() {
+            for (&place, d) in places.iter().zip(jet.gradient) {
+                row[place] = d;
+            }
         }
-        for (&place, d) in places.iter().zip(jet.gradient) {
-            inputs.gradients[input * n + place] = d;
-        }
-        input += 1;
     });
     for (outcome, taylor) in asked.of.iter().zip(taylors) {
         let Struck { launch, club_speed, .. } = struck;

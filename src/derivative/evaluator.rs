@@ -98,10 +98,8 @@ impl Evaluator {
         }
         if self.turns_inertia {
             let mut moved = self.setup;
-            for (parameter, value) in self.wrt.iter().zip(values) {
-                moved.set_value(parameter, Some(*value))?;
-            }
-            moved.validate()?;
+            moved.put(&self.wrt, |i| values[i]);
+            moved.club.check_inertia()?;
         }
         self.unchecked(values, |_, _| ())
     }

@@ -169,8 +169,8 @@ impl<S: Copy> Segment<S> {
     #[inline(always)]
     pub fn new<T: Numbers, L: Surroundings<T>>(
         motion: &Motion<T, S, L>,
-        from: &Node<T, S>,
-        to: &Node<T, S>,
+        from: &Node<T, S, L::Memory>,
+        to: &Node<T, S, L::Memory>,
         added: &Added<T, S>,
         h: f64,
     ) -> Self

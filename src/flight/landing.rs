@@ -5,12 +5,12 @@ use super::pace::Pace;
 use super::rk4::Classical;
 use super::shot::Shot;
 use super::space::{Plane, Space};
-use super::surroundings::{Spun, Still, Surroundings};
+use super::surroundings::{Still, Surroundings, Whatever};
 use super::tableau::Higher;
 use crate::error::{Error, Result};
 use crate::launch::Launch;
 use crate::number::{Factor, Number, Vector};
-use crate::parameters::{Law, Method, Setup};
+use crate::parameters::{Method, Setup};
 use std::fmt;
 
 /// How a flight ends.
@@ -169,7 +169,7 @@ impl<T: Number> Shot<T> {
         wanted: Wanted,
         observe: impl FnMut(&Node<T, S>),
     ) -> Result<Flight<T>> {
-        self.fly_by::<S, Law<T>>(self.law, pace, wanted, observe)
+        self.fly_by::<S, Whatever<T>>(Whatever::new(self.law, self.force_per_mass), pace, wanted, observe)
     }
 
     /// The flight by the shortest way there is: in the plane where it stays there, and with the one law whose
@@ -179,12 +179,9 @@ impl<T: Number> Shot<T> {
         if !(self.is_plane() && self.is_in_still_air()) {
             return self.fly::<Vector<T>>(pace, wanted, |_| ());
         }
-        match self.law {
-            Law::Robinson(law) if self.has_constants::<C>() => {
-                let law = Spun::<C>::new(&law, self.force_per_mass);
-                self.fly_by::<Plane<T>, _>(law, pace, wanted, |_| ())
-            }
-            law => self.fly_by::<Plane<T>, _>(Still(law), pace, wanted, |_| ()),
+        match self.spun::<C>(pace) {
+            Some(law) => self.fly_by::<Plane<T>, _>(law, pace, wanted, |_| ()),
+            None => self.fly_by::<Plane<T>, _>(Still::new(self.law, self.force_per_mass), pace, wanted, |_| ()),
         }
     }
 
@@ -194,7 +191,7 @@ impl<T: Number> Shot<T> {
         law: L,
         pace: &Pace,
         wanted: Wanted,
-        observe: impl FnMut(&Node<T, S>),
+        observe: impl FnMut(&Node<T, S, L::Memory>),
     ) -> Result<Flight<T>> {
         match pace.method {
             Method::Rk4 => T::outlined(
@@ -214,7 +211,7 @@ impl<T: Number> Shot<T> {
         law: L,
         pace: &Pace,
         wanted: Wanted,
-        mut observe: impl FnMut(&Node<T, S>),
+        mut observe: impl FnMut(&Node<T, S, L::Memory>),
     ) -> Result<Flight<T>> {
         let ground = self.ground;
         let step = pace.step;

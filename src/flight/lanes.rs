@@ -9,10 +9,10 @@ use super::pace::Pace;
 use super::rk4::Classical;
 use super::shot::Shot;
 use super::space::{Plane, Space};
-use super::surroundings::{Spun, Still, Surroundings};
+use super::surroundings::{Still, Surroundings, Whatever};
 use super::tableau::Higher;
 use crate::number::{Lanes, Vector, inlined};
-use crate::parameters::{Law, Method};
+use crate::parameters::Method;
 
 /// Flights side by side that have ended.
 pub(crate) struct Formation<T> {
@@ -34,12 +34,14 @@ struct Event<T, S> {
 
 impl<T: Lanes, S: Space<T>> Event<T, S> {
     #[inline(always)]
-    fn none(here: &Node<T, S>) -> Self {
+    fn none<M>(here: &Node<T, S, M>) -> Self {
         Self { lanes: 0, time: T::zero(), from: here.state }
     }
 
+    /// Called, so that what happens once is kept in memory and takes no register from every step; with a copy of the state,
+    /// so that this one keeps its own.
     #[inline(always)]
-    fn happens(&mut self, lanes: u8, from: &State<T, S>) {
+    fn happens(&mut self, lanes: u8, from: State<T, S>) {
         let mask = T::mask(lanes);
         self.lanes |= lanes;
         self.time = T::constant(from.time).blend(self.time, mask);
@@ -52,14 +54,11 @@ impl<T: Lanes> Shot<T> {
     #[inline(always)]
     pub(crate) fn fly_abreast(&self, pace: &Pace, wanted: Wanted, flying: u8) -> Formation<T> {
         if !(self.is_plane() && self.is_in_still_air()) {
-            return self.abreast_by::<Vector<T>, _>(self.law, pace, wanted, flying);
+            return self.abreast_by::<Vector<T>, _>(Whatever::new(self.law, self.force_per_mass), pace, wanted, flying);
         }
-        match self.law {
-            Law::Robinson(law) if self.has_constants::<T::Value>() => {
-                let law = Spun::<T::Value>::new(&law, self.force_per_mass);
-                self.abreast_by::<Plane<T>, _>(law, pace, wanted, flying)
-            }
-            law => self.abreast_by::<Plane<T>, _>(Still(law), pace, wanted, flying),
+        match self.spun::<T::Value>(pace) {
+            Some(law) => self.abreast_by::<Plane<T>, _>(law, pace, wanted, flying),
+            None => self.abreast_by::<Plane<T>, _>(Still::new(self.law, self.force_per_mass), pace, wanted, flying),
         }
     }
 
@@ -119,10 +118,10 @@ impl<T: Lanes> Shot<T> {
             let lands = active & !now_above & above & followed;
             active &= followed & !(falls & (!above & !now_above | lands));
             if falls & active != 0 && wanted == Wanted::Apex {
-                apex.happens(falls & active, &here.state);
+                apex.happens(falls & active, here.state);
             }
             if lands & active != 0 {
-                landing.happens(lands & active, &here.state);
+                landing.happens(lands & active, here.state);
                 active &= !lands;
             }
             above |= now_above;

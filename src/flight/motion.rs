@@ -1,6 +1,6 @@
 use super::shot::Shot;
 use super::space::Space;
-use super::surroundings::Surroundings;
+use super::surroundings::{Force, Surroundings};
 use crate::aerodynamics::Stream;
 use crate::atmosphere::WindField;
 use crate::number::{Factor, Numbers, Vector};
@@ -13,7 +13,6 @@ const LEAST_SPEED: f64 = 1e-6;
 pub(super) struct Motion<T: Numbers, S: Space<T>, L: Surroundings<T>> {
     law: L,
     air: Air<T, S>,
-    force_per_mass: T,
     pub gravity: L::Constant,
     radius: T,
     reynolds_per_speed: T,
@@ -33,17 +32,19 @@ enum Air<T, S> {
 
 /// The spin at one time, with what follows from it alone.
 #[derive(Clone, Copy)]
-pub(super) struct SpinNow<T: Numbers, S: Space<T>> {
+pub(super) struct SpinNow<T: Numbers, S: Space<T>, M> {
     /// |ω|, rad/s.
     size: T,
     forces: Option<Forces<T, S>>,
+    /// What is kept of it for a later one.
+    pub memory: M,
 }
 
-/// ρ A/(2 m) C_L along the axis, and ρ A/(2 m) C_D.
+/// ρ A/(2 m) C_L along the axis, and −ρ A/(2 m) C_D.
 #[derive(Clone, Copy)]
 struct Forces<T: Numbers, S: Space<T>> {
     lift: S::Axis,
-    drag: T,
+    along: T,
 }
 
 /// What moves the ball at one instant: the acceleration is |v_r| `pull` − g X. The two factors are kept apart
@@ -69,7 +70,6 @@ impl<T: Numbers, S: Space<T>, L: Surroundings<T>> Motion<T, S, L> {
         Self {
             law,
             air,
-            force_per_mass: shot.force_per_mass,
             gravity: L::Constant::of(shot.gravity),
             radius: shot.radius,
             reynolds_per_speed: shot.reynolds_per_speed,
@@ -95,8 +95,42 @@ impl<T: Numbers, S: Space<T>, L: Surroundings<T>> Motion<T, S, L> {
     /// The spin, with what follows from it, where it would be `faded` but for the way through the air so far:
     /// ω = ω₀ exp(−δ t − κ ℓ/R).
     #[inline(always)]
-    pub fn spin(&self, faded: T, air_path: impl FnOnce() -> T) -> SpinNow<T, S> {
-        let size = match self.damping {
+    pub fn spin(&self, faded: T, air_path: impl FnOnce() -> T) -> SpinNow<T, S, L::Memory> {
+        let size = self.undamped(faded, air_path);
+        let (force, memory) = self.law.force_by_spin(size);
+        SpinNow {
+            size,
+            forces: force.map(
+                #[inline(always)]
+                |force| self.forces(force),
+            ),
+            memory,
+        }
+    }
+
+    /// The same, half a step after it was `before`.
+    #[inline(always)]
+    pub fn later_spin(
+        &self,
+        faded: T,
+        (before, memory): (T, L::Memory),
+        air_path: impl FnOnce() -> T,
+    ) -> SpinNow<T, S, L::Memory> {
+        let size = self.undamped(faded, air_path);
+        let (force, memory) = self.law.force_later(size, before, memory);
+        SpinNow {
+            size,
+            forces: force.map(
+                #[inline(always)]
+                |force| self.forces(force),
+            ),
+            memory,
+        }
+    }
+
+    #[inline(always)]
+    fn undamped(&self, faded: T, air_path: impl FnOnce() -> T) -> T {
+        match self.damping {
             _ if L::STILL => faded,
             None => faded,
             Some(damping) => {
@@ -106,24 +140,17 @@ impl<T: Numbers, S: Space<T>, L: Surroundings<T>> Motion<T, S, L> {
                     || faded * (-(damping * path)).exp(),
                 )
             }
-        };
-        let forces = self.law.by_spin_alone(size).map(
-            #[inline(always)]
-            |c| self.forces(c.lift, c.drag),
-        );
-        SpinNow { size, forces }
+        }
     }
 
     #[inline(always)]
-    fn forces(&self, lift: T, drag: T) -> Forces<T, S> {
-        let [lift, drag] =
-            if L::FORCES { [lift, drag] } else { [self.force_per_mass * lift, self.force_per_mass * drag] };
-        Forces { lift: S::longer(self.axis, lift), drag }
+    fn forces(&self, force: Force<T>) -> Forces<T, S> {
+        Forces { lift: S::longer(self.axis, force.lift), along: force.along }
     }
 
     /// What moves the ball; `height` is asked only where the wind depends on it.
     #[inline(always)]
-    pub fn rate(&self, spin: &SpinNow<T, S>, velocity: S, height: impl FnOnce() -> T) -> Rate<T, S> {
+    pub fn rate(&self, spin: &SpinNow<T, S, L::Memory>, velocity: S, height: impl FnOnce() -> T) -> Rate<T, S> {
         let relative = match &self.air {
             _ if L::STILL => velocity,
             Air::Calm => velocity,
@@ -135,20 +162,20 @@ impl<T: Numbers, S: Space<T>, L: Surroundings<T>> Motion<T, S, L> {
         let forces = match spin.forces {
             Some(forces) => forces,
             None => {
-                let c = self.law.coefficients(&Stream {
+                let stream = Stream {
                     spin: spin.size,
                     radius_per_speed: self.radius * inverse,
                     speed: airspeed,
                     reynolds_per_speed: self.reynolds_per_speed,
-                });
-                self.forces(c.lift, c.drag)
+                };
+                self.forces(self.law.force(&stream))
             }
         };
-        let Forces { lift, drag } = forces;
+        let Forces { lift, along } = forces;
         Rate {
             airspeed,
-            pull: relative.turned_and_held(lift, drag),
-            push: relative.turned_and_held_by_size(lift, drag, airspeed, inverse),
+            pull: relative.turned_and_pushed(lift, along),
+            push: relative.turned_and_pushed_by_size(lift, along, airspeed, inverse),
         }
     }
 

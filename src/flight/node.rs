@@ -20,9 +20,11 @@ pub(super) struct State<T, S> {
 /// The ball at the end of a step, with what moves it there: the first stage of the next step and, for the
 /// landing, the second derivative of the path.
 #[derive(Clone, Copy)]
-pub(super) struct Node<T, S> {
+pub(super) struct Node<T, S, M = ()> {
     pub state: State<T, S>,
     pub rate: Rate<T, S>,
+    /// What is kept of its spin for a later one.
+    pub memory: M,
 }
 
 /// What a step added, in the sums it was made of: multiplied out at the apex and the landing alone.
@@ -53,9 +55,9 @@ pub(super) trait Stepper<T: Numbers, S: Space<T>, C>: Copy {
     fn step<L: Surroundings<T, Constant = C>>(
         &self,
         motion: &Motion<T, S, L>,
-        from: &Node<T, S>,
+        from: &Node<T, S, L::Memory>,
         time: f64,
-    ) -> (Node<T, S>, Added<T, S>);
+    ) -> (Node<T, S, L::Memory>, Added<T, S>);
 }
 
 impl<T: Numbers, S: Space<T>> State<T, S> {
@@ -72,10 +74,10 @@ impl<T: Numbers, S: Space<T>> State<T, S> {
     }
 }
 
-impl<T: Numbers, S: Space<T>> Node<T, S> {
+impl<T: Numbers, S: Space<T>, M: Copy> Node<T, S, M> {
     /// The ball on the tee, leaving.
     #[inline(always)]
-    pub fn at_launch<L: Surroundings<T>>(motion: &Motion<T, S, L>, shot: &Shot<T>) -> Self {
+    pub fn at_launch<L: Surroundings<T, Memory = M>>(motion: &Motion<T, S, L>, shot: &Shot<T>) -> Self {
         let zero = T::zero();
         let position = S::of(Vector::new(zero, zero, zero));
         let velocity = S::of(shot.velocity);
@@ -84,7 +86,7 @@ impl<T: Numbers, S: Space<T>> Node<T, S> {
 
     /// The ball in a state, with what moves it there.
     #[inline(always)]
-    pub fn at<L: Surroundings<T>>(motion: &Motion<T, S, L>, state: State<T, S>) -> Self {
+    pub fn at<L: Surroundings<T, Memory = M>>(motion: &Motion<T, S, L>, state: State<T, S>) -> Self {
         let State { position, velocity, faded, air_path, .. } = state;
         let spin = motion.spin(
             faded,
@@ -97,7 +99,7 @@ impl<T: Numbers, S: Space<T>> Node<T, S> {
             #[inline(always)]
             || position.up(),
         );
-        Self { state, rate }
+        Self { state, rate, memory: spin.memory }
     }
 
     /// What is below 1 where drag and lift change the airspeed by less than half of it within a step. Beyond is far
@@ -108,7 +110,7 @@ impl<T: Numbers, S: Space<T>> Node<T, S> {
     }
 }
 
-impl<T: Number, S: Space<T>> Node<T, S> {
+impl<T: Number, S: Space<T>, M> Node<T, S, M> {
     /// Whether its numbers have overflowed.
     #[inline(always)]
     pub fn is_lost(&self) -> bool {

@@ -17,12 +17,12 @@ pub(super) struct Classical<C> {
 }
 
 /// What moves the ball at the second, third and fourth stage, and the spin at the end.
-struct Stages<T: Numbers, S: Space<T>> {
+struct Stages<T: Numbers, S: Space<T>, M> {
     second: Rate<T, S>,
     third: Rate<T, S>,
     fourth: Rate<T, S>,
     faded: T,
-    last_spin: SpinNow<T, S>,
+    last_spin: SpinNow<T, S, M>,
 }
 
 impl<C> Classical<C> {
@@ -30,8 +30,8 @@ impl<C> Classical<C> {
     fn stages<T: Numbers, S: Space<T>, L: Surroundings<T>>(
         &self,
         motion: &Motion<T, S, L>,
-        from: &Node<T, S>,
-    ) -> Stages<T, S>
+        from: &Node<T, S, L::Memory>,
+    ) -> Stages<T, S, L::Memory>
     where
         C: Factor<T>,
     {
@@ -43,10 +43,11 @@ impl<C> Classical<C> {
             |time: f64, rate: &Rate<T, S>| rate.airspeed.scale_add(time, air_path),
         );
         let halfway = self.fading.times(faded);
-        let faded = self.fading.times(halfway);
+        let at_end = self.fading.times(halfway);
 
-        let spin = motion.spin(
+        let spin = motion.later_spin(
             halfway,
+            (faded, from.memory),
             #[inline(always)]
             || path_after(half, &first),
         );
@@ -73,8 +74,9 @@ impl<C> Classical<C> {
             || motion.acceleration(&first).along(half * half, v.along(half, x)).up(),
         );
 
-        let last_spin = motion.spin(
-            faded,
+        let last_spin = motion.later_spin(
+            at_end,
+            (halfway, spin.memory),
             #[inline(always)]
             || path_after(h, &third),
         );
@@ -84,7 +86,7 @@ impl<C> Classical<C> {
             #[inline(always)]
             || motion.acceleration(&second).along(half * h, v.along(h, x)).up(),
         );
-        Stages { second, third, fourth, faded, last_spin }
+        Stages { second, third, fourth, faded: at_end, last_spin }
     }
 }
 
@@ -99,9 +101,9 @@ impl<T: Numbers, S: Space<T>, C: Factor<T>> Stepper<T, S, C> for Classical<C> {
     fn step<L: Surroundings<T, Constant = C>>(
         &self,
         motion: &Motion<T, S, L>,
-        from: &Node<T, S>,
+        from: &Node<T, S, L::Memory>,
         time: f64,
-    ) -> (Node<T, S>, Added<T, S>) {
+    ) -> (Node<T, S, L::Memory>, Added<T, S>) {
         let h = self.step;
         let stages = self.stages(motion, from);
         let State { position: x, velocity: v, mut air_path, .. } = from.state;
@@ -121,6 +123,7 @@ impl<T: Numbers, S: Space<T>, C: Factor<T>> Stepper<T, S, C> for Classical<C> {
                 || air_path,
             );
         }
+        let memory = spin.memory;
         let rate = motion.rate(
             &spin,
             velocity,
@@ -129,6 +132,6 @@ impl<T: Numbers, S: Space<T>, C: Factor<T>> Stepper<T, S, C> for Classical<C> {
         );
         let added = Added { bent: sum, gained: weighted, last: stages.fourth, weight: h / 6.0 };
         let state = State { time, position, velocity, faded: stages.faded, air_path };
-        (Node { state, rate }, added)
+        (Node { state, rate, memory }, added)
     }
 }

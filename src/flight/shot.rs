@@ -1,7 +1,9 @@
+use super::pace::Pace;
+use super::surroundings::Spun;
 use crate::atmosphere::WindField;
 use crate::launch::{LEAST_SPIN, Launch};
-use crate::number::{Factor, Numbers, Vector};
-use crate::parameters::{Law, Setup};
+use crate::number::{Factor, Mask, Numbers, Vector};
+use crate::parameters::{Law, Method, Setup};
 use std::f64::consts::PI;
 
 /// All that a flight depends on (docs/model.md, eqs. 12–15): a few quantities, into which whatever made the launch enters
@@ -86,6 +88,18 @@ impl<T: Numbers> Shot<T> {
         let mut are_plain = self.force_per_mass.is_constant() & self.gravity.is_constant() & self.decay.is_constant();
         self.law.map(&mut |_, value| are_plain &= value.is_constant());
         C::HAS_DERIVATIVES || are_plain
+    }
+
+    /// The law that depends on the spin alone, where it is one, its constants can be of type `C` and the spin fades as slowly
+    /// as its steps need.
+    #[inline(always)]
+    pub(super) fn spun<C: Factor<T>>(&self, pace: &Pace) -> Option<Spun<C, T::Value>> {
+        let Law::Robinson(law) = self.law else { return None };
+        let faded = law.cl_rate * self.spin * (self.decay * (-0.5 * pace.step)).exp_m1();
+        let most = Spun::<C, T::Value>::MOST_FADED;
+        let is_slow = faded.below(most).all() && (-faded).below(most).all();
+        let fades_well = is_slow || pace.method != Method::Rk4;
+        (fades_well && self.has_constants::<C>()).then(|| Spun::new(&law, self.force_per_mass))
     }
 
     /// Whether nothing about a flight in calm air leaves the vertical plane of the target line, to the derivatives carried.

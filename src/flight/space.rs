@@ -40,10 +40,10 @@ pub(super) trait Space<T: Numbers>: Linear<T> {
     fn axis(v: Vector<T>) -> Self::Axis;
     /// The axis, k times as long.
     fn longer(axis: Self::Axis, k: T) -> Self::Axis;
-    /// axis × v − k v.
-    fn turned_and_held(self, axis: Self::Axis, k: T) -> Self;
+    /// axis × v + k v.
+    fn turned_and_pushed(self, axis: Self::Axis, k: T) -> Self;
     /// The same times |v|, given with its inverse.
-    fn turned_and_held_by_size(self, axis: Self::Axis, k: T, size: T, inverse: T) -> Self;
+    fn turned_and_pushed_by_size(self, axis: Self::Axis, k: T, size: T, inverse: T) -> Self;
     /// As [`Numbers::with_derivatives_of`].
     fn with_derivatives_of(self, other: Self) -> Self;
     /// v·v + more.
@@ -91,10 +91,10 @@ impl<T: Numbers> Space<T> for Vector<T> {
         axis * k
     }
     #[inline(always)]
-    fn turned_and_held(self, axis: Self, k: T) -> Self {
+    fn turned_and_pushed(self, axis: Self, k: T) -> Self {
         let turned = inlined(
             #[inline(always)]
-            |a: T, b: T, c: T, d: T, held: T| a.mul_add(b, -c.mul_add(d, held * k)),
+            |a: T, b: T, c: T, d: T, pushed: T| a.mul_add(b, (-c).mul_add(d, pushed * k)),
         );
         Self::new(
             turned(axis.y, self.z, axis.z, self.y, self.x),
@@ -103,8 +103,8 @@ impl<T: Numbers> Space<T> for Vector<T> {
         )
     }
     #[inline(always)]
-    fn turned_and_held_by_size(self, axis: Self, k: T, size: T, _inverse: T) -> Self {
-        self.turned_and_held(axis, k) * size
+    fn turned_and_pushed_by_size(self, axis: Self, k: T, size: T, _inverse: T) -> Self {
+        self.turned_and_pushed(axis, k) * size
     }
     #[inline(always)]
     fn with_derivatives_of(self, _other: Self) -> Self {
@@ -188,13 +188,13 @@ impl<T: Numbers> Space<T> for Plane<T> {
         axis * k
     }
     #[inline(always)]
-    fn turned_and_held(self, axis: T, k: T) -> Self {
-        let [downrange, up] = T::complex_product([-k, axis], [self.downrange, self.up]);
+    fn turned_and_pushed(self, axis: T, k: T) -> Self {
+        let [downrange, up] = T::complex_product([k, axis], [self.downrange, self.up]);
         Self { up, downrange }
     }
     #[inline(always)]
-    fn turned_and_held_by_size(self, axis: T, k: T, size: T, inverse: T) -> Self {
-        let [downrange, up] = T::sized_product([-k, axis], [self.downrange, self.up], size, inverse);
+    fn turned_and_pushed_by_size(self, axis: T, k: T, size: T, inverse: T) -> Self {
+        let [downrange, up] = T::sized_product([k, axis], [self.downrange, self.up], size, inverse);
         Self { up, downrange }
     }
     #[inline(always)]

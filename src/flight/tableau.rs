@@ -114,7 +114,7 @@ impl<C> Higher<C> {
     fn stages<T: Numbers, S: Space<T>, L: Surroundings<T>>(
         &self,
         motion: &Motion<T, S, L>,
-        from: &Node<T, S>,
+        from: &Node<T, S, L::Memory>,
     ) -> Stages<T, S>
     where
         C: Factor<T>,
@@ -181,9 +181,9 @@ impl<T: Numbers, S: Space<T>, C: Factor<T>> Stepper<T, S, C> for Higher<C> {
     fn step<L: Surroundings<T, Constant = C>>(
         &self,
         motion: &Motion<T, S, L>,
-        from: &Node<T, S>,
+        from: &Node<T, S, L::Memory>,
         time: f64,
-    ) -> (Node<T, S>, Added<T, S>) {
+    ) -> (Node<T, S, L::Memory>, Added<T, S>) {
         let (h, start) = (self.step, from.state);
         let stages = self.stages(motion, from);
         let (bent, gained) = (self.sum(&stages, &self.tableau.end), self.sum(&stages, &self.tableau.b));

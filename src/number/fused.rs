@@ -79,6 +79,10 @@ impl Numbers for Fused {
         exponential::exp_m1(self)
     }
     #[inline(always)]
+    fn known_exp_m1(self, value: Self) -> Self {
+        value
+    }
+    #[inline(always)]
     fn ln(self) -> Self {
         Self(self.0.ln())
     }

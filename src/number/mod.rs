@@ -86,6 +86,8 @@ pub trait Numbers: Copy + Debug + 'static + Neg<Output = Self> + Arithmetic<Self
     fn exp(self) -> Self;
     /// eˣ − 1, exact near 0.
     fn exp_m1(self) -> Self;
+    /// eˣ − 1, whose value is known.
+    fn known_exp_m1(self, value: Self::Value) -> Self;
     /// ln x.
     fn ln(self) -> Self;
     /// ln(1 + x), exact near 0.
@@ -268,6 +270,10 @@ impl<D: DualNum<Primitive = f64> + Copy> Numbers for D {
     #[inline(always)]
     fn exp_m1(self) -> Self {
         DualNum::exp_m1(&self)
+    }
+    #[inline(always)]
+    fn known_exp_m1(self, value: D) -> Self {
+        value
     }
     #[inline(always)]
     fn ln(self) -> Self {

@@ -116,6 +116,10 @@ macro_rules! pack {
                 exponential::exp_m1(self)
             }
             #[inline(always)]
+            fn known_exp_m1(self, value: Self) -> Self {
+                value
+            }
+            #[inline(always)]
             fn ln(self) -> Self {
                 self.each(f64::ln)
             }
@@ -300,15 +304,14 @@ pack! {
         below |x, limit| _mm512_cmp_pd_mask::<_CMP_LT_OQ>(x, limit),
         blend |yes, no, mask| _mm512_mask_blend_pd(mask, no, yes),
         root and inverse |x| {
-            // 14 bits from a table, 70 by one step of fourth order, the rounding put right by one of Newton's: the
-            // divider is busy three times as long with a root and a quotient
+            // 14 bits from a table, 70 by one step of fourth order: the divider is busy three times as long with a root and
+            // a quotient. Both are reached by the shortest chain; a rounding of the first is halved in them
             let guess = Self(unsafe { _mm512_rsqrt14_pd(x.0) });
-            let error = -(x * guess).mul_add(guess, Self::spread(-1.0));
-            let series = error.scale_add(35.0 / 128.0, Self::spread(0.3125));
-            let series = series.mul_add(error, Self::spread(0.375)).mul_add(error, Self::spread(0.5));
-            let inverse = (guess * error).mul_add(series, guess);
-            let root = x * inverse;
-            (root, inverse)
+            let first = x * guess;
+            let error = -first.mul_add(guess, Self::spread(-1.0));
+            let high = error.scale_add(35.0 / 128.0, Self::spread(0.3125));
+            let series = high.mul_add(error * error, error.scale_add(0.375, Self::spread(0.5)));
+            ((first * error).mul_add(series, first), (guess * error).mul_add(series, guess))
         }
     }
 }

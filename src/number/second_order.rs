@@ -24,6 +24,10 @@ macro_rules! second_order_functions {
             self.chain(f, f + 1.0, f + 1.0)
         }
         #[inline(always)]
+        fn known_exp_m1(self, value: Self::Value) -> Self {
+            self.chain(value, value + 1.0, value + 1.0)
+        }
+        #[inline(always)]
         fn ln(self) -> Self {
             let slope = self.re.recip();
             self.chain(self.re.ln(), slope, -(slope * slope))

@@ -21,7 +21,7 @@ impl Club<f64> {
         moments
     }
 
-    pub(super) fn check_inertia(&self) -> Result<()> {
+    pub(crate) fn check_inertia(&self) -> Result<()> {
         let [smallest, _, largest] = self.principal_moments();
         // eigenvalues are good to rounding of the largest
         if smallest > 1e-14 * largest { Ok(()) } else { Err(Error::Inertia { smallest }) }
