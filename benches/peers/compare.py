@@ -17,13 +17,15 @@ PROGRAM = HERE / "target/release/longdrive"
 DOCUMENT = HERE / "../../docs/performance.md"
 ROUNDS = 3
 TASKS = ["T1", "T2", "T3", "T4", "T5", "T6"]
+# those that no peer computes
+OWN = ["all", "3-D", "3-D-all", "W&T", "W&T-1um", "T6-whole"]
 TITLES = {
     "T1": "T1 value", "T2": "T2 gradient, 2", "T3": "T3 Hessian, 2", "T4": "T4 gradient, 12", "T5": "T5 optimum",
     "T6": "T6 grid, a point", "T6-whole": "T6 whole call, a point", "all": "gradient, all", "3-D": "value, 3-D drive",
-    "3-D-all": "gradient, all, 3-D drive",
+    "3-D-all": "gradient, all, 3-D drive", "W&T": "23 optima, Winfield & Tan", "W&T-1um": "the 23 at 1 µm",
 }
 # operations counted; T6: points of a repetition, by whether a peer computes every 25th attack angle
-OPERATIONS = {"T1": 10, "T2": 10, "T3": 5, "T4": 5, "T5": 2, "T6": 1, "all": 3, "3-D": 5, "3-D-all": 2}
+OPERATIONS = {"T1": 10, "T2": 10, "T3": 5, "T4": 5, "T5": 2, "T6": 1, "all": 3, "3-D": 5, "3-D-all": 2, "W&T": 1, "W&T-1um": 1}
 GRID_POINTS, SAMPLED_POINTS = 2000, 80
 
 # docs/performance.md, limits: cycles of a single drive, and of a point of the grid
@@ -86,8 +88,7 @@ def compiled(name, tasks, is_sampled=True, suffix=""):
 
 def find_peers(near):
     peers = []
-    extra = ["all", "3-D", "3-D-all", "T6-whole"]
-    peers.append(Peer("longdrive", TASKS + extra, [OURS], [OURS]))
+    peers.append(Peer("longdrive", TASKS + OWN, [OURS], [OURS]))
     for name, tasks, choice in (
         ("longdrive at 1 µm", ["T1", "T2", "T3", "T5"], near["single"][0]),
         ("longdrive at 1 µm", ["T6"], near["grid"][0]),
@@ -197,7 +198,7 @@ def ratios(rows):
 
 def further(rows):
     body = []
-    for task in ("all", "3-D", "3-D-all", "T6-whole"):
+    for task in OWN:
         row = rows.get(task, "longdrive")
         title = TITLES[task].replace("all", f"all {row['note'].split()[0]}") if row["note"] else TITLES[task]
         body.append([title, duration(min(row["all"])), spread_of(row), number(row["instructions"], 4)])
@@ -347,7 +348,7 @@ def main():
     peers, rows = find_peers(near), Rows()
 
     for turn in range(ROUNDS):
-        for task in [*TASKS, "all", "3-D", "3-D-all", "T6-whole"]:
+        for task in [*TASKS, *OWN]:
             for peer in peers:
                 if task in peer.tasks:
                     for line in lines(peer.timed + [task]):

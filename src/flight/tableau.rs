@@ -110,18 +110,17 @@ struct Stages<T, S> {
 }
 
 impl<C> Higher<C> {
+    /// Computes the stages after the first.
     #[inline(always)]
-    fn stages<T: Numbers, S: Space<T>, L: Surroundings<T>>(
+    fn complete<T: Numbers, S: Space<T>, L: Surroundings<T>>(
         &self,
         motion: &Motion<T, S, L>,
-        from: &Node<T, S, L::Memory>,
-    ) -> Stages<T, S>
-    where
+        start: &State<T, S>,
+        Stages { accelerations, airspeeds }: &mut Stages<T, S>,
+    ) where
         C: Factor<T>,
     {
-        let (h, tableau, start) = (self.step, self.tableau, from.state);
-        let mut accelerations = [motion.acceleration(&from.rate); MOST_STAGES];
-        let mut airspeeds = [from.rate.airspeed; MOST_STAGES];
+        let (h, tableau) = (self.step, self.tableau);
         for i in 1..tableau.a.len() {
             let mut velocity = start.velocity;
             for &(j, weight) in tableau.a[i] {
@@ -152,7 +151,6 @@ impl<C> Higher<C> {
             accelerations[i] = motion.acceleration(&rate);
             airspeeds[i] = rate.airspeed;
         }
-        Stages { accelerations, airspeeds }
     }
 
     /// Σ wⱼ aⱼ.
@@ -185,7 +183,12 @@ impl<T: Numbers, S: Space<T>, C: Factor<T>> Stepper<T, S, C> for Higher<C> {
         time: f64,
     ) -> (Node<T, S, L::Memory>, Added<T, S>) {
         let (h, start) = (self.step, from.state);
-        let stages = self.stages(motion, from);
+        // filled in where it stands: it is too large to be handed on
+        let mut stages = Stages {
+            accelerations: [motion.acceleration(&from.rate); MOST_STAGES],
+            airspeeds: [from.rate.airspeed; MOST_STAGES],
+        };
+        self.complete(motion, &start, &mut stages);
         let (bent, gained) = (self.sum(&stages, &self.tableau.end), self.sum(&stages, &self.tableau.b));
         let position = bent.along(h * h, start.velocity.along(h, start.position));
         let velocity = gained.along(h, start.velocity);

@@ -1,14 +1,14 @@
 //! The tasks of a single drive.
 
 use longdrive::derivative::{Evaluator, Order, Taylor};
-use longdrive::optimize::Watch;
+use longdrive::optimize::{Status, Watch};
 use longdrive::parameters::Parameter;
-use longdrive::study::{Optimum, Search, Vary, optimum};
-use longdrive::{Outcome, Result, Setup};
+use longdrive::study::{Optimum, Search, Vary, accuracy, optimum};
+use longdrive::{Error, Outcome, Result, Setup};
 use std::hint::black_box;
 
 /// The tasks of a single drive, as they are asked for.
-pub const SINGLE: [&str; 8] = ["T1", "T2", "T3", "T4", "T5", "all", "3-D", "3-D-all"];
+pub const SINGLE: [&str; 10] = ["T1", "T2", "T3", "T4", "T5", "all", "3-D", "3-D-all", "W&T", "W&T-1um"];
 
 /// The twelve parameters of T4: loft, attack, M, m, R, I_b, d, I_yy, e, V, ρ, δ.
 const TWELVE: [&str; 12] = [
@@ -70,6 +70,45 @@ pub fn two(setup: &Setup<f64>) -> Result<Vec<&'static Parameter>> {
     named(setup, &TWELVE[..2])
 }
 
+/// The lofts and the attack angles, deg, that Winfield & Tan (1994), tables 1 and 2, give the best of the other angle for.
+const TABLE_1: [f64; 9] = [5.0, 7.0, 8.0, 9.0, 10.0, 11.0, 12.0, 13.0, 15.0];
+const TABLE_2: [f64; 13] = [-10.0, -5.0, -4.0, -3.0, -2.0, -1.0, 0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 10.0];
+
+/// The optima of Winfield & Tan: those of their tables from 0° of attack angle and 10° of loft, and the one of both angles from there.
+fn winfield_tan(within: Option<f64>) -> Result<Box<dyn Fn() -> Result<Answer>>> {
+    let mut setup = Setup::preset("winfield-tan")?;
+    let vary = ["club.loft=-10deg..40deg", "swing.attack_angle=-20deg..50deg"];
+    let vary = vary.iter().map(|text| Vary::read(&setup, text)).collect::<Result<Vec<_>>>()?;
+    if let Some(tolerance) = within {
+        let found = accuracy(&setup, &vary, tolerance)?;
+        (setup.method, setup.flight.step) = (found.method, found.step);
+    }
+    let at = |loft: f64, attack_angle: f64| {
+        let mut at = setup;
+        (at.club.loft, at.swing.attack_angle) = (loft.to_radians(), attack_angle.to_radians());
+        at
+    };
+    let mut searches = vec![(at(10.0, 0.0), vary.clone())];
+    searches.extend(TABLE_1.map(|loft| (at(loft, 0.0), vec![vary[1]])));
+    searches.extend(TABLE_2.map(|attack_angle| (at(10.0, attack_angle), vec![vary[0]])));
+    let searches = searches.into_iter().map(|(setup, vary)| {
+        let search = Search { vary, ..Search::longest_drive(&setup)? };
+        Ok((setup, search))
+    });
+    let searches = searches.collect::<Result<Vec<_>>>()?;
+    Ok(Box::new(move || {
+        let mut best = None;
+        for (setup, search) in searches.iter().rev() {
+            let found = optimum(black_box(setup), search.clone(), Watch::default())?;
+            if found.solution.status != Status::Converged {
+                return Err(Error::NotConverged { status: found.status(), message: found.message() });
+            }
+            best = Some(found);
+        }
+        best.map(|best| Answer::Optimum(Box::new(best))).ok_or(Error::Nothing { doing: "search", what: "optimum" })
+    }))
+}
+
 /// What came out of a task.
 pub enum Answer {
     Drive(Taylor),
@@ -99,6 +138,11 @@ impl Answer {
 
 /// A task of a single drive made ready: what can be checked once has been.
 pub fn ready(task: &str, by: &Discretisation) -> Result<Option<Box<dyn Fn() -> Result<Answer>>>> {
+    match task {
+        "W&T" => return winfield_tan(None).map(Some),
+        "W&T-1um" => return winfield_tan(Some(1e-6)).map(Some),
+        _ => {}
+    }
     let setup = if task.starts_with("3-D") { in_space(by)? } else { mae494(by)? };
     let (wrt, order) = match task {
         "T1" | "3-D" => (two(&setup)?, Order::Value),
