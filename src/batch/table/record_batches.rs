@@ -135,7 +135,8 @@ impl RecordBatches {
         let codec = batch.compression().map(|compression| compression.codec());
         if codec == Some(CompressionType::LZ4_FRAME) {
             return Err(
-                "it is compressed by LZ4, which is not read; write it with compression=\"zstd\", or uncompressed".into()
+                "it is compressed by LZ4, which is not read; write it with compression=\"zstd\", or uncompressed"
+                    .into(),
             );
         }
         let body = Buffer::from_vec(bytes(&mut self.file, head.body.clone())?);
