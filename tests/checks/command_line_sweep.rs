@@ -6,6 +6,8 @@ use std::fs;
 use std::io::{BufRead, BufReader, Write};
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
+#[cfg(feature = "arrow")]
+use std::sync::Arc;
 use std::time::Duration;
 
 const FORMATS: [&str; 3] = ["csv", "jsonl", "parquet"];
@@ -40,14 +42,20 @@ fn wait_for_rows(child: &mut Child, file: &Path) {
     }
 }
 
-fn killed_and_resumed(format: &str) {
+/// The same, of the points of a table.
+#[cfg(feature = "arrow")]
+fn many_of(table: &str) -> Vec<&str> {
+    vec!["sweep", "--set", "flight.step=1s", "--outcomes", "all", "--gradient", "--points", table]
+}
+
+fn killed_and_resumed(many: &[&str], format: &str) {
     let folder = tempfile::tempdir().unwrap();
     let [whole, part] = ["whole", "part"].map(|name| folder.path().join(format!("{name}.{format}")));
-    let (status, said) = finish(start(&many(), &whole, &["--threads", "1"]));
+    let (status, said) = finish(start(many, &whole, &["--threads", "1"]));
     assert_eq!(status, Some(0), "{said}");
     assert!(!sidecar(&whole).exists());
 
-    let mut child = start(&many(), &part, &["--threads", "2"]);
+    let mut child = start(many, &part, &["--threads", "2"]);
     wait_for_rows(&mut child, &part);
     child.kill().unwrap();
     child.wait().unwrap();
@@ -60,18 +68,18 @@ fn killed_and_resumed(format: &str) {
         append(&sidecar(&part), b"{\"rows\":99");
 
         // it is not gone on with by mistake, as another question, or over
-        let (status, said) = finish(start(&many(), &part, &[]));
+        let (status, said) = finish(start(many, &part, &[]));
         assert_eq!(status, Some(2));
         assert!(said.contains("--resume goes on with it"), "{said}");
-        let (status, said) = finish(start(&many(), &part, &["--resume", "--set", "swing.speed=100mph"]));
+        let (status, said) = finish(start(many, &part, &["--resume", "--set", "swing.speed=100mph"]));
         assert_eq!(status, Some(2));
         assert!(said.contains("another question (the setup differs)"), "{said}");
-        let (status, said) = finish(start(&many(), &part, &["--resume", "--wrt", "air.density"]));
+        let (status, said) = finish(start(many, &part, &["--resume", "--wrt", "air.density"]));
         assert_eq!(status, Some(2));
         assert!(said.contains("the derivatives differs"), "{said}");
 
         // Ctrl-C, as far as it has not ended before
-        let mut child = start(&many(), &part, &["--resume"]);
+        let mut child = start(many, &part, &["--resume"]);
         std::thread::sleep(Duration::from_millis(50));
         let _ = Command::new("kill").args(["-INT", &child.id().to_string()]).status();
         let _ = child.try_wait();
@@ -83,13 +91,13 @@ fn killed_and_resumed(format: &str) {
         }
     }
     if sidecar(&part).exists() {
-        let (status, said) = finish(start(&many(), &part, &["--resume", "--threads", "3"]));
+        let (status, said) = finish(start(many, &part, &["--resume", "--threads", "3"]));
         assert_eq!(status, Some(0), "{said}");
         assert!(said.contains("going on after "), "{said}");
     }
     assert!(!sidecar(&part).exists());
     assert!(fs::read(&part).unwrap() == fs::read(&whole).unwrap(), "another file than that of an undisturbed run");
-    let (status, said) = finish(start(&many(), &part, &["--resume"]));
+    let (status, said) = finish(start(many, &part, &["--resume"]));
     assert_eq!(status, Some(2));
     assert!(said.contains("nothing to go on with"), "{said}");
 }
@@ -116,17 +124,65 @@ fn readable(path: &Path, format: &str) -> usize {
 
 #[test]
 fn exact_csv_of_a_killed_and_resumed_sweep() {
-    killed_and_resumed("csv");
+    killed_and_resumed(&many(), "csv");
 }
 
 #[test]
 fn exact_json_lines_of_a_killed_and_resumed_sweep() {
-    killed_and_resumed("jsonl");
+    killed_and_resumed(&many(), "jsonl");
 }
 
 #[test]
 fn exact_parquet_of_a_killed_and_resumed_sweep() {
-    killed_and_resumed("parquet");
+    killed_and_resumed(&many(), "parquet");
+}
+
+#[cfg(feature = "arrow")]
+#[test]
+fn exact_rows_of_an_arrow_table_killed_and_resumed() {
+    use arrow_array::{ArrayRef, Float64Array, RecordBatch};
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("points.arrow");
+    // batches of another size than the chunks that are computed
+    let batches: Vec<_> = (0..96)
+        .map(|loft| {
+            let lofts: Float64Array = (0..1024).map(|_| -0.05 + 0.003 * f64::from(loft)).collect();
+            let angles: Float64Array = (0..1024).map(|angle| -0.09 + 0.00017 * f64::from(angle)).collect();
+            let columns = [("club.loft", Arc::new(lofts) as ArrayRef), ("swing.attack_angle", Arc::new(angles))];
+            RecordBatch::try_from_iter(columns).unwrap()
+        })
+        .collect();
+    let target = fs::File::create(&path).unwrap();
+    let mut writer = arrow_ipc::writer::FileWriter::try_new(target, &batches[0].schema()).unwrap();
+    batches.iter().for_each(|batch| writer.write(batch).unwrap());
+    writer.finish().unwrap();
+    killed_and_resumed(&many_of(path.to_str().unwrap()), "csv");
+}
+
+/// Tables of the same points that pyarrow wrote in each format, and by Python in CSV.
+#[cfg(all(feature = "arrow", feature = "parquet"))]
+#[test]
+fn independent_tables_in_every_format_give_the_same_bytes() {
+    let table = |name: &str| format!("{}/tests/data/tables/{name}", env!("CARGO_MANIFEST_DIR"));
+    let sweep = |name: &str| longdrive(&["sweep", "--gradient", "--outcomes", "all", "--points", &table(name)]);
+    let csv = sweep("points.csv");
+    assert_eq!((csv.status, csv.out.lines().count()), (0, 12), "{}", csv.err);
+    assert!(csv.out.lines().skip(1).all(|row| row.split(',').nth(3) == Some("landed")), "{}", csv.out);
+    for name in ["points.parquet", "points.arrow", "points.arrows", "zstd.feather", "gaps.arrows"] {
+        let other = sweep(name);
+        assert_eq!((other.status, &other.out), (0, &csv.out), "{name}: {}", other.err);
+    }
+    let none = sweep("no_rows.arrow");
+    assert_eq!((none.status, none.out.as_str()), (0, csv.out.split_inclusive('\n').next().unwrap()), "{}", none.err);
+    for (name, says) in [
+        ("null.arrow", "null.arrow, row 3, column air.density: a value is missing; every row needs one"),
+        ("text.arrow", "column air.density: its type is Utf8"),
+        ("lz4.feather", "compressed by LZ4"),
+    ] {
+        let said = sweep(name);
+        assert_eq!((said.status, said.out.as_str()), (2, ""), "{name}: {}", said.err);
+        assert!(said.err.contains(says), "{name}: {}", said.err);
+    }
 }
 
 #[cfg(unix)]

@@ -20,5 +20,7 @@ mod report;
 mod reproduce;
 mod smoothness;
 mod sweep;
+#[cfg(all(feature = "arrow", feature = "parquet"))]
+mod tables;
 mod uncertainty;
 mod verify;

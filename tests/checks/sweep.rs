@@ -13,7 +13,7 @@ fn grid(setup: &Setup<f64>, axes: &[&str]) -> Grid {
     Grid::new(axes.iter().map(|text| Axis::read(setup, text).unwrap()).collect()).unwrap()
 }
 
-fn all(points: &mut dyn Points) -> Vec<f64> {
+pub fn all(points: &mut dyn Points) -> Vec<f64> {
     let mut values = vec![];
     points.seek(0).unwrap();
     while points.read(7, &mut values).unwrap() > 0 {}
@@ -212,7 +212,7 @@ fn bad_axes_say_what_to_write() {
     assert!(message.contains("1.0e20 drives would take 2.4e12 GB, more than any disk"), "{message}");
 }
 
-fn table(name: &str, text: &str) -> (tempfile::TempDir, PathBuf) {
+pub fn table(name: &str, text: impl AsRef<[u8]>) -> (tempfile::TempDir, PathBuf) {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join(name);
     std::fs::write(&path, text).unwrap();
@@ -246,7 +246,9 @@ fn bad_tables_are_told_by_row_and_column_before_any_work() {
         ("a.csv", "club.loft [kg]\n0.1\n", "column 1 (club.loft): \"1 kg\" is not an angle"),
         ("a.csv", "club.loft [deg],club.loft\n0.1,0.1\n", "club.loft has two columns"),
         ("a.csv", "", "column"),
-        ("a.txt", "club.loft\n0.1\n", "must end in .csv or .parquet"),
+        ("a.txt", "club.loft\n0.1\n", "a table's name must end in .csv"),
+        #[cfg(not(feature = "arrow"))]
+        ("a.arrow", "", "built without the feature arrow"),
         ("a.parquet", "club.loft\n0.1\n", "it cannot be read"),
     ] {
         let (_folder, path) = table(name, text);

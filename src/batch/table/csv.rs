@@ -14,7 +14,7 @@ pub struct CsvTable {
     columns: Vec<Column>,
     parameters: Vec<&'static Parameter>,
     rows: u64,
-    fingerprint: u64,
+    fingerprint: Fingerprint,
     next: u64,
     record: StringRecord,
 }
@@ -39,24 +39,11 @@ impl CsvTable {
         let columns = columns.collect::<Result<Vec<_>>>()?;
         let parameters: Vec<_> = columns.iter().map(|column| column.parameter).collect();
         refuse_columns(path, &parameters)?;
-        let (path, record) = (path.to_owned(), StringRecord::new());
-        let mut table = Self { path, reader, columns, parameters, rows: u64::MAX, fingerprint: 0, next: 0, record };
-        table.rows = table.count()?;
+        let (path, record, fingerprint) = (path.to_owned(), StringRecord::new(), Fingerprint::new());
+        let mut table = Self { path, reader, columns, parameters, rows: u64::MAX, fingerprint, next: 0, record };
+        (table.rows, table.fingerprint) = Fingerprint::of(&mut table)?;
         table.seek(0)?;
         Ok(table)
-    }
-
-    /// Reads all rows: how many they are, and their fingerprint.
-    fn count(&mut self) -> Result<u64> {
-        let mut fingerprint = Fingerprint::new();
-        let mut values = vec![];
-        while self.read(super::super::CHUNK, &mut values)? > 0 {
-            for value in values.drain(..) {
-                fingerprint.add(&value.to_bits().to_le_bytes());
-            }
-        }
-        self.fingerprint = fingerprint.0;
-        Ok(self.next)
     }
 
     fn record(&mut self) -> Result<bool> {
@@ -144,7 +131,6 @@ impl Points for CsvTable {
     }
 
     fn identity(&self) -> String {
-        let names: Vec<_> = self.parameters.iter().map(|parameter| parameter.name).collect();
-        format!("table of {} rows of {}, fingerprint {:016x}", self.rows, names.join(" "), self.fingerprint)
+        self.fingerprint.identity(self)
     }
 }

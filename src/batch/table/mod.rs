@@ -1,9 +1,15 @@
 //! Points that stand in a table: one column for each parameter, one row for each drive.
 
+#[cfg(feature = "arrow")]
+mod arrow;
 mod csv;
 #[cfg(feature = "parquet")]
 mod parquet;
+#[cfg(feature = "arrow")]
+mod record_batches;
 
+#[cfg(feature = "arrow")]
+pub use arrow::ArrowTable;
 pub use csv::CsvTable;
 #[cfg(feature = "parquet")]
 pub use parquet::ParquetTable;
@@ -13,7 +19,8 @@ use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup};
 use std::path::Path;
 
-/// The table in a file: CSV, or Parquet where its name ends in `.parquet`.
+/// The table in a file, by the ending of its name: CSV (`.csv`), Parquet (`.parquet`), or Arrow IPC (`.arrow`, `.arrows`,
+/// `.feather`; a file or a stream, whichever its first bytes say).
 ///
 /// # Errors
 /// [`Error::Table`] for a file that cannot be read, a name without a known ending, and everything the tables refuse.
@@ -23,15 +30,29 @@ pub fn open_table(setup: &Setup<f64>, path: &Path) -> Result<Box<dyn Points>> {
         "csv" => Ok(Box::new(CsvTable::open(setup, path)?)),
         #[cfg(feature = "parquet")]
         "parquet" => Ok(Box::new(ParquetTable::open(setup, path)?)),
-        _ => {
-            let reason = if cfg!(feature = "parquet") {
-                "a table's name must end in .csv or .parquet"
-            } else {
-                "a table's name must end in .csv (this longdrive is built without the feature parquet)"
-            };
-            Err(refused(path, String::new(), reason))
+        #[cfg(feature = "arrow")]
+        "arrow" | "arrows" | "feather" => Ok(Box::new(ArrowTable::open(setup, path)?)),
+        _ => Err(refused(path, String::new(), endings())),
+    }
+}
+
+/// Which endings a table's name may have.
+fn endings() -> String {
+    let mut endings = vec![".csv"];
+    let mut without = String::new();
+    for (feature, is_there, more) in [
+        ("parquet", cfg!(feature = "parquet"), &[".parquet"][..]),
+        ("arrow", cfg!(feature = "arrow"), &[".arrow", ".arrows", ".feather"]),
+    ] {
+        if is_there {
+            endings.extend(more);
+        } else {
+            without += &format!(" (this longdrive is built without the feature {feature})");
         }
     }
+    let last = endings.pop().unwrap_or_default();
+    let others = if endings.is_empty() { String::new() } else { endings.join(", ") + " or " };
+    format!("a table's name must end in {others}{last}{without}")
 }
 
 fn refused(path: &Path, place: String, reason: impl Into<String>) -> Error {
@@ -56,11 +77,33 @@ fn refuse_columns(path: &Path, parameters: &[&'static Parameter]) -> Result<()> 
 }
 
 /// A fingerprint of bytes that come piece by piece (FNV-1a, 64 bits): tells a table from another, not from a forgery.
+#[derive(Debug)]
 struct Fingerprint(u64);
 
 impl Fingerprint {
     const fn new() -> Self {
         Self(0xcbf2_9ce4_8422_2325)
+    }
+
+    /// Reads a table from where it stands to its end: how many rows there are, and the fingerprint of their values.
+    fn of(table: &mut impl Points) -> Result<(u64, Self)> {
+        let mut fingerprint = Self::new();
+        let (mut rows, mut values) = (0, vec![]);
+        loop {
+            match table.read(super::CHUNK, &mut values)? {
+                0 => return Ok((rows, fingerprint)),
+                more => rows += more as u64,
+            }
+            for value in values.drain(..) {
+                fingerprint.add(&value.to_bits().to_le_bytes());
+            }
+        }
+    }
+
+    /// What tells a table from any other: the same words for the same rows, whatever format they are in.
+    fn identity(&self, table: &impl Points) -> String {
+        let names: Vec<_> = table.parameters().iter().map(|parameter| parameter.name).collect();
+        format!("table of {} rows of {}, fingerprint {:016x}", table.rows(), names.join(" "), self.0)
     }
 
     fn add(&mut self, bytes: &[u8]) {

@@ -14,7 +14,7 @@ pub struct ParquetTable {
     file: SerializedFileReader<File>,
     parameters: Vec<&'static Parameter>,
     rows: u64,
-    fingerprint: u64,
+    fingerprint: Fingerprint,
     /// The row group that is read next.
     group: usize,
     /// Where the columns of the one being read stand, and how many of its rows are left.
@@ -43,17 +43,9 @@ impl ParquetTable {
             }
         }
         refuse_columns(path, &parameters)?;
-        let rows = file.metadata().file_metadata().num_rows().max(0) as u64;
-        let (path, columns) = (path.to_owned(), vec![]);
-        let mut table = Self { path, file, parameters, rows, fingerprint: 0, group: 0, columns, left: 0, next: 0 };
-        let mut fingerprint = Fingerprint::new();
-        let mut values = vec![];
-        while table.read(super::super::CHUNK, &mut values)? > 0 {
-            for value in values.drain(..) {
-                fingerprint.add(&value.to_bits().to_le_bytes());
-            }
-        }
-        table.fingerprint = fingerprint.0;
+        let (path, columns, fingerprint) = (path.to_owned(), vec![], Fingerprint::new());
+        let mut table = Self { path, file, parameters, rows: 0, fingerprint, group: 0, columns, left: 0, next: 0 };
+        (table.rows, table.fingerprint) = Fingerprint::of(&mut table)?;
         table.seek(0)?;
         Ok(table)
     }
@@ -153,7 +145,6 @@ impl Points for ParquetTable {
     }
 
     fn identity(&self) -> String {
-        let names: Vec<_> = self.parameters.iter().map(|parameter| parameter.name).collect();
-        format!("table of {} rows of {}, fingerprint {:016x}", self.rows, names.join(" "), self.fingerprint)
+        self.fingerprint.identity(self)
     }
 }

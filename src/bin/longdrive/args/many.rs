@@ -21,8 +21,8 @@ pub struct Sweep {
     #[arg(long, value_name = "SEED", default_value_t = 0, requires = "sample")]
     pub seed: u32,
 
-    /// Take the points from a table (.csv or .parquet): a column for each parameter, in SI, or in the unit that a head
-    /// like "club.loft [deg]" names.
+    /// Take the points from a table (.csv, .parquet, or Arrow IPC: .arrow, .arrows, .feather): a column for each
+    /// parameter, in SI; in CSV also in the unit that a head like "club.loft [deg]" names.
     #[arg(long, value_name = "FILE", conflicts_with_all = ["over", "sample"])]
     pub points: Option<PathBuf>,
 

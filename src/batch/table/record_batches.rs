@@ -1,0 +1,221 @@
+use arrow_array::RecordBatch;
+use arrow_buffer::Buffer;
+use arrow_ipc::convert::try_fb_to_schema;
+use arrow_ipc::reader::{RecordBatchDecoder, read_footer_length};
+use arrow_ipc::{CompressionType, Endianness, Message, MessageHeader, root_as_footer, root_as_message};
+use arrow_schema::Schema;
+use std::collections::HashMap;
+use std::fs::File;
+use std::io::{Read, Seek, SeekFrom};
+use std::ops::Range;
+use std::path::Path;
+use std::sync::Arc;
+
+const MAGIC: &[u8; 6] = b"ARROW1";
+const FEATHER_1: &[u8; 4] = b"FEA1";
+/// Stands before the length of a message since version 0.15 of Arrow.
+const CONTINUATION: [u8; 4] = [0xff; 4];
+/// The length of the foot, and the magic once more.
+const TAIL: usize = 10;
+
+/// The record batches of an Arrow IPC file or stream, one after the other. Lengths and places that the bytes claim are
+/// held against the size of the file before arrow-ipc sees them: it would panic where they lie.
+pub(super) struct RecordBatches {
+    file: File,
+    schema: Arc<Schema>,
+    /// No message reaches beyond: the end of a stream, the foot of a file.
+    end: u64,
+    order: Order,
+}
+
+/// How the next record batch is found.
+enum Order {
+    /// The foot of a file lists where they begin.
+    Listed { starts: Vec<u64>, next: usize },
+    /// One follows the other, to the mark of the end.
+    Following { first: u64, next: u64 },
+}
+
+/// The head of a message, and where its body stands.
+pub(super) struct Head {
+    metadata: Vec<u8>,
+    body: Range<u64>,
+    /// How many rows a record batch has; 0 for a schema.
+    pub(super) rows: u64,
+}
+
+impl RecordBatches {
+    /// Those of a file, or the reason why there are none.
+    pub(super) fn open(path: &Path) -> Result<Self, String> {
+        let unreadable = |error: std::io::Error| format!("it cannot be read ({error})");
+        let mut file = File::open(path).map_err(unreadable)?;
+        let length = file.metadata().map_err(unreadable)?.len();
+        let mut magic = vec![];
+        file.by_ref().take(MAGIC.len() as u64).read_to_end(&mut magic).map_err(unreadable)?;
+        if magic.is_empty() {
+            return Err("it is empty".into());
+        }
+        if magic == MAGIC {
+            return Self::of_file(file, length);
+        }
+        if magic.starts_with(FEATHER_1) {
+            return Err("it is Feather of version 1; version 2 is wanted, which is Arrow IPC".into());
+        }
+        Self::of_stream(file, length)
+    }
+
+    fn of_file(mut file: File, length: u64) -> Result<Self, String> {
+        let cut_short = || "it has no foot: it was cut short, or whatever wrote it did not close it".to_owned();
+        let foot_end = length.checked_sub(TAIL as u64).ok_or_else(cut_short)?;
+        let tail = bytes(&mut file, foot_end..length)?;
+        let tail = tail.try_into().map_err(|_| cut_short())?;
+        let foot = read_footer_length(tail).ok().and_then(|foot| foot_end.checked_sub(foot as u64));
+        let end = foot.ok_or_else(cut_short)?;
+        let foot = bytes(&mut file, end..foot_end)?;
+        let foot = root_as_footer(&foot).map_err(|error| format!("its foot is damaged ({error})"))?;
+        let schema = read_schema(foot.schema())?;
+        let starts = foot.recordBatches().into_iter().flatten().map(|block| u64::try_from(block.offset()));
+        let starts = starts.collect::<Result<_, _>>().map_err(|_| "its foot is damaged (a place before the file)")?;
+        Ok(Self { file, schema, end, order: Order::Listed { starts, next: 0 } })
+    }
+
+    fn of_stream(file: File, length: u64) -> Result<Self, String> {
+        let schema = Arc::new(Schema::empty());
+        let mut stream = Self { file, schema, end: length, order: Order::Following { first: 0, next: 0 } };
+        // whatever else may stand in a file, it does not begin with such a message
+        let neither = "it is neither an Arrow IPC file nor a stream, or cut short in its first bytes";
+        let head = stream.head(0).ok().flatten().ok_or(neither)?;
+        let message = head.message(MessageHeader::Schema)?;
+        stream.schema = read_schema(message.header_as_schema())?;
+        stream.order = Order::Following { first: head.body.end, next: head.body.end };
+        Ok(stream)
+    }
+
+    pub(super) fn schema(&self) -> &Schema {
+        &self.schema
+    }
+
+    /// Back to the first.
+    pub(super) fn rewind(&mut self) {
+        match &mut self.order {
+            Order::Listed { next, .. } => *next = 0,
+            Order::Following { first, next } => *next = *first,
+        }
+    }
+
+    /// The head of the next record batch; none after the last.
+    pub(super) fn next(&mut self) -> Result<Option<Head>, String> {
+        let at = match &self.order {
+            Order::Listed { starts, next } => match starts.get(*next) {
+                Some(start) => *start,
+                None => return Ok(None),
+            },
+            Order::Following { next, .. } => *next,
+        };
+        let Some(mut head) = self.head(at)? else {
+            return match &self.order {
+                Order::Listed { .. } => Err("its foot is damaged (no record batch stands where it says)".into()),
+                Order::Following { .. } => Ok(None),
+            };
+        };
+        let message = head.message(MessageHeader::RecordBatch)?;
+        let rows = message.header_as_record_batch().map_or(-1, |batch| batch.length());
+        head.rows = u64::try_from(rows).map_err(|_| format!("a record batch claims {rows} rows"))?;
+        match &mut self.order {
+            Order::Listed { next, .. } => *next += 1,
+            Order::Following { next, .. } => *next = head.body.end,
+        }
+        Ok(Some(head))
+    }
+
+    /// The record batch with this head.
+    pub(super) fn read(&mut self, head: &Head) -> Result<RecordBatch, String> {
+        let message = head.message(MessageHeader::RecordBatch)?;
+        let batch = message.header_as_record_batch().ok_or("a record batch is damaged")?;
+        let codec = batch.compression().map(|compression| compression.codec());
+        if codec == Some(CompressionType::LZ4_FRAME) {
+            return Err(
+                "it is compressed by LZ4, which is not read; write it with compression=\"zstd\", or uncompressed"
+                    .into(),
+            );
+        }
+        let body = Buffer::from_vec(bytes(&mut self.file, head.body.clone())?);
+        for buffer in batch.buffers().into_iter().flatten() {
+            let part = usize::try_from(buffer.offset()).ok().zip(usize::try_from(buffer.length()).ok());
+            let part = part.and_then(|(offset, length)| body.get(offset..offset.checked_add(length)?));
+            let part = part.ok_or("a record batch is damaged (a column reaches beyond it)")?;
+            if let (Some(_), Some(length)) = (codec, part.first_chunk()) {
+                // -1 says that this part is not compressed
+                let length = usize::try_from(i64::from_le_bytes(*length)).unwrap_or(0);
+                let room = Vec::<u8>::new().try_reserve_exact(length);
+                room.map_err(|_| {
+                    format!("a column of a record batch claims {length} bytes, for which there is no memory")
+                })?;
+            }
+        }
+        let (schema, version) = (Arc::clone(&self.schema), message.version());
+        RecordBatchDecoder::try_new(&body, batch, schema, &HashMap::new(), &version)
+            .and_then(RecordBatchDecoder::read_record_batch)
+            .map_err(|error| format!("a record batch is damaged ({error})"))
+    }
+
+    /// The message at a place; none at the mark of the end.
+    fn head(&mut self, at: u64) -> Result<Option<Head>, String> {
+        let cut_short = || "it breaks off: it was cut short, or whatever wrote it did not close it".to_owned();
+        let mut word = |at: u64| -> Result<[u8; 4], String> {
+            let end = at.checked_add(4).filter(|end| *end <= self.end).ok_or_else(cut_short)?;
+            let mut word = [0; 4];
+            word.copy_from_slice(&bytes(&mut self.file, at..end)?);
+            Ok(word)
+        };
+        let (mut length, mut at) = (word(at)?, at + 4);
+        if length == CONTINUATION {
+            (length, at) = (word(at)?, at + 4);
+        }
+        let length = i32::from_le_bytes(length);
+        if length == 0 {
+            return match (&self.order, self.end - at) {
+                (Order::Following { .. }, more @ 1..) => {
+                    Err(format!("{more} bytes stand after its end; give one stream a file"))
+                }
+                _ => Ok(None),
+            };
+        }
+        let length = u64::try_from(length).map_err(|_| format!("a message claims {length} bytes"))?;
+        let body = at.checked_add(length).filter(|body| *body <= self.end).ok_or_else(cut_short)?;
+        let metadata = bytes(&mut self.file, at..body)?;
+        let message = root_as_message(&metadata).map_err(|error| format!("a message is damaged ({error})"))?;
+        let length = u64::try_from(message.bodyLength()).ok();
+        let end = length.and_then(|length| body.checked_add(length)).filter(|end| *end <= self.end);
+        let body = body..end.ok_or_else(cut_short)?;
+        Ok(Some(Head { metadata, body, rows: 0 }))
+    }
+}
+
+impl Head {
+    fn message(&self, wanted: MessageHeader) -> Result<Message<'_>, String> {
+        let message = root_as_message(&self.metadata).map_err(|error| format!("a message is damaged ({error})"))?;
+        match message.header_type() {
+            kind if kind == wanted => Ok(message),
+            kind => Err(format!("a message is a {kind:?} where a {wanted:?} is wanted")),
+        }
+    }
+}
+
+fn read_schema(schema: Option<arrow_ipc::Schema>) -> Result<Arc<Schema>, String> {
+    let schema = schema.ok_or("it has no schema")?;
+    if schema.endianness() != Endianness::Little {
+        return Err("its numbers are big-endian; write it on a little-endian machine".into());
+    }
+    try_fb_to_schema(schema).map(Arc::new).map_err(|error| format!("its schema is damaged ({error})"))
+}
+
+/// A part of a file that is known to lie within it.
+fn bytes(file: &mut File, part: Range<u64>) -> Result<Vec<u8>, String> {
+    let length = usize::try_from(part.end - part.start).map_err(|_| "it is too large for this machine")?;
+    let mut bytes = vec![0; length];
+    file.seek(SeekFrom::Start(part.start))
+        .and_then(|_| file.read_exact(&mut bytes))
+        .map_err(|error| error.to_string())?;
+    Ok(bytes)
+}

@@ -1,0 +1,240 @@
+//! Tables of points in Arrow IPC files and streams that pyarrow wrote (`tests/data/tables/make.py`), beside the same in CSV
+//! and Parquet; what is refused, cut short or damaged.
+
+use crate::sweep::{all, table};
+use arrow_array::{ArrayRef, Float32Array, Float64Array, Int16Array, RecordBatch};
+use arrow_ipc::writer::{FileWriter, StreamWriter};
+use longdrive::Setup;
+use longdrive::batch::{Points, open_table};
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, LazyLock};
+
+const ROWS: usize = 11;
+
+fn file(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/tables").join(name)
+}
+
+fn open(path: &Path) -> longdrive::Result<Box<dyn Points>> {
+    static SETUP: LazyLock<Setup<f64>> = LazyLock::new(Setup::default);
+    open_table(&SETUP, path)
+}
+
+fn refusal(path: &Path) -> String {
+    open(path).err().unwrap_or_else(|| panic!("{} was not refused", path.display())).to_string()
+}
+
+#[test]
+fn independent_rows_are_those_of_csv_and_parquet() {
+    let expected: Vec<f64> = (0..ROWS)
+        .map(|row| row as f64)
+        .flat_map(|row| [0.1 + 0.017 * row, 40.0 + 1.3 * row, -0.05 + 0.01 * row])
+        .collect();
+    let csv = open(&file("points.csv")).unwrap().identity();
+    for name in [
+        "points.csv",
+        "points.parquet",
+        "points.arrow",
+        "points.arrows",
+        "legacy.arrows",
+        "version4.arrow",
+        "zstd.feather",
+        "gaps.arrows",
+    ] {
+        let mut points = open(&file(name)).unwrap();
+        let names: Vec<_> = points.parameters().iter().map(|parameter| parameter.name).collect();
+        assert_eq!(names, ["club.loft", "swing.speed", "swing.attack_angle"], "{name}");
+        assert_eq!((points.rows(), all(points.as_mut())), (ROWS as u64, expected.clone()), "{name}");
+        assert_eq!(points.identity(), csv, "{name}");
+        for from in (0..=ROWS).rev() {
+            let mut rest = vec![];
+            points.seek(from as u64).unwrap();
+            let read = points.read(100, &mut rest).unwrap();
+            assert_eq!((read, &rest[..]), (ROWS - from, &expected[3 * from..]), "{name} from row {from}");
+            assert_eq!(points.read(100, &mut rest).unwrap(), 0, "{name}");
+        }
+    }
+}
+
+#[test]
+fn independent_file_or_stream_is_told_by_the_bytes() {
+    for name in ["points.arrow", "points.arrows"] {
+        let bytes = std::fs::read(file(name)).unwrap();
+        for other in ["a.arrow", "b.arrows", "c.FEATHER"] {
+            let (_folder, path) = table(other, &bytes);
+            assert_eq!(open(&path).unwrap().rows(), ROWS as u64, "{name} as {other}");
+        }
+    }
+}
+
+#[test]
+fn independent_ends_of_every_kind_of_number() {
+    let mut points = open(&file("kinds.arrow")).unwrap();
+    let names: Vec<_> = points.parameters().iter().map(|parameter| parameter.name).collect();
+    let values = all(points.as_mut());
+    let expected = [
+        ("swing.speed", 0.1, -1e300),
+        ("air.density", 0.100_000_001_490_116_12, -1.5),
+        ("swing.path", -128.0, 127.0),
+        ("swing.face_angle", -32_768.0, 32_767.0),
+        ("swing.shaft_lean", -2_147_483_648.0, 2_147_483_647.0),
+        // the nearest that a f64 can be, as for the same digits in CSV
+        ("swing.attack_angle", -9_223_372_036_854_775_808.0, 9_223_372_036_854_775_807.0),
+        ("club.loft", 0.0, 255.0),
+        ("club.mass", 0.0, 65_535.0),
+        ("strike.high", 0.0, 4_294_967_295.0),
+        ("strike.toe", 0.0, 18_446_744_073_709_551_615.0),
+    ];
+    assert_eq!((names.len(), values.len()), (10, 20));
+    for (name, first, second) in expected {
+        let at = names.iter().position(|found| *found == name).unwrap();
+        assert_eq!([values[at], values[10 + at]], [first, second], "{name}");
+    }
+}
+
+#[test]
+fn independent_compressed_batches() {
+    let path = file("long_zstd.arrows");
+    assert!(std::fs::metadata(&path).unwrap().len() < 8 * 4000 / 10, "the fixture is compressed");
+    assert_eq!(all(open(&path).unwrap().as_mut()), [0.2; 4000]);
+}
+
+#[test]
+fn independent_tables_without_rows_are_tables() {
+    for name in ["no_rows.arrow", "no_rows.arrows"] {
+        let mut points = open(&file(name)).unwrap();
+        assert_eq!((points.rows(), all(points.as_mut()), points.parameters().len()), (0, vec![], 3), "{name}");
+    }
+}
+
+#[test]
+fn bad_columns_and_values_are_told_by_row_and_column() {
+    for (name, says) in [
+        ("null.arrow", "null.arrow, row 3, column air.density: a value is missing; every row needs one"),
+        ("nan.arrow", "nan.arrow, row 4, column air.density: NaN is not a number; every row needs one"),
+        ("text.arrow", "column air.density: its type is Utf8; a column of numbers is wanted"),
+        (
+            "dictionary.arrow",
+            "column air.density: its type is Dictionary(Int32, Float64); a column of numbers is wanted",
+        ),
+        ("nested.arrow", "column club.loft: its type is List"),
+        ("time.arrow", "column club.loft: its type is Timestamp"),
+        ("only_null.arrow", "column club.loft: its type is Null"),
+        ("unknown.arrow", "column 2: unknown parameter 'club.lofft'; did you mean 'club.loft'?"),
+        ("unit.arrow", "column 1: unknown parameter 'club.loft [deg]'"),
+        ("twice.arrow", "the parameter club.loft has two columns; keep one"),
+        ("no_columns.arrow", "it has no columns"),
+        ("lz4.feather", "lz4.feather: it is compressed by LZ4, which is not read; write it with compression=\"zstd\""),
+    ] {
+        let message = refusal(&file(name));
+        assert!(message.contains(says), "{name}: {message}");
+    }
+}
+
+#[test]
+fn bad_files_say_what_is_wrong_with_them() {
+    let stream = std::fs::read(file("points.arrows")).unwrap();
+    let whole = std::fs::read(file("points.arrow")).unwrap();
+    let parquet = std::fs::read(file("points.parquet")).unwrap();
+    let without_end = &stream[..stream.len() - 8];
+    for (bytes, says) in [
+        (&b""[..], "it is empty"),
+        (b"club.loft\n0.1\n", "it is neither an Arrow IPC file nor a stream"),
+        (b"club", "it is neither an Arrow IPC file nor a stream"),
+        (&parquet, "it is neither an Arrow IPC file nor a stream"),
+        (b"FEA1\0\0\0\0", "Feather of version 1"),
+        (b"ARROW1", "it has no foot"),
+        (&whole[..whole.len() - 1], "it has no foot: it was cut short"),
+        (without_end, "after row 11: it breaks off: it was cut short"),
+        (&[&stream[..], &stream].concat(), "1232 bytes stand after its end; give one stream a file"),
+    ] {
+        let (_folder, path) = table("a.arrow", bytes);
+        let message = refusal(&path);
+        assert!(message.contains("a.arrow") && message.contains(says), "{says}: {message}");
+    }
+    let none = refusal(Path::new("/nowhere/a.arrow"));
+    assert!(none.contains("/nowhere/a.arrow: it cannot be read"), "{none}");
+}
+
+#[test]
+fn a_table_cut_short_anywhere_is_refused() {
+    for name in ["points.arrow", "points.arrows", "zstd.feather"] {
+        let bytes = std::fs::read(file(name)).unwrap();
+        for length in 0..bytes.len() {
+            let (_folder, path) = table("a.arrow", &bytes[..length]);
+            assert!(open(&path).is_err(), "the first {length} bytes of {name}");
+        }
+    }
+}
+
+#[test]
+fn a_damaged_table_is_refused_or_read_whole_but_nothing_panics() {
+    let mut refused = 0;
+    for name in ["points.arrow", "points.arrows", "legacy.arrows", "long_zstd.arrows", "null.arrow"] {
+        let bytes = std::fs::read(file(name)).unwrap();
+        let (_folder, path) = table("a.arrow", &bytes);
+        for at in 0..bytes.len() {
+            for mask in [0x01, 0x80, 0xff] {
+                let mut damaged = bytes.clone();
+                damaged[at] ^= mask;
+                std::fs::write(&path, &damaged).unwrap();
+                let Ok(mut points) = open(&path) else {
+                    refused += 1;
+                    continue;
+                };
+                let values = all(points.as_mut());
+                let count = points.rows() as usize * points.parameters().len();
+                assert!(values.len() == count && !values.iter().any(|value| value.is_nan()), "{name}, byte {at}");
+            }
+        }
+    }
+    assert!(refused > 1000, "{refused}");
+}
+
+/// Rows by arrow-ipc in batches of 1 to 997 of them, and what they are.
+fn long(rows: usize) -> (Vec<RecordBatch>, Vec<f64>) {
+    let expected: Vec<f64> =
+        (0..rows).flat_map(|i| [0.05 + i as f64 * 1e-6, f64::from(i as f32 * 0.25), (i % 45) as f64]).collect();
+    let (mut batches, mut first, mut length) = (vec![], 0, 1);
+    while first < rows {
+        let batch = first..rows.min(first + length);
+        let lofts: Float64Array = batch.clone().map(|i| 0.05 + i as f64 * 1e-6).collect();
+        let speeds: Float32Array = batch.clone().map(|i| i as f32 * 0.25).collect();
+        let angles: Int16Array = batch.map(|i| (i % 45) as i16).collect();
+        let columns: [(&str, ArrayRef, bool); 3] = [
+            ("club.loft", Arc::new(lofts), true),
+            ("swing.speed", Arc::new(speeds), true),
+            ("strike.toe", Arc::new(angles), true),
+        ];
+        batches.push(RecordBatch::try_from_iter_with_nullable(columns).unwrap());
+        (first, length) = (first + length, (length + 331) % 997 + 1);
+    }
+    (batches, expected)
+}
+
+#[test]
+fn exact_many_record_batches_across_chunks() {
+    let (batches, expected) = long(30_011);
+    let (_folder, path) = table("long.arrow", "");
+    for is_stream in [false, true] {
+        let target = std::fs::File::create(&path).unwrap();
+        if is_stream {
+            let mut writer = StreamWriter::try_new(target, &batches[0].schema()).unwrap();
+            batches.iter().for_each(|batch| writer.write(batch).unwrap());
+            writer.finish().unwrap();
+        } else {
+            let mut writer = FileWriter::try_new(target, &batches[0].schema()).unwrap();
+            batches.iter().for_each(|batch| writer.write(batch).unwrap());
+            writer.finish().unwrap();
+        }
+        let mut points = open(&path).unwrap();
+        assert_eq!(points.rows(), 30_011);
+        assert!(all(points.as_mut()) == expected);
+        for from in [30_010, 29_000, 1, 0, 12_345, 333] {
+            let mut values = vec![];
+            points.seek(from).unwrap();
+            while points.read(4096, &mut values).unwrap() > 0 {}
+            assert!(values == expected[3 * from as usize..], "from row {from}");
+        }
+    }
+}
