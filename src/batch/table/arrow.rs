@@ -12,7 +12,7 @@ use arrow_schema::DataType;
 use std::path::{Path, PathBuf};
 
 /// Points in an Arrow IPC file or stream (Feather of version 2 is such a file): columns of numbers, SI, named by
-/// parameters. It is read a record batch at a time; batches may be compressed by ZSTD.
+/// parameters. It is read a record batch at a time; batches may be compressed by ZSTD or LZ4.
 pub struct ArrowTable {
     path: PathBuf,
     batches: RecordBatches,
@@ -29,7 +29,7 @@ impl ArrowTable {
     /// The table in a file. All of it is read once, so that a value that is missing is told before any work.
     ///
     /// # Errors
-    /// [`Error::Table`](crate::Error::Table) for a file that cannot be read, is cut short or compressed by LZ4, a column
+    /// [`Error::Table`](crate::Error::Table) for a file that cannot be read, is cut short, a column
     /// that is no parameter, given twice or not of numbers, a missing value, and NaN.
     pub fn open(setup: &Setup<f64>, path: &Path) -> Result<Self> {
         let batches = RecordBatches::open(path).map_err(|reason| refused(path, String::new(), reason))?;

@@ -2,7 +2,7 @@ use arrow_array::RecordBatch;
 use arrow_buffer::Buffer;
 use arrow_ipc::convert::try_fb_to_schema;
 use arrow_ipc::reader::{RecordBatchDecoder, read_footer_length};
-use arrow_ipc::{CompressionType, Endianness, Message, MessageHeader, root_as_footer, root_as_message};
+use arrow_ipc::{Endianness, Message, MessageHeader, root_as_footer, root_as_message};
 use arrow_schema::Schema;
 use std::collections::HashMap;
 use std::fs::File;
@@ -132,19 +132,13 @@ impl RecordBatches {
     pub(super) fn read(&mut self, head: &Head) -> Result<RecordBatch, String> {
         let message = head.message(MessageHeader::RecordBatch)?;
         let batch = message.header_as_record_batch().ok_or("a record batch is damaged")?;
-        let codec = batch.compression().map(|compression| compression.codec());
-        if codec == Some(CompressionType::LZ4_FRAME) {
-            return Err(
-                "it is compressed by LZ4, which is not read; write it with compression=\"zstd\", or uncompressed"
-                    .into(),
-            );
-        }
+        let is_compressed = batch.compression().is_some();
         let body = Buffer::from_vec(bytes(&mut self.file, head.body.clone())?);
         for buffer in batch.buffers().into_iter().flatten() {
             let part = usize::try_from(buffer.offset()).ok().zip(usize::try_from(buffer.length()).ok());
             let part = part.and_then(|(offset, length)| body.get(offset..offset.checked_add(length)?));
             let part = part.ok_or("a record batch is damaged (a column reaches beyond it)")?;
-            if let (Some(_), Some(length)) = (codec, part.first_chunk()) {
+            if let (true, Some(length)) = (is_compressed, part.first_chunk()) {
                 // -1 says that this part is not compressed
                 let length = usize::try_from(i64::from_le_bytes(*length)).unwrap_or(0);
                 let room = Vec::<u8>::new().try_reserve_exact(length);
