@@ -97,18 +97,10 @@ impl<T: Numbers, S: Space<T>, L: Surroundings<T>> Motion<T, S, L> {
     #[inline(always)]
     pub fn spin(&self, faded: T, air_path: impl FnOnce() -> T) -> SpinNow<T, S, L::Memory> {
         let size = self.undamped(faded, air_path);
-        let (force, memory) = self.law.force_by_spin(size);
-        SpinNow {
-            size,
-            forces: force.map(
-                #[inline(always)]
-                |force| self.forces(force),
-            ),
-            memory,
-        }
+        self.with_force(size, self.law.force_by_spin(size))
     }
 
-    /// The same, half a step after it was `before`.
+    /// The same, half a step after it was `before`, of which something has been kept.
     #[inline(always)]
     pub fn later_spin(
         &self,
@@ -117,15 +109,16 @@ impl<T: Numbers, S: Space<T>, L: Surroundings<T>> Motion<T, S, L> {
         air_path: impl FnOnce() -> T,
     ) -> SpinNow<T, S, L::Memory> {
         let size = self.undamped(faded, air_path);
-        let (force, memory) = self.law.force_later(size, before, memory);
-        SpinNow {
-            size,
-            forces: force.map(
-                #[inline(always)]
-                |force| self.forces(force),
-            ),
-            memory,
-        }
+        self.with_force(size, self.law.force_later(size, before, memory))
+    }
+
+    #[inline(always)]
+    fn with_force(&self, size: T, (force, memory): (Option<Force<T>>, L::Memory)) -> SpinNow<T, S, L::Memory> {
+        let forces = force.map(
+            #[inline(always)]
+            |force| self.forces(force),
+        );
+        SpinNow { size, forces, memory }
     }
 
     #[inline(always)]

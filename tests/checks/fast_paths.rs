@@ -48,33 +48,61 @@ fn for_every_way(check: impl Fn(&Setup<f64>)) {
     }
 }
 
+/// Asserts that the fast ways agree with the general one.
+fn agrees(setup: &Setup<f64>) {
+    let wrt = variables(setup, &TWO);
+    for of in [Outcome::Carry, Outcome::Lateral, Outcome::ApexHeight, Outcome::DescentAngle] {
+        let jet = general(setup, of, Jet::<2>::variable);
+        let jet2 = general(setup, of, Jet2::<2, 3>::variable);
+        let (value, first, second) = (
+            fast(setup, of, &wrt, Order::Value),
+            fast(setup, of, &wrt, Order::First),
+            fast(setup, of, &wrt, Order::Second),
+        );
+        let size = jet.re.abs().max(0.1);
+        for taylor in [&value, &first, &second] {
+            close(taylor.value, jet.re, size, 1e-13, "value");
+        }
+        let steep = jet.gradient[0].abs().max(jet.gradient[1].abs()).max(1.0);
+        for k in 0..2 {
+            close(first.gradient[k], jet.gradient[k], steep, 1e-12, "gradient");
+            close(second.gradient[k], jet.gradient[k], steep, 1e-12, "gradient of the second order");
+        }
+        let bent = jet2.hessian.iter().fold(1.0, |most: f64, h| most.max(h.abs()));
+        for (i, j) in [(0, 0), (0, 1), (1, 1)] {
+            close(second.hessian[i][j], jet2.second(i, j), bent, 1e-10, "Hessian");
+        }
+    }
+}
+
 #[test]
 fn exact_agreement_of_the_fast_ways_with_the_general_one() {
-    for_every_way(|setup| {
-        let wrt = variables(setup, &TWO);
-        for of in [Outcome::Carry, Outcome::Lateral, Outcome::ApexHeight, Outcome::DescentAngle] {
-            let jet = general(setup, of, Jet::<2>::variable);
-            let jet2 = general(setup, of, Jet2::<2, 3>::variable);
-            let (value, first, second) = (
-                fast(setup, of, &wrt, Order::Value),
-                fast(setup, of, &wrt, Order::First),
-                fast(setup, of, &wrt, Order::Second),
-            );
-            let size = jet.re.abs().max(0.1);
-            for taylor in [&value, &first, &second] {
-                close(taylor.value, jet.re, size, 1e-13, "value");
-            }
-            let steep = jet.gradient[0].abs().max(jet.gradient[1].abs()).max(1.0);
-            for k in 0..2 {
-                close(first.gradient[k], jet.gradient[k], steep, 1e-12, "gradient");
-                close(second.gradient[k], jet.gradient[k], steep, 1e-12, "gradient of the second order");
-            }
-            let bent = jet2.hessian.iter().fold(1.0, |most: f64, h| most.max(h.abs()));
-            for (i, j) in [(0, 0), (0, 1), (1, 1)] {
-                close(second.hessian[i][j], jet2.second(i, j), bent, 1e-10, "Hessian");
-            }
+    for_every_way(agrees);
+}
+
+/// A law by spin alone takes its lift from half step to half step while the spin fades slowly enough, and computes it anew where it
+/// does not: with this drive from about 1.4 /s on.
+#[test]
+fn exact_agreement_however_fast_the_spin_fades() {
+    let mut setup = Setup::default();
+    setup.set_law("robinson").unwrap();
+    setup.set_all([("swing.attack_angle", "2 deg"), ("flight.step", "0.02 s")]).unwrap();
+    for decay in [0.0, 1e-3, 0.5, 1.0, 1.3, 1.5, 2.0, 5.0, 50.0] {
+        setup.aero.spin_decay = decay;
+        agrees(&setup);
+    }
+    let decay = setup.variable("aero.spin_decay").unwrap();
+    let mut points = Grid::new(vec![Axis::read(&setup, "aero.spin_decay=0/s..3/s:61").unwrap()]).unwrap();
+    let alone = Evaluator::new(&setup, &[Outcome::Carry], &[decay], Order::First).unwrap();
+    gradient_batch(&setup, &mut points, &[Outcome::Carry], &[decay], &Run::default(), |block| {
+        for row in 0..block.rows() {
+            let taylor = alone.at(block.point(row)).unwrap().remove(0);
+            close(block.outcome(row, 0).unwrap(), taylor.value, taylor.value, 1e-13, "carry");
+            close(block.derivatives(row).next().unwrap().unwrap(), taylor.gradient[0], 1.0, 1e-11, "derivative");
         }
-    });
+        Ok(())
+    })
+    .unwrap();
 }
 
 #[test]

@@ -74,38 +74,39 @@ pub fn two(setup: &Setup<f64>) -> Result<Vec<&'static Parameter>> {
 const TABLE_1: [f64; 9] = [5.0, 7.0, 8.0, 9.0, 10.0, 11.0, 12.0, 13.0, 15.0];
 const TABLE_2: [f64; 13] = [-10.0, -5.0, -4.0, -3.0, -2.0, -1.0, 0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 10.0];
 
-/// The optima of Winfield & Tan: those of their tables from 0° of attack angle and 10° of loft, and the one of both angles from there.
+/// The optima of Winfield & Tan: the one of both angles from 10° of loft and 0° of attack angle, and those of their tables, each
+/// from the one before.
 fn winfield_tan(within: Option<f64>) -> Result<Box<dyn Fn() -> Result<Answer>>> {
     let mut setup = Setup::preset("winfield-tan")?;
-    let vary = ["club.loft=-10deg..40deg", "swing.attack_angle=-20deg..50deg"];
+    let vary = ["club.loft=2deg..18deg", "swing.attack_angle=-10deg..30deg"];
     let vary = vary.iter().map(|text| Vary::read(&setup, text)).collect::<Result<Vec<_>>>()?;
     if let Some(tolerance) = within {
         let found = accuracy(&setup, &vary, tolerance)?;
         (setup.method, setup.flight.step) = (found.method, found.step);
     }
-    let at = |loft: f64, attack_angle: f64| {
-        let mut at = setup;
-        (at.club.loft, at.swing.attack_angle) = (loft.to_radians(), attack_angle.to_radians());
-        at
-    };
-    let mut searches = vec![(at(10.0, 0.0), vary.clone())];
-    searches.extend(TABLE_1.map(|loft| (at(loft, 0.0), vec![vary[1]])));
-    searches.extend(TABLE_2.map(|attack_angle| (at(10.0, attack_angle), vec![vary[0]])));
-    let searches = searches.into_iter().map(|(setup, vary)| {
-        let search = Search { vary, ..Search::longest_drive(&setup)? };
-        Ok((setup, search))
-    });
-    let searches = searches.collect::<Result<Vec<_>>>()?;
-    Ok(Box::new(move || {
-        let mut best = None;
-        for (setup, search) in searches.iter().rev() {
-            let found = optimum(black_box(setup), search.clone(), Watch::default())?;
-            if found.solution.status != Status::Converged {
-                return Err(Error::NotConverged { status: found.status(), message: found.message() });
-            }
-            best = Some(found);
+    (setup.club.loft, setup.swing.attack_angle) = (10_f64.to_radians(), 0.0);
+    let of_both = Search::longest_drive(&setup)?;
+    let [of_loft, of_attack_angle] = [0, 1].map(|i| Search { vary: vec![vary[i]], ..of_both.clone() });
+    let of_both = Search { vary, ..of_both };
+    let converged = |setup: &Setup<f64>, search: &Search| {
+        let found = optimum(black_box(setup), search.clone(), Watch::default())?;
+        match found.solution.status {
+            Status::Converged => Ok(found),
+            _ => Err(Error::NotConverged { status: found.status(), message: found.message() }),
         }
-        best.map(|best| Answer::Optimum(Box::new(best))).ok_or(Error::Nothing { doing: "search", what: "optimum" })
+    };
+    Ok(Box::new(move || {
+        let mut at = setup;
+        for loft in TABLE_1 {
+            at.club.loft = loft.to_radians();
+            at = converged(&at, &of_attack_angle)?.setup;
+        }
+        at = setup;
+        for attack_angle in TABLE_2 {
+            at.swing.attack_angle = attack_angle.to_radians();
+            at = converged(&at, &of_loft)?.setup;
+        }
+        converged(&setup, &of_both).map(|best| Answer::Optimum(Box::new(best)))
     }))
 }
 
