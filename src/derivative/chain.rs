@@ -96,8 +96,8 @@ impl Asked<'_> {
     /// A Taylor polynomial to be filled in for each outcome.
     fn blank(&self, rows: usize) -> Vec<Taylor> {
         let n = self.wrt.len();
-        let blank = Taylor { value: 0.0, gradient: vec![0.0; n], hessian: vec![vec![0.0; n]; rows] };
-        vec![blank; self.of.len()]
+        let blank = || Taylor { value: 0.0, gradient: vec![0.0; n], hessian: vec![vec![0.0; n]; rows] };
+        std::iter::repeat_with(blank).take(self.of.len()).collect()
     }
 }
 

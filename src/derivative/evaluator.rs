@@ -27,7 +27,8 @@ pub struct Evaluator {
     wrt: Vec<&'static Parameter>,
     order: Order,
     pairs: Pairs,
-    turns_inertia: bool,
+    /// The places of parameters of the inertia tensor, with the values that have been checked together.
+    inertia: Vec<(usize, Option<f64>)>,
 }
 
 impl Evaluator {
@@ -47,9 +48,10 @@ impl Evaluator {
                 setup.variable(parameter.name)?;
             }
         }
-        let turns_inertia = wrt.iter().any(|parameter| parameter.name.starts_with("club.inertia"));
+        let turns = wrt.iter().enumerate().filter(|(_, parameter)| parameter.name.starts_with("club.inertia"));
+        let inertia = turns.map(|(place, parameter)| (place, setup.value(parameter))).collect();
         let (of, wrt) = (of.to_vec(), wrt.to_vec());
-        Ok(Self { setup: *setup, launch: None, of, wrt, order, pairs: Pairs::All, turns_inertia })
+        Ok(Self { setup: *setup, launch: None, of, wrt, order, pairs: Pairs::All, inertia })
     }
 
     /// The same question of a ball that leaves like this, whatever the club: a launch monitor's shot. Nothing then depends on
@@ -96,7 +98,7 @@ impl Evaluator {
         for (parameter, value) in self.wrt.iter().zip(values) {
             parameter.check(*value)?;
         }
-        if self.turns_inertia {
+        if self.inertia.iter().any(|&(place, checked)| checked != Some(values[place])) {
             let mut moved = self.setup;
             moved.put(&self.wrt, |i| values[i]);
             moved.club.check_inertia()?;

@@ -315,3 +315,46 @@ pack! {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Lanes, Level, Task};
+    use super::{Pack4, Pack8};
+    use std::marker::PhantomData;
+
+    /// The largest errors of root, inverse root and exponential over many numbers, in units of the last place.
+    struct Worst<P>(PhantomData<P>);
+
+    impl<P: Lanes<Lane = f64>> Task for Worst<P> {
+        type Output = [f64; 3];
+
+        #[inline(always)]
+        fn run(self) -> [f64; 3] {
+            let mut worst = [0.0_f64; 3];
+            for i in 0..40_000 {
+                // 1e-12 to 1e12, each lane another
+                let x: P =
+                    P::from_lanes(|lane| 10_f64.powf(-12.0 + 24.0 * f64::from(i) / 4e4) * (1.0 + 0.37 * lane as f64));
+                let (root, inverse) = x.sqrt_recip();
+                let exponent = (root * 1e-6).exp();
+                for lane in 0..P::WIDTH {
+                    let (exact, small) = (x.lane(lane).sqrt(), root.lane(lane) * 1e-6);
+                    let pairs = [(root, exact), (inverse, 1.0 / exact), (exponent, small.exp())];
+                    for (most, (found, exact)) in worst.iter_mut().zip(pairs) {
+                        *most = most.max((found.lane(lane) - exact).abs() / (exact.abs() * f64::EPSILON));
+                    }
+                }
+            }
+            worst
+        }
+    }
+
+    #[test]
+    fn measured_vector_functions_are_within_two_units_of_the_libm_ones() {
+        let four = Level::run_four(Worst::<Pack4>(PhantomData));
+        let eight = Level::run_eight(Worst::<Pack8>(PhantomData));
+        for worst in [four, eight].into_iter().flatten() {
+            assert!(worst.iter().all(|most| *most <= 2.0), "{worst:?}");
+        }
+    }
+}
