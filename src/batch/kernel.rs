@@ -47,7 +47,7 @@ impl Kernel {
     /// limit of friction need be looked at in each, and there are not so many derivatives that those of one drive fill the lanes.
     fn goes_abreast(&self) -> bool {
         const MOST_DERIVATIVES: usize = 6;
-        let turns_inertia = self.parameters.iter().any(|parameter| parameter.name.starts_with("club.inertia"));
+        let turns_inertia = self.parameters.iter().any(|parameter| parameter.is_of_inertia());
         let sticks = self.setup.impact.friction.is_none();
         Level::here() > Level::Baseline && !turns_inertia && sticks && self.wrt.len() <= MOST_DERIVATIVES
     }

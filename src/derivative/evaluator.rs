@@ -48,7 +48,7 @@ impl Evaluator {
                 setup.variable(parameter.name)?;
             }
         }
-        let turns = wrt.iter().enumerate().filter(|(_, parameter)| parameter.name.starts_with("club.inertia"));
+        let turns = wrt.iter().enumerate().filter(|(_, parameter)| parameter.is_of_inertia());
         let inertia = turns.map(|(place, parameter)| (place, setup.value(parameter))).collect();
         let (of, wrt) = (of.to_vec(), wrt.to_vec());
         Ok(Self { setup: *setup, launch: None, of, wrt, order, pairs: Pairs::All, inertia })

@@ -5,7 +5,7 @@ use super::pace::Pace;
 use super::rk4::Classical;
 use super::shot::Shot;
 use super::space::{Plane, Space};
-use super::surroundings::{Still, Surroundings, Whatever};
+use super::surroundings::{Still, Surroundings, Windy};
 use super::tableau::Higher;
 use crate::error::{Error, Result};
 use crate::launch::Launch;
@@ -169,7 +169,7 @@ impl<T: Number> Shot<T> {
         wanted: Wanted,
         observe: impl FnMut(&Node<T, S>),
     ) -> Result<Flight<T>> {
-        self.fly_by::<S, Whatever<T>>(Whatever::new(self.law, self.force_per_mass), pace, wanted, observe)
+        self.fly_by::<S, _>(Windy::new(self.law, self.force_per_mass), pace, wanted, observe)
     }
 
     /// The flight by the shortest way there is: in the plane where it stays there, and with the one law whose

@@ -9,7 +9,7 @@ use super::pace::Pace;
 use super::rk4::Classical;
 use super::shot::Shot;
 use super::space::{Plane, Space};
-use super::surroundings::{Still, Surroundings, Whatever};
+use super::surroundings::{Still, Surroundings, Windy};
 use super::tableau::Higher;
 use crate::number::{Lanes, Vector, inlined};
 use crate::parameters::Method;
@@ -38,10 +38,8 @@ impl<T: Lanes, S: Space<T>> Event<T, S> {
         Self { lanes: 0, time: T::zero(), from: here.state }
     }
 
-    /// Called, so that what happens once is kept in memory and takes no register from every step; with a copy of the state,
-    /// so that this one keeps its own.
     #[inline(always)]
-    fn happens(&mut self, lanes: u8, from: State<T, S>) {
+    fn happens(&mut self, lanes: u8, from: &State<T, S>) {
         let mask = T::mask(lanes);
         self.lanes |= lanes;
         self.time = T::constant(from.time).blend(self.time, mask);
@@ -54,7 +52,7 @@ impl<T: Lanes> Shot<T> {
     #[inline(always)]
     pub(crate) fn fly_abreast(&self, pace: &Pace, wanted: Wanted, flying: u8) -> Formation<T> {
         if !(self.is_plane() && self.is_in_still_air()) {
-            return self.abreast_by::<Vector<T>, _>(Whatever::new(self.law, self.force_per_mass), pace, wanted, flying);
+            return self.abreast_by::<Vector<T>, _>(Windy::new(self.law, self.force_per_mass), pace, wanted, flying);
         }
         match self.spun::<T::Value>(pace) {
             Some(law) => self.abreast_by::<Plane<T>, _>(law, pace, wanted, flying),
@@ -118,10 +116,10 @@ impl<T: Lanes> Shot<T> {
             let lands = active & !now_above & above & followed;
             active &= followed & !(falls & (!above & !now_above | lands));
             if falls & active != 0 && wanted == Wanted::Apex {
-                apex.happens(falls & active, here.state);
+                apex.happens(falls & active, &here.state);
             }
             if lands & active != 0 {
-                landing.happens(lands & active, here.state);
+                landing.happens(lands & active, &here.state);
                 active &= !lands;
             }
             above |= now_above;

@@ -28,22 +28,22 @@ pub(super) struct Force<T> {
     pub along: T,
 }
 
-/// A law, in whatever air or (`STILL`) in still air.
+/// Whichever law, in whatever air or, known beforehand (`STILL`), in still air.
 #[derive(Clone, Copy)]
-pub(super) struct Blown<T, L, const STILL: bool> {
-    law: L,
+pub(super) struct AnyLaw<T, const STILL: bool> {
+    law: Law<T>,
     /// ρ A/(2 m).
     force_per_mass: T,
 }
 
-/// Whatever the law, whatever the air.
-pub(super) type Whatever<T> = Blown<T, Law<T>, false>;
-/// A law in still air.
-pub(super) type Still<T, L> = Blown<T, L, true>;
+/// Whichever law in whatever air.
+pub(super) type Windy<T> = AnyLaw<T, false>;
+/// Whichever law in still air.
+pub(super) type Still<T> = AnyLaw<T, true>;
 
-impl<T: Numbers, L, const STILL: bool> Blown<T, L, STILL> {
+impl<T: Numbers, const STILL: bool> AnyLaw<T, STILL> {
     #[inline(always)]
-    pub fn new(law: L, force_per_mass: T) -> Self {
+    pub fn new(law: Law<T>, force_per_mass: T) -> Self {
         Self { law, force_per_mass }
     }
 
@@ -53,7 +53,7 @@ impl<T: Numbers, L, const STILL: bool> Blown<T, L, STILL> {
     }
 }
 
-impl<T: Numbers, L: AerodynamicLaw<T> + Copy, const STILL: bool> Surroundings<T> for Blown<T, L, STILL> {
+impl<T: Numbers, const STILL: bool> Surroundings<T> for AnyLaw<T, STILL> {
     const STILL: bool = STILL;
     type Constant = T;
     type Memory = ();

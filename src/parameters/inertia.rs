@@ -1,8 +1,16 @@
 //! What makes three moments and three products the inertia tensor of a body.
 
+use super::declare::Parameter;
 use super::table::Club;
 use crate::error::{Error, Result};
 use nalgebra::Matrix3;
+
+impl Parameter {
+    /// Whether it is an entry of the inertia tensor, whose entries must fit each other.
+    pub(crate) fn is_of_inertia(&self) -> bool {
+        self.name.starts_with("club.inertia")
+    }
+}
 
 impl<T: Copy> Club<T> {
     /// The inertia tensor about the centre of mass in the head frame, kg m², row by row.
@@ -21,6 +29,8 @@ impl Club<f64> {
         moments
     }
 
+    /// # Errors
+    /// [`Error::Inertia`] for a tensor that is no body's.
     pub(crate) fn check_inertia(&self) -> Result<()> {
         let [smallest, _, largest] = self.principal_moments();
         // eigenvalues are good to rounding of the largest

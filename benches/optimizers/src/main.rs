@@ -1,7 +1,6 @@
 //! longdrive's optimizer beside its peers, on the published problems of tests/problems. See run.sh.
 
-// the published points, where printed, are not needed here
-#[allow(dead_code)]
+#[expect(dead_code, reason = "the published points are for the tests")]
 #[path = "../../../tests/problems/mod.rs"]
 mod problems;
 
