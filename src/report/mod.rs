@@ -17,6 +17,7 @@ mod parameters;
 pub mod plot;
 mod presets;
 mod sensitivity;
+mod shown;
 mod sweep;
 mod table;
 mod uncertainty;

@@ -107,7 +107,7 @@ fn exact_chart_as_json_csv_and_table() {
     assert_eq!(points[0]["active"], serde_json::json!(["swing.attack_angle"]));
     assert!(points.last().unwrap()["active"].as_array().unwrap().contains(&Value::from("apex_height <= 35 yd")));
     let csv = longdrive(&[&args, ["--csv"].as_slice()].concat());
-    assert!(csv.out.starts_with("swing.speed,carry,club.loft,swing.attack_angle,active,event\n"), "{}", csv.out);
+    assert!(csv.out.starts_with("swing.speed [m/s],carry [m],club.loft [rad],swing.attack_angle [rad],active,event\n"), "{}", csv.out);
     assert_eq!(csv.out.lines().count(), points.len() + 1);
     assert!(longdrive(&args).out.contains("<- apex_height <= 35 yd begins"));
 

@@ -220,7 +220,7 @@ fn a_full_device_and_a_closed_pipe() {
     let mut child = program.args(rows).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
     let mut line = String::new();
     BufReader::new(child.stdout.take().unwrap()).read_line(&mut line).unwrap();
-    assert_eq!(line, "club.loft,status,carry\n");
+    assert_eq!(line, "club.loft [rad],status,carry [m]\n");
     let output = child.wait_with_output().unwrap();
     assert_eq!((output.status.code(), String::from_utf8(output.stderr).unwrap().as_str()), (Some(0), ""));
 }

@@ -291,7 +291,7 @@ fn exact_csv_and_json_lines_read_back_equal() {
     let table = SweepCsv::new(&batch);
     let text = String::from_utf8([table.head(), table.rows(&block)].concat()).unwrap();
     let lines: Vec<_> = text.lines().collect();
-    assert_eq!(lines[0], "club.loft,status,carry,ball_speed,d_carry/d_club.loft,d_ball_speed/d_club.loft");
+    assert_eq!(lines[0], "club.loft [rad],status,carry [m],ball_speed [m/s],d_carry/d_club.loft [m/rad],d_ball_speed/d_club.loft [m/s/rad]");
     let cells: Vec<Vec<_>> = lines[1..].iter().map(|line| line.split(',').collect()).collect();
     assert_eq!((cells[0][0], cells[0][1], cells[1][1], cells[1][2]), ("0.2", "landed", "no-flight", ""));
     for (cells, values) in cells.iter().zip(&values) {

@@ -1,8 +1,8 @@
 use crate::args::{
-    Drawing, Plot, PlotChart, PlotContour, PlotKind, PlotTornado, PlotTrajectory, PlotVcurve, Question, Seen, Units,
+    Drawing, Plot, PlotChart, PlotContour, PlotKind, PlotTornado, PlotTrajectory, PlotVcurve, Question, Seen,
 };
 use crate::names::{outcomes, variables};
-use crate::output::{Answer, tell, warn};
+use crate::output::{Answer, system, tell, warn};
 use longdrive::optimize::Watch;
 use longdrive::report::figures::{
     Flown, View, chart_figures, map_figure, tornado_figure, trajectory_figure, vcurve_figure,
@@ -14,7 +14,6 @@ use longdrive::study::{
     Constraint, Fineness, Map, Optimum, Search, Sigma, Vary, chart, effects, flatness, map, optimum, usual_loss,
     with_defaults,
 };
-use longdrive::units::System;
 use longdrive::{Error, Outcome, Result, Setup};
 use serde_json::json;
 use std::path::Path;
@@ -166,12 +165,8 @@ impl Format {
 }
 
 fn written(question: &Question, drawing: &Drawing, format: Format, figure: &Figure) -> Result<Answer> {
-    let system = match drawing.units {
-        Units::Metric => System::Metric,
-        Units::Us => System::Us,
-    };
     let shades = if drawing.dark { Shades::Dark } else { Shades::Light };
-    let look = Look { system, shades, width: drawing.width };
+    let look = Look { system: system(), shades, width: drawing.width };
     let bytes = match format {
         Format::Svg => figure_svg(figure, &look)?.into_bytes(),
         #[cfg(feature = "png")]

@@ -1,5 +1,5 @@
 use crate::args::Report;
-use crate::output::{Answer, bar, tell, warn};
+use crate::output::{Answer, bar, system, tell, warn};
 use crate::plot::limits;
 use longdrive::optimize::{Status, Watch};
 use longdrive::report::figures::Flown;
@@ -89,6 +89,7 @@ pub fn run(args: &Report) -> Result<Answer> {
         effects: &effects,
         rows: &rows,
         loops: &while_loop(&setup, &rows),
+        system: system(),
         remarks: &remarks,
     };
     let documents = report_documents(&findings)?;

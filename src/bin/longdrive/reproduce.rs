@@ -1,5 +1,5 @@
 use crate::args::{Published, Reproduce};
-use crate::output::{Answer, tell};
+use crate::output::{Answer, stated_system, tell};
 use longdrive::report::plot::{Look, figure_csv, figure_svg};
 use longdrive::report::{Document, mae494_document, mae494_json, winfield_tan_document, winfield_tan_json};
 use longdrive::reproduce::{mae494, winfield_tan};
@@ -20,6 +20,7 @@ pub fn run(args: &Reproduce) -> Result<Answer> {
         }
     };
     if let Some(folder) = &args.output {
+        let system = stated_system().unwrap_or(system);
         write(folder, &document, &Look { system, ..Look::default() })?;
     }
     Ok(if args.json { Answer::json(&json) } else { Answer::text(document.text()) })

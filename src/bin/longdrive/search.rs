@@ -1,7 +1,7 @@
 //! The search that several commands begin with: who follows it, stops it and keeps it.
 
 use crate::args::{SearchArgs, WorkArgs};
-use crate::output::tell;
+use crate::output::{system, tell};
 use indicatif::{ProgressBar, ProgressStyle};
 use longdrive::optimize::{Follow, Ledger, Options};
 use longdrive::report::iteration_line;
@@ -73,7 +73,7 @@ fn question(setup: &Setup<f64>, search: &Search, starts: u32) -> String {
 /// Every iteration as a line.
 fn one(search: &Search, follow: &mut Follow) -> ProgressBar {
     let shown = search.clone();
-    follow.iteration = Some(Arc::new(move |_, iteration| tell(&iteration_line(&shown, iteration))));
+    follow.iteration = Some(Arc::new(move |_, iteration| tell(&iteration_line(&shown, iteration, system()))));
     ProgressBar::hidden()
 }
 

@@ -1,6 +1,6 @@
 use crate::args::UncertaintyArgs;
 use crate::names::outcomes;
-use crate::output::{Answer, bar, tell, warn};
+use crate::output::{Answer, bar, system, tell, warn};
 use longdrive::report::{UncertaintyReport, uncertainty_text};
 use longdrive::study::uncertainty::{Plan, Uncertain, uncertainty};
 use longdrive::study::{Sigma, with_defaults};
@@ -24,7 +24,7 @@ pub fn run(args: &UncertaintyArgs) -> Result<Answer> {
     let answer = if args.question.json {
         Answer::json(&UncertaintyReport::new(&found, warnings))
     } else {
-        Answer::text(uncertainty_text(&found))
+        Answer::text(uncertainty_text(&found, system()))
     };
     Ok(answer.found(is_found))
 }

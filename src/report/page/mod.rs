@@ -39,6 +39,8 @@ pub struct Findings<'a> {
     pub rows: &'a [Row],
     /// The same of the MAE 494 report's while-loop.
     pub loops: &'a [LoopRow],
+    /// The units that the page is shown in at first.
+    pub system: System,
     /// What deserves a word.
     pub remarks: &'a [String],
 }
@@ -129,8 +131,9 @@ fn page(findings: &Findings<'_>, plots: &Plots) -> Result<Markup> {
                 style { (PreEscaped(include_str!("style.css"))) (PreEscaped(dark)) }
             }
             body {
-                input.units #units-us type="radio" name="units" checked aria-label="US units";
-                input.units #units-metric type="radio" name="units" aria-label="metric units";
+                input.units #units-us type="radio" name="units" checked[findings.system == System::Us] aria-label="US units";
+                input.units #units-metric type="radio" name="units" checked[findings.system == System::Metric]
+                    aria-label="metric units";
                 header {
                     h1 { "The drive of " (findings.name) }
                     p.faint { (findings.preset.about) }

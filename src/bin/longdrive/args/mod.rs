@@ -4,6 +4,7 @@ mod certainty;
 mod data;
 mod many;
 mod picture;
+mod program;
 mod question;
 mod search;
 
@@ -11,8 +12,9 @@ pub use certainty::{SensitivityArgs, UncertaintyArgs, Verify};
 pub use data::{Calibrate, Published, Reproduce};
 pub use many::{Format, Sweep};
 pub use picture::{
-    Drawing, Plot, PlotChart, PlotContour, PlotKind, PlotTornado, PlotTrajectory, PlotVcurve, Report, Seen, Units,
+    Drawing, Plot, PlotChart, PlotContour, PlotKind, PlotTornado, PlotTrajectory, PlotVcurve, Report, Seen,
 };
+pub use program::{Completions, Man, Shown};
 pub use question::{Gradient, Parameters, Presets, Question, Simulate};
 pub use search::{ChartArgs, Optimize, OptimumSensitivity, SearchArgs, WorkArgs};
 
@@ -24,8 +26,11 @@ use clap::{Parser, Subcommand};
 /// outcome has exact derivatives by every parameter. Exit status: 0 done, 1 no answer (no flight, not
 /// converged), 2 bad input.
 #[derive(Parser)]
-#[command(version, max_term_width = 110)]
+#[command(version, max_term_width = 100)]
 pub struct Args {
+    #[command(flatten)]
+    pub shown: Shown,
+
     #[command(subcommand)]
     pub command: Command,
 }
@@ -62,4 +67,8 @@ pub enum Command {
     Parameters(Parameters),
     /// List the presets, or print one as a setup file with the source of each number.
     Presets(Presets),
+    /// Print a script that completes commands and options in a shell.
+    Completions(Completions),
+    /// Print a manual page, or write the pages of all commands.
+    Man(Man),
 }

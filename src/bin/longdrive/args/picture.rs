@@ -32,10 +32,6 @@ pub struct Drawing {
     #[arg(long, short, value_name = "FILE")]
     pub output: PathBuf,
 
-    /// The units on the axes.
-    #[arg(long, value_enum, default_value_t = Units::Us)]
-    pub units: Units,
-
     /// For a dark page.
     #[arg(long)]
     pub dark: bool,
@@ -43,15 +39,6 @@ pub struct Drawing {
     /// The picture's width, pixels; a PNG has twice as many dots. Text keeps its size.
     #[arg(long, value_name = "PIXELS", default_value_t = 480, value_parser = clap::value_parser!(u32).range(240..=4000))]
     pub width: u32,
-}
-
-/// The units of a plot.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-pub enum Units {
-    /// Metres and metres per second.
-    Metric,
-    /// Yards and miles per hour.
-    Us,
 }
 
 /// Where a trajectory is seen from.
