@@ -50,7 +50,7 @@ pub struct Sweep {
     #[arg(long, conflicts_with = "overwrite")]
     pub resume: bool,
 
-    /// Replace a file that exists.
+    /// Replace the file if it exists.
     #[arg(long)]
     pub overwrite: bool,
 
@@ -58,7 +58,7 @@ pub struct Sweep {
     #[arg(long, value_name = "SIZE")]
     pub max_size: Option<String>,
 
-    /// Threads (0: as many as there are processors); the results do not depend on it.
+    /// Threads (0: as many as there are processors), as far as there is work for them; the results do not depend on it.
     #[arg(long, value_name = "N", default_value_t = 0)]
     pub threads: usize,
 }
