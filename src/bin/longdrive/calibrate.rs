@@ -48,7 +48,7 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
     let report = CalibrationReport { table: &table, found: &found, held_out: &held };
     let document = calibration_document(&report);
     if let Some(output) = &output {
-        output.write(calibration_toml(&found, &file).as_bytes())?;
+        output.write(calibration_toml(&found, args.question.preset()?, &file)?.as_bytes())?;
         tell(&format!("wrote the fitted setup into {}", output.path().display()));
     }
     if let Some(folder) = &folder {

@@ -22,7 +22,7 @@ pub struct Sweep {
     pub seed: u32,
 
     /// Take the points from a table (.csv, .parquet, or Arrow IPC: .arrow, .arrows, .feather): a column for each
-    /// parameter, in SI; in CSV also in the unit that a head like "club.loft [deg]" names.
+    /// parameter; in CSV in the unit that its head names, as in "club.loft [deg]", in the others in SI.
     #[arg(long, value_name = "FILE", conflicts_with_all = ["over", "sample"])]
     pub points: Option<PathBuf>,
 
