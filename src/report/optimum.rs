@@ -1,8 +1,10 @@
 use super::table::{paragraph, table};
-use super::{json, shown};
+use super::{json, setup_toml, shown};
 use crate::drive::Outcome;
+use crate::error::Result;
 use crate::optimize::{Constrained, Effort, Iteration, Status};
-use crate::study::{Constraint, Optima, Optimum, Search};
+use crate::parameters::Preset;
+use crate::study::{Constraint, Optima, Optimum, Search, Sense};
 use crate::units::{Quantity, System};
 use serde::Serialize;
 use serde_json::{Map, Value};
@@ -182,28 +184,52 @@ pub fn optimum_text(optimum: &Optimum, system: System) -> String {
 
 /// The constraints with their prices, as a table; empty without any.
 fn constraints_text(optimum: &Optimum, system: System) -> String {
-    let of = optimum.search.maximize;
     let reports = constraints(optimum);
     if reports.is_empty() {
         return String::new();
     }
     let rows = optimum.search.subject_to.iter().zip(reports).map(|(constraint, report)| {
-        let price = constraint_price(of, constraint, &report, system);
+        // a constraint's price is a change of the outcome: a smaller one is a gain where the smallest is looked for
+        let price = constraint_price(optimum, constraint, &report, system);
+        let gain = if optimum.search.sense == Sense::Maximize { "+" } else { "-" };
         let words = match report.multiplier {
             _ if optimum.solution.status != Status::Converged => String::new(),
             0.0 => "not active".into(),
             _ if constraint.low == constraint.high => format!("active: {price} that it is raised"),
-            _ => format!("active: +{price} that it is relaxed"),
+            _ => format!("active: {gain}{price} that it is relaxed"),
         };
         vec![report.expression, shown::outcome(constraint.outcome, report.value, system), words]
     });
     format!("\n{}", table(&["subject to", "value", ""], &[1], rows))
 }
 
-/// What the outcome gains per unit that a constraint's limit is moved: "0.52 yd per deg".
-pub(super) fn constraint_price(of: Outcome, by: &Constraint, at: &ConstraintReport, system: System) -> String {
-    let by = (by.outcome.quantity(), by.outcome.unit());
-    shown::ratio((of.quantity(), of.unit()), by, at.multiplier, system, 3)
+/// What the outcome changes by per unit that a constraint's limit is moved: "0.52 yd per deg".
+pub(super) fn constraint_price(optimum: &Optimum, of: &Constraint, at: &ConstraintReport, system: System) -> String {
+    let turn = match optimum.search.sense {
+        Sense::Minimize if of.low == of.high => -1.0,
+        _ => 1.0,
+    };
+    let (outcome, by) = (optimum.search.maximize, of.outcome);
+    let units = [(outcome.quantity(), outcome.unit()), (by.quantity(), by.unit())];
+    shown::ratio(units[0], units[1], turn * at.multiplier, system, 3)
+}
+
+/// The setup at an optimum as a setup file in TOML, to the last digit.
+///
+/// # Errors
+/// As [`setup_toml`].
+pub fn optimum_toml(optimum: &Optimum, preset: &Preset) -> Result<String> {
+    let search = &optimum.search;
+    let of = search.maximize;
+    let value = optimum.value().map_or("–".into(), |value| of.show(value));
+    let mut about = vec![format!("{}, {} {}: {value}", preset.name, search.sense.adjective(), of.name())];
+    about.extend(search.subject_to.iter().map(|constraint| format!("subject to {}", constraint.expression)));
+    about.push(format!("{}: {}", optimum.status(), optimum.message()));
+    let remarks = search.vary.iter().zip(&optimum.solution.x).map(|(vary, x)| {
+        let show = |value: f64| vary.parameter.show(Some(value));
+        (vary.parameter, format!("optimum: {} in {} .. {}", show(*x), show(vary.low), show(vary.high)))
+    });
+    setup_toml(&optimum.setup, preset, &about, &remarks.collect::<Vec<_>>())
 }
 
 /// Local optima as a table, best first.
@@ -227,6 +253,7 @@ pub(super) fn bound_in_words(optimum: &Optimum, i: usize, system: System) -> Str
     let (vary, of) = (optimum.search.vary[i], optimum.search.maximize);
     let (lower, upper) = (optimum.solution.lower_multipliers[i], optimum.solution.upper_multipliers[i]);
     let price = |multiplier: f64| shown::slope(of, vary.parameter, multiplier, system, 3);
+    let (gain, loss) = if optimum.search.sense == Sense::Maximize { ("+", "-") } else { ("-", "+") };
     let is_corner = optimum.solution.kink.is_some_and(|kink| kink.variable == i);
     if vary.low == vary.high {
         "fixed".into()
@@ -235,11 +262,11 @@ pub(super) fn bound_in_words(optimum: &Optimum, i: usize, system: System) -> Str
         String::new()
     } else if is_corner && upper + lower > 0.0 {
         let bound = if lower > 0.0 { "lower" } else { "upper" };
-        format!("at its {bound} bound, a corner: -{} inside it", price(upper + lower))
+        format!("at its {bound} bound, a corner: {loss}{} inside it", price(upper + lower))
     } else if upper > 0.0 {
-        format!("at its upper bound: +{} beyond it", price(upper))
+        format!("at its upper bound: {gain}{} beyond it", price(upper))
     } else if lower > 0.0 {
-        format!("at its lower bound: +{} beyond it", price(lower))
+        format!("at its lower bound: {gain}{} beyond it", price(lower))
     } else {
         "free".into()
     }
@@ -259,7 +286,7 @@ pub fn iteration_line(search: &Search, iteration: &Iteration, system: System) ->
         "{:>3}  {} {}  KKT {:.1e}{}  trust region {:.1e}{}  {}",
         iteration.number,
         of.name(),
-        number(of.quantity(), of.unit(), -iteration.value),
+        number(of.quantity(), of.unit(), search.sense.sign() * iteration.value),
         iteration.kkt_residual,
         if search.subject_to.is_empty() { String::new() } else { format!("  violation {:.1e}", iteration.violation) },
         iteration.radius,

@@ -291,7 +291,10 @@ fn exact_csv_and_json_lines_read_back_equal() {
     let table = SweepCsv::new(&batch);
     let text = String::from_utf8([table.head(), table.rows(&block)].concat()).unwrap();
     let lines: Vec<_> = text.lines().collect();
-    assert_eq!(lines[0], "club.loft [rad],status,carry [m],ball_speed [m/s],d_carry/d_club.loft [m/rad],d_ball_speed/d_club.loft [m/s/rad]");
+    assert_eq!(
+        lines[0],
+        "club.loft [rad],status,carry [m],ball_speed [m/s],d_carry/d_club.loft [m/rad],d_ball_speed/d_club.loft [m/s/rad]"
+    );
     let cells: Vec<Vec<_>> = lines[1..].iter().map(|line| line.split(',').collect()).collect();
     assert_eq!((cells[0][0], cells[0][1], cells[1][1], cells[1][2]), ("0.2", "landed", "no-flight", ""));
     for (cells, values) in cells.iter().zip(&values) {
@@ -303,7 +306,7 @@ fn exact_csv_and_json_lines_read_back_equal() {
     for ((line, values), status) in text.lines().zip(&values).zip(["landed", "no-flight"]) {
         let object: serde_json::Map<String, serde_json::Value> = serde_json::from_str(line).unwrap();
         let names: Vec<_> = object.keys().map(String::as_str).collect();
-        assert_eq!(names.join(","), lines[0]);
+        assert_eq!(names.join(","), "club.loft,status,carry,ball_speed,d_carry/d_club.loft,d_ball_speed/d_club.loft");
         assert_eq!(object["status"], status);
         let read: Vec<_> = object.values().skip(2).map(serde_json::Value::as_f64).collect();
         assert_eq!(read, *values);

@@ -7,6 +7,7 @@ mod calibrate;
 mod chart;
 mod colour;
 mod completions;
+mod files;
 mod gradient;
 mod man;
 mod names;

@@ -1,5 +1,6 @@
 use crate::args::{Args, Man};
-use crate::output::{Answer, tell, write_file};
+use crate::files::Rule;
+use crate::output::{Answer, tell};
 use clap::{Command, CommandFactory};
 use longdrive::{Error, Result};
 
@@ -12,14 +13,10 @@ pub fn run(args: &Man) -> Result<Answer> {
     };
     let mut pages = vec![];
     all(&program, &mut pages)?;
-    std::fs::create_dir_all(folder).map_err(|error| Error::Results {
-        file: folder.display().to_string(),
-        reason: format!("the folder cannot be created ({error}); name another with -o"),
-    })?;
-    for (name, page) in &pages {
-        write_file(&folder.join(name), page.as_bytes())?;
-    }
-    tell(&format!("wrote {} pages into {}", pages.len(), folder.display()));
+    let names: Vec<&str> = pages.iter().map(|(name, _)| name.as_str()).collect();
+    let folder = Rule::new([], args.overwrite).folder(folder, &names)?;
+    let written = folder.write(pages.iter().map(|(name, page)| (name.as_str(), page.as_bytes())))?;
+    tell(&format!("wrote {written} pages into {}", folder.path().display()));
     Ok(Answer::text(String::new()))
 }
 

@@ -5,7 +5,6 @@ use longdrive::units::System;
 use longdrive::{Error, Result};
 use serde::Serialize;
 use std::io::{self, Write};
-use std::path::Path;
 use std::process::ExitCode;
 use std::sync::OnceLock;
 
@@ -83,17 +82,6 @@ pub fn tell_error(error: &Error) {
 pub fn complain(error: &Error) -> ExitCode {
     tell_error(error);
     ExitCode::from(if error.is_an_outcome() { 1 } else { 2 })
-}
-
-/// Writes a file.
-///
-/// # Errors
-/// [`Error::Results`].
-pub fn write_file(path: &Path, bytes: &[u8]) -> Result<()> {
-    std::fs::write(path, bytes).map_err(|error| Error::Results {
-        file: path.display().to_string(),
-        reason: format!("it cannot be written ({error}); name another with -o"),
-    })
 }
 
 /// Progress of long work, on standard error; nothing where that is not a terminal, or with --quiet.

@@ -6,7 +6,7 @@ use crate::drive::{Outcome, Part};
 use crate::error::Result;
 use crate::flight::Flight;
 use crate::optimize::Status;
-use crate::report::figures::Flown;
+use crate::report::figures::{Flown, capital};
 use crate::report::optimum::{bound_in_words, constraint_price, constraints};
 use crate::report::presets::sources;
 use crate::study::certificate::Row;
@@ -79,7 +79,7 @@ pub(super) fn optimum(best: &Optimum, flatness: Option<&Flatness>) -> Markup {
     let window = |i: usize| flatness.map(|flatness| flatness.windows[i]);
     html! {
         p {
-            "Largest " (of.name().replace('_', " ")) ": " strong { (outcome(of, best.value())) } ". "
+            (capital(search.sense.adjective())) " " (of.name().replace('_', " ")) ": " strong { (outcome(of, best.value())) } ". "
             span.faint {
                 (best.status()) ": " (best.message()) " (" (solution.iterations) " iterations, " (solution.evaluations)
                 " evaluations)"
@@ -124,7 +124,6 @@ fn limit(best: &Optimum, limit: Limit) -> String {
 
 /// The constraints with their prices.
 fn limits(best: &Optimum) -> Markup {
-    let of = best.search.maximize;
     let reports = constraints(best);
     if reports.is_empty() {
         return html! {};
@@ -139,7 +138,7 @@ fn limits(best: &Optimum) -> Markup {
                         td.number { (outcome(constraint.outcome, Some(report.value))) }
                         td {
                             @if best.solution.status != Status::Converged {} @else if report.multiplier == 0.0 { "not active" } @else {
-                                (both(|system| constraint_price(of, constraint, &report, system))) " that it is moved"
+                                (both(|system| constraint_price(best, constraint, &report, system))) " that it is moved"
                             }
                         }
                     }

@@ -52,4 +52,8 @@ pub struct Man {
     /// does not exist.
     #[arg(long, short, value_name = "DIR", conflicts_with = "command")]
     pub output: Option<PathBuf>,
+
+    /// Replace files that exist.
+    #[arg(long, requires = "output")]
+    pub overwrite: bool,
 }
