@@ -88,7 +88,7 @@ pub fn chart_text(chart: &Chart, system: System) -> String {
         [shown::parameter(chart.along.parameter, point.at, system), value]
             .into_iter()
             .chain(point.best.search.vary.iter().zip(&point.best.solution.x).map(show))
-            .chain([[Some(words), event].into_iter().flatten().collect::<Vec<_>>().join("  ")])
+            .chain([[Some(words), event].into_iter().flatten().collect::<Vec<_>>().join("\n")])
             .collect()
     });
     let notes = chart.begun.iter().chain(&chart.ended).map(|why| format!("\n{}", paragraph(why)));

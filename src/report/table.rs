@@ -41,8 +41,8 @@ pub(super) fn table(head: &[&str], right: &[usize], rows: impl IntoIterator<Item
 
 /// The width of a column.
 fn width(head: &[&str], rows: &[Vec<String>], column: usize) -> usize {
-    let cells = rows.iter().filter_map(|row| row.get(column)).map(|cell| cell.chars().count());
-    cells.chain([head[column].chars().count()]).max().unwrap_or(0)
+    let lines = rows.iter().filter_map(|row| row.get(column)).flat_map(|cell| cell.lines());
+    lines.map(|line| line.chars().count()).chain([head[column].chars().count()]).max().unwrap_or(0)
 }
 
 /// Some columns of a table, the last of them perhaps no wider than `narrowed`.

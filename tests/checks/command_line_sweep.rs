@@ -79,10 +79,10 @@ fn killed_and_resumed(many: &[&str], format: &str) {
         assert!(said.contains("--resume continues it"), "{said}");
         let (status, said) = finish(start(many, &part, &["--resume", "--set", "swing.speed=100mph"]));
         assert_eq!(status, Some(2));
-        assert!(said.contains("another question (the setup differs)"), "{said}");
+        assert!(said.contains("another command (the setups differ)"), "{said}");
         let (status, said) = finish(start(many, &part, &["--resume", "--wrt", "air.density"]));
         assert_eq!(status, Some(2));
-        assert!(said.contains("the derivatives differs"), "{said}");
+        assert!(said.contains("the derivatives differ"), "{said}");
 
         // Ctrl-C, as far as it has not ended before
         let mut child = start(many, &part, &["--resume"]);

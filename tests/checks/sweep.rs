@@ -189,8 +189,8 @@ fn exact_sequences_are_the_same_from_any_row_and_fill_their_ranges() {
 fn bad_axes_say_what_to_write() {
     let setup = Setup::default();
     for (text, says) in [
-        ("club.loft=5deg..15deg", "how many values?"),
-        ("club.loft=5deg..15deg:0", "0 values are none"),
+        ("club.loft=5deg..15deg", "the number of values is missing"),
+        ("club.loft=5deg..15deg:0", "the number of values must be at least 1"),
         ("club.loft=5deg..15deg:-3", "'-3' is not a number of values"),
         ("club.loft=5deg..15deg:1e3", "'1e3' is not a number of values"),
         ("club.loft=15deg..5deg:3", "the range is reversed"),

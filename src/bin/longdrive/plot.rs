@@ -57,13 +57,13 @@ fn contour(args: &PlotContour) -> Result<Answer> {
 /// The map around an optimum; around the setup itself, where there is none.
 fn mapped(setup: &Setup<f64>, search: &Search) -> Result<(Option<Optimum>, Map)> {
     let [across, up, ..] = search.vary[..] else {
-        let (name, reason) = ("--vary".into(), "a map needs two parameters: give --vary twice".into());
+        let (name, reason) = ("--vary".into(), "a map needs two parameters; give --vary twice".into());
         return Err(Error::SearchRange { name, reason });
     };
     let best = optimum(setup, search.clone(), Watch::default())?;
     let is_found = best.solution.status == longdrive::optimize::Status::Converged;
     if !is_found {
-        tell(&format!("without an optimum: {}: {}", best.status(), best.message()));
+        tell(&format!("no optimum is drawn: {}: {}", best.status(), best.message()));
     }
     let around = if is_found { &best.setup } else { setup };
     let map = map(around, search.maximize, across, up, Fineness::default())?;
@@ -156,7 +156,7 @@ impl Format {
             _ => {
                 let pictures = if cfg!(feature = "png") { ".svg or .png" } else { ".svg" };
                 let reason = format!(
-                    "its ending does not say what to write; end it in {pictures} for a picture, or in .csv for its data"
+                    "its ending does not name a format; use {pictures} for a picture, or .csv for its data"
                 );
                 Err(Error::Plot { name: file.display().to_string(), reason })
             }

@@ -135,7 +135,7 @@ fn page(findings: &Findings<'_>, plots: &Plots) -> Result<Markup> {
                 input.units #units-metric type="radio" name="units" checked[findings.system == System::Metric]
                     aria-label="metric units";
                 header {
-                    h1 { "The drive of " (findings.name) }
+                    h1 { "Drive: " (findings.name) }
                     p.faint { (findings.preset.about) }
                     div.switch { label for="units-us" { "yd, mph" } label for="units-metric" { "m, m/s" } }
                 }
@@ -150,13 +150,13 @@ fn page(findings: &Findings<'_>, plots: &Plots) -> Result<Markup> {
                     @if let Some(best) = findings.best {
                         section { h2 { "The optimum" } (sections::optimum(best, findings.flatness)) (map?) }
                     } @else if !plots.map.is_empty() {
-                        section { h2 { "The landscape" } (map?) }
+                        section { h2 { "The map" } (map?) }
                     }
                     @if !plots.chart.is_empty() {
-                        section { h2 { "The optimum for every golfer" } (chart?) }
+                        section { h2 { "The optimum as a parameter changes" } (chart?) }
                     }
                     @if !plots.effects.is_empty() {
-                        section { h2 { "What moves it" } (effects?) (sections::uncertainties(findings.effects)) }
+                        section { h2 { "Effects of uncertainties" } (effects?) (sections::uncertainties(findings.effects)) }
                     }
                     @if !plots.curves.is_empty() {
                         section { h2 { "How exact the derivatives are" } (curves?) (sections::verdicts(findings.rows)) }

@@ -87,7 +87,7 @@ pub(super) fn optimum(best: &Optimum, flatness: Option<&Flatness>) -> Markup {
         }
         div.wide { table {
             thead { tr {
-                th { "varied" } th.number { "optimum" } th.number { "from" } th.number { "to" } th { "price of the bound" }
+                th { "varied" } th.number { "optimum" } th.number { "from" } th.number { "to" } th { "bound" }
                 @if let Some(flatness) = flatness { th { "alone, for a loss of " (loss(of, flatness.loss)) } }
             } }
             tbody {
@@ -153,7 +153,7 @@ pub(super) fn uncertainties(effects: &[Effects]) -> Markup {
     let Some(first) = effects.first() else { return html! {} };
     let sigmas = first.effects.iter().filter_map(|effect| Some(effect.bar?.sigma));
     html! {
-        h3 { "The uncertainties, and where they come from" }
+        h3 { "The uncertainties and their sources" }
         div.wide { table.told {
             thead { tr { th { "parameter" } th.number { "standard uncertainty" } th { "source" } } }
             tbody {
@@ -174,7 +174,7 @@ pub(super) fn verdicts(rows: &[Row]) -> Markup {
     html! {
         div.wide { table {
             thead { tr {
-                th { "derivative" } th.number { "exact, SI" } th.number { "differences, extrapolated" } th.number { "apart" } th { "verdict" }
+                th { "derivative" } th.number { "exact, SI" } th.number { "numerical, extrapolated" } th.number { "difference" } th { "verdict" }
             } }
             tbody {
                 @for row in rows {
@@ -195,7 +195,7 @@ pub(super) fn verdicts(rows: &[Row]) -> Markup {
 pub(super) fn setup(findings: &Findings<'_>) -> Result<Markup> {
     let rows = sources(findings.setup, findings.preset)?;
     Ok(html! {
-        p.faint { "As the program reads it; started from the preset " (findings.preset.name) "." }
+        p.faint { "All numbers of the setup and their sources; it is based on the preset " (findings.preset.name) "." }
         div.wide { table.told {
             thead { tr { th { "parameter" } th.number { "value" } th { "source" } } }
             tbody {
