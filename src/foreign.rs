@@ -11,7 +11,9 @@ pub(crate) fn of_csv(error: &csv::Error) -> String {
                 cells(*expected_len)
             )
         }
-        csv::ErrorKind::Utf8 { .. } => "it holds bytes that are not text in UTF-8; save the table as CSV in UTF-8".into(),
+        csv::ErrorKind::Utf8 { .. } => {
+            "it holds bytes that are not text in UTF-8; save the table as CSV in UTF-8".into()
+        }
         csv::ErrorKind::Io(error) => format!("it cannot be read ({error})"),
         _ => format!("it cannot be read as CSV ({error})"),
     }

@@ -31,7 +31,9 @@ impl Axis {
         };
         let over = Vary::read(setup, range)?;
         match count.trim().parse() {
-            Ok(0) => Err(refuse("the number of values must be at least 1; write for example :101, or :1 for the lower end alone".into())),
+            Ok(0) => Err(refuse(
+                "the number of values must be at least 1; write for example :101, or :1 for the lower end alone".into(),
+            )),
             Ok(count) => Ok(Self { over, count }),
             Err(_) => Err(refuse(format!("'{count}' is not a number of values; write for example {range}:101"))),
         }

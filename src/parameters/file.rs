@@ -47,10 +47,8 @@ impl SetupFile {
     }
 
     fn read(text: &str, file: &str) -> Result<Self> {
-        let table = DeTable::parse(text).map_err(|error| Error::Toml {
-            file: file.into(),
-            message: of_toml(&error, text, |at| place(text, at)),
-        })?;
+        let table = DeTable::parse(text)
+            .map_err(|error| Error::Toml { file: file.into(), message: of_toml(&error, text, |at| place(text, at)) })?;
         let mut items = Vec::new();
         flatten(table.get_ref(), "", &mut items);
         // as they stand in the file, but the preset and the law before what builds on them

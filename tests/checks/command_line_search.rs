@@ -91,7 +91,7 @@ fn exact_sensitivity_and_windows_as_json() {
     assert!((predicted - anew).abs() < 1e-2, "{change}");
     let text = longdrive(&["optimum-sensitivity"]);
     assert_eq!(text.status, 0);
-    for words in ["swing.speed [mph]", "alone, for 1 yd", "together", "by the quadratic"] {
+    for words in ["swing.speed [mph]", "alone, for a loss of 1.00 yd", "together", "by the quadratic"] {
         assert!(text.out.contains(words), "{words}: {}", text.out);
     }
 }

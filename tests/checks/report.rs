@@ -281,7 +281,7 @@ fn the_page_is_complete_in_itself_and_says_what_it_holds() {
         assert!(!page.contains(word), "{word}");
     }
     for words in [
-        "as given, in place of 44.7 m/s",
+        "as given, instead of 44.7 m/s",
         "MAE 494 report, listing",
         "at its upper bound: +",
         "yd per deg",

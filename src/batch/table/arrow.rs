@@ -38,8 +38,7 @@ impl ArrowTable {
             parameters.push(column(setup, path, at + 1, head.name())?);
             let kind = head.data_type();
             if !(kind.is_integer() || matches!(kind, DataType::Float32 | DataType::Float64)) {
-                let reason =
-                    format!("its type is {kind}; a column must hold numbers (float64, float32 or integers)");
+                let reason = format!("its type is {kind}; a column must hold numbers (float64, float32 or integers)");
                 return Err(refused(path, format!(", column {}", head.name()), reason));
             }
         }

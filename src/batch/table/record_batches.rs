@@ -65,7 +65,8 @@ impl RecordBatches {
     }
 
     fn of_file(mut file: File, length: u64) -> Result<Self, String> {
-        let cut_short = || "it has no footer: it was cut short, or the program that wrote it did not close it".to_owned();
+        let cut_short =
+            || "it has no footer: it was cut short, or the program that wrote it did not close it".to_owned();
         let foot_end = length.checked_sub(TAIL as u64).ok_or_else(cut_short)?;
         let tail = bytes(&mut file, foot_end..length)?;
         let tail = tail.try_into().map_err(|_| cut_short())?;
@@ -155,7 +156,8 @@ impl RecordBatches {
 
     /// The message at a place; none at the mark of the end.
     fn head(&mut self, at: u64) -> Result<Option<Head>, String> {
-        let cut_short = || "it ends too early: it was cut short, or the program that wrote it did not close it".to_owned();
+        let cut_short =
+            || "it ends too early: it was cut short, or the program that wrote it did not close it".to_owned();
         let mut word = |at: u64| -> Result<[u8; 4], String> {
             let end = at.checked_add(4).filter(|end| *end <= self.end).ok_or_else(cut_short)?;
             let mut word = [0; 4];

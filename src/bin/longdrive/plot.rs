@@ -155,9 +155,8 @@ impl Format {
             Some("csv") => Ok(Self::Csv),
             _ => {
                 let pictures = if cfg!(feature = "png") { ".svg or .png" } else { ".svg" };
-                let reason = format!(
-                    "its ending does not name a format; use {pictures} for a picture, or .csv for its data"
-                );
+                let reason =
+                    format!("its ending does not name a format; use {pictures} for a picture, or .csv for its data");
                 Err(Error::Plot { name: file.display().to_string(), reason })
             }
         }

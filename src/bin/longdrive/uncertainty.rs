@@ -39,7 +39,10 @@ fn inputs(setup: &Setup<f64>, args: &UncertaintyArgs) -> Result<Vec<Uncertain>> 
     for sigma in sigmas.iter() {
         if let Some(source) = sigma.source {
             let shown = sigma.parameter.show(Some(sigma.value));
-            tell(&format!("default uncertainty: {} ± {shown} (one standard deviation); {source}", sigma.parameter.name));
+            tell(&format!(
+                "default uncertainty: {} ± {shown} (one standard deviation); {source}",
+                sigma.parameter.name
+            ));
         }
     }
     let inputs: Vec<_> = sigmas.iter().map(|sigma| Uncertain::normal(setup, sigma)).chain(distributions).collect();

@@ -71,8 +71,10 @@ fn note(effects: &Effects, ranked: &[Ends], still: &[String], left_out: usize, m
     }
     let linearity = effects.linearity();
     if linearity > 0.0 {
-        note +=
-            &format!(" Bars shorter than {} are smaller than what the linear model neglects.", measure.show_both(linearity));
+        note += &format!(
+            " Bars shorter than {} are smaller than what the linear model neglects.",
+            measure.show_both(linearity)
+        );
     }
     if !still.is_empty() {
         note += &format!(" Negligible: {}.", still.join(", "));

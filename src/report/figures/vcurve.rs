@@ -38,8 +38,9 @@ pub fn vcurve_figure<'a>(rows: impl IntoIterator<Item = &'a Row>, loops: &[LoopR
         note += " The carry of a while-loop that stops at the first step below the ground is not smooth, and small steps do not see its slope.";
     }
     if exact > 0 {
-        note +=
-            &format!(" {exact} differences equal the exact derivative to the last bit and cannot be drawn on a logarithmic axis.");
+        note += &format!(
+            " {exact} differences equal the exact derivative to the last bit and cannot be drawn on a logarithmic axis."
+        );
     }
     figure.noted(note)
 }
