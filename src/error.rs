@@ -59,6 +59,17 @@ pub enum Error {
         /// The smallest eigenvalue, kg m².
         smallest: f64,
     },
+    /// Launch conditions that do not make one launch.
+    #[error(
+        "the launch ({given}): {reason}; a launch has ball_speed, launch_angle, perhaps launch_direction, and either backspin \
+         (perhaps sidespin) or spin (perhaps spin_axis)"
+    )]
+    Launch {
+        /// The conditions that are given.
+        given: String,
+        /// What is missing or given twice.
+        reason: String,
+    },
     /// A derivative or a search with respect to something that has no number of its own.
     #[error("{name} cannot be varied or differentiated by: {reason}")]
     NotVariable {

@@ -19,10 +19,10 @@ pub struct DriveReport {
     pub message: Option<String>,
     /// The outcomes of the launch, with the vectors `velocity` and `spin_vector`.
     pub launch: Map<String, Value>,
-    /// The head after impact: `velocity` and `angular_velocity`.
-    pub club_after: Map<String, Value>,
-    /// Whether the ball still slid on the face as it left.
-    pub slipped: bool,
+    /// The head after impact: `velocity` and `angular_velocity`; `null` where the launch is given and there is no club.
+    pub club_after: Option<Map<String, Value>>,
+    /// Whether the ball still slid on the face as it left; `null` where there is no club.
+    pub slipped: Option<bool>,
     /// The outcomes of the flight.
     pub flight: Option<Map<String, Value>>,
     /// What deserves a word.
@@ -33,7 +33,7 @@ impl DriveReport {
     /// The report of a drive.
     pub fn new(setup: &Setup<f64>, drive: &Drive<f64>, warnings: Vec<String>) -> Self {
         let of_part = |part| json::named(Outcome::of_part(part).map(|outcome| (outcome.name(), outcome.value(drive))));
-        let Impact { launch, club_velocity, club_spin, grip, .. } = &drive.impact;
+        let launch = &drive.launch;
         let vectors = |pairs: [(&str, Vector<f64>); 2]| pairs.map(|(name, v)| (name.to_owned(), json::vector(v)));
         let (status, message) = match &drive.flight {
             Flight::Landed(_) => ("landed", None),
@@ -48,8 +48,10 @@ impl DriveReport {
                 .into_iter()
                 .chain(vectors([("velocity", launch.velocity), ("spin_vector", launch.spin)]))
                 .collect(),
-            club_after: vectors([("velocity", *club_velocity), ("angular_velocity", *club_spin)]).into_iter().collect(),
-            slipped: matches!(grip, Grip::Slips(_)),
+            club_after: drive.impact.as_ref().map(|Impact { club_velocity, club_spin, .. }| {
+                vectors([("velocity", *club_velocity), ("angular_velocity", *club_spin)]).into_iter().collect()
+            }),
+            slipped: drive.impact.as_ref().map(|impact| matches!(impact.grip, Grip::Slips(_))),
             warnings,
         }
     }
@@ -66,12 +68,13 @@ pub fn drive_text(drive: &Drive<f64>) -> String {
         ]
     };
     let launch = table(&["launch", "", "SI"], &[1, 2], Outcome::of_part(Part::Launch).map(row));
-    let slipped = if matches!(drive.impact.grip, Grip::Slips(_)) { "  the ball slipped on the face\n" } else { "" };
-    let bodies = format!(
-        "  ball {}\n  club after impact {}\n{slipped}",
-        components(drive.impact.launch.velocity),
-        components(drive.impact.club_velocity)
-    );
+    let mut bodies = format!("  ball {}\n", components(drive.launch.velocity));
+    if let Some(impact) = &drive.impact {
+        bodies += &format!("  club after impact {}\n", components(impact.club_velocity));
+        if matches!(impact.grip, Grip::Slips(_)) {
+            bodies += "  the ball slipped on the face\n";
+        }
+    }
     match &drive.flight {
         Flight::Landed(_) => {
             format!(

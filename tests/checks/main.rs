@@ -13,6 +13,7 @@ mod derivatives;
 mod fast_paths;
 mod flight;
 mod impact;
+mod launch;
 mod long_work;
 mod optimizer;
 mod oracle;

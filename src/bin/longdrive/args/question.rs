@@ -11,6 +11,12 @@ pub struct Question {
     #[arg(long, value_name = "NAME=VALUE")]
     pub set: Vec<String>,
 
+    /// Fly a ball that leaves like this, as a launch monitor reports it, without a club: ball_speed, launch_angle,
+    /// launch_direction, and backspin with sidespin or spin with spin_axis; e.g.
+    /// ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm.
+    #[arg(long, value_name = "NAME=VALUE,…", value_delimiter = ',')]
+    pub launch: Vec<String>,
+
     /// Fly every drive of this question to within this length of its exact carry (1um where none is given), as cheaply as that
     /// goes: method and step are chosen once, before the first drive. Without: flight.method and flight.step.
     #[arg(long, value_name = "LENGTH", num_args = 0..=1, default_missing_value = "1um", require_equals = true)]
