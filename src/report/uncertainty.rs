@@ -94,6 +94,7 @@ fn outcome_json(outcome: &OutcomeUncertainty, inputs: &[Uncertain]) -> Value {
     let first = outcome.measure_first(inputs);
     json!({
         "of": outcome.of.name(),
+        "varies": outcome.varies(),
         "delta": moments(outcome.delta.map(|(first, _)| first)),
         "second_order": moments(outcome.delta.and_then(|(_, second)| second)),
         "monte_carlo": sampled.map(|sampled| json!({
@@ -151,6 +152,11 @@ fn outcome_text(outcome: &OutcomeUncertainty, found: &Uncertainty) -> String {
         let head = [of.name(), "mean", "standard deviation"];
         return format!("\n{}  no drive of the sample has it\n", table(&head, &[1, 2], rows));
     };
+    if !outcome.varies() {
+        let given = if found.inputs.len() == 1 { "the uncertain parameter" } else { "any of the uncertain parameters" };
+        let value = show(sampled.mean.value);
+        return format!("\n{} is {value} in every drive: it does not depend on {given}\n", of.name());
+    }
     rows.push(vec!["flown (95 % interval)".into(), between(sampled.mean), between(sampled.deviation)]);
     let mut text = format!("\n{}", table(&[of.name(), "mean", "standard deviation"], &[1, 2], rows));
     let [low, middle, high] = sampled.quantiles.map(show);
