@@ -237,7 +237,7 @@ pub enum Error {
         reason: String,
     },
     /// A question about an optimum where none was found.
-    #[error("there is no optimum to ask about: {status}: {message}")]
+    #[error("no optimum was found: {status}: {message}")]
     NotConverged {
         /// How the search ended.
         status: &'static str,

@@ -163,7 +163,7 @@ impl Outcome {
                 "outcome",
                 name,
                 names.clone(),
-                format!("there are {}", names.collect::<Vec<_>>().join(", ")),
+                format!("the outcomes are {}", names.collect::<Vec<_>>().join(", ")),
             )
         })
     }

@@ -165,7 +165,7 @@ impl Setup<f64> {
         let name = name.trim();
         let law = Law::named(name).ok_or_else(|| {
             let names = Law::NAMES.iter().copied();
-            Error::unknown("aerodynamic law", name, names, format!("there are {}", Law::NAMES.join(", ")))
+            Error::unknown("aerodynamic law", name, names, format!("the laws are {}", Law::NAMES.join(", ")))
         })?;
         if law.name() != self.law.name() {
             self.law = law;

@@ -1,4 +1,5 @@
-use super::{json, table::table};
+use super::json;
+use super::table::{broken, item, table};
 use crate::derivative::check::{Check, Point, Verdict};
 use crate::reproduce::LoopRow;
 use crate::study::certificate::{Certificate, Convergence, Row};
@@ -202,32 +203,30 @@ pub fn certificate_text(certificate: &Certificate, loops: &[LoopRow]) -> String 
     let count = |verdict| certificate.rows.iter().filter(|row| row.verdict() == verdict).count();
     let counts =
         [Verdict::Fail, Verdict::Corner, Verdict::Pass].map(|verdict| format!("{} {}", count(verdict), verdict.name()));
-    text + &format!("\n{}: {}\n", if certificate.passed() { "passed" } else { "FAILED" }, counts.join(", "))
+    broken(&text) + &format!("\n{}: {}\n", if certificate.passed() { "passed" } else { "FAILED" }, counts.join(", "))
 }
 
 fn rows_text(rows: &[Row]) -> String {
-    let head = ["outcome", "by", "verdict", "exact (SI)", "off by", "may be", "best step", "off by", "Taylor slopes"];
+    let head = ["outcome", "by", "verdict", "exact (SI)", "error", "allowed", "Taylor slopes"];
     let rows = rows.iter().map(|row| {
         let check = &row.first;
-        let relative = |error: f64| match check.exact {
-            0.0 => format!("{error:.0e}"),
-            exact => format!("{:.0e} of it", error / exact.abs()),
+        let relative = |error: f64| {
+            let error = if check.exact == 0.0 { error } else { error / check.exact.abs() };
+            if error == 0.0 { "0".into() } else { format!("{error:.0e}") }
         };
-        let best = check.best_step();
-        let slopes = row.slopes.map(|slope| slope.map_or("–".into(), |slope| format!("{slope:.2}")));
+        let slopes = row.slopes.map(|slope| slope.map_or("–".into(), |slope| format!("{slope:.1}")));
         vec![
             row.of.name().into(),
             row.parameter.name.into(),
             row.verdict().name().into(),
-            significant(check.exact, 10),
+            significant(check.exact, 8),
             relative(check.error),
             relative(check.bar),
-            best.map_or("–".into(), |best| format!("{:.0e}", best.step / row.ladder.scale)),
-            best.map_or("–".into(), |best| relative(best.error)),
             slopes.join(" "),
         ]
     });
-    table(&head, &[3, 4, 5, 6, 7], rows)
+    let words = "errors are the differences from numerical derivatives, relative to the exact derivative; absolute where it is 0";
+    table(&head, &[3, 4, 5], rows) + "\n" + &item(words)
 }
 
 fn landing_text(certificate: &Certificate) -> String {

@@ -1,10 +1,10 @@
-use super::{json, table::table};
+use super::{json, shown, table::table};
 use crate::drive::{Drive, Outcome, Part};
 use crate::flight::Flight;
 use crate::impact::{Grip, Impact};
 use crate::number::Vector;
 use crate::parameters::Setup;
-use crate::units::{Quantity, significant};
+use crate::units::{Quantity, System};
 use serde::Serialize;
 use serde_json::{Map, Value};
 
@@ -57,48 +57,41 @@ impl DriveReport {
     }
 }
 
-/// A drive as text: what a launch monitor shows, and the flight.
-pub fn drive_text(drive: &Drive<f64>) -> String {
+/// A drive as text: what a launch monitor shows, and the flight; each number in the units of `system`, then in the other's.
+pub fn drive_text(drive: &Drive<f64>, system: System) -> String {
     let row = |outcome: Outcome| {
         let value = outcome.value(drive);
+        let text = shown::outcome_or_dash(outcome, value, system);
+        let (number, unit) = text.split_once(' ').unwrap_or((&text, ""));
         vec![
-            outcome.name().replace('_', " "),
-            value.map_or("–".into(), |v| readable(outcome, v)),
-            value.map_or("–".into(), |v| si(outcome, v)),
+            shown::words(outcome.name()),
+            number.into(),
+            // beside its number, as of a column of its own
+            unit.into(),
+            value.map_or(String::new(), |value| shown::in_parentheses(outcome, value, system)),
         ]
     };
-    let launch = table(&["launch", "", "SI"], &[1, 2], Outcome::of_part(Part::Launch).map(row));
-    let mut bodies = format!("  ball {}\n", components(drive.launch.velocity));
+    let part = |title: &str, part| table(&[title, "", "", ""], &[1], Outcome::of_part(part).map(row));
+    let launch = part("launch", Part::Launch);
+    let mut bodies = format!("  ball velocity {}\n", components(drive.launch.velocity, system));
     if let Some(impact) = &drive.impact {
-        bodies += &format!("  club after impact {}\n", components(impact.club_velocity));
+        bodies += &format!("  club velocity after impact {}\n", components(impact.club_velocity, system));
         if matches!(impact.grip, Grip::Slips(_)) {
             bodies += "  the ball slipped on the face\n";
         }
     }
     match &drive.flight {
-        Flight::Landed(_) => {
-            format!(
-                "{launch}\n{bodies}\n{}",
-                table(&["flight", "", "SI"], &[1, 2], Outcome::of_part(Part::Flight).map(row))
-            )
-        }
+        Flight::Landed(_) => format!("{launch}\n{bodies}\n{}", part("flight", Part::Flight)),
         Flight::None(why) => format!("{launch}\n{bodies}\nno flight: {why}\n"),
     }
 }
 
 /// A velocity: "139.20 mph downrange, 19.85 up, 0.00 right".
-fn components(velocity: Vector<f64>) -> String {
-    let mph = Quantity::SPEED.size_of("mph").unwrap_or(1.0);
-    let [up, right, downrange] = velocity.to_array().map(|component| component / mph + 0.0);
-    format!("{downrange:.2} mph downrange, {up:.2} up, {right:.2} right")
-}
-
-/// An outcome in the unit people read, to five digits.
-pub(super) fn readable(outcome: Outcome, value: f64) -> String {
-    let size = outcome.quantity().size_of(outcome.unit()).unwrap_or(1.0);
-    format!("{} {}", significant(value / size, 5), outcome.unit()).trim_end().to_owned()
-}
-
-fn si(outcome: Outcome, value: f64) -> String {
-    format!("{} {}", significant(value, 7), outcome.quantity().si).trim_end().to_owned()
+fn components(velocity: Vector<f64>, system: System) -> String {
+    let unit = system.unit("m/s");
+    let size = Quantity::SPEED.size_of(unit).unwrap_or(1.0);
+    // two decimals, as the paper prints them; rounding has no sign
+    let [up, right, downrange] = velocity.to_array().map(|component| (component / size * 100.0).round() / 100.0 + 0.0);
+    let side = if right < 0.0 { "left" } else { "right" };
+    format!("{downrange:.2} {unit} downrange, {up:.2} up, {:.2} {side}", right.abs())
 }

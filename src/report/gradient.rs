@@ -1,9 +1,9 @@
-use super::{json, table::table};
+use super::{json, shown, table::table};
 use crate::derivative::Taylor;
 use crate::drive::Outcome;
 use crate::error::Error;
 use crate::parameters::Parameter;
-use crate::units::{per, significant};
+use crate::units::{System, per, significant};
 use serde::Serialize;
 use serde_json::{Map, Value};
 
@@ -57,25 +57,19 @@ impl GradientReport {
     }
 }
 
-/// An outcome with its gradient, and Hessian if there is one, as text.
-pub fn gradient_text(of: Outcome, wrt: &[&'static Parameter], taylor: &Taylor) -> String {
-    let unit_size = of.quantity().size_of(of.unit()).unwrap_or(1.0);
+/// An outcome with its gradient, and Hessian if there is one, as text; derivatives also in SI, to twelve digits.
+pub fn gradient_text(of: Outcome, wrt: &[&'static Parameter], taylor: &Taylor, system: System) -> String {
+    let si = of.quantity().si;
     let rows = wrt.iter().zip(&taylor.gradient).map(|(parameter, slope)| {
-        let size = parameter.quantity.size_of(parameter.unit).unwrap_or(1.0);
         vec![
             parameter.name.into(),
-            format!("{} {}", significant(slope * size / unit_size, 6), per(of.unit(), parameter.unit)),
-            format!("{} {}", significant(*slope, 12), per(of.quantity().si, parameter.quantity.si)),
+            shown::slope(of, parameter, *slope, system, 6),
+            format!("{} {}", significant(*slope, 12), per(si, parameter.quantity.si)).trim_end().to_owned(),
         ]
     });
-    let gradient = table(&["by", &format!("d {}", of.name()), "SI"], &[], rows);
-    let value = format!(
-        "{} = {} = {} {}\n\n",
-        of.name(),
-        of.show(taylor.value),
-        significant(taylor.value, 15),
-        of.quantity().si
-    );
+    let gradient = table(&["by", &format!("d {}", of.name()), "SI"], &[1, 2], rows);
+    let exact = format!("{} {si}", significant(taylor.value, 15));
+    let value = format!("{} = {}; in SI {}\n\n", of.name(), shown::both(of, taylor.value, system), exact.trim_end());
     if taylor.hessian.is_empty() {
         return value + &gradient;
     }

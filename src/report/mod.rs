@@ -18,6 +18,7 @@ pub mod plot;
 mod presets;
 mod sensitivity;
 mod setup_file;
+mod shown;
 mod sweep;
 mod table;
 mod uncertainty;

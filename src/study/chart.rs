@@ -60,7 +60,7 @@ pub fn chart(
     mut watch: impl FnMut(&ChartPoint) -> bool,
 ) -> Result<Chart> {
     if search.vary.iter().any(|vary| vary.parameter == along.parameter) {
-        let reason = "it is varied itself: the chart is of its optimum, along another parameter".into();
+        let reason = "it is one of the parameters varied; a chart runs along another parameter".into();
         return Err(Error::NotVariable { name: along.parameter.name.into(), reason });
     }
     let follower = Follower { setup, search, along };
@@ -97,7 +97,7 @@ pub fn chart(
             }
         };
         let next = if apart > TOO_FAR {
-            let event = Some("the optimum jumps: the one followed so far is none beyond".into());
+            let event = Some("the optimum jumps: the local optimum followed so far ends here".into());
             ChartPoint { event, ..next }
         } else if next.active != here.active {
             follower.located(here, next)
@@ -134,7 +134,7 @@ impl Follower<'_> {
                 Ok(point) => {
                     let show = |value: f64| parameter.show(Some(value));
                     let begun = why.map(|why: Error| {
-                        format!("from {} on, for there was no optimum at {}: {why}", show(at), show(low))
+                        format!("the chart begins at {}: no optimum was found at {}: {why}", show(at), show(low))
                     });
                     return Ok((point, begun));
                 }

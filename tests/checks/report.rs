@@ -321,7 +321,7 @@ fn a_report_without_an_optimum_says_why_and_ends_with_status_one() {
     let said = longdrive(&[&["report", "-o", &directory], limits.as_slice()].concat());
     assert_eq!(said.status, 1, "{}", said.err);
     let page = std::fs::read_to_string(Path::new(&directory).join("index.html")).unwrap();
-    assert!(page.contains("no optimum: infeasible") && page.contains("The landscape"), "{}", said.err);
+    assert!(page.contains("no optimum: infeasible") && page.contains("The map"), "{}", said.err);
     let said = longdrive(&[
         "report",
         "-o",

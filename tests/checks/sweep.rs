@@ -190,8 +190,8 @@ fn exact_sequences_are_the_same_from_any_row_and_fill_their_ranges() {
 fn bad_axes_say_what_to_write() {
     let setup = Setup::default();
     for (text, says) in [
-        ("club.loft=5deg..15deg", "how many values?"),
-        ("club.loft=5deg..15deg:0", "0 values are none"),
+        ("club.loft=5deg..15deg", "the number of values is missing"),
+        ("club.loft=5deg..15deg:0", "the number of values must be at least 1"),
         ("club.loft=5deg..15deg:-3", "'-3' is not a number of values"),
         ("club.loft=5deg..15deg:1e3", "'1e3' is not a number of values"),
         ("club.loft=15deg..5deg:3", "the range is reversed"),
@@ -297,7 +297,10 @@ fn exact_csv_and_json_lines_read_back_equal() {
     let table = SweepCsv::new(&batch);
     let text = String::from_utf8([table.head(), table.rows(&block)].concat()).unwrap();
     let lines: Vec<_> = text.lines().collect();
-    assert_eq!(lines[0], "club.loft,status,carry,ball_speed,d_carry/d_club.loft,d_ball_speed/d_club.loft");
+    assert_eq!(
+        lines[0],
+        "club.loft [rad],status,carry [m],ball_speed [m/s],d_carry/d_club.loft [m/rad],d_ball_speed/d_club.loft [m/s/rad]"
+    );
     let cells: Vec<Vec<_>> = lines[1..].iter().map(|line| line.split(',').collect()).collect();
     assert_eq!((cells[0][0], cells[0][1], cells[1][1], cells[1][2]), ("0.2", "landed", "no-flight", ""));
     for (cells, values) in cells.iter().zip(&values) {
@@ -309,7 +312,7 @@ fn exact_csv_and_json_lines_read_back_equal() {
     for ((line, values), status) in text.lines().zip(&values).zip(["landed", "no-flight"]) {
         let object: serde_json::Map<String, serde_json::Value> = serde_json::from_str(line).unwrap();
         let names: Vec<_> = object.keys().map(String::as_str).collect();
-        assert_eq!(names.join(","), lines[0]);
+        assert_eq!(names.join(","), "club.loft,status,carry,ball_speed,d_carry/d_club.loft,d_ball_speed/d_club.loft");
         assert_eq!(object["status"], status);
         let read: Vec<_> = object.values().skip(2).map(serde_json::Value::as_f64).collect();
         assert_eq!(read, *values);

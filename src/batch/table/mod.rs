@@ -66,7 +66,7 @@ fn column(setup: &Setup<f64>, path: &Path, number: usize, name: &str) -> Result<
     if let Some(condition) = setup.launch_condition(name) {
         return Ok(condition);
     }
-    setup.column(name).map_err(|error| refused(path, place, format!("{error}; every column is a parameter")))
+    setup.column(name).map_err(|error| refused(path, place, format!("{error}; every column must be a parameter")))
 }
 
 /// Refuses a column given twice, and a table without any.

@@ -1,5 +1,5 @@
 use crate::args::ChartArgs;
-use crate::output::{Answer, tell, warn};
+use crate::output::{Answer, system, tell, tell_error, warn};
 use crate::search::{BEST_SO_FAR, interrupt};
 use longdrive::Result;
 use longdrive::report::{ChartReport, chart_csv, chart_text};
@@ -22,7 +22,7 @@ pub fn run(args: &ChartArgs) -> Result<Answer> {
     });
     let chart = match chart {
         Err(error) if error.is_an_outcome() => {
-            tell(&format!("error: {error}"));
+            tell_error(&error);
             let none = Chart { along, points: vec![], begun: None, ended: Some(error.to_string()) };
             let answer =
                 if args.question.json { Answer::json(&ChartReport::new(&none)) } else { Answer::text(String::new()) };
@@ -35,7 +35,7 @@ pub fn run(args: &ChartArgs) -> Result<Answer> {
     } else if args.csv {
         Answer::text(chart_csv(&chart)?)
     } else {
-        Answer::text(chart_text(&chart))
+        Answer::text(chart_text(&chart, system()))
     };
     Ok(answer.found(chart.begun.is_none() && chart.ended.is_none()))
 }

@@ -1,6 +1,6 @@
 use crate::args::Gradient;
 use crate::names::{outcomes, variables};
-use crate::output::{Answer, bar, tell, warn};
+use crate::output::{Answer, bar, system, tell_error, warn};
 use longdrive::derivative::{Order, Taylor, evaluate_with};
 use longdrive::report::{GradientReport, gradient_text};
 use longdrive::{Drive, Error, Result};
@@ -29,7 +29,7 @@ pub fn run(args: &Gradient) -> Result<Answer> {
     let mut is_complete = true;
     for error in each.iter().filter_map(|taylor| taylor.as_ref().err()) {
         is_complete = false;
-        tell(&format!("error: {error}"));
+        tell_error(error);
     }
 
     let results = of.iter().zip(&each);
@@ -40,7 +40,7 @@ pub fn run(args: &Gradient) -> Result<Answer> {
         });
         Answer::json(&Rows::of(reports.collect()))
     } else {
-        let texts = results.filter_map(|(of, taylor)| Some(gradient_text(*of, &wrt, taylor.as_ref().ok()?)));
+        let texts = results.filter_map(|(of, taylor)| Some(gradient_text(*of, &wrt, taylor.as_ref().ok()?, system())));
         Answer::text(texts.collect::<Vec<_>>().join("\n"))
     };
     Ok(answer.found(is_complete))

@@ -5,8 +5,11 @@
 mod args;
 mod calibrate;
 mod chart;
+mod colour;
+mod completions;
 mod files;
 mod gradient;
+mod man;
 mod names;
 mod optimize;
 mod optimum_sensitivity;
@@ -30,7 +33,9 @@ use output::Answer;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    let answer = match Args::parse().command {
+    let args = Args::parse();
+    output::begin(args.shown);
+    let answer = match args.command {
         Command::Simulate(args) => simulate::run(&args),
         Command::Gradient(args) => gradient::run(&args),
         Command::Optimize(args) => optimize::run(&args),
@@ -46,6 +51,8 @@ fn main() -> ExitCode {
         Command::Uncertainty(args) => uncertainty::run(&args),
         Command::Parameters(args) => parameters::run(&args),
         Command::Presets(args) => presets::run(&args),
+        Command::Completions(args) => completions::run(&args),
+        Command::Man(args) => man::run(&args),
     };
     match answer.and_then(Answer::print) {
         Ok(code) => code,

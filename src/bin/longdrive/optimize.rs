@@ -1,6 +1,6 @@
 use crate::args::Optimize;
 use crate::files::{Destination, Rule};
-use crate::output::{Answer, tell, warn};
+use crate::output::{Answer, system, tell, warn};
 use longdrive::optimize::Status;
 use longdrive::report::{LocalReport, OptimumReport, optima_text, optimum_text, optimum_toml};
 use longdrive::study::Optimum;
@@ -23,8 +23,8 @@ pub fn run(args: &Optimize) -> Result<Answer> {
         let listed = has_many.then(|| LocalReport::all(&optima));
         Answer::json(&OptimumReport { optima: listed, ..OptimumReport::new(best, warnings) })
     } else {
-        let listed = if has_many { optima_text(&optima) } else { String::new() };
-        Answer::text(optimum_text(best) + &listed)
+        let listed = if has_many { optima_text(&optima, system()) } else { String::new() };
+        Answer::text(optimum_text(best, system()) + &listed)
     };
     Ok(answer.found(best.solution.status == Status::Converged && optima.stopped() == 0))
 }

@@ -1,7 +1,7 @@
 use crate::args::{Optimize, OptimumSensitivity};
 use crate::names::variables;
 use crate::optimize::remarks;
-use crate::output::{Answer, bar, tell, warn};
+use crate::output::{Answer, bar, system, tell_error, warn};
 use longdrive::parameters::Parameter;
 use longdrive::report::{Analysis, LocalReport, OptimumReport, SensitivityReport, optimum_text, sensitivity_text};
 use longdrive::study::{
@@ -35,16 +35,16 @@ pub fn run(args: &OptimumSensitivity) -> Result<Answer> {
         let answer = if question.json {
             Answer::json(&OptimumReport::new(best, warnings))
         } else {
-            Answer::text(optimum_text(best))
+            Answer::text(optimum_text(best, system()))
         };
         return Ok(answer.found(false));
     }
     let found = analysed(best, &wrt, &changes, loss);
     let (sensitivities, flatness, changes) = match found {
         Err(error) if error.is_an_outcome() => {
-            tell(&format!("error: {error}"));
+            tell_error(&error);
             let report = || Answer::json(&OptimumReport::new(best, warnings));
-            let answer = if question.json { report() } else { Answer::text(optimum_text(best)) };
+            let answer = if question.json { report() } else { Answer::text(optimum_text(best, system())) };
             return Ok(answer.found(false));
         }
         found => found?,
@@ -57,7 +57,7 @@ pub fn run(args: &OptimumSensitivity) -> Result<Answer> {
         report.optimum.optima = (work.starts > 1).then(|| LocalReport::all(&optima));
         Answer::json(&report)
     } else {
-        Answer::text(optimum_text(best) + &sensitivity_text(&analysis))
+        Answer::text(optimum_text(best, system()) + &sensitivity_text(&analysis, system()))
     };
     Ok(answer.found(is_answered))
 }

@@ -1,8 +1,34 @@
+use crate::args::Shown;
+use crate::colour;
 use indicatif::{ProgressBar, ProgressStyle};
+use longdrive::units::System;
 use longdrive::{Error, Result};
 use serde::Serialize;
 use std::io::{self, Write};
 use std::process::ExitCode;
+use std::sync::OnceLock;
+
+/// The options of every command about what is printed; set once, before anything is.
+static SHOWN: OnceLock<Shown> = OnceLock::new();
+
+pub fn begin(shown: Shown) {
+    // a second time would be a mistake of the program, and the first stays
+    let _ = SHOWN.set(shown);
+}
+
+/// The units that were asked for, if any.
+pub fn stated_system() -> Option<System> {
+    SHOWN.get().and_then(|shown| shown.units).map(System::from)
+}
+
+/// The units that results are shown in.
+pub fn system() -> System {
+    stated_system().unwrap_or_default()
+}
+
+fn is_quiet() -> bool {
+    SHOWN.get().is_some_and(|shown| shown.quiet)
+}
 
 /// What a command has to say on standard output, and whether it found what it was asked for.
 pub struct Answer {
@@ -26,8 +52,7 @@ impl Answer {
     }
 
     pub fn print(self) -> Result<ExitCode> {
-        let mut out = io::stdout().lock();
-        match out.write_all(self.text.as_bytes()).and_then(|()| out.flush()) {
+        match colour::print(&self.text) {
             // a reader that has gone away, as `head` does, is no failure of ours
             Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(Error::Output(error)),
             _ => Ok(ExitCode::from(u8::from(!self.found))),
@@ -35,25 +60,35 @@ impl Answer {
     }
 }
 
-/// A line on standard error.
+/// A remark or progress: a line on standard error, unless --quiet is given.
 pub fn tell(line: &str) {
-    let _ = writeln!(io::stderr().lock(), "{line}");
+    if !is_quiet() {
+        let _ = writeln!(io::stderr().lock(), "{line}");
+    }
 }
 
 pub fn warn(warnings: &[String]) {
     for warning in warnings {
-        tell(&format!("warning: {warning}"));
+        colour::say("warning", warning);
     }
+}
+
+/// An error on standard error, where the command goes on.
+pub fn tell_error(error: &Error) {
+    colour::say("error", &error.to_string());
 }
 
 /// Says what went wrong; status 1 for a sound question without an answer, 2 for bad input.
 pub fn complain(error: &Error) -> ExitCode {
-    tell(&format!("error: {error}"));
+    tell_error(error);
     ExitCode::from(if error.is_an_outcome() { 1 } else { 2 })
 }
 
-/// Progress of long work, on standard error; nothing where that is no terminal.
+/// Progress of long work, on standard error; nothing where that is not a terminal, or with --quiet.
 pub fn bar(of: &str) -> ProgressBar {
+    if is_quiet() {
+        return ProgressBar::hidden();
+    }
     let style = ProgressStyle::with_template(&format!("{{bar:40}} {{pos}}/{{len}} {of}, {{eta}} left"));
     ProgressBar::new(0).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
 }

@@ -1,9 +1,9 @@
 use crate::args::{
-    Drawing, Plot, PlotChart, PlotContour, PlotKind, PlotTornado, PlotTrajectory, PlotVcurve, Question, Seen, Units,
+    Drawing, Plot, PlotChart, PlotContour, PlotKind, PlotTornado, PlotTrajectory, PlotVcurve, Question, Seen,
 };
 use crate::files::{Destination, Rule};
 use crate::names::{outcomes, variables};
-use crate::output::{Answer, tell, warn};
+use crate::output::{Answer, system, tell, warn};
 use longdrive::optimize::Watch;
 use longdrive::report::figures::{
     Flown, View, chart_figures, map_figure, tornado_figure, trajectory_figure, vcurve_figure,
@@ -15,7 +15,6 @@ use longdrive::study::{
     Constraint, Fineness, Map, Optimum, Search, Sigma, Vary, chart, effects, flatness, map, optimum, usual_loss,
     with_defaults,
 };
-use longdrive::units::System;
 use longdrive::{Error, Outcome, Result, Setup};
 use serde_json::json;
 use std::path::Path;
@@ -58,13 +57,13 @@ fn contour(args: &PlotContour) -> Result<Answer> {
 /// The map around an optimum; around the setup itself, where there is none.
 fn mapped(setup: &Setup<f64>, search: &Search) -> Result<(Option<Optimum>, Map)> {
     let [across, up, ..] = search.vary[..] else {
-        let (name, reason) = ("--vary".into(), "a map needs two parameters: give --vary twice".into());
+        let (name, reason) = ("--vary".into(), "a map needs two parameters; give --vary twice".into());
         return Err(Error::SearchRange { name, reason });
     };
     let best = optimum(setup, search.clone(), Watch::default())?;
     let is_found = best.solution.status == longdrive::optimize::Status::Converged;
     if !is_found {
-        tell(&format!("without an optimum: {}: {}", best.status(), best.message()));
+        tell(&format!("no optimum is drawn: {}: {}", best.status(), best.message()));
     }
     let around = if is_found { &best.setup } else { setup };
     let map = map(around, search.maximize, across, up, Fineness::default())?;
@@ -156,9 +155,8 @@ impl Format {
             Some("csv") => Ok(Self::Csv),
             _ => {
                 let pictures = if cfg!(feature = "png") { ".svg or .png" } else { ".svg" };
-                let reason = format!(
-                    "its ending does not say what to write; end it in {pictures} for a picture, or in .csv for its data"
-                );
+                let reason =
+                    format!("its ending does not name a format; use {pictures} for a picture, or .csv for its data");
                 Err(Error::Plot { name: file.display().to_string(), reason })
             }
         }
@@ -180,12 +178,8 @@ impl Target {
     }
 
     fn written(&self, question: &Question, drawing: &Drawing, figure: &Figure) -> Result<Answer> {
-        let system = match drawing.units {
-            Units::Metric => System::Metric,
-            Units::Us => System::Us,
-        };
         let shades = if drawing.dark { Shades::Dark } else { Shades::Light };
-        let look = Look { system, shades, width: drawing.width };
+        let look = Look { system: system(), shades, width: drawing.width };
         let bytes = match self.format {
             Format::Svg => figure_svg(figure, &look)?.into_bytes(),
             #[cfg(feature = "png")]

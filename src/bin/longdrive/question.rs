@@ -32,7 +32,7 @@ impl Question {
         let tolerance = Quantity::LENGTH.read(text).map_err(unreadable)?;
         let Accuracy { method, step, error, drives } = accuracy(&setup, ranges, tolerance)?;
         tell(&format!(
-            "flying {} with a step of {step:.4} s: carry within {error:.1e} m of the exact one in {drives} drives looked at",
+            "method {} with a step of {step:.4} s: carry is within {error:.1e} m of its exact value in the {drives} drives checked",
             method.name()
         ));
         let mut setup = Setup { method, ..setup };
@@ -56,7 +56,7 @@ impl Question {
         if Preset::named(&self.setup).is_some() || !looks_like_a_file {
             return Setup::preset(&self.setup).map_err(|_| {
                 let names = PRESETS.iter().map(|preset| preset.name);
-                let advice = format!("there are the presets {} and your own TOML files", Preset::names());
+                let advice = format!("a setup is a preset ({}) or a TOML file", Preset::names());
                 Error::unknown("setup", &self.setup, names, advice)
             });
         }

@@ -1,6 +1,6 @@
 use crate::args::Report;
 use crate::files::Rule;
-use crate::output::{Answer, bar, tell, warn};
+use crate::output::{Answer, bar, system, tell, warn};
 use crate::plot::limits;
 use longdrive::optimize::{Status, Watch};
 use longdrive::report::figures::Flown;
@@ -88,6 +88,7 @@ pub fn run(args: &Report) -> Result<Answer> {
         effects: &effects,
         rows: &rows,
         loops: &while_loop(&setup, &rows),
+        system: system(),
         remarks: &remarks,
     };
     let documents = report_documents(&findings)?;

@@ -1,6 +1,6 @@
 use crate::args::{Published, Reproduce};
 use crate::files::{Folder, Rule};
-use crate::output::{Answer, tell};
+use crate::output::{Answer, stated_system, tell};
 use longdrive::Result;
 use longdrive::report::plot::{Look, figure_csv, figure_svg};
 use longdrive::report::{Document, mae494_document, mae494_json, winfield_tan_document, winfield_tan_json};
@@ -24,6 +24,7 @@ pub fn run(args: &Reproduce) -> Result<Answer> {
         }
     };
     if let Some(folder) = &folder {
+        let system = stated_system().unwrap_or(system);
         write(folder, &document, &Look { system, ..Look::default() })?;
     }
     Ok(if args.json { Answer::json(&json) } else { Answer::text(document.text()) })

@@ -1,6 +1,6 @@
 use crate::args::SensitivityArgs;
 use crate::names::outcomes;
-use crate::output::{Answer, bar, tell, warn};
+use crate::output::{Answer, bar, system, tell, warn};
 use longdrive::optimize::{Status, Watch};
 use longdrive::report::{EffectsReport, effects_text};
 use longdrive::study::{Sigma, effects, optimum, sensitivities, with_defaults};
@@ -52,7 +52,8 @@ pub fn run(args: &SensitivityArgs) -> Result<Answer> {
         let reports: Vec<_> = found.iter().map(|effects| EffectsReport::new(effects, totals_of(effects.of))).collect();
         Answer::json(&json!({ "outcomes": reports, "warnings": warnings }))
     } else {
-        let texts: Vec<_> = found.iter().map(|effects| effects_text(effects, totals_of(effects.of))).collect();
+        let texts: Vec<_> =
+            found.iter().map(|effects| effects_text(effects, totals_of(effects.of), system())).collect();
         Answer::text(texts.join("\n"))
     };
     Ok(answer)
