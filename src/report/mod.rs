@@ -17,6 +17,7 @@ mod parameters;
 pub mod plot;
 mod presets;
 mod sensitivity;
+mod setup_file;
 mod sweep;
 mod table;
 mod uncertainty;
@@ -31,11 +32,12 @@ pub use effects::{EffectsReport, Totals, effects_text};
 pub use gradient::{GradientReport, HessianReport, gradient_text};
 pub use mae494::{mae494_document, mae494_json};
 pub use optimum::{
-    ConstraintReport, LocalReport, Multipliers, OptimumReport, iteration_line, optima_text, optimum_text,
+    ConstraintReport, LocalReport, Multipliers, OptimumReport, iteration_line, optima_text, optimum_text, optimum_toml,
 };
 pub use parameters::{parameters_json, parameters_text};
-pub use presets::{preset_toml, presets_json, presets_text};
+pub use presets::{presets_json, presets_text};
 pub use sensitivity::{Analysis, SensitivityReport, sensitivity_text};
+pub use setup_file::{preset_toml, setup_toml};
 #[cfg(feature = "parquet")]
 pub use sweep::{ParquetGroup, PlacedGroup, SweepParquet};
 pub use sweep::{SweepCsv, SweepJsonLines};

@@ -10,7 +10,7 @@ use longdrive::study::{
 use longdrive::{Error, Outcome, Result};
 
 pub fn run(args: &OptimumSensitivity) -> Result<Answer> {
-    let Optimize { question, search, work } = &args.optimize;
+    let Optimize { question, search, work, .. } = &args.optimize;
     let setup = question.setup()?;
     let search = search.search(&setup)?;
     let setup = question.within_tolerance(setup, &search.vary)?;
@@ -23,8 +23,12 @@ pub fn run(args: &OptimumSensitivity) -> Result<Answer> {
     }
     let loss = args.loss.as_deref().map(|text| loss(search.maximize, text)).transpose()?;
 
+    let output = args.optimize.destination()?;
     let optima = work.run(&setup, &search)?;
     let best = optima.best()?;
+    if let Some(output) = &output {
+        args.optimize.write(output, best)?;
+    }
     let warnings = remarks(&setup, best);
     warn(&warnings);
     if optima.stopped() > 0 {

@@ -1,4 +1,5 @@
 use crate::args::Report;
+use crate::files::Rule;
 use crate::output::{Answer, bar, tell, warn};
 use crate::plot::limits;
 use longdrive::optimize::{Status, Watch};
@@ -9,9 +10,8 @@ use longdrive::study::certificate::{Row, certify};
 use longdrive::study::{
     Fineness, Search, Sigma, Vary, chart, effects, flatness, map, optimum, usual_loss, with_defaults,
 };
-use longdrive::{Error, Outcome, Result, Setup};
+use longdrive::{Outcome, Result, Setup};
 use serde_json::json;
-use std::path::Path;
 
 /// Optima along the parameter are about this many: what the bar counts to.
 const USUAL_POINTS: u64 = 24;
@@ -26,8 +26,7 @@ pub fn run(args: &Report) -> Result<Answer> {
     let given = args.sigma.iter().map(|text| Sigma::read(&setup, text)).collect::<Result<Vec<_>>>()?;
     let sigmas = with_defaults(&setup, &given)?;
     // before the work, not after it
-    let folder = &args.output;
-    std::fs::create_dir_all(folder).map_err(|error| unwritable(folder, &error))?;
+    let folder = Rule::new(args.question.inputs(), args.overwrite).folder(&args.output, &["index.html"])?;
 
     let bar = bar("parts");
     bar.set_length(USUAL_POINTS + 5);
@@ -92,17 +91,14 @@ pub fn run(args: &Report) -> Result<Answer> {
         remarks: &remarks,
     };
     let documents = report_documents(&findings)?;
-    for Document { name, text } in &documents {
-        let file = folder.join(name);
-        std::fs::write(&file, text).map_err(|error| unwritable(&file, &error))?;
-    }
+    folder.write(documents.iter().map(|Document { name, text }| (name.as_str(), text.as_bytes())))?;
     bar.finish_and_clear();
     warn(&remarks);
-    let index = folder.join("index.html");
+    let index = args.output.join("index.html");
     tell(&format!("{} ({} files)", index.display(), documents.len()));
     let names: Vec<&str> = documents.iter().map(|document| document.name.as_str()).collect();
     let answer = if args.question.json {
-        Answer::json(&json!({ "folder": folder, "files": names, "remarks": remarks }))
+        Answer::json(&json!({ "folder": args.output, "files": names, "remarks": remarks }))
     } else {
         Answer::text(String::new())
     };
@@ -136,9 +132,4 @@ fn said<T>(part: Result<T>, remarks: &mut Vec<String>) -> Result<Option<T>> {
         }
         Err(error) => Err(error),
     }
-}
-
-fn unwritable(file: &Path, error: &std::io::Error) -> Error {
-    let reason = format!("it cannot be written: {error}; name another with -o");
-    Error::Results { file: file.display().to_string(), reason }
 }
