@@ -263,3 +263,25 @@ fn numbers_without_a_unit_in_a_setup_file_are_said_to_be_read_as_si() {
     assert!(notes[0].contains("swing.speed = 50 m/s") && !notes[0].contains("restitution"), "{}", said.err);
     assert!(!notes[0].contains("bulge"), "{}", said.err);
 }
+
+#[test]
+fn exact_optima_at_the_points_one_chooses() {
+    let (status, chart) = json(&["chart", "--along", "swing.speed", "--at", "110mph,90mph,100mph"]);
+    assert_eq!(status, 0, "{chart}");
+    let points = chart["points"].as_array().unwrap();
+    let speeds: Vec<f64> = points.iter().map(|point| number(&point["parameter"])).collect();
+    assert_eq!(speeds, [90.0 * 0.44704, 100.0 * 0.44704, 110.0 * 0.44704]);
+    for (point, speed) in points.iter().zip(["90mph", "100mph", "110mph"]) {
+        let (_, alone) = json(&["optimize", "--set", &format!("swing.speed={speed}")]);
+        close(number(&point["value"]), number(&alone["value"]), 1.0, 1e-9, speed);
+    }
+    for (args, says) in [
+        (["--along", "swing.speed=80mph..100mph", "--at", "90mph,110mph"], "110 mph is outside 80 mph .. 100 mph"),
+        (["--along", "swing.speed", "--at", "90"], "has no unit"),
+        (["--along", "club.loft", "--at", "9deg"], "varied"),
+    ] {
+        let said = longdrive(&[&["chart"], &args[..]].concat());
+        assert_eq!(said.status, 2, "{args:?}: {}", said.err);
+        assert!(said.err.contains(says), "{args:?}: {}", said.err);
+    }
+}

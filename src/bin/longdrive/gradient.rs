@@ -1,6 +1,6 @@
 use crate::args::Gradient;
 use crate::names::{outcomes, variables};
-use crate::output::{Answer, bar, system, tell_error, warn};
+use crate::output::{Answer, bar, show, system, tell_error, warn};
 use longdrive::derivative::{Order, Taylor, evaluate_with};
 use longdrive::report::{GradientReport, gradient_text};
 use longdrive::{Drive, Error, Result};
@@ -16,10 +16,7 @@ pub fn run(args: &Gradient) -> Result<Answer> {
 
     let order = if args.hessian { Order::Second } else { Order::First };
     let bar = bar("passes");
-    let evaluated = evaluate_with(&setup, &of, &wrt, order, |done, passes| {
-        bar.set_length(passes as u64);
-        bar.set_position(done as u64);
-    });
+    let evaluated = evaluate_with(&setup, &of, &wrt, order, |done, passes| show(&bar, done, passes));
     bar.finish_and_clear();
     let each: Vec<Result<Taylor>> = match evaluated {
         // what one outcome lacks (a landing, a direction) is no reason to keep back the others

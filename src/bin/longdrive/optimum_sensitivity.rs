@@ -1,7 +1,7 @@
 use crate::args::{Optimize, OptimumSensitivity};
 use crate::names::variables;
 use crate::optimize::remarks;
-use crate::output::{Answer, bar, system, tell_error, warn};
+use crate::output::{Answer, bar, show, spinner, system, tell_error, warn};
 use longdrive::parameters::Parameter;
 use longdrive::report::{Analysis, LocalReport, OptimumReport, SensitivityReport, optimum_text, sensitivity_text};
 use longdrive::study::{
@@ -69,14 +69,14 @@ fn analysed(best: &Optimum, wrt: &[&'static Parameter], changes: &[Change], loss
     let wrt: Vec<_> =
         wrt.iter().copied().filter(|p| best.search.vary.iter().all(|vary| vary.parameter != *p)).collect();
     let bar = bar("parameters");
-    let sensitivities = sensitivities(best, &wrt, |done, of| {
-        bar.set_length(of as u64);
-        bar.set_position(done as u64);
-    });
+    let sensitivities = sensitivities(best, &wrt, |done, of| show(&bar, done, of));
     bar.finish_and_clear();
     let loss = loss.unwrap_or_else(|| usual_loss(best));
+    let spinner = spinner("flying around the optimum");
     let changed = changes.iter().map(|stated| change(best, *stated)).collect::<Result<_>>()?;
-    Ok((sensitivities?, flatness(best, loss)?, changed))
+    let flatness = flatness(best, loss)?;
+    spinner.finish_and_clear();
+    Ok((sensitivities?, flatness, changed))
 }
 
 fn loss(of: Outcome, text: &str) -> Result<f64> {

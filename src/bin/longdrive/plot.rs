@@ -3,7 +3,7 @@ use crate::args::{
 };
 use crate::files::{Destination, Rule};
 use crate::names::{outcomes, variables};
-use crate::output::{Answer, system, tell, warn};
+use crate::output::{Answer, bar, show, spinner, system, tell, warn};
 use longdrive::optimize::Watch;
 use longdrive::report::figures::{
     Flown, View, chart_figures, map_figure, tornado_figure, trajectory_figure, vcurve_figure,
@@ -47,10 +47,12 @@ fn contour(args: &PlotContour) -> Result<Answer> {
     let setup = args.question.setup()?;
     let search = args.search.search(&setup)?;
     let setup = args.question.within_tolerance(setup, &search.vary)?;
+    let spinner = spinner("flying the map");
     let (best, map) = mapped(&setup, &search)?;
     let best = best.as_ref();
     let limits = limits(best.map_or(&setup, |best| &best.setup), &search)?;
     let flatness = best.map(|best| flatness(best, usual_loss(best))).transpose()?;
+    spinner.finish_and_clear();
     target.written(&args.question, &args.drawing, &map_figure(&map, &limits, best, flatness.as_ref()))
 }
 
@@ -95,7 +97,13 @@ fn along(args: &PlotChart) -> Result<Answer> {
     };
     let ranges: Vec<_> = search.vary.iter().copied().chain([along]).collect();
     let setup = args.question.within_tolerance(setup, &ranges)?;
-    let chart = chart(&setup, &search, along, |_| true)?;
+    let bar = bar("optima");
+    let chart = chart(&setup, &search, along, |_| {
+        bar.inc(1);
+        true
+    });
+    bar.finish_and_clear();
+    let chart = chart?;
     for note in chart.begun.iter().chain(&chart.ended) {
         tell(note);
     }
@@ -110,7 +118,10 @@ fn tornado(args: &PlotTornado) -> Result<Answer> {
     let setup = args.question.within_tolerance(args.question.setup()?, &[])?;
     let of = Outcome::named(&args.of)?;
     let given = args.sigma.iter().map(|text| Sigma::read(&setup, text)).collect::<Result<Vec<_>>>()?;
-    let found = effects(&setup, &[of], &with_defaults(&setup, &given)?, |_, _| ())?;
+    let bar = bar("uncertainties");
+    let found = effects(&setup, &[of], &with_defaults(&setup, &given)?, |done, all| show(&bar, done, all));
+    bar.finish_and_clear();
+    let found = found?;
     match found.first() {
         Some(effects) => target.written(&args.question, &args.drawing, &tornado_figure(effects)),
         None => Err(Error::Nothing { doing: "draw", what: "outcome" }),
@@ -121,7 +132,10 @@ fn vcurve(args: &PlotVcurve) -> Result<Answer> {
     let target = Target::new(&args.question, &args.drawing)?;
     let setup = args.question.within_tolerance(args.question.setup()?, &[])?;
     let (of, wrt) = (outcomes(&args.of)?, variables(&setup, &args.wrt)?);
-    let certificate = certify(&setup, &of, &wrt, |_, _| ())?;
+    let bar = bar("parameters");
+    let certificate = certify(&setup, &of, &wrt, |done, all| show(&bar, done, all));
+    bar.finish_and_clear();
+    let certificate = certificate?;
     for (of, why) in &certificate.missing {
         tell(&format!("left out: {}: {why}", of.name()));
     }

@@ -1,6 +1,6 @@
 use crate::args::SensitivityArgs;
 use crate::names::outcomes;
-use crate::output::{Answer, bar, system, tell, warn};
+use crate::output::{Answer, bar, show, system, tell, warn};
 use longdrive::optimize::{Status, Watch};
 use longdrive::report::{EffectsReport, effects_text};
 use longdrive::study::{Sigma, effects, optimum, sensitivities, with_defaults};
@@ -32,10 +32,7 @@ pub fn run(args: &SensitivityArgs) -> Result<Answer> {
     let warnings = [setup.warnings(), drive.corners(&setup)].concat();
     warn(&warnings);
     let bar = bar("uncertainties");
-    let found = effects(&setup, &of, &sigmas, |done, all| {
-        bar.set_length(all as u64);
-        bar.set_position(done as u64);
-    });
+    let found = effects(&setup, &of, &sigmas, |done, all| show(&bar, done, all));
     bar.finish_and_clear();
     let found = found?;
     let totals = match &best {
