@@ -1,4 +1,4 @@
-use super::{json, table::table};
+use super::{Reply, json, table::table};
 use crate::parameters::{Kind, LAW, Law, METHOD, Method, Parameter, Setup};
 use serde_json::{Value, json};
 
@@ -9,13 +9,13 @@ fn rows(setup: &Setup<f64>) -> Vec<(&'static Parameter, Option<f64>)> {
     own.chain(others.map(|parameter| (parameter, parameter.default_value()))).collect()
 }
 
-/// Every parameter with its value in a setup, as JSON.
-pub fn parameters_json(setup: &Setup<f64>) -> Value {
+/// The answer of `parameters`: every parameter with its value in a setup.
+pub fn parameters_reply(setup: &Setup<f64>, warnings: Vec<String>) -> Reply<Value> {
     let end = |value: f64| json::number(Some(value));
     let row = |(parameter, value): &(&'static Parameter, Option<f64>)| {
         let range = parameter.range;
         json!({
-            "name": parameter.name,
+            "parameter": parameter.name,
             "symbol": parameter.symbol,
             "unit": parameter.quantity.si,
             "shown_in": parameter.unit,
@@ -35,7 +35,9 @@ pub fn parameters_json(setup: &Setup<f64>) -> Value {
             "doc": parameter.doc,
         })
     };
-    json!({ "law": setup.law.name(), "laws": Law::NAMES, "parameters": rows(setup).iter().map(row).collect::<Vec<_>>() })
+    let parameters: Vec<Value> = rows(setup).iter().map(row).collect();
+    let body = json!({ "law": setup.law.name(), "laws": Law::NAMES, "parameters": parameters });
+    Reply::done("parameters", warnings, body)
 }
 
 /// Every parameter with its value in a setup, as text.

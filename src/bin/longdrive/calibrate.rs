@@ -5,15 +5,18 @@ use crate::search::{BEST_SO_FAR, interrupt};
 use longdrive::optimize::least_squares::{Follow, Loss, Status};
 use longdrive::parameters::{Law, Vary};
 use longdrive::report::plot::Look;
-use longdrive::report::{CalibrationReport, calibration_document, calibration_json, calibration_toml};
+use longdrive::report::{CalibrationReport, calibration_document, calibration_reply, calibration_toml};
 use longdrive::study::calibrate::{HeldOut, Plan, ShotTable, calibrate, held_out};
 use longdrive::{Error, Result, Setup};
+use serde_json::json;
 use std::fs::{self, File};
+use std::path::PathBuf;
 use std::sync::Arc;
 
 pub fn run(args: &Calibrate) -> Result<Answer> {
     let setup = args.question.setup()?;
-    warn(&setup.warnings());
+    let warnings = setup.warnings();
+    warn(&warnings);
     let file = args.data.display().to_string();
     let cannot = |error: std::io::Error| Error::Table {
         file: file.clone(),
@@ -53,8 +56,15 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
     if let Some(folder) = &args.plot {
         write(folder, &document, &Look::default())?;
     }
-    let answer =
-        if args.question.json { Answer::json(&calibration_json(&report)) } else { Answer::text(document.text()) };
+    let answer = if args.question.json {
+        let mut reply = calibration_reply(&report, warnings);
+        let named = |path: &Option<PathBuf>| json!(path.as_ref().map(|path| path.display().to_string()));
+        reply.body["file"] = named(&args.output);
+        reply.body["folder"] = named(&args.plot);
+        Answer::json(&reply)
+    } else {
+        Answer::text(document.text())
+    };
     Ok(answer.found(found.fit.status == Status::Converged))
 }
 

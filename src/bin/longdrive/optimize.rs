@@ -1,7 +1,7 @@
 use crate::args::Optimize;
 use crate::output::{Answer, tell, warn};
 use longdrive::optimize::Status;
-use longdrive::report::{LocalReport, OptimumReport, optima_text, optimum_text};
+use longdrive::report::{OptimumReport, optima_text, optimum_text};
 use longdrive::study::Optimum;
 use longdrive::{Result, Setup};
 
@@ -13,12 +13,10 @@ pub fn run(args: &Optimize) -> Result<Answer> {
     let best = optima.best()?;
     let warnings = remarks(&setup, best);
     warn(&warnings);
-    let has_many = args.work.starts > 1;
     let answer = if args.question.json {
-        let listed = has_many.then(|| LocalReport::all(&optima));
-        Answer::json(&OptimumReport { optima: listed, ..OptimumReport::new(best, warnings) })
+        Answer::json(&OptimumReport::reply(&optima, warnings)?)
     } else {
-        let listed = if has_many { optima_text(&optima) } else { String::new() };
+        let listed = if args.work.starts > 1 { optima_text(&optima) } else { String::new() };
         Answer::text(optimum_text(best) + &listed)
     };
     Ok(answer.found(best.solution.status == Status::Converged && optima.stopped() == 0))

@@ -3,7 +3,7 @@ use crate::names::variables;
 use crate::optimize::remarks;
 use crate::output::{Answer, bar, tell, warn};
 use longdrive::parameters::Parameter;
-use longdrive::report::{Analysis, LocalReport, OptimumReport, SensitivityReport, optimum_text, sensitivity_text};
+use longdrive::report::{Analysis, SensitivityReport, optimum_text, sensitivity_text};
 use longdrive::study::{
     Change, Changed, Flatness, Optimum, Sensitivity, change, flatness, refuse_varied, sensitivities, usual_loss,
 };
@@ -29,7 +29,7 @@ pub fn run(args: &OptimumSensitivity) -> Result<Answer> {
     warn(&warnings);
     if optima.stopped() > 0 {
         let answer = if question.json {
-            Answer::json(&OptimumReport::new(best, warnings))
+            Answer::json(&SensitivityReport::none(&optima, None, warnings)?)
         } else {
             Answer::text(optimum_text(best))
         };
@@ -39,8 +39,11 @@ pub fn run(args: &OptimumSensitivity) -> Result<Answer> {
     let (sensitivities, flatness, changes) = match found {
         Err(error) if error.is_an_outcome() => {
             tell(&format!("error: {error}"));
-            let report = || Answer::json(&OptimumReport::new(best, warnings));
-            let answer = if question.json { report() } else { Answer::text(optimum_text(best)) };
+            let answer = if question.json {
+                Answer::json(&SensitivityReport::none(&optima, Some(&error), warnings)?)
+            } else {
+                Answer::text(optimum_text(best))
+            };
             return Ok(answer.found(false));
         }
         found => found?,
@@ -49,9 +52,7 @@ pub fn run(args: &OptimumSensitivity) -> Result<Answer> {
     let is_answered = sensitivities.is_empty() || sensitivities.iter().any(|(_, sensitivity)| sensitivity.is_ok());
     let analysis = Analysis { best, sensitivities: &sensitivities, flatness: &flatness, changes: &changes };
     let answer = if question.json {
-        let mut report = SensitivityReport::new(&analysis, warnings);
-        report.optimum.optima = (work.starts > 1).then(|| LocalReport::all(&optima));
-        Answer::json(&report)
+        Answer::json(&SensitivityReport::reply(&optima, &analysis, warnings))
     } else {
         Answer::text(optimum_text(best) + &sensitivity_text(&analysis))
     };

@@ -4,6 +4,7 @@ use crate::args::{
 use crate::names::{outcomes, variables};
 use crate::output::{Answer, tell, warn};
 use longdrive::optimize::Watch;
+use longdrive::report::Reply;
 use longdrive::report::figures::{
     Flown, View, chart_figures, map_figure, tornado_figure, trajectory_figure, vcurve_figure,
 };
@@ -32,14 +33,13 @@ pub fn run(args: &Plot) -> Result<Answer> {
 fn trajectory(args: &PlotTrajectory) -> Result<Answer> {
     let format = Format::of(&args.drawing.output)?;
     let setup = args.question.within_tolerance(args.question.setup()?, &[])?;
-    warn(&setup.warnings());
     let flown = Flown::new("", &setup)?;
     flown.drive.landed()?;
     let view = match args.view {
         Seen::Side => View::Side,
         Seen::Top => View::Top,
     };
-    written(&args.question, &args.drawing, format, &trajectory_figure(&[flown], view))
+    written(&args.question, &setup, &args.drawing, format, &trajectory_figure(&[flown], view))
 }
 
 fn contour(args: &PlotContour) -> Result<Answer> {
@@ -51,7 +51,7 @@ fn contour(args: &PlotContour) -> Result<Answer> {
     let best = best.as_ref();
     let limits = limits(best.map_or(&setup, |best| &best.setup), &search)?;
     let flatness = best.map(|best| flatness(best, usual_loss(best))).transpose()?;
-    written(&args.question, &args.drawing, format, &map_figure(&map, &limits, best, flatness.as_ref()))
+    written(&args.question, &setup, &args.drawing, format, &map_figure(&map, &limits, best, flatness.as_ref()))
 }
 
 /// The map around an optimum; around the setup itself, where there is none.
@@ -100,7 +100,7 @@ fn along(args: &PlotChart) -> Result<Answer> {
         tell(note);
     }
     match chart_figures(&chart).get(shown) {
-        Some(figure) => written(&args.question, &args.drawing, format, figure),
+        Some(figure) => written(&args.question, &setup, &args.drawing, format, figure),
         None => Err(Error::Nothing { doing: "draw", what: "optimum" }),
     }
 }
@@ -112,7 +112,7 @@ fn tornado(args: &PlotTornado) -> Result<Answer> {
     let given = args.sigma.iter().map(|text| Sigma::read(&setup, text)).collect::<Result<Vec<_>>>()?;
     let found = effects(&setup, &[of], &with_defaults(&setup, &given)?, |_, _| ())?;
     match found.first() {
-        Some(effects) => written(&args.question, &args.drawing, format, &tornado_figure(effects)),
+        Some(effects) => written(&args.question, &setup, &args.drawing, format, &tornado_figure(effects)),
         None => Err(Error::Nothing { doing: "draw", what: "outcome" }),
     }
 }
@@ -130,6 +130,7 @@ fn vcurve(args: &PlotVcurve) -> Result<Answer> {
     let row = |(of, parameter)| certificate.rows.iter().find(|row| row.of == of && row.parameter == parameter);
     written(
         &args.question,
+        &setup,
         &args.drawing,
         format,
         &vcurve_figure(asked.filter_map(row), &while_loop(&setup, &certificate.rows)),
@@ -165,7 +166,15 @@ impl Format {
     }
 }
 
-fn written(question: &Question, drawing: &Drawing, format: Format, figure: &Figure) -> Result<Answer> {
+fn written(
+    question: &Question,
+    setup: &Setup<f64>,
+    drawing: &Drawing,
+    format: Format,
+    figure: &Figure,
+) -> Result<Answer> {
+    let warnings = setup.warnings();
+    warn(&warnings);
     let system = match drawing.units {
         Units::Metric => System::Metric,
         Units::Us => System::Us,
@@ -186,7 +195,8 @@ fn written(question: &Question, drawing: &Drawing, format: Format, figure: &Figu
         tell(&figure.note);
     }
     Ok(if question.json {
-        Answer::json(&json!({ "file": file, "title": figure.title, "note": figure.note, "bytes": bytes.len() }))
+        let body = json!({ "name": figure.name, "file": file, "title": figure.title, "note": figure.note, "bytes": bytes.len() });
+        Answer::json(&Reply::done("plot", warnings, body))
     } else {
         Answer::text(String::new())
     })

@@ -1,7 +1,7 @@
 use crate::args::{Published, Reproduce};
 use crate::output::{Answer, tell};
 use longdrive::report::plot::{Look, figure_csv, figure_svg};
-use longdrive::report::{Document, mae494_document, mae494_json, winfield_tan_document, winfield_tan_json};
+use longdrive::report::{Document, mae494_document, mae494_reply, winfield_tan_document, winfield_tan_reply};
 use longdrive::reproduce::{mae494, winfield_tan};
 use longdrive::units::System;
 use longdrive::{Error, Result};
@@ -9,20 +9,20 @@ use std::fs;
 use std::path::Path;
 
 pub fn run(args: &Reproduce) -> Result<Answer> {
-    let (document, json, system) = match args.study {
+    let (document, reply, system) = match args.study {
         Published::Mae494 => {
             let found = mae494(|what| tell(&format!("computing {what}")))?;
-            (mae494_document(&found), mae494_json(&found), System::Metric)
+            (mae494_document(&found), mae494_reply(&found), System::Metric)
         }
         Published::WinfieldTan => {
             let found = winfield_tan(|what| tell(&format!("computing {what}")))?;
-            (winfield_tan_document(&found), winfield_tan_json(&found), System::Us)
+            (winfield_tan_document(&found), winfield_tan_reply(&found), System::Us)
         }
     };
     if let Some(folder) = &args.output {
         write(folder, &document, &Look { system, ..Look::default() })?;
     }
-    Ok(if args.json { Answer::json(&json) } else { Answer::text(document.text()) })
+    Ok(if args.json { Answer::json(&reply) } else { Answer::text(document.text()) })
 }
 
 /// Writes a document with its figures and their data into a folder, which is made where it is not there.
