@@ -95,8 +95,13 @@ macro_rules! outcomes {
 }
 
 outcomes! {
-    /// Distance downrange at landing.
+    /// Distance downrange at landing, along the target line; carry_distance counts the way to the side too.
     Flight Carry = "carry", "z_L", LENGTH in "yd", |drive| drive.landed?.carry;
+    /// Horizontal distance from the tee to the landing, in whatever direction: what launch monitors call carry.
+    Flight CarryDistance = "carry_distance", "√(z_L² + y_L²)", LENGTH in "yd", |drive| {
+        let landed = drive.landed?;
+        (landed.carry * landed.carry + landed.lateral * landed.lateral).sqrt()
+    };
     /// Distance right of the target line at landing.
     Flight Lateral = "lateral", "y_L", LENGTH in "yd", |drive| drive.landed?.lateral;
     /// Time from launch to landing.

@@ -25,7 +25,7 @@ pub enum Flight<T> {
 /// A flight that landed.
 #[derive(Clone, Copy, Debug)]
 pub struct Landed<T> {
-    /// Downrange distance at landing, m.
+    /// Downrange distance at landing, along the target line, m.
     pub carry: T,
     /// Distance to the right of the target line at landing, m.
     pub lateral: T,

@@ -13,6 +13,7 @@ mod table;
 mod vary;
 
 pub use declare::{Kind, Parameter, UNSET};
+pub use file::SetupFile;
 pub use method::{METHOD, Method};
 pub use presets::{PRESETS, Preset, PresetEntry};
 pub use range::Range;

@@ -18,6 +18,7 @@ pub mod plot;
 mod presets;
 mod reply;
 mod sensitivity;
+mod setup_file;
 mod sweep;
 mod table;
 mod uncertainty;
@@ -32,12 +33,13 @@ pub use effects::{EffectsReport, OutcomeEffects, Totals, effects_text};
 pub use gradient::{GradientReport, HessianReport, OutcomeReport, gradient_text};
 pub use mae494::{mae494_document, mae494_reply};
 pub use optimum::{
-    ConstraintReport, LocalReport, Multipliers, OptimumReport, iteration_line, optima_text, optimum_text,
+    ConstraintReport, LocalReport, Multipliers, OptimumReport, iteration_line, optima_text, optimum_text, optimum_toml,
 };
 pub use parameters::{parameters_reply, parameters_text};
-pub use presets::{preset_toml, presets_reply, presets_text};
+pub use presets::{presets_reply, presets_text};
 pub use reply::{Empty, Reply};
 pub use sensitivity::{Analysis, AnalysisReport, SensitivityReport, sensitivity_text};
+pub use setup_file::{preset_toml, setup_toml};
 #[cfg(feature = "parquet")]
 pub use sweep::{ParquetGroup, PlacedGroup, SweepParquet};
 pub use sweep::{SweepCsv, SweepJsonLines};

@@ -1,8 +1,10 @@
 use super::drive::{flight, launch, readable};
-use super::{Reply, json, table::table};
+use super::{Reply, json, setup_toml, table::table};
 use crate::drive::Outcome;
+use crate::error::Result;
 use crate::optimize::{Constrained, Effort, Iteration, Status};
-use crate::study::{Constraint, Optima, Optimum, Search};
+use crate::parameters::Preset;
+use crate::study::{Constraint, Optima, Optimum, Search, Sense};
 use crate::units::{Quantity, per, significant};
 use serde::Serialize;
 use serde_json::{Map, Value};
@@ -11,8 +13,10 @@ use std::collections::BTreeMap;
 /// An optimum as JSON, SI and radians.
 #[derive(Clone, Debug, Serialize)]
 pub struct OptimumReport {
-    /// The outcome made large.
+    /// The outcome that is sought.
     pub objective: &'static str,
+    /// Which value of it: `maximize` or `minimize`.
+    pub sense: &'static str,
     /// Its value; `null` where nothing flew.
     pub value: Value,
     /// Where it is, by parameter.
@@ -39,6 +43,8 @@ pub struct OptimumReport {
     pub launch: Option<Map<String, Value>>,
     /// Its flight.
     pub flight: Option<Map<String, Value>>,
+    /// The setup file that was written; `null` where none was.
+    pub file: Option<String>,
 }
 
 /// A constraint at an optimum.
@@ -93,7 +99,7 @@ pub struct Multipliers {
 impl OptimumReport {
     /// The answer of `optimize`: the status and the message are the search's. The local optima are listed where there
     /// was more than one start.
-    pub fn reply(optima: &Optima, warnings: Vec<String>) -> crate::error::Result<Reply<Self>> {
+    pub fn reply(optima: &Optima, warnings: Vec<String>) -> Result<Reply<Self>> {
         let best = optima.best()?;
         let reply = Reply::done("optimize", warnings, Self::of_many(best, optima));
         Ok(match optima.stopped() {
@@ -124,6 +130,7 @@ impl OptimumReport {
         };
         Self {
             objective: optimum.search.maximize.name(),
+            sense: optimum.search.sense.name(),
             value: json::number(optimum.value()),
             optimum: by_name(&solution.x),
             gradient: by_name(&optimum.gradient()),
@@ -137,6 +144,7 @@ impl OptimumReport {
             setup: optimum.drive.as_ref().map(|_| json::setup(&optimum.setup)),
             launch: optimum.drive.as_ref().map(launch),
             flight: optimum.drive.as_ref().and_then(flight),
+            file: None,
         }
     }
 }
@@ -212,17 +220,40 @@ fn constraints_text(optimum: &Optimum) -> String {
     let rows = optimum.search.subject_to.iter().zip(reports).map(|(constraint, report)| {
         let outcome = constraint.outcome;
         let size = |of: Outcome| of.quantity().size_of(of.unit()).unwrap_or(1.0);
-        let price = significant(report.multiplier * size(outcome) / size(of), 3);
+        // a constraint's price is a change of the outcome: a smaller one is a gain where the smallest is looked for
+        let (gain, turn) = match optimum.search.sense {
+            Sense::Maximize => ("+", 1.0),
+            Sense::Minimize => ("-", if constraint.low == constraint.high { -1.0 } else { 1.0 }),
+        };
+        let price = significant(turn * report.multiplier * size(outcome) / size(of), 3);
         let unit = per(of.unit(), outcome.unit());
         let words = match report.multiplier {
             _ if optimum.solution.status != Status::Converged => String::new(),
             0.0 => "not active".into(),
             _ if constraint.low == constraint.high => format!("active: {price} {unit} that it is raised"),
-            _ => format!("active: +{price} {unit} that it is relaxed"),
+            _ => format!("active: {gain}{price} {unit} that it is relaxed"),
         };
         vec![report.expression, outcome.show(report.value), words]
     });
     format!("\n{}", table(&["subject to", "value", ""], &[1], rows))
+}
+
+/// The setup at an optimum as a setup file in TOML, to the last digit.
+///
+/// # Errors
+/// As [`setup_toml`].
+pub fn optimum_toml(optimum: &Optimum, preset: &Preset) -> Result<String> {
+    let search = &optimum.search;
+    let of = search.maximize;
+    let value = optimum.value().map_or("–".into(), |value| of.show(value));
+    let mut about = vec![format!("{}, {} {}: {value}", preset.name, search.sense.adjective(), of.name())];
+    about.extend(search.subject_to.iter().map(|constraint| format!("subject to {}", constraint.expression)));
+    about.push(format!("{}: {}", optimum.status(), optimum.message()));
+    let remarks = search.vary.iter().zip(&optimum.solution.x).map(|(vary, x)| {
+        let show = |value: f64| vary.parameter.show(Some(value));
+        (vary.parameter, format!("optimum: {} in {} .. {}", show(*x), show(vary.low), show(vary.high)))
+    });
+    setup_toml(&optimum.setup, preset, &about, &remarks.collect::<Vec<_>>())
 }
 
 /// Local optima as a table, best first.
@@ -252,9 +283,10 @@ pub(super) fn bound_in_units(optimum: &Optimum, i: usize, unit: impl Fn(&'static
     let size = vary.parameter.quantity.size_of(by_unit).unwrap_or(1.0);
     let unit = of.quantity().size_of(of_unit).unwrap_or(1.0);
     let (lower, upper) = (optimum.solution.lower_multipliers[i], optimum.solution.upper_multipliers[i]);
+    let (gain, loss) = if optimum.search.sense == Sense::Maximize { ("+", "-") } else { ("-", "+") };
     let at = |bound: &str, multiplier: f64| {
         let price = significant(multiplier * size / unit, 3);
-        format!("at its {bound} bound: +{price} {} beyond it", per(of_unit, by_unit))
+        format!("at its {bound} bound: {gain}{price} {} beyond it", per(of_unit, by_unit))
     };
     let is_corner = optimum.solution.kink.is_some_and(|kink| kink.variable == i);
     if vary.low == vary.high {
@@ -265,7 +297,10 @@ pub(super) fn bound_in_units(optimum: &Optimum, i: usize, unit: impl Fn(&'static
     } else if is_corner && upper + lower > 0.0 {
         let price = significant((upper + lower) * size / unit, 3);
         let unit = per(of_unit, by_unit);
-        format!("at its {} bound, a corner: -{price} {unit} inside it", if lower > 0.0 { "lower" } else { "upper" })
+        format!(
+            "at its {} bound, a corner: {loss}{price} {unit} inside it",
+            if lower > 0.0 { "lower" } else { "upper" }
+        )
     } else if upper > 0.0 {
         at("upper", upper)
     } else if lower > 0.0 {
@@ -291,7 +326,7 @@ pub fn iteration_line(search: &Search, iteration: &Iteration) -> String {
         "{:>3}  {} {:.6} {}  KKT {:.1e}{}  trust region {:.1e}{}  {}",
         iteration.number,
         of.name(),
-        -iteration.value,
+        search.sense.sign() * iteration.value,
         of.quantity().si,
         iteration.kkt_residual,
         if search.subject_to.is_empty() { String::new() } else { format!("  violation {:.1e}", iteration.violation) },

@@ -123,7 +123,7 @@ impl Top<'_> {
         let broken = (0..limits.dimension()).find(|&j| excess(j) > rounding(j));
         Some(match broken {
             Some(j) => Err(j),
-            None => Ok(self.best.value().unwrap_or_default() - values[0]),
+            None => Ok(self.best.search.sense.sign() * (values[0] - self.best.value().unwrap_or_default())),
         })
     }
 

@@ -21,6 +21,6 @@ pub use constraint::Constraint;
 pub use effects::{Bar, Effect, Effects, effects};
 pub use flatness::{Direction, Ellipse, Flatness, Limit, Window, flatness, usual_loss};
 pub use map::{Fineness, Map, Slope, map};
-pub use optimum::{Active, Optima, Optimum, Search, optima, optimum};
+pub use optimum::{Active, Optima, Optimum, Search, Sense, optima, optimum};
 pub use sensitivity::{Change, Changed, Sensitivity, change, refuse_varied, sensitivities, sensitivity};
 pub use sigma::{Sigma, with_defaults};

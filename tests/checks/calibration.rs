@@ -182,7 +182,7 @@ fn exact_truth_from_the_command_line_with_missing_cells_and_a_setup_file() {
         "--set",
         "aero.law=linear",
         "--set",
-        "flight.step=0.02",
+        "flight.step=0.02s",
         "--fit",
         "aero.cd=0.1..0.6",
         "--fit",

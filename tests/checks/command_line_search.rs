@@ -74,14 +74,14 @@ fn exact_sensitivity_and_windows_as_json() {
     assert_eq!(names, ["swing.speed", "gravity"]);
     let speed = &found["sensitivity"]["swing.speed"];
     let best = |speed: &str| number(&json(&["optimize", "--set", speed]).1["value"]);
-    let slope = (best("swing.speed=49.2744") - best("swing.speed=49.0744")) / 0.2;
+    let slope = (best("swing.speed=49.2744m/s") - best("swing.speed=49.0744m/s")) / 0.2;
     close(number(&speed["value"]), slope, 1.0, 1e-4, "d f*/d speed");
     assert_eq!(number(&speed["optimum"]["swing.attack_angle"]), 0.0);
     let window = &found["window"]["club.loft"];
     let x = number(&found["optimum"]["club.loft"]);
     assert!(number(&window["low"]) < x && x < number(&window["high"]));
     for end in ["low", "high"] {
-        let loft = format!("club.loft={:?}", number(&window[end]));
+        let loft = format!("club.loft={:?}rad", number(&window[end]));
         let drive = json(&["simulate", "--set", &loft, "--set", "swing.attack_angle=5deg"]).1;
         close(number(&found["value"]) - number(&drive["flight"]["carry"]), 0.9144, 1.0, 1e-9, "a yard");
     }
@@ -144,7 +144,7 @@ fn bad_input_to_a_search_is_status_2_and_says_what_to_write() {
         (vec!["chart", "--along", "club.loft=5deg..6deg"], "varied itself"),
         (vec!["chart", "--along", "swing.speed=80mph.."], "upper end is missing"),
         (vec!["chart"], "--along"),
-        (vec!["simulate", "--set", "flight.step=1e-9"], "at most"),
+        (vec!["simulate", "--set", "flight.step=1e-9s"], "at most"),
     ] {
         let said = longdrive(&args);
         assert_eq!((said.status, said.out.as_str()), (2, ""), "{args:?}: {}", said.err);
@@ -162,7 +162,7 @@ fn each_outcome_of_a_gradient_answers_for_itself() {
             && rows["outcomes"][1]["message"].as_str().unwrap().contains("no flight")
     );
     let (status, rows) =
-        json(&["gradient", "--of", "spin_axis,carry,carry", "--set", "club.loft=0", "--wrt", "all,gravity"]);
+        json(&["gradient", "--of", "spin_axis,carry,carry", "--set", "club.loft=0rad", "--wrt", "all,gravity"]);
     assert_eq!((status, rows["outcomes"].as_array().unwrap().len()), (1, 2));
     assert!(rows["outcomes"][0]["value"].is_null() && rows["outcomes"][1]["value"].is_null());
 }

@@ -34,6 +34,11 @@ fn sidecar(file: &Path) -> PathBuf {
     PathBuf::from(format!("{}.resume", file.display()))
 }
 
+/// Where the rows are until all of them are there.
+fn so_far(file: &Path) -> PathBuf {
+    PathBuf::from(format!("{}.part", file.display()))
+}
+
 /// Waits until some rows are safe, or the program has ended.
 fn wait_for_rows(child: &mut Child, file: &Path) {
     let has_rows = || fs::read_to_string(sidecar(file)).is_ok_and(|text| text.lines().count() > 1);
@@ -64,13 +69,14 @@ fn killed_and_resumed(many: &[&str], format: &str) {
         let append = |path: &Path, bytes: &[u8]| {
             fs::OpenOptions::new().append(true).open(path).unwrap().write_all(bytes).unwrap();
         };
-        append(&part, b"0.1,0.2,lan");
+        assert!(!part.exists(), "half a file under the name of a whole one");
+        append(&so_far(&part), b"0.1,0.2,lan");
         append(&sidecar(&part), b"{\"rows\":99");
 
         // it is not gone on with by mistake, as another question, or over
         let (status, said) = finish(start(many, &part, &[]));
         assert_eq!(status, Some(2));
-        assert!(said.contains("--resume goes on with it"), "{said}");
+        assert!(said.contains("--resume continues it"), "{said}");
         let (status, said) = finish(start(many, &part, &["--resume", "--set", "swing.speed=100mph"]));
         assert_eq!(status, Some(2));
         assert!(said.contains("another question (the setup differs)"), "{said}");
@@ -87,19 +93,19 @@ fn killed_and_resumed(many: &[&str], format: &str) {
         assert!(status == Some(0) || status == Some(1) || status.is_none(), "{status:?} {said}");
         if status == Some(1) {
             assert!(said.contains("--resume") && said.contains("stopped: "), "{said}");
-            readable(&part, format);
+            readable(&so_far(&part), format);
         }
     }
     if sidecar(&part).exists() {
         let (status, said) = finish(start(many, &part, &["--resume", "--threads", "3"]));
         assert_eq!(status, Some(0), "{said}");
-        assert!(said.contains("going on after "), "{said}");
+        assert!(said.contains("resuming after "), "{said}");
     }
-    assert!(!sidecar(&part).exists());
+    assert!(!sidecar(&part).exists() && !so_far(&part).exists());
     assert!(fs::read(&part).unwrap() == fs::read(&whole).unwrap(), "another file than that of an undisturbed run");
     let (status, said) = finish(start(many, &part, &["--resume"]));
     assert_eq!(status, Some(2));
-    assert!(said.contains("nothing to go on with"), "{said}");
+    assert!(said.contains("nothing to resume"), "{said}");
 }
 
 /// How many rows a file holds, all of them whole.
@@ -200,8 +206,9 @@ fn a_full_disk_leaves_whole_rows_that_can_be_gone_on_with() {
         let said = String::from_utf8(output.stderr).unwrap();
         assert_eq!(output.status.code(), Some(2), "{said}");
         let rows: usize = said.split("its first ").nth(1).unwrap().split(' ').next().unwrap().parse().unwrap();
-        assert!(rows > 10_000 && said.contains("rows are complete and stay valid"), "{said}");
-        assert_eq!(readable(&part, format), rows);
+        assert!(rows > 10_000 && said.contains("rows are complete and stay in"), "{said}");
+        assert_eq!(readable(&so_far(&part), format), rows);
+        assert!(!part.exists());
         assert_eq!(finish(start(&many(), &part, &["--resume"])).0, Some(0));
         assert!(fs::read(&part).unwrap() == fs::read(&whole).unwrap(), "{format}");
     }
@@ -291,9 +298,9 @@ fn bad_input_to_a_sweep_is_status_2_and_says_what_to_write() {
         (with(&["-o", "/nowhere/at/all.csv"]), "cannot be written"),
         (with(&["-o", "src", "--format", "csv"]), "it is a folder"),
         (with(&["-o", "Cargo.toml", "--format", "csv"]), "it exists; --overwrite replaces it"),
-        (with(&["-o", "Cargo.toml", "--format", "csv", "--resume"]), "nothing to go on with"),
+        (with(&["-o", "Cargo.toml", "--format", "csv", "--resume"]), "nothing to resume"),
         (with(&["--format", "parquet"]), "Parquet needs a file"),
-        (with(&["--resume"]), "only a file can be gone on with"),
+        (with(&["--resume"]), "only a file can be resumed"),
         (with(&["--max-size", "much"]), "write a size like"),
         (with(&["--sample", "0"]), "--sample"),
         (with(&["--sample", "5"]), "--sample says how many points there are"),

@@ -5,6 +5,7 @@ mod analysis;
 mod calibration;
 mod command_line;
 mod command_line_certainty;
+mod command_line_files;
 mod command_line_search;
 mod command_line_sweep;
 mod common;

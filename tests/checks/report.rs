@@ -19,6 +19,16 @@ fn whole(svg: &str) -> roxmltree::Document<'_> {
     roxmltree::Document::parse(svg).unwrap_or_else(|error| panic!("{error}: {svg}"))
 }
 
+/// The places of each line that is drawn, pixels from the left and the top.
+fn polylines(svg: &roxmltree::Document<'_>) -> Vec<Vec<[f64; 2]>> {
+    let lines = svg.descendants().filter(|node| node.has_tag_name("polyline"));
+    let place = |point: &str| {
+        let (x, y) = point.split_once(',').unwrap();
+        [x, y].map(|at| at.parse().unwrap())
+    };
+    lines.filter_map(|line| Some(line.attribute("points")?.split_whitespace().map(place).collect())).collect()
+}
+
 fn words<'a>(svg: &'a roxmltree::Document<'_>) -> Vec<&'a str> {
     svg.descendants().filter(|node| node.has_tag_name("text")).filter_map(|node| node.text()).map(str::trim).collect()
 }
@@ -63,6 +73,28 @@ fn exact_data_of_a_trajectory_are_the_points_flown() {
     }
 }
 
+/// Seen from above with the target to the right of the picture, right of the target line is below it.
+#[test]
+fn exact_what_flies_right_is_drawn_below_in_the_view_from_above() {
+    let ends = |path: &str| {
+        let mut setup = Setup::default();
+        setup.set("swing.path", path).unwrap();
+        let figure = trajectory_figure(&[Flown::new("", &setup).unwrap()], View::Top);
+        let svg = figure_svg(&figure, &Look::default()).unwrap();
+        let picture = whole(&svg);
+        let longest = polylines(&picture).into_iter().max_by_key(Vec::len).unwrap();
+        let csv = figure_csv(&figure).unwrap();
+        let has = |letter: &str| words(&picture).iter().any(|text| text.ends_with(letter));
+        assert!(has(" L") && has(" R"), "ticks say which side they are on: {:?}", words(&picture));
+        (longest[0], longest[longest.len() - 1], rows(&csv, "line").last().unwrap()[1])
+    };
+    // pixels count down from the top
+    let (tee, landing, right) = ends("3 deg");
+    assert!(right > 5.0 && landing[1] > tee[1] + 20.0 && landing[0] > tee[0] + 100.0, "{tee:?} {landing:?} {right}");
+    let (tee, landing, right) = ends("-3 deg");
+    assert!(right < -5.0 && landing[1] < tee[1] - 20.0, "{tee:?} {landing:?} {right}");
+}
+
 #[test]
 fn exact_places_on_the_picture_are_those_of_the_data() {
     // a line from corner to corner of exact axes ends in the corners of the frame, in metres as in yards
@@ -74,12 +106,7 @@ fn exact_places_on_the_picture_are_those_of_the_data() {
     ));
     let ends = |system| {
         let svg = figure_svg(&figure, &Look { system, ..Look::default() }).unwrap();
-        let svg = whole(&svg);
-        let line = svg.descendants().filter(|node| node.has_tag_name("polyline"));
-        let line =
-            line.filter_map(|node| node.attribute("points")).find(|points| points.split_whitespace().count() == 3);
-        let points = line.unwrap().split_whitespace().map(|point| point.split_once(',').unwrap());
-        points.map(|(x, y)| [x, y].map(|at| at.parse::<f64>().unwrap())).collect::<Vec<_>>()
+        polylines(&whole(&svg)).into_iter().find(|points| points.len() == 3).unwrap()
     };
     for system in System::ALL {
         let [low, middle, high] = ends(system)[..] else { panic!("three points") };
@@ -134,7 +161,7 @@ fn exact_limits_on_a_map_are_where_the_outcome_is_at_its_limit() {
     // pieces are parted by rows without numbers
     for row in line.iter().filter(|row| !row.contains("deg,,")).step_by(7) {
         let at: Vec<&str> = row.split(',').skip(2).take(2).collect();
-        let set = [format!("club.loft={}", at[0]), format!("swing.attack_angle={}", at[1])];
+        let set = [format!("club.loft={}rad", at[0]), format!("swing.attack_angle={}rad", at[1])];
         let (_, drive) = json(&["simulate", "--set", &set[0], "--set", &set[1]]);
         // between nodes a map is straight
         close(number(&drive["flight"]["descent_angle"]).to_degrees(), 38.0, 1.0, 0.01, row);
@@ -322,7 +349,7 @@ fn bad_plots_and_folders_get_messages_that_help() {
         (vec!["plot", "trajectory", "-o", &svg, "--set", "swing.attack_angle=-20deg"], 1, vec!["no flight"]),
         (vec!["plot", "contour", "-o", &svg, "--vary", "club.loft=4deg..20deg"], 2, vec!["two parameters", "--vary"]),
         (
-            vec!["plot", "chart", "-o", &svg, "--along", "swing.speed=40..50", "--show", "club.lof"],
+            vec!["plot", "chart", "-o", &svg, "--along", "swing.speed=40..50m/s", "--show", "club.lof"],
             2,
             vec!["did you mean 'club.loft'?"],
         ),

@@ -6,7 +6,7 @@ use csv::{Reader, ReaderBuilder, StringRecord, Trim};
 use std::fs::File;
 use std::path::{Path, PathBuf};
 
-/// Points in a CSV file. Its head names the parameters; `club.loft` is in SI, `club.loft [deg]` in the unit it names.
+/// Points in a CSV file. Its head names the parameters with their units: `club.loft [deg]`, `impact.restitution`.
 #[derive(Debug)]
 pub struct CsvTable {
     path: PathBuf,
@@ -19,7 +19,7 @@ pub struct CsvTable {
     record: StringRecord,
 }
 
-/// A column of numbers, and the unit that they are in; none for SI.
+/// A column of numbers, and the unit that they are in; a plain number has none.
 #[derive(Clone, Debug)]
 struct Column {
     parameter: &'static Parameter,
@@ -73,6 +73,10 @@ impl Column {
             && let Err(error) = parameter.quantity.read(&format!("1 {unit}"))
         {
             return Err(refused(path, format!(", column {number} ({name})"), error.to_string()));
+        }
+        if unit.is_none() && !parameter.quantity.si.is_empty() {
+            let reason = format!("it has no unit; write it into the head, as in '{name} [{}]'", parameter.unit);
+            return Err(refused(path, format!(", column {number} ({name})"), reason));
         }
         Ok(Self { parameter, unit: unit.map(str::to_owned) })
     }

@@ -5,6 +5,7 @@
 mod args;
 mod calibrate;
 mod chart;
+mod files;
 mod gradient;
 mod names;
 mod optimize;

@@ -10,7 +10,7 @@ use longdrive::study::{
 use longdrive::{Error, Outcome, Result};
 
 pub fn run(args: &OptimumSensitivity) -> Result<Answer> {
-    let Optimize { question, search, work } = &args.optimize;
+    let Optimize { question, search, work, .. } = &args.optimize;
     let setup = question.setup()?;
     let search = search.search(&setup)?;
     let setup = question.within_tolerance(setup, &search.vary)?;
@@ -23,8 +23,10 @@ pub fn run(args: &OptimumSensitivity) -> Result<Answer> {
     }
     let loss = args.loss.as_deref().map(|text| loss(search.maximize, text)).transpose()?;
 
+    let output = args.optimize.destination()?;
     let optima = work.run(&setup, &search)?;
     let best = optima.best()?;
+    let written = output.as_ref().map(|output| args.optimize.write(output, best)).transpose()?.flatten();
     let warnings = remarks(&setup, best);
     warn(&warnings);
     if optima.stopped() > 0 {
@@ -40,7 +42,9 @@ pub fn run(args: &OptimumSensitivity) -> Result<Answer> {
         Err(error) if error.is_an_outcome() => {
             tell(&format!("error: {error}"));
             let answer = if question.json {
-                Answer::json(&SensitivityReport::none(&optima, Some(&error), warnings)?)
+                let mut reply = SensitivityReport::none(&optima, Some(&error), warnings)?;
+                reply.body.optimum.file = written;
+                Answer::json(&reply)
             } else {
                 Answer::text(optimum_text(best))
             };
@@ -52,7 +56,9 @@ pub fn run(args: &OptimumSensitivity) -> Result<Answer> {
     let is_answered = sensitivities.is_empty() || sensitivities.iter().any(|(_, sensitivity)| sensitivity.is_ok());
     let analysis = Analysis { best, sensitivities: &sensitivities, flatness: &flatness, changes: &changes };
     let answer = if question.json {
-        Answer::json(&SensitivityReport::reply(&optima, &analysis, warnings))
+        let mut reply = SensitivityReport::reply(&optima, &analysis, warnings);
+        reply.body.optimum.file = written;
+        Answer::json(&reply)
     } else {
         Answer::text(optimum_text(best) + &sensitivity_text(&analysis))
     };

@@ -1,6 +1,7 @@
 use crate::args::{
     Drawing, Plot, PlotChart, PlotContour, PlotKind, PlotTornado, PlotTrajectory, PlotVcurve, Question, Seen, Units,
 };
+use crate::files::{Destination, Rule};
 use crate::names::{outcomes, variables};
 use crate::output::{Answer, tell, warn};
 use longdrive::optimize::Watch;
@@ -31,7 +32,7 @@ pub fn run(args: &Plot) -> Result<Answer> {
 }
 
 fn trajectory(args: &PlotTrajectory) -> Result<Answer> {
-    let format = Format::of(&args.drawing.output)?;
+    let target = Target::new(&args.question, &args.drawing)?;
     let setup = args.question.within_tolerance(args.question.setup()?, &[])?;
     let flown = Flown::new("", &setup)?;
     flown.drive.landed()?;
@@ -39,11 +40,11 @@ fn trajectory(args: &PlotTrajectory) -> Result<Answer> {
         Seen::Side => View::Side,
         Seen::Top => View::Top,
     };
-    written(&args.question, &setup, &args.drawing, format, &trajectory_figure(&[flown], view))
+    target.written(&args.question, &setup, &args.drawing, &trajectory_figure(&[flown], view))
 }
 
 fn contour(args: &PlotContour) -> Result<Answer> {
-    let format = Format::of(&args.drawing.output)?;
+    let target = Target::new(&args.question, &args.drawing)?;
     let setup = args.question.setup()?;
     let search = args.search.search(&setup)?;
     let setup = args.question.within_tolerance(setup, &search.vary)?;
@@ -51,7 +52,7 @@ fn contour(args: &PlotContour) -> Result<Answer> {
     let best = best.as_ref();
     let limits = limits(best.map_or(&setup, |best| &best.setup), &search)?;
     let flatness = best.map(|best| flatness(best, usual_loss(best))).transpose()?;
-    written(&args.question, &setup, &args.drawing, format, &map_figure(&map, &limits, best, flatness.as_ref()))
+    target.written(&args.question, &setup, &args.drawing, &map_figure(&map, &limits, best, flatness.as_ref()))
 }
 
 /// The map around an optimum; around the setup itself, where there is none.
@@ -80,7 +81,7 @@ pub fn limits(around: &Setup<f64>, search: &Search) -> Result<Vec<(Constraint, M
 }
 
 fn along(args: &PlotChart) -> Result<Answer> {
-    let format = Format::of(&args.drawing.output)?;
+    let target = Target::new(&args.question, &args.drawing)?;
     let setup = args.question.setup()?;
     let search = args.search.search(&setup)?;
     let along = Vary::read(&setup, &args.along)?;
@@ -100,25 +101,25 @@ fn along(args: &PlotChart) -> Result<Answer> {
         tell(note);
     }
     match chart_figures(&chart).get(shown) {
-        Some(figure) => written(&args.question, &setup, &args.drawing, format, figure),
+        Some(figure) => target.written(&args.question, &setup, &args.drawing, figure),
         None => Err(Error::Nothing { doing: "draw", what: "optimum" }),
     }
 }
 
 fn tornado(args: &PlotTornado) -> Result<Answer> {
-    let format = Format::of(&args.drawing.output)?;
+    let target = Target::new(&args.question, &args.drawing)?;
     let setup = args.question.within_tolerance(args.question.setup()?, &[])?;
     let of = Outcome::named(&args.of)?;
     let given = args.sigma.iter().map(|text| Sigma::read(&setup, text)).collect::<Result<Vec<_>>>()?;
     let found = effects(&setup, &[of], &with_defaults(&setup, &given)?, |_, _| ())?;
     match found.first() {
-        Some(effects) => written(&args.question, &setup, &args.drawing, format, &tornado_figure(effects)),
+        Some(effects) => target.written(&args.question, &setup, &args.drawing, &tornado_figure(effects)),
         None => Err(Error::Nothing { doing: "draw", what: "outcome" }),
     }
 }
 
 fn vcurve(args: &PlotVcurve) -> Result<Answer> {
-    let format = Format::of(&args.drawing.output)?;
+    let target = Target::new(&args.question, &args.drawing)?;
     let setup = args.question.within_tolerance(args.question.setup()?, &[])?;
     let (of, wrt) = (outcomes(&args.of)?, variables(&setup, &args.wrt)?);
     let certificate = certify(&setup, &of, &wrt, |_, _| ())?;
@@ -128,11 +129,10 @@ fn vcurve(args: &PlotVcurve) -> Result<Answer> {
     // in the order asked for, without what is looked at beside
     let asked = of.iter().flat_map(|of| wrt.iter().map(move |parameter| (*of, *parameter)));
     let row = |(of, parameter)| certificate.rows.iter().find(|row| row.of == of && row.parameter == parameter);
-    written(
+    target.written(
         &args.question,
         &setup,
         &args.drawing,
-        format,
         &vcurve_figure(asked.filter_map(row), &while_loop(&setup, &certificate.rows)),
     )
 }
@@ -166,38 +166,47 @@ impl Format {
     }
 }
 
-fn written(
-    question: &Question,
-    setup: &Setup<f64>,
-    drawing: &Drawing,
+/// Where a plot goes, and as what.
+struct Target {
     format: Format,
-    figure: &Figure,
-) -> Result<Answer> {
-    let warnings = setup.warnings();
-    warn(&warnings);
-    let system = match drawing.units {
-        Units::Metric => System::Metric,
-        Units::Us => System::Us,
-    };
-    let shades = if drawing.dark { Shades::Dark } else { Shades::Light };
-    let look = Look { system, shades, width: drawing.width };
-    let bytes = match format {
-        Format::Svg => figure_svg(figure, &look)?.into_bytes(),
-        #[cfg(feature = "png")]
-        Format::Png => longdrive::report::plot::figure_png(figure, &look, 2.0)?,
-        Format::Csv => figure_csv(figure)?.into_bytes(),
-    };
-    let file = drawing.output.display().to_string();
-    std::fs::write(&drawing.output, &bytes)
-        .map_err(|error| Error::Results { file: file.clone(), reason: error.to_string() })?;
-    tell(&format!("{file}: {}", figure.title));
-    if !figure.note.is_empty() {
-        tell(&figure.note);
+    destination: Destination,
+}
+
+impl Target {
+    /// What was asked for, if it may be written.
+    fn new(question: &Question, drawing: &Drawing) -> Result<Self> {
+        let format = Format::of(&drawing.output)?;
+        let rule = Rule::new(question.inputs(), drawing.overwrite);
+        Ok(Self { format, destination: rule.file(&drawing.output)? })
     }
-    Ok(if question.json {
-        let body = json!({ "name": figure.name, "file": file, "title": figure.title, "note": figure.note, "bytes": bytes.len() });
-        Answer::json(&Reply::done("plot", warnings, body))
-    } else {
-        Answer::text(String::new())
-    })
+
+    fn written(&self, question: &Question, setup: &Setup<f64>, drawing: &Drawing, figure: &Figure) -> Result<Answer> {
+        let warnings = setup.warnings();
+        warn(&warnings);
+        let system = match drawing.units {
+            Units::Metric => System::Metric,
+            Units::Us => System::Us,
+        };
+        let shades = if drawing.dark { Shades::Dark } else { Shades::Light };
+        let look = Look { system, shades, width: drawing.width };
+        let bytes = match self.format {
+            Format::Svg => figure_svg(figure, &look)?.into_bytes(),
+            #[cfg(feature = "png")]
+            Format::Png => longdrive::report::plot::figure_png(figure, &look, 2.0)?,
+            Format::Csv => figure_csv(figure)?.into_bytes(),
+        };
+        let file = drawing.output.display().to_string();
+        self.destination.write(&bytes)?;
+        tell(&format!("{file}: {}", figure.title));
+        if !figure.note.is_empty() {
+            tell(&figure.note);
+        }
+        Ok(if question.json {
+            let (name, title, note) = (&figure.name, &figure.title, &figure.note);
+            let body = json!({ "name": name, "file": file, "title": title, "note": note, "bytes": bytes.len() });
+            Answer::json(&Reply::done("plot", warnings, body))
+        } else {
+            Answer::text(String::new())
+        })
+    }
 }

@@ -1,6 +1,6 @@
 use crate::args::Question;
 use crate::output::tell;
-use longdrive::parameters::{LAW, PRESETS, Preset, Vary};
+use longdrive::parameters::{LAW, PRESETS, Preset, SetupFile, Vary};
 use longdrive::study::{Accuracy, accuracy};
 use longdrive::units::Quantity;
 use longdrive::{Error, Result, Setup};
@@ -33,7 +33,12 @@ impl Question {
 
     /// The preset that the setup started from.
     pub fn preset(&self) -> Result<&'static Preset> {
-        Preset::named(&self.setup).map_or_else(|| Setup::preset_of_file(Path::new(&self.setup)), Ok)
+        Preset::named(&self.setup).map_or_else(|| Ok(SetupFile::open(Path::new(&self.setup))?.preset), Ok)
+    }
+
+    /// The files that it reads.
+    pub fn inputs(&self) -> impl Iterator<Item = &Path> {
+        std::iter::once(Path::new(&self.setup)).filter(|_| Preset::named(&self.setup).is_none())
     }
 
     fn base(&self) -> Result<Setup<f64>> {
@@ -46,7 +51,15 @@ impl Question {
                 Error::unknown("setup", &self.setup, names, advice)
             });
         }
-        Setup::from_file(path)
+        let SetupFile { setup, without_unit, .. } = SetupFile::open(path)?;
+        if !without_unit.is_empty() {
+            let read = without_unit.iter().map(|parameter| {
+                let value = setup.value(parameter).unwrap_or_default();
+                format!("{} = {}", parameter.name, parameter.quantity.show(value, parameter.quantity.si))
+            });
+            tell(&format!("note: {}: read as SI, without a unit: {}", self.setup, read.collect::<Vec<_>>().join(", ")));
+        }
+        Ok(setup)
     }
 }
 

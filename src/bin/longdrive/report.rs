@@ -1,4 +1,5 @@
 use crate::args::Report;
+use crate::files::Rule;
 use crate::output::{Answer, bar, tell, warn};
 use crate::plot::limits;
 use longdrive::flight::Flight;
@@ -11,9 +12,8 @@ use longdrive::study::certificate::{Row, certify};
 use longdrive::study::{
     Fineness, Search, Sigma, Vary, chart, effects, flatness, map, optimum, usual_loss, with_defaults,
 };
-use longdrive::{Error, Outcome, Result, Setup};
+use longdrive::{Outcome, Result, Setup};
 use serde_json::json;
-use std::path::Path;
 
 /// Optima along the parameter are about this many: what the bar counts to.
 const USUAL_POINTS: u64 = 24;
@@ -28,8 +28,7 @@ pub fn run(args: &Report) -> Result<Answer> {
     let given = args.sigma.iter().map(|text| Sigma::read(&setup, text)).collect::<Result<Vec<_>>>()?;
     let sigmas = with_defaults(&setup, &given)?;
     // before the work, not after it
-    let folder = &args.output;
-    std::fs::create_dir_all(folder).map_err(|error| unwritable(folder, &error))?;
+    let folder = Rule::new(args.question.inputs(), args.overwrite).folder(&args.output, &["index.html"])?;
 
     let bar = bar("parts");
     bar.set_length(USUAL_POINTS + 5);
@@ -94,13 +93,10 @@ pub fn run(args: &Report) -> Result<Answer> {
         remarks: &remarks,
     };
     let documents = report_documents(&findings)?;
-    for Document { name, text } in &documents {
-        let file = folder.join(name);
-        std::fs::write(&file, text).map_err(|error| unwritable(&file, &error))?;
-    }
+    folder.write(documents.iter().map(|Document { name, text }| (name.as_str(), text.as_bytes())))?;
     bar.finish_and_clear();
     warn(&remarks);
-    let index = folder.join("index.html");
+    let index = args.output.join("index.html");
     tell(&format!("{} ({} files)", index.display(), documents.len()));
     let names: Vec<&str> = documents.iter().map(|document| document.name.as_str()).collect();
     let answer = if args.question.json {
@@ -109,7 +105,7 @@ pub fn run(args: &Report) -> Result<Answer> {
             Flight::Landed(_) if is_found => ("done", None),
             Flight::Landed(_) => (found.status(), Some(found.message())),
         };
-        let body = json!({ "folder": folder.display().to_string(), "files": names });
+        let body = json!({ "folder": args.output.display().to_string(), "files": names });
         Answer::json(&Reply::done("report", remarks.clone(), body).ended(status, message))
     } else {
         Answer::text(String::new())
@@ -144,9 +140,4 @@ fn said<T>(part: Result<T>, remarks: &mut Vec<String>) -> Result<Option<T>> {
         }
         Err(error) => Err(error),
     }
-}
-
-fn unwritable(file: &Path, error: &std::io::Error) -> Error {
-    let reason = format!("it cannot be written: {error}; name another with -o");
-    Error::Results { file: file.display().to_string(), reason }
 }

@@ -5,7 +5,7 @@ use crate::output::tell;
 use indicatif::{ProgressBar, ProgressStyle};
 use longdrive::optimize::{Follow, Ledger, Options};
 use longdrive::report::iteration_line;
-use longdrive::study::{Constraint, Optima, Search, Vary, optima};
+use longdrive::study::{Constraint, Optima, Search, Sense, Vary, optima};
 use longdrive::{Outcome, Result, Setup};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -16,12 +16,31 @@ impl SearchArgs {
     pub fn search(&self, setup: &Setup<f64>) -> Result<Search> {
         let vary = self.vary.iter().map(|text| Vary::read(setup, text)).collect::<Result<Vec<_>>>()?;
         let default = Search::longest_drive(setup);
+        let (of, sense) = match (&self.maximize, &self.minimize) {
+            (_, Some(of)) => (Outcome::named(of)?, Sense::Minimize),
+            (Some(of), None) => (Outcome::named(of)?, Sense::Maximize),
+            (None, None) => (Outcome::Carry, Sense::Maximize),
+        };
+        let options = Options::default();
         Ok(Search {
-            maximize: Outcome::named(&self.maximize)?,
+            maximize: of,
+            sense,
             vary: if vary.is_empty() { default?.vary } else { vary },
             subject_to: self.subject_to.iter().map(|text| Constraint::read(text)).collect::<Result<_>>()?,
-            options: Options { max_iterations: self.max_iterations, ..Options::default() },
+            options: Options { max_iterations: self.max_iterations.unwrap_or(options.max_iterations), ..options },
         })
+    }
+
+    /// The options that were given.
+    pub fn given(&self) -> Vec<&'static str> {
+        let given = [
+            ("--maximize", self.maximize.is_some()),
+            ("--minimize", self.minimize.is_some()),
+            ("--vary", !self.vary.is_empty()),
+            ("--subject-to", !self.subject_to.is_empty()),
+            ("--max-iterations", self.max_iterations.is_some()),
+        ];
+        given.into_iter().filter(|(_, is_given)| *is_given).map(|(name, _)| name).collect()
     }
 }
 
@@ -50,12 +69,12 @@ impl WorkArgs {
         let bar =
             ProgressBar::new(u64::from(self.starts)).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
         let best: Mutex<Option<f64>> = Mutex::new(None);
-        let (shown, of) = (bar.clone(), search.maximize);
+        let (shown, of, sense) = (bar.clone(), search.maximize, search.sense);
         follow.end = Some(Arc::new(move |_, solution| {
             let mut best = best.lock().unwrap_or_else(PoisonError::into_inner);
             let is_feasible = solution.residual.feasibility <= 1e-6;
             *best = [*best, solution.value.filter(|_| is_feasible)].into_iter().flatten().reduce(f64::min);
-            shown.set_message(best.map_or("–".into(), |value| of.show(-value)));
+            shown.set_message(best.map_or("–".into(), |value| of.show(sense.sign() * value)));
             shown.inc(1);
         }));
         bar

@@ -11,6 +11,11 @@ pub fn run(args: &SensitivityArgs) -> Result<Answer> {
     let of = outcomes(&args.of)?;
     let given = args.sigma.iter().map(|text| Sigma::read(&setup, text)).collect::<Result<Vec<_>>>()?;
     let mut best = None;
+    if let ([option, ..], false) = (args.search.given().as_slice(), args.at_optimum) {
+        let source =
+            "it says what optimum to look for, and none is asked for; add --at-optimum, or leave it out".into();
+        return Err(Error::Unreadable { name: (*option).into(), source });
+    }
     if args.at_optimum {
         let search = args.search.search(&setup)?;
         let found = optimum(&setup, search, Watch::default())?;

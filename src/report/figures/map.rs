@@ -106,7 +106,7 @@ fn ellipse(best: &Optimum, flatness: &Flatness, pair: [usize; 2]) -> Option<Laye
 }
 
 /// A word that begins a line.
-pub(super) fn capital(text: &str) -> String {
+pub(in crate::report) fn capital(text: &str) -> String {
     let mut letters = text.chars();
     letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
 }

@@ -10,7 +10,8 @@ use crate::units::Quantity;
 pub enum View {
     /// Downrange and up.
     Side,
-    /// Downrange and to the right.
+    /// Downrange to the right of the picture, as one sees it who looks down with the target to the right: what is right of the target
+    /// line is below it.
     Top,
 }
 
@@ -53,9 +54,9 @@ pub fn trajectory_figure(flown: &[Flown], view: View) -> Figure {
             "trajectory-top",
             "Trajectory from above",
             downrange,
-            Axis::linear(length("right of the target line")).reaching(-CORRIDOR, CORRIDOR),
+            Axis::left_right(length("right of the target line")).reaching(-CORRIDOR, CORRIDOR),
         )
-        .noted("Distances to the right are drawn larger than those downrange."),
+        .noted("Seen from above with the target to the right. Distances to the left and right are drawn larger than those downrange."),
     };
     figure.aspect = if view == View::Side { 0.55 } else { 0.4 };
     for (i, Flown { name, drive, path }) in flown.iter().enumerate() {

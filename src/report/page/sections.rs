@@ -6,7 +6,7 @@ use crate::drive::{Outcome, Part};
 use crate::error::Result;
 use crate::flight::Flight;
 use crate::optimize::Status;
-use crate::report::figures::Flown;
+use crate::report::figures::{Flown, capital};
 use crate::report::optimum::{bound_in_units, constraints};
 use crate::report::presets::sources;
 use crate::study::certificate::Row;
@@ -79,7 +79,7 @@ pub(super) fn optimum(best: &Optimum, flatness: Option<&Flatness>) -> Markup {
     let window = |i: usize| flatness.map(|flatness| flatness.windows[i]);
     html! {
         p {
-            "Largest " (of.name().replace('_', " ")) ": " strong { (outcome(of, best.value())) } ". "
+            (capital(search.sense.adjective())) " " (of.name().replace('_', " ")) ": " strong { (outcome(of, best.value())) } ". "
             span.faint {
                 (best.status()) ": " (best.message()) " (" (solution.iterations) " iterations, " (solution.evaluations)
                 " evaluations)"

@@ -69,6 +69,9 @@ fn with_unit(label: &str, unit: &str) -> String {
 pub enum Scale {
     /// Evenly.
     Linear,
+    /// Evenly, distances to the right of a line (+) and to the left of it (−), as seen from above by one who looks along the horizontal axis: right
+    /// is below. They are labelled without signs, `20 R` and `20 L`.
+    LeftRight,
     /// By their logarithm; what is not above zero has no place.
     Log,
     /// Whole numbers from 0, a name for each, the first on top: the bars of a tornado.
@@ -97,6 +100,11 @@ impl Axis {
     /// A logarithmic axis as wide as its data.
     pub fn log(measure: Measure) -> Self {
         Self { scale: Scale::Log, ..Self::linear(measure) }
+    }
+
+    /// Distances to the right of a line, with right below left, as wide as the data.
+    pub fn left_right(measure: Measure) -> Self {
+        Self { scale: Scale::LeftRight, ..Self::linear(measure) }
     }
 
     /// Names, one below the other.

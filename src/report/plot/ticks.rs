@@ -40,6 +40,10 @@ impl Drawn {
             Scale::Log => drawn.decades(count),
             _ => drawn.even(count),
         }
+        if axis.scale == Scale::LeftRight {
+            // right of the line is below
+            (drawn.low, drawn.high) = (drawn.high, drawn.low);
+        }
         Some(drawn)
     }
 
@@ -70,7 +74,7 @@ impl Drawn {
     pub fn place(&self, value: f64) -> Option<f64> {
         let place = match self.axis.scale {
             Scale::Names(_) => value,
-            Scale::Linear => self.axis.measure.in_units(value, self.system),
+            Scale::Linear | Scale::LeftRight => self.axis.measure.in_units(value, self.system),
             Scale::Log => self.axis.measure.in_units(value, self.system).log10(),
         };
         place.is_finite().then_some(place)
@@ -82,6 +86,16 @@ impl Drawn {
             Scale::Names(names) => names.get(tick.round() as usize).cloned().unwrap_or_default(),
             // a tick near zero is zero: no "-0"
             Scale::Linear => format!("{:.*}", self.decimals, tick + 0.0).replace('-', "\u{2212}"),
+            Scale::LeftRight => {
+                let side = if tick.abs() < 1e-9 {
+                    ""
+                } else if tick > 0.0 {
+                    " R"
+                } else {
+                    " L"
+                };
+                format!("{:.*}{side}", self.decimals, tick.abs())
+            }
             Scale::Log if (-2.5..=3.5).contains(&tick) => significant(10.0_f64.powf(tick), 3),
             Scale::Log => format!("1e{tick:.0}").replace('-', "\u{2212}"),
         }
@@ -89,7 +103,8 @@ impl Drawn {
 
     /// What the axis is called.
     pub fn title(&self) -> String {
-        self.axis.measure.titled(self.system)
+        let titled = self.axis.measure.titled(self.system);
+        if self.axis.scale == Scale::LeftRight { format!("L, R: left and {titled}") } else { titled }
     }
 
     /// Characters of the longest text at a tick.

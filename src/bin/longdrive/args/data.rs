@@ -44,6 +44,10 @@ pub struct Calibrate {
     /// Write the report into this folder too: a page (index.html), Markdown, and plots of the residuals with their data.
     #[arg(long, value_name = "DIR")]
     pub plot: Option<PathBuf>,
+
+    /// Replace files that exist.
+    #[arg(long)]
+    pub overwrite: bool,
 }
 
 #[derive(clap::Args)]
@@ -59,6 +63,10 @@ pub struct Reproduce {
     /// Write it into this folder too: a page (index.html), Markdown, and every plot as SVG with its data as CSV.
     #[arg(long, short, value_name = "DIR")]
     pub output: Option<PathBuf>,
+
+    /// Replace files that exist.
+    #[arg(long, requires = "output")]
+    pub overwrite: bool,
 }
 
 /// A study that can be reproduced.

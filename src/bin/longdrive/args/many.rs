@@ -22,7 +22,7 @@ pub struct Sweep {
     pub seed: u32,
 
     /// Take the points from a table (.csv, .parquet, or Arrow IPC: .arrow, .arrows, .feather): a column for each
-    /// parameter, in SI; in CSV also in the unit that a head like "club.loft [deg]" names.
+    /// parameter; in CSV in the unit that its head names, as in "club.loft [deg]", in the others in SI.
     #[arg(long, value_name = "FILE", conflicts_with_all = ["over", "sample"])]
     pub points: Option<PathBuf>,
 
@@ -50,7 +50,7 @@ pub struct Sweep {
     #[arg(long, conflicts_with = "overwrite")]
     pub resume: bool,
 
-    /// Replace a file that exists.
+    /// Replace the file if it exists.
     #[arg(long)]
     pub overwrite: bool,
 
@@ -58,7 +58,7 @@ pub struct Sweep {
     #[arg(long, value_name = "SIZE")]
     pub max_size: Option<String>,
 
-    /// Threads (0: as many as there are processors); the results do not depend on it.
+    /// Threads (0: as many as there are processors), as far as there is work for them; the results do not depend on it.
     #[arg(long, value_name = "N", default_value_t = 0)]
     pub threads: usize,
 }

@@ -45,6 +45,10 @@ pub struct Drawing {
     #[arg(long, short, value_name = "FILE")]
     pub output: PathBuf,
 
+    /// Replace files that exist.
+    #[arg(long)]
+    pub overwrite: bool,
+
     /// The units on the axes.
     #[arg(long, value_enum, default_value_t = Units::Us)]
     pub units: Units,
@@ -168,6 +172,10 @@ pub struct Report {
     /// exist; other files in it are left alone.
     #[arg(long, short, value_name = "DIR")]
     pub output: PathBuf,
+
+    /// Replace files that exist.
+    #[arg(long)]
+    pub overwrite: bool,
 
     /// The standard uncertainty of a parameter, e.g. swing.speed=1mph or air.density=0.5%. Repeatable; others have the defaults
     /// of `longdrive sensitivity`.

@@ -7,7 +7,7 @@ pub struct Question {
     #[arg(value_name = "SETUP", default_value = "modern-driver")]
     pub setup: String,
 
-    /// Override a parameter, e.g. club.loft=10.5deg; a number without unit is SI. Repeatable.
+    /// Override a parameter, e.g. club.loft=10.5deg; a quantity with a dimension needs its unit. Repeatable.
     #[arg(long, value_name = "NAME=VALUE")]
     pub set: Vec<String>,
 

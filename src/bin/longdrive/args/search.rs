@@ -6,9 +6,13 @@ use std::path::PathBuf;
 /// What to look for.
 #[derive(clap::Args)]
 pub struct SearchArgs {
-    /// The outcome to make as large as possible.
-    #[arg(long, value_name = "OUTCOME", default_value = "carry")]
-    pub maximize: String,
+    /// The outcome to make as large as possible (carry, where neither this nor --minimize is given).
+    #[arg(long, value_name = "OUTCOME", conflicts_with = "minimize")]
+    pub maximize: Option<String>,
+
+    /// The outcome to make as small as possible.
+    #[arg(long, value_name = "OUTCOME")]
+    pub minimize: Option<String>,
 
     /// A parameter to vary, with its range, e.g. club.loft=4deg..20deg. Repeatable; without any: loft 4–20° and
     /// attack angle −5…+5°.
@@ -20,9 +24,9 @@ pub struct SearchArgs {
     #[arg(long, value_name = "CONSTRAINT", allow_hyphen_values = true)]
     pub subject_to: Vec<String>,
 
-    /// Most iterations of a search.
-    #[arg(long, value_name = "N", default_value_t = 500)]
-    pub max_iterations: u64,
+    /// Most iterations of a search (500).
+    #[arg(long, value_name = "N")]
+    pub max_iterations: Option<u64>,
 }
 
 /// How long work is done.
@@ -48,6 +52,14 @@ pub struct Optimize {
 
     #[command(flatten)]
     pub work: WorkArgs,
+
+    /// Write the setup at the optimum into this setup file.
+    #[arg(long, short, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+
+    /// Replace the file if it exists.
+    #[arg(long, requires = "output")]
+    pub overwrite: bool,
 }
 
 #[derive(clap::Args)]

@@ -18,6 +18,7 @@ use rows::{Rows, Writer};
 use serde::Serialize;
 use serde_json::{Map, Value};
 use std::io::ErrorKind;
+use std::path::Path;
 use target::Target;
 
 pub fn run(args: &Sweep) -> Result<Answer> {
@@ -66,15 +67,22 @@ pub fn run(args: &Sweep) -> Result<Answer> {
 
     let summary = Summary::new(total, output.tally(), args);
     if !is_complete {
-        tell(&format!("stopped: {}; go on with the same command and --resume", summary.text()));
+        let drives = summary.text(None);
+        tell(&match target.part() {
+            Some(part) => format!(
+                "stopped: {drives}; the rows so far are in {}; the same command with --resume continues it",
+                part.display()
+            ),
+            None => format!("stopped: {drives}; with -o FILE it could be resumed"),
+        });
     }
     Ok(match (args.question.json, target.is_standard_output()) {
         (true, _) => {
             let reply = Reply::done("sweep", warnings, &summary);
-            let stopped = || Some(format!("stopped: {}", summary.text()));
+            let stopped = || Some(format!("stopped: {}", summary.text(None)));
             Answer::json(&if is_complete { reply } else { reply.ended("interrupted", stopped()) })
         }
-        (false, false) if is_complete => Answer::text(summary.text() + "\n"),
+        (false, false) if is_complete => Answer::text(summary.text(target.file()) + "\n"),
         _ => Answer::text(String::new()),
     }
     .found(is_complete))
@@ -99,11 +107,11 @@ impl Summary {
         Self { file: args.output.display().to_string(), rows, written, statuses }
     }
 
-    fn text(&self) -> String {
+    fn text(&self, file: Option<&Path>) -> String {
         let counts = self.statuses.iter().filter(|(_, count)| count.as_u64() != Some(0));
         let counts: Vec<_> = counts.map(|(status, count)| format!("{count} {status}")).collect();
         let part = if self.written == self.rows { String::new() } else { format!(" of {}", self.rows) };
-        let file = if self.file == "-" { String::new() } else { format!(" in {}", self.file) };
+        let file = file.map_or(String::new(), |file| format!(" in {}", file.display()));
         format!("{}{part} drives{file}: {}", self.written, counts.join(", "))
     }
 }
