@@ -301,7 +301,18 @@ impl Error {
     /// Whether the question was sound but has no answer (a drive that does not fly, an angle without direction), as
     /// against bad input.
     pub fn is_an_outcome(&self) -> bool {
-        matches!(self, Self::NoFlight { .. } | Self::Undefined { .. } | Self::NotConverged { .. })
+        self.status() != "error"
+    }
+
+    /// The error in a word, as JSON answers give it: `no-flight`, `undefined`, how a search ended (`infeasible`, …), or
+    /// `error` for bad input.
+    pub fn status(&self) -> &'static str {
+        match self {
+            Self::NoFlight { .. } => "no-flight",
+            Self::Undefined { .. } => "undefined",
+            Self::NotConverged { status, .. } => status,
+            _ => "error",
+        }
     }
 }
 

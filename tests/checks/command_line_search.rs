@@ -102,8 +102,8 @@ fn exact_chart_as_json_csv_and_table() {
     let (status, chart) = json(&args);
     let points = chart["points"].as_array().unwrap();
     assert_eq!(status, 0);
-    assert_eq!(number(&points[0]["parameter"]), 80.0 * 0.44704);
-    assert_eq!(number(&points.last().unwrap()["parameter"]), 130.0 * 0.44704);
+    assert_eq!(number(&points[0]["at"]), 80.0 * 0.44704);
+    assert_eq!(number(&points.last().unwrap()["at"]), 130.0 * 0.44704);
     assert_eq!(points[0]["active"], serde_json::json!(["swing.attack_angle"]));
     assert!(points.last().unwrap()["active"].as_array().unwrap().contains(&Value::from("apex_height <= 35 yd")));
     let csv = longdrive(&[&args, ["--csv"].as_slice()].concat());
@@ -160,15 +160,15 @@ fn bad_input_to_a_search_is_status_2_and_says_what_to_write() {
 fn each_outcome_of_a_gradient_answers_for_itself() {
     let (status, rows) = json(&["gradient", "--of", "launch_angle,carry", "--set", "club.loft=-20deg"]);
     assert_eq!(status, 1);
-    close(number(&rows["jacobian"][0]["value"]).to_degrees(), -17.87, 1.0, 1e-2, "launch angle");
+    close(number(&rows["outcomes"][0]["value"]).to_degrees(), -17.87, 1.0, 1e-2, "launch angle");
     assert!(
-        rows["jacobian"][1]["value"].is_null()
-            && rows["jacobian"][1]["message"].as_str().unwrap().contains("no flight")
+        rows["outcomes"][1]["value"].is_null()
+            && rows["outcomes"][1]["message"].as_str().unwrap().contains("no flight")
     );
     let (status, rows) =
         json(&["gradient", "--of", "spin_axis,carry,carry", "--set", "club.loft=0rad", "--wrt", "all,gravity"]);
-    assert_eq!((status, rows["jacobian"].as_array().unwrap().len()), (1, 2));
-    assert!(rows["jacobian"][0]["value"].is_null() && rows["jacobian"][1]["value"].is_null());
+    assert_eq!((status, rows["outcomes"].as_array().unwrap().len()), (1, 2));
+    assert!(rows["outcomes"][0]["value"].is_null() && rows["outcomes"][1]["value"].is_null());
 }
 
 #[test]

@@ -13,6 +13,7 @@ mod derivatives;
 mod fast_paths;
 mod flight;
 mod impact;
+mod json_answers;
 mod launch;
 mod long_work;
 mod optimizer;
@@ -20,6 +21,8 @@ mod oracle;
 mod reference;
 mod report;
 mod reproduce;
+#[path = "../schema/mod.rs"]
+mod schema;
 mod smoothness;
 mod sweep;
 #[cfg(all(feature = "arrow", feature = "parquet"))]

@@ -272,10 +272,10 @@ fn exact_an_outcome_that_does_not_depend_on_what_is_uncertain_says_so() {
         "{text}"
     );
     assert!(!text.contains("NaN") && !text.contains("inf"), "{text}");
-    let json = serde_json::to_value(UncertaintyReport::new(&found, vec![])).unwrap();
+    let json = serde_json::to_value(UncertaintyReport::reply(&found, vec![])).unwrap();
     assert_eq!(json["outcomes"][0]["varies"], false);
     assert_eq!(json["outcomes"][0]["measure_first"], serde_json::Value::Null);
-    assert_eq!(json["outcomes"][0]["monte_carlo"]["deviation"]["value"], 0.0);
+    assert_eq!(json["outcomes"][0]["monte_carlo"]["standard_uncertainty"]["value"], 0.0);
 }
 
 #[test]

@@ -12,7 +12,8 @@ pub fn run(args: &ChartArgs) -> Result<Answer> {
     let (along, at) = args.places(&setup)?;
     let ranges: Vec<_> = search.vary.iter().copied().chain([along]).collect();
     let setup = args.question.within_tolerance(setup, &ranges)?;
-    warn(&setup.warnings());
+    let warnings = setup.warnings();
+    warn(&warnings);
     let stop = interrupt(BEST_SO_FAR);
     let of = search.maximize;
     let chart = chart_at(&setup, &search, along, &at, |point| {
@@ -24,14 +25,17 @@ pub fn run(args: &ChartArgs) -> Result<Answer> {
         Err(error) if error.is_an_outcome() => {
             tell_error(&error);
             let none = Chart { along, points: vec![], begun: None, ended: Some(error.to_string()) };
-            let answer =
-                if args.question.json { Answer::json(&ChartReport::new(&none)) } else { Answer::text(String::new()) };
+            let answer = if args.question.json {
+                Answer::json(&ChartReport::reply(&none, of, warnings))
+            } else {
+                Answer::text(String::new())
+            };
             return Ok(answer.found(false));
         }
         chart => chart?,
     };
     let answer = if args.question.json {
-        Answer::json(&ChartReport::new(&chart))
+        Answer::json(&ChartReport::reply(&chart, of, warnings))
     } else if args.csv {
         Answer::text(chart_csv(&chart)?)
     } else {

@@ -19,7 +19,7 @@ pub fn run(args: &UncertaintyArgs) -> Result<Answer> {
     let found = found?;
     let is_found = found.outcomes.iter().all(|outcome| outcome.sampled.is_some());
     let answer = if args.question.json {
-        Answer::json(&UncertaintyReport::new(&found, warnings))
+        Answer::json(&UncertaintyReport::reply(&found, warnings))
     } else {
         Answer::text(uncertainty_text(&found, system()))
     };

@@ -21,7 +21,7 @@ pub fn run(args: &Verify) -> Result<Answer> {
     }
     let loops = while_loop(&setup, &certificate.rows);
     let answer = if args.question.json {
-        Answer::json(&CertificateReport::new(&certificate, &loops, warnings))
+        Answer::json(&CertificateReport::reply(&certificate, &loops, warnings))
     } else {
         Answer::text(certificate_text(&certificate, &loops))
     };
