@@ -1,5 +1,5 @@
-use super::json;
 use super::table::{broken, item, table};
+use super::{Reply, json};
 use crate::derivative::check::{Check, Point, Verdict};
 use crate::reproduce::LoopRow;
 use crate::study::certificate::{Certificate, Convergence, Row};
@@ -26,15 +26,13 @@ pub struct CertificateReport {
     pub while_loop: Value,
     /// Outcomes that the drive has no derivatives of, with the reason.
     pub missing: Value,
-    /// What deserves a word.
-    pub warnings: Vec<String>,
 }
 
 /// A derivative beside differences.
 #[derive(Clone, Debug, Serialize)]
 pub struct CertificateRow {
     /// The outcome.
-    pub outcome: &'static str,
+    pub of: &'static str,
     /// The parameter.
     pub parameter: &'static str,
     /// `pass`, `fail` or `corner`.
@@ -46,7 +44,7 @@ pub struct CertificateRow {
     /// How far apart they are.
     pub error: Value,
     /// How far they may be.
-    pub bar: Value,
+    pub tolerance: Value,
     /// The slopes below and above a corner.
     pub sides: Option<[f64; 2]>,
     /// The step at which a plain central difference comes nearest.
@@ -62,27 +60,35 @@ pub struct CertificateRow {
 }
 
 impl CertificateReport {
-    /// The report of a certificate, beside the while-loop's rows.
-    pub fn new(certificate: &Certificate, loops: &[LoopRow], warnings: Vec<String>) -> Self {
+    /// The answer of `verify`: `passed` or `failed`.
+    pub fn reply(certificate: &Certificate, loops: &[LoopRow], warnings: Vec<String>) -> Reply<Self> {
+        let missing = certificate.missing.iter().map(|(of, why)| format!("left out: {}: {why}", of.name()));
+        let message = missing.collect::<Vec<_>>().join("; ");
+        let message = (!message.is_empty()).then_some(message);
+        let status = if certificate.passed() { "passed" } else { "failed" };
+        Reply::done("verify", warnings, Self::new(certificate, loops)).ended(status, message)
+    }
+
+    fn new(certificate: &Certificate, loops: &[LoopRow]) -> Self {
         let planted = certificate
             .planted
             .iter()
             .map(|planted| json!({ "error": planted.plant.name(), "rows": planted.rows, "caught": planted.caught }));
         let landing = certificate.landing.iter().map(|row| {
             let mut entry = check_json(&row.check);
-            entry["outcome"] = row.of.name().into();
+            entry["of"] = row.of.name().into();
             entry["parameter"] = row.parameter.name.into();
             entry["landing_term"] = json::number(Some(row.landing_term));
             entry
         });
         let continuity = certificate.continuity.iter().map(|found| {
             json!({
-                "outcome": found.of.name(),
+                "of": found.of.name(),
                 "parameter": found.parameter.name,
                 "at": found.at,
                 "steps": found.steps,
                 "jumps": found.jumps,
-                "bars": found.bars,
+                "tolerances": found.bars,
                 "continuous_derivatives": found.smoothness,
                 "verdict": verdict_of(found.passed()),
             })
@@ -90,7 +96,7 @@ impl CertificateReport {
         let convergence = certificate.convergence.iter().map(|found| {
             let errors = |which: usize| found.errors.iter().map(|(_, pair)| pair[which]).collect::<Vec<_>>();
             json!({
-                "outcome": found.of.name(),
+                "of": found.of.name(),
                 "steps": found.errors.iter().map(|(step, _)| *step).collect::<Vec<_>>(),
                 "value_errors": errors(0),
                 "gradient_errors": errors(1),
@@ -99,7 +105,7 @@ impl CertificateReport {
                 "verdict": verdict_of(found.passed()),
             })
         });
-        let missing = certificate.missing.iter().map(|(of, why)| json!({ "outcome": of.name(), "message": why }));
+        let missing = certificate.missing.iter().map(|(of, why)| json!({ "of": of.name(), "message": why }));
         Self {
             passed: certificate.passed(),
             rows: certificate.rows.iter().map(CertificateRow::new).collect(),
@@ -109,7 +115,6 @@ impl CertificateReport {
             convergence: convergence.collect(),
             while_loop: loops.iter().map(loop_json).collect(),
             missing: missing.collect(),
-            warnings,
         }
     }
 }
@@ -119,13 +124,13 @@ impl CertificateRow {
         let check = &row.first;
         let best = check.best_step();
         Self {
-            outcome: row.of.name(),
+            of: row.of.name(),
             parameter: row.parameter.name,
             verdict: row.verdict().name(),
             exact: json::number(Some(check.exact)),
             best_difference: json::number(check.best.map(|best| best.value)),
             error: json::number(Some(check.error)),
-            bar: json::number(Some(check.bar)),
+            tolerance: json::number(Some(check.bar)),
             sides: check.sides,
             best_step: json::number(best.map(|best| best.step)),
             best_step_error: json::number(best.map(|best| best.error)),
@@ -146,7 +151,7 @@ fn check_json(check: &Check) -> Value {
         "exact": json::number(Some(check.exact)),
         "best_difference": json::number(check.best.map(|best| best.value)),
         "error": json::number(Some(check.error)),
-        "bar": json::number(Some(check.bar)),
+        "tolerance": json::number(Some(check.bar)),
         "sides": check.sides,
     })
 }

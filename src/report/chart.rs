@@ -1,5 +1,6 @@
 use super::table::{paragraph, table};
-use super::{json, shown};
+use super::{Reply, json, shown};
+use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::study::{Chart, ChartPoint, Vary};
 use crate::units::{Quantity, System};
@@ -10,7 +11,7 @@ use serde_json::{Map, Value};
 #[derive(Clone, Debug, Serialize)]
 pub struct ChartReport {
     /// The parameter it runs along.
-    pub along: &'static str,
+    pub parameter: &'static str,
     /// The outcome that is made large.
     pub objective: &'static str,
     /// Its points, in order.
@@ -25,7 +26,7 @@ pub struct ChartReport {
 #[derive(Clone, Debug, Serialize)]
 pub struct ChartPointReport {
     /// The parameter's value.
-    pub parameter: f64,
+    pub at: f64,
     /// The outcome's best value there.
     pub value: Value,
     /// Where it is, by parameter.
@@ -39,13 +40,24 @@ pub struct ChartPointReport {
 }
 
 impl ChartReport {
-    /// The report of a chart.
-    pub fn new(chart: &Chart) -> Self {
+    /// The answer of `chart`: `done`, `partial` where the optimum is missing for a part of the range, or `no-answer`.
+    pub fn reply(chart: &Chart, objective: Outcome, warnings: Vec<String>) -> Reply<Self> {
+        let notes: Vec<&str> = chart.begun.iter().chain(&chart.ended).map(String::as_str).collect();
+        let status = match (notes.is_empty(), chart.points.is_empty()) {
+            (true, _) => "done",
+            (false, true) => "no-answer",
+            (false, false) => "partial",
+        };
+        let message = (!notes.is_empty()).then(|| notes.join("; "));
+        Reply::done("chart", warnings, Self::new(chart, objective)).ended(status, message)
+    }
+
+    fn new(chart: &Chart, objective: Outcome) -> Self {
         let point = |point: &ChartPoint| {
             let names = point.best.search.vary.iter().map(|vary| vary.parameter.name);
             let bounds = point.active.iter().filter_map(|active| Some((active.name.clone(), active.end?.into())));
             ChartPointReport {
-                parameter: point.at,
+                at: point.at,
                 value: json::number(point.best.value()),
                 optimum: json::named(names.zip(point.best.solution.x.iter().map(|x| Some(*x)))),
                 active: point.active.iter().map(|active| active.name.clone()).collect(),
@@ -54,8 +66,8 @@ impl ChartReport {
             }
         };
         Self {
-            along: chart.along.parameter.name,
-            objective: chart.points.first().map_or("", |point| point.best.search.maximize.name()),
+            parameter: chart.along.parameter.name,
+            objective: objective.name(),
             points: chart.points.iter().map(point).collect(),
             begun: chart.begun.clone(),
             ended: chart.ended.clone(),

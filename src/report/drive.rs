@@ -1,4 +1,4 @@
-use super::{json, shown, table::table};
+use super::{Reply, json, shown, table::table};
 use crate::drive::{Drive, Outcome, Part};
 use crate::flight::Flight;
 use crate::impact::{Grip, Impact};
@@ -13,46 +13,58 @@ use serde_json::{Map, Value};
 pub struct DriveReport {
     /// Every parameter by its dotted name, and `aero.law`.
     pub setup: Map<String, Value>,
-    /// `landed`, `no-flight` or `aloft`.
-    pub status: &'static str,
-    /// Why there is no landing.
-    pub message: Option<String>,
     /// The outcomes of the launch, with the vectors `velocity` and `spin_vector`.
     pub launch: Map<String, Value>,
-    /// The head after impact: `velocity` and `angular_velocity`.
-    pub club_after: Map<String, Value>,
-    /// Whether the ball still slid on the face as it left.
-    pub slipped: bool,
+    /// The head after impact: `velocity` and `angular_velocity`; `null` where the launch is given and there is no club.
+    pub club_after: Option<Map<String, Value>>,
+    /// Whether the ball still slid on the face as it left; `null` where there is no club.
+    pub slipped: Option<bool>,
     /// The outcomes of the flight.
     pub flight: Option<Map<String, Value>>,
-    /// What deserves a word.
-    pub warnings: Vec<String>,
 }
 
 impl DriveReport {
-    /// The report of a drive.
-    pub fn new(setup: &Setup<f64>, drive: &Drive<f64>, warnings: Vec<String>) -> Self {
-        let of_part = |part| json::named(Outcome::of_part(part).map(|outcome| (outcome.name(), outcome.value(drive))));
-        let Impact { launch, club_velocity, club_spin, grip, .. } = &drive.impact;
-        let vectors = |pairs: [(&str, Vector<f64>); 2]| pairs.map(|(name, v)| (name.to_owned(), json::vector(v)));
+    /// The answer of `simulate`: the status is `landed`, `no-flight` or `aloft`, the message why there is no landing.
+    pub fn reply(setup: &Setup<f64>, drive: &Drive<f64>, warnings: Vec<String>) -> Reply<Self> {
         let (status, message) = match &drive.flight {
             Flight::Landed(_) => ("landed", None),
             Flight::None(why) => (why.status(), Some(why.to_string())),
         };
+        Reply::done("simulate", warnings, Self::new(setup, drive)).ended(status, message)
+    }
+
+    /// The report of a drive.
+    pub fn new(setup: &Setup<f64>, drive: &Drive<f64>) -> Self {
         Self {
             setup: json::setup(setup),
-            status,
-            flight: message.is_none().then(|| of_part(Part::Flight)),
-            message,
-            launch: of_part(Part::Launch)
-                .into_iter()
-                .chain(vectors([("velocity", launch.velocity), ("spin_vector", launch.spin)]))
-                .collect(),
-            club_after: vectors([("velocity", *club_velocity), ("angular_velocity", *club_spin)]).into_iter().collect(),
-            slipped: matches!(grip, Grip::Slips(_)),
-            warnings,
+            launch: launch(drive),
+            club_after: drive.impact.as_ref().map(|Impact { club_velocity, club_spin, .. }| {
+                vectors([("velocity", *club_velocity), ("angular_velocity", *club_spin)]).collect()
+            }),
+            slipped: drive.impact.as_ref().map(|impact| matches!(impact.grip, Grip::Slips(_))),
+            flight: flight(drive),
         }
     }
+}
+
+/// The outcomes of the launch, with the vectors `velocity` and `spin_vector`.
+pub(super) fn launch(drive: &Drive<f64>) -> Map<String, Value> {
+    let launch = &drive.launch;
+    let vectors = vectors([("velocity", launch.velocity), ("spin_vector", launch.spin)]);
+    of_part(drive, Part::Launch).into_iter().chain(vectors).collect()
+}
+
+/// The outcomes of the flight; `None` where the ball does not land.
+pub(super) fn flight(drive: &Drive<f64>) -> Option<Map<String, Value>> {
+    matches!(drive.flight, Flight::Landed(_)).then(|| of_part(drive, Part::Flight))
+}
+
+fn of_part(drive: &Drive<f64>, part: Part) -> Map<String, Value> {
+    json::named(Outcome::of_part(part).map(|outcome| (outcome.name(), outcome.value(drive))))
+}
+
+fn vectors(pairs: [(&str, Vector<f64>); 2]) -> impl Iterator<Item = (String, Value)> {
+    pairs.map(|(name, v)| (name.to_owned(), json::vector(v))).into_iter()
 }
 
 /// A drive as text: what a launch monitor shows, and the flight; each number in the units of `system`, then in the other's.
@@ -71,12 +83,13 @@ pub fn drive_text(drive: &Drive<f64>, system: System) -> String {
     };
     let part = |title: &str, part| table(&[title, "", "", ""], &[1], Outcome::of_part(part).map(row));
     let launch = part("launch", Part::Launch);
-    let slipped = if matches!(drive.impact.grip, Grip::Slips(_)) { "  the ball slipped on the face\n" } else { "" };
-    let bodies = format!(
-        "  ball velocity {}\n  club velocity after impact {}\n{slipped}",
-        components(drive.impact.launch.velocity, system),
-        components(drive.impact.club_velocity, system)
-    );
+    let mut bodies = format!("  ball velocity {}\n", components(drive.launch.velocity, system));
+    if let Some(impact) = &drive.impact {
+        bodies += &format!("  club velocity after impact {}\n", components(impact.club_velocity, system));
+        if matches!(impact.grip, Grip::Slips(_)) {
+            bodies += "  the ball slipped on the face\n";
+        }
+    }
     match &drive.flight {
         Flight::Landed(_) => format!("{launch}\n{bodies}\n{}", part("flight", Part::Flight)),
         Flight::None(why) => format!("{launch}\n{bodies}\nno flight: {why}\n"),

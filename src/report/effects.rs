@@ -1,9 +1,9 @@
 use super::table::{item, table};
-use super::{json, shown};
+use super::{OptimumReport, Reply, json, shown};
 use crate::drive::Outcome;
 use crate::error::Result;
 use crate::parameters::Parameter;
-use crate::study::{Bar, Effect, Effects, Sensitivity};
+use crate::study::{Bar, Effect, Effects, Optimum, Sensitivity};
 use crate::units::{System, significant};
 use serde::Serialize;
 use serde_json::{Value, json};
@@ -11,9 +11,25 @@ use serde_json::{Value, json};
 /// The sensitivity of an optimum's best value to each parameter, or why there is none.
 pub type Totals = [(&'static Parameter, Result<Sensitivity>)];
 
-/// The effects of all parameters on an outcome as JSON, SI and radians.
+/// The effects of all parameters on outcomes as JSON, SI and radians.
 #[derive(Clone, Debug, Serialize)]
 pub struct EffectsReport {
+    /// Each outcome, in the order asked for.
+    pub outcomes: Vec<OutcomeEffects>,
+    /// The optimum that was asked at; `null` where it was the setup itself.
+    pub at_optimum: Option<OptimumReport>,
+}
+
+impl EffectsReport {
+    /// The answer of `sensitivity`.
+    pub fn reply(outcomes: Vec<OutcomeEffects>, best: Option<&Optimum>, warnings: Vec<String>) -> Reply<Self> {
+        Reply::done("sensitivity", warnings, Self { outcomes, at_optimum: best.map(OptimumReport::new) })
+    }
+}
+
+/// The effects of all parameters on an outcome as JSON, SI and radians.
+#[derive(Clone, Debug, Serialize)]
+pub struct OutcomeEffects {
     /// The outcome.
     pub of: &'static str,
     /// Its value.
@@ -26,21 +42,21 @@ pub struct EffectsReport {
     pub effects: Vec<Value>,
 }
 
-impl EffectsReport {
+impl OutcomeEffects {
     /// The report of an outcome's effects; `totals` where the drive is an optimum of it.
     pub fn new(effects: &Effects, totals: Option<&Totals>) -> Self {
         let effect = |effect: &Effect| {
             let bar = effect.bar.as_ref();
             json!({
                 "parameter": effect.parameter.name,
-                "gradient": json::number(Some(effect.gradient)),
+                "derivative": json::number(Some(effect.gradient)),
                 "elasticity": json::number(effect.elasticity),
-                "sigma": json::number(bar.map(|bar| bar.sigma.value)),
-                "sigma_source": bar.map(|bar| bar.sigma.source.unwrap_or("given")),
+                "standard_uncertainty": json::number(bar.map(|bar| bar.sigma.value)),
+                "source": bar.map(|bar| bar.sigma.source.unwrap_or("given")),
                 "effect": json::number(bar.map(|bar| bar.first_order)),
                 "second_order": json::number(bar.and_then(|bar| bar.second_order)),
                 "flown": bar.map(|bar| bar.flown.map(json::number)),
-                "total": json::number(total(totals, effect.parameter)),
+                "derivative_of_optimum": json::number(total(totals, effect.parameter)),
             })
         };
         Self {

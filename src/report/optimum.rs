@@ -1,5 +1,6 @@
+use super::drive::{flight, launch};
 use super::table::{paragraph, table};
-use super::{json, setup_toml, shown};
+use super::{Reply, json, setup_toml, shown};
 use crate::drive::Outcome;
 use crate::error::Result;
 use crate::optimize::{Constrained, Effort, Iteration, Status};
@@ -13,12 +14,10 @@ use std::collections::BTreeMap;
 /// An optimum as JSON, SI and radians.
 #[derive(Clone, Debug, Serialize)]
 pub struct OptimumReport {
-    /// `converged`, `stalled-at-kink`, `stalled`, `infeasible`, `iteration-limit`, `interrupted` or `no-flight`.
-    pub status: &'static str,
-    /// The same in a sentence, with numbers.
-    pub message: String,
-    /// The outcome made large.
+    /// The outcome that is sought.
     pub objective: &'static str,
+    /// Which value of it: `maximize` or `minimize`.
+    pub sense: &'static str,
     /// Its value; `null` where nothing flew.
     pub value: Value,
     /// Where it is, by parameter.
@@ -37,11 +36,16 @@ pub struct OptimumReport {
     pub evaluations: u64,
     /// How the quadratic programs of the steps were solved.
     pub steps: Effort,
-    /// The local optima of a search from many starts, best first.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    /// The local optima of a search from many starts, best first; `null` after a search from one.
     pub optima: Option<Vec<LocalReport>>,
-    /// What deserves a word.
-    pub warnings: Vec<String>,
+    /// Every parameter of the best drive; `null`, as its launch and flight, where nothing flew.
+    pub setup: Option<Map<String, Value>>,
+    /// Its launch.
+    pub launch: Option<Map<String, Value>>,
+    /// Its flight.
+    pub flight: Option<Map<String, Value>>,
+    /// The setup file that was written; `null` where none was.
+    pub file: Option<String>,
 }
 
 /// A constraint at an optimum.
@@ -94,8 +98,27 @@ pub struct Multipliers {
 }
 
 impl OptimumReport {
+    /// The answer of `optimize`: the status and the message are the search's. The local optima are listed where there
+    /// was more than one start.
+    pub fn reply(optima: &Optima, warnings: Vec<String>) -> Result<Reply<Self>> {
+        let best = optima.best()?;
+        let reply = Reply::done("optimize", warnings, Self::of_many(best, optima));
+        Ok(match optima.stopped() {
+            0 => reply.ended(best.status(), Some(best.message())),
+            stopped => {
+                let message = format!("{stopped} of {} searches were stopped before their end", optima.starts);
+                reply.ended("interrupted", Some(message))
+            }
+        })
+    }
+
+    /// The report of the best of some searches.
+    pub(super) fn of_many(best: &Optimum, optima: &Optima) -> Self {
+        Self { optima: (optima.starts > 1).then(|| LocalReport::all(optima)), ..Self::new(best) }
+    }
+
     /// The report of a search.
-    pub fn new(optimum: &Optimum, warnings: Vec<String>) -> Self {
+    pub fn new(optimum: &Optimum) -> Self {
         let (solution, vary) = (&optimum.solution, &optimum.search.vary);
         let found = optimum.value().is_some();
         let by_name = |values: &[f64]| {
@@ -107,9 +130,8 @@ impl OptimumReport {
             (vary[i].parameter.name, Multipliers { lower, upper })
         };
         Self {
-            status: optimum.status(),
-            message: optimum.message(),
             objective: optimum.search.maximize.name(),
+            sense: optimum.search.sense.name(),
             value: json::number(optimum.value()),
             optimum: by_name(&solution.x),
             gradient: by_name(&optimum.gradient()),
@@ -120,7 +142,10 @@ impl OptimumReport {
             evaluations: solution.evaluations,
             steps: solution.effort,
             optima: None,
-            warnings,
+            setup: optimum.drive.as_ref().map(|_| json::setup(&optimum.setup)),
+            launch: optimum.drive.as_ref().map(launch),
+            flight: optimum.drive.as_ref().and_then(flight),
+            file: None,
         }
     }
 }

@@ -1,5 +1,5 @@
-use super::json;
 use super::table::{item, note, table};
+use super::{Reply, json};
 use crate::parameters::{Kind, LAW, Law, METHOD, Method, Parameter, Setup, UNSET};
 use crate::units::System;
 use serde_json::{Value, json};
@@ -11,13 +11,13 @@ fn rows(setup: &Setup<f64>) -> Vec<(&'static Parameter, Option<f64>)> {
     own.chain(others.map(|parameter| (parameter, parameter.default_value()))).collect()
 }
 
-/// Every parameter with its value in a setup, as JSON.
-pub fn parameters_json(setup: &Setup<f64>) -> Value {
+/// The answer of `parameters`: every parameter with its value in a setup.
+pub fn parameters_reply(setup: &Setup<f64>, warnings: Vec<String>) -> Reply<Value> {
     let end = |value: f64| json::number(Some(value));
     let row = |(parameter, value): &(&'static Parameter, Option<f64>)| {
         let range = parameter.range;
         json!({
-            "name": parameter.name,
+            "parameter": parameter.name,
             "symbol": parameter.symbol,
             "unit": parameter.quantity.si,
             "shown_in": parameter.unit,
@@ -37,7 +37,9 @@ pub fn parameters_json(setup: &Setup<f64>) -> Value {
             "doc": parameter.doc,
         })
     };
-    json!({ "law": setup.law.name(), "laws": Law::NAMES, "parameters": rows(setup).iter().map(row).collect::<Vec<_>>() })
+    let parameters: Vec<Value> = rows(setup).iter().map(row).collect();
+    let body = json!({ "law": setup.law.name(), "laws": Law::NAMES, "parameters": parameters });
+    Reply::done("parameters", warnings, body)
 }
 
 /// Every parameter with its value in a setup, as text: a line of numbers each, and below it the symbol and the meaning.

@@ -1,12 +1,13 @@
 use super::optimum::OptimumReport;
+use super::reply::{Reply, share};
 use super::table::{item, table};
 use super::{json, shown};
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::parameters::Parameter;
-use crate::study::{Changed, Direction, Ellipse, Flatness, Limit, Optimum, Sensitivity, Vary, Window};
+use crate::study::{Changed, Direction, Ellipse, Flatness, Limit, Optima, Optimum, Sensitivity, Vary, Window};
 use crate::units::{Quantity, System, significant};
 use serde::Serialize;
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 
 /// What is known of an optimum beside where it is.
 pub struct Analysis<'a> {
@@ -26,12 +27,20 @@ pub struct SensitivityReport {
     /// The optimum.
     #[serde(flatten)]
     pub optimum: OptimumReport,
+    /// What more is known of it; nothing of that where the search did not converge.
+    #[serde(flatten)]
+    pub analysis: AnalysisReport,
+}
+
+/// What is known of an optimum beside where it is, as JSON; every entry `null` where there is no optimum.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct AnalysisReport {
     /// By parameter: `value` is d f*/dp, `optimum` d x*/dp; `null` with a `message` where there is none.
-    pub sensitivity: Map<String, Value>,
+    pub sensitivity: Value,
     /// By varied parameter: how far it may stray alone for the loss stated.
-    pub window: Map<String, Value>,
+    pub window: Value,
     /// The loss, SI.
-    pub window_loss: f64,
+    pub window_loss: Value,
     /// The directions of the free parameters, the flattest first, and how far they reach.
     pub directions: Value,
     /// The ellipses of pairs of free parameters.
@@ -41,15 +50,51 @@ pub struct SensitivityReport {
 }
 
 impl SensitivityReport {
-    /// The report of an analysis.
-    pub fn new(analysis: &Analysis<'_>, warnings: Vec<String>) -> Self {
+    /// The answer of `optimum-sensitivity`.
+    pub fn reply(optima: &Optima, analysis: &Analysis<'_>, warnings: Vec<String>) -> Reply<Self> {
+        let all = analysis.sensitivities;
+        let found = all.iter().filter(|(_, sensitivity)| sensitivity.is_ok()).count();
+        let body =
+            Self { optimum: OptimumReport::of_many(analysis.best, optima), analysis: AnalysisReport::new(analysis) };
+        let reply = Reply::done("optimum-sensitivity", warnings, body);
+        match share(found, all.len()) {
+            // a parameter that has none says so itself
+            "done" | "partial" => reply.ended(analysis.best.status(), Some(analysis.best.message())),
+            none => reply.ended(none, Some("no sensitivity that was asked for exists at this optimum".into())),
+        }
+    }
+
+    /// The answer where the search found no optimum, or one about which nothing can be told: `why`.
+    ///
+    /// # Errors
+    /// As [`Optima::best`].
+    pub fn none(optima: &Optima, why: Option<&Error>, warnings: Vec<String>) -> Result<Reply<Self>> {
+        let Reply { status, message, body, warnings, .. } = OptimumReport::reply(optima, warnings)?;
+        let reply =
+            Reply::done("optimum-sensitivity", warnings, Self { optimum: body, analysis: AnalysisReport::default() });
+        Ok(match why {
+            Some(why) => reply.ended(why.status(), Some(why.to_string())),
+            None => reply.ended(status, message),
+        })
+    }
+}
+
+impl AnalysisReport {
+    fn new(analysis: &Analysis<'_>) -> Self {
         let Analysis { best, sensitivities, flatness, changes } = analysis;
         let names = || best.search.vary.iter().map(|vary| vary.parameter.name);
         let by_name = |values: &[f64]| json::named(names().zip(values.iter().map(|value| Some(*value))));
         let sensitivity = sensitivities.iter().map(|(parameter, sensitivity)| {
             let entry = match sensitivity {
-                Ok(s) => json!({ "value": s.value, "optimum": by_name(&s.optimum), "curvature": s.curvature }),
-                Err(error) => json!({ "value": null, "optimum": null, "message": error.to_string() }),
+                Ok(s) => json!({
+                    "value": json::number(Some(s.value)),
+                    "optimum": by_name(&s.optimum),
+                    "curvature": json::number(Some(s.curvature)),
+                    "message": null,
+                }),
+                Err(error) => {
+                    json!({ "value": null, "optimum": null, "curvature": null, "message": error.to_string() })
+                }
             };
             (parameter.name.to_owned(), entry)
         });
@@ -65,7 +110,7 @@ impl SensitivityReport {
         });
         let ellipses = flatness.ellipses.iter().map(|ellipse| {
             let pair = ellipse.pair.map(|i| best.search.vary[i].parameter.name);
-            json!({ "pair": pair, "half_axes": ellipse.half_axes, "losses": ellipse.losses })
+            json!({ "parameters": pair, "half_axes": ellipse.half_axes, "losses": ellipse.losses })
         });
         let changes = changes.iter().map(|changed| {
             json!({
@@ -87,10 +132,9 @@ impl SensitivityReport {
             })
         });
         Self {
-            optimum: OptimumReport::new(best, warnings),
-            sensitivity: sensitivity.collect(),
-            window: window.collect(),
-            window_loss: flatness.loss,
+            sensitivity: Value::Object(sensitivity.collect()),
+            window: Value::Object(window.collect()),
+            window_loss: json::number(Some(flatness.loss)),
             directions: directions.collect(),
             ellipses: ellipses.collect(),
             changes: changes.collect(),

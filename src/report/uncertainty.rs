@@ -1,3 +1,4 @@
+use super::reply::{Reply, share};
 use super::table::{item, table};
 use super::{json, shown};
 use crate::study::uncertainty::{Distribution, Interval, Moments, OutcomeUncertainty, Uncertain, Uncertainty};
@@ -22,20 +23,26 @@ pub struct UncertaintyReport {
     pub drives: u64,
     /// How they ended: a number for each status.
     pub statuses: Value,
-    /// What deserves a word.
-    pub warnings: Vec<String>,
 }
 
 impl UncertaintyReport {
-    /// The report of what is uncertain.
-    pub fn new(found: &Uncertainty, warnings: Vec<String>) -> Self {
+    /// The answer of `uncertainty`.
+    pub fn reply(found: &Uncertainty, warnings: Vec<String>) -> Reply<Self> {
+        let sampled = found.outcomes.iter().filter(|outcome| outcome.sampled.is_some()).count();
+        let missing = found.outcomes.iter().filter(|outcome| outcome.sampled.is_none());
+        let missing: Vec<_> = missing.map(|outcome| outcome.of.name()).collect();
+        let message = (!missing.is_empty()).then(|| format!("no drive of the sample has {}", missing.join(", ")));
+        Reply::done("uncertainty", warnings, Self::new(found)).ended(share(sampled, found.outcomes.len()), message)
+    }
+
+    fn new(found: &Uncertainty) -> Self {
         let inputs = found.inputs.iter().map(|input| {
             json!({
                 "parameter": input.parameter.name,
                 "distribution": name(&input.distribution),
                 "values": values(&input.distribution),
                 "mean": input.distribution.mean(),
-                "deviation": input.distribution.deviation(),
+                "standard_uncertainty": input.distribution.deviation(),
             })
         });
         let ellipses = found.ellipses.iter().map(|sampled| {
@@ -56,7 +63,6 @@ impl UncertaintyReport {
             seed: found.plan.seed,
             drives: found.tally.counts().map(|(_, count)| count).sum(),
             statuses: Value::Object(statuses.collect()),
-            warnings,
         }
     }
 }
@@ -78,7 +84,8 @@ fn values(distribution: &Distribution) -> Vec<f64> {
 }
 
 fn outcome_json(outcome: &OutcomeUncertainty, inputs: &[Uncertain]) -> Value {
-    let moments = |moments: Option<Moments>| moments.map(|m| json!({ "mean": m.mean, "deviation": m.deviation }));
+    let moments =
+        |moments: Option<Moments>| moments.map(|m| json!({ "mean": m.mean, "standard_uncertainty": m.deviation }));
     let interval = |i: Interval| json!({ "value": i.value, "low": i.low, "high": i.high });
     let sampled = outcome.sampled.as_ref();
     let shares = inputs.iter().enumerate().map(|(k, input)| {
@@ -95,16 +102,17 @@ fn outcome_json(outcome: &OutcomeUncertainty, inputs: &[Uncertain]) -> Value {
     let first = outcome.measure_first(inputs);
     json!({
         "of": outcome.of.name(),
+        "varies": outcome.varies(),
         "delta": moments(outcome.delta.map(|(first, _)| first)),
         "second_order": moments(outcome.delta.and_then(|(_, second)| second)),
         "monte_carlo": sampled.map(|sampled| json!({
             "mean": interval(sampled.mean),
-            "deviation": interval(sampled.deviation),
+            "standard_uncertainty": interval(sampled.deviation),
             "quantiles": { "2.5 %": sampled.quantiles[0], "50 %": sampled.quantiles[1], "97.5 %": sampled.quantiles[2] },
             "rows_left_out": sampled.left_out,
         })),
         "indices": shares.collect::<Vec<_>>(),
-        "measure_first": first.map(|(parameter, left)| json!({ "parameter": parameter.name, "deviation_left": left })),
+        "measure_first": first.map(|(parameter, left)| json!({ "parameter": parameter.name, "standard_uncertainty": left })),
     })
 }
 
@@ -149,6 +157,11 @@ fn outcome_text(outcome: &OutcomeUncertainty, found: &Uncertainty, system: Syste
         let head = [of.name(), "mean", "standard deviation"];
         return format!("\n{}  no drive of the sample has this outcome\n", table(&head, &[1, 2], rows));
     };
+    if !outcome.varies() {
+        let given = if found.inputs.len() == 1 { "the uncertain parameter" } else { "any of the uncertain parameters" };
+        let mean = value(sampled.mean.value);
+        return format!("\n{} is {mean} in every drive: it does not depend on {given}\n", of.name());
+    }
     rows.push(vec![
         "by the sample (95 % interval)".into(),
         between(sampled.mean, &value),

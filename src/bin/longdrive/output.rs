@@ -1,6 +1,7 @@
 use crate::args::Shown;
 use crate::colour;
 use indicatif::{ProgressBar, ProgressStyle};
+use longdrive::report::{Empty, Reply};
 use longdrive::units::System;
 use longdrive::{Error, Result};
 use serde::Serialize;
@@ -78,10 +79,33 @@ pub fn tell_error(error: &Error) {
     colour::say("error", &error.to_string());
 }
 
-/// Says what went wrong; status 1 for a sound question without an answer, 2 for bad input.
-pub fn complain(error: &Error) -> ExitCode {
+/// Says what went wrong; status 1 for a sound question without an answer, 2 for bad input. Where JSON is asked for, standard
+/// output says it too.
+pub fn complain(error: &Error, command: &'static str, is_json: bool) -> ExitCode {
     tell_error(error);
+    // what could not be written once cannot be written now
+    if is_json && !matches!(error, Error::Output(_)) {
+        say(&Reply::none(Some(command), error));
+    }
     ExitCode::from(if error.is_an_outcome() { 1 } else { 2 })
+}
+
+/// Says what the arguments lack, or shows the help that they ask for.
+pub fn explain(error: &clap::Error, command: Option<&'static str>, is_json: bool) -> ExitCode {
+    // a reader that has gone away is no failure of ours
+    let _ = error.print();
+    if error.use_stderr() && is_json {
+        let text = error.render().to_string();
+        let text = text.split("\n\nUsage:").next().unwrap_or_default();
+        let text = text.split("\n\nFor more information").next().unwrap_or_default();
+        let message = text.trim().trim_start_matches("error:").trim().to_owned();
+        say(&Reply::refused(command, "error", message));
+    }
+    ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2))
+}
+
+fn say(reply: &Reply<Empty>) {
+    let _ = Answer::json(reply).print();
 }
 
 /// Progress of long work, on standard error; nothing where that is not a terminal, or with --quiet.
@@ -91,4 +115,20 @@ pub fn bar(of: &str) -> ProgressBar {
     }
     let style = ProgressStyle::with_template(&format!("{{bar:40}} {{pos}}/{{len}} {of}, {{eta}} left"));
     ProgressBar::new(0).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+}
+
+/// Shows how many of how many are done.
+pub fn show(bar: &ProgressBar, done: usize, all: usize) {
+    bar.set_length(all as u64);
+    bar.set_position(done as u64);
+}
+
+/// That work without parts to count is under way, and for how long.
+pub fn spinner(doing: &'static str) -> ProgressBar {
+    if is_quiet() {
+        return ProgressBar::hidden();
+    }
+    let spinner = ProgressBar::new_spinner().with_message(doing);
+    spinner.enable_steady_tick(std::time::Duration::from_millis(200));
+    spinner
 }

@@ -1,6 +1,6 @@
 use crate::args::Question;
 use crate::output::tell;
-use longdrive::parameters::{LAW, PRESETS, Preset, SetupFile, Vary};
+use longdrive::parameters::{PRESETS, Preset, SetupFile, Vary};
 use longdrive::study::{Accuracy, accuracy};
 use longdrive::units::Quantity;
 use longdrive::{Error, Result, Setup};
@@ -10,8 +10,17 @@ impl Question {
     /// The setup asked about: a preset or a file, with the overrides applied, checked.
     pub fn setup(&self) -> Result<Setup<f64>> {
         let mut setup = self.base()?;
-        let settings = self.set.iter().map(|text| split(text)).collect::<Result<Vec<_>>>()?;
+        let settings = self.set.iter().map(|text| split("--set", text)).collect::<Result<Vec<_>>>()?;
         setup.set_all(settings)?;
+        for text in &self.launch {
+            let (name, value) = split("--launch", text)?;
+            let condition = setup.launch_condition(name).ok_or_else(|| {
+                let names = setup.launch_conditions();
+                let advice = format!("a launch has {}", names.join(", "));
+                Error::unknown("launch condition", name, names, advice)
+            })?;
+            setup.set(condition.name, value)?;
+        }
         setup.validate()?;
         Ok(setup)
     }
@@ -64,9 +73,12 @@ impl Question {
 }
 
 /// NAME=VALUE.
-fn split(text: &str) -> Result<(&str, &str)> {
-    text.split_once('=').map(|(name, value)| (name.trim(), value.trim())).ok_or_else(|| Error::Unreadable {
-        name: format!("--set {text}"),
-        source: format!("write NAME=VALUE, for example club.loft=10.5deg or {LAW}=robinson").into(),
+fn split<'a>(option: &str, text: &'a str) -> Result<(&'a str, &'a str)> {
+    text.split_once('=').map(|(name, value)| (name.trim(), value.trim())).ok_or_else(|| {
+        let example = if option == "--set" { "club.loft=10.5deg" } else { "ball_speed=167mph" };
+        Error::Unreadable {
+            name: format!("{option} {text}"),
+            source: format!("write NAME=VALUE, for example {example}").into(),
+        }
     })
 }

@@ -10,7 +10,7 @@ pub fn run(args: &Simulate) -> Result<Answer> {
     warn(&warnings);
     let drive = Drive::new(&setup)?;
     let answer = if args.question.json {
-        Answer::json(&DriveReport::new(&setup, &drive, warnings))
+        Answer::json(&DriveReport::reply(&setup, &drive, warnings))
     } else {
         Answer::text(drive_text(&drive, system()))
     };

@@ -1,6 +1,6 @@
 use crate::args::UncertaintyArgs;
 use crate::names::outcomes;
-use crate::output::{Answer, bar, system, tell, warn};
+use crate::output::{Answer, bar, show, system, tell, warn};
 use longdrive::report::{UncertaintyReport, uncertainty_text};
 use longdrive::study::uncertainty::{Plan, Uncertain, uncertainty};
 use longdrive::study::{Sigma, with_defaults};
@@ -14,15 +14,12 @@ pub fn run(args: &UncertaintyArgs) -> Result<Answer> {
     warn(&warnings);
     let plan = Plan { samples: args.samples as usize, seed: args.seed };
     let bar = bar("drives");
-    let found = uncertainty(&setup, &of, &inputs, plan, |done, all| {
-        bar.set_length(all as u64);
-        bar.set_position(done as u64);
-    });
+    let found = uncertainty(&setup, &of, &inputs, plan, |done, all| show(&bar, done, all));
     bar.finish_and_clear();
     let found = found?;
     let is_found = found.outcomes.iter().all(|outcome| outcome.sampled.is_some());
     let answer = if args.question.json {
-        Answer::json(&UncertaintyReport::new(&found, warnings))
+        Answer::json(&UncertaintyReport::reply(&found, warnings))
     } else {
         Answer::text(uncertainty_text(&found, system()))
     };

@@ -19,6 +19,7 @@ pub use question::{Gradient, Parameters, Presets, Question, Simulate};
 pub use search::{ChartArgs, Optimize, OptimumSensitivity, SearchArgs, WorkArgs};
 
 use clap::{Parser, Subcommand};
+use std::ffi::OsString;
 
 /// The longest golf drive, with exact derivatives.
 ///
@@ -71,4 +72,63 @@ pub enum Command {
     Completions(Completions),
     /// Print a manual page, or write the pages of all commands.
     Man(Man),
+}
+
+impl Command {
+    /// The commands that answer in JSON where it is asked for.
+    const NAMES: [&str; 15] = [
+        "simulate",
+        "gradient",
+        "optimize",
+        "optimum-sensitivity",
+        "calibrate",
+        "chart",
+        "plot",
+        "report",
+        "sweep",
+        "reproduce",
+        "verify",
+        "sensitivity",
+        "uncertainty",
+        "parameters",
+        "presets",
+    ];
+
+    /// The command among arguments that could not be read.
+    pub fn named_in(words: &[OsString]) -> Option<&'static str> {
+        words.iter().find_map(|word| Self::NAMES.into_iter().find(|name| word == name))
+    }
+
+    /// Its name on the command line, and whether its answer is to be JSON.
+    fn asked(&self) -> (&'static str, bool) {
+        match self {
+            Self::Simulate(args) => ("simulate", args.question.json),
+            Self::Gradient(args) => ("gradient", args.question.json),
+            Self::Optimize(args) => ("optimize", args.question.json),
+            Self::OptimumSensitivity(args) => ("optimum-sensitivity", args.optimize.question.json),
+            Self::Calibrate(args) => ("calibrate", args.question.json),
+            Self::Chart(args) => ("chart", args.question.json),
+            Self::Plot(args) => ("plot", args.kind.question().json),
+            Self::Report(args) => ("report", args.question.json),
+            Self::Sweep(args) => ("sweep", args.question.json),
+            Self::Reproduce(args) => ("reproduce", args.json),
+            Self::Verify(args) => ("verify", args.question.json),
+            Self::Sensitivity(args) => ("sensitivity", args.question.json),
+            Self::Uncertainty(args) => ("uncertainty", args.question.json),
+            Self::Parameters(args) => ("parameters", args.question.json),
+            Self::Presets(args) => ("presets", args.json),
+            Self::Completions(_) => ("completions", false),
+            Self::Man(_) => ("man", false),
+        }
+    }
+
+    /// Its name on the command line.
+    pub fn name(&self) -> &'static str {
+        self.asked().0
+    }
+
+    /// Whether its answer is to be JSON.
+    pub fn is_json(&self) -> bool {
+        self.asked().1
+    }
 }

@@ -25,6 +25,19 @@ pub enum PlotKind {
     Vcurve(PlotVcurve),
 }
 
+impl PlotKind {
+    /// What the plot starts from.
+    pub fn question(&self) -> &Question {
+        match self {
+            Self::Trajectory(args) => &args.question,
+            Self::Contour(args) => &args.question,
+            Self::Chart(args) => &args.question,
+            Self::Tornado(args) => &args.question,
+            Self::Vcurve(args) => &args.question,
+        }
+    }
+}
+
 /// How a plot is drawn.
 #[derive(clap::Args)]
 pub struct Drawing {

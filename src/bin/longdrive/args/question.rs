@@ -11,6 +11,12 @@ pub struct Question {
     #[arg(long, value_name = "NAME=VALUE")]
     pub set: Vec<String>,
 
+    /// Fly a ball that leaves like this, as a launch monitor reports it, without a club: ball_speed, launch_angle,
+    /// launch_direction, and backspin with sidespin or spin with spin_axis; e.g.
+    /// ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm.
+    #[arg(long, value_name = "NAME=VALUE,…", value_delimiter = ',')]
+    pub launch: Vec<String>,
+
     /// Choose the method and the time step so that carry is within this length of its exact value (1um if no length is
     /// given), at the least cost; they are chosen once, before the first drive. Without this option: flight.method and
     /// flight.step of the setup.
