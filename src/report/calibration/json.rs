@@ -20,6 +20,7 @@ pub fn calibration_json(report: &CalibrationReport<'_>) -> Value {
                 "standard_error": json::number(estimate.standard_error),
                 "interval_95": ends,
                 "at_bound": estimate.is_at_bound,
+                "determined": estimate.is_determined,
             });
             (estimate.parameter.name.to_owned(), entry)
         })
@@ -51,12 +52,23 @@ pub fn calibration_json(report: &CalibrationReport<'_>) -> Value {
         .map(|(name, held)| {
             let rms: Map<String, Value> =
                 by_outcome(held).into_iter().map(|(name, rms, ..)| (name, json::number(Some(rms)))).collect();
-            json!({ "of": name, "folds": held.folds, "rms_in_sigma": held.mean_square().sqrt(), "rms": rms })
+            let mut fits = Map::new();
+            for status in &held.ended {
+                fits.insert(status.name().into(), json!(held.count(*status)));
+            }
+            json!({
+                "of": name,
+                "folds": held.folds,
+                "fits": fits,
+                "rms_in_sigma": json::number(held.mean_square().map(f64::sqrt)),
+                "rms": rms,
+            })
         })
         .collect();
     json!({
         "status": found.fit.status.name(),
         "message": found.fit.message,
+        "interrupted": report.is_interrupted(),
         "data": {
             "file": table.file,
             "shots": table.shots.len(),
@@ -72,7 +84,7 @@ pub fn calibration_json(report: &CalibrationReport<'_>) -> Value {
         "chi_square": json::number(Some(statistics.chi_square)),
         "degrees_of_freedom": statistics.degrees_of_freedom,
         "probability": json::number(statistics.probability),
-        "error_scale": json::number(Some(statistics.scale)),
+        "error_scale": json::number(statistics.scale),
         "iterations": found.fit.iterations,
         "evaluations": found.fit.evaluations,
         "refused": { "count": found.fit.refused, "last": found.fit.why_refused },
