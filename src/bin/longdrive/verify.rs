@@ -4,7 +4,7 @@ use crate::output::{Answer, bar, tell, warn};
 use longdrive::Result;
 use longdrive::report::{CertificateReport, certificate_text};
 use longdrive::reproduce::while_loop;
-use longdrive::study::certificate::certify;
+use longdrive::study::certificate::{StepError, certify};
 
 pub fn run(args: &Verify) -> Result<Answer> {
     let setup = args.question.within_tolerance(args.question.setup()?, &[])?;
@@ -17,7 +17,8 @@ pub fn run(args: &Verify) -> Result<Answer> {
     });
     bar.finish_and_clear();
     let certificate = certificate?;
-    let warnings = [setup.warnings(), certificate.corners.clone()].concat();
+    let of_step = certificate.step.iter().filter_map(StepError::warning).collect();
+    let warnings = [setup.warnings(), certificate.corners.clone(), of_step].concat();
     warn(&warnings);
     for (of, why) in &certificate.missing {
         tell(&format!("left out: {}: {why}", of.name()));
