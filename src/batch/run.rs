@@ -20,7 +20,7 @@ const UNDER_WAY: u64 = 4;
 pub struct Run<'a> {
     /// The first row to compute (0): a multiple of [`CHUNK`] where the blocks are to be those of an undisturbed run.
     pub first_row: u64,
-    /// Threads (0: as many as there are processors).
+    /// Threads (0: as many as there are processors); never more than there are chunks to compute.
     pub threads: usize,
     /// Ends the batch, after the chunks under way, once it is true.
     pub stop: Option<&'a AtomicBool>,
@@ -49,9 +49,13 @@ impl Batch {
             return Err(Error::Nothing { doing: "evaluate", what: "outcome" });
         }
         super::points::refuse_repeated(parameters)?;
-        for parameter in parameters.iter().chain(wrt) {
+        for parameter in parameters {
+            setup.column(parameter.name)?;
+        }
+        for parameter in wrt.iter().filter(|parameter| !parameters.contains(parameter)) {
             setup.variable(parameter.name)?;
         }
+        setup.check_launch(&parameters.iter().map(|parameter| parameter.name).collect::<Vec<_>>())?;
         let (parameters, of, wrt) = (parameters.to_vec(), of.to_vec(), wrt.to_vec());
         Ok(Self { kernel: Kernel { setup: *setup, parameters, of, wrt } })
     }
@@ -95,7 +99,10 @@ impl Batch {
         mut sink: impl FnMut(R) -> Result<()>,
     ) -> Result<u64> {
         points.seek(run.first_row)?;
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(run.threads).build();
+        // no more threads than there are chunks to compute
+        let chunks = points.rows().saturating_sub(run.first_row).div_ceil(CHUNK as u64).max(1);
+        let threads = run.threads.min(usize::try_from(chunks).unwrap_or(usize::MAX));
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
         let pool = pool.map_err(|error| Error::Output(std::io::Error::other(error)))?;
         let most = UNDER_WAY * pool.current_num_threads() as u64;
         let is_stopped = || run.stop.is_some_and(|stop| stop.load(Ordering::Relaxed));

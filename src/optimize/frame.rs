@@ -55,6 +55,22 @@ impl Residual {
     }
 }
 
+/// The variable in which, measured by how far it has come, the Lagrangian falls most.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Outward {
+    /// The variable.
+    pub variable: usize,
+    /// Where it is.
+    pub at: f64,
+    /// Its distance from 0, in units of its scale.
+    pub reach: f64,
+    /// What the Lagrangian would fall by, to first order and relative to φ, if it moved by its distance from 0 (or to its
+    /// bound, if that is nearer).
+    pub rate: f64,
+    /// Whether that leads further out, with no bound ahead.
+    pub is_open: bool,
+}
+
 impl Frame {
     /// The frame of a search that begins at `first`.
     pub fn new(domain: Domain, scale: Vec<f64>, first: &Point) -> Self {
@@ -84,6 +100,19 @@ impl Frame {
             slope if slope < 0.0 && at.x[i] >= bounds.high[i] => 0.0,
             slope => slope,
         }
+    }
+
+    /// The variable with the largest [rate](Outward::rate); `None` where nothing falls.
+    pub fn outward(&self, at: &Point, multipliers: &[f64]) -> Option<Outward> {
+        let bounds = &self.domain.variables;
+        let of = |variable: usize| {
+            let (x, slope) = (at.x[variable], self.projected_slope(at, multipliers, variable));
+            let room = if slope > 0.0 { x - bounds.low[variable] } else { bounds.high[variable] - x };
+            let rate = slope.abs() * x.abs().min(room) / self.size(at);
+            let reach = x.abs() / self.scale[variable];
+            Outward { variable, at: x, reach, rate, is_open: slope * x < 0.0 && room.is_infinite() }
+        };
+        (0..at.x.len()).map(of).filter(|far| far.rate > 0.0).max_by(|a, b| a.rate.total_cmp(&b.rate))
     }
 
     /// How far a point is from optimal with these multipliers.

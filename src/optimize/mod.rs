@@ -49,6 +49,7 @@ mod options;
 mod problem;
 pub mod qp;
 mod quasi_newton;
+mod restoration;
 mod saddle;
 mod search;
 pub mod sensitivity;

@@ -137,7 +137,8 @@ impl Model<'_> {
     }
 
     /// The step of least squared violation in the normal part of the trust region, and what it leaves of each row: what
-    /// is missing > 0, what is too much < 0.
+    /// is missing > 0, what is too much < 0. Where to second order that step would raise the violation (from wall to wall of a
+    /// narrow valley, say), the constraints' curvature is taken in.
     fn least_violation(&self, program: &QuadraticProgram) -> (Step, Vec<f64>) {
         let (n, m) = (program.low.len(), program.rows.len());
         let reach = NORMAL_PART * self.radius;
@@ -149,7 +150,7 @@ impl Model<'_> {
         };
         let far = |row: &Row| row.low.max(0.0).max(-row.high.min(0.0)) + row.normal.abs().sum() * reach + 1.0;
         let farthest = program.rows.iter().map(far).fold(1.0, f64::max);
-        let elastic = QuadraticProgram {
+        let mut elastic = QuadraticProgram {
             curvature: DMatrix::from_fn(n + m, n + m, |i, j| match i {
                 _ if i != j => 0.0,
                 i if i < n => SHORT,
@@ -168,6 +169,15 @@ impl Model<'_> {
             by: Method::Descent,
         };
         let mut step = elastic.solve().unwrap_or_else(stay);
+        let squares = |d: &DVector<f64>| 0.5 * d.rows(n, m).norm_squared();
+        let before = 0.5 * norm(self.frame.violations(&self.at.f)).powi(2);
+        if let Some(bend) = self.violation_bend()
+            && squares(&step.d) + 0.5 * quadratic_form(&bend, &step.d.rows(0, n).into_owned()) > before
+        {
+            let mut corner = elastic.curvature.view_mut((0, 0), (n, n));
+            corner += bend;
+            step = elastic.solve().unwrap_or_else(stay);
+        }
         step.d = step.d.rows(0, n).into_owned();
         step.ends.truncate(n);
         let left = program.rows.iter().map(|row| {
@@ -176,6 +186,28 @@ impl Model<'_> {
         });
         let left = left.collect();
         (step, left)
+    }
+
+    /// What the curvature of violated constraints adds to the Hessian of ½‖v‖² (in scaled variables), as far as it is positive;
+    /// `None` where a constraint gives no Hessian, and where nothing is added.
+    fn violation_bend(&self) -> Option<DMatrix<f64>> {
+        let Self { frame, at, .. } = *self;
+        let n = at.x.len();
+        let mut sum = DMatrix::zeros(n, n);
+        for (j, violation) in frame.violations(&at.f).enumerate().filter(|(_, violation)| *violation != 0.0) {
+            let hessian = &at.f.constraints[j].hessian;
+            if hessian.is_empty() {
+                return None;
+            }
+            let weight = violation / frame.gamma[j];
+            sum += DMatrix::from_fn(n, n, |i, k| weight * hessian[i][k] * frame.scale[i] * frame.scale[k]);
+        }
+        if sum.iter().all(|entry| *entry == 0.0) {
+            return None;
+        }
+        let eigen = sum.symmetric_eigen();
+        let raised = DMatrix::from_diagonal(&eigen.eigenvalues.map(|value| value.max(0.0)));
+        Some(&eigen.eigenvectors * raised * eigen.eigenvectors.transpose())
     }
 
     /// The gradient of a constraint, in scaled variables and units of γ.

@@ -151,7 +151,8 @@ fn collected(domain: &Domain, solutions: Vec<Solution>) -> Vec<Local> {
         Status::Converged | Status::StalledAtKink => 0,
         Status::Stalled | Status::IterationLimit | Status::Interrupted => 1,
         Status::Infeasible => 2,
-        Status::Undefined => 3,
+        Status::Unbounded => 3,
+        Status::Undefined => 4,
     };
     let value = |local: &Local| local.solution.value.unwrap_or(f64::MAX);
     locals.sort_by(|a, b| rank(a).cmp(&rank(b)).then(value(a).total_cmp(&value(b))));

@@ -17,7 +17,7 @@ const SHRINK: f64 = 0.25;
 /// … and grows by this factor where more than three quarters were, by a step that it limited (ibid., §17.1).
 const GROW: f64 = 2.0;
 /// Largest trust region, in units of the variables' scale.
-const LARGEST_RADIUS: f64 = 1e10;
+const LARGEST_RADIUS: f64 = 1e16;
 /// Rounding of the functions, relative to φ and γ.
 pub(super) const NOISE: f64 = 1e-14;
 /// Promises below this, relative to φ, are none.
@@ -64,6 +64,8 @@ pub(super) struct Search {
     pub idle: u32,
     /// Times the search left a saddle.
     pub escapes: u32,
+    /// Times the search went on from another point that meets the constraints better.
+    pub restorations: u32,
     pub effort: Effort,
     /// Why the functions were not defined where the last step that failed for it led.
     pub edge: Option<String>,
@@ -120,6 +122,7 @@ impl Search {
             residual,
             idle: 0,
             escapes: 0,
+            restorations: 0,
             effort: Effort::default(),
             edge: None,
             workspace: Workspace::default(),
@@ -133,6 +136,7 @@ impl Search {
     pub fn step(&mut self, evaluate: &mut Evaluate<'_>) -> Result<(Plan, bool), argmin::core::Error> {
         let mut plan = self.plan();
         self.raise_penalty(&plan);
+        self.limit_multipliers(&mut plan);
         let mut tried = self.tried(std::mem::take(&mut plan.x), evaluate)?;
         let mut outcome = self.outcome(&plan, tried.as_ref());
 
@@ -224,6 +228,16 @@ impl Search {
         }
     }
 
+    /// Where rows contradict each other, their multipliers may be anything. The merit's own, ν v/‖v‖, are no larger than the
+    /// penalty, and so are those that a step leaves behind: else they rise without end, and with them the Hessian of the Lagrangian.
+    fn limit_multipliers(&self, plan: &mut Plan) {
+        if plan.is_relaxed {
+            let size = norm(plan.multipliers.iter().zip(&self.frame.gamma).map(|(m, gamma)| m * gamma));
+            let part = if size > self.penalty { self.penalty / size } else { 1.0 };
+            plan.multipliers.iter_mut().for_each(|multiplier| *multiplier *= part);
+        }
+    }
+
     /// What became of a step that the model planned.
     fn outcome(&self, plan: &Plan, tried: Option<&Point>) -> Outcome {
         let fell = tried.map_or(f64::NEG_INFINITY, |tried| {
@@ -252,6 +266,15 @@ impl Search {
             self.own_hessian = Some((rows(&after), updates + 1));
         }
         std::mem::replace(&mut self.at, to)
+    }
+
+    /// Begins anew at a point, with nothing kept of what was known elsewhere.
+    pub fn begin_at(&mut self, at: Point, radius: f64) {
+        self.multipliers.fill(0.0);
+        (self.penalty, self.radius, self.idle) = (0.0, radius, 0);
+        (self.sides, self.own_hessian) = (Sides::default(), None);
+        self.residual = self.frame.residual(&at, &self.multipliers);
+        self.at = at;
     }
 
     /// What the model says the merit falls by.

@@ -11,7 +11,8 @@ use super::search::{Evaluate, NOISE, Search};
 use super::sides::Sides;
 use super::start::first_point;
 use super::status::{
-    Status, Verdict, corner_test, gradient_test, infeasible_test, progress_test, radius_test, rounding_test,
+    Status, Verdict, corner_test, gradient_test, infeasible_test, is_running_off, progress_test, radius_test,
+    rounding_test, unbounded_test,
 };
 use argmin::core::{Error, IterState, KV, Problem as Counted, Solver, TerminationReason, TerminationStatus};
 use serde::{Deserialize, Serialize};
@@ -74,9 +75,16 @@ impl Sqp {
             .filter(|plan| plan.is_relaxed)
             .and_then(|plan| infeasible_test(plan.violation, plan.violation_left, radius, tolerance));
         let stuck = radius_test(radius, largest).or_else(|| progress_test(search.idle, promised, largest));
-        let verdict = gradient_test(residual, tolerance)
+        let outward = search.frame.outward(&search.at, &search.multipliers);
+        let is_there = |tolerance: f64| !is_running_off(outward, tolerance);
+        let value = search.at.f.objective.value;
+        let verdict = unbounded_test(outward, value, search.frame.first_size, residual, search.multipliers.len())
+            .or_else(|| gradient_test(residual, tolerance).filter(|_| is_there(tolerance)))
             .or(is_infeasible)
-            .or_else(|| stuck.map(|stuck| rounding_test(residual, shrunk, tolerance).unwrap_or(stuck)));
+            .or_else(|| {
+                let rounding = rounding_test(residual, shrunk, tolerance).filter(|_| is_there(tolerance.sqrt()));
+                stuck.map(|stuck| rounding.unwrap_or(stuck))
+            });
         let corner = corner_test(plan.map_or(1, |plan| plan.sides), promised, largest);
         let is_by_corner = verdict.is_none() && corner.is_some();
         let verdict = verdict.or(corner);
@@ -87,7 +95,8 @@ impl Sqp {
             _ => None,
         };
         if let Some(goal) = goal
-            && search.leave_saddle(goal, evaluate)?
+            && (search.leave_saddle(goal, evaluate)?
+                || goal == saddle::Goal::Feasibility && search.restore(&self.options, evaluate)?)
         {
             return Ok(());
         }

@@ -34,7 +34,7 @@ pub(super) fn first_point<E>(
 
 /// Point `k` of an even spread over the box: multiples of powers of the generalised golden ratio (Roberts 2018),
 /// from the middle on.
-fn spread(bounds: &Bounds, start: &[f64], k: u32) -> Vec<f64> {
+pub(super) fn spread(bounds: &Bounds, start: &[f64], k: u32) -> Vec<f64> {
     let n = start.len();
     let scale = bounds.scale(start);
     let golden = (0..64).fold(1.5_f64, |g, _| (1.0 + g).powf(1.0 / (n as f64 + 1.0)));

@@ -7,7 +7,7 @@
 //! a bound is active and f falls only towards the outside), of the constraints' violations over γ, and of the
 //! multipliers times the distance from their limits over φ.
 
-use super::frame::Residual;
+use super::frame::{Outward, Residual};
 use super::kink::Kink;
 use serde::{Deserialize, Serialize};
 use std::fmt;
@@ -24,6 +24,8 @@ pub enum Status {
     Stalled,
     /// The constraints cannot all be met near here: their violation is at a minimum that is not zero.
     Infeasible,
+    /// The objective falls without end: far out, with the constraints met, it still falls, and no bound lies ahead.
+    Unbounded,
     /// The iterations allowed were used up.
     IterationLimit,
     /// Stopped from outside; the point is the best so far.
@@ -40,6 +42,7 @@ impl Status {
             Self::StalledAtKink => "stalled-at-kink",
             Self::Stalled => "stalled",
             Self::Infeasible => "infeasible",
+            Self::Unbounded => "unbounded",
             Self::IterationLimit => "iteration-limit",
             Self::Interrupted => "interrupted",
             Self::Undefined => "undefined",
@@ -125,14 +128,49 @@ pub(super) fn rounding_test(residual: Residual, shrunk: f64, tolerance: f64) -> 
     })
 }
 
+/// Whether a variable has come so far that its slope by itself says little: far from 0 the slope times that distance must be a
+/// small part of φ too (the slope of −x³ is 3/x of its size, and falls below any tolerance).
+pub(super) fn is_running_off(outward: Option<Outward>, tolerance: f64) -> bool {
+    /// Variables this many scales from 0 are far.
+    const FAR: f64 = 1e4;
+    outward.is_some_and(|outward| outward.reach >= FAR && outward.rate > tolerance)
+}
+
+/// Unbounded: with the constraints met, a variable without a bound ahead is at 1e15 scales and a doubling of it would still lower
+/// the objective by a part of its size (one that has a lower bound cannot keep that up: its slope falls faster than 1/x); or the
+/// objective is below −1e60 times its size at the start (with constraints, which may still bend, −1e200), and still falls.
+pub(super) fn unbounded_test(
+    outward: Option<Outward>,
+    value: f64,
+    first_size: f64,
+    residual: Residual,
+    constraints: usize,
+) -> Option<Verdict> {
+    const FARTHEST: f64 = 1e15;
+    const RATE: f64 = 1e-3;
+    const MET: f64 = 1e-6;
+    let deepest = if constraints == 0 { 1e60 } else { 1e200 };
+    let outward = outward.filter(|outward| outward.is_open)?;
+    let is_far = outward.reach >= FARTHEST && outward.rate >= RATE;
+    let is_deep = value <= -deepest * first_size && residual.stationarity >= RATE;
+    (residual.feasibility <= MET && (is_far || is_deep)).then(|| {
+        let message = format!(
+            "the objective falls without end: it is {value:.1e} with variable {} at {:.1e}, still falls there, and no bound \
+             or constraint lies ahead; bound that variable",
+            outward.variable, outward.at
+        );
+        Verdict { status: Status::Unbounded, message }
+    })
+}
+
 /// Infeasible: the constraints are violated, and the linearised ones say that no step makes it less.
 pub(super) fn infeasible_test(violation: f64, least: f64, radius: f64, tolerance: f64) -> Option<Verdict> {
     const HOPELESS: f64 = 1e-6;
     let is_least = violation - least <= HOPELESS * violation * radius.min(1.0);
     (violation > tolerance && is_least).then(|| {
         let message = format!(
-            "the constraints contradict each other here: their violation {violation:.3e} (relative) is the least that \
-             can be reached from here"
+            "the constraints cannot all be met: their violation {violation:.3e} (relative) is the least found, from here and \
+             from other points of the box"
         );
         Verdict::new(Status::Infeasible, message)
     })

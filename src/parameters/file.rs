@@ -1,12 +1,13 @@
 //! Setup files: TOML whose keys are the parameters' dotted names. A string carries its unit, a bare number
 //! is SI; every mistake is reported with its line and column.
 
-use super::declare::UNSET;
+use super::declare::{Parameter, UNSET};
 use super::method::{METHOD, Method};
 use super::presets::{PRESETS, Preset};
 use super::setup::LAW;
 use super::table::Setup;
 use crate::error::{Error, Result};
+use crate::foreign::of_toml;
 use std::path::Path;
 use toml::de::{DeTable, DeValue};
 
@@ -21,47 +22,33 @@ struct Item<'a> {
     value_at: usize,
 }
 
-impl Setup<f64> {
+/// What a setup file says.
+#[derive(Clone, Debug)]
+pub struct SetupFile {
+    /// The setup.
+    pub setup: Setup<f64>,
+    /// The preset that it starts from: `modern-driver` where the file names none.
+    pub preset: &'static Preset,
+    /// Parameters with a dimension whose numbers stand without a unit, and were read as SI.
+    pub without_unit: Vec<&'static Parameter>,
+}
+
+impl SetupFile {
     /// Reads a setup file.
     ///
     /// # Errors
-    /// [`Error::File`] where it cannot be opened; otherwise as [`from_toml`](Self::from_toml).
-    pub fn from_file(path: &Path) -> Result<Self> {
+    /// [`Error::File`] where it cannot be opened; otherwise as [`Setup::from_toml`].
+    pub fn open(path: &Path) -> Result<Self> {
         let file = path.display().to_string();
         match std::fs::read_to_string(path) {
-            Ok(text) => Self::from_toml(&text, &file),
+            Ok(text) => Self::read(&text, &file),
             Err(source) => Err(Error::File { file, source, presets: Preset::names() }),
         }
     }
 
-    /// The preset that a setup file starts from: `modern-driver` where it names none.
-    ///
-    /// # Errors
-    /// As [`from_file`](Self::from_file).
-    pub fn preset_of_file(path: &Path) -> Result<&'static Preset> {
-        Self::from_file(path)?;
-        let text = std::fs::read_to_string(path).unwrap_or_default();
-        let table = DeTable::parse(&text).ok();
-        let named = table.as_ref().and_then(|table| table.get_ref().get(PRESET)?.get_ref().as_str());
-        Ok(named.and_then(Preset::named).unwrap_or(&PRESETS[0]))
-    }
-
-    /// Reads the text of a setup file; `file` is what messages call it. What the file leaves out comes from
-    /// its `preset`, or from `modern-driver` where it names none.
-    ///
-    /// ```
-    /// use longdrive::Setup;
-    /// let setup = Setup::from_toml("preset = 'mae494'\n[club]\nloft = '12 deg'", "mine.toml").unwrap();
-    /// assert_eq!(setup.club.loft, 12.0_f64.to_radians());
-    /// let error = Setup::from_toml("[club]\nlofft = '12 deg'", "mine.toml").unwrap_err();
-    /// assert!(error.to_string().starts_with("mine.toml:2:1: unknown parameter 'club.lofft'; did you mean 'club.loft'?"));
-    /// ```
-    ///
-    /// # Errors
-    /// [`Error::Toml`] where it is not TOML; [`Error::InFile`] with the place of anything else.
-    pub fn from_toml(text: &str, file: &str) -> Result<Self> {
+    fn read(text: &str, file: &str) -> Result<Self> {
         let table = DeTable::parse(text)
-            .map_err(|e| Error::Toml { file: file.into(), message: e.to_string().trim_end().into() })?;
+            .map_err(|error| Error::Toml { file: file.into(), message: of_toml(&error, text, |at| place(text, at)) })?;
         let mut items = Vec::new();
         flatten(table.get_ref(), "", &mut items);
         // as they stand in the file, but the preset and the law before what builds on them
@@ -82,11 +69,45 @@ impl Setup<f64> {
                 return Err(in_file(text, file, item.key_at, Error::Twice { key: item.key.clone(), line }));
             }
         }
-        let mut setup = Self::default();
+        let mut setup = Setup::default();
         for item in &items {
             setup.apply(item).map_err(|(at, source)| in_file(text, file, at, source))?;
         }
-        Ok(setup)
+        let named = items.iter().find(|item| item.key == PRESET).and_then(|item| item.value.as_str());
+        let bare = items.iter().filter(|item| matches!(item.value, DeValue::Integer(_) | DeValue::Float(_)));
+        let bare = bare.filter_map(|item| setup.parameter(&item.key).ok());
+        let has_unit = |parameter: &&Parameter| !parameter.quantity.si.is_empty();
+        let is_finite = |parameter: &&Parameter| setup.value(parameter).is_some_and(f64::is_finite);
+        let without_unit = bare.filter(has_unit).filter(is_finite).collect();
+        let preset = named.and_then(Preset::named).unwrap_or(&PRESETS[0]);
+        Ok(Self { setup, preset, without_unit })
+    }
+}
+
+impl Setup<f64> {
+    /// Reads a setup file.
+    ///
+    /// # Errors
+    /// As [`SetupFile::open`].
+    pub fn from_file(path: &Path) -> Result<Self> {
+        SetupFile::open(path).map(|file| file.setup)
+    }
+
+    /// Reads the text of a setup file; `file` is what messages call it. What the file leaves out comes from
+    /// its `preset`, or from `modern-driver` where it names none.
+    ///
+    /// ```
+    /// use longdrive::Setup;
+    /// let setup = Setup::from_toml("preset = 'mae494'\n[club]\nloft = '12 deg'", "mine.toml").unwrap();
+    /// assert_eq!(setup.club.loft, 12.0_f64.to_radians());
+    /// let error = Setup::from_toml("[club]\nlofft = '12 deg'", "mine.toml").unwrap_err();
+    /// assert!(error.to_string().starts_with("mine.toml:2:1: unknown parameter 'club.lofft'; did you mean 'club.loft'?"));
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Toml`] where it is not TOML; [`Error::InFile`] with the place of anything else.
+    pub fn from_toml(text: &str, file: &str) -> Result<Self> {
+        SetupFile::read(text, file).map(|file| file.setup)
     }
 
     fn apply(&mut self, item: &Item<'_>) -> Result<(), (usize, Error)> {

@@ -10,8 +10,8 @@ pub const LAW: &str = "aero.law";
 const LISTING: &str = "'longdrive parameters' lists them all";
 
 impl Parameter {
-    /// Reads a value of this parameter. With `bare`, a number without a unit is SI, as on the command line;
-    /// otherwise a string must carry its unit, as in a setup file. `none` unsets an optional parameter.
+    /// Reads a value of this parameter. With `bare`, a number without a unit is SI, as a bare number in a setup file is;
+    /// otherwise the text must carry its unit. `none` unsets an optional parameter.
     ///
     /// # Errors
     /// [`Error::Unreadable`] for a wrong or missing unit, [`Error::OutOfRange`].
@@ -125,7 +125,8 @@ impl Setup<f64> {
         found
     }
 
-    /// Sets a parameter, or the law, by name from a text such as `"10.5 deg"`; a number without unit is SI.
+    /// Sets a parameter, or the law, by name from a text such as `"10.5 deg"`. A quantity with a dimension needs its unit;
+    /// [`set_value`](Self::set_value) takes a number in SI.
     ///
     /// # Errors
     /// [`Error::Unknown`], [`Error::OtherLaw`], [`Error::Unreadable`], [`Error::OutOfRange`].
@@ -138,7 +139,7 @@ impl Setup<f64> {
             return Ok(());
         }
         let parameter = self.parameter(name)?;
-        let value = parameter.read(text, true)?;
+        let value = parameter.read(text, false)?;
         self.set_value(parameter, value)
     }
 
@@ -164,7 +165,7 @@ impl Setup<f64> {
         let name = name.trim();
         let law = Law::named(name).ok_or_else(|| {
             let names = Law::NAMES.iter().copied();
-            Error::unknown("aerodynamic law", name, names, format!("there are {}", Law::NAMES.join(", ")))
+            Error::unknown("aerodynamic law", name, names, format!("the laws are {}", Law::NAMES.join(", ")))
         })?;
         if law.name() != self.law.name() {
             self.law = law;
@@ -213,6 +214,7 @@ impl Setup<f64> {
         });
         result?;
         self.check_step_count()?;
+        self.check_launch(&[])?;
         self.club.check_inertia()
     }
 
@@ -260,6 +262,17 @@ impl Setup<f64> {
         }
     }
 
+    /// The parameter of this name, if drives may differ in it: one that is unset or infinite here may have a value in each.
+    ///
+    /// # Errors
+    /// As [`parameter`](Self::parameter), and [`Error::NotVariable`] for a setting and the law.
+    pub fn column(&self, name: &str) -> Result<&'static Parameter> {
+        match self.parameter(name) {
+            Ok(parameter) if parameter.kind != Kind::Setting => Ok(parameter),
+            _ => self.variable(name),
+        }
+    }
+
     /// The parameters that [`variable`](Self::variable) accepts.
     pub fn variables(&self) -> Vec<&'static Parameter> {
         let mut rows = self.parameters();
@@ -302,12 +315,14 @@ mod tests {
     }
 
     #[test]
-    fn a_bare_number_is_si_and_a_likely_unit_is_suggested() {
+    fn a_quantity_with_a_dimension_needs_its_unit() {
         let mut setup = Setup::default();
-        setup.set("club.loft", "0.2").unwrap();
-        assert_eq!(setup.club.loft, 0.2);
-        let message = setup.set("club.loft", "10").unwrap_err().to_string();
-        assert!(message.contains("did you mean \"10 deg\"?") && message.contains("90 deg"), "{message}");
+        let message = setup.set("swing.speed", "100").unwrap_err().to_string();
+        assert!(message.contains("\"100\" has no unit; a speed takes mph, m/s"), "{message}");
+        assert_eq!(setup, Setup::default());
+        setup.set("impact.restitution", "0.8").unwrap();
+        setup.set("club.loft", "0.2 rad").unwrap();
+        assert_eq!((setup.impact.restitution, setup.club.loft), (0.8, 0.2));
     }
 
     #[test]

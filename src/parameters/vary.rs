@@ -14,14 +14,15 @@ pub struct Vary {
 }
 
 impl Vary {
-    /// Reads `NAME=LOW..HIGH`, for example `club.loft=4deg..20deg`. A low end without unit takes that of the
-    /// high end; two numbers without units are SI.
+    /// Reads `NAME=LOW..HIGH`, for example `club.loft=4deg..20deg` or `club.loft=4..20deg`: a low end without unit takes that
+    /// of the high end, which needs one where the quantity has a dimension.
     ///
     /// ```
     /// use longdrive::{Setup, parameters::Vary};
     /// let loft = Vary::read(&Setup::default(), "club.loft=4..20deg").unwrap();
     /// assert_eq!((loft.low, loft.high), (4.0_f64.to_radians(), 20.0_f64.to_radians()));
     /// assert!(Vary::read(&Setup::default(), "club.loft=20deg..4deg").is_err());
+    /// assert!(Vary::read(&Setup::default(), "club.loft=4..20").is_err());
     /// ```
     ///
     /// # Errors
@@ -44,8 +45,10 @@ impl Vary {
         let (_, low_unit) = parameter.quantity.split(low).map_err(unreadable)?;
         let (_, high_unit) = parameter.quantity.split(high).map_err(unreadable)?;
         let low = if low_unit.is_empty() { format!("{low} {high_unit}") } else { low.into() };
-        let end = |text: &str| parameter.read(text, true).map(Option::unwrap_or_default);
-        Self::new(parameter, end(&low)?, end(high)?)
+        let end = |text: &str| parameter.read(text, false).map(Option::unwrap_or_default);
+        // the high end first: a missing unit is told of the text as it was given
+        let high = end(high)?;
+        Self::new(parameter, end(&low)?, high)
     }
 
     /// A parameter with a range in SI.

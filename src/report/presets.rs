@@ -1,10 +1,10 @@
-use super::{json, table::table};
+use super::{Reply, json, table::table};
 use crate::error::Result;
 use crate::parameters::{LAW, METHOD, PRESETS, Preset, Setup};
 use serde_json::{Value, json};
 
 /// The source of a parameter's value in a preset: its own, or the table's where the preset does not change it.
-fn sourced(preset: &Preset, setup: &Setup<f64>) -> Vec<(&'static str, String, &'static str)> {
+pub(super) fn sourced(preset: &Preset, setup: &Setup<f64>) -> Vec<(&'static str, String, &'static str)> {
     let entry = |name: &str| preset.entries.iter().find(|entry| entry.name == name);
     let mut rows: Vec<_> = setup
         .parameters()
@@ -58,11 +58,14 @@ pub fn sources(setup: &Setup<f64>, preset: &Preset) -> Result<Vec<(&'static str,
     Ok(rows)
 }
 
-/// The presets as JSON: every number of each with its source.
+/// The answer of `presets`: every number of each preset, or of the one that is named, with its source.
 ///
 /// # Errors
-/// None that a test does not rule out: presets are read as any setup is.
-pub fn presets_json() -> Result<Value> {
+/// [`Error::Unknown`](crate::Error::Unknown) for a name that no preset bears.
+pub fn presets_reply(name: Option<&str>) -> Result<Reply<Value>> {
+    if let Some(name) = name {
+        Setup::preset(name)?;
+    }
     let one = |preset: &Preset| -> Result<Value> {
         let setup = Setup::preset(preset.name)?;
         let sources = sourced(preset, &setup).into_iter().map(|(name, _, source)| (name.to_owned(), json!(source)));
@@ -73,7 +76,8 @@ pub fn presets_json() -> Result<Value> {
             "sources": sources.collect::<serde_json::Map<_, _>>(),
         }))
     };
-    Ok(json!({ "presets": PRESETS.iter().map(one).collect::<Result<Vec<_>>>()? }))
+    let asked = PRESETS.iter().filter(|preset| name.is_none_or(|name| preset.name == name));
+    Ok(Reply::done("presets", vec![], json!({ "presets": asked.map(one).collect::<Result<Vec<_>>>()? })))
 }
 
 /// The presets as text, a line each.
@@ -81,47 +85,4 @@ pub fn presets_text() -> String {
     let rows = PRESETS.iter().map(|preset| vec![preset.name.into(), preset.about.into()]);
     table(&["preset", ""], &[], rows)
         + "\n  'longdrive presets NAME' prints one as a setup file, with the source of each number\n"
-}
-
-/// A preset as a setup file in TOML, each number with its source.
-///
-/// # Errors
-/// [`Error::Unknown`](crate::Error::Unknown) for a name that no preset bears.
-pub fn preset_toml(name: &str) -> Result<String> {
-    let setup = Setup::preset(name)?;
-    let Some(preset) = Preset::named(name) else { return Ok(String::new()) };
-    let mut text = format!("# {}\n# {}\npreset = \"{}\"\n", preset.name, preset.about, preset.name);
-    // keys without a table must precede the first table, and a table stands once
-    let table_of = |name: &str| name.split_once('.').map_or("", |(table, _)| table).to_owned();
-    let rows = sourced(preset, &setup);
-    let mut tables = vec![String::new()];
-    for (name, ..) in &rows {
-        if !tables.contains(&table_of(name)) {
-            tables.push(table_of(name));
-        }
-    }
-    for table in tables {
-        if !table.is_empty() {
-            text += &format!("\n[{table}]\n");
-        }
-        for (name, shown, source) in rows.iter().filter(|(name, ..)| table_of(name) == table) {
-            let key = name.split_once('.').map_or(*name, |(_, key)| key);
-            text += &format!("{key} = \"{shown}\" # {source}\n");
-        }
-    }
-    Ok(text)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{PRESETS, Setup, preset_toml};
-
-    #[test]
-    fn a_preset_printed_as_a_setup_file_reads_back_as_itself() {
-        for preset in PRESETS {
-            let text = preset_toml(preset.name).unwrap();
-            let read = Setup::from_toml(&text.replace("preset =", "# preset ="), preset.name).unwrap();
-            assert_eq!(read, Setup::preset(preset.name).unwrap(), "{text}");
-        }
-    }
 }

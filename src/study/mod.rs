@@ -16,11 +16,11 @@ pub mod uncertainty;
 
 pub use crate::parameters::Vary;
 pub use accuracy::{Accuracy, accuracy};
-pub use chart::{Chart, ChartPoint, chart};
+pub use chart::{Chart, ChartPoint, chart, chart_at};
 pub use constraint::Constraint;
 pub use effects::{Bar, Effect, Effects, effects};
 pub use flatness::{Direction, Ellipse, Flatness, Limit, Window, flatness, usual_loss};
 pub use map::{Fineness, Map, Slope, map};
-pub use optimum::{Active, Optima, Optimum, Search, optima, optimum};
+pub use optimum::{Active, Optima, Optimum, Search, Sense, optima, optimum};
 pub use sensitivity::{Change, Changed, Sensitivity, change, refuse_varied, sensitivities, sensitivity};
 pub use sigma::{Sigma, with_defaults};

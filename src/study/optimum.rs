@@ -9,11 +9,49 @@ use crate::parameters::Setup;
 use crate::units;
 use std::fmt;
 
+/// Whether the largest or the smallest value of an outcome is looked for.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Sense {
+    /// The largest.
+    #[default]
+    Maximize,
+    /// The smallest.
+    Minimize,
+}
+
+impl Sense {
+    /// What an outcome is multiplied by to be minimised: −1 or 1.
+    pub fn sign(self) -> f64 {
+        match self {
+            Self::Maximize => -1.0,
+            Self::Minimize => 1.0,
+        }
+    }
+
+    /// `maximize` or `minimize`, as on the command line and in JSON.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Maximize => "maximize",
+            Self::Minimize => "minimize",
+        }
+    }
+
+    /// `largest` or `smallest`.
+    pub fn adjective(self) -> &'static str {
+        match self {
+            Self::Maximize => "largest",
+            Self::Minimize => "smallest",
+        }
+    }
+}
+
 /// What to look for.
 #[derive(Clone, Debug)]
 pub struct Search {
-    /// The outcome to make as large as possible.
+    /// The outcome to make as large or as small as possible.
     pub maximize: Outcome,
+    /// Which of the two.
+    pub sense: Sense,
     /// The parameters to vary.
     pub vary: Vec<Vary>,
     /// Outcomes to hold between limits.
@@ -23,15 +61,21 @@ pub struct Search {
 }
 
 impl Search {
+    /// The largest value of an outcome, with nothing varied yet.
+    pub fn largest(of: Outcome) -> Self {
+        let (sense, options) = (Sense::Maximize, Options::default());
+        Self { maximize: of, sense, vary: vec![], subject_to: vec![], options }
+    }
+
     /// The longest carry over loft 4–20° and attack angle −5…+5°.
     pub fn longest_drive(setup: &Setup<f64>) -> Result<Self> {
         let vary = ["club.loft=4deg..20deg", "swing.attack_angle=-5deg..5deg"];
         let vary = vary.iter().map(|text| Vary::read(setup, text)).collect::<Result<_>>()?;
-        Ok(Self { maximize: Outcome::Carry, vary, subject_to: vec![], options: Options::default() })
+        Ok(Self { vary, ..Self::largest(Outcome::Carry) })
     }
 }
 
-/// Something that holds an optimum. It reads `club.loft at its upper bound`, or as the constraint was given.
+/// An active bound or constraint of an optimum. It reads `club.loft at its upper bound`, or as the constraint was given.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Active {
     /// The varied parameter, or the constraint's expression.
@@ -54,7 +98,7 @@ impl fmt::Display for Active {
 pub struct Optimum {
     /// What was asked.
     pub search: Search,
-    /// How the search ended; its objective is the negative of the outcome.
+    /// How the search ended; its objective is the outcome times [`Sense::sign`].
     pub solution: Solution,
     /// The setup at the optimum.
     pub setup: Setup<f64>,
@@ -65,12 +109,12 @@ pub struct Optimum {
 impl Optimum {
     /// The outcome's value at the optimum, SI.
     pub fn value(&self) -> Option<f64> {
-        self.solution.value.map(|value| -value)
+        self.solution.value.map(|value| self.search.sense.sign() * value)
     }
 
     /// The outcome's gradient at the optimum by the parameters varied, SI.
     pub fn gradient(&self) -> Vec<f64> {
-        self.solution.gradient.iter().map(|slope| -slope).collect()
+        self.solution.gradient.iter().map(|slope| self.search.sense.sign() * slope).collect()
     }
 
     /// How the search ended, in a sentence, in terms of the drive.
@@ -81,8 +125,9 @@ impl Optimum {
                 let (parameter, outcome) = (self.search.vary[kink.variable].parameter, self.search.maximize);
                 let at = parameter.show(Some(self.solution.x[kink.variable]));
                 let (by, unit) = (parameter.name, units::per(outcome.quantity().si, parameter.quantity.si));
+                let sign = self.search.sense.sign();
                 let slope = |slope: Option<f64>| {
-                    slope.map_or("not looked at (out of range)".into(), |slope| format!("{:+.4} {unit}", -slope))
+                    slope.map_or("not computed (out of range)".into(), |slope| format!("{:+.4} {unit}", sign * slope))
                 };
                 format!(
                     "{of} has a corner at {by} = {at}: d {of}/d {by} is {} below it and {} above",
@@ -95,20 +140,21 @@ impl Optimum {
                 let missed: Vec<_> = missed
                     .filter(|(_, constrained)| constrained.violation != 0.0)
                     .map(|(constraint, constrained)| {
-                        let value = constraint.outcome.show(constrained.value);
-                        let short = constraint.outcome.show(constrained.violation.abs());
-                        format!("{} (it is {value}, {short} away)", constraint.expression)
+                        let (quantity, unit) = (constraint.outcome.quantity(), constraint.outcome.unit());
+                        let value = quantity.read_off_finely(constrained.value, unit);
+                        let short = quantity.read_off_difference(constrained.violation.abs(), unit);
+                        format!("{} (its value is {value}, outside by {short})", constraint.expression)
                     })
                     .collect();
-                format!("the constraints cannot all be met; the nearest found still misses {}", missed.join(" and "))
+                format!("the constraints cannot all be met; the nearest point found violates {}", missed.join(" and "))
             }
             (None, Status::Converged) if self.is_flat() => {
-                format!("{of} does not depend on the parameters varied here: every drive is as good")
+                format!("{of} does not depend on the parameters varied here: every drive is equally good")
             }
             (None, Status::Undefined) => {
                 let (trials, why) = (self.search.options.start_trials, self.solution.undefined_at_start.as_deref());
                 format!(
-                    "nothing flew, neither the start nor {trials} other points of the ranges searched; at the start {}",
+                    "no drive of the search flies, neither the start nor {trials} other points of the ranges; at the start: {}",
                     why.unwrap_or_default()
                 )
             }
@@ -116,7 +162,7 @@ impl Optimum {
         }
     }
 
-    /// What holds the optimum: bounds that are active, and constraints.
+    /// The bounds and constraints that are active at the optimum.
     pub fn active(&self) -> Vec<Active> {
         let Ok(problem) = DriveProblem::new(&self.setup, &self.search) else { return vec![] };
         if self.solution.value.is_none() {
@@ -146,7 +192,7 @@ impl Optimum {
         let begun = self.search.vary.iter().zip(&self.solution.begun_at);
         let begun: Vec<_> =
             begun.map(|(vary, x)| format!("{} {}", vary.parameter.name, vary.parameter.show(Some(*x)))).collect();
-        Some(format!("the start does not fly ({why}); begun at {} instead", begun.join(", ")))
+        Some(format!("the start does not fly ({why}); the search began at {} instead", begun.join(", ")))
     }
 
     /// The status in a word; where the optimizer says undefined, nothing flew.
@@ -158,7 +204,7 @@ impl Optimum {
     }
 }
 
-/// Finds the parameters that make an outcome largest, from the setup's own values, moved into the ranges.
+/// Finds the parameters that make an outcome largest or smallest, from the setup's own values, moved into the ranges.
 ///
 /// ```
 /// use longdrive::{Setup, optimize::Watch, study::{Search, Vary, optimum}};

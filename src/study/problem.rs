@@ -1,17 +1,18 @@
-use super::Search;
-use crate::derivative::{self, Evaluator, Order};
+use super::{Search, Sense};
+use crate::derivative::{self, Evaluator, Order, Taylor};
 use crate::drive::Outcome;
 use crate::error::Result;
 use crate::optimize::{Domain, Evaluation, Problem};
 use crate::parameters::{Parameter, Setup};
 
-/// A search for the best drive as the optimizer sees it: the negative of the outcome to be made large, and the outcomes
-/// that are held between limits.
+/// A search for the best drive as the optimizer sees it: the outcome, with the sign with which it is
+/// minimised, and the outcomes that are held between limits.
 pub(super) struct DriveProblem {
     setup: Setup<f64>,
     vary: Vec<&'static Parameter>,
-    /// The outcome made large, then those of the constraints.
+    /// The outcome that is looked for, then those of the constraints.
     of: Vec<Outcome>,
+    sense: Sense,
     values: Evaluator,
     derivatives: Evaluator,
     pub domain: Domain,
@@ -29,7 +30,7 @@ impl DriveProblem {
         let of: Vec<_> = std::iter::once(search.maximize).chain(limited).collect();
         let evaluator = |order| Evaluator::new(setup, &of, &vary, order);
         let (values, derivatives) = (evaluator(Order::Value)?, evaluator(Order::Second)?);
-        Ok(Self { setup: *setup, vary, of, values, derivatives, domain })
+        Ok(Self { setup: *setup, vary, of, sense: search.sense, values, derivatives, domain })
     }
 
     /// The setup's own values of what is varied.
@@ -46,7 +47,7 @@ impl DriveProblem {
         Ok(moved)
     }
 
-    /// The outcome made large at `x`, then those of the constraints.
+    /// The outcome looked for at `x`, then those of the constraints.
     pub fn evaluate_values(&self, x: &[f64]) -> Result<Vec<f64>> {
         let taylors = self.values.at(x)?;
         Ok(taylors.into_iter().map(|taylor| taylor.value).collect())
@@ -55,19 +56,23 @@ impl DriveProblem {
     /// The functions at `x` with derivatives by the varied parameters, and by one more.
     pub fn evaluate_with(&self, x: &[f64], parameter: &'static Parameter) -> Result<Evaluation> {
         let wrt: Vec<_> = self.vary.iter().copied().chain([parameter]).collect();
-        Ok(as_functions(derivative::towards_last(&self.moved(x)?, &self.of, &wrt)?))
+        Ok(self.as_functions(derivative::towards_last(&self.moved(x)?, &self.of, &wrt)?))
+    }
+
+    fn as_functions(&self, mut taylors: Vec<Taylor>) -> Evaluation {
+        let constraints = taylors.split_off(1);
+        let of = taylors.pop();
+        let objective = match self.sense {
+            Sense::Maximize => of.map(Taylor::negated),
+            Sense::Minimize => of,
+        };
+        Evaluation { objective: objective.unwrap_or_default(), constraints }
     }
 }
 
 impl Problem for DriveProblem {
     fn evaluate(&self, x: &[f64]) -> std::result::Result<Evaluation, String> {
         let taylors = self.derivatives.at(x);
-        taylors.map(as_functions).map_err(|e| e.to_string())
+        taylors.map(|taylors| self.as_functions(taylors)).map_err(|e| e.to_string())
     }
-}
-
-fn as_functions(mut taylors: Vec<crate::number::Taylor>) -> Evaluation {
-    let constraints = taylors.split_off(1);
-    let objective = taylors.pop().map(crate::number::Taylor::negated).unwrap_or_default();
-    Evaluation { objective, constraints }
 }

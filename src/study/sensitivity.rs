@@ -28,7 +28,9 @@ pub fn sensitivity(best: &Optimum, parameter: &'static Parameter) -> Result<Sens
     refuse_varied(&best.search, parameter)?;
     let at = problem.evaluate_with(&best.solution.x, parameter)?;
     let response = response(&best.solution, &problem.domain, &at)?;
-    Ok(Sensitivity { parameter, value: -response.value, curvature: -response.curvature, optimum: response.x })
+    let sign = best.search.sense.sign();
+    let (value, curvature) = (sign * response.value, sign * response.curvature);
+    Ok(Sensitivity { parameter, value, curvature, optimum: response.x })
 }
 
 /// The sensitivities to each of these parameters, as far as they exist: a reason stands for one that does not.
@@ -55,7 +57,7 @@ pub fn sensitivities(
 /// [`Error::NotVariable`].
 pub fn refuse_varied(search: &Search, parameter: &Parameter) -> Result<()> {
     if search.vary.iter().any(|vary| vary.parameter == parameter) {
-        let reason = "it is varied itself; the price of its bounds is its multiplier".into();
+        let reason = "it is one of the parameters varied; ask about another parameter".into();
         return Err(Error::NotVariable { name: parameter.name.into(), reason });
     }
     Ok(())
@@ -135,12 +137,13 @@ pub fn change(best: &Optimum, change: Change) -> Result<Changed> {
     let resolved = optimum(&setup, best.search.clone(), Watch::default())?;
 
     let before = best.value().unwrap_or_default();
-    let first_order = before - response.value * delta;
+    let sign = best.search.sense.sign();
+    let first_order = before + sign * response.value * delta;
     let event = first_event(solution, &problem.domain, &response, delta);
     Ok(Changed {
         change,
         first_order,
-        second_order: first_order - 0.5 * response.curvature * delta * delta,
+        second_order: first_order + 0.5 * sign * response.curvature * delta * delta,
         predicted: solution.x.iter().zip(&response.x).map(|(x, rate)| x + rate * delta).collect(),
         event: event.map(|(part, event)| (part, in_words(&best.search, event))),
         differences: differences(best, &resolved),

@@ -40,13 +40,13 @@ impl Sigma {
     }
 }
 
-/// An amount of a parameter, SI: with a unit, bare in SI, or a part of its own value in %.
+/// An amount of a parameter, SI: with its unit, or a part of its own value in %.
 pub(super) fn amount_of(
     setup: &Setup<f64>,
     parameter: &Parameter,
     text: &str,
 ) -> std::result::Result<f64, Box<dyn std::error::Error + Send + Sync>> {
-    match parameter.quantity.read_bare(text.trim()) {
+    match parameter.quantity.read(text.trim()) {
         Ok(value) => Ok(value),
         Err(error) => {
             let part = text.trim().strip_suffix('%').and_then(|part| part.trim().parse::<f64>().ok());

@@ -34,6 +34,11 @@ fn sidecar(file: &Path) -> PathBuf {
     PathBuf::from(format!("{}.resume", file.display()))
 }
 
+/// Where the rows are until all of them are there.
+fn so_far(file: &Path) -> PathBuf {
+    PathBuf::from(format!("{}.part", file.display()))
+}
+
 /// Waits until some rows are safe, or the program has ended.
 fn wait_for_rows(child: &mut Child, file: &Path) {
     let has_rows = || fs::read_to_string(sidecar(file)).is_ok_and(|text| text.lines().count() > 1);
@@ -64,19 +69,20 @@ fn killed_and_resumed(many: &[&str], format: &str) {
         let append = |path: &Path, bytes: &[u8]| {
             fs::OpenOptions::new().append(true).open(path).unwrap().write_all(bytes).unwrap();
         };
-        append(&part, b"0.1,0.2,lan");
+        assert!(!part.exists(), "half a file under the name of a whole one");
+        append(&so_far(&part), b"0.1,0.2,lan");
         append(&sidecar(&part), b"{\"rows\":99");
 
         // it is not gone on with by mistake, as another question, or over
         let (status, said) = finish(start(many, &part, &[]));
         assert_eq!(status, Some(2));
-        assert!(said.contains("--resume goes on with it"), "{said}");
+        assert!(said.contains("--resume continues it"), "{said}");
         let (status, said) = finish(start(many, &part, &["--resume", "--set", "swing.speed=100mph"]));
         assert_eq!(status, Some(2));
-        assert!(said.contains("another question (the setup differs)"), "{said}");
+        assert!(said.contains("another command (the setups differ)"), "{said}");
         let (status, said) = finish(start(many, &part, &["--resume", "--wrt", "air.density"]));
         assert_eq!(status, Some(2));
-        assert!(said.contains("the derivatives differs"), "{said}");
+        assert!(said.contains("the derivatives differ"), "{said}");
 
         // Ctrl-C, as far as it has not ended before
         let mut child = start(many, &part, &["--resume"]);
@@ -87,19 +93,19 @@ fn killed_and_resumed(many: &[&str], format: &str) {
         assert!(status == Some(0) || status == Some(1) || status.is_none(), "{status:?} {said}");
         if status == Some(1) {
             assert!(said.contains("--resume") && said.contains("stopped: "), "{said}");
-            readable(&part, format);
+            readable(&so_far(&part), format);
         }
     }
     if sidecar(&part).exists() {
         let (status, said) = finish(start(many, &part, &["--resume", "--threads", "3"]));
         assert_eq!(status, Some(0), "{said}");
-        assert!(said.contains("going on after "), "{said}");
+        assert!(said.contains("resuming after "), "{said}");
     }
-    assert!(!sidecar(&part).exists());
+    assert!(!sidecar(&part).exists() && !so_far(&part).exists());
     assert!(fs::read(&part).unwrap() == fs::read(&whole).unwrap(), "another file than that of an undisturbed run");
     let (status, said) = finish(start(many, &part, &["--resume"]));
     assert_eq!(status, Some(2));
-    assert!(said.contains("nothing to go on with"), "{said}");
+    assert!(said.contains("nothing to resume"), "{said}");
 }
 
 /// How many rows a file holds, all of them whole.
@@ -107,7 +113,7 @@ fn readable(path: &Path, format: &str) -> usize {
     match format {
         "csv" => {
             let mut reader = csv::Reader::from_path(path).unwrap();
-            reader.records().map(|row| assert_eq!(row.unwrap().len(), 51)).count()
+            reader.records().map(|row| assert_eq!(row.unwrap().len(), 3 + 3 * longdrive::Outcome::ALL.len())).count()
         }
         "jsonl" => {
             let text = fs::read_to_string(path).unwrap();
@@ -200,8 +206,9 @@ fn a_full_disk_leaves_whole_rows_that_can_be_gone_on_with() {
         let said = String::from_utf8(output.stderr).unwrap();
         assert_eq!(output.status.code(), Some(2), "{said}");
         let rows: usize = said.split("its first ").nth(1).unwrap().split(' ').next().unwrap().parse().unwrap();
-        assert!(rows > 10_000 && said.contains("rows are complete and stay valid"), "{said}");
-        assert_eq!(readable(&part, format), rows);
+        assert!(rows > 10_000 && said.contains("rows are complete and stay in"), "{said}");
+        assert_eq!(readable(&so_far(&part), format), rows);
+        assert!(!part.exists());
         assert_eq!(finish(start(&many(), &part, &["--resume"])).0, Some(0));
         assert!(fs::read(&part).unwrap() == fs::read(&whole).unwrap(), "{format}");
     }
@@ -220,7 +227,7 @@ fn a_full_device_and_a_closed_pipe() {
     let mut child = program.args(rows).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
     let mut line = String::new();
     BufReader::new(child.stdout.take().unwrap()).read_line(&mut line).unwrap();
-    assert_eq!(line, "club.loft,status,carry\n");
+    assert_eq!(line, "club.loft [rad],status,carry [m]\n");
     let output = child.wait_with_output().unwrap();
     assert_eq!((output.status.code(), String::from_utf8(output.stderr).unwrap().as_str()), (Some(0), ""));
 }
@@ -249,11 +256,12 @@ fn exact_table_and_sample_on_the_command_line() {
     let out = file("out.jsonl");
     let (status, summary) = json(&["sweep", "--points", &file("points.csv"), "-o", &out, "--gradient"]);
     assert_eq!((status, &summary["rows"], &summary["written"]), (0, &2.into(), &2.into()));
-    assert_eq!((&summary["status"]["landed"], &summary["status"]["no-flight"]), (&1.into(), &1.into()));
+    assert_eq!((&summary["statuses"]["landed"], &summary["statuses"]["no-flight"]), (&1.into(), &1.into()));
     let text = fs::read_to_string(&out).unwrap();
     let rows: Vec<serde_json::Value> = text.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
     let at = ["--set", "club.loft=10deg", "--set", "swing.speed=110mph"];
     let (_, drive) = json(&[&["gradient", "--wrt", "club.loft,swing.speed"], &at[..]].concat());
+    let drive = &drive["outcomes"][0];
     // drives side by side round otherwise than one alone
     for (ours, theirs) in
         [(&rows[0]["carry"], &drive["value"]), (&rows[0]["d_carry/d_swing.speed"], &drive["gradient"]["swing.speed"])]
@@ -266,7 +274,7 @@ fn exact_table_and_sample_on_the_command_line() {
     let sample = ["sweep", "--sample", "8", "--over", "club.loft=5deg..15deg", "--wrt", "air.density"];
     let said = longdrive(&sample);
     assert_eq!((said.status, said.out.lines().count()), (0, 9), "{}", said.err);
-    assert!(said.out.starts_with("club.loft,status,carry,d_carry/d_air.density\n"));
+    assert!(said.out.starts_with("club.loft [rad],status,carry [m],d_carry/d_air.density [m/(kg/m^3)]\n"));
     assert_eq!(said.out, longdrive(&[&sample[..], &["--threads", "1"]].concat()).out);
     assert_ne!(said.out, longdrive(&[&sample[..], &["--seed", "1"]].concat()).out);
 }
@@ -290,10 +298,9 @@ fn bad_input_to_a_sweep_is_status_2_and_says_what_to_write() {
         (with(&["-o", "/nowhere/at/all.csv"]), "cannot be written"),
         (with(&["-o", "src", "--format", "csv"]), "it is a folder"),
         (with(&["-o", "Cargo.toml", "--format", "csv"]), "it exists; --overwrite replaces it"),
-        (with(&["-o", "Cargo.toml", "--format", "csv", "--resume"]), "nothing to go on with"),
+        (with(&["-o", "Cargo.toml", "--format", "csv", "--resume"]), "nothing to resume"),
         (with(&["--format", "parquet"]), "Parquet needs a file"),
-        (with(&["--json"]), "name a file with -o"),
-        (with(&["--resume"]), "only a file can be gone on with"),
+        (with(&["--resume"]), "only a file can be resumed"),
         (with(&["--max-size", "much"]), "write a size like"),
         (with(&["--sample", "0"]), "--sample"),
         (with(&["--sample", "5"]), "--sample says how many points there are"),

@@ -5,6 +5,7 @@ mod analysis;
 mod calibration;
 mod command_line;
 mod command_line_certainty;
+mod command_line_files;
 mod command_line_search;
 mod command_line_sweep;
 mod common;
@@ -12,15 +13,20 @@ mod derivatives;
 mod fast_paths;
 mod flight;
 mod impact;
+mod json_answers;
+mod launch;
 mod long_work;
 mod optimizer;
 mod oracle;
 mod reference;
 mod report;
 mod reproduce;
+#[path = "../schema/mod.rs"]
+mod schema;
 mod smoothness;
 mod sweep;
 #[cfg(all(feature = "arrow", feature = "parquet"))]
 mod tables;
 mod uncertainty;
 mod verify;
+mod warnings;

@@ -307,3 +307,187 @@ fn bounds_starts_and_options_that_make_no_sense_are_errors() {
     assert!(minimize(&f, &bounds, &[0.1], &Options { kkt_tolerance: 0.0, ..Options::default() }).is_err());
     assert!(minimize(&f, &bounds, &[0.1], &Options { initial_radius: -1.0, ..Options::default() }).is_err());
 }
+
+const FREE: (f64, f64) = (f64::NEG_INFINITY, f64::INFINITY);
+
+/// A function with constraints, each with its value, gradient and Hessian, in two variables.
+fn solve_subject_to(
+    f: impl Fn(&[f64]) -> Vec<Taylor>,
+    limits: &[(f64, f64)],
+    bounds: [(f64, f64); 2],
+    start: [f64; 2],
+) -> Solution {
+    let problem = |x: &[f64]| {
+        let mut all = f(x);
+        Ok(Evaluation { constraints: all.split_off(1), objective: all.swap_remove(0) })
+    };
+    let (low, high) = bounds.into_iter().unzip();
+    let (least, most) = limits.iter().copied().unzip();
+    let domain = Domain::new(low, high).unwrap().subject_to(least, most).unwrap();
+    minimize(&problem, &domain, &start, &Options::default()).unwrap()
+}
+
+fn taylor(value: f64, gradient: [f64; 2], hessian: [[f64; 2]; 2]) -> Taylor {
+    Taylor { value, gradient: gradient.to_vec(), hessian: hessian.map(|row| row.to_vec()).to_vec() }
+}
+
+const FLAT: [[f64; 2]; 2] = [[0.0; 2]; 2];
+
+#[test]
+fn exact_objectives_that_fall_without_end_are_unbounded() {
+    // −x³ + y²
+    let cubic = |v: &[f64]| {
+        let (x, y) = (v[0], v[1]);
+        Ok(plain(-x.powi(3) + y * y, vec![-3.0 * x * x, 2.0 * y], vec![vec![-6.0 * x, 0.0], vec![0.0, 2.0]]))
+    };
+    let found = solve(cubic, &[FREE, FREE], &[1.0, 1.0]);
+    assert_eq!((found.status, found.status.name()), (Status::Unbounded, "unbounded"), "{}", found.message);
+    assert!(found.message.contains("variable 0") && found.value.unwrap() < -1e30, "{}", found.message);
+    // with x ≤ 7 it has a minimum: −343
+    let held = solve(cubic, &[(f64::NEG_INFINITY, 7.0), FREE], &[1.0, 1.0]);
+    assert_eq!((held.status, held.value), (Status::Converged, Some(-343.0)), "{}", held.message);
+
+    let line = |v: &[f64]| Ok(plain(-v[0], vec![-1.0], vec![vec![0.0]]));
+    let logarithm = |v: &[f64]| match v[0] > 0.0 {
+        true => Ok(plain(-v[0].ln(), vec![-1.0 / v[0]], vec![vec![v[0].powi(-2)]])),
+        false => Err("there is no logarithm".to_owned()),
+    };
+    let exponential = |v: &[f64]| {
+        let e = -v[0].exp();
+        Ok(plain(e, vec![e], vec![vec![e]]))
+    };
+    // overflows at x = 6.6
+    let overflowing = |v: &[f64]| {
+        let (inner, f) = (v[0].exp(), -v[0].exp().exp());
+        Ok(plain(f, vec![f * inner], vec![vec![f * inner * (1.0 + inner)]]))
+    };
+    let functions: [(&str, &dyn Fn(&[f64]) -> Evaluated); 4] =
+        [("−x", &line), ("−ln x", &logarithm), ("−eˣ", &exponential), ("−exp eˣ", &overflowing)];
+    for (name, f) in functions {
+        let found = solve(f, &[FREE], &[1.0]);
+        assert_eq!(found.status, Status::Unbounded, "{name}: {} at {:?}", found.message, found.x);
+    }
+}
+
+#[test]
+fn exact_minima_far_away_are_no_unbounded_objectives() {
+    // (x − 1e9)²: nine powers of ten from the start
+    let far = |v: &[f64]| {
+        let d = v[0] - 1e9;
+        Ok(plain(d * d, vec![2.0 * d], vec![vec![2.0]]))
+    };
+    let found = solve(far, &[FREE], &[0.0]);
+    assert_eq!((found.status, found.x[0]), (Status::Converged, 1e9), "{}", found.message);
+    // −x³ + 1e-8 x⁴: the least at x = 3/4 · 1e8
+    let late = |v: &[f64]| {
+        let x = v[0];
+        let (f, slope) = (-x.powi(3) + 1e-8 * x.powi(4), -3.0 * x * x + 4e-8 * x.powi(3));
+        Ok(plain(f, vec![slope], vec![vec![-6.0 * x + 12e-8 * x * x]]))
+    };
+    let found = solve(late, &[FREE], &[1.0]);
+    assert_eq!(found.status, Status::Converged, "{}", found.message);
+    assert!((found.x[0] / 0.75e8 - 1.0).abs() < 1e-9, "{:?}", found.x);
+    // e⁻ˣ has no minimum, but its infimum 0 is met to any tolerance
+    let flat = |v: &[f64]| {
+        let e = (-v[0]).exp();
+        Ok(plain(e, vec![-e], vec![vec![e]]))
+    };
+    assert_eq!(solve(flat, &[FREE], &[0.0]).status, Status::Converged);
+}
+
+#[test]
+fn exact_unbounded_along_constraints() {
+    // −x − y on the line x = y
+    let line = |v: &[f64]| vec![taylor(-v[0] - v[1], [-1.0, -1.0], FLAT), taylor(v[0] - v[1], [1.0, -1.0], FLAT)];
+    let found = solve_subject_to(line, &[(0.0, 0.0)], [FREE; 2], [0.5, 0.0]);
+    assert_eq!(found.status, Status::Unbounded, "{} {:?}", found.message, found.x);
+    // −x above the parabola y ≥ x²: unbounded, along a curve; with y ≤ 9 the minimum is −3
+    let parabola = |v: &[f64]| {
+        vec![
+            taylor(-v[0], [-1.0, 0.0], FLAT),
+            taylor(v[1] - v[0] * v[0], [-2.0 * v[0], 1.0], [[-2.0, 0.0], [0.0, 0.0]]),
+        ]
+    };
+    let above = [(0.0, f64::INFINITY)];
+    let found = solve_subject_to(parabola, &above, [FREE, (f64::NEG_INFINITY, 9.0)], [1.0, 2.0]);
+    assert_eq!(found.status, Status::Converged, "{}", found.message);
+    assert!((found.x[0] - 3.0).abs() < 1e-8, "{:?}", found.x);
+    let found = solve_subject_to(parabola, &above, [FREE; 2], [1.0, 2.0]);
+    assert_ne!(found.status, Status::Converged, "{} {:?}", found.message, found.x);
+}
+
+#[test]
+fn exact_minima_from_stationary_points_of_the_violation() {
+    // (x − 20)² + (y + 20)² on the ellipse 0.01 x² + 100 y² = 1, from its centre, where the constraint's gradient vanishes
+    let ellipse = |v: &[f64]| {
+        let (x, y) = (v[0], v[1]);
+        vec![
+            taylor(
+                (x - 20.0).powi(2) + (y + 20.0).powi(2),
+                [2.0 * (x - 20.0), 2.0 * (y + 20.0)],
+                [[2.0, 0.0], [0.0, 2.0]],
+            ),
+            taylor(0.01 * x * x + 100.0 * y * y, [0.02 * x, 200.0 * y], [[0.02, 0.0], [0.0, 200.0]]),
+        ]
+    };
+    // by x = 10 cos t, y = 0.1 sin t, searched to the last digit by bisection of the slope
+    let slope = |t: f64| {
+        let (sin, cos) = t.sin_cos();
+        -20.0 * sin * (10.0 * cos - 20.0) + 0.2 * cos * (0.1 * sin + 20.0)
+    };
+    let (mut low, mut high) = (-0.5, 0.5);
+    for _ in 0..200 {
+        let middle = 0.5 * (low + high);
+        if slope(middle) < 0.0 { low = middle } else { high = middle }
+    }
+    let least = (10.0 * low.cos() - 20.0).powi(2) + (0.1 * low.sin() + 20.0).powi(2);
+    assert!((least - 499.960_01).abs() < 1e-4, "{least}");
+    for start in [[0.0, 0.0], [1e-9, 0.0], [0.0, -1e-12]] {
+        let found = solve_subject_to(ellipse, &[(1.0, 1.0)], [FREE; 2], start);
+        assert_eq!(found.status, Status::Converged, "from {start:?}: {}", found.message);
+        assert!((found.value.unwrap() - least).abs() < 1e-8, "from {start:?}: {:?}", found.value);
+    }
+    // x + y with x³ ≥ 1 from 0, where slope and curvature of the violation vanish together
+    let cubic = |v: &[f64]| {
+        let (x, y) = (v[0], v[1]);
+        vec![
+            taylor(x + y * y, [1.0, 2.0 * y], [[0.0, 0.0], [0.0, 2.0]]),
+            taylor(x.powi(3), [3.0 * x * x, 0.0], [[6.0 * x, 0.0], [0.0, 0.0]]),
+        ]
+    };
+    let found = solve_subject_to(cubic, &[(1.0, f64::INFINITY)], [(-5.0, 5.0); 2], [0.0, 0.0]);
+    assert_eq!(found.status, Status::Converged, "{}", found.message);
+    assert!((found.x[0] - 1.0).abs() < 1e-8, "{:?}", found.x);
+    // a local minimum of the violation that is not zero: (x² − 1)² + x/4 ≤ −0.1 has its other valley, at x ≈ 1, above that
+    let valleys = |v: &[f64]| {
+        let (x, y) = (v[0], v[1]);
+        let (w, slope) = (x * x - 1.0, 4.0 * x * (x * x - 1.0) + 0.25);
+        vec![
+            taylor(y * y - x, [-1.0, 2.0 * y], [[0.0, 0.0], [0.0, 2.0]]),
+            taylor(w * w + 0.25 * x, [slope, 0.0], [[12.0 * x * x - 4.0, 0.0], [0.0, 0.0]]),
+        ]
+    };
+    let found = solve_subject_to(valleys, &[(f64::NEG_INFINITY, -0.1)], [(-3.0, 3.0); 2], [1.1, 0.5]);
+    assert_eq!(found.status, Status::Converged, "{} {:?}", found.message, found.x);
+    assert!(found.x[0] < 0.0 && (found.constraints[0].value + 0.1).abs() < 1e-9, "{:?}", found.x);
+}
+
+#[test]
+fn exact_contradicting_constraints_stay_infeasible() {
+    // x² + y² ≤ −1, from its centre and from elsewhere; x + y = 0 and x + y = 1
+    let never = |v: &[f64]| {
+        let (x, y) = (v[0], v[1]);
+        vec![taylor(x, [1.0, 0.0], FLAT), taylor(x * x + y * y, [2.0 * x, 2.0 * y], [[2.0, 0.0], [0.0, 2.0]])]
+    };
+    for start in [[0.0, 0.0], [0.7, -0.3]] {
+        let found = solve_subject_to(never, &[(f64::NEG_INFINITY, -1.0)], [FREE; 2], start);
+        assert_eq!(found.status, Status::Infeasible, "from {start:?}: {}", found.message);
+        assert!(found.x.iter().all(|x| x.abs() < 1e-2), "{:?}", found.x);
+    }
+    let apart = |v: &[f64]| {
+        let sum = || taylor(v[0] + v[1], [1.0, 1.0], FLAT);
+        vec![taylor(v[0], [1.0, 0.0], FLAT), sum(), sum()]
+    };
+    let found = solve_subject_to(apart, &[(0.0, 0.0), (1.0, 1.0)], [(-5.0, 5.0); 2], [0.3, 0.0]);
+    assert_eq!(found.status, Status::Infeasible, "{}", found.message);
+}

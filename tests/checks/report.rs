@@ -161,7 +161,7 @@ fn exact_limits_on_a_map_are_where_the_outcome_is_at_its_limit() {
     // pieces are parted by rows without numbers
     for row in line.iter().filter(|row| !row.contains("deg,,")).step_by(7) {
         let at: Vec<&str> = row.split(',').skip(2).take(2).collect();
-        let set = [format!("club.loft={}", at[0]), format!("swing.attack_angle={}", at[1])];
+        let set = [format!("club.loft={}rad", at[0]), format!("swing.attack_angle={}rad", at[1])];
         let (_, drive) = json(&["simulate", "--set", &set[0], "--set", &set[1]]);
         // between nodes a map is straight
         close(number(&drive["flight"]["descent_angle"]).to_degrees(), 38.0, 1.0, 0.01, row);
@@ -321,7 +321,7 @@ fn a_report_without_an_optimum_says_why_and_ends_with_status_one() {
     let said = longdrive(&[&["report", "-o", &directory], limits.as_slice()].concat());
     assert_eq!(said.status, 1, "{}", said.err);
     let page = std::fs::read_to_string(Path::new(&directory).join("index.html")).unwrap();
-    assert!(page.contains("no optimum: infeasible") && page.contains("The landscape"), "{}", said.err);
+    assert!(page.contains("no optimum: infeasible") && page.contains("The map"), "{}", said.err);
     let said = longdrive(&[
         "report",
         "-o",
@@ -349,7 +349,7 @@ fn bad_plots_and_folders_get_messages_that_help() {
         (vec!["plot", "trajectory", "-o", &svg, "--set", "swing.attack_angle=-20deg"], 1, vec!["no flight"]),
         (vec!["plot", "contour", "-o", &svg, "--vary", "club.loft=4deg..20deg"], 2, vec!["two parameters", "--vary"]),
         (
-            vec!["plot", "chart", "-o", &svg, "--along", "swing.speed=40..50", "--show", "club.lof"],
+            vec!["plot", "chart", "-o", &svg, "--along", "swing.speed=40..50m/s", "--show", "club.lof"],
             2,
             vec!["did you mean 'club.loft'?"],
         ),

@@ -265,17 +265,17 @@ fn exact_an_outcome_that_does_not_depend_on_what_is_uncertain_says_so() {
     }
     let carry = &found.outcomes[2];
     assert!(carry.varies() && carry.measure_first(&found.inputs).unwrap().0.name == "air.density");
-    let text = uncertainty_text(&found);
+    let text = uncertainty_text(&found, longdrive::units::System::Us);
     assert!(
         text.contains("ball_speed is 161.96 mph in every drive")
             && text.contains("it does not depend on the uncertain parameter\n"),
         "{text}"
     );
     assert!(!text.contains("NaN") && !text.contains("inf"), "{text}");
-    let json = serde_json::to_value(UncertaintyReport::new(&found, vec![])).unwrap();
+    let json = serde_json::to_value(UncertaintyReport::reply(&found, vec![])).unwrap();
     assert_eq!(json["outcomes"][0]["varies"], false);
     assert_eq!(json["outcomes"][0]["measure_first"], serde_json::Value::Null);
-    assert_eq!(json["outcomes"][0]["monte_carlo"]["deviation"]["value"], 0.0);
+    assert_eq!(json["outcomes"][0]["monte_carlo"]["standard_uncertainty"]["value"], 0.0);
 }
 
 #[test]
@@ -300,7 +300,7 @@ fn exact_uncertainties_beyond_all_measure_leave_no_infinity() {
         let (first, second) = outcome.delta.unwrap();
         assert!(first.deviation.is_finite() && second.is_none(), "{outcome:?}");
     }
-    let text = uncertainty_text(&found);
+    let text = uncertainty_text(&found, longdrive::units::System::Us);
     assert!(!text.contains("NaN") && !text.contains("inf"), "{text}");
     let found = effects(&setup, &[Outcome::Carry], &[sigma], |_, _| ()).unwrap().remove(0);
     let bar = found.effects[0].bar.unwrap();

@@ -333,7 +333,7 @@ fn paper_while_loop_has_the_wrong_sign_beside_the_certificate() {
     assert!(row.has_wrong_sign() && row.check.verdict != Verdict::Pass);
     // what the loop does not know it is not asked
     let mut windy = setup;
-    windy.set("wind.downrange", "3").unwrap();
+    windy.set("wind.downrange", "3 m/s").unwrap();
     assert!(longdrive::reproduce::while_loop(&windy, &certificate.rows).is_empty());
 }
 

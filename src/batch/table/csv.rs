@@ -1,12 +1,13 @@
 use super::{Fingerprint, column, refuse_columns, refused};
 use crate::batch::points::Points;
 use crate::error::Result;
+use crate::foreign::of_csv;
 use crate::parameters::{Parameter, Setup};
 use csv::{Reader, ReaderBuilder, StringRecord, Trim};
 use std::fs::File;
 use std::path::{Path, PathBuf};
 
-/// Points in a CSV file. Its head names the parameters; `club.loft` is in SI, `club.loft [deg]` in the unit it names.
+/// Points in a CSV file. Its head names the parameters with their units: `club.loft [deg]`, `impact.restitution`.
 #[derive(Debug)]
 pub struct CsvTable {
     path: PathBuf,
@@ -19,7 +20,7 @@ pub struct CsvTable {
     record: StringRecord,
 }
 
-/// A column of numbers, and the unit that they are in; none for SI.
+/// A column of numbers, and the unit that they are in; a plain number has none.
 #[derive(Clone, Debug)]
 struct Column {
     parameter: &'static Parameter,
@@ -34,7 +35,7 @@ impl CsvTable {
     /// twice, a unit of another kind, and a cell that is no number.
     pub fn open(setup: &Setup<f64>, path: &Path) -> Result<Self> {
         let mut reader = begin(path)?;
-        let head = reader.headers().map_err(|error| refused(path, String::new(), error.to_string()))?.clone();
+        let head = reader.headers().map_err(|error| refused(path, String::new(), of_csv(&error)))?.clone();
         let columns = head.iter().enumerate().map(|(at, head)| Column::read(setup, path, at + 1, head));
         let columns = columns.collect::<Result<Vec<_>>>()?;
         let parameters: Vec<_> = columns.iter().map(|column| column.parameter).collect();
@@ -49,7 +50,7 @@ impl CsvTable {
     fn record(&mut self) -> Result<bool> {
         self.reader.read_record(&mut self.record).map_err(|error| {
             let place = format!(", row {}", self.next + 1);
-            refused(&self.path, place, error.to_string())
+            refused(&self.path, place, of_csv(&error))
         })
     }
 }
@@ -73,6 +74,10 @@ impl Column {
             && let Err(error) = parameter.quantity.read(&format!("1 {unit}"))
         {
             return Err(refused(path, format!(", column {number} ({name})"), error.to_string()));
+        }
+        if unit.is_none() && !parameter.quantity.si.is_empty() {
+            let reason = format!("it has no unit; write it into the head, as in '{name} [{}]'", parameter.unit);
+            return Err(refused(path, format!(", column {number} ({name})"), reason));
         }
         Ok(Self { parameter, unit: unit.map(str::to_owned) })
     }

@@ -1,19 +1,26 @@
 use crate::args::Calibrate;
+use crate::files::Rule;
 use crate::output::{Answer, tell, warn};
-use crate::reproduce::write;
+use crate::reproduce::{DOCUMENT, write};
 use crate::search::{BEST_SO_FAR, interrupt};
 use longdrive::optimize::least_squares::{Follow, Loss, Status};
 use longdrive::parameters::{Law, Vary};
 use longdrive::report::plot::Look;
-use longdrive::report::{CalibrationReport, calibration_document, calibration_json, calibration_toml};
+use longdrive::report::{CalibrationReport, calibration_document, calibration_reply, calibration_toml};
 use longdrive::study::calibrate::{HeldOut, Plan, ShotTable, calibrate, held_out};
 use longdrive::{Error, Result, Setup};
-use std::fs::{self, File};
+use serde_json::json;
+use std::fs::File;
+use std::path::PathBuf;
 use std::sync::Arc;
 
 pub fn run(args: &Calibrate) -> Result<Answer> {
     let setup = args.question.setup()?;
-    warn(&setup.warnings());
+    let rule = Rule::new(args.question.inputs().chain([args.data.as_path()]), args.overwrite);
+    let output = args.output.as_ref().map(|file| rule.file(file)).transpose()?;
+    let folder = args.plot.as_ref().map(|folder| rule.folder(folder, &DOCUMENT)).transpose()?;
+    let warnings = setup.warnings();
+    warn(&warnings);
     let file = args.data.display().to_string();
     let cannot = |error: std::io::Error| Error::Table {
         file: file.clone(),
@@ -43,18 +50,22 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
     }
     let report = CalibrationReport { table: &table, found: &found, held_out: &held };
     let document = calibration_document(&report);
-    if let Some(path) = &args.output {
-        fs::write(path, calibration_toml(&found, &file)).map_err(|error| Error::Results {
-            file: path.display().to_string(),
-            reason: format!("{error}; name a file that can be written"),
-        })?;
-        tell(&format!("wrote the fitted setup into {}", path.display()));
+    if let Some(output) = &output {
+        output.write(calibration_toml(&found, args.question.preset()?, &file)?.as_bytes())?;
+        tell(&format!("wrote the fitted setup into {}", output.path().display()));
     }
-    if let Some(folder) = &args.plot {
+    if let Some(folder) = &folder {
         write(folder, &document, &Look::default())?;
     }
-    let answer =
-        if args.question.json { Answer::json(&calibration_json(&report)) } else { Answer::text(document.text()) };
+    let answer = if args.question.json {
+        let mut reply = calibration_reply(&report, warnings);
+        let named = |path: &Option<PathBuf>| json!(path.as_ref().map(|path| path.display().to_string()));
+        reply.body["file"] = named(&args.output);
+        reply.body["folder"] = named(&args.plot);
+        Answer::json(&reply)
+    } else {
+        Answer::text(document.text())
+    };
     Ok(answer.found(found.fit.status == Status::Converged))
 }
 

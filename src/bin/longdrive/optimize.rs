@@ -1,7 +1,8 @@
 use crate::args::Optimize;
-use crate::output::{Answer, tell, warn};
+use crate::files::{Destination, Rule};
+use crate::output::{Answer, system, tell, warn};
 use longdrive::optimize::Status;
-use longdrive::report::{LocalReport, OptimumReport, optima_text, optimum_text};
+use longdrive::report::{OptimumReport, optima_text, optimum_text, optimum_toml};
 use longdrive::study::Optimum;
 use longdrive::{Result, Setup};
 
@@ -9,19 +10,42 @@ pub fn run(args: &Optimize) -> Result<Answer> {
     let setup = args.question.setup()?;
     let search = args.search.search(&setup)?;
     let setup = args.question.within_tolerance(setup, &search.vary)?;
+    let output = args.destination()?;
     let optima = args.work.run(&setup, &search)?;
     let best = optima.best()?;
     let warnings = remarks(&setup, best);
     warn(&warnings);
-    let has_many = args.work.starts > 1;
+    let written = output.as_ref().map(|output| args.write(output, best)).transpose()?.flatten();
     let answer = if args.question.json {
-        let listed = has_many.then(|| LocalReport::all(&optima));
-        Answer::json(&OptimumReport { optima: listed, ..OptimumReport::new(best, warnings) })
+        let mut reply = OptimumReport::reply(&optima, warnings)?;
+        reply.body.file = written;
+        Answer::json(&reply)
     } else {
-        let listed = if has_many { optima_text(&optima) } else { String::new() };
-        Answer::text(optimum_text(best) + &listed)
+        let listed = if args.work.starts > 1 { optima_text(&optima, system()) } else { String::new() };
+        Answer::text(optimum_text(best, system()) + &listed)
     };
     Ok(answer.found(best.solution.status == Status::Converged && optima.stopped() == 0))
+}
+
+impl Optimize {
+    /// Where the setup at the optimum goes, if it may be written there.
+    pub fn destination(&self) -> Result<Option<Destination>> {
+        let inputs = self.question.inputs().chain(self.work.checkpoint.as_deref());
+        let rule = Rule::new(inputs, self.overwrite);
+        self.output.as_ref().map(|file| rule.file(file)).transpose()
+    }
+
+    /// Writes the setup at the optimum, into the file returned; where there is no optimum, nothing.
+    pub fn write(&self, output: &Destination, best: &Optimum) -> Result<Option<String>> {
+        let file = output.path().display();
+        if best.solution.status != Status::Converged {
+            tell(&format!("{file} is not written: there is no optimum"));
+            return Ok(None);
+        }
+        output.write(optimum_toml(best, self.question.preset()?)?.as_bytes())?;
+        tell(&format!("wrote the setup at the optimum into {file}"));
+        Ok(Some(file.to_string()))
+    }
 }
 
 /// What deserves a word about an optimum.
@@ -29,9 +53,5 @@ pub fn remarks(setup: &Setup<f64>, best: &Optimum) -> Vec<String> {
     if let Some(moved) = best.moved_start() {
         tell(&moved);
     }
-    let mut warnings = setup.warnings();
-    if let Some(drive) = &best.drive {
-        warnings.extend(drive.corners(&best.setup));
-    }
-    warnings
+    best.drive.as_ref().map_or_else(|| setup.warnings(), |drive| drive.warnings(&best.setup))
 }

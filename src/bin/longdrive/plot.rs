@@ -1,9 +1,11 @@
 use crate::args::{
-    Drawing, Plot, PlotChart, PlotContour, PlotKind, PlotTornado, PlotTrajectory, PlotVcurve, Question, Seen, Units,
+    Drawing, Plot, PlotChart, PlotContour, PlotKind, PlotTornado, PlotTrajectory, PlotVcurve, Question, Seen,
 };
+use crate::files::{Destination, Rule};
 use crate::names::{outcomes, variables};
-use crate::output::{Answer, tell, warn};
+use crate::output::{Answer, bar, show, spinner, system, tell, warn};
 use longdrive::optimize::Watch;
+use longdrive::report::Reply;
 use longdrive::report::figures::{
     Flown, View, chart_figures, map_figure, tornado_figure, trajectory_figure, vcurve_figure,
 };
@@ -14,8 +16,7 @@ use longdrive::study::{
     Constraint, Fineness, Map, Optimum, Search, Sigma, Vary, chart, effects, flatness, map, optimum, usual_loss,
     with_defaults,
 };
-use longdrive::units::System;
-use longdrive::{Error, Outcome, Result, Setup};
+use longdrive::{Drive, Error, Outcome, Result, Setup};
 use serde_json::json;
 use std::path::Path;
 
@@ -30,40 +31,41 @@ pub fn run(args: &Plot) -> Result<Answer> {
 }
 
 fn trajectory(args: &PlotTrajectory) -> Result<Answer> {
-    let format = Format::of(&args.drawing.output)?;
+    let target = Target::new(&args.question, &args.drawing)?;
     let setup = args.question.within_tolerance(args.question.setup()?, &[])?;
-    warn(&setup.warnings());
     let flown = Flown::new("", &setup)?;
     flown.drive.landed()?;
     let view = match args.view {
         Seen::Side => View::Side,
         Seen::Top => View::Top,
     };
-    written(&args.question, &args.drawing, format, &trajectory_figure(&[flown], view))
+    target.written(&args.question, &setup, &args.drawing, &trajectory_figure(&[flown], view))
 }
 
 fn contour(args: &PlotContour) -> Result<Answer> {
-    let format = Format::of(&args.drawing.output)?;
+    let target = Target::new(&args.question, &args.drawing)?;
     let setup = args.question.setup()?;
     let search = args.search.search(&setup)?;
     let setup = args.question.within_tolerance(setup, &search.vary)?;
+    let spinner = spinner("flying the map");
     let (best, map) = mapped(&setup, &search)?;
     let best = best.as_ref();
     let limits = limits(best.map_or(&setup, |best| &best.setup), &search)?;
     let flatness = best.map(|best| flatness(best, usual_loss(best))).transpose()?;
-    written(&args.question, &args.drawing, format, &map_figure(&map, &limits, best, flatness.as_ref()))
+    spinner.finish_and_clear();
+    target.written(&args.question, &setup, &args.drawing, &map_figure(&map, &limits, best, flatness.as_ref()))
 }
 
 /// The map around an optimum; around the setup itself, where there is none.
 fn mapped(setup: &Setup<f64>, search: &Search) -> Result<(Option<Optimum>, Map)> {
     let [across, up, ..] = search.vary[..] else {
-        let (name, reason) = ("--vary".into(), "a map needs two parameters: give --vary twice".into());
+        let (name, reason) = ("--vary".into(), "a map needs two parameters; give --vary twice".into());
         return Err(Error::SearchRange { name, reason });
     };
     let best = optimum(setup, search.clone(), Watch::default())?;
     let is_found = best.solution.status == longdrive::optimize::Status::Converged;
     if !is_found {
-        tell(&format!("without an optimum: {}: {}", best.status(), best.message()));
+        tell(&format!("no optimum is drawn: {}: {}", best.status(), best.message()));
     }
     let around = if is_found { &best.setup } else { setup };
     let map = map(around, search.maximize, across, up, Fineness::default())?;
@@ -80,7 +82,7 @@ pub fn limits(around: &Setup<f64>, search: &Search) -> Result<Vec<(Constraint, M
 }
 
 fn along(args: &PlotChart) -> Result<Answer> {
-    let format = Format::of(&args.drawing.output)?;
+    let target = Target::new(&args.question, &args.drawing)?;
     let setup = args.question.setup()?;
     let search = args.search.search(&setup)?;
     let along = Vary::read(&setup, &args.along)?;
@@ -95,43 +97,55 @@ fn along(args: &PlotChart) -> Result<Answer> {
     };
     let ranges: Vec<_> = search.vary.iter().copied().chain([along]).collect();
     let setup = args.question.within_tolerance(setup, &ranges)?;
-    let chart = chart(&setup, &search, along, |_| true)?;
+    let bar = bar("optima");
+    let chart = chart(&setup, &search, along, |_| {
+        bar.inc(1);
+        true
+    });
+    bar.finish_and_clear();
+    let chart = chart?;
     for note in chart.begun.iter().chain(&chart.ended) {
         tell(note);
     }
     match chart_figures(&chart).get(shown) {
-        Some(figure) => written(&args.question, &args.drawing, format, figure),
+        Some(figure) => target.written(&args.question, &setup, &args.drawing, figure),
         None => Err(Error::Nothing { doing: "draw", what: "optimum" }),
     }
 }
 
 fn tornado(args: &PlotTornado) -> Result<Answer> {
-    let format = Format::of(&args.drawing.output)?;
+    let target = Target::new(&args.question, &args.drawing)?;
     let setup = args.question.within_tolerance(args.question.setup()?, &[])?;
     let of = Outcome::named(&args.of)?;
     let given = args.sigma.iter().map(|text| Sigma::read(&setup, text)).collect::<Result<Vec<_>>>()?;
-    let found = effects(&setup, &[of], &with_defaults(&setup, &given)?, |_, _| ())?;
+    let bar = bar("uncertainties");
+    let found = effects(&setup, &[of], &with_defaults(&setup, &given)?, |done, all| show(&bar, done, all));
+    bar.finish_and_clear();
+    let found = found?;
     match found.first() {
-        Some(effects) => written(&args.question, &args.drawing, format, &tornado_figure(effects)),
+        Some(effects) => target.written(&args.question, &setup, &args.drawing, &tornado_figure(effects)),
         None => Err(Error::Nothing { doing: "draw", what: "outcome" }),
     }
 }
 
 fn vcurve(args: &PlotVcurve) -> Result<Answer> {
-    let format = Format::of(&args.drawing.output)?;
+    let target = Target::new(&args.question, &args.drawing)?;
     let setup = args.question.within_tolerance(args.question.setup()?, &[])?;
     let (of, wrt) = (outcomes(&args.of)?, variables(&setup, &args.wrt)?);
-    let certificate = certify(&setup, &of, &wrt, |_, _| ())?;
+    let bar = bar("parameters");
+    let certificate = certify(&setup, &of, &wrt, |done, all| show(&bar, done, all));
+    bar.finish_and_clear();
+    let certificate = certificate?;
     for (of, why) in &certificate.missing {
         tell(&format!("left out: {}: {why}", of.name()));
     }
     // in the order asked for, without what is looked at beside
     let asked = of.iter().flat_map(|of| wrt.iter().map(move |parameter| (*of, *parameter)));
     let row = |(of, parameter)| certificate.rows.iter().find(|row| row.of == of && row.parameter == parameter);
-    written(
+    target.written(
         &args.question,
+        &setup,
         &args.drawing,
-        format,
         &vcurve_figure(asked.filter_map(row), &while_loop(&setup, &certificate.rows)),
     )
 }
@@ -156,38 +170,51 @@ impl Format {
             Some("csv") => Ok(Self::Csv),
             _ => {
                 let pictures = if cfg!(feature = "png") { ".svg or .png" } else { ".svg" };
-                let reason = format!(
-                    "its ending does not say what to write; end it in {pictures} for a picture, or in .csv for its data"
-                );
+                let reason =
+                    format!("its ending does not name a format; use {pictures} for a picture, or .csv for its data");
                 Err(Error::Plot { name: file.display().to_string(), reason })
             }
         }
     }
 }
 
-fn written(question: &Question, drawing: &Drawing, format: Format, figure: &Figure) -> Result<Answer> {
-    let system = match drawing.units {
-        Units::Metric => System::Metric,
-        Units::Us => System::Us,
-    };
-    let shades = if drawing.dark { Shades::Dark } else { Shades::Light };
-    let look = Look { system, shades, width: drawing.width };
-    let bytes = match format {
-        Format::Svg => figure_svg(figure, &look)?.into_bytes(),
-        #[cfg(feature = "png")]
-        Format::Png => longdrive::report::plot::figure_png(figure, &look, 2.0)?,
-        Format::Csv => figure_csv(figure)?.into_bytes(),
-    };
-    let file = drawing.output.display().to_string();
-    std::fs::write(&drawing.output, &bytes)
-        .map_err(|error| Error::Results { file: file.clone(), reason: error.to_string() })?;
-    tell(&format!("{file}: {}", figure.title));
-    if !figure.note.is_empty() {
-        tell(&figure.note);
+/// Where a plot goes, and as what.
+struct Target {
+    format: Format,
+    destination: Destination,
+}
+
+impl Target {
+    /// What was asked for, if it may be written.
+    fn new(question: &Question, drawing: &Drawing) -> Result<Self> {
+        let format = Format::of(&drawing.output)?;
+        let rule = Rule::new(question.inputs(), drawing.overwrite);
+        Ok(Self { format, destination: rule.file(&drawing.output)? })
     }
-    Ok(if question.json {
-        Answer::json(&json!({ "file": file, "title": figure.title, "note": figure.note, "bytes": bytes.len() }))
-    } else {
-        Answer::text(String::new())
-    })
+
+    fn written(&self, question: &Question, setup: &Setup<f64>, drawing: &Drawing, figure: &Figure) -> Result<Answer> {
+        let warnings = Drive::new(setup).map_or_else(|_| setup.warnings(), |drive| drive.warnings(setup));
+        warn(&warnings);
+        let shades = if drawing.dark { Shades::Dark } else { Shades::Light };
+        let look = Look { system: system(), shades, width: drawing.width };
+        let bytes = match self.format {
+            Format::Svg => figure_svg(figure, &look)?.into_bytes(),
+            #[cfg(feature = "png")]
+            Format::Png => longdrive::report::plot::figure_png(figure, &look, 2.0)?,
+            Format::Csv => figure_csv(figure)?.into_bytes(),
+        };
+        let file = drawing.output.display().to_string();
+        self.destination.write(&bytes)?;
+        tell(&format!("{file}: {}", figure.title));
+        if !figure.note.is_empty() {
+            tell(&figure.note);
+        }
+        Ok(if question.json {
+            let (name, title, note) = (&figure.name, &figure.title, &figure.note);
+            let body = json!({ "name": name, "file": file, "title": title, "note": note, "bytes": bytes.len() });
+            Answer::json(&Reply::done("plot", warnings, body))
+        } else {
+            Answer::text(String::new())
+        })
+    }
 }

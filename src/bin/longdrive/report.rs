@@ -1,7 +1,10 @@
 use crate::args::Report;
-use crate::output::{Answer, bar, tell, warn};
+use crate::files::Rule;
+use crate::output::{Answer, bar, system, tell, warn};
 use crate::plot::limits;
+use longdrive::flight::Flight;
 use longdrive::optimize::{Status, Watch};
+use longdrive::report::Reply;
 use longdrive::report::figures::Flown;
 use longdrive::report::page::{Document, Findings, report_documents};
 use longdrive::reproduce::while_loop;
@@ -9,9 +12,8 @@ use longdrive::study::certificate::{Row, certify};
 use longdrive::study::{
     Fineness, Search, Sigma, Vary, chart, effects, flatness, map, optimum, usual_loss, with_defaults,
 };
-use longdrive::{Error, Outcome, Result, Setup};
+use longdrive::{Outcome, Result, Setup};
 use serde_json::json;
-use std::path::Path;
 
 /// Optima along the parameter are about this many: what the bar counts to.
 const USUAL_POINTS: u64 = 24;
@@ -26,14 +28,12 @@ pub fn run(args: &Report) -> Result<Answer> {
     let given = args.sigma.iter().map(|text| Sigma::read(&setup, text)).collect::<Result<Vec<_>>>()?;
     let sigmas = with_defaults(&setup, &given)?;
     // before the work, not after it
-    let folder = &args.output;
-    std::fs::create_dir_all(folder).map_err(|error| unwritable(folder, &error))?;
+    let folder = Rule::new(args.question.inputs(), args.overwrite).folder(&args.output, &["index.html"])?;
 
     let bar = bar("parts");
     bar.set_length(USUAL_POINTS + 5);
-    let mut remarks = setup.warnings();
     let mut flown = vec![Flown::new("as set up", &setup)?];
-    remarks.extend(flown[0].drive.corners(&setup));
+    let mut remarks = flown[0].drive.warnings(&setup);
     bar.inc(1);
 
     let found = optimum(&setup, search.clone(), Watch::default())?;
@@ -43,7 +43,11 @@ pub fn run(args: &Report) -> Result<Answer> {
     }
     let best = is_found.then_some(&found);
     if let Some(best) = best {
-        flown.push(Flown::new("optimum", &best.setup)?);
+        let longest = Flown::new("optimum", &best.setup)?;
+        let of_drive = longest.drive.warnings(&best.setup).into_iter().filter(|warning| !remarks.contains(warning));
+        let of_drive: Vec<_> = of_drive.map(|warning| format!("at the optimum: {warning}")).collect();
+        remarks.extend(of_drive);
+        flown.push(longest);
     }
     let flatness = best.map(|best| flatness(best, usual_loss(best))).transpose()?;
     bar.inc(1);
@@ -89,20 +93,24 @@ pub fn run(args: &Report) -> Result<Answer> {
         effects: &effects,
         rows: &rows,
         loops: &while_loop(&setup, &rows),
+        system: system(),
         remarks: &remarks,
     };
     let documents = report_documents(&findings)?;
-    for Document { name, text } in &documents {
-        let file = folder.join(name);
-        std::fs::write(&file, text).map_err(|error| unwritable(&file, &error))?;
-    }
+    folder.write(documents.iter().map(|Document { name, text }| (name.as_str(), text.as_bytes())))?;
     bar.finish_and_clear();
     warn(&remarks);
-    let index = folder.join("index.html");
+    let index = args.output.join("index.html");
     tell(&format!("{} ({} files)", index.display(), documents.len()));
     let names: Vec<&str> = documents.iter().map(|document| document.name.as_str()).collect();
     let answer = if args.question.json {
-        Answer::json(&json!({ "folder": folder, "files": names, "remarks": remarks }))
+        let (status, message) = match &flown[0].drive.flight {
+            Flight::None(why) => (why.status(), Some(why.to_string())),
+            Flight::Landed(_) if is_found => ("done", None),
+            Flight::Landed(_) => (found.status(), Some(found.message())),
+        };
+        let body = json!({ "folder": args.output.display().to_string(), "files": names });
+        Answer::json(&Reply::done("report", remarks.clone(), body).ended(status, message))
     } else {
         Answer::text(String::new())
     };
@@ -136,9 +144,4 @@ fn said<T>(part: Result<T>, remarks: &mut Vec<String>) -> Result<Option<T>> {
         }
         Err(error) => Err(error),
     }
-}
-
-fn unwritable(file: &Path, error: &std::io::Error) -> Error {
-    let reason = format!("it cannot be written: {error}; name another with -o");
-    Error::Results { file: file.display().to_string(), reason }
 }

@@ -1,49 +1,44 @@
 use crate::args::{Published, Reproduce};
-use crate::output::{Answer, tell};
+use crate::files::{Folder, Rule};
+use crate::output::{Answer, stated_system, tell};
+use longdrive::Result;
 use longdrive::report::plot::{Look, figure_csv, figure_svg};
-use longdrive::report::{Document, mae494_document, mae494_json, winfield_tan_document, winfield_tan_json};
+use longdrive::report::{Document, mae494_document, mae494_reply, winfield_tan_document, winfield_tan_reply};
 use longdrive::reproduce::{mae494, winfield_tan};
 use longdrive::units::System;
-use longdrive::{Error, Result};
-use std::fs;
-use std::path::Path;
+
+/// Files that every document has.
+pub const DOCUMENT: [&str; 2] = ["report.md", "index.html"];
 
 pub fn run(args: &Reproduce) -> Result<Answer> {
-    let (document, json, system) = match args.study {
+    let rule = Rule::new([], args.overwrite);
+    let folder = args.output.as_ref().map(|folder| rule.folder(folder, &DOCUMENT)).transpose()?;
+    let (document, reply, system) = match args.study {
         Published::Mae494 => {
             let found = mae494(|what| tell(&format!("computing {what}")))?;
-            (mae494_document(&found), mae494_json(&found), System::Metric)
+            (mae494_document(&found), mae494_reply(&found), System::Metric)
         }
         Published::WinfieldTan => {
             let found = winfield_tan(|what| tell(&format!("computing {what}")))?;
-            (winfield_tan_document(&found), winfield_tan_json(&found), System::Us)
+            (winfield_tan_document(&found), winfield_tan_reply(&found), System::Us)
         }
     };
-    if let Some(folder) = &args.output {
+    if let Some(folder) = &folder {
+        let system = stated_system().unwrap_or(system);
         write(folder, &document, &Look { system, ..Look::default() })?;
     }
-    Ok(if args.json { Answer::json(&json) } else { Answer::text(document.text()) })
+    Ok(if args.json { Answer::json(&reply) } else { Answer::text(document.text()) })
 }
 
-/// Writes a document with its figures and their data into a folder, which is made where it is not there.
-pub fn write(folder: &Path, document: &Document, look: &Look) -> Result<()> {
-    let mut files = vec![
-        ("report.md".to_owned(), document.markdown()),
-        ("index.html".to_owned(), document.html(&Look { width: 720, ..*look })?),
-    ];
+/// Writes a document with its figures and their data into a folder.
+pub fn write(folder: &Folder, document: &Document, look: &Look) -> Result<()> {
+    let [markdown, page] = DOCUMENT.map(str::to_owned);
+    let mut files = vec![(markdown, document.markdown()), (page, document.html(&Look { width: 720, ..*look })?)];
     for figure in document.figures() {
         files.push((format!("{}.svg", figure.name), figure_svg(figure, look)?));
         files.push((format!("{}.csv", figure.name), figure_csv(figure)?));
     }
-    let failed = |file: &Path, error: std::io::Error| Error::Results {
-        file: file.display().to_string(),
-        reason: format!("{error}; name a folder that can be written to"),
-    };
-    fs::create_dir_all(folder).map_err(|error| failed(folder, error))?;
-    for (name, text) in &files {
-        let file = folder.join(name);
-        fs::write(&file, text).map_err(|error| failed(&file, error))?;
-    }
-    tell(&format!("wrote {} files into {}", files.len(), folder.display()));
+    let count = folder.write(files.iter().map(|(name, text)| (name.as_str(), text.as_bytes())))?;
+    tell(&format!("wrote {count} files into {}", folder.path().display()));
     Ok(())
 }

@@ -1,11 +1,11 @@
 //! The search that several commands begin with: who follows it, stops it and keeps it.
 
 use crate::args::{SearchArgs, WorkArgs};
-use crate::output::tell;
+use crate::output::{system, tell};
 use indicatif::{ProgressBar, ProgressStyle};
 use longdrive::optimize::{Follow, Ledger, Options};
 use longdrive::report::iteration_line;
-use longdrive::study::{Constraint, Optima, Search, Vary, optima};
+use longdrive::study::{Constraint, Optima, Search, Sense, Vary, optima};
 use longdrive::{Outcome, Result, Setup};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -16,12 +16,31 @@ impl SearchArgs {
     pub fn search(&self, setup: &Setup<f64>) -> Result<Search> {
         let vary = self.vary.iter().map(|text| Vary::read(setup, text)).collect::<Result<Vec<_>>>()?;
         let default = Search::longest_drive(setup);
+        let (of, sense) = match (&self.maximize, &self.minimize) {
+            (_, Some(of)) => (Outcome::named(of)?, Sense::Minimize),
+            (Some(of), None) => (Outcome::named(of)?, Sense::Maximize),
+            (None, None) => (Outcome::Carry, Sense::Maximize),
+        };
+        let options = Options::default();
         Ok(Search {
-            maximize: Outcome::named(&self.maximize)?,
+            maximize: of,
+            sense,
             vary: if vary.is_empty() { default?.vary } else { vary },
             subject_to: self.subject_to.iter().map(|text| Constraint::read(text)).collect::<Result<_>>()?,
-            options: Options { max_iterations: self.max_iterations, ..Options::default() },
+            options: Options { max_iterations: self.max_iterations.unwrap_or(options.max_iterations), ..options },
         })
+    }
+
+    /// The options that were given.
+    pub fn given(&self) -> Vec<&'static str> {
+        let given = [
+            ("--maximize", self.maximize.is_some()),
+            ("--minimize", self.minimize.is_some()),
+            ("--vary", !self.vary.is_empty()),
+            ("--subject-to", !self.subject_to.is_empty()),
+            ("--max-iterations", self.max_iterations.is_some()),
+        ];
+        given.into_iter().filter(|(_, is_given)| *is_given).map(|(name, _)| name).collect()
     }
 }
 
@@ -39,7 +58,7 @@ impl WorkArgs {
         if let Ok(optima) = &found
             && optima.stopped() > 0
         {
-            tell(&format!("{} of {} searches were stopped before their end", optima.stopped(), optima.starts));
+            tell(&format!("{} of {} searches were stopped before they ended", optima.stopped(), optima.starts));
         }
         found
     }
@@ -50,12 +69,12 @@ impl WorkArgs {
         let bar =
             ProgressBar::new(u64::from(self.starts)).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
         let best: Mutex<Option<f64>> = Mutex::new(None);
-        let (shown, of) = (bar.clone(), search.maximize);
+        let (shown, of, sense) = (bar.clone(), search.maximize, search.sense);
         follow.end = Some(Arc::new(move |_, solution| {
             let mut best = best.lock().unwrap_or_else(PoisonError::into_inner);
             let is_feasible = solution.residual.feasibility <= 1e-6;
             *best = [*best, solution.value.filter(|_| is_feasible)].into_iter().flatten().reduce(f64::min);
-            shown.set_message(best.map_or("–".into(), |value| of.show(-value)));
+            shown.set_message(best.map_or("–".into(), |value| of.show(sense.sign() * value)));
             shown.inc(1);
         }));
         bar
@@ -73,7 +92,7 @@ fn question(setup: &Setup<f64>, search: &Search, starts: u32) -> String {
 /// Every iteration as a line.
 fn one(search: &Search, follow: &mut Follow) -> ProgressBar {
     let shown = search.clone();
-    follow.iteration = Some(Arc::new(move |_, iteration| tell(&iteration_line(&shown, iteration))));
+    follow.iteration = Some(Arc::new(move |_, iteration| tell(&iteration_line(&shown, iteration, system()))));
     ProgressBar::hidden()
 }
 
@@ -81,7 +100,7 @@ fn one(search: &Search, follow: &mut Follow) -> ProgressBar {
 const ONE_PRESS: Duration = Duration::from_millis(300);
 
 /// What a search does on Ctrl-C.
-pub const BEST_SO_FAR: &str = "stopping with the best so far";
+pub const BEST_SO_FAR: &str = "stopping with the best result so far";
 
 /// Becomes true on Ctrl-C, which is answered with a line of what happens then; a second one ends the program at once.
 pub fn interrupt(stopping: &'static str) -> Arc<AtomicBool> {
@@ -94,7 +113,7 @@ pub fn interrupt(stopping: &'static str) -> Arc<AtomicBool> {
         match first {
             None => {
                 first = Some(Instant::now());
-                tell(&format!("{stopping}; Ctrl-C again to end at once"));
+                tell(&format!("{stopping}; press Ctrl-C again to end at once"));
             }
             Some(first) if first.elapsed() > ONE_PRESS => std::process::exit(130),
             Some(_) => {}

@@ -1,17 +1,21 @@
 use crate::args::SensitivityArgs;
 use crate::names::outcomes;
-use crate::output::{Answer, bar, tell, warn};
+use crate::output::{Answer, bar, show, system, tell, warn};
 use longdrive::optimize::{Status, Watch};
-use longdrive::report::{EffectsReport, effects_text};
+use longdrive::report::{EffectsReport, OutcomeEffects, effects_text};
 use longdrive::study::{Sigma, effects, optimum, sensitivities, with_defaults};
 use longdrive::{Drive, Error, Outcome, Result};
-use serde_json::json;
 
 pub fn run(args: &SensitivityArgs) -> Result<Answer> {
     let mut setup = args.question.within_tolerance(args.question.setup()?, &[])?;
     let of = outcomes(&args.of)?;
     let given = args.sigma.iter().map(|text| Sigma::read(&setup, text)).collect::<Result<Vec<_>>>()?;
     let mut best = None;
+    if let ([option, ..], false) = (args.search.given().as_slice(), args.at_optimum) {
+        let source =
+            "it says what optimum to look for, and none is asked for; add --at-optimum, or leave it out".into();
+        return Err(Error::Unreadable { name: (*option).into(), source });
+    }
     if args.at_optimum {
         let search = args.search.search(&setup)?;
         let found = optimum(&setup, search, Watch::default())?;
@@ -24,13 +28,10 @@ pub fn run(args: &SensitivityArgs) -> Result<Answer> {
     }
     let sigmas = if args.no_defaults { given } else { with_defaults(&setup, &given)? };
     let drive = Drive::new(&setup)?;
-    let warnings = [setup.warnings(), drive.corners(&setup)].concat();
+    let warnings = drive.warnings(&setup);
     warn(&warnings);
     let bar = bar("uncertainties");
-    let found = effects(&setup, &of, &sigmas, |done, all| {
-        bar.set_length(all as u64);
-        bar.set_position(done as u64);
-    });
+    let found = effects(&setup, &of, &sigmas, |done, all| show(&bar, done, all));
     bar.finish_and_clear();
     let found = found?;
     let totals = match &best {
@@ -44,10 +45,11 @@ pub fn run(args: &SensitivityArgs) -> Result<Answer> {
     let totals_of =
         |of: Outcome| totals.as_ref().filter(|(maximized, _)| *maximized == of).map(|(_, all)| all.as_slice());
     let answer = if args.question.json {
-        let reports: Vec<_> = found.iter().map(|effects| EffectsReport::new(effects, totals_of(effects.of))).collect();
-        Answer::json(&json!({ "outcomes": reports, "warnings": warnings }))
+        let reports: Vec<_> = found.iter().map(|effects| OutcomeEffects::new(effects, totals_of(effects.of))).collect();
+        Answer::json(&EffectsReport::reply(reports, best.as_ref(), warnings))
     } else {
-        let texts: Vec<_> = found.iter().map(|effects| effects_text(effects, totals_of(effects.of))).collect();
+        let texts: Vec<_> =
+            found.iter().map(|effects| effects_text(effects, totals_of(effects.of), system())).collect();
         Answer::text(texts.join("\n"))
     };
     Ok(answer)

@@ -1,18 +1,19 @@
 use crate::args::Simulate;
-use crate::output::{Answer, warn};
+use crate::output::{Answer, system, warn};
 use longdrive::flight::Flight;
 use longdrive::report::{DriveReport, drive_text};
 use longdrive::{Drive, Result};
 
 pub fn run(args: &Simulate) -> Result<Answer> {
     let setup = args.question.within_tolerance(args.question.setup()?, &[])?;
-    let warnings = setup.warnings();
+    let drive = Drive::new(&setup);
+    let warnings = drive.as_ref().map_or_else(|_| setup.warnings(), |drive| drive.warnings(&setup));
     warn(&warnings);
-    let drive = Drive::new(&setup)?;
+    let drive = drive?;
     let answer = if args.question.json {
-        Answer::json(&DriveReport::new(&setup, &drive, warnings))
+        Answer::json(&DriveReport::reply(&setup, &drive, warnings))
     } else {
-        Answer::text(drive_text(&drive))
+        Answer::text(drive_text(&drive, system()))
     };
     Ok(answer.found(matches!(drive.flight, Flight::Landed(_))))
 }

@@ -1,31 +1,29 @@
 use crate::args::Verify;
 use crate::names::{outcomes, variables};
-use crate::output::{Answer, bar, tell, warn};
-use longdrive::Result;
+use crate::output::{Answer, bar, show, tell, warn};
 use longdrive::report::{CertificateReport, certificate_text};
 use longdrive::reproduce::while_loop;
 use longdrive::study::certificate::{StepError, certify};
+use longdrive::{Drive, Result};
 
 pub fn run(args: &Verify) -> Result<Answer> {
     let setup = args.question.within_tolerance(args.question.setup()?, &[])?;
     let of = outcomes(&args.of)?;
     let wrt = variables(&setup, &args.wrt)?;
     let bar = bar("parameters");
-    let certificate = certify(&setup, &of, &wrt, |done, all| {
-        bar.set_length(all as u64);
-        bar.set_position(done as u64);
-    });
+    let certificate = certify(&setup, &of, &wrt, |done, all| show(&bar, done, all));
     bar.finish_and_clear();
     let certificate = certificate?;
     let of_step = certificate.step.iter().filter_map(StepError::warning).collect();
-    let warnings = [setup.warnings(), certificate.corners.clone(), of_step].concat();
+    let of_drive = Drive::new(&setup).map_or_else(|_| setup.warnings(), |drive| drive.warnings(&setup));
+    let warnings = [of_drive, of_step].concat();
     warn(&warnings);
     for (of, why) in &certificate.missing {
         tell(&format!("left out: {}: {why}", of.name()));
     }
     let loops = while_loop(&setup, &certificate.rows);
     let answer = if args.question.json {
-        Answer::json(&CertificateReport::new(&certificate, &loops, warnings))
+        Answer::json(&CertificateReport::reply(&certificate, &loops, warnings))
     } else {
         Answer::text(certificate_text(&certificate, &loops))
     };

@@ -4,7 +4,7 @@ mod json;
 mod plots;
 mod setup_file;
 
-pub use json::calibration_json;
+pub use json::calibration_reply;
 pub use setup_file::calibration_toml;
 
 use super::document::Document;

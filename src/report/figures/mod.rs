@@ -7,6 +7,7 @@ mod trajectory;
 mod vcurve;
 
 pub use chart::chart_figures;
+pub(super) use map::capital;
 pub use map::map_figure;
 pub use tornado::tornado_figure;
 pub use trajectory::{Flown, View, trajectory_figure};

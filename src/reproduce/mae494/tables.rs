@@ -1,7 +1,7 @@
 use super::{ATTACK_ANGLE, Delivery, LOFT, printed};
 use crate::drive::{Drive, Outcome};
 use crate::error::{Error, Result};
-use crate::optimize::{Follow, Options};
+use crate::optimize::Follow;
 use crate::parameters::{Setup, Vary};
 use crate::study::{Active, Optimum, Search, optima};
 
@@ -57,7 +57,7 @@ pub(super) fn optimum(setup: &Setup<f64>) -> Result<Row> {
 fn row(setup: &Setup<f64>, printed: Delivery, names: &[&str]) -> Result<Row> {
     let at = printed.set(setup);
     let vary = names.iter().map(|name| range(setup, name)).collect::<Result<_>>()?;
-    let search = Search { maximize: Outcome::Carry, vary, subject_to: vec![], options: Options::default() };
+    let search = Search { vary, ..Search::largest(Outcome::Carry) };
     // some printed optima do not fly, and carry may have more than one peak
     let best = optima(&at, &search, 8, &Follow::default())?.best()?.clone();
     Ok(Row { printed, active: best.active(), best, at_printed: carried_if_flown(&at)? })

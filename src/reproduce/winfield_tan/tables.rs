@@ -3,7 +3,7 @@
 use super::printed;
 use crate::drive::{Drive, Outcome};
 use crate::error::{Error, Result};
-use crate::optimize::{Options, Status, Watch};
+use crate::optimize::{Status, Watch};
 use crate::parameters::{Setup, Vary};
 use crate::study::{Search, optimum as search};
 use crate::units::Quantity;
@@ -91,7 +91,7 @@ fn searched(setup: &Setup<f64>, from: Point, names: &[&str]) -> Result<Point> {
         Vary::new(setup.variable(name)?, low.to_radians(), high.to_radians())
     };
     let vary = names.iter().map(range).collect::<Result<Vec<_>>>()?;
-    let asked = Search { maximize: Outcome::Carry, vary, subject_to: vec![], options: Options::default() };
+    let asked = Search { vary, ..Search::largest(Outcome::Carry) };
     let found = search(&at(setup, from), asked, Watch::default())?;
     match found.value() {
         Some(carry) if found.solution.status == Status::Converged => {

@@ -28,7 +28,7 @@ fn usual(parameter: &Parameter) -> f64 {
 /// The size of the numbers that an outcome of a drive is made of, SI: its rounding is a part of them, not of what they leave. The lateral distance
 /// is made of numbers as large as the carry; an angle of directions, of size 1.
 pub(super) fn size(of: Outcome, drive: &Drive<f64>) -> f64 {
-    let launch = &drive.impact.launch;
+    let launch = &drive.launch;
     let made_of = match (&drive.flight, of.quantity()) {
         (Flight::Landed(landed), Quantity::LENGTH) => landed.carry.hypot(landed.lateral),
         (Flight::Landed(landed), Quantity::TIME) => landed.flight_time,

@@ -111,7 +111,7 @@ pub fn uncertainty(
     progress: impl Fn(usize, usize) + Sync,
 ) -> Result<Uncertainty> {
     if plan.samples < 2 {
-        let reason = "statistics take a sample of 2 points at least".into();
+        let reason = "the sample needs at least 2 points".into();
         return Err(Error::SearchRange { name: format!("--samples {}", plan.samples), reason });
     }
     let parameters: Vec<_> = inputs.iter().map(|input| input.parameter).collect();

@@ -1,9 +1,10 @@
 use super::rows::Question;
+use crate::files::beside;
 use longdrive::batch::Tally;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::fs::{File, OpenOptions, TryLockError};
-use std::io::{self, Read, Seek, SeekFrom, Write};
+use std::io::{self, BufRead, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
 /// How far a file of rows has come, kept beside it as `FILE.resume` until it is complete: the question in the first
@@ -58,14 +59,20 @@ impl Journal {
         name.into()
     }
 
+    /// Whether a file is the journal of a sweep: it begins with a question.
+    pub fn is_one(path: &Path) -> bool {
+        let mut line = String::new();
+        let read = File::open(path).and_then(|file| io::BufReader::new(file).read_line(&mut line));
+        read.is_ok() && serde_json::from_str::<Question>(&line).is_ok()
+    }
+
     /// A new journal, whole from its first moment on. One that another program is writing stays.
     pub fn begin(of: &Path, question: &Question) -> io::Result<Self> {
         let path = Self::path(of);
         if let Ok(there) = File::open(&path) {
             lock(&there)?;
         }
-        let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-        let mut beside = tempfile::NamedTempFile::new_in(folder)?;
+        let mut beside = beside(&path)?;
         let mut line = serde_json::to_vec(question)?;
         line.push(b'\n');
         beside.write_all(&line)?;

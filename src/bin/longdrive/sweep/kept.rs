@@ -2,7 +2,7 @@ use super::journal::{Entry, Journal};
 #[cfg(feature = "parquet")]
 use super::rows::Table;
 use super::rows::{Content, Rows, Writer};
-use super::target::refused;
+use crate::files::refused;
 use crate::output::tell;
 #[cfg(feature = "parquet")]
 use longdrive::batch::Block;
@@ -10,7 +10,7 @@ use longdrive::batch::Tally;
 #[cfg(feature = "parquet")]
 use longdrive::report::{ParquetGroup, PlacedGroup, SweepParquet};
 use longdrive::{Error, Result};
-use std::fs::{File, OpenOptions};
+use std::fs::{self, File, OpenOptions};
 use std::io::{self, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
@@ -19,10 +19,10 @@ use std::time::{Duration, Instant};
 const OFTEN: Duration = Duration::from_secs(1);
 const BLOCKS: u64 = 16;
 
-/// A file of rows that can be gone on with. Whatever happens, it holds whole rows, and its journal knows how many of
-/// them an undisturbed run would have written in the same bytes.
+/// Rows of a sweep that can be resumed: in `FILE.part` until all are there, and then in the file itself. Whatever happens, it
+/// holds whole rows, and its journal knows how many of them an undisturbed run would have written in the same bytes.
 pub struct Kept<'a> {
-    path: PathBuf,
+    files: Files,
     file: File,
     journal: Journal,
     writer: &'a Writer,
@@ -47,33 +47,77 @@ struct Groups {
     pending: Vec<Block>,
 }
 
-impl<'a> Kept<'a> {
-    pub fn open(path: &Path, writer: &'a Writer, resume: bool, overwrite: bool) -> Result<Self> {
-        let exists = path.exists();
-        if exists && resume {
-            return Self::go_on(path, writer);
-        }
-        if exists && !overwrite {
-            let reason = if Journal::path(path).exists() {
-                "it exists, from a sweep that did not end; --resume goes on with it, --overwrite replaces it"
-            } else {
-                "it exists; --overwrite replaces it"
+/// The files of a sweep.
+#[derive(Clone, Debug)]
+pub struct Files {
+    /// The rows, once all of them are there.
+    pub whole: PathBuf,
+    /// The rows so far, `FILE.part`.
+    pub part: PathBuf,
+}
+
+impl Files {
+    pub fn of(whole: &Path) -> Self {
+        let mut part = whole.as_os_str().to_owned();
+        part.push(".part");
+        Self { whole: whole.into(), part: part.into() }
+    }
+
+    /// Whether `--resume` finds rows to continue.
+    fn can_be_resumed(&self, resume: bool) -> bool {
+        resume && Journal::path(&self.whole).exists()
+    }
+
+    /// Refuses what would lose the rows of an earlier sweep, or a file that no sweep wrote.
+    pub fn check(&self, resume: bool, overwrite: bool) -> Result<()> {
+        let journal = Journal::path(&self.whole);
+        if !journal.exists() {
+            let part = &self.part;
+            return match (part.exists(), resume && self.whole.exists()) {
+                (true, _) => Err(refused(part, "it exists, and no sweep is known that wrote it; move it away")),
+                (_, true) => Err(nothing_left(&self.whole)),
+                _ => Ok(()),
             };
-            return Err(refused(path, reason));
         }
-        let unwritable = |error: io::Error| refused(path, format!("it cannot be written ({error})"));
-        // the journal first: a file without one is complete
-        let journal = Journal::begin(path, &writer.question).map_err(unwritable)?;
-        let file = OpenOptions::new().write(true).create(true).truncate(true).open(path).map_err(|error| {
+        if !Journal::is_one(&journal) {
+            return Err(refused(&journal, "it exists, and is not the journal of a sweep; move it away"));
+        }
+        if !resume && !overwrite {
+            let reason = "an earlier sweep into it did not end; --resume continues it, --overwrite begins anew";
+            return Err(refused(&self.whole, reason));
+        }
+        Ok(())
+    }
+}
+
+fn nothing_left(path: &Path) -> Error {
+    let reason = format!(
+        "there is nothing to resume: without {} it is complete, or not a sweep's; --overwrite replaces it",
+        Journal::path(path).display()
+    );
+    refused(path, reason)
+}
+
+impl<'a> Kept<'a> {
+    /// Begins, or goes on with what was kept. What may be written has been checked.
+    pub fn open(files: Files, writer: &'a Writer, resume: bool) -> Result<Self> {
+        if files.can_be_resumed(resume) {
+            return Self::go_on(files, writer);
+        }
+        let unwritable = |error: io::Error| refused(&files.whole, format!("it cannot be written ({error})"));
+        // the journal first: rows without one are nobody's
+        let journal = Journal::begin(&files.whole, &writer.question).map_err(unwritable)?;
+        let rows = OpenOptions::new().write(true).create(true).truncate(true).open(&files.part);
+        let file = rows.map_err(|error| {
             let _ = journal.remove();
             unwritable(error)
         })?;
-        Self::at_the_beginning(path, file, journal, writer).begun()
+        Self::at_the_beginning(files, file, journal, writer).begun()
     }
 
-    fn at_the_beginning(path: &Path, file: File, journal: Journal, writer: &'a Writer) -> Self {
+    fn at_the_beginning(files: Files, file: File, journal: Journal, writer: &'a Writer) -> Self {
         Self {
-            path: path.into(),
+            files,
             file,
             journal,
             writer,
@@ -92,27 +136,24 @@ impl<'a> Kept<'a> {
         Ok(self)
     }
 
-    fn go_on(path: &Path, writer: &'a Writer) -> Result<Self> {
-        let unusable = |error: io::Error| refused(path, format!("it cannot be gone on with ({error})"));
-        let file = OpenOptions::new().write(true).open(path).map_err(unusable)?;
+    fn go_on(files: Files, writer: &'a Writer) -> Result<Self> {
+        let path = files.whole.clone();
+        let unusable = |error: io::Error| refused(&path, format!("its sweep cannot be resumed ({error})"));
+        // a kill may have come between the journal and the first row
+        let file = OpenOptions::new().write(true).create(true).truncate(false).open(&files.part).map_err(unusable)?;
         let length = file.metadata().map_err(unusable)?.len();
         let Some((journal, question, entries)) =
-            Journal::open(path, |entry| entry.bytes <= length).map_err(unusable)?
+            Journal::open(&path, |entry| entry.bytes <= length).map_err(unusable)?
         else {
-            let beside = Journal::path(path);
-            let reason = format!(
-                "there is nothing to go on with: without {} it is complete, or no sweep's; --overwrite replaces it",
-                beside.display()
-            );
-            return Err(refused(path, reason));
+            return Err(nothing_left(&path));
         };
         if let Some(part) = writer.question.difference(&question) {
             let reason = format!(
-                "it belongs to another question ({part} differs); repeat the command that began it, or --overwrite it"
+                "it belongs to another command ({part} differ); repeat the command that began it, or replace it with --overwrite"
             );
-            return Err(refused(path, reason));
+            return Err(refused(&path, reason));
         }
-        let mut kept = Self::at_the_beginning(path, file, journal, writer);
+        let mut kept = Self::at_the_beginning(files, file, journal, writer);
         if let Some(last) = entries.last() {
             (kept.rows, kept.bytes, kept.tally) = (last.rows, last.bytes, last.tally());
         }
@@ -121,7 +162,7 @@ impl<'a> Kept<'a> {
             kept.groups.restore(table, &entries, table.head().len() as u64)?;
         }
         kept.cut().map_err(unusable)?;
-        tell(&format!("going on after {} rows", kept.rows));
+        tell(&format!("resuming after {} rows", kept.rows));
         if kept.rows == 0 { kept.begun() } else { Ok(kept) }
     }
 
@@ -157,8 +198,8 @@ impl<'a> Kept<'a> {
         Ok(())
     }
 
-    /// Makes the file whole: what was computed is written, and a Parquet file gets its foot. The journal goes once the
-    /// file is complete.
+    /// Makes the rows so far readable: what was computed is written, and a Parquet file gets its foot. Once all are there the
+    /// file is put in its place, and the journal goes.
     pub fn close(&mut self, is_complete: bool) -> Result<()> {
         #[cfg(feature = "parquet")]
         if let Table::Parquet(table) = &self.writer.table {
@@ -171,7 +212,12 @@ impl<'a> Kept<'a> {
             let _ = self.keep(&[]);
         }
         if is_complete {
-            self.file.sync_all().and_then(|()| self.journal.remove()).map_err(|error| self.failed(&error))?;
+            let in_place = || {
+                self.file.sync_all()?;
+                fs::rename(&self.files.part, &self.files.whole)?;
+                self.journal.remove()
+            };
+            in_place().map_err(|error| self.failed(&error))?;
         }
         Ok(())
     }
@@ -193,14 +239,12 @@ impl<'a> Kept<'a> {
     }
 
     fn failed(&self, error: &io::Error) -> Error {
-        refused(
-            &self.path,
-            format!(
-                "it cannot be written on ({error}); its first {} rows are complete and stay valid; make room, then go on \
-                 with the same command and --resume",
-                self.rows
-            ),
-        )
+        let (rows, part) = (self.rows, self.files.part.display());
+        let reason = format!(
+            "it cannot be written further ({error}); its first {rows} rows are complete and stay in {part}; make room, then \
+             repeat the same command with --resume"
+        );
+        refused(&self.files.whole, reason)
     }
 
     /// Enters what is written in the journal.

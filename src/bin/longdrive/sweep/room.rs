@@ -43,7 +43,7 @@ pub fn check(args: &Sweep, batch: &Batch, points: &mut dyn Points, writer: &Writ
     }
     let threads = match args.threads {
         0 => std::thread::available_parallelism().map_or(1, usize::from),
-        threads => threads,
+        threads => threads.min(std::thread::available_parallelism().map_or(threads, usize::from)),
     };
     let time = duration(seconds / tried as f64 * rows as f64 / threads as f64);
     Err(Error::TooLarge {

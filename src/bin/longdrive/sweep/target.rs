@@ -1,6 +1,7 @@
-use super::kept::Kept;
+use super::kept::{Files, Kept};
 use super::rows::{Content, Rows, Writer};
 use crate::args::{Format, Sweep};
+use crate::files::{Rule, refused};
 use longdrive::batch::Tally;
 use longdrive::{Error, Result};
 use std::fs::{File, OpenOptions};
@@ -9,17 +10,16 @@ use std::path::{Path, PathBuf};
 
 /// Where the rows go.
 pub struct Target {
+    /// As it was named.
     path: PathBuf,
+    /// The file with those beside it, where it keeps its rows.
+    files: Option<Files>,
     pub format: Format,
-}
-
-pub fn refused(path: &Path, reason: impl Into<String>) -> Error {
-    Error::Results { file: path.display().to_string(), reason: reason.into() }
 }
 
 impl Target {
     pub fn new(args: &Sweep) -> Result<Self> {
-        let target = Self { path: args.output.clone(), format: Format::Csv };
+        let target = Self { path: args.output.clone(), files: None, format: Format::Csv };
         let refuse = |reason: &str| Err(refused(&target.path, reason));
         let ending = target.path.extension().and_then(|ending| ending.to_str()).unwrap_or_default().to_lowercase();
         let format = match (args.format, ending.as_str()) {
@@ -32,19 +32,26 @@ impl Target {
             _ => return refuse("its name must end in .csv, .jsonl or .parquet, or --format must name the format"),
         };
         if target.is_standard_output() && args.question.json {
-            return refuse("standard output cannot take the rows and the summary of --json; name a file with -o");
+            return refuse("standard output cannot hold both the rows and the summary of --json; name a file with -o");
         }
         if target.is_stream() && args.resume {
-            return refuse("only a file can be gone on with; name one with -o");
+            return refuse("only a file can be resumed; name one with -o");
         }
         #[cfg(feature = "parquet")]
         if target.is_stream() && format == Format::Parquet {
             return refuse("Parquet needs a file; name one with -o, or take --format csv or jsonl");
         }
-        if target.path.is_dir() {
-            return refuse("it is a folder; name a file");
+        if target.is_standard_output() {
+            return Ok(Self { format, ..target });
         }
-        Ok(Self { format, ..target })
+        let inputs = args.question.inputs().chain(args.points.as_deref());
+        // whether there is something to resume is looked at below
+        let destination = Rule::new(inputs, args.overwrite || args.resume).file(&target.path)?;
+        let files = destination.is_file().then(|| Files::of(destination.path()));
+        if let Some(files) = &files {
+            files.check(args.resume, args.overwrite)?;
+        }
+        Ok(Self { format, files, ..target })
     }
 
     pub fn is_standard_output(&self) -> bool {
@@ -56,15 +63,20 @@ impl Target {
         self.is_standard_output() || std::fs::metadata(&self.path).is_ok_and(|found| !found.is_file())
     }
 
+    /// Where the rows are until all of them are there.
+    pub fn part(&self) -> Option<&Path> {
+        self.files.as_ref().map(|files| files.part.as_path())
+    }
+
     /// The file, where it is one that keeps its bytes.
     pub fn file(&self) -> Option<&Path> {
-        (!self.is_stream()).then_some(&self.path)
+        self.files.as_ref().map(|files| files.whole.as_path())
     }
 
     /// Begins, or goes on with what was kept.
     pub fn open<'a>(&self, writer: &'a Writer, args: &Sweep) -> Result<Output<'a>> {
-        if let Some(path) = self.file() {
-            return Ok(Output::Kept(Kept::open(path, writer, args.resume, args.overwrite)?));
+        if let Some(files) = &self.files {
+            return Ok(Output::Kept(Kept::open(files.clone(), writer, args.resume)?));
         }
         let mut stream = if self.is_standard_output() {
             Stream { to: To::Standard(io::stdout()), tally: Tally::default() }

@@ -1,0 +1,174 @@
+//! Every file that the program writes, under one rule: nothing that exists is replaced unless `--overwrite` says so, no
+//! output is an input of the same command, and a file is written beside its place and put there when it is whole. All of
+//! this is checked before the work begins.
+
+use longdrive::{Error, Result};
+use std::fs;
+use std::io::{self, ErrorKind, Write};
+use std::path::{Path, PathBuf};
+
+/// What the outputs of one command must keep clear of.
+#[derive(Clone, Debug, Default)]
+pub struct Rule {
+    inputs: Vec<PathBuf>,
+    overwrite: bool,
+}
+
+impl Rule {
+    /// The rule of a command that reads these files.
+    pub fn new<'a>(inputs: impl IntoIterator<Item = &'a Path>, overwrite: bool) -> Self {
+        let inputs = inputs.into_iter().filter_map(|input| fs::canonicalize(input).ok()).collect();
+        Self { inputs, overwrite }
+    }
+
+    /// A file to be written, if it may be.
+    ///
+    /// # Errors
+    /// [`Error::Results`] for a folder, an input, a file that exists, and a place that cannot be written to.
+    pub fn file(&self, path: &Path) -> Result<Destination> {
+        let destination = self.place(path)?;
+        if destination.is_file {
+            // what cannot be written there is said now, not after the work
+            beside(&destination.at).map_err(|error| unwritable(path, &error))?;
+        }
+        Ok(destination)
+    }
+
+    /// Where a file is to be, without a look at whether its folder can be written to.
+    ///
+    /// # Errors
+    /// As [`file`](Self::file).
+    pub fn place(&self, path: &Path) -> Result<Destination> {
+        let found = match fs::metadata(path) {
+            Ok(found) => Some(found),
+            Err(error) if error.kind() == ErrorKind::NotFound => None,
+            Err(error) => return Err(unwritable(path, &error)),
+        };
+        if found.is_none() && path.is_symlink() {
+            return Err(refused(path, "it is a link to a file that does not exist; name that file itself"));
+        }
+        let Some(found) = found else {
+            return Ok(Destination { shown: path.into(), at: path.into(), is_file: true });
+        };
+        if found.is_dir() {
+            return Err(refused(path, "it is a folder; name a file"));
+        }
+        // through links, so that the file itself is compared and replaced, and not a link to it
+        let at = fs::canonicalize(path).map_err(|error| unwritable(path, &error))?;
+        if self.inputs.contains(&at) {
+            return Err(refused(path, "it is also an input of this command; name another file"));
+        }
+        if found.is_file() && !self.overwrite {
+            return Err(refused(path, "it exists; --overwrite replaces it"));
+        }
+        Ok(Destination { shown: path.into(), at, is_file: found.is_file() })
+    }
+
+    /// A folder to write several files into, some of whose names are known already. It is made where it does not exist.
+    ///
+    /// # Errors
+    /// [`Error::Results`] for a file, a folder that cannot be made or written to, and a file in it that may not be replaced.
+    pub fn folder(&self, path: &Path, names: &[&str]) -> Result<Folder> {
+        if fs::metadata(path).is_ok_and(|found| !found.is_dir()) {
+            return Err(refused(path, "it cannot be written to: it is a file; name a folder"));
+        }
+        fs::create_dir_all(path).map_err(|error| unwritable(path, &error))?;
+        let folder = Folder { path: path.into(), rule: self.clone() };
+        for name in names {
+            self.place(&path.join(name))?;
+        }
+        beside(&path.join("file")).map_err(|error| unwritable(path, &error))?;
+        Ok(folder)
+    }
+}
+
+/// A file that may be written.
+#[derive(Clone, Debug)]
+pub struct Destination {
+    /// As it was named, for messages.
+    shown: PathBuf,
+    /// The file itself, where the name was a link.
+    at: PathBuf,
+    /// Whether it is a file or yet to be one, and not a device or a pipe.
+    is_file: bool,
+}
+
+impl Destination {
+    /// The file itself.
+    pub fn path(&self) -> &Path {
+        &self.at
+    }
+
+    /// Whether it keeps what is written to it; a device or a pipe does not.
+    pub fn is_file(&self) -> bool {
+        self.is_file
+    }
+
+    /// Puts the whole file in its place.
+    ///
+    /// # Errors
+    /// [`Error::Results`]; what stood there before then still does.
+    pub fn write(&self, bytes: &[u8]) -> Result<()> {
+        let written = || -> io::Result<()> {
+            if !self.is_file {
+                return fs::OpenOptions::new().write(true).open(&self.at)?.write_all(bytes);
+            }
+            let mut file = beside(&self.at)?;
+            file.write_all(bytes)?;
+            file.as_file().sync_all()?;
+            file.persist(&self.at)?;
+            Ok(())
+        };
+        written().map_err(|error| unwritable(&self.shown, &error))
+    }
+}
+
+/// A folder that may be written to.
+#[derive(Clone, Debug)]
+pub struct Folder {
+    path: PathBuf,
+    rule: Rule,
+}
+
+impl Folder {
+    /// Writes files, none before all of them may be.
+    ///
+    /// # Errors
+    /// As [`Rule::file`] and [`Destination::write`].
+    pub fn write<'a>(&self, files: impl IntoIterator<Item = (&'a str, &'a [u8])>) -> Result<usize> {
+        let place = |(name, bytes)| Ok((self.rule.place(&self.path.join(name))?, bytes));
+        let files = files.into_iter().map(place).collect::<Result<Vec<_>>>()?;
+        for (destination, bytes) in &files {
+            destination.write(bytes)?;
+        }
+        Ok(files.len())
+    }
+
+    /// Its name.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+}
+
+/// A new file in the same folder, which is gone again unless it is put in place.
+pub fn beside(path: &Path) -> io::Result<tempfile::NamedTempFile> {
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".longdrive-");
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        // those of the file that is replaced; of a new one, those that any new file has
+        let of_old = fs::metadata(path).ok().filter(fs::Metadata::is_file).map(|found| found.permissions());
+        builder.permissions(of_old.unwrap_or_else(|| fs::Permissions::from_mode(0o666)));
+    }
+    builder.tempfile_in(folder)
+}
+
+pub fn refused(path: &Path, reason: impl Into<String>) -> Error {
+    Error::Results { file: path.display().to_string(), reason: reason.into() }
+}
+
+pub fn unwritable(path: &Path, error: &io::Error) -> Error {
+    refused(path, format!("it cannot be written ({error}); name another place"))
+}

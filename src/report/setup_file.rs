@@ -1,0 +1,119 @@
+//! Setups as files that a person can read, and that read back as the same setup to the last bit.
+
+use super::presets::{sourced, sources};
+use crate::error::Result;
+use crate::parameters::{Parameter, Preset, Setup, UNSET};
+use crate::units::significant;
+
+/// Digits that tell any number from its neighbours.
+const MOST_DIGITS: usize = 17;
+
+/// A setup as a setup file in TOML: the preset that it started from, then every parameter with its source. `about` are the
+/// lines at its head, and a remark takes the place of its parameter's source.
+///
+/// ```
+/// use longdrive::{Setup, parameters::Preset, report::setup_toml};
+/// let mut setup = Setup::preset("mae494").unwrap();
+/// setup.set("club.loft", "10.5 deg").unwrap();
+/// let text = setup_toml(&setup, Preset::named("mae494").unwrap(), &[], &[]).unwrap();
+/// assert!(text.contains("\nloft = \"10.5 deg\" # as given, in place of 10 deg\n"));
+/// assert_eq!(Setup::from_toml(&text, "mine.toml").unwrap(), setup);
+/// ```
+///
+/// # Errors
+/// None that a test does not rule out: presets are read as any setup is.
+pub fn setup_toml(
+    setup: &Setup<f64>,
+    preset: &Preset,
+    about: &[String],
+    remarks: &[(&'static Parameter, String)],
+) -> Result<String> {
+    let row = |(name, shown, source): (&'static str, String, String)| {
+        let Ok(parameter) = setup.parameter(name) else { return (name, shown, source) };
+        let remark = remarks.iter().find(|(of, _)| *of == parameter).map(|(_, remark)| remark.clone());
+        (name, exact(parameter, setup.value(parameter)), remark.unwrap_or(source))
+    };
+    Ok(toml(preset, about, sources(setup, preset)?.into_iter().map(row).collect()))
+}
+
+/// A preset as a setup file in TOML, each number with its source.
+///
+/// # Errors
+/// [`Error::Unknown`](crate::Error::Unknown) for a name that no preset bears.
+pub fn preset_toml(name: &str) -> Result<String> {
+    let setup = Setup::preset(name)?;
+    let Some(preset) = Preset::named(name) else { return Ok(String::new()) };
+    let rows = sourced(preset, &setup).into_iter().map(|(name, shown, source)| (name, shown, source.to_owned()));
+    Ok(toml(preset, &[preset.name.into(), preset.about.into()], rows.collect()))
+}
+
+/// The shortest text in the unit that people read which reads back as this value; in SI where rounding leaves none.
+fn exact(parameter: &Parameter, value: Option<f64>) -> String {
+    let Some(value) = value else { return UNSET.into() };
+    let size = parameter.quantity.size_of(parameter.unit).unwrap_or(1.0);
+    let text =
+        |digits: usize| format!("{} {}", significant(value / size, digits), parameter.unit).trim_end().to_owned();
+    let reads_back = |text: &String| parameter.read(text, false).is_ok_and(|read| read == Some(value));
+    let shown = (1..=MOST_DIGITS).map(text).find(reads_back);
+    shown.unwrap_or_else(|| format!("{value:?} {}", parameter.quantity.si).trim_end().to_owned())
+}
+
+/// A file of these lines at its head, its preset, and rows of name, value and remark, table by table.
+fn toml(preset: &Preset, about: &[String], rows: Vec<(&'static str, String, String)>) -> String {
+    // a name of a file may hold anything
+    let remark = |text: &str| text.replace(char::is_control, " ");
+    let mut text: String = about.iter().map(|line| format!("# {}\n", remark(line))).collect();
+    text += &format!("preset = \"{}\"\n", preset.name);
+    let table_of = |name: &'static str| name.split_once('.').map_or("", |(table, _)| table);
+    // keys without a table must precede the first table, and a table stands once
+    let mut tables = vec![""];
+    for (name, ..) in &rows {
+        if !tables.contains(&table_of(name)) {
+            tables.push(table_of(name));
+        }
+    }
+    for table in tables {
+        if !table.is_empty() {
+            text += &format!("\n[{table}]\n");
+        }
+        for (name, value, source) in rows.iter().filter(|(name, ..)| table_of(name) == table) {
+            let key = name.split_once('.').map_or(*name, |(_, key)| key);
+            text += &format!("{key} = \"{value}\" # {}\n", remark(source));
+        }
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{exact, preset_toml, setup_toml};
+    use crate::parameters::{Law, PRESETS, Setup};
+
+    #[test]
+    fn a_preset_printed_as_a_setup_file_reads_back_as_itself() {
+        for preset in PRESETS {
+            let text = preset_toml(preset.name).unwrap();
+            let read = Setup::from_toml(&text.replace("preset =", "# preset ="), preset.name).unwrap();
+            assert_eq!(read, Setup::preset(preset.name).unwrap(), "{text}");
+        }
+    }
+
+    #[test]
+    fn exact_setups_of_every_law_read_back_to_the_last_bit() {
+        for (k, law) in Law::NAMES.iter().enumerate() {
+            for preset in PRESETS {
+                let mut setup = Setup::preset(preset.name).unwrap();
+                setup.set_law(law).unwrap();
+                for (i, parameter) in setup.variables().into_iter().enumerate() {
+                    // irrational, and within every range
+                    let value = setup.value(parameter).unwrap() * (1.0 + 1e-3 * ((i + 50 * k) as f64).sin());
+                    setup.set_value(parameter, Some(value)).unwrap();
+                    assert_eq!(parameter.read(&exact(parameter, Some(value)), false).unwrap(), Some(value));
+                }
+                let text = setup_toml(&setup, preset, &["a file\nwith a break".into()], &[]).unwrap();
+                assert_eq!(Setup::from_toml(&text, "f").unwrap(), setup, "{text}");
+                assert!(text.starts_with("# a file with a break\npreset = "), "{text}");
+            }
+        }
+    }
+}

@@ -1,0 +1,168 @@
+//! What the program does to files: nothing that exists is replaced unless asked for, no input is an output, and what is
+//! written is whole.
+
+use crate::command_line::longdrive;
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+
+const SHOTS: &str = "club.loft [deg],swing.speed [mph],carry [yd]\n9,100,220\n10,105,235\n11,110,250\n";
+const POINTS: &str = "club.loft [deg],swing.speed [mph]\n9,100\n10,105\n";
+
+/// Every file of a folder, with its bytes.
+fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
+    let read = |entry: std::io::Result<fs::DirEntry>| {
+        let entry = entry.unwrap();
+        let bytes = if entry.path().is_dir() { vec![] } else { fs::read(entry.path()).unwrap() };
+        (entry.file_name().into_string().unwrap(), bytes)
+    };
+    fs::read_dir(folder).unwrap().map(read).collect()
+}
+
+/// A folder with inputs, and a name in it.
+fn folder() -> (tempfile::TempDir, impl Fn(&str) -> String) {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("shots.csv"), SHOTS).unwrap();
+    fs::write(folder.path().join("points.csv"), POINTS).unwrap();
+    fs::write(folder.path().join("mine.toml"), "preset = 'mae494'\n").unwrap();
+    let path = folder.path().to_owned();
+    let name = move |name: &str| path.join(name).display().to_string();
+    (folder, name)
+}
+
+#[test]
+fn no_command_replaces_its_own_input_even_with_overwrite() {
+    let (folder, name) = folder();
+    #[cfg(unix)]
+    for (target, link) in [("points.csv", "link.csv"), ("shots.csv", "link.toml"), ("mine.toml", "mine.svg")] {
+        std::os::unix::fs::symlink(name(target), name(link)).unwrap();
+    }
+    let before = files(folder.path());
+    let (points, shots, mine) = (name("points.csv"), name("shots.csv"), name("mine.toml"));
+    let (link, link_toml, picture) = (name("link.csv"), name("link.toml"), name("mine.svg"));
+    let calibrate = ["calibrate", &shots, "--fit", "aero.cd0"];
+    for args in [
+        vec!["sweep", "--points", &points, "-o", &points],
+        #[cfg(unix)]
+        vec!["sweep", "--points", &points, "-o", &link],
+        #[cfg(unix)]
+        vec!["sweep", "--points", &link, "-o", &points],
+        vec!["sweep", &mine, "--over", "club.loft=5deg..15deg:3", "--format", "csv", "-o", &mine],
+        [&calibrate[..], &["-o", &shots]].concat(),
+        #[cfg(unix)]
+        [&calibrate[..], &["-o", &link_toml]].concat(),
+        #[cfg(unix)]
+        vec!["plot", "trajectory", &mine, "-o", &picture],
+    ] {
+        let said = longdrive(&[&args[..], &["--overwrite"]].concat());
+        assert_eq!((said.status, said.out.as_str()), (2, ""), "{args:?}: {}", said.err);
+        assert!(said.err.contains("it is also an input of this command"), "{args:?}: {}", said.err);
+        assert_eq!(files(folder.path()), before, "{args:?}");
+    }
+}
+
+#[test]
+fn a_file_that_exists_is_replaced_only_when_asked_for() {
+    let (folder, name) = folder();
+    for file in ["theirs.svg", "theirs.toml", "theirs.csv", "index.html", "report.md"] {
+        fs::write(folder.path().join(file), "not ours").unwrap();
+    }
+    let (shots, here) = (name("shots.csv"), folder.path().display().to_string());
+    let (svg, toml, csv) = (name("theirs.svg"), name("theirs.toml"), name("theirs.csv"));
+    let calibrate = ["calibrate", &shots, "--fit", "aero.cd0"];
+    for (args, written) in [
+        (vec!["plot", "trajectory", "-o", &svg], "theirs.svg"),
+        (vec!["plot", "trajectory", "-o", &csv], "theirs.csv"),
+        (vec!["sweep", "--over", "club.loft=5deg..15deg:3", "-o", &csv], "theirs.csv"),
+        ([&calibrate[..], &["-o", &toml]].concat(), "theirs.toml"),
+        ([&calibrate[..], &["--plot", &here]].concat(), "report.md"),
+    ] {
+        let before = files(folder.path());
+        let said = longdrive(&args);
+        assert_eq!((said.status, said.out.as_str()), (2, ""), "{args:?}: {}", said.err);
+        assert!(said.err.contains("it exists; --overwrite replaces it"), "{args:?}: {}", said.err);
+        assert_eq!(files(folder.path()), before, "{args:?}");
+        let said = longdrive(&[&args[..], &["--overwrite"]].concat());
+        assert_ne!(said.status, 2, "{args:?}: {}", said.err);
+        assert_ne!(files(folder.path())[written], before[written], "{args:?}");
+        fs::write(folder.path().join(written), "not ours").unwrap();
+    }
+    let before = files(folder.path());
+    for args in [vec!["report", "-o", &here], vec!["reproduce", "mae494", "-o", &here]] {
+        let said = longdrive(&args);
+        assert_eq!(said.status, 2, "{args:?}: {}", said.err);
+        assert!(said.err.contains("it exists; --overwrite replaces it"), "{args:?}: {}", said.err);
+        assert_eq!(files(folder.path()), before, "{args:?}");
+    }
+}
+
+#[test]
+fn a_place_that_cannot_be_written_is_told_before_the_work() {
+    let (_folder, name) = folder();
+    let shots = name("shots.csv");
+    let calibrate = ["calibrate", &shots, "--fit", "aero.cd0"];
+    for args in [
+        [&calibrate[..], &["-o", "/nowhere/at/all.toml"]].concat(),
+        [&calibrate[..], &["--plot", "/dev/null/folder"]].concat(),
+        vec!["plot", "contour", "-o", "/nowhere/at/all.svg"],
+        vec!["report", "-o", "/dev/null/folder"],
+        vec!["reproduce", "mae494", "-o", "/dev/null/folder"],
+        vec!["sweep", "--over", "club.loft=5deg..15deg:3", "-o", "/nowhere/at/all.csv"],
+    ] {
+        let said = longdrive(&args);
+        assert_eq!((said.status, said.out.as_str()), (2, ""), "{args:?}: {}", said.err);
+        assert!(said.err.contains("it cannot be written"), "{args:?}: {}", said.err);
+        // one line: no iteration, no part of the work came before it
+        assert_eq!(said.err.lines().count(), 1, "{args:?}: {}", said.err);
+    }
+}
+
+#[test]
+fn files_beside_a_sweep_that_no_sweep_wrote_stay_as_they_are() {
+    let (folder, name) = folder();
+    let out = name("out.csv");
+    for beside in ["out.csv.part", "out.csv.resume"] {
+        fs::write(folder.path().join(beside), "mine").unwrap();
+        for more in [&[][..], &["--overwrite"], &["--resume"]] {
+            let args = [&["sweep", "--over", "club.loft=5deg..15deg:3", "-o", &out], more].concat();
+            let said = longdrive(&args);
+            assert_eq!(said.status, 2, "{beside} {more:?}: {}", said.err);
+            assert!(said.err.contains(beside) && said.err.contains("move it away"), "{beside} {more:?}: {}", said.err);
+            assert_eq!(fs::read_to_string(folder.path().join(beside)).unwrap(), "mine");
+        }
+        fs::remove_file(folder.path().join(beside)).unwrap();
+    }
+}
+
+#[test]
+fn a_whole_file_stays_until_the_one_that_replaces_it_is_whole() {
+    let (folder, name) = folder();
+    let out = name("out.csv");
+    fs::write(&out, "the old one").unwrap();
+    // a cell that is no number is met after some rows: nothing of it reaches the file
+    let bad = format!("{POINTS}ten,100\n");
+    fs::write(folder.path().join("bad.csv"), bad).unwrap();
+    let said = longdrive(&["sweep", "--points", &name("bad.csv"), "-o", &out, "--overwrite"]);
+    assert_eq!(said.status, 2, "{}", said.err);
+    assert_eq!(fs::read_to_string(&out).unwrap(), "the old one");
+    let said = longdrive(&["sweep", "--points", &name("points.csv"), "-o", &out, "--overwrite"]);
+    assert_eq!(said.status, 0, "{}", said.err);
+    assert_eq!(fs::read_to_string(&out).unwrap().lines().count(), 3);
+    assert_eq!(files(folder.path()).keys().filter(|name| name.starts_with("out.csv")).count(), 1);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_file_through_a_link_is_replaced_and_keeps_its_permissions() {
+    use std::os::unix::fs::PermissionsExt;
+    let (folder, name) = folder();
+    let (real, link) = (name("real.svg"), name("link.svg"));
+    fs::write(&real, "old").unwrap();
+    fs::set_permissions(&real, fs::Permissions::from_mode(0o640)).unwrap();
+    std::os::unix::fs::symlink(&real, &link).unwrap();
+    let said = longdrive(&["plot", "trajectory", "-o", &link, "--overwrite"]);
+    assert_eq!(said.status, 0, "{}", said.err);
+    assert!(folder.path().join("link.svg").is_symlink());
+    assert!(fs::read_to_string(&real).unwrap().starts_with("<svg"));
+    assert_eq!(fs::metadata(&real).unwrap().permissions().mode() & 0o777, 0o640);
+}
