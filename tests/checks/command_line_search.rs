@@ -272,7 +272,7 @@ fn exact_optima_at_the_points_one_chooses() {
     let (status, chart) = json(&["chart", "--along", "swing.speed", "--at", "110mph,90mph,100mph"]);
     assert_eq!(status, 0, "{chart}");
     let points = chart["points"].as_array().unwrap();
-    let speeds: Vec<f64> = points.iter().map(|point| number(&point["parameter"])).collect();
+    let speeds: Vec<f64> = points.iter().map(|point| number(&point["at"])).collect();
     assert_eq!(speeds, [90.0 * 0.44704, 100.0 * 0.44704, 110.0 * 0.44704]);
     for (point, speed) in points.iter().zip(["90mph", "100mph", "110mph"]) {
         let (_, alone) = json(&["optimize", "--set", &format!("swing.speed={speed}")]);

@@ -30,3 +30,4 @@ mod sweep;
 mod tables;
 mod uncertainty;
 mod verify;
+mod warnings;

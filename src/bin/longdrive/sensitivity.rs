@@ -28,7 +28,7 @@ pub fn run(args: &SensitivityArgs) -> Result<Answer> {
     }
     let sigmas = if args.no_defaults { given } else { with_defaults(&setup, &given)? };
     let drive = Drive::new(&setup)?;
-    let warnings = [setup.warnings(), drive.corners(&setup)].concat();
+    let warnings = drive.warnings(&setup);
     warn(&warnings);
     let bar = bar("uncertainties");
     let found = effects(&setup, &of, &sigmas, |done, all| show(&bar, done, all));

@@ -4,13 +4,13 @@ use crate::output::{Answer, bar, show, system, tell, warn};
 use longdrive::report::{UncertaintyReport, uncertainty_text};
 use longdrive::study::uncertainty::{Plan, Uncertain, uncertainty};
 use longdrive::study::{Sigma, with_defaults};
-use longdrive::{Error, Result, Setup};
+use longdrive::{Drive, Error, Result, Setup};
 
 pub fn run(args: &UncertaintyArgs) -> Result<Answer> {
     let setup = args.question.within_tolerance(args.question.setup()?, &[])?;
     let of = outcomes(&args.of)?;
     let inputs = inputs(&setup, args)?;
-    let warnings = setup.warnings();
+    let warnings = Drive::new(&setup).map_or_else(|_| setup.warnings(), |drive| drive.warnings(&setup));
     warn(&warnings);
     let plan = Plan { samples: args.samples as usize, seed: args.seed };
     let bar = bar("drives");
