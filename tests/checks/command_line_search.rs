@@ -57,7 +57,10 @@ fn infeasible_is_an_answer_with_status_1_and_says_by_what() {
     let (status, found) = json(&[&["optimize"], limits.as_slice()].concat());
     assert_eq!((status, &found["status"]), (1, &Value::from("infeasible")));
     let message = found["message"].as_str().unwrap();
-    assert!(message.contains("descent_angle >= 60 deg (it is ") && message.contains("away)"), "{message}");
+    assert!(
+        message.contains("descent_angle >= 60 deg (its value is ") && message.contains(", outside by "),
+        "{message}"
+    );
     // no optimum, no sensitivity
     let (status, found) = json(&[&["optimum-sensitivity"], limits.as_slice()].concat());
     assert_eq!((status, &found["status"]), (1, &Value::from("infeasible")));
