@@ -24,7 +24,7 @@ fn main() -> longdrive::Result<()> {
     }
 
     println!("\n  time s   downrange m   right m   up m");
-    let path = trajectory(&setup, &drive.impact.launch)?;
+    let path = trajectory(&setup, &drive.launch)?;
     for point in path.points.iter().step_by(100).chain(path.points.last()) {
         let at = point.position;
         println!("{:8.2} {:13.2} {:9.2} {:6.2}", point.time, at.z, at.y, at.x);

@@ -59,6 +59,17 @@ pub enum Error {
         /// The smallest eigenvalue, kg m².
         smallest: f64,
     },
+    /// Launch conditions that do not make one launch.
+    #[error(
+        "the launch ({given}): {reason}; a launch has ball_speed, launch_angle, perhaps launch_direction, and either backspin \
+         (perhaps sidespin) or spin (perhaps spin_axis)"
+    )]
+    Launch {
+        /// The conditions that are given.
+        given: String,
+        /// What is missing or given twice.
+        reason: String,
+    },
     /// A derivative or a search with respect to something that has no number of its own.
     #[error("{name} cannot be varied or differentiated by: {reason}")]
     NotVariable {
@@ -226,7 +237,7 @@ pub enum Error {
         reason: String,
     },
     /// A question about an optimum where none was found.
-    #[error("there is no optimum to ask about: {status}: {message}")]
+    #[error("no optimum was found: {status}: {message}")]
     NotConverged {
         /// How the search ended.
         status: &'static str,
@@ -290,7 +301,18 @@ impl Error {
     /// Whether the question was sound but has no answer (a drive that does not fly, an angle without direction), as
     /// against bad input.
     pub fn is_an_outcome(&self) -> bool {
-        matches!(self, Self::NoFlight { .. } | Self::Undefined { .. } | Self::NotConverged { .. })
+        self.status() != "error"
+    }
+
+    /// The error in a word, as JSON answers give it: `no-flight`, `undefined`, how a search ended (`infeasible`, …), or
+    /// `error` for bad input.
+    pub fn status(&self) -> &'static str {
+        match self {
+            Self::NoFlight { .. } => "no-flight",
+            Self::Undefined { .. } => "undefined",
+            Self::NotConverged { status, .. } => status,
+            _ => "error",
+        }
     }
 }
 

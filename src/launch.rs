@@ -1,6 +1,7 @@
 //! The ball as it leaves the face: what a launch monitor shows.
 
 use crate::number::{Number, Vector};
+use crate::parameters::Setup;
 
 /// η, rad/s: below it a spin counts as none. |ω| is taken as √(ω·ω + η²) in the air, so that neither it nor
 /// a derivative fails at zero spin.
@@ -32,6 +33,21 @@ impl<T: Number> Launch<T> {
         let back_axis = Vector::new(T::zero(), ahead, -right);
         let side_axis = Vector::new(-run, rise * right, rise * ahead);
         Self { velocity, spin: back_axis * backspin + side_axis * sidespin }
+    }
+
+    /// The launch that a setup gives (`launch.*`), where no club strikes the ball.
+    pub fn given(setup: &Setup<T>) -> Option<Self> {
+        let given = &setup.launch;
+        let (speed, angle) = (given.ball_speed?, given.launch_angle?);
+        let or_zero = |value: Option<T>| value.unwrap_or_else(T::zero);
+        let (back, side) = match given.spin {
+            Some(spin) => {
+                let (sin, cos) = or_zero(given.spin_axis).sin_cos();
+                (spin * cos, spin * sin)
+            }
+            None => (or_zero(given.backspin), or_zero(given.sidespin)),
+        };
+        Some(Self::with_conditions(speed, angle, or_zero(given.launch_direction), back, side))
     }
 
     /// |v|, m/s.

@@ -52,6 +52,7 @@ pub mod derivative;
 pub mod drive;
 pub mod error;
 pub mod flight;
+mod foreign;
 pub mod impact;
 pub mod launch;
 pub mod number;

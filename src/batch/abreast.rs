@@ -116,7 +116,8 @@ where
             );
             let launch =
                 Launch { velocity: launch.velocity.map(|v| v.lane(lane)), spin: launch.spin.map(|w| w.lane(lane)) };
-            let shown = Shown { launch: &launch, club_speed: setup.swing.speed.lane(lane), landed: Some(&landed) };
+            let shown =
+                Shown { launch: &launch, club_speed: Some(setup.swing.speed.lane(lane)), landed: Some(&landed) };
             self.block.status[row] = Status::Landed;
             for (i, outcome) in kernel.of.iter().enumerate() {
                 self.write(row, i, outcome.shown(&shown));

@@ -27,11 +27,13 @@ impl Axis {
         let Some((range, count)) = text.rsplit_once(':') else {
             // a range that is none is the greater mistake
             Vary::read(setup, text)?;
-            return Err(refuse(format!("how many values? write for example {}:101", text.trim())));
+            return Err(refuse(format!("the number of values is missing; write for example {}:101", text.trim())));
         };
         let over = Vary::read(setup, range)?;
         match count.trim().parse() {
-            Ok(0) => Err(refuse("0 values are none; write for example :101, or :1 for the lower end alone".into())),
+            Ok(0) => Err(refuse(
+                "the number of values must be at least 1; write for example :101, or :1 for the lower end alone".into(),
+            )),
             Ok(count) => Ok(Self { over, count }),
             Err(_) => Err(refuse(format!("'{count}' is not a number of values; write for example {range}:101"))),
         }
@@ -69,7 +71,7 @@ impl Grid {
         let parameters: Vec<_> = axes.iter().map(|axis| axis.over.parameter).collect();
         refuse_repeated(&parameters)?;
         if let Some(axis) = axes.iter().find(|axis| axis.count == 0) {
-            let reason = "0 values are none".into();
+            let reason = "the number of values must be at least 1".into();
             return Err(Error::SearchRange { name: axis.over.parameter.name.into(), reason });
         }
         let rows = axes.iter().try_fold(1_u64, |rows, axis| rows.checked_mul(axis.count));

@@ -49,7 +49,8 @@ impl Kernel {
         const MOST_DERIVATIVES: usize = 6;
         let turns_inertia = self.parameters.iter().any(|parameter| parameter.is_of_inertia());
         let sticks = self.setup.impact.friction.is_none();
-        Level::here() > Level::Baseline && !turns_inertia && sticks && self.wrt.len() <= MOST_DERIVATIVES
+        let is_given = self.parameters.iter().any(|parameter| parameter.is_of_launch()) || self.setup.launch.is_given();
+        Level::here() > Level::Baseline && !turns_inertia && sticks && !is_given && self.wrt.len() <= MOST_DERIVATIVES
     }
 
     /// Computes the drives of a block side by side; the rows that have to be looked at one by one are left over.

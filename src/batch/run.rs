@@ -49,9 +49,13 @@ impl Batch {
             return Err(Error::Nothing { doing: "evaluate", what: "outcome" });
         }
         super::points::refuse_repeated(parameters)?;
-        for parameter in parameters.iter().chain(wrt) {
+        for parameter in parameters {
+            setup.column(parameter.name)?;
+        }
+        for parameter in wrt.iter().filter(|parameter| !parameters.contains(parameter)) {
             setup.variable(parameter.name)?;
         }
+        setup.check_launch(&parameters.iter().map(|parameter| parameter.name).collect::<Vec<_>>())?;
         let (parameters, of, wrt) = (parameters.to_vec(), of.to_vec(), wrt.to_vec());
         Ok(Self { kernel: Kernel { setup: *setup, parameters, of, wrt } })
     }

@@ -8,7 +8,7 @@ use crate::flight::Over;
 use crate::flight::{Flight, Pace, Shot, Wanted};
 use crate::impact::{Unchecked, strike};
 use crate::launch::Launch;
-use crate::number::{Counterpart, Fast, Jet, Jet2, Level, Number, Numbers, Pairs, Seeded, Task, Taylor};
+use crate::number::{Counterpart, Fast, Jet, Jet2, Level, Number, Numbers, Pairs, Seeded, Task, Taylor, Vector};
 #[cfg(target_arch = "x86_64")]
 use crate::number::{Fused, Pack4, Wide};
 use crate::parameters::{Parameter, Setup};
@@ -34,7 +34,8 @@ const IMPACT_WIDTH: usize = 12;
 /// A ball just struck.
 struct Struck<T> {
     launch: Launch<T>,
-    club_speed: T,
+    /// Where there is a club.
+    club_speed: Option<T>,
     shot: Shot<T>,
 }
 
@@ -46,15 +47,17 @@ impl Asked<'_> {
         }
         let setup = self.lifted(seeds, |plain: J| plain);
         let launch = strike(&setup)?.launch;
-        Ok(Struck { launch, club_speed: setup.swing.speed, shot: Shot::new(&setup, &launch) })
+        Ok(Struck { launch, club_speed: Some(setup.swing.speed), shot: Shot::new(&setup, &launch) })
     }
 
     /// The impact over a faster number, where it is one that needs no second look.
     fn strike_quickly<J: Seeded + Fast>(&self, seeds: &[usize]) -> Option<Struck<J>> {
-        if let Some(launch) = self.launch {
+        if self.launch.is_some() || self.setup.launch.is_given() {
             let setup = self.lifted(seeds, |plain: J| plain);
-            let launch = Launch { velocity: launch.velocity.map(J::constant), spin: launch.spin.map(J::constant) };
-            return Some(Struck { launch, club_speed: setup.swing.speed, shot: Shot::new(&setup, &launch) });
+            let lifted = |v: Vector<f64>| v.map(J::constant);
+            let launch = self.launch.map(|given| Launch { velocity: lifted(given.velocity), spin: lifted(given.spin) });
+            let launch = launch.or_else(|| Launch::given(&setup))?;
+            return Some(Struck { launch, club_speed: None, shot: Shot::new(&setup, &launch) });
         }
         if self.setup.impact.friction.is_some() {
             return None;
@@ -121,14 +124,19 @@ impl<J: Seeded, F: Counterpart<J>> Task for Strike<'_, J, F> {
         let (launch, shot) = (struck.launch, Shot::new(&setup, &struck.launch));
         Some(Struck {
             launch: Launch { velocity: launch.velocity.map(F::plain), spin: launch.spin.map(F::plain) },
-            club_speed: setup.swing.speed.plain(),
+            club_speed: Some(setup.swing.speed.plain()),
             shot: shot.map(F::plain),
         })
     }
 }
 
 /// An outcome of a launch and what followed.
-fn read<J: Number>(outcome: Outcome, launch: &Launch<J>, club_speed: J, flight: Option<&Flight<J>>) -> Result<J> {
+fn read<J: Number>(
+    outcome: Outcome,
+    launch: &Launch<J>,
+    club_speed: Option<J>,
+    flight: Option<&Flight<J>>,
+) -> Result<J> {
     let landed = match flight {
         Some(Flight::Landed(landed)) => Some(landed),
         Some(Flight::None(why)) if outcome.part() == Part::Flight => {
@@ -138,7 +146,10 @@ fn read<J: Number>(outcome: Outcome, launch: &Launch<J>, club_speed: J, flight: 
     };
     outcome.shown(&Shown { launch, club_speed, landed }).ok_or_else(|| Error::Undefined {
         what: outcome.name().into(),
-        reason: "the flight was not followed for it".into(),
+        reason: match outcome.part() {
+            Part::Launch => "no club strikes the ball: the launch is given".into(),
+            Part::Flight => "the flight was not followed for it".into(),
+        },
     })
 }
 
@@ -255,11 +266,11 @@ fn impact(asked: &Asked<'_>, taylors: &mut [Taylor]) -> Result<Inputs> {
     let mut inputs = None;
     for chunk in places.chunks(IMPACT_WIDTH) {
         if let Some(struck) = asked.strike_quickly::<Jet<IMPACT_WIDTH>>(chunk) {
-            take(asked, chunk, &struck, &mut inputs, taylors);
+            take(asked, chunk, &struck, &mut inputs, taylors)?;
             continue;
         }
         for pair in chunk.chunks(2) {
-            take(asked, pair, &asked.strike::<Jet<2>>(pair)?, &mut inputs, taylors);
+            take(asked, pair, &asked.strike::<Jet<2>>(pair)?, &mut inputs, taylors)?;
         }
     }
     inputs.ok_or(Error::Nothing { doing: "differentiate by", what: "parameter" })
@@ -272,7 +283,7 @@ fn take<const N: usize>(
     struck: &Struck<Jet<N>>,
     inputs: &mut Option<Inputs>,
     taylors: &mut [Taylor],
-) {
+) -> Result<()> {
     let n = asked.wrt.len();
     let inputs = inputs.get_or_insert_with(|| {
         let mut count = 0;
@@ -291,14 +302,15 @@ fn take<const N: usize>(
         }
     });
     for (outcome, taylor) in asked.of.iter().zip(taylors) {
-        let Struck { launch, club_speed, .. } = struck;
-        if let Some(jet) = outcome.shown(&Shown { launch, club_speed: *club_speed, landed: None }) {
+        if outcome.part() == Part::Launch {
+            let jet = read(*outcome, &struck.launch, struck.club_speed, None)?;
             taylor.value = jet.re;
             for (&place, d) in places.iter().zip(jet.gradient) {
                 taylor.gradient[place] = d;
             }
         }
     }
+    Ok(())
 }
 
 /// A flight with derivatives in some of the directions.
@@ -332,7 +344,7 @@ impl<S: Fn(usize, usize) -> f64, A: Fn(&mut [f64], usize, f64)> FlightPass<'_, S
         let launch = Launch { velocity: shot.velocity, spin: shot.axis };
         for (outcome, taylor) in self.asked.of.iter().zip(taylors) {
             if outcome.part() == Part::Flight {
-                let jet = read(*outcome, &launch, shot.spin, Some(&flight))?;
+                let jet = read(*outcome, &launch, None, Some(&flight))?;
                 taylor.value = jet.re;
                 for (k, d) in jet.gradient.iter().enumerate().take(self.here) {
                     (self.add)(&mut taylor.gradient, self.from + k, *d);

@@ -143,7 +143,7 @@ fn check(taylor: &Taylor, outcome: Outcome, wrt: &[&'static Parameter]) -> Resul
             "the direction it measures does not exist (vertical, or without spin)",
         );
     }
-    let edge = "it lies on the edge of a domain (a vertical launch, no spin, a landing at the apex)";
+    let edge = "the drive lies on the edge of where this outcome is smooth (a vertical launch, no spin, a landing at the apex)";
     for (i, parameter) in wrt.iter().enumerate() {
         if taylor.gradient.get(i).is_some_and(|d| !d.is_finite()) {
             return undefined(format!("d {}/d {}", outcome.name(), parameter.name), edge);

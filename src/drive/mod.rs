@@ -9,18 +9,21 @@ use crate::aerodynamics::AerodynamicLaw;
 use crate::error::{Error, Result};
 use crate::flight::{Flight, Landed, fly};
 use crate::impact::{Grip, Impact, strike};
+use crate::launch::Launch;
 use crate::number::Number;
 use crate::parameters::Setup;
 
 /// A drive: what the impact makes of a setup, and how the ball flies.
 #[derive(Clone, Copy, Debug)]
 pub struct Drive<T> {
-    /// The impact, with the ball and the club after it.
-    pub impact: Impact<T>,
+    /// The ball as it leaves.
+    pub launch: Launch<T>,
+    /// The impact, with the club after it; `None` where the setup gives the launch and no club strikes the ball.
+    pub impact: Option<Impact<T>>,
     /// The flight.
     pub flight: Flight<T>,
-    /// Speed of the head before impact, m/s.
-    pub club_speed: T,
+    /// Speed of the head before impact, m/s, where there is a club.
+    pub club_speed: Option<T>,
 }
 
 impl<T: Number> Drive<T> {
@@ -41,9 +44,12 @@ impl<T: Number> Drive<T> {
     /// [`Error::OffFace`], [`Error::NoStrike`], [`Error::Jammed`], [`Error::Diverged`]. A drive that does not
     /// fly is no error here: see [`Flight`].
     pub fn new(setup: &Setup<T>) -> Result<Self> {
+        if let Some(launch) = Launch::given(setup) {
+            return Ok(Self { launch, impact: None, flight: fly(setup, &launch)?, club_speed: None });
+        }
         let impact = strike(setup)?;
-        let flight = fly(setup, &impact.launch)?;
-        Ok(Self { impact, flight, club_speed: setup.swing.speed })
+        let (launch, flight) = (impact.launch, fly(setup, &impact.launch)?);
+        Ok(Self { launch, impact: Some(impact), flight, club_speed: Some(setup.swing.speed) })
     }
 
     /// The landed flight.
@@ -67,7 +73,7 @@ impl Drive<f64> {
     /// the limit between sticking and slipping.
     pub fn corners(&self, setup: &Setup<f64>) -> Vec<String> {
         let mut corners = Vec::new();
-        let spin = self.impact.launch.total_spin();
+        let spin = self.launch.total_spin();
         if spin < ON_THE_SPIN_CORNER && setup.law.has_corner_at_zero_spin() && setup.air.density > 0.0 {
             corners.push(format!(
                 "the spin is {spin:.1e} rad/s: with the law {} outcomes have a corner at zero spin, and derivatives \
@@ -75,7 +81,7 @@ impl Drive<f64> {
                 setup.law.name()
             ));
         }
-        if let Grip::Sticks(used) | Grip::Slips(used) = self.impact.grip
+        if let Some(Grip::Sticks(used) | Grip::Slips(used)) = self.impact.as_ref().map(|impact| impact.grip)
             && (used - 1.0).abs() < 1e-9
         {
             corners.push(

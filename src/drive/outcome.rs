@@ -18,8 +18,8 @@ pub enum Part {
 #[derive(Clone, Copy)]
 pub(crate) struct Shown<'a, T> {
     pub launch: &'a Launch<T>,
-    /// Speed of the head before impact, m/s.
-    pub club_speed: T,
+    /// Speed of the head before impact, m/s, where there is a club.
+    pub club_speed: Option<T>,
     pub landed: Option<&'a Landed<T>>,
 }
 
@@ -76,8 +76,12 @@ macro_rules! outcomes {
                     Flight::Landed(landed) => Some(landed),
                     Flight::None(_) => None,
                 };
-                let shown = Shown { launch: &drive.impact.launch, club_speed: drive.club_speed, landed };
+                let shown = Shown { launch: &drive.launch, club_speed: drive.club_speed, landed };
                 self.shown(&shown).ok_or_else(|| match &drive.flight {
+                    _ if self.part() == Part::Launch => Error::Undefined {
+                        what: self.name().into(),
+                        reason: "no club strikes the ball: the launch is given".into(),
+                    },
                     Flight::None(why) => Error::NoFlight { reason: why.to_string() },
                     Flight::Landed(_) => Error::Undefined {
                         what: self.name().into(),
@@ -122,7 +126,7 @@ outcomes! {
     /// Speed of the ball at launch.
     Launch BallSpeed = "ball_speed", "|v_0|", SPEED in "mph", |drive| drive.launch.ball_speed();
     /// Ball speed over club speed.
-    Launch SmashFactor = "smash_factor", "|v_0|/V", NUMBER in "", |drive| drive.launch.ball_speed() / drive.club_speed;
+    Launch SmashFactor = "smash_factor", "|v_0|/V", NUMBER in "", |drive| drive.launch.ball_speed() / drive.club_speed?;
     /// Angle of the launch above horizontal.
     Launch LaunchAngle = "launch_angle", "γ_0", ANGLE in "deg", |drive| drive.launch.launch_angle();
     /// Horizontal direction of the launch, + right.
@@ -159,7 +163,7 @@ impl Outcome {
                 "outcome",
                 name,
                 names.clone(),
-                format!("there are {}", names.collect::<Vec<_>>().join(", ")),
+                format!("the outcomes are {}", names.collect::<Vec<_>>().join(", ")),
             )
         })
     }

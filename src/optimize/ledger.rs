@@ -43,12 +43,12 @@ impl Ledger {
         let refuse = |reason: String| Error::Checkpoint { file: path.display().to_string(), reason };
         if std::fs::metadata(path).is_ok_and(|found| !found.is_file()) {
             return Err(refuse(
-                "it is no file; name one that does not exist yet, or one that a search was kept in".into(),
+                "it is not a file; name a file that does not exist yet, or the checkpoint of an earlier search".into(),
             ));
         }
         let content = match std::fs::read_to_string(path) {
             Ok(text) => serde_json::from_str(&text)
-                .map_err(|e| refuse(format!("it is no checkpoint of a search ({e}); name another file")))?,
+                .map_err(|e| refuse(format!("it is not a checkpoint of a search ({e}); name another file")))?,
             Err(error) if error.kind() == std::io::ErrorKind::NotFound => {
                 Content { question: question.into(), runs: BTreeMap::new() }
             }

@@ -7,6 +7,7 @@ use super::presets::{PRESETS, Preset};
 use super::setup::LAW;
 use super::table::Setup;
 use crate::error::{Error, Result};
+use crate::foreign::of_toml;
 use std::path::Path;
 use toml::de::{DeTable, DeValue};
 
@@ -47,7 +48,7 @@ impl SetupFile {
 
     fn read(text: &str, file: &str) -> Result<Self> {
         let table = DeTable::parse(text)
-            .map_err(|e| Error::Toml { file: file.into(), message: e.to_string().trim_end().into() })?;
+            .map_err(|error| Error::Toml { file: file.into(), message: of_toml(&error, text, |at| place(text, at)) })?;
         let mut items = Vec::new();
         flatten(table.get_ref(), "", &mut items);
         // as they stand in the file, but the preset and the law before what builds on them

@@ -56,7 +56,7 @@ impl Method {
         let name = name.trim();
         Self::ALL.iter().copied().find(|method| method.name() == name).ok_or_else(|| {
             let names = Self::ALL.iter().map(|method| method.name());
-            let advice = format!("there are {}", names.clone().collect::<Vec<_>>().join(", "));
+            let advice = format!("the methods are {}", names.clone().collect::<Vec<_>>().join(", "));
             Error::unknown("method of integration", name, names, advice)
         })
     }

@@ -5,6 +5,7 @@
 mod declare;
 mod file;
 mod inertia;
+mod launch;
 mod method;
 mod presets;
 mod range;
@@ -20,7 +21,7 @@ pub use range::Range;
 pub use setup::LAW;
 pub(crate) use table::with_law;
 pub use table::{
-    Aero, Air, Ball, Club, Contact, Ferguson, FlightConditions, Ground, LaunchMonitor, Law, Linear, Robinson, Setup,
-    SmitsSmith, Strike, Swing, Wind, WinfieldTan,
+    Aero, Air, Ball, Club, Contact, Ferguson, FlightConditions, Ground, LaunchConditions, LaunchMonitor, Law, Linear,
+    Robinson, Setup, SmitsSmith, Strike, Swing, Wind, WinfieldTan,
 };
 pub use vary::Vary;

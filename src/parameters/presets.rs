@@ -144,7 +144,7 @@ impl Setup<f64> {
     pub fn preset(name: &str) -> Result<Self> {
         let preset = Preset::named(name).ok_or_else(|| {
             let names = PRESETS.iter().map(|preset| preset.name);
-            Error::unknown("preset", name, names, format!("there are {}", Preset::names()))
+            Error::unknown("preset", name, names, format!("the presets are {}", Preset::names()))
         })?;
         let mut setup = Self::default();
         setup.set_all(preset.entries.iter().map(|entry| (entry.name, entry.value)))?;

@@ -165,7 +165,7 @@ impl Setup<f64> {
         let name = name.trim();
         let law = Law::named(name).ok_or_else(|| {
             let names = Law::NAMES.iter().copied();
-            Error::unknown("aerodynamic law", name, names, format!("there are {}", Law::NAMES.join(", ")))
+            Error::unknown("aerodynamic law", name, names, format!("the laws are {}", Law::NAMES.join(", ")))
         })?;
         if law.name() != self.law.name() {
             self.law = law;
@@ -214,6 +214,7 @@ impl Setup<f64> {
         });
         result?;
         self.check_step_count()?;
+        self.check_launch(&[])?;
         self.club.check_inertia()
     }
 
@@ -258,6 +259,17 @@ impl Setup<f64> {
             Some(value) if value.is_finite() => Ok(parameter),
             Some(_) => refuse("it is infinite (a flat face) here; give it a finite value with --set".into()),
             None => refuse(format!("it is unset here ({}); give it a value with --set", parameter.doc)),
+        }
+    }
+
+    /// The parameter of this name, if drives may differ in it: one that is unset or infinite here may have a value in each.
+    ///
+    /// # Errors
+    /// As [`parameter`](Self::parameter), and [`Error::NotVariable`] for a setting and the law.
+    pub fn column(&self, name: &str) -> Result<&'static Parameter> {
+        match self.parameter(name) {
+            Ok(parameter) if parameter.kind != Kind::Setting => Ok(parameter),
+            _ => self.variable(name),
         }
     }
 

@@ -110,6 +110,32 @@ parameter_groups! {
             "a driver does not slip, docs/sources.md";
     }
 
+    /// The ball as it leaves, where a launch monitor says so: once `launch.ball_speed` is set no club strikes it, and
+    /// nothing depends on swing, strike, club and impact.
+    launch: LaunchConditions {
+        /// Ball speed at launch; unset: the club strikes the ball.
+        ball_speed: Option<T> = "launch.ball_speed", "|v_0|", SPEED in "mph", Range::above_to(0.0, 1000.0), "none",
+            "the club strikes the ball";
+        /// Launch angle above horizontal.
+        launch_angle: Option<T> = "launch.launch_angle", "γ_0", ANGLE in "deg", Range::within_degrees(90.0), "none",
+            "the club strikes the ball";
+        /// Launch direction, + right; unset: 0.
+        launch_direction: Option<T> = "launch.launch_direction", "φ_0", ANGLE in "deg", Range::within_degrees(180.0), "none",
+            "the target line";
+        /// Backspin at launch.
+        backspin: Option<T> = "launch.backspin", "ω_b", ANGULAR_VELOCITY in "rpm", Range::from_to(-1e5, 1e5), "none",
+            "the club strikes the ball";
+        /// Sidespin at launch, + curves right; unset: 0.
+        sidespin: Option<T> = "launch.sidespin", "ω_s", ANGULAR_VELOCITY in "rpm", Range::from_to(-1e5, 1e5), "none",
+            "no sidespin";
+        /// Total spin at launch, in place of backspin and sidespin.
+        spin: Option<T> = "launch.spin", "|ω_0|", ANGULAR_VELOCITY in "rpm", Range::from_to(0.0, 1e5), "none",
+            "the club strikes the ball";
+        /// Tilt of the spin axis at launch, + right, beside the total spin; unset: 0.
+        spin_axis: Option<T> = "launch.spin_axis", "atan2(ω_s, ω_b)", ANGLE in "deg", Range::within_degrees(180.0), "none",
+            "a level axis";
+    }
+
     /// The air.
     air: Air {
         /// Density; 0 is a vacuum.

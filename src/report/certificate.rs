@@ -1,4 +1,5 @@
-use super::{json, table::table};
+use super::table::{broken, item, table};
+use super::{Reply, json};
 use crate::derivative::check::{Check, Point, Verdict};
 use crate::reproduce::LoopRow;
 use crate::study::certificate::{Certificate, Convergence, Row};
@@ -25,15 +26,13 @@ pub struct CertificateReport {
     pub while_loop: Value,
     /// Outcomes that the drive has no derivatives of, with the reason.
     pub missing: Value,
-    /// What deserves a word.
-    pub warnings: Vec<String>,
 }
 
 /// A derivative beside differences.
 #[derive(Clone, Debug, Serialize)]
 pub struct CertificateRow {
     /// The outcome.
-    pub outcome: &'static str,
+    pub of: &'static str,
     /// The parameter.
     pub parameter: &'static str,
     /// `pass`, `fail` or `corner`.
@@ -45,7 +44,7 @@ pub struct CertificateRow {
     /// How far apart they are.
     pub error: Value,
     /// How far they may be.
-    pub bar: Value,
+    pub tolerance: Value,
     /// The slopes below and above a corner.
     pub sides: Option<[f64; 2]>,
     /// The step at which a plain central difference comes nearest.
@@ -61,27 +60,35 @@ pub struct CertificateRow {
 }
 
 impl CertificateReport {
-    /// The report of a certificate, beside the while-loop's rows.
-    pub fn new(certificate: &Certificate, loops: &[LoopRow], warnings: Vec<String>) -> Self {
+    /// The answer of `verify`: `passed` or `failed`.
+    pub fn reply(certificate: &Certificate, loops: &[LoopRow], warnings: Vec<String>) -> Reply<Self> {
+        let missing = certificate.missing.iter().map(|(of, why)| format!("left out: {}: {why}", of.name()));
+        let message = missing.collect::<Vec<_>>().join("; ");
+        let message = (!message.is_empty()).then_some(message);
+        let status = if certificate.passed() { "passed" } else { "failed" };
+        Reply::done("verify", warnings, Self::new(certificate, loops)).ended(status, message)
+    }
+
+    fn new(certificate: &Certificate, loops: &[LoopRow]) -> Self {
         let planted = certificate
             .planted
             .iter()
             .map(|planted| json!({ "error": planted.plant.name(), "rows": planted.rows, "caught": planted.caught }));
         let landing = certificate.landing.iter().map(|row| {
             let mut entry = check_json(&row.check);
-            entry["outcome"] = row.of.name().into();
+            entry["of"] = row.of.name().into();
             entry["parameter"] = row.parameter.name.into();
             entry["landing_term"] = json::number(Some(row.landing_term));
             entry
         });
         let continuity = certificate.continuity.iter().map(|found| {
             json!({
-                "outcome": found.of.name(),
+                "of": found.of.name(),
                 "parameter": found.parameter.name,
                 "at": found.at,
                 "steps": found.steps,
                 "jumps": found.jumps,
-                "bars": found.bars,
+                "tolerances": found.bars,
                 "continuous_derivatives": found.smoothness,
                 "verdict": verdict_of(found.passed()),
             })
@@ -89,7 +96,7 @@ impl CertificateReport {
         let convergence = certificate.convergence.iter().map(|found| {
             let errors = |which: usize| found.errors.iter().map(|(_, pair)| pair[which]).collect::<Vec<_>>();
             json!({
-                "outcome": found.of.name(),
+                "of": found.of.name(),
                 "steps": found.errors.iter().map(|(step, _)| *step).collect::<Vec<_>>(),
                 "value_errors": errors(0),
                 "gradient_errors": errors(1),
@@ -98,7 +105,7 @@ impl CertificateReport {
                 "verdict": verdict_of(found.passed()),
             })
         });
-        let missing = certificate.missing.iter().map(|(of, why)| json!({ "outcome": of.name(), "message": why }));
+        let missing = certificate.missing.iter().map(|(of, why)| json!({ "of": of.name(), "message": why }));
         Self {
             passed: certificate.passed(),
             rows: certificate.rows.iter().map(CertificateRow::new).collect(),
@@ -108,7 +115,6 @@ impl CertificateReport {
             convergence: convergence.collect(),
             while_loop: loops.iter().map(loop_json).collect(),
             missing: missing.collect(),
-            warnings,
         }
     }
 }
@@ -118,13 +124,13 @@ impl CertificateRow {
         let check = &row.first;
         let best = check.best_step();
         Self {
-            outcome: row.of.name(),
+            of: row.of.name(),
             parameter: row.parameter.name,
             verdict: row.verdict().name(),
             exact: json::number(Some(check.exact)),
             best_difference: json::number(check.best.map(|best| best.value)),
             error: json::number(Some(check.error)),
-            bar: json::number(Some(check.bar)),
+            tolerance: json::number(Some(check.bar)),
             sides: check.sides,
             best_step: json::number(best.map(|best| best.step)),
             best_step_error: json::number(best.map(|best| best.error)),
@@ -145,7 +151,7 @@ fn check_json(check: &Check) -> Value {
         "exact": json::number(Some(check.exact)),
         "best_difference": json::number(check.best.map(|best| best.value)),
         "error": json::number(Some(check.error)),
-        "bar": json::number(Some(check.bar)),
+        "tolerance": json::number(Some(check.bar)),
         "sides": check.sides,
     })
 }
@@ -202,32 +208,30 @@ pub fn certificate_text(certificate: &Certificate, loops: &[LoopRow]) -> String 
     let count = |verdict| certificate.rows.iter().filter(|row| row.verdict() == verdict).count();
     let counts =
         [Verdict::Fail, Verdict::Corner, Verdict::Pass].map(|verdict| format!("{} {}", count(verdict), verdict.name()));
-    text + &format!("\n{}: {}\n", if certificate.passed() { "passed" } else { "FAILED" }, counts.join(", "))
+    broken(&text) + &format!("\n{}: {}\n", if certificate.passed() { "passed" } else { "FAILED" }, counts.join(", "))
 }
 
 fn rows_text(rows: &[Row]) -> String {
-    let head = ["outcome", "by", "verdict", "exact (SI)", "off by", "may be", "best step", "off by", "Taylor slopes"];
+    let head = ["outcome", "by", "verdict", "exact (SI)", "error", "allowed", "Taylor slopes"];
     let rows = rows.iter().map(|row| {
         let check = &row.first;
-        let relative = |error: f64| match check.exact {
-            0.0 => format!("{error:.0e}"),
-            exact => format!("{:.0e} of it", error / exact.abs()),
+        let relative = |error: f64| {
+            let error = if check.exact == 0.0 { error } else { error / check.exact.abs() };
+            if error == 0.0 { "0".into() } else { format!("{error:.0e}") }
         };
-        let best = check.best_step();
-        let slopes = row.slopes.map(|slope| slope.map_or("–".into(), |slope| format!("{slope:.2}")));
+        let slopes = row.slopes.map(|slope| slope.map_or("–".into(), |slope| format!("{slope:.1}")));
         vec![
             row.of.name().into(),
             row.parameter.name.into(),
             row.verdict().name().into(),
-            significant(check.exact, 10),
+            significant(check.exact, 8),
             relative(check.error),
             relative(check.bar),
-            best.map_or("–".into(), |best| format!("{:.0e}", best.step / row.ladder.scale)),
-            best.map_or("–".into(), |best| relative(best.error)),
             slopes.join(" "),
         ]
     });
-    table(&head, &[3, 4, 5, 6, 7], rows)
+    let words = "errors are the differences from numerical derivatives, relative to the exact derivative; absolute where it is 0";
+    table(&head, &[3, 4, 5], rows) + "\n" + &item(words)
 }
 
 fn landing_text(certificate: &Certificate) -> String {

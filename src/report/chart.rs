@@ -1,6 +1,9 @@
-use super::{json, table::table};
+use super::table::{paragraph, table};
+use super::{Reply, json, shown};
+use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::study::{Chart, ChartPoint, Vary};
+use crate::units::{Quantity, System};
 use serde::Serialize;
 use serde_json::{Map, Value};
 
@@ -8,7 +11,7 @@ use serde_json::{Map, Value};
 #[derive(Clone, Debug, Serialize)]
 pub struct ChartReport {
     /// The parameter it runs along.
-    pub along: &'static str,
+    pub parameter: &'static str,
     /// The outcome that is made large.
     pub objective: &'static str,
     /// Its points, in order.
@@ -23,7 +26,7 @@ pub struct ChartReport {
 #[derive(Clone, Debug, Serialize)]
 pub struct ChartPointReport {
     /// The parameter's value.
-    pub parameter: f64,
+    pub at: f64,
     /// The outcome's best value there.
     pub value: Value,
     /// Where it is, by parameter.
@@ -37,13 +40,24 @@ pub struct ChartPointReport {
 }
 
 impl ChartReport {
-    /// The report of a chart.
-    pub fn new(chart: &Chart) -> Self {
+    /// The answer of `chart`: `done`, `partial` where the optimum is missing for a part of the range, or `no-answer`.
+    pub fn reply(chart: &Chart, objective: Outcome, warnings: Vec<String>) -> Reply<Self> {
+        let notes: Vec<&str> = chart.begun.iter().chain(&chart.ended).map(String::as_str).collect();
+        let status = match (notes.is_empty(), chart.points.is_empty()) {
+            (true, _) => "done",
+            (false, true) => "no-answer",
+            (false, false) => "partial",
+        };
+        let message = (!notes.is_empty()).then(|| notes.join("; "));
+        Reply::done("chart", warnings, Self::new(chart, objective)).ended(status, message)
+    }
+
+    fn new(chart: &Chart, objective: Outcome) -> Self {
         let point = |point: &ChartPoint| {
             let names = point.best.search.vary.iter().map(|vary| vary.parameter.name);
             let bounds = point.active.iter().filter_map(|active| Some((active.name.clone(), active.end?.into())));
             ChartPointReport {
-                parameter: point.at,
+                at: point.at,
                 value: json::number(point.best.value()),
                 optimum: json::named(names.zip(point.best.solution.x.iter().map(|x| Some(*x)))),
                 active: point.active.iter().map(|active| active.name.clone()).collect(),
@@ -52,8 +66,8 @@ impl ChartReport {
             }
         };
         Self {
-            along: chart.along.parameter.name,
-            objective: chart.points.first().map_or("", |point| point.best.search.maximize.name()),
+            parameter: chart.along.parameter.name,
+            objective: objective.name(),
             points: chart.points.iter().map(point).collect(),
             begun: chart.begun.clone(),
             ended: chart.ended.clone(),
@@ -61,44 +75,51 @@ impl ChartReport {
     }
 }
 
-/// The columns of a chart, with how each is shown.
-fn head(chart: &Chart) -> Vec<&'static str> {
+/// The parameters and the outcome that the columns of a chart hold, in order.
+fn head(chart: &Chart) -> Vec<(&'static str, Quantity)> {
     let Some(first) = chart.points.first() else { return vec![] };
-    let varied = first.best.search.vary.iter().map(|vary| vary.parameter.name);
-    [chart.along.parameter.name, first.best.search.maximize.name()].into_iter().chain(varied).collect()
+    let search = &first.best.search;
+    let along = chart.along.parameter;
+    let varied = search.vary.iter().map(|vary| (vary.parameter.name, vary.parameter.quantity));
+    [(along.name, along.quantity), (search.maximize.name(), search.maximize.quantity())]
+        .into_iter()
+        .chain(varied)
+        .collect()
 }
 
 /// A chart as a table.
-pub fn chart_text(chart: &Chart) -> String {
-    let mut columns = head(chart);
+pub fn chart_text(chart: &Chart, system: System) -> String {
+    let mut columns: Vec<&str> = head(chart).into_iter().map(|(name, _)| name).collect();
     let right: Vec<usize> = (0..columns.len()).collect();
     columns.push("active");
     let rows = chart.points.iter().map(|point| {
-        let show = |(vary, x): (&Vary, &f64)| vary.parameter.show(Some(*x));
-        let value = point.best.value().map_or("–".into(), |value| point.best.search.maximize.show(value));
+        let show = |(vary, x): (&Vary, &f64)| shown::parameter(vary.parameter, *x, system);
+        let value = shown::outcome_or_dash(point.best.search.maximize, point.best.value(), system);
         let event = point.event.as_ref().map(|event| format!("<- {event}"));
-        let words = if point.active.is_empty() { "–".into() } else { listed(point, ", ") };
-        [chart.along.parameter.show(Some(point.at)), value]
+        let words = if point.active.is_empty() { shown::NONE.into() } else { listed(point, ", ") };
+        [shown::parameter(chart.along.parameter, point.at, system), value]
             .into_iter()
             .chain(point.best.search.vary.iter().zip(&point.best.solution.x).map(show))
-            .chain([[Some(words), event].into_iter().flatten().collect::<Vec<_>>().join("  ")])
+            .chain([[Some(words), event].into_iter().flatten().collect::<Vec<_>>().join("\n")])
             .collect()
     });
-    let notes = chart.begun.iter().chain(&chart.ended).map(|why| format!("\n{why}\n"));
+    let notes = chart.begun.iter().chain(&chart.ended).map(|why| format!("\n{}", paragraph(why)));
     table(&columns, &right, rows) + &notes.collect::<String>()
 }
 
-/// A chart as CSV, SI and radians.
+/// A chart as CSV, SI and radians; the head names the unit of each column, `swing.speed [m/s]`.
 ///
 /// # Errors
 /// [`Error::Output`].
 pub fn chart_csv(chart: &Chart) -> Result<String> {
     let failed = |error: csv::Error| Error::Output(error.into());
     let mut writer = csv::Writer::from_writer(vec![]);
-    writer.write_record(head(chart).into_iter().chain(["active", "event"])).map_err(failed)?;
+    let numbers = head(chart).into_iter().map(|(name, quantity)| quantity.head(name));
+    writer.write_record(numbers.chain(["active".into(), "event".into()])).map_err(failed)?;
     for point in &chart.points {
         let numbers = [point.at, point.best.value().unwrap_or(f64::NAN)];
-        let numbers = numbers.iter().chain(&point.best.solution.x).map(|number| format!("{number:?}"));
+        let numbers = numbers.iter().chain(&point.best.solution.x);
+        let numbers = numbers.map(|number| if number.is_nan() { String::new() } else { format!("{number:?}") });
         let words = [listed(point, "; "), point.event.clone().unwrap_or_default()];
         writer.write_record(numbers.chain(words)).map_err(failed)?;
     }
@@ -106,7 +127,7 @@ pub fn chart_csv(chart: &Chart) -> Result<String> {
     Ok(String::from_utf8_lossy(&bytes).into_owned())
 }
 
-/// What holds a point, in words.
+/// The bounds and constraints that are active at a point, in words.
 fn listed(point: &ChartPoint, separator: &str) -> String {
     point.active.iter().map(ToString::to_string).collect::<Vec<_>>().join(separator)
 }

@@ -1,17 +1,35 @@
-use super::{drive::readable, json, table::table};
+use super::table::{item, table};
+use super::{OptimumReport, Reply, json, shown};
+use crate::drive::Outcome;
 use crate::error::Result;
 use crate::parameters::Parameter;
-use crate::study::{Bar, Effect, Effects, Sensitivity};
-use crate::units::{per, significant};
+use crate::study::{Bar, Effect, Effects, Optimum, Sensitivity};
+use crate::units::{System, significant};
 use serde::Serialize;
 use serde_json::{Value, json};
 
-/// What an optimum's best value answers to: a parameter each, as far as it has one.
+/// The sensitivity of an optimum's best value to each parameter, or why there is none.
 pub type Totals = [(&'static Parameter, Result<Sensitivity>)];
+
+/// The effects of all parameters on outcomes as JSON, SI and radians.
+#[derive(Clone, Debug, Serialize)]
+pub struct EffectsReport {
+    /// Each outcome, in the order asked for.
+    pub outcomes: Vec<OutcomeEffects>,
+    /// The optimum that was asked at; `null` where it was the setup itself.
+    pub at_optimum: Option<OptimumReport>,
+}
+
+impl EffectsReport {
+    /// The answer of `sensitivity`.
+    pub fn reply(outcomes: Vec<OutcomeEffects>, best: Option<&Optimum>, warnings: Vec<String>) -> Reply<Self> {
+        Reply::done("sensitivity", warnings, Self { outcomes, at_optimum: best.map(OptimumReport::new) })
+    }
+}
 
 /// The effects of all parameters on an outcome as JSON, SI and radians.
 #[derive(Clone, Debug, Serialize)]
-pub struct EffectsReport {
+pub struct OutcomeEffects {
     /// The outcome.
     pub of: &'static str,
     /// Its value.
@@ -24,21 +42,21 @@ pub struct EffectsReport {
     pub effects: Vec<Value>,
 }
 
-impl EffectsReport {
+impl OutcomeEffects {
     /// The report of an outcome's effects; `totals` where the drive is an optimum of it.
     pub fn new(effects: &Effects, totals: Option<&Totals>) -> Self {
         let effect = |effect: &Effect| {
             let bar = effect.bar.as_ref();
             json!({
                 "parameter": effect.parameter.name,
-                "gradient": json::number(Some(effect.gradient)),
+                "derivative": json::number(Some(effect.gradient)),
                 "elasticity": json::number(effect.elasticity),
-                "sigma": json::number(bar.map(|bar| bar.sigma.value)),
-                "sigma_source": bar.map(|bar| bar.sigma.source.unwrap_or("given")),
+                "standard_uncertainty": json::number(bar.map(|bar| bar.sigma.value)),
+                "source": bar.map(|bar| bar.sigma.source.unwrap_or("given")),
                 "effect": json::number(bar.map(|bar| bar.first_order)),
                 "second_order": json::number(bar.and_then(|bar| bar.second_order)),
                 "flown": bar.map(|bar| bar.flown.map(json::number)),
-                "total": json::number(total(totals, effect.parameter)),
+                "derivative_of_optimum": json::number(total(totals, effect.parameter)),
             })
         };
         Self {
@@ -58,59 +76,49 @@ fn total(totals: Option<&Totals>, parameter: &Parameter) -> Option<f64> {
 }
 
 /// The effects on an outcome as text: those of uncertainties first, with what they neglect, then the other gradients.
-pub fn effects_text(effects: &Effects, totals: Option<&Totals>) -> String {
+pub fn effects_text(effects: &Effects, totals: Option<&Totals>, system: System) -> String {
     let of = effects.of;
-    let signed = |value: f64| if value > 0.0 { format!("+{}", readable(of, value)) } else { readable(of, value) };
-    let size = of.quantity().size_of(of.unit()).unwrap_or(1.0);
-    let rate = |slope: f64, parameter: &Parameter| {
-        let by = parameter.quantity.size_of(parameter.unit).unwrap_or(1.0);
-        format!("{} {}", significant(slope * by / size, 5), per(of.unit(), parameter.unit)).trim_end().to_owned()
-    };
-    let row = |effect: &Effect| {
+    let rate = |slope: f64, parameter: &Parameter| shown::slope(of, parameter, slope, system, 5);
+    let slopes = |effect: &Effect| {
         let parameter = effect.parameter;
-        let elasticity = effect.elasticity.map_or("–".into(), |elasticity| significant(elasticity, 4));
+        let elasticity = effect.elasticity.map_or(shown::NONE.into(), |elasticity| significant(elasticity, 4));
         let mut row = vec![parameter.name.into(), rate(effect.gradient, parameter), elasticity];
-        row.extend(totals.map(|_| total(totals, parameter).map_or("–".into(), |slope| rate(slope, parameter))));
-        row.extend(effect.bar.as_ref().map(|bar| bar_cells(bar, signed)).into_iter().flatten());
+        let of_optimum = || total(totals, parameter).map_or(shown::NONE.into(), |slope| rate(slope, parameter));
+        row.extend(totals.map(|_| of_optimum()));
         row
     };
-    let gradient = ["by", "slope", "elasticity"].into_iter().chain(totals.map(|_| "slope of the optimum"));
-    let with_bars: Vec<&str> =
-        gradient.clone().chain(["uncertainty", "effect", "second order", "flown −σ", "flown +σ"]).collect();
-    let gradient: Vec<&str> = gradient.collect();
-    let (bars, others): (Vec<_>, Vec<_>) = effects.effects.iter().partition(|effect| effect.bar.is_some());
-    let right = |head: &[&str]| (2..head.len()).collect::<Vec<_>>();
-    let mut text = format!("{} = {}\n", of.name(), of.show(effects.value));
+    let mut text = format!("{} = {}\n", of.name(), shown::both(of, effects.value, system));
+    let bars: Vec<Bar> = effects.effects.iter().filter_map(|effect| effect.bar).collect();
     if !bars.is_empty() {
-        text += &format!(
-            "\n{}  together ±{} to first order, if independent; trust only bars above {}\n",
-            table(&with_bars, &right(&with_bars), bars.iter().map(|effect| row(effect))),
-            readable(of, effects.standard_uncertainty()),
-            readable(of, effects.linearity()),
-        );
-        for bar in bars.iter().filter_map(|effect| effect.bar) {
+        let head = ["uncertainty of", "±σ", "effect", "second order", "flown at −σ", "flown at +σ"];
+        text += &format!("\n{}", table(&head, &[1, 2, 3, 4, 5], bars.iter().map(|bar| bar_cells(bar, of, system))),);
+        text += &item(&format!(
+            "together ±{} to first order, if independent; effects below {} are smaller than what the linear model neglects",
+            shown::spread(of, effects.standard_uncertainty(), system),
+            shown::spread(of, effects.linearity(), system),
+        ));
+        for bar in &bars {
             if let Some(source) = bar.sigma.source {
-                text += &format!("  default of {}: {source}\n", bar.sigma.parameter.name);
+                text += &item(&format!("default of {}: {source}", bar.sigma.parameter.name));
             }
         }
     }
-    text + &format!("\n{}", table(&gradient, &right(&gradient), others.iter().map(|effect| row(effect))))
+    let head = ["by", "slope", "elasticity"].into_iter().chain(totals.map(|_| "slope of the optimum"));
+    let head: Vec<&str> = head.collect();
+    let right: Vec<usize> = (1..head.len()).collect();
+    text + &format!("\n{}", table(&head, &right, effects.effects.iter().map(slopes)))
 }
 
-fn bar_cells(bar: &Bar, signed: impl Fn(f64) -> String) -> Vec<String> {
-    let or_dash = |value: Option<f64>| value.map_or("–".into(), &signed);
+fn bar_cells(bar: &Bar, of: Outcome, system: System) -> Vec<String> {
+    let change = |value: f64| shown::change(of, value, system);
+    let or_dash = |value: Option<f64>| value.map_or(shown::NONE.into(), change);
     let [below, above] = bar.flown;
     vec![
-        format!("±{}", bar.sigma.parameter.quantity.show(round(bar.sigma.value, bar), bar.sigma.parameter.unit)),
-        signed(bar.first_order),
+        bar.sigma.parameter.name.into(),
+        format!("±{}", shown::stated(bar.sigma.parameter, bar.sigma.value, system)),
+        change(bar.first_order),
         or_dash(bar.second_order),
         or_dash(below),
         or_dash(above),
     ]
-}
-
-/// An uncertainty to four digits of the unit it is shown in.
-fn round(value: f64, bar: &Bar) -> f64 {
-    let size = bar.sigma.parameter.quantity.size_of(bar.sigma.parameter.unit).unwrap_or(1.0);
-    significant(value / size, 4).parse::<f64>().map_or(value, |rounded| rounded * size)
 }

@@ -1,29 +1,33 @@
-use super::{json, table::table};
+use super::reply::{Reply, share};
+use super::{json, shown, table::table};
 use crate::derivative::Taylor;
 use crate::drive::Outcome;
-use crate::error::Error;
+use crate::error::Result;
 use crate::parameters::Parameter;
-use crate::units::{per, significant};
+use crate::units::{System, per, significant};
 use serde::Serialize;
 use serde_json::{Map, Value};
 
-/// An outcome with its derivatives as JSON, SI and radians.
+/// Outcomes with their derivatives as JSON, SI and radians.
 #[derive(Clone, Debug, Serialize)]
 pub struct GradientReport {
+    /// Each outcome, in the order asked for.
+    pub outcomes: Vec<OutcomeReport>,
+}
+
+/// An outcome with its derivatives as JSON, SI and radians.
+#[derive(Clone, Debug, Serialize)]
+pub struct OutcomeReport {
     /// The outcome.
     pub of: &'static str,
     /// Its value; `null` where the drive has none.
     pub value: Value,
     /// Its derivative by each parameter.
     pub gradient: Option<Map<String, Value>>,
-    /// Its second derivatives, if asked for.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    /// Its second derivatives; `null` where they were not asked for.
     pub hessian: Option<HessianReport>,
-    /// Why the drive has no such outcome.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    /// Why the drive has no such outcome; `null` where it has.
     pub message: Option<String>,
-    /// What deserves a word.
-    pub warnings: Vec<String>,
 }
 
 /// A symmetric matrix of second derivatives.
@@ -32,50 +36,72 @@ pub struct HessianReport {
     /// The parameters of its rows and columns.
     pub names: Vec<&'static str>,
     /// Its rows.
-    pub values: Vec<Vec<f64>>,
+    pub values: Vec<Vec<Value>>,
+}
+
+impl HessianReport {
+    /// A matrix with the parameters of its rows and columns.
+    pub(super) fn new(names: Vec<&'static str>, values: &[Vec<f64>]) -> Self {
+        let row = |row: &Vec<f64>| row.iter().map(|entry| json::number(Some(*entry))).collect();
+        Self { names, values: values.iter().map(row).collect() }
+    }
 }
 
 impl GradientReport {
-    /// The report of an outcome's derivatives.
-    pub fn new(of: Outcome, wrt: &[&'static Parameter], taylor: &Taylor, warnings: Vec<String>) -> Self {
+    /// The answer of `gradient`: each outcome with its derivatives, or why there are none.
+    pub fn reply(
+        found: &[(Outcome, Result<Taylor>)],
+        wrt: &[&'static Parameter],
+        warnings: Vec<String>,
+    ) -> Reply<Self> {
+        let mut missing: Vec<_> = found.iter().filter_map(|(_, taylor)| taylor.as_ref().err()).collect();
+        let status = match (share(found.len() - missing.len(), found.len()), missing.first()) {
+            // where all of them lack the same, that is the answer
+            ("no-answer", Some(first)) if missing.iter().all(|why| why.status() == first.status()) => first.status(),
+            (status, _) => status,
+        };
+        missing.dedup_by_key(|why| why.to_string());
+        let message = missing.iter().map(ToString::to_string).collect::<Vec<_>>().join("; ");
+        let outcomes = found.iter().map(|(of, taylor)| OutcomeReport::new(*of, wrt, taylor)).collect();
+        let message = (!missing.is_empty()).then_some(message);
+        Reply::done("gradient", warnings, Self { outcomes }).ended(status, message)
+    }
+}
+
+impl OutcomeReport {
+    fn new(of: Outcome, wrt: &[&'static Parameter], taylor: &Result<Taylor>) -> Self {
         let names: Vec<&str> = wrt.iter().map(|parameter| parameter.name).collect();
+        let taylor = match taylor {
+            Ok(taylor) => taylor,
+            Err(why) => {
+                let message = Some(why.to_string());
+                return Self { of: of.name(), value: Value::Null, gradient: None, hessian: None, message };
+            }
+        };
         let gradient = names.iter().copied().zip(taylor.gradient.iter().map(|d| Some(*d)));
         Self {
             of: of.name(),
             value: json::number(Some(taylor.value)),
             gradient: Some(json::named(gradient)),
-            hessian: (!taylor.hessian.is_empty()).then(|| HessianReport { names, values: taylor.hessian.clone() }),
+            hessian: (!taylor.hessian.is_empty()).then(|| HessianReport::new(names, &taylor.hessian)),
             message: None,
-            warnings,
         }
-    }
-
-    /// The report of an outcome that this drive does not have.
-    pub fn none(of: Outcome, why: &Error, warnings: Vec<String>) -> Self {
-        let message = Some(why.to_string());
-        Self { of: of.name(), value: Value::Null, gradient: None, hessian: None, message, warnings }
     }
 }
 
-/// An outcome with its gradient, and Hessian if there is one, as text.
-pub fn gradient_text(of: Outcome, wrt: &[&'static Parameter], taylor: &Taylor) -> String {
-    let unit_size = of.quantity().size_of(of.unit()).unwrap_or(1.0);
+/// An outcome with its gradient, and Hessian if there is one, as text; derivatives also in SI, to twelve digits.
+pub fn gradient_text(of: Outcome, wrt: &[&'static Parameter], taylor: &Taylor, system: System) -> String {
+    let si = of.quantity().si;
     let rows = wrt.iter().zip(&taylor.gradient).map(|(parameter, slope)| {
-        let size = parameter.quantity.size_of(parameter.unit).unwrap_or(1.0);
         vec![
             parameter.name.into(),
-            format!("{} {}", significant(slope * size / unit_size, 6), per(of.unit(), parameter.unit)),
-            format!("{} {}", significant(*slope, 12), per(of.quantity().si, parameter.quantity.si)),
+            shown::slope(of, parameter, *slope, system, 6),
+            format!("{} {}", significant(*slope, 12), per(si, parameter.quantity.si)).trim_end().to_owned(),
         ]
     });
-    let gradient = table(&["by", &format!("d {}", of.name()), "SI"], &[], rows);
-    let value = format!(
-        "{} = {} = {} {}\n\n",
-        of.name(),
-        of.show(taylor.value),
-        significant(taylor.value, 15),
-        of.quantity().si
-    );
+    let gradient = table(&["by", &format!("d {}", of.name()), "SI"], &[1, 2], rows);
+    let exact = format!("{} {si}", significant(taylor.value, 15));
+    let value = format!("{} = {}; in SI {}\n\n", of.name(), shown::both(of, taylor.value, system), exact.trim_end());
     if taylor.hessian.is_empty() {
         return value + &gradient;
     }

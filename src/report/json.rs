@@ -3,10 +3,11 @@ use crate::parameters::{LAW, METHOD, Setup};
 use serde_json::{Map, Value, json};
 
 /// A number, `null` for one that does not exist. JSON has no infinity: a flat face's radius is `"inf"`, as
-/// setup files write it.
+/// setup files write it; a range without a lower end begins at `"-inf"`.
 pub(super) fn number(value: Option<f64>) -> Value {
     match value {
-        Some(value) if value == f64::INFINITY => json!("inf"),
+        Some(f64::INFINITY) => json!("inf"),
+        Some(f64::NEG_INFINITY) => json!("-inf"),
         Some(value) if value.is_finite() => json!(value + 0.0),
         _ => Value::Null,
     }

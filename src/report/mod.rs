@@ -16,30 +16,33 @@ pub mod page;
 mod parameters;
 pub mod plot;
 mod presets;
+mod reply;
 mod sensitivity;
 mod setup_file;
+mod shown;
 mod sweep;
 mod table;
 mod uncertainty;
 mod winfield_tan;
 
-pub use calibration::{CalibrationReport, calibration_document, calibration_json, calibration_toml};
+pub use calibration::{CalibrationReport, calibration_document, calibration_reply, calibration_toml};
 pub use certificate::{CertificateReport, CertificateRow, certificate_text};
 pub use chart::{ChartPointReport, ChartReport, chart_csv, chart_text};
 pub use document::Document;
 pub use drive::{DriveReport, drive_text};
-pub use effects::{EffectsReport, Totals, effects_text};
-pub use gradient::{GradientReport, HessianReport, gradient_text};
-pub use mae494::{mae494_document, mae494_json};
+pub use effects::{EffectsReport, OutcomeEffects, Totals, effects_text};
+pub use gradient::{GradientReport, HessianReport, OutcomeReport, gradient_text};
+pub use mae494::{mae494_document, mae494_reply};
 pub use optimum::{
     ConstraintReport, LocalReport, Multipliers, OptimumReport, iteration_line, optima_text, optimum_text, optimum_toml,
 };
-pub use parameters::{parameters_json, parameters_text};
-pub use presets::{presets_json, presets_text};
-pub use sensitivity::{Analysis, SensitivityReport, sensitivity_text};
+pub use parameters::{parameters_reply, parameters_text};
+pub use presets::{presets_reply, presets_text};
+pub use reply::{Empty, Reply};
+pub use sensitivity::{Analysis, AnalysisReport, SensitivityReport, sensitivity_text};
 pub use setup_file::{preset_toml, setup_toml};
 #[cfg(feature = "parquet")]
 pub use sweep::{ParquetGroup, PlacedGroup, SweepParquet};
 pub use sweep::{SweepCsv, SweepJsonLines};
 pub use uncertainty::{UncertaintyReport, uncertainty_text};
-pub use winfield_tan::{winfield_tan_document, winfield_tan_json};
+pub use winfield_tan::{winfield_tan_document, winfield_tan_reply};

@@ -1,11 +1,12 @@
-use super::drive::readable;
-use super::{json, setup_toml, table::table};
+use super::drive::{flight, launch};
+use super::table::{paragraph, table};
+use super::{Reply, json, setup_toml, shown};
 use crate::drive::Outcome;
 use crate::error::Result;
 use crate::optimize::{Constrained, Effort, Iteration, Status};
 use crate::parameters::Preset;
 use crate::study::{Constraint, Optima, Optimum, Search, Sense};
-use crate::units::{Quantity, per, significant};
+use crate::units::{Quantity, System};
 use serde::Serialize;
 use serde_json::{Map, Value};
 use std::collections::BTreeMap;
@@ -13,12 +14,10 @@ use std::collections::BTreeMap;
 /// An optimum as JSON, SI and radians.
 #[derive(Clone, Debug, Serialize)]
 pub struct OptimumReport {
-    /// `converged`, `stalled-at-kink`, `stalled`, `infeasible`, `iteration-limit`, `interrupted` or `no-flight`.
-    pub status: &'static str,
-    /// The same in a sentence, with numbers.
-    pub message: String,
-    /// The outcome made large.
+    /// The outcome that is sought.
     pub objective: &'static str,
+    /// Which value of it: `maximize` or `minimize`.
+    pub sense: &'static str,
     /// Its value; `null` where nothing flew.
     pub value: Value,
     /// Where it is, by parameter.
@@ -37,11 +36,16 @@ pub struct OptimumReport {
     pub evaluations: u64,
     /// How the quadratic programs of the steps were solved.
     pub steps: Effort,
-    /// The local optima of a search from many starts, best first.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    /// The local optima of a search from many starts, best first; `null` after a search from one.
     pub optima: Option<Vec<LocalReport>>,
-    /// What deserves a word.
-    pub warnings: Vec<String>,
+    /// Every parameter of the best drive; `null`, as its launch and flight, where nothing flew.
+    pub setup: Option<Map<String, Value>>,
+    /// Its launch.
+    pub launch: Option<Map<String, Value>>,
+    /// Its flight.
+    pub flight: Option<Map<String, Value>>,
+    /// The setup file that was written; `null` where none was.
+    pub file: Option<String>,
 }
 
 /// A constraint at an optimum.
@@ -94,8 +98,27 @@ pub struct Multipliers {
 }
 
 impl OptimumReport {
+    /// The answer of `optimize`: the status and the message are the search's. The local optima are listed where there
+    /// was more than one start.
+    pub fn reply(optima: &Optima, warnings: Vec<String>) -> Result<Reply<Self>> {
+        let best = optima.best()?;
+        let reply = Reply::done("optimize", warnings, Self::of_many(best, optima));
+        Ok(match optima.stopped() {
+            0 => reply.ended(best.status(), Some(best.message())),
+            stopped => {
+                let message = format!("{stopped} of {} searches were stopped before their end", optima.starts);
+                reply.ended("interrupted", Some(message))
+            }
+        })
+    }
+
+    /// The report of the best of some searches.
+    pub(super) fn of_many(best: &Optimum, optima: &Optima) -> Self {
+        Self { optima: (optima.starts > 1).then(|| LocalReport::all(optima)), ..Self::new(best) }
+    }
+
     /// The report of a search.
-    pub fn new(optimum: &Optimum, warnings: Vec<String>) -> Self {
+    pub fn new(optimum: &Optimum) -> Self {
         let (solution, vary) = (&optimum.solution, &optimum.search.vary);
         let found = optimum.value().is_some();
         let by_name = |values: &[f64]| {
@@ -107,9 +130,8 @@ impl OptimumReport {
             (vary[i].parameter.name, Multipliers { lower, upper })
         };
         Self {
-            status: optimum.status(),
-            message: optimum.message(),
             objective: optimum.search.maximize.name(),
+            sense: optimum.search.sense.name(),
             value: json::number(optimum.value()),
             optimum: by_name(&solution.x),
             gradient: by_name(&optimum.gradient()),
@@ -120,7 +142,10 @@ impl OptimumReport {
             evaluations: solution.evaluations,
             steps: solution.effort,
             optima: None,
-            warnings,
+            setup: optimum.drive.as_ref().map(|_| json::setup(&optimum.setup)),
+            launch: optimum.drive.as_ref().map(launch),
+            flight: optimum.drive.as_ref().and_then(flight),
+            file: None,
         }
     }
 }
@@ -136,82 +161,82 @@ pub(super) fn constraints(optimum: &Optimum) -> Vec<ConstraintReport> {
     constraints.map(one).collect()
 }
 
-/// An optimum as a short text: where it is, what holds it there and what more would bring, and the drive.
-pub fn optimum_text(optimum: &Optimum) -> String {
+/// An optimum as a short text: where it is, which bounds it lies on and what moving them would bring, and the drive.
+pub fn optimum_text(optimum: &Optimum, system: System) -> String {
     let (search, solution) = (&optimum.search, &optimum.solution);
     let of = search.maximize;
-    let ending = format!(
-        "{}: {} ({} iterations, {} evaluations)\n",
+    let ending = paragraph(&format!(
+        "{}: {} ({} iterations, {} evaluations)",
         optimum.status(),
         optimum.message(),
         solution.iterations,
         solution.evaluations
-    );
+    ));
     let (Some(value), Some(drive)) = (optimum.value(), &optimum.drive) else { return ending };
 
     let rows = search.vary.iter().enumerate().map(|(i, vary)| {
-        let show = |value: f64| vary.parameter.show(Some(value));
+        let stated = |value: f64| shown::stated(vary.parameter, value, system);
         vec![
             vary.parameter.name.into(),
-            show(solution.x[i]),
-            format!("{} .. {}", show(vary.low), show(vary.high)),
-            bound_in_words(optimum, i),
+            shown::parameter(vary.parameter, solution.x[i], system),
+            format!("{} .. {}", stated(vary.low), stated(vary.high)),
+            bound_in_words(optimum, i, system),
         ]
     });
-    let place = table(&["vary", "optimum", "range", ""], &[1], rows) + &constraints_text(optimum);
+    let place = table(&["vary", "optimum", "range", ""], &[1], rows) + &constraints_text(optimum, system);
 
     let launch = [Outcome::BallSpeed, Outcome::LaunchAngle, Outcome::Backspin, Outcome::SmashFactor];
     let flight = [Outcome::ApexHeight, Outcome::DescentAngle, Outcome::FlightTime, Outcome::Lateral];
     let line = |outcomes: [Outcome; 4]| {
         let one = |outcome: Outcome| {
-            let value = outcome.value(drive).map_or("–".into(), |v| readable(outcome, v));
-            format!("{} {value}", outcome.name().replace('_', " "))
+            let value = shown::outcome_or_dash(outcome, outcome.value(drive), system);
+            format!("{} {value}", shown::words(outcome.name()))
         };
         outcomes.map(one).join(", ")
     };
-    let carry = Outcome::Carry
-        .value(drive)
-        .map_or(String::new(), |carry| format!("  {:<8}{}\n", "carry", length_both_ways(carry)));
-    let objective = if of == Outcome::Carry {
-        String::new()
-    } else {
-        format!("  {:<8}{}\n", format!("{} ", of.name().replace('_', " ")), of.show(value))
-    };
+    let row = |name: &str, text: &str| format!("  {name:<8}{text}\n");
+    let carry = Outcome::Carry.value(drive).map(|carry| row("carry", &shown::both(Outcome::Carry, carry, system)));
+    let objective =
+        (of != Outcome::Carry).then(|| row(&format!("{} ", shown::words(of.name())), &shown::both(of, value, system)));
     format!(
-        "{ending}\n{place}\n{objective}{carry}  {:<8}{}\n  {:<8}{}\n",
-        "launch",
-        line(launch),
-        "flight",
-        line(flight)
+        "{ending}\n{place}\n{}{}{}{}",
+        objective.unwrap_or_default(),
+        carry.unwrap_or_default(),
+        row("launch", &line(launch)),
+        row("flight", &line(flight))
     )
 }
 
 /// The constraints with their prices, as a table; empty without any.
-fn constraints_text(optimum: &Optimum) -> String {
-    let of = optimum.search.maximize;
+fn constraints_text(optimum: &Optimum, system: System) -> String {
     let reports = constraints(optimum);
     if reports.is_empty() {
         return String::new();
     }
     let rows = optimum.search.subject_to.iter().zip(reports).map(|(constraint, report)| {
-        let outcome = constraint.outcome;
-        let size = |of: Outcome| of.quantity().size_of(of.unit()).unwrap_or(1.0);
         // a constraint's price is a change of the outcome: a smaller one is a gain where the smallest is looked for
-        let (gain, turn) = match optimum.search.sense {
-            Sense::Maximize => ("+", 1.0),
-            Sense::Minimize => ("-", if constraint.low == constraint.high { -1.0 } else { 1.0 }),
-        };
-        let price = significant(turn * report.multiplier * size(outcome) / size(of), 3);
-        let unit = per(of.unit(), outcome.unit());
+        let price = constraint_price(optimum, constraint, &report, system);
+        let gain = if optimum.search.sense == Sense::Maximize { "+" } else { "-" };
         let words = match report.multiplier {
             _ if optimum.solution.status != Status::Converged => String::new(),
             0.0 => "not active".into(),
-            _ if constraint.low == constraint.high => format!("active: {price} {unit} that it is raised"),
-            _ => format!("active: {gain}{price} {unit} that it is relaxed"),
+            _ if constraint.low == constraint.high => format!("active: {price} that it is raised"),
+            _ => format!("active: {gain}{price} that it is relaxed"),
         };
-        vec![report.expression, outcome.show(report.value), words]
+        vec![report.expression, shown::outcome(constraint.outcome, report.value, system), words]
     });
     format!("\n{}", table(&["subject to", "value", ""], &[1], rows))
+}
+
+/// What the outcome changes by per unit that a constraint's limit is moved: "0.52 yd per deg".
+pub(super) fn constraint_price(optimum: &Optimum, of: &Constraint, at: &ConstraintReport, system: System) -> String {
+    let turn = match optimum.search.sense {
+        Sense::Minimize if of.low == of.high => -1.0,
+        _ => 1.0,
+    };
+    let (outcome, by) = (optimum.search.maximize, of.outcome);
+    let units = [(outcome.quantity(), outcome.unit()), (by.quantity(), by.unit())];
+    shown::ratio(units[0], units[1], turn * at.multiplier, system, 3)
 }
 
 /// The setup at an optimum as a setup file in TOML, to the last digit.
@@ -233,13 +258,14 @@ pub fn optimum_toml(optimum: &Optimum, preset: &Preset) -> Result<String> {
 }
 
 /// Local optima as a table, best first.
-pub fn optima_text(optima: &Optima) -> String {
+pub fn optima_text(optima: &Optima, system: System) -> String {
     let Some((first, _)) = optima.locals.first() else { return String::new() };
     let names = first.search.vary.iter().map(|vary| vary.parameter.name);
     let head: Vec<&str> = [first.search.maximize.name()].into_iter().chain(names).chain(["starts", ""]).collect();
     let rows = optima.locals.iter().map(|(best, starts)| {
-        let value = best.value().map_or("–".into(), |value| best.search.maximize.show(value));
-        let x = best.search.vary.iter().zip(&best.solution.x).map(|(vary, x)| vary.parameter.show(Some(*x)));
+        let value = shown::outcome_or_dash(best.search.maximize, best.value(), system);
+        let x = best.search.vary.iter().zip(&best.solution.x);
+        let x = x.map(|(vary, x)| shown::parameter(vary.parameter, *x, system));
         let count = format!("{} of {}", starts.len(), optima.starts);
         std::iter::once(value).chain(x).chain([count, best.status().into()]).collect()
     });
@@ -248,22 +274,11 @@ pub fn optima_text(optima: &Optima) -> String {
 }
 
 /// "at its upper bound: +2.11 yd per deg beyond it".
-fn bound_in_words(optimum: &Optimum, i: usize) -> String {
-    bound_in_units(optimum, i, |unit| unit)
-}
-
-/// The same with other units in place of those that the parameter and the outcome declare.
-pub(super) fn bound_in_units(optimum: &Optimum, i: usize, unit: impl Fn(&'static str) -> &'static str) -> String {
+pub(super) fn bound_in_words(optimum: &Optimum, i: usize, system: System) -> String {
     let (vary, of) = (optimum.search.vary[i], optimum.search.maximize);
-    let (by_unit, of_unit) = (unit(vary.parameter.unit), unit(of.unit()));
-    let size = vary.parameter.quantity.size_of(by_unit).unwrap_or(1.0);
-    let unit = of.quantity().size_of(of_unit).unwrap_or(1.0);
     let (lower, upper) = (optimum.solution.lower_multipliers[i], optimum.solution.upper_multipliers[i]);
+    let price = |multiplier: f64| shown::slope(of, vary.parameter, multiplier, system, 3);
     let (gain, loss) = if optimum.search.sense == Sense::Maximize { ("+", "-") } else { ("-", "+") };
-    let at = |bound: &str, multiplier: f64| {
-        let price = significant(multiplier * size / unit, 3);
-        format!("at its {bound} bound: {gain}{price} {} beyond it", per(of_unit, by_unit))
-    };
     let is_corner = optimum.solution.kink.is_some_and(|kink| kink.variable == i);
     if vary.low == vary.high {
         "fixed".into()
@@ -271,39 +286,32 @@ pub(super) fn bound_in_units(optimum: &Optimum, i: usize, unit: impl Fn(&'static
         // a multiplier is a price at an optimum only
         String::new()
     } else if is_corner && upper + lower > 0.0 {
-        let price = significant((upper + lower) * size / unit, 3);
-        let unit = per(of_unit, by_unit);
-        format!(
-            "at its {} bound, a corner: {loss}{price} {unit} inside it",
-            if lower > 0.0 { "lower" } else { "upper" }
-        )
+        let bound = if lower > 0.0 { "lower" } else { "upper" };
+        format!("at its {bound} bound, a corner: {loss}{} inside it", price(upper + lower))
     } else if upper > 0.0 {
-        at("upper", upper)
+        format!("at its upper bound: {gain}{} beyond it", price(upper))
     } else if lower > 0.0 {
-        at("lower", lower)
+        format!("at its lower bound: {gain}{} beyond it", price(lower))
     } else {
         "free".into()
     }
 }
 
-fn length_both_ways(metres: f64) -> String {
-    let yard = Quantity::LENGTH.size_of("yd").unwrap_or(1.0);
-    format!("{:.1} m = {:.1} yd", metres, metres / yard)
-}
-
 /// One iteration as a line of progress.
-pub fn iteration_line(search: &Search, iteration: &Iteration) -> String {
+pub fn iteration_line(search: &Search, iteration: &Iteration, system: System) -> String {
     let of = search.maximize;
+    let number = |quantity: Quantity, unit: &'static str, value: f64| {
+        let unit = system.unit(unit);
+        format!("{:.6} {unit}", value / quantity.size_of(unit).unwrap_or(1.0)).trim_end().to_owned()
+    };
     let x = search.vary.iter().zip(&iteration.x).map(|(vary, x)| {
-        let size = vary.parameter.quantity.size_of(vary.parameter.unit).unwrap_or(1.0);
-        format!("{} {:.6} {}", vary.parameter.name, x / size, vary.parameter.unit).trim_end().to_owned()
+        format!("{} {}", vary.parameter.name, number(vary.parameter.quantity, vary.parameter.unit, *x))
     });
     format!(
-        "{:>3}  {} {:.6} {}  KKT {:.1e}{}  trust region {:.1e}{}  {}",
+        "{:>3}  {} {}  KKT {:.1e}{}  trust region {:.1e}{}  {}",
         iteration.number,
         of.name(),
-        search.sense.sign() * iteration.value,
-        of.quantity().si,
+        number(of.quantity(), of.unit(), search.sense.sign() * iteration.value),
         iteration.kkt_residual,
         if search.subject_to.is_empty() { String::new() } else { format!("  violation {:.1e}", iteration.violation) },
         iteration.radius,

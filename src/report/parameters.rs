@@ -1,5 +1,7 @@
-use super::{json, table::table};
-use crate::parameters::{Kind, LAW, Law, METHOD, Method, Parameter, Setup};
+use super::table::{item, note, table};
+use super::{Reply, json};
+use crate::parameters::{Kind, LAW, Law, METHOD, Method, Parameter, Setup, UNSET};
+use crate::units::System;
 use serde_json::{Value, json};
 
 /// The rows of a setup, and then those of the laws it does not fly.
@@ -9,13 +11,13 @@ fn rows(setup: &Setup<f64>) -> Vec<(&'static Parameter, Option<f64>)> {
     own.chain(others.map(|parameter| (parameter, parameter.default_value()))).collect()
 }
 
-/// Every parameter with its value in a setup, as JSON.
-pub fn parameters_json(setup: &Setup<f64>) -> Value {
+/// The answer of `parameters`: every parameter with its value in a setup.
+pub fn parameters_reply(setup: &Setup<f64>, warnings: Vec<String>) -> Reply<Value> {
     let end = |value: f64| json::number(Some(value));
     let row = |(parameter, value): &(&'static Parameter, Option<f64>)| {
         let range = parameter.range;
         json!({
-            "name": parameter.name,
+            "parameter": parameter.name,
             "symbol": parameter.symbol,
             "unit": parameter.quantity.si,
             "shown_in": parameter.unit,
@@ -35,38 +37,48 @@ pub fn parameters_json(setup: &Setup<f64>) -> Value {
             "doc": parameter.doc,
         })
     };
-    json!({ "law": setup.law.name(), "laws": Law::NAMES, "parameters": rows(setup).iter().map(row).collect::<Vec<_>>() })
+    let parameters: Vec<Value> = rows(setup).iter().map(row).collect();
+    let body = json!({ "law": setup.law.name(), "laws": Law::NAMES, "parameters": parameters });
+    Reply::done("parameters", warnings, body)
 }
 
-/// Every parameter with its value in a setup, as text.
-pub fn parameters_text(setup: &Setup<f64>) -> String {
-    let line = |(parameter, value): (&'static Parameter, Option<f64>)| {
-        let range = parameter.range.show(parameter.quantity, parameter.unit);
-        vec![
-            parameter.name.into(),
-            parameter.symbol.into(),
-            parameter.show(value),
-            parameter.show(parameter.default_value()),
-            range,
-            parameter.doc.trim_end_matches('.').into(),
-        ]
-    };
-    let head = ["parameter", "symbol", "value", "default", "range", "meaning"];
+/// Every parameter with its value in a setup, as text: a line of numbers each, and below it the symbol and the meaning.
+pub fn parameters_text(setup: &Setup<f64>, system: System) -> String {
     let (mine, others): (Vec<_>, Vec<_>) =
         rows(setup).into_iter().partition(|(row, _)| row.law.is_none_or(|law| law == setup.law.name()));
-    let mut text = table(&head, &[2, 3], mine.into_iter().map(line));
+    let mut text = listing("parameter", &mine, system);
     let methods = Method::ALL.iter().map(|method| format!("{} (order {})", method.name(), method.order()));
-    text +=
-        &format!("\n  {METHOD} = {} here; there are {}\n", setup.method.name(), methods.collect::<Vec<_>>().join(", "));
+    text += &format!(
+        "\n{}",
+        item(&format!(
+            "{METHOD} = {} here; the methods are {}",
+            setup.method.name(),
+            methods.collect::<Vec<_>>().join(", ")
+        ))
+    );
     text += &format!("\n  {LAW} = {} here; the coefficients of the other laws:\n", setup.law.name());
     for law in Law::NAMES {
         let of_law: Vec<_> = others.iter().copied().filter(|(row, _)| row.law == Some(law)).collect();
         if !of_law.is_empty() {
-            text += &format!(
-                "\n{}",
-                table(&[law, "symbol", "value", "default", "range", "meaning"], &[2, 3], of_law.into_iter().map(line))
-            );
+            text += &format!("\n{}", listing(law, &of_law, system));
         }
     }
     text
+}
+
+fn listing(title: &str, rows: &[(&'static Parameter, Option<f64>)], system: System) -> String {
+    let numbers = rows.iter().map(|(parameter, value)| {
+        let unit = system.unit(parameter.unit);
+        let show = |value: Option<f64>| value.map_or(UNSET.into(), |value| parameter.quantity.show(value, unit));
+        let range = parameter.range.show(parameter.quantity, unit);
+        vec![parameter.name.into(), show(*value), show(parameter.default_value()), range]
+    });
+    let numbers = table(&[title, "value", "default", "range"], &[1, 2], numbers);
+    let mut lines = numbers.lines();
+    let head = lines.next().unwrap_or_default();
+    let rows = lines.zip(rows).map(|(line, (parameter, _))| {
+        let meaning = format!("{}: {}", parameter.symbol, parameter.doc.trim_end_matches('.'));
+        format!("{line}\n{}", note(&meaning))
+    });
+    format!("{head}\n{}", rows.collect::<String>())
 }

@@ -1,4 +1,4 @@
-use super::{json, table::table};
+use super::{Reply, json, table::table};
 use crate::error::Result;
 use crate::parameters::{LAW, METHOD, PRESETS, Preset, Setup};
 use serde_json::{Value, json};
@@ -58,11 +58,14 @@ pub fn sources(setup: &Setup<f64>, preset: &Preset) -> Result<Vec<(&'static str,
     Ok(rows)
 }
 
-/// The presets as JSON: every number of each with its source.
+/// The answer of `presets`: every number of each preset, or of the one that is named, with its source.
 ///
 /// # Errors
-/// None that a test does not rule out: presets are read as any setup is.
-pub fn presets_json() -> Result<Value> {
+/// [`Error::Unknown`](crate::Error::Unknown) for a name that no preset bears.
+pub fn presets_reply(name: Option<&str>) -> Result<Reply<Value>> {
+    if let Some(name) = name {
+        Setup::preset(name)?;
+    }
     let one = |preset: &Preset| -> Result<Value> {
         let setup = Setup::preset(preset.name)?;
         let sources = sourced(preset, &setup).into_iter().map(|(name, _, source)| (name.to_owned(), json!(source)));
@@ -73,7 +76,8 @@ pub fn presets_json() -> Result<Value> {
             "sources": sources.collect::<serde_json::Map<_, _>>(),
         }))
     };
-    Ok(json!({ "presets": PRESETS.iter().map(one).collect::<Result<Vec<_>>>()? }))
+    let asked = PRESETS.iter().filter(|preset| name.is_none_or(|name| preset.name == name));
+    Ok(Reply::done("presets", vec![], json!({ "presets": asked.map(one).collect::<Result<Vec<_>>>()? })))
 }
 
 /// The presets as text, a line each.

@@ -1,11 +1,13 @@
 use super::optimum::OptimumReport;
-use super::{json, table::table};
-use crate::error::Result;
+use super::reply::{Reply, share};
+use super::table::{item, table};
+use super::{json, shown};
+use crate::error::{Error, Result};
 use crate::parameters::Parameter;
-use crate::study::{Changed, Direction, Ellipse, Flatness, Limit, Optimum, Sensitivity, Vary, Window};
-use crate::units::significant;
+use crate::study::{Changed, Direction, Ellipse, Flatness, Limit, Optima, Optimum, Sensitivity, Vary, Window};
+use crate::units::{Quantity, System, significant};
 use serde::Serialize;
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 
 /// What is known of an optimum beside where it is.
 pub struct Analysis<'a> {
@@ -25,12 +27,20 @@ pub struct SensitivityReport {
     /// The optimum.
     #[serde(flatten)]
     pub optimum: OptimumReport,
+    /// What more is known of it; nothing of that where the search did not converge.
+    #[serde(flatten)]
+    pub analysis: AnalysisReport,
+}
+
+/// What is known of an optimum beside where it is, as JSON; every entry `null` where there is no optimum.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct AnalysisReport {
     /// By parameter: `value` is d f*/dp, `optimum` d x*/dp; `null` with a `message` where there is none.
-    pub sensitivity: Map<String, Value>,
+    pub sensitivity: Value,
     /// By varied parameter: how far it may stray alone for the loss stated.
-    pub window: Map<String, Value>,
+    pub window: Value,
     /// The loss, SI.
-    pub window_loss: f64,
+    pub window_loss: Value,
     /// The directions of the free parameters, the flattest first, and how far they reach.
     pub directions: Value,
     /// The ellipses of pairs of free parameters.
@@ -40,15 +50,51 @@ pub struct SensitivityReport {
 }
 
 impl SensitivityReport {
-    /// The report of an analysis.
-    pub fn new(analysis: &Analysis<'_>, warnings: Vec<String>) -> Self {
+    /// The answer of `optimum-sensitivity`.
+    pub fn reply(optima: &Optima, analysis: &Analysis<'_>, warnings: Vec<String>) -> Reply<Self> {
+        let all = analysis.sensitivities;
+        let found = all.iter().filter(|(_, sensitivity)| sensitivity.is_ok()).count();
+        let body =
+            Self { optimum: OptimumReport::of_many(analysis.best, optima), analysis: AnalysisReport::new(analysis) };
+        let reply = Reply::done("optimum-sensitivity", warnings, body);
+        match share(found, all.len()) {
+            // a parameter that has none says so itself
+            "done" | "partial" => reply.ended(analysis.best.status(), Some(analysis.best.message())),
+            none => reply.ended(none, Some("no sensitivity that was asked for exists at this optimum".into())),
+        }
+    }
+
+    /// The answer where the search found no optimum, or one about which nothing can be told: `why`.
+    ///
+    /// # Errors
+    /// As [`Optima::best`].
+    pub fn none(optima: &Optima, why: Option<&Error>, warnings: Vec<String>) -> Result<Reply<Self>> {
+        let Reply { status, message, body, warnings, .. } = OptimumReport::reply(optima, warnings)?;
+        let reply =
+            Reply::done("optimum-sensitivity", warnings, Self { optimum: body, analysis: AnalysisReport::default() });
+        Ok(match why {
+            Some(why) => reply.ended(why.status(), Some(why.to_string())),
+            None => reply.ended(status, message),
+        })
+    }
+}
+
+impl AnalysisReport {
+    fn new(analysis: &Analysis<'_>) -> Self {
         let Analysis { best, sensitivities, flatness, changes } = analysis;
         let names = || best.search.vary.iter().map(|vary| vary.parameter.name);
         let by_name = |values: &[f64]| json::named(names().zip(values.iter().map(|value| Some(*value))));
         let sensitivity = sensitivities.iter().map(|(parameter, sensitivity)| {
             let entry = match sensitivity {
-                Ok(s) => json!({ "value": s.value, "optimum": by_name(&s.optimum), "curvature": s.curvature }),
-                Err(error) => json!({ "value": null, "optimum": null, "message": error.to_string() }),
+                Ok(s) => json!({
+                    "value": json::number(Some(s.value)),
+                    "optimum": by_name(&s.optimum),
+                    "curvature": json::number(Some(s.curvature)),
+                    "message": null,
+                }),
+                Err(error) => {
+                    json!({ "value": null, "optimum": null, "curvature": null, "message": error.to_string() })
+                }
             };
             (parameter.name.to_owned(), entry)
         });
@@ -64,7 +110,7 @@ impl SensitivityReport {
         });
         let ellipses = flatness.ellipses.iter().map(|ellipse| {
             let pair = ellipse.pair.map(|i| best.search.vary[i].parameter.name);
-            json!({ "pair": pair, "half_axes": ellipse.half_axes, "losses": ellipse.losses })
+            json!({ "parameters": pair, "half_axes": ellipse.half_axes, "losses": ellipse.losses })
         });
         let changes = changes.iter().map(|changed| {
             json!({
@@ -86,10 +132,9 @@ impl SensitivityReport {
             })
         });
         Self {
-            optimum: OptimumReport::new(best, warnings),
-            sensitivity: sensitivity.collect(),
-            window: window.collect(),
-            window_loss: flatness.loss,
+            sensitivity: Value::Object(sensitivity.collect()),
+            window: Value::Object(window.collect()),
+            window_loss: json::number(Some(flatness.loss)),
             directions: directions.collect(),
             ellipses: ellipses.collect(),
             changes: changes.collect(),
@@ -107,25 +152,25 @@ fn limit_name(best: &Optimum, limit: Limit) -> String {
 }
 
 /// Sensitivities, windows and changes as text, below the optimum's own.
-pub fn sensitivity_text(analysis: &Analysis<'_>) -> String {
+pub fn sensitivity_text(analysis: &Analysis<'_>, system: System) -> String {
     let Analysis { best, sensitivities, flatness, changes } = analysis;
-    let mut text = sensitivities_text(best, sensitivities);
-    text += &windows_text(best, flatness);
+    let mut text = sensitivities_text(best, sensitivities, system);
+    text += &windows_text(best, flatness, system);
     for changed in *changes {
-        text += &change_text(best, changed);
+        text += &change_text(best, changed, system);
     }
     text
 }
 
-/// A derivative in the units people read, to four digits: per `unit` of the parameter.
-fn rate(value: f64, of_size: f64, parameter: &Parameter) -> String {
-    let size = parameter.quantity.size_of(parameter.unit).unwrap_or(1.0);
-    significant(value * size / of_size, 4)
-}
+/// Slopes below this, in the units they are shown in, are the rounding of 0.
+const ROUNDING: f64 = 1e-11;
 
-fn sensitivities_text(best: &Optimum, sensitivities: &[(&'static Parameter, Result<Sensitivity>)]) -> String {
+fn sensitivities_text(
+    best: &Optimum,
+    sensitivities: &[(&'static Parameter, Result<Sensitivity>)],
+    system: System,
+) -> String {
     let of = best.search.maximize;
-    let of_size = of.quantity().size_of(of.unit()).unwrap_or(1.0);
     let free: Vec<&Vary> = best.search.vary.iter().filter(|vary| vary.low < vary.high).collect();
     let best_of = format!("best {}", of.name());
     let moved: Vec<String> = free.iter().map(|vary| format!("best {}", vary.parameter.name)).collect();
@@ -137,19 +182,24 @@ fn sensitivities_text(best: &Optimum, sensitivities: &[(&'static Parameter, Resu
         .filter_map(|(parameter, sensitivity)| match sensitivity {
             Ok(s) => Some((parameter, s)),
             Err(error) => {
-                left_out.push(format!("  {}: {error}\n", parameter.name));
+                left_out.push(item(&format!("{}: {error}", parameter.name)));
                 None
             }
         })
         .map(|(parameter, s)| {
-            let unit = if parameter.unit.is_empty() { "1" } else { parameter.unit };
-            let value = format!("{} {}", rate(s.value, of_size, parameter), of.unit());
+            let by = system.unit(parameter.unit);
+            let size = parameter.quantity.size_of(by).unwrap_or(1.0);
+            let per_unit = |slope: f64, quantity: Quantity, unit: &'static str| {
+                let unit = system.unit(unit);
+                let number = slope * size / quantity.size_of(unit).unwrap_or(1.0);
+                // what is left of a slope of 0 after rounding
+                let number = if number.abs() < ROUNDING { 0.0 } else { number };
+                format!("{} {unit}", significant(number, 4)).trim_end().to_owned()
+            };
             let moves = best.search.vary.iter().zip(&s.optimum).filter(|(vary, _)| vary.low < vary.high);
-            let moves = moves.map(|(vary, slope)| {
-                let size = vary.parameter.quantity.size_of(vary.parameter.unit).unwrap_or(1.0);
-                format!("{} {}", rate(*slope, size, parameter), vary.parameter.unit).trim_end().to_owned()
-            });
-            [format!("{} [{unit}]", parameter.name), value.trim_end().into()].into_iter().chain(moves).collect()
+            let moves = moves.map(|(vary, slope)| per_unit(*slope, vary.parameter.quantity, vary.parameter.unit));
+            let name = format!("{} [{}]", parameter.name, if by.is_empty() { "1" } else { by });
+            [name, per_unit(s.value, of.quantity(), of.unit())].into_iter().chain(moves).collect()
         })
         .collect();
     let right: Vec<usize> = (1..head.len()).collect();
@@ -157,67 +207,80 @@ fn sensitivities_text(best: &Optimum, sensitivities: &[(&'static Parameter, Resu
     format!("\n{}{left_out}", table(&head, &right, rows))
 }
 
-fn windows_text(best: &Optimum, flatness: &Flatness) -> String {
-    let loss = best.search.maximize.show(flatness.loss);
+fn windows_text(best: &Optimum, flatness: &Flatness, system: System) -> String {
+    let loss = shown::spread(best.search.maximize, flatness.loss, system);
     let rows = best.search.vary.iter().zip(&flatness.windows).map(|(vary, window)| {
         let Window { low, low_limit, high, high_limit } = *window;
-        let end = |value: f64, limit: Limit| match limit {
-            Limit::Loss => vary.parameter.show(Some(value)),
-            other => format!("{} ({})", vary.parameter.show(Some(value)), limit_name(best, other)),
+        let end = |value: f64, limit: Limit| {
+            let value = shown::parameter(vary.parameter, value, system);
+            match limit {
+                Limit::Loss => value,
+                other => format!("{value} ({})", limit_name(best, other)),
+            }
         };
         vec![vary.parameter.name.into(), end(low, low_limit), end(high, high_limit)]
     });
-    let mut text = format!("\n{}", table(&[&format!("alone, for {loss}"), "from", "to"], &[1, 2], rows));
+    let title = format!("alone, for a loss of {loss}");
+    let mut text = format!("\n{}", table(&[title.as_str(), "from", "to"], &[1, 2], rows));
     for direction in flatness.directions.iter().filter(|direction| direction.reach.is_finite()) {
-        text += &direction_text(best, direction, &loss);
+        text += &direction_text(best, direction, &loss, system);
     }
     for ellipse in &flatness.ellipses {
-        text += &ellipse_text(best, ellipse, &loss);
+        text += &ellipse_text(best, ellipse, &loss, system);
     }
     text
 }
 
-/// "ellipse of club.loft and swing.attack_angle: half-axes (+1.2 deg, -3.4 deg) and (…), 0.9 yd to 1.1 yd flown around it".
-fn ellipse_text(best: &Optimum, ellipse: &Ellipse, loss: &str) -> String {
+/// A step of a parameter, with its sign: "+1.20 deg".
+fn step(parameter: &Parameter, amount: f64, system: System) -> String {
+    let sign = if amount < 0.0 { "-" } else { "+" };
+    format!("{sign}{}", shown::parameter(parameter, amount.abs(), system))
+}
+
+/// "ellipse of club.loft and swing.attack_angle for a loss of 1.00 yd: half-axes (+1.20 deg, -3.40 deg) and (…); drives around
+/// it lose 0.90 yd to 1.10 yd".
+fn ellipse_text(best: &Optimum, ellipse: &Ellipse, loss: &str, system: System) -> String {
     let pair = ellipse.pair.map(|i| best.search.vary[i].parameter);
     let axis = |components: [f64; 2]| {
-        let [first, second] = [0, 1].map(|row| {
-            let sign = if components[row] < 0.0 { "-" } else { "+" };
-            format!("{sign}{}", pair[row].show(Some(components[row].abs())))
-        });
+        let [first, second] = [0, 1].map(|row| step(pair[row], components[row], system));
         format!("({first}, {second})")
     };
     let of = best.search.maximize;
-    let flown = ellipse.losses.map_or("out of range".into(), |(least, most)| {
-        format!("{} to {} flown around it", of.show(least), of.show(most))
+    let flown = ellipse.losses.map_or("part of it lies out of range".into(), |(least, most)| {
+        let [least, most] = [least, most].map(|loss| shown::spread(of, loss, system));
+        format!("drives around it lose {least} to {most}")
     });
     let [long, short] = ellipse.half_axes.map(axis);
     let [first, second] = pair.map(|parameter| parameter.name);
-    format!("  ellipse of {first} and {second} for {loss}: half-axes {long} and {short}, {flown}\n")
+    item(&format!("ellipse of {first} and {second} for a loss of {loss}: half-axes {long} and {short}; {flown}"))
 }
 
-/// "together club.loft +1.2 deg, swing.attack_angle -0.9 deg, or both the other way: …".
-fn direction_text(best: &Optimum, direction: &Direction, loss: &str) -> String {
+/// "together club.loft +1.20 deg, swing.attack_angle -0.90 deg, or the opposite: …".
+fn direction_text(best: &Optimum, direction: &Direction, loss: &str, system: System) -> String {
     let moves = best.search.vary.iter().zip(&direction.along).filter(|(_, along)| **along != 0.0);
     let moves: Vec<_> = moves
         .map(|(vary, along)| {
-            let (sign, amount) = (if *along < 0.0 { "-" } else { "+" }, (along * direction.reach).abs());
-            format!("{} {sign}{}", vary.parameter.name, vary.parameter.show(Some(amount)))
+            format!("{} {}", vary.parameter.name, step(vary.parameter, along * direction.reach, system))
         })
         .collect();
-    let flown: Vec<_> = direction.losses.iter().flatten().map(|lost| best.search.maximize.show(*lost)).collect();
-    let flown = if flown.is_empty() { "out of range".into() } else { format!("{} flown", flown.join(" and ")) };
-    format!("  together {}, or the other way: {loss} by the quadratic, {flown}\n", moves.join(", "))
+    let of = best.search.maximize;
+    let flown: Vec<_> = direction.losses.iter().flatten().map(|lost| shown::spread(of, *lost, system)).collect();
+    let flown = if flown.is_empty() {
+        "both ends lie out of range".into()
+    } else {
+        format!("drives there lose {}", flown.join(" and "))
+    };
+    item(&format!("together {}, or the opposite: a loss of {loss} by the quadratic model; {flown}", moves.join(", ")))
 }
 
-fn change_text(best: &Optimum, changed: &Changed) -> String {
+fn change_text(best: &Optimum, changed: &Changed, system: System) -> String {
     let (of, parameter) = (best.search.maximize, changed.change.parameter);
     let row = |words: &str, value: Option<f64>, x: &[f64]| {
-        let value = value.map_or("–".into(), |value| of.show(value));
-        let x = best.search.vary.iter().zip(x).map(|(vary, x)| vary.parameter.show(Some(*x)));
+        let value = value.map_or(shown::NONE.into(), |value| shown::finely(of, value, system));
+        let x = best.search.vary.iter().zip(x).map(|(vary, x)| shown::parameter(vary.parameter, *x, system));
         [words.to_owned(), value].into_iter().chain(x).collect::<Vec<_>>()
     };
-    let delta = parameter.show(Some(changed.change.delta));
+    let delta = shown::stated(parameter, changed.change.delta, system);
     let title = format!("{} {}{delta}", parameter.name, if changed.change.delta < 0.0 { "" } else { "+" });
     let names = best.search.vary.iter().map(|vary| vary.parameter.name);
     let head: Vec<&str> = [title.as_str(), of.name()].into_iter().chain(names).collect();
@@ -225,17 +288,17 @@ fn change_text(best: &Optimum, changed: &Changed) -> String {
         row("now", best.value(), &best.solution.x),
         row("predicted", Some(changed.second_order), &changed.predicted),
         match changed.resolved.value() {
-            Some(value) => row("searched anew", Some(value), &changed.resolved.solution.x),
-            None => row("searched anew", None, &[]),
+            Some(value) => row("searched again", Some(value), &changed.resolved.solution.x),
+            None => row("searched again", None, &[]),
         },
     ];
     let right: Vec<usize> = (1..head.len()).collect();
     let mut text = format!("\n{}", table(&head, &right, rows));
     if let Some((part, words)) = &changed.event {
-        text += &format!("  predicted: {words} after {} % of the change\n", significant(100.0 * part, 3));
+        text += &item(&format!("predicted: {words} after {} % of the change", significant(100.0 * part, 3)));
     }
     for difference in &changed.differences {
-        text += &format!("  at the end: {difference}\n");
+        text += &item(&format!("after the change: {difference}"));
     }
     text
 }

@@ -1,16 +1,66 @@
-use comfy_table::{CellAlignment, ContentArrangement, Table, presets};
+use comfy_table::{CellAlignment, ColumnConstraint, ContentArrangement, Table, presets};
 
-/// A table without lines but the one under its head; the columns named are aligned right.
+/// The width of a terminal that every table and paragraph fits.
+const WIDTH: usize = 100;
+
+/// The least width of a column of words that is worth breaking into lines.
+const NARROWEST: usize = 20;
+
+/// Spaces before the first column, and after each.
+const MARGIN: usize = 2;
+
+/// A table without lines; the columns named are aligned right. One that is too wide has the words of its last column broken
+/// into lines; where that column is aligned right as numbers are, it is continued below, with the first column repeated.
 pub(super) fn table(head: &[&str], right: &[usize], rows: impl IntoIterator<Item = Vec<String>>) -> String {
+    let rows: Vec<Vec<String>> = rows.into_iter().collect();
+    let all: Vec<usize> = (0..head.len()).collect();
+    let widths: Vec<usize> = all.iter().map(|&column| width(head, &rows, column)).collect();
+    let last = head.len().saturating_sub(1);
+    let of_others = MARGIN + widths.iter().take(last).map(|width| width + MARGIN).sum::<usize>();
+    if of_others + widths.last().unwrap_or(&0) <= WIDTH {
+        return part(head, right, &rows, &all, None);
+    }
+    if !right.contains(&last) && of_others + NARROWEST <= WIDTH {
+        return part(head, right, &rows, &all, Some(WIDTH - of_others));
+    }
+    let mut parts = vec![];
+    let mut begun = 1;
+    while begun < head.len() {
+        let mut reach = MARGIN + widths[0] + MARGIN + widths[begun];
+        let mut end = begun + 1;
+        while end < head.len() && reach + MARGIN + widths[end] <= WIDTH {
+            reach += MARGIN + widths[end];
+            end += 1;
+        }
+        let columns: Vec<usize> = std::iter::once(0).chain(begun..end).collect();
+        parts.push(part(head, right, &rows, &columns, None));
+        begun = end;
+    }
+    parts.join("\n")
+}
+
+/// The width of a column.
+fn width(head: &[&str], rows: &[Vec<String>], column: usize) -> usize {
+    let lines = rows.iter().filter_map(|row| row.get(column)).flat_map(|cell| cell.lines());
+    lines.map(|line| line.chars().count()).chain([head[column].chars().count()]).max().unwrap_or(0)
+}
+
+/// Some columns of a table, the last of them perhaps no wider than `narrowed`.
+fn part(head: &[&str], right: &[usize], rows: &[Vec<String>], columns: &[usize], narrowed: Option<usize>) -> String {
     let mut table = Table::new();
-    table.load_style(presets::NOTHING).set_content_arrangement(ContentArrangement::Disabled).set_header(head);
+    let arrangement = if narrowed.is_some() { ContentArrangement::Dynamic } else { ContentArrangement::Disabled };
+    table.load_style(presets::NOTHING).set_content_arrangement(arrangement).set_width(WIDTH as u16);
+    table.set_header(columns.iter().map(|&column| head[column]));
     for row in rows {
-        table.add_row(row);
+        table.add_row(columns.iter().map(|&column| row.get(column).map_or("", String::as_str)));
     }
     for (at, column) in table.column_iter_mut().enumerate() {
-        column.set_padding((if at == 0 { 2 } else { 0 }, 2));
-        if right.contains(&at) {
+        column.set_padding((if at == 0 { MARGIN as u16 } else { 0 }, MARGIN as u16));
+        if right.contains(&columns[at]) {
             column.set_cell_alignment(CellAlignment::Right);
+        }
+        if narrowed.is_some() && at + 1 < columns.len() {
+            column.set_constraint(ColumnConstraint::ContentWidth);
         }
     }
     table.trim_fmt() + "\n"
@@ -18,12 +68,65 @@ pub(super) fn table(head: &[&str], right: &[usize], rows: impl IntoIterator<Item
 
 /// A paragraph, broken into lines that are read with ease.
 pub(super) fn paragraph(text: &str) -> String {
-    const WIDTH: u16 = 110;
+    indented(text, 0)
+}
+
+/// A line of a list, broken into lines that are indented alike.
+pub(super) fn item(text: &str) -> String {
+    indented(text, MARGIN)
+}
+
+/// What belongs to the line above.
+pub(super) fn note(text: &str) -> String {
+    indented(text, 3 * MARGIN)
+}
+
+/// Breaks the lines of a text that are too wide.
+pub(super) fn broken(text: &str) -> String {
+    let line = |line: &str| {
+        let indent = line.len() - line.trim_start().len();
+        if line.chars().count() <= WIDTH { format!("{line}\n") } else { indented(line.trim_start(), indent) }
+    };
+    text.lines().map(line).collect()
+}
+
+fn indented(text: &str, by: usize) -> String {
     let mut table = Table::new();
-    table.load_style(presets::NOTHING).set_content_arrangement(ContentArrangement::Dynamic).set_width(WIDTH);
+    table.load_style(presets::NOTHING).set_content_arrangement(ContentArrangement::Dynamic).set_width(WIDTH as u16);
     table.add_row([text]);
     if let Some(column) = table.column_mut(0) {
-        column.set_padding((0, 0));
+        column.set_padding((by as u16, 0));
     }
     table.trim_fmt() + "\n"
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{WIDTH, item, paragraph, table};
+
+    fn widest(text: &str) -> usize {
+        text.lines().map(|line| line.chars().count()).max().unwrap_or(0)
+    }
+
+    #[test]
+    fn exact_no_line_is_wider_than_a_terminal_and_nothing_is_lost() {
+        let words = "a long explanation of what this row is about and what to do with it ".repeat(3);
+        let text = table(&["name", "meaning"], &[], [vec!["x".repeat(40), words.trim().to_owned()]]);
+        assert!(widest(&text) <= WIDTH && text.lines().count() > 3, "{text}");
+        let kept: Vec<_> = text.split_whitespace().skip(3).collect();
+        assert_eq!(kept.join(" "), words.trim());
+        assert!(widest(&paragraph(&words)) <= WIDTH && widest(&item(&words)) <= WIDTH);
+
+        let names: Vec<String> = (0..12).map(|i| format!("column-{i:02}")).collect();
+        let head: Vec<&str> = ["by"].into_iter().chain(names.iter().map(String::as_str)).collect();
+        let right: Vec<usize> = (1..head.len()).collect();
+        let row = std::iter::once("first".to_owned()).chain((0..12).map(|i| format!("{i}.25")));
+        let text = table(&head, &right, [row.collect::<Vec<_>>()]);
+        assert!(widest(&text) <= WIDTH, "{text}");
+        assert_eq!(text.matches("first").count(), 2, "{text}");
+        assert!(
+            (0..12).all(|i| text.contains(&format!(" {i}.25")) && text.contains(&format!("column-{i:02}"))),
+            "{text}"
+        );
+    }
 }

@@ -1,6 +1,8 @@
-use super::{drive::readable, json, table::table};
+use super::reply::{Reply, share};
+use super::table::{item, table};
+use super::{json, shown};
 use crate::study::uncertainty::{Distribution, Interval, Moments, OutcomeUncertainty, Uncertain, Uncertainty};
-use crate::units::significant;
+use crate::units::{Quantity, System};
 use serde::Serialize;
 use serde_json::{Value, json};
 
@@ -21,20 +23,26 @@ pub struct UncertaintyReport {
     pub drives: u64,
     /// How they ended: a number for each status.
     pub statuses: Value,
-    /// What deserves a word.
-    pub warnings: Vec<String>,
 }
 
 impl UncertaintyReport {
-    /// The report of what is uncertain.
-    pub fn new(found: &Uncertainty, warnings: Vec<String>) -> Self {
+    /// The answer of `uncertainty`.
+    pub fn reply(found: &Uncertainty, warnings: Vec<String>) -> Reply<Self> {
+        let sampled = found.outcomes.iter().filter(|outcome| outcome.sampled.is_some()).count();
+        let missing = found.outcomes.iter().filter(|outcome| outcome.sampled.is_none());
+        let missing: Vec<_> = missing.map(|outcome| outcome.of.name()).collect();
+        let message = (!missing.is_empty()).then(|| format!("no drive of the sample has {}", missing.join(", ")));
+        Reply::done("uncertainty", warnings, Self::new(found)).ended(share(sampled, found.outcomes.len()), message)
+    }
+
+    fn new(found: &Uncertainty) -> Self {
         let inputs = found.inputs.iter().map(|input| {
             json!({
                 "parameter": input.parameter.name,
                 "distribution": name(&input.distribution),
                 "values": values(&input.distribution),
                 "mean": input.distribution.mean(),
-                "deviation": input.distribution.deviation(),
+                "standard_uncertainty": input.distribution.deviation(),
             })
         });
         let ellipses = found.ellipses.iter().map(|sampled| {
@@ -55,7 +63,6 @@ impl UncertaintyReport {
             seed: found.plan.seed,
             drives: found.tally.counts().map(|(_, count)| count).sum(),
             statuses: Value::Object(statuses.collect()),
-            warnings,
         }
     }
 }
@@ -77,7 +84,8 @@ fn values(distribution: &Distribution) -> Vec<f64> {
 }
 
 fn outcome_json(outcome: &OutcomeUncertainty, inputs: &[Uncertain]) -> Value {
-    let moments = |moments: Option<Moments>| moments.map(|m| json!({ "mean": m.mean, "deviation": m.deviation }));
+    let moments =
+        |moments: Option<Moments>| moments.map(|m| json!({ "mean": m.mean, "standard_uncertainty": m.deviation }));
     let interval = |i: Interval| json!({ "value": i.value, "low": i.low, "high": i.high });
     let sampled = outcome.sampled.as_ref();
     let shares = inputs.iter().enumerate().map(|(k, input)| {
@@ -94,31 +102,29 @@ fn outcome_json(outcome: &OutcomeUncertainty, inputs: &[Uncertain]) -> Value {
     let first = outcome.measure_first(inputs);
     json!({
         "of": outcome.of.name(),
+        "varies": outcome.varies(),
         "delta": moments(outcome.delta.map(|(first, _)| first)),
         "second_order": moments(outcome.delta.and_then(|(_, second)| second)),
         "monte_carlo": sampled.map(|sampled| json!({
             "mean": interval(sampled.mean),
-            "deviation": interval(sampled.deviation),
+            "standard_uncertainty": interval(sampled.deviation),
             "quantiles": { "2.5 %": sampled.quantiles[0], "50 %": sampled.quantiles[1], "97.5 %": sampled.quantiles[2] },
             "rows_left_out": sampled.left_out,
         })),
         "indices": shares.collect::<Vec<_>>(),
-        "measure_first": first.map(|(parameter, left)| json!({ "parameter": parameter.name, "deviation_left": left })),
+        "measure_first": first.map(|(parameter, left)| json!({ "parameter": parameter.name, "standard_uncertainty": left })),
     })
 }
 
-/// What is uncertain about a drive as text.
-pub fn uncertainty_text(found: &Uncertainty) -> String {
-    let mut text = table(
-        &["uncertain", "distribution"],
-        &[],
-        found.inputs.iter().map(|input| vec![input.parameter.name.into(), distribution_text(input)]),
-    );
+/// The uncertainty of outcomes as text.
+pub fn uncertainty_text(found: &Uncertainty, system: System) -> String {
+    let inputs = found.inputs.iter().map(|input| vec![input.parameter.name.into(), distribution_text(input, system)]);
+    let mut text = table(&["uncertain parameter", "distribution"], &[], inputs);
     for outcome in &found.outcomes {
-        text += &outcome_text(outcome, found);
+        text += &outcome_text(outcome, found, system);
     }
     if !found.ellipses.is_empty() {
-        text += &ellipses_text(found);
+        text += &ellipses_text(found, system);
     }
     let all: u64 = found.tally.counts().map(|(_, count)| count).sum();
     let counts =
@@ -128,20 +134,20 @@ pub fn uncertainty_text(found: &Uncertainty) -> String {
 }
 
 /// "normal: 110 mph ± 0.5 mph".
-fn distribution_text(input: &Uncertain) -> String {
-    let (quantity, unit) = (input.parameter.quantity, input.parameter.unit);
-    let size = quantity.size_of(unit).unwrap_or(1.0);
-    let show = |value: f64| format!("{} {unit}", significant(value / size, 5)).trim_end().to_owned();
-    let shown: Vec<_> = values(&input.distribution).into_iter().map(show).collect();
+fn distribution_text(input: &Uncertain, system: System) -> String {
+    let shown = values(&input.distribution).into_iter().map(|value| shown::stated(input.parameter, value, system));
+    let shown: Vec<_> = shown.collect();
     let between = if matches!(input.distribution, Distribution::Normal { .. }) { " ± " } else { " .. " };
     format!("{}: {}", name(&input.distribution), shown.join(between))
 }
 
-fn outcome_text(outcome: &OutcomeUncertainty, found: &Uncertainty) -> String {
+fn outcome_text(outcome: &OutcomeUncertainty, found: &Uncertainty, system: System) -> String {
     let of = outcome.of;
-    let show = |value: f64| readable(of, value);
-    let between = |i: Interval| format!("{} ({} to {})", show(i.value), show(i.low), show(i.high));
-    let moments = |words: &str, m: Moments| vec![words.into(), show(m.mean), show(m.deviation)];
+    let value = |value: f64| shown::outcome(of, value, system);
+    let spread = |value: f64| shown::spread(of, value, system);
+    let between =
+        |i: Interval, show: &dyn Fn(f64) -> String| format!("{} ({} to {})", show(i.value), show(i.low), show(i.high));
+    let moments = |words: &str, m: Moments| vec![words.into(), value(m.mean), spread(m.deviation)];
     let mut rows = vec![];
     if let Some((first, second)) = outcome.delta {
         rows.push(moments("by the gradient", first));
@@ -149,56 +155,68 @@ fn outcome_text(outcome: &OutcomeUncertainty, found: &Uncertainty) -> String {
     }
     let Some(sampled) = &outcome.sampled else {
         let head = [of.name(), "mean", "standard deviation"];
-        return format!("\n{}  no drive of the sample has it\n", table(&head, &[1, 2], rows));
+        return format!("\n{}  no drive of the sample has this outcome\n", table(&head, &[1, 2], rows));
     };
-    rows.push(vec!["flown (95 % interval)".into(), between(sampled.mean), between(sampled.deviation)]);
+    if !outcome.varies() {
+        let given = if found.inputs.len() == 1 { "the uncertain parameter" } else { "any of the uncertain parameters" };
+        let mean = value(sampled.mean.value);
+        return format!("\n{} is {mean} in every drive: it does not depend on {given}\n", of.name());
+    }
+    rows.push(vec![
+        "by the sample (95 % interval)".into(),
+        between(sampled.mean, &value),
+        between(sampled.deviation, &spread),
+    ]);
     let mut text = format!("\n{}", table(&[of.name(), "mean", "standard deviation"], &[1, 2], rows));
-    let [low, middle, high] = sampled.quantiles.map(show);
-    text += &format!("  95 % of the drives between {low} and {high}, half above {middle}\n\n");
-    let percent = |value: f64| format!("{:.1} %", 100.0 * value + 0.0);
-    let share = |i: Interval| format!("{} ({} to {})", percent(i.value), percent(i.low), percent(i.high));
+    let [low, middle, high] = sampled.quantiles.map(value);
+    text += &format!("  95 % of the drives lie between {low} and {high}; the median is {middle}\n\n");
+    // rounding has no sign
+    let tenths = |value: f64| format!("{:.1}", (1000.0 * value).round() / 10.0 + 0.0);
+    let percent = |value: f64| format!("{} %", tenths(value));
+    let share = |i: Interval| format!("{} ({} to {})", percent(i.value), tenths(i.low), tenths(i.high));
     let rows = found.inputs.iter().enumerate().map(|(k, input)| {
         let indices = sampled.indices[k];
         vec![
             input.parameter.name.into(),
-            indices.map_or("–".into(), |indices| share(indices.first)),
-            indices.map_or("–".into(), |indices| share(indices.total)),
-            outcome.slopes[k].map_or("–".into(), |slopes| format!("<= {}", percent(slopes.bound))),
+            indices.map_or(shown::NONE.into(), |indices| share(indices.first)),
+            indices.map_or(shown::NONE.into(), |indices| share(indices.total)),
+            outcome.slopes[k].map_or(shown::NONE.into(), |slopes| format!("<= {}", percent(slopes.bound))),
         ]
     });
-    text += &table(
-        &["share of the variance of", "alone (Sobol' first)", "with others (total)", "total, by slopes"],
-        &[1, 2, 3],
-        rows,
-    );
+    let head = ["share of the variance", "first-order Sobol' index", "total Sobol' index", "bound from slopes"];
+    text += &table(&head, &[1, 2, 3], rows);
     if sampled.left_out > 0 {
         text += &format!(
-            "  shares without {} of {} points, where a drive has none\n",
+            "  these shares leave out {} of {} points, at which a drive does not have this outcome\n",
             sampled.left_out, found.plan.samples
         );
     }
     if let Some((parameter, left)) = outcome.measure_first(&found.inputs) {
-        text += &format!("  measure first: {}; once it is known, ±{} is left\n", parameter.name, show(left));
+        text += &item(&format!(
+            "measure {} first: once it is known exactly, the standard deviation falls to {}",
+            parameter.name,
+            spread(left)
+        ));
     }
     text
 }
 
-fn ellipses_text(found: &Uncertainty) -> String {
+fn ellipses_text(found: &Uncertainty, system: System) -> String {
     use crate::drive::Outcome::Carry;
-    let head = ["landings", "half-axes", "longer one turned from downrange to the right by", "flown within"];
+    let head = ["landing ellipse", "half-axes", "long axis from downrange", "drives inside"];
     let rows = found.ellipses.iter().map(|sampled| {
         let [long, short] = sampled.ellipse.half_axes;
-        let lengths = [long, short].map(|axis| readable(Carry, axis[0].hypot(axis[1])));
+        let lengths = [long, short].map(|axis| shown::spread(Carry, axis[0].hypot(axis[1]), system));
         // an axis has no direction of its own: within a quarter turn of downrange
-        let turned = (long[0] * long[1].signum()).atan2(long[1].abs()).to_degrees();
+        let turned = (long[0] * long[1].signum()).atan2(long[1].abs());
         vec![
             format!(
-                "{} %, by {}",
+                "{} %, from the {}",
                 100.0 * sampled.ellipse.share,
-                if sampled.by_gradient { "the gradients" } else { "the sample" }
+                if sampled.by_gradient { "gradients" } else { "sample" }
             ),
             lengths.join(" and "),
-            format!("{:.1} deg", turned + 0.0),
+            shown::side(Quantity::ANGLE, "deg", turned),
             format!("{:.1} %", 100.0 * sampled.holds),
         ]
     });

@@ -57,10 +57,30 @@ pub fn chart(
     setup: &Setup<f64>,
     search: &Search,
     along: Vary,
+    watch: impl FnMut(&ChartPoint) -> bool,
+) -> Result<Chart> {
+    chart_at(setup, search, along, &[], watch)
+}
+
+/// As [`chart`], with a point at each of these values of the parameter (SI, within its range) and no others; with none, wherever the
+/// optimum was followed.
+///
+/// # Errors
+/// As [`chart`]; [`Error::SearchRange`] for a value outside the range.
+pub fn chart_at(
+    setup: &Setup<f64>,
+    search: &Search,
+    along: Vary,
+    at: &[f64],
     mut watch: impl FnMut(&ChartPoint) -> bool,
 ) -> Result<Chart> {
+    if let Some(outside) = at.iter().find(|at| !(along.low..=along.high).contains(*at)) {
+        let show = |value: f64| along.parameter.show(Some(value));
+        let reason = format!("{} is outside {} .. {}", show(*outside), show(along.low), show(along.high));
+        return Err(Error::SearchRange { name: along.parameter.name.into(), reason });
+    }
     if search.vary.iter().any(|vary| vary.parameter == along.parameter) {
-        let reason = "it is varied itself: the chart is of its optimum, along another parameter".into();
+        let reason = "it is one of the parameters varied; a chart runs along another parameter".into();
         return Err(Error::NotVariable { name: along.parameter.name.into(), reason });
     }
     let follower = Follower { setup, search, along };
@@ -80,6 +100,8 @@ pub fn chart(
         let to = if here.at + 1.001 * step >= along.high { along.high } else { here.at + step };
         // a step meant to end at zero ends there
         let to = if to.abs() < LOCATED * width { 0.0 } else { to };
+        // and none goes past a value that was asked for
+        let to = at.iter().copied().filter(|at| *at > here.at).fold(to, f64::min);
         let (next, apart) = match follower.next(here, to) {
             Ok(found) if found.1 <= TOO_FAR || step <= SHORTEST * width => found,
             Ok(_) => {
@@ -97,7 +119,7 @@ pub fn chart(
             }
         };
         let next = if apart > TOO_FAR {
-            let event = Some("the optimum jumps: the one followed so far is none beyond".into());
+            let event = Some("the optimum jumps: the local optimum followed so far ends here".into());
             ChartPoint { event, ..next }
         } else if next.active != here.active {
             follower.located(here, next)
@@ -109,6 +131,9 @@ pub fn chart(
         }
         goes_on = watch(&next);
         chart.points.push(next);
+    }
+    if !at.is_empty() {
+        chart.points.retain(|point| at.contains(&point.at));
     }
     Ok(chart)
 }
@@ -134,7 +159,7 @@ impl Follower<'_> {
                 Ok(point) => {
                     let show = |value: f64| parameter.show(Some(value));
                     let begun = why.map(|why: Error| {
-                        format!("from {} on, for there was no optimum at {}: {why}", show(at), show(low))
+                        format!("the chart begins at {}: no optimum was found at {}: {why}", show(at), show(low))
                     });
                     return Ok((point, begun));
                 }

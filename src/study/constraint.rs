@@ -57,7 +57,7 @@ impl Constraint {
                         return Err(at(
                             expression,
                             second,
-                            "a range needs the same sign twice: LOW <= OUTCOME <= HIGH",
+                            "a range needs the same comparison twice: LOW <= OUTCOME <= HIGH",
                         ));
                     }
                 }
@@ -68,12 +68,12 @@ impl Constraint {
                 return Err(Error::Constraint {
                     expression: expression.into(),
                     column: place.map_or(0, |part| part.column),
-                    reason: format!("there is no sign (<=, >= or ==) with something on both sides; {how}"),
+                    reason: format!("there is no comparison (<=, >= or ==) with something on both sides; {how}"),
                 });
             }
         };
         if low > high {
-            let reason = "the range is reversed: nothing lies above its upper and below its lower limit";
+            let reason = "the range is reversed: its lower limit is above its upper limit";
             return Err(at(expression, &parts[0], reason));
         }
         Ok(Self { expression: expression.trim().into(), outcome, low, high })
@@ -115,7 +115,7 @@ fn split(expression: &str) -> Result<Vec<Part<'_>>> {
         let stray = part.text.find(['<', '>', '=']).filter(|_| !SIGNS.contains(&part.text));
         if let Some(stray) = stray {
             let column = part.column + part.text[..stray].chars().count();
-            let reason = "this is no sign; write <=, >= or ==".into();
+            let reason = "this is not a comparison; write <=, >= or ==".into();
             return Err(Error::Constraint { expression: expression.into(), column, reason });
         }
         if part.text.is_empty() {

@@ -24,7 +24,7 @@ pub struct Effect {
     pub parameter: &'static Parameter,
     /// ∂f/∂p, SI.
     pub gradient: f64,
-    /// (p/f) ∂f/∂p: by how many per cent f changes where p changes by one; `None` where p or f is 0.
+    /// (p/f) ∂f/∂p: by how many per cent f changes where p changes by one; `None` where p or f is 0, or f nothing but rounding.
     pub elasticity: Option<f64>,
     /// What its standard uncertainty does; `None` where it has none.
     pub bar: Option<Bar>,
@@ -37,7 +37,7 @@ pub struct Bar {
     pub sigma: Sigma,
     /// σ ∂f/∂p, SI.
     pub first_order: f64,
-    /// ½ σ² ∂²f/∂p²: what the mean of f moves by; `None` where there is no second derivative.
+    /// ½ σ² ∂²f/∂p²: what the mean of f moves by; `None` where there is no second derivative, or σ is so large that this is no number.
     pub second_order: Option<f64>,
     /// The change of f in drives flown at p − σ and p + σ; `None` where p cannot be so or nothing flies.
     pub flown: [Option<f64>; 2],
@@ -46,7 +46,7 @@ pub struct Bar {
 impl Effects {
     /// The standard uncertainty of the outcome, to first order, where the parameters are independent: √Σ(σ ∂f/∂p)².
     pub fn standard_uncertainty(&self) -> f64 {
-        self.bars().map(|bar| bar.first_order.powi(2)).sum::<f64>().sqrt()
+        self.bars().map(|bar| bar.first_order).fold(0.0, f64::hypot)
     }
 
     /// What straight bars neglect: Σ ½ σ² |∂²f/∂p²|. Bars that are shorter are not to be trusted.
@@ -58,6 +58,9 @@ impl Effects {
         self.effects.iter().filter_map(|effect| effect.bar.as_ref())
     }
 }
+
+/// Smaller values, in the unit people read, are what rounding leaves of 0.
+const LEAST_SIZE: f64 = 1e-9;
 
 /// The effects of all parameters that have a number on some outcomes; `progress` is told how many uncertainties of how many are done.
 ///
@@ -81,7 +84,10 @@ pub fn effects(
             bars.push(Bar {
                 sigma: *sigma,
                 first_order: slope * sigma.value,
-                second_order: curvatures.as_ref().map(|all| 0.5 * all[i].hessian[0][0] * sigma.value * sigma.value),
+                second_order: curvatures
+                    .as_ref()
+                    .map(|all| 0.5 * all[i].hessian[0][0] * sigma.value * sigma.value)
+                    .filter(|moved| moved.is_finite()),
                 flown: flown.each_ref().map(|values| values.as_ref().map(|values| values[i] - taylors[i].value)),
             });
         }
@@ -89,12 +95,13 @@ pub fn effects(
     }
     let effects = |(i, of): (usize, &Outcome)| {
         let value = taylors[i].value;
+        let least = LEAST_SIZE * of.quantity().size_of(of.unit()).unwrap_or(1.0);
         let effect = |(k, parameter): (usize, &&'static Parameter)| {
             let (gradient, p) = (taylors[i].gradient[k], setup.value(parameter).unwrap_or_default());
             Effect {
                 parameter,
                 gradient,
-                elasticity: (p != 0.0 && value != 0.0).then(|| gradient * p / value),
+                elasticity: (p != 0.0 && value.abs() > least).then(|| gradient * p / value),
                 bar: bars[i].iter().find(|bar| bar.sigma.parameter == *parameter).copied(),
             }
         };

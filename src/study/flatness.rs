@@ -90,7 +90,7 @@ const AROUND: usize = 24;
 /// [`Error::NotConverged`]; [`Error::Optimizer`] for a loss that is not above 0.
 pub fn flatness(best: &Optimum, loss: f64) -> Result<Flatness> {
     if !(loss > 0.0 && loss.is_finite()) {
-        return Err(Error::Optimizer(format!("a loss of {loss} allows nothing; state one above 0")));
+        return Err(Error::Optimizer(format!("the loss {loss} must be above 0")));
     }
     if best.solution.status != Status::Converged {
         return Err(Error::NotConverged { status: best.status(), message: best.message() });

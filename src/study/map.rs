@@ -96,7 +96,7 @@ pub fn map(setup: &Setup<f64>, of: Outcome, across: Vary, up: Vary, fineness: Fi
     if values.iter().all(Option::is_none) {
         let reason = missing.unwrap_or_default();
         return Err(Error::NoFlight {
-            reason: format!("not one drive of the map has a {}; at its low corner: {reason}", of.name()),
+            reason: format!("no drive of the map has a {}; at its lower left corner: {reason}", of.name()),
         });
     }
     let slopes = (0..fineness.slopes * fineness.slopes).into_par_iter().filter_map(|i| {

@@ -75,7 +75,7 @@ impl Search {
     }
 }
 
-/// Something that holds an optimum. It reads `club.loft at its upper bound`, or as the constraint was given.
+/// An active bound or constraint of an optimum. It reads `club.loft at its upper bound`, or as the constraint was given.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Active {
     /// The varied parameter, or the constraint's expression.
@@ -127,7 +127,7 @@ impl Optimum {
                 let (by, unit) = (parameter.name, units::per(outcome.quantity().si, parameter.quantity.si));
                 let sign = self.search.sense.sign();
                 let slope = |slope: Option<f64>| {
-                    slope.map_or("not looked at (out of range)".into(), |slope| format!("{:+.4} {unit}", sign * slope))
+                    slope.map_or("not computed (out of range)".into(), |slope| format!("{:+.4} {unit}", sign * slope))
                 };
                 format!(
                     "{of} has a corner at {by} = {at}: d {of}/d {by} is {} below it and {} above",
@@ -140,20 +140,21 @@ impl Optimum {
                 let missed: Vec<_> = missed
                     .filter(|(_, constrained)| constrained.violation != 0.0)
                     .map(|(constraint, constrained)| {
-                        let value = constraint.outcome.show(constrained.value);
-                        let short = constraint.outcome.show(constrained.violation.abs());
-                        format!("{} (it is {value}, {short} away)", constraint.expression)
+                        let (quantity, unit) = (constraint.outcome.quantity(), constraint.outcome.unit());
+                        let value = quantity.read_off_finely(constrained.value, unit);
+                        let short = quantity.read_off_difference(constrained.violation.abs(), unit);
+                        format!("{} (its value is {value}, outside by {short})", constraint.expression)
                     })
                     .collect();
-                format!("the constraints cannot all be met; the nearest found still misses {}", missed.join(" and "))
+                format!("the constraints cannot all be met; the nearest point found violates {}", missed.join(" and "))
             }
             (None, Status::Converged) if self.is_flat() => {
-                format!("{of} does not depend on the parameters varied here: every drive is as good")
+                format!("{of} does not depend on the parameters varied here: every drive is equally good")
             }
             (None, Status::Undefined) => {
                 let (trials, why) = (self.search.options.start_trials, self.solution.undefined_at_start.as_deref());
                 format!(
-                    "nothing flew, neither the start nor {trials} other points of the ranges searched; at the start {}",
+                    "no drive of the search flies, neither the start nor {trials} other points of the ranges; at the start: {}",
                     why.unwrap_or_default()
                 )
             }
@@ -161,7 +162,7 @@ impl Optimum {
         }
     }
 
-    /// What holds the optimum: bounds that are active, and constraints.
+    /// The bounds and constraints that are active at the optimum.
     pub fn active(&self) -> Vec<Active> {
         let Ok(problem) = DriveProblem::new(&self.setup, &self.search) else { return vec![] };
         if self.solution.value.is_none() {
@@ -191,7 +192,7 @@ impl Optimum {
         let begun = self.search.vary.iter().zip(&self.solution.begun_at);
         let begun: Vec<_> =
             begun.map(|(vary, x)| format!("{} {}", vary.parameter.name, vary.parameter.show(Some(*x)))).collect();
-        Some(format!("the start does not fly ({why}); begun at {} instead", begun.join(", ")))
+        Some(format!("the start does not fly ({why}); the search began at {} instead", begun.join(", ")))
     }
 
     /// The status in a word; where the optimizer says undefined, nothing flew.

@@ -57,7 +57,7 @@ pub fn sensitivities(
 /// [`Error::NotVariable`].
 pub fn refuse_varied(search: &Search, parameter: &Parameter) -> Result<()> {
     if search.vary.iter().any(|vary| vary.parameter == parameter) {
-        let reason = "it is varied itself; the price of its bounds is its multiplier".into();
+        let reason = "it is one of the parameters varied; ask about another parameter".into();
         return Err(Error::NotVariable { name: parameter.name.into(), reason });
     }
     Ok(())

@@ -3,6 +3,7 @@
 //! The sizes of the units are those of the `uom` library; what is written here is the grammar that puts
 //! them together (`kg/m^3`, `g cm^2`) and the check that the result is the kind of quantity wanted.
 
+mod decimals;
 mod dimension;
 mod error;
 mod expression;
@@ -131,6 +132,17 @@ impl Quantity {
     pub fn show(self, value: f64, unit: &str) -> String {
         let number = significant(value / self.size_of(unit).unwrap_or(1.0), 7);
         if unit.is_empty() { number } else { format!("{number} {unit}") }
+    }
+
+    /// The head of a column of SI values: `club.loft [rad]`, as tables of points are read.
+    ///
+    /// ```
+    /// use longdrive::units::Quantity;
+    /// assert_eq!(Quantity::ANGLE.head("club.loft"), "club.loft [rad]");
+    /// assert_eq!(Quantity::NUMBER.head("smash_factor"), "smash_factor");
+    /// ```
+    pub fn head(self, name: &str) -> String {
+        if self.si.is_empty() { name.into() } else { format!("{name} [{}]", self.si) }
     }
 
     fn scaled(self, number: f64, unit: &str, text: &str) -> Result<f64, UnitError> {

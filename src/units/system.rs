@@ -1,6 +1,6 @@
 use std::fmt;
 
-/// The units a plot or page is read in.
+/// The units that results are shown in.
 ///
 /// ```
 /// use longdrive::units::System;
@@ -29,6 +29,14 @@ impl System {
         match self {
             Self::Metric => "metric",
             Self::Us => "us",
+        }
+    }
+
+    /// The other one.
+    pub fn other(self) -> Self {
+        match self {
+            Self::Metric => Self::Us,
+            Self::Us => Self::Metric,
         }
     }
 

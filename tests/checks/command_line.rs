@@ -1,6 +1,7 @@
 //! The program as a user meets it: answers, JSON, exit statuses, and messages for bad input.
 
 use crate::common::close;
+use crate::schema::faults;
 use assert_cmd::Command;
 use serde_json::Value;
 use std::io::Write;
@@ -17,9 +18,13 @@ pub fn longdrive(args: &[&str]) -> Said {
     Said { status: output.status.code().unwrap(), out: text(output.stdout), err: text(output.stderr) }
 }
 
+/// The answer in JSON, which is as docs/schema describes it whatever was asked.
 pub fn json(args: &[&str]) -> (i32, Value) {
     let said = longdrive(&[args, &["--json"]].concat());
-    (said.status, serde_json::from_str(&said.out).unwrap_or_else(|e| panic!("{e}: {} {}", said.out, said.err)))
+    let answer = serde_json::from_str(&said.out).unwrap_or_else(|e| panic!("{e}: {} {}", said.out, said.err));
+    let faults = faults(args[0], &answer);
+    assert!(faults.is_empty(), "{args:?}: {faults:#?} in {answer:#}");
+    (said.status, answer)
 }
 
 pub fn number(value: &Value) -> f64 {
@@ -66,6 +71,7 @@ fn paper_winfield_tan_shot_as_json() {
 #[test]
 fn independent_mae494_derivatives_as_json() {
     let (status, answer) = json(&["gradient", "mae494", "--hessian"]);
+    let answer = &answer["outcomes"][0];
     assert_eq!((status, answer["of"].as_str()), (0, Some("carry")));
     close(number(&answer["value"]), 114.312855130798, 114.0, 1e-12, "value");
     close(number(&answer["gradient"]["club.loft"]), 336.769746388603, 336.0, 1e-11, "d/d loft");
@@ -82,7 +88,7 @@ fn independent_mae494_derivatives_as_json() {
 #[test]
 fn jacobian_and_gradient_by_all_parameters() {
     let (_, answer) = json(&["gradient", "--of", "carry,lateral", "--wrt", "all"]);
-    let rows = answer["jacobian"].as_array().unwrap();
+    let rows = answer["outcomes"].as_array().unwrap();
     assert_eq!((rows.len(), rows[1]["of"].as_str()), (2, Some("lateral")));
     assert!(rows[0]["gradient"].as_object().unwrap().len() > 35);
     let said = longdrive(&["gradient", "--wrt", "all"]);
@@ -99,10 +105,9 @@ fn the_default_search_converges_and_reads_like_an_answer() {
         "club.loft",
         "at its upper bound: +",
         "yd per deg",
-        "carry",
-        " m = ",
-        " yd",
-        "ball speed",
+        "carry   279.2 yd (255.3 m)",
+        "ball speed 161.6 mph",
+        "lateral 0.0 yd",
     ] {
         assert!(said.out.contains(words), "no '{words}' in {}", said.out);
     }
@@ -128,7 +133,10 @@ fn no_flight_is_an_outcome_with_status_one_and_never_a_carry() {
     let said = longdrive(&["simulate", "--set", "swing.attack_angle=-20deg"]);
     assert!(said.status == 1 && said.out.contains("no flight: the ball leaves at -"), "{}", said.out);
     let (status, gradient) = json(&[&["gradient"], set.as_slice()].concat());
-    assert_eq!((status, &gradient["value"], &gradient["gradient"]), (1, &Value::Null, &Value::Null));
+    assert_eq!(
+        (status, &gradient["outcomes"][0]["value"], &gradient["outcomes"][0]["gradient"]),
+        (1, &Value::Null, &Value::Null)
+    );
     let (status, found) = json(&["optimize", "--vary", "swing.attack_angle=-40deg..-30deg"]);
     assert_eq!((status, found["status"].as_str(), &found["optimum"]), (1, Some("no-flight"), &Value::Null));
 }
@@ -237,7 +245,7 @@ fn parameters_lists_every_row_with_unit_range_default_and_meaning() {
     let (_, listing) = json(&["parameters"]);
     let rows = listing["parameters"].as_array().unwrap();
     assert!(rows.len() > 55);
-    let loft = rows.iter().find(|row| row["name"] == "club.loft").unwrap();
+    let loft = rows.iter().find(|row| row["parameter"] == "club.loft").unwrap();
     assert_eq!((loft["unit"].as_str(), loft["shown_in"].as_str()), (Some("rad"), Some("deg")));
     close(number(&loft["range"]["high"]), std::f64::consts::FRAC_PI_2, 1.0, 1e-15, "range");
     assert!(

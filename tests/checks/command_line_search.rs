@@ -102,12 +102,16 @@ fn exact_chart_as_json_csv_and_table() {
     let (status, chart) = json(&args);
     let points = chart["points"].as_array().unwrap();
     assert_eq!(status, 0);
-    assert_eq!(number(&points[0]["parameter"]), 80.0 * 0.44704);
-    assert_eq!(number(&points.last().unwrap()["parameter"]), 130.0 * 0.44704);
+    assert_eq!(number(&points[0]["at"]), 80.0 * 0.44704);
+    assert_eq!(number(&points.last().unwrap()["at"]), 130.0 * 0.44704);
     assert_eq!(points[0]["active"], serde_json::json!(["swing.attack_angle"]));
     assert!(points.last().unwrap()["active"].as_array().unwrap().contains(&Value::from("apex_height <= 35 yd")));
     let csv = longdrive(&[&args, ["--csv"].as_slice()].concat());
-    assert!(csv.out.starts_with("swing.speed,carry,club.loft,swing.attack_angle,active,event\n"), "{}", csv.out);
+    assert!(
+        csv.out.starts_with("swing.speed [m/s],carry [m],club.loft [rad],swing.attack_angle [rad],active,event\n"),
+        "{}",
+        csv.out
+    );
     assert_eq!(csv.out.lines().count(), points.len() + 1);
     assert!(longdrive(&args).out.contains("<- apex_height <= 35 yd begins"));
 
@@ -116,7 +120,7 @@ fn exact_chart_as_json_csv_and_table() {
     let (status, chart) = json(&low);
     assert_eq!(status, 1);
     assert!(chart["points"].as_array().unwrap().len() > 5);
-    assert!(chart["begun"].as_str().unwrap().contains("no optimum at 80 mph"), "{}", chart["begun"]);
+    assert!(chart["begun"].as_str().unwrap().contains("no optimum was found at 80 mph"), "{}", chart["begun"]);
     let (status, chart) = json(&["chart", "--along", "swing.speed=80mph..130mph", "--max-iterations", "0"]);
     assert_eq!((status, chart["points"].as_array().unwrap().len()), (1, 0));
     assert!(chart["ended"].as_str().unwrap().contains("iteration-limit"));
@@ -127,21 +131,21 @@ fn bad_input_to_a_search_is_status_2_and_says_what_to_write() {
     for (args, says) in [
         (vec!["optimize", "--subject-to", "descent_angel >= 38 deg"], "did you mean 'descent_angle'?"),
         (vec!["optimize", "--subject-to", "descent_angle >= 38"], "has no unit"),
-        (vec!["optimize", "--subject-to", "descent_angle"], "no sign"),
+        (vec!["optimize", "--subject-to", "descent_angle"], "no comparison"),
         (vec!["optimize", "--starts", "0"], "--starts"),
         (vec!["optimize", "--starts", "70000"], "at most 65536"),
         (vec!["optimize", "--checkpoint", "/nowhere/at/all.json"], "cannot be written"),
-        (vec!["optimize", "--checkpoint", "."], "it is no file"),
-        (vec!["optimum-sensitivity", "--wrt", "club.loft"], "varied itself"),
+        (vec!["optimize", "--checkpoint", "."], "it is not a file"),
+        (vec!["optimum-sensitivity", "--wrt", "club.loft"], "one of the parameters varied"),
         (vec!["optimum-sensitivity", "--wrt", "swing.sped"], "did you mean 'swing.speed'?"),
-        (vec!["optimum-sensitivity", "--change", "club.loft=+1deg"], "varied itself"),
+        (vec!["optimum-sensitivity", "--change", "club.loft=+1deg"], "one of the parameters varied"),
         (vec!["optimum-sensitivity", "--change", "swing.speed=+5kg"], "not a speed"),
         (vec!["optimum-sensitivity", "--change", "swing.speed"], "write NAME=AMOUNT"),
         (vec!["optimum-sensitivity", "--change", "air.density=-5 kg/m^3"], "outside its range"),
         (vec!["optimum-sensitivity", "--loss", "0 yd"], "above 0"),
         (vec!["optimum-sensitivity", "--loss", "1 kg"], "not a length"),
         (vec!["chart", "--along", "swing.speed=130mph..80mph"], "the range is reversed"),
-        (vec!["chart", "--along", "club.loft=5deg..6deg"], "varied itself"),
+        (vec!["chart", "--along", "club.loft=5deg..6deg"], "one of the parameters varied"),
         (vec!["chart", "--along", "swing.speed=80mph.."], "upper end is missing"),
         (vec!["chart"], "--along"),
         (vec!["simulate", "--set", "flight.step=1e-9s"], "at most"),
@@ -156,15 +160,15 @@ fn bad_input_to_a_search_is_status_2_and_says_what_to_write() {
 fn each_outcome_of_a_gradient_answers_for_itself() {
     let (status, rows) = json(&["gradient", "--of", "launch_angle,carry", "--set", "club.loft=-20deg"]);
     assert_eq!(status, 1);
-    close(number(&rows["jacobian"][0]["value"]).to_degrees(), -17.87, 1.0, 1e-2, "launch angle");
+    close(number(&rows["outcomes"][0]["value"]).to_degrees(), -17.87, 1.0, 1e-2, "launch angle");
     assert!(
-        rows["jacobian"][1]["value"].is_null()
-            && rows["jacobian"][1]["message"].as_str().unwrap().contains("no flight")
+        rows["outcomes"][1]["value"].is_null()
+            && rows["outcomes"][1]["message"].as_str().unwrap().contains("no flight")
     );
     let (status, rows) =
         json(&["gradient", "--of", "spin_axis,carry,carry", "--set", "club.loft=0rad", "--wrt", "all,gravity"]);
-    assert_eq!((status, rows["jacobian"].as_array().unwrap().len()), (1, 2));
-    assert!(rows["jacobian"][0]["value"].is_null() && rows["jacobian"][1]["value"].is_null());
+    assert_eq!((status, rows["outcomes"].as_array().unwrap().len()), (1, 2));
+    assert!(rows["outcomes"][0]["value"].is_null() && rows["outcomes"][1]["value"].is_null());
 }
 
 #[test]
@@ -174,5 +178,110 @@ fn a_full_disk_is_an_error() {
         let output = program.arg("simulate").stdout(full).output().unwrap();
         assert_eq!(output.status.code(), Some(2));
         assert!(String::from_utf8_lossy(&output.stderr).contains("cannot write the answer"));
+    }
+}
+
+#[test]
+fn exact_least_value_has_the_price_of_its_bound() {
+    // ball speed falls with loft all the way: the least is at the upper bound, and its price is the slope there
+    let vary = ["--vary", "club.loft=4deg..20deg"];
+    let (status, found) = json(&[&["optimize", "--minimize", "ball_speed"], &vary[..]].concat());
+    assert_eq!((status, found["status"].as_str()), (0, Some("converged")), "{found}");
+    assert_eq!(number(&found["optimum"]["club.loft"]), 20.0_f64.to_radians());
+    let at = ["--of", "ball_speed", "--wrt", "club.loft", "--set", "club.loft=20deg"];
+    let mut setup = longdrive::Setup::default();
+    setup.set("club.loft", "20 deg").unwrap();
+    let loft = setup.variable("club.loft").unwrap();
+    let slope = longdrive::derivative::gradient(&setup, longdrive::Outcome::BallSpeed, &[loft]).unwrap();
+    assert!(slope.gradient[0] < 0.0, "{at:?}");
+    close(number(&found["value"]), slope.value, slope.value, 1e-14, "value");
+    close(number(&found["gradient"]["club.loft"]), slope.gradient[0], 1.0, 1e-9, "gradient");
+    close(number(&found["multipliers"]["club.loft"]["upper"]), -slope.gradient[0], 1.0, 1e-9, "price");
+    let said = longdrive(&[&["optimize", "--minimize", "ball_speed"], &vary[..]].concat());
+    assert!(said.out.contains("at its upper bound: -"), "{}", said.out);
+    let both = longdrive(&["optimize", "--minimize", "carry", "--maximize", "carry"]);
+    assert_eq!(both.status, 2, "{}", both.err);
+}
+
+#[test]
+fn differences_of_least_values_are_their_sensitivities() {
+    // the landing speed is least at a descent between flat and steep
+    let asked = ["--minimize", "landing_speed", "--vary", "club.loft=4deg..25deg"];
+    let (status, found) = json(&[&["optimum-sensitivity", "--wrt", "air.density"], &asked[..]].concat());
+    assert_eq!(status, 0, "{found}");
+    let best = |density: &str| {
+        let (_, found) = json(&[&["optimize", "--set", density], &asked[..]].concat());
+        number(&found["value"])
+    };
+    let slope = (best("air.density=1.185 kg/m^3") - best("air.density=1.183 kg/m^3")) / 0.002;
+    let exact = number(&found["sensitivity"]["air.density"]["value"]);
+    close(slope, exact, exact.abs(), 1e-5, "d f*/d density");
+    let loss = |end: &str| {
+        let loft = format!("club.loft={:?}rad", number(&found["window"]["club.loft"][end]));
+        let (_, drive) = json(&["simulate", "--set", &loft]);
+        number(&drive["flight"]["landing_speed"]) - number(&found["value"])
+    };
+    assert!(loss("low") > 0.0 && loss("high") > 0.0);
+}
+
+#[test]
+fn exact_setup_at_an_optimum_reads_back_and_gives_the_same_drive() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("best.toml").display().to_string();
+    let (status, found) = json(&["optimize", "--set", "swing.speed=100mph", "-o", &file]);
+    assert_eq!(status, 0);
+    let text = std::fs::read_to_string(&file).unwrap();
+    for words in
+        ["preset = \"modern-driver\"", "speed = \"100 mph\" # as given", "# optimum: 1", "mass = \"204 g\" # Caldwell"]
+    {
+        assert!(text.contains(words), "no '{words}' in {text}");
+    }
+    let (_, drive) = json(&["simulate", &file]);
+    close(number(&drive["flight"]["carry"]), number(&found["value"]), number(&found["value"]), 1e-14, "carry");
+    let said = longdrive(&["optimize", "-o", &file]);
+    assert!(said.status == 2 && said.err.contains("--overwrite replaces it"), "{}", said.err);
+}
+
+#[test]
+fn options_of_a_search_that_is_not_asked_for_are_refused() {
+    for option in [&["--maximize", "carry"][..], &["--vary", "club.loft=4deg..20deg"], &["--max-iterations", "9"]] {
+        let said = longdrive(&[&["sensitivity"], option].concat());
+        assert_eq!((said.status, said.out.as_str()), (2, ""), "{option:?}: {}", said.err);
+        assert!(said.err.contains(option[0]) && said.err.contains("--at-optimum"), "{}", said.err);
+    }
+}
+
+#[test]
+fn numbers_without_a_unit_in_a_setup_file_are_said_to_be_read_as_si() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("mine.toml").display().to_string();
+    std::fs::write(&file, "[swing]\nspeed = 50\n[impact]\nrestitution = 0.8\n[club]\nbulge_radius = inf\n").unwrap();
+    let said = longdrive(&["simulate", &file]);
+    assert_eq!(said.status, 0, "{}", said.err);
+    let notes: Vec<_> = said.err.lines().filter(|line| line.starts_with("note: ")).collect();
+    assert_eq!(notes.len(), 1, "{}", said.err);
+    assert!(notes[0].contains("swing.speed = 50 m/s") && !notes[0].contains("restitution"), "{}", said.err);
+    assert!(!notes[0].contains("bulge"), "{}", said.err);
+}
+
+#[test]
+fn exact_optima_at_the_points_one_chooses() {
+    let (status, chart) = json(&["chart", "--along", "swing.speed", "--at", "110mph,90mph,100mph"]);
+    assert_eq!(status, 0, "{chart}");
+    let points = chart["points"].as_array().unwrap();
+    let speeds: Vec<f64> = points.iter().map(|point| number(&point["parameter"])).collect();
+    assert_eq!(speeds, [90.0 * 0.44704, 100.0 * 0.44704, 110.0 * 0.44704]);
+    for (point, speed) in points.iter().zip(["90mph", "100mph", "110mph"]) {
+        let (_, alone) = json(&["optimize", "--set", &format!("swing.speed={speed}")]);
+        close(number(&point["value"]), number(&alone["value"]), 1.0, 1e-9, speed);
+    }
+    for (args, says) in [
+        (["--along", "swing.speed=80mph..100mph", "--at", "90mph,110mph"], "110 mph is outside 80 mph .. 100 mph"),
+        (["--along", "swing.speed", "--at", "90"], "has no unit"),
+        (["--along", "club.loft", "--at", "9deg"], "varied"),
+    ] {
+        let said = longdrive(&[&["chart"], &args[..]].concat());
+        assert_eq!(said.status, 2, "{args:?}: {}", said.err);
+        assert!(said.err.contains(says), "{args:?}: {}", said.err);
     }
 }

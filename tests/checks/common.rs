@@ -1,7 +1,7 @@
 //! Drives computed independently of this project, random drives, and how to hold numbers against each other.
 
-use longdrive::Setup;
 use longdrive::parameters::Law;
+use longdrive::{Outcome, Setup};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::TestRunner;
@@ -44,6 +44,14 @@ pub fn drives(file: &str) -> Vec<Value> {
 /// A number of a JSON file.
 pub fn number(value: &Value) -> f64 {
     value.as_f64().unwrap()
+}
+
+/// An outcome of a JSON drive; of the distance to the landing the files have the two components.
+pub fn outcome_of(outcomes: &Value, of: Outcome) -> f64 {
+    match of {
+        Outcome::CarryDistance => number(&outcomes["carry"]).hypot(number(&outcomes["lateral"])),
+        _ => number(&outcomes[of.name()]),
+    }
 }
 
 /// Asserts |ours − theirs| ≤ tolerance · scale.

@@ -13,12 +13,16 @@ mod derivatives;
 mod fast_paths;
 mod flight;
 mod impact;
+mod json_answers;
+mod launch;
 mod long_work;
 mod optimizer;
 mod oracle;
 mod reference;
 mod report;
 mod reproduce;
+#[path = "../schema/mod.rs"]
+mod schema;
 mod smoothness;
 mod sweep;
 #[cfg(all(feature = "arrow", feature = "parquet"))]

@@ -75,10 +75,10 @@ fn exact_data_of_a_trajectory_are_the_points_flown() {
 
 /// Seen from above with the target to the right of the picture, right of the target line is below it.
 #[test]
-fn exact_what_flies_right_is_drawn_below_in_the_view_from_above() {
-    let ends = |path: &str| {
+fn exact_a_slice_is_drawn_below_the_target_line_in_the_view_from_above() {
+    let ends = |face_angle: &str| {
         let mut setup = Setup::default();
-        setup.set("swing.path", path).unwrap();
+        setup.set("swing.face_angle", face_angle).unwrap();
         let figure = trajectory_figure(&[Flown::new("", &setup).unwrap()], View::Top);
         let svg = figure_svg(&figure, &Look::default()).unwrap();
         let picture = whole(&svg);
@@ -321,7 +321,7 @@ fn a_report_without_an_optimum_says_why_and_ends_with_status_one() {
     let said = longdrive(&[&["report", "-o", &directory], limits.as_slice()].concat());
     assert_eq!(said.status, 1, "{}", said.err);
     let page = std::fs::read_to_string(Path::new(&directory).join("index.html")).unwrap();
-    assert!(page.contains("no optimum: infeasible") && page.contains("The landscape"), "{}", said.err);
+    assert!(page.contains("no optimum: infeasible") && page.contains("The map"), "{}", said.err);
     let said = longdrive(&[
         "report",
         "-o",

@@ -181,7 +181,7 @@ fn paper_numbers_and_ours_side_by_side_in_json_and_text() {
     let rows = |table: &Value| table.as_array().unwrap().len();
     for at in [&found, &found["printed"]] {
         assert_eq!((rows(&at["table1"]), rows(&at["table2"])), (13, 9));
-        for key in ["loft", "attack_angle", "carry"] {
+        for key in ["club.loft", "swing.attack_angle", "carry"] {
             assert!(at["table1"][12][key].is_number() && at["table2"][0][key].is_number());
         }
     }

@@ -30,7 +30,8 @@ fn quick() -> Setup<f64> {
 #[test]
 fn exact_grid_has_its_first_axis_outermost_and_both_ends() {
     let setup = Setup::default();
-    let mut points = grid(&setup, &["swing.speed=40m/s..50m/s:3", "club.loft=0.1..0.4rad:4", "air.density=1..1:1"]);
+    let mut points =
+        grid(&setup, &["swing.speed=40m/s..50m/s:3", "club.loft=0.1..0.4rad:4", "air.density=1..1kg/m^3:1"]);
     assert_eq!((points.rows(), points.parameters()[0].name), (12, "swing.speed"));
     let step = 0.4 - 0.1;
     let lofts = [0.1, 0.1 + step * 1.0 / 3.0, 0.1 + step * 2.0 / 3.0, 0.4];
@@ -103,7 +104,7 @@ fn drives_of_every_kind_have_a_status_and_no_nan() {
     );
     // a tensor that no body has
     assert_eq!(
-        status(&setup, "club.inertia.xz=0..0.5:2"),
+        status(&setup, "club.inertia.xz=0..0.5kg m^2:2"),
         [(Status::Landed, vec![true; 4]), (Status::OutOfRange, vec![false; 4])]
     );
     setup.set("flight.time_limit", "1 s").unwrap();
@@ -189,8 +190,8 @@ fn exact_sequences_are_the_same_from_any_row_and_fill_their_ranges() {
 fn bad_axes_say_what_to_write() {
     let setup = Setup::default();
     for (text, says) in [
-        ("club.loft=5deg..15deg", "how many values?"),
-        ("club.loft=5deg..15deg:0", "0 values are none"),
+        ("club.loft=5deg..15deg", "the number of values is missing"),
+        ("club.loft=5deg..15deg:0", "the number of values must be at least 1"),
         ("club.loft=5deg..15deg:-3", "'-3' is not a number of values"),
         ("club.loft=5deg..15deg:1e3", "'1e3' is not a number of values"),
         ("club.loft=15deg..5deg:3", "the range is reversed"),
@@ -222,7 +223,7 @@ pub fn table(name: &str, text: impl AsRef<[u8]>) -> (tempfile::TempDir, PathBuf)
 #[test]
 fn exact_csv_tables_carry_units_in_their_head() {
     let setup = Setup::default();
-    let text = "\u{feff}club.loft [deg], swing.speed [mph],air.density\n10.5,110,1.2\n\n -3 , 9.5e1,\"0\"\n";
+    let text = "\u{feff}club.loft [deg], swing.speed [mph],air.density [kg/m^3]\n10.5,110,1.2\n\n -3 , 9.5e1,\"0\"\n";
     let (_folder, path) = table("points.csv", text);
     let mut points = open_table(&setup, &path).unwrap();
     assert_eq!(points.rows(), 2);
@@ -237,19 +238,24 @@ fn exact_csv_tables_carry_units_in_their_head() {
 fn bad_tables_are_told_by_row_and_column_before_any_work() {
     let setup = Setup::default();
     for (name, text, says) in [
-        ("a.csv", "club.loft\n0.1\nten\n", "a.csv, row 2, column club.loft: 'ten' is not a number"),
-        ("a.csv", "club.loft\n0.1\nnan\n", "row 2, column club.loft: 'nan' is not a number"),
-        ("a.csv", "club.loft,air.density\n0.1,\n", "row 1, column air.density: the cell is empty"),
-        ("a.csv", "club.loft,air.density\n0.1\n", "row 1"),
-        ("a.csv", "club.loft\n10 deg\n", "units stand in the head, as in 'club.loft [deg]'"),
+        ("a.csv", "club.loft [rad]\n0.1\nten\n", "a.csv, row 2, column club.loft: 'ten' is not a number"),
+        ("a.csv", "club.loft [rad]\n0.1\nnan\n", "row 2, column club.loft: 'nan' is not a number"),
+        ("a.csv", "club.loft [rad],air.density [kg/m^3]\n0.1,\n", "row 1, column air.density: the cell is empty"),
+        ("a.csv", "club.loft [rad],air.density [kg/m^3]\n0.1\n", "row 1"),
+        ("a.csv", "club.loft [rad]\n10 deg\n", "units stand in the head, as in 'club.loft [deg]'"),
         ("a.csv", "club.lofft\n0.1\n", "column 1: unknown parameter 'club.lofft'; did you mean 'club.loft'?"),
         ("a.csv", "club.loft [kg]\n0.1\n", "column 1 (club.loft): \"1 kg\" is not an angle"),
-        ("a.csv", "club.loft [deg],club.loft\n0.1,0.1\n", "club.loft has two columns"),
+        ("a.csv", "club.loft [deg],club.loft [rad]\n0.1,0.1\n", "club.loft has two columns"),
+        (
+            "a.csv",
+            "club.loft\n0.1\n",
+            "column 1 (club.loft): it has no unit; write it into the head, as in 'club.loft [deg]'",
+        ),
         ("a.csv", "", "column"),
-        ("a.txt", "club.loft\n0.1\n", "a table's name must end in .csv"),
+        ("a.txt", "club.loft [rad]\n0.1\n", "a table's name must end in .csv"),
         #[cfg(not(feature = "arrow"))]
         ("a.arrow", "", "built without the feature arrow"),
-        ("a.parquet", "club.loft\n0.1\n", "it cannot be read"),
+        ("a.parquet", "club.loft [rad]\n0.1\n", "it cannot be read"),
     ] {
         let (_folder, path) = table(name, text);
         let message = open_table(&setup, &path).err().expect(text).to_string();
@@ -291,7 +297,10 @@ fn exact_csv_and_json_lines_read_back_equal() {
     let table = SweepCsv::new(&batch);
     let text = String::from_utf8([table.head(), table.rows(&block)].concat()).unwrap();
     let lines: Vec<_> = text.lines().collect();
-    assert_eq!(lines[0], "club.loft,status,carry,ball_speed,d_carry/d_club.loft,d_ball_speed/d_club.loft");
+    assert_eq!(
+        lines[0],
+        "club.loft [rad],status,carry [m],ball_speed [m/s],d_carry/d_club.loft [m/rad],d_ball_speed/d_club.loft [m/s/rad]"
+    );
     let cells: Vec<Vec<_>> = lines[1..].iter().map(|line| line.split(',').collect()).collect();
     assert_eq!((cells[0][0], cells[0][1], cells[1][1], cells[1][2]), ("0.2", "landed", "no-flight", ""));
     for (cells, values) in cells.iter().zip(&values) {
@@ -303,7 +312,7 @@ fn exact_csv_and_json_lines_read_back_equal() {
     for ((line, values), status) in text.lines().zip(&values).zip(["landed", "no-flight"]) {
         let object: serde_json::Map<String, serde_json::Value> = serde_json::from_str(line).unwrap();
         let names: Vec<_> = object.keys().map(String::as_str).collect();
-        assert_eq!(names.join(","), lines[0]);
+        assert_eq!(names.join(","), "club.loft,status,carry,ball_speed,d_carry/d_club.loft,d_ball_speed/d_club.loft");
         assert_eq!(object["status"], status);
         let read: Vec<_> = object.values().skip(2).map(serde_json::Value::as_f64).collect();
         assert_eq!(read, *values);

@@ -113,7 +113,7 @@ fn bad_columns_and_values_are_told_by_row_and_column() {
     for (name, says) in [
         ("null.arrow", "null.arrow, row 3, column air.density: a value is missing; every row needs one"),
         ("nan.arrow", "nan.arrow, row 4, column air.density: NaN is not a number; every row needs one"),
-        ("text.arrow", "column air.density: its type is Utf8; a column of numbers is wanted"),
+        ("text.arrow", "column air.density: its type is Utf8; a column must hold numbers"),
         (
             "dictionary.arrow",
             "column air.density: its type is Dictionary(Int32, Float64); a column of numbers is wanted",
@@ -143,10 +143,10 @@ fn bad_files_say_what_is_wrong_with_them() {
         (b"club", "it is neither an Arrow IPC file nor a stream"),
         (&parquet, "it is neither an Arrow IPC file nor a stream"),
         (b"FEA1\0\0\0\0", "Feather of version 1"),
-        (b"ARROW1", "it has no foot"),
-        (&whole[..whole.len() - 1], "it has no foot: it was cut short"),
-        (without_end, "after row 11: it breaks off: it was cut short"),
-        (&[&stream[..], &stream].concat(), "1232 bytes stand after its end; give one stream a file"),
+        (b"ARROW1", "it has no footer"),
+        (&whole[..whole.len() - 1], "it has no footer: it was cut short"),
+        (without_end, "after row 11: it ends too early: it was cut short"),
+        (&[&stream[..], &stream].concat(), "1232 bytes follow after its end; put each stream into a file of its own"),
     ] {
         let (_folder, path) = table("a.arrow", bytes);
         let message = refusal(&path);

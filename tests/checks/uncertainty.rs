@@ -2,6 +2,7 @@
 
 use crate::common::close;
 use longdrive::batch::Status;
+use longdrive::report::{UncertaintyReport, uncertainty_text};
 use longdrive::study::uncertainty::{Design, Distribution, Plan, Statistics, Uncertain, uncertainty};
 use longdrive::study::{Sigma, effects, with_defaults};
 use longdrive::{Drive, Error, Outcome, Setup, derivative};
@@ -244,4 +245,66 @@ fn mistakes_in_uncertainties_are_named() {
     assert!(matches!(uncertainty(&setup, &[], &inputs, plan, |_, _| ()), Err(Error::Nothing { .. })));
     let too_small = Plan { samples: 1, seed: 0 };
     assert!(matches!(uncertainty(&setup, &of, &inputs, too_small, |_, _| ()), Err(Error::SearchRange { .. })));
+}
+
+/// Ball speed does not depend on the air: it is the same in every drive, has no share of a variance, and nothing is to be measured first.
+#[test]
+fn exact_an_outcome_that_does_not_depend_on_what_is_uncertain_says_so() {
+    let setup = Setup::default();
+    let density = Uncertain::normal(&setup, &Sigma::read(&setup, "air.density=1%").unwrap());
+    let plan = Plan { samples: 300, seed: 0 };
+    let of = [Outcome::BallSpeed, Outcome::Lateral, Outcome::Carry];
+    let found = uncertainty(&setup, &of, &[density], plan, |_, _| ()).unwrap();
+    let drive = Drive::new(&setup).unwrap();
+    for outcome in &found.outcomes[..2] {
+        let sampled = outcome.sampled.as_ref().unwrap();
+        assert_eq!(sampled.mean.value, outcome.of.of(&drive).unwrap(), "to the last bit");
+        assert_eq!((sampled.deviation.value, sampled.deviation.low, sampled.deviation.high), (0.0, 0.0, 0.0));
+        assert!(sampled.indices == [None] && outcome.slopes == [None] && !outcome.varies());
+        assert_eq!(outcome.measure_first(&found.inputs), None);
+    }
+    let carry = &found.outcomes[2];
+    assert!(carry.varies() && carry.measure_first(&found.inputs).unwrap().0.name == "air.density");
+    let text = uncertainty_text(&found, longdrive::units::System::Us);
+    assert!(
+        text.contains("ball_speed is 161.96 mph in every drive")
+            && text.contains("it does not depend on the uncertain parameter\n"),
+        "{text}"
+    );
+    assert!(!text.contains("NaN") && !text.contains("inf"), "{text}");
+    let json = serde_json::to_value(UncertaintyReport::reply(&found, vec![])).unwrap();
+    assert_eq!(json["outcomes"][0]["varies"], false);
+    assert_eq!(json["outcomes"][0]["measure_first"], serde_json::Value::Null);
+    assert_eq!(json["outcomes"][0]["monte_carlo"]["standard_uncertainty"]["value"], 0.0);
+}
+
+#[test]
+fn exact_a_constant_that_is_off_by_rounding_is_a_constant() {
+    let constant = statistics(&[CIRCLE], Plan { samples: 1000, seed: 0 }, |x| Some(0.1 + x[0].sin() * 1e-17));
+    assert!(constant.indices[0].is_none() && constant.deviation.value == 0.0);
+    let rounded = statistics(&[CIRCLE], Plan { samples: 1000, seed: 0 }, |x| Some(0.1 * (1.0 + 1e-15 * x[0].signum())));
+    assert!(rounded.indices[0].is_none() && rounded.deviation.value == 0.0);
+    let varies = statistics(&[CIRCLE], Plan { samples: 1000, seed: 0 }, |x| Some(0.1 * (1.0 + 1e-12 * x[0])));
+    assert!(varies.indices[0].is_some() && varies.deviation.value > 0.0);
+}
+
+/// An uncertainty so large that its square is no number leaves no number that is none.
+#[test]
+fn exact_uncertainties_beyond_all_measure_leave_no_infinity() {
+    let setup = Setup::default();
+    let sigma = Sigma::read(&setup, "wind.downrange=1e200 m/s").unwrap();
+    let input = [Uncertain::normal(&setup, &sigma)];
+    let plan = Plan { samples: 10, seed: 0 };
+    let found = uncertainty(&setup, &[Outcome::Carry, Outcome::Lateral], &input, plan, |_, _| ()).unwrap();
+    for outcome in &found.outcomes {
+        let (first, second) = outcome.delta.unwrap();
+        assert!(first.deviation.is_finite() && second.is_none(), "{outcome:?}");
+    }
+    let text = uncertainty_text(&found, longdrive::units::System::Us);
+    assert!(!text.contains("NaN") && !text.contains("inf"), "{text}");
+    let found = effects(&setup, &[Outcome::Carry], &[sigma], |_, _| ()).unwrap().remove(0);
+    let bar = found.effects[0].bar.unwrap();
+    assert!(bar.first_order > 1e199 && bar.second_order.is_none());
+    close(found.standard_uncertainty(), bar.first_order, bar.first_order, 1e-15, "of one bar");
+    assert_eq!(found.linearity(), 0.0);
 }

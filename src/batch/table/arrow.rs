@@ -38,8 +38,7 @@ impl ArrowTable {
             parameters.push(column(setup, path, at + 1, head.name())?);
             let kind = head.data_type();
             if !(kind.is_integer() || matches!(kind, DataType::Float32 | DataType::Float64)) {
-                let reason =
-                    format!("its type is {kind}; a column of numbers is wanted (float64, float32 or integers)");
+                let reason = format!("its type is {kind}; a column must hold numbers (float64, float32 or integers)");
                 return Err(refused(path, format!(", column {}", head.name()), reason));
             }
         }
@@ -133,7 +132,7 @@ impl Points for ArrowTable {
             into.resize(first + wanted * width, 0.0);
             for (i, parameter) in self.parameters.iter().enumerate() {
                 let column = batch.column(i).slice(self.passed, wanted);
-                let values = values(&column).ok_or_else(|| self.unreadable("it is no column of numbers".into()))?;
+                let values = values(&column).ok_or_else(|| self.unreadable("it is not a column of numbers".into()))?;
                 for (row, value) in values.into_iter().enumerate() {
                     let is_missing = column.is_null(row);
                     if is_missing || value.is_nan() {

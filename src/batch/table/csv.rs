@@ -1,6 +1,7 @@
 use super::{Fingerprint, column, refuse_columns, refused};
 use crate::batch::points::Points;
 use crate::error::Result;
+use crate::foreign::of_csv;
 use crate::parameters::{Parameter, Setup};
 use csv::{Reader, ReaderBuilder, StringRecord, Trim};
 use std::fs::File;
@@ -34,7 +35,7 @@ impl CsvTable {
     /// twice, a unit of another kind, and a cell that is no number.
     pub fn open(setup: &Setup<f64>, path: &Path) -> Result<Self> {
         let mut reader = begin(path)?;
-        let head = reader.headers().map_err(|error| refused(path, String::new(), error.to_string()))?.clone();
+        let head = reader.headers().map_err(|error| refused(path, String::new(), of_csv(&error)))?.clone();
         let columns = head.iter().enumerate().map(|(at, head)| Column::read(setup, path, at + 1, head));
         let columns = columns.collect::<Result<Vec<_>>>()?;
         let parameters: Vec<_> = columns.iter().map(|column| column.parameter).collect();
@@ -49,7 +50,7 @@ impl CsvTable {
     fn record(&mut self) -> Result<bool> {
         self.reader.read_record(&mut self.record).map_err(|error| {
             let place = format!(", row {}", self.next + 1);
-            refused(&self.path, place, error.to_string())
+            refused(&self.path, place, of_csv(&error))
         })
     }
 }

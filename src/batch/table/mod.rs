@@ -62,7 +62,11 @@ fn refused(path: &Path, place: String, reason: impl Into<String>) -> Error {
 /// The parameter of a column.
 fn column(setup: &Setup<f64>, path: &Path, number: usize, name: &str) -> Result<&'static Parameter> {
     let place = format!(", column {number}");
-    setup.variable(name).map_err(|error| refused(path, place, format!("{error}; every column is a parameter")))
+    // a launch monitor's own names stand for the launch conditions
+    if let Some(condition) = setup.launch_condition(name) {
+        return Ok(condition);
+    }
+    setup.column(name).map_err(|error| refused(path, place, format!("{error}; every column must be a parameter")))
 }
 
 /// Refuses a column given twice, and a table without any.

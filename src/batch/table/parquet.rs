@@ -39,7 +39,7 @@ impl ParquetTable {
             let name = head.path().string();
             parameters.push(column(setup, path, at + 1, &name)?);
             if head.max_rep_level() > 0 || head.max_def_level() > 1 {
-                return Err(refused(path, format!(", column {name}"), "it is nested; a column of numbers is wanted"));
+                return Err(refused(path, format!(", column {name}"), "it is nested; a column must hold numbers"));
             }
         }
         refuse_columns(path, &parameters)?;
@@ -91,7 +91,7 @@ fn values(column: &mut ColumnReader, rows: usize) -> Result<Vec<f64>, ParquetErr
         ColumnReader::FloatColumnReader(column) => read!(column, f64::from),
         ColumnReader::Int32ColumnReader(column) => read!(column, f64::from),
         ColumnReader::Int64ColumnReader(column) => read!(column, |value| value as f64),
-        _ => return Err(ParquetError::General("it is no column of numbers".into())),
+        _ => return Err(ParquetError::General("it is not a column of numbers".into())),
     })
 }
 

@@ -59,23 +59,24 @@ impl RecordBatches {
             return Self::of_file(file, length);
         }
         if magic.starts_with(FEATHER_1) {
-            return Err("it is Feather of version 1; version 2 is wanted, which is Arrow IPC".into());
+            return Err("it is a Feather file of version 1; write version 2, which is Arrow IPC".into());
         }
         Self::of_stream(file, length)
     }
 
     fn of_file(mut file: File, length: u64) -> Result<Self, String> {
-        let cut_short = || "it has no foot: it was cut short, or whatever wrote it did not close it".to_owned();
+        let cut_short =
+            || "it has no footer: it was cut short, or the program that wrote it did not close it".to_owned();
         let foot_end = length.checked_sub(TAIL as u64).ok_or_else(cut_short)?;
         let tail = bytes(&mut file, foot_end..length)?;
         let tail = tail.try_into().map_err(|_| cut_short())?;
         let foot = read_footer_length(tail).ok().and_then(|foot| foot_end.checked_sub(foot as u64));
         let end = foot.ok_or_else(cut_short)?;
         let foot = bytes(&mut file, end..foot_end)?;
-        let foot = root_as_footer(&foot).map_err(|error| format!("its foot is damaged ({error})"))?;
+        let foot = root_as_footer(&foot).map_err(|error| format!("its footer is damaged ({error})"))?;
         let schema = read_schema(foot.schema())?;
         let starts = foot.recordBatches().into_iter().flatten().map(|block| u64::try_from(block.offset()));
-        let starts = starts.collect::<Result<_, _>>().map_err(|_| "its foot is damaged (a place before the file)")?;
+        let starts = starts.collect::<Result<_, _>>().map_err(|_| "its footer is damaged (a place before the file)")?;
         Ok(Self { file, schema, end, order: Order::Listed { starts, next: 0 } })
     }
 
@@ -83,7 +84,7 @@ impl RecordBatches {
         let schema = Arc::new(Schema::empty());
         let mut stream = Self { file, schema, end: length, order: Order::Following { first: 0, next: 0 } };
         // whatever else may stand in a file, it does not begin with such a message
-        let neither = "it is neither an Arrow IPC file nor a stream, or cut short in its first bytes";
+        let neither = "it is neither an Arrow IPC file nor a stream, or it was cut short in its first bytes";
         let head = stream.head(0).ok().flatten().ok_or(neither)?;
         let message = head.message(MessageHeader::Schema)?;
         stream.schema = read_schema(message.header_as_schema())?;
@@ -114,7 +115,7 @@ impl RecordBatches {
         };
         let Some(mut head) = self.head(at)? else {
             return match &self.order {
-                Order::Listed { .. } => Err("its foot is damaged (no record batch stands where it says)".into()),
+                Order::Listed { .. } => Err("its footer is damaged (there is no record batch where it says)".into()),
                 Order::Following { .. } => Ok(None),
             };
         };
@@ -155,7 +156,8 @@ impl RecordBatches {
 
     /// The message at a place; none at the mark of the end.
     fn head(&mut self, at: u64) -> Result<Option<Head>, String> {
-        let cut_short = || "it breaks off: it was cut short, or whatever wrote it did not close it".to_owned();
+        let cut_short =
+            || "it ends too early: it was cut short, or the program that wrote it did not close it".to_owned();
         let mut word = |at: u64| -> Result<[u8; 4], String> {
             let end = at.checked_add(4).filter(|end| *end <= self.end).ok_or_else(cut_short)?;
             let mut word = [0; 4];
@@ -170,7 +172,7 @@ impl RecordBatches {
         if length == 0 {
             return match (&self.order, self.end - at) {
                 (Order::Following { .. }, more @ 1..) => {
-                    Err(format!("{more} bytes stand after its end; give one stream a file"))
+                    Err(format!("{more} bytes follow after its end; put each stream into a file of its own"))
                 }
                 _ => Ok(None),
             };
@@ -191,7 +193,7 @@ impl Head {
         let message = root_as_message(&self.metadata).map_err(|error| format!("a message is damaged ({error})"))?;
         match message.header_type() {
             kind if kind == wanted => Ok(message),
-            kind => Err(format!("a message is a {kind:?} where a {wanted:?} is wanted")),
+            kind => Err(format!("a message is a {kind:?} where a {wanted:?} is expected")),
         }
     }
 }

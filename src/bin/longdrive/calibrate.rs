@@ -6,10 +6,12 @@ use crate::search::{BEST_SO_FAR, interrupt};
 use longdrive::optimize::least_squares::{Follow, Loss};
 use longdrive::parameters::{Law, Vary};
 use longdrive::report::plot::Look;
-use longdrive::report::{CalibrationReport, calibration_document, calibration_json, calibration_toml};
+use longdrive::report::{CalibrationReport, calibration_document, calibration_reply, calibration_toml};
 use longdrive::study::calibrate::{HeldOut, Plan, ShotTable, calibrate, held_out};
 use longdrive::{Error, Result, Setup};
+use serde_json::json;
 use std::fs::File;
+use std::path::PathBuf;
 use std::sync::Arc;
 
 pub fn run(args: &Calibrate) -> Result<Answer> {
@@ -17,7 +19,8 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
     let rule = Rule::new(args.question.inputs().chain([args.data.as_path()]), args.overwrite);
     let output = args.output.as_ref().map(|file| rule.file(file)).transpose()?;
     let folder = args.plot.as_ref().map(|folder| rule.folder(folder, &DOCUMENT)).transpose()?;
-    warn(&setup.warnings());
+    let warnings = setup.warnings();
+    warn(&warnings);
     let file = args.data.display().to_string();
     let cannot = |error: std::io::Error| Error::Table {
         file: file.clone(),
@@ -56,8 +59,15 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
     if let Some(folder) = &folder {
         write(folder, &document, &Look::default())?;
     }
-    let answer =
-        if args.question.json { Answer::json(&calibration_json(&report)) } else { Answer::text(document.text()) };
+    let answer = if args.question.json {
+        let mut reply = calibration_reply(&report, warnings);
+        let named = |path: &Option<PathBuf>| json!(path.as_ref().map(|path| path.display().to_string()));
+        reply.body["file"] = named(&args.output);
+        reply.body["folder"] = named(&args.plot);
+        Answer::json(&reply)
+    } else {
+        Answer::text(document.text())
+    };
     Ok(answer.found(report.is_found()))
 }
 

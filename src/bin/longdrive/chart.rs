@@ -1,41 +1,62 @@
 use crate::args::ChartArgs;
-use crate::output::{Answer, tell, warn};
+use crate::output::{Answer, system, tell, tell_error, warn};
 use crate::search::{BEST_SO_FAR, interrupt};
-use longdrive::Result;
 use longdrive::report::{ChartReport, chart_csv, chart_text};
-use longdrive::study::{Chart, Vary, chart};
+use longdrive::study::{Chart, Vary, chart_at};
+use longdrive::{Result, Setup};
 use std::sync::atomic::Ordering;
 
 pub fn run(args: &ChartArgs) -> Result<Answer> {
     let setup = args.question.setup()?;
     let search = args.search.search(&setup)?;
-    let along = Vary::read(&setup, &args.along)?;
+    let (along, at) = args.places(&setup)?;
     let ranges: Vec<_> = search.vary.iter().copied().chain([along]).collect();
     let setup = args.question.within_tolerance(setup, &ranges)?;
-    warn(&setup.warnings());
+    let warnings = setup.warnings();
+    warn(&warnings);
     let stop = interrupt(BEST_SO_FAR);
     let of = search.maximize;
-    let chart = chart(&setup, &search, along, |point| {
+    let chart = chart_at(&setup, &search, along, &at, |point| {
         let value = point.best.value().map_or("–".into(), |value| of.show(value));
         tell(&format!("{} {}: {} {value}", along.parameter.name, along.parameter.show(Some(point.at)), of.name()));
         !stop.load(Ordering::Relaxed)
     });
     let chart = match chart {
         Err(error) if error.is_an_outcome() => {
-            tell(&format!("error: {error}"));
+            tell_error(&error);
             let none = Chart { along, points: vec![], begun: None, ended: Some(error.to_string()) };
-            let answer =
-                if args.question.json { Answer::json(&ChartReport::new(&none)) } else { Answer::text(String::new()) };
+            let answer = if args.question.json {
+                Answer::json(&ChartReport::reply(&none, of, warnings))
+            } else {
+                Answer::text(String::new())
+            };
             return Ok(answer.found(false));
         }
         chart => chart?,
     };
     let answer = if args.question.json {
-        Answer::json(&ChartReport::new(&chart))
+        Answer::json(&ChartReport::reply(&chart, of, warnings))
     } else if args.csv {
         Answer::text(chart_csv(&chart)?)
     } else {
-        Answer::text(chart_text(&chart))
+        Answer::text(chart_text(&chart, system()))
     };
     Ok(answer.found(chart.begun.is_none() && chart.ended.is_none()))
+}
+
+impl ChartArgs {
+    /// The parameter with its range, and the values asked for in it.
+    fn places(&self, setup: &Setup<f64>) -> Result<(Vary, Vec<f64>)> {
+        if self.along.contains('=') || self.at.is_empty() {
+            let along = Vary::read(setup, &self.along)?;
+            let read = |text: &String| along.parameter.read(text, false).map(Option::unwrap_or_default);
+            return Ok((along, self.at.iter().map(read).collect::<Result<_>>()?));
+        }
+        let parameter = setup.variable(self.along.trim())?;
+        let read = |text: &String| parameter.read(text, false).map(Option::unwrap_or_default);
+        let at = self.at.iter().map(read).collect::<Result<Vec<_>>>()?;
+        let (low, high) =
+            (at.iter().copied().fold(f64::INFINITY, f64::min), at.iter().copied().fold(f64::NEG_INFINITY, f64::max));
+        Ok((Vary::new(parameter, low, high)?, at))
+    }
 }

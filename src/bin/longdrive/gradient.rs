@@ -1,10 +1,9 @@
 use crate::args::Gradient;
 use crate::names::{outcomes, variables};
-use crate::output::{Answer, bar, tell, warn};
+use crate::output::{Answer, bar, show, system, tell_error, warn};
 use longdrive::derivative::{Order, Taylor, evaluate_with};
 use longdrive::report::{GradientReport, gradient_text};
 use longdrive::{Drive, Error, Result};
-use serde::Serialize;
 
 pub fn run(args: &Gradient) -> Result<Answer> {
     let setup = args.question.within_tolerance(args.question.setup()?, &[])?;
@@ -16,10 +15,7 @@ pub fn run(args: &Gradient) -> Result<Answer> {
 
     let order = if args.hessian { Order::Second } else { Order::First };
     let bar = bar("passes");
-    let evaluated = evaluate_with(&setup, &of, &wrt, order, |done, passes| {
-        bar.set_length(passes as u64);
-        bar.set_position(done as u64);
-    });
+    let evaluated = evaluate_with(&setup, &of, &wrt, order, |done, passes| show(&bar, done, passes));
     bar.finish_and_clear();
     let each: Vec<Result<Taylor>> = match evaluated {
         // what one outcome lacks (a landing, a direction) is no reason to keep back the others
@@ -29,18 +25,16 @@ pub fn run(args: &Gradient) -> Result<Answer> {
     let mut is_complete = true;
     for error in each.iter().filter_map(|taylor| taylor.as_ref().err()) {
         is_complete = false;
-        tell(&format!("error: {error}"));
+        tell_error(error);
     }
 
-    let results = of.iter().zip(&each);
+    let found: Vec<_> = of.into_iter().zip(each).collect();
     let answer = if args.question.json {
-        let reports = results.map(|(of, taylor)| match taylor {
-            Ok(taylor) => GradientReport::new(*of, &wrt, taylor, warnings.clone()),
-            Err(error) => GradientReport::none(*of, error, warnings.clone()),
-        });
-        Answer::json(&Rows::of(reports.collect()))
+        Answer::json(&GradientReport::reply(&found, &wrt, warnings))
     } else {
-        let texts = results.filter_map(|(of, taylor)| Some(gradient_text(*of, &wrt, taylor.as_ref().ok()?)));
+        let text =
+            |(of, taylor): &(_, longdrive::Result<_>)| Some(gradient_text(*of, &wrt, taylor.as_ref().ok()?, system()));
+        let texts = found.iter().filter_map(text);
         Answer::text(texts.collect::<Vec<_>>().join("\n"))
     };
     Ok(answer.found(is_complete))
@@ -54,21 +48,4 @@ fn one(
 ) -> Result<Taylor> {
     let taylors = evaluate_with(setup, &[of], wrt, order, |_, _| ())?;
     taylors.into_iter().next().ok_or(Error::Nothing { doing: "evaluate", what: "outcome" })
-}
-
-/// One outcome is the answer itself, several are rows of a Jacobian.
-#[derive(Serialize)]
-#[serde(untagged)]
-enum Rows {
-    One(Box<GradientReport>),
-    Several { jacobian: Vec<GradientReport> },
-}
-
-impl Rows {
-    fn of(mut reports: Vec<GradientReport>) -> Self {
-        match reports.pop() {
-            Some(only) if reports.is_empty() => Self::One(Box::new(only)),
-            last => Self::Several { jacobian: reports.into_iter().chain(last).collect() },
-        }
-    }
 }

@@ -5,8 +5,11 @@
 mod args;
 mod calibrate;
 mod chart;
+mod colour;
+mod completions;
 mod files;
 mod gradient;
+mod man;
 mod names;
 mod optimize;
 mod optimum_sensitivity;
@@ -30,25 +33,35 @@ use output::Answer;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    let answer = match Args::parse().command {
-        Command::Simulate(args) => simulate::run(&args),
-        Command::Gradient(args) => gradient::run(&args),
-        Command::Optimize(args) => optimize::run(&args),
-        Command::OptimumSensitivity(args) => optimum_sensitivity::run(&args),
-        Command::Calibrate(args) => calibrate::run(&args),
-        Command::Chart(args) => chart::run(&args),
-        Command::Plot(args) => plot::run(&args),
-        Command::Report(args) => report::run(&args),
-        Command::Sweep(args) => sweep::run(&args),
-        Command::Reproduce(args) => reproduce::run(&args),
-        Command::Verify(args) => verify::run(&args),
-        Command::Sensitivity(args) => sensitivity::run(&args),
-        Command::Uncertainty(args) => uncertainty::run(&args),
-        Command::Parameters(args) => parameters::run(&args),
-        Command::Presets(args) => presets::run(&args),
+    let args = match Args::try_parse() {
+        Ok(args) => args,
+        Err(error) => {
+            let words: Vec<_> = std::env::args_os().skip(1).collect();
+            return output::explain(&error, Command::named_in(&words), words.iter().any(|word| word == "--json"));
+        }
+    };
+    output::begin(args.shown);
+    let answer = match &args.command {
+        Command::Simulate(args) => simulate::run(args),
+        Command::Gradient(args) => gradient::run(args),
+        Command::Optimize(args) => optimize::run(args),
+        Command::OptimumSensitivity(args) => optimum_sensitivity::run(args),
+        Command::Calibrate(args) => calibrate::run(args),
+        Command::Chart(args) => chart::run(args),
+        Command::Plot(args) => plot::run(args),
+        Command::Report(args) => report::run(args),
+        Command::Sweep(args) => sweep::run(args),
+        Command::Reproduce(args) => reproduce::run(args),
+        Command::Verify(args) => verify::run(args),
+        Command::Sensitivity(args) => sensitivity::run(args),
+        Command::Uncertainty(args) => uncertainty::run(args),
+        Command::Parameters(args) => parameters::run(args),
+        Command::Presets(args) => presets::run(args),
+        Command::Completions(args) => completions::run(args),
+        Command::Man(args) => man::run(args),
     };
     match answer.and_then(Answer::print) {
         Ok(code) => code,
-        Err(error) => output::complain(&error),
+        Err(error) => output::complain(&error, args.command.name(), args.command.is_json()),
     }
 }

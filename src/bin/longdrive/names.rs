@@ -29,7 +29,7 @@ pub fn variables(setup: &Setup<f64>, names: &[String]) -> Result<Vec<&'static Pa
         let all = setup.variables();
         let left_out = setup.parameters().into_iter().filter(|row| !all.contains(row));
         let left_out: Vec<_> = left_out.map(|row| row.name).collect();
-        tell(&format!("without a number to differentiate by here, left out: {}", left_out.join(", ")));
+        tell(&format!("left out, without a value to differentiate by in this setup: {}", left_out.join(", ")));
         rows.extend(all);
     }
     Ok(once(rows))

@@ -1,8 +1,8 @@
 use crate::args::Optimize;
 use crate::files::{Destination, Rule};
-use crate::output::{Answer, tell, warn};
+use crate::output::{Answer, system, tell, warn};
 use longdrive::optimize::Status;
-use longdrive::report::{LocalReport, OptimumReport, optima_text, optimum_text, optimum_toml};
+use longdrive::report::{OptimumReport, optima_text, optimum_text, optimum_toml};
 use longdrive::study::Optimum;
 use longdrive::{Result, Setup};
 
@@ -15,16 +15,14 @@ pub fn run(args: &Optimize) -> Result<Answer> {
     let best = optima.best()?;
     let warnings = remarks(&setup, best);
     warn(&warnings);
-    if let Some(output) = &output {
-        args.write(output, best)?;
-    }
-    let has_many = args.work.starts > 1;
+    let written = output.as_ref().map(|output| args.write(output, best)).transpose()?.flatten();
     let answer = if args.question.json {
-        let listed = has_many.then(|| LocalReport::all(&optima));
-        Answer::json(&OptimumReport { optima: listed, ..OptimumReport::new(best, warnings) })
+        let mut reply = OptimumReport::reply(&optima, warnings)?;
+        reply.body.file = written;
+        Answer::json(&reply)
     } else {
-        let listed = if has_many { optima_text(&optima) } else { String::new() };
-        Answer::text(optimum_text(best) + &listed)
+        let listed = if args.work.starts > 1 { optima_text(&optima, system()) } else { String::new() };
+        Answer::text(optimum_text(best, system()) + &listed)
     };
     Ok(answer.found(best.solution.status == Status::Converged && optima.stopped() == 0))
 }
@@ -37,16 +35,16 @@ impl Optimize {
         self.output.as_ref().map(|file| rule.file(file)).transpose()
     }
 
-    /// Writes the setup at the optimum; where there is none, nothing.
-    pub fn write(&self, output: &Destination, best: &Optimum) -> Result<()> {
+    /// Writes the setup at the optimum, into the file returned; where there is no optimum, nothing.
+    pub fn write(&self, output: &Destination, best: &Optimum) -> Result<Option<String>> {
         let file = output.path().display();
         if best.solution.status != Status::Converged {
             tell(&format!("{file} is not written: there is no optimum"));
-            return Ok(());
+            return Ok(None);
         }
         output.write(optimum_toml(best, self.question.preset()?)?.as_bytes())?;
         tell(&format!("wrote the setup at the optimum into {file}"));
-        Ok(())
+        Ok(Some(file.to_string()))
     }
 }
 

@@ -1,9 +1,9 @@
 use crate::args::{Optimize, OptimumSensitivity};
 use crate::names::variables;
 use crate::optimize::remarks;
-use crate::output::{Answer, bar, tell, warn};
+use crate::output::{Answer, bar, show, spinner, system, tell_error, warn};
 use longdrive::parameters::Parameter;
-use longdrive::report::{Analysis, LocalReport, OptimumReport, SensitivityReport, optimum_text, sensitivity_text};
+use longdrive::report::{Analysis, SensitivityReport, optimum_text, sensitivity_text};
 use longdrive::study::{
     Change, Changed, Flatness, Optimum, Sensitivity, change, flatness, refuse_varied, sensitivities, usual_loss,
 };
@@ -26,25 +26,28 @@ pub fn run(args: &OptimumSensitivity) -> Result<Answer> {
     let output = args.optimize.destination()?;
     let optima = work.run(&setup, &search)?;
     let best = optima.best()?;
-    if let Some(output) = &output {
-        args.optimize.write(output, best)?;
-    }
+    let written = output.as_ref().map(|output| args.optimize.write(output, best)).transpose()?.flatten();
     let warnings = remarks(&setup, best);
     warn(&warnings);
     if optima.stopped() > 0 {
         let answer = if question.json {
-            Answer::json(&OptimumReport::new(best, warnings))
+            Answer::json(&SensitivityReport::none(&optima, None, warnings)?)
         } else {
-            Answer::text(optimum_text(best))
+            Answer::text(optimum_text(best, system()))
         };
         return Ok(answer.found(false));
     }
     let found = analysed(best, &wrt, &changes, loss);
     let (sensitivities, flatness, changes) = match found {
         Err(error) if error.is_an_outcome() => {
-            tell(&format!("error: {error}"));
-            let report = || Answer::json(&OptimumReport::new(best, warnings));
-            let answer = if question.json { report() } else { Answer::text(optimum_text(best)) };
+            tell_error(&error);
+            let answer = if question.json {
+                let mut reply = SensitivityReport::none(&optima, Some(&error), warnings)?;
+                reply.body.optimum.file = written;
+                Answer::json(&reply)
+            } else {
+                Answer::text(optimum_text(best, system()))
+            };
             return Ok(answer.found(false));
         }
         found => found?,
@@ -53,11 +56,11 @@ pub fn run(args: &OptimumSensitivity) -> Result<Answer> {
     let is_answered = sensitivities.is_empty() || sensitivities.iter().any(|(_, sensitivity)| sensitivity.is_ok());
     let analysis = Analysis { best, sensitivities: &sensitivities, flatness: &flatness, changes: &changes };
     let answer = if question.json {
-        let mut report = SensitivityReport::new(&analysis, warnings);
-        report.optimum.optima = (work.starts > 1).then(|| LocalReport::all(&optima));
-        Answer::json(&report)
+        let mut reply = SensitivityReport::reply(&optima, &analysis, warnings);
+        reply.body.optimum.file = written;
+        Answer::json(&reply)
     } else {
-        Answer::text(optimum_text(best) + &sensitivity_text(&analysis))
+        Answer::text(optimum_text(best, system()) + &sensitivity_text(&analysis, system()))
     };
     Ok(answer.found(is_answered))
 }
@@ -69,14 +72,14 @@ fn analysed(best: &Optimum, wrt: &[&'static Parameter], changes: &[Change], loss
     let wrt: Vec<_> =
         wrt.iter().copied().filter(|p| best.search.vary.iter().all(|vary| vary.parameter != *p)).collect();
     let bar = bar("parameters");
-    let sensitivities = sensitivities(best, &wrt, |done, of| {
-        bar.set_length(of as u64);
-        bar.set_position(done as u64);
-    });
+    let sensitivities = sensitivities(best, &wrt, |done, of| show(&bar, done, of));
     bar.finish_and_clear();
     let loss = loss.unwrap_or_else(|| usual_loss(best));
+    let spinner = spinner("flying around the optimum");
     let changed = changes.iter().map(|stated| change(best, *stated)).collect::<Result<_>>()?;
-    Ok((sensitivities?, flatness(best, loss)?, changed))
+    let flatness = flatness(best, loss)?;
+    spinner.finish_and_clear();
+    Ok((sensitivities?, flatness, changed))
 }
 
 fn loss(of: Outcome, text: &str) -> Result<f64> {

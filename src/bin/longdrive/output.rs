@@ -1,8 +1,35 @@
+use crate::args::Shown;
+use crate::colour;
 use indicatif::{ProgressBar, ProgressStyle};
+use longdrive::report::{Empty, Reply};
+use longdrive::units::System;
 use longdrive::{Error, Result};
 use serde::Serialize;
 use std::io::{self, Write};
 use std::process::ExitCode;
+use std::sync::OnceLock;
+
+/// The options of every command about what is printed; set once, before anything is.
+static SHOWN: OnceLock<Shown> = OnceLock::new();
+
+pub fn begin(shown: Shown) {
+    // a second time would be a mistake of the program, and the first stays
+    let _ = SHOWN.set(shown);
+}
+
+/// The units that were asked for, if any.
+pub fn stated_system() -> Option<System> {
+    SHOWN.get().and_then(|shown| shown.units).map(System::from)
+}
+
+/// The units that results are shown in.
+pub fn system() -> System {
+    stated_system().unwrap_or_default()
+}
+
+fn is_quiet() -> bool {
+    SHOWN.get().is_some_and(|shown| shown.quiet)
+}
 
 /// What a command has to say on standard output, and whether it found what it was asked for.
 pub struct Answer {
@@ -26,8 +53,7 @@ impl Answer {
     }
 
     pub fn print(self) -> Result<ExitCode> {
-        let mut out = io::stdout().lock();
-        match out.write_all(self.text.as_bytes()).and_then(|()| out.flush()) {
+        match colour::print(&self.text) {
             // a reader that has gone away, as `head` does, is no failure of ours
             Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(Error::Output(error)),
             _ => Ok(ExitCode::from(u8::from(!self.found))),
@@ -35,25 +61,74 @@ impl Answer {
     }
 }
 
-/// A line on standard error.
+/// A remark or progress: a line on standard error, unless --quiet is given.
 pub fn tell(line: &str) {
-    let _ = writeln!(io::stderr().lock(), "{line}");
+    if !is_quiet() {
+        let _ = writeln!(io::stderr().lock(), "{line}");
+    }
 }
 
 pub fn warn(warnings: &[String]) {
     for warning in warnings {
-        tell(&format!("warning: {warning}"));
+        colour::say("warning", warning);
     }
 }
 
-/// Says what went wrong; status 1 for a sound question without an answer, 2 for bad input.
-pub fn complain(error: &Error) -> ExitCode {
-    tell(&format!("error: {error}"));
+/// An error on standard error, where the command goes on.
+pub fn tell_error(error: &Error) {
+    colour::say("error", &error.to_string());
+}
+
+/// Says what went wrong; status 1 for a sound question without an answer, 2 for bad input. Where JSON is asked for, standard
+/// output says it too.
+pub fn complain(error: &Error, command: &'static str, is_json: bool) -> ExitCode {
+    tell_error(error);
+    // what could not be written once cannot be written now
+    if is_json && !matches!(error, Error::Output(_)) {
+        say(&Reply::none(Some(command), error));
+    }
     ExitCode::from(if error.is_an_outcome() { 1 } else { 2 })
 }
 
-/// Progress of long work, on standard error; nothing where that is no terminal.
+/// Says what the arguments lack, or shows the help that they ask for.
+pub fn explain(error: &clap::Error, command: Option<&'static str>, is_json: bool) -> ExitCode {
+    // a reader that has gone away is no failure of ours
+    let _ = error.print();
+    if error.use_stderr() && is_json {
+        let text = error.render().to_string();
+        let text = text.split("\n\nUsage:").next().unwrap_or_default();
+        let text = text.split("\n\nFor more information").next().unwrap_or_default();
+        let message = text.trim().trim_start_matches("error:").trim().to_owned();
+        say(&Reply::refused(command, "error", message));
+    }
+    ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2))
+}
+
+fn say(reply: &Reply<Empty>) {
+    let _ = Answer::json(reply).print();
+}
+
+/// Progress of long work, on standard error; nothing where that is not a terminal, or with --quiet.
 pub fn bar(of: &str) -> ProgressBar {
+    if is_quiet() {
+        return ProgressBar::hidden();
+    }
     let style = ProgressStyle::with_template(&format!("{{bar:40}} {{pos}}/{{len}} {of}, {{eta}} left"));
     ProgressBar::new(0).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+}
+
+/// Shows how many of how many are done.
+pub fn show(bar: &ProgressBar, done: usize, all: usize) {
+    bar.set_length(all as u64);
+    bar.set_position(done as u64);
+}
+
+/// That work without parts to count is under way, and for how long.
+pub fn spinner(doing: &'static str) -> ProgressBar {
+    if is_quiet() {
+        return ProgressBar::hidden();
+    }
+    let spinner = ProgressBar::new_spinner().with_message(doing);
+    spinner.enable_steady_tick(std::time::Duration::from_millis(200));
+    spinner
 }

@@ -1,9 +1,13 @@
 use crate::args::Parameters;
-use crate::output::Answer;
+use crate::output::{Answer, system};
 use longdrive::Result;
-use longdrive::report::{parameters_json, parameters_text};
+use longdrive::report::{parameters_reply, parameters_text};
 
 pub fn run(args: &Parameters) -> Result<Answer> {
     let setup = args.question.setup()?;
-    Ok(if args.question.json { Answer::json(&parameters_json(&setup)) } else { Answer::text(parameters_text(&setup)) })
+    Ok(if args.question.json {
+        Answer::json(&parameters_reply(&setup, setup.warnings()))
+    } else {
+        Answer::text(parameters_text(&setup, system()))
+    })
 }

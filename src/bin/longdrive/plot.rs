@@ -1,10 +1,11 @@
 use crate::args::{
-    Drawing, Plot, PlotChart, PlotContour, PlotKind, PlotTornado, PlotTrajectory, PlotVcurve, Question, Seen, Units,
+    Drawing, Plot, PlotChart, PlotContour, PlotKind, PlotTornado, PlotTrajectory, PlotVcurve, Question, Seen,
 };
 use crate::files::{Destination, Rule};
 use crate::names::{outcomes, variables};
-use crate::output::{Answer, tell, warn};
+use crate::output::{Answer, bar, show, spinner, system, tell, warn};
 use longdrive::optimize::Watch;
+use longdrive::report::Reply;
 use longdrive::report::figures::{
     Flown, View, chart_figures, map_figure, tornado_figure, trajectory_figure, vcurve_figure,
 };
@@ -15,7 +16,6 @@ use longdrive::study::{
     Constraint, Fineness, Map, Optimum, Search, Sigma, Vary, chart, effects, flatness, map, optimum, usual_loss,
     with_defaults,
 };
-use longdrive::units::System;
 use longdrive::{Error, Outcome, Result, Setup};
 use serde_json::json;
 use std::path::Path;
@@ -33,14 +33,13 @@ pub fn run(args: &Plot) -> Result<Answer> {
 fn trajectory(args: &PlotTrajectory) -> Result<Answer> {
     let target = Target::new(&args.question, &args.drawing)?;
     let setup = args.question.within_tolerance(args.question.setup()?, &[])?;
-    warn(&setup.warnings());
     let flown = Flown::new("", &setup)?;
     flown.drive.landed()?;
     let view = match args.view {
         Seen::Side => View::Side,
         Seen::Top => View::Top,
     };
-    target.written(&args.question, &args.drawing, &trajectory_figure(&[flown], view))
+    target.written(&args.question, &setup, &args.drawing, &trajectory_figure(&[flown], view))
 }
 
 fn contour(args: &PlotContour) -> Result<Answer> {
@@ -48,23 +47,25 @@ fn contour(args: &PlotContour) -> Result<Answer> {
     let setup = args.question.setup()?;
     let search = args.search.search(&setup)?;
     let setup = args.question.within_tolerance(setup, &search.vary)?;
+    let spinner = spinner("flying the map");
     let (best, map) = mapped(&setup, &search)?;
     let best = best.as_ref();
     let limits = limits(best.map_or(&setup, |best| &best.setup), &search)?;
     let flatness = best.map(|best| flatness(best, usual_loss(best))).transpose()?;
-    target.written(&args.question, &args.drawing, &map_figure(&map, &limits, best, flatness.as_ref()))
+    spinner.finish_and_clear();
+    target.written(&args.question, &setup, &args.drawing, &map_figure(&map, &limits, best, flatness.as_ref()))
 }
 
 /// The map around an optimum; around the setup itself, where there is none.
 fn mapped(setup: &Setup<f64>, search: &Search) -> Result<(Option<Optimum>, Map)> {
     let [across, up, ..] = search.vary[..] else {
-        let (name, reason) = ("--vary".into(), "a map needs two parameters: give --vary twice".into());
+        let (name, reason) = ("--vary".into(), "a map needs two parameters; give --vary twice".into());
         return Err(Error::SearchRange { name, reason });
     };
     let best = optimum(setup, search.clone(), Watch::default())?;
     let is_found = best.solution.status == longdrive::optimize::Status::Converged;
     if !is_found {
-        tell(&format!("without an optimum: {}: {}", best.status(), best.message()));
+        tell(&format!("no optimum is drawn: {}: {}", best.status(), best.message()));
     }
     let around = if is_found { &best.setup } else { setup };
     let map = map(around, search.maximize, across, up, Fineness::default())?;
@@ -96,12 +97,18 @@ fn along(args: &PlotChart) -> Result<Answer> {
     };
     let ranges: Vec<_> = search.vary.iter().copied().chain([along]).collect();
     let setup = args.question.within_tolerance(setup, &ranges)?;
-    let chart = chart(&setup, &search, along, |_| true)?;
+    let bar = bar("optima");
+    let chart = chart(&setup, &search, along, |_| {
+        bar.inc(1);
+        true
+    });
+    bar.finish_and_clear();
+    let chart = chart?;
     for note in chart.begun.iter().chain(&chart.ended) {
         tell(note);
     }
     match chart_figures(&chart).get(shown) {
-        Some(figure) => target.written(&args.question, &args.drawing, figure),
+        Some(figure) => target.written(&args.question, &setup, &args.drawing, figure),
         None => Err(Error::Nothing { doing: "draw", what: "optimum" }),
     }
 }
@@ -111,9 +118,12 @@ fn tornado(args: &PlotTornado) -> Result<Answer> {
     let setup = args.question.within_tolerance(args.question.setup()?, &[])?;
     let of = Outcome::named(&args.of)?;
     let given = args.sigma.iter().map(|text| Sigma::read(&setup, text)).collect::<Result<Vec<_>>>()?;
-    let found = effects(&setup, &[of], &with_defaults(&setup, &given)?, |_, _| ())?;
+    let bar = bar("uncertainties");
+    let found = effects(&setup, &[of], &with_defaults(&setup, &given)?, |done, all| show(&bar, done, all));
+    bar.finish_and_clear();
+    let found = found?;
     match found.first() {
-        Some(effects) => target.written(&args.question, &args.drawing, &tornado_figure(effects)),
+        Some(effects) => target.written(&args.question, &setup, &args.drawing, &tornado_figure(effects)),
         None => Err(Error::Nothing { doing: "draw", what: "outcome" }),
     }
 }
@@ -122,7 +132,10 @@ fn vcurve(args: &PlotVcurve) -> Result<Answer> {
     let target = Target::new(&args.question, &args.drawing)?;
     let setup = args.question.within_tolerance(args.question.setup()?, &[])?;
     let (of, wrt) = (outcomes(&args.of)?, variables(&setup, &args.wrt)?);
-    let certificate = certify(&setup, &of, &wrt, |_, _| ())?;
+    let bar = bar("parameters");
+    let certificate = certify(&setup, &of, &wrt, |done, all| show(&bar, done, all));
+    bar.finish_and_clear();
+    let certificate = certificate?;
     for (of, why) in &certificate.missing {
         tell(&format!("left out: {}: {why}", of.name()));
     }
@@ -131,6 +144,7 @@ fn vcurve(args: &PlotVcurve) -> Result<Answer> {
     let row = |(of, parameter)| certificate.rows.iter().find(|row| row.of == of && row.parameter == parameter);
     target.written(
         &args.question,
+        &setup,
         &args.drawing,
         &vcurve_figure(asked.filter_map(row), &while_loop(&setup, &certificate.rows)),
     )
@@ -156,9 +170,8 @@ impl Format {
             Some("csv") => Ok(Self::Csv),
             _ => {
                 let pictures = if cfg!(feature = "png") { ".svg or .png" } else { ".svg" };
-                let reason = format!(
-                    "its ending does not say what to write; end it in {pictures} for a picture, or in .csv for its data"
-                );
+                let reason =
+                    format!("its ending does not name a format; use {pictures} for a picture, or .csv for its data");
                 Err(Error::Plot { name: file.display().to_string(), reason })
             }
         }
@@ -179,13 +192,11 @@ impl Target {
         Ok(Self { format, destination: rule.file(&drawing.output)? })
     }
 
-    fn written(&self, question: &Question, drawing: &Drawing, figure: &Figure) -> Result<Answer> {
-        let system = match drawing.units {
-            Units::Metric => System::Metric,
-            Units::Us => System::Us,
-        };
+    fn written(&self, question: &Question, setup: &Setup<f64>, drawing: &Drawing, figure: &Figure) -> Result<Answer> {
+        let warnings = setup.warnings();
+        warn(&warnings);
         let shades = if drawing.dark { Shades::Dark } else { Shades::Light };
-        let look = Look { system, shades, width: drawing.width };
+        let look = Look { system: system(), shades, width: drawing.width };
         let bytes = match self.format {
             Format::Svg => figure_svg(figure, &look)?.into_bytes(),
             #[cfg(feature = "png")]
@@ -199,7 +210,9 @@ impl Target {
             tell(&figure.note);
         }
         Ok(if question.json {
-            Answer::json(&json!({ "file": file, "title": figure.title, "note": figure.note, "bytes": bytes.len() }))
+            let (name, title, note) = (&figure.name, &figure.title, &figure.note);
+            let body = json!({ "name": name, "file": file, "title": title, "note": note, "bytes": bytes.len() });
+            Answer::json(&Reply::done("plot", warnings, body))
         } else {
             Answer::text(String::new())
         })

@@ -1,8 +1,10 @@
 use crate::args::Report;
 use crate::files::Rule;
-use crate::output::{Answer, bar, tell, warn};
+use crate::output::{Answer, bar, system, tell, warn};
 use crate::plot::limits;
+use longdrive::flight::Flight;
 use longdrive::optimize::{Status, Watch};
+use longdrive::report::Reply;
 use longdrive::report::figures::Flown;
 use longdrive::report::page::{Document, Findings, report_documents};
 use longdrive::reproduce::while_loop;
@@ -88,6 +90,7 @@ pub fn run(args: &Report) -> Result<Answer> {
         effects: &effects,
         rows: &rows,
         loops: &while_loop(&setup, &rows),
+        system: system(),
         remarks: &remarks,
     };
     let documents = report_documents(&findings)?;
@@ -98,7 +101,13 @@ pub fn run(args: &Report) -> Result<Answer> {
     tell(&format!("{} ({} files)", index.display(), documents.len()));
     let names: Vec<&str> = documents.iter().map(|document| document.name.as_str()).collect();
     let answer = if args.question.json {
-        Answer::json(&json!({ "folder": args.output, "files": names, "remarks": remarks }))
+        let (status, message) = match &flown[0].drive.flight {
+            Flight::None(why) => (why.status(), Some(why.to_string())),
+            Flight::Landed(_) if is_found => ("done", None),
+            Flight::Landed(_) => (found.status(), Some(found.message())),
+        };
+        let body = json!({ "folder": args.output.display().to_string(), "files": names });
+        Answer::json(&Reply::done("report", remarks.clone(), body).ended(status, message))
     } else {
         Answer::text(String::new())
     };

@@ -1,9 +1,9 @@
 use crate::args::{Published, Reproduce};
 use crate::files::{Folder, Rule};
-use crate::output::{Answer, tell};
+use crate::output::{Answer, stated_system, tell};
 use longdrive::Result;
 use longdrive::report::plot::{Look, figure_csv, figure_svg};
-use longdrive::report::{Document, mae494_document, mae494_json, winfield_tan_document, winfield_tan_json};
+use longdrive::report::{Document, mae494_document, mae494_reply, winfield_tan_document, winfield_tan_reply};
 use longdrive::reproduce::{mae494, winfield_tan};
 use longdrive::units::System;
 
@@ -13,20 +13,21 @@ pub const DOCUMENT: [&str; 2] = ["report.md", "index.html"];
 pub fn run(args: &Reproduce) -> Result<Answer> {
     let rule = Rule::new([], args.overwrite);
     let folder = args.output.as_ref().map(|folder| rule.folder(folder, &DOCUMENT)).transpose()?;
-    let (document, json, system) = match args.study {
+    let (document, reply, system) = match args.study {
         Published::Mae494 => {
             let found = mae494(|what| tell(&format!("computing {what}")))?;
-            (mae494_document(&found), mae494_json(&found), System::Metric)
+            (mae494_document(&found), mae494_reply(&found), System::Metric)
         }
         Published::WinfieldTan => {
             let found = winfield_tan(|what| tell(&format!("computing {what}")))?;
-            (winfield_tan_document(&found), winfield_tan_json(&found), System::Us)
+            (winfield_tan_document(&found), winfield_tan_reply(&found), System::Us)
         }
     };
     if let Some(folder) = &folder {
+        let system = stated_system().unwrap_or(system);
         write(folder, &document, &Look { system, ..Look::default() })?;
     }
-    Ok(if args.json { Answer::json(&json) } else { Answer::text(document.text()) })
+    Ok(if args.json { Answer::json(&reply) } else { Answer::text(document.text()) })
 }
 
 /// Writes a document with its figures and their data into a folder.

@@ -1,7 +1,7 @@
 //! The search that several commands begin with: who follows it, stops it and keeps it.
 
 use crate::args::{SearchArgs, WorkArgs};
-use crate::output::tell;
+use crate::output::{system, tell};
 use indicatif::{ProgressBar, ProgressStyle};
 use longdrive::optimize::{Follow, Ledger, Options};
 use longdrive::report::iteration_line;
@@ -58,7 +58,7 @@ impl WorkArgs {
         if let Ok(optima) = &found
             && optima.stopped() > 0
         {
-            tell(&format!("{} of {} searches were stopped before their end", optima.stopped(), optima.starts));
+            tell(&format!("{} of {} searches were stopped before they ended", optima.stopped(), optima.starts));
         }
         found
     }
@@ -92,7 +92,7 @@ fn question(setup: &Setup<f64>, search: &Search, starts: u32) -> String {
 /// Every iteration as a line.
 fn one(search: &Search, follow: &mut Follow) -> ProgressBar {
     let shown = search.clone();
-    follow.iteration = Some(Arc::new(move |_, iteration| tell(&iteration_line(&shown, iteration))));
+    follow.iteration = Some(Arc::new(move |_, iteration| tell(&iteration_line(&shown, iteration, system()))));
     ProgressBar::hidden()
 }
 
@@ -100,7 +100,7 @@ fn one(search: &Search, follow: &mut Follow) -> ProgressBar {
 const ONE_PRESS: Duration = Duration::from_millis(300);
 
 /// What a search does on Ctrl-C.
-pub const BEST_SO_FAR: &str = "stopping with the best so far";
+pub const BEST_SO_FAR: &str = "stopping with the best result so far";
 
 /// Becomes true on Ctrl-C, which is answered with a line of what happens then; a second one ends the program at once.
 pub fn interrupt(stopping: &'static str) -> Arc<AtomicBool> {
@@ -113,7 +113,7 @@ pub fn interrupt(stopping: &'static str) -> Arc<AtomicBool> {
         match first {
             None => {
                 first = Some(Instant::now());
-                tell(&format!("{stopping}; Ctrl-C again to end at once"));
+                tell(&format!("{stopping}; press Ctrl-C again to end at once"));
             }
             Some(first) if first.elapsed() > ONE_PRESS => std::process::exit(130),
             Some(_) => {}

@@ -1,11 +1,10 @@
 use crate::args::SensitivityArgs;
 use crate::names::outcomes;
-use crate::output::{Answer, bar, tell, warn};
+use crate::output::{Answer, bar, show, system, tell, warn};
 use longdrive::optimize::{Status, Watch};
-use longdrive::report::{EffectsReport, effects_text};
+use longdrive::report::{EffectsReport, OutcomeEffects, effects_text};
 use longdrive::study::{Sigma, effects, optimum, sensitivities, with_defaults};
 use longdrive::{Drive, Error, Outcome, Result};
-use serde_json::json;
 
 pub fn run(args: &SensitivityArgs) -> Result<Answer> {
     let mut setup = args.question.within_tolerance(args.question.setup()?, &[])?;
@@ -32,10 +31,7 @@ pub fn run(args: &SensitivityArgs) -> Result<Answer> {
     let warnings = [setup.warnings(), drive.corners(&setup)].concat();
     warn(&warnings);
     let bar = bar("uncertainties");
-    let found = effects(&setup, &of, &sigmas, |done, all| {
-        bar.set_length(all as u64);
-        bar.set_position(done as u64);
-    });
+    let found = effects(&setup, &of, &sigmas, |done, all| show(&bar, done, all));
     bar.finish_and_clear();
     let found = found?;
     let totals = match &best {
@@ -49,10 +45,11 @@ pub fn run(args: &SensitivityArgs) -> Result<Answer> {
     let totals_of =
         |of: Outcome| totals.as_ref().filter(|(maximized, _)| *maximized == of).map(|(_, all)| all.as_slice());
     let answer = if args.question.json {
-        let reports: Vec<_> = found.iter().map(|effects| EffectsReport::new(effects, totals_of(effects.of))).collect();
-        Answer::json(&json!({ "outcomes": reports, "warnings": warnings }))
+        let reports: Vec<_> = found.iter().map(|effects| OutcomeEffects::new(effects, totals_of(effects.of))).collect();
+        Answer::json(&EffectsReport::reply(reports, best.as_ref(), warnings))
     } else {
-        let texts: Vec<_> = found.iter().map(|effects| effects_text(effects, totals_of(effects.of))).collect();
+        let texts: Vec<_> =
+            found.iter().map(|effects| effects_text(effects, totals_of(effects.of), system())).collect();
         Answer::text(texts.join("\n"))
     };
     Ok(answer)

@@ -1,5 +1,5 @@
 use crate::args::Simulate;
-use crate::output::{Answer, warn};
+use crate::output::{Answer, system, warn};
 use longdrive::flight::Flight;
 use longdrive::report::{DriveReport, drive_text};
 use longdrive::{Drive, Result};
@@ -10,9 +10,9 @@ pub fn run(args: &Simulate) -> Result<Answer> {
     warn(&warnings);
     let drive = Drive::new(&setup)?;
     let answer = if args.question.json {
-        Answer::json(&DriveReport::new(&setup, &drive, warnings))
+        Answer::json(&DriveReport::reply(&setup, &drive, warnings))
     } else {
-        Answer::text(drive_text(&drive))
+        Answer::text(drive_text(&drive, system()))
     };
     Ok(answer.found(matches!(drive.flight, Flight::Landed(_))))
 }

@@ -1,6 +1,6 @@
 use crate::args::UncertaintyArgs;
 use crate::names::outcomes;
-use crate::output::{Answer, bar, tell, warn};
+use crate::output::{Answer, bar, show, system, tell, warn};
 use longdrive::report::{UncertaintyReport, uncertainty_text};
 use longdrive::study::uncertainty::{Plan, Uncertain, uncertainty};
 use longdrive::study::{Sigma, with_defaults};
@@ -14,17 +14,14 @@ pub fn run(args: &UncertaintyArgs) -> Result<Answer> {
     warn(&warnings);
     let plan = Plan { samples: args.samples as usize, seed: args.seed };
     let bar = bar("drives");
-    let found = uncertainty(&setup, &of, &inputs, plan, |done, all| {
-        bar.set_length(all as u64);
-        bar.set_position(done as u64);
-    });
+    let found = uncertainty(&setup, &of, &inputs, plan, |done, all| show(&bar, done, all));
     bar.finish_and_clear();
     let found = found?;
     let is_found = found.outcomes.iter().all(|outcome| outcome.sampled.is_some());
     let answer = if args.question.json {
-        Answer::json(&UncertaintyReport::new(&found, warnings))
+        Answer::json(&UncertaintyReport::reply(&found, warnings))
     } else {
-        Answer::text(uncertainty_text(&found))
+        Answer::text(uncertainty_text(&found, system()))
     };
     Ok(answer.found(is_found))
 }
@@ -39,7 +36,10 @@ fn inputs(setup: &Setup<f64>, args: &UncertaintyArgs) -> Result<Vec<Uncertain>> 
     for sigma in sigmas.iter() {
         if let Some(source) = sigma.source {
             let shown = sigma.parameter.show(Some(sigma.value));
-            tell(&format!("default: {} within {shown} (one standard deviation): {source}", sigma.parameter.name));
+            tell(&format!(
+                "default uncertainty: {} ± {shown} (one standard deviation); {source}",
+                sigma.parameter.name
+            ));
         }
     }
     let inputs: Vec<_> = sigmas.iter().map(|sigma| Uncertain::normal(setup, sigma)).chain(distributions).collect();

@@ -1,6 +1,6 @@
 use crate::args::Verify;
 use crate::names::{outcomes, variables};
-use crate::output::{Answer, bar, tell, warn};
+use crate::output::{Answer, bar, show, tell, warn};
 use longdrive::Result;
 use longdrive::report::{CertificateReport, certificate_text};
 use longdrive::reproduce::while_loop;
@@ -11,10 +11,7 @@ pub fn run(args: &Verify) -> Result<Answer> {
     let of = outcomes(&args.of)?;
     let wrt = variables(&setup, &args.wrt)?;
     let bar = bar("parameters");
-    let certificate = certify(&setup, &of, &wrt, |done, all| {
-        bar.set_length(all as u64);
-        bar.set_position(done as u64);
-    });
+    let certificate = certify(&setup, &of, &wrt, |done, all| show(&bar, done, all));
     bar.finish_and_clear();
     let certificate = certificate?;
     let warnings = [setup.warnings(), certificate.corners.clone()].concat();
@@ -24,7 +21,7 @@ pub fn run(args: &Verify) -> Result<Answer> {
     }
     let loops = while_loop(&setup, &certificate.rows);
     let answer = if args.question.json {
-        Answer::json(&CertificateReport::new(&certificate, &loops, warnings))
+        Answer::json(&CertificateReport::reply(&certificate, &loops, warnings))
     } else {
         Answer::text(certificate_text(&certificate, &loops))
     };

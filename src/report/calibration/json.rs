@@ -1,9 +1,13 @@
 use super::{CalibrationReport, by_outcome};
-use crate::report::json;
+use crate::report::{Reply, json};
 use serde_json::{Map, Value, json};
 
-/// The calibration as JSON, SI and radians.
-pub fn calibration_json(report: &CalibrationReport<'_>) -> Value {
+/// The answer of `calibrate`: the status and the message are the fit's, unless a fit for the held-out error was interrupted.
+pub fn calibration_reply(report: &CalibrationReport<'_>, warnings: Vec<String>) -> Reply<Value> {
+    Reply::done("calibrate", warnings, body(report)).ended(report.status().name(), Some(report.message()))
+}
+
+fn body(report: &CalibrationReport<'_>) -> Value {
     let CalibrationReport { table, found, held_out } = report;
     let statistics = &found.statistics;
     let names: Vec<&str> = found.estimates.iter().map(|estimate| estimate.parameter.name).collect();
@@ -17,7 +21,7 @@ pub fn calibration_json(report: &CalibrationReport<'_>) -> Value {
             });
             let entry = json!({
                 "value": json::number(Some(estimate.value)),
-                "standard_error": json::number(estimate.standard_error),
+                "standard_uncertainty": json::number(estimate.standard_error),
                 "interval_95": ends,
                 "at_bound": estimate.is_at_bound,
                 "determined": estimate.is_determined,
@@ -25,8 +29,10 @@ pub fn calibration_json(report: &CalibrationReport<'_>) -> Value {
             (estimate.parameter.name.to_owned(), entry)
         })
         .collect();
-    let matrix = |entry: &dyn Fn(usize, usize) -> Option<f64>| -> Vec<Vec<Value>> {
-        (0..names.len()).map(|a| (0..names.len()).map(|b| json::number(entry(a, b))).collect()).collect()
+    let matrix = |entry: &dyn Fn(usize, usize) -> Option<f64>| {
+        let row = |a: usize| (0..names.len()).map(|b| json::number(entry(a, b))).collect();
+        let values: Vec<Vec<Value>> = (0..names.len()).map(row).collect();
+        json!({ "names": names, "values": values })
     };
     let undetermined: Vec<Value> = statistics
         .undetermined
@@ -39,11 +45,11 @@ pub fn calibration_json(report: &CalibrationReport<'_>) -> Value {
         .map(|remainder| {
             json!({
                 "row": remainder.row,
-                "outcome": remainder.outcome.name(),
-                "stationary": remainder.stationary.map(|parameter| parameter.name),
-                "measured": remainder.measured,
-                "difference": remainder.difference,
-                "residual": remainder.residual,
+                "of": remainder.outcome.name(),
+                "parameter": remainder.stationary.map(|parameter| parameter.name),
+                "measured": json::number(remainder.measured),
+                "difference": json::number(Some(remainder.difference)),
+                "residual": json::number(Some(remainder.residual)),
             })
         })
         .collect();
@@ -57,17 +63,15 @@ pub fn calibration_json(report: &CalibrationReport<'_>) -> Value {
                 fits.insert(status.name().into(), json!(held.count(*status)));
             }
             json!({
-                "of": name,
+                "fit": name,
                 "folds": held.folds,
                 "fits": fits,
-                "rms_in_sigma": json::number(held.mean_square().map(f64::sqrt)),
+                "rms_standardized": json::number(held.mean_square().map(f64::sqrt)),
                 "rms": rms,
             })
         })
         .collect();
     json!({
-        "status": found.fit.status.name(),
-        "message": found.fit.message,
         "interrupted": report.is_interrupted(),
         "data": {
             "file": table.file,
@@ -77,14 +81,13 @@ pub fn calibration_json(report: &CalibrationReport<'_>) -> Value {
             "remarks": table.remarks,
         },
         "estimates": estimates,
-        "names": names,
         "covariance": matrix(&|a, b| statistics.covariance[a][b]),
         "correlation": matrix(&|a, b| statistics.correlation(a, b)),
         "undetermined": undetermined,
         "chi_square": json::number(Some(statistics.chi_square)),
         "degrees_of_freedom": statistics.degrees_of_freedom,
         "probability": json::number(statistics.probability),
-        "error_scale": json::number(statistics.scale),
+        "uncertainty_scale": json::number(statistics.scale),
         "iterations": found.fit.iterations,
         "evaluations": found.fit.evaluations,
         "refused": { "count": found.fit.refused, "last": found.fit.why_refused },

@@ -5,7 +5,7 @@ impl Document {
     /// As plain text.
     pub fn text(&self) -> String {
         let blocks = self.blocks.iter().filter_map(|block| match block {
-            Block::Title(text) => Some(format!("{}\n", text.to_uppercase())),
+            Block::Title(text) => Some(format!("{text}\n{}\n", "=".repeat(text.chars().count()))),
             Block::Heading(text) => Some(format!("\n{text}\n{}\n", "-".repeat(text.chars().count()))),
             Block::Paragraph(text) => Some(paragraph(text)),
             Block::Table { head, rows } => {

@@ -29,9 +29,9 @@ pub fn map_figure(
         }
     }
     let mut notes =
-        vec!["The edges are the bounds; the arrows are exact gradients in units of the ranges, their length as the root of the slope.".to_owned()];
+        vec!["The edges are the bounds. The arrows are exact gradients, scaled by the ranges; their length grows with the square root of the slope.".to_owned()];
     if let Some(why) = missing {
-        notes.push(format!("Grey: no value; first because {why}."));
+        notes.push(format!("Grey: no value; the first reason: {why}."));
     }
     if let Some(best) = best
         && let Some([i, j]) = place(best, across, up)
@@ -45,10 +45,10 @@ pub fn map_figure(
                 figure.layers.push(Layer::Line { name: name.into(), hue, is_dashed: false, points: ends.to_vec() });
             }
             let loss = Measure::outcome(best.search.maximize).show_both(flatness.loss);
-            notes.push(format!("The window is how far each parameter may stray alone for a loss of {loss}."));
+            notes.push(format!("The window shows how far each parameter may deviate alone for a loss of {loss}."));
             if let Some(ellipse) = ellipse(best, flatness, [i, j]) {
                 figure.layers.push(ellipse);
-                notes.push("The ellipse is how far both may together, by the quadratic.".into());
+                notes.push("The ellipse shows how far both may deviate together, by the quadratic model.".into());
             }
         }
         figure.layers.push(Layer::Mark { name: "optimum".into(), hue, at });

@@ -1,4 +1,3 @@
-use super::map::capital;
 use crate::report::plot::{Axis, Bar, Figure, Hue, Layer, Measure};
 use crate::study::{Effect, Effects, Sigma};
 use crate::units::significant;
@@ -51,7 +50,7 @@ pub fn tornado_figure(effects: &Effects) -> Figure {
         let bars = ranked.iter().enumerate().map(|(place, ends)| Bar { place, from: 0.0, to: to(ends) });
         Layer::Bars { name: name.into(), hue: Hue::Series(hue), bars: bars.collect() }
     };
-    let title = format!("What moves {}", measure.label);
+    let title = format!("Effects of uncertainties on {}", measure.label);
     let mut figure = Figure::new(format!("tornado-{}", effects.of.name()), title, x, Axis::names(names))
         .with(bars("parameter lower", 1, |ends| ends.lower))
         .with(bars("parameter higher", 0, |ends| ends.higher));
@@ -62,21 +61,23 @@ pub fn tornado_figure(effects: &Effects) -> Figure {
 
 fn note(effects: &Effects, ranked: &[Ends], still: &[String], left_out: usize, measure: &Measure) -> String {
     let mut note = format!(
-        "{} flown with each parameter off by its standard uncertainty. All together, independent: ± {}.",
-        capital(&measure.label),
+        "Change of {} when each parameter is moved by its standard uncertainty, one at a time. All together, if independent: ± {}.",
+        measure.label,
         measure.show_both(effects.standard_uncertainty()),
     );
     let straight = ranked.iter().filter(|ends| !ends.is_flown).count();
     if straight > 0 {
-        note += &format!(" {straight} could not be flown at both ends and are drawn from the derivative.");
+        note += &format!(" {straight} do not fly at both ends and are drawn from the derivative.");
     }
     let linearity = effects.linearity();
     if linearity > 0.0 {
-        note +=
-            &format!(" Bars shorter than {} are lost in what straight lines neglect.", measure.show_both(linearity));
+        note += &format!(
+            " Bars shorter than {} are smaller than what the linear model neglects.",
+            measure.show_both(linearity)
+        );
     }
     if !still.is_empty() {
-        note += &format!(" Next to nothing: {}.", still.join(", "));
+        note += &format!(" Negligible: {}.", still.join(", "));
     }
     if left_out > 0 {
         note += &format!(" {left_out} smaller ones are not shown.");

@@ -33,7 +33,7 @@ impl Flown {
     /// As [`Drive::new`].
     pub fn new(name: impl Into<String>, setup: &Setup<f64>) -> Result<Self> {
         let drive = Drive::new(setup)?;
-        let path = trajectory(setup, &drive.impact.launch)?;
+        let path = trajectory(setup, &drive.launch)?;
         Ok(Self { name: name.into(), drive, path })
     }
 }

@@ -20,7 +20,7 @@ pub fn vcurve_figure<'a>(rows: impl IntoIterator<Item = &'a Row>, loops: &[LoopR
         };
         let points = of_curve(&first.curve);
         if let Some(row) = loops.iter().find(|row| *of == Outcome::Carry && row.parameter == *parameter) {
-            looped.push((format!("the same of a while-loop, by {}", parameter.name), of_curve(&row.check.curve)));
+            looped.push((format!("a while-loop, by {}", parameter.name), of_curve(&row.check.curve)));
         }
         exact += points.iter().filter(|[_, error]| *error <= 0.0).count();
         let name = format!("d {}/d {}", of.name(), parameter.name);
@@ -31,15 +31,16 @@ pub fn vcurve_figure<'a>(rows: impl IntoIterator<Item = &'a Row>, loops: &[LoopR
         figure.layers.push(Layer::Line { name, hue: Hue::Series(first_loop + i), is_dashed: true, points });
     }
     let mut note =
-        "A difference errs by the square of its step to the right of the lowest point, by rounding over the step to \
-                    the left; the exact derivative by neither."
+        "To the right of its lowest point the error of a difference grows with the square of the step (truncation), to the \
+                    left with the inverse of the step (rounding). The exact derivative has neither error."
             .to_owned();
     if figure.layers.len() > first_loop {
-        note += " A while-loop that stops at the first step below the ground has no slope that small steps see.";
+        note += " The carry of a while-loop that stops at the first step below the ground is not smooth, and small steps do not see its slope.";
     }
     if exact > 0 {
-        note +=
-            &format!(" Differences that hit it to the last bit: {exact}; they have no place on a logarithmic axis.");
+        note += &format!(
+            " {exact} differences equal the exact derivative to the last bit and cannot be drawn on a logarithmic axis."
+        );
     }
     figure.noted(note)
 }

@@ -1,3 +1,4 @@
+use crate::report::Reply;
 use crate::report::json::{named, number};
 use crate::reproduce::{
     Average, Delivery, Energy, Launched, Mae494, Noise, Parametric, Peak, Regression, Row, Searches, Subsystems,
@@ -5,12 +6,13 @@ use crate::reproduce::{
 use serde_json::{Map, Value, json};
 
 /// The report, reproduced, as JSON: SI and radians.
-pub fn mae494_json(found: &Mae494) -> Value {
+pub fn mae494_reply(found: &Mae494) -> Reply<Value> {
     let mut optimum = delivery(&found.optimum.exact());
     optimum.extend(held(&found.optimum));
     let rows = |rows: &[Row]| rows.iter().map(row).collect::<Vec<_>>();
-    let printed = |rows: &[Row]| rows.iter().map(|row| short(&row.printed)).collect::<Vec<_>>();
-    json!({
+    let printed = |rows: &[Row]| rows.iter().map(|row| delivery(&row.printed)).collect::<Vec<_>>();
+    let body = json!({
+        "study": "mae494",
         "slipped_optimum": delivery(&found.slipped),
         "optimum": optimum,
         "table1": rows(&found.table1),
@@ -26,14 +28,15 @@ pub fn mae494_json(found: &Mae494) -> Value {
             "optimum": delivery(&found.optimum.printed),
             "table1": printed(&found.table1),
             "table2": printed(&found.table2),
-            "average": { "loft": found.average.printed },
+            "average": { "club.loft": found.average.printed },
         },
-    })
+    });
+    Reply::done("reproduce", vec![], body)
 }
 
 /// A row of a table: the exact optimum, and what becomes of the printed one.
 fn row(row: &Row) -> Value {
-    let mut entries = short(&row.exact());
+    let mut entries = delivery(&row.exact());
     entries.extend(held(row));
     entries.insert("carry_at_printed".into(), number(row.at_printed));
     entries.insert("cost".into(), number(Some(row.cost())));
@@ -56,25 +59,17 @@ fn held(row: &Row) -> Map<String, Value> {
 
 /// A delivery under the names of the parameters.
 fn delivery(delivery: &Delivery) -> Map<String, Value> {
-    as_named(["club.loft", "swing.attack_angle", "carry"], delivery)
-}
-
-/// A delivery under the names of a table's columns.
-fn short(delivery: &Delivery) -> Map<String, Value> {
-    as_named(["loft", "attack_angle", "carry"], delivery)
-}
-
-fn as_named(names: [&str; 3], delivery: &Delivery) -> Map<String, Value> {
-    named(names.into_iter().zip([delivery.loft, delivery.attack_angle, delivery.carry].map(Some)))
+    let Delivery { loft, attack_angle, carry } = *delivery;
+    named([("club.loft", Some(loft)), ("swing.attack_angle", Some(attack_angle)), ("carry", Some(carry))])
 }
 
 fn average(average: &Average) -> Value {
-    let rows = average.rows.iter().map(|(loft, carry)| json!({ "loft": loft, "carry": carry }));
-    json!({ "loft": average.best.0, "carry": average.best.1, "rows": rows.collect::<Vec<_>>() })
+    let rows = average.rows.iter().map(|(loft, carry)| json!({ "club.loft": loft, "carry": carry }));
+    json!({ "club.loft": average.best.0, "carry": average.best.1, "rows": rows.collect::<Vec<_>>() })
 }
 
 fn regression(regression: &Regression) -> Value {
-    let peak = |peak: Peak| json!({ "loft": peak.loft, "distance": peak.distance });
+    let peak = |peak: Peak| json!({ "club.loft": peak.loft, "distance": peak.distance });
     json!({
         "slipped": peak(regression.slipped),
         "as_fitted": peak(regression.as_fitted),
@@ -121,18 +116,20 @@ fn parametric(study: &Parametric) -> Value {
         let sensitivity = &constant.sensitivity;
         json!({
             "parameter": sensitivity.parameter.name,
-            "value": constant.value,
-            "carry": sensitivity.value,
-            "loft": sensitivity.optimum[0],
-            "attack_angle": sensitivity.optimum[1],
+            "at": constant.value,
+            "value": sensitivity.value,
+            "optimum": { "club.loft": sensitivity.optimum[0], "swing.attack_angle": sensitivity.optimum[1] },
         })
     });
     let changes = study.changes.iter().map(|changed| {
         json!({
             "parameter": changed.change.parameter.name,
             "change": changed.change.delta,
-            "predicted": { "carry": changed.second_order, "loft": changed.predicted[0] },
-            "resolved": { "carry": number(changed.resolved.value()), "loft": changed.resolved.solution.x[0] },
+            "predicted": { "value": changed.second_order, "optimum": { "club.loft": changed.predicted[0] } },
+            "resolved": {
+                "value": number(changed.resolved.value()),
+                "optimum": { "club.loft": changed.resolved.solution.x[0] },
+            },
         })
     });
     json!({ "sensitivity": constants.collect::<Vec<_>>(), "changes": changes.collect::<Vec<_>>() })
@@ -140,11 +137,11 @@ fn parametric(study: &Parametric) -> Value {
 
 fn noise(noise: &Noise, searches: &[Searches]) -> Value {
     let zoom = noise.zoom.iter().map(
-        |at| json!({ "loft": at.loft, "loop": at.overshot, "interpolated": at.interpolated, "smooth": at.smooth }),
+        |at| json!({ "club.loft": at.loft, "loop": at.overshot, "interpolated": at.interpolated, "smooth": at.smooth }),
     );
     let slopes = noise.slopes.iter().map(|at| {
         json!({
-            "loft": at.loft,
+            "club.loft": at.loft,
             "exact": at.exact,
             "at_fixed_time": at.at_fixed_time,
             "loop": at.overshot,
@@ -172,7 +169,7 @@ fn noise(noise: &Noise, searches: &[Searches]) -> Value {
         })
     });
     json!({
-        "attack_angle": 0.0,
+        "swing.attack_angle": 0.0,
         "step": noise.step,
         "difference": noise.difference,
         "teeth": { "count": noise.teeth.count, "width": noise.teeth.width, "height": noise.teeth.height },

@@ -6,7 +6,7 @@ mod physics;
 mod searches;
 mod tables;
 
-pub use json::mae494_json;
+pub use json::mae494_reply;
 
 use super::document::Document;
 use crate::reproduce::Mae494;

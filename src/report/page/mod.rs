@@ -39,6 +39,8 @@ pub struct Findings<'a> {
     pub rows: &'a [Row],
     /// The same of the MAE 494 report's while-loop.
     pub loops: &'a [LoopRow],
+    /// The units that the page is shown in at first.
+    pub system: System,
     /// What deserves a word.
     pub remarks: &'a [String],
 }
@@ -129,10 +131,11 @@ fn page(findings: &Findings<'_>, plots: &Plots) -> Result<Markup> {
                 style { (PreEscaped(include_str!("style.css"))) (PreEscaped(dark)) }
             }
             body {
-                input.units #units-us type="radio" name="units" checked aria-label="US units";
-                input.units #units-metric type="radio" name="units" aria-label="metric units";
+                input.units #units-us type="radio" name="units" checked[findings.system == System::Us] aria-label="US units";
+                input.units #units-metric type="radio" name="units" checked[findings.system == System::Metric]
+                    aria-label="metric units";
                 header {
-                    h1 { "The drive of " (findings.name) }
+                    h1 { "Drive: " (findings.name) }
                     p.faint { (findings.preset.about) }
                     div.switch { label for="units-us" { "yd, mph" } label for="units-metric" { "m, m/s" } }
                 }
@@ -147,13 +150,13 @@ fn page(findings: &Findings<'_>, plots: &Plots) -> Result<Markup> {
                     @if let Some(best) = findings.best {
                         section { h2 { "The optimum" } (sections::optimum(best, findings.flatness)) (map?) }
                     } @else if !plots.map.is_empty() {
-                        section { h2 { "The landscape" } (map?) }
+                        section { h2 { "The map" } (map?) }
                     }
                     @if !plots.chart.is_empty() {
-                        section { h2 { "The optimum for every golfer" } (chart?) }
+                        section { h2 { "The optimum as a parameter changes" } (chart?) }
                     }
                     @if !plots.effects.is_empty() {
-                        section { h2 { "What moves it" } (effects?) (sections::uncertainties(findings.effects)) }
+                        section { h2 { "Effects of uncertainties" } (effects?) (sections::uncertainties(findings.effects)) }
                     }
                     @if !plots.curves.is_empty() {
                         section { h2 { "How exact the derivatives are" } (curves?) (sections::verdicts(findings.rows)) }

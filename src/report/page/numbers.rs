@@ -2,7 +2,8 @@
 
 use crate::drive::Outcome;
 use crate::parameters::Parameter;
-use crate::units::{Quantity, System, significant};
+use crate::report::shown;
+use crate::units::System;
 use maud::{Markup, html};
 
 /// What is written in each system; once, where both are the same.
@@ -13,21 +14,22 @@ pub(super) fn both(write: impl Fn(System) -> String) -> Markup {
     }
 }
 
-/// A value in the units that golfers read.
-fn value(quantity: Quantity, unit: &'static str, value: f64) -> Markup {
-    both(|system| {
-        let unit = system.unit(unit);
-        let size = quantity.size_of(unit).unwrap_or(1.0);
-        format!("{} {unit}", significant(value / size, 5)).trim_end().to_owned()
-    })
-}
-
 /// The value of an outcome; a dash where there is none.
 pub(super) fn outcome(of: Outcome, found: Option<f64>) -> Markup {
-    found.map_or(html! { "–" }, |found| value(of.quantity(), of.unit(), found))
+    both(|system| shown::outcome_or_dash(of, found, system))
 }
 
-/// The value of a parameter.
+/// A loss of an outcome.
+pub(super) fn loss(of: Outcome, loss: f64) -> Markup {
+    both(|system| shown::spread(of, loss, system))
+}
+
+/// A value of a parameter that was computed.
 pub(super) fn parameter(parameter: &Parameter, found: f64) -> Markup {
-    value(parameter.quantity, parameter.unit, found)
+    both(|system| shown::parameter(parameter, found, system))
+}
+
+/// A value of a parameter that was stated.
+pub(super) fn stated(parameter: &Parameter, value: f64) -> Markup {
+    both(|system| shown::stated(parameter, value, system))
 }

@@ -1,17 +1,17 @@
 //! The parts of a page that are words and tables.
 
 use super::Findings;
-use super::numbers::{both, outcome, parameter};
+use super::numbers::{both, loss, outcome, parameter, stated};
 use crate::drive::{Outcome, Part};
 use crate::error::Result;
 use crate::flight::Flight;
 use crate::optimize::Status;
 use crate::report::figures::{Flown, capital};
-use crate::report::optimum::{bound_in_units, constraints};
+use crate::report::optimum::{bound_in_words, constraint_price, constraints};
 use crate::report::presets::sources;
 use crate::study::certificate::Row;
 use crate::study::{Effects, Flatness, Limit, Optimum};
-use crate::units::{per, significant};
+use crate::units::significant;
 use maud::{Markup, html};
 
 /// What a launch monitor shows, of the drive as set up.
@@ -35,7 +35,7 @@ pub(super) fn panel(findings: &Findings<'_>) -> Markup {
         dl.panel {
             @for row in inputs {
                 @if let Some(value) = findings.setup.value(row) {
-                    div { dt { (tile_name(row.name)) } dd { (parameter(row, value)) } }
+                    div { dt { (tile_name(row.name)) } dd { (stated(row, value)) } }
                 }
             }
             @for of in SHOWN {
@@ -72,7 +72,7 @@ pub(super) fn outcomes(flown: &[Flown]) -> Markup {
     }
 }
 
-/// Where the optimum is, what holds it, and what more would bring.
+/// Where the optimum is, which bounds it lies on, and what moving them would bring.
 pub(super) fn optimum(best: &Optimum, flatness: Option<&Flatness>) -> Markup {
     let (search, solution) = (&best.search, &best.solution);
     let of = search.maximize;
@@ -87,17 +87,17 @@ pub(super) fn optimum(best: &Optimum, flatness: Option<&Flatness>) -> Markup {
         }
         div.wide { table {
             thead { tr {
-                th { "varied" } th.number { "optimum" } th.number { "from" } th.number { "to" } th { "price of the bound" }
-                @if let Some(flatness) = flatness { th { "alone, for " (outcome(of, Some(flatness.loss))) " less" } }
+                th { "varied" } th.number { "optimum" } th.number { "from" } th.number { "to" } th { "bound" }
+                @if let Some(flatness) = flatness { th { "alone, for a loss of " (loss(of, flatness.loss)) } }
             } }
             tbody {
                 @for (i, vary) in search.vary.iter().enumerate() {
                     tr {
                         td { (vary.parameter.name) }
                         td.number { (parameter(vary.parameter, solution.x[i])) }
-                        td.number { (parameter(vary.parameter, vary.low)) }
-                        td.number { (parameter(vary.parameter, vary.high)) }
-                        td.words { (both(|system| bound_in_units(best, i, |unit| system.unit(unit)))) }
+                        td.number { (stated(vary.parameter, vary.low)) }
+                        td.number { (stated(vary.parameter, vary.high)) }
+                        td.words { (both(|system| bound_in_words(best, i, system))) }
                         @if let Some(window) = window(i) {
                             td.words {
                                 (parameter(vary.parameter, window.low)) (limit(best, window.low_limit)) " … "
@@ -124,7 +124,6 @@ fn limit(best: &Optimum, limit: Limit) -> String {
 
 /// The constraints with their prices.
 fn limits(best: &Optimum) -> Markup {
-    let of = best.search.maximize;
     let reports = constraints(best);
     if reports.is_empty() {
         return html! {};
@@ -135,16 +134,11 @@ fn limits(best: &Optimum) -> Markup {
             tbody {
                 @for (constraint, report) in best.search.subject_to.iter().zip(reports) {
                     tr {
-                        td { (report.expression) }
+                        td { (&report.expression) }
                         td.number { (outcome(constraint.outcome, Some(report.value))) }
                         td {
                             @if best.solution.status != Status::Converged {} @else if report.multiplier == 0.0 { "not active" } @else {
-                                (both(|system| {
-                                    let [of_unit, by_unit] = [of, constraint.outcome].map(|outcome| system.unit(outcome.unit()));
-                                    let size = |outcome: Outcome, unit| outcome.quantity().size_of(unit).unwrap_or(1.0);
-                                    let price = report.multiplier * size(constraint.outcome, by_unit) / size(of, of_unit);
-                                    format!("{} {} that it is moved", significant(price, 3), per(of_unit, by_unit))
-                                }))
+                                (both(|system| constraint_price(best, constraint, &report, system))) " that it is moved"
                             }
                         }
                     }
@@ -159,14 +153,14 @@ pub(super) fn uncertainties(effects: &[Effects]) -> Markup {
     let Some(first) = effects.first() else { return html! {} };
     let sigmas = first.effects.iter().filter_map(|effect| Some(effect.bar?.sigma));
     html! {
-        h3 { "The uncertainties, and where they come from" }
+        h3 { "The uncertainties and their sources" }
         div.wide { table.told {
             thead { tr { th { "parameter" } th.number { "standard uncertainty" } th { "source" } } }
             tbody {
                 @for sigma in sigmas {
                     tr {
                         td { (sigma.parameter.name) }
-                        td.number { (parameter(sigma.parameter, sigma.value)) }
+                        td.number { (stated(sigma.parameter, sigma.value)) }
                         td.words { (sigma.source.unwrap_or("as given")) }
                     }
                 }
@@ -180,7 +174,7 @@ pub(super) fn verdicts(rows: &[Row]) -> Markup {
     html! {
         div.wide { table {
             thead { tr {
-                th { "derivative" } th.number { "exact, SI" } th.number { "differences, extrapolated" } th.number { "apart" } th { "verdict" }
+                th { "derivative" } th.number { "exact, SI" } th.number { "numerical, extrapolated" } th.number { "difference" } th { "verdict" }
             } }
             tbody {
                 @for row in rows {
@@ -201,7 +195,7 @@ pub(super) fn verdicts(rows: &[Row]) -> Markup {
 pub(super) fn setup(findings: &Findings<'_>) -> Result<Markup> {
     let rows = sources(findings.setup, findings.preset)?;
     Ok(html! {
-        p.faint { "As the program reads it; started from the preset " (findings.preset.name) "." }
+        p.faint { "All numbers of the setup and their sources; it is based on the preset " (findings.preset.name) "." }
         div.wide { table.told {
             thead { tr { th { "parameter" } th.number { "value" } th { "source" } } }
             tbody {

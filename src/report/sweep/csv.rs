@@ -1,4 +1,4 @@
-use super::{STATUS, parameter_names, push_number, result_names};
+use super::{STATUS, push_number};
 use crate::batch::{Batch, Block};
 
 /// A batch as CSV. What does not exist is an empty cell.
@@ -10,11 +10,23 @@ pub struct SweepCsv {
 impl SweepCsv {
     /// The table of a batch.
     pub fn new(batch: &Batch) -> Self {
-        let parameters = parameter_names(batch).into_iter().map(str::to_owned);
-        Self { names: parameters.chain([STATUS.to_owned()]).chain(result_names(batch)).collect() }
+        let parameters = batch.parameters().iter().map(|parameter| parameter.quantity.head(parameter.name));
+        let outcomes = batch.outcomes().iter().map(|of| of.quantity().head(of.name()));
+        let derivatives = batch.outcomes().iter().flat_map(|of| batch.wrt().iter().map(move |by| (of, by)));
+        let derivatives = derivatives.map(|(of, by)| {
+            let name = format!("d_{}/d_{}", of.name(), by.name);
+            match (of.quantity().si, by.quantity.si) {
+                ("", "") => name,
+                (unit, "") => format!("{name} [{unit}]"),
+                ("", unit) => format!("{name} [1/({unit})]"),
+                (unit, by) if by.contains([' ', '/']) => format!("{name} [{unit}/({by})]"),
+                (unit, by) => format!("{name} [{unit}/{by}]"),
+            }
+        });
+        Self { names: parameters.chain([STATUS.to_owned()]).chain(outcomes).chain(derivatives).collect() }
     }
 
-    /// The first line, with the names of the columns: none of them needs quotes.
+    /// The first line, with the names of the columns and their SI units: none of them needs quotes.
     pub fn head(&self) -> Vec<u8> {
         (self.names.join(",") + "\n").into_bytes()
     }

@@ -1,5 +1,5 @@
 //! Rows of a batch as bytes: CSV, JSON lines and Parquet. The columns are the swept parameters, `status`, the outcomes,
-//! and `d_OUTCOME/d_PARAMETER`, all in SI. Numbers are written so that they read back equal; what does not exist is an
+//! and `d_OUTCOME/d_PARAMETER`, all in SI; the heads of CSV name the units, `carry [m]`. Numbers are written so that they read back equal; what does not exist is an
 //! empty cell, or null.
 
 mod csv;

@@ -4,7 +4,7 @@ mod json;
 mod law;
 mod tables;
 
-pub use json::winfield_tan_json;
+pub use json::winfield_tan_reply;
 
 use super::document::Document;
 use crate::reproduce::WinfieldTan;

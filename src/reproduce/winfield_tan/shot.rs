@@ -1,6 +1,7 @@
 use super::printed;
 use crate::drive::{Drive, Outcome};
 use crate::error::Result;
+use crate::impact::strike;
 use crate::parameters::Setup;
 use crate::units::Quantity;
 
@@ -48,11 +49,12 @@ impl Struck {
         (at.club.loft, at.swing.attack_angle) = (loft.to_radians(), attack.to_radians());
         let drive = Drive::new(&at)?;
         let of = |outcome: Outcome| outcome.of(&drive);
+        let impact = strike(&at)?;
         let computed = SingleShot {
-            up: drive.impact.launch.velocity.x,
-            downrange: drive.impact.launch.velocity.z,
+            up: drive.launch.velocity.x,
+            downrange: drive.launch.velocity.z,
             backspin: of(Outcome::Backspin)?,
-            club_after: drive.impact.club_velocity.z,
+            club_after: impact.club_velocity.z,
             launch_angle: of(Outcome::LaunchAngle)?,
             carry: of(Outcome::Carry)?,
             flight_time: of(Outcome::FlightTime)?,

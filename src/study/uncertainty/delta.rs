@@ -21,7 +21,10 @@ pub fn delta_method(at_means: &Taylor, inputs: &[Distribution]) -> (Moments, Opt
     let moments: Vec<[f64; 3]> = inputs.iter().map(Distribution::central_moments).collect();
     let gradient = &at_means.gradient;
     let linear: f64 = gradient.iter().zip(&moments).map(|(g, [second, ..])| g * g * second).sum();
-    let first = Moments { mean: at_means.value, deviation: linear.sqrt() };
+    // squares of very large deviations are no numbers where the deviations are
+    let by_size = || gradient.iter().zip(inputs).map(|(g, input)| (g * input.deviation()).abs()).fold(0.0, f64::hypot);
+    let deviation = if linear.is_finite() { linear.sqrt() } else { by_size() };
+    let first = Moments { mean: at_means.value, deviation };
     if at_means.hessian.is_empty() {
         return (first, None);
     }

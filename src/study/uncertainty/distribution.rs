@@ -74,7 +74,10 @@ impl Distribution {
 
     /// The standard deviation.
     pub fn deviation(&self) -> f64 {
-        self.central_moments()[0].sqrt()
+        match *self {
+            Self::Normal { deviation, .. } => deviation,
+            _ => self.central_moments()[0].sqrt(),
+        }
     }
 
     /// Poincaré's constant C, or a little more: the variance of any f is at most C times the mean of f′². σ² of a normal distribution,

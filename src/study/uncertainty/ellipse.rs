@@ -28,11 +28,32 @@ impl LandingEllipse {
     /// Whether a landing lies within it.
     pub fn contains(&self, landing: [f64; 2]) -> bool {
         let off = [landing[0] - self.centre[0], landing[1] - self.centre[1]];
-        let part = |axis: [f64; 2]| {
+        let (mut squares, mut left) = (0.0, off);
+        for axis in self.half_axes {
             let square = axis[0] * axis[0] + axis[1] * axis[1];
-            let along = off[0] * axis[0] + off[1] * axis[1];
-            if square > 0.0 { (along / square).powi(2) } else { 0.0 }
-        };
-        self.half_axes.map(part).iter().sum::<f64>() <= 1.0
+            if square > 0.0 {
+                let part = (off[0] * axis[0] + off[1] * axis[1]) / square;
+                squares += part * part;
+                left = [left[0] - part * axis[0], left[1] - part * axis[1]];
+            }
+        }
+        // a flat ellipse holds nothing beside it
+        let rounding = 1e-12 * (off[0].hypot(off[1]) + self.centre[0].hypot(self.centre[1]));
+        squares <= 1.0 && left[0].hypot(left[1]) <= rounding
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::LandingEllipse;
+
+    #[test]
+    fn exact_a_flat_ellipse_holds_what_lies_on_it_and_a_point_itself_alone() {
+        let flat = LandingEllipse::new(0.95, [0.0, 200.0], [[0.0, 0.0], [0.0, 4.0]]);
+        // 2 √(−2 ln 0.05) = 4.896
+        assert!(flat.contains([0.0, 204.8]) && !flat.contains([0.0, 204.9]));
+        assert!(!flat.contains([0.1, 200.0]));
+        let point = LandingEllipse::new(0.95, [3.0, 200.0], [[0.0; 2]; 2]);
+        assert!(point.contains([3.0, 200.0]) && !point.contains([3.0, 201.0]) && !point.contains([2.0, 200.0]));
     }
 }

@@ -76,14 +76,23 @@ pub struct SampledEllipse {
 }
 
 impl OutcomeUncertainty {
+    /// Whether the outcome varies with what is uncertain; where it does not, it is the same in every drive of the sample.
+    pub fn varies(&self) -> bool {
+        self.sampled.as_ref().is_none_or(|sampled| sampled.deviation.value > 0.0)
+    }
+
     /// The parameter to measure first: the one whose knowledge takes most off the variance, and the standard deviation that is left
-    /// on average.
+    /// on average. `None` where the outcome does not vary, or no parameter's knowledge alone takes anything off.
     pub fn measure_first(&self, inputs: &[Uncertain]) -> Option<(&'static Parameter, f64)> {
         let sampled = self.sampled.as_ref()?;
         let share =
             |(input, indices): (&Uncertain, &Option<Indices>)| Some((input.parameter, indices.as_ref()?.first.value));
-        let (parameter, share) =
-            inputs.iter().zip(&sampled.indices).filter_map(share).max_by(|a, b| a.1.total_cmp(&b.1))?;
+        let (parameter, share) = inputs
+            .iter()
+            .zip(&sampled.indices)
+            .filter_map(share)
+            .max_by(|a, b| a.1.total_cmp(&b.1))
+            .filter(|best| best.1 > 0.0)?;
         Some((parameter, sampled.deviation.value * (1.0 - share).max(0.0).sqrt()))
     }
 }
@@ -102,7 +111,7 @@ pub fn uncertainty(
     progress: impl Fn(usize, usize) + Sync,
 ) -> Result<Uncertainty> {
     if plan.samples < 2 {
-        let reason = "statistics take a sample of 2 points at least".into();
+        let reason = "the sample needs at least 2 points".into();
         return Err(Error::SearchRange { name: format!("--samples {}", plan.samples), reason });
     }
     let parameters: Vec<_> = inputs.iter().map(|input| input.parameter).collect();
@@ -141,7 +150,7 @@ pub fn uncertainty(
         });
         OutcomeUncertainty {
             of: *of,
-            delta: at_means[i].as_ref().map(|taylor| delta_method(taylor, &distributions)),
+            delta: at_means[i].as_ref().map(|taylor| delta_method(taylor, &distributions)).and_then(existing),
             slopes: slopes.collect(),
             sampled,
         }
@@ -158,6 +167,12 @@ pub fn uncertainty(
         _ => vec![],
     };
     Ok(Uncertainty { inputs: inputs.to_vec(), outcomes, tally, plan, ellipses })
+}
+
+/// The moments that are numbers: an uncertainty beyond all measure has squares that are none.
+fn existing((first, second): (Moments, Option<Moments>)) -> Option<(Moments, Option<Moments>)> {
+    let exists = |moments: &Moments| moments.mean.is_finite() && moments.deviation.is_finite();
+    exists(&first).then(|| (first, second.filter(exists)))
 }
 
 /// Each outcome with gradient and Hessian where all uncertain parameters have their means; `None` where there is none.
@@ -180,7 +195,8 @@ fn slopes(derivatives: &[Option<f64>], distribution: &Distribution, variance: f6
         return None;
     }
     let mean_square = squares.iter().sum::<f64>() / squares.len() as f64;
-    Some(Slopes { mean_square, bound: distribution.poincare() * mean_square / variance })
+    let slopes = Slopes { mean_square, bound: distribution.poincare() * mean_square / variance };
+    (slopes.mean_square.is_finite() && slopes.bound.is_finite()).then_some(slopes)
 }
 
 /// The ellipses of landings [lateral, carry], by the sample and by the gradients at the means.
@@ -212,6 +228,8 @@ fn ellipses(
         SampledEllipse { ellipse, by_gradient, holds: within as f64 / n }
     };
     let sampled = SHARES.map(|share| ellipse(false, mean, sampled, share));
+    let exists = |covariance: &[[f64; 2]; 2]| covariance.iter().flatten().all(|entry| entry.is_finite());
+    let linear = linear.filter(|(_, covariance)| exists(covariance));
     let linear = linear.map(|(centre, covariance)| SHARES.map(|share| ellipse(true, centre, covariance, share)));
     sampled.into_iter().chain(linear.into_iter().flatten()).collect()
 }

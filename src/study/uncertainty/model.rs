@@ -49,7 +49,7 @@ pub struct Indices {
 pub struct Statistics {
     /// The mean.
     pub mean: Interval,
-    /// The standard deviation.
+    /// The standard deviation; 0 where the output is the same at every point but for rounding.
     pub deviation: Interval,
     /// The values below which 2.5, 50 and 97.5 % of the sample lie.
     pub quantiles: [f64; 3],
@@ -97,6 +97,12 @@ impl Design {
         if all.len() < 2 {
             return None;
         }
+        let varies = varies(&all);
+        if !varies {
+            // what is left of a constant is rounding, and no number's share in it means anything
+            let constant = all[0];
+            all.fill(constant);
+        }
         let (mean, deviation) = mean_and_deviation(&all);
         let resample = |stream: u64| {
             let mut random = self.random(stream);
@@ -110,7 +116,9 @@ impl Design {
             .collect();
         let left_out = values[0].len() - rows.len();
         let inputs = values.len() - 2;
-        let indices = if deviation > 0.0 && rows.len() >= 2 { self.indices(&rows, inputs) } else { vec![None; inputs] };
+        let of_rows: Vec<f64> = rows.iter().flat_map(|row| [row[0] + mean, row[1] + mean]).collect();
+        let has_shares = varies && rows.len() >= 2 && self::varies(&of_rows);
+        let indices = if has_shares { self.indices(&rows, inputs) } else { vec![None; inputs] };
         all.sort_by(f64::total_cmp);
         Some(Statistics {
             mean: interval(mean, means),
@@ -133,7 +141,8 @@ impl Design {
         let both = |i: usize| {
             let of =
                 |which: usize| interval(estimates[i][which], drawn.iter().map(|shares| shares[i][which]).collect());
-            Some(Indices { first: of(0), total: of(1) })
+            let indices = Indices { first: of(0), total: of(1) };
+            (indices.first.value.is_finite() && indices.total.value.is_finite()).then_some(indices)
         };
         (0..inputs).map(both).collect()
     }
@@ -169,9 +178,20 @@ fn index(random: &mut Xoshiro256PlusPlus, below: usize) -> usize {
     ((u128::from(random.next_u64()) * below as u128) >> 64) as usize
 }
 
+/// Values that differ by no more than this, relative to the largest, are one number with its rounding.
+const SAME: f64 = 64.0 * f64::EPSILON;
+
+/// Whether values differ by more than rounding.
+fn varies(values: &[f64]) -> bool {
+    let (low, high) =
+        values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &v| (low.min(v), high.max(v)));
+    high - low > SAME * low.abs().max(high.abs())
+}
+
 pub(super) fn mean_and_deviation(values: &[f64]) -> (f64, f64) {
-    let n = values.len() as f64;
-    let mean = values.iter().sum::<f64>() / n;
+    let (n, one) = (values.len() as f64, values[0]);
+    // the mean of equal numbers is that number, to the last bit
+    let mean = one + values.iter().map(|value| value - one).sum::<f64>() / n;
     let squares: f64 = values.iter().map(|value| (value - mean) * (value - mean)).sum();
     (mean, (squares / (n - 1.0)).sqrt())
 }

@@ -5,8 +5,8 @@ use std::path::PathBuf;
 
 #[derive(clap::Args)]
 pub struct Calibrate {
-    /// Measured shots in CSV, a row each: columns named by parameters and outcomes, the unit in the head, as in "carry [yd]";
-    /// see docs/calibration.md.
+    /// Measured shots as CSV, one row per shot; the head of each column names a parameter or an outcome and its unit, as in
+    /// "carry [yd]"; see docs/calibration.md.
     #[arg(value_name = "DATA")]
     pub data: PathBuf,
 
@@ -17,7 +17,7 @@ pub struct Calibrate {
     #[arg(long, value_name = "NAME[=LOW..HIGH]", required = true, allow_hyphen_values = true)]
     pub fit: Vec<String>,
 
-    /// Let outliers pull no harder than a residual of 1.345 σ (Huber's loss).
+    /// Limit the influence of outliers to that of a residual of 1.345 σ (Huber's loss).
     #[arg(long)]
     pub huber: bool,
 
@@ -25,15 +25,15 @@ pub struct Calibrate {
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
     pub starts: u32,
 
-    /// Fit again K times, each without a K-th of the rows, and show how well these are told.
+    /// Cross-validate: fit K times, each time without a K-th of the rows, and show how well those rows are predicted.
     #[arg(long, value_name = "K", default_value_t = 0)]
     pub folds: u32,
 
-    /// Another aerodynamic law, as published and fitted, on the same rows by held-out error. Repeatable.
+    /// Compare with another aerodynamic law, as published and fitted, by its cross-validation error. Repeatable.
     #[arg(long, value_name = "LAW")]
     pub compare: Vec<String>,
 
-    /// Most iterations of a search.
+    /// The largest number of iterations of a search.
     #[arg(long, value_name = "N", default_value_t = 200)]
     pub max_iterations: u64,
 
@@ -56,11 +56,11 @@ pub struct Reproduce {
     #[arg(value_enum, value_name = "STUDY")]
     pub study: Published,
 
-    /// Print the answer as JSON (SI and radians) to standard output, and nothing else there.
+    /// Print the answer as JSON (SI units and radians), and nothing else, to standard output.
     #[arg(long)]
     pub json: bool,
 
-    /// Write it into this folder too: a page (index.html), Markdown, and every plot as SVG with its data as CSV.
+    /// Write the study into this folder too: a page (index.html), Markdown, and every plot as SVG with its data as CSV.
     #[arg(long, short, value_name = "DIR")]
     pub output: Option<PathBuf>,
 

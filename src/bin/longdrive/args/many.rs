@@ -13,11 +13,11 @@ pub struct Sweep {
     #[arg(long, value_name = "NAME=LOW..HIGH:COUNT", allow_hyphen_values = true)]
     pub over: Vec<String>,
 
-    /// Spread this many points evenly over the ranges of --over (which then have no counts): Sobol's sequence.
+    /// Take this many points of a quasi-random (Sobol') sequence in the ranges of --over, which then have no counts.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     pub sample: Option<u64>,
 
-    /// Another seed, other points of --sample.
+    /// The seed of --sample; the same seed gives the same points.
     #[arg(long, value_name = "SEED", default_value_t = 0, requires = "sample")]
     pub seed: u32,
 
@@ -30,11 +30,11 @@ pub struct Sweep {
     #[arg(long, value_name = "OUTCOME,…", value_delimiter = ',', default_value = "carry")]
     pub outcomes: Vec<String>,
 
-    /// The exact derivatives of the outcomes too, by the swept parameters.
+    /// Compute the exact derivatives of the outcomes with respect to the swept parameters too.
     #[arg(long)]
     pub gradient: bool,
 
-    /// The exact derivatives of the outcomes too, by these parameters, separated by commas.
+    /// Compute the exact derivatives of the outcomes with respect to these parameters too, separated by commas.
     #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
     pub wrt: Vec<String>,
 
@@ -42,11 +42,11 @@ pub struct Sweep {
     #[arg(long, short, value_name = "FILE", default_value = "-")]
     pub output: PathBuf,
 
-    /// The format, whatever the file's name ends in (standard output: CSV unless said otherwise).
+    /// The format, whatever the name of the file ends in [default for standard output: csv].
     #[arg(long, value_enum)]
     pub format: Option<Format>,
 
-    /// Go on with a sweep that was stopped or killed: the file ends up as if nothing had happened.
+    /// Continue a sweep that was stopped or killed; the complete file is the same as without the interruption.
     #[arg(long, conflicts_with = "overwrite")]
     pub resume: bool,
 
@@ -54,7 +54,7 @@ pub struct Sweep {
     #[arg(long)]
     pub overwrite: bool,
 
-    /// Refuse to begin what would take more than this, e.g. 50GB (without it: more than the disk has free).
+    /// Refuse a sweep whose file would be larger than this, e.g. 50GB [default: the free space of the disk].
     #[arg(long, value_name = "SIZE")]
     pub max_size: Option<String>,
 

@@ -4,6 +4,7 @@ mod certainty;
 mod data;
 mod many;
 mod picture;
+mod program;
 mod question;
 mod search;
 
@@ -11,55 +12,123 @@ pub use certainty::{SensitivityArgs, UncertaintyArgs, Verify};
 pub use data::{Calibrate, Published, Reproduce};
 pub use many::{Format, Sweep};
 pub use picture::{
-    Drawing, Plot, PlotChart, PlotContour, PlotKind, PlotTornado, PlotTrajectory, PlotVcurve, Report, Seen, Units,
+    Drawing, Plot, PlotChart, PlotContour, PlotKind, PlotTornado, PlotTrajectory, PlotVcurve, Report, Seen,
 };
+pub use program::{Completions, Man, Shown};
 pub use question::{Gradient, Parameters, Presets, Question, Simulate};
 pub use search::{ChartArgs, Optimize, OptimumSensitivity, SearchArgs, WorkArgs};
 
 use clap::{Parser, Subcommand};
+use std::ffi::OsString;
 
 /// The longest golf drive, with exact derivatives.
 ///
-/// A drive is hit (rigid bodies, ellipsoidal face), flown (drag, lift, spin decay, wind) and landed; every
-/// outcome has exact derivatives by every parameter. Exit status: 0 done, 1 no answer (no flight, not
-/// converged), 2 bad input.
+/// Computes the impact (rigid bodies, ellipsoidal face), the flight (drag, lift, spin decay, wind) and the landing of
+/// a golf drive, and the exact derivatives of every outcome with respect to every parameter. Exit status: 0 done, 1 no
+/// answer (no flight, not converged), 2 bad input.
 #[derive(Parser)]
-#[command(version, max_term_width = 110)]
+#[command(version, max_term_width = 100)]
 pub struct Args {
+    #[command(flatten)]
+    pub shown: Shown,
+
     #[command(subcommand)]
     pub command: Command,
 }
 
 #[derive(Subcommand)]
 pub enum Command {
-    /// Hit and fly one drive.
+    /// Compute one drive: impact, launch and flight.
     Simulate(Simulate),
     /// Exact derivatives of outcomes with respect to parameters.
     Gradient(Gradient),
     /// Find the parameters that make an outcome largest: by default the loft and attack angle of the longest carry.
     Optimize(Optimize),
-    /// How the optimum answers to every other parameter, what its bounds and constraints cost, and how flat it is.
+    /// How the optimum depends on every other parameter, what its bounds and constraints cost, and how flat it is.
     OptimumSensitivity(OptimumSensitivity),
-    /// Fit parameters to measured shots, with their uncertainty and what the data do not tell.
+    /// Fit parameters to measured shots, with their uncertainties and what the data do not determine.
     Calibrate(Calibrate),
-    /// The optimum as a function of a parameter.
+    /// Compute the optimum as a function of a parameter.
     Chart(ChartArgs),
-    /// A plot as SVG or PNG, or its data as CSV.
+    /// Draw a plot as SVG or PNG, or write its data as CSV.
     Plot(Plot),
-    /// A page to look at: the drive, the map of the optimum, its prices, what it answers to; with its plots and their data.
+    /// Write a page (HTML) of the drive, the optimum, a map around it, sensitivities and uncertainties, with plots and data.
     Report(Report),
-    /// Very many drives: every point of a grid, a quasi-random sequence or a table, to CSV, JSON lines or Parquet.
+    /// Compute very many drives: the points of a grid, a quasi-random sequence or a table, to CSV, JSON lines or Parquet.
     Sweep(Sweep),
-    /// A published study computed anew, its every number beside what it prints.
+    /// Reproduce a published study: each printed number beside the computed one.
     Reproduce(Reproduce),
-    /// Hold every exact derivative against differences, and everything they rest on: exit status 1 if any fails.
+    /// Compare every exact derivative with numerical differences, and check what both rest on; exit status 1 if a check fails.
     Verify(Verify),
-    /// What outcomes answer to: slopes, elasticities, and the effect of an uncertainty of each parameter, the largest first.
+    /// How outcomes depend on parameters: slopes, elasticities, and the effect of the uncertainty of each parameter.
     Sensitivity(SensitivityArgs),
-    /// What is uncertain about outcomes where parameters are: by exact derivatives, and by many drives.
+    /// Compute the uncertainty of outcomes from uncertain parameters: by exact derivatives, and by a sample of drives.
     Uncertainty(UncertaintyArgs),
     /// List every parameter with its unit, range, default and meaning.
     Parameters(Parameters),
     /// List the presets, or print one as a setup file with the source of each number.
     Presets(Presets),
+    /// Print a script that completes commands and options in a shell.
+    Completions(Completions),
+    /// Print a manual page, or write the pages of all commands.
+    Man(Man),
+}
+
+impl Command {
+    /// The commands that answer in JSON where it is asked for.
+    const NAMES: [&str; 15] = [
+        "simulate",
+        "gradient",
+        "optimize",
+        "optimum-sensitivity",
+        "calibrate",
+        "chart",
+        "plot",
+        "report",
+        "sweep",
+        "reproduce",
+        "verify",
+        "sensitivity",
+        "uncertainty",
+        "parameters",
+        "presets",
+    ];
+
+    /// The command among arguments that could not be read.
+    pub fn named_in(words: &[OsString]) -> Option<&'static str> {
+        words.iter().find_map(|word| Self::NAMES.into_iter().find(|name| word == name))
+    }
+
+    /// Its name on the command line, and whether its answer is to be JSON.
+    fn asked(&self) -> (&'static str, bool) {
+        match self {
+            Self::Simulate(args) => ("simulate", args.question.json),
+            Self::Gradient(args) => ("gradient", args.question.json),
+            Self::Optimize(args) => ("optimize", args.question.json),
+            Self::OptimumSensitivity(args) => ("optimum-sensitivity", args.optimize.question.json),
+            Self::Calibrate(args) => ("calibrate", args.question.json),
+            Self::Chart(args) => ("chart", args.question.json),
+            Self::Plot(args) => ("plot", args.kind.question().json),
+            Self::Report(args) => ("report", args.question.json),
+            Self::Sweep(args) => ("sweep", args.question.json),
+            Self::Reproduce(args) => ("reproduce", args.json),
+            Self::Verify(args) => ("verify", args.question.json),
+            Self::Sensitivity(args) => ("sensitivity", args.question.json),
+            Self::Uncertainty(args) => ("uncertainty", args.question.json),
+            Self::Parameters(args) => ("parameters", args.question.json),
+            Self::Presets(args) => ("presets", args.json),
+            Self::Completions(_) => ("completions", false),
+            Self::Man(_) => ("man", false),
+        }
+    }
+
+    /// Its name on the command line.
+    pub fn name(&self) -> &'static str {
+        self.asked().0
+    }
+
+    /// Whether its answer is to be JSON.
+    pub fn is_json(&self) -> bool {
+        self.asked().1
+    }
 }

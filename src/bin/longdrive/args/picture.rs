@@ -19,16 +19,29 @@ pub enum PlotKind {
     Contour(PlotContour),
     /// The optimum as a function of a parameter.
     Chart(PlotChart),
-    /// What standard uncertainties of parameters do to an outcome.
+    /// The effects of the uncertainties of parameters on an outcome.
     Tornado(PlotTornado),
-    /// Central differences beside exact derivatives, by their step.
+    /// The error of central differences against exact derivatives, by step.
     Vcurve(PlotVcurve),
+}
+
+impl PlotKind {
+    /// What the plot starts from.
+    pub fn question(&self) -> &Question {
+        match self {
+            Self::Trajectory(args) => &args.question,
+            Self::Contour(args) => &args.question,
+            Self::Chart(args) => &args.question,
+            Self::Tornado(args) => &args.question,
+            Self::Vcurve(args) => &args.question,
+        }
+    }
 }
 
 /// How a plot is drawn.
 #[derive(clap::Args)]
 pub struct Drawing {
-    /// The file to write; its ending says what: .svg or .png for a picture, .csv for its data (SI and radians).
+    /// The file to write: .svg or .png for a picture, .csv for its data (SI units and radians).
     #[arg(long, short, value_name = "FILE")]
     pub output: PathBuf,
 
@@ -36,26 +49,13 @@ pub struct Drawing {
     #[arg(long)]
     pub overwrite: bool,
 
-    /// The units on the axes.
-    #[arg(long, value_enum, default_value_t = Units::Us)]
-    pub units: Units,
-
-    /// For a dark page.
+    /// Draw for a dark background.
     #[arg(long)]
     pub dark: bool,
 
-    /// The picture's width, pixels; a PNG has twice as many dots. Text keeps its size.
+    /// The width of the picture in pixels; a PNG has twice the resolution. The size of the text does not change.
     #[arg(long, value_name = "PIXELS", default_value_t = 480, value_parser = clap::value_parser!(u32).range(240..=4000))]
     pub width: u32,
-}
-
-/// The units of a plot.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-pub enum Units {
-    /// Metres and metres per second.
-    Metric,
-    /// Yards and miles per hour.
-    Us,
 }
 
 /// Where a trajectory is seen from.
@@ -75,7 +75,7 @@ pub struct PlotTrajectory {
     #[command(flatten)]
     pub drawing: Drawing,
 
-    /// Where it is seen from.
+    /// The side from which the trajectory is shown.
     #[arg(long, value_enum, default_value_t = Seen::Side)]
     pub view: Seen,
 }
@@ -107,7 +107,7 @@ pub struct PlotChart {
     #[arg(long, value_name = "NAME=LOW..HIGH", allow_hyphen_values = true)]
     pub along: String,
 
-    /// What to draw along it: the outcome, or one of the parameters varied.
+    /// The curve to draw: the outcome, or one of the parameters varied.
     #[arg(long, value_name = "NAME")]
     pub show: Option<String>,
 }
@@ -124,8 +124,8 @@ pub struct PlotTornado {
     #[arg(long, value_name = "OUTCOME", default_value = "carry")]
     pub of: String,
 
-    /// The standard uncertainty of a parameter, e.g. swing.speed=1mph or air.density=0.5%. Repeatable; others have the defaults
-    /// of `longdrive sensitivity`.
+    /// The standard uncertainty of a parameter, e.g. swing.speed=1mph or air.density=0.5%. Repeatable; other parameters have
+    /// the default uncertainties of "longdrive sensitivity".
     #[arg(long, value_name = "NAME=AMOUNT")]
     pub sigma: Vec<String>,
 }
@@ -155,8 +155,8 @@ pub struct Report {
     #[command(flatten)]
     pub search: SearchArgs,
 
-    /// The folder to write: index.html, and each plot as NAME-metric.svg, NAME-us.svg and NAME.csv. Made where it does not
-    /// exist; other files in it are left alone.
+    /// The folder to write: index.html, and each plot as NAME-metric.svg, NAME-us.svg and NAME.csv. The folder is created if it
+    /// does not exist; other files in it are not touched.
     #[arg(long, short, value_name = "DIR")]
     pub output: PathBuf,
 
@@ -164,8 +164,8 @@ pub struct Report {
     #[arg(long)]
     pub overwrite: bool,
 
-    /// The standard uncertainty of a parameter, e.g. swing.speed=1mph or air.density=0.5%. Repeatable; others have the defaults
-    /// of `longdrive sensitivity`.
+    /// The standard uncertainty of a parameter, e.g. swing.speed=1mph or air.density=0.5%. Repeatable; other parameters have
+    /// the default uncertainties of "longdrive sensitivity".
     #[arg(long, value_name = "NAME=AMOUNT")]
     pub sigma: Vec<String>,
 

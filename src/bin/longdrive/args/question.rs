@@ -7,16 +7,23 @@ pub struct Question {
     #[arg(value_name = "SETUP", default_value = "modern-driver")]
     pub setup: String,
 
-    /// Override a parameter, e.g. club.loft=10.5deg; a quantity with a dimension needs its unit. Repeatable.
+    /// Set a parameter, in place of the value of the setup, e.g. club.loft=10.5deg; a quantity with a dimension needs its unit. Repeatable.
     #[arg(long, value_name = "NAME=VALUE")]
     pub set: Vec<String>,
 
-    /// Fly every drive of this question to within this length of its exact carry (1um where none is given), as cheaply as that
-    /// goes: method and step are chosen once, before the first drive. Without: flight.method and flight.step.
+    /// Fly a ball that leaves like this, as a launch monitor reports it, without a club: ball_speed, launch_angle,
+    /// launch_direction, and backspin with sidespin or spin with spin_axis; e.g.
+    /// ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm.
+    #[arg(long, value_name = "NAME=VALUE,…", value_delimiter = ',')]
+    pub launch: Vec<String>,
+
+    /// Choose the method and the time step so that carry is within this length of its exact value (1um if no length is
+    /// given), at the least cost; they are chosen once, before the first drive. Without this option: flight.method and
+    /// flight.step of the setup.
     #[arg(long, value_name = "LENGTH", num_args = 0..=1, default_missing_value = "1um", require_equals = true)]
     pub tolerance: Option<String>,
 
-    /// Print the answer as JSON (SI and radians) to standard output, and nothing else there.
+    /// Print the answer as JSON (SI units and radians), and nothing else, to standard output.
     #[arg(long)]
     pub json: bool,
 }
@@ -36,11 +43,11 @@ pub struct Gradient {
     #[arg(long, value_name = "OUTCOME,…", value_delimiter = ',', default_value = "carry")]
     pub of: Vec<String>,
 
-    /// The parameters, separated by commas; "all" for every one that has a number here.
+    /// The parameters, separated by commas; "all" for every one that has a value in this setup.
     #[arg(long, value_name = "NAME,…", value_delimiter = ',', default_value = "club.loft,swing.attack_angle")]
     pub wrt: Vec<String>,
 
-    /// The Hessian too.
+    /// Compute the second derivatives (the Hessian) too.
     #[arg(long)]
     pub hessian: bool,
 }

@@ -6,30 +6,30 @@ use std::path::PathBuf;
 /// What to look for.
 #[derive(clap::Args)]
 pub struct SearchArgs {
-    /// The outcome to make as large as possible (carry, where neither this nor --minimize is given).
+    /// The outcome to maximize [default: carry, unless --minimize is given].
     #[arg(long, value_name = "OUTCOME", conflicts_with = "minimize")]
     pub maximize: Option<String>,
 
-    /// The outcome to make as small as possible.
+    /// The outcome to minimize.
     #[arg(long, value_name = "OUTCOME")]
     pub minimize: Option<String>,
 
-    /// A parameter to vary, with its range, e.g. club.loft=4deg..20deg. Repeatable; without any: loft 4–20° and
-    /// attack angle −5…+5°.
+    /// A parameter to vary, with its range, e.g. club.loft=4deg..20deg. Repeatable [default: loft 4 to
+    /// 20 deg and attack angle -5 to 5 deg].
     #[arg(long, value_name = "NAME=LOW..HIGH", allow_hyphen_values = true)]
     pub vary: Vec<String>,
 
-    /// An outcome to hold within limits, e.g. "descent_angle >= 38 deg", "20 yd <= apex_height <= 35 yd" or
+    /// A constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <= apex_height <= 35 yd" or
     /// "lateral == 0 m"; every limit with its unit. Repeatable.
     #[arg(long, value_name = "CONSTRAINT", allow_hyphen_values = true)]
     pub subject_to: Vec<String>,
 
-    /// Most iterations of a search (500).
+    /// The largest number of iterations of a search [default: 500].
     #[arg(long, value_name = "N")]
     pub max_iterations: Option<u64>,
 }
 
-/// How long work is done.
+/// How much is searched.
 #[derive(clap::Args)]
 pub struct WorkArgs {
     /// Search from this many starts, spread evenly over the ranges (the first is the setup's own), and list the local
@@ -37,7 +37,7 @@ pub struct WorkArgs {
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
     pub starts: u32,
 
-    /// Keep the search in this file after every iteration, and go on from it where it exists.
+    /// Save the search to this file after every iteration; if the file exists, continue from it.
     #[arg(long, value_name = "FILE")]
     pub checkpoint: Option<PathBuf>,
 }
@@ -67,16 +67,18 @@ pub struct OptimumSensitivity {
     #[command(flatten)]
     pub optimize: Optimize,
 
-    /// The parameters to answer to, separated by commas; "all" for every one that has a number here and is not varied.
+    /// The parameters that the optimum depends on, separated by commas; "all" for every one that has a value in this
+    /// setup and is not varied.
     #[arg(long, value_name = "NAME,…", value_delimiter = ',', default_value = "all")]
     pub wrt: Vec<String>,
 
-    /// A change of a parameter, e.g. swing.speed=+5mph: its effect on the optimum is predicted and, beside it, searched
-    /// anew. Repeatable.
+    /// A change of a parameter, e.g. swing.speed=+5mph: its effect on the optimum is predicted, and compared with a new
+    /// search. Repeatable.
     #[arg(long, value_name = "NAME=AMOUNT", allow_hyphen_values = true)]
     pub change: Vec<String>,
 
-    /// The loss that the windows allow (default: 1 yd for a distance, 1 % of the outcome otherwise).
+    /// The loss of the outcome for which tolerances of the optimum are computed [default: 1 yd for a distance, 1 % of the
+    /// outcome otherwise].
     #[arg(long, value_name = "AMOUNT")]
     pub loss: Option<String>,
 }
@@ -93,7 +95,12 @@ pub struct ChartArgs {
     #[arg(long, value_name = "NAME=LOW..HIGH", allow_hyphen_values = true)]
     pub along: String,
 
-    /// Print the chart as CSV (SI and radians).
+    /// The values of that parameter to give the optimum at, separated by commas, e.g. 90mph,100mph,110mph; --along may then
+    /// be the name alone. Without: as many as the curve needs.
+    #[arg(long, value_name = "VALUE,…", value_delimiter = ',', allow_hyphen_values = true)]
+    pub at: Vec<String>,
+
+    /// Print the chart as CSV (SI units and radians).
     #[arg(long, conflicts_with = "json")]
     pub csv: bool,
 }

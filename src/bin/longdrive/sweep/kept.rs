@@ -149,7 +149,7 @@ impl<'a> Kept<'a> {
         };
         if let Some(part) = writer.question.difference(&question) {
             let reason = format!(
-                "it belongs to another question ({part} differs); repeat the command that began it, or --overwrite it"
+                "it belongs to another command ({part} differ); repeat the command that began it, or replace it with --overwrite"
             );
             return Err(refused(&path, reason));
         }

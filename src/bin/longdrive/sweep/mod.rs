@@ -12,6 +12,7 @@ use crate::names::{outcomes, variables};
 use crate::output::{Answer, bar, tell, warn};
 use crate::search::interrupt;
 use longdrive::batch::{Batch, Run, Tally};
+use longdrive::report::Reply;
 use longdrive::{Error, Result};
 use rows::{Rows, Writer};
 use serde::Serialize;
@@ -34,7 +35,8 @@ pub fn run(args: &Sweep) -> Result<Answer> {
     let writer = Writer::new(&batch, target.format, points.identity())?;
     room::check(args, &batch, points.as_mut(), &writer, &target)?;
     let mut output = target.open(&writer, args)?;
-    warn(&setup.warnings());
+    let warnings = setup.warnings();
+    warn(&warnings);
 
     let total = points.rows();
     let stop = interrupt("stopping after the drives under way");
@@ -75,7 +77,11 @@ pub fn run(args: &Sweep) -> Result<Answer> {
         });
     }
     Ok(match (args.question.json, target.is_standard_output()) {
-        (true, _) => Answer::json(&summary),
+        (true, _) => {
+            let reply = Reply::done("sweep", warnings, &summary);
+            let stopped = || Some(format!("stopped: {}", summary.text(None)));
+            Answer::json(&if is_complete { reply } else { reply.ended("interrupted", stopped()) })
+        }
         (false, false) if is_complete => Answer::text(summary.text(target.file()) + "\n"),
         _ => Answer::text(String::new()),
     }
@@ -91,18 +97,18 @@ struct Summary {
     /// Rows that are written.
     written: u64,
     /// How many of them ended how.
-    status: Map<String, Value>,
+    statuses: Map<String, Value>,
 }
 
 impl Summary {
     fn new(rows: u64, tally: Tally, args: &Sweep) -> Self {
-        let status = tally.counts().map(|(status, count)| (status.name().into(), count.into())).collect();
+        let statuses = tally.counts().map(|(status, count)| (status.name().into(), count.into())).collect();
         let written = tally.counts().map(|(_, count)| count).sum();
-        Self { file: args.output.display().to_string(), rows, written, status }
+        Self { file: args.output.display().to_string(), rows, written, statuses }
     }
 
     fn text(&self, file: Option<&Path>) -> String {
-        let counts = self.status.iter().filter(|(_, count)| count.as_u64() != Some(0));
+        let counts = self.statuses.iter().filter(|(_, count)| count.as_u64() != Some(0));
         let counts: Vec<_> = counts.map(|(status, count)| format!("{count} {status}")).collect();
         let part = if self.written == self.rows { String::new() } else { format!(" of {}", self.rows) };
         let file = file.map_or(String::new(), |file| format!(" in {}", file.display()));

@@ -21,9 +21,9 @@ impl Question {
     /// What this question differs in from another.
     pub fn difference(&self, other: &Self) -> Option<&'static str> {
         let parts = [
-            ("longdrive's version", &self.version, &other.version),
-            ("the format", &self.format, &other.format),
-            ("the setup", &self.setup, &other.setup),
+            ("the versions of longdrive", &self.version, &other.version),
+            ("the formats", &self.format, &other.format),
+            ("the setups", &self.setup, &other.setup),
             ("the points", &self.points, &other.points),
             ("the outcomes", &self.outcomes, &other.outcomes),
             ("the derivatives", &self.derivatives, &other.derivatives),

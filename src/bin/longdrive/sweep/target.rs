@@ -32,7 +32,7 @@ impl Target {
             _ => return refuse("its name must end in .csv, .jsonl or .parquet, or --format must name the format"),
         };
         if target.is_standard_output() && args.question.json {
-            return refuse("standard output cannot take the rows and the summary of --json; name a file with -o");
+            return refuse("standard output cannot hold both the rows and the summary of --json; name a file with -o");
         }
         if target.is_stream() && args.resume {
             return refuse("only a file can be resumed; name one with -o");

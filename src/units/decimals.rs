@@ -1,0 +1,117 @@
+//! How many digits a number gets where people read it: those of a launch monitor's display.
+
+use super::{Quantity, significant};
+
+/// Decimals by unit. A unit that is not listed gets [`DIGITS`] significant digits.
+const DECIMALS: [(&str, usize); 13] = [
+    ("yd", 1),
+    ("m", 1),
+    ("mm", 1),
+    ("in", 2),
+    ("mph", 1),
+    ("m/s", 1),
+    ("deg", 1),
+    ("rpm", 0),
+    ("rad/s", 1),
+    ("s", 2),
+    ("g", 1),
+    ("g cm^2", 0),
+    // ratios of two measured numbers, as the smash factor
+    ("", 2),
+];
+
+/// Significant digits where the unit does not say how many decimals are right.
+const DIGITS: usize = 5;
+
+/// Below this part of a unit a number is the rounding of a computation: a thousandth of a millimetre in carry.
+const NOISE: f64 = 1e-6;
+
+/// Above this a number is written with a power of ten.
+const LARGE: f64 = 1e9;
+
+impl Quantity {
+    /// An SI value in `unit`, with the digits of a launch monitor.
+    ///
+    /// ```
+    /// use longdrive::units::Quantity;
+    /// assert_eq!(Quantity::SPEED.read_off(72.4216, "mph"), "162.0 mph");
+    /// assert_eq!(Quantity::LENGTH.read_off(-2.3e-15, "yd"), "0.0 yd");
+    /// assert_eq!(Quantity::DENSITY.read_off(1.184, "kg/m^3"), "1.184 kg/m^3");
+    /// ```
+    pub fn read_off(self, value: f64, unit: &str) -> String {
+        self.with(value, unit, |number, decimals| fixed(number, decimals))
+    }
+
+    /// The same with one decimal more: a number that was computed to be set (an optimum's loft).
+    ///
+    /// ```
+    /// use longdrive::units::Quantity;
+    /// assert_eq!(Quantity::ANGLE.read_off_finely(0.2, "deg"), "11.46 deg");
+    /// ```
+    pub fn read_off_finely(self, value: f64, unit: &str) -> String {
+        self.with(value, unit, |number, decimals| fixed(number, decimals + 1))
+    }
+
+    /// A difference, or an uncertainty: one decimal more, and as many as its first two digits need.
+    ///
+    /// ```
+    /// use longdrive::units::Quantity;
+    /// assert_eq!(Quantity::TIME.read_off_difference(0.12345, "s"), "0.123 s");
+    /// assert_eq!(Quantity::TIME.read_off_difference(0.000512, "s"), "0.00051 s");
+    /// assert_eq!(Quantity::LENGTH.read_off_difference(1e-13, "m"), "0.00 m");
+    /// ```
+    pub fn read_off_difference(self, value: f64, unit: &str) -> String {
+        self.with(value, unit, |number, decimals| {
+            let size = number.abs();
+            let needed = if size < NOISE { 0 } else { (1.0 - size.log10().floor()).max(0.0) as usize };
+            fixed(number, needed.max(decimals + 1))
+        })
+    }
+
+    fn with(self, value: f64, unit: &str, write: impl Fn(f64, usize) -> String) -> String {
+        let number = value / self.size_of(unit).unwrap_or(1.0);
+        let decimals = DECIMALS.iter().find(|(known, _)| *known == unit).map(|(_, decimals)| *decimals);
+        let text = match decimals {
+            Some(decimals) if number.abs() < LARGE => write(number, decimals),
+            _ => significant(number, DIGITS),
+        };
+        format!("{text} {unit}").trim_end().to_owned()
+    }
+}
+
+/// A number with these decimals; zero has no sign.
+fn fixed(number: f64, decimals: usize) -> String {
+    let text = format!("{number:.decimals$}");
+    let is_zero = text.bytes().all(|digit| matches!(digit, b'-' | b'.' | b'0'));
+    if is_zero { text.trim_start_matches('-').to_owned() } else { text }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Quantity;
+
+    #[test]
+    fn exact_digits_of_a_launch_monitor() {
+        for (quantity, si, unit, shown) in [
+            (Quantity::SPEED, 72.4216, "mph", "162.0 mph"),
+            (Quantity::ANGLE, 0.1309, "deg", "7.5 deg"),
+            (Quantity::ANGULAR_VELOCITY, 213.1, "rpm", "2035 rpm"),
+            (Quantity::LENGTH, 229.6, "yd", "251.1 yd"),
+            (Quantity::NUMBER, 1.4741, "", "1.47"),
+            (Quantity::TIME, 7.0849, "s", "7.08 s"),
+        ] {
+            assert_eq!(quantity.read_off(si, unit), shown);
+        }
+    }
+
+    #[test]
+    fn rounding_has_no_digits_and_no_sign() {
+        for value in [-2.2645e-15, 0.0, -0.0, -0.04] {
+            assert_eq!(Quantity::LENGTH.read_off(value, "m"), "0.0 m");
+        }
+        assert_eq!(Quantity::ANGULAR_VELOCITY.read_off(-1e-14, "rpm"), "0 rpm");
+        assert_eq!(Quantity::LENGTH.read_off_difference(-1e-9, "m"), "0.00 m");
+        assert_eq!(Quantity::LENGTH.read_off(1e300, "m"), "1e300 m");
+        assert_eq!(Quantity::LENGTH.read_off(f64::INFINITY, "mm"), "inf mm");
+    }
+}

@@ -1,0 +1,135 @@
+//! Balls that leave as a launch monitor reports, without a club.
+
+use crate::command_line::{json, longdrive, number};
+use crate::common::close;
+use longdrive::batch::{Batch, Run, Status, open_table};
+use longdrive::{Drive, Error, Outcome, Setup, derivative};
+
+/// A launch of this setup, given by its conditions.
+fn launched(settings: &[(&str, &str)]) -> Setup<f64> {
+    let mut setup = Setup::default();
+    for (name, text) in settings {
+        setup.set(&format!("launch.{name}"), text).unwrap();
+    }
+    setup
+}
+
+const TOUR: [(&str, &str); 3] = [("ball_speed", "167 mph"), ("launch_angle", "10.9 deg"), ("backspin", "2686 rpm")];
+
+#[test]
+fn exact_parabola_and_its_derivatives_by_the_launch() {
+    let mut setup = launched(&[("ball_speed", "60 m/s"), ("launch_angle", "0.3 rad"), ("backspin", "250 rad/s")]);
+    setup.set("air.density", "0 kg/m^3").unwrap();
+    setup.set("gravity", "9.8 m/s^2").unwrap();
+    let wrt = ["launch.ball_speed", "launch.launch_angle", "launch.backspin", "swing.speed"];
+    let wrt = wrt.map(|name| setup.variable(name).unwrap());
+    // carry = v² sin 2θ/g
+    let carry = derivative::gradient(&setup, Outcome::Carry, &wrt).unwrap();
+    let exact = 3600.0 * 0.6_f64.sin() / 9.8;
+    close(carry.value, exact, exact, 1e-12, "carry");
+    close(carry.gradient[0], exact / 30.0, 1.0, 1e-11, "by ball speed: 2 carry/v");
+    close(carry.gradient[1], 7200.0 * 0.6_f64.cos() / 9.8, 1.0, 1e-9, "by launch angle");
+    // neither a spin without air nor a club that is not there does anything
+    assert!(carry.gradient[2].abs() < 1e-12 && carry.gradient[3] == 0.0);
+    let second = derivative::hessian(&setup, Outcome::Carry, &wrt[..2]).unwrap();
+    close(second.hessian[0][1], 240.0 * 0.6_f64.cos() / 9.8, 1.0, 1e-9, "mixed");
+}
+
+#[test]
+fn exact_same_flight_as_that_of_the_club_which_makes_the_launch() {
+    let mut club = Setup::default();
+    for (name, text) in [("swing.path", "3 deg"), ("strike.toe", "8 mm"), ("wind.right", "4 m/s")] {
+        club.set(name, text).unwrap();
+    }
+    let struck = Drive::new(&club).unwrap();
+    let mut given = club;
+    for of in [Outcome::BallSpeed, Outcome::LaunchAngle, Outcome::LaunchDirection, Outcome::Spin, Outcome::SpinAxis] {
+        let condition = given.launch_condition(of.name()).unwrap();
+        given.set_value(condition, of.value(&struck)).unwrap();
+    }
+    let flown = Drive::new(&given).unwrap();
+    assert!(flown.impact.is_none());
+    for of in Outcome::ALL {
+        let Some(value) = of.value(&flown) else {
+            assert_eq!(*of, Outcome::SmashFactor, "there is no club to have one");
+            continue;
+        };
+        let exact = of.value(&struck).unwrap();
+        close(value, exact, exact.abs().max(1.0), 1e-11, of.name());
+    }
+    let wrt = ["swing.speed", "air.density", "gravity"].map(|name| given.variable(name).unwrap());
+    for wrt in [&wrt[..1], &wrt] {
+        let error = derivative::gradient(&given, Outcome::SmashFactor, wrt).unwrap_err();
+        assert!(error.to_string().contains("no club strikes the ball"), "{error}");
+    }
+}
+
+#[test]
+fn a_launch_that_is_none_or_two_is_refused() {
+    for (settings, says) in [
+        (&[("launch_angle", "10 deg")][..], "ball_speed is missing"),
+        (&[("ball_speed", "160 mph")], "launch_angle is missing"),
+        (&TOUR[..2], "the spin is missing"),
+        (&[TOUR[0], TOUR[1], TOUR[2], ("spin", "2700 rpm")], "the spin is given twice"),
+        (&[TOUR[0], TOUR[1], TOUR[2], ("spin_axis", "2 deg")], "beside backspin give sidespin"),
+        (&[TOUR[0], TOUR[1], ("spin", "2700 rpm"), ("sidespin", "9 rpm")], "beside spin give spin_axis"),
+    ] {
+        let error = launched(settings).validate().unwrap_err();
+        assert!(matches!(&error, Error::Launch { .. }) && error.to_string().contains(says), "{error}");
+    }
+    launched(&TOUR).validate().unwrap();
+}
+
+#[test]
+fn a_launch_on_the_command_line_and_in_a_table_is_the_same() {
+    let launch = "ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm";
+    let (status, found) = json(&["simulate", "--launch", launch]);
+    assert_eq!((status, found["status"].as_str()), (0, Some("landed")));
+    assert!(found["club_after"].is_null() && found["launch"]["smash_factor"].is_null());
+    close(number(&found["launch"]["ball_speed"]), 167.0 * 0.44704, 1.0, 1e-12, "ball speed");
+    let exact = Outcome::Carry.value(&Drive::new(&launched(&TOUR)).unwrap()).unwrap();
+    assert_eq!(number(&found["flight"]["carry"]), exact);
+    let said = longdrive(&["simulate", "--launch", launch]);
+    assert!(said.status == 0 && !said.out.contains("club"), "{}", said.out);
+
+    let text = "ball_speed [mph],launch_angle [deg],spin [rpm],spin_axis [deg]\n167,10.9,2686,0\n150,12,3000,-10\n";
+    let (_folder, path) = crate::sweep::table("monitor.csv", text);
+    let setup = Setup::default();
+    let mut points = open_table(&setup, &path).unwrap();
+    let batch = Batch::new(&setup, points.parameters(), &[Outcome::Carry, Outcome::Lateral], &[]).unwrap();
+    let mut rows = vec![];
+    batch
+        .run(
+            points.as_mut(),
+            &Run::default(),
+            |block| block,
+            |block| {
+                rows.extend(
+                    (0..block.rows()).map(|row| (block.status(row), block.outcome(row, 0), block.outcome(row, 1))),
+                );
+                Ok(())
+            },
+        )
+        .unwrap();
+    assert_eq!((rows[0].0, rows[1].0), (Status::Landed, Status::Landed));
+    close(rows[0].1.unwrap(), exact, exact, 1e-13, "carry of the same launch");
+    // a spin axis tilted to the left curves left
+    assert!(rows[1].2.unwrap() < -5.0);
+
+    let out = longdrive(&["sweep", "--points", path.to_str().unwrap(), "--outcomes", "carry", "--gradient"]);
+    assert_eq!((out.status, out.out.lines().count()), (0, 3), "{}", out.err);
+    let head = out.out.lines().next().unwrap();
+    assert!(head.contains("launch.ball_speed") && head.contains("d_carry/d_launch.spin_axis"), "{head}");
+
+    let (_folder, part) = crate::sweep::table("part.csv", "ball_speed [mph],spin [rpm]\n167,2686\n");
+    for (args, says) in [
+        (vec!["sweep", "--points", part.to_str().unwrap()], "launch_angle is missing"),
+        (vec!["simulate", "--launch", "ball_sped=167mph"], "did you mean 'ball_speed'?"),
+        (vec!["simulate", "--launch", "ball_speed=167"], "has no unit"),
+        (vec!["simulate", "--launch", "ball_speed"], "write NAME=VALUE"),
+    ] {
+        let said = longdrive(&args);
+        assert_eq!(said.status, 2, "{args:?} {}", said.err);
+        assert!(said.err.contains(says), "{args:?}: {}", said.err);
+    }
+}

@@ -1,0 +1,160 @@
+//! A question asked in a folder of its own, and what is wrong with the answer.
+
+use crate::questions::Question;
+use crate::schema::faults;
+use serde_json::Value;
+use std::collections::BTreeMap;
+use std::fs::{self, File};
+use std::path::Path;
+use std::process::{Child, Command, ExitStatus, Stdio};
+use std::time::{Duration, Instant};
+
+/// No question takes longer, on a slow machine among others.
+const LONGEST: Duration = Duration::from_secs(120);
+
+/// Endings of names that the program writes beside a file that is named.
+const COMPANIONS: [&str; 2] = [".part", ".resume"];
+
+/// Statuses in JSON of an answer that is all that was asked for.
+const FOUND: [&str; 4] = ["done", "landed", "converged", "passed"];
+
+/// Asks; the exit status and the faults of what came back.
+pub fn ask(question: &Question) -> (Option<i32>, Vec<String>) {
+    let place = tempfile::tempdir().unwrap();
+    let folder = place.path().join("here");
+    fs::create_dir_all(folder.join("folder")).unwrap();
+    for (name, bytes) in &question.files {
+        fs::write(folder.join(name), bytes).unwrap();
+    }
+    for (to, link) in &question.links {
+        std::os::unix::fs::symlink(to, folder.join(link)).unwrap();
+    }
+    let before = contents(&folder);
+    let [out, err] = ["out", "err"].map(|name| place.path().join(name));
+    let mut child = Command::new(assert_cmd::cargo::cargo_bin!("longdrive"))
+        .args(question.args.iter().map(|arg| arg.replace('\0', "")))
+        .current_dir(&folder)
+        .env("RAYON_NUM_THREADS", "1")
+        .stdin(Stdio::null())
+        .stdout(File::create(&out).unwrap())
+        .stderr(File::create(&err).unwrap())
+        .spawn()
+        .unwrap();
+    let Some(status) = wait(&mut child) else {
+        return (None, vec![format!("it takes more than {LONGEST:?}")]);
+    };
+    let [out, err] = [out, err].map(|path| fs::read(path).unwrap());
+    let (out, err) = (String::from_utf8_lossy(&out), String::from_utf8_lossy(&err));
+    let mut wrong = vec![];
+    if !matches!(status.code(), Some(0..=2)) {
+        wrong.push(format!("it ends with {status}: {err}"));
+    }
+    if err.contains("panicked") {
+        wrong.push(format!("it panics: {err}"));
+    }
+    if status.code() == Some(2) && err.trim().is_empty() {
+        wrong.push("status 2 without a message".into());
+    }
+    wrong.extend(numbers(question, &out));
+    if question.args.iter().any(|arg| arg == "--json") {
+        wrong.extend(json(question, &out, status));
+    }
+    wrong.extend(touched(question, &before, &contents(&folder)));
+    (status.code(), wrong)
+}
+
+fn wait(child: &mut Child) -> Option<ExitStatus> {
+    let begun = Instant::now();
+    let mut pause = Duration::from_millis(1);
+    while begun.elapsed() < LONGEST {
+        if let Some(status) = child.try_wait().unwrap() {
+            return Some(status);
+        }
+        std::thread::sleep(pause);
+        pause = (2 * pause).min(Duration::from_millis(20));
+    }
+    let _ = child.kill();
+    let _ = child.wait();
+    None
+}
+
+/// Words that are no number, and infinities where there is nothing infinite.
+fn numbers(question: &Question, out: &str) -> Option<String> {
+    let words = |line: &str| -> Vec<String> {
+        line.split(|c: char| !(c.is_alphanumeric() || c == '_')).map(str::to_lowercase).collect()
+    };
+    // a flat face, and the ranges of parameters, are infinite; names of files and texts that are quoted say what they will
+    let has_infinities = matches!(question.command(), "parameters" | "presets")
+        || question
+            .args
+            .iter()
+            .any(|arg| arg.contains("radius") || arg.contains("inf") || arg == "all" || arg == "--json")
+        || question.files.iter().any(|(_, bytes)| String::from_utf8_lossy(bytes).contains("radius"));
+    let asks_nan = question.args.iter().any(|arg| arg.to_lowercase().contains("nan"))
+        || question.files.iter().any(|(_, bytes)| String::from_utf8_lossy(bytes).to_lowercase().contains("nan"));
+    let bad = |line: &&str| {
+        let words = words(line);
+        (!asks_nan && words.iter().any(|word| word == "nan"))
+            || (!has_infinities && words.iter().any(|word| word == "inf" || word == "infinity"))
+    };
+    out.lines().find(bad).map(|line| format!("no number: {line}"))
+}
+
+/// What is wrong with an answer in JSON.
+fn json(question: &Question, out: &str, status: ExitStatus) -> Vec<String> {
+    if question.args.iter().any(|arg| matches!(arg.as_str(), "--help" | "--version" | "--")) {
+        return vec![];
+    }
+    let answer: Value = match serde_json::from_str(out) {
+        Ok(answer) => answer,
+        Err(error) => return vec![format!("not one JSON object: {error}: {out}")],
+    };
+    let mut wrong = faults(question.command(), &answer);
+    let said = answer["status"].as_str().unwrap_or_default();
+    let expected = if said == "error" { 2 } else { i32::from(!FOUND.contains(&said)) };
+    if status.code() != Some(expected) {
+        wrong.push(format!("the answer says '{said}', and yet the exit status is {status}"));
+    }
+    wrong
+}
+
+/// Every file beneath a folder, by its path.
+fn contents(folder: &Path) -> BTreeMap<String, Vec<u8>> {
+    let mut found = BTreeMap::new();
+    let mut folders = vec![folder.to_owned()];
+    while let Some(at) = folders.pop() {
+        for entry in fs::read_dir(at).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_dir() {
+                folders.push(path);
+            } else {
+                let name = path.strip_prefix(folder).unwrap().display().to_string();
+                found.insert(name, fs::read(path).unwrap());
+            }
+        }
+    }
+    found
+}
+
+/// Files that were written without being named, and what was there before and is lost.
+fn touched(question: &Question, before: &BTreeMap<String, Vec<u8>>, after: &BTreeMap<String, Vec<u8>>) -> Vec<String> {
+    let is_named = |name: &str| {
+        let of = |output: &String| {
+            let rest = name.strip_prefix(output.as_str());
+            let folder = if output == "." { Some(name) } else { rest.and_then(|rest| rest.strip_prefix('/')) };
+            rest.is_some_and(|rest| rest.is_empty() || COMPANIONS.contains(&rest)) || folder.is_some()
+        };
+        question.outputs.iter().any(of)
+    };
+    // the program may go on with its own files, and replace what it is told to
+    let may_replace = |name: &str| {
+        let is_told = question.args.iter().any(|arg| arg == "--overwrite");
+        let is_input = question.args.iter().filter(|arg| *arg == name).count() > 1 || name == "mine.txt";
+        is_told && is_named(name) && !is_input
+    };
+    let lost = before.iter().filter(|(name, bytes)| after.get(*name) != Some(bytes) && !may_replace(name));
+    let lost = lost.map(|(name, _)| format!("{name} was there before, and is changed"));
+    let new = after.keys().filter(|name| !before.contains_key(*name) && !is_named(name));
+    let new = new.map(|name| format!("{name} is written, and no one named it"));
+    lost.chain(new).collect()
+}

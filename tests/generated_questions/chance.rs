@@ -1,0 +1,48 @@
+use rand_xoshiro::Xoshiro256PlusPlus;
+use rand_xoshiro::rand_core::{RngCore, SeedableRng};
+
+/// Choices that a seed decides.
+pub struct Chance(Xoshiro256PlusPlus);
+
+impl Chance {
+    /// The choices of a question: the same for the same seed and number.
+    pub fn new(seed: u64, number: u64) -> Self {
+        let mut random = Xoshiro256PlusPlus::seed_from_u64(seed);
+        Self(Xoshiro256PlusPlus::seed_from_u64(random.next_u64() ^ number))
+    }
+
+    /// Evenly between 0 and 1.
+    pub fn part(&mut self) -> f64 {
+        (self.0.next_u64() >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    /// True so often.
+    pub fn is(&mut self, probability: f64) -> bool {
+        self.part() < probability
+    }
+
+    /// A number below `end`.
+    pub fn below(&mut self, end: usize) -> usize {
+        (self.part() * end as f64) as usize
+    }
+
+    /// A number from `low` to `high`.
+    pub fn between(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * self.part()
+    }
+
+    /// One of some.
+    pub fn of<T: Clone>(&mut self, all: &[T]) -> T {
+        all[self.below(all.len())].clone()
+    }
+
+    /// The place of one of some weights, each as often as it weighs.
+    pub fn weighted(&mut self, weights: &[f64]) -> usize {
+        let mut left = self.part() * weights.iter().sum::<f64>();
+        let found = weights.iter().position(|weight| {
+            left -= weight;
+            left < 0.0
+        });
+        found.unwrap_or(weights.len() - 1)
+    }
+}

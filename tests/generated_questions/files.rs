@@ -1,0 +1,151 @@
+//! Files that questions read: setups, points and shots, good and bad.
+
+use crate::chance::Chance;
+use crate::values::{name_of, near, parameter, preset, setting, value, variable, with_unit};
+
+/// A setup file.
+pub fn setup(chance: &mut Chance) -> Vec<u8> {
+    let mut text = String::new();
+    if chance.is(0.7) {
+        let name = if chance.is(0.95) { preset(chance) } else { "nobody" };
+        text += &format!("preset = \"{name}\"\n");
+    }
+    for _ in 0..chance.below(5) {
+        let parameter = parameter(chance);
+        let name = name_of(parameter, chance);
+        let shown = match chance.below(8) {
+            // a bare number is SI
+            0 => format!("{:?}", near(parameter, 0.1, chance)),
+            1 => chance
+                .of(&["true", "[1, 2]", "{ a = 1 }", "1979-05-27", "nan", "inf", "-1", "99999999999999999999"])
+                .into(),
+            _ => format!("\"{}\"", value(parameter, chance).replace(['"', '\\', '\0'], "")),
+        };
+        text += &format!("{name} = {shown}\n");
+    }
+    if chance.is(0.2) {
+        text += "[aero]\nlaw = \"robinson\"\ncd0 = 0.3\n";
+    }
+    spoilt(text, 0.15, chance)
+}
+
+/// A table of points to sweep.
+pub fn points(chance: &mut Chance) -> Vec<u8> {
+    let columns: Vec<_> =
+        (0..1 + chance.below(3)).map(|_| if chance.is(0.9) { variable(chance) } else { parameter(chance) }).collect();
+    let units: Vec<&str> = columns.iter().map(|column| if chance.is(0.7) { column.unit } else { "" }).collect();
+    let head = |at: usize, chance: &mut Chance| {
+        let name = name_of(columns[at], chance);
+        if units[at].is_empty() { name } else { format!("{name} [{}]", units[at]) }
+    };
+    let mut text = (0..columns.len()).map(|at| head(at, chance)).collect::<Vec<_>>().join(",") + "\n";
+    for _ in 0..chance.below(8) {
+        let cell = |at: usize, chance: &mut Chance| {
+            let size = columns[at].quantity.size_of(units[at]).filter(|_| !units[at].is_empty()).unwrap_or(1.0);
+            let number = near(columns[at], if chance.is(0.05) { 30.0 } else { 0.2 }, chance) / size;
+            if chance.is(0.02) {
+                chance.of(&["", "nan", "inf", "x", "1e400", "\"1"]).into()
+            } else {
+                format!("{number:?}")
+            }
+        };
+        text += &((0..columns.len()).map(|at| cell(at, chance)).collect::<Vec<_>>().join(",") + "\n");
+    }
+    spoilt(text, 0.1, chance)
+}
+
+/// A table of measured shots: deliveries or launch conditions, with what was measured of them.
+pub fn shots(chance: &mut Chance) -> Vec<u8> {
+    let given: &[(&str, f64, f64)] = if chance.is(0.5) {
+        &[
+            ("club.loft [deg]", 11.0, 3.0),
+            ("swing.speed [mph]", 105.0, 10.0),
+            ("swing.attack_angle [deg]", 1.0, 3.0),
+            ("swing.face_angle [deg]", 0.0, 2.0),
+        ]
+    } else {
+        &[
+            ("ball_speed [mph]", 155.0, 15.0),
+            ("launch_angle [deg]", 12.0, 4.0),
+            ("backspin [rpm]", 2700.0, 600.0),
+            ("sidespin [rpm]", 0.0, 300.0),
+        ]
+    };
+    let measured = [
+        ("carry [yd]", 240.0, 25.0),
+        ("lateral [yd]", 0.0, 8.0),
+        ("apex_height [yd]", 30.0, 8.0),
+        ("sigma carry [yd]", 2.0, 0.5),
+        ("flight_time [s]", 6.2, 0.5),
+    ];
+    let mut columns = given[..1 + chance.below(4)].to_vec();
+    let first = columns.len();
+    columns.extend(&measured[..1 + chance.below(5)]);
+    if chance.is(0.1) {
+        let twice = chance.of(&columns);
+        columns.push(twice);
+    }
+    let mut heads: Vec<String> = columns.iter().map(|(head, ..)| (*head).to_owned()).collect();
+    if chance.is(0.08) {
+        let at = chance.below(heads.len());
+        heads[at] =
+            chance.of(&["", "carry", "cary [yd]", "carry [kg]", "Club Speed [mph]", "optimum club.loft"]).into();
+    }
+    let mut text = heads.join(",") + "\n";
+    // the faster or higher, the farther
+    for _ in 0..chance.below(9) {
+        let common = chance.between(-1.0, 1.0);
+        let cell = |at: usize, chance: &mut Chance| {
+            let (_, middle, spread) = columns[at];
+            let part = if at >= first {
+                0.8 * common + 0.1 * chance.between(-1.0, 1.0)
+            } else {
+                common * chance.between(0.2, 1.0)
+            };
+            match chance.below(150) {
+                0 => String::new(),
+                1 => chance.of(&["nan", "-5", "x", "1e300", "inf", "0"]).into(),
+                _ => format!("{:.3}", middle + spread * part),
+            }
+        };
+        text += &((0..columns.len()).map(|at| cell(at, chance)).collect::<Vec<_>>().join(",") + "\n");
+    }
+    spoilt(text, 0.1, chance)
+}
+
+/// A text, so often with something wrong somewhere.
+fn spoilt(text: String, probability: f64, chance: &mut Chance) -> Vec<u8> {
+    let mut bytes = text.into_bytes();
+    if !chance.is(probability) {
+        return bytes;
+    }
+    let at = chance.below(bytes.len() + 1);
+    match chance.below(8) {
+        0 => bytes.truncate(at),
+        1 => bytes.clear(),
+        2 => bytes.insert(at, 0xff),
+        3 => bytes.insert(at, 0),
+        4 => {
+            let _ = bytes.splice(at..at, "\u{feff}é\r\n".bytes());
+        }
+        5 => bytes.extend(bytes.clone()),
+        6 => {
+            let odd = chance.of(b"\"',;[]{}=#\n\t.-");
+            bytes.insert(at, odd);
+        }
+        _ => {
+            let line = setting(chance).into_bytes();
+            bytes.extend(line);
+        }
+    }
+    bytes
+}
+
+/// A number in a unit, of a parameter, for `--change`.
+pub fn change(chance: &mut Chance) -> String {
+    let parameter = variable(chance);
+    let sign = chance.of(&["+", "-", ""]);
+    let name = name_of(parameter, chance);
+    let size = 0.02 * near(parameter, 0.1, chance).abs().max(1e-3);
+    format!("{name}={sign}{}", with_unit(size, parameter, chance))
+}

@@ -1,0 +1,83 @@
+//! Generated questions: command lines over all commands, with the files they name, good and bad. Whatever is asked, the
+//! program ends with status 0, 1 or 2, panics nowhere, prints no number that is none, answers in JSON as its schemas say, and
+//! touches no file that was not named.
+//!
+//! `LONGDRIVE_QUESTIONS=100000` asks so many, on all cores; `LONGDRIVE_SEED` others. A question that fails is printed with its
+//! number: `LONGDRIVE_QUESTION` asks that one alone.
+
+mod asked;
+mod chance;
+mod files;
+mod questions;
+#[path = "../schema/mod.rs"]
+mod schema;
+mod values;
+
+use chance::Chance;
+use questions::Question;
+use std::collections::BTreeMap;
+use std::fmt::Write;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+/// Questions of an ordinary run.
+const FEW: u64 = 300;
+/// Failures after which no more are looked for.
+const ENOUGH: usize = 20;
+
+fn setting(name: &str) -> Option<u64> {
+    std::env::var(name).ok().map(|text| text.parse().unwrap_or_else(|_| panic!("{name}={text} is no whole number")))
+}
+
+#[test]
+fn whatever_is_asked_the_program_ends_in_order() {
+    let seed = setting("LONGDRIVE_SEED").unwrap_or(1);
+    let numbers = match setting("LONGDRIVE_QUESTION") {
+        Some(only) => only..only + 1,
+        None => 0..setting("LONGDRIVE_QUESTIONS").unwrap_or(FEW),
+    };
+    let (next, failed) = (AtomicU64::new(numbers.start), Mutex::new(vec![]));
+    // by command: how many questions ended with which exit status
+    let ended: Mutex<BTreeMap<String, [u64; 4]>> = Mutex::default();
+    let work = || {
+        loop {
+            let number = next.fetch_add(1, Ordering::Relaxed);
+            if number >= numbers.end || failed.lock().unwrap().len() >= ENOUGH {
+                return;
+            }
+            let question = Question::new(&mut Chance::new(seed, number));
+            let (status, wrong) = asked::ask(&question);
+            let at = status.and_then(|status| usize::try_from(status).ok()).map_or(3, |status| status.min(3));
+            ended.lock().unwrap().entry(question.command().to_owned()).or_default()[at] += 1;
+            if !wrong.is_empty() {
+                failed.lock().unwrap().push((number, question, wrong));
+            }
+        }
+    };
+    let threads = std::thread::available_parallelism().map_or(1, usize::from);
+    std::thread::scope(|scope| {
+        for _ in 0..threads {
+            scope.spawn(work);
+        }
+    });
+    let failed = failed.into_inner().unwrap();
+    let mut report = String::new();
+    for (number, question, wrong) in &failed {
+        let line = question.args.iter().map(|arg| format!("{arg:?}")).collect::<Vec<_>>().join(" ");
+        let _ = writeln!(report, "\nLONGDRIVE_SEED={seed} LONGDRIVE_QUESTION={number}: longdrive {line}");
+        for (name, bytes) in &question.files {
+            let _ = writeln!(report, "  {name}: {:?}", String::from_utf8_lossy(bytes));
+        }
+        for wrong in wrong {
+            let _ = writeln!(report, "  -> {wrong}");
+        }
+    }
+    let ended = ended.into_inner().unwrap();
+    println!("exit status 0, 1, 2 and others, by command: {ended:#?}");
+    assert!(failed.is_empty(), "{} of {} questions failed{report}", failed.len(), numbers.end - numbers.start);
+    // questions that are all refused would tell nothing
+    for (command, [found, none, refused, _]) in ended {
+        let all = found + none + refused;
+        assert!(all < 25 || 5 * found >= all, "{command}: only {found} of {all} questions have an answer");
+    }
+}

@@ -1,0 +1,405 @@
+//! Questions as people might ask them: a command line with the files it names.
+
+use crate::chance::Chance;
+use crate::files::{change, points, setup, shots};
+use crate::values::{
+    constraint, distribution, list, name_of, near, outcome, preset, range, setting, sigma, variable, with_unit,
+};
+use longdrive::parameters::{Law, Parameter};
+
+/// A question, and what may become of the folder that it is asked in.
+#[derive(Debug, Default)]
+pub struct Question {
+    /// The arguments.
+    pub args: Vec<String>,
+    /// The files that are there before.
+    pub files: Vec<(String, Vec<u8>)>,
+    /// Links to them: the file, and the link.
+    pub links: Vec<(String, String)>,
+    /// The files and folders that it names to be written.
+    pub outputs: Vec<String>,
+}
+
+/// The commands, each with how often it is asked: those that take long rarely.
+const COMMANDS: [(&str, f64); 15] = [
+    ("simulate", 22.0),
+    ("gradient", 14.0),
+    ("optimize", 9.0),
+    ("optimum-sensitivity", 3.0),
+    ("calibrate", 9.0),
+    ("chart", 1.5),
+    ("plot", 7.0),
+    ("report", 0.1),
+    ("sweep", 16.0),
+    ("reproduce", 0.01),
+    ("verify", 0.7),
+    ("sensitivity", 5.0),
+    ("uncertainty", 5.0),
+    ("parameters", 3.0),
+    ("presets", 3.0),
+];
+
+impl Question {
+    pub fn new(chance: &mut Chance) -> Self {
+        let at = chance.weighted(&COMMANDS.map(|(_, weight)| weight));
+        let mut question = Self { args: vec![COMMANDS[at].0.into()], ..Self::default() };
+        // a file that no one names
+        question.files.push(("mine.txt".into(), b"left alone".to_vec()));
+        question.ask(COMMANDS[at].0, chance);
+        if chance.is(0.5) {
+            question.push("--json");
+        }
+        if chance.is(0.01) {
+            let odd = chance.of(&["--bla", "-x", "--", "extra", "--json", "--help", "", "--set", "--version"]);
+            let at = chance.below(question.args.len() + 1);
+            question.args.insert(at, odd.into());
+        }
+        question
+    }
+
+    /// The command that is asked for.
+    pub fn command(&self) -> &str {
+        let is_command = |arg: &&String| COMMANDS.iter().any(|(name, _)| arg == name);
+        self.args.iter().find(is_command).map_or("", String::as_str)
+    }
+
+    fn ask(&mut self, command: &str, chance: &mut Chance) {
+        match command {
+            "presets" => {
+                if chance.is(0.6) {
+                    let name = preset(chance);
+                    self.push(if chance.is(0.9) { name } else { "mae49" });
+                }
+                return;
+            }
+            "reproduce" => {
+                self.push(chance.of(&["mae494", "winfield-tan", "mae495"]));
+                if chance.is(0.5) {
+                    self.output("-o", &["study"], chance);
+                }
+                return;
+            }
+            "calibrate" => self.calibrate(chance),
+            "plot" => self.plot(chance),
+            "sweep" => self.sweep(chance),
+            "gradient" => self.gradient(chance),
+            "optimize" => {
+                self.search(true, chance);
+                self.work(chance);
+            }
+            "optimum-sensitivity" => self.optimum_sensitivity(chance),
+            "chart" => {
+                self.search(false, chance);
+                self.along(chance);
+                if chance.is(0.3) {
+                    self.push("--csv");
+                }
+            }
+            "report" => {
+                self.along(chance);
+                self.output("-o", &["page"], chance);
+            }
+            "verify" => {
+                self.option("--of", list(2, chance, outcome));
+                self.option("--wrt", list(2, chance, |chance| name_of(variable(chance), chance)));
+            }
+            "sensitivity" => self.sensitivity(chance),
+            "uncertainty" => self.uncertainty(chance),
+            _ => {}
+        }
+        self.setup(command, chance);
+    }
+
+    fn push(&mut self, word: impl Into<String>) {
+        self.args.push(word.into());
+    }
+
+    fn option(&mut self, name: &str, value: impl Into<String>) {
+        self.push(name);
+        self.push(value);
+    }
+
+    /// The setup that is asked about, its changes, and how it is flown.
+    fn setup(&mut self, command: &str, chance: &mut Chance) {
+        match chance.below(10) {
+            0..5 => self.push(preset(chance)),
+            5 | 6 => {
+                let text = setup(chance);
+                self.files.push(("setup.toml".into(), text));
+                self.push("setup.toml");
+            }
+            7 if chance.is(0.2) => self.push(chance.of(&["none.toml", "modern", "", ".", "mine.txt", "no/such.toml"])),
+            _ => {}
+        }
+        for _ in 0..chance.below(3) {
+            let text = setting(chance);
+            self.option("--set", text);
+        }
+        let is_cheap = matches!(command, "simulate" | "gradient" | "parameters");
+        match chance.below(20) {
+            0 => self.push(chance.of(&[
+                "--tolerance",
+                "--tolerance=1mm",
+                "--tolerance=1cm",
+                "--tolerance=0m",
+                "--tolerance=x",
+            ])),
+            1 if is_cheap => {}
+            _ => self.option("--set", format!("flight.step={}ms", 10 + chance.below(40))),
+        }
+    }
+
+    fn gradient(&mut self, chance: &mut Chance) {
+        if chance.is(0.7) {
+            self.option("--of", list(3, chance, outcome));
+        }
+        if chance.is(0.7) {
+            let all = chance.is(0.05);
+            let named = list(4, chance, |chance| name_of(variable(chance), chance));
+            self.option("--wrt", if all { "all".into() } else { named });
+        }
+        if chance.is(0.3) {
+            self.push("--hessian");
+        }
+    }
+
+    fn search(&mut self, is_wide: bool, chance: &mut Chance) {
+        if chance.is(0.2) {
+            let of = outcome(chance);
+            self.option(if chance.is(0.7) { "--maximize" } else { "--minimize" }, of);
+        }
+        if chance.is(0.6) {
+            for _ in 0..1 + chance.below(if is_wide { 3 } else { 2 }) {
+                let text = range(variable(chance), chance);
+                self.option("--vary", text);
+            }
+        }
+        for _ in 0..chance.weighted(&[5.0, 3.0, 1.0]) {
+            let text = constraint(chance);
+            self.option("--subject-to", text);
+        }
+        let most = if chance.is(0.9) { 5 + chance.below(25) } else { chance.below(2) };
+        self.option("--max-iterations", most.to_string());
+    }
+
+    fn work(&mut self, chance: &mut Chance) {
+        if chance.is(0.2) {
+            self.option("--starts", chance.below(5).to_string());
+        }
+        if chance.is(0.1) {
+            self.output("-o", &["best.toml"], chance);
+        }
+        if chance.is(0.1) {
+            if chance.is(0.2) {
+                self.files.push(("kept.json".into(), b"{\"no\": \"checkpoint\"}".to_vec()));
+            }
+            self.option("--checkpoint", "kept.json");
+            self.outputs.push("kept.json".into());
+        }
+    }
+
+    fn optimum_sensitivity(&mut self, chance: &mut Chance) {
+        self.search(false, chance);
+        self.work(chance);
+        self.option("--wrt", list(2, chance, |chance| name_of(variable(chance), chance)));
+        if chance.is(0.3) {
+            let text = change(chance);
+            self.option("--change", text);
+        }
+        if chance.is(0.2) {
+            self.option("--loss", chance.of(&["1yd", "0.5 m", "0 yd", "1 kg", "nan m", "inf yd", "1e300 m", "1e-9 m"]));
+        }
+    }
+
+    fn along(&mut self, chance: &mut Chance) {
+        let parameter: &Parameter = variable(chance);
+        let text = if chance.is(0.7) {
+            let low = near(parameter, 0.05, chance);
+            let high = low + 0.01 * low.abs().max(0.1);
+            format!("{}={}..{}", parameter.name, with_unit(low, parameter, chance), with_unit(high, parameter, chance))
+        } else {
+            range(parameter, chance)
+        };
+        self.option("--along", text);
+    }
+
+    fn sensitivity(&mut self, chance: &mut Chance) {
+        if chance.is(0.5) {
+            self.option("--of", list(2, chance, outcome));
+        }
+        for _ in 0..chance.below(3) {
+            let text = sigma(chance);
+            self.option("--sigma", text);
+        }
+        if chance.is(0.6) {
+            self.push("--no-defaults");
+        }
+        if chance.is(0.15) {
+            self.push("--at-optimum");
+            self.search(false, chance);
+        }
+    }
+
+    fn uncertainty(&mut self, chance: &mut Chance) {
+        if chance.is(0.5) {
+            self.option("--of", list(2, chance, outcome));
+        }
+        for _ in 0..chance.below(3) {
+            let text = sigma(chance);
+            self.option("--sigma", text);
+        }
+        for _ in 0..chance.below(2) {
+            let text = distribution(chance);
+            self.option("--distribution", text);
+        }
+        self.option("--samples", (if chance.is(0.95) { 2 + chance.below(20) } else { chance.below(2) }).to_string());
+        if chance.is(0.2) {
+            self.option("--seed", chance.below(9).to_string());
+        }
+    }
+
+    fn calibrate(&mut self, chance: &mut Chance) {
+        let text = shots(chance);
+        self.files.push(("shots.csv".into(), text));
+        self.push(if chance.is(0.97) { "shots.csv" } else { "none.csv" });
+        for _ in 0..1 + chance.below(2) {
+            let rows = ["air.density", "aero.spin_decay", "impact.restitution", "club.loft", "swing.shaft_lean"];
+            let of_law: Vec<_> = Law::all_rows().map(|row| row.name).collect();
+            let name = match chance.below(3) {
+                0 => chance.of(&rows).to_owned(),
+                1 => chance.of(&of_law).to_owned(),
+                _ => variable(chance).name.to_owned(),
+            };
+            let text = if chance.is(0.2) { range(variable(chance), chance) } else { name };
+            self.option("--fit", text);
+        }
+        self.option("--max-iterations", (1 + chance.below(20)).to_string());
+        for (option, most) in [("--starts", 3), ("--folds", 5)] {
+            if chance.is(0.1) {
+                self.option(option, chance.below(most).to_string());
+            }
+        }
+        if chance.is(0.1) {
+            self.push("--huber");
+        }
+        if chance.is(0.05) {
+            self.option("--compare", chance.of(&["robinson", "ferguson", "linear", "nothing"]));
+        }
+        if chance.is(0.3) {
+            self.output("-o", &["fitted.toml"], chance);
+        }
+        if chance.is(0.05) {
+            self.option("--plot", "plots");
+            self.outputs.push("plots".into());
+        }
+    }
+
+    fn plot(&mut self, chance: &mut Chance) {
+        let kind = chance.weighted(&[10.0, 0.3, 0.5, 4.0, 1.0, 0.2]);
+        self.push(["trajectory", "contour", "chart", "tornado", "vcurve", "pie"][kind]);
+        match kind {
+            0 => {
+                if chance.is(0.5) {
+                    self.option("--view", chance.of(&["side", "top", "top", "back"]));
+                }
+            }
+            1 => self.search(false, chance),
+            2 => {
+                self.search(false, chance);
+                self.along(chance);
+            }
+            3 => {
+                let of = outcome(chance);
+                self.option("--of", of);
+                let text = sigma(chance);
+                self.option("--sigma", text);
+            }
+            4 => {
+                self.option("--of", list(2, chance, outcome));
+                self.option("--wrt", list(2, chance, |chance| name_of(variable(chance), chance)));
+            }
+            _ => {}
+        }
+        self.output("-o", &["a.svg", "a.svg", "a.csv", "a.png", "a.jpg"], chance);
+        if chance.is(0.3) {
+            self.option("--units", chance.of(&["metric", "us", "si"]));
+        }
+        if chance.is(0.2) {
+            self.push("--dark");
+        }
+        if chance.is(0.2) {
+            self.option("--width", chance.of(&["240", "600", "10", "x"]));
+        }
+    }
+
+    fn sweep(&mut self, chance: &mut Chance) {
+        match chance.below(3) {
+            0 => {
+                let text = points(chance);
+                self.files.push(("points.csv".into(), text));
+                self.option("--points", "points.csv");
+            }
+            1 => {
+                let text = range(variable(chance), chance);
+                self.option("--over", text);
+                self.option("--sample", chance.below(12).to_string());
+            }
+            _ => {
+                for _ in 0..1 + chance.below(2) {
+                    let text = range(variable(chance), chance);
+                    let count = chance.of(&["1", "2", "3", "7", "0", "x", "99999999999"]);
+                    self.option("--over", if chance.is(0.95) { format!("{text}:{count}") } else { text });
+                }
+            }
+        }
+        if chance.is(0.6) {
+            self.option("--outcomes", list(3, chance, outcome));
+        }
+        if chance.is(0.2) {
+            self.push("--gradient");
+        }
+        if chance.is(0.1) {
+            self.option("--wrt", list(2, chance, |chance| name_of(variable(chance), chance)));
+        }
+        if chance.is(0.7) {
+            self.output("-o", &["rows.csv", "rows.jsonl", "rows.parquet", "rows.xlsx"], chance);
+        }
+        if chance.is(0.2) {
+            self.option("--format", chance.of(&["csv", "jsonl", "parquet", "xlsx"]));
+        }
+        if chance.is(0.1) {
+            self.push("--resume");
+        }
+        if chance.is(0.1) {
+            self.option("--threads", chance.of(&["0", "1", "2", "64", "-1"]));
+        }
+        if chance.is(0.1) {
+            self.option("--max-size", chance.of(&["1GB", "10B", "much", "0B"]));
+        }
+    }
+
+    /// Where to write: a new file, one that is there, one in a folder that is not, or what is read.
+    fn output(&mut self, option: &str, names: &[&str], chance: &mut Chance) {
+        let name = chance.of(names).to_owned();
+        let name = match chance.below(20) {
+            0 => format!("no/such/{name}"),
+            1 => format!("folder/{name}"),
+            2 => {
+                self.files.push((name.clone(), b"there before".to_vec()));
+                name
+            }
+            3 => self.files[self.files.len() - 1].0.clone(),
+            4 => {
+                self.links.push((self.files[self.files.len() - 1].0.clone(), name.clone()));
+                name
+            }
+            5 => chance.of(&["", ".", "-", "folder"]).to_owned(),
+            _ => name,
+        };
+        self.option(option, name.clone());
+        self.outputs.push(name);
+        if option == "-o" && chance.is(0.15) {
+            self.push("--overwrite");
+        }
+    }
+}

@@ -1,0 +1,211 @@
+//! Names and values as people write them, and as they should not.
+
+use crate::chance::Chance;
+use longdrive::parameters::{Kind, Law, PRESETS, Parameter};
+use longdrive::{Outcome, Setup};
+
+/// Texts that are no value, or an unusual one.
+const ODD: [&str; 25] = [
+    "",
+    " ",
+    "nan",
+    "NaN",
+    "inf",
+    "-inf",
+    "1e300",
+    "-1e300",
+    "1e-300",
+    "-0",
+    "0",
+    "none",
+    "abc",
+    "10 kg",
+    "10deg deg",
+    "1e999",
+    "0x10",
+    "١٠",
+    "--",
+    "=",
+    "10,5 deg",
+    "5%",
+    "1e5 mph",
+    "\u{0}x",
+    "🏌",
+];
+
+/// A preset's name.
+pub fn preset(chance: &mut Chance) -> &'static str {
+    PRESETS[chance.below(PRESETS.len())].name
+}
+
+/// A parameter of a preset or of any law.
+pub fn parameter(chance: &mut Chance) -> &'static Parameter {
+    let own = Setup::preset(preset(chance)).unwrap().parameters();
+    if chance.is(0.1) { chance.of(&Law::all_rows().collect::<Vec<_>>()) } else { chance.of(&own) }
+}
+
+/// A parameter of the default setup that searches and derivatives can take.
+pub fn variable(chance: &mut Chance) -> &'static Parameter {
+    let all = Setup::default().variables();
+    // those that anyone asks about more often than the rest
+    let usual = ["club.loft", "swing.attack_angle", "swing.speed", "swing.path", "swing.face_angle", "air.density"];
+    if chance.is(0.6) { Setup::default().variable(chance.of(&usual)).unwrap() } else { chance.of(&all) }
+}
+
+/// A parameter's name; now and then one that does not exist.
+pub fn name_of(parameter: &Parameter, chance: &mut Chance) -> String {
+    match chance.below(60) {
+        0 => parameter.name.replace('.', ""),
+        1 => format!("{}x", parameter.name),
+        2 => parameter.name.to_uppercase(),
+        3 => String::new(),
+        _ => parameter.name.into(),
+    }
+}
+
+/// A value near a parameter's default, SI: about so far from it in parts of what is usual.
+pub fn near(parameter: &Parameter, spread: f64, chance: &mut Chance) -> f64 {
+    let default = parameter.default_value().filter(|value| value.is_finite()).unwrap_or(match parameter.quantity.si {
+        "m" => 0.3,
+        "rad" => 0.05,
+        _ => 0.1,
+    });
+    let size = if default == 0.0 { if parameter.quantity.si == "m" { 0.01 } else { 0.05 } } else { default.abs() };
+    let value = default + size * spread * chance.between(-1.0, 1.0);
+    let value = value.max(parameter.range.low).min(parameter.range.high);
+    if parameter.name == "flight.step" { chance.between(0.01, 0.05) } else { value }
+}
+
+/// A number of SI with its unit.
+pub fn with_unit(value: f64, parameter: &Parameter, chance: &mut Chance) -> String {
+    let unit = if chance.is(0.7) { parameter.unit } else { parameter.quantity.si };
+    let size = parameter.quantity.size_of(unit).unwrap_or(1.0);
+    let space = if chance.is(0.3) { " " } else { "" };
+    format!("{:?}{space}{unit}", value / size).trim_end().to_owned()
+}
+
+/// What might be written for a parameter: mostly what it may be.
+pub fn value(parameter: &Parameter, chance: &mut Chance) -> String {
+    let value = near(parameter, 0.2, chance);
+    let range = parameter.range;
+    match chance.below(40) {
+        0 => chance.of(&ODD).to_owned(),
+        1 => format!("{value:?}"),
+        2 => with_unit(if range.high.is_finite() { range.high } else { 1e6 }, parameter, chance),
+        3 => with_unit(if range.low.is_finite() { range.low } else { -1e6 }, parameter, chance),
+        4 => with_unit(near(parameter, 20.0, chance), parameter, chance),
+        5 if parameter.kind == Kind::Optional => "none".into(),
+        6 if parameter.name.contains("radius") => "inf".into(),
+        _ => with_unit(value, parameter, chance),
+    }
+}
+
+/// NAME=VALUE.
+pub fn setting(chance: &mut Chance) -> String {
+    match chance.below(30) {
+        0 => format!("aero.law={}", chance.of(&Law::NAMES)),
+        1 => format!("flight.method={}", chance.of(&["rk4", "dp5", "dp8", "euler", ""])),
+        2 => chance.of(&["club.loft", "=", "=1", "a=b=c", "aero.law=", "club.loft==1deg"]).into(),
+        _ => {
+            let parameter = parameter(chance);
+            format!("{}={}", name_of(parameter, chance), value(parameter, chance))
+        }
+    }
+}
+
+/// NAME=LOW..HIGH about a parameter's default.
+pub fn range(parameter: &Parameter, chance: &mut Chance) -> String {
+    let middle = near(parameter, 0.05, chance);
+    let reach = if middle == 0.0 { 0.05 } else { 0.2 * middle.abs() };
+    let low = with_unit((middle - reach).max(parameter.range.low), parameter, chance);
+    let high = with_unit((middle + reach).min(parameter.range.high), parameter, chance);
+    let name = name_of(parameter, chance);
+    match chance.below(40) {
+        0 => format!("{name}={high}..{low}"),
+        1 => format!("{name}={low}..{low}"),
+        2 => format!("{name}={low}"),
+        3 => format!("{name}={low}.."),
+        4 => format!("{name}={}..{high}", chance.of(&ODD)),
+        5 => name,
+        _ => format!("{name}={low}..{high}"),
+    }
+}
+
+/// An outcome's name; now and then something else.
+pub fn outcome(chance: &mut Chance) -> String {
+    match chance.below(40) {
+        0 => "all".into(),
+        1 => "cary".into(),
+        2 => String::new(),
+        _ if chance.is(0.4) => chance.of(&["carry", "lateral"]).into(),
+        _ => chance.of(Outcome::ALL).name().into(),
+    }
+}
+
+/// Names with commas between them.
+pub fn list(count: usize, chance: &mut Chance, one: impl Fn(&mut Chance) -> String) -> String {
+    (0..1 + chance.below(count)).map(|_| one(chance)).collect::<Vec<_>>().join(",")
+}
+
+/// A constraint as `--subject-to` takes it.
+pub fn constraint(chance: &mut Chance) -> String {
+    let outcome = chance.of(Outcome::ALL);
+    let usual = match outcome.unit() {
+        "yd" => 200.0,
+        "mph" => 150.0,
+        "deg" => 15.0,
+        "rpm" => 3000.0,
+        "s" => 6.0,
+        _ => 1.4,
+    };
+    let limit = |chance: &mut Chance| {
+        let value = usual * chance.between(0.0, 1.5);
+        let unit = if chance.is(0.95) { outcome.unit() } else { "kg" };
+        format!("{value:.2} {unit}").trim_end().to_owned()
+    };
+    let (name, first) = (outcome.name(), limit(chance));
+    match chance.below(12) {
+        0 => format!("{name} == {first}"),
+        1 => format!("{first} <= {name} <= {}", limit(chance)),
+        2 => format!("{name} {first}"),
+        3 => format!("{name} >= {}", chance.of(&ODD)),
+        4 => chance
+            .of(&["", "<=", "carry", "carry <=", "carry <= lateral", "1 yd <= 2 yd", "carry < 1 yd < 2 yd"])
+            .into(),
+        5..8 => format!("{name} <= {first}"),
+        _ => format!("{name} >= {first}"),
+    }
+}
+
+/// A standard uncertainty as `--sigma` takes it.
+pub fn sigma(chance: &mut Chance) -> String {
+    let parameter = variable(chance);
+    let name = name_of(parameter, chance);
+    match chance.below(12) {
+        0 => format!("{name}={}", chance.of(&ODD)),
+        1..4 => format!("{name}={:.3}%", chance.between(0.0, 3.0)),
+        _ => {
+            let size = near(parameter, 0.1, chance).abs().max(1e-6);
+            format!("{name}={}", with_unit(0.01 * size, parameter, chance))
+        }
+    }
+}
+
+/// A distribution as `--distribution` takes it.
+pub fn distribution(chance: &mut Chance) -> String {
+    let parameter = variable(chance);
+    let name = name_of(parameter, chance);
+    let mut values: Vec<f64> = (0..3).map(|_| near(parameter, 0.05, chance)).collect();
+    if chance.is(0.95) {
+        values.sort_by(f64::total_cmp);
+    }
+    let [low, middle, high] = [0, 1, 2].map(|at| with_unit(values[at], parameter, chance));
+    match chance.below(16) {
+        0 => format!("{name}={}", chance.of(&ODD)),
+        1 => format!("{name}=gauss({low},{high})"),
+        2 => format!("{name}=normal({low})"),
+        3..6 => format!("{name}=normal({middle},{})", with_unit(1e-3 + 0.01 * values[1].abs(), parameter, chance)),
+        6..11 => format!("{name}=uniform({low},{high})"),
+        _ => format!("{name}=triangular({low},{middle},{high})"),
+    }
+}
