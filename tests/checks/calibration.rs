@@ -3,11 +3,14 @@
 use crate::command_line::{json, longdrive, number};
 use longdrive::derivative::{Evaluator, Order};
 use longdrive::launch::Launch;
-use longdrive::optimize::least_squares::{Follow, Loss};
-use longdrive::study::calibrate::{Calibration, Plan, ShotTable, calibrate};
-use longdrive::{Outcome, Setup};
+use longdrive::optimize::least_squares::{Follow, Loss, Status};
+use longdrive::report::{CalibrationReport, calibration_document, calibration_reply};
+use longdrive::study::calibrate::{Calibration, Plan, ShotTable, Uncertainties, calibrate, held_out};
+use longdrive::{Drive, Outcome, Setup};
 use std::fmt::Write;
 use std::io::Write as _;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 /// Random numbers with a fixed seed (Steele, Lea & Flood 2014), and normal ones by Box & Muller's transform.
 struct Noise(u64);
@@ -31,7 +34,7 @@ impl Noise {
 fn truth() -> Setup<f64> {
     let mut setup = Setup::default();
     setup
-        .set_all([("aero.law", "linear"), ("aero.cd", "0.27"), ("aero.cl_slope", "1.3"), ("flight.step", "0.02")])
+        .set_all([("aero.law", "linear"), ("aero.cd", "0.27"), ("aero.cl_slope", "1.3"), ("flight.step", "0.02 s")])
         .unwrap();
     setup
 }
@@ -42,7 +45,7 @@ const SIGMA: [f64; 2] = [2.0, 0.5];
 fn shots(noise: &mut Noise, size: f64) -> String {
     let setup = truth();
     let mut text =
-        "ball_speed,launch_angle [deg],backspin [rpm],carry,sigma carry,apex_height,sigma apex_height\n".to_owned();
+        "ball_speed [m/s],launch_angle [deg],backspin [rpm],carry [m],sigma carry [m],apex_height [m],sigma apex_height [m]\n".to_owned();
     for k in 0..12 {
         let (speed, angle, spin) =
             (55.0 + 1.7 * f64::from(k), 9.0 + f64::from(k * 5 % 7), 1800.0 + 150.0 * f64::from(k * 7 % 12));
@@ -57,7 +60,7 @@ fn shots(noise: &mut Noise, size: f64) -> String {
 
 fn fitted(text: &str, setup: &Setup<f64>, names: &[&str], loss: Loss) -> Calibration {
     let table = ShotTable::read(setup, "shots.csv", text.as_bytes()).unwrap();
-    assert!(table.is_launched && table.has_sigmas);
+    assert!(table.is_launched && table.uncertainties == Uncertainties::Stated);
     let names: Vec<String> = names.iter().map(|name| (*name).to_owned()).collect();
     let mut plan = Plan::read(setup, &names).unwrap();
     plan.options.loss = loss;
@@ -224,4 +227,198 @@ fn bad_tables_and_plans_are_refused_with_row_and_column() {
             assert!(said.err.contains(word), "{text}: '{word}' is not in {}", said.err);
         }
     }
+}
+
+/// Deliveries of the default setup at several club speeds, flown exactly: carry, and with it what else is asked for.
+fn flown(speeds: &[f64], of: &[Outcome], sigma: Option<f64>) -> String {
+    let sigmas = |outcome: &Outcome| sigma.map_or(String::new(), |_| format!(",sigma {}", with_unit(*outcome)));
+    let heads: Vec<String> = of.iter().map(|outcome| with_unit(*outcome) + &sigmas(outcome)).collect();
+    let mut text = format!("swing.speed [m/s],{}\n", heads.join(","));
+    for speed in speeds {
+        let mut setup = Setup::default();
+        setup.swing.speed = *speed;
+        let drive = Drive::new(&setup).unwrap();
+        let cell = |outcome: &Outcome| {
+            let value = format!("{}", outcome.of(&drive).unwrap());
+            value + &sigma.map_or(String::new(), |sigma| format!(",{sigma}"))
+        };
+        let cells: Vec<String> = of.iter().map(cell).collect();
+        writeln!(text, "{speed},{}", cells.join(",")).unwrap();
+    }
+    text
+}
+
+fn with_unit(outcome: Outcome) -> String {
+    match outcome.quantity().si {
+        "" => outcome.name().to_owned(),
+        si => format!("{} [{si}]", outcome.name()),
+    }
+}
+
+/// The program's answer in text and JSON.
+fn asked(text: &str, arguments: &[&str]) -> (i32, String, serde_json::Value) {
+    let file = table(text);
+    let question = [&["calibrate", file.path().to_str().unwrap()], arguments].concat();
+    let (status, found) = json(&question);
+    let said = longdrive(&question);
+    assert_eq!(said.status, status, "{}", said.err);
+    for word in ["NaN", " inf"] {
+        assert!(!said.out.contains(word) && !found.to_string().contains(word), "{}", said.out);
+    }
+    (status, said.out, found)
+}
+
+#[test]
+fn exact_fits_with_nothing_left_over_are_converged_and_say_so() {
+    let fit = ["--fit", "aero.cd0", "--fit", "aero.cl_max", "--set", "aero.cd0=0.2", "--set", "aero.cl_max=0.4"];
+    for (speeds, outcomes, sigma) in [
+        // as many data as parameters, and more
+        (&[45.0, 50.0][..], &[Outcome::Carry][..], Some(0.5)),
+        (&[45.0, 50.0], &[Outcome::Carry], None),
+        (&[50.0], &[Outcome::Carry, Outcome::ApexHeight], None),
+        (&[42.0, 45.0, 48.0, 52.0], &[Outcome::Carry, Outcome::ApexHeight], Some(1.0)),
+        (&[42.0, 45.0, 48.0, 52.0], &[Outcome::Carry, Outcome::ApexHeight], None),
+    ] {
+        let (status, text, found) = asked(&flown(speeds, outcomes, sigma), &fit);
+        assert_eq!((status, found["status"].as_str()), (0, Some("converged")), "{text}");
+        for name in ["aero.cd0", "aero.cl_max"] {
+            let estimate = &found["estimates"][name];
+            let truth = Setup::default().value(Setup::default().variable(name).unwrap()).unwrap();
+            assert!((number(&estimate["value"]) - truth).abs() < 1e-9, "{estimate} {truth}");
+            assert_eq!(estimate["determined"], true, "{text}");
+        }
+        assert_eq!(found["undetermined"].as_array().unwrap().len(), 0);
+        assert!(!text.contains("not determined") && text.contains("met to rounding"), "{text}");
+        assert_eq!(text.contains("since not every uncertainty is stated"), false, "{text}");
+        assert_eq!(text.contains("follow from the stated uncertainties"), sigma.is_some(), "{text}");
+    }
+}
+
+#[test]
+fn exact_confounded_parameters_are_no_answer() {
+    // shaft lean and loft turn the face by their sum: the launch hardly sees anything else
+    let launch = [Outcome::BallSpeed, Outcome::LaunchAngle, Outcome::Spin];
+    let text = flown(&[42.0, 46.0, 50.0, 54.0], &launch, Some(0.3));
+    for start in ["0deg", "4deg"] {
+        let lean = format!("swing.shaft_lean={start}");
+        let (status, said, found) = asked(&text, &["--fit", "swing.shaft_lean", "--fit", "club.loft", "--set", &lean]);
+        assert_eq!((status, found["status"].as_str()), (1, Some("undetermined")), "{said}");
+        let message = found["message"].as_str().unwrap();
+        assert!(message.contains("the data do not determine swing.shaft_lean and club.loft apart"), "{message}");
+        for name in ["swing.shaft_lean", "club.loft"] {
+            let estimate = &found["estimates"][name];
+            assert!(estimate["standard_error"].is_null() && estimate["determined"] == false, "{estimate}");
+            assert!(number(&estimate["value"]).abs() < 45.0_f64.to_radians(), "{name} ran off: {estimate}");
+        }
+        assert!(said.contains("not determined by the data"), "{said}");
+    }
+    // nothing measured depends on the air's viscosity under a law without a Reynolds number, alone or on a bound of its range
+    for range in ["air.viscosity", "air.viscosity=1e-5Pas..1.837e-5Pas"] {
+        let (status, said, found) = asked(
+            &flown(&[45.0, 50.0], &[Outcome::Carry], None),
+            &["--set", "aero.law=linear", "--fit", "aero.cd", "--fit", &range.replace("Pas", " Pa s")],
+        );
+        assert_eq!((status, found["status"].as_str()), (1, Some("undetermined")), "{said}");
+        assert!(said.contains("the data do not determine air.viscosity"), "{said}");
+        assert!(number(&found["estimates"]["aero.cd"]["standard_error"]) > 0.0, "{said}");
+    }
+}
+
+#[test]
+fn exact_one_datum_and_parameters_all_on_bounds() {
+    let text = flown(&[50.0], &[Outcome::Carry], None);
+    let (status, said, _) = asked(&text, &["--fit", "aero.cd0"]);
+    assert_eq!(status, 0, "{said}");
+    // the least drag of the range still carries too short
+    let long = text.replace("\n50,", "\n50,1");
+    let (status, said, found) = asked(&long, &["--fit", "aero.cd0=0.2..0.3"]);
+    assert_eq!((status, found["status"].as_str()), (0, Some("converged")), "{said}");
+    assert_eq!(found["estimates"]["aero.cd0"]["at_bound"], true);
+    assert!(said.contains("on the bound of its range"), "{said}");
+}
+
+#[test]
+fn rows_that_no_sum_of_squares_can_hold_are_named() {
+    let row = |carry: &str, sigma: &str| {
+        format!("swing.speed [m/s],carry [m],sigma carry [m]\n45,200,1\n50,{carry},{sigma}\n55,250,1\n")
+    };
+    let fit = ["--fit", "aero.cd0"];
+    for (text, words) in [
+        (row("1e300", "1"), ["row 2", "carry", "outside its range"]),
+        (row("230", "1e-300"), ["row 2", "standard uncertainty", "correct the value or its sigma"]),
+    ] {
+        let file = table(&text);
+        let said = longdrive(&[&["calibrate", file.path().to_str().unwrap()], &fit[..]].concat());
+        assert_eq!((said.status, said.out.as_str()), (2, ""), "{}", said.err);
+        for word in words {
+            assert!(said.err.contains(word), "'{word}' is not in {}", said.err);
+        }
+    }
+    // finite, but beside it the others vanish: the least drag possible is still 1e9 standard uncertainties off
+    let (status, said, found) = asked(&row("9e8", "1e-2"), &["--fit", "aero.cd0=0.1..0.4"]);
+    assert_eq!((status, found["status"].as_str()), (1, Some("outweighed")), "{said}");
+    assert!(found["message"].as_str().unwrap().contains("row 2: carry lies"), "{said}");
+}
+
+/// A follower that interrupts after some iterations, of whichever fit they are.
+fn interrupting(after: u64) -> Follow {
+    let (interrupt, seen) = (Arc::new(AtomicBool::new(false)), AtomicU64::new(0));
+    let flag = interrupt.clone();
+    let count = move |_, _| {
+        if seen.fetch_add(1, Ordering::Relaxed) + 1 >= after {
+            flag.store(true, Ordering::Relaxed);
+        }
+    };
+    Follow { iteration: Some(Arc::new(count)), interrupt }
+}
+
+#[test]
+fn exact_interrupted_folds_are_left_out_and_counted() {
+    let text = shots(&mut Noise(11), 1.0);
+    let setup = elsewhere();
+    let table = ShotTable::read(&setup, "shots.csv", text.as_bytes()).unwrap();
+    let plan = Plan::read(&setup, &LAW.map(str::to_owned)).unwrap();
+    let whole = held_out(&setup, &table, &plan, 4, &Follow::default()).unwrap();
+    assert_eq!((whole.count(Status::Converged), whole.is_interrupted(), whole.remainders.len()), (4, false, 24));
+
+    let at_once = held_out(&setup, &table, &plan, 4, &interrupting(1)).unwrap();
+    assert_eq!((at_once.count(Status::Interrupted), at_once.mean_square()), (4, None));
+    let mut partly = 0;
+    for after in 2..40 {
+        let part = held_out(&setup, &table, &plan, 4, &interrupting(after)).unwrap();
+        let done = 4 - part.count(Status::Interrupted);
+        assert_eq!(part.remainders.len(), 6 * done, "after {after}");
+        // what is told is what the whole would have told
+        for remainder in &part.remainders {
+            let same = whole.remainders.iter().find(|r| (r.row, r.outcome) == (remainder.row, remainder.outcome));
+            assert_eq!(same.unwrap().residual, remainder.residual);
+        }
+        partly += usize::from(done > 0 && part.is_interrupted());
+    }
+    assert!(partly > 0);
+
+    let found = calibrate(&setup, &table, &plan, &interrupting(2)).unwrap();
+    assert_eq!(found.fit.status, Status::Interrupted, "{}", found.fit.message);
+}
+
+#[test]
+fn an_interrupted_comparison_says_so_and_ends_with_status_1() {
+    let setup = elsewhere();
+    let text = shots(&mut Noise(11), 1.0);
+    let table = ShotTable::read(&setup, "shots.csv", text.as_bytes()).unwrap();
+    let plan = Plan::read(&setup, &LAW.map(str::to_owned)).unwrap();
+    let found = calibrate(&setup, &table, &plan, &Follow::default()).unwrap();
+    let partly = (2..60).map(|after| held_out(&setup, &table, &plan, 4, &interrupting(after)).unwrap());
+    let held = partly.into_iter().find(|held| (1..4).contains(&held.count(Status::Interrupted))).unwrap();
+    let stopped = held.count(Status::Interrupted);
+    let never = held_out(&setup, &table, &plan, 4, &interrupting(1)).unwrap();
+    let held = [("linear, fitted as above".to_owned(), held), ("robinson, all coefficients fitted".into(), never)];
+    let report = CalibrationReport { table: &table, found: &found, held_out: &held };
+    assert!(report.is_interrupted() && !report.is_found());
+    let text = calibration_document(&report).text();
+    assert!(text.contains(&format!("linear, fitted as above: interrupted, {stopped} of 4 fits left out")), "{text}");
+    assert!(text.contains("robinson, all coefficients fitted: interrupted, nothing was fitted"), "{text}");
+    let json = serde_json::to_value(calibration_reply(&report, vec![])).unwrap();
+    assert_eq!((&json["interrupted"], &json["held_out"][1]["fits"]["interrupted"]), (&true.into(), &4.into()));
+    assert!(json["held_out"][1]["rms_standardized"].is_null());
 }

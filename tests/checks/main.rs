@@ -8,6 +8,7 @@ mod command_line_certainty;
 mod command_line_files;
 mod command_line_search;
 mod command_line_sweep;
+mod command_line_text;
 mod common;
 mod derivatives;
 mod fast_paths;

@@ -3,7 +3,7 @@ use crate::files::Rule;
 use crate::output::{Answer, tell, warn};
 use crate::reproduce::{DOCUMENT, write};
 use crate::search::{BEST_SO_FAR, interrupt};
-use longdrive::optimize::least_squares::{Follow, Loss, Status};
+use longdrive::optimize::least_squares::{Follow, Loss};
 use longdrive::parameters::{Law, Vary};
 use longdrive::report::plot::Look;
 use longdrive::report::{CalibrationReport, calibration_document, calibration_reply, calibration_toml};
@@ -41,7 +41,9 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
     let mut held = vec![];
     if args.folds > 0 || !args.compare.is_empty() {
         let folds = if args.folds > 0 { args.folds as usize } else { 5.min(table.shots.len()) };
-        tell(&format!("fitting {folds} times, each without a part of the rows"));
+        if !quiet.is_interrupted() {
+            tell(&format!("fitting {folds} times, each without a part of the rows"));
+        }
         let name = format!("{}, fitted as above", setup.law.name());
         held.push((name, held_out(&setup, &table, &plan, folds, &quiet)?));
         for law in &args.compare {
@@ -66,7 +68,7 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
     } else {
         Answer::text(document.text())
     };
-    Ok(answer.found(found.fit.status == Status::Converged))
+    Ok(answer.found(report.is_found()))
 }
 
 fn shown(iteration: u64, sum: f64) {

@@ -17,6 +17,12 @@ const FIRST_DAMPING: f64 = 1e-3;
 const NOISE: f64 = 1e-15;
 /// Damping at which a step is no longer one.
 const MOST_DAMPING: f64 = 1e20;
+/// Least damping. The model's curvature JᵀJ is known to about 1e-16 of the scaled columns: with less damping, directions in
+/// which the residuals do not change would be walked along by rounding alone.
+const LEAST_DAMPING: f64 = 1e-12;
+/// A step without damping shorter than this, relative to the point and to the way there, is rounding where no step lowers the sum
+/// (Moré 1978, MINPACK's `xtol`; near a sum of 0 the slope says nothing, since the residuals themselves are rounding).
+const SHORTEST: f64 = 1e-8;
 
 /// How a fit ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -24,6 +30,12 @@ const MOST_DAMPING: f64 = 1e20;
 pub enum Status {
     /// No direction is left, within the bounds, in which the sum falls.
     Converged,
+    /// The sum is at a minimum, but not at one point alone: along some direction the residuals do not change, or too little to
+    /// tell. A fit does not look for that; whoever judges its Jacobian says so.
+    Undetermined,
+    /// The sum is at a minimum as far as can be told, but one residual is so large that the others vanish beside it in the
+    /// sum's rounding. Said by whoever judges the residuals, as above.
+    Outweighed,
     /// No step makes the sum smaller, though the slope is not 0.
     Stalled,
     /// The iterations allowed were used up.
@@ -39,6 +51,8 @@ impl Status {
     pub fn name(self) -> &'static str {
         match self {
             Self::Converged => "converged",
+            Self::Undetermined => "undetermined",
+            Self::Outweighed => "outweighed",
             Self::Stalled => "stalled",
             Self::IterationLimit => "iteration-limit",
             Self::Interrupted => "interrupted",
@@ -83,6 +97,13 @@ pub struct Follow {
     pub iteration: Option<Arc<dyn Fn(u64, f64) + Send + Sync>>,
     /// Ends the fit, with the best point so far, once it is true.
     pub interrupt: Arc<AtomicBool>,
+}
+
+impl Follow {
+    /// Whether the fit is to end.
+    pub fn is_interrupted(&self) -> bool {
+        self.interrupt.load(Ordering::Relaxed)
+    }
 }
 
 /// Fits from a start, which is moved into the bounds first.
@@ -134,6 +155,9 @@ pub fn fit_watched(
     if !(options.tolerance > 0.0 && options.tolerance < 1.0) {
         return Err(Error::Optimizer(format!("tolerance = {} is outside its range 0 < … < 1", options.tolerance)));
     }
+    if !(options.rounding >= 0.0 && options.rounding.is_finite()) {
+        return Err(Error::Optimizer(format!("rounding = {} is outside its range 0 ≤ … < inf", options.rounding)));
+    }
     if let super::Loss::Huber(k) = options.loss
         && !(k > 0.0 && k.is_finite())
     {
@@ -154,7 +178,7 @@ pub fn fit_watched(
             show(search.iterations, search.at.cost);
         }
         let cosine = search.at.cosine(bounds);
-        if let Some(verdict) = search.verdict(cosine, options, follow.interrupt.load(Ordering::Relaxed)) {
+        if let Some(verdict) = search.verdict(cosine, options, follow.is_interrupted()) {
             break verdict;
         }
         if let Some(verdict) = search.advance(domain, cosine, &evaluate) {
@@ -169,6 +193,7 @@ pub fn fit_watched(
 /// What a fit knows between two iterations.
 struct Search {
     at: Point,
+    begun_at: Vec<f64>,
     scale: Vec<f64>,
     damping: f64,
     growth: f64,
@@ -182,12 +207,26 @@ impl Search {
     fn new(at: Point) -> Self {
         let mut scale = vec![0.0; at.x.len()];
         at.lengthen(&mut scale);
-        let why_refused = None;
-        Self { at, scale, damping: FIRST_DAMPING, growth: 2.0, iterations: 0, evaluations: 1, refused: 0, why_refused }
+        Self {
+            begun_at: at.x.clone(),
+            at,
+            scale,
+            damping: FIRST_DAMPING,
+            growth: 2.0,
+            iterations: 0,
+            evaluations: 1,
+            refused: 0,
+            why_refused: None,
+        }
     }
 
     fn verdict(&self, cosine: f64, options: &Options, is_interrupted: bool) -> Option<(Status, String)> {
         let tolerance = options.tolerance;
+        let largest = self.at.rows.residuals.iter().fold(0.0, |most: f64, r| most.max(r.abs()));
+        if largest <= options.rounding {
+            let message = format!("the largest residual, {largest:.1e}, is rounding: nothing is left over");
+            return Some((Status::Converged, message));
+        }
         if cosine <= tolerance {
             return Some((Status::Converged, format!("largest cosine {cosine:.1e} <= {tolerance:.0e}")));
         }
@@ -214,6 +253,9 @@ impl Search {
                 Some((Status::Stalled, message))
             };
             if self.damping > MOST_DAMPING {
+                if let Some(verdict) = self.rounding(domain) {
+                    return Some(verdict);
+                }
                 let why = self.why_refused.as_ref().map_or(String::new(), |why| format!(" (last refused: {why})"));
                 return stalled(&format!("no step makes the sum smaller{why}"));
             }
@@ -223,13 +265,14 @@ impl Search {
             };
             if promised <= NOISE * self.at.cost || to == self.at.x {
                 // what a step without damping could still gain is what tells the end from a standstill
-                let undamped = self.at.step(&domain.variables, &self.scale, 1e-14).map_or(0.0, |(_, gain)| gain);
+                let undamped =
+                    self.at.step(&domain.variables, &self.scale, LEAST_DAMPING).map_or(0.0, |(_, gain)| gain);
                 if undamped <= 1e3 * NOISE * self.at.cost || self.damping <= FIRST_DAMPING {
                     let part = if self.at.cost > 0.0 { undamped / self.at.cost } else { 0.0 };
                     let message = format!("a step promises {part:.1e} of the sum: rounding lets it fall no further");
                     return Some((Status::Converged, message));
                 }
-                return stalled("steps too short to tell");
+                return self.rounding(domain).or_else(|| stalled("steps too short to tell"));
             }
             self.evaluations += 1;
             match evaluate(to) {
@@ -238,7 +281,7 @@ impl Search {
                     let gain = (self.at.cost - next.cost) / promised;
                     if gain > 0.0 {
                         self.damping *= (1.0 - (2.0 * gain - 1.0).powi(3)).max(1.0 / 3.0);
-                        self.damping = self.damping.max(1e-16);
+                        self.damping = self.damping.max(LEAST_DAMPING);
                         self.growth = 2.0;
                         next.lengthen(&mut self.scale);
                         self.at = next;
@@ -252,6 +295,25 @@ impl Search {
             }
             self.grow();
         }
+    }
+
+    /// Converged, where no step lowers the sum and a step without damping would hardly move the point.
+    fn rounding(&self, domain: &Domain) -> Option<(Status, String)> {
+        let (to, _) = self.at.step(&domain.variables, &self.scale, LEAST_DAMPING)?;
+        let length = |of: &dyn Fn(usize) -> f64| -> f64 {
+            (0..self.scale.len()).map(|i| (self.scale[i] * of(i)).powi(2)).sum::<f64>().sqrt()
+        };
+        let x = &self.at.x;
+        let step = length(&|i| to[i] - x[i]);
+        let way = length(&|i| x[i].abs().max((x[i] - self.begun_at[i]).abs()));
+        (step <= SHORTEST * way).then(|| {
+            let message = format!(
+                "no step makes the sum smaller, and one without damping would move the point by {:.1e} of itself: rounding \
+                 lets it fall no further",
+                if way > 0.0 { step / way } else { 0.0 }
+            );
+            (Status::Converged, message)
+        })
     }
 
     fn grow(&mut self) {

@@ -64,11 +64,13 @@ pub struct Options {
     /// Largest cosine of the angle between the residuals and a column of the Jacobian that is free to move, at which the fit
     /// has converged (1e-10; Moré 1978, MINPACK's `gtol`).
     pub tolerance: f64,
+    /// Residuals no larger than this are rounding, and a fit that leaves no larger ones is exact (0: not known).
+    pub rounding: f64,
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Self { loss: Loss::Squares, max_iterations: 200, tolerance: 1e-10 }
+        Self { loss: Loss::Squares, max_iterations: 200, tolerance: 1e-10, rounding: 0.0 }
     }
 }
 
@@ -211,6 +213,49 @@ mod tests {
             found.rows.residuals.iter().zip(&found.rows.jacobian).map(|(r, row)| r * row[k]).sum()
         };
         assert!(slope(0) < 0.0 && slope(1).abs() < 1e-6 * slope(0).abs() * 230.0 / 5e-4, "{} {}", slope(0), slope(1));
+    }
+
+    /// As many residuals as variables, none of them linear, with a zero that the last digits miss: the cosine says nothing there.
+    #[test]
+    fn exact_zero_of_as_many_residuals_as_variables_is_converged() {
+        let curve = |x: &[f64]| {
+            let (a, b) = (x[0], x[1]);
+            let first = 200.0 * (a.sin() * b.exp()) - 200.0 * (0.7_f64.sin() * 0.3_f64.exp());
+            let second = a * a * b - 0.7 * 0.7 * 0.3;
+            Ok(Rows {
+                residuals: vec![first, second],
+                jacobian: vec![vec![200.0 * a.cos() * b.exp(), 200.0 * a.sin() * b.exp()], vec![2.0 * a * b, a * a]],
+            })
+        };
+        let free = Domain::new(vec![f64::NEG_INFINITY; 2], vec![f64::INFINITY; 2]).unwrap();
+        for start in [[0.5, 0.5], [0.71, 0.29], [0.7, 0.3], [0.9, 0.1]] {
+            let found = fit(&curve, &free, &start, &Options::default()).unwrap();
+            assert_eq!(found.status, Status::Converged, "from {start:?}: {}", found.message);
+            assert!(found.rows.residuals.iter().all(|r| r.abs() < 1e-12), "{:?}", found.rows.residuals);
+        }
+    }
+
+    /// Only x₁ − x₂ matters: the sum of the two stays where it began, and is not walked along by rounding.
+    #[test]
+    fn exact_combination_that_nothing_depends_on_stays_where_it_began() {
+        let difference = |x: &[f64]| {
+            let d = x[0] - x[1];
+            let residuals = vec![d.sin() - 0.1, d.exp() - 1.2, d - 0.3];
+            Ok(Rows { residuals, jacobian: [d.cos(), d.exp(), 1.0].iter().map(|j| vec![*j, -j]).collect() })
+        };
+        let free = Domain::new(vec![-1e6; 2], vec![1e6; 2]).unwrap();
+        let found = fit(&difference, &free, &[3.0, 1.0], &Options::default()).unwrap();
+        assert_eq!(found.status, Status::Converged, "{}", found.message);
+        assert!((found.x[0] + found.x[1] - 4.0).abs() < 1e-3, "{:?}", found.x);
+    }
+
+    #[test]
+    fn exact_residuals_too_large_to_square_are_no_start() {
+        let huge = |x: &[f64]| Ok(Rows { residuals: vec![x[0], 1e300], jacobian: vec![vec![1.0], vec![1.0]] });
+        let free = Domain::new(vec![f64::NEG_INFINITY], vec![f64::INFINITY]).unwrap();
+        let found = fit(&huge, &free, &[1.0], &Options::default()).unwrap();
+        assert_eq!(found.status, Status::Undefined, "{}", found.message);
+        assert!(found.message.contains("residual 2 is 1e300"), "{}", found.message);
     }
 
     #[test]

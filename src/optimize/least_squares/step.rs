@@ -26,6 +26,14 @@ impl Point {
         if !all.copied().all(f64::is_finite) {
             return Err("a residual or a derivative is not finite".into());
         }
+        /// Residuals and derivatives beyond this have sums of squares that are not finite.
+        const TOO_LARGE: f64 = 1e150;
+        for (at, (r, row)) in rows.residuals.iter().zip(&rows.jacobian).enumerate() {
+            if let Some(entry) = row.iter().chain([r]).find(|entry| entry.abs() > TOO_LARGE) {
+                let what = if r.abs() > TOO_LARGE { "is" } else { "has the derivative" };
+                return Err(format!("residual {} {what} {entry:e}, too large for a sum of squares", at + 1));
+            }
+        }
         let (mut gradient, mut curvature) = (DVector::zeros(n), DMatrix::zeros(n, n));
         for (r, row) in rows.residuals.iter().zip(&rows.jacobian) {
             let weight = loss.weight(*r);

@@ -25,6 +25,7 @@ fn body(report: &CalibrationReport<'_>) -> Value {
                 "standard_uncertainty": json::number(estimate.standard_error),
                 "interval_95": ends,
                 "at_bound": estimate.is_at_bound,
+                "determined": estimate.is_determined,
             });
             (estimate.parameter.name.to_owned(), entry)
         })
@@ -58,14 +59,21 @@ fn body(report: &CalibrationReport<'_>) -> Value {
         .map(|(name, held)| {
             let rms: Map<String, Value> =
                 by_outcome(held).into_iter().map(|(name, rms, ..)| (name, json::number(Some(rms)))).collect();
-            json!({ "fit": name,
+            let mut fits = Map::new();
+            for status in &held.ended {
+                fits.insert(status.name().into(), json!(held.count(*status)));
+            }
+            json!({
+                "fit": name,
                 "folds": held.folds,
-                "rms_standardized": json::number(Some(held.mean_square().sqrt())),
+                "fits": fits,
+                "rms_standardized": json::number(held.mean_square().map(f64::sqrt)),
                 "rms": rms,
             })
         })
         .collect();
     json!({
+        "interrupted": report.is_interrupted(),
         "data": {
             "file": table.file,
             "shots": table.shots.len(),
@@ -80,7 +88,7 @@ fn body(report: &CalibrationReport<'_>) -> Value {
         "chi_square": json::number(Some(statistics.chi_square)),
         "degrees_of_freedom": statistics.degrees_of_freedom,
         "probability": json::number(statistics.probability),
-        "uncertainty_scale": json::number(Some(statistics.scale)),
+        "uncertainty_scale": json::number(statistics.scale),
         "iterations": found.fit.iterations,
         "evaluations": found.fit.evaluations,
         "refused": { "count": found.fit.refused, "last": found.fit.why_refused },

@@ -8,7 +8,8 @@ pub use json::calibration_reply;
 pub use setup_file::calibration_toml;
 
 use super::document::Document;
-use crate::study::calibrate::{Calibration, Estimate, HeldOut, Remainder, ShotTable, Undetermined};
+use crate::optimize::least_squares::Status;
+use crate::study::calibrate::{Calibration, Estimate, HeldOut, Remainder, ShotTable, Uncertainties, Undetermined};
 use crate::units::significant;
 
 /// All that a report of a calibration shows.
@@ -22,17 +23,30 @@ pub struct CalibrationReport<'a> {
     pub held_out: &'a [(String, HeldOut)],
 }
 
+impl CalibrationReport<'_> {
+    /// Whether the fit, or one for the held-out error, was interrupted.
+    pub fn is_interrupted(&self) -> bool {
+        self.found.fit.status == Status::Interrupted || self.held_out.iter().any(|(_, held)| held.is_interrupted())
+    }
+
+    /// Whether it has an answer: the fit has converged, and nothing was interrupted.
+    pub fn is_found(&self) -> bool {
+        self.found.fit.status == Status::Converged && !self.is_interrupted()
+    }
+}
+
 /// The estimate as a person reads it, with its 95 % interval.
 fn estimated(estimate: &Estimate, reach: f64) -> Vec<String> {
-    let Estimate { parameter, value, standard_error, is_at_bound } = estimate;
+    let Estimate { parameter, value, standard_error, is_at_bound, is_determined } = estimate;
     let show = |value: f64| parameter.show(Some(value));
     let (error, interval) = match standard_error {
         Some(error) => (
             significant(error / parameter.quantity.size_of(parameter.unit).unwrap_or(1.0), 2),
             format!("{} .. {}", show(value - reach * error), show(value + reach * error)),
         ),
+        None if !is_determined => ("–".into(), "not determined by the data".into()),
         None if *is_at_bound => ("–".into(), "on the bound of its range".into()),
-        None => ("–".into(), "not determined by the data".into()),
+        None => ("–".into(), "not known: no value is left over".into()),
     };
     vec![parameter.name.into(), show(*value), error, interval]
 }
@@ -66,19 +80,7 @@ pub fn calibration_document(report: &CalibrationReport<'_>) -> Document {
         &["parameter", "estimate", "standard error", "95 % interval"],
         found.estimates.iter().map(|estimate| estimated(estimate, statistics.reach)),
     );
-    let (chi, dof) = (significant(statistics.chi_square, 5), statistics.degrees_of_freedom);
-    document.paragraph(match statistics.probability {
-        Some(p) => format!(
-            "χ² = {chi} with {dof} degrees of freedom; a sum as large is to be expected with probability {}.",
-            significant(p, 3)
-        ),
-        None if statistics.scale.is_finite() => format!(
-            "Sum of squares {chi} with {dof} degrees of freedom: standard errors are scaled by √(sum/{dof}) = {}, since not every \
-             uncertainty is stated.",
-            significant(statistics.scale, 4)
-        ),
-        None => "As many parameters as values: nothing is left to tell their uncertainty by.".into(),
-    });
+    document.paragraph(left_over(report));
     for undetermined in &statistics.undetermined {
         document.paragraph(format!("The data do not determine {}.", said(found, undetermined)));
     }
@@ -96,14 +98,59 @@ pub fn calibration_document(report: &CalibrationReport<'_>) -> Document {
     document
 }
 
-fn said(found: &Calibration, undetermined: &Undetermined) -> String {
-    let name = |at: usize| found.estimates[at].parameter.name;
-    match &undetermined.parts[..] {
-        [(only, _)] => name(*only).into(),
-        parts => {
-            let one = |(at, part): &(usize, f64)| format!("{:+.3e} {}", part, name(*at));
-            format!("{} together", parts.iter().map(one).collect::<Vec<_>>().join(" "))
+/// What is left over, and how the standard errors follow from it.
+fn left_over(report: &CalibrationReport<'_>) -> String {
+    let (statistics, stated) = (&report.found.statistics, report.table.uncertainties);
+    let (chi, dof) = (significant(statistics.chi_square, 5), statistics.degrees_of_freedom);
+    let freedom = match dof {
+        0 => "no degree of freedom is left: there are as many parameters as values, or more".to_owned(),
+        1 => "1 degree of freedom".into(),
+        _ => format!("{dof} degrees of freedom"),
+    };
+    let errors = match (statistics.scale, stated) {
+        (Some(scale), _) if statistics.is_scaled => format!(
+            "Standard errors are scaled by √(χ²/{dof}) = {}, since not every uncertainty is stated",
+            significant(scale, 4)
+        ),
+        (Some(_), Uncertainties::Stated) => "Standard errors follow from the stated uncertainties".into(),
+        (Some(_), _) => {
+            "Standard errors follow from the instruments' uncertainties as they stand, since nothing is left over to \
+                         scale them by"
+                .into()
         }
+        (None, _) => {
+            "No uncertainty is known and nothing is left over to tell it by: there are no standard errors".into()
+        }
+    };
+    let exact = if statistics.is_exact { "; the data are met to rounding" } else { "" };
+    let probability = statistics.probability.map_or(String::new(), |p| {
+        format!(" A sum as large is to be expected with probability {}.", significant(p, 3))
+    });
+    format!("χ² = {chi} with {freedom}{exact}.{probability} {errors}.")
+}
+
+/// A direction in the parameters' own units, one of them changed by 1 of its unit.
+fn said(found: &Calibration, undetermined: &Undetermined) -> String {
+    let parameter = |at: usize| found.estimates[at].parameter;
+    let size = |at: usize| parameter(at).quantity.size_of(parameter(at).unit).unwrap_or(1.0);
+    let [(first, part), others @ ..] = &undetermined.parts[..] else { return "any parameter".into() };
+    if others.is_empty() && undetermined.standard_error.is_none() {
+        return format!("{}: no measured value depends on it", parameter(*first).name);
+    }
+    let unit = part / size(*first);
+    let one = |(at, part): &(usize, f64)| {
+        let change = significant(part / size(*at) / unit, 3);
+        let sign = if change.starts_with(['-', '−']) { "" } else { "+" };
+        format!("{} by {sign}{change} {}", parameter(*at).name, parameter(*at).unit).trim_end().to_owned()
+    };
+    let all: Vec<String> = undetermined.parts.iter().map(one).collect();
+    match undetermined.standard_error {
+        None => format!("a change of {}: no measured value notices it", all.join(" with ")),
+        Some(error) => format!(
+            "a change of {}: one standard error is {} times as much, more than the range of a parameter",
+            all.join(" with "),
+            significant((error * unit).abs(), 2)
+        ),
     }
 }
 
@@ -174,5 +221,16 @@ fn held_row(name: &str, held: &HeldOut) -> Vec<String> {
         |(name, rms, unit, size): (String, f64, &str, f64)| format!("{name} {} {unit}", significant(rms / size, 4));
     let outcomes: Vec<_> = by_outcome(held).into_iter().map(one).collect();
     let folds = if held.folds == 0 { "as it stands".into() } else { held.folds.to_string() };
-    vec![folds, format!("{:.3}", held.mean_square().sqrt()), outcomes.join(", "), name.into()]
+    let rms = held.mean_square().map_or("–".into(), |mean| format!("{:.3}", mean.sqrt()));
+    let interrupted = held.count(Status::Interrupted);
+    let others = held.ended.len() - interrupted - held.count(Status::Converged);
+    let mut what = match (interrupted, held.ended.len()) {
+        (0, _) => name.to_owned(),
+        (stopped, all) if stopped == all => format!("{name}: interrupted, nothing was fitted"),
+        (stopped, all) => format!("{name}: interrupted, {stopped} of {all} fits left out"),
+    };
+    if others > 0 {
+        what += &format!("; {others} of {} fits did not converge", held.ended.len());
+    }
+    vec![folds, rms, outcomes.join(", "), what]
 }

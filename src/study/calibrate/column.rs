@@ -100,7 +100,7 @@ impl Column {
         let number: Option<f64> = cell.replace('\u{2212}', "-").parse().ok().filter(|number: &f64| number.is_finite());
         let Some(number) = number else {
             return Err(format!(
-                "'{cell}' is not a number; units stand in the head, as in '{} [{}]', and an empty cell says that there is none",
+                "'{cell}' is not a number; units stand in the head, as in '{} [{}]', and an empty cell is a missing value",
                 self.head,
                 self.unit()
             ));

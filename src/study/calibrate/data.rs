@@ -1,5 +1,6 @@
 use super::column::{Column, Holds};
 use super::shot::{Measurement, Shot, Stationary};
+use super::statistics::Uncertainties;
 use crate::drive::{Outcome, Part};
 use crate::error::{Error, Result};
 use crate::launch::Launch;
@@ -23,9 +24,12 @@ pub struct ShotTable {
     pub is_launched: bool,
     /// What deserves a word: outcomes without a sigma column.
     pub remarks: Vec<String>,
-    /// Whether every residual has a stated standard uncertainty.
-    pub has_sigmas: bool,
+    /// What the standard uncertainties of the measured values are worth.
+    pub uncertainties: Uncertainties,
 }
+
+/// No outcome of a drive is larger than this, in whatever SI unit.
+const MOST: f64 = 1e9;
 
 /// Outcomes that, all together, are a launch.
 const CONDITIONS: [Outcome; 7] = [
@@ -73,13 +77,19 @@ impl ShotTable {
         }
         let remarks = reading.remarks();
         let Reading { is_launched, .. } = reading;
-        let has_sigmas = remarks.is_empty();
-        Ok(Self { file: file.into(), shots, is_launched, remarks, has_sigmas })
+        let uncertainties = if remarks.is_empty() { Uncertainties::Stated } else { Uncertainties::Weights };
+        Ok(Self { file: file.into(), shots, is_launched, remarks, uncertainties })
     }
 
     /// How many residuals there are.
     pub fn residuals(&self) -> usize {
         self.shots.iter().map(Shot::residuals).sum()
+    }
+
+    /// Residuals up to this size are rounding: 1e-12 of the largest measured value in units of its standard uncertainty.
+    pub fn rounding(&self) -> f64 {
+        let measured = self.shots.iter().flat_map(|shot| &shot.measured);
+        1e-12 * measured.map(|measurement| (measurement.value / measurement.sigma).abs()).fold(0.0, f64::max)
     }
 
     /// Whether a parameter is an input of the shots.
@@ -145,6 +155,13 @@ impl Reading<'_> {
                         return Err((here(), "rows of launch conditions have no club".into()));
                     }
                     if let Some(value) = self.cell(record, column.holds)? {
+                        if value.abs() > MOST {
+                            let (shown, most) = (outcome.show(value), outcome.show(MOST));
+                            return Err((
+                                here(),
+                                format!("{shown} is outside its range −{most} .. {most}; correct the cell"),
+                            ));
+                        }
                         let sigma = self.sigma(record, Holds::Sigma(outcome), column.one())?;
                         measured.push(Measurement { outcome, value, sigma });
                     }

@@ -1,10 +1,11 @@
 use super::data::ShotTable;
 use super::residuals::ShotResiduals;
 use super::shot::Shot;
-use super::statistics::Statistics;
+use super::statistics::{Fitted, Statistics};
+use super::verdict;
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
-use crate::optimize::least_squares::{Fit, Follow, Loss, Options, Residuals, fit_from};
+use crate::optimize::least_squares::{Fit, Follow, Options, Residuals, fit_from};
 use crate::optimize::{Domain, starts};
 use crate::parameters::{Parameter, Setup, Vary};
 
@@ -30,6 +31,8 @@ pub struct Estimate {
     pub standard_error: Option<f64>,
     /// Whether it ended on a bound of its range.
     pub is_at_bound: bool,
+    /// Whether the data determine it; where not, its value is one of many.
+    pub is_determined: bool,
 }
 
 /// A residual.
@@ -143,6 +146,7 @@ pub fn calibrate(setup: &Setup<f64>, table: &ShotTable, plan: &Plan, follow: &Fo
     let own: Vec<f64> = fitted.iter().filter_map(|parameter| setup.value(parameter)).collect();
     let own = domain.variables.project(&own);
     let mut problem = ShotResiduals { setup: *setup, shots: &table.shots, fitted, curvatures: vec![] };
+    let options = Options { rounding: table.rounding(), ..plan.options.clone() };
     let mut from = starts(&domain, &own, plan.starts)?;
     if !from.iter().any(|start| problem.begin(start)) {
         // as a search does whose functions are not defined at its start, others are tried
@@ -153,8 +157,8 @@ pub fn calibrate(setup: &Setup<f64>, table: &ShotTable, plan: &Plan, follow: &Fo
         }
     }
     let mut renewals = 0;
-    let fits = loop {
-        let fits = fit_from(&problem, &domain, &from, &plan.options, follow)?;
+    let (mut fits, is_settled) = loop {
+        let fits = fit_from(&problem, &domain, &from, &options, follow)?;
         let best = &fits[0];
         if best.rows.residuals.is_empty() {
             return Err(nothing_flies(&problem, &own));
@@ -162,8 +166,8 @@ pub fn calibrate(setup: &Setup<f64>, table: &ShotTable, plan: &Plan, follow: &Fo
         let renewed = problem.curvatures_at(&best.x)?;
         let pairs = renewed.iter().flatten().zip(problem.curvatures.iter().flatten());
         let is_same = pairs.clone().all(|(new, old)| (new / old - 1.0).abs() <= SAME);
-        if is_same || renewals == RENEWALS || follow.interrupt.load(std::sync::atomic::Ordering::Relaxed) {
-            break fits;
+        if is_same || renewals == RENEWALS || follow.is_interrupted() {
+            break (fits, is_same);
         }
         renewals += 1;
         from = if renewals == 1 { fits.iter().map(|fit| fit.x.clone()).collect() } else { vec![best.x.clone()] };
@@ -171,7 +175,9 @@ pub fn calibrate(setup: &Setup<f64>, table: &ShotTable, plan: &Plan, follow: &Fo
     };
     let same =
         fits.iter().filter(|fit| (fit.cost - fits[0].cost).abs() <= 1e-6 * fits[0].cost.abs().max(1e-12)).count();
-    let found = finished(&problem, &domain, table, fits, plan.options.loss)?;
+    verdict::of_searches(&mut fits, is_settled, follow.is_interrupted());
+    let mut found = finished(&problem, &domain, table, &own, fits, &options)?;
+    verdict::of_data(&mut found, options.loss);
     Ok(Calibration { starts: (plan.starts, same), renewals, ..found })
 }
 
@@ -196,18 +202,28 @@ fn finished(
     problem: &ShotResiduals<'_>,
     domain: &Domain,
     table: &ShotTable,
+    own: &[f64],
     fits: Vec<Fit>,
-    loss: Loss,
+    options: &Options,
 ) -> Result<Calibration> {
+    /// A range without an end is taken to reach this many times the parameter's own size (or 0.001, if that is more).
+    const ENDLESS: f64 = 1e6;
     let fit = fits.into_iter().next().ok_or(Error::Nothing { doing: "fit", what: "start" })?;
     let bounds = &domain.variables;
-    let is_free: Vec<bool> = (0..fit.x.len()).map(|i| bounds.low[i] < fit.x[i] && fit.x[i] < bounds.high[i]).collect();
-    let statistics = Statistics::new(&fit.rows, &is_free, table.has_sigmas, loss)?;
+    let fitted = (0..fit.x.len()).map(|i| {
+        let (x, low, high) = (fit.x[i], bounds.low[i], bounds.high[i]);
+        let width = high - low;
+        let size = x.abs().max(own[i].abs()).max(1e-3);
+        Fitted { is_free: low < x && x < high, width: if width.is_finite() { width } else { ENDLESS * size } }
+    });
+    let fitted: Vec<Fitted> = fitted.collect();
+    let statistics = Statistics::new(&fit.rows, &fitted, table.uncertainties, options.rounding, options.loss)?;
     let estimates = problem.fitted.iter().enumerate().map(|(i, parameter)| Estimate {
         parameter,
         value: fit.x[i],
         standard_error: statistics.standard_error(i),
-        is_at_bound: !is_free[i],
+        is_at_bound: !fitted[i].is_free,
+        is_determined: statistics.determines(i),
     });
     let estimates = estimates.collect();
     let remainders = remainders(&table.shots, &fit.rows.residuals);

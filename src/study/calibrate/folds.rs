@@ -3,7 +3,7 @@
 use super::data::ShotTable;
 use super::estimate::{Plan, Remainder, calibrate, flown};
 use crate::error::{Error, Result};
-use crate::optimize::least_squares::Follow;
+use crate::optimize::least_squares::{Follow, Status};
 use crate::parameters::Setup;
 
 /// Residuals of shots that each fit had not seen.
@@ -11,15 +11,27 @@ use crate::parameters::Setup;
 pub struct HeldOut {
     /// Parts the shots were divided in; 0 for a setup flown as it stands.
     pub folds: usize,
+    /// How the fit for each part ended. What was left over by one that was interrupted is not told.
+    pub ended: Vec<Status>,
     /// What was left over of the rows held out.
     pub remainders: Vec<Remainder>,
 }
 
 impl HeldOut {
-    /// Mean of the squared residuals, in units of the standard uncertainties.
-    pub fn mean_square(&self) -> f64 {
+    /// Mean of the squared residuals, in units of the standard uncertainties; `None` where every fit was interrupted.
+    pub fn mean_square(&self) -> Option<f64> {
         let sum: f64 = self.remainders.iter().map(|remainder| remainder.residual.powi(2)).sum();
-        sum / self.remainders.len() as f64
+        (!self.remainders.is_empty()).then(|| sum / self.remainders.len() as f64)
+    }
+
+    /// How many fits ended so.
+    pub fn count(&self, status: Status) -> usize {
+        self.ended.iter().filter(|ended| **ended == status).count()
+    }
+
+    /// Whether a fit was interrupted.
+    pub fn is_interrupted(&self) -> bool {
+        self.count(Status::Interrupted) > 0
     }
 
     /// Shots flown with a setup as it stands: of shots it was not fitted to, that is their held-out error.
@@ -27,11 +39,12 @@ impl HeldOut {
     /// # Errors
     /// [`Error::Calibration`] with the row that has no answer.
     pub fn as_it_stands(setup: &Setup<f64>, table: &ShotTable) -> Result<Self> {
-        Ok(Self { folds: 0, remainders: flown(setup, &table.shots)? })
+        Ok(Self { folds: 0, ended: vec![], remainders: flown(setup, &table.shots)? })
     }
 }
 
-/// k-fold cross-validation (Stone 1974): every k-th row is held out in turn, and told by a fit to the others.
+/// k-fold cross-validation (Stone 1974): every k-th row is held out in turn, and told by a fit to the others. Once it is
+/// interrupted, the fit under way and those to come are counted as such, and their rows left out.
 ///
 /// # Errors
 /// [`Error::Calibration`] for less than 2 or more parts than rows; as [`calibrate`].
@@ -41,15 +54,22 @@ pub fn held_out(setup: &Setup<f64>, table: &ShotTable, plan: &Plan, folds: usize
         let reason = format!("{folds} folds of {rows} rows; at least 2 and at most one for each row are possible");
         return Err(Error::Calibration { reason });
     }
-    let mut remainders = vec![];
+    let (mut remainders, mut ended) = (vec![], vec![]);
     for fold in 0..folds {
+        if follow.is_interrupted() {
+            ended.push(Status::Interrupted);
+            continue;
+        }
         let (told, seen): (Vec<_>, Vec<_>) =
             table.shots.iter().cloned().enumerate().partition(|(at, _)| at % folds == fold);
         let strip = |shots: Vec<(usize, _)>| shots.into_iter().map(|(_, shot)| shot).collect::<Vec<_>>();
         let seen = ShotTable { shots: strip(seen), ..table.clone() };
         let found = calibrate(setup, &seen, plan, follow)?;
-        remainders.extend(flown(&found.setup, &strip(told))?);
+        ended.push(found.fit.status);
+        if found.fit.status != Status::Interrupted {
+            remainders.extend(flown(&found.setup, &strip(told))?);
+        }
     }
     remainders.sort_by_key(|remainder| remainder.row);
-    Ok(HeldOut { folds, remainders })
+    Ok(HeldOut { folds, ended, remainders })
 }

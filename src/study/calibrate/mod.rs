@@ -8,9 +8,10 @@ mod folds;
 mod residuals;
 mod shot;
 mod statistics;
+mod verdict;
 
 pub use data::ShotTable;
 pub use estimate::{Calibration, Estimate, Plan, Remainder, calibrate};
 pub use folds::{HeldOut, held_out};
 pub use shot::{Measurement, Shot, Stationary};
-pub use statistics::{Statistics, Undetermined};
+pub use statistics::{Fitted, Statistics, Uncertainties, Undetermined};

@@ -1,12 +1,37 @@
 //! Measured shots as residuals: (computed − measured)/σ, with exact Jacobians by the parameters that are fitted.
 
-use super::shot::{Shot, Stationary};
+use super::shot::{Measurement, Shot, Stationary};
 use crate::derivative::{self, Evaluator, Order};
 use crate::drive::Outcome;
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::optimize::least_squares::{Residuals, Rows};
 use crate::parameters::{Parameter, Setup};
 use rayon::prelude::*;
+
+/// Residuals beyond this have no sum of squares.
+const TOO_FAR: f64 = 1e150;
+
+fn too_far(measurement: &Measurement, computed: f64) -> Error {
+    let outcome = measurement.outcome;
+    Error::Calibration {
+        reason: format!(
+            "{} was measured as {} and is computed as {}, which is too many of its standard uncertainty of {} to sum their \
+             squares; correct the value or its sigma",
+            outcome.name(),
+            outcome.show(measurement.value),
+            outcome.show(computed),
+            outcome.show(measurement.sigma)
+        ),
+    }
+}
+
+/// Why a row has no residuals, without saying again that it is of a calibration.
+fn why(error: Error) -> String {
+    match error {
+        Error::Calibration { reason } => reason,
+        error => error.to_string(),
+    }
+}
 
 /// Shots, and what is fitted to them.
 pub(super) struct ShotResiduals<'a> {
@@ -57,8 +82,11 @@ impl ShotResiduals<'_> {
                 None => asked,
             };
             for (taylor, measurement) in asked.at(&values)?.into_iter().zip(&shot.measured) {
-                let row = taylor.gradient.iter().map(|d| d / measurement.sigma).collect();
-                rows.push(((taylor.value - measurement.value) / measurement.sigma, row));
+                let residual = (taylor.value - measurement.value) / measurement.sigma;
+                if residual.abs() > TOO_FAR {
+                    return Err(too_far(measurement, taylor.value));
+                }
+                rows.push((residual, taylor.gradient.iter().map(|d| d / measurement.sigma).collect()));
             }
         }
         for (stationary, curvature) in shot.stationary.iter().zip(&self.curvatures[at]) {
@@ -74,7 +102,7 @@ impl ShotResiduals<'_> {
 
     fn all(&self, x: &[f64]) -> std::result::Result<Rows, String> {
         let moved = self.moved(x).map_err(|error| error.to_string())?;
-        let of = |at: usize| self.of(&moved, at).map_err(|error| format!("row {}: {error}", self.shots[at].row));
+        let of = |at: usize| self.of(&moved, at).map_err(|error| format!("row {}: {}", self.shots[at].row, why(error)));
         let shots: Vec<_> = (0..self.shots.len()).into_par_iter().map(of).collect::<std::result::Result<_, _>>()?;
         let (residuals, jacobian) = shots.into_iter().flatten().unzip();
         Ok(Rows { residuals, jacobian })
@@ -91,7 +119,7 @@ impl ShotResiduals<'_> {
     pub fn each(&self, x: &[f64]) -> Result<Vec<std::result::Result<Vec<f64>, String>>> {
         let moved = self.moved(x)?;
         let of = |at: usize| {
-            let rows = self.of(&moved, at).map_err(|error| error.to_string())?;
+            let rows = self.of(&moved, at).map_err(why)?;
             Ok(rows.into_iter().map(|(residual, _)| residual).collect())
         };
         Ok((0..self.shots.len()).into_par_iter().map(of).collect())

@@ -83,7 +83,7 @@ impl Files {
             return Err(refused(&journal, "it exists, and is not the journal of a sweep; move it away"));
         }
         if !resume && !overwrite {
-            let reason = "an earlier sweep into it did not end; --resume continues it, --overwrite begins anew";
+            let reason = "an earlier sweep into it did not end; --resume continues it, --overwrite starts again";
             return Err(refused(&self.whole, reason));
         }
         Ok(())
