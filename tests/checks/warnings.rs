@@ -58,7 +58,7 @@ fn each_law_names_what_it_was_fitted_to() {
     assert!(found.iter().any(|it| it.contains("the law smits-smith")), "{found:?}");
     // no air, no law; and what is fitted to nothing that is known says nothing
     assert!(
-        warnings("modern-driver", &[("swing.speed", "30 mph"), ("club.loft", "14 deg"), ("air.density", "0")])
+        warnings("modern-driver", &[("swing.speed", "30 mph"), ("club.loft", "14 deg"), ("air.density", "0 kg/m^3")])
             .is_empty()
     );
     assert!(
