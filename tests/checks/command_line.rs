@@ -180,7 +180,7 @@ fn bad_input_gets_status_two_and_a_message_that_helps() {
         (vec!["optimize", "--vary", "club.loft"], vec!["NAME=LOW..HIGH"]),
         (vec!["optimize", "--vary", "club.loft=4..20"], vec!["\"20\" has no unit; an angle takes deg, rad"]),
         (vec!["optimize", "--vary", "club.loft=4deg..200deg"], vec!["200 deg", "less than 90 deg"]),
-        (vec!["optimize", "--vary", "club.bulge_radius=0.1..inf"], vec!["finite"]),
+        (vec!["optimize", "--vary", "club.bulge_radius=0.1m..inf"], vec!["finite"]),
         (vec!["optimize", "--vary", "club.loft=4deg..9deg", "--vary", "club.loft=4deg..9deg"], vec!["varied twice"]),
         (vec!["optimize", "--maximize", "distance"], vec!["unknown outcome 'distance'"]),
         (vec!["presets", "mae44"], vec!["did you mean 'mae494'?"]),
