@@ -2,10 +2,9 @@ use super::{CalibrationReport, by_outcome};
 use crate::report::{Reply, json};
 use serde_json::{Map, Value, json};
 
-/// The answer of `calibrate`: the status and the message are the fit's.
+/// The answer of `calibrate`: the status and the message are the fit's, unless a fit for the held-out error was interrupted.
 pub fn calibration_reply(report: &CalibrationReport<'_>, warnings: Vec<String>) -> Reply<Value> {
-    let fit = &report.found.fit;
-    Reply::done("calibrate", warnings, body(report)).ended(fit.status.name(), Some(fit.message.clone()))
+    Reply::done("calibrate", warnings, body(report)).ended(report.status().name(), Some(report.message()))
 }
 
 fn body(report: &CalibrationReport<'_>) -> Value {

@@ -29,6 +29,29 @@ impl CalibrationReport<'_> {
         self.found.fit.status == Status::Interrupted || self.held_out.iter().any(|(_, held)| held.is_interrupted())
     }
 
+    /// How it ended: as the fit did, or interrupted where a fit for the held-out error was.
+    pub fn status(&self) -> Status {
+        if self.is_interrupted() { Status::Interrupted } else { self.found.fit.status }
+    }
+
+    /// The same in a sentence.
+    pub fn message(&self) -> String {
+        let fit = &self.found.fit;
+        let (stopped, all) = self.held_out.iter().fold((0, 0), |(stopped, all), (_, held)| {
+            (stopped + held.count(Status::Interrupted), all + held.ended.len())
+        });
+        match stopped {
+            0 => fit.message.clone(),
+            _ if fit.status == Status::Interrupted => {
+                format!("{}; {stopped} of {all} fits for the held-out error were not made", fit.message)
+            }
+            _ => format!(
+                "{stopped} of {all} fits for the held-out error were interrupted and are left out; the fit itself: {}, {}",
+                fit.status, fit.message
+            ),
+        }
+    }
+
     /// Whether it has an answer: the fit has converged, and nothing was interrupted.
     pub fn is_found(&self) -> bool {
         self.found.fit.status == Status::Converged && !self.is_interrupted()
@@ -58,8 +81,8 @@ pub fn calibration_document(report: &CalibrationReport<'_>) -> Document {
     let mut document = Document::new(&format!("Calibration to {}", table.file));
     document.paragraph(format!(
         "{}: {} ({}, {})",
-        fit.status,
-        fit.message,
+        report.status(),
+        report.message(),
         counted(fit.iterations, "iteration"),
         counted(fit.evaluations, "evaluation")
     ));
