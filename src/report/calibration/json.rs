@@ -1,11 +1,14 @@
 use super::{CalibrationReport, by_outcome};
+use crate::optimize::least_squares::Status;
 use crate::report::{Reply, json};
 use serde_json::{Map, Value, json};
 
-/// The answer of `calibrate`: the status and the message are the fit's.
+/// The answer of `calibrate`: the status and the message are the fit's, or that a part was interrupted.
 pub fn calibration_reply(report: &CalibrationReport<'_>, warnings: Vec<String>) -> Reply<Value> {
     let fit = &report.found.fit;
-    Reply::done("calibrate", warnings, body(report)).ended(fit.status.name(), Some(fit.message.clone()))
+    let status = if report.is_interrupted() { Status::Interrupted } else { fit.status };
+    let message = if status == fit.status { fit.message.clone() } else { "a held-out fit was interrupted".into() };
+    Reply::done("calibrate", warnings, body(report)).ended(status.name(), Some(message))
 }
 
 fn body(report: &CalibrationReport<'_>) -> Value {
