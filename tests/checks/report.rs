@@ -227,7 +227,9 @@ fn the_ending_of_the_file_says_what_a_plot_is_written_as() {
         ("vcurve", vec!["--wrt", "swing.speed"]),
     ] {
         for file in [&svg, &csv] {
-            let said = longdrive(&[&["plot", kind, "-o", file, "--overwrite", "--units", "metric"], extra.as_slice()].concat());
+            let said = longdrive(
+                &[&["plot", kind, "-o", file, "--overwrite", "--units", "metric"], extra.as_slice()].concat(),
+            );
             assert!(
                 said.status == 0 && said.out.is_empty() && said.err.contains(file.as_str()),
                 "{kind}: {}",
