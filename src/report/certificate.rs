@@ -187,7 +187,7 @@ fn curve_json(curve: &[Point]) -> Value {
     json!({ "steps": steps, "errors": errors })
 }
 
-/// A certificate as text: a verdict a row, the worst first, then what else was looked at, and the while-loop beside it.
+/// A certificate as text: a verdict for each derivative, the worst first, then the other checks, and the while-loop for comparison.
 pub fn certificate_text(certificate: &Certificate, loops: &[LoopRow]) -> String {
     let mut text = rows_text(&certificate.rows) + "\n";
     for row in certificate.rows.iter().filter(|row| row.verdict() == Verdict::Corner) {
@@ -199,8 +199,10 @@ pub fn certificate_text(certificate: &Certificate, loops: &[LoopRow]) -> String 
     for found in &certificate.continuity {
         let show = |values: [f64; 3]| values.map(|value| format!("{value:.0e}")).join(", ");
         text += &format!(
-            "  {}: {} where {} steps become {}, value, gradient and Hessian of {} jump by {} (may be {}); {} derivatives are continuous\n",
+            "  {}: at {} = {}, where the number of steps changes from {} to {}, {}, its gradient and its Hessian jump by {} (allowed: {}); \
+             its first {} derivatives are continuous\n",
             verdict_of(found.passed()),
+            found.parameter.name,
             found.parameter.show(Some(found.at)),
             found.steps[0],
             found.steps[1],
@@ -216,11 +218,11 @@ pub fn certificate_text(certificate: &Certificate, loops: &[LoopRow]) -> String 
     for planted in &certificate.planted {
         let verdict = verdict_of(planted.is_caught());
         let (name, caught, rows) = (planted.plant.name(), planted.caught, planted.rows);
-        text += &format!("  {verdict}: planted error \"{name}\" caught in {caught} of {rows} rows\n");
+        text += &format!("  {verdict}: the planted error \"{name}\" is found in {caught} of {rows} rows\n");
     }
     text += &step_text(&certificate.step);
     for it in &certificate.not_examined {
-        text += &format!("  not looked at: {}: {}\n", it.check, it.reason);
+        text += &format!("  not checked: {}: {}\n", it.check, it.reason);
     }
     text += &loops_text(loops);
     for (of, why) in &certificate.missing {
@@ -266,8 +268,8 @@ fn landing_text(certificate: &Certificate) -> String {
     };
     let passed = landing.iter().filter(|row| row.check.verdict == Verdict::Pass).count();
     format!(
-        "  {}: {passed} of {} derivatives at the landing are those of the state at its time, moved to the ground; the worst, d {}/d {}, is \
-         off by {:.0e} (may be {:.0e})\n",
+        "  {}: {passed} of {} derivatives at the landing agree with differences at a fixed time, moved to the ground; the largest error, of \
+         d {}/d {}, is {:.0e} (allowed: {:.0e})\n",
         verdict_of(passed == landing.len()),
         landing.len(),
         worst.of.name(),
@@ -284,8 +286,8 @@ fn loops_text(loops: &[LoopRow]) -> String {
     let Some(worst) = telling.max_by(|a, b| off(a).total_cmp(&off(b))) else { return String::new() };
     let passed = loops.iter().filter(|row| row.check.verdict == Verdict::Pass).count();
     format!(
-        "  for comparison, a while-loop that stops at the first step below the ground (the MAE 494 report's): by {passed} of {} parameters \
-         differences of its carry would pass, by {} they have the wrong sign; farthest off by {}: {} at a step of 1e-8 instead of {} (SI)\n",
+        "  for comparison, a while-loop that stops at the first step below the ground (the MAE 494 report's): of the differences of its carry by \
+         {} parameters, {passed} would pass and {} have the wrong sign; the largest error is by {}: {} at a step of 1e-8 instead of {} (SI)\n",
         loops.len(),
         loops.iter().filter(|row| row.has_wrong_sign()).count(),
         worst.parameter.name,
@@ -296,7 +298,7 @@ fn loops_text(loops: &[LoopRow]) -> String {
 
 fn convergence_text(found: &Convergence) -> String {
     let order = |which: usize| match found.orders[which] {
-        None => "not measurable (nothing but rounding)".into(),
+        None => "not measurable (only rounding errors)".into(),
         Some(order) if order < f64::from(found.expected[which]) - 0.75 && !found.falls_short[which] => {
             format!("{order:.2} (the error passes through 0 at these steps, or scatters)")
         }
@@ -313,11 +315,11 @@ fn convergence_text(found: &Convergence) -> String {
     )
 }
 
-/// What the time step leaves, in one line: the outcome whose value is farthest off, and the derivative that is.
+/// The error of the time step, in one line: the outcome whose value is farthest off, and the derivative that is.
 fn step_text(errors: &[StepError]) -> String {
     let Some(value) = errors.iter().max_by(|a, b| a.value.total_cmp(&b.value)) else { return String::new() };
     let mut text = format!(
-        "  beside a flight in time steps of {} ms instead of {} ms, {} is off by {:.0e} of it",
+        "  compared with a flight in time steps of {} ms instead of {} ms, {} differs by {:.0e} (relative)",
         1e3 * value.steps[1],
         1e3 * value.steps[0],
         value.of.name(),
@@ -327,7 +329,7 @@ fn step_text(errors: &[StepError]) -> String {
     if let Some((found, (parameter, error))) = worst {
         let (of, by, of_outcome) = (found.of.name(), parameter.name, found.of_outcome);
         text += &format!(
-            ", and d {of}/d {by} by {error:.0e} of it ({of_outcome:.0e} of {of} per size of a parameter); the others by less, none is judged by it"
+            ", and d {of}/d {by} by {error:.0e} ({of_outcome:.0e} of {of} per size of the parameter); all others differ by less, and no verdict depends on it"
         );
     }
     text + "\n"

@@ -79,6 +79,16 @@ impl Quantity {
     }
 }
 
+/// A number of things: "1 drive", "2 drives".
+///
+/// ```
+/// use longdrive::units::counted;
+/// assert_eq!((counted(1, "drive"), counted(0, "shot")), ("1 drive".into(), "0 shots".into()));
+/// ```
+pub fn counted(count: u64, thing: &str) -> String {
+    format!("{count} {thing}{}", if count == 1 { "" } else { "s" })
+}
+
 /// A number with these decimals; zero has no sign.
 fn fixed(number: f64, decimals: usize) -> String {
     let text = format!("{number:.decimals$}");

@@ -191,8 +191,9 @@ fn exact_truth_from_the_command_line_with_missing_cells_and_a_setup_file() {
         "--fit",
         "aero.cl_slope=0..5",
     ];
-    let (status, found) =
-        json(&[&["calibrate", data, "-o", output, "--folds", "3", "--starts", "3"], law.as_slice()].concat());
+    let (status, found) = json(
+        &[&["calibrate", data, "--overwrite", "-o", output, "--folds", "3", "--starts", "3"], law.as_slice()].concat(),
+    );
     assert_eq!((status, found["status"].as_str()), (0, Some("converged")), "{found}");
     assert_eq!(found["data"]["values"], 23);
     assert!((number(&found["estimates"]["aero.cd"]["value"]) - 0.27).abs() < 1e-9);
@@ -307,7 +308,7 @@ fn exact_confounded_parameters_are_no_answer() {
         assert!(message.contains("the data do not determine swing.shaft_lean and club.loft apart"), "{message}");
         for name in ["swing.shaft_lean", "club.loft"] {
             let estimate = &found["estimates"][name];
-            assert!(estimate["standard_error"].is_null() && estimate["determined"] == false, "{estimate}");
+            assert!(estimate["standard_uncertainty"].is_null() && estimate["determined"] == false, "{estimate}");
             assert!(number(&estimate["value"]).abs() < 45.0_f64.to_radians(), "{name} ran off: {estimate}");
         }
         assert!(said.contains("not determined by the data"), "{said}");
@@ -320,7 +321,7 @@ fn exact_confounded_parameters_are_no_answer() {
         );
         assert_eq!((status, found["status"].as_str()), (1, Some("undetermined")), "{said}");
         assert!(said.contains("the data do not determine air.viscosity"), "{said}");
-        assert!(number(&found["estimates"]["aero.cd"]["standard_error"]) > 0.0, "{said}");
+        assert!(number(&found["estimates"]["aero.cd"]["standard_uncertainty"]) > 0.0, "{said}");
     }
 }
 
@@ -419,6 +420,7 @@ fn an_interrupted_comparison_says_so_and_ends_with_status_1() {
     assert!(text.contains(&format!("linear, fitted as above: interrupted, {stopped} of 4 fits left out")), "{text}");
     assert!(text.contains("robinson, all coefficients fitted: interrupted, nothing was fitted"), "{text}");
     let json = serde_json::to_value(calibration_reply(&report, vec![])).unwrap();
+    assert_eq!(json["status"], "interrupted");
     assert_eq!((&json["interrupted"], &json["held_out"][1]["fits"]["interrupted"]), (&true.into(), &4.into()));
-    assert!(json["held_out"][1]["rms_standardized"].is_null());
+    assert!(json["held_out"][1]["rms_in_sigma"].is_null());
 }

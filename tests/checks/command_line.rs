@@ -92,7 +92,7 @@ fn jacobian_and_gradient_by_all_parameters() {
     assert_eq!((rows.len(), rows[1]["of"].as_str()), (2, Some("lateral")));
     assert!(rows[0]["gradient"].as_object().unwrap().len() > 35);
     let said = longdrive(&["gradient", "--wrt", "all"]);
-    assert!(said.err.contains("left out: ") && said.err.contains("ball.inertia"), "{}", said.err);
+    assert!(said.err.contains("left out, without a value") && said.err.contains("ball.inertia"), "{}", said.err);
     assert!(said.out.contains("yd per deg") && said.out.contains("m per rad"), "{}", said.out);
 }
 

@@ -102,10 +102,10 @@ fn any_question() -> impl Strategy<Value = (Setup<f64>, usize)> {
         (s.wind.right, s.wind.downrange) = (air.0.unwrap_or_default(), air.1.unwrap_or_default());
         (s.air.density, s.wind.roughness) = (air.2, air.3);
         let ends = [
-            ("aero.spin_decay", "0"),
+            ("aero.spin_decay", "0 1/s"),
             ("impact.restitution", "1"),
             ("impact.restitution", "0.2"),
-            ("air.density", "0"),
+            ("air.density", "0 kg/m^3"),
         ];
         let end = end.and_then(|end| ends.get(end));
         if let Some((name, value)) = end {
@@ -157,21 +157,21 @@ fn independent_right_derivatives_that_were_called_wrong() {
     let of = [Outcome::Carry, Outcome::Lateral, Outcome::FlightTime, Outcome::ApexHeight];
     let first = [
         ("aero.law", "robinson"),
-        ("club.loft", "0.22985145296472154"),
-        ("swing.attack_angle", "0.05275589592527663"),
-        ("strike.toe", "-0.01651820716397888"),
-        ("swing.path", "-0.004477082973954577"),
-        ("wind.right", "3.6871200553488634"),
-        ("wind.downrange", "4.054288512634912"),
+        ("club.loft", "0.22985145296472154 rad"),
+        ("swing.attack_angle", "0.05275589592527663 rad"),
+        ("strike.toe", "-0.01651820716397888 m"),
+        ("swing.path", "-0.004477082973954577 rad"),
+        ("wind.right", "3.6871200553488634 m/s"),
+        ("wind.downrange", "4.054288512634912 m/s"),
     ];
     let second = [
         ("aero.law", "launch-monitor"),
-        ("club.loft", "0.22965894243188126"),
-        ("swing.attack_angle", "-0.018652696218784827"),
-        ("strike.toe", "-0.007127080114314729"),
-        ("swing.path", "-0.014956422701638855"),
-        ("wind.right", "2.4202074505492206"),
-        ("wind.downrange", "2.631895586731229"),
+        ("club.loft", "0.22965894243188126 rad"),
+        ("swing.attack_angle", "-0.018652696218784827 rad"),
+        ("strike.toe", "-0.007127080114314729 m"),
+        ("swing.path", "-0.014956422701638855 rad"),
+        ("wind.right", "2.4202074505492206 m/s"),
+        ("wind.downrange", "2.631895586731229 m/s"),
     ];
     for (settings, by) in [(first, "aero.spin_decay"), (second, "wind.right")] {
         let mut setup = Setup::default();
@@ -182,7 +182,7 @@ fn independent_right_derivatives_that_were_called_wrong() {
     }
     for law in Law::NAMES {
         let mut setup = Setup::default();
-        setup.set_all([("aero.law", *law), ("aero.spin_decay", "0")]).unwrap();
+        setup.set_all([("aero.law", *law), ("aero.spin_decay", "0 1/s")]).unwrap();
         let certificate = certificate(&setup, Outcome::ALL, &[setup.variable("aero.spin_decay").unwrap()]);
         assert!(certificate.passed(), "{law}: {:?}", failures(&certificate));
     }

@@ -28,7 +28,7 @@ fn nothing_is_said_about_the_presets_and_their_longest_drives() {
 fn exact_share_of_the_flight_outside_of_what_the_law_was_fitted_to() {
     let (ahead, up, at_edge) = (50.0_f64, 30.0_f64, 53.0_f64);
     let mut setup = Setup::default();
-    setup.set_all([("aero.law", "ferguson"), ("air.density", "1e-9"), ("aero.spin_decay", "0")]).unwrap();
+    setup.set_all([("aero.law", "ferguson"), ("air.density", "1e-9 kg/m^3"), ("aero.spin_decay", "0 1/s")]).unwrap();
     setup.launch.ball_speed = Some(ahead.hypot(up));
     setup.launch.launch_angle = Some(up.atan2(ahead));
     setup.launch.backspin = Some(0.02 * at_edge / setup.ball.radius);
@@ -58,7 +58,7 @@ fn each_law_names_what_it_was_fitted_to() {
     assert!(found.iter().any(|it| it.contains("the law smits-smith")), "{found:?}");
     // no air, no law; and what is fitted to nothing that is known says nothing
     assert!(
-        warnings("modern-driver", &[("swing.speed", "30 mph"), ("club.loft", "14 deg"), ("air.density", "0")])
+        warnings("modern-driver", &[("swing.speed", "30 mph"), ("club.loft", "14 deg"), ("air.density", "0 kg/m^3")])
             .is_empty()
     );
     assert!(

@@ -47,7 +47,7 @@ fn contour(args: &PlotContour) -> Result<Answer> {
     let setup = args.question.setup()?;
     let search = args.search.search(&setup)?;
     let setup = args.question.within_tolerance(setup, &search.vary)?;
-    let spinner = spinner("flying the map");
+    let spinner = spinner("computing the map");
     let (best, map) = mapped(&setup, &search)?;
     let best = best.as_ref();
     let limits = limits(best.map_or(&setup, |best| &best.setup), &search)?;

@@ -1,14 +1,10 @@
 use super::{CalibrationReport, by_outcome};
-use crate::optimize::least_squares::Status;
 use crate::report::{Reply, json};
 use serde_json::{Map, Value, json};
 
-/// The answer of `calibrate`: the status and the message are the fit's, or that a part was interrupted.
+/// The answer of `calibrate`: the status and the message are the fit's, unless a fit for the held-out error was interrupted.
 pub fn calibration_reply(report: &CalibrationReport<'_>, warnings: Vec<String>) -> Reply<Value> {
-    let fit = &report.found.fit;
-    let status = if report.is_interrupted() { Status::Interrupted } else { fit.status };
-    let message = if status == fit.status { fit.message.clone() } else { "a held-out fit was interrupted".into() };
-    Reply::done("calibrate", warnings, body(report)).ended(status.name(), Some(message))
+    Reply::done("calibrate", warnings, body(report)).ended(report.status().name(), Some(report.message()))
 }
 
 fn body(report: &CalibrationReport<'_>) -> Value {

@@ -10,7 +10,7 @@ pub use setup_file::calibration_toml;
 use super::document::Document;
 use crate::optimize::least_squares::Status;
 use crate::study::calibrate::{Calibration, Estimate, HeldOut, Remainder, ShotTable, Uncertainties, Undetermined};
-use crate::units::significant;
+use crate::units::{counted, significant};
 
 /// All that a report of a calibration shows.
 #[derive(Clone, Copy, Debug)]
@@ -27,6 +27,29 @@ impl CalibrationReport<'_> {
     /// Whether the fit, or one for the held-out error, was interrupted.
     pub fn is_interrupted(&self) -> bool {
         self.found.fit.status == Status::Interrupted || self.held_out.iter().any(|(_, held)| held.is_interrupted())
+    }
+
+    /// How it ended: as the fit did, or interrupted where a fit for the held-out error was.
+    pub fn status(&self) -> Status {
+        if self.is_interrupted() { Status::Interrupted } else { self.found.fit.status }
+    }
+
+    /// The same in a sentence.
+    pub fn message(&self) -> String {
+        let fit = &self.found.fit;
+        let (stopped, all) = self.held_out.iter().fold((0, 0), |(stopped, all), (_, held)| {
+            (stopped + held.count(Status::Interrupted), all + held.ended.len())
+        });
+        match stopped {
+            0 => fit.message.clone(),
+            _ if fit.status == Status::Interrupted => {
+                format!("{}; {stopped} of {all} fits for the held-out error were not made", fit.message)
+            }
+            _ => format!(
+                "{stopped} of {all} fits for the held-out error were interrupted and are left out; the fit itself: {}, {}",
+                fit.status, fit.message
+            ),
+        }
     }
 
     /// Whether it has an answer: the fit has converged, and nothing was interrupted.
@@ -57,14 +80,17 @@ pub fn calibration_document(report: &CalibrationReport<'_>) -> Document {
     let (fit, statistics) = (&found.fit, &found.statistics);
     let mut document = Document::new(&format!("Calibration to {}", table.file));
     document.paragraph(format!(
-        "{}: {} ({} iterations, {} evaluations)",
-        fit.status, fit.message, fit.iterations, fit.evaluations
+        "{}: {} ({}, {})",
+        report.status(),
+        report.message(),
+        counted(fit.iterations, "iteration"),
+        counted(fit.evaluations, "evaluation")
     ));
     let kind = if table.is_launched { "launch conditions, flown without an impact" } else { "club deliveries" };
     document.paragraph(format!(
-        "{} shots, {} measured values; the rows are {kind}.",
-        table.shots.len(),
-        table.residuals()
+        "{}, {}; the rows are {kind}.",
+        counted(table.shots.len() as u64, "shot"),
+        counted(table.residuals() as u64, "measured value")
     ));
     for remark in &table.remarks {
         document.paragraph(remark.clone());

@@ -74,7 +74,7 @@ impl Files {
         if !journal.exists() {
             let part = &self.part;
             return match (part.exists(), resume && self.whole.exists()) {
-                (true, _) => Err(refused(part, "it exists, and no sweep is known that wrote it; move it away")),
+                (true, _) => Err(refused(part, "it exists, and it is not known which sweep wrote it; move it away")),
                 (_, true) => Err(nothing_left(&self.whole)),
                 _ => Ok(()),
             };
@@ -92,7 +92,7 @@ impl Files {
 
 fn nothing_left(path: &Path) -> Error {
     let reason = format!(
-        "there is nothing to resume: without {} it is complete, or not a sweep's; --overwrite replaces it",
+        "there is nothing to resume: without {} it is complete, or not from a sweep; --overwrite replaces it",
         Journal::path(path).display()
     );
     refused(path, reason)
