@@ -202,8 +202,8 @@ fn independent_right_derivatives_that_were_called_wrong() {
         ("aero.spin_decay", "0 1/s"),
     ];
     high.set_all(settings).unwrap();
-    let certificate = self::certificate(&high, Outcome::ALL, &[high.variable("aero.spin_decay").unwrap()]);
-    assert!(certificate.passed(), "{:?}", failures(&certificate));
+    let found = certificate(&high, Outcome::ALL, &[high.variable("aero.spin_decay").unwrap()]);
+    assert!(found.passed(), "{:?}", failures(&found));
     for law in Law::NAMES {
         let mut setup = Setup::default();
         setup.set_all([("aero.law", *law), ("aero.spin_decay", "0 1/s")]).unwrap();
