@@ -102,14 +102,16 @@ fn the_loop(loops: &[LoopRow]) {
 
 fn smoothness(name: &str, certificate: &Certificate) {
     println!(
-        "## `{name}`: steps\n\n| outcome | jump where the number of steps changes: value, gradient, Hessian | order in the step: value, gradient |\n|---|---|---|"
+        "## `{name}`: steps\n\n| outcome | jump where the number of steps changes: value, gradient, Hessian | order in the step: value, gradient | what the time step leaves: value, worst derivative |\n|---|---|---|---|"
     );
     for found in &certificate.continuity {
         let orders = certificate.convergence.iter().find(|other| other.of == found.of).map(|other| other.orders);
         let orders =
             orders.unwrap_or_default().map(|order| order.map_or("rounding".into(), |order| format!("{order:.2}")));
         let jumps = found.jumps.map(|jump| format!("{jump:.0e}")).join(", ");
-        println!("| {} | {jumps} | {} |", found.of.name(), orders.join(", "));
+        let step = certificate.step.iter().find(|other| other.of == found.of);
+        let left = step.map(|it| format!("{:.0e}, {:.0e}", it.value, it.derivative.map_or(0.0, |(_, error)| error)));
+        println!("| {} | {jumps} | {} | {} |", found.of.name(), orders.join(", "), left.unwrap_or_default());
     }
     println!();
 }

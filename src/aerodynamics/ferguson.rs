@@ -1,5 +1,5 @@
 use super::origin::CubicOrigin;
-use super::{AerodynamicLaw, Coefficients, Stream};
+use super::{AerodynamicLaw, Coefficients, Fitted, Stream};
 use crate::number::{Numbers, inlined};
 use crate::parameters::Ferguson;
 
@@ -34,5 +34,14 @@ impl<T: Numbers> AerodynamicLaw<T> for Ferguson<T> {
             || self.cl2.mul_add(s, self.cl1).mul_add(s, self.cl0),
         );
         Coefficients { drag, lift }
+    }
+
+    fn fitted(&self) -> Fitted {
+        Fitted {
+            spin_ratio: Some([0.02, 0.75]),
+            reynolds: None,
+            speed: None,
+            to: "1040 radar flights, Ferguson, McNally & McPhee 2022",
+        }
     }
 }

@@ -4,12 +4,15 @@
 //! Forces are in the ½ convention: F_D = ½ρA C_D |v|², F_L = ½ρA C_L |v|².
 
 mod ferguson;
+mod fitted;
 mod launch_monitor;
 mod linear;
 mod origin;
 mod robinson;
 mod smits_smith;
 mod winfield_tan;
+
+pub use fitted::Fitted;
 
 use crate::number::Numbers;
 use crate::parameters::{Law, with_law};
@@ -66,6 +69,11 @@ pub trait AerodynamicLaw<T: Numbers> {
     fn has_corner_at_zero_spin(&self) -> bool {
         true
     }
+
+    /// What the law was fitted to.
+    fn fitted(&self) -> Fitted {
+        Fitted::UNKNOWN
+    }
 }
 
 /// Whichever law it is: asked by a call, since there are many and they are asked for at every stage of every method.
@@ -88,6 +96,10 @@ impl<T: Numbers> AerodynamicLaw<T> for Law<T> {
 
     fn has_corner_at_zero_spin(&self) -> bool {
         with_law!(self, |law| AerodynamicLaw::<T>::has_corner_at_zero_spin(law))
+    }
+
+    fn fitted(&self) -> Fitted {
+        with_law!(self, |law| AerodynamicLaw::<T>::fitted(law))
     }
 }
 

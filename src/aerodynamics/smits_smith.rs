@@ -1,5 +1,5 @@
 use super::origin::CubicOrigin;
-use super::{AerodynamicLaw, Coefficients, Stream};
+use super::{AerodynamicLaw, Coefficients, Fitted, Stream};
 use crate::number::{Numbers, inlined};
 use crate::parameters::SmitsSmith;
 use std::f64::consts::PI;
@@ -32,5 +32,14 @@ impl<T: Numbers> AerodynamicLaw<T> for SmitsSmith<T> {
             || self.cl1 * (p * s.ln()).exp(),
         );
         Coefficients { drag, lift }
+    }
+
+    fn fitted(&self) -> Fitted {
+        Fitted {
+            spin_ratio: Some([0.08, 0.2]),
+            reynolds: Some([7e4, 2.1e5]),
+            speed: None,
+            to: "a wind tunnel, Smits & Smith 1994",
+        }
     }
 }

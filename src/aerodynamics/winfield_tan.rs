@@ -1,4 +1,4 @@
-use super::{AerodynamicLaw, Coefficients, Stream};
+use super::{AerodynamicLaw, Coefficients, Fitted, Stream};
 use crate::number::Numbers;
 use crate::parameters::WinfieldTan;
 
@@ -21,5 +21,14 @@ impl<T: Numbers> AerodynamicLaw<T> for WinfieldTan<T> {
         let off = (stream.speed - self.cl_speed) / self.cl_width;
         let rise = self.cl_hill / (x + self.cl_half) + self.cl_slope;
         Coefficients { drag: by_spin * by_speed, lift: x * rise / off.mul_add(off, T::constant(1.0)) }
+    }
+
+    fn fitted(&self) -> Fitted {
+        Fitted {
+            spin_ratio: Some([0.02, 0.35]),
+            reynolds: None,
+            speed: Some([25.0, 68.0]),
+            to: "the tables of Winfield & Tan 1994",
+        }
     }
 }

@@ -1,6 +1,7 @@
 //! One drive, from the setup to its outcomes: impact, launch, flight, landing.
 
 mod outcome;
+mod warnings;
 
 pub(crate) use outcome::Shown;
 pub use outcome::{Outcome, Part};

@@ -56,7 +56,7 @@ impl Ledger {
         };
         if content.question != question {
             let reason = "it belongs to another question (setup, search or options differ); name another file, or \
-                          remove it to begin anew";
+                          remove it to start again";
             return Err(refuse(reason.into()));
         }
         let ledger = Self { path: path.into(), content: Mutex::new(content) };

@@ -36,7 +36,7 @@ const NOT_IN_REPORT: &str = "MAE 494 report: not part of the model";
 pub static PRESETS: &[Preset] = &[
     Preset {
         name: "modern-driver",
-        about: "A 460 cc driver of the 2020s at 110 mph in 25 °C sea-level air, flown with what launch monitors predict",
+        about: "A 460 cc driver of the 2020s at 110 mph in 25 °C sea-level air, with drag and lift fitted to what launch monitors predict",
         entries: &[],
     },
     Preset {
@@ -52,24 +52,24 @@ pub static PRESETS: &[Preset] = &[
             entry("swing.attack_angle", "0 deg", "Winfield & Tan (1994), their single shot"),
             entry("club.mass", "203 g", WINFIELD_TAN),
             entry("club.loft", "10 deg", "Winfield & Tan (1994), their single shot"),
-            entry("club.inertia.xx", "2.06e-4 kg m^2", "MAE 494 report, rounded; no part in a straight shot"),
+            entry("club.inertia.xx", "2.06e-4 kg m^2", "MAE 494 report, rounded; without effect on a straight shot"),
             entry(
                 "club.inertia.yy",
                 "3.77e-4 kg m^2",
                 "MAE 494 report; with the depth it gives d²/I_yy = 3.02 per kg, which the printed spin implies",
             ),
-            entry("club.inertia.zz", "2.74e-4 kg m^2", "MAE 494 report, rounded; no part in a straight shot"),
+            entry("club.inertia.zz", "2.74e-4 kg m^2", "MAE 494 report, rounded; without effect on a straight shot"),
             entry("club.inertia.xz", "0 kg m^2", "straight shots of a symmetric head"),
             entry("club.cg_depth", "33.7 mm", "implied by the printed spin, see club.inertia.yy"),
             entry(
                 "club.bulge_radius",
                 "inf",
-                "no part in a strike on the sweet spot, the only one in the paper's results",
+                "without effect on a strike on the sweet spot, the only one in the paper's results",
             ),
             entry(
                 "club.roll_radius",
                 "inf",
-                "no part in a strike on the sweet spot, the only one in the paper's results",
+                "without effect on a strike on the sweet spot, the only one in the paper's results",
             ),
             entry("ball.mass", "46.1 g", "implied by the printed speeds: 203 g (103 − 71.39)/139.16"),
             entry("ball.radius", "0.84 in", WINFIELD_TAN),

@@ -1,4 +1,4 @@
-use crate::units::Quantity;
+use crate::units::{Quantity, significant};
 
 /// The values a parameter may have: what is physically possible, not what is usual.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -51,10 +51,15 @@ impl Range {
             return "any finite number".into();
         }
         let sign = |included| if included { "≤" } else { "<" };
-        let low = (self.low != f64::NEG_INFINITY)
-            .then(|| format!("{} {} ", quantity.show(self.low, unit), sign(self.low_included)));
+        let end = |value: f64| {
+            let number = value / quantity.size_of(unit).unwrap_or(1.0);
+            let rounded: f64 = significant(number, 7).parse().unwrap_or(number);
+            let is_long = rounded.is_finite() && rounded.abs() >= 1e6;
+            if is_long { format!("{rounded:e} {unit}").trim_end().into() } else { quantity.show(value, unit) }
+        };
+        let low = (self.low != f64::NEG_INFINITY).then(|| format!("{} {} ", end(self.low), sign(self.low_included)));
         let high = (self.high != f64::INFINITY || self.high_included)
-            .then(|| format!(" {} {}", sign(self.high_included), quantity.show(self.high, unit)));
+            .then(|| format!(" {} {}", sign(self.high_included), end(self.high)));
         format!("{}…{}", low.unwrap_or_default(), high.unwrap_or_default())
     }
 }
@@ -71,6 +76,7 @@ mod tests {
         assert!(!radius.contains(0.0) && !radius.contains(f64::NAN));
         assert!(!Range::FINITE.contains(f64::INFINITY) && Range::FINITE.contains(-1e300));
         assert_eq!(radius.show(Quantity::LENGTH, "mm"), "0 mm < … ≤ inf mm");
+        assert_eq!(Range::from_to(-1.0, 1.0).show(Quantity::INERTIA, "g cm^2"), "-1e7 g cm^2 ≤ … ≤ 1e7 g cm^2");
         assert_eq!(Range::within_degrees(90.0).show(Quantity::ANGLE, "deg"), "-90 deg < … < 90 deg");
     }
 }

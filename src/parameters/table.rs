@@ -22,7 +22,7 @@ parameter_groups! {
         /// Yaw of the head, + open (to the right).
         face_angle: T = "swing.face_angle", "ψ", ANGLE in "deg", Range::within_degrees(90.0), "0 deg",
             "square face";
-        /// Forward lean of the shaft, which takes loft off.
+        /// Forward lean of the shaft, which reduces the loft.
         shaft_lean: T = "swing.shaft_lean", "σ", ANGLE in "deg", Range::within_degrees(90.0), "0 deg",
             "Winfield & Tan (1994): none";
         /// Head's angular velocity before impact, about the vertical; + closes a right-hander's face.
@@ -151,7 +151,7 @@ parameter_groups! {
         /// Decay rate of the spin in time: ω ∝ exp(−δ t).
         spin_decay: T = "aero.spin_decay", "δ", RATE in "1/s", Range::from_to(0.0, 100.0), "0.03 1/s",
             "TrackMan, driver: 3.1, 8.8 and 12.8 % lost in 1, 3 and 5 s (US patent 8016695, table 6B)";
-        /// Decay of the spin with the way through the air: dω/dt = −κ ω |v_r|/R on top of δ; unset: 0.
+        /// Decay of the spin with the distance through the air: dω/dt = −κ ω |v_r|/R on top of δ; unset: 0.
         spin_damping: Option<T> = "aero.spin_damping", "κ", NUMBER in "", Range::from_to(0.0, 1.0), "none",
             "2.0e-5 in Smits & Smith (1994), Penner (2001) eq. 16";
     }
@@ -186,9 +186,9 @@ parameter_groups! {
         /// Time step of the integration.
         step: f64 = "flight.step", "h", TIME in "s", Range::above_to(0.0, 1.0), "0.005 s",
             "carry of the presets' drives within 1.1e-10 m, derivatives within 3e-10 relative, docs/model.md";
-        /// Longest flight that is followed.
+        /// Longest time of flight that is computed.
         time_limit: f64 = "flight.time_limit", "t_max", TIME in "s", Range::above_to(0.0, 1e6), "600 s",
-            "a hundred ordinary drives";
+            "a hundred times an ordinary drive";
     }
 }
 

@@ -2,7 +2,7 @@ use super::table::{broken, item, table};
 use super::{Reply, json};
 use crate::derivative::check::{Check, Point, Verdict};
 use crate::reproduce::LoopRow;
-use crate::study::certificate::{Certificate, Convergence, Row};
+use crate::study::certificate::{Certificate, Convergence, Row, StepError};
 use crate::units::significant;
 use serde::Serialize;
 use serde_json::{Value, json};
@@ -22,6 +22,10 @@ pub struct CertificateReport {
     pub continuity: Value,
     /// How the outcomes converge with the time step.
     pub convergence: Value,
+    /// What the time step leaves of an error in the outcomes and their derivatives: measured, and not judged.
+    pub step_errors: Value,
+    /// Checks that were not made, with the reason.
+    pub not_examined: Value,
     /// What differences make of the MAE 494 report's while-loop, by each parameter that carry was certified by.
     pub while_loop: Value,
     /// Outcomes that the drive has no derivatives of, with the reason.
@@ -105,6 +109,17 @@ impl CertificateReport {
                 "verdict": verdict_of(found.passed()),
             })
         });
+        let step_errors = certificate.step.iter().map(|found| {
+            json!({
+                "of": found.of.name(),
+                "steps": found.steps,
+                "value_error": json::number(Some(found.value)),
+                "parameter": found.derivative.map(|(parameter, _)| parameter.name),
+                "derivative_error": json::number(found.derivative.map(|(_, error)| error)),
+                "derivative_error_of_outcome": json::number(Some(found.of_outcome)),
+            })
+        });
+        let not_examined = certificate.not_examined.iter().map(|it| json!({ "check": it.check, "message": it.reason }));
         let missing = certificate.missing.iter().map(|(of, why)| json!({ "of": of.name(), "message": why }));
         Self {
             passed: certificate.passed(),
@@ -113,6 +128,8 @@ impl CertificateReport {
             landing: landing.collect(),
             continuity: continuity.collect(),
             convergence: convergence.collect(),
+            step_errors: step_errors.collect(),
+            not_examined: not_examined.collect(),
             while_loop: loops.iter().map(loop_json).collect(),
             missing: missing.collect(),
         }
@@ -170,7 +187,7 @@ fn curve_json(curve: &[Point]) -> Value {
     json!({ "steps": steps, "errors": errors })
 }
 
-/// A certificate as text: a verdict a row, the worst first, then what else was looked at, and the while-loop beside it.
+/// A certificate as text: a verdict for each derivative, the worst first, then the other checks, and the while-loop for comparison.
 pub fn certificate_text(certificate: &Certificate, loops: &[LoopRow]) -> String {
     let mut text = rows_text(&certificate.rows) + "\n";
     for row in certificate.rows.iter().filter(|row| row.verdict() == Verdict::Corner) {
@@ -182,8 +199,10 @@ pub fn certificate_text(certificate: &Certificate, loops: &[LoopRow]) -> String 
     for found in &certificate.continuity {
         let show = |values: [f64; 3]| values.map(|value| format!("{value:.0e}")).join(", ");
         text += &format!(
-            "  {}: {} where {} steps become {}, value, gradient and Hessian of {} jump by {} (may be {}); {} derivatives are continuous\n",
+            "  {}: at {} = {}, where the number of steps changes from {} to {}, {}, its gradient and its Hessian jump by {} (allowed: {}); \
+             its first {} derivatives are continuous\n",
             verdict_of(found.passed()),
+            found.parameter.name,
             found.parameter.show(Some(found.at)),
             found.steps[0],
             found.steps[1],
@@ -199,7 +218,11 @@ pub fn certificate_text(certificate: &Certificate, loops: &[LoopRow]) -> String 
     for planted in &certificate.planted {
         let verdict = verdict_of(planted.is_caught());
         let (name, caught, rows) = (planted.plant.name(), planted.caught, planted.rows);
-        text += &format!("  {verdict}: planted error \"{name}\" caught in {caught} of {rows} rows\n");
+        text += &format!("  {verdict}: the planted error \"{name}\" is found in {caught} of {rows} rows\n");
+    }
+    text += &step_text(&certificate.step);
+    for it in &certificate.not_examined {
+        text += &format!("  not checked: {}: {}\n", it.check, it.reason);
     }
     text += &loops_text(loops);
     for (of, why) in &certificate.missing {
@@ -241,12 +264,12 @@ fn landing_text(certificate: &Certificate) -> String {
             .map(|row| (row.check.verdict != Verdict::Pass, row.check.error / row.check.bar.max(f64::MIN_POSITIVE)));
         a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
     }) else {
-        return "  the landing as an implicit function was not looked at: no landing, a corner, or a logarithmic wind\n".into();
+        return String::new();
     };
     let passed = landing.iter().filter(|row| row.check.verdict == Verdict::Pass).count();
     format!(
-        "  {}: {passed} of {} derivatives at the landing are those of the state at its time, moved to the ground; the worst, d {}/d {}, is \
-         off by {:.0e} (may be {:.0e})\n",
+        "  {}: {passed} of {} derivatives at the landing agree with differences at a fixed time, moved to the ground; the largest error, of \
+         d {}/d {}, is {:.0e} (allowed: {:.0e})\n",
         verdict_of(passed == landing.len()),
         landing.len(),
         worst.of.name(),
@@ -263,8 +286,8 @@ fn loops_text(loops: &[LoopRow]) -> String {
     let Some(worst) = telling.max_by(|a, b| off(a).total_cmp(&off(b))) else { return String::new() };
     let passed = loops.iter().filter(|row| row.check.verdict == Verdict::Pass).count();
     format!(
-        "  for comparison, a while-loop that stops at the first step below the ground (the MAE 494 report's): by {passed} of {} parameters \
-         differences of its carry would pass, by {} they have the wrong sign; farthest off by {}: {} at a step of 1e-8 instead of {} (SI)\n",
+        "  for comparison, a while-loop that stops at the first step below the ground (the MAE 494 report's): of the differences of its carry by \
+         {} parameters, {passed} would pass and {} have the wrong sign; the largest error is by {}: {} at a step of 1e-8 instead of {} (SI)\n",
         loops.len(),
         loops.iter().filter(|row| row.has_wrong_sign()).count(),
         worst.parameter.name,
@@ -274,13 +297,40 @@ fn loops_text(loops: &[LoopRow]) -> String {
 }
 
 fn convergence_text(found: &Convergence) -> String {
-    let [value, gradient] =
-        found.orders.map(|order| order.map_or("rounding only".into(), |order| format!("{order:.2}")));
+    let order = |which: usize| match found.orders[which] {
+        None => "not measurable (only rounding errors)".into(),
+        Some(order) if order < f64::from(found.expected[which]) - 0.75 && !found.falls_short[which] => {
+            format!("{order:.2} (the error passes through 0 at these steps, or scatters)")
+        }
+        Some(order) => format!("{order:.2}"),
+    };
     format!(
-        "  {}: {} converges with the step to order {value}, its gradient to order {gradient} (expected: {} and {})\n",
+        "  {}: {} converges with the step to order {}, its gradient to order {} (expected: {} and {})\n",
         verdict_of(found.passed()),
         found.of.name(),
+        order(0),
+        order(1),
         found.expected[0],
         found.expected[1]
     )
+}
+
+/// The error of the time step, in one line: the outcome whose value is farthest off, and the derivative that is.
+fn step_text(errors: &[StepError]) -> String {
+    let Some(value) = errors.iter().max_by(|a, b| a.value.total_cmp(&b.value)) else { return String::new() };
+    let mut text = format!(
+        "  compared with a flight in time steps of {} ms instead of {} ms, {} differs by {:.0e} (relative)",
+        1e3 * value.steps[1],
+        1e3 * value.steps[0],
+        value.of.name(),
+        value.value
+    );
+    let worst = errors.iter().filter_map(|it| Some((it, it.derivative?))).max_by(|a, b| a.1.1.total_cmp(&b.1.1));
+    if let Some((found, (parameter, error))) = worst {
+        let (of, by, of_outcome) = (found.of.name(), parameter.name, found.of_outcome);
+        text += &format!(
+            ", and d {of}/d {by} by {error:.0e} ({of_outcome:.0e} of {of} per size of the parameter); all others differ by less, and no verdict depends on it"
+        );
+    }
+    text + "\n"
 }

@@ -69,19 +69,20 @@ fn vectors(pairs: [(&str, Vector<f64>); 2]) -> impl Iterator<Item = (String, Val
 
 /// A drive as text: what a launch monitor shows, and the flight; each number in the units of `system`, then in the other's.
 pub fn drive_text(drive: &Drive<f64>, system: System) -> String {
-    let row = |outcome: Outcome| {
-        let value = outcome.value(drive);
-        let text = shown::outcome_or_dash(outcome, value, system);
-        let (number, unit) = text.split_once(' ').unwrap_or((&text, ""));
-        vec![
-            shown::words(outcome.name()),
-            number.into(),
-            // beside its number, as of a column of its own
-            unit.into(),
-            value.map_or(String::new(), |value| shown::in_parentheses(outcome, value, system)),
-        ]
+    let part = |title: &str, part| {
+        let texts = Outcome::of_part(part)
+            .map(|outcome| (outcome, shown::outcome_or_dash(outcome, outcome.value(drive), system)))
+            .collect::<Vec<_>>();
+        let number = |text: &str| text.split(' ').next().map_or(0, |number| number.chars().count());
+        let widest = texts.iter().map(|(_, text)| number(text)).max().unwrap_or(0);
+        let rows = texts.iter().map(|(outcome, text)| {
+            let other = outcome.value(drive).map(|value| shown::in_parentheses(*outcome, value, system));
+            // numbers end below each other, and their units begin there
+            let text = format!("{}{text}", " ".repeat(widest - number(text)));
+            vec![shown::words(outcome.name()), text, other.unwrap_or_default()]
+        });
+        table(&[title, "", ""], &[], rows)
     };
-    let part = |title: &str, part| table(&[title, "", "", ""], &[1], Outcome::of_part(part).map(row));
     let launch = part("launch", Part::Launch);
     let mut bodies = format!("  ball velocity {}\n", components(drive.launch.velocity, system));
     if let Some(impact) = &drive.impact {

@@ -6,7 +6,7 @@ use crate::error::Result;
 use crate::optimize::{Constrained, Effort, Iteration, Status};
 use crate::parameters::Preset;
 use crate::study::{Constraint, Optima, Optimum, Search, Sense};
-use crate::units::{Quantity, System};
+use crate::units::{Quantity, System, counted};
 use serde::Serialize;
 use serde_json::{Map, Value};
 use std::collections::BTreeMap;
@@ -166,11 +166,11 @@ pub fn optimum_text(optimum: &Optimum, system: System) -> String {
     let (search, solution) = (&optimum.search, &optimum.solution);
     let of = search.maximize;
     let ending = paragraph(&format!(
-        "{}: {} ({} iterations, {} evaluations)",
+        "{}: {} ({}, {})",
         optimum.status(),
         optimum.message(),
-        solution.iterations,
-        solution.evaluations
+        counted(solution.iterations, "iteration"),
+        counted(solution.evaluations, "evaluation")
     ));
     let (Some(value), Some(drive)) = (optimum.value(), &optimum.drive) else { return ending };
 

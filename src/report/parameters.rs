@@ -1,4 +1,4 @@
-use super::table::{item, note, table};
+use super::table::{item, note};
 use super::{Reply, json};
 use crate::parameters::{Kind, LAW, Law, METHOD, Method, Parameter, Setup, UNSET};
 use crate::units::System;
@@ -67,18 +67,22 @@ pub fn parameters_text(setup: &Setup<f64>, system: System) -> String {
 }
 
 fn listing(title: &str, rows: &[(&'static Parameter, Option<f64>)], system: System) -> String {
-    let numbers = rows.iter().map(|(parameter, value)| {
+    let head = [title, "value", "default", "range"].map(str::to_owned);
+    let line = |(parameter, value): &(&'static Parameter, Option<f64>)| {
         let unit = system.unit(parameter.unit);
         let show = |value: Option<f64>| value.map_or(UNSET.into(), |value| parameter.quantity.show(value, unit));
         let range = parameter.range.show(parameter.quantity, unit);
-        vec![parameter.name.into(), show(*value), show(parameter.default_value()), range]
+        [parameter.name.into(), show(*value), show(parameter.default_value()), range]
+    };
+    let lines: Vec<[String; 4]> = std::iter::once(head).chain(rows.iter().map(line)).collect();
+    let width = |column: usize| lines.iter().map(|line| line[column].chars().count()).max().unwrap_or(0);
+    let [names, values, defaults] = [width(0), width(1), width(2)];
+    let lines = lines.iter().map(|[name, value, default, range]| {
+        format!("  {name:<names$}  {value:>values$}  {default:>defaults$}  {range}\n")
     });
-    let numbers = table(&[title, "value", "default", "range"], &[1, 2], numbers);
-    let mut lines = numbers.lines();
-    let head = lines.next().unwrap_or_default();
-    let rows = lines.zip(rows).map(|(line, (parameter, _))| {
-        let meaning = format!("{}: {}", parameter.symbol, parameter.doc.trim_end_matches('.'));
-        format!("{line}\n{}", note(&meaning))
-    });
-    format!("{head}\n{}", rows.collect::<String>())
+    // below the head nothing, below each line what it means
+    let meanings = rows
+        .iter()
+        .map(|(parameter, _)| note(&format!("{}: {}", parameter.symbol, parameter.doc.trim_end_matches('.'))));
+    lines.zip(std::iter::once(String::new()).chain(meanings)).map(|(line, meaning)| line + &meaning).collect()
 }

@@ -15,11 +15,13 @@ pub(super) fn sourced(preset: &Preset, setup: &Setup<f64>) -> Vec<(&'static str,
         })
         .collect();
     let law_at = rows.iter().position(|(name, ..)| name.starts_with("aero.")).unwrap_or(rows.len());
-    let source =
-        entry(LAW).map_or("what launch monitors predict; smooth, right apex and descent", |entry| entry.source);
+    let source = entry(LAW)
+        .map_or("fitted to what launch monitors predict; smooth, with the right apex and descent", |entry| {
+            entry.source
+        });
     rows.insert(law_at, (LAW, setup.law.name().into(), source));
     let method_at = rows.iter().position(|(name, ..)| *name == "flight.step").unwrap_or(rows.len());
-    let source = entry(METHOD).map_or("the classical method: what the project's sources fly", |entry| entry.source);
+    let source = entry(METHOD).map_or("the classical method, which the sources use", |entry| entry.source);
     rows.insert(method_at, (METHOD, setup.method.name().into(), source));
     rows
 }
@@ -33,7 +35,7 @@ pub fn sources(setup: &Setup<f64>, preset: &Preset) -> Result<Vec<(&'static str,
         let known = known.iter().find(|(known, ..)| *known == name);
         match known {
             Some((.., source)) if is_kept => (*source).to_owned(),
-            Some((_, shown, _)) => format!("as given, in place of {shown}"),
+            Some((_, shown, _)) => format!("as given, instead of {shown}"),
             None => "as given".into(),
         }
     };

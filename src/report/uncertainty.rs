@@ -2,7 +2,7 @@ use super::reply::{Reply, share};
 use super::table::{item, table};
 use super::{json, shown};
 use crate::study::uncertainty::{Distribution, Interval, Moments, OutcomeUncertainty, Uncertain, Uncertainty};
-use crate::units::{Quantity, System};
+use crate::units::{Quantity, System, counted};
 use serde::Serialize;
 use serde_json::{Value, json};
 
@@ -130,7 +130,13 @@ pub fn uncertainty_text(found: &Uncertainty, system: System) -> String {
     let counts =
         found.tally.counts().filter(|(_, count)| *count > 0).map(|(status, count)| format!("{count} {status}"));
     let counts: Vec<_> = counts.collect();
-    text + &format!("\n{all} drives ({} points, seed {}): {}\n", found.plan.samples, found.plan.seed, counts.join(", "))
+    text + &format!(
+        "\n{} ({} points, seed {}): {}\n",
+        counted(all, "drive"),
+        found.plan.samples,
+        found.plan.seed,
+        counts.join(", ")
+    )
 }
 
 /// "normal: 110 mph ± 0.5 mph".

@@ -39,7 +39,7 @@ impl Quantity {
     /// assert_eq!(Quantity::DENSITY.read_off(1.184, "kg/m^3"), "1.184 kg/m^3");
     /// ```
     pub fn read_off(self, value: f64, unit: &str) -> String {
-        self.with(value, unit, |number, decimals| fixed(number, decimals))
+        self.with(value, unit, fixed)
     }
 
     /// The same with one decimal more: a number that was computed to be set (an optimum's loft).
@@ -77,6 +77,16 @@ impl Quantity {
         };
         format!("{text} {unit}").trim_end().to_owned()
     }
+}
+
+/// A number of things: "1 drive", "2 drives".
+///
+/// ```
+/// use longdrive::units::counted;
+/// assert_eq!((counted(1, "drive"), counted(0, "shot")), ("1 drive".into(), "0 shots".into()));
+/// ```
+pub fn counted(count: u64, thing: &str) -> String {
+    format!("{count} {thing}{}", if count == 1 { "" } else { "s" })
 }
 
 /// A number with these decimals; zero has no sign.

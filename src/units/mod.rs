@@ -10,6 +10,7 @@ mod expression;
 mod symbols;
 mod system;
 
+pub use decimals::counted;
 pub use error::UnitError;
 pub use system::System;
 

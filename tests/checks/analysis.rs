@@ -162,15 +162,15 @@ fn every_mistake_in_a_constraint_points_into_it() {
         ("descent_angel >= 38 deg", 0, "did you mean 'descent_angle'?"),
         ("descent_angle >= 38 kg", 17, "not an angle"),
         ("descent_angle >= 38", 17, "has no unit"),
-        ("descent_angle => 38 deg", 14, "no sign"),
-        ("descent_angle > 38 deg", 14, "no sign"),
+        ("descent_angle => 38 deg", 14, "comparison"),
+        ("descent_angle > 38 deg", 14, "comparison"),
         ("descent_angle >= ", 17, "missing"),
-        ("descent_angle", 0, "no sign"),
+        ("descent_angle", 0, "comparison"),
         ("", 0, "missing"),
         ("40 deg <= descent_angle <= 38 deg", 0, "reversed"),
-        ("40 deg <= descent_angle >= 38 deg", 24, "same sign twice"),
+        ("40 deg <= descent_angle >= 38 deg", 24, "same comparison twice"),
         ("descent_angle <= inf", 17, "finite"),
-        ("carry >= 1 m <= 3 m >= 4 m", 6, "no sign"),
+        ("carry >= 1 m <= 3 m >= 4 m", 6, "comparison"),
     ] {
         let Err(Error::Constraint { column: found, reason, .. }) = Constraint::read(text) else { panic!("{text}") };
         assert!(found == column && reason.contains(says), "{text:?}: column {found}: {reason}");

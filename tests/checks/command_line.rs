@@ -92,7 +92,7 @@ fn jacobian_and_gradient_by_all_parameters() {
     assert_eq!((rows.len(), rows[1]["of"].as_str()), (2, Some("lateral")));
     assert!(rows[0]["gradient"].as_object().unwrap().len() > 35);
     let said = longdrive(&["gradient", "--wrt", "all"]);
-    assert!(said.err.contains("left out: ") && said.err.contains("ball.inertia"), "{}", said.err);
+    assert!(said.err.contains("left out, without a value") && said.err.contains("ball.inertia"), "{}", said.err);
     assert!(said.out.contains("yd per deg") && said.out.contains("m per rad"), "{}", said.out);
 }
 
@@ -180,7 +180,7 @@ fn bad_input_gets_status_two_and_a_message_that_helps() {
         (vec!["optimize", "--vary", "club.loft"], vec!["NAME=LOW..HIGH"]),
         (vec!["optimize", "--vary", "club.loft=4..20"], vec!["\"20\" has no unit; an angle takes deg, rad"]),
         (vec!["optimize", "--vary", "club.loft=4deg..200deg"], vec!["200 deg", "less than 90 deg"]),
-        (vec!["optimize", "--vary", "club.bulge_radius=0.1..inf"], vec!["finite"]),
+        (vec!["optimize", "--vary", "club.bulge_radius=0.1m..inf"], vec!["finite"]),
         (vec!["optimize", "--vary", "club.loft=4deg..9deg", "--vary", "club.loft=4deg..9deg"], vec!["varied twice"]),
         (vec!["optimize", "--maximize", "distance"], vec!["unknown outcome 'distance'"]),
         (vec!["presets", "mae44"], vec!["did you mean 'mae494'?"]),

@@ -286,8 +286,8 @@ fn bad_input_to_a_sweep_is_status_2_and_says_what_to_write() {
     for (args, says) in [
         (vec![], "--over club.loft=5deg..15deg:101"),
         (vec!["--over", "club.loft=15deg..5deg:3"], "the range is reversed"),
-        (vec!["--over", "club.loft=5deg..15deg:0"], "0 values are none"),
-        (vec!["--over", "club.loft=5deg..15deg"], "how many values?"),
+        (vec!["--over", "club.loft=5deg..15deg:0"], "the number of values must be at least 1"),
+        (vec!["--over", "club.loft=5deg..15deg"], "the number of values is missing"),
         (vec!["--over", "club.lofft=5deg..15deg:3"], "did you mean 'club.loft'?"),
         (with(&over), "club.loft: it is given twice"),
         (with(&["--outcomes", "cary"]), "did you mean 'carry'?"),

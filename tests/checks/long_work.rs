@@ -89,7 +89,7 @@ fn exact_same_optima_when_some_of_many_searches_were_kept_before() {
     let other = Ledger::open(&path, "another question").unwrap_err();
     assert!(matches!(&other, Error::Checkpoint { reason, .. } if reason.contains("another question")), "{other}");
     std::fs::write(&path, "{").unwrap();
-    assert!(Ledger::open(&path, "valley").unwrap_err().to_string().contains("no checkpoint"));
+    assert!(Ledger::open(&path, "valley").unwrap_err().to_string().contains("is not a checkpoint"));
     assert!(Ledger::open(folder.path(), "valley").is_err());
 }
 

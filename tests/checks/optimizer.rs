@@ -130,7 +130,7 @@ fn a_start_that_does_not_fly_is_left_for_one_that_does_and_said() {
 
     let none = mae494(-9.0, 1.0, ["club.loft=0deg..2deg", "swing.attack_angle=-10deg..-8deg"]);
     assert_eq!((none.solution.status, none.status(), none.value()), (Status::Undefined, "no-flight", None));
-    assert!(none.drive.is_none() && none.message().contains("nothing flew"));
+    assert!(none.drive.is_none() && none.message().contains("no drive of the search flies"));
 }
 
 #[test]

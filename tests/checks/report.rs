@@ -227,7 +227,9 @@ fn the_ending_of_the_file_says_what_a_plot_is_written_as() {
         ("vcurve", vec!["--wrt", "swing.speed"]),
     ] {
         for file in [&svg, &csv] {
-            let said = longdrive(&[&["plot", kind, "-o", file, "--units", "metric"], extra.as_slice()].concat());
+            let said = longdrive(
+                &[&["plot", kind, "-o", file, "--overwrite", "--units", "metric"], extra.as_slice()].concat(),
+            );
             assert!(
                 said.status == 0 && said.out.is_empty() && said.err.contains(file.as_str()),
                 "{kind}: {}",
@@ -269,8 +271,9 @@ fn the_page_is_complete_in_itself_and_says_what_it_holds() {
     std::fs::write(&setup, "preset = 'mae494'\n[swing]\nspeed = '100 mph'\n").unwrap();
     let directory = folder.path().display().to_string();
     let ranges = ["--vary", "club.loft=0deg..20deg", "--vary", "swing.attack_angle=-10deg..10deg"];
+    let options = ["-o", &directory, "--overwrite", "--units", "metric"];
     let (status, answer) =
-        json(&[&["report", &setup.display().to_string(), "-o", &directory], ranges.as_slice()].concat());
+        json(&[&["report", &setup.display().to_string()], options.as_slice(), ranges.as_slice()].concat());
     assert_eq!(status, 0, "{answer}");
     assert_eq!(std::fs::read_to_string(folder.path().join("mine.txt")).unwrap(), "left alone");
 
@@ -280,8 +283,10 @@ fn the_page_is_complete_in_itself_and_says_what_it_holds() {
     for word in ["<script", "src=", "@import", "url(", "NaN", "replaced"] {
         assert!(!page.contains(word), "{word}");
     }
+    let opens_in = |units: &str| page.contains(&format!("id=\"units-{units}\" type=\"radio\" name=\"units\" checked"));
+    assert!(opens_in("metric") && !opens_in("us"), "the units asked for are shown at first");
     for words in [
-        "as given, in place of 44.7 m/s",
+        "as given, instead of 44.7 m/s",
         "MAE 494 report, listing",
         "at its upper bound: +",
         "yd per deg",
@@ -326,6 +331,7 @@ fn a_report_without_an_optimum_says_why_and_ends_with_status_one() {
         "report",
         "-o",
         &directory,
+        "--overwrite",
         "--set",
         "swing.attack_angle=-20deg",
         "--vary",

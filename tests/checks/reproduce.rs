@@ -7,7 +7,7 @@ use longdrive::{Drive, Outcome, Setup, derivative};
 use serde_json::Value;
 use std::sync::LazyLock;
 
-static FOUND: LazyLock<Mae494> = LazyLock::new(|| mae494(|_| ()).unwrap());
+pub static FOUND: LazyLock<Mae494> = LazyLock::new(|| mae494(|_| ()).unwrap());
 
 fn carry(loft: f64, attack: f64) -> f64 {
     let mut setup = Setup::preset("mae494").unwrap();
@@ -216,7 +216,7 @@ fn a_folder_gets_the_report_with_its_figures_and_their_data() {
     std::fs::write(folder.path().join("file"), "").unwrap();
     let refused = longdrive(&["reproduce", "mae494", "-o", folder.path().join("file").to_str().unwrap()]);
     assert_eq!(refused.status, 2);
-    assert!(refused.err.contains("name a folder that can be written to"), "{}", refused.err);
+    assert!(refused.err.contains("it is a file; name a folder"), "{}", refused.err);
 }
 
 #[test]

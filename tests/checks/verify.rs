@@ -4,9 +4,13 @@ use crate::common::{close, for_random_setups};
 use longdrive::derivative::check::{Verdict, check};
 use longdrive::derivative::{Taylor, gradient};
 use longdrive::impact::{Grip, strike};
-use longdrive::parameters::{PRESETS, Parameter};
+use longdrive::parameters::{Law, PRESETS, Parameter};
 use longdrive::study::certificate::{Certificate, Plant, certify};
 use longdrive::{Drive, Outcome, Setup};
+use proptest::prelude::*;
+use proptest::strategy::ValueTree;
+use proptest::test_runner::TestRunner;
+use rayon::prelude::*;
 use std::cell::Cell;
 
 fn certificate(setup: &Setup<f64>, of: &[Outcome], wrt: &[&'static Parameter]) -> Certificate {
@@ -75,6 +79,174 @@ fn differences_certify_two_hundred_random_drives() {
         rows.set(rows.get() + certificate.rows.len());
     });
     assert!(drives.get() == 200 && rows.get() == 200 * 2 * AT_A_TIME, "{} drives, {} rows", drives.get(), rows.get());
+}
+
+/// Questions as a user may ask them: usual drives with every law, some in wind, some where a parameter is at the end of its range, by one
+/// parameter each.
+fn any_question() -> impl Strategy<Value = (Setup<f64>, usize)> {
+    let deg = std::f64::consts::PI / 180.0;
+    let swing = (35.0..56.0, -5.0..6.0, -5.0..5.0, -4.0..4.0);
+    let strike = (-0.02..0.02, -0.012..0.012);
+    let of_half = |range: std::ops::Range<f64>| prop::option::of(range);
+    let air = (of_half(-6.0..6.0), of_half(-6.0..6.0), 0.9..1.3, prop::option::weighted(0.1, 0.003..0.03));
+    let at_an_end = prop::option::weighted(0.15, 0..5_usize);
+    let question = (0..Law::NAMES.len(), swing, 7.0..14.0, prop::option::of(strike), air, at_an_end, 0..10_000_usize);
+    question.prop_map(move |(law, swing, loft, strike, air, end, parameter)| {
+        let mut s = Setup::default();
+        s.set_law(Law::NAMES[law]).unwrap();
+        (s.swing.speed, s.swing.attack_angle, s.club.loft) = (swing.0, swing.1 * deg, loft * deg);
+        // half of the drives are struck square
+        if let Some((toe, high)) = strike {
+            (s.strike.toe, s.strike.high, s.swing.path, s.swing.face_angle) = (toe, high, swing.2 * deg, swing.3 * deg);
+        }
+        (s.wind.right, s.wind.downrange) = (air.0.unwrap_or_default(), air.1.unwrap_or_default());
+        (s.air.density, s.wind.roughness) = (air.2, air.3);
+        let ends = [
+            ("aero.spin_decay", "0 1/s"),
+            ("impact.restitution", "1"),
+            ("impact.restitution", "0.2"),
+            ("air.density", "0 kg/m^3"),
+        ];
+        let end = end.and_then(|end| ends.get(end));
+        if let Some((name, value)) = end {
+            s.set(name, value).unwrap();
+        }
+        let all = s.variables();
+        // what is at the end of its range is asked about more often than the others
+        let at_the_end =
+            end.filter(|_| parameter % 2 == 0).and_then(|end| all.iter().position(|row| row.name == end.0));
+        (s, at_the_end.unwrap_or(parameter % all.len()))
+    })
+}
+
+/// A right derivative of a usual drive is not called wrong. LONGDRIVE_QUESTIONS asks more of them (docs/verification.md: how many were).
+#[test]
+fn differences_certify_random_questions_about_one_parameter() {
+    let number = |name: &str| std::env::var(name).ok().and_then(|text| text.parse::<usize>().ok());
+    let (first, count) = (number("LONGDRIVE_FIRST").unwrap_or(0), number("LONGDRIVE_QUESTIONS").unwrap_or(40));
+    let mut runner = TestRunner::deterministic();
+    let questions: Vec<_> =
+        (0..first + count).map(|_| any_question().new_tree(&mut runner).unwrap().current()).collect();
+    let wrong = |(i, (setup, parameter)): (usize, &(Setup<f64>, usize))| {
+        let wrt = [setup.variables()[*parameter]];
+        if !Drive::new(setup).is_ok_and(|drive| drive.landed().is_ok()) {
+            return None;
+        }
+        let certificate = certificate(setup, Outcome::ALL, &wrt);
+        let law = setup.law.name();
+        let wrong = (!certificate.passed()).then(|| {
+            let failures = failures(&certificate).join("\n  ");
+            format!("question {i}, {law}, by {}: {setup:?}\n  {failures}", wrt[0].name)
+        });
+        let caught = certificate.planted.map(|planted| planted.caught);
+        Some((wrong, caught))
+    };
+    let asked: Vec<_> = questions.par_iter().enumerate().skip(first).filter_map(wrong).collect();
+    let failed: Vec<_> = asked.iter().filter_map(|(wrong, _)| wrong.as_deref()).collect();
+    assert!(failed.is_empty(), "{} of {}:\n{}", failed.len(), asked.len(), failed.join("\n"));
+    // errors were planted in most of them, and caught
+    assert!(asked.len() > count / 2);
+    let caught = |which: usize| asked.iter().filter(|(_, caught)| caught[which] > 0).count();
+    assert!(caught(0) > asked.len() / 2 && caught(1) > asked.len() / 2 && caught(2) > asked.len() / 4);
+}
+
+/// What was found wrong: a lateral distance of a few metres is rounded as the carry is, and an error of the time step that passes through 0 between
+/// two steps has its order.
+#[test]
+fn independent_right_derivatives_that_were_called_wrong() {
+    let of = [Outcome::Carry, Outcome::Lateral, Outcome::FlightTime, Outcome::ApexHeight];
+    let first = [
+        ("aero.law", "robinson"),
+        ("club.loft", "0.22985145296472154 rad"),
+        ("swing.attack_angle", "0.05275589592527663 rad"),
+        ("strike.toe", "-0.01651820716397888 m"),
+        ("swing.path", "-0.004477082973954577 rad"),
+        ("wind.right", "3.6871200553488634 m/s"),
+        ("wind.downrange", "4.054288512634912 m/s"),
+    ];
+    let second = [
+        ("aero.law", "launch-monitor"),
+        ("club.loft", "0.22965894243188126 rad"),
+        ("swing.attack_angle", "-0.018652696218784827 rad"),
+        ("strike.toe", "-0.007127080114314729 m"),
+        ("swing.path", "-0.014956422701638855 rad"),
+        ("wind.right", "2.4202074505492206 m/s"),
+        ("wind.downrange", "2.631895586731229 m/s"),
+    ];
+    for (settings, by) in [(first, "aero.spin_decay"), (second, "wind.right")] {
+        let mut setup = Setup::default();
+        setup.set_all(settings).unwrap();
+        let certificate = certificate(&setup, &of, &[setup.variable(by).unwrap()]);
+        assert!(certificate.passed(), "{:?}", failures(&certificate));
+        assert!(!certificate.continuity.is_empty() && !certificate.convergence.is_empty());
+    }
+    // the angle of descent of a parabola does not depend on gravity: what is left is the rounding of the longest of the flights
+    let mut vacuum = Setup::default();
+    vacuum.set_all([("air.density", "0 kg/m^3"), ("swing.attack_angle", "5.66 deg"), ("wind.right", "4 m/s")]).unwrap();
+    let certificate = self::certificate(&vacuum, Outcome::ALL, &[vacuum.variable("gravity").unwrap()]);
+    assert!(certificate.passed(), "{:?}", failures(&certificate));
+    // at the end of the range of spin decay, on a flight so high that it makes much of the rounding of its beginning
+    let mut high = Setup::default();
+    let settings = [
+        ("aero.law", "linear"),
+        ("swing.speed", "54.26623663300731 m/s"),
+        ("swing.attack_angle", "0.04973118961229366 rad"),
+        ("swing.path", "0.007755377829948539 rad"),
+        ("swing.face_angle", "-0.035969962288109766 rad"),
+        ("strike.high", "-0.0046974743291991715 m"),
+        ("strike.toe", "-0.012657799896050044 m"),
+        ("club.loft", "0.2303628547330619 rad"),
+        ("air.density", "1.277480847645975 kg/m^3"),
+        ("wind.right", "3.751715743547275 m/s"),
+        ("wind.downrange", "-4.752571984113859 m/s"),
+        ("aero.spin_decay", "0 1/s"),
+    ];
+    high.set_all(settings).unwrap();
+    let certificate = self::certificate(&high, Outcome::ALL, &[high.variable("aero.spin_decay").unwrap()]);
+    assert!(certificate.passed(), "{:?}", failures(&certificate));
+    for law in Law::NAMES {
+        let mut setup = Setup::default();
+        setup.set_all([("aero.law", *law), ("aero.spin_decay", "0 1/s")]).unwrap();
+        let certificate = certificate(&setup, Outcome::ALL, &[setup.variable("aero.spin_decay").unwrap()]);
+        assert!(certificate.passed(), "{law}: {:?}", failures(&certificate));
+    }
+}
+
+/// In a logarithmic wind the time step leaves an error in derivatives that no check of them against differences can show: it is measured, and
+/// told; in still air there is nothing to tell.
+#[test]
+fn differences_with_the_time_step_are_told_in_a_logarithmic_wind() {
+    let mut setup = Setup::default();
+    let wrt = ["club.loft", "club.inertia.xx"].map(|name| setup.variable(name).unwrap());
+    let of = [Outcome::Carry, Outcome::LandingSpeed];
+    let still = certificate(&setup, &of, &wrt);
+    assert!(still.passed() && still.step.iter().all(|found| found.warning().is_none()), "{:?}", still.step);
+    assert!(
+        still.step.iter().all(|found| found.value < 1e-11 && found.derivative.unwrap().1 < 1e-7),
+        "{:?}",
+        still.step
+    );
+    let skipped = |found: &Certificate| found.not_examined.iter().map(|it| it.check.clone()).collect::<Vec<_>>();
+    assert_eq!(skipped(&still), ["second derivatives of landing_speed"]);
+
+    setup.set_all([("wind.downrange", "-4 m/s"), ("wind.right", "2 m/s"), ("wind.roughness", "10 mm")]).unwrap();
+    let windy = certificate(&setup, &of, &wrt);
+    let speed = windy.step.iter().find(|found| found.of == Outcome::LandingSpeed).unwrap();
+    assert!(
+        speed.derivative.unwrap().1 > 1e-6 && speed.warning().unwrap().contains("landing_speed by club."),
+        "{speed:?}"
+    );
+    // measured again here, by the gradients of flights in steps of 5 ms and 0.625 ms
+    let (parameter, error) = speed.derivative.unwrap();
+    let slope = |step: f64| {
+        let mut setup = setup;
+        setup.flight.step = step;
+        gradient(&setup, Outcome::LandingSpeed, &[parameter]).unwrap().gradient[0]
+    };
+    let (coarse, fine) = (slope(0.005), slope(0.005 / 8.0));
+    close(error, ((coarse - fine) / fine).abs(), error, 1e-3, "error of the step");
+    let skipped = skipped(&windy);
+    assert!(skipped.len() == 3 && skipped[0].contains("landing") && skipped[1].contains("convergence"), "{skipped:?}");
 }
 
 #[test]

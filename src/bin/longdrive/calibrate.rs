@@ -42,7 +42,7 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
     if args.folds > 0 || !args.compare.is_empty() {
         let folds = if args.folds > 0 { args.folds as usize } else { 5.min(table.shots.len()) };
         if !quiet.is_interrupted() {
-            tell(&format!("fitting {folds} times, each without a part of the rows"));
+            tell(&format!("cross-validation: fitting {folds} times, each time without a part of the rows"));
         }
         let name = format!("{}, fitted as above", setup.law.name());
         held.push((name, held_out(&setup, &table, &plan, folds, &quiet)?));

@@ -1,7 +1,7 @@
 use crate::args::ChartArgs;
 use crate::output::{Answer, system, tell, tell_error, warn};
 use crate::search::{BEST_SO_FAR, interrupt};
-use longdrive::report::{ChartReport, chart_csv, chart_text};
+use longdrive::report::{ChartReport, chart_csv, chart_text, outcome_text, parameter_text};
 use longdrive::study::{Chart, Vary, chart_at};
 use longdrive::{Result, Setup};
 use std::sync::atomic::Ordering;
@@ -17,8 +17,13 @@ pub fn run(args: &ChartArgs) -> Result<Answer> {
     let stop = interrupt(BEST_SO_FAR);
     let of = search.maximize;
     let chart = chart_at(&setup, &search, along, &at, |point| {
-        let value = point.best.value().map_or("–".into(), |value| of.show(value));
-        tell(&format!("{} {}: {} {value}", along.parameter.name, along.parameter.show(Some(point.at)), of.name()));
+        let value = point.best.value().map_or("–".into(), |value| outcome_text(of, value, system()));
+        tell(&format!(
+            "{} {}: {} {value}",
+            along.parameter.name,
+            parameter_text(along.parameter, point.at, system()),
+            of.name()
+        ));
         !stop.load(Ordering::Relaxed)
     });
     let chart = match chart {
@@ -26,7 +31,7 @@ pub fn run(args: &ChartArgs) -> Result<Answer> {
             tell_error(&error);
             let none = Chart { along, points: vec![], begun: None, ended: Some(error.to_string()) };
             let answer = if args.question.json {
-                Answer::json(&ChartReport::reply(&none, of, warnings))
+                Answer::json(&ChartReport::reply(&none, &search, warnings))
             } else {
                 Answer::text(String::new())
             };
@@ -35,7 +40,7 @@ pub fn run(args: &ChartArgs) -> Result<Answer> {
         chart => chart?,
     };
     let answer = if args.question.json {
-        Answer::json(&ChartReport::reply(&chart, of, warnings))
+        Answer::json(&ChartReport::reply(&chart, &search, warnings))
     } else if args.csv {
         Answer::text(chart_csv(&chart)?)
     } else {

@@ -10,7 +10,7 @@ pub fn run(args: &Gradient) -> Result<Answer> {
     let of = outcomes(&args.of)?;
     let wrt = variables(&setup, &args.wrt)?;
     let drive = Drive::new(&setup)?;
-    let warnings = [setup.warnings(), drive.corners(&setup)].concat();
+    let warnings = drive.warnings(&setup);
     warn(&warnings);
 
     let order = if args.hessian { Order::Second } else { Order::First };

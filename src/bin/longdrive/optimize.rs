@@ -53,9 +53,5 @@ pub fn remarks(setup: &Setup<f64>, best: &Optimum) -> Vec<String> {
     if let Some(moved) = best.moved_start() {
         tell(&moved);
     }
-    let mut warnings = setup.warnings();
-    if let Some(drive) = &best.drive {
-        warnings.extend(drive.corners(&best.setup));
-    }
-    warnings
+    best.drive.as_ref().map_or_else(|| setup.warnings(), |drive| drive.warnings(&best.setup))
 }

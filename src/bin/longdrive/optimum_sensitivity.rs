@@ -75,7 +75,7 @@ fn analysed(best: &Optimum, wrt: &[&'static Parameter], changes: &[Change], loss
     let sensitivities = sensitivities(best, &wrt, |done, of| show(&bar, done, of));
     bar.finish_and_clear();
     let loss = loss.unwrap_or_else(|| usual_loss(best));
-    let spinner = spinner("flying around the optimum");
+    let spinner = spinner("computing drives around the optimum");
     let changed = changes.iter().map(|stated| change(best, *stated)).collect::<Result<_>>()?;
     let flatness = flatness(best, loss)?;
     spinner.finish_and_clear();

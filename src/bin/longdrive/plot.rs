@@ -16,7 +16,7 @@ use longdrive::study::{
     Constraint, Fineness, Map, Optimum, Search, Sigma, Vary, chart, effects, flatness, map, optimum, usual_loss,
     with_defaults,
 };
-use longdrive::{Error, Outcome, Result, Setup};
+use longdrive::{Drive, Error, Outcome, Result, Setup};
 use serde_json::json;
 use std::path::Path;
 
@@ -47,7 +47,7 @@ fn contour(args: &PlotContour) -> Result<Answer> {
     let setup = args.question.setup()?;
     let search = args.search.search(&setup)?;
     let setup = args.question.within_tolerance(setup, &search.vary)?;
-    let spinner = spinner("flying the map");
+    let spinner = spinner("computing the map");
     let (best, map) = mapped(&setup, &search)?;
     let best = best.as_ref();
     let limits = limits(best.map_or(&setup, |best| &best.setup), &search)?;
@@ -193,7 +193,7 @@ impl Target {
     }
 
     fn written(&self, question: &Question, setup: &Setup<f64>, drawing: &Drawing, figure: &Figure) -> Result<Answer> {
-        let warnings = setup.warnings();
+        let warnings = Drive::new(setup).map_or_else(|_| setup.warnings(), |drive| drive.warnings(setup));
         warn(&warnings);
         let shades = if drawing.dark { Shades::Dark } else { Shades::Light };
         let look = Look { system: system(), shades, width: drawing.width };

@@ -32,9 +32,8 @@ pub fn run(args: &Report) -> Result<Answer> {
 
     let bar = bar("parts");
     bar.set_length(USUAL_POINTS + 5);
-    let mut remarks = setup.warnings();
     let mut flown = vec![Flown::new("as set up", &setup)?];
-    remarks.extend(flown[0].drive.corners(&setup));
+    let mut remarks = flown[0].drive.warnings(&setup);
     bar.inc(1);
 
     let found = optimum(&setup, search.clone(), Watch::default())?;
@@ -44,7 +43,11 @@ pub fn run(args: &Report) -> Result<Answer> {
     }
     let best = is_found.then_some(&found);
     if let Some(best) = best {
-        flown.push(Flown::new("optimum", &best.setup)?);
+        let longest = Flown::new("optimum", &best.setup)?;
+        let of_drive = longest.drive.warnings(&best.setup).into_iter().filter(|warning| !remarks.contains(warning));
+        let of_drive: Vec<_> = of_drive.map(|warning| format!("at the optimum: {warning}")).collect();
+        remarks.extend(of_drive);
+        flown.push(longest);
     }
     let flatness = best.map(|best| flatness(best, usual_loss(best))).transpose()?;
     bar.inc(1);

@@ -12,8 +12,7 @@ pub fn run(args: &SensitivityArgs) -> Result<Answer> {
     let given = args.sigma.iter().map(|text| Sigma::read(&setup, text)).collect::<Result<Vec<_>>>()?;
     let mut best = None;
     if let ([option, ..], false) = (args.search.given().as_slice(), args.at_optimum) {
-        let source =
-            "it says what optimum to look for, and none is asked for; add --at-optimum, or leave it out".into();
+        let source = "it is about the search for an optimum; add --at-optimum, or leave it out".into();
         return Err(Error::Unreadable { name: (*option).into(), source });
     }
     if args.at_optimum {
@@ -28,7 +27,7 @@ pub fn run(args: &SensitivityArgs) -> Result<Answer> {
     }
     let sigmas = if args.no_defaults { given } else { with_defaults(&setup, &given)? };
     let drive = Drive::new(&setup)?;
-    let warnings = [setup.warnings(), drive.corners(&setup)].concat();
+    let warnings = drive.warnings(&setup);
     warn(&warnings);
     let bar = bar("uncertainties");
     let found = effects(&setup, &of, &sigmas, |done, all| show(&bar, done, all));

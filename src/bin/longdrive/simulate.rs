@@ -6,9 +6,10 @@ use longdrive::{Drive, Result};
 
 pub fn run(args: &Simulate) -> Result<Answer> {
     let setup = args.question.within_tolerance(args.question.setup()?, &[])?;
-    let warnings = setup.warnings();
+    let drive = Drive::new(&setup);
+    let warnings = drive.as_ref().map_or_else(|_| setup.warnings(), |drive| drive.warnings(&setup));
     warn(&warnings);
-    let drive = Drive::new(&setup)?;
+    let drive = drive?;
     let answer = if args.question.json {
         Answer::json(&DriveReport::reply(&setup, &drive, warnings))
     } else {

@@ -1,16 +1,16 @@
 use crate::args::UncertaintyArgs;
 use crate::names::outcomes;
 use crate::output::{Answer, bar, show, system, tell, warn};
-use longdrive::report::{UncertaintyReport, uncertainty_text};
+use longdrive::report::{UncertaintyReport, parameter_text, uncertainty_text};
 use longdrive::study::uncertainty::{Plan, Uncertain, uncertainty};
 use longdrive::study::{Sigma, with_defaults};
-use longdrive::{Error, Result, Setup};
+use longdrive::{Drive, Error, Result, Setup};
 
 pub fn run(args: &UncertaintyArgs) -> Result<Answer> {
     let setup = args.question.within_tolerance(args.question.setup()?, &[])?;
     let of = outcomes(&args.of)?;
     let inputs = inputs(&setup, args)?;
-    let warnings = setup.warnings();
+    let warnings = Drive::new(&setup).map_or_else(|_| setup.warnings(), |drive| drive.warnings(&setup));
     warn(&warnings);
     let plan = Plan { samples: args.samples as usize, seed: args.seed };
     let bar = bar("drives");
@@ -35,7 +35,7 @@ fn inputs(setup: &Setup<f64>, args: &UncertaintyArgs) -> Result<Vec<Uncertain>> 
     let sigmas = if is_given { sigmas } else { with_defaults(setup, &[])? };
     for sigma in sigmas.iter() {
         if let Some(source) = sigma.source {
-            let shown = sigma.parameter.show(Some(sigma.value));
+            let shown = parameter_text(sigma.parameter, sigma.value, system());
             tell(&format!(
                 "default uncertainty: {} ± {shown} (one standard deviation); {source}",
                 sigma.parameter.name

@@ -1,10 +1,10 @@
 use crate::args::Verify;
 use crate::names::{outcomes, variables};
 use crate::output::{Answer, bar, show, tell, warn};
-use longdrive::Result;
 use longdrive::report::{CertificateReport, certificate_text};
 use longdrive::reproduce::while_loop;
-use longdrive::study::certificate::certify;
+use longdrive::study::certificate::{StepError, certify};
+use longdrive::{Drive, Result};
 
 pub fn run(args: &Verify) -> Result<Answer> {
     let setup = args.question.within_tolerance(args.question.setup()?, &[])?;
@@ -14,7 +14,9 @@ pub fn run(args: &Verify) -> Result<Answer> {
     let certificate = certify(&setup, &of, &wrt, |done, all| show(&bar, done, all));
     bar.finish_and_clear();
     let certificate = certificate?;
-    let warnings = [setup.warnings(), certificate.corners.clone()].concat();
+    let of_step = certificate.step.iter().filter_map(StepError::warning).collect();
+    let of_drive = Drive::new(&setup).map_or_else(|_| setup.warnings(), |drive| drive.warnings(&setup));
+    let warnings = [of_drive, of_step].concat();
     warn(&warnings);
     for (of, why) in &certificate.missing {
         tell(&format!("left out: {}: {why}", of.name()));

@@ -10,7 +10,7 @@ pub use setup_file::calibration_toml;
 use super::document::Document;
 use crate::optimize::least_squares::Status;
 use crate::study::calibrate::{Calibration, Estimate, HeldOut, Remainder, ShotTable, Uncertainties, Undetermined};
-use crate::units::significant;
+use crate::units::{counted, significant};
 
 /// All that a report of a calibration shows.
 #[derive(Clone, Copy, Debug)]
@@ -80,17 +80,17 @@ pub fn calibration_document(report: &CalibrationReport<'_>) -> Document {
     let (fit, statistics) = (&found.fit, &found.statistics);
     let mut document = Document::new(&format!("Calibration to {}", table.file));
     document.paragraph(format!(
-        "{}: {} ({} iterations, {} evaluations)",
+        "{}: {} ({}, {})",
         report.status(),
         report.message(),
-        fit.iterations,
-        fit.evaluations
+        counted(fit.iterations, "iteration"),
+        counted(fit.evaluations, "evaluation")
     ));
     let kind = if table.is_launched { "launch conditions, flown without an impact" } else { "club deliveries" };
     document.paragraph(format!(
-        "{} shots, {} measured values; the rows are {kind}.",
-        table.shots.len(),
-        table.residuals()
+        "{}, {}; the rows are {kind}.",
+        counted(table.shots.len() as u64, "shot"),
+        counted(table.residuals() as u64, "measured value")
     ));
     for remark in &table.remarks {
         document.paragraph(remark.clone());

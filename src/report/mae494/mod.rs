@@ -16,9 +16,9 @@ use crate::units::significant;
 pub fn mae494_document(found: &Mae494) -> Document {
     let mut document = Document::new("The MAE 494 report, reproduced");
     document.paragraph(
-        "A student report of the course MAE 494, \"Optimization of a Golf Driver\", redid Winfield & Tan (1994). Here its constants stand in \
-         Winfield & Tan's equations (the preset mae494), and what it prints stands beside what that model gives. Everything but the \
-         printed numbers is computed when asked for.",
+        "A student report of the course MAE 494, \"Optimization of a Golf Driver\", repeated Winfield & Tan (1994). Here its constants are used in \
+         Winfield & Tan's equations (the preset mae494), and each printed number is compared with what that model gives. All numbers \
+         except the printed ones are computed by this command.",
     );
     tables::optimum(&mut document, found);
     tables::tables(&mut document, found);

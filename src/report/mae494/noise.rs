@@ -7,12 +7,12 @@ use crate::reproduce::{Landings, Noise, Slopes};
 use crate::units::{Quantity, significant};
 
 pub(super) fn noise(document: &mut Document, noise: &Noise) {
-    document.heading("Its noise");
+    document.heading("The noise of its flight loop");
     document.paragraph(format!(
-        "The report's flight loop stops at the first step of {} s that ends below the ground. Carry then has teeth: around loft 10°, attack angle 0°, \
-         one every {}° of loft, {} m high. That is no noise but a bias. A small difference lies within one tooth, where the number of steps does \
-         not change: it sees the slope of carry at a fixed time, not that at landing. Its sign is wrong at {} of the {} lofts below. Where the \
-         straight line between the loop's last two steps meets the ground, that is cured.",
+        "The report's flight loop stops at the first step of {} s that ends below the ground. Carry as a function of loft is then a \
+         sawtooth: around loft 10°, attack angle 0° there is a jump every {}° of loft, {} m high. This is not random noise but a bias: a small \
+         difference lies between two jumps, where the number of steps does not change, and gives the slope of carry at a fixed time, not that \
+         at landing. Its sign is wrong at {} of the {} lofts below. Linear interpolation between the last two steps of the loop removes the jumps.",
         noise.step,
         significant(noise.teeth.width.to_degrees(), 3),
         significant(noise.teeth.height, 3),
@@ -42,7 +42,7 @@ pub(super) fn noise(document: &mut Document, noise: &Noise) {
         noise.shorter_steps.iter().map(|(step, slope)| vec![format!("{step} s"), per_radian(*slope), String::new()]);
     document.table(&["time step", "loop", ""], rows);
     document.paragraph(
-        "Longer differences reach over the teeth, and are wrong by the curvature instead. The same place with the time step as it was:",
+        "Longer differences reach over several jumps, but have an error from the curvature instead. The same loft and attack angle, with the original time step:",
     );
     let rows = noise.longer_differences.iter().map(|(difference, slopes)| {
         let [overshot, interpolated, smooth] = slopes.map(per_radian);
@@ -62,7 +62,7 @@ fn zoomed(zoom: &[Landings]) -> Figure {
         .with(Layer::line("the report's loop", 1, points(|at| at.overshot)))
         .with(Layer::line("the loop, interpolated", 2, points(|at| at.interpolated)))
         .with(Layer::line("smooth landing", 0, points(|at| at.smooth)))
-        .noted("The loop is off by its Euler steps too: interpolated it runs beside the smooth landing, not on it.")
+        .noted("The loop also has the error of its Euler steps: when it is interpolated, it is smooth but does not agree with the exact flight.")
 }
 
 fn slopes(slopes: &[Slopes]) -> Figure {

@@ -1,4 +1,4 @@
-//! What the model itself says to the report's claims.
+//! The report's claims, checked with its own model.
 
 use super::{degrees, metres};
 use crate::report::document::Document;
@@ -8,11 +8,11 @@ use crate::units::significant;
 pub(super) fn energy(document: &mut Document, found: &Mae494) {
     let energy = &found.energy;
     let longest = found.optimum.printed.carry;
-    document.heading("Its distances cannot be");
+    document.heading("Its distances are not possible");
     document.paragraph(format!(
-        "No ball leaves this club faster than (1 + e)/(1 + m/M) V = {:.2} m/s, with {:.1} J of the club's {:.1} J. No ball that slow carries \
-         farther than {}, whatever its launch angle and spin: the best is {} above horizontal with {} rad/s, and a m/s more would bring {} m. \
-         The report's longest distance, {}, needs at least {:.2} m/s, and with it {:.1} J: {:.1} % of all that the club has.",
+        "No ball leaves this club faster than (1 + e)/(1 + m/M) V = {:.2} m/s, with {:.1} J of the club's {:.1} J. At this speed no ball carries \
+         farther than {}, whatever its launch angle and spin: the best launch is {} above horizontal with {} rad/s of spin, and 1 m/s more would \
+         add {} m. The report's longest distance, {}, needs at least {:.2} m/s, that is {:.1} J: {:.1} % of the club's energy.",
         energy.fastest,
         energy.ball,
         energy.club,
@@ -31,8 +31,8 @@ pub(super) fn subsystems(document: &mut Document, found: &Mae494) {
     let parts = &found.subsystems;
     document.heading("Its subsystems");
     document.paragraph(
-        "The report says that the optimum of its two subsystems, combined, is that of the whole. But each by itself wants something else, and the impact \
-         does not let the flight choose: the loft that raises the launch also slows the ball and spins it.",
+        "The report says that the optimum of its two subsystems, combined, is that of the whole. But the optimum of each subsystem is different, and the \
+         flight cannot choose its launch freely: more loft raises the launch angle, but also reduces the ball speed and adds spin.",
     );
     let row = |what: &str, launched: &Launched| {
         vec![
@@ -47,14 +47,14 @@ pub(super) fn subsystems(document: &mut Document, found: &Mae494) {
         &["ball speed", "launch angle", "backspin", "carry", ""],
         [
             row("the optimum of the whole", &parts.whole),
-            row("what the flight alone would have at that ball speed", &parts.flight),
-            row("what it would have at the fastest ball", &found.energy.farthest),
+            row("the optimum of the flight alone at that ball speed", &parts.flight),
+            row("the same at the greatest ball speed", &found.energy.farthest),
         ],
     );
     document.paragraph(format!(
-        "The impact alone would have the fastest ball, from a face without loft: at attack angle {} it carries {}. The launch that the flight alone \
-         would have is without spin, and only a face without loft gives that: at an attack angle of {}, out of every golfer's range. Within the \
-         ranges the impact cannot give it, and the optimum of the whole is neither's, {} short of the flight's own.",
+        "The optimum of the impact alone is the greatest ball speed, which a face without loft gives: at attack angle {} it carries {}. The optimum \
+         of the flight alone has no spin, and only a face without loft gives that: at an attack angle of {}, which no golfer reaches. Within \
+         the ranges no impact gives that launch, and the optimum of the whole is that of neither subsystem: {} shorter than the flight's own.",
         degrees(parts.impact.attack_angle),
         metres(parts.impact.carry),
         degrees(found.energy.farthest.angle),
@@ -66,10 +66,10 @@ pub(super) fn subsystems(document: &mut Document, found: &Mae494) {
         let sum = if sum.abs() < 1e-9 { 0.0 } else { sum.to_radians() };
         vec![speed, angle, spin, format!("{sum:+.4}")]
     };
-    document.paragraph("What a degree changes of carry there, m, by way of each part of the launch (exact):");
+    document.paragraph("The change of carry there in m for one degree, through each part of the launch (exact):");
     let rows = [("loft", &parts.by_loft), ("attack angle", &parts.by_attack_angle)];
     document.table(
-        &["ball speed", "launch angle", "backspin", "in sum", "by a degree of"],
+        &["ball speed", "launch angle", "backspin", "total", "by one degree of"],
         rows.map(|(name, parts)| through(parts).into_iter().chain([name.into()]).collect()),
     );
 }
@@ -78,9 +78,9 @@ pub(super) fn parametric(document: &mut Document, found: &Mae494) {
     let study = &found.parametric;
     document.heading("Its parametric study");
     document.paragraph(
-        "The report calls for one and does not make it. These are the exact sensitivities of the optimum to the constants of its model, the one \
-         that matters most first: what one per cent more of each does to the best carry and to the best loft. (The best attack angle stays on its \
-         bound.)",
+        "The report proposes a parametric study but does not make one. These are the exact sensitivities of the optimum to the constants of its model, \
+         the largest first: the change of the best carry and of the best loft when a constant grows by one per cent. (The best attack angle stays at \
+         its bound.)",
     );
     let rows = study.sensitivities.iter().map(|constant| {
         let parameter = constant.sensitivity.parameter;
@@ -93,8 +93,9 @@ pub(super) fn parametric(document: &mut Document, found: &Mae494) {
     });
     document.table(&["best carry", "best loft", "value", "one per cent more of"], rows);
     document.paragraph(
-        "Of the inertia dyadic, of which it says that the shape of the head has a large impact, only the moment about the heel–toe axis takes part in a strike on the \
-         sweet spot. What it asks about, by ten per cent, predicted to second order in carry and to first in loft, and searched anew:",
+        "The report says that the shape of the head has a large effect through the inertia dyadic; in a strike on the sweet spot only the moment about \
+         the heel–toe axis has an effect. The constants it asks about, changed by ten per cent: predicted to second order in carry and to first order in \
+         loft, and found by a new search:",
     );
     let rows = study.changes.iter().map(|changed| {
         let value = found.optimum.best.setup.value(changed.change.parameter);

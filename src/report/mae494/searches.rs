@@ -12,12 +12,12 @@ const FOUND: f64 = 0.01;
 pub(super) fn searches(document: &mut Document, found: &Mae494) {
     let best = found.optimum.exact();
     let count = found.searches.first().map_or(0, |searches| searches.ends.len());
-    document.heading("What searches make of it");
+    document.heading("Searches with its flight loop");
     document.paragraph(format!(
-        "From the same {count} starts in the report's ranges, all of which fly: the searches that end within a centimetre of the best carry, \
-         {}; what the others miss is measured by the smooth landing. A flight with exact derivatives counts as one. L-BFGS is argmin's, with the line \
-         search of Moré and Thuente; it knows no bounds, and x = middle + half the width · sin u gives it none. Where \
-         a drive does not fly it is told a carry of 0.",
+        "Searches from the same {count} starts in the report's ranges, all of which fly. The table counts the searches that end within a centimetre of \
+         the best carry, {}; how much carry the others miss is computed with the smooth landing. A flight with exact derivatives counts as one. L-BFGS is \
+         that of argmin, with the line search of Moré and Thuente; since it has no bounds, it searches over u, with x = middle + half the width · sin u. \
+         Its carry is taken as 0 where a drive does not fly.",
         metres(best.carry),
     ));
     let rows = found.searches.iter().map(|searches| {
@@ -58,7 +58,7 @@ fn ends(searches: &[Searches], best: &Delivery) -> Figure {
     let angle = |label: &str| Axis::linear(Measure::new(label, Quantity::ANGLE, "deg"));
     let mut figure =
         Figure::new("ends", "Where searches from the same starts end", angle("loft"), angle("attack angle"))
-            .noted("A search that ends where it began hides its start.");
+            .noted("The end of a search that does not move hides its start.");
     if let Some(any) = searches.first() {
         let points = any.ends.iter().map(|end| [end.start.loft, end.start.attack_angle]).collect();
         figure = figure.with(Layer::Dots { name: "starts".into(), hue: Hue::Faint, points });

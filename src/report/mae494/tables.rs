@@ -31,7 +31,7 @@ pub(super) fn tables(document: &mut Document, found: &Mae494) {
     document.heading("Its tables");
     document.paragraph(format!(
         "The report says that no constraint was active. In its model the bound of loft is active at {} of {} attack angles, and that of the \
-         attack angle at {} of {} lofts. The cost is what its optimum carries less than the exact one: all of it where the ball does not fly.",
+         attack angle at {} of {} lofts. The cost is the difference between the carry of the exact optimum and that of the printed one, which is 0 where the ball does not fly.",
         active(&found.table1),
         found.table1.len(),
         active(&found.table2),
@@ -50,7 +50,7 @@ pub(super) fn tables(document: &mut Document, found: &Mae494) {
         ]
     };
     let head = |given: &'static str, best: &'static str, exact: &'static str| {
-        [given, best, "distance printed", "carries in fact", exact, "carry", "cost", "what holds it"]
+        [given, best, "distance printed", "its carry", exact, "carry", "cost", "active bounds"]
     };
     document.paragraph("Table 1: the best loft at each attack angle.");
     document.table(
@@ -92,10 +92,10 @@ fn held(row: &Row) -> String {
 
 pub(super) fn average(document: &mut Document, found: &Mae494) {
     let average = &found.average;
-    document.heading("Its third study");
+    document.heading("The average over attack angles");
     let longest = average.rows.iter().max_by(|a, b| a.1.total_cmp(&b.1));
     let whole = longest.map_or(String::new(), |(loft, carry)| {
-        format!("Of the lofts looked at {:.0}° has the longest ({}). ", loft.to_degrees(), metres(*carry))
+        format!("Of the lofts computed, {:.0}° has the longest ({}). ", loft.to_degrees(), metres(*carry))
     });
     document.paragraph(format!(
         "Carry averaged over the attack angles 0, 1 … 10° is longest at {:.0}° by the report. {whole}The exact best is {}, with {}.",
@@ -109,9 +109,9 @@ pub(super) fn regression(document: &mut Document, found: &Mae494) {
     let fit = &found.regression;
     document.heading("The regression");
     document.paragraph(format!(
-        "The listing fits 1, λ², λ³, λ⁴, λ⁵ to five distances at attack angle 10° and evaluates the coefficients against 1, λ, λ², λ³, λ⁴. So it \
-         peaks at {}, the optimum that Table 1 prints there, where it promises {:.0} m. The same coefficients evaluated as they were fitted \
-         peak at {} ({}); the ordinary polynomial 1 … λ⁴ through the same points at {} ({}). In the report's model a ball struck with loft \
+        "The listing fits 1, λ², λ³, λ⁴, λ⁵ to five distances at attack angle 10° and evaluates the coefficients against 1, λ, λ², λ³, λ⁴. So its \
+         maximum is at {}, the optimum that Table 1 prints there, where it predicts {:.0} m. The same coefficients, evaluated as they were fitted, \
+         have their maximum at {} ({}); the ordinary polynomial 1 … λ⁴ through the same points has it at {} ({}). In the report's model a ball struck with loft \
          {} at attack angle 10° carries {}.",
         degrees(fit.slipped.loft),
         fit.slipped.distance,

@@ -11,7 +11,7 @@ use crate::report::optimum::{bound_in_words, constraint_price, constraints};
 use crate::report::presets::sources;
 use crate::study::certificate::Row;
 use crate::study::{Effects, Flatness, Limit, Optimum};
-use crate::units::significant;
+use crate::units::{counted, significant};
 use maud::{Markup, html};
 
 /// What a launch monitor shows, of the drive as set up.
@@ -81,8 +81,8 @@ pub(super) fn optimum(best: &Optimum, flatness: Option<&Flatness>) -> Markup {
         p {
             (capital(search.sense.adjective())) " " (of.name().replace('_', " ")) ": " strong { (outcome(of, best.value())) } ". "
             span.faint {
-                (best.status()) ": " (best.message()) " (" (solution.iterations) " iterations, " (solution.evaluations)
-                " evaluations)"
+                (best.status()) ": " (best.message()) " (" (counted(solution.iterations, "iteration")) ", "
+                (counted(solution.evaluations, "evaluation")) ")"
             }
         }
         div.wide { table {

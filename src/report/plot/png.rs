@@ -20,8 +20,9 @@ pub fn figure_png(figure: &Figure, look: &Look, scale: f64) -> Result<Vec<u8>> {
     let tree = Tree::from_str(&svg, &options).map_err(|error| failed(error.to_string()))?;
     let size = tree.size();
     let [width, height] = [size.width(), size.height()].map(|side| (f64::from(side) * scale).ceil() as u32);
-    let mut dots = Pixmap::new(width, height)
-        .ok_or_else(|| failed(format!("{width} × {height} dots are none, or too many, for a picture")))?;
+    let mut dots = Pixmap::new(width, height).ok_or_else(|| {
+        failed(format!("a picture of {width} × {height} dots cannot be made; choose a width from 240 to 4000"))
+    })?;
     resvg::render(&tree, Transform::from_scale(scale as f32, scale as f32), &mut dots.as_mut());
     dots.encode_png().map_err(|error| failed(error.to_string()))
 }

@@ -15,12 +15,11 @@ impl SweepCsv {
         let derivatives = batch.outcomes().iter().flat_map(|of| batch.wrt().iter().map(move |by| (of, by)));
         let derivatives = derivatives.map(|(of, by)| {
             let name = format!("d_{}/d_{}", of.name(), by.name);
-            match (of.quantity().si, by.quantity.si) {
-                ("", "") => name,
-                (unit, "") => format!("{name} [{unit}]"),
-                ("", unit) => format!("{name} [1/({unit})]"),
-                (unit, by) if by.contains([' ', '/']) => format!("{name} [{unit}/({by})]"),
-                (unit, by) => format!("{name} [{unit}/{by}]"),
+            let unit = if of.quantity().si.is_empty() { "1" } else { of.quantity().si };
+            match by.quantity.si {
+                "" => of.quantity().head(&name),
+                by if by.contains([' ', '/']) => format!("{name} [{unit}/({by})]"),
+                by => format!("{name} [{unit}/{by}]"),
             }
         });
         Self { names: parameters.chain([STATUS.to_owned()]).chain(outcomes).chain(derivatives).collect() }

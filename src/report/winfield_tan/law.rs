@@ -20,8 +20,8 @@ pub(super) fn law(document: &mut Document, found: &WinfieldTan) {
     document.paragraph(format!(
         "With x = s √(v/50 m/s) and u = (v − 50 m/s)/20 m/s, C_D = (cd0 + cd1 x + cd2 x² + cd3 x³)(1 + cd_v1 u + cd_v2 u²) and C_L = \
          (cl_hill x/(x + cl_half) + cl_slope x)/(1 + ((v − cl_speed)/cl_width)²): {} coefficients, calibrated to {} printed numbers with \
-         the spin decay held at {} /s. The weights (0.05 yd, 0.02°) are finer than the law can follow: what it leaves over is \
-         {left:.1} times as large, and the standard errors here are scaled by that.",
+         the spin decay held at {} /s. The weights (0.05 yd, 0.02°) are finer than the law can follow: the residuals are \
+         {left:.1} times as large, and the standard errors here are scaled by that factor.",
         fit.estimates.len(),
         fit.remainders.len(),
         significant(found.setup.aero.spin_decay, 3),
@@ -36,9 +36,9 @@ pub(super) fn law(document: &mut Document, found: &WinfieldTan) {
             estimate.parameter.name.into(),
         ]
     });
-    document.table(&["in the preset", "fitted anew", "standard error", "coefficient"], rows);
-    document.paragraph("It is meant for what the paper's flights pass through, 25 < v < 68 m/s, 0.02 < s < 0.35 and spins up to 450 rad/s, where it is shown; beyond, it is smooth, \
-                        positive and rises with spin, but nothing says that it is right.");
+    document.table(&["in the preset", "fitted again", "standard error", "coefficient"], rows);
+    document.paragraph("It is valid for the speeds and spins of the paper's flights, 25 < v < 68 m/s, 0.02 < s < 0.35 and spins up to 450 rad/s, where it is shown; outside, it is \
+                        smooth, positive and rises with spin, but is not supported by data.");
     document.table(
         &["s", "C_D at 30 m/s", "40", "50", "65", "C_L at 30 m/s", "40", "50", "65"],
         SPIN_RATIOS.map(|s| {
@@ -89,15 +89,15 @@ pub(super) fn decay(document: &mut Document, found: &WinfieldTan) {
     let (rate, error) = found.fitted.decay;
     document.heading("The spin decay");
     document.paragraph(format!(
-        "The paper takes a decay constant of 0.6 to 0.7, without a unit; measured since are about 4 % a second (0.03–0.045 /s). Fitted with the \
-         coefficients, its own tables say δ = {} ± {} /s (one standard error, scaled by what the fit leaves over). Held at given rates, with \
-         all else fitted anew, they leave:",
+        "The paper takes a decay constant of 0.6 to 0.7, without a unit; later measurements give about 4 % per second (0.03–0.045 /s). Fitted together with the \
+         coefficients, its own tables give δ = {} ± {} /s (one standard error, scaled by the residuals of the fit). With the rate held at given values, \
+         and everything else fitted again, the residuals are:",
         significant(rate, 2),
         significant(error, 2),
     ));
     let least = found.fitted.profile.iter().map(|decay| decay.sum).fold(f64::INFINITY, f64::min);
     document.table(
-        &["δ, 1/s", "sum of squares", "of the least here"],
+        &["δ, 1/s", "sum of squares", "relative to the smallest"],
         found.fitted.profile.iter().map(|decay| {
             vec![format!("{}", decay.rate), format!("{:.1}", decay.sum), format!("{:.2}", decay.sum / least)]
         }),
@@ -108,7 +108,7 @@ pub(super) fn decay(document: &mut Document, found: &WinfieldTan) {
     );
     let points = found.fitted.profile.iter().map(|decay| [decay.rate, decay.sum]).collect();
     document.figure(
-        Figure::new("spin-decay", "What the tables leave over at given rates of spin decay", axes.0, axes.1)
-            .with(Layer::line("all else fitted", 0, points)),
+        Figure::new("spin-decay", "Residuals of the tables at given rates of spin decay", axes.0, axes.1)
+            .with(Layer::line("everything else fitted", 0, points)),
     );
 }

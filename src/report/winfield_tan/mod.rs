@@ -15,9 +15,9 @@ pub fn winfield_tan_document(found: &WinfieldTan) -> Document {
     let mut document = Document::new("Winfield & Tan (1994), reproduced");
     document.paragraph(
         "\"Optimization of clubhead loft and swing elevation angles for maximum distance of a golf drive\" finds the loft and the \
-         attack angle of the longest drive. Here the preset winfield-tan flies every drive that it prints a number of. Its curves of drag \
-         and lift are not printed: the law of the preset is calibrated to its tables, so that distances agree by design, and how \
-         closely one smooth law can meet all of them is the test. The impact has no freedom.",
+         attack angle of the longest drive. Here every drive of which the paper prints a number is computed with the preset winfield-tan. The paper does \
+         not print its curves of drag and lift: the law of the preset is calibrated to its tables, so distances agree by design, and the test is \
+         how closely one smooth law can meet all of them. The impact has no fitted parameter.",
     );
     tables::shot(&mut document, found);
     tables::optimum(&mut document, found);

@@ -32,7 +32,7 @@ pub(super) fn shot(document: &mut Document, found: &WinfieldTan) {
         ],
     );
     document.paragraph(format!(
-        "The printed launch angle is a slip: the printed components of the ball's velocity give {}. The robot Iron Byron, with the same \
+        "The printed launch angle is a misprint: the printed components of the ball's velocity give {}. The robot Iron Byron, with the same \
          delivery, hit {} ± {}: the computed carry lies {:.2} standard deviations from its mean.",
         degrees(theirs.up.atan2(theirs.downrange)),
         yards(found.shot.robot.0),
@@ -52,18 +52,18 @@ pub(super) fn optimum(document: &mut Document, found: &WinfieldTan) {
                 degrees(printed.loft),
                 degrees(printed.attack_angle),
                 yards(*at_printed),
-                "printed delivery, flown".into(),
+                "printed delivery, computed".into(),
             ],
             vec![degrees(computed.loft), degrees(computed.attack_angle), yards(computed.carry), "exact".into()],
         ],
     );
     document.paragraph(format!(
-        "The optimum lies on a ridge: as the attack angle rises the best loft falls, and carry hardly changes. The printed delivery \
-         carries only {:.3} yd less than the exact best, so that where on the ridge a search ends says little. Along it:",
+        "The optimum lies on a ridge: as the attack angle rises, the best loft falls, and carry hardly changes. The printed delivery \
+         carries only {:.3} yd less than the exact best, so the place on the ridge where a search ends has little meaning. Along the ridge:",
         in_yards(computed.carry - at_printed)
     ));
     document.table(
-        &["attack angle", "best loft", "carry", "less than the best"],
+        &["attack angle", "best loft", "carry", "loss"],
         found.ridge.iter().map(|point| {
             let less = format!("{:.3} yd", in_yards(computed.carry - point.carry).max(0.0));
             vec![degrees(point.attack_angle), degrees(point.loft), yards(point.carry), less]
@@ -95,7 +95,7 @@ pub(super) fn tables(document: &mut Document, found: &WinfieldTan) {
     );
     let slips = MISPRINTS.map(|(table, row, scanned, taken)| format!("Table {table} at {row}°, {scanned} for {taken}"));
     document.paragraph(format!(
-        "Three numbers of the print, as scanned, break columns that are smooth otherwise, and are corrected here: {}.",
+        "Three numbers of the scanned paper do not fit columns that are smooth otherwise, and are corrected here: {}.",
         slips.join("; ")
     ));
     document.figure(ridges(found));
@@ -149,14 +149,9 @@ fn left_over(found: &WinfieldTan) -> Figure {
         rows.iter().map(|row| [row.printed.carry, row.computed.carry - row.printed.carry]).collect::<Vec<_>>()
     };
     let carry = |label: &str| Axis::linear(Measure::new(label, Quantity::LENGTH, "yd"));
-    Figure::new(
-        "tables-left-over",
-        "What the law leaves over of the tables",
-        carry("carry printed"),
-        carry("computed − printed"),
-    )
-    .with(Layer::dots("Table 1", 0, points(&found.table1)))
-    .with(Layer::dots("Table 2", 1, points(&found.table2)))
+    Figure::new("tables-left-over", "Residuals of the tables", carry("carry printed"), carry("computed − printed"))
+        .with(Layer::dots("Table 1", 0, points(&found.table1)))
+        .with(Layer::dots("Table 2", 1, points(&found.table2)))
 }
 
 pub(super) fn average(document: &mut Document, found: &WinfieldTan) {
@@ -171,8 +166,8 @@ pub(super) fn average(document: &mut Document, found: &WinfieldTan) {
     document.table(
         &["best loft", "average carry", "how"],
         [
-            row(mean.printed, "printed: top of a polynomial of fifth order"),
-            row(mean.by_polynomial, "top of the polynomial of fifth order through these rows"),
+            row(mean.printed, "printed: maximum of a polynomial of fifth order"),
+            row(mean.by_polynomial, "maximum of the polynomial of fifth order through these rows"),
             row(mean.best, "exact optimum of the average, no polynomial"),
         ],
     );

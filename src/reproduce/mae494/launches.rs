@@ -144,7 +144,7 @@ impl FlightAlone {
         let starts = starts(&domain, &middle, 16)?;
         let found = minimize_from(&Exact(self), &domain, &starts, &Options::default(), &Follow::default())?;
         let best = found.into_iter().map(|local| local.solution).find(|best| best.status == Status::Converged);
-        let best = best.ok_or(Error::Nothing { doing: "find", what: "launch that is best" })?;
+        let best = best.ok_or(Error::Nothing { doing: "find", what: "best launch" })?;
         let carry = match self.wanted {
             Wanted::Farthest => -best.value.unwrap_or_default(),
             Wanted::SlowestBeyond(_) => best.constraints[0].value,

@@ -100,7 +100,7 @@ pub fn mae494(mut progress: impl FnMut(&str)) -> Result<Mae494> {
     let subsystems = Subsystems::new(&optimum)?;
     progress("the flight loop's noise");
     let noise = Noise::new(&setup)?;
-    progress("searches on it");
+    progress("searches with the flight loop");
     let searches = searches::searches(&setup)?;
     progress("the parametric study");
     Ok(Mae494 {

@@ -55,7 +55,7 @@ pub fn winfield_tan(mut progress: impl FnMut(&str)) -> Result<WinfieldTan> {
     let ridge = tables::ridge(&setup, &optimum)?;
     progress("the average over attack angles");
     let average = Mean::new(&setup)?;
-    progress("the law, calibrated anew to the print");
+    progress("the law, calibrated again to the paper");
     let fitted = Fitted::new(&setup)?;
     Ok(WinfieldTan { setup, shot, optimum, ridge, table1, table2, average, fitted })
 }

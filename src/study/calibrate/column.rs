@@ -145,7 +145,7 @@ impl Column {
         }
         let Some(number) = launch_monitor::number(cell, self.format.has_decimal_comma, self.has_side()) else {
             return Err(format!(
-                "'{cell}' is not a number; units stand in the head, as in '{} [{}]', and an empty cell says that there is none",
+                "'{cell}' is not a number; units stand in the head, as in '{} [{}]', and an empty cell is a missing value",
                 self.head,
                 self.unit()
             ));

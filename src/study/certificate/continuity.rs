@@ -1,4 +1,4 @@
-use super::scale::scale;
+use super::scale::{scale, size};
 use crate::derivative::{Order, Taylor, evaluate};
 use crate::drive::{Drive, Outcome};
 use crate::error::Result;
@@ -8,7 +8,8 @@ use crate::parameters::{Parameter, Setup};
 /// Points looked at to each side for a change of the number of steps, over a tenth of the parameter's scale.
 const LOOKED_AT: i32 = 400;
 
-/// Floating-point numbers to each side of a change over which values scatter by rounding.
+/// Values of the parameter to each side of a change over which outcomes scatter by rounding: adjacent floating-point numbers, or, where the
+/// parameter itself is next to 0 and these are the same to all that follows, as far apart as those of its size.
 const NEIGHBOURS: usize = 8;
 
 /// The jump that may be left, in scatters to either side.
@@ -30,7 +31,7 @@ pub struct Continuity {
     /// The numbers of steps before and after.
     pub steps: [usize; 2],
     /// The jumps of the value, the gradient and the Hessian by parameters in units of their scales, relative to the largest entry or the
-    /// value.
+    /// numbers that the value is made of.
     pub jumps: [f64; 3],
     /// The jumps that may be: those promised, or what rounding makes by the scatter beside the change.
     pub bars: [f64; 3],
@@ -52,22 +53,30 @@ impl Continuity {
 pub(super) fn continuity(setup: &Setup<f64>, of: &[Outcome], wrt: &[&'static Parameter]) -> Result<Vec<Continuity>> {
     let Some(&parameter) = wrt.first() else { return Ok(vec![]) };
     let Some([low, high]) = change(setup, parameter) else { return Ok(vec![]) };
-    let neighbours = |from: f64, next: fn(f64) -> f64| {
-        let values = std::iter::successors(Some(from), |value| Some(next(*value))).take(NEIGHBOURS);
+    let spacing = f64::EPSILON * scale(setup, parameter);
+    let neighbours = |from: f64, sign: f64| {
+        let next = |value: f64| {
+            let adjacent = if sign > 0.0 { value.next_up() } else { value.next_down() };
+            if (adjacent - value).abs() < spacing { value + sign * spacing } else { adjacent }
+        };
+        let values = std::iter::successors(Some(from), |value| Some(next(*value)));
+        // at the end of a range there are none beyond it
+        let values = values.take_while(|value| parameter.range.contains(*value)).take(NEIGHBOURS);
         values
             .map(|value| evaluate(&moved(setup, parameter, value)?, of, wrt, Order::Second))
             .collect::<Result<Vec<_>>>()
     };
-    let (before, after) = (neighbours(low, f64::next_down)?, neighbours(high, f64::next_up)?);
+    let (before, after) = (neighbours(low, -1.0)?, neighbours(high, 1.0)?);
     let steps = [low, high].map(|value| steps(setup, parameter, value).unwrap_or_default());
     let scales: Vec<f64> = wrt.iter().map(|parameter| scale(setup, parameter)).collect();
+    let drive = Drive::new(setup)?;
     let continuity = |(i, of): (usize, &Outcome)| {
-        let value = before[0][i].value.abs();
+        let size = size(*of, &drive);
         let pairs = [0, 1, 2].map(|order| {
             let entries = |side: &[Vec<Taylor>]| {
                 side.iter().map(|taylors| entries(&taylors[i], &scales, order)).collect::<Vec<_>>()
             };
-            jump(&entries(&before), &entries(&after), value, PROMISED[order])
+            jump(&entries(&before), &entries(&after), size, PROMISED[order])
         });
         Continuity {
             of: *of,
@@ -103,10 +112,10 @@ fn entries(taylor: &Taylor, scales: &[f64], order: usize) -> Vec<f64> {
     }
 }
 
-/// How far the means of two sides are apart, of the largest entry or the outcome's value, which rounding is a part of, and how far they may
-/// be by the scatter of each side.
-fn jump(before: &[Vec<f64>], after: &[Vec<f64>], value: f64, promised: f64) -> (f64, f64) {
-    let (mut jump, mut scatter, mut size) = (0.0_f64, 0.0_f64, value);
+/// How far the means of two sides are apart, of the largest entry or the size of the numbers that the outcome is made of, which rounding is a
+/// part of, and how far they may be by the scatter of each side.
+fn jump(before: &[Vec<f64>], after: &[Vec<f64>], size: f64, promised: f64) -> (f64, f64) {
+    let (mut jump, mut scatter, mut size) = (0.0_f64, 0.0_f64, size);
     for entry in 0..before[0].len() {
         let [a, b] = [before, after].map(|side| {
             let values = side.iter().map(|one| one[entry]);

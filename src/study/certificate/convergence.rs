@@ -1,49 +1,58 @@
 use super::continuity::smoothness;
+use super::order::{Errors, measure};
+use super::scale::{scale, size};
+use crate::derivative::check::NEXT_TO_NOTHING;
 use crate::derivative::{Taylor, jacobian};
 use crate::drive::{Drive, Outcome};
 use crate::error::Result;
 use crate::parameters::{Law, Parameter, Setup};
 
-/// Steps to a flight; the last are the reference.
-const STEPS: [u32; 7] = [16, 32, 64, 128, 256, 512, 2048];
+/// Steps to a flight, in groups: what is read off one time step has errors that change with where in the step it lies, and neighbours
+/// show how much.
+const STEPS: [[u32; 3]; 6] =
+    [[16, 17, 19], [32, 35, 38], [64, 70, 76], [128, 139, 151], [256, 277, 301], [512, 554, 601]];
 
-/// Errors smaller than this, relative, are rounding.
-const ROUNDING: f64 = 1e-11;
+/// Steps to the flight that is the reference.
+const REFERENCE: u32 = 4096;
 
-/// An order is measured over at least so many errors.
-const MEASURED: usize = 3;
+/// Steps to a flight that differs from the reference by little but the rounding of so many steps: errors that do not stand out of this
+/// difference by a factor are rounding too.
+const BESIDE_THE_REFERENCE: u32 = 2048;
+const OUT_OF_IT: f64 = 10.0;
 
-/// How far below the expected order a measured one may be. The error's next term still shows at steps like these; a mistake in a method
-/// costs a whole order.
+/// Errors of value and gradient smaller than this, relative, are rounding.
+const ROUNDING: [f64; 2] = [1e-12, 1e-11];
+
+/// How far below the expected order the slope of the errors may be without a look at why. The error's next term still shows at steps like
+/// these; a mistake in a method costs a whole order.
 const SHORT_OF: f64 = 0.75;
 
 /// The same with a law that is joined to its smoothing, where errors scatter by how the steps happen to fall on the joint …
 const SHORT_OF_ACROSS_A_JOINT: f64 = 1.0;
 
 /// … and small ones are of nothing else.
-const SCATTER_ACROSS_A_JOINT: f64 = 1e-8;
+const SCATTER_ACROSS_A_JOINT: [f64; 2] = [1e-8; 2];
 
 /// How an outcome converges with the time step.
 #[derive(Clone, Debug)]
 pub struct Convergence {
     /// The outcome.
     pub of: Outcome,
-    /// Steps, s, with the relative errors of value and gradient there.
+    /// Steps, s, with the errors of value and gradient there, relative to the numbers they are made of.
     pub errors: Vec<(f64, [f64; 2])>,
     /// The measured orders of value and gradient; `None` where too few errors stand out of the rounding.
     pub orders: [Option<f64>; 2],
     /// The orders expected of them.
     pub expected: [u32; 2],
-    /// How far below these they may be.
-    pub short_of: f64,
+    /// Whether they fall short of these: an order may be measured lower where the error's first two terms have opposite signs and it
+    /// passes through 0.
+    pub falls_short: [bool; 2],
 }
 
 impl Convergence {
     /// Whether the orders are the method's.
     pub fn passed(&self) -> bool {
-        let falls_short =
-            |(order, expected): (&Option<f64>, u32)| order.is_some_and(|o| o < f64::from(expected) - self.short_of);
-        !self.orders.iter().zip(self.expected).any(falls_short)
+        self.falls_short == [false; 2]
     }
 }
 
@@ -53,29 +62,64 @@ impl Convergence {
 /// # Errors
 /// As [`jacobian`].
 pub(super) fn convergence(setup: &Setup<f64>, of: &[Outcome], wrt: &[&'static Parameter]) -> Result<Vec<Convergence>> {
+    convergence_to(setup, of, wrt, 0)
+}
+
+/// The same with orders expected that are higher by `more` than the method's: none of them can be measured.
+pub(super) fn convergence_to(
+    setup: &Setup<f64>,
+    of: &[Outcome],
+    wrt: &[&'static Parameter],
+    more: u32,
+) -> Result<Vec<Convergence>> {
     if setup.wind.roughness.is_some() {
         return Ok(vec![]);
     }
-    let time = Drive::new(setup)?.landed()?.flight_time;
-    let mut flown = vec![];
-    for steps in STEPS {
+    let drive = Drive::new(setup)?;
+    let time = drive.landed()?.flight_time;
+    let at = |steps: u32| {
         let mut setup = *setup;
         // a little more than a whole number of steps, so that none ends just before or just after the landing
         setup.flight.step = time / (f64::from(steps) - 0.5);
-        if setup.flight.step <= 1.0 {
-            // too coarse a step may not follow the flight: an error at that step there is none
-            if let Ok(taylors) = jacobian(&setup, of, wrt) {
-                flown.push((setup.flight.step, taylors));
-            }
-        }
-    }
-    let Some((_, reference)) = flown.pop() else { return Ok(vec![]) };
+        // too coarse a step may not follow the flight: an error at that step there is none
+        let taylors = (setup.flight.step <= 1.0).then(|| jacobian(&setup, of, wrt).ok()).flatten();
+        taylors.map(|taylors| (setup.flight.step, taylors))
+    };
+    let (Some((_, reference)), Some((_, beside))) = (at(REFERENCE), at(BESIDE_THE_REFERENCE)) else {
+        return Ok(vec![]);
+    };
+    let groups = STEPS.iter().enumerate();
+    let flown: Vec<_> = groups
+        .flat_map(|(level, steps)| steps.map(|steps| (level, at(steps))))
+        .filter_map(|(level, flown)| Some((level, flown?)))
+        .collect();
+    let scales: Vec<f64> = wrt.iter().map(|parameter| scale(setup, parameter)).collect();
     let (short_of, floor) =
         if is_joined(setup) { (SHORT_OF_ACROSS_A_JOINT, SCATTER_ACROSS_A_JOINT) } else { (SHORT_OF, ROUNDING) };
     let convergence = |(i, of): (usize, &Outcome)| {
-        let errors: Vec<_> = flown.iter().map(|(step, taylors)| (*step, errors(&taylors[i], &reference[i]))).collect();
-        let orders = [0, 1].map(|which| order(&errors, which, floor));
-        Convergence { of: *of, errors, orders, expected: expected(setup, *of), short_of }
+        let size = size(*of, &drive);
+        let sample = |(level, (step, taylors)): &(usize, (f64, Vec<Taylor>))| {
+            let errors = errors(&taylors[i], &reference[i], size, &scales);
+            errors.map(|errors| Errors { level: *level, step: *step, errors })
+        };
+        let samples: Vec<[Errors; 2]> = flown.iter().map(sample).collect();
+        let largest = |errors: &Vec<f64>| errors.iter().fold(0.0_f64, |most, error| most.max(error.abs()));
+        let rounding = errors(&beside[i], &reference[i], size, &scales).map(|errors| OUT_OF_IT * largest(&errors));
+        let expected = expected(setup, *of).map(|order| order + more);
+        let measured = [0, 1].map(|which: usize| {
+            let samples: Vec<Errors> = samples.iter().map(|pair| pair[which].clone()).collect();
+            measure(&samples, expected[which], short_of, floor[which].max(rounding[which]))
+        });
+        Convergence {
+            of: *of,
+            errors: samples
+                .iter()
+                .map(|pair| (pair[0].step, [0, 1].map(|which: usize| pair[which].largest())))
+                .collect(),
+            orders: measured.map(|measured| measured.map(|it| it.order)),
+            expected,
+            falls_short: measured.map(|measured| measured.is_some_and(|it| it.falls_short)),
+        }
     };
     Ok(of.iter().enumerate().map(convergence).collect())
 }
@@ -93,26 +137,35 @@ fn is_joined(setup: &Setup<f64>) -> bool {
     matches!(setup.law, Law::Ferguson(_) | Law::SmitsSmith(_))
 }
 
-/// Relative errors of value and gradient.
-fn errors(found: &Taylor, reference: &Taylor) -> [f64; 2] {
-    let size = reference.gradient.iter().fold(0.0_f64, |most, d| most.max(d.abs()));
-    let off = found.gradient.iter().zip(&reference.gradient).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
-    let relative = |off: f64, size: f64| if size > 0.0 { off / size } else { 0.0 };
-    [relative((found.value - reference.value).abs(), reference.value.abs()), relative(off, size)]
+/// The errors of the value and of each entry of the gradient, relative to the size of the outcome; those of a gradient that is more than next
+/// to nothing relative to its largest entry.
+fn errors(found: &Taylor, reference: &Taylor, size: f64, scales: &[f64]) -> [Vec<f64>; 2] {
+    let entries = reference.gradient.iter().zip(scales).map(|(d, scale)| (d * scale).abs());
+    let steepness = entries.fold(NEXT_TO_NOTHING * size, f64::max);
+    let off = found.gradient.iter().zip(&reference.gradient).zip(scales);
+    let of_gradient = off.map(|((found, reference), scale)| (found - reference) * scale / steepness);
+    [vec![(found.value - reference.value) / size], of_gradient.collect()]
 }
 
-/// The median of the orders from each step to the next, as far as errors stand out of the rounding (`floor`): where an error passes through 0 at
-/// one step, the order before it is too large and the one after too small.
-fn order(errors: &[(f64, [f64; 2])], which: usize, floor: f64) -> Option<f64> {
-    let standing: Vec<_> =
-        errors.iter().map(|(step, pair)| (*step, pair[which])).take_while(|(_, e)| *e > floor).collect();
-    let order = |pair: &[(f64, f64)]| (pair[0].1 / pair[1].1).ln() / (pair[0].0 / pair[1].0).ln();
-    let mut orders: Vec<f64> = standing.windows(2).map(order).collect();
-    orders.sort_by(f64::total_cmp);
-    let middle = orders.len() / 2;
-    match orders.len() {
-        few if few + 1 < MEASURED => None,
-        odd if odd % 2 == 1 => Some(orders[middle]),
-        _ => Some(0.5 * (orders[middle - 1] + orders[middle])),
+#[cfg(test)]
+mod tests {
+    use super::{Outcome, Setup, convergence, convergence_to};
+
+    /// A method of order 4 that is held to order 5, and its derivatives, is found out.
+    #[test]
+    fn order_of_the_flight_is_found_short_of_one_more() {
+        let mut setup = Setup::default();
+        setup.set_all([("strike.toe", "8 mm"), ("wind.right", "3 m/s"), ("swing.path", "-2 deg")]).unwrap();
+        let of =
+            [Outcome::Carry, Outcome::CarryDistance, Outcome::FlightTime, Outcome::ApexHeight, Outcome::LandingSpeed];
+        for name in ["club.loft", "swing.speed", "wind.downrange", "aero.spin_decay"] {
+            let wrt = [setup.variable(name).unwrap()];
+            let right = convergence(&setup, &of, &wrt).unwrap();
+            let wrong = convergence_to(&setup, &of, &wrt, 1).unwrap();
+            for (right, wrong) in right.iter().zip(wrong) {
+                assert!(right.passed(), "{right:?}");
+                assert!(wrong.falls_short == [true; 2], "{} by {name}: {wrong:?}", wrong.of.name());
+            }
+        }
     }
 }

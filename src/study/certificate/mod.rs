@@ -4,9 +4,11 @@
 mod continuity;
 mod convergence;
 mod landing;
+mod order;
 mod planted;
 mod rows;
 mod scale;
+mod step;
 
 pub use continuity::Continuity;
 pub use convergence::Convergence;
@@ -14,6 +16,7 @@ pub use landing::AtLanding;
 use planted::LandingTerms;
 pub use planted::{Plant, Planted};
 pub use rows::Row;
+pub use step::StepError;
 
 use crate::derivative::check::Verdict;
 use crate::derivative::{Order, evaluate};
@@ -26,6 +29,15 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 /// An outcome without derivatives, and why.
 pub type Missing = (Outcome, String);
 
+/// A check that was not made.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct NotExamined {
+    /// The check: "convergence with the time step".
+    pub check: String,
+    /// Why not.
+    pub reason: &'static str,
+}
+
 /// What was found of the derivatives of a drive.
 #[derive(Clone, Debug)]
 pub struct Certificate {
@@ -33,10 +45,14 @@ pub struct Certificate {
     pub rows: Vec<Row>,
     /// Derivatives at the landing beside differences at a fixed time; empty where there is no landing that can be held so.
     pub landing: Vec<AtLanding>,
-    /// Each outcome of the flight where the number of steps changes; empty where it does not near by.
+    /// Each outcome of the flight where the number of steps changes.
     pub continuity: Vec<Continuity>,
     /// How each outcome of the flight converges with the step.
     pub convergence: Vec<Convergence>,
+    /// What the time step leaves of an error in each outcome of the flight and its derivatives: measured, and not judged.
+    pub step: Vec<StepError>,
+    /// The checks that were not made of this drive, and why.
+    pub not_examined: Vec<NotExamined>,
     /// The planted errors.
     pub planted: [Planted; 3],
     /// Outcomes that the drive has no derivatives of, and why.
@@ -95,10 +111,42 @@ pub fn certify(
     // at a corner of the model nothing is smooth, and what is said of each parameter is said in its row
     let is_smooth = !flown.is_empty() && !has_corner;
     let pair = &wrt[..wrt.len().min(2)];
+    let landing = if is_smooth { landing::at_landing(setup, wrt)? } else { vec![] };
+    let continuity = if is_smooth { continuity::continuity(setup, &flown, pair)? } else { vec![] };
+    let convergence = if is_smooth { convergence::convergence(setup, &flown, pair)? } else { vec![] };
+    let has_log_wind = setup.wind.roughness.is_some();
+    let why = |otherwise: &'static str| match (has_corner, has_log_wind) {
+        (true, _) => "an outcome has a corner here",
+        (false, true) => "the logarithmic wind changes within centimetres of the ground",
+        (false, false) => otherwise,
+    };
+    let mut not_examined = vec![];
+    let mut skipped = |is_skipped: bool, check: String, reason: &'static str| {
+        if is_skipped && !flown.is_empty() {
+            not_examined.push(NotExamined { check, reason });
+        }
+    };
+    skipped(landing.is_empty(), "the landing as an implicit function".into(), why("the ground is too far down"));
+    let reason =
+        if has_corner { why("") } else { "the number does not change within a tenth of the first parameter's size" };
+    skipped(continuity.is_empty(), "smoothness where the number of time steps changes".into(), reason);
+    skipped(
+        convergence.is_empty(),
+        "convergence with the time step".into(),
+        why("the flight cannot be followed at such steps"),
+    );
+    let rough: Vec<_> = flown.iter().filter(|of| continuity::smoothness(**of) < 2).map(|of| of.name()).collect();
+    skipped(
+        !rough.is_empty(),
+        format!("second derivatives of {}", rough.join(", ")),
+        "they jump from one time step to the next",
+    );
     Ok(Certificate {
-        landing: if is_smooth { landing::at_landing(setup, wrt)? } else { vec![] },
-        continuity: if is_smooth { continuity::continuity(setup, &flown, pair)? } else { vec![] },
-        convergence: if is_smooth { convergence::convergence(setup, &flown, pair)? } else { vec![] },
+        step: if flown.is_empty() { vec![] } else { step::step_errors(setup, &flown, wrt)? },
+        not_examined,
+        landing,
+        continuity,
+        convergence,
         planted,
         rows,
         missing,

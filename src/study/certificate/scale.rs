@@ -1,4 +1,7 @@
+use crate::drive::{Drive, Outcome};
+use crate::flight::Flight;
 use crate::parameters::{Parameter, Setup};
+use crate::units::Quantity;
 
 /// The size of a parameter, of which the steps of differences are parts: its value, or for one that may be 0 or of either sign what is
 /// usual of it, whichever is larger.
@@ -20,4 +23,19 @@ fn usual(parameter: &Parameter) -> f64 {
         _ => 1.0,
     };
     units * parameter.quantity.size_of(parameter.unit).unwrap_or(1.0)
+}
+
+/// The size of the numbers that an outcome of a drive is made of, SI: its rounding is a part of them, not of what they leave. The lateral distance
+/// is made of numbers as large as the carry; an angle of directions, of size 1.
+pub(super) fn size(of: Outcome, drive: &Drive<f64>) -> f64 {
+    let launch = &drive.launch;
+    let made_of = match (&drive.flight, of.quantity()) {
+        (Flight::Landed(landed), Quantity::LENGTH) => landed.carry.hypot(landed.lateral),
+        (Flight::Landed(landed), Quantity::TIME) => landed.flight_time,
+        (_, Quantity::SPEED) => launch.ball_speed(),
+        (_, Quantity::ANGULAR_VELOCITY) => launch.total_spin(),
+        (_, Quantity::ANGLE | Quantity::NUMBER) => 1.0,
+        _ => 0.0,
+    };
+    of.value(drive).unwrap_or_default().abs().max(made_of)
 }

@@ -1,3 +1,8 @@
+use statrs::distribution::{ContinuousCDF, Normal};
+
+/// An ellipse is flat where its variances across and along are in this ratio, or a smaller one: what rounding leaves.
+const FLAT: f64 = 1e-14;
+
 /// An ellipse that holds a share of the landings.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LandingEllipse {
@@ -11,11 +16,13 @@ pub struct LandingEllipse {
 
 impl LandingEllipse {
     /// The ellipse of a mean and a covariance of lateral and carry. A share p of a normal distribution lies within −2 ln(1 − p)
-    /// squared deviations.
+    /// squared deviations of two numbers, within the quantiles (1 ± p)/2 of one: landings that spread along one line only have a flat ellipse.
     pub fn new(share: f64, centre: [f64; 2], covariance: [[f64; 2]; 2]) -> Self {
-        let radius = (-2.0 * (1.0 - share).ln()).sqrt();
         let [[xx, xy], [_, yy]] = covariance;
         let eigen = nalgebra::Matrix2::new(xx, xy, xy, yy).symmetric_eigen();
+        let is_flat = eigen.eigenvalues.min() <= FLAT * eigen.eigenvalues.max();
+        let of_a_line = || Normal::standard().inverse_cdf(0.5 + 0.5 * share);
+        let radius = if is_flat { of_a_line() } else { (-2.0 * (1.0 - share).ln()).sqrt() };
         let axis = |k: usize| {
             // rounding may leave a flat one a little below 0
             let length = radius * eigen.eigenvalues[k].max(0.0).sqrt();
@@ -50,8 +57,11 @@ mod tests {
     #[test]
     fn exact_a_flat_ellipse_holds_what_lies_on_it_and_a_point_itself_alone() {
         let flat = LandingEllipse::new(0.95, [0.0, 200.0], [[0.0, 0.0], [0.0, 4.0]]);
-        // 2 √(−2 ln 0.05) = 4.896
-        assert!(flat.contains([0.0, 204.8]) && !flat.contains([0.0, 204.9]));
+        // 95 % of a normal distribution lie within 1.960 standard deviations, here 2
+        assert!(flat.contains([0.0, 203.919]) && !flat.contains([0.0, 203.921]));
+        // and of one in the plane within √(−2 ln 0.05) = 2.448
+        let round = LandingEllipse::new(0.95, [0.0, 200.0], [[4.0, 0.0], [0.0, 4.0]]);
+        assert!(round.contains([0.0, 204.89]) && !round.contains([0.0, 204.91]));
         assert!(!flat.contains([0.1, 200.0]));
         let point = LandingEllipse::new(0.95, [3.0, 200.0], [[0.0; 2]; 2]);
         assert!(point.contains([3.0, 200.0]) && !point.contains([3.0, 201.0]) && !point.contains([2.0, 200.0]));

@@ -74,7 +74,7 @@ impl Files {
         if !journal.exists() {
             let part = &self.part;
             return match (part.exists(), resume && self.whole.exists()) {
-                (true, _) => Err(refused(part, "it exists, and no sweep is known that wrote it; move it away")),
+                (true, _) => Err(refused(part, "it exists, and it is not known which sweep wrote it; move it away")),
                 (_, true) => Err(nothing_left(&self.whole)),
                 _ => Ok(()),
             };
@@ -83,7 +83,7 @@ impl Files {
             return Err(refused(&journal, "it exists, and is not the journal of a sweep; move it away"));
         }
         if !resume && !overwrite {
-            let reason = "an earlier sweep into it did not end; --resume continues it, --overwrite begins anew";
+            let reason = "an earlier sweep into it did not end; --resume continues it, --overwrite starts again";
             return Err(refused(&self.whole, reason));
         }
         Ok(())
@@ -92,7 +92,7 @@ impl Files {
 
 fn nothing_left(path: &Path) -> Error {
     let reason = format!(
-        "there is nothing to resume: without {} it is complete, or not a sweep's; --overwrite replaces it",
+        "there is nothing to resume: without {} it is complete, or not from a sweep; --overwrite replaces it",
         Journal::path(path).display()
     );
     refused(path, reason)

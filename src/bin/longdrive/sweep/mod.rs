@@ -13,6 +13,7 @@ use crate::output::{Answer, bar, tell, warn};
 use crate::search::interrupt;
 use longdrive::batch::{Batch, Run, Tally};
 use longdrive::report::Reply;
+use longdrive::units::counted;
 use longdrive::{Error, Result};
 use rows::{Rows, Writer};
 use serde::Serialize;
@@ -110,8 +111,10 @@ impl Summary {
     fn text(&self, file: Option<&Path>) -> String {
         let counts = self.statuses.iter().filter(|(_, count)| count.as_u64() != Some(0));
         let counts: Vec<_> = counts.map(|(status, count)| format!("{count} {status}")).collect();
-        let part = if self.written == self.rows { String::new() } else { format!(" of {}", self.rows) };
         let file = file.map_or(String::new(), |file| format!(" in {}", file.display()));
-        format!("{}{part} drives{file}: {}", self.written, counts.join(", "))
+        // "1 drive", "2 drives", "1 of 2 drives"
+        let drives = counted(self.rows, "drive");
+        let written = if self.written == self.rows { drives } else { format!("{} of {drives}", self.written) };
+        format!("{written}{file}: {}", counts.join(", "))
     }
 }

@@ -1,0 +1,112 @@
+//! What deserves a word about a drive that is computed as it stands.
+
+use super::Drive;
+use crate::aerodynamics::AerodynamicLaw;
+use crate::atmosphere::WindField;
+use crate::flight::trajectory;
+use crate::parameters::Setup;
+use crate::units::{Quantity, significant};
+
+/// The largest head that conforms, m: 5 in from heel to toe, 2.8 in from sole to crown (R&A and USGA, Equipment Rules, part 2, 4b). No face is larger.
+const LARGEST_HEAD: [f64; 2] = [0.127, 0.07112];
+
+/// Less than this part of the time of flight outside of what a law was fitted to is not worth a word: the laws are uncertain by more within it.
+const WORTH_A_WORD: f64 = 0.01;
+
+impl Drive<f64> {
+    /// All that deserves a word about a setup and its drive: what the setup warns of, corners of the model that the drive lies on, a strike beside
+    /// any face, and drag and lift where the law was not fitted. It flies the drive once more; a search asks only about its result.
+    pub fn warnings(&self, setup: &Setup<f64>) -> Vec<String> {
+        let mut warnings = setup.warnings();
+        warnings.extend(self.corners(setup));
+        warnings.extend(self.beside_the_face(setup));
+        warnings.extend(self.outside_of_the_law(setup));
+        warnings
+    }
+
+    /// A strike beside the face of any head that conforms.
+    fn beside_the_face(&self, setup: &Setup<f64>) -> Option<String> {
+        self.impact.as_ref()?;
+        let [wide, high] = LARGEST_HEAD;
+        let show = |value: f64| Quantity::LENGTH.show(value, "mm");
+        let strike = &setup.strike;
+        let is_beside = strike.toe.abs() > 0.5 * wide || strike.high.abs() > 0.5 * high;
+        is_beside.then(|| {
+            format!(
+                "strike.toe = {} and strike.high = {} lie outside the face of any head that conforms to the Rules of Golf (at most {} from heel to toe and \
+                 {} from sole to crown): no club strikes the ball there",
+                show(strike.toe),
+                show(strike.high),
+                show(wide),
+                show(high)
+            )
+        })
+    }
+
+    /// What the law of drag and lift was not fitted to, and for how much of the flight.
+    fn outside_of_the_law(&self, setup: &Setup<f64>) -> Vec<String> {
+        if setup.air.density == 0.0 {
+            return vec![];
+        }
+        let fitted = AerodynamicLaw::<f64>::fitted(&setup.law);
+        let ranges = [
+            ("spin ratio", "", fitted.spin_ratio),
+            ("Reynolds number", "", fitted.reynolds),
+            ("speed through the air", " m/s", fitted.speed),
+        ];
+        if ranges.iter().all(|(.., range)| range.is_none()) {
+            return vec![];
+        }
+        let flown = self.stream(setup);
+        let told = |(k, (name, unit, range)): (usize, (&str, &str, Option<[f64; 2]>))| {
+            let [low, high] = range?;
+            let values = flown.iter().map(|(time, values)| (*time, values[k]));
+            let outside = share(values.clone(), |value| !(low..=high).contains(&value));
+            let ends = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], (_, value)| {
+                [least.min(value), most.max(value)]
+            });
+            (outside >= WORTH_A_WORD).then(|| {
+                let [low, high, least, most] = [low, high, ends[0], ends[1]].map(|value| significant(value, 3));
+                format!(
+                    "the law {} was fitted to a {name} of {low} to {high}{unit} ({}); in this flight it goes from {least} to {most}{unit}, {:.0} % of the time \
+                     outside, where the law is extrapolated",
+                    setup.law.name(),
+                    fitted.to,
+                    100.0 * outside
+                )
+            })
+        };
+        ranges.into_iter().enumerate().filter_map(told).collect()
+    }
+
+    /// Spin ratio, Reynolds number and speed through the air along the flight, with their times.
+    fn stream(&self, setup: &Setup<f64>) -> Vec<(f64, [f64; 3])> {
+        let Ok(path) = trajectory(setup, &self.launch) else { return vec![] };
+        let (wind, radius) = (WindField::new(&setup.wind, &setup.ground), setup.ball.radius);
+        let per_speed = setup.air.density * 2.0 * radius / setup.air.viscosity;
+        let (mut way, mut before) = (0.0, None);
+        let mut point = |point: &crate::flight::TrajectoryPoint| {
+            let speed = (point.velocity - wind.at(|| point.position.x)).norm();
+            if let Some((time, slower)) = before.replace((point.time, speed)) {
+                way += 0.5 * (slower + speed) * (point.time - time);
+            }
+            // docs/model.md, eq. 13
+            let faded = setup.aero.spin_decay * point.time + setup.aero.spin_damping.unwrap_or_default() * way / radius;
+            let spin = self.launch.total_spin() * (-faded).exp();
+            (speed > 0.0).then(|| (point.time, [spin * radius / speed, per_speed * speed, speed]))
+        };
+        path.points.iter().filter_map(&mut point).collect()
+    }
+}
+
+/// The part of the time in which values, with their times, are so; between two of them as at the first.
+fn share(values: impl Iterator<Item = (f64, f64)>, is_so: impl Fn(f64) -> bool) -> f64 {
+    let (mut all, mut so, mut before) = (0.0, 0.0, None);
+    for (time, value) in values {
+        if let Some((earlier, was_so)) = before.replace((time, is_so(value))) {
+            all += time - earlier;
+            so += if was_so { time - earlier } else { 0.0 };
+        }
+    }
+    if all > 0.0 { so / all } else { 0.0 }
+}

@@ -1,0 +1,168 @@
+//! The order at which errors fall with the time step, and whether it is the one expected.
+//!
+//! ```text
+//!   e(h) = d h^(p−1) + a h^p + b h^(p+1) + …        d must be 0
+//! ```
+//!
+//! The slope of log |e| alone does not tell: where a and b h have opposite signs e passes through 0 at some step, and at the steps below it falls
+//! more slowly than h^p; what is read off one time step (the apex) has factors that change with where in that step it lies. So the term of the
+//! lower order is fitted to the errors with their signs, and must be as good as none.
+
+use nalgebra::{DMatrix, DVector};
+
+/// An order is measured over at least so many levels of steps.
+pub(super) const MEASURED: usize = 3;
+
+/// The term of the lower order is fitted to so many of the finest levels: coarser ones are not in the range where few terms say it all.
+const FITTED: usize = 4;
+
+/// It is as good as none where it is at most this part of the error at the finest level; where the order is lower it is nearly all of it …
+const SHARE: f64 = 0.25;
+
+/// … or at most so many of its standard errors, where errors scatter by where in a step something lies.
+const DEVIATIONS: f64 = 4.0;
+
+/// The errors at one step, with their signs: of each entry of a gradient, or of one value.
+#[derive(Clone, Debug)]
+pub(super) struct Errors {
+    /// The group of neighbouring steps that it belongs to, the coarsest 0.
+    pub level: usize,
+    /// The step.
+    pub step: f64,
+    /// The errors.
+    pub errors: Vec<f64>,
+}
+
+impl Errors {
+    /// The largest of them.
+    pub fn largest(&self) -> f64 {
+        self.errors.iter().fold(0.0, |most, error| most.max(error.abs()))
+    }
+}
+
+/// What errors tell of an order.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Measured {
+    /// The slope of the errors at the finest levels that stand out of the rounding.
+    pub order: f64,
+    /// Whether it falls short of what is expected: the slope is lower than it may be, and a term of the lower order explains it.
+    pub falls_short: bool,
+}
+
+/// Measures the order of errors that stand out of the rounding, `floor`, and holds it against the expected one; `None` where too few do.
+pub(super) fn measure(samples: &[Errors], expected: u32, short_of: f64, floor: f64) -> Option<Measured> {
+    let power = i32::try_from(expected).ok()?;
+    let levels = samples.iter().map(|sample| sample.level).max()? + 1;
+    let of_level = |level: usize| samples.iter().filter(move |sample| sample.level == level);
+    // the largest error of a level, as if at its first step: one that happens to be 0 says nothing
+    let level = |level: usize| {
+        let first = of_level(level).next()?.step;
+        let largest = of_level(level).map(|it| it.largest() * (first / it.step).powi(power)).fold(0.0, f64::max);
+        (largest > floor).then_some((first, largest))
+    };
+    let standing: Vec<(f64, f64)> = (0..levels).map_while(level).collect();
+    if standing.len() < MEASURED {
+        return None;
+    }
+    let first_fitted = standing.len().saturating_sub(FITTED);
+    let order = slope(&standing[first_fitted..]);
+    let fitted: Vec<&Errors> =
+        samples.iter().filter(|sample| (first_fitted..standing.len()).contains(&sample.level)).collect();
+    let falls_short = order < f64::from(expected) - short_of && has_lower_term(&fitted, power);
+    Some(Measured { order, falls_short })
+}
+
+/// The slope of log e over log h, by least squares.
+fn slope(errors: &[(f64, f64)]) -> f64 {
+    let n = errors.len() as f64;
+    let mean = |f: fn(&(f64, f64)) -> f64| errors.iter().map(f).sum::<f64>() / n;
+    let (x, y) = (mean(|e| e.0.ln()), mean(|e| e.1.ln()));
+    let (mut covariance, mut variance) = (0.0, 0.0);
+    for (step, error) in errors {
+        covariance += (step.ln() - x) * (error.ln() - y);
+        variance += (step.ln() - x).powi(2);
+    }
+    covariance / variance
+}
+
+/// Whether e/h^p = d/h + a + b h + c h² has a d that matters, for any entry.
+fn has_lower_term(samples: &[&Errors], power: i32) -> bool {
+    let Some(last) = samples.last() else { return false };
+    let finest = samples.iter().map(|it| it.step).fold(f64::INFINITY, f64::min);
+    let scaled = |it: &Errors, entry: usize| it.errors[entry] / (it.step / finest).powi(power);
+    let entries = last.errors.len();
+    let at_finest = samples
+        .iter()
+        .filter(|it| it.level == last.level)
+        .flat_map(|it| (0..entries).map(move |entry| scaled(it, entry).abs()))
+        .fold(0.0, f64::max);
+    // one term fewer where there are only three levels
+    let terms = if samples.iter().any(|it| it.level + MEASURED <= last.level) { 4 } else { 3 };
+    let x = DMatrix::from_fn(samples.len(), terms, |row, term| (samples[row].step / finest).powi(term as i32 - 1));
+    let Some(inverse) = (x.transpose() * &x).try_inverse() else { return false };
+    let is_lower = |entry: usize| {
+        let e = DVector::from_fn(samples.len(), |row, _| scaled(samples[row], entry));
+        let coefficients = &inverse * (x.transpose() * &e);
+        let left = (&e - &x * &coefficients).norm_squared();
+        let freedom = samples.len().saturating_sub(terms).max(1) as f64;
+        let deviation = (inverse[(0, 0)].max(0.0) * left / freedom).sqrt();
+        coefficients[0].abs() > (SHARE * at_finest).max(DEVIATIONS * deviation)
+    };
+    (0..entries).any(is_lower)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Errors, measure};
+
+    const LEVELS: [[u32; 3]; 6] =
+        [[16, 17, 19], [32, 35, 38], [64, 70, 76], [128, 139, 151], [256, 277, 301], [512, 554, 601]];
+
+    fn samples(e: impl Fn(f64) -> f64) -> Vec<Errors> {
+        let steps = LEVELS.iter().enumerate().flat_map(|(level, steps)| steps.map(|n| (level, 1.0 / f64::from(n))));
+        steps.map(|(level, step)| Errors { level, step, errors: vec![e(step)] }).collect()
+    }
+
+    fn falls_short(e: impl Fn(f64) -> f64, expected: u32) -> bool {
+        measure(&samples(e), expected, 0.75, 1e-13).unwrap().falls_short
+    }
+
+    /// A number between 0 and 1 that a step says nothing about.
+    fn scattered(h: f64) -> f64 {
+        (h.recip() * 0.754_877_666).fract()
+    }
+
+    #[test]
+    fn exact_orders_of_pure_powers() {
+        for p in 1..7 {
+            let measured = measure(&samples(|h| 3.0 * h.powi(p)), p as u32, 0.75, 0.0).unwrap();
+            assert!((measured.order - f64::from(p)).abs() < 1e-12 && !measured.falls_short, "{p}: {measured:?}");
+            assert!(falls_short(|h| 3.0 * h.powi(p), p as u32 + 1) || p > 5, "{p} is not {}", p + 1);
+        }
+        assert!(measure(&samples(|_| 1e-14), 4, 0.75, 1e-13).is_none());
+    }
+
+    #[test]
+    fn exact_an_error_that_passes_through_zero_keeps_its_order_and_a_lower_one_is_caught() {
+        // h⁴ (1 − h/h₀), with its zero anywhere from far above the steps to far below them
+        for k in 0..60 {
+            let zero = 10.0_f64.powf(-3.0 + 0.05 * f64::from(k));
+            assert!(!falls_short(|h| h.powi(4) * (1.0 - h / zero), 4), "{zero}");
+            assert!(!falls_short(|h| h.powi(4) * (1.0 - (h / zero).powi(2)), 4), "{zero}");
+            assert!(!falls_short(|h| h.powi(4) * (1.0 - h / zero) * (1.0 - 3.0 * h / zero), 4), "{zero}");
+            // one order lower, as large as the error at the middle of the steps or larger
+            for size in [0.01, 0.1, 1.0, 10.0] {
+                assert!(falls_short(|h| size * h.powi(3) + h.powi(4) * (1.0 - h / zero.max(0.01)), 4), "{size} {zero}");
+            }
+        }
+    }
+
+    #[test]
+    fn exact_errors_that_scatter_with_the_place_in_a_step_keep_their_order_and_a_lower_one_is_caught() {
+        for turn in 0..50 {
+            let g = |h: f64| (std::f64::consts::TAU * (scattered(h) + 0.02 * f64::from(turn))).sin();
+            assert!(!falls_short(|h| h.powi(4) * g(h), 4), "{turn}");
+            assert!(falls_short(|h| h.powi(3) * (1.0 + 0.5 * g(h)), 4), "{turn}");
+        }
+    }
+}

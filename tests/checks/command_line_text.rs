@@ -1,0 +1,219 @@
+//! What a person reads: units, digits, widths, colours, manual pages and plain words.
+
+use crate::command_line::longdrive;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// The numbers of a line of `simulate`: in the first system, and in parentheses.
+fn line(out: &str, name: &str) -> String {
+    let line = out.lines().find(|line| line.trim_start().starts_with(name));
+    let words: Vec<_> = line.unwrap_or_else(|| panic!("no {name} in {out}")).split_whitespace().collect();
+    words.join(" ")
+}
+
+#[test]
+fn a_drive_is_shown_as_launch_monitors_do_in_either_system() {
+    let args = ["simulate", "--set", "swing.path=-2deg"];
+    let us = longdrive(&args).out;
+    let metric = longdrive(&[args.as_slice(), &["--units", "metric"]].concat()).out;
+    for (name, in_us, in_metric) in [
+        ("ball speed", "ball speed 161.9 mph (72.4 m/s)", "ball speed 72.4 m/s (161.9 mph)"),
+        ("launch angle", "launch angle 7.5 deg", "launch angle 7.5 deg"),
+        ("smash factor", "smash factor 1.47", "smash factor 1.47"),
+        ("lateral", "lateral 15.5 yd R (14.1 m R)", "lateral 14.1 m R (15.5 yd R)"),
+        ("launch direction", "launch direction 0.3 deg L", "launch direction 0.3 deg L"),
+    ] {
+        assert_eq!((line(&us, name).as_str(), line(&metric, name).as_str()), (in_us, in_metric));
+    }
+    // straight to within rounding: no sign, no power of ten, no side
+    let straight = longdrive(&["simulate"]).out;
+    assert_eq!(line(&straight, "lateral"), "lateral 0.0 yd (0.0 m)");
+    assert!(!straight.contains("-0.0") && !straight.contains("e-"), "{straight}");
+}
+
+#[test]
+fn every_command_answers_in_the_system_asked_for() {
+    for (args, in_us, in_metric) in [
+        (vec!["optimize", "-q"], "carry   279.2 yd (255.3 m)", "carry   255.3 m (279.2 yd)"),
+        (vec!["gradient"], "carry = 251.1 yd (229.6 m)", "carry = 229.6 m (251.1 yd)"),
+        (vec!["gradient"], " yd per deg", " m per deg"),
+        (vec!["sensitivity"], " yd per mph", " m per m/s"),
+        (vec!["optimum-sensitivity", "-q", "--wrt", "swing.speed"], "swing.speed [mph]", "swing.speed [m/s]"),
+        (vec!["uncertainty", "-q", "--samples", "16"], "normal: 110 mph ± 0.5 mph", "normal: 49.174 m/s ± 0.22352 m/s"),
+        (vec!["chart", "-q", "--along", "swing.speed=100mph..101mph"], "100.00 mph", "44.70 m/s"),
+        (vec!["parameters"], "110 mph", "49.1744 m/s"),
+    ] {
+        let out = |extra: &[&str]| longdrive(&[args.as_slice(), extra].concat()).out;
+        for (out, words, others) in [
+            (out(&[]), in_us, in_metric),
+            (out(&["--units", "us"]), in_us, in_metric),
+            (out(&["--units", "metric"]), in_metric, in_us),
+        ] {
+            assert!(out.contains(words) && !out.contains(others), "{args:?}: no '{words}', or '{others}', in {out}");
+        }
+    }
+}
+
+#[test]
+fn no_line_of_an_answer_is_wider_than_a_terminal() {
+    let set = ["--set", "swing.path=-2deg", "--set", "wind.right=10mph"];
+    for args in [
+        vec!["simulate"],
+        vec!["gradient", "--hessian", "--of", "carry,lateral", "--wrt", "all"],
+        vec!["optimize", "--starts", "4"],
+        vec!["optimize", "--vary", "swing.attack_angle=-40deg..-30deg"],
+        vec!["optimum-sensitivity", "--change", "swing.speed=+5mph", "--subject-to", "apex_height <= 35 yd"],
+        vec!["chart", "--along", "swing.speed=95mph..105mph", "--subject-to", "apex_height <= 35 yd"],
+        vec!["sensitivity", "--at-optimum"],
+        vec!["uncertainty", "--samples", "16"],
+        vec!["verify", "--of", "carry,landing_speed"],
+        vec!["parameters"],
+    ] {
+        for units in ["us", "metric"] {
+            let said = longdrive(&[args.as_slice(), set.as_slice(), &["--units", units]].concat());
+            assert!(said.status < 2 && !said.out.is_empty(), "{args:?}: {}", said.err);
+            for line in said.out.lines() {
+                assert!(line.chars().count() <= 100, "{args:?}: {} columns: {line}", line.chars().count());
+            }
+        }
+    }
+    for line in longdrive(&["presets"]).out.lines() {
+        assert!(line.chars().count() <= 100, "{line}");
+    }
+}
+
+#[test]
+fn quiet_leaves_warnings_and_errors_alone_on_standard_error() {
+    assert!(!longdrive(&["optimize"]).err.is_empty());
+    assert_eq!(longdrive(&["optimize", "--quiet"]).err, "");
+    let warned = longdrive(&["simulate", "-q", "--set", "club.inertia.yy=20000 g cm^2"]);
+    assert!(warned.err.starts_with("warning: club.inertia") && warned.err.lines().count() == 1, "{}", warned.err);
+    let wrong = longdrive(&["simulate", "-q", "--set", "club.lofft=10deg"]);
+    assert!(wrong.status == 2 && wrong.err.starts_with("error: "), "{}", wrong.err);
+}
+
+#[test]
+fn colours_are_for_terminals_and_no_color_turns_them_off() {
+    let program = assert_cmd::cargo::cargo_bin!("longdrive");
+    let out = |variables: &[(&str, &str)], args: &[&str]| {
+        let variables: BTreeMap<_, _> = variables.iter().copied().collect();
+        let output = Command::new(&program).args(args).env_remove("NO_COLOR").envs(variables).output().unwrap();
+        String::from_utf8_lossy(&[output.stdout, output.stderr].concat()).into_owned()
+    };
+    for args in [&["optimize"][..], &["simulate", "--set", "club.lofft=10deg"]] {
+        assert!(!out(&[], args).contains('\u{1b}'), "a pipe is not a terminal");
+        // what a terminal would be given
+        assert!(out(&[("CLICOLOR_FORCE", "1")], args).contains("\u{1b}["), "{args:?}");
+        assert!(!out(&[("CLICOLOR_FORCE", "1"), ("NO_COLOR", "1")], args).contains('\u{1b}'), "{args:?}");
+    }
+    assert!(!out(&[("CLICOLOR_FORCE", "1")], &["simulate", "--json"]).contains('\u{1b}'), "JSON stays JSON");
+}
+
+#[test]
+fn completions_and_manual_pages_name_every_command() {
+    let commands = ["simulate", "optimum-sensitivity", "calibrate", "sweep", "uncertainty", "completions"];
+    for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
+        let script = longdrive(&["completions", shell]);
+        assert!(script.status == 0 && commands.iter().all(|command| script.out.contains(command)), "{shell}");
+    }
+    assert_eq!(longdrive(&["completions", "nush"]).status, 2);
+
+    let folder = tempfile::tempdir().unwrap();
+    let pages = folder.path().join("pages").display().to_string();
+    assert_eq!(longdrive(&["man", "-o", &pages]).status, 0);
+    for command in commands.map(|command| format!("-{command}")).iter().map(String::as_str).chain(["", "-plot-contour"])
+    {
+        let page = std::fs::read_to_string(Path::new(&pages).join(format!("longdrive{command}.1"))).unwrap();
+        assert!(page.contains(".TH longdrive") && page.contains("quiet"), "{command}");
+    }
+    let again = longdrive(&["man", "-o", &pages]);
+    assert!(again.status == 2 && again.err.contains("--overwrite"), "{}", again.err);
+    assert_eq!(longdrive(&["man", "-o", &pages, "--overwrite"]).status, 0);
+    let one = longdrive(&["man", "plot contour"]);
+    assert!(one.status == 0 && one.out == longdrive(&["man", "plot", "contour"]).out, "{}", one.err);
+    assert!(one.out.contains("longdrive\\-plot\\-contour"), "{}", one.out);
+    let none = longdrive(&["man", "optimise"]);
+    assert!(none.status == 2 && none.err.contains("did you mean 'optimize'?"), "{}", none.err);
+}
+
+#[test]
+fn exact_columns_that_are_written_read_back_as_points() {
+    let folder = tempfile::tempdir().unwrap();
+    let [first, points, second] = ["first.csv", "points.csv", "second.csv"].map(|name| folder.path().join(name));
+    let name = |path: &PathBuf| path.display().to_string();
+    let over = ["--over", "club.loft=8deg..12deg:3", "--over", "air.density=1.1kg/m^3..1.2kg/m^3:2"];
+    let outcomes = ["--outcomes", "carry,smash_factor", "--gradient"];
+    let done = longdrive(&[&["sweep", "-o", &name(&first)], over.as_slice(), &outcomes].concat());
+    assert_eq!(done.status, 0, "{}", done.err);
+    let text = std::fs::read_to_string(&first).unwrap();
+    let head = "club.loft [rad],air.density [kg/m^3],status,carry [m],smash_factor,d_carry/d_club.loft [m/rad],\
+                d_carry/d_air.density [m/(kg/m^3)],d_smash_factor/d_club.loft [1/rad],d_smash_factor/d_air.density [1/(kg/m^3)]\n";
+    assert!(text.starts_with(head), "{text}");
+    // the columns of the parameters, as they are
+    let columns = text.lines().map(|line| line.split(',').take(2).collect::<Vec<_>>().join(","));
+    std::fs::write(&points, columns.collect::<Vec<_>>().join("\n")).unwrap();
+    let again = ["sweep", "--points", &name(&points), "-o", &name(&second)];
+    let done = longdrive(&[again.as_slice(), &outcomes].concat());
+    assert_eq!(done.status, 0, "{}", done.err);
+    assert_eq!(std::fs::read_to_string(&second).unwrap(), text, "to the last bit");
+}
+
+/// Phrases that a reader whose first language is not English has to read twice, or that the field has a word for.
+const BANNED: [&str; 24] = [
+    "answers to",
+    "answer to",
+    "is none",
+    "are none",
+    "is no sign",
+    "is no file",
+    "is no column",
+    "is no checkpoint",
+    "gone on with",
+    "go on with",
+    "goes on with",
+    "going on after",
+    "what holds it",
+    "deserves a word",
+    "by neither",
+    "where parameters are",
+    "drive of this question",
+    "searched anew",
+    "computed anew",
+    "a number here",
+    "to look at:",
+    "as cheaply as",
+    "breaks off",
+    "what moves it",
+];
+
+fn files(folder: &Path, ending: &str, found: &mut Vec<PathBuf>) {
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            files(&path, ending, found);
+        } else if path.extension().is_some_and(|extension| extension == ending) {
+            found.push(path);
+        }
+    }
+}
+
+#[test]
+fn help_and_messages_are_in_plain_words() {
+    let folder = tempfile::tempdir().unwrap();
+    let pages = folder.path().display().to_string();
+    assert_eq!(longdrive(&["man", "-o", &pages]).status, 0);
+    let mut texts = vec![];
+    files(folder.path(), "1", &mut texts);
+    assert!(texts.len() > 20);
+    files(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src"), "rs", &mut texts);
+    for path in texts {
+        let text = std::fs::read_to_string(&path).unwrap();
+        // comments are for those who read the source
+        let shown = text.lines().filter(|line| !line.trim_start().starts_with("//"));
+        let shown = shown.map(str::trim).collect::<Vec<_>>().join(" ").to_lowercase();
+        for phrase in BANNED {
+            assert!(!shown.contains(phrase), "'{phrase}' in {}", path.display());
+        }
+    }
+}
