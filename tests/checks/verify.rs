@@ -203,11 +203,12 @@ fn independent_right_derivatives_that_were_called_wrong() {
     ];
     high.set_all(settings).unwrap();
     let certificate = self::certificate(&high, Outcome::ALL, &[high.variable("aero.spin_decay").unwrap()]);
-    assert!(certificate.passed(), "{:?}", failures(&certificate));
+    let of_rows = certificate.rows.iter().filter(|row| row.verdict() != Verdict::Pass);
+    assert_eq!(of_rows.count(), 0, "{:?}", failures(&certificate));
     for law in Law::NAMES {
         let mut setup = Setup::default();
         setup.set_all([("aero.law", *law), ("aero.spin_decay", "0 1/s")]).unwrap();
-        let certificate = certificate(&setup, Outcome::ALL, &[setup.variable("aero.spin_decay").unwrap()]);
+        let certificate = self::certificate(&setup, Outcome::ALL, &[setup.variable("aero.spin_decay").unwrap()]);
         assert!(certificate.passed(), "{law}: {:?}", failures(&certificate));
     }
 }
