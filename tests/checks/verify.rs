@@ -176,7 +176,7 @@ fn independent_right_derivatives_that_were_called_wrong() {
     for (settings, by) in [(first, "aero.spin_decay"), (second, "wind.right")] {
         let mut setup = Setup::default();
         setup.set_all(settings).unwrap();
-        let certificate = self::certificate(&setup, &of, &[setup.variable(by).unwrap()]);
+        let certificate = certificate(&setup, &of, &[setup.variable(by).unwrap()]);
         assert!(certificate.passed(), "{:?}", failures(&certificate));
         assert!(!certificate.continuity.is_empty() && !certificate.convergence.is_empty());
     }
@@ -202,8 +202,9 @@ fn independent_right_derivatives_that_were_called_wrong() {
         ("aero.spin_decay", "0 1/s"),
     ];
     high.set_all(settings).unwrap();
-    let found = self::certificate(&high, Outcome::ALL, &[high.variable("aero.spin_decay").unwrap()]);
-    assert!(found.passed(), "{:?}", failures(&found));
+    let certificate = self::certificate(&high, Outcome::ALL, &[high.variable("aero.spin_decay").unwrap()]);
+    let of_rows = certificate.rows.iter().filter(|row| row.verdict() != Verdict::Pass);
+    assert_eq!(of_rows.count(), 0, "{:?}", failures(&certificate));
     for law in Law::NAMES {
         let mut setup = Setup::default();
         setup.set_all([("aero.law", *law), ("aero.spin_decay", "0 1/s")]).unwrap();
