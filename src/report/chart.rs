@@ -1,8 +1,7 @@
 use super::table::{paragraph, table};
 use super::{Reply, json, shown};
-use crate::drive::Outcome;
 use crate::error::{Error, Result};
-use crate::study::{Chart, ChartPoint, Vary};
+use crate::study::{Chart, ChartPoint, Search, Vary};
 use crate::units::{Quantity, System};
 use serde::Serialize;
 use serde_json::{Map, Value};
@@ -12,8 +11,10 @@ use serde_json::{Map, Value};
 pub struct ChartReport {
     /// The parameter it runs along.
     pub parameter: &'static str,
-    /// The outcome that is made large.
+    /// The outcome that is sought.
     pub objective: &'static str,
+    /// Which value of it: `maximize` or `minimize`.
+    pub sense: &'static str,
     /// Its points, in order.
     pub points: Vec<ChartPointReport>,
     /// Why it begins after the range does; `null` where it does not.
@@ -41,7 +42,7 @@ pub struct ChartPointReport {
 
 impl ChartReport {
     /// The answer of `chart`: `done`, `partial` where the optimum is missing for a part of the range, or `no-answer`.
-    pub fn reply(chart: &Chart, objective: Outcome, warnings: Vec<String>) -> Reply<Self> {
+    pub fn reply(chart: &Chart, search: &Search, warnings: Vec<String>) -> Reply<Self> {
         let notes: Vec<&str> = chart.begun.iter().chain(&chart.ended).map(String::as_str).collect();
         let status = match (notes.is_empty(), chart.points.is_empty()) {
             (true, _) => "done",
@@ -49,10 +50,10 @@ impl ChartReport {
             (false, false) => "partial",
         };
         let message = (!notes.is_empty()).then(|| notes.join("; "));
-        Reply::done("chart", warnings, Self::new(chart, objective)).ended(status, message)
+        Reply::done("chart", warnings, Self::new(chart, search)).ended(status, message)
     }
 
-    fn new(chart: &Chart, objective: Outcome) -> Self {
+    fn new(chart: &Chart, search: &Search) -> Self {
         let point = |point: &ChartPoint| {
             let names = point.best.search.vary.iter().map(|vary| vary.parameter.name);
             let bounds = point.active.iter().filter_map(|active| Some((active.name.clone(), active.end?.into())));
@@ -67,7 +68,8 @@ impl ChartReport {
         };
         Self {
             parameter: chart.along.parameter.name,
-            objective: objective.name(),
+            objective: search.maximize.name(),
+            sense: search.sense.name(),
             points: chart.points.iter().map(point).collect(),
             begun: chart.begun.clone(),
             ended: chart.ended.clone(),

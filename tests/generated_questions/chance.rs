@@ -2,18 +2,36 @@ use rand_xoshiro::Xoshiro256PlusPlus;
 use rand_xoshiro::rand_core::{RngCore, SeedableRng};
 
 /// Choices that a seed decides.
-pub struct Chance(Xoshiro256PlusPlus);
+pub struct Chance {
+    random: Xoshiro256PlusPlus,
+    /// Whether whoever asks makes mistakes: with one in every word of a question it would get no further than the first.
+    is_careless: bool,
+}
 
 impl Chance {
     /// The choices of a question: the same for the same seed and number.
     pub fn new(seed: u64, number: u64) -> Self {
         let mut random = Xoshiro256PlusPlus::seed_from_u64(seed);
-        Self(Xoshiro256PlusPlus::seed_from_u64(random.next_u64() ^ number))
+        let random = Xoshiro256PlusPlus::seed_from_u64(random.next_u64() ^ number);
+        let mut chance = Self { random, is_careless: false };
+        chance.is_careless = chance.is(0.3);
+        chance
+    }
+
+    /// Whether a mistake is made here.
+    pub fn slips(&mut self) -> bool {
+        self.is_careless && self.is(0.1)
+    }
+
+    /// One of some; where a mistake is made, one of others.
+    pub fn of_or<T: Clone>(&mut self, good: &[T], bad: &[T]) -> T {
+        let all = if self.slips() { bad } else { good };
+        self.of(all)
     }
 
     /// Evenly between 0 and 1.
     pub fn part(&mut self) -> f64 {
-        (self.0.next_u64() >> 11) as f64 / (1_u64 << 53) as f64
+        (self.random.next_u64() >> 11) as f64 / (1_u64 << 53) as f64
     }
 
     /// True so often.

@@ -7,11 +7,17 @@ use crate::values::{name_of, near, parameter, preset, setting, value, variable, 
 pub fn setup(chance: &mut Chance) -> Vec<u8> {
     let mut text = String::new();
     if chance.is(0.7) {
-        let name = if chance.is(0.95) { preset(chance) } else { "nobody" };
+        let good = preset(chance);
+        let name = chance.of_or(&[good], &["nobody"]);
         text += &format!("preset = \"{name}\"\n");
     }
+    let mut named = vec![];
     for _ in 0..chance.below(5) {
         let parameter = parameter(chance);
+        if named.contains(&parameter.name) && !chance.slips() {
+            continue;
+        }
+        named.push(parameter.name);
         let name = name_of(parameter, chance);
         let shown = match chance.below(8) {
             // a bare number is SI
@@ -26,7 +32,7 @@ pub fn setup(chance: &mut Chance) -> Vec<u8> {
     if chance.is(0.2) {
         text += "[aero]\nlaw = \"robinson\"\ncd0 = 0.3\n";
     }
-    spoilt(text, 0.15, chance)
+    spoilt(text, chance)
 }
 
 /// A table of points to sweep.
@@ -39,7 +45,7 @@ pub fn points(chance: &mut Chance) -> Vec<u8> {
         if units[at].is_empty() { name } else { format!("{name} [{}]", units[at]) }
     };
     let mut text = (0..columns.len()).map(|at| head(at, chance)).collect::<Vec<_>>().join(",") + "\n";
-    for _ in 0..chance.below(8) {
+    for _ in 0..(1 + chance.below(7)) * usize::from(!chance.slips()) {
         let cell = |at: usize, chance: &mut Chance| {
             let size = columns[at].quantity.size_of(units[at]).filter(|_| !units[at].is_empty()).unwrap_or(1.0);
             let number = near(columns[at], if chance.is(0.05) { 30.0 } else { 0.2 }, chance) / size;
@@ -51,7 +57,7 @@ pub fn points(chance: &mut Chance) -> Vec<u8> {
         };
         text += &((0..columns.len()).map(|at| cell(at, chance)).collect::<Vec<_>>().join(",") + "\n");
     }
-    spoilt(text, 0.1, chance)
+    spoilt(text, chance)
 }
 
 /// A table of measured shots: deliveries or launch conditions, with what was measured of them.
@@ -81,19 +87,19 @@ pub fn shots(chance: &mut Chance) -> Vec<u8> {
     let mut columns = given[..1 + chance.below(4)].to_vec();
     let first = columns.len();
     columns.extend(&measured[..1 + chance.below(5)]);
-    if chance.is(0.1) {
+    if chance.slips() {
         let twice = chance.of(&columns);
         columns.push(twice);
     }
     let mut heads: Vec<String> = columns.iter().map(|(head, ..)| (*head).to_owned()).collect();
-    if chance.is(0.08) {
+    if chance.slips() {
         let at = chance.below(heads.len());
         heads[at] =
             chance.of(&["", "carry", "cary [yd]", "carry [kg]", "Club Speed [mph]", "optimum club.loft"]).into();
     }
     let mut text = heads.join(",") + "\n";
     // the faster or higher, the farther
-    for _ in 0..chance.below(9) {
+    for _ in 0..(2 + chance.below(8)) * usize::from(!chance.slips()) {
         let common = chance.between(-1.0, 1.0);
         let cell = |at: usize, chance: &mut Chance| {
             let (_, middle, spread) = columns[at];
@@ -102,21 +108,22 @@ pub fn shots(chance: &mut Chance) -> Vec<u8> {
             } else {
                 common * chance.between(0.2, 1.0)
             };
-            match chance.below(150) {
-                0 => String::new(),
-                1 => chance.of(&["nan", "-5", "x", "1e300", "inf", "0"]).into(),
+            match chance.below(60) {
+                // what was not measured
+                0 if at >= first => String::new(),
+                _ if chance.slips() => chance.of(&["nan", "-5", "x", "1e300", "inf", "0", ""]).into(),
                 _ => format!("{:.3}", middle + spread * part),
             }
         };
         text += &((0..columns.len()).map(|at| cell(at, chance)).collect::<Vec<_>>().join(",") + "\n");
     }
-    spoilt(text, 0.1, chance)
+    spoilt(text, chance)
 }
 
-/// A text, so often with something wrong somewhere.
-fn spoilt(text: String, probability: f64, chance: &mut Chance) -> Vec<u8> {
+/// A text, where a mistake is made with something wrong somewhere.
+fn spoilt(text: String, chance: &mut Chance) -> Vec<u8> {
     let mut bytes = text.into_bytes();
-    if !chance.is(probability) {
+    if !(chance.slips() || chance.slips()) {
         return bytes;
     }
     let at = chance.below(bytes.len() + 1);

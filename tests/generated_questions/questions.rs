@@ -49,8 +49,8 @@ impl Question {
         if chance.is(0.5) {
             question.push("--json");
         }
-        if chance.is(0.01) {
-            let odd = chance.of(&["--bla", "-x", "--", "extra", "--json", "--help", "", "--set", "--version"]);
+        if chance.slips() {
+            let odd = chance.of(&["--bla", "-x", "--", "extra", "--help", "", "--set", "--version"]);
             let at = chance.below(question.args.len() + 1);
             question.args.insert(at, odd.into());
         }
@@ -68,12 +68,12 @@ impl Question {
             "presets" => {
                 if chance.is(0.6) {
                     let name = preset(chance);
-                    self.push(if chance.is(0.9) { name } else { "mae49" });
+                    self.push(chance.of_or(&[name], &["mae49"]));
                 }
                 return;
             }
             "reproduce" => {
-                self.push(chance.of(&["mae494", "winfield-tan", "mae495"]));
+                self.push(chance.of_or(&["mae494", "winfield-tan"], &["mae495"]));
                 if chance.is(0.5) {
                     self.output("-o", &["study"], chance);
                 }
@@ -91,7 +91,7 @@ impl Question {
             "chart" => {
                 self.search(false, chance);
                 self.along(chance);
-                if chance.is(0.3) {
+                if chance.is(0.2) {
                     self.push("--csv");
                 }
             }
@@ -128,7 +128,21 @@ impl Question {
                 self.files.push(("setup.toml".into(), text));
                 self.push("setup.toml");
             }
-            7 if chance.is(0.2) => self.push(chance.of(&["none.toml", "modern", "", ".", "mine.txt", "no/such.toml"])),
+            7 if chance.is(if command == "simulate" { 1.0 } else { 0.3 }) => {
+                let launch = [
+                    "ball_speed=167mph",
+                    "launch_angle=10.9deg",
+                    "backspin=2686rpm",
+                    "sidespin=-300rpm",
+                    "spin_axis=3deg",
+                    "launch_direction=-1deg",
+                ];
+                let count = 3 + chance.below(3);
+                let given =
+                    if chance.slips() { launch[chance.below(3)..].join(",") } else { launch[..count].join(",") };
+                self.option("--launch", given);
+            }
+            8 if chance.slips() => self.push(chance.of(&["none.toml", "modern", "", ".", "mine.txt", "no/such.toml"])),
             _ => {}
         }
         for _ in 0..chance.below(3) {
@@ -184,13 +198,13 @@ impl Question {
 
     fn work(&mut self, chance: &mut Chance) {
         if chance.is(0.2) {
-            self.option("--starts", chance.below(5).to_string());
+            self.option("--starts", chance.of_or(&["1", "2", "4"], &["0", "-1", "70000", "x"]));
         }
         if chance.is(0.1) {
             self.output("-o", &["best.toml"], chance);
         }
         if chance.is(0.1) {
-            if chance.is(0.2) {
+            if chance.slips() {
                 self.files.push(("kept.json".into(), b"{\"no\": \"checkpoint\"}".to_vec()));
             }
             self.option("--checkpoint", "kept.json");
@@ -207,7 +221,10 @@ impl Question {
             self.option("--change", text);
         }
         if chance.is(0.2) {
-            self.option("--loss", chance.of(&["1yd", "0.5 m", "0 yd", "1 kg", "nan m", "inf yd", "1e300 m", "1e-9 m"]));
+            self.option(
+                "--loss",
+                chance.of_or(&["1yd", "0.5 m", "1e-9 m", "1e300 m"], &["0 yd", "1 kg", "nan m", "inf yd"]),
+            );
         }
     }
 
@@ -252,7 +269,7 @@ impl Question {
             let text = distribution(chance);
             self.option("--distribution", text);
         }
-        self.option("--samples", (if chance.is(0.95) { 2 + chance.below(20) } else { chance.below(2) }).to_string());
+        self.option("--samples", (if chance.slips() { chance.below(2) } else { 2 + chance.below(20) }).to_string());
         if chance.is(0.2) {
             self.option("--seed", chance.below(9).to_string());
         }
@@ -261,13 +278,13 @@ impl Question {
     fn calibrate(&mut self, chance: &mut Chance) {
         let text = shots(chance);
         self.files.push(("shots.csv".into(), text));
-        self.push(if chance.is(0.97) { "shots.csv" } else { "none.csv" });
+        self.push(chance.of_or(&["shots.csv"], &["none.csv", "mine.txt", "."]));
         for _ in 0..1 + chance.below(2) {
-            let rows = ["air.density", "aero.spin_decay", "impact.restitution", "club.loft", "swing.shaft_lean"];
+            let rows = ["air.density", "aero.spin_decay", "impact.restitution", "ball.mass", "swing.shaft_lean"];
             let of_law: Vec<_> = Law::all_rows().map(|row| row.name).collect();
             let name = match chance.below(3) {
-                0 => chance.of(&rows).to_owned(),
-                1 => chance.of(&of_law).to_owned(),
+                0 | 1 => chance.of(&rows).to_owned(),
+                _ if chance.slips() => chance.of(&of_law).to_owned(),
                 _ => variable(chance).name.to_owned(),
             };
             let text = if chance.is(0.2) { range(variable(chance), chance) } else { name };
@@ -283,7 +300,7 @@ impl Question {
             self.push("--huber");
         }
         if chance.is(0.05) {
-            self.option("--compare", chance.of(&["robinson", "ferguson", "linear", "nothing"]));
+            self.option("--compare", chance.of_or(&["robinson", "ferguson", "linear"], &["nothing"]));
         }
         if chance.is(0.3) {
             self.output("-o", &["fitted.toml"], chance);
@@ -295,12 +312,12 @@ impl Question {
     }
 
     fn plot(&mut self, chance: &mut Chance) {
-        let kind = chance.weighted(&[10.0, 0.3, 0.5, 4.0, 1.0, 0.2]);
+        let kind = if chance.slips() { 5 } else { chance.weighted(&[10.0, 0.3, 0.5, 4.0, 1.0]) };
         self.push(["trajectory", "contour", "chart", "tornado", "vcurve", "pie"][kind]);
         match kind {
             0 => {
                 if chance.is(0.5) {
-                    self.option("--view", chance.of(&["side", "top", "top", "back"]));
+                    self.option("--view", chance.of_or(&["side", "top"], &["back"]));
                 }
             }
             1 => self.search(false, chance),
@@ -320,15 +337,16 @@ impl Question {
             }
             _ => {}
         }
-        self.output("-o", &["a.svg", "a.svg", "a.csv", "a.png", "a.jpg"], chance);
+        let names = if chance.slips() { ["a.jpg", "a", ".svg"] } else { ["a.svg", "a.csv", "a.png"] };
+        self.output("-o", &names, chance);
         if chance.is(0.3) {
-            self.option("--units", chance.of(&["metric", "us", "si"]));
+            self.option("--units", chance.of_or(&["metric", "us"], &["si"]));
         }
         if chance.is(0.2) {
             self.push("--dark");
         }
         if chance.is(0.2) {
-            self.option("--width", chance.of(&["240", "600", "10", "x"]));
+            self.option("--width", chance.of_or(&["240", "600"], &["10", "x"]));
         }
     }
 
@@ -342,13 +360,18 @@ impl Question {
             1 => {
                 let text = range(variable(chance), chance);
                 self.option("--over", text);
-                self.option("--sample", chance.below(12).to_string());
+                self.option("--sample", (if chance.slips() { 0 } else { 1 + chance.below(12) }).to_string());
             }
             _ => {
                 for _ in 0..1 + chance.below(2) {
                     let text = range(variable(chance), chance);
-                    let count = chance.of(&["1", "2", "3", "7", "0", "x", "99999999999"]);
-                    self.option("--over", if chance.is(0.95) { format!("{text}:{count}") } else { text });
+                    let count = chance.of_or(&["1", "2", "3", "7"], &["0", "x", "-1", "99999999999999999999"]);
+                    if chance.is(0.02) {
+                        self.option("--over", format!("{text}:99999999999"));
+                        self.option("--max-size", "1GB");
+                        continue;
+                    }
+                    self.option("--over", if chance.slips() { text } else { format!("{text}:{count}") });
                 }
             }
         }
@@ -361,29 +384,34 @@ impl Question {
         if chance.is(0.1) {
             self.option("--wrt", list(2, chance, |chance| name_of(variable(chance), chance)));
         }
-        if chance.is(0.7) {
-            self.output("-o", &["rows.csv", "rows.jsonl", "rows.parquet", "rows.xlsx"], chance);
+        if chance.is(0.85) {
+            let names = if chance.slips() {
+                ["rows.xlsx", "rows", "rows."]
+            } else {
+                ["rows.csv", "rows.jsonl", "rows.parquet"]
+            };
+            self.output("-o", &names, chance);
         }
         if chance.is(0.2) {
-            self.option("--format", chance.of(&["csv", "jsonl", "parquet", "xlsx"]));
+            self.option("--format", chance.of_or(&["csv", "jsonl", "parquet"], &["xlsx"]));
         }
-        if chance.is(0.1) {
+        if chance.is(0.03) {
             self.push("--resume");
         }
         if chance.is(0.1) {
-            self.option("--threads", chance.of(&["0", "1", "2", "64", "-1"]));
+            self.option("--threads", chance.of_or(&["0", "1", "2", "5000"], &["-1", "x"]));
         }
         if chance.is(0.1) {
-            self.option("--max-size", chance.of(&["1GB", "10B", "much", "0B"]));
+            self.option("--max-size", chance.of_or(&["1GB", "10B"], &["much", "0B"]));
         }
     }
 
     /// Where to write: a new file, one that is there, one in a folder that is not, or what is read.
     fn output(&mut self, option: &str, names: &[&str], chance: &mut Chance) {
         let name = chance.of(names).to_owned();
-        let name = match chance.below(20) {
+        let name = match chance.below(40) {
             0 => format!("no/such/{name}"),
-            1 => format!("folder/{name}"),
+            1 | 6 | 7 => format!("folder/{name}"),
             2 => {
                 self.files.push((name.clone(), b"there before".to_vec()));
                 name
@@ -398,7 +426,7 @@ impl Question {
         };
         self.option(option, name.clone());
         self.outputs.push(name);
-        if option == "-o" && chance.is(0.15) {
+        if chance.is(0.15) {
             self.push("--overwrite");
         }
     }

@@ -41,7 +41,7 @@ pub fn preset(chance: &mut Chance) -> &'static str {
 /// A parameter of a preset or of any law.
 pub fn parameter(chance: &mut Chance) -> &'static Parameter {
     let own = Setup::preset(preset(chance)).unwrap().parameters();
-    if chance.is(0.1) { chance.of(&Law::all_rows().collect::<Vec<_>>()) } else { chance.of(&own) }
+    if chance.slips() { chance.of(&Law::all_rows().collect::<Vec<_>>()) } else { chance.of(&own) }
 }
 
 /// A parameter of the default setup that searches and derivatives can take.
@@ -54,13 +54,11 @@ pub fn variable(chance: &mut Chance) -> &'static Parameter {
 
 /// A parameter's name; now and then one that does not exist.
 pub fn name_of(parameter: &Parameter, chance: &mut Chance) -> String {
-    match chance.below(60) {
-        0 => parameter.name.replace('.', ""),
-        1 => format!("{}x", parameter.name),
-        2 => parameter.name.to_uppercase(),
-        3 => String::new(),
-        _ => parameter.name.into(),
+    let name = parameter.name;
+    if !chance.slips() {
+        return name.into();
     }
+    chance.of(&[name.replace('.', ""), format!("{name}x"), name.to_uppercase(), String::new()])
 }
 
 /// A value near a parameter's default, SI: about so far from it in parts of what is usual.
@@ -70,7 +68,12 @@ pub fn near(parameter: &Parameter, spread: f64, chance: &mut Chance) -> f64 {
         "rad" => 0.05,
         _ => 0.1,
     });
-    let size = if default == 0.0 { if parameter.quantity.si == "m" { 0.01 } else { 0.05 } } else { default.abs() };
+    let size = match (default, parameter.quantity.si) {
+        (0.0, "m") => 0.01,
+        (0.0, "kg m^2") => 1e-5,
+        (0.0, _) => 0.05,
+        _ => default.abs(),
+    };
     let value = default + size * spread * chance.between(-1.0, 1.0);
     let value = value.max(parameter.range.low).min(parameter.range.high);
     if parameter.name == "flight.step" { chance.between(0.01, 0.05) } else { value }
@@ -79,33 +82,41 @@ pub fn near(parameter: &Parameter, spread: f64, chance: &mut Chance) -> f64 {
 /// A number of SI with its unit.
 pub fn with_unit(value: f64, parameter: &Parameter, chance: &mut Chance) -> String {
     let unit = if chance.is(0.7) { parameter.unit } else { parameter.quantity.si };
-    let size = parameter.quantity.size_of(unit).unwrap_or(1.0);
+    let Some(size) = parameter.quantity.size_of(unit) else { return format!("{value:?}") };
     let space = if chance.is(0.3) { " " } else { "" };
     format!("{:?}{space}{unit}", value / size).trim_end().to_owned()
 }
 
 /// What might be written for a parameter: mostly what it may be.
 pub fn value(parameter: &Parameter, chance: &mut Chance) -> String {
-    let value = near(parameter, 0.2, chance);
     let range = parameter.range;
+    if chance.slips() {
+        let bare = format!("{:?}", near(parameter, 0.2, chance));
+        let beyond = if range.high.is_finite() { 1.01 * range.high } else { -1e6 };
+        let beyond = with_unit(beyond, parameter, chance);
+        let odd = chance.of(&ODD).to_owned();
+        return chance.of(&[bare, beyond, odd.clone(), odd]);
+    }
     match chance.below(40) {
-        0 => chance.of(&ODD).to_owned(),
-        1 => format!("{value:?}"),
-        2 => with_unit(if range.high.is_finite() { range.high } else { 1e6 }, parameter, chance),
-        3 => with_unit(if range.low.is_finite() { range.low } else { -1e6 }, parameter, chance),
-        4 => with_unit(near(parameter, 20.0, chance), parameter, chance),
-        5 if parameter.kind == Kind::Optional => "none".into(),
-        6 if parameter.name.contains("radius") => "inf".into(),
-        _ => with_unit(value, parameter, chance),
+        0 => with_unit(if range.high.is_finite() { range.high } else { 1e6 }, parameter, chance),
+        1 => with_unit(if range.low.is_finite() { range.low } else { -1e6 }, parameter, chance),
+        2 | 3 => with_unit(near(parameter, 20.0, chance), parameter, chance),
+        4 if parameter.kind == Kind::Optional => "none".into(),
+        5 if parameter.name.contains("radius") => "inf".into(),
+        _ => with_unit(near(parameter, 0.2, chance), parameter, chance),
     }
 }
 
 /// NAME=VALUE.
 pub fn setting(chance: &mut Chance) -> String {
+    if chance.slips() {
+        return chance
+            .of(&["club.loft", "=", "=1", "a=b=c", "aero.law=", "club.loft==1deg", "flight.method=euler"])
+            .into();
+    }
     match chance.below(30) {
         0 => format!("aero.law={}", chance.of(&Law::NAMES)),
-        1 => format!("flight.method={}", chance.of(&["rk4", "dp5", "dp8", "euler", ""])),
-        2 => chance.of(&["club.loft", "=", "=1", "a=b=c", "aero.law=", "club.loft==1deg"]).into(),
+        1 => format!("flight.method={}", chance.of(&["rk4", "dp5", "dp8"])),
         _ => {
             let parameter = parameter(chance);
             format!("{}={}", name_of(parameter, chance), value(parameter, chance))
@@ -120,23 +131,25 @@ pub fn range(parameter: &Parameter, chance: &mut Chance) -> String {
     let low = with_unit((middle - reach).max(parameter.range.low), parameter, chance);
     let high = with_unit((middle + reach).min(parameter.range.high), parameter, chance);
     let name = name_of(parameter, chance);
+    if chance.slips() {
+        let odd = chance.of(&ODD);
+        let reversed = format!("{name}={high}..{low}");
+        let without = [format!("{name}={low}"), format!("{name}={low}.."), format!("{name}={odd}..{high}"), name];
+        return if chance.is(0.3) { reversed } else { chance.of(&without) };
+    }
     match chance.below(40) {
-        0 => format!("{name}={high}..{low}"),
-        1 => format!("{name}={low}..{low}"),
-        2 => format!("{name}={low}"),
-        3 => format!("{name}={low}.."),
-        4 => format!("{name}={}..{high}", chance.of(&ODD)),
-        5 => name,
+        0 => format!("{name}={low}..{low}"),
         _ => format!("{name}={low}..{high}"),
     }
 }
 
 /// An outcome's name; now and then something else.
 pub fn outcome(chance: &mut Chance) -> String {
+    if chance.slips() {
+        return chance.of(&["cary", "", "Carry", "club.loft"]).into();
+    }
     match chance.below(40) {
         0 => "all".into(),
-        1 => "cary".into(),
-        2 => String::new(),
         _ if chance.is(0.4) => chance.of(&["carry", "lateral"]).into(),
         _ => chance.of(Outcome::ALL).name().into(),
     }
@@ -160,7 +173,7 @@ pub fn constraint(chance: &mut Chance) -> String {
     };
     let limit = |chance: &mut Chance| {
         let value = usual * chance.between(0.0, 1.5);
-        let unit = if chance.is(0.95) { outcome.unit() } else { "kg" };
+        let unit = chance.of_or(&[outcome.unit()], &["kg", "", "yards"]);
         format!("{value:.2} {unit}").trim_end().to_owned()
     };
     let (name, first) = (outcome.name(), limit(chance));
@@ -181,9 +194,11 @@ pub fn constraint(chance: &mut Chance) -> String {
 pub fn sigma(chance: &mut Chance) -> String {
     let parameter = variable(chance);
     let name = name_of(parameter, chance);
-    match chance.below(12) {
-        0 => format!("{name}={}", chance.of(&ODD)),
-        1..4 => format!("{name}={:.3}%", chance.between(0.0, 3.0)),
+    if chance.slips() {
+        return format!("{name}={}", chance.of(&ODD));
+    }
+    match chance.below(4) {
+        0 => format!("{name}={:.3}%", chance.between(0.0, 3.0)),
         _ => {
             let size = near(parameter, 0.1, chance).abs().max(1e-6);
             format!("{name}={}", with_unit(0.01 * size, parameter, chance))
@@ -196,16 +211,16 @@ pub fn distribution(chance: &mut Chance) -> String {
     let parameter = variable(chance);
     let name = name_of(parameter, chance);
     let mut values: Vec<f64> = (0..3).map(|_| near(parameter, 0.05, chance)).collect();
-    if chance.is(0.95) {
-        values.sort_by(f64::total_cmp);
-    }
+    values.sort_by(f64::total_cmp);
     let [low, middle, high] = [0, 1, 2].map(|at| with_unit(values[at], parameter, chance));
-    match chance.below(16) {
-        0 => format!("{name}={}", chance.of(&ODD)),
-        1 => format!("{name}=gauss({low},{high})"),
-        2 => format!("{name}=normal({low})"),
-        3..6 => format!("{name}=normal({middle},{})", with_unit(1e-3 + 0.01 * values[1].abs(), parameter, chance)),
-        6..11 => format!("{name}=uniform({low},{high})"),
+    if chance.slips() {
+        let odd = chance.of(&ODD);
+        let bad = [format!("{name}={odd}"), format!("{name}=gauss({low},{high})"), format!("{name}=normal({low})")];
+        return chance.of(&bad);
+    }
+    match chance.below(12) {
+        0..3 => format!("{name}=normal({middle},{})", with_unit(1e-3 + 0.01 * values[1].abs(), parameter, chance)),
+        3..8 => format!("{name}=uniform({low},{high})"),
         _ => format!("{name}=triangular({low},{middle},{high})"),
     }
 }

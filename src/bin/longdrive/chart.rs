@@ -31,7 +31,7 @@ pub fn run(args: &ChartArgs) -> Result<Answer> {
             tell_error(&error);
             let none = Chart { along, points: vec![], begun: None, ended: Some(error.to_string()) };
             let answer = if args.question.json {
-                Answer::json(&ChartReport::reply(&none, of, warnings))
+                Answer::json(&ChartReport::reply(&none, &search, warnings))
             } else {
                 Answer::text(String::new())
             };
@@ -40,7 +40,7 @@ pub fn run(args: &ChartArgs) -> Result<Answer> {
         chart => chart?,
     };
     let answer = if args.question.json {
-        Answer::json(&ChartReport::reply(&chart, of, warnings))
+        Answer::json(&ChartReport::reply(&chart, &search, warnings))
     } else if args.csv {
         Answer::text(chart_csv(&chart)?)
     } else {
