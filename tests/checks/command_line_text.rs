@@ -207,6 +207,9 @@ fn help_and_messages_are_in_plain_words() {
     files(folder.path(), "1", &mut texts);
     assert!(texts.len() > 20);
     files(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src"), "rs", &mut texts);
+    let docs = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs");
+    texts
+        .extend(["model", "performance", "plots", "sources", "validation"].map(|name| docs.join(format!("{name}.md"))));
     for path in texts {
         let text = std::fs::read_to_string(&path).unwrap();
         // comments are for those who read the source

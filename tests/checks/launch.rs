@@ -71,8 +71,8 @@ fn a_launch_that_is_none_or_two_is_refused() {
         (&[("ball_speed", "160 mph")], "launch_angle is missing"),
         (&TOUR[..2], "the spin is missing"),
         (&[TOUR[0], TOUR[1], TOUR[2], ("spin", "2700 rpm")], "the spin is given twice"),
-        (&[TOUR[0], TOUR[1], TOUR[2], ("spin_axis", "2 deg")], "beside backspin give sidespin"),
-        (&[TOUR[0], TOUR[1], ("spin", "2700 rpm"), ("sidespin", "9 rpm")], "beside spin give spin_axis"),
+        (&[TOUR[0], TOUR[1], TOUR[2], ("spin_axis", "2 deg")], "with backspin, give sidespin"),
+        (&[TOUR[0], TOUR[1], ("spin", "2700 rpm"), ("sidespin", "9 rpm")], "with spin, give spin_axis"),
     ] {
         let error = launched(settings).validate().unwrap_err();
         assert!(matches!(&error, Error::Launch { .. }) && error.to_string().contains(says), "{error}");
