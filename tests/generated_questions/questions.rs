@@ -133,14 +133,12 @@ impl Question {
                     "ball_speed=167mph",
                     "launch_angle=10.9deg",
                     "backspin=2686rpm",
+                    "launch_direction=-1deg",
                     "sidespin=-300rpm",
                     "spin_axis=3deg",
-                    "launch_direction=-1deg",
                 ];
-                let count = 3 + chance.below(3);
-                let given =
-                    if chance.slips() { launch[chance.below(3)..].join(",") } else { launch[..count].join(",") };
-                self.option("--launch", given);
+                let part = if chance.slips() { chance.below(3)..6 } else { 0..3 + chance.below(3) };
+                self.option("--launch", launch[part].join(","));
             }
             8 if chance.slips() => self.push(chance.of(&["none.toml", "modern", "", ".", "mine.txt", "no/such.toml"])),
             _ => {}
