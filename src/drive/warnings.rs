@@ -33,7 +33,7 @@ impl Drive<f64> {
         let is_beside = strike.toe.abs() > 0.5 * wide || strike.high.abs() > 0.5 * high;
         is_beside.then(|| {
             format!(
-                "strike.toe = {} and strike.high = {} lie beside the face of any head that conforms to the Rules of Golf (at most {} from heel to toe and \
+                "strike.toe = {} and strike.high = {} lie outside the face of any head that conforms to the Rules of Golf (at most {} from heel to toe and \
                  {} from sole to crown): no club strikes the ball there",
                 show(strike.toe),
                 show(strike.high),

@@ -45,8 +45,8 @@ impl Setup<f64> {
             _ if !has("launch_angle") => refuse("launch_angle is missing"),
             (false, false) => refuse("the spin is missing: give backspin, or spin"),
             (true, true) => refuse("the spin is given twice: keep backspin, or spin"),
-            (true, false) if has("spin_axis") => refuse("spin_axis goes with spin; beside backspin give sidespin"),
-            (false, true) if has("sidespin") => refuse("sidespin goes with backspin; beside spin give spin_axis"),
+            (true, false) if has("spin_axis") => refuse("spin_axis needs spin; with backspin, give sidespin"),
+            (false, true) if has("sidespin") => refuse("sidespin needs backspin; with spin, give spin_axis"),
             _ => Ok(()),
         }
     }

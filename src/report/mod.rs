@@ -41,6 +41,7 @@ pub use presets::{presets_reply, presets_text};
 pub use reply::{Empty, Reply};
 pub use sensitivity::{Analysis, AnalysisReport, SensitivityReport, sensitivity_text};
 pub use setup_file::{preset_toml, setup_toml};
+pub use shown::{outcome as outcome_text, stated as parameter_text};
 #[cfg(feature = "parquet")]
 pub use sweep::{ParquetGroup, PlacedGroup, SweepParquet};
 pub use sweep::{SweepCsv, SweepJsonLines};

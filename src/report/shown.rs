@@ -18,7 +18,7 @@ fn is_sideways(of: Outcome) -> bool {
 }
 
 /// The value of an outcome: "162.0 mph", "3.2 yd R".
-pub(super) fn outcome(of: Outcome, value: f64, system: System) -> String {
+pub fn outcome(of: Outcome, value: f64, system: System) -> String {
     let unit = system.unit(of.unit());
     if is_sideways(of) { side(of.quantity(), unit, value) } else { of.quantity().read_off(value, unit) }
 }
@@ -79,7 +79,7 @@ pub(super) fn parameter(parameter: &Parameter, value: f64, system: System) -> St
 }
 
 /// A value of a parameter that was stated: with the digits that it has, and no more.
-pub(super) fn stated(parameter: &Parameter, value: f64, system: System) -> String {
+pub fn stated(parameter: &Parameter, value: f64, system: System) -> String {
     let unit = system.unit(parameter.unit);
     let number = value / parameter.quantity.size_of(unit).unwrap_or(1.0);
     format!("{} {unit}", significant(number, 5)).trim_end().to_owned()

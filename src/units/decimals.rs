@@ -39,7 +39,7 @@ impl Quantity {
     /// assert_eq!(Quantity::DENSITY.read_off(1.184, "kg/m^3"), "1.184 kg/m^3");
     /// ```
     pub fn read_off(self, value: f64, unit: &str) -> String {
-        self.with(value, unit, |number, decimals| fixed(number, decimals))
+        self.with(value, unit, fixed)
     }
 
     /// The same with one decimal more: a number that was computed to be set (an optimum's loft).

@@ -11,6 +11,7 @@ mod command_line_sweep;
 mod command_line_text;
 mod common;
 mod derivatives;
+mod documents;
 mod fast_paths;
 mod flight;
 mod impact;

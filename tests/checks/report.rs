@@ -271,8 +271,9 @@ fn the_page_is_complete_in_itself_and_says_what_it_holds() {
     std::fs::write(&setup, "preset = 'mae494'\n[swing]\nspeed = '100 mph'\n").unwrap();
     let directory = folder.path().display().to_string();
     let ranges = ["--vary", "club.loft=0deg..20deg", "--vary", "swing.attack_angle=-10deg..10deg"];
+    let options = ["-o", &directory, "--overwrite", "--units", "metric"];
     let (status, answer) =
-        json(&[&["report", &setup.display().to_string(), "-o", &directory, "--overwrite"], ranges.as_slice()].concat());
+        json(&[&["report", &setup.display().to_string()], options.as_slice(), ranges.as_slice()].concat());
     assert_eq!(status, 0, "{answer}");
     assert_eq!(std::fs::read_to_string(folder.path().join("mine.txt")).unwrap(), "left alone");
 
@@ -282,6 +283,8 @@ fn the_page_is_complete_in_itself_and_says_what_it_holds() {
     for word in ["<script", "src=", "@import", "url(", "NaN", "replaced"] {
         assert!(!page.contains(word), "{word}");
     }
+    let opens_in = |units: &str| page.contains(&format!("id=\"units-{units}\" type=\"radio\" name=\"units\" checked"));
+    assert!(opens_in("metric") && !opens_in("us"), "the units asked for are shown at first");
     for words in [
         "as given, instead of 44.7 m/s",
         "MAE 494 report, listing",

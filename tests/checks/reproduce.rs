@@ -7,7 +7,7 @@ use longdrive::{Drive, Outcome, Setup, derivative};
 use serde_json::Value;
 use std::sync::LazyLock;
 
-static FOUND: LazyLock<Mae494> = LazyLock::new(|| mae494(|_| ()).unwrap());
+pub static FOUND: LazyLock<Mae494> = LazyLock::new(|| mae494(|_| ()).unwrap());
 
 fn carry(loft: f64, attack: f64) -> f64 {
     let mut setup = Setup::preset("mae494").unwrap();

@@ -73,7 +73,7 @@ fn a_strike_beside_the_face_is_told_on_standard_error_and_in_json() {
     assert!(warnings("modern-driver", &on_the_face).iter().all(|it| !it.contains("strike.toe")));
     let command = ["simulate", "--set", "strike.toe=70mm"];
     let text = longdrive(&command);
-    let told = "strike.toe = 70 mm and strike.high = 0 mm lie beside the face";
+    let told = "strike.toe = 70 mm and strike.high = 0 mm lie outside the face";
     assert!(text.status == 0 && text.err.contains(told), "{}", text.err);
     for command in
         [command.to_vec(), vec!["gradient", "--set", "strike.toe=70mm", "--of", "carry", "--wrt", "club.loft"]]

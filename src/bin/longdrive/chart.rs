@@ -1,7 +1,7 @@
 use crate::args::ChartArgs;
 use crate::output::{Answer, system, tell, tell_error, warn};
 use crate::search::{BEST_SO_FAR, interrupt};
-use longdrive::report::{ChartReport, chart_csv, chart_text};
+use longdrive::report::{ChartReport, chart_csv, chart_text, outcome_text, parameter_text};
 use longdrive::study::{Chart, Vary, chart_at};
 use longdrive::{Result, Setup};
 use std::sync::atomic::Ordering;
@@ -17,8 +17,13 @@ pub fn run(args: &ChartArgs) -> Result<Answer> {
     let stop = interrupt(BEST_SO_FAR);
     let of = search.maximize;
     let chart = chart_at(&setup, &search, along, &at, |point| {
-        let value = point.best.value().map_or("–".into(), |value| of.show(value));
-        tell(&format!("{} {}: {} {value}", along.parameter.name, along.parameter.show(Some(point.at)), of.name()));
+        let value = point.best.value().map_or("–".into(), |value| outcome_text(of, value, system()));
+        tell(&format!(
+            "{} {}: {} {value}",
+            along.parameter.name,
+            parameter_text(along.parameter, point.at, system()),
+            of.name()
+        ));
         !stop.load(Ordering::Relaxed)
     });
     let chart = match chart {

@@ -9,7 +9,7 @@ const DOUBTFUL: Style = AnsiColor::Yellow.on_default().bold();
 const BAD: Style = AnsiColor::Red.on_default().bold();
 
 /// Words that begin a line of an answer and say how it ended.
-const STATUS: [(&str, Style); 14] = [
+const STATUS: [(&str, Style); 15] = [
     ("converged", GOOD),
     ("passed", GOOD),
     ("pass", GOOD),
@@ -17,6 +17,7 @@ const STATUS: [(&str, Style); 14] = [
     ("stalled-at-kink", DOUBTFUL),
     ("iteration-limit", DOUBTFUL),
     ("interrupted", DOUBTFUL),
+    ("undetermined", DOUBTFUL),
     ("infeasible", BAD),
     ("unbounded", BAD),
     ("no-flight", BAD),

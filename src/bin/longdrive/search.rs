@@ -4,7 +4,7 @@ use crate::args::{SearchArgs, WorkArgs};
 use crate::output::{system, tell};
 use indicatif::{ProgressBar, ProgressStyle};
 use longdrive::optimize::{Follow, Ledger, Options};
-use longdrive::report::iteration_line;
+use longdrive::report::{iteration_line, outcome_text};
 use longdrive::study::{Constraint, Optima, Search, Sense, Vary, optima};
 use longdrive::{Outcome, Result, Setup};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -74,7 +74,7 @@ impl WorkArgs {
             let mut best = best.lock().unwrap_or_else(PoisonError::into_inner);
             let is_feasible = solution.residual.feasibility <= 1e-6;
             *best = [*best, solution.value.filter(|_| is_feasible)].into_iter().flatten().reduce(f64::min);
-            shown.set_message(best.map_or("–".into(), |value| of.show(sense.sign() * value)));
+            shown.set_message(best.map_or("–".into(), |value| outcome_text(of, sense.sign() * value, system())));
             shown.inc(1);
         }));
         bar

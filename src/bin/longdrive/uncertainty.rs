@@ -1,7 +1,7 @@
 use crate::args::UncertaintyArgs;
 use crate::names::outcomes;
 use crate::output::{Answer, bar, show, system, tell, warn};
-use longdrive::report::{UncertaintyReport, uncertainty_text};
+use longdrive::report::{UncertaintyReport, parameter_text, uncertainty_text};
 use longdrive::study::uncertainty::{Plan, Uncertain, uncertainty};
 use longdrive::study::{Sigma, with_defaults};
 use longdrive::{Drive, Error, Result, Setup};
@@ -35,7 +35,7 @@ fn inputs(setup: &Setup<f64>, args: &UncertaintyArgs) -> Result<Vec<Uncertain>> 
     let sigmas = if is_given { sigmas } else { with_defaults(setup, &[])? };
     for sigma in sigmas.iter() {
         if let Some(source) = sigma.source {
-            let shown = sigma.parameter.show(Some(sigma.value));
+            let shown = parameter_text(sigma.parameter, sigma.value, system());
             tell(&format!(
                 "default uncertainty: {} ± {shown} (one standard deviation); {source}",
                 sigma.parameter.name

@@ -71,13 +71,22 @@ impl Ladder {
     }
 
     /// How much of the value at the centre is rounding: the most that second differences amount to where the function itself
-    /// cannot bend.
+    /// cannot bend. At the end of a range they are those of two steps to the one side that there is.
     pub fn rounding(&self) -> f64 {
-        let second = |rung: &Rung| {
-            let is_small = ROUNDING_ONLY.contains(&(rung.step / self.scale));
-            Some((rung.above? + rung.below? - 2.0 * self.centre).abs() / 2.0).filter(|_| is_small)
+        let small: Vec<&Rung> =
+            self.rungs.iter().filter(|rung| ROUNDING_ONLY.contains(&(rung.step / self.scale))).collect();
+        let central = |rung: &&Rung| Some((rung.above? + rung.below? - 2.0 * self.centre).abs() / 2.0);
+        let one_sided = |pair: &[&Rung]| {
+            let [long, short] = [pair[0], pair[1]];
+            let ratio = long.step / short.step;
+            let rise = |rung: &Rung| match (rung.above, rung.below) {
+                (Some(value), None) | (None, Some(value)) => Some(value - self.centre),
+                _ => None,
+            };
+            Some((rise(long)? - ratio * rise(short)?).abs() / (1.0 + ratio))
         };
-        self.rungs.iter().filter_map(second).fold(rounding_of(self.centre), f64::max)
+        let second = small.iter().filter_map(central).chain(small.windows(2).filter_map(one_sided));
+        second.fold(rounding_of(self.centre), f64::max)
     }
 
     /// The plain difference at a step.
@@ -113,4 +122,24 @@ impl Ladder {
 /// The least rounding that a value is given: a few units in the last place.
 pub(super) fn rounding_of(value: f64) -> f64 {
     4.0 * f64::EPSILON * value.abs()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Ladder, STEPS};
+
+    /// A function whose last digits are noise, at the end of its range: the noise is seen from one side as from both.
+    #[test]
+    fn exact_rounding_is_seen_from_one_side() {
+        let noise = |x: f64| 1e-12 * ((x * 1e15).sin() * 43_758.545_3).fract();
+        let rounding = |lowest: f64| {
+            let f = |x: f64| vec![if x < lowest { f64::NAN } else { 1.0 + x + x * x + noise(x) }];
+            Ladder::sample(1.0, 1.0, STEPS, f)[0].rounding()
+        };
+        for rounding in [rounding(1.0), rounding(0.0)] {
+            assert!((1e-13..3e-12).contains(&rounding), "{rounding}");
+        }
+        let smooth = Ladder::sample(1.0, 1.0, STEPS, |x| vec![if x < 1.0 { f64::NAN } else { 1.0 + x }]);
+        assert!(smooth[0].rounding() < 5e-15, "{}", smooth[0].rounding());
+    }
 }

@@ -8,7 +8,8 @@ use crate::parameters::{Parameter, Setup};
 /// Points looked at to each side for a change of the number of steps, over a tenth of the parameter's scale.
 const LOOKED_AT: i32 = 400;
 
-/// Floating-point numbers to each side of a change over which values scatter by rounding.
+/// Values of the parameter to each side of a change over which outcomes scatter by rounding: adjacent floating-point numbers, or, where the
+/// parameter itself is next to 0 and these are the same to all that follows, as far apart as those of its size.
 const NEIGHBOURS: usize = 8;
 
 /// The jump that may be left, in scatters to either side.
@@ -52,13 +53,20 @@ impl Continuity {
 pub(super) fn continuity(setup: &Setup<f64>, of: &[Outcome], wrt: &[&'static Parameter]) -> Result<Vec<Continuity>> {
     let Some(&parameter) = wrt.first() else { return Ok(vec![]) };
     let Some([low, high]) = change(setup, parameter) else { return Ok(vec![]) };
-    let neighbours = |from: f64, next: fn(f64) -> f64| {
-        let values = std::iter::successors(Some(from), |value| Some(next(*value))).take(NEIGHBOURS);
+    let spacing = f64::EPSILON * scale(setup, parameter);
+    let neighbours = |from: f64, sign: f64| {
+        let next = |value: f64| {
+            let adjacent = if sign > 0.0 { value.next_up() } else { value.next_down() };
+            if (adjacent - value).abs() < spacing { value + sign * spacing } else { adjacent }
+        };
+        let values = std::iter::successors(Some(from), |value| Some(next(*value)));
+        // at the end of a range there are none beyond it
+        let values = values.take_while(|value| parameter.range.contains(*value)).take(NEIGHBOURS);
         values
             .map(|value| evaluate(&moved(setup, parameter, value)?, of, wrt, Order::Second))
             .collect::<Result<Vec<_>>>()
     };
-    let (before, after) = (neighbours(low, f64::next_down)?, neighbours(high, f64::next_up)?);
+    let (before, after) = (neighbours(low, -1.0)?, neighbours(high, 1.0)?);
     let steps = [low, high].map(|value| steps(setup, parameter, value).unwrap_or_default());
     let scales: Vec<f64> = wrt.iter().map(|parameter| scale(setup, parameter)).collect();
     let drive = Drive::new(setup)?;

@@ -15,6 +15,11 @@ const STEPS: [[u32; 3]; 6] =
 /// Steps to the flight that is the reference.
 const REFERENCE: u32 = 4096;
 
+/// Steps to a flight that differs from the reference by little but the rounding of so many steps: errors that do not stand out of this
+/// difference by a factor are rounding too.
+const BESIDE_THE_REFERENCE: u32 = 2048;
+const OUT_OF_IT: f64 = 10.0;
+
 /// Errors of value and gradient smaller than this, relative, are rounding.
 const ROUNDING: [f64; 2] = [1e-12, 1e-11];
 
@@ -80,7 +85,9 @@ pub(super) fn convergence_to(
         let taylors = (setup.flight.step <= 1.0).then(|| jacobian(&setup, of, wrt).ok()).flatten();
         taylors.map(|taylors| (setup.flight.step, taylors))
     };
-    let Some((_, reference)) = at(REFERENCE) else { return Ok(vec![]) };
+    let (Some((_, reference)), Some((_, beside))) = (at(REFERENCE), at(BESIDE_THE_REFERENCE)) else {
+        return Ok(vec![]);
+    };
     let groups = STEPS.iter().enumerate();
     let flown: Vec<_> = groups
         .flat_map(|(level, steps)| steps.map(|steps| (level, at(steps))))
@@ -91,15 +98,17 @@ pub(super) fn convergence_to(
         if is_joined(setup) { (SHORT_OF_ACROSS_A_JOINT, SCATTER_ACROSS_A_JOINT) } else { (SHORT_OF, ROUNDING) };
     let convergence = |(i, of): (usize, &Outcome)| {
         let size = size(*of, &drive);
-        let errors = |(level, (step, taylors)): &(usize, (f64, Vec<Taylor>))| {
+        let sample = |(level, (step, taylors)): &(usize, (f64, Vec<Taylor>))| {
             let errors = errors(&taylors[i], &reference[i], size, &scales);
             errors.map(|errors| Errors { level: *level, step: *step, errors })
         };
-        let samples: Vec<[Errors; 2]> = flown.iter().map(errors).collect();
+        let samples: Vec<[Errors; 2]> = flown.iter().map(sample).collect();
+        let largest = |errors: &Vec<f64>| errors.iter().fold(0.0_f64, |most, error| most.max(error.abs()));
+        let rounding = errors(&beside[i], &reference[i], size, &scales).map(|errors| OUT_OF_IT * largest(&errors));
         let expected = expected(setup, *of).map(|order| order + more);
         let measured = [0, 1].map(|which: usize| {
             let samples: Vec<Errors> = samples.iter().map(|pair| pair[which].clone()).collect();
-            measure(&samples, expected[which], short_of, floor[which])
+            measure(&samples, expected[which], short_of, floor[which].max(rounding[which]))
         });
         Convergence {
             of: *of,

@@ -9,7 +9,7 @@ pub struct Sweep {
     pub question: Question,
 
     /// A parameter to sweep, with its range and number of values, ends included, e.g. club.loft=5deg..15deg:101.
-    /// Repeatable: every combination, the first outermost.
+    /// Repeatable: all combinations are computed; the last parameter changes fastest.
     #[arg(long, value_name = "NAME=LOW..HIGH:COUNT", allow_hyphen_values = true)]
     pub over: Vec<String>,
 
@@ -66,12 +66,12 @@ pub struct Sweep {
 /// How rows are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub enum Format {
-    /// Comma-separated values, a missing one an empty cell.
+    /// Comma-separated values; a missing value is an empty cell.
     Csv,
-    /// A JSON object for each drive, a line each, a missing value null.
+    /// One JSON object per drive and line; a missing value is null.
     #[value(alias = "ndjson")]
     Jsonl,
-    /// Apache Parquet, a missing value null.
+    /// Apache Parquet; a missing value is null.
     #[cfg(feature = "parquet")]
     Parquet,
 }

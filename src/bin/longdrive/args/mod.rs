@@ -42,7 +42,7 @@ pub enum Command {
     Simulate(Simulate),
     /// Exact derivatives of outcomes with respect to parameters.
     Gradient(Gradient),
-    /// Find the parameters that make an outcome largest: by default the loft and attack angle of the longest carry.
+    /// Find the parameters that maximize or minimize an outcome: by default, the loft and attack angle of the longest carry.
     Optimize(Optimize),
     /// How the optimum depends on every other parameter, what its bounds and constraints cost, and how flat it is.
     OptimumSensitivity(OptimumSensitivity),

@@ -11,7 +11,7 @@ pub struct Question {
     #[arg(long, value_name = "NAME=VALUE")]
     pub set: Vec<String>,
 
-    /// Fly a ball that leaves like this, as a launch monitor reports it, without a club: ball_speed, launch_angle,
+    /// Compute the flight of a ball with these launch conditions, as a launch monitor reports them: ball_speed, launch_angle,
     /// launch_direction, and backspin with sidespin or spin with spin_axis; e.g.
     /// ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm.
     #[arg(long, value_name = "NAME=VALUE,…", value_delimiter = ',')]

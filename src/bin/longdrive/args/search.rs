@@ -95,8 +95,8 @@ pub struct ChartArgs {
     #[arg(long, value_name = "NAME=LOW..HIGH", allow_hyphen_values = true)]
     pub along: String,
 
-    /// The values of that parameter to give the optimum at, separated by commas, e.g. 90mph,100mph,110mph; --along may then
-    /// be the name alone. Without: as many as the curve needs.
+    /// The values of that parameter at which the optimum is computed, separated by commas, e.g. 90mph,100mph,110mph; --along may then
+    /// be the name alone [default: as many values as the curve needs].
     #[arg(long, value_name = "VALUE,…", value_delimiter = ',', allow_hyphen_values = true)]
     pub at: Vec<String>,
 

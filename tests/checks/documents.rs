@@ -1,0 +1,122 @@
+//! Numbers in README and docs, held against what the program prints now.
+
+use crate::command_line::longdrive;
+use crate::reproduce::FOUND;
+use longdrive::reproduce::{Landing, Method};
+
+fn document(name: &str) -> String {
+    std::fs::read_to_string(format!("{}/{name}", env!("CARGO_MANIFEST_DIR"))).unwrap()
+}
+
+/// The rows of the table under this head, without the head and the line below it.
+fn table(text: &str, head: &str) -> Vec<Vec<String>> {
+    let lines = text.lines().skip_while(|line| !line.starts_with(head)).skip(2);
+    let cells = |line: &str| line.trim_matches('|').split('|').map(|cell| cell.trim().to_owned()).collect();
+    let rows: Vec<Vec<String>> = lines.take_while(|line| line.starts_with('|')).map(cells).collect();
+    assert!(!rows.is_empty(), "no table under {head}");
+    rows
+}
+
+/// The number that a text begins with.
+fn first_number(text: &str) -> f64 {
+    let digits: String = text
+        .chars()
+        .skip_while(|c| !c.is_ascii_digit() && *c != '−')
+        .take_while(|c| c.is_ascii_digit() || ['.', '−'].contains(c))
+        .collect();
+    digits.replace('−', "-").parse().unwrap_or_else(|_| panic!("no number in '{text}'"))
+}
+
+#[test]
+fn the_answer_in_the_readme_is_the_programs() {
+    let readme = document("README.md");
+    let said = longdrive(&["optimize"]);
+    assert_eq!(said.status, 0);
+    assert!(readme.contains(&format!("```text\n{}```", said.out)), "README.md should have:\n{}", said.out);
+}
+
+#[test]
+fn the_searches_in_validation_md_are_those_of_the_program() {
+    let rows = table(&document("docs/validation.md"), "| landing | method | found |");
+    assert_eq!(rows.len(), FOUND.searches.len());
+    let best = FOUND.optimum.exact().carry;
+    let mut landing = Landing::Overshot;
+    for (row, searches) in rows.iter().zip(&FOUND.searches) {
+        landing = match row[0].as_str() {
+            "the report's loop" => Landing::Overshot,
+            "the loop, interpolated" => Landing::Interpolated,
+            "smooth" => Landing::Smooth,
+            _ => landing,
+        };
+        let method = match row[1].as_str() {
+            "L-BFGS (argmin), differences" => Method::LimitedMemory,
+            "L-BFGS (argmin), exact gradients" => Method::LimitedMemoryExact,
+            "longdrive without Hessians, differences" => Method::QuasiNewton,
+            "longdrive, exact gradients and Hessians" => Method::Exact,
+            other => panic!("{other}"),
+        };
+        assert_eq!((landing, method), (searches.landing, searches.method));
+        let count = searches.ends.len();
+        let missed = searches.missed(best);
+        let [median, worst] = [missed[missed.len() / 2], missed[missed.len() - 1]];
+        let found = format!("{} of {count}", searches.within(0.01, best));
+        let misses = if worst < 0.005 { "0".to_owned() } else { format!("{median:.2} m, {worst:.2} m") };
+        let flights = (searches.flights() / count as u64).to_string();
+        assert_eq!(row[2..], [found, misses, flights], "{landing:?} {method:?}");
+    }
+}
+
+#[test]
+fn the_costs_and_slopes_in_validation_md_are_those_of_the_program() {
+    let text = document("docs/validation.md");
+    for row in table(&text, "| attack angle | loft printed |") {
+        let attack = first_number(&row[0]);
+        let found = FOUND.table1.iter().find(|found| (found.exact().attack_angle.to_degrees() - attack).abs() < 1e-6);
+        let found = found.unwrap_or_else(|| panic!("{row:?}"));
+        let exact = found.exact();
+        assert!((first_number(&row[3]) - exact.loft.to_degrees()).abs() <= 5e-5, "{row:?}");
+        assert!((first_number(&row[4]) - exact.carry).abs() <= 5e-3, "{row:?}");
+        assert!((first_number(&row[5]) - found.cost()).abs() <= 5.1e-3, "{row:?}");
+        assert_eq!(row[2].contains("does not fly"), found.at_printed.is_none(), "{row:?}");
+    }
+    for row in table(&text, "| loft | exact | exact, at fixed time |") {
+        let loft = first_number(&row[0]);
+        let found = FOUND.noise.slopes.iter().find(|found| (found.loft.to_degrees() - loft).abs() < 1e-6).unwrap();
+        let values = [found.exact, found.at_fixed_time, found.overshot, found.interpolated];
+        for (cell, value) in row[1..].iter().zip(values) {
+            assert!((first_number(cell) - value).abs() <= 0.051, "{row:?}: {value}");
+        }
+    }
+}
+
+/// The ratios of README are those of the times in docs/performance.md, and its times are the same ones.
+#[test]
+fn the_costs_in_the_readme_are_those_of_performance_md() {
+    let (readme, performance) = (document("README.md").replace('\n', " "), document("docs/performance.md"));
+    let microseconds = |text: &str| {
+        let number: f64 = text.split(' ').next().unwrap().parse().unwrap();
+        if text.ends_with("ms") { 1000.0 * number } else { number }
+    };
+    let tasks = table(&performance, "| Task | longdrive |");
+    let alone = table(&performance, "| longdrive alone |");
+    let time = |rows: &[Vec<String>], name: &str, column: usize| {
+        let row = rows.iter().find(|row| row[0].starts_with(name)).unwrap_or_else(|| panic!("no row {name}"));
+        microseconds(&row[column])
+    };
+    let value = time(&tasks, "T1", 1);
+    let in_space = time(&alone, "gradient, all 41", 1) / time(&alone, "value, 3-D drive", 1);
+    for said in [
+        format!("a gradient by two parameters {:.1}", time(&tasks, "T2", 1) / value),
+        format!("by twelve {:.1}", time(&tasks, "T4", 1) / value),
+        format!("by all 41 of a drive in space {in_space:.1}"),
+        format!("a Hessian by two {:.1}", time(&tasks, "T3", 1) / value),
+        format!("the optimum of the `mae494` problem {:.0}", time(&tasks, "T5", 1) / value),
+        format!("({:.2} ms; {:.2} ms within", time(&tasks, "T5", 1) / 1000.0, time(&tasks, "T5", 4) / 1000.0),
+    ] {
+        assert!(readme.contains(&said), "README.md should say: {said}");
+    }
+    let sweeps = table(&performance, "| A drive of the README's sweep |");
+    for row in &sweeps {
+        assert!(readme.contains(&format!("{} {}", row[1], row[0])), "README.md should say: {} {}", row[1], row[0]);
+    }
+}
