@@ -313,11 +313,7 @@ impl Question {
         let kind = if chance.slips() { 5 } else { chance.weighted(&[10.0, 0.3, 0.5, 4.0, 1.0]) };
         self.push(["trajectory", "contour", "chart", "tornado", "vcurve", "pie"][kind]);
         match kind {
-            0 => {
-                if chance.is(0.5) {
-                    self.option("--view", chance.of_or(&["side", "top"], &["back"]));
-                }
-            }
+            0 if chance.is(0.5) => self.option("--view", chance.of_or(&["side", "top"], &["back"])),
             1 => self.search(false, chance),
             2 => {
                 self.search(false, chance);

@@ -126,7 +126,7 @@ pub fn setting(chance: &mut Chance) -> String {
             .into();
     }
     match chance.below(30) {
-        0 => format!("aero.law={}", chance.of(&Law::NAMES)),
+        0 => format!("aero.law={}", chance.of(Law::NAMES)),
         1 => format!("flight.method={}", chance.of(&["rk4", "dp5", "dp8"])),
         _ => {
             let parameter = parameter(chance);
