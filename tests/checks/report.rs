@@ -242,7 +242,7 @@ fn the_ending_of_the_file_says_what_a_plot_is_written_as() {
         );
         assert!(std::fs::read_to_string(&csv).unwrap().starts_with("kind,name,"));
     }
-    let (status, answer) = json(&["plot", "trajectory", "-o", &svg]);
+    let (status, answer) = json(&["plot", "trajectory", "-o", &svg, "--overwrite"]);
     assert_eq!((status, answer["file"].as_str()), (0, Some(svg.as_str())));
 }
 
@@ -251,7 +251,7 @@ fn the_ending_of_the_file_says_what_a_plot_is_written_as() {
 fn a_png_has_its_size_and_its_words() {
     let folder = tempfile::tempdir().unwrap();
     let file = path(&folder, "x.PNG");
-    assert_eq!(longdrive(&["plot", "trajectory", "-o", &file, "--width", "300"]).status, 0);
+    assert_eq!(longdrive(&["plot", "trajectory", "-o", &file, "--overwrite", "--width", "300"]).status, 0);
     let bytes = std::fs::read(&file).unwrap();
     assert_eq!((&bytes[..8], &bytes[16..20]), (b"\x89PNG\r\n\x1a\n".as_slice(), 600_u32.to_be_bytes().as_slice()));
     // with its text it takes more room than without: a missing font would leave blanks

@@ -176,7 +176,7 @@ fn independent_right_derivatives_that_were_called_wrong() {
     for (settings, by) in [(first, "aero.spin_decay"), (second, "wind.right")] {
         let mut setup = Setup::default();
         setup.set_all(settings).unwrap();
-        let certificate = certificate(&setup, &of, &[setup.variable(by).unwrap()]);
+        let certificate = self::certificate(&setup, &of, &[setup.variable(by).unwrap()]);
         assert!(certificate.passed(), "{:?}", failures(&certificate));
         assert!(!certificate.continuity.is_empty() && !certificate.convergence.is_empty());
     }
@@ -202,12 +202,12 @@ fn independent_right_derivatives_that_were_called_wrong() {
         ("aero.spin_decay", "0 1/s"),
     ];
     high.set_all(settings).unwrap();
-    let certificate = self::certificate(&high, Outcome::ALL, &[high.variable("aero.spin_decay").unwrap()]);
-    assert!(certificate.passed(), "{:?}", failures(&certificate));
+    let found = self::certificate(&high, Outcome::ALL, &[high.variable("aero.spin_decay").unwrap()]);
+    assert!(found.passed(), "{:?}", failures(&found));
     for law in Law::NAMES {
         let mut setup = Setup::default();
         setup.set_all([("aero.law", *law), ("aero.spin_decay", "0 1/s")]).unwrap();
-        let certificate = certificate(&setup, Outcome::ALL, &[setup.variable("aero.spin_decay").unwrap()]);
+        let certificate = self::certificate(&setup, Outcome::ALL, &[setup.variable("aero.spin_decay").unwrap()]);
         assert!(certificate.passed(), "{law}: {:?}", failures(&certificate));
     }
 }

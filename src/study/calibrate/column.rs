@@ -1,5 +1,6 @@
 //! What the head of a table of shots says of a column.
 
+use super::launch_monitor::{self, Meaning};
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup};
@@ -28,6 +29,16 @@ pub(super) struct Column {
     pub holds: Holds,
     pub head: String,
     unit: Option<String>,
+    format: Format,
+}
+
+/// How a table is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Format {
+    /// Whether its heads are those of a launch monitor: columns that this program has no name for are then left out.
+    pub is_export: bool,
+    /// Whether numbers may have a decimal comma.
+    pub has_decimal_comma: bool,
 }
 
 /// A column of optima.
@@ -36,27 +47,42 @@ const STATIONARY: &str = "stationary";
 const NOTE: &str = "note";
 
 impl Column {
-    /// Reads `carry [yd]`, `sigma carry [yd]`, `club.loft [deg]`, `stationary`, `note`.
-    pub fn read(setup: &Setup<f64>, head: &str) -> Result<Self> {
-        let head = head.trim_start_matches('\u{feff}').trim();
-        let (name, unit) = match head.split_once('[') {
-            Some((name, unit)) => (name.trim(), Some(unit.trim_end().trim_end_matches(']').trim().to_owned())),
-            None => (head, None),
+    /// Reads `carry [yd]`, `sigma carry [yd]`, `club.loft [deg]`, `stationary`, `note`, or a head as launch monitors write it;
+    /// `below` is the unit that a second line states.
+    ///
+    /// A measured carry is the distance to where the ball lands, as launch monitors count it, not its part along the target line.
+    pub fn read(setup: &Setup<f64>, head: &str, below: Option<&str>, format: Format) -> Result<Self> {
+        let head = head.trim();
+        let (name, unit) = launch_monitor::split_unit(head);
+        let unit = unit.or_else(|| below.map(str::to_owned)).map(|unit| launch_monitor::unit(&unit));
+        let holds = match (name.strip_prefix("sigma ").map(str::trim), launch_monitor::meaning(name)) {
+            (Some(STATIONARY), _) => Holds::SigmaStationary,
+            (Some(outcome), _) => Holds::Sigma(measured(Outcome::named(outcome)?)),
+            (None, Some(Meaning::Outcome(outcome))) => Holds::Outcome(outcome),
+            (None, Some(Meaning::Input(parameter))) => Holds::Input(setup.variable(parameter)?),
+            (None, None) if name == STATIONARY => Holds::Stationary,
+            (None, None) if name == NOTE || is_foreign(name, format) => Holds::Note,
+            (None, None) => Outcome::named(name)
+                .map(|outcome| Holds::Outcome(measured(outcome)))
+                .or_else(|_| known(setup, name).map(Holds::Input))?,
         };
-        let holds = match name.strip_prefix("sigma ").map(str::trim) {
-            Some(STATIONARY) => Holds::SigmaStationary,
-            Some(outcome) => Holds::Sigma(Outcome::named(outcome)?),
-            None if name == STATIONARY => Holds::Stationary,
-            None if name == NOTE => Holds::Note,
-            None => Outcome::named(name).map(Holds::Outcome).or_else(|_| known(setup, name).map(Holds::Input))?,
-        };
-        let column = Self { holds, head: name.into(), unit };
+        let column = Self { holds, head: name.into(), unit, format };
         column.check_unit()?;
         Ok(column)
     }
 
+    /// Whether it is left out because this program has no name for it.
+    pub fn is_unknown(&self) -> bool {
+        self.holds == Holds::Note && self.head != NOTE
+    }
+
     fn check_unit(&self) -> Result<()> {
         match (&self.unit, self.quantity()) {
+            _ if self.is_unknown() => Ok(()),
+            (None, Some(quantity)) if !quantity.si.is_empty() => {
+                let unit = self.usual_unit();
+                Err(self.unreadable(format!("it has no unit; write it into the head, as in '{} [{unit}]'", self.head)))
+            }
             (None, _) => Ok(()),
             (Some(unit), Some(quantity)) => {
                 quantity.read(&format!("1 {unit}")).map(drop).map_err(|e| self.unreadable(e))
@@ -75,6 +101,26 @@ impl Column {
             Holds::Outcome(outcome) | Holds::Sigma(outcome) => Some(outcome.quantity()),
             Holds::SigmaStationary => Some(Quantity::ANGLE),
             Holds::Stationary | Holds::Note => None,
+        }
+    }
+
+    /// The unit that people read it in.
+    fn usual_unit(&self) -> &'static str {
+        match self.holds {
+            Holds::Input(parameter) => parameter.unit,
+            Holds::Outcome(outcome) | Holds::Sigma(outcome) => outcome.unit(),
+            _ => "deg",
+        }
+    }
+
+    /// Whether its numbers may have a side: `3.2 L`.
+    fn has_side(&self) -> bool {
+        match self.holds {
+            Holds::Input(parameter) => ["swing.path", "swing.face_angle"].contains(&parameter.name),
+            Holds::Outcome(outcome) => {
+                [Outcome::Lateral, Outcome::LaunchDirection, Outcome::Sidespin, Outcome::SpinAxis].contains(&outcome)
+            }
+            _ => false,
         }
     }
 
@@ -97,8 +143,7 @@ impl Column {
         if cell.is_empty() {
             return Ok(None);
         }
-        let number: Option<f64> = cell.replace('\u{2212}', "-").parse().ok().filter(|number: &f64| number.is_finite());
-        let Some(number) = number else {
+        let Some(number) = launch_monitor::number(cell, self.format.has_decimal_comma, self.has_side()) else {
             return Err(format!(
                 "'{cell}' is not a number; units stand in the head, as in '{} [{}]', and an empty cell is a missing value",
                 self.head,
@@ -112,6 +157,18 @@ impl Column {
             _ => Ok(Some(number)),
         }
     }
+}
+
+/// What a measured outcome is: launch monitors, and people, mean the distance to the landing point by carry.
+fn measured(outcome: Outcome) -> Outcome {
+    if outcome == Outcome::Carry { Outcome::CarryDistance } else { outcome }
+}
+
+/// Whether a head is none of this program's: a launch monitor's own, and not spelled as names are here.
+fn is_foreign(name: &str, format: Format) -> bool {
+    format.is_export && !name.contains(['_', '.']) && name.chars().any(char::is_uppercase)
+        || format.is_export && name.is_empty()
+        || format.is_export && name.contains(". ")
 }
 
 /// The parameter of a column, or an error that names outcomes too.

@@ -1,4 +1,6 @@
-use super::column::{Column, Holds};
+use super::column::{Column, Format, Holds};
+use super::instrument::{Instrument, instrument};
+use super::launch_monitor;
 use super::shot::{Measurement, Shot, Stationary};
 use super::statistics::Uncertainties;
 use crate::drive::{Outcome, Part};
@@ -12,7 +14,8 @@ use std::io::Read;
 ///
 /// The head names parameters (inputs of the shot), outcomes (what was measured), `sigma OUTCOME` (its standard uncertainty),
 /// `stationary` (names of parameters, separated by spaces, in which carry is at its largest there), `sigma stationary`, and
-/// `note`; with its unit in brackets, or in SI without. Where `ball_speed`, `launch_angle` and `spin` or `backspin` stand beside no
+/// `note`; with its unit in brackets. Heads, units, separators and sides may also be those of a launch monitor's export; carry is the
+/// distance to the landing point, [`Outcome::CarryDistance`]. Where `ball_speed`, `launch_angle` and `spin` or `backspin` stand beside no
 /// parameter of swing, club, strike or impact, the rows are launch conditions, and the ball flies from them without an impact.
 #[derive(Clone, Debug)]
 pub struct ShotTable {
@@ -49,21 +52,44 @@ impl ShotTable {
     /// [`Error::Table`] with row and column for a column that is unknown, given twice or in a wrong unit, a cell that is no
     /// number, a sigma that is not positive, a value outside its range, a row without a measurement, and a table without rows.
     pub fn read(setup: &Setup<f64>, file: &str, source: impl Read) -> Result<Self> {
-        let mut reader = ReaderBuilder::new().trim(Trim::All).comment(Some(b'#')).from_reader(source);
         let refused = |place: String, reason: String| Error::Table { file: file.into(), place, reason };
+        let mut text = String::new();
+        let mut source = source;
+        source
+            .read_to_string(&mut text)
+            .map_err(|error| refused(String::new(), format!("it cannot be read ({error})")))?;
+        let (separator, text) = launch_monitor::separated(&text);
+        let mut reader =
+            ReaderBuilder::new().trim(Trim::All).comment(Some(b'#')).delimiter(separator).from_reader(text.as_bytes());
         let head = reader.headers().map_err(|error| refused(String::new(), error.to_string()))?.clone();
+        let mut records = reader.records().peekable();
+        let is_export = launch_monitor::is_export(head.iter());
+        let format = Format { is_export, has_decimal_comma: separator != b',' };
+        let units = match records.peek() {
+            Some(Ok(first)) => launch_monitor::units_row(first.iter()),
+            _ => None,
+        };
+        if units.is_some() {
+            records.next();
+        }
         let mut columns: Vec<Column> = vec![];
         for (at, text) in head.iter().enumerate() {
             let place = || format!(", column {}", at + 1);
-            let column = Column::read(setup, text).map_err(|error| refused(place(), error.to_string()))?;
+            let below = units.as_ref().and_then(|units| units.get(at)?.as_deref());
+            let column =
+                Column::read(setup, text, below, format).map_err(|error| refused(place(), error.to_string()))?;
             if column.holds != Holds::Note && columns.iter().any(|other| other.holds == column.holds) {
                 return Err(refused(place(), format!("'{}' has two columns; keep one", column.head)));
             }
             columns.push(column);
         }
+        let mut remarks = vec![];
+        if is_export {
+            remarks.extend(left_out(&mut columns));
+        }
         let reading = Reading { setup, is_launched: is_launched(&columns), columns };
         let mut shots = vec![];
-        for (at, record) in reader.records().enumerate() {
+        for (at, record) in records.enumerate() {
             let row = at + 1;
             let record = record.map_err(|error| refused(format!(", row {row}"), error.to_string()))?;
             let shot = reading.shot(row, &record);
@@ -75,9 +101,9 @@ impl ShotTable {
         if shots.is_empty() {
             return Err(refused(String::new(), "it has no rows; give one for each shot".into()));
         }
-        let remarks = reading.remarks();
+        let (assumed, uncertainties) = reading.assumed();
+        remarks.extend(assumed);
         let Reading { is_launched, .. } = reading;
-        let uncertainties = if remarks.is_empty() { Uncertainties::Stated } else { Uncertainties::Weights };
         Ok(Self { file: file.into(), shots, is_launched, remarks, uncertainties })
     }
 
@@ -101,10 +127,61 @@ impl ShotTable {
 /// Whether the columns are those of launch conditions.
 fn is_launched(columns: &[Column]) -> bool {
     let has = |outcome| columns.iter().any(|column| column.holds == Holds::Outcome(outcome));
-    let struck = ["swing.", "club.", "strike.", "impact."];
-    let is_struck = columns.iter().any(|column| struck.iter().any(|group| column.head.starts_with(group)));
     let has_spin = has(Outcome::Spin) || has(Outcome::Backspin);
-    has(Outcome::BallSpeed) && has(Outcome::LaunchAngle) && has_spin && !is_struck
+    has(Outcome::BallSpeed) && has(Outcome::LaunchAngle) && has_spin && !columns.iter().any(is_of_the_strike)
+}
+
+/// Whether a column is of the delivery of the club.
+fn is_of_the_strike(column: &Column) -> bool {
+    let groups = ["swing.", "club.", "strike.", "impact."];
+    matches!(column.holds, Holds::Input(parameter) if groups.iter().any(|group| parameter.name.starts_with(group)))
+}
+
+/// Leaves out what a launch monitor's table has and the fit cannot use, and says so: columns without a name here; where the launch
+/// was measured, those of the club; of backspin, sidespin and the spin axis what repeats the spin.
+fn left_out(columns: &mut [Column]) -> Vec<String> {
+    let named = |columns: &[Column], is: &dyn Fn(&Column) -> bool| -> Vec<String> {
+        columns
+            .iter()
+            .filter(|column| is(column))
+            .map(|column| column.head.clone())
+            .filter(|head| !head.is_empty())
+            .collect()
+    };
+    let mut remarks = vec![];
+    let unknown = named(columns, &Column::is_unknown);
+    if !unknown.is_empty() {
+        remarks.push(format!("columns without a name here are left out: {}", unknown.join(", ")));
+    }
+    let has = |columns: &[Column], outcome| columns.iter().any(|column| column.holds == Holds::Outcome(outcome));
+    let has_spin = has(columns, Outcome::Spin) || has(columns, Outcome::Backspin);
+    if has(columns, Outcome::BallSpeed) && has(columns, Outcome::LaunchAngle) && has_spin {
+        let is_club =
+            |column: &Column| is_of_the_strike(column) || column.holds == Holds::Outcome(Outcome::SmashFactor);
+        let club = named(columns, &is_club);
+        if !club.is_empty() {
+            remarks.push(format!(
+                "the ball flies from its measured launch; columns of the club are left out: {}",
+                club.join(", ")
+            ));
+        }
+        let repeated: &[Outcome] = match has(columns, Outcome::Spin)
+            && (has(columns, Outcome::SpinAxis) || !has(columns, Outcome::Sidespin))
+        {
+            true => &[Outcome::Backspin, Outcome::Sidespin],
+            false if has(columns, Outcome::Backspin) => &[Outcome::Spin, Outcome::SpinAxis],
+            false => &[],
+        };
+        let repeats = |column: &Column| repeated.iter().any(|outcome| column.holds == Holds::Outcome(*outcome));
+        let again = named(columns, &repeats);
+        if !again.is_empty() {
+            remarks.push(format!("the spin is stated twice; left out: {}", again.join(", ")));
+        }
+        for column in columns.iter_mut().filter(|column| is_club(column) || repeats(column)) {
+            column.holds = Holds::Note;
+        }
+    }
+    remarks
 }
 
 /// A table being read.
@@ -162,7 +239,8 @@ impl Reading<'_> {
                                 format!("{shown} is outside its range −{most} .. {most}; correct the cell"),
                             ));
                         }
-                        let sigma = self.sigma(record, Holds::Sigma(outcome), column.one())?;
+                        let assumed = instrument(outcome).map_or(column.one(), |(_, sigma)| sigma);
+                        let sigma = self.sigma(record, Holds::Sigma(outcome), assumed)?;
                         measured.push(Measurement { outcome, value, sigma });
                     }
                 }
@@ -229,19 +307,43 @@ impl Reading<'_> {
         Ok(all)
     }
 
-    /// Which measured columns have no standard uncertainty beside them.
-    fn remarks(&self) -> Vec<String> {
+    /// What is taken where no standard uncertainty stands beside a measured column, and what they are worth in all.
+    fn assumed(&self) -> (Vec<String>, Uncertainties) {
         let has = |holds: Holds| self.columns.iter().any(|column| column.holds == holds);
-        let remark = |column: &Column| match column.holds {
-            Holds::Outcome(outcome) if self.is_launched && CONDITIONS.contains(&outcome) => None,
-            Holds::Outcome(outcome) if !has(Holds::Sigma(outcome)) => {
-                Some(format!("{0} has no column 'sigma {0}': 1 {1} is taken for each", outcome.name(), column.unit()))
+        let mut worth = Uncertainties::Stated;
+        let mut remarks = vec![];
+        for column in &self.columns {
+            match column.holds {
+                Holds::Outcome(outcome) if self.is_launched && CONDITIONS.contains(&outcome) => {}
+                Holds::Outcome(outcome) if !has(Holds::Sigma(outcome)) => match instrument(outcome) {
+                    Some((known, _)) => {
+                        let (head, Instrument { sigma, source, .. }) = (&column.head, known);
+                        remarks.push(format!(
+                            "{head} has no column 'sigma {}': {sigma} is taken for each ({source})",
+                            outcome.name()
+                        ));
+                        if worth == Uncertainties::Stated {
+                            worth = Uncertainties::Instruments;
+                        }
+                    }
+                    None => {
+                        remarks.push(format!(
+                            "{0} has no column 'sigma {0}': 1 {1} is taken for each, as a weight",
+                            outcome.name(),
+                            column.unit()
+                        ));
+                        worth = Uncertainties::Weights;
+                    }
+                },
+                Holds::Stationary if !has(Holds::SigmaStationary) => {
+                    remarks.push(
+                        "stationary has no column 'sigma stationary': 1 deg is taken for each, as a weight".into(),
+                    );
+                    worth = Uncertainties::Weights;
+                }
+                _ => {}
             }
-            Holds::Stationary if !has(Holds::SigmaStationary) => {
-                Some("stationary has no column 'sigma stationary': 1 deg is taken for each".into())
-            }
-            _ => None,
-        };
-        self.columns.iter().filter_map(remark).collect()
+        }
+        (remarks, worth)
     }
 }

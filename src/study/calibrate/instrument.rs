@@ -1,0 +1,80 @@
+//! How well launch monitors measure: the standard uncertainty that stands for a column's own where a table states none.
+
+use crate::drive::Outcome;
+use crate::units::Quantity;
+
+/// How well an outcome is measured.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Instrument {
+    /// The outcome.
+    pub outcome: Outcome,
+    /// Its standard uncertainty as people state it: `0.3 deg`.
+    pub sigma: &'static str,
+    /// Where that comes from; "assumed" where no measurement is known to this project.
+    pub source: &'static str,
+}
+
+/// Ball and launch: what makers of radar and camera units state for a driver; recalled, not read at its source.
+const STATED: &str = "what makers of launch monitors state for a driver, rounded up; recalled, not read at its source";
+/// Distances: how far monitors are apart from each other on the same launches.
+const APART: &str = "launch monitors predict the same launch within about 3 yd of each other (docs/sources.md)";
+/// Chart rounding: published averages are whole yards and degrees.
+const ROUNDED: &str = "assumed: tables print whole yards and degrees, and indoors these are computed from the launch";
+
+/// All that is known or assumed.
+const INSTRUMENTS: [Instrument; 17] = [
+    Instrument { outcome: Outcome::BallSpeed, sigma: "1 mph", source: STATED },
+    Instrument { outcome: Outcome::LaunchAngle, sigma: "0.3 deg", source: STATED },
+    Instrument { outcome: Outcome::LaunchDirection, sigma: "0.3 deg", source: STATED },
+    Instrument { outcome: Outcome::Spin, sigma: "100 rpm", source: STATED },
+    Instrument { outcome: Outcome::Backspin, sigma: "100 rpm", source: STATED },
+    Instrument { outcome: Outcome::Sidespin, sigma: "100 rpm", source: "assumed: as for spin" },
+    Instrument {
+        outcome: Outcome::SpinAxis,
+        sigma: "2 deg",
+        source: "assumed: 100 rpm across a spin of 2700 rpm turn the axis by 2.1 deg",
+    },
+    Instrument {
+        outcome: Outcome::SmashFactor,
+        sigma: "0.02",
+        source: "assumed: 1 mph of the ball and 1.5 mph of the club, of a ratio of 1.48",
+    },
+    Instrument { outcome: Outcome::Carry, sigma: "3 yd", source: APART },
+    Instrument { outcome: Outcome::CarryDistance, sigma: "3 yd", source: APART },
+    Instrument { outcome: Outcome::Lateral, sigma: "3 yd", source: "assumed: 0.7 deg of direction at 250 yd" },
+    Instrument { outcome: Outcome::ApexHeight, sigma: "1 yd", source: ROUNDED },
+    Instrument { outcome: Outcome::ApexDownrange, sigma: "3 yd", source: "assumed: as for carry" },
+    Instrument { outcome: Outcome::ApexTime, sigma: "0.1 s", source: "assumed" },
+    Instrument { outcome: Outcome::FlightTime, sigma: "0.1 s", source: "assumed" },
+    Instrument { outcome: Outcome::DescentAngle, sigma: "1 deg", source: ROUNDED },
+    Instrument { outcome: Outcome::LandingSpeed, sigma: "1 mph", source: "assumed" },
+];
+
+/// How well an outcome is measured, and its standard uncertainty in SI; `None` where nothing is known.
+///
+/// ```
+/// use longdrive::Outcome;
+/// use longdrive::study::calibrate::instrument;
+/// let (angle, sigma) = instrument(Outcome::LaunchAngle).unwrap();
+/// assert_eq!((angle.sigma, sigma), ("0.3 deg", 0.3_f64.to_radians()));
+/// ```
+pub fn instrument(outcome: Outcome) -> Option<(&'static Instrument, f64)> {
+    let found = INSTRUMENTS.iter().find(|instrument| instrument.outcome == outcome)?;
+    let quantity: Quantity = outcome.quantity();
+    Some((found, quantity.read(found.sigma).ok()?))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{INSTRUMENTS, instrument};
+    use crate::Outcome;
+
+    #[test]
+    fn every_outcome_has_one_uncertainty_above_0_with_a_source() {
+        for outcome in Outcome::ALL {
+            let (found, sigma) = instrument(*outcome).unwrap_or_else(|| panic!("{} has none", outcome.name()));
+            assert!(sigma > 0.0 && sigma.is_finite() && !found.source.is_empty(), "{}", outcome.name());
+        }
+        assert_eq!(INSTRUMENTS.len(), Outcome::ALL.len());
+    }
+}

@@ -1,0 +1,228 @@
+//! Tables as launch monitors write them: heads, units, separators and sides of TrackMan, Foresight, FlightScope and Garmin.
+
+use crate::drive::Outcome;
+use crate::units::Quantity;
+
+/// What a head means.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Meaning {
+    /// An outcome.
+    Outcome(Outcome),
+    /// A parameter of the delivery, by its dotted name.
+    Input(&'static str),
+}
+
+/// Heads, in small letters and without marks, and what they mean.
+const HEADS: &[(&str, Meaning)] = &[
+    ("club speed", Meaning::Input("swing.speed")),
+    ("club head speed", Meaning::Input("swing.speed")),
+    ("clubhead speed", Meaning::Input("swing.speed")),
+    ("attack angle", Meaning::Input("swing.attack_angle")),
+    ("angle of attack", Meaning::Input("swing.attack_angle")),
+    ("aoa", Meaning::Input("swing.attack_angle")),
+    ("club path", Meaning::Input("swing.path")),
+    ("swing path", Meaning::Input("swing.path")),
+    ("face angle", Meaning::Input("swing.face_angle")),
+    ("club face", Meaning::Input("swing.face_angle")),
+    ("face to target", Meaning::Input("swing.face_angle")),
+    ("ball speed", Meaning::Outcome(Outcome::BallSpeed)),
+    ("smash factor", Meaning::Outcome(Outcome::SmashFactor)),
+    ("launch angle", Meaning::Outcome(Outcome::LaunchAngle)),
+    ("launch v", Meaning::Outcome(Outcome::LaunchAngle)),
+    ("vertical launch", Meaning::Outcome(Outcome::LaunchAngle)),
+    ("launch direction", Meaning::Outcome(Outcome::LaunchDirection)),
+    ("launch h", Meaning::Outcome(Outcome::LaunchDirection)),
+    ("horizontal launch", Meaning::Outcome(Outcome::LaunchDirection)),
+    ("side angle", Meaning::Outcome(Outcome::LaunchDirection)),
+    ("azimuth", Meaning::Outcome(Outcome::LaunchDirection)),
+    ("spin rate", Meaning::Outcome(Outcome::Spin)),
+    ("total spin", Meaning::Outcome(Outcome::Spin)),
+    ("spin", Meaning::Outcome(Outcome::Spin)),
+    ("backspin", Meaning::Outcome(Outcome::Backspin)),
+    ("back spin", Meaning::Outcome(Outcome::Backspin)),
+    ("sidespin", Meaning::Outcome(Outcome::Sidespin)),
+    ("side spin", Meaning::Outcome(Outcome::Sidespin)),
+    ("spin axis", Meaning::Outcome(Outcome::SpinAxis)),
+    ("carry", Meaning::Outcome(Outcome::CarryDistance)),
+    ("carry distance", Meaning::Outcome(Outcome::CarryDistance)),
+    ("carry flat length", Meaning::Outcome(Outcome::CarryDistance)),
+    ("carry length", Meaning::Outcome(Outcome::CarryDistance)),
+    ("side", Meaning::Outcome(Outcome::Lateral)),
+    ("carry side", Meaning::Outcome(Outcome::Lateral)),
+    ("carry flat side", Meaning::Outcome(Outcome::Lateral)),
+    ("carry deviation distance", Meaning::Outcome(Outcome::Lateral)),
+    ("offline", Meaning::Outcome(Outcome::Lateral)),
+    ("lateral", Meaning::Outcome(Outcome::Lateral)),
+    ("apex", Meaning::Outcome(Outcome::ApexHeight)),
+    ("apex height", Meaning::Outcome(Outcome::ApexHeight)),
+    ("max height", Meaning::Outcome(Outcome::ApexHeight)),
+    ("max height height", Meaning::Outcome(Outcome::ApexHeight)),
+    ("peak height", Meaning::Outcome(Outcome::ApexHeight)),
+    ("height", Meaning::Outcome(Outcome::ApexHeight)),
+    ("landing angle", Meaning::Outcome(Outcome::DescentAngle)),
+    ("land angle", Meaning::Outcome(Outcome::DescentAngle)),
+    ("carry flat land angle", Meaning::Outcome(Outcome::DescentAngle)),
+    ("descent angle", Meaning::Outcome(Outcome::DescentAngle)),
+    ("descent v", Meaning::Outcome(Outcome::DescentAngle)),
+    ("hang time", Meaning::Outcome(Outcome::FlightTime)),
+    ("flight time", Meaning::Outcome(Outcome::FlightTime)),
+    ("carry flat time", Meaning::Outcome(Outcome::FlightTime)),
+];
+
+/// The meaning of a head without its unit; `None` for one of this program's own names, and for what it has no name for.
+pub(super) fn meaning(name: &str) -> Option<Meaning> {
+    if name == name.to_lowercase() && !name.contains(' ') {
+        return None;
+    }
+    let plain = |c: char| if c.is_alphanumeric() { c.to_ascii_lowercase() } else { ' ' };
+    let words: String = name.chars().map(plain).collect();
+    let words = words.split_whitespace().collect::<Vec<_>>().join(" ");
+    HEADS.iter().find(|(head, _)| *head == words).map(|(_, meaning)| *meaning)
+}
+
+/// Whether a table is one of a launch monitor: two heads or more are written as these write them.
+pub(super) fn is_export<'a>(heads: impl Iterator<Item = &'a str>) -> bool {
+    heads.filter(|head| meaning(split_unit(head).0).is_some()).count() >= 2
+}
+
+/// A head's name, and its unit: `Club Speed [mph]`, `Carry (yds)`, `Ball Speed MPH`.
+pub(super) fn split_unit(head: &str) -> (&str, Option<String>) {
+    let head = head.trim();
+    for (open, close) in [('[', ']'), ('(', ')')] {
+        if let Some((name, unit)) = head.split_once(open) {
+            return (name.trim(), Some(unit.trim_end().trim_end_matches(close).trim().to_owned()));
+        }
+    }
+    match head.rsplit_once(' ') {
+        Some((name, word)) if meaning(name.trim()).is_some() && is_unit(word) => (name.trim(), Some(word.to_owned())),
+        _ => (head, None),
+    }
+}
+
+fn is_unit(word: &str) -> bool {
+    let unit = unit(word);
+    [Quantity::SPEED, Quantity::LENGTH, Quantity::ANGLE, Quantity::ANGULAR_VELOCITY, Quantity::TIME]
+        .iter()
+        .any(|quantity| quantity.size_of(&unit).is_some())
+}
+
+/// A unit as this program writes it: `MPH` and `Yards` are mph and yards, `yds` yd.
+pub(super) fn unit(written: &str) -> String {
+    let written = written.trim();
+    match written.to_lowercase().as_str() {
+        "yds" => "yd".into(),
+        "mps" => "m/s".into(),
+        "degs" => "deg".into(),
+        "secs" => "s".into(),
+        small @ ("mph" | "km/h" | "kmh" | "kph" | "m/s" | "yd" | "yard" | "yards" | "m" | "meter" | "meters"
+        | "metre" | "metres" | "ft" | "feet" | "foot" | "deg" | "degree" | "degrees" | "rpm" | "s" | "sec"
+        | "seconds" | "in" | "inch" | "inches" | "mm" | "cm") => small.into(),
+        _ => written.into(),
+    }
+}
+
+/// The units of a second line under the head, `[mph]` each or nothing; `None` where the line is none of units.
+pub(super) fn units_row<'a>(cells: impl Iterator<Item = &'a str>) -> Option<Vec<Option<String>>> {
+    let read = |cell: &str| {
+        let bare = cell.trim().trim_matches(['[', ']', '(', ')']).trim().to_owned();
+        match bare.is_empty() {
+            true => Some(None),
+            false => is_unit(&bare).then_some(Some(bare)),
+        }
+    };
+    let units = cells.map(read).collect::<Option<Vec<_>>>()?;
+    units.iter().any(Option::is_some).then_some(units)
+}
+
+/// What separates the cells of a table: the most frequent of tab, semicolon and comma in its head; and the text without a line
+/// `sep=;` that says so.
+pub(super) fn separated(text: &str) -> (u8, &str) {
+    let text = text.trim_start_matches('\u{feff}');
+    if let Some(rest) = text.strip_prefix("sep=") {
+        let (stated, rest) = rest.split_once('\n').unwrap_or((rest, ""));
+        if let Some(separator) = stated.trim_end_matches('\r').bytes().next() {
+            return (separator, rest);
+        }
+    }
+    let head = text.lines().find(|line| !line.starts_with('#') && !line.trim().is_empty()).unwrap_or_default();
+    let count = |separator: &u8| head.bytes().filter(|byte| byte == separator).count();
+    // of equally many the last; a head of one column has none
+    let separator = [b'\t', b';', b','].into_iter().max_by_key(count).unwrap_or(b',');
+    (separator, text)
+}
+
+/// A number as these tables write it: with a decimal comma where that separates no cells, and with its side where it has one,
+/// `3.2 L`, `3.2R`, right of the target +.
+pub(super) fn number(cell: &str, has_decimal_comma: bool, has_side: bool) -> Option<f64> {
+    let cell = cell.trim().replace('\u{2212}', "-");
+    let (cell, sign) = match side(&cell).filter(|_| has_side) {
+        Some((magnitude, sign)) if !magnitude.starts_with('-') => (magnitude.to_owned(), sign),
+        Some(_) => return None,
+        None => (cell, 1.0),
+    };
+    let cell = if has_decimal_comma && !cell.contains('.') { cell.replacen(',', ".", 1) } else { cell };
+    cell.parse().ok().filter(|number: &f64| number.is_finite()).map(|number| sign * number)
+}
+
+/// The magnitude and the sign of `3.2 L` or `R 3.2`.
+fn side(cell: &str) -> Option<(&str, f64)> {
+    let sides = [("Right", 1.0), ("Left", -1.0), ("R", 1.0), ("L", -1.0), ("r", 1.0), ("l", -1.0)];
+    sides.into_iter().find_map(|(word, sign)| {
+        let rest = cell.strip_suffix(word).or_else(|| cell.strip_prefix(word))?;
+        Some((rest.trim(), sign))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Meaning, is_export, meaning, number, separated, split_unit, unit, units_row};
+    use crate::Outcome;
+    use crate::parameters::Setup;
+    use std::collections::HashSet;
+
+    #[test]
+    fn heads_of_launch_monitors_are_known_and_own_names_are_left_to_the_table() {
+        for (head, name, of) in [
+            ("Club Speed [mph]", "Club Speed", Meaning::Input("swing.speed")),
+            ("Carry Flat - Length [yds]", "Carry Flat - Length", Meaning::Outcome(Outcome::CarryDistance)),
+            ("Carry Flat - Land. Angle", "Carry Flat - Land. Angle", Meaning::Outcome(Outcome::DescentAngle)),
+            ("Ball Speed (mph)", "Ball Speed", Meaning::Outcome(Outcome::BallSpeed)),
+            ("Ball Speed MPH", "Ball Speed", Meaning::Outcome(Outcome::BallSpeed)),
+            ("Carry Yards", "Carry", Meaning::Outcome(Outcome::CarryDistance)),
+            ("Launch V (°)", "Launch V", Meaning::Outcome(Outcome::LaunchAngle)),
+        ] {
+            assert_eq!((split_unit(head).0, meaning(name)), (name, Some(of)), "{head}");
+        }
+        assert_eq!((meaning("carry"), meaning("Total"), meaning("spin_axis")), (None, None, None));
+        assert!(is_export(["Ball Speed", "Launch Angle", "Player"].into_iter()));
+        assert!(!is_export(["carry [yd]", "club.loft [deg]", "Carry"].into_iter()));
+        let mut seen = HashSet::new();
+        for (head, of) in super::HEADS {
+            assert!(seen.insert(head), "{head} stands twice");
+            if let Meaning::Input(name) = of {
+                assert!(Setup::<f64>::default().variable(name).is_ok(), "{name}");
+            }
+        }
+    }
+
+    #[test]
+    fn exact_units_separators_and_sides() {
+        assert_eq!(["MPH", "Yards", "yds", "°", "Pa s"].map(unit), ["mph", "yards", "yd", "°", "Pa s"]);
+        let units = units_row([" ", "[mph]", "(deg)", "rpm"].into_iter()).unwrap();
+        assert_eq!(units, [None, Some("mph".into()), Some("deg".into()), Some("rpm".into())]);
+        assert_eq!((units_row(["1", "[mph]"].into_iter()), units_row(["", ""].into_iter())), (None, None));
+        assert_eq!(separated("# a, b; c\na;b;c\n").0, b';');
+        assert_eq!(separated("\u{feff}a\tb, c\td\n").0, b'\t');
+        assert_eq!(separated("a,b\n").0, b',');
+        assert_eq!(separated("sep=;\r\na;b\n"), (b';', "a;b\n"));
+        assert_eq!(number("3.2 L", false, true), Some(-3.2));
+        assert_eq!(number("3,2R", true, true), Some(3.2));
+        assert_eq!(number("Left 3", false, true), Some(-3.0));
+        assert_eq!(number("\u{2212}4.5", false, true), Some(-4.5));
+        for (cell, comma, side) in
+            [("-3 L", false, true), ("3 L", false, false), ("3,2", false, true), ("L", false, true)]
+        {
+            assert_eq!(number(cell, comma, side), None, "{cell}");
+        }
+    }
+}
