@@ -73,11 +73,13 @@ fn whatever_is_asked_the_program_ends_in_order() {
         }
     }
     let ended = ended.into_inner().unwrap();
-    println!("exit status 0, 1, 2 and others, by command: {ended:#?}");
+    for (command, counts) in &ended {
+        println!("{command}: exit status 0, 1, 2 and others: {counts:?}");
+    }
     assert!(failed.is_empty(), "{} of {} questions failed{report}", failed.len(), numbers.end - numbers.start);
     // questions that are all refused would tell nothing
     for (command, [found, none, refused, _]) in ended {
-        let all = found + none + refused;
-        assert!(all < 25 || 5 * found >= all, "{command}: only {found} of {all} questions have an answer");
+        let (computed, all) = (found + none, found + none + refused);
+        assert!(all < 25 || 4 * computed >= all, "{command}: only {computed} of {all} questions are not refused");
     }
 }

@@ -133,14 +133,12 @@ impl Question {
                     "ball_speed=167mph",
                     "launch_angle=10.9deg",
                     "backspin=2686rpm",
+                    "launch_direction=-1deg",
                     "sidespin=-300rpm",
                     "spin_axis=3deg",
-                    "launch_direction=-1deg",
                 ];
-                let count = 3 + chance.below(3);
-                let given =
-                    if chance.slips() { launch[chance.below(3)..].join(",") } else { launch[..count].join(",") };
-                self.option("--launch", given);
+                let part = if chance.slips() { chance.below(3)..6 } else { 0..3 + chance.below(3) };
+                self.option("--launch", launch[part].join(","));
             }
             8 if chance.slips() => self.push(chance.of(&["none.toml", "modern", "", ".", "mine.txt", "no/such.toml"])),
             _ => {}
@@ -315,11 +313,7 @@ impl Question {
         let kind = if chance.slips() { 5 } else { chance.weighted(&[10.0, 0.3, 0.5, 4.0, 1.0]) };
         self.push(["trajectory", "contour", "chart", "tornado", "vcurve", "pie"][kind]);
         match kind {
-            0 => {
-                if chance.is(0.5) {
-                    self.option("--view", chance.of_or(&["side", "top"], &["back"]));
-                }
-            }
+            0 if chance.is(0.5) => self.option("--view", chance.of_or(&["side", "top"], &["back"])),
             1 => self.search(false, chance),
             2 => {
                 self.search(false, chance);

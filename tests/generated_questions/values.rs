@@ -38,10 +38,13 @@ pub fn preset(chance: &mut Chance) -> &'static str {
     PRESETS[chance.below(PRESETS.len())].name
 }
 
-/// A parameter of a preset or of any law.
+/// A parameter of a preset; where a mistake is made, of any law or of a launch alone.
 pub fn parameter(chance: &mut Chance) -> &'static Parameter {
-    let own = Setup::preset(preset(chance)).unwrap().parameters();
-    if chance.slips() { chance.of(&Law::all_rows().collect::<Vec<_>>()) } else { chance.of(&own) }
+    if chance.slips() {
+        return chance.of(&Law::all_rows().collect::<Vec<_>>());
+    }
+    let all = Setup::preset(preset(chance)).unwrap().parameters();
+    of_the_drive(&all, chance)
 }
 
 /// A parameter of the default setup that searches and derivatives can take.
@@ -49,7 +52,13 @@ pub fn variable(chance: &mut Chance) -> &'static Parameter {
     let all = Setup::default().variables();
     // those that anyone asks about more often than the rest
     let usual = ["club.loft", "swing.attack_angle", "swing.speed", "swing.path", "swing.face_angle", "air.density"];
-    if chance.is(0.6) { Setup::default().variable(chance.of(&usual)).unwrap() } else { chance.of(&all) }
+    if chance.is(0.6) { Setup::default().variable(chance.of(&usual)).unwrap() } else { of_the_drive(&all, chance) }
+}
+
+/// One of some parameters, seldom one of a launch: these must be given together.
+fn of_the_drive(all: &[&'static Parameter], chance: &mut Chance) -> &'static Parameter {
+    let struck: Vec<_> = all.iter().copied().filter(|row| !row.name.starts_with("launch.")).collect();
+    if chance.slips() { chance.of(all) } else { chance.of(&struck) }
 }
 
 /// A parameter's name; now and then one that does not exist.
@@ -84,7 +93,9 @@ pub fn with_unit(value: f64, parameter: &Parameter, chance: &mut Chance) -> Stri
     let unit = if chance.is(0.7) { parameter.unit } else { parameter.quantity.si };
     let Some(size) = parameter.quantity.size_of(unit) else { return format!("{value:?}") };
     let space = if chance.is(0.3) { " " } else { "" };
-    format!("{:?}{space}{unit}", value / size).trim_end().to_owned()
+    let text = format!("{:?}{space}{unit}", value / size).trim_end().to_owned();
+    // coefficients of a law take plain numbers, whatever their unit
+    if parameter.quantity.read(&text).is_ok() { text } else { format!("{value:?}") }
 }
 
 /// What might be written for a parameter: mostly what it may be.
@@ -115,7 +126,7 @@ pub fn setting(chance: &mut Chance) -> String {
             .into();
     }
     match chance.below(30) {
-        0 => format!("aero.law={}", chance.of(&Law::NAMES)),
+        0 => format!("aero.law={}", chance.of(Law::NAMES)),
         1 => format!("flight.method={}", chance.of(&["rk4", "dp5", "dp8"])),
         _ => {
             let parameter = parameter(chance);
