@@ -8,9 +8,12 @@ use crate::parameters::{Parameter, Setup};
 /// Points looked at to each side for a change of the number of steps, over a tenth of the parameter's scale.
 const LOOKED_AT: i32 = 400;
 
-/// Values of the parameter to each side of a change over which outcomes scatter by rounding: adjacent floating-point numbers, or, where the
-/// parameter itself is next to 0 and these are the same to all that follows, as far apart as those of its size.
+/// Values of the parameter to each side of a change over which outcomes scatter by rounding …
 const NEIGHBOURS: usize = 8;
+
+/// … and how far apart they are, in parts of the parameter's scale. Adjacent floating-point numbers may be the same to all that follows: a decay over
+/// a step, e^(−δ h), is rounded to 1e-16, and outcomes are stairs in δ. What the outcome itself goes by over so little is taken off.
+const SPACING: f64 = 1e-12;
 
 /// The jump that may be left, in scatters to either side.
 const BAR: f64 = 4.0;
@@ -53,18 +56,18 @@ impl Continuity {
 pub(super) fn continuity(setup: &Setup<f64>, of: &[Outcome], wrt: &[&'static Parameter]) -> Result<Vec<Continuity>> {
     let Some(&parameter) = wrt.first() else { return Ok(vec![]) };
     let Some([low, high]) = change(setup, parameter) else { return Ok(vec![]) };
-    let spacing = f64::EPSILON * scale(setup, parameter);
+    let spacing = SPACING * scale(setup, parameter);
     let neighbours = |from: f64, sign: f64| {
-        let next = |value: f64| {
-            let adjacent = if sign > 0.0 { value.next_up() } else { value.next_down() };
-            if (adjacent - value).abs() < spacing { value + sign * spacing } else { adjacent }
-        };
-        let values = std::iter::successors(Some(from), |value| Some(next(*value)));
+        let offsets = (0..NEIGHBOURS).map(|k| sign * spacing * k as f64);
         // at the end of a range there are none beyond it
-        let values = values.take_while(|value| parameter.range.contains(*value)).take(NEIGHBOURS);
-        values
-            .map(|value| evaluate(&moved(setup, parameter, value)?, of, wrt, Order::Second))
-            .collect::<Result<Vec<_>>>()
+        let offsets = offsets.filter(|offset| parameter.range.contains(from + offset));
+        offsets
+            .map(|offset| {
+                let value = from + offset;
+                let taylors = evaluate(&moved(setup, parameter, value)?, of, wrt, Order::Second)?;
+                Ok(taylors.iter().map(|taylor| brought_back(taylor, value - from)).collect())
+            })
+            .collect::<Result<Vec<Vec<Taylor>>>>()
     };
     let (before, after) = (neighbours(low, -1.0)?, neighbours(high, 1.0)?);
     let steps = [low, high].map(|value| steps(setup, parameter, value).unwrap_or_default());
@@ -89,6 +92,13 @@ pub(super) fn continuity(setup: &Setup<f64>, of: &[Outcome], wrt: &[&'static Par
         }
     };
     Ok(of.iter().enumerate().map(continuity).collect())
+}
+
+/// Value and gradient as they would be at an offset less of the first parameter, by the next derivative.
+fn brought_back(taylor: &Taylor, offset: f64) -> Taylor {
+    let slope = taylor.gradient.first().copied().unwrap_or_default();
+    let gradient = taylor.gradient.iter().zip(&taylor.hessian).map(|(d, row)| d - row[0] * offset);
+    Taylor { value: taylor.value - slope * offset, gradient: gradient.collect(), hessian: taylor.hessian.clone() }
 }
 
 /// How many derivatives of an outcome are continuous: a velocity off the quintic, and the root of its slope, is one order less smooth
