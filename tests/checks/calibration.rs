@@ -291,7 +291,7 @@ fn exact_fits_with_nothing_left_over_are_converged_and_say_so() {
         }
         assert_eq!(found["undetermined"].as_array().unwrap().len(), 0);
         assert!(!text.contains("not determined") && text.contains("met to rounding"), "{text}");
-        assert_eq!(text.contains("since not every uncertainty is stated"), false, "{text}");
+        assert!(!text.contains("since not every uncertainty is stated"), "{text}");
         assert_eq!(text.contains("follow from the stated uncertainties"), sigma.is_some(), "{text}");
     }
 }

@@ -98,7 +98,7 @@ fn colours_are_for_terminals_and_no_color_turns_them_off() {
     let program = assert_cmd::cargo::cargo_bin!("longdrive");
     let out = |variables: &[(&str, &str)], args: &[&str]| {
         let variables: BTreeMap<_, _> = variables.iter().copied().collect();
-        let output = Command::new(&program).args(args).env_remove("NO_COLOR").envs(variables).output().unwrap();
+        let output = Command::new(program).args(args).env_remove("NO_COLOR").envs(variables).output().unwrap();
         String::from_utf8_lossy(&[output.stdout, output.stderr].concat()).into_owned()
     };
     for args in [&["optimize"][..], &["simulate", "--set", "club.lofft=10deg"]] {

@@ -361,7 +361,8 @@ fn exact_objectives_that_fall_without_end_are_unbounded() {
         let (inner, f) = (v[0].exp(), -v[0].exp().exp());
         Ok(plain(f, vec![f * inner], vec![vec![f * inner * (1.0 + inner)]]))
     };
-    let functions: [(&str, &dyn Fn(&[f64]) -> Evaluated); 4] =
+    type Named<'a> = (&'a str, &'a dyn Fn(&[f64]) -> Evaluated);
+    let functions: [Named<'_>; 4] =
         [("−x", &line), ("−ln x", &logarithm), ("−eˣ", &exponential), ("−exp eˣ", &overflowing)];
     for (name, f) in functions {
         let found = solve(f, &[FREE], &[1.0]);
