@@ -6,6 +6,7 @@ use longdrive::launch::Launch;
 use longdrive::optimize::least_squares::{Follow, Loss, Status};
 use longdrive::report::{CalibrationReport, calibration_document, calibration_reply};
 use longdrive::study::calibrate::{Calibration, Plan, ShotTable, Uncertainties, calibrate, held_out};
+use longdrive::units::System;
 use longdrive::{Drive, Outcome, Setup};
 use std::fmt::Write;
 use std::io::Write as _;
@@ -417,7 +418,7 @@ fn an_interrupted_comparison_says_so_and_ends_with_status_1() {
     let held = [("linear, fitted as above".to_owned(), held), ("robinson, all coefficients fitted".into(), never)];
     let report = CalibrationReport { table: &table, found: &found, held_out: &held };
     assert!(report.is_interrupted() && !report.is_found());
-    let text = calibration_document(&report).text().split_whitespace().collect::<Vec<_>>().join(" ");
+    let text = calibration_document(&report, System::Us).text().split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(text.contains(&format!("linear, fitted as above: interrupted, {stopped} of 4 fits left out")), "{text}");
     assert!(text.contains("robinson, all coefficients fitted: interrupted, nothing was fitted"), "{text}");
     let json = serde_json::to_value(calibration_reply(&report, vec![])).unwrap();

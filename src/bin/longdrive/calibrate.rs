@@ -1,6 +1,6 @@
 use crate::args::Calibrate;
 use crate::files::Rule;
-use crate::output::{Answer, tell, warn};
+use crate::output::{Answer, system, tell, warn};
 use crate::reproduce::{DOCUMENT, write};
 use crate::search::{BEST_SO_FAR, interrupt};
 use longdrive::optimize::least_squares::{Follow, Loss};
@@ -51,13 +51,13 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
         }
     }
     let report = CalibrationReport { table: &table, found: &found, held_out: &held };
-    let document = calibration_document(&report);
+    let document = calibration_document(&report, system());
     if let Some(output) = &output {
         output.write(calibration_toml(&found, args.question.preset()?, &file)?.as_bytes())?;
         tell(&format!("wrote the fitted setup into {}", output.path().display()));
     }
     if let Some(folder) = &folder {
-        write(folder, &document, &Look::default())?;
+        write(folder, &document, &Look { system: system(), ..Look::default() })?;
     }
     let answer = if args.question.json {
         let mut reply = calibration_reply(&report, warnings);

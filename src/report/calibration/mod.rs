@@ -9,8 +9,9 @@ pub use setup_file::calibration_toml;
 
 use super::document::Document;
 use crate::optimize::least_squares::Status;
+use crate::report::shown;
 use crate::study::calibrate::{Calibration, Estimate, HeldOut, Remainder, ShotTable, Uncertainties, Undetermined};
-use crate::units::{counted, significant};
+use crate::units::{Quantity, System, counted, significant};
 
 /// All that a report of a calibration shows.
 #[derive(Clone, Copy, Debug)]
@@ -58,13 +59,19 @@ impl CalibrationReport<'_> {
     }
 }
 
-/// The estimate as a person reads it, with its 95 % interval.
-fn estimated(estimate: &Estimate, reach: f64) -> Vec<String> {
+/// The estimate as a person reads it, with its 95 % interval: to the second digit of its standard error.
+fn estimated(estimate: &Estimate, reach: f64, system: System) -> Vec<String> {
     let Estimate { parameter, value, standard_error, is_at_bound, is_determined } = estimate;
-    let show = |value: f64| parameter.show(Some(value));
+    let (quantity, unit) = (parameter.quantity, system.unit(parameter.unit));
+    let size = quantity.size_of(unit).unwrap_or(1.0);
+    let decimals = standard_error.filter(|error| *error > 0.0).map(|error| 1.0 - (error / size).log10().floor());
+    let show = |value: f64| match decimals {
+        Some(decimals @ 0.0..=9.0) => format!("{:.*} {unit}", decimals as usize, value / size).trim_end().to_owned(),
+        _ => quantity.show(value, unit),
+    };
     let (error, interval) = match standard_error {
         Some(error) => (
-            significant(error / parameter.quantity.size_of(parameter.unit).unwrap_or(1.0), 2),
+            significant(error / size, 2),
             format!("{} .. {}", show(value - reach * error), show(value + reach * error)),
         ),
         None if !is_determined => ("–".into(), "not determined by the data".into()),
@@ -74,8 +81,8 @@ fn estimated(estimate: &Estimate, reach: f64) -> Vec<String> {
     vec![parameter.name.into(), show(*value), error, interval]
 }
 
-/// The calibration as a document.
-pub fn calibration_document(report: &CalibrationReport<'_>) -> Document {
+/// The calibration as a document, in the units of a system.
+pub fn calibration_document(report: &CalibrationReport<'_>, system: System) -> Document {
     let CalibrationReport { table, found, held_out } = report;
     let (fit, statistics) = (&found.fit, &found.statistics);
     let mut document = Document::new(&format!("Calibration to {}", table.file));
@@ -104,7 +111,7 @@ pub fn calibration_document(report: &CalibrationReport<'_>) -> Document {
     document.heading("Estimates");
     document.table(
         &["parameter", "estimate", "standard error", "95 % interval"],
-        found.estimates.iter().map(|estimate| estimated(estimate, statistics.reach)),
+        found.estimates.iter().map(|estimate| estimated(estimate, statistics.reach, system)),
     );
     document.paragraph(left_over(report));
     for undetermined in &statistics.undetermined {
@@ -112,14 +119,15 @@ pub fn calibration_document(report: &CalibrationReport<'_>) -> Document {
     }
     correlations(&mut document, found);
     document.heading("Residuals");
-    document.table(&["row", "measured", "computed − measured", "in σ", "what"], found.remainders.iter().map(row));
+    let head = ["row", "measured", "computed − measured", "in σ", "what"];
+    document.table(&head, found.remainders.iter().map(|remainder| row(remainder, system)));
     for figure in plots::figures(found) {
         document.figure(figure);
     }
     if !held_out.is_empty() {
         document.heading("Held-out error");
         let head = ["folds", "rms in σ", "rms by outcome", "law and fit"];
-        document.table(&head, held_out.iter().map(|(name, held)| held_row(name, held)));
+        document.table(&head, held_out.iter().map(|(name, held)| held_row(name, held, system)));
     }
     document
 }
@@ -200,51 +208,54 @@ fn correlations(document: &mut Document, found: &Calibration) {
     document.table(&head, rows);
 }
 
-fn row(remainder: &Remainder) -> Vec<String> {
+fn row(remainder: &Remainder, system: System) -> Vec<String> {
     let Remainder { row, outcome, stationary, measured, difference, residual } = remainder;
     let (what, measured, difference) = match stationary {
         Some(parameter) => {
-            let difference = short(*difference, parameter.quantity.size_of(parameter.unit), parameter.unit);
+            let difference = short(*difference, parameter.quantity, system.unit(parameter.unit));
             (format!("optimum in {}", parameter.name), String::new(), difference)
         }
         None => (
             outcome.name().into(),
-            measured.map_or(String::new(), |value| outcome.show(value)),
-            short(*difference, outcome.quantity().size_of(outcome.unit()), outcome.unit()),
+            measured.map_or(String::new(), |value| shown::outcome(*outcome, value, system)),
+            short(*difference, outcome.quantity(), system.unit(outcome.unit())),
         ),
     };
     vec![row.to_string(), measured, difference, format!("{residual:.2}"), what]
 }
 
-/// A difference to four decimals of its unit.
-fn short(difference: f64, size: Option<f64>, unit: &str) -> String {
-    format!("{:+.4} {unit}", difference / size.unwrap_or(1.0)).trim_end().to_owned()
+/// A difference, with its sign.
+fn short(difference: f64, quantity: Quantity, unit: &str) -> String {
+    let shown = quantity.read_off_difference(difference, unit);
+    if difference > 0.0 { format!("+{shown}") } else { shown }
 }
 
 /// Root mean squares of the held-out differences, outcome by outcome.
-pub(super) fn by_outcome(held: &HeldOut) -> Vec<(String, f64, &'static str, f64)> {
-    let mut all: Vec<(String, f64, &'static str, f64, usize)> = vec![];
+pub(super) fn by_outcome(held: &HeldOut) -> Vec<(String, f64, &'static str, Quantity)> {
+    let mut all: Vec<(String, f64, &'static str, Quantity, usize)> = vec![];
     for remainder in &held.remainders {
         let (name, quantity, unit) = match remainder.stationary {
             Some(parameter) => (format!("optimum in {}", parameter.name), parameter.quantity, parameter.unit),
             None => (remainder.outcome.name().to_owned(), remainder.outcome.quantity(), remainder.outcome.unit()),
         };
-        let size = quantity.size_of(unit).unwrap_or(1.0);
         let square = remainder.difference.powi(2);
         match all.iter_mut().find(|(other, ..)| *other == name) {
             Some((_, sum, _, _, count)) => {
                 *sum += square;
                 *count += 1;
             }
-            None => all.push((name, square, unit, size, 1)),
+            None => all.push((name, square, unit, quantity, 1)),
         }
     }
-    all.into_iter().map(|(name, sum, unit, size, count)| (name, (sum / count as f64).sqrt(), unit, size)).collect()
+    all.into_iter()
+        .map(|(name, sum, unit, quantity, count)| (name, (sum / count as f64).sqrt(), unit, quantity))
+        .collect()
 }
 
-fn held_row(name: &str, held: &HeldOut) -> Vec<String> {
-    let one =
-        |(name, rms, unit, size): (String, f64, &str, f64)| format!("{name} {} {unit}", significant(rms / size, 4));
+fn held_row(name: &str, held: &HeldOut, system: System) -> Vec<String> {
+    let one = |(name, rms, unit, quantity): (String, f64, &'static str, Quantity)| {
+        format!("{name} {}", quantity.read_off_difference(rms, system.unit(unit)))
+    };
     let outcomes: Vec<_> = by_outcome(held).into_iter().map(one).collect();
     let folds = if held.folds == 0 { "as it stands".into() } else { held.folds.to_string() };
     let rms = held.mean_square().map_or("–".into(), |mean| format!("{:.3}", mean.sqrt()));

@@ -5,6 +5,7 @@ use super::shot::{Measurement, Shot, Stationary};
 use super::statistics::Uncertainties;
 use crate::drive::{Outcome, Part};
 use crate::error::{Error, Result};
+use crate::foreign::of_csv;
 use crate::launch::Launch;
 use crate::parameters::{Parameter, Setup};
 use csv::{ReaderBuilder, StringRecord, Trim};
@@ -61,7 +62,7 @@ impl ShotTable {
         let (separator, text) = launch_monitor::separated(&text);
         let mut reader =
             ReaderBuilder::new().trim(Trim::All).comment(Some(b'#')).delimiter(separator).from_reader(text.as_bytes());
-        let head = reader.headers().map_err(|error| refused(String::new(), error.to_string()))?.clone();
+        let head = reader.headers().map_err(|error| refused(String::new(), of_csv(&error)))?.clone();
         let mut records = reader.records().peekable();
         let is_export = launch_monitor::is_export(head.iter());
         let format = Format { is_export, has_decimal_comma: separator != b',' };
@@ -91,7 +92,7 @@ impl ShotTable {
         let mut shots = vec![];
         for (at, record) in records.enumerate() {
             let row = at + 1;
-            let record = record.map_err(|error| refused(format!(", row {row}"), error.to_string()))?;
+            let record = record.map_err(|error| refused(format!(", row {row}"), of_csv(&error)))?;
             let shot = reading.shot(row, &record);
             shots.push(shot.map_err(|(column, why)| {
                 let column = column.map_or(String::new(), |name| format!(", column {name}"));
