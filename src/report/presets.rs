@@ -48,7 +48,7 @@ pub fn sources(setup: &Setup<f64>, preset: &Preset) -> Result<Vec<(&'static str,
             let source = match base.parameter(row.name) {
                 Ok(known) => source(row.name, base.value(known) == value),
                 Err(_) if value == row.default_value() => row.source.to_owned(),
-                Err(_) => format!("as given, in place of {}", row.default),
+                Err(_) => format!("as given, instead of {}", row.default),
             };
             (row.name, row.show(value), source)
         })

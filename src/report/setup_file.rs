@@ -16,7 +16,7 @@ const MOST_DIGITS: usize = 17;
 /// let mut setup = Setup::preset("mae494").unwrap();
 /// setup.set("club.loft", "10.5 deg").unwrap();
 /// let text = setup_toml(&setup, Preset::named("mae494").unwrap(), &[], &[]).unwrap();
-/// assert!(text.contains("\nloft = \"10.5 deg\" # as given, in place of 10 deg\n"));
+/// assert!(text.contains("\nloft = \"10.5 deg\" # as given, instead of 10 deg\n"));
 /// assert_eq!(Setup::from_toml(&text, "mine.toml").unwrap(), setup);
 /// ```
 ///

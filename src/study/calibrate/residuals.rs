@@ -150,7 +150,7 @@ mod tests {
 
     #[test]
     fn differences_match_the_jacobian_of_measured_and_stationary_rows() {
-        let text = "club.loft [deg],swing.attack_angle [deg],stationary,sigma stationary [deg],carry [yd],flight_time\n\
+        let text = "club.loft [deg],swing.attack_angle [deg],stationary,sigma stationary [deg],carry [yd],flight_time [s]\n\
                     12,8.3,swing.attack_angle,0.05,229,\n9,13,swing.attack_angle club.loft,0.1,,6\n";
         let setup = Setup::preset("winfield-tan").unwrap();
         let table = ShotTable::read(&setup, "optima.csv", text.as_bytes()).unwrap();
