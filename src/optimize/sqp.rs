@@ -82,8 +82,10 @@ impl Sqp {
             .or_else(|| gradient_test(residual, tolerance).filter(|_| is_there(tolerance)))
             .or(is_infeasible)
             .or_else(|| {
-                let rounding = rounding_test(residual, shrunk, tolerance).filter(|_| is_there(tolerance.sqrt()));
-                stuck.map(|stuck| rounding.unwrap_or(stuck))
+                stuck.map(|stuck| {
+                    let rounding = rounding_test(residual, shrunk, tolerance);
+                    rounding.filter(|_| is_there(tolerance.sqrt())).unwrap_or(stuck)
+                })
             });
         let corner = corner_test(plan.map_or(1, |plan| plan.sides), promised, largest);
         let is_by_corner = verdict.is_none() && corner.is_some();
