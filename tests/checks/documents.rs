@@ -41,7 +41,7 @@ fn the_searches_in_validation_md_are_those_of_the_program() {
     assert_eq!(rows.len(), FOUND.searches.len());
     let best = FOUND.optimum.exact().carry;
     let mut landing = Landing::Overshot;
-    for (row, searches) in rows.iter().zip(&FOUND.searches) {
+    for row in &rows {
         landing = match row[0].as_str() {
             "the report's loop" => Landing::Overshot,
             "the loop, interpolated" => Landing::Interpolated,
@@ -55,7 +55,7 @@ fn the_searches_in_validation_md_are_those_of_the_program() {
             "longdrive, exact gradients and Hessians" => Method::Exact,
             other => panic!("{other}"),
         };
-        assert_eq!((landing, method), (searches.landing, searches.method));
+        let searches = FOUND.searches.iter().find(|of| (of.landing, of.method) == (landing, method)).unwrap();
         let count = searches.ends.len();
         let missed = searches.missed(best);
         let [median, worst] = [missed[missed.len() / 2], missed[missed.len() - 1]];
