@@ -72,7 +72,7 @@ impl Verdict {
         Self::new(
             Status::IterationLimit,
             format!(
-                "{iterations} iterations used up with a KKT residual of {residual:.1e}; allow more, or start nearer"
+                "stopped at the limit of {iterations} iterations with a KKT residual of {residual:.1e}; allow more iterations, or start nearer"
             ),
         )
     }

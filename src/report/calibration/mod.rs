@@ -153,7 +153,7 @@ fn left_over(report: &CalibrationReport<'_>) -> String {
                 .into()
         }
         (None, _) => {
-            "No uncertainty is known and nothing is left over to tell it by: there are no standard errors".into()
+            "No uncertainty is stated and no degree of freedom is left to estimate one: there are no standard errors".into()
         }
     };
     let exact = if statistics.is_exact { "; the data are met to rounding" } else { "" };
@@ -179,7 +179,7 @@ fn said(found: &Calibration, undetermined: &Undetermined) -> String {
     };
     let all: Vec<String> = undetermined.parts.iter().map(one).collect();
     match undetermined.standard_error {
-        None => format!("a change of {}: no measured value notices it", all.join(" with ")),
+        None => format!("a change of {}: no measured value depends on it", all.join(" with ")),
         Some(error) => format!(
             "a change of {}: one standard error is {} times as much, more than the range of a parameter",
             all.join(" with "),

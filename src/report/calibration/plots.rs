@@ -15,7 +15,7 @@ pub(super) fn figures(found: &Calibration) -> Vec<Figure> {
         let points: Vec<[f64; 2]> = of.filter_map(|r| Some([r.measured?, r.difference])).collect();
         let x = Measure::outcome(*outcome);
         let y = Measure { label: format!("computed − measured {}", x.label), ..x.clone() };
-        let title = format!("What the fit leaves over of {}", x.label);
+        let title = format!("Residuals of {}", x.label);
         let name = format!("residuals-{}", outcome.name().replace('_', "-"));
         (points.len() > 1).then(|| {
             Figure::new(name, title, Axis::linear(x), Axis::linear(y)).with(Layer::Dots {
