@@ -234,7 +234,8 @@ impl Search {
             return Some((Status::Interrupted, format!("stopped with a largest cosine of {cosine:.1e}")));
         }
         (self.iterations >= options.max_iterations).then(|| {
-            let message = format!("stopped at the limit of {} iterations with a largest cosine of {cosine:.1e}", self.iterations);
+            let message =
+                format!("stopped at the limit of {} iterations with a largest cosine of {cosine:.1e}", self.iterations);
             (Status::IterationLimit, message)
         })
     }

@@ -153,7 +153,8 @@ fn left_over(report: &CalibrationReport<'_>) -> String {
                 .into()
         }
         (None, _) => {
-            "No uncertainty is stated and no degree of freedom is left to estimate one: there are no standard errors".into()
+            "No uncertainty is stated and no degree of freedom is left to estimate one: there are no standard errors"
+                .into()
         }
     };
     let exact = if statistics.is_exact { "; the data are met to rounding" } else { "" };
