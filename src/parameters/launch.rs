@@ -11,6 +11,11 @@ impl super::Parameter {
     pub(crate) fn is_of_launch(&self) -> bool {
         self.name.starts_with(GROUP)
     }
+
+    /// Whether it is of the club and its strike, of which nothing depends where the launch is given.
+    pub(crate) fn is_of_strike(&self) -> bool {
+        ["swing.", "strike.", "club.", "impact."].iter().any(|group| self.name.starts_with(group))
+    }
 }
 
 impl<T: Copy> LaunchConditions<T> {

@@ -255,6 +255,11 @@ impl Setup<f64> {
         if parameter.kind == Kind::Setting {
             return refuse("it is a setting of the computation, not of the drive".into());
         }
+        if self.launch.is_given() && parameter.is_of_strike() {
+            return refuse(
+                "no club strikes the ball, since its launch is given; name launch.launch_angle and the like".into(),
+            );
+        }
         match self.value(parameter) {
             Some(value) if value.is_finite() => Ok(parameter),
             Some(_) => refuse("it is infinite (a flat face) here; give it a finite value with --set".into()),

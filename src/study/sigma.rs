@@ -63,6 +63,7 @@ enum Amount {
 }
 
 const MONITOR: &str = "assumed: what launch monitors state of a ball (0.5 mph, 0.3 deg), taken for the club";
+const BALL: &str = "assumed: what launch monitors state of a ball, as for `calibrate` without stated uncertainties";
 const STRIKE: &str = "assumed: a mark on the face, read to a millimetre";
 const LAW_DRAG: &str = "docs/sources.md: credible laws differ by 0.015 in C_D";
 const LAW_LIFT: &str = "docs/sources.md: credible laws differ by 0.02 in C_L, a tenth of it";
@@ -78,6 +79,13 @@ const DEFAULTS: &[(&str, Amount, &str)] = &[
     ("club.loft", Amount::Of(0.3, "deg"), MONITOR),
     ("strike.high", Amount::Of(1.0, "mm"), STRIKE),
     ("strike.toe", Amount::Of(1.0, "mm"), STRIKE),
+    ("launch.ball_speed", Amount::Of(1.0, "mph"), BALL),
+    ("launch.launch_angle", Amount::Of(0.3, "deg"), BALL),
+    ("launch.launch_direction", Amount::Of(0.3, "deg"), BALL),
+    ("launch.backspin", Amount::Of(100.0, "rpm"), BALL),
+    ("launch.sidespin", Amount::Of(100.0, "rpm"), BALL),
+    ("launch.spin", Amount::Of(100.0, "rpm"), BALL),
+    ("launch.spin_axis", Amount::Of(2.0, "deg"), BALL),
     ("impact.tangential_restitution", Amount::Of(0.05, ""), "docs/sources.md: −0.15 ± 0.05"),
     ("air.density", Amount::Part(0.005), AIR),
     ("wind.right", Amount::Of(1.0, "m/s"), WIND),

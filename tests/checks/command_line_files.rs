@@ -56,7 +56,7 @@ fn no_command_replaces_its_own_input_even_with_overwrite() {
     ] {
         let said = longdrive(&[&args[..], &["--overwrite"]].concat());
         assert_eq!((said.status, said.out.as_str()), (2, ""), "{args:?}: {}", said.err);
-        assert!(said.err.contains("it is also an input of this command"), "{args:?}: {}", said.err);
+        assert!(said.err.contains("it is also an input or another output of this command"), "{args:?}: {}", said.err);
         assert_eq!(files(folder.path()), before, "{args:?}");
     }
 }
@@ -114,6 +114,23 @@ fn a_place_that_cannot_be_written_is_told_before_the_work() {
         assert!(said.err.contains("it cannot be written"), "{args:?}: {}", said.err);
         // one line: no iteration, no part of the work came before it
         assert_eq!(said.err.lines().count(), 1, "{args:?}: {}", said.err);
+    }
+}
+
+#[test]
+fn two_outputs_of_one_command_are_kept_apart() {
+    let (folder, name) = folder();
+    fs::create_dir(folder.path().join("plots")).unwrap();
+    let (shots, plots, page, kept) = (name("shots.csv"), name("plots"), name("plots/index.html"), name("kept.json"));
+    for args in [
+        vec!["calibrate", &shots, "--fit", "aero.cd0", "--plot", &plots, "-o", &page],
+        vec!["optimize", "--checkpoint", &kept, "-o", &kept],
+    ] {
+        let before = files(folder.path());
+        let said = longdrive(&args);
+        assert_eq!((said.status, said.out.as_str()), (2, ""), "{args:?}: {}", said.err);
+        assert!(said.err.contains("another output of this command"), "{args:?}: {}", said.err);
+        assert_eq!(files(folder.path()), before, "{args:?}");
     }
 }
 

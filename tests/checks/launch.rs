@@ -21,7 +21,7 @@ fn exact_parabola_and_its_derivatives_by_the_launch() {
     let mut setup = launched(&[("ball_speed", "60 m/s"), ("launch_angle", "0.3 rad"), ("backspin", "250 rad/s")]);
     setup.set("air.density", "0 kg/m^3").unwrap();
     setup.set("gravity", "9.8 m/s^2").unwrap();
-    let wrt = ["launch.ball_speed", "launch.launch_angle", "launch.backspin", "swing.speed"];
+    let wrt = ["launch.ball_speed", "launch.launch_angle", "launch.backspin"];
     let wrt = wrt.map(|name| setup.variable(name).unwrap());
     // carry = v² sin 2θ/g
     let carry = derivative::gradient(&setup, Outcome::Carry, &wrt).unwrap();
@@ -29,8 +29,9 @@ fn exact_parabola_and_its_derivatives_by_the_launch() {
     close(carry.value, exact, exact, 1e-12, "carry");
     close(carry.gradient[0], exact / 30.0, 1.0, 1e-11, "by ball speed: 2 carry/v");
     close(carry.gradient[1], 7200.0 * 0.6_f64.cos() / 9.8, 1.0, 1e-9, "by launch angle");
-    // neither a spin without air nor a club that is not there does anything
-    assert!(carry.gradient[2].abs() < 1e-12 && carry.gradient[3] == 0.0);
+    // a spin without air does nothing, and a club that is not there has no derivative
+    assert!(carry.gradient[2].abs() < 1e-12);
+    assert!(setup.variable("swing.speed").unwrap_err().to_string().contains("no club strikes the ball"));
     let second = derivative::hessian(&setup, Outcome::Carry, &wrt[..2]).unwrap();
     close(second.hessian[0][1], 240.0 * 0.6_f64.cos() / 9.8, 1.0, 1e-9, "mixed");
 }
@@ -57,7 +58,7 @@ fn exact_same_flight_as_that_of_the_club_which_makes_the_launch() {
         let exact = of.value(&struck).unwrap();
         close(value, exact, exact.abs().max(1.0), 1e-11, of.name());
     }
-    let wrt = ["swing.speed", "air.density", "gravity"].map(|name| given.variable(name).unwrap());
+    let wrt = ["ball.mass", "air.density", "gravity"].map(|name| given.variable(name).unwrap());
     for wrt in [&wrt[..1], &wrt] {
         let error = derivative::gradient(&given, Outcome::SmashFactor, wrt).unwrap_err();
         assert!(error.to_string().contains("no club strikes the ball"), "{error}");
@@ -89,6 +90,14 @@ fn a_launch_on_the_command_line_and_in_a_table_is_the_same() {
     close(number(&found["launch"]["ball_speed"]), 167.0 * 0.44704, 1.0, 1e-12, "ball speed");
     let exact = Outcome::Carry.value(&Drive::new(&launched(&TOUR)).unwrap()).unwrap();
     assert_eq!(number(&found["flight"]["carry"]), exact);
+    let (_, slopes) = json(&["gradient", "--launch", launch]);
+    let by: Vec<_> = slopes["outcomes"][0]["gradient"].as_object().unwrap().keys().cloned().collect();
+    assert_eq!(by, ["launch.ball_speed", "launch.launch_angle", "launch.backspin"]);
+    let said = longdrive(&["uncertainty", "--launch", launch, "--samples", "20"]);
+    assert!(said.out.contains("launch.ball_speed") && !said.out.contains("swing.speed"), "{}", said.out);
+    let vary = ["--vary", "launch.launch_angle=5deg..30deg", "--vary", "launch.backspin=1000rpm..5000rpm"];
+    let (status, best) = json(&[&["optimize", "--launch", launch], &vary[..]].concat());
+    assert_eq!((status, best["status"].as_str()), (0, Some("converged")));
     let said = longdrive(&["simulate", "--launch", launch]);
     assert!(said.status == 0 && !said.out.contains("club"), "{}", said.out);
 
@@ -127,6 +136,9 @@ fn a_launch_on_the_command_line_and_in_a_table_is_the_same() {
         (vec!["simulate", "--launch", "ball_sped=167mph"], "did you mean 'ball_speed'?"),
         (vec!["simulate", "--launch", "ball_speed=167"], "has no unit"),
         (vec!["simulate", "--launch", "ball_speed"], "write NAME=VALUE"),
+        (vec!["simulate", "--launch", "ball_speed=60m/s,ball_speed=70m/s"], "given twice"),
+        (vec!["optimize", "--launch", launch], "no club strikes the ball"),
+        (vec!["calibrate", "examples/shots.csv", "--fit", "aero.cd0", "--launch", launch], "the rows say"),
     ] {
         let said = longdrive(&args);
         assert_eq!(said.status, 2, "{args:?} {}", said.err);

@@ -350,7 +350,7 @@ fn bad_plots_and_folders_get_messages_that_help() {
     for (args, status, says) in [
         (vec!["plot", "trajectory", "-o", "x.jpg"], 2, vec!["'x.jpg'", ".svg", ".csv"]),
         (vec!["plot", "trajectory", "-o", "x"], 2, vec!["'x'", "ending"]),
-        (vec!["plot", "trajectory", "-o", &missing], 2, vec![&missing, "No such file"]),
+        (vec!["plot", "trajectory", "-o", &missing], 2, vec![&missing, "there is no folder"]),
         (vec!["plot", "trajectory", "-o", &svg, "--width", "10"], 2, vec!["240"]),
         (vec!["plot", "trajectory", "-o", &svg, "--set", "swing.attack_angle=-20deg"], 1, vec!["no flight"]),
         (vec!["plot", "contour", "-o", &svg, "--vary", "club.loft=4deg..20deg"], 2, vec!["two parameters", "--vary"]),

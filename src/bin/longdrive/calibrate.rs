@@ -17,8 +17,13 @@ use std::sync::Arc;
 pub fn run(args: &Calibrate) -> Result<Answer> {
     let setup = args.question.setup()?;
     let rule = Rule::new(args.question.inputs().chain([args.data.as_path()]), args.overwrite);
-    let output = args.output.as_ref().map(|file| rule.file(file)).transpose()?;
     let folder = args.plot.as_ref().map(|folder| rule.folder(folder, &DOCUMENT)).transpose()?;
+    let rule = rule.and_not(args.plot.as_deref());
+    let output = args.output.as_ref().map(|file| rule.file(file)).transpose()?;
+    if setup.launch.is_given() {
+        let source = "the rows say how each ball was struck or launched; leave it out".into();
+        return Err(Error::Unreadable { name: "--launch".into(), source });
+    }
     let warnings = setup.warnings();
     warn(&warnings);
     let file = args.data.display().to_string();

@@ -15,10 +15,16 @@ pub struct Rule {
 }
 
 impl Rule {
-    /// The rule of a command that reads these files.
+    /// The rule of a command that reads these files, or keeps its work in them.
     pub fn new<'a>(inputs: impl IntoIterator<Item = &'a Path>, overwrite: bool) -> Self {
-        let inputs = inputs.into_iter().filter_map(|input| fs::canonicalize(input).ok()).collect();
-        Self { inputs, overwrite }
+        Self { inputs: inputs.into_iter().filter_map(located).collect(), overwrite }
+    }
+
+    /// The same rule, with another output of the command to keep clear of.
+    #[must_use]
+    pub fn and_not(mut self, output: Option<&Path>) -> Self {
+        self.inputs.extend(output.and_then(located));
+        self
     }
 
     /// A file to be written, if it may be.
@@ -48,6 +54,11 @@ impl Rule {
             return Err(refused(path, "it is a link to a file that does not exist; name that file itself"));
         }
         let Some(found) = found else {
+            let folder = folder_of(path);
+            if !folder.is_dir() {
+                return Err(refused(path, format!("it cannot be written: there is no folder '{}'", folder.display())));
+            }
+            self.refuse_input(path, &located(path).unwrap_or_else(|| path.into()))?;
             return Ok(Destination { shown: path.into(), at: path.into(), is_file: true });
         };
         if found.is_dir() {
@@ -55,13 +66,19 @@ impl Rule {
         }
         // through links, so that the file itself is compared and replaced, and not a link to it
         let at = fs::canonicalize(path).map_err(|error| unwritable(path, &error))?;
-        if self.inputs.contains(&at) {
-            return Err(refused(path, "it is also an input of this command; name another file"));
-        }
+        self.refuse_input(path, &at)?;
         if found.is_file() && !self.overwrite {
             return Err(refused(path, "it exists; --overwrite replaces it"));
         }
         Ok(Destination { shown: path.into(), at, is_file: found.is_file() })
+    }
+
+    fn refuse_input(&self, path: &Path, at: &Path) -> Result<()> {
+        // a folder stands for all that will be in it
+        if self.inputs.iter().any(|input| at == input || input.is_dir() && at.starts_with(input)) {
+            return Err(refused(path, "it is also an input or another output of this command; name another file"));
+        }
+        Ok(())
     }
 
     /// A folder to write several files into, some of whose names are known already. It is made where it does not exist.
@@ -152,7 +169,6 @@ impl Folder {
 
 /// A new file in the same folder, which is gone again unless it is put in place.
 pub fn beside(path: &Path) -> io::Result<tempfile::NamedTempFile> {
-    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let mut builder = tempfile::Builder::new();
     builder.prefix(".longdrive-");
     #[cfg(unix)]
@@ -162,7 +178,17 @@ pub fn beside(path: &Path) -> io::Result<tempfile::NamedTempFile> {
         let of_old = fs::metadata(path).ok().filter(fs::Metadata::is_file).map(|found| found.permissions());
         builder.permissions(of_old.unwrap_or_else(|| fs::Permissions::from_mode(0o666)));
     }
-    builder.tempfile_in(folder)
+    // the name of this file is nobody's business
+    builder.tempfile_in(folder_of(path)).map_err(|error| io::Error::from(error.kind()))
+}
+
+fn folder_of(path: &Path) -> &Path {
+    path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
+}
+
+/// Where a file is or will be, through links.
+fn located(path: &Path) -> Option<PathBuf> {
+    fs::canonicalize(path).ok().or_else(|| Some(fs::canonicalize(folder_of(path)).ok()?.join(path.file_name()?)))
 }
 
 pub fn refused(path: &Path, reason: impl Into<String>) -> Error {

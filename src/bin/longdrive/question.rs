@@ -19,6 +19,10 @@ impl Question {
                 let advice = format!("a launch has {}", names.join(", "));
                 Error::unknown("launch condition", name, names, advice)
             })?;
+            if setup.value(condition).is_some() {
+                let source = format!("{name} is given twice; keep one").into();
+                return Err(Error::Unreadable { name: "--launch".into(), source });
+            }
             setup.set(condition.name, value)?;
         }
         setup.validate()?;

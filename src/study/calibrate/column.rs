@@ -55,17 +55,18 @@ impl Column {
         let head = head.trim();
         let (name, unit) = launch_monitor::split_unit(head);
         let unit = unit.or_else(|| below.map(str::to_owned)).map(|unit| launch_monitor::unit(&unit));
-        let holds = match (name.strip_prefix("sigma ").map(str::trim), launch_monitor::meaning(name)) {
-            (Some(STATIONARY), _) => Holds::SigmaStationary,
-            (Some(outcome), _) => Holds::Sigma(measured(Outcome::named(outcome)?)),
-            (None, Some(Meaning::Outcome(outcome))) => Holds::Outcome(outcome),
-            (None, Some(Meaning::Input(parameter))) => Holds::Input(setup.variable(parameter)?),
-            (None, None) if name == STATIONARY => Holds::Stationary,
-            (None, None) if name == NOTE || is_foreign(name, format) => Holds::Note,
-            (None, None) => Outcome::named(name)
-                .map(|outcome| Holds::Outcome(measured(outcome)))
-                .or_else(|_| known(setup, name).map(Holds::Input))?,
-        };
+        let holds =
+            match (name.strip_prefix("sigma ").map(str::trim), launch_monitor::meaning_with(name, unit.as_deref())) {
+                (Some(STATIONARY), _) => Holds::SigmaStationary,
+                (Some(outcome), _) => Holds::Sigma(measured(Outcome::named(outcome)?)),
+                (None, Some(Meaning::Outcome(outcome))) => Holds::Outcome(outcome),
+                (None, Some(Meaning::Input(parameter))) => Holds::Input(setup.variable(parameter)?),
+                (None, None) if name == STATIONARY => Holds::Stationary,
+                (None, None) if name == NOTE || is_foreign(name, format) => Holds::Note,
+                (None, None) => Outcome::named(name)
+                    .map(|outcome| Holds::Outcome(measured(outcome)))
+                    .or_else(|_| known(setup, name).map(Holds::Input))?,
+            };
         let column = Self { holds, head: name.into(), unit, format };
         column.check_unit()?;
         Ok(column)

@@ -89,6 +89,11 @@ impl ShotTable {
             remarks.extend(left_out(&mut columns));
         }
         let reading = Reading { setup, is_launched: is_launched(&columns), columns };
+        if is_export && !reading.is_launched && !reading.columns.iter().any(is_of_the_strike) {
+            let reason = "it has neither a whole launch (ball speed, launch angle and spin) nor a column of the club, such as club \
+                          speed; add the missing columns";
+            return Err(refused(String::new(), reason.into()));
+        }
         let mut shots = vec![];
         for (at, record) in records.enumerate() {
             let row = at + 1;

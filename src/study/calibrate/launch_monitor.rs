@@ -27,6 +27,7 @@ const HEADS: &[(&str, Meaning)] = &[
     ("face to target", Meaning::Input("swing.face_angle")),
     ("ball speed", Meaning::Outcome(Outcome::BallSpeed)),
     ("smash factor", Meaning::Outcome(Outcome::SmashFactor)),
+    ("smash", Meaning::Outcome(Outcome::SmashFactor)),
     ("launch angle", Meaning::Outcome(Outcome::LaunchAngle)),
     ("launch v", Meaning::Outcome(Outcome::LaunchAngle)),
     ("vertical launch", Meaning::Outcome(Outcome::LaunchAngle)),
@@ -78,6 +79,17 @@ pub(super) fn meaning(name: &str) -> Option<Meaning> {
     let words: String = name.chars().map(plain).collect();
     let words = words.split_whitespace().collect::<Vec<_>>().join(" ");
     HEADS.iter().find(|(head, _)| *head == words).map(|(_, meaning)| *meaning)
+}
+
+/// The meaning of a head with its unit: `Ball (km/h)` is a speed, while `Ball` by itself may be a kind of ball.
+pub(super) fn meaning_with(name: &str, unit: Option<&str>) -> Option<Meaning> {
+    let is_speed = unit.is_some_and(|unit| Quantity::SPEED.size_of(unit).is_some());
+    let speed = match name {
+        "Ball" if is_speed => Some(Meaning::Outcome(Outcome::BallSpeed)),
+        "Club" if is_speed => Some(Meaning::Input("swing.speed")),
+        _ => None,
+    };
+    speed.or_else(|| meaning(name))
 }
 
 /// Whether a table is one of a launch monitor: two heads or more are written as these write them.
@@ -160,8 +172,23 @@ pub(super) fn number(cell: &str, has_decimal_comma: bool, has_side: bool) -> Opt
         Some(_) => return None,
         None => (cell, 1.0),
     };
-    let cell = if has_decimal_comma && !cell.contains('.') { cell.replacen(',', ".", 1) } else { cell };
+    let cell = match has_decimal_comma {
+        true if !cell.contains('.') => cell.replacen(',', ".", 1),
+        false if has_thousands(&cell) => cell.replace(',', ""),
+        _ => cell,
+    };
     cell.parse().ok().filter(|number: &f64| number.is_finite()).map(|number| sign * number)
+}
+
+/// Whether commas part the digits of a number into thousands: `2,686` or `1,234.5`, and not `3,2`.
+fn has_thousands(cell: &str) -> bool {
+    let whole = cell.trim_start_matches('-').split('.').next().unwrap_or_default();
+    let mut groups = whole.split(',');
+    let is_of = |group: &str, digits: std::ops::RangeInclusive<usize>| {
+        digits.contains(&group.len()) && group.bytes().all(|byte| byte.is_ascii_digit())
+    };
+    let begins = groups.next().is_some_and(|first| is_of(first, 1..=3));
+    whole.contains(',') && begins && groups.all(|group| is_of(group, 3..=3))
 }
 
 /// The magnitude and the sign of `3.2 L` or `R 3.2`.
@@ -175,7 +202,7 @@ fn side(cell: &str) -> Option<(&str, f64)> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Meaning, is_export, meaning, number, separated, split_unit, unit, units_row};
+    use super::{Meaning, is_export, meaning, meaning_with, number, separated, split_unit, unit, units_row};
     use crate::Outcome;
     use crate::parameters::Setup;
     use std::collections::HashSet;
@@ -193,6 +220,8 @@ mod tests {
         ] {
             assert_eq!((split_unit(head).0, meaning(name)), (name, Some(of)), "{head}");
         }
+        assert_eq!(meaning_with("Ball", Some("km/h")), Some(Meaning::Outcome(Outcome::BallSpeed)));
+        assert_eq!((meaning_with("Ball", None), meaning_with("Club", Some("deg"))), (None, None));
         assert_eq!((meaning("carry"), meaning("Total"), meaning("spin_axis")), (None, None, None));
         assert!(is_export(["Ball Speed", "Launch Angle", "Player"].into_iter()));
         assert!(!is_export(["carry [yd]", "club.loft [deg]", "Carry"].into_iter()));
@@ -218,10 +247,17 @@ mod tests {
         assert_eq!(number("3.2 L", false, true), Some(-3.2));
         assert_eq!(number("3,2R", true, true), Some(3.2));
         assert_eq!(number("Left 3", false, true), Some(-3.0));
+        assert_eq!(number("2,686", false, false), Some(2686.0));
+        assert_eq!(number("1,234,567.5", false, false), Some(1_234_567.5));
         assert_eq!(number("\u{2212}4.5", false, true), Some(-4.5));
-        for (cell, comma, side) in
-            [("-3 L", false, true), ("3 L", false, false), ("3,2", false, true), ("L", false, true)]
-        {
+        for (cell, comma, side) in [
+            ("12,34", false, false),
+            ("1234,567", false, false),
+            ("-3 L", false, true),
+            ("3 L", false, false),
+            ("3,2", false, true),
+            ("L", false, true),
+        ] {
             assert_eq!(number(cell, comma, side), None, "{cell}");
         }
     }

@@ -43,8 +43,9 @@ pub struct Gradient {
     #[arg(long, value_name = "OUTCOME,…", value_delimiter = ',', default_value = "carry")]
     pub of: Vec<String>,
 
-    /// The parameters, separated by commas; "all" for every one that has a value in this setup.
-    #[arg(long, value_name = "NAME,…", value_delimiter = ',', default_value = "club.loft,swing.attack_angle")]
+    /// The parameters, separated by commas; "all" for every one that has a value in this setup. Without: loft and attack
+    /// angle, or the launch conditions where these are given.
+    #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
     pub wrt: Vec<String>,
 
     /// Compute the second derivatives (the Hessian) too.
