@@ -220,8 +220,8 @@ fn constraints_text(optimum: &Optimum, system: System) -> String {
         let words = match report.multiplier {
             _ if optimum.solution.status != Status::Converged => String::new(),
             0.0 => "not active".into(),
-            _ if constraint.low == constraint.high => format!("active: {price} that it is raised"),
-            _ => format!("active: {gain}{price} that it is relaxed"),
+            _ if constraint.low == constraint.high => format!("active: {price} of raising the value"),
+            _ => format!("active: {gain}{price} of relaxing the limit"),
         };
         vec![report.expression, shown::outcome(constraint.outcome, report.value, system), words]
     });

@@ -22,6 +22,8 @@ impl Sigma {
     /// assert_eq!(Sigma::read(&setup, "swing.speed=1 m/s").unwrap().value, 1.0);
     /// assert_eq!(Sigma::read(&setup, "swing.speed=10%").unwrap().value, 0.1 * setup.swing.speed);
     /// assert!(Sigma::read(&setup, "swing.speed=-1 m/s").is_err());
+    /// // a part of 0 is nothing
+    /// assert!(Sigma::read(&setup, "swing.path=1%").unwrap_err().to_string().contains("for example 1 deg"));
     /// ```
     ///
     /// # Errors
@@ -33,6 +35,10 @@ impl Sigma {
             .ok_or_else(|| unreadable("write NAME=AMOUNT, for example swing.speed=1mph or air.density=0.5%".into()))?;
         let parameter = setup.variable(name.trim())?;
         let value = amount_of(setup, parameter, amount).map_err(unreadable)?;
+        if value == 0.0 && amount.trim().ends_with('%') {
+            let unit = parameter.unit;
+            return Err(unreadable(format!("a part of 0 is 0; give the amount itself, for example 1 {unit}").into()));
+        }
         if !(value > 0.0 && value.is_finite()) {
             return Err(unreadable("a standard deviation must be a finite number above 0".into()));
         }

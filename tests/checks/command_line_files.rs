@@ -80,7 +80,7 @@ fn a_file_that_exists_is_replaced_only_when_asked_for() {
         let before = files(folder.path());
         let said = longdrive(&args);
         assert_eq!((said.status, said.out.as_str()), (2, ""), "{args:?}: {}", said.err);
-        assert!(said.err.contains("it exists; --overwrite replaces it"), "{args:?}: {}", said.err);
+        assert!(said.err.contains("it already exists; use --overwrite to replace it"), "{args:?}: {}", said.err);
         assert_eq!(files(folder.path()), before, "{args:?}");
         let said = longdrive(&[&args[..], &["--overwrite"]].concat());
         assert_ne!(said.status, 2, "{args:?}: {}", said.err);
@@ -91,7 +91,7 @@ fn a_file_that_exists_is_replaced_only_when_asked_for() {
     for args in [vec!["report", "-o", &here], vec!["reproduce", "mae494", "-o", &here]] {
         let said = longdrive(&args);
         assert_eq!(said.status, 2, "{args:?}: {}", said.err);
-        assert!(said.err.contains("it exists; --overwrite replaces it"), "{args:?}: {}", said.err);
+        assert!(said.err.contains("it already exists; use --overwrite to replace it"), "{args:?}: {}", said.err);
         assert_eq!(files(folder.path()), before, "{args:?}");
     }
 }

@@ -297,7 +297,7 @@ fn bad_input_to_a_sweep_is_status_2_and_says_what_to_write() {
         (with(&["-o", "grid"]), "must end in .csv, .jsonl or .parquet"),
         (with(&["-o", "/nowhere/at/all.csv"]), "cannot be written"),
         (with(&["-o", "src", "--format", "csv"]), "it is a folder"),
-        (with(&["-o", "Cargo.toml", "--format", "csv"]), "it exists; --overwrite replaces it"),
+        (with(&["-o", "Cargo.toml", "--format", "csv"]), "it already exists; use --overwrite to replace it"),
         (with(&["-o", "Cargo.toml", "--format", "csv", "--resume"]), "nothing to resume"),
         (with(&["--format", "parquet"]), "Parquet needs a file"),
         (with(&["--resume"]), "only a file can be resumed"),

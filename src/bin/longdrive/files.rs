@@ -68,7 +68,7 @@ impl Rule {
         let at = fs::canonicalize(path).map_err(|error| unwritable(path, &error))?;
         self.refuse_input(path, &at)?;
         if found.is_file() && !self.overwrite {
-            return Err(refused(path, "it exists; --overwrite replaces it"));
+            return Err(refused(path, "it already exists; use --overwrite to replace it"));
         }
         Ok(Destination { shown: path.into(), at, is_file: found.is_file() })
     }

@@ -138,7 +138,7 @@ fn limits(best: &Optimum) -> Markup {
                         td.number { (outcome(constraint.outcome, Some(report.value))) }
                         td {
                             @if best.solution.status != Status::Converged {} @else if report.multiplier == 0.0 { "not active" } @else {
-                                (both(|system| constraint_price(best, constraint, &report, system))) " that it is moved"
+                                (both(|system| constraint_price(best, constraint, &report, system))) " of moving the limit"
                             }
                         }
                     }
