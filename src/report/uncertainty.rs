@@ -147,6 +147,9 @@ fn distribution_text(input: &Uncertain, system: System) -> String {
     format!("{}: {}", name(&input.distribution), shown.join(between))
 }
 
+/// Points of a sample below which estimates of shares are noise.
+const ENOUGH: usize = 100;
+
 fn outcome_text(outcome: &OutcomeUncertainty, found: &Uncertainty, system: System) -> String {
     let of = outcome.of;
     let value = |value: f64| shown::outcome(of, value, system);
@@ -176,6 +179,10 @@ fn outcome_text(outcome: &OutcomeUncertainty, found: &Uncertainty, system: Syste
     let mut text = format!("\n{}", table(&[of.name(), "mean", "standard deviation"], &[1, 2], rows));
     let [low, middle, high] = sampled.quantiles.map(value);
     text += &format!("  95 % of the drives lie between {low} and {high}; the median is {middle}\n\n");
+    if found.plan.samples < ENOUGH {
+        return text
+            + &format!("  shares of the variance are shown from {ENOUGH} points on; --samples gives their number\n");
+    }
     // rounding has no sign
     let tenths = |value: f64| format!("{:.1}", (1000.0 * value).round() / 10.0 + 0.0);
     let percent = |value: f64| format!("{} %", tenths(value));

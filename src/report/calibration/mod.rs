@@ -109,6 +109,9 @@ pub fn calibration_document(report: &CalibrationReport<'_>, system: System) -> D
         document.paragraph(format!("{} trial points were refused; the last because of {why}", fit.refused));
     }
     document.heading("Estimates");
+    if fit.status == Status::Interrupted {
+        document.paragraph("The fit was interrupted: these values are where it stood, not a minimum.");
+    }
     document.table(
         &["parameter", "estimate", "standard error", "95 % interval"],
         found.estimates.iter().map(|estimate| estimated(estimate, statistics.reach, system)),
