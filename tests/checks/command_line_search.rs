@@ -242,7 +242,7 @@ fn exact_setup_at_an_optimum_reads_back_and_gives_the_same_drive() {
     let (_, drive) = json(&["simulate", &file]);
     close(number(&drive["flight"]["carry"]), number(&found["value"]), number(&found["value"]), 1e-14, "carry");
     let said = longdrive(&["optimize", "-o", &file]);
-    assert!(said.status == 2 && said.err.contains("--overwrite replaces it"), "{}", said.err);
+    assert!(said.status == 2 && said.err.contains("--overwrite to replace it"), "{}", said.err);
 }
 
 #[test]

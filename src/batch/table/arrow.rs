@@ -1,5 +1,5 @@
 use super::record_batches::RecordBatches;
-use super::{Fingerprint, column, refuse_columns, refused};
+use super::{Fingerprint, column, is_value, refuse_columns, refused};
 use crate::batch::points::Points;
 use crate::error::Result;
 use crate::parameters::{Parameter, Setup};
@@ -135,9 +135,13 @@ impl Points for ArrowTable {
                 let values = values(&column).ok_or_else(|| self.unreadable("it is not a column of numbers".into()))?;
                 for (row, value) in values.into_iter().enumerate() {
                     let is_missing = column.is_null(row);
-                    if is_missing || value.is_nan() {
+                    if is_missing || !is_value(parameter, value) {
                         let place = format!(", row {}, column {}", self.next + row as u64 + 1, parameter.name);
-                        let what = if is_missing { "a value is missing" } else { "NaN is not a number" };
+                        let what = if is_missing {
+                            "a value is missing".into()
+                        } else {
+                            format!("{value} is not a finite number")
+                        };
                         return Err(refused(&self.path, place, format!("{what}; every row needs one")));
                     }
                     into[first + row * width + i] = value;

@@ -1,4 +1,4 @@
-use super::{Fingerprint, column, refuse_columns, refused};
+use super::{Fingerprint, column, is_value, refuse_columns, refused};
 use crate::batch::points::Points;
 use crate::error::Result;
 use crate::foreign::of_csv;
@@ -84,12 +84,12 @@ impl Column {
 
     /// The SI value of a cell.
     fn value(&self, cell: &str) -> Result<f64, String> {
-        let number: f64 = cell.parse().ok().filter(|number: &f64| !number.is_nan()).ok_or_else(|| {
+        let number: f64 = cell.parse().ok().filter(|number| is_value(self.parameter, *number)).ok_or_else(|| {
             let unit = self.parameter.unit;
             match cell {
                 "" => "the cell is empty; every row needs a value".into(),
                 _ => format!(
-                    "'{cell}' is not a number; units stand in the head, as in '{} [{unit}]'",
+                    "'{cell}' is not a finite number; units stand in the head, as in '{} [{unit}]'",
                     self.parameter.name
                 ),
             }

@@ -69,6 +69,11 @@ fn column(setup: &Setup<f64>, path: &Path, number: usize, name: &str) -> Result<
     setup.column(name).map_err(|error| refused(path, place, format!("{error}; every column must be a parameter")))
 }
 
+/// Whether a value may stand in a column: NaN never, an infinite one only where the parameter may be that (a flat face).
+fn is_value(parameter: &Parameter, value: f64) -> bool {
+    value.is_finite() || parameter.range.contains(value)
+}
+
 /// Refuses a column given twice, and a table without any.
 fn refuse_columns(path: &Path, parameters: &[&'static Parameter]) -> Result<()> {
     super::points::refuse_repeated(parameters).map_err(|_| {

@@ -1,4 +1,4 @@
-use super::{Fingerprint, column, refuse_columns, refused};
+use super::{Fingerprint, column, is_value, refuse_columns, refused};
 use crate::batch::points::Points;
 use crate::error::Result;
 use crate::parameters::{Parameter, Setup};
@@ -130,8 +130,12 @@ impl Points for ParquetTable {
                     || format!(", rows {} to {}, column {}", self.next + 1, self.next + wanted as u64, parameter.name);
                 let column = values(&mut self.columns[i], wanted)
                     .map_err(|error| refused(&self.path, place(), error.to_string()))?;
-                if column.len() < wanted || column.iter().any(|value| value.is_nan()) {
-                    return Err(refused(&self.path, place(), "a value is missing; every row needs one"));
+                if column.len() < wanted || column.iter().any(|value| !is_value(parameter, *value)) {
+                    return Err(refused(
+                        &self.path,
+                        place(),
+                        "a value is missing or is not a finite number; every row needs one",
+                    ));
                 }
                 for (row, value) in column.into_iter().enumerate() {
                     into[first + row * width + i] = value;
