@@ -64,6 +64,7 @@ fn killed_and_resumed(many: &[&str], format: &str) {
     wait_for_rows(&mut child, &part);
     child.kill().unwrap();
     child.wait().unwrap();
+    let mut promised = None;
     if sidecar(&part).exists() {
         // what a kill may cut short: a row, a row group, a line of the sidecar
         let append = |path: &Path, bytes: &[u8]| {
@@ -93,6 +94,8 @@ fn killed_and_resumed(many: &[&str], format: &str) {
         assert!(status == Some(0) || status == Some(1) || status.is_none(), "{status:?} {said}");
         if status == Some(1) {
             assert!(said.contains("--resume") && said.contains("stopped: "), "{said}");
+            // what it promises to continue after is what it continues after
+            promised = said.split("continues after ").nth(1).map(|rest| rest.trim().to_owned());
             readable(&so_far(&part), format);
         }
     }
@@ -100,6 +103,10 @@ fn killed_and_resumed(many: &[&str], format: &str) {
         let (status, said) = finish(start(many, &part, &["--resume", "--threads", "3"]));
         assert_eq!(status, Some(0), "{said}");
         assert!(said.contains("resuming after "), "{said}");
+        if let Some(promised) = promised {
+            let rows = promised.split(' ').next().unwrap_or_default();
+            assert!(said.contains(&format!("resuming after {rows} ")), "{promised}: {said}");
+        }
     }
     assert!(!sidecar(&part).exists() && !so_far(&part).exists());
     assert!(fs::read(&part).unwrap() == fs::read(&whole).unwrap(), "another file than that of an undisturbed run");

@@ -30,6 +30,8 @@ pub struct Kept<'a> {
     rows: u64,
     bytes: u64,
     tally: Tally,
+    /// Rows that the journal knows of, after which a resumed sweep begins.
+    safe: u64,
     /// Blocks since the last line of the journal, and when that was.
     since: u64,
     last: Option<Instant>,
@@ -124,6 +126,7 @@ impl<'a> Kept<'a> {
             rows: 0,
             bytes: 0,
             tally: Tally::default(),
+            safe: 0,
             since: 0,
             last: None,
             #[cfg(feature = "parquet")]
@@ -156,6 +159,7 @@ impl<'a> Kept<'a> {
         let mut kept = Self::at_the_beginning(files, file, journal, writer);
         if let Some(last) = entries.last() {
             (kept.rows, kept.bytes, kept.tally) = (last.rows, last.bytes, last.tally());
+            kept.safe = last.rows;
         }
         #[cfg(feature = "parquet")]
         if let Table::Parquet(table) = &writer.table {
@@ -168,6 +172,11 @@ impl<'a> Kept<'a> {
 
     pub fn rows(&self) -> u64 {
         self.rows
+    }
+
+    /// Rows after which a resumed sweep begins.
+    pub fn safe(&self) -> u64 {
+        self.safe
     }
 
     pub fn tally(&self) -> Tally {
@@ -251,7 +260,7 @@ impl<'a> Kept<'a> {
     fn keep(&mut self, group: &[u8]) -> Result<()> {
         let entry = Entry::new(self.rows, self.bytes, self.tally, group);
         self.file.sync_data().and_then(|()| self.journal.add(&entry)).map_err(|error| self.failed(&error))?;
-        (self.since, self.last) = (0, Some(Instant::now()));
+        (self.safe, self.since, self.last) = (self.rows, 0, Some(Instant::now()));
         Ok(())
     }
 }

@@ -71,8 +71,9 @@ pub fn run(args: &Sweep) -> Result<Answer> {
         let drives = summary.text(None);
         tell(&match target.part() {
             Some(part) => format!(
-                "stopped: {drives}; the rows so far are in {}; the same command with --resume continues it",
-                part.display()
+                "stopped: {drives}; the rows so far are in {}; the same command with --resume continues after {}",
+                part.display(),
+                counted(output.safe(), "row")
             ),
             None => format!("stopped: {drives}; with -o FILE it could be resumed"),
         });

@@ -131,6 +131,14 @@ impl Output<'_> {
         }
     }
 
+    /// Rows after which a resumed sweep begins.
+    pub fn safe(&self) -> u64 {
+        match self {
+            Self::Kept(kept) => kept.safe(),
+            Self::Stream(_) => 0,
+        }
+    }
+
     pub fn tally(&self) -> Tally {
         match self {
             Self::Kept(kept) => kept.tally(),
