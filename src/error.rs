@@ -1,5 +1,7 @@
 //! What can be wrong with a question, and what can keep a drive from having an answer.
 
+use crate::units::{Digits, Message, Quantity, System};
+
 /// `Result` with longdrive's [`enum@Error`].
 pub type Result<T, E = Error> = std::result::Result<T, E>;
 
@@ -156,10 +158,7 @@ pub enum Error {
         q: f64,
     },
     /// A face that does not move towards the ball.
-    #[error(
-        "the club does not strike the ball: the contact point approaches along the face normal at {approach} m/s, \
-         which must be above 0; check swing.speed, club.loft, swing.face_angle and swing.shaft_lean"
-    )]
+    #[error("{}", no_strike(*approach))]
     NoStrike {
         /// n·u⁻, m/s.
         approach: f64,
@@ -185,7 +184,7 @@ pub enum Error {
     #[error("no flight: {reason}")]
     NoFlight {
         /// Why, with numbers.
-        reason: String,
+        reason: Message,
     },
     /// An outcome, or its derivative, that does not exist for this drive.
     #[error("{what} is not defined for this drive: {reason}")]
@@ -242,7 +241,7 @@ pub enum Error {
         /// How the search ended.
         status: &'static str,
         /// The same in a sentence.
-        message: String,
+        message: Message,
     },
     /// A checkpoint file that cannot be used.
     #[error("the checkpoint '{file}': {reason}")]
@@ -298,6 +297,23 @@ impl Error {
         Self::Unknown { what, name: name.into(), suggestion, advice: advice.into() }
     }
 
+    /// The error with computed quantities in the units of a system; what was given is named as it was given.
+    pub fn in_units(&self, system: System) -> String {
+        self.message().in_units(system)
+    }
+
+    /// The error as a message, to be shown as part of another.
+    pub fn message(&self) -> Message {
+        match self {
+            Self::NoFlight { reason } => Message::from("no flight: ").message(reason.clone()),
+            Self::NotConverged { status, message } => {
+                Message::from(format!("no optimum was found: {status}: ")).message(message.clone())
+            }
+            Self::NoStrike { approach } => no_strike(*approach),
+            other => other.to_string().into(),
+        }
+    }
+
     /// Whether the question was sound but has no answer (a drive that does not fly, an angle without direction), as
     /// against bad input.
     pub fn is_an_outcome(&self) -> bool {
@@ -314,6 +330,13 @@ impl Error {
             _ => "error",
         }
     }
+}
+
+/// In what a face misses the ball.
+fn no_strike(approach: f64) -> Message {
+    Message::from("the club does not strike the ball: the contact point approaches along the face normal at ")
+        .quantity(Quantity::SPEED, "m/s", approach, Digits::Significant(5))
+        .words(", which must be above 0; check swing.speed, club.loft, swing.face_angle and swing.shaft_lean")
 }
 
 fn how_to(doing: &str) -> &'static str {

@@ -140,7 +140,7 @@ fn read<J: Number>(
     let landed = match flight {
         Some(Flight::Landed(landed)) => Some(landed),
         Some(Flight::None(why)) if outcome.part() == Part::Flight => {
-            return Err(Error::NoFlight { reason: why.to_string() });
+            return Err(Error::NoFlight { reason: why.message() });
         }
         _ => None,
     };

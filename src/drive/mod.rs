@@ -60,7 +60,7 @@ impl<T: Number> Drive<T> {
     pub fn landed(&self) -> Result<&Landed<T>> {
         match &self.flight {
             Flight::Landed(landed) => Ok(landed),
-            Flight::None(why) => Err(Error::NoFlight { reason: why.to_string() }),
+            Flight::None(why) => Err(Error::NoFlight { reason: why.message() }),
         }
     }
 }

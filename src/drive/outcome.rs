@@ -82,7 +82,7 @@ macro_rules! outcomes {
                         what: self.name().into(),
                         reason: "no club strikes the ball: the launch is given".into(),
                     },
-                    Flight::None(why) => Error::NoFlight { reason: why.to_string() },
+                    Flight::None(why) => Error::NoFlight { reason: why.message() },
                     Flight::Landed(_) => Error::Undefined {
                         what: self.name().into(),
                         reason: "the flight was followed for its landing alone".into(),

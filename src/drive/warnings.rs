@@ -5,7 +5,7 @@ use crate::aerodynamics::AerodynamicLaw;
 use crate::atmosphere::WindField;
 use crate::flight::trajectory;
 use crate::parameters::Setup;
-use crate::units::{Quantity, significant};
+use crate::units::{Digits, Message, Quantity};
 
 /// The largest head that conforms, m: 5 in from heel to toe, 2.8 in from sole to crown (R&A and USGA, Equipment Rules, part 2, 4b). No face is larger.
 const LARGEST_HEAD: [f64; 2] = [0.127, 0.07112];
@@ -16,10 +16,10 @@ const WORTH_A_WORD: f64 = 0.01;
 impl Drive<f64> {
     /// All that deserves a word about a setup and its drive: what the setup warns of, corners of the model that the drive lies on, a strike beside
     /// any face, and drag and lift where the law was not fitted. It flies the drive once more; a search asks only about its result.
-    pub fn warnings(&self, setup: &Setup<f64>) -> Vec<String> {
+    pub fn warnings(&self, setup: &Setup<f64>) -> Vec<Message> {
         let mut warnings = setup.warnings();
-        warnings.extend(self.corners(setup));
-        warnings.extend(self.beside_the_face(setup));
+        warnings.extend(self.corners(setup).into_iter().map(Message::from));
+        warnings.extend(self.beside_the_face(setup).map(Message::from));
         warnings.extend(self.outside_of_the_law(setup));
         warnings
     }
@@ -44,21 +44,22 @@ impl Drive<f64> {
     }
 
     /// What the law of drag and lift was not fitted to, and for how much of the flight.
-    fn outside_of_the_law(&self, setup: &Setup<f64>) -> Vec<String> {
+    fn outside_of_the_law(&self, setup: &Setup<f64>) -> Vec<Message> {
         if setup.air.density == 0.0 {
             return vec![];
         }
         let fitted = AerodynamicLaw::<f64>::fitted(&setup.law);
         let ranges = [
-            ("spin ratio", "", fitted.spin_ratio),
-            ("Reynolds number", "", fitted.reynolds),
-            ("speed through the air", " m/s", fitted.speed),
+            ("spin ratio", (Quantity::NUMBER, ""), fitted.spin_ratio),
+            ("Reynolds number", (Quantity::NUMBER, ""), fitted.reynolds),
+            ("speed through the air", (Quantity::SPEED, "m/s"), fitted.speed),
         ];
         if ranges.iter().all(|(.., range)| range.is_none()) {
             return vec![];
         }
         let flown = self.stream(setup);
-        let told = |(k, (name, unit, range)): (usize, (&str, &str, Option<[f64; 2]>))| {
+        type Range = (&'static str, (Quantity, &'static str), Option<[f64; 2]>);
+        let told = |(k, (name, (quantity, unit), range)): (usize, Range)| {
             let [low, high] = range?;
             let values = flown.iter().map(|(time, values)| (*time, values[k]));
             let outside = share(values.clone(), |value| !(low..=high).contains(&value));
@@ -66,14 +67,15 @@ impl Drive<f64> {
                 [least.min(value), most.max(value)]
             });
             (outside >= WORTH_A_WORD).then(|| {
-                let [low, high, least, most] = [low, high, ends[0], ends[1]].map(|value| significant(value, 3));
-                format!(
-                    "the law {} was fitted to a {name} of {low} to {high}{unit} ({}); in this flight it goes from {least} to {most}{unit}, {:.0} % of the time \
-                     outside, where the law is extrapolated",
-                    setup.law.name(),
-                    fitted.to,
-                    100.0 * outside
-                )
+                let digits = Digits::Significant(3);
+                let from_to = |message: Message, [low, high]: [f64; 2]| {
+                    message.quantity(quantity, unit, low, digits).words(" to ").quantity(quantity, unit, high, digits)
+                };
+                let fitted_to = Message::from(format!("the law {} was fitted to a {name} of ", setup.law.name()));
+                let flown =
+                    from_to(fitted_to, [low, high]).words(format!(" ({}); in this flight it goes from ", fitted.to));
+                from_to(flown, ends)
+                    .words(format!(", {:.0} % of the time outside, where the law is extrapolated", 100.0 * outside))
             })
         };
         ranges.into_iter().enumerate().filter_map(told).collect()

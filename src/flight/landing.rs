@@ -11,6 +11,7 @@ use crate::error::{Error, Result};
 use crate::launch::Launch;
 use crate::number::{Factor, Number, Vector};
 use crate::parameters::{Method, Setup};
+use crate::units::{Digits, Message, Quantity};
 use std::fmt;
 
 /// How a flight ends.
@@ -116,30 +117,32 @@ impl NoFlight {
     }
 }
 
-impl fmt::Display for NoFlight {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+impl NoFlight {
+    /// The same in a sentence.
+    pub fn message(&self) -> Message {
+        let height =
+            |message: Message, height: f64| message.quantity(Quantity::LENGTH, "m", height, Digits::Significant(5));
         match self {
             Self::LaunchedDown { launch_angle } => {
                 let degrees = launch_angle.to_degrees();
-                write!(
-                    f,
+                Message::from(format!(
                     "the ball leaves at {degrees:.3}° to the horizontal and the ground is not below it; \
                      more loft or attack angle lets it fly"
-                )
+                ))
             }
             Self::BelowGround { apex_height, ground_height } => {
-                write!(
-                    f,
-                    "the ball rises to {apex_height:.3} m only, below the ground's height of {ground_height:.3} m"
-                )
+                let rises = height("the ball rises to ".into(), *apex_height);
+                height(rises.words(" only, below the ground's height of "), *ground_height)
             }
-            Self::Aloft { time, height } => {
-                write!(
-                    f,
-                    "the ball is still {height:.1} m up after {time} s; raise flight.time_limit to follow it further"
-                )
-            }
+            Self::Aloft { time, height: up } => height("the ball is still ".into(), *up)
+                .words(format!(" up after {time} s; raise flight.time_limit to follow it further")),
         }
+    }
+}
+
+impl fmt::Display for NoFlight {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.message().fmt(f)
     }
 }
 

@@ -3,7 +3,7 @@
 //! (setup files, `--set`, `--vary`, `--wrt`, JSON keys, listings) walks the rows.
 
 use super::Range;
-use crate::units::Quantity;
+use crate::units::{Digits, Message, Quantity};
 
 /// What kind of slot a parameter fills.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -49,6 +49,11 @@ impl Parameter {
         }
         // every default is read back in a test
         Some(self.quantity.read(self.default).unwrap_or(f64::NAN))
+    }
+
+    /// A message with a value of this parameter after it.
+    pub(crate) fn place(&self, message: Message, value: f64) -> Message {
+        message.quantity(self.quantity, self.unit, value, Digits::Significant(5))
     }
 
     /// A value as a person reads it.

@@ -3,6 +3,7 @@ use super::method::{METHOD, Method};
 use super::range::Range;
 use super::table::{Law, Setup};
 use crate::error::{Error, Result};
+use crate::units::Message;
 
 /// The name by which the aerodynamic law is chosen: `aero.law = "robinson"`.
 pub const LAW: &str = "aero.law";
@@ -234,8 +235,8 @@ impl Setup<f64> {
     }
 
     /// What is flown as it stands but deserves a word.
-    pub fn warnings(&self) -> Vec<String> {
-        self.club.triangle_warning().into_iter().collect()
+    pub fn warnings(&self) -> Vec<Message> {
+        self.club.triangle_warning().into_iter().map(Message::from).collect()
     }
 
     /// The parameter of this name, if it can be varied and differentiated by.

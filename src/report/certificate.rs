@@ -1,9 +1,10 @@
-use super::table::{broken, item, table};
+use super::lines::{broken, item};
+use super::table::table;
 use super::{Reply, json};
 use crate::derivative::check::{Check, Point, Verdict};
 use crate::reproduce::LoopRow;
 use crate::study::certificate::{Certificate, Convergence, Row, StepError};
-use crate::units::significant;
+use crate::units::{Message, System, significant};
 use serde::Serialize;
 use serde_json::{Value, json};
 
@@ -65,7 +66,7 @@ pub struct CertificateRow {
 
 impl CertificateReport {
     /// The answer of `verify`: `passed` or `failed`.
-    pub fn reply(certificate: &Certificate, loops: &[LoopRow], warnings: Vec<String>) -> Reply<Self> {
+    pub fn reply(certificate: &Certificate, loops: &[LoopRow], warnings: Vec<Message>) -> Reply<Self> {
         let missing = certificate.missing.iter().map(|(of, why)| format!("left out: {}: {why}", of.name()));
         let message = missing.collect::<Vec<_>>().join("; ");
         let message = (!message.is_empty()).then_some(message);
@@ -188,7 +189,7 @@ fn curve_json(curve: &[Point]) -> Value {
 }
 
 /// A certificate as text: a verdict for each derivative, the worst first, then the other checks, and the while-loop for comparison.
-pub fn certificate_text(certificate: &Certificate, loops: &[LoopRow]) -> String {
+pub fn certificate_text(certificate: &Certificate, loops: &[LoopRow], system: System) -> String {
     let mut text = rows_text(&certificate.rows) + "\n";
     for row in certificate.rows.iter().filter(|row| row.verdict() == Verdict::Corner) {
         let [below, above] = row.first.sides.unwrap_or([row.first.exact; 2]).map(|slope| significant(slope, 7));
@@ -203,7 +204,7 @@ pub fn certificate_text(certificate: &Certificate, loops: &[LoopRow]) -> String 
              its first {} derivatives are continuous\n",
             verdict_of(found.passed()),
             found.parameter.name,
-            found.parameter.show(Some(found.at)),
+            found.parameter.quantity.show(found.at, system.unit(found.parameter.unit)),
             found.steps[0],
             found.steps[1],
             found.of.name(),
@@ -226,7 +227,7 @@ pub fn certificate_text(certificate: &Certificate, loops: &[LoopRow]) -> String 
     }
     text += &loops_text(loops);
     for (of, why) in &certificate.missing {
-        text += &format!("  left out: {}: {why}\n", of.name());
+        text += &format!("  left out: {}: {}\n", of.name(), why.in_units(system));
     }
     let count = |verdict| certificate.rows.iter().filter(|row| row.verdict() == verdict).count();
     let counts =

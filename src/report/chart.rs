@@ -1,8 +1,9 @@
-use super::table::{paragraph, table};
+use super::lines::paragraph;
+use super::table::table;
 use super::{Reply, json, shown};
 use crate::error::{Error, Result};
 use crate::study::{Chart, ChartPoint, Search, Vary};
-use crate::units::{Quantity, System};
+use crate::units::{Message, Quantity, System};
 use serde::Serialize;
 use serde_json::{Map, Value};
 
@@ -42,8 +43,8 @@ pub struct ChartPointReport {
 
 impl ChartReport {
     /// The answer of `chart`: `done`, `partial` where the optimum is missing for a part of the range, or `no-answer`.
-    pub fn reply(chart: &Chart, search: &Search, warnings: Vec<String>) -> Reply<Self> {
-        let notes: Vec<&str> = chart.begun.iter().chain(&chart.ended).map(String::as_str).collect();
+    pub fn reply(chart: &Chart, search: &Search, warnings: Vec<Message>) -> Reply<Self> {
+        let notes: Vec<String> = chart.begun.iter().chain(&chart.ended).map(Message::to_string).collect();
         let status = match (notes.is_empty(), chart.points.is_empty()) {
             (true, _) => "done",
             (false, true) => "no-answer",
@@ -71,8 +72,8 @@ impl ChartReport {
             objective: search.maximize.name(),
             sense: search.sense.name(),
             points: chart.points.iter().map(point).collect(),
-            begun: chart.begun.clone(),
-            ended: chart.ended.clone(),
+            begun: chart.begun.as_ref().map(Message::to_string),
+            ended: chart.ended.as_ref().map(Message::to_string),
         }
     }
 }
@@ -105,7 +106,7 @@ pub fn chart_text(chart: &Chart, system: System) -> String {
             .chain([[Some(words), event].into_iter().flatten().collect::<Vec<_>>().join("\n")])
             .collect()
     });
-    let notes = chart.begun.iter().chain(&chart.ended).map(|why| format!("\n{}", paragraph(why)));
+    let notes = chart.begun.iter().chain(&chart.ended).map(|why| format!("\n{}", paragraph(&why.in_units(system))));
     table(&columns, &right, rows) + &notes.collect::<String>()
 }
 

@@ -1,10 +1,10 @@
-use super::{Reply, json, shown, table::table};
+use super::{Reply, json, lines::paragraph, shown, table::table};
 use crate::drive::{Drive, Outcome, Part};
 use crate::flight::Flight;
 use crate::impact::{Grip, Impact};
 use crate::number::Vector;
 use crate::parameters::Setup;
-use crate::units::{Quantity, System};
+use crate::units::{Message, Quantity, System};
 use serde::Serialize;
 use serde_json::{Map, Value};
 
@@ -25,7 +25,7 @@ pub struct DriveReport {
 
 impl DriveReport {
     /// The answer of `simulate`: the status is `landed`, `no-flight` or `aloft`, the message why there is no landing.
-    pub fn reply(setup: &Setup<f64>, drive: &Drive<f64>, warnings: Vec<String>) -> Reply<Self> {
+    pub fn reply(setup: &Setup<f64>, drive: &Drive<f64>, warnings: Vec<Message>) -> Reply<Self> {
         let (status, message) = match &drive.flight {
             Flight::Landed(_) => ("landed", None),
             Flight::None(why) => (why.status(), Some(why.to_string())),
@@ -93,7 +93,9 @@ pub fn drive_text(drive: &Drive<f64>, system: System) -> String {
     }
     match &drive.flight {
         Flight::Landed(_) => format!("{launch}\n{bodies}\n{}", part("flight", Part::Flight)),
-        Flight::None(why) => format!("{launch}\n{bodies}\nno flight: {why}\n"),
+        Flight::None(why) => {
+            format!("{launch}\n{bodies}\n{}", paragraph(&format!("no flight: {}", why.message().in_units(system))))
+        }
     }
 }
 

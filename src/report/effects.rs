@@ -1,10 +1,11 @@
-use super::table::{item, table};
+use super::lines::item;
+use super::table::table;
 use super::{OptimumReport, Reply, json, shown};
 use crate::drive::Outcome;
 use crate::error::Result;
 use crate::parameters::Parameter;
 use crate::study::{Bar, Effect, Effects, Optimum, Sensitivity};
-use crate::units::{System, significant};
+use crate::units::{Message, System, significant};
 use serde::Serialize;
 use serde_json::{Value, json};
 
@@ -22,7 +23,7 @@ pub struct EffectsReport {
 
 impl EffectsReport {
     /// The answer of `sensitivity`.
-    pub fn reply(outcomes: Vec<OutcomeEffects>, best: Option<&Optimum>, warnings: Vec<String>) -> Reply<Self> {
+    pub fn reply(outcomes: Vec<OutcomeEffects>, best: Option<&Optimum>, warnings: Vec<Message>) -> Reply<Self> {
         Reply::done("sensitivity", warnings, Self { outcomes, at_optimum: best.map(OptimumReport::new) })
     }
 }

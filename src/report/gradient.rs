@@ -4,7 +4,7 @@ use crate::derivative::Taylor;
 use crate::drive::Outcome;
 use crate::error::Result;
 use crate::parameters::Parameter;
-use crate::units::{System, per, significant};
+use crate::units::{Message, System, per, significant};
 use serde::Serialize;
 use serde_json::{Map, Value};
 
@@ -52,7 +52,7 @@ impl GradientReport {
     pub fn reply(
         found: &[(Outcome, Result<Taylor>)],
         wrt: &[&'static Parameter],
-        warnings: Vec<String>,
+        warnings: Vec<Message>,
     ) -> Reply<Self> {
         let mut missing: Vec<_> = found.iter().filter_map(|(_, taylor)| taylor.as_ref().err()).collect();
         let status = match (share(found.len() - missing.len(), found.len()), missing.first()) {

@@ -10,12 +10,14 @@ mod effects;
 pub mod figures;
 mod gradient;
 mod json;
+mod lines;
 mod mae494;
 mod optimum;
 pub mod page;
 mod parameters;
 pub mod plot;
 mod presets;
+mod published;
 mod reply;
 mod sensitivity;
 mod setup_file;
@@ -32,6 +34,7 @@ pub use document::Document;
 pub use drive::{DriveReport, drive_text};
 pub use effects::{EffectsReport, OutcomeEffects, Totals, effects_text};
 pub use gradient::{GradientReport, HessianReport, OutcomeReport, gradient_text};
+pub use lines::remark;
 pub use mae494::{mae494_document, mae494_reply};
 pub use optimum::{
     ConstraintReport, LocalReport, Multipliers, OptimumReport, iteration_line, optima_text, optimum_text, optimum_toml,

@@ -1,12 +1,13 @@
 use super::drive::{flight, launch};
-use super::table::{paragraph, table};
+use super::lines::paragraph;
+use super::table::table;
 use super::{Reply, json, setup_toml, shown};
 use crate::drive::Outcome;
 use crate::error::Result;
 use crate::optimize::{Constrained, Effort, Iteration, Status};
 use crate::parameters::Preset;
 use crate::study::{Constraint, Optima, Optimum, Search, Sense};
-use crate::units::{Quantity, System, counted};
+use crate::units::{Message, Quantity, System, counted};
 use serde::Serialize;
 use serde_json::{Map, Value};
 use std::collections::BTreeMap;
@@ -100,11 +101,11 @@ pub struct Multipliers {
 impl OptimumReport {
     /// The answer of `optimize`: the status and the message are the search's. The local optima are listed where there
     /// was more than one start.
-    pub fn reply(optima: &Optima, warnings: Vec<String>) -> Result<Reply<Self>> {
+    pub fn reply(optima: &Optima, warnings: Vec<Message>) -> Result<Reply<Self>> {
         let best = optima.best()?;
         let reply = Reply::done("optimize", warnings, Self::of_many(best, optima));
         Ok(match optima.stopped() {
-            0 => reply.ended(best.status(), Some(best.message())),
+            0 => reply.ended(best.status(), Some(best.message().to_string())),
             stopped => {
                 let message = format!("{stopped} of {} searches were stopped before their end", optima.starts);
                 reply.ended("interrupted", Some(message))
@@ -168,7 +169,7 @@ pub fn optimum_text(optimum: &Optimum, system: System) -> String {
     let ending = paragraph(&format!(
         "{}: {} ({}, {})",
         optimum.status(),
-        optimum.message(),
+        optimum.message().in_units(system),
         counted(solution.iterations, "iteration"),
         counted(solution.evaluations, "evaluation")
     ));
@@ -246,13 +247,14 @@ pub(super) fn constraint_price(optimum: &Optimum, of: &Constraint, at: &Constrai
 pub fn optimum_toml(optimum: &Optimum, preset: &Preset) -> Result<String> {
     let search = &optimum.search;
     let of = search.maximize;
-    let value = optimum.value().map_or("–".into(), |value| of.show(value));
+    let value = optimum.value().map_or("–".into(), |value| shown::both(of, value, System::default()));
     let mut about = vec![format!("{}, {} {}: {value}", preset.name, search.sense.adjective(), of.name())];
     about.extend(search.subject_to.iter().map(|constraint| format!("subject to {}", constraint.expression)));
     about.push(format!("{}: {}", optimum.status(), optimum.message()));
     let remarks = search.vary.iter().zip(&optimum.solution.x).map(|(vary, x)| {
         let show = |value: f64| vary.parameter.show(Some(value));
-        (vary.parameter, format!("optimum: {} in {} .. {}", show(*x), show(vary.low), show(vary.high)))
+        let best = shown::as_declared(vary.parameter, *x);
+        (vary.parameter, format!("optimum: {best} in {} .. {}", show(vary.low), show(vary.high)))
     });
     setup_toml(&optimum.setup, preset, &about, &remarks.collect::<Vec<_>>())
 }

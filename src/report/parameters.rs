@@ -1,7 +1,7 @@
-use super::table::{item, note};
+use super::lines::{item, note};
 use super::{Reply, json};
 use crate::parameters::{Kind, LAW, Law, METHOD, Method, Parameter, Setup, UNSET};
-use crate::units::System;
+use crate::units::{Message, System};
 use serde_json::{Value, json};
 
 /// The rows of a setup, and then those of the laws it does not fly.
@@ -12,7 +12,7 @@ fn rows(setup: &Setup<f64>) -> Vec<(&'static Parameter, Option<f64>)> {
 }
 
 /// The answer of `parameters`: every parameter with its value in a setup.
-pub fn parameters_reply(setup: &Setup<f64>, warnings: Vec<String>) -> Reply<Value> {
+pub fn parameters_reply(setup: &Setup<f64>, warnings: Vec<Message>) -> Reply<Value> {
     let end = |value: f64| json::number(Some(value));
     let row = |(parameter, value): &(&'static Parameter, Option<f64>)| {
         let range = parameter.range;

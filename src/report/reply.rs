@@ -1,4 +1,5 @@
 use crate::error::Error;
+use crate::units::Message;
 use serde::Serialize;
 
 /// An answer as one JSON object: what every command says first, then what it found. docs/json.md describes both.
@@ -11,7 +12,7 @@ pub struct Reply<T> {
     /// The same in a sentence; `null` where there is nothing to add.
     pub message: Option<String>,
     /// What the reader should know about the question.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Message>,
     /// What was found.
     #[serde(flatten)]
     pub body: T,
@@ -23,7 +24,7 @@ pub struct Empty {}
 
 impl<T> Reply<T> {
     /// All that was asked for.
-    pub fn done(command: &'static str, warnings: Vec<String>, body: T) -> Self {
+    pub fn done(command: &'static str, warnings: Vec<Message>, body: T) -> Self {
         Self { command: Some(command), status: "done", message: None, warnings, body }
     }
 

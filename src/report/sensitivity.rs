@@ -1,11 +1,12 @@
+use super::lines::item;
 use super::optimum::OptimumReport;
 use super::reply::{Reply, share};
-use super::table::{item, table};
+use super::table::table;
 use super::{json, shown};
 use crate::error::{Error, Result};
 use crate::parameters::Parameter;
 use crate::study::{Changed, Direction, Ellipse, Flatness, Limit, Optima, Optimum, Sensitivity, Vary, Window};
-use crate::units::{Quantity, System, significant};
+use crate::units::{Message, Quantity, System, significant};
 use serde::Serialize;
 use serde_json::{Value, json};
 
@@ -51,7 +52,7 @@ pub struct AnalysisReport {
 
 impl SensitivityReport {
     /// The answer of `optimum-sensitivity`.
-    pub fn reply(optima: &Optima, analysis: &Analysis<'_>, warnings: Vec<String>) -> Reply<Self> {
+    pub fn reply(optima: &Optima, analysis: &Analysis<'_>, warnings: Vec<Message>) -> Reply<Self> {
         let all = analysis.sensitivities;
         let found = all.iter().filter(|(_, sensitivity)| sensitivity.is_ok()).count();
         let body =
@@ -59,7 +60,7 @@ impl SensitivityReport {
         let reply = Reply::done("optimum-sensitivity", warnings, body);
         match share(found, all.len()) {
             // a parameter that has none says so itself
-            "done" | "partial" => reply.ended(analysis.best.status(), Some(analysis.best.message())),
+            "done" | "partial" => reply.ended(analysis.best.status(), Some(analysis.best.message().to_string())),
             none => reply.ended(none, Some("no sensitivity that was asked for exists at this optimum".into())),
         }
     }
@@ -68,7 +69,7 @@ impl SensitivityReport {
     ///
     /// # Errors
     /// As [`Optima::best`].
-    pub fn none(optima: &Optima, why: Option<&Error>, warnings: Vec<String>) -> Result<Reply<Self>> {
+    pub fn none(optima: &Optima, why: Option<&Error>, warnings: Vec<Message>) -> Result<Reply<Self>> {
         let Reply { status, message, body, warnings, .. } = OptimumReport::reply(optima, warnings)?;
         let reply =
             Reply::done("optimum-sensitivity", warnings, Self { optimum: body, analysis: AnalysisReport::default() });
@@ -182,7 +183,7 @@ fn sensitivities_text(
         .filter_map(|(parameter, sensitivity)| match sensitivity {
             Ok(s) => Some((parameter, s)),
             Err(error) => {
-                left_out.push(item(&format!("{}: {error}", parameter.name)));
+                left_out.push(item(&format!("{}: {}", parameter.name, error.in_units(system))));
                 None
             }
         })
@@ -295,10 +296,14 @@ fn change_text(best: &Optimum, changed: &Changed, system: System) -> String {
     let right: Vec<usize> = (1..head.len()).collect();
     let mut text = format!("\n{}", table(&head, &right, rows));
     if let Some((part, words)) = &changed.event {
-        text += &item(&format!("predicted: {words} after {} % of the change", significant(100.0 * part, 3)));
+        text += &item(&format!(
+            "predicted: {} after {} % of the change",
+            words.in_units(system),
+            significant(100.0 * part, 3)
+        ));
     }
     for difference in &changed.differences {
-        text += &item(&format!("after the change: {difference}"));
+        text += &item(&format!("after the change: {}", difference.in_units(system)));
     }
     text
 }

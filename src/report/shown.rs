@@ -72,10 +72,19 @@ pub(super) fn change(of: Outcome, value: f64, system: System) -> String {
 
 /// A value of a parameter that was computed: an optimum, the end of a window.
 pub(super) fn parameter(parameter: &Parameter, value: f64, system: System) -> String {
+    computed(parameter, value, system.unit(parameter.unit))
+}
+
+/// The same in the unit that the parameter is declared in, as setup files write its value.
+pub(super) fn as_declared(parameter: &Parameter, value: f64) -> String {
+    computed(parameter, value, parameter.unit)
+}
+
+fn computed(parameter: &Parameter, value: f64, unit: &str) -> String {
     if parameter.quantity == Quantity::NUMBER {
         return significant(value, 5);
     }
-    parameter.quantity.read_off_finely(value, system.unit(parameter.unit))
+    parameter.quantity.read_off_finely(value, unit)
 }
 
 /// A value of a parameter that was stated: with the digits that it has, and no more.

@@ -1,7 +1,5 @@
+use super::lines::WIDTH;
 use comfy_table::{CellAlignment, ColumnConstraint, ContentArrangement, Table, presets};
-
-/// The width of a terminal that every table and paragraph fits.
-const WIDTH: usize = 100;
 
 /// The least width of a column of words that is worth breaking into lines.
 const NARROWEST: usize = 20;
@@ -66,43 +64,9 @@ fn part(head: &[&str], right: &[usize], rows: &[Vec<String>], columns: &[usize],
     table.trim_fmt() + "\n"
 }
 
-/// A paragraph, broken into lines that are read with ease.
-pub(super) fn paragraph(text: &str) -> String {
-    indented(text, 0)
-}
-
-/// A line of a list, broken into lines that are indented alike.
-pub(super) fn item(text: &str) -> String {
-    indented(text, MARGIN)
-}
-
-/// What belongs to the line above.
-pub(super) fn note(text: &str) -> String {
-    indented(text, 3 * MARGIN)
-}
-
-/// Breaks the lines of a text that are too wide.
-pub(super) fn broken(text: &str) -> String {
-    let line = |line: &str| {
-        let indent = line.len() - line.trim_start().len();
-        if line.chars().count() <= WIDTH { format!("{line}\n") } else { indented(line.trim_start(), indent) }
-    };
-    text.lines().map(line).collect()
-}
-
-fn indented(text: &str, by: usize) -> String {
-    let mut table = Table::new();
-    table.load_style(presets::NOTHING).set_content_arrangement(ContentArrangement::Dynamic).set_width(WIDTH as u16);
-    table.add_row([text]);
-    if let Some(column) = table.column_mut(0) {
-        column.set_padding((by as u16, 0));
-    }
-    table.trim_fmt() + "\n"
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{WIDTH, item, paragraph, table};
+    use super::{WIDTH, table};
 
     fn widest(text: &str) -> usize {
         text.lines().map(|line| line.chars().count()).max().unwrap_or(0)
@@ -115,7 +79,6 @@ mod tests {
         assert!(widest(&text) <= WIDTH && text.lines().count() > 3, "{text}");
         let kept: Vec<_> = text.split_whitespace().skip(3).collect();
         assert_eq!(kept.join(" "), words.trim());
-        assert!(widest(&paragraph(&words)) <= WIDTH && widest(&item(&words)) <= WIDTH);
 
         let names: Vec<String> = (0..12).map(|i| format!("column-{i:02}")).collect();
         let head: Vec<&str> = ["by"].into_iter().chain(names.iter().map(String::as_str)).collect();

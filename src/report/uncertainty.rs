@@ -1,8 +1,9 @@
+use super::lines::item;
 use super::reply::{Reply, share};
-use super::table::{item, table};
+use super::table::table;
 use super::{json, shown};
 use crate::study::uncertainty::{Distribution, Interval, Moments, OutcomeUncertainty, Uncertain, Uncertainty};
-use crate::units::{Quantity, System, counted};
+use crate::units::{Message, Quantity, System, counted};
 use serde::Serialize;
 use serde_json::{Value, json};
 
@@ -27,7 +28,7 @@ pub struct UncertaintyReport {
 
 impl UncertaintyReport {
     /// The answer of `uncertainty`.
-    pub fn reply(found: &Uncertainty, warnings: Vec<String>) -> Reply<Self> {
+    pub fn reply(found: &Uncertainty, warnings: Vec<Message>) -> Reply<Self> {
         let sampled = found.outcomes.iter().filter(|outcome| outcome.sampled.is_some()).count();
         let missing = found.outcomes.iter().filter(|outcome| outcome.sampled.is_none());
         let missing: Vec<_> = missing.map(|outcome| outcome.of.name()).collect();

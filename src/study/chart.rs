@@ -6,6 +6,7 @@ use super::sensitivity::sensitivity;
 use crate::error::{Error, Result};
 use crate::optimize::{Options, Status, Watch};
 use crate::parameters::Setup;
+use crate::units::Message;
 
 /// Optima along a parameter.
 #[derive(Clone, Debug)]
@@ -15,9 +16,9 @@ pub struct Chart {
     /// The optima, in order.
     pub points: Vec<ChartPoint>,
     /// Why it begins after the range does, if it does.
-    pub begun: Option<String>,
+    pub begun: Option<Message>,
     /// Why it ends before the range does, if it does.
-    pub ended: Option<String>,
+    pub ended: Option<Message>,
 }
 
 /// The optimum at one value of the parameter.
@@ -94,7 +95,7 @@ pub fn chart_at(
         && here.at < along.high
     {
         if !goes_on {
-            chart.ended = Some(format!("stopped at {}", along.parameter.show(Some(here.at))));
+            chart.ended = Some(along.parameter.place("stopped at ".into(), here.at));
             break;
         }
         let to = if here.at + 1.001 * step >= along.high { along.high } else { here.at + step };
@@ -113,8 +114,8 @@ pub fn chart_at(
                 continue;
             }
             Err(error) => {
-                let place = along.parameter.show(Some(here.at));
-                chart.ended = Some(format!("no optimum was found beyond {place}: {error}"));
+                let place = along.parameter.place("no optimum was found beyond ".into(), here.at);
+                chart.ended = Some(place.words(": ").message(error.message()));
                 break;
             }
         };
@@ -147,7 +148,7 @@ struct Follower<'a> {
 
 impl Follower<'_> {
     /// The optimum at the range's low end, or at the first of a few places where there is one; and why not before.
-    fn first(&self) -> Result<(ChartPoint, Option<String>)> {
+    fn first(&self) -> Result<(ChartPoint, Option<Message>)> {
         let Vary { parameter, low, high } = self.along;
         let mut why = None;
         for place in 0..=(1.0 / LONGEST) as u32 {
@@ -157,9 +158,10 @@ impl Follower<'_> {
             let found = optimum(&setup, self.search.clone(), Watch::default()).and_then(|best| point(at, best));
             match found {
                 Ok(point) => {
-                    let show = |value: f64| parameter.show(Some(value));
                     let begun = why.map(|why: Error| {
-                        format!("the chart begins at {}: no optimum was found at {}: {why}", show(at), show(low))
+                        let begins = parameter.place("the chart begins at ".into(), at);
+                        let without = parameter.place(begins.words(": no optimum was found at "), low);
+                        without.words(": ").message(why.message())
                     });
                     return Ok((point, begun));
                 }

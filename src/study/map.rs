@@ -5,6 +5,7 @@ use crate::derivative::{Evaluator, Order};
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::parameters::Setup;
+use crate::units::Message;
 use rayon::prelude::*;
 
 /// An outcome at the nodes of a grid, with its gradient at some.
@@ -21,7 +22,7 @@ pub struct Map {
     /// The outcome at each node, SI, row by row from the lowest; `None` where the drive has none.
     pub values: Vec<Option<f64>>,
     /// Why it has none, at the first such node.
-    pub missing: Option<String>,
+    pub missing: Option<Message>,
     /// The gradient at a coarser grid of places.
     pub slopes: Vec<Slope>,
 }
@@ -91,12 +92,13 @@ pub fn map(setup: &Setup<f64>, of: Outcome, across: Vary, up: Vary, fineness: Fi
             Ok(values.at(&x)?[0].value)
         })
         .collect();
-    let missing = nodes.iter().find_map(|node| node.as_ref().err()).map(ToString::to_string);
+    let missing = nodes.iter().find_map(|node| node.as_ref().err()).map(Error::message);
     let values: Vec<Option<f64>> = nodes.into_iter().map(Result::ok).collect();
     if values.iter().all(Option::is_none) {
         let reason = missing.unwrap_or_default();
         return Err(Error::NoFlight {
-            reason: format!("no drive of the map has a {}; at its lower left corner: {reason}", of.name()),
+            reason: Message::from(format!("no drive of the map has a {}; at its lower left corner: ", of.name()))
+                .message(reason),
         });
     }
     let slopes = (0..fineness.slopes * fineness.slopes).into_par_iter().filter_map(|i| {

@@ -6,7 +6,7 @@ use crate::error::{Error, Result};
 use crate::optimize::sensitivity::Held;
 use crate::optimize::{Follow, Local, Options, Solution, Status, Watch, minimize_from, minimize_watched, starts};
 use crate::parameters::Setup;
-use crate::units;
+use crate::units::{self, Digits, Message};
 use std::fmt;
 
 /// Whether the largest or the smallest value of an outcome is looked for.
@@ -118,22 +118,24 @@ impl Optimum {
     }
 
     /// How the search ended, in a sentence, in terms of the drive.
-    pub fn message(&self) -> String {
+    pub fn message(&self) -> Message {
         let of = self.search.maximize.name();
         match (&self.solution.kink, self.solution.status) {
             (Some(kink), _) => {
                 let (parameter, outcome) = (self.search.vary[kink.variable].parameter, self.search.maximize);
-                let at = parameter.show(Some(self.solution.x[kink.variable]));
-                let (by, unit) = (parameter.name, units::per(outcome.quantity().si, parameter.quantity.si));
+                let (by, si) = (parameter.name, units::per(outcome.quantity().si, parameter.quantity.si));
                 let sign = self.search.sense.sign();
                 let slope = |slope: Option<f64>| {
-                    slope.map_or("not computed (out of range)".into(), |slope| format!("{:+.4} {unit}", sign * slope))
+                    slope.map_or("not computed (out of range)".into(), |slope| format!("{:+.4} {si}", sign * slope))
                 };
-                format!(
-                    "{of} has a corner at {by} = {at}: d {of}/d {by} is {} below it and {} above",
-                    slope(kink.slope_below),
-                    slope(kink.slope_above),
-                )
+                let at = self.solution.x[kink.variable];
+                Message::from(format!("{of} has a corner at {by} = "))
+                    .quantity(parameter.quantity, parameter.unit, at, Digits::Significant(7))
+                    .words(format!(
+                        ": d {of}/d {by} is {} below it and {} above",
+                        slope(kink.slope_below),
+                        slope(kink.slope_above),
+                    ))
             }
             (None, Status::Infeasible) => {
                 let missed = self.search.subject_to.iter().zip(&self.solution.constraints);
@@ -141,15 +143,18 @@ impl Optimum {
                     .filter(|(_, constrained)| constrained.violation != 0.0)
                     .map(|(constraint, constrained)| {
                         let (quantity, unit) = (constraint.outcome.quantity(), constraint.outcome.unit());
-                        let value = quantity.read_off_finely(constrained.value, unit);
-                        let short = quantity.read_off_difference(constrained.violation.abs(), unit);
-                        format!("{} (its value is {value}, outside by {short})", constraint.expression)
+                        Message::from(format!("{} (its value is ", constraint.expression))
+                            .quantity(quantity, unit, constrained.value, Digits::Fine)
+                            .words(", outside by ")
+                            .quantity(quantity, unit, constrained.violation.abs(), Digits::Difference)
+                            .words(")")
                     })
                     .collect();
-                format!("the constraints cannot all be met; the nearest point found violates {}", missed.join(" and "))
+                Message::from("the constraints cannot all be met; the nearest point found violates ")
+                    .message(Message::joined(missed, " and "))
             }
             (None, Status::Converged) if self.is_flat() => {
-                format!("{of} does not depend on the parameters varied here: every drive is equally good")
+                format!("{of} does not depend on the parameters varied here: every drive is equally good").into()
             }
             (None, Status::Undefined) => {
                 let (trials, why) = (self.search.options.start_trials, self.solution.undefined_at_start.as_deref());
@@ -157,8 +162,9 @@ impl Optimum {
                     "no drive of the search flies, neither the start nor {trials} other points of the ranges; at the start: {}",
                     why.unwrap_or_default()
                 )
+                .into()
             }
-            _ => self.solution.message.clone(),
+            _ => self.solution.message.clone().into(),
         }
     }
 

@@ -4,6 +4,7 @@ use crate::error::{Error, Result};
 use crate::optimize::sensitivity::{Event, first_event, response};
 use crate::optimize::{Status, Watch};
 use crate::parameters::{Parameter, Setup};
+use crate::units::Message;
 
 /// How an optimum answers to a parameter that is not varied.
 #[derive(Clone, Debug)]
@@ -115,9 +116,9 @@ pub struct Changed {
     /// The optimum found anew.
     pub resolved: Optimum,
     /// What of the active bounds and constraints changes on the way, and after which part of it, to first order.
-    pub event: Option<(f64, String)>,
+    pub event: Option<(f64, Message)>,
     /// What of them was in truth different at the end.
-    pub differences: Vec<String>,
+    pub differences: Vec<Message>,
 }
 
 /// The effect of a stated change on an optimum.
@@ -151,30 +152,29 @@ pub fn change(best: &Optimum, change: Change) -> Result<Changed> {
     })
 }
 
-fn in_words(search: &Search, event: Event) -> String {
-    let bound = |i: usize, is_lower: bool| {
+fn in_words(search: &Search, event: Event) -> Message {
+    let bound = |i: usize, is_lower: bool, what: &str| {
         let vary = &search.vary[i];
         let (name, end) = if is_lower { ("lower", vary.low) } else { ("upper", vary.high) };
-        format!("{name} bound {}", vary.parameter.show(Some(end)))
+        vary.parameter.place(format!("{} {what} its {name} bound ", vary.parameter.name).into(), end)
     };
     match event {
-        Event::BoundReached(i, is_lower) => {
-            format!("{} reaches its {}", search.vary[i].parameter.name, bound(i, is_lower))
-        }
-        Event::BoundLeft(i, is_lower) => format!("{} leaves its {}", search.vary[i].parameter.name, bound(i, is_lower)),
-        Event::LimitReached(j, _) => format!("{} becomes active", search.subject_to[j].expression),
-        Event::LimitLeft(j, _) => format!("{} is no longer active", search.subject_to[j].expression),
+        Event::BoundReached(i, is_lower) => bound(i, is_lower, "reaches"),
+        Event::BoundLeft(i, is_lower) => bound(i, is_lower, "leaves"),
+        Event::LimitReached(j, _) => format!("{} becomes active", search.subject_to[j].expression).into(),
+        Event::LimitLeft(j, _) => format!("{} is no longer active", search.subject_to[j].expression).into(),
     }
 }
 
 /// In which active bounds and constraints two optima differ.
-fn differences(before: &Optimum, after: &Optimum) -> Vec<String> {
+fn differences(before: &Optimum, after: &Optimum) -> Vec<Message> {
     if after.solution.status != Status::Converged {
-        return vec![format!("no optimum was found ({}: {})", after.status(), after.message())];
+        let why = Message::from(format!("no optimum was found ({}: ", after.status()));
+        return vec![why.message(after.message()).words(")")];
     }
     let (was, is) = (before.active(), after.active());
-    let only = |these: &[Active], others: &[Active], words: &str| -> Vec<String> {
-        these.iter().filter(|one| !others.contains(one)).map(|one| format!("{one} {words}")).collect()
+    let only = |these: &[Active], others: &[Active], words: &str| -> Vec<Message> {
+        these.iter().filter(|one| !others.contains(one)).map(|one| format!("{one} {words}").into()).collect()
     };
     [only(&was, &is, "is no longer active"), only(&is, &was, "has become active")].concat()
 }

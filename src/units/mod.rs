@@ -7,11 +7,13 @@ mod decimals;
 mod dimension;
 mod error;
 mod expression;
+mod message;
 mod symbols;
 mod system;
 
 pub use decimals::counted;
 pub use error::UnitError;
+pub use message::{Digits, Message};
 pub use system::System;
 
 use dimension::Dimension;

@@ -136,7 +136,7 @@ fn contradictory_constraints_end_as_infeasible_with_the_smallest_violation() {
     );
     let none = optimum(&setup, search.clone(), Watch::default()).unwrap();
     assert_eq!((none.solution.status, none.status()), (Status::Infeasible, "infeasible"), "{}", none.message());
-    let message = none.message();
+    let message = none.message().to_string();
     assert!(message.contains("apex_height <= 30 m") && message.contains("apex_height >= 31 m"), "{message}");
     // the least sum of squares lies halfway, where γ is the same for both
     let violations: Vec<f64> = none.solution.constraints.iter().map(|c| c.violation).collect();
@@ -269,9 +269,9 @@ fn a_change_that_moves_the_active_set_is_foreseen_and_seen() {
     assert_eq!(names(&best), ["swing.attack_angle at its upper bound"]);
     let changed = change(&best, Change::read(&setup, "swing.speed=+10mph").unwrap()).unwrap();
     let (part, words) = changed.event.unwrap();
-    assert!(part > 0.0 && part < 1.0 && words == "apex_height <= 39 yd becomes active", "{words}");
+    assert!(part > 0.0 && part < 1.0 && words.to_string() == "apex_height <= 39 yd becomes active", "{words}");
     assert!(
-        changed.differences.contains(&"apex_height <= 39 yd has become active".to_owned()),
+        changed.differences.contains(&"apex_height <= 39 yd has become active".into()),
         "{:?}",
         changed.differences
     );

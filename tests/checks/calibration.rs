@@ -464,7 +464,7 @@ fn a_launch_monitors_export_is_read_as_it_is_written() {
     // a measured carry is the distance to the landing point, and its uncertainty that of the instruments
     let carry = expected.shots[0].measured[0];
     assert_eq!((carry.outcome, carry.sigma), (Outcome::CarryDistance, 3.0 * 0.9144));
-    let told = read(trackman).remarks.join("\n");
+    let told = read(trackman).remarks.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n");
     for words in
         ["left out: Date, Est. Total Flat - Length", "left out: Club Speed, Smash Factor", "3 yd is taken for each"]
     {

@@ -117,7 +117,7 @@ fn independent_corner_at_zero_spin_is_the_end_of_every_search_in_a_wide_box() {
                 assert_eq!((solution.x[0], kink.slope_below), (0.0, None));
                 close(solution.lower_multipliers[0], 29.66, 1.0, 0.05, "price inside the bound");
             }
-            assert!(best.message().contains("club.loft"), "{}", best.message());
+            assert!(best.message().to_string().contains("club.loft"), "{}", best.message());
         }
     }
 }
@@ -130,7 +130,7 @@ fn a_start_that_does_not_fly_is_left_for_one_that_does_and_said() {
 
     let none = mae494(-9.0, 1.0, ["club.loft=0deg..2deg", "swing.attack_angle=-10deg..-8deg"]);
     assert_eq!((none.solution.status, none.status(), none.value()), (Status::Undefined, "no-flight", None));
-    assert!(none.drive.is_none() && none.message().contains("no drive of the search flies"));
+    assert!(none.drive.is_none() && none.message().to_string().contains("no drive of the search flies"));
 }
 
 #[test]

@@ -53,8 +53,8 @@ fn figures() -> Vec<Figure> {
     vec![
         trajectory_figure(&flown, View::Side),
         trajectory_figure(&flown, View::Top),
-        map_figure(&landscape, &[], None, None),
-        tornado_figure(&effects[0]),
+        map_figure(&landscape, &[], None, None, System::Us),
+        tornado_figure(&effects[0], System::Us),
         vcurve_figure(&certificate.rows, &longdrive::reproduce::while_loop(&setup, &certificate.rows)),
     ]
 }
@@ -192,7 +192,10 @@ fn independent_maps_hold_the_drives_and_gradients_of_other_commands() {
     let [across, up] =
         ["club.loft=4deg..20deg", "swing.attack_angle=-15deg..5deg"].map(|text| Vary::read(&setup, text).unwrap());
     let found = map(&setup, Outcome::Carry, across, up, Fineness { nodes: 5, slopes: 3 }).unwrap();
-    assert!(found.values[0].is_none() && found.missing.as_ref().unwrap().contains("no flight"), "{found:?}");
+    assert!(
+        found.values[0].is_none() && found.missing.as_ref().unwrap().to_string().contains("no flight"),
+        "{found:?}"
+    );
     // the node in the third column of the top row: loft 12°, attack 5°
     let set = ["--set", "club.loft=12deg", "--set", "swing.attack_angle=5deg"];
     let (_, drive) = json(&[&["simulate"], set.as_slice()].concat());

@@ -233,7 +233,7 @@ fn differences_with_the_time_step_are_told_in_a_logarithmic_wind() {
     let windy = certificate(&setup, &of, &wrt);
     let speed = windy.step.iter().find(|found| found.of == Outcome::LandingSpeed).unwrap();
     assert!(
-        speed.derivative.unwrap().1 > 1e-6 && speed.warning().unwrap().contains("landing_speed by club."),
+        speed.derivative.unwrap().1 > 1e-6 && speed.warning().unwrap().to_string().contains("landing_speed by club."),
         "{speed:?}"
     );
     // measured again here, by the gradients of flights in steps of 5 ms and 0.625 ms

@@ -29,7 +29,7 @@ pub fn run(args: &ChartArgs) -> Result<Answer> {
     let chart = match chart {
         Err(error) if error.is_an_outcome() => {
             tell_error(&error);
-            let none = Chart { along, points: vec![], begun: None, ended: Some(error.to_string()) };
+            let none = Chart { along, points: vec![], begun: None, ended: Some(error.message()) };
             let answer = if args.question.json {
                 Answer::json(&ChartReport::reply(&none, &search, warnings))
             } else {

@@ -2,6 +2,7 @@
 
 use anstream::{AutoStream, ColorChoice};
 use clap::builder::styling::{AnsiColor, Style};
+use longdrive::report::remark;
 use std::io::{self, Write};
 
 const GOOD: Style = AnsiColor::Green.on_default().bold();
@@ -38,10 +39,14 @@ pub fn print(text: &str) -> io::Result<()> {
     out.write_all(painted(text).as_bytes()).and_then(|()| out.flush())
 }
 
-/// A line on standard error: "warning: …", "error: …".
+/// On standard error: "warning: …", in lines that fit a terminal; "error: …", which stays in the lines that it has: they may point at a
+/// place of a file or of an expression.
 pub fn say(kind: &str, message: &str) {
-    let style = if kind == "error" { BAD } else { DOUBTFUL };
-    let _ = writeln!(anstream::stderr().lock(), "{style}{kind}:{style:#} {message}");
+    let (style, text) = match kind {
+        "error" => (BAD, format!("{kind}: {message}")),
+        _ => (DOUBTFUL, remark(&format!("{kind}: {message}"))),
+    };
+    let _ = writeln!(anstream::stderr().lock(), "{style}{kind}:{style:#}{}", &text[kind.len() + 1..]);
 }
 
 fn painted(text: &str) -> String {

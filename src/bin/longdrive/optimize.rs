@@ -4,6 +4,7 @@ use crate::output::{Answer, system, tell, warn};
 use longdrive::optimize::Status;
 use longdrive::report::{OptimumReport, optima_text, optimum_text, optimum_toml};
 use longdrive::study::Optimum;
+use longdrive::units::Message;
 use longdrive::{Result, Setup};
 
 pub fn run(args: &Optimize) -> Result<Answer> {
@@ -49,7 +50,7 @@ impl Optimize {
 }
 
 /// What deserves a word about an optimum.
-pub fn remarks(setup: &Setup<f64>, best: &Optimum) -> Vec<String> {
+pub fn remarks(setup: &Setup<f64>, best: &Optimum) -> Vec<Message> {
     if let Some(moved) = best.moved_start() {
         tell(&moved);
     }

@@ -1,8 +1,8 @@
 use crate::args::Shown;
 use crate::colour;
 use indicatif::{ProgressBar, ProgressStyle};
-use longdrive::report::{Empty, Reply};
-use longdrive::units::System;
+use longdrive::report::{Empty, Reply, remark};
+use longdrive::units::{Message, System};
 use longdrive::{Error, Result};
 use serde::Serialize;
 use std::io::{self, Write};
@@ -61,22 +61,22 @@ impl Answer {
     }
 }
 
-/// A remark or progress: a line on standard error, unless --quiet is given.
-pub fn tell(line: &str) {
+/// A remark or progress on standard error, in lines that fit a terminal, unless --quiet is given.
+pub fn tell(text: &str) {
     if !is_quiet() {
-        let _ = writeln!(io::stderr().lock(), "{line}");
+        let _ = writeln!(io::stderr().lock(), "{}", remark(text));
     }
 }
 
-pub fn warn(warnings: &[String]) {
+pub fn warn(warnings: &[Message]) {
     for warning in warnings {
-        colour::say("warning", warning);
+        colour::say("warning", &warning.in_units(system()));
     }
 }
 
 /// An error on standard error, where the command goes on.
 pub fn tell_error(error: &Error) {
-    colour::say("error", &error.to_string());
+    colour::say("error", &error.in_units(system()));
 }
 
 /// Says what went wrong; status 1 for a sound question without an answer, 2 for bad input. Where JSON is asked for, standard

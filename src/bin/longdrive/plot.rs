@@ -53,7 +53,7 @@ fn contour(args: &PlotContour) -> Result<Answer> {
     let limits = limits(best.map_or(&setup, |best| &best.setup), &search)?;
     let flatness = best.map(|best| flatness(best, usual_loss(best))).transpose()?;
     spinner.finish_and_clear();
-    target.written(&args.question, &setup, &args.drawing, &map_figure(&map, &limits, best, flatness.as_ref()))
+    target.written(&args.question, &setup, &args.drawing, &map_figure(&map, &limits, best, flatness.as_ref(), system()))
 }
 
 /// The map around an optimum; around the setup itself, where there is none.
@@ -65,7 +65,7 @@ fn mapped(setup: &Setup<f64>, search: &Search) -> Result<(Option<Optimum>, Map)>
     let best = optimum(setup, search.clone(), Watch::default())?;
     let is_found = best.solution.status == longdrive::optimize::Status::Converged;
     if !is_found {
-        tell(&format!("no optimum is drawn: {}: {}", best.status(), best.message()));
+        tell(&format!("no optimum is drawn: {}: {}", best.status(), best.message().in_units(system())));
     }
     let around = if is_found { &best.setup } else { setup };
     let map = map(around, search.maximize, across, up, Fineness::default())?;
@@ -105,9 +105,9 @@ fn along(args: &PlotChart) -> Result<Answer> {
     bar.finish_and_clear();
     let chart = chart?;
     for note in chart.begun.iter().chain(&chart.ended) {
-        tell(note);
+        tell(&note.in_units(system()));
     }
-    match chart_figures(&chart).get(shown) {
+    match chart_figures(&chart, system()).get(shown) {
         Some(figure) => target.written(&args.question, &setup, &args.drawing, figure),
         None => Err(Error::Nothing { doing: "draw", what: "optimum" }),
     }
@@ -123,7 +123,7 @@ fn tornado(args: &PlotTornado) -> Result<Answer> {
     bar.finish_and_clear();
     let found = found?;
     match found.first() {
-        Some(effects) => target.written(&args.question, &setup, &args.drawing, &tornado_figure(effects)),
+        Some(effects) => target.written(&args.question, &setup, &args.drawing, &tornado_figure(effects, system())),
         None => Err(Error::Nothing { doing: "draw", what: "outcome" }),
     }
 }
@@ -137,7 +137,7 @@ fn vcurve(args: &PlotVcurve) -> Result<Answer> {
     bar.finish_and_clear();
     let certificate = certificate?;
     for (of, why) in &certificate.missing {
-        tell(&format!("left out: {}: {why}", of.name()));
+        tell(&format!("left out: {}: {}", of.name(), why.in_units(system())));
     }
     // in the order asked for, without what is looked at beside
     let asked = of.iter().flat_map(|of| wrt.iter().map(move |parameter| (*of, *parameter)));

@@ -12,6 +12,7 @@ use longdrive::study::certificate::{Row, certify};
 use longdrive::study::{
     Fineness, Search, Sigma, Vary, chart, effects, flatness, map, optimum, usual_loss, with_defaults,
 };
+use longdrive::units::Message;
 use longdrive::{Outcome, Result, Setup};
 use serde_json::json;
 
@@ -39,13 +40,13 @@ pub fn run(args: &Report) -> Result<Answer> {
     let found = optimum(&setup, search.clone(), Watch::default())?;
     let is_found = found.solution.status == Status::Converged;
     if !is_found {
-        remarks.push(format!("no optimum: {}: {}", found.status(), found.message()));
+        remarks.push(Message::from(format!("no optimum: {}: ", found.status())).message(found.message()));
     }
     let best = is_found.then_some(&found);
     if let Some(best) = best {
         let longest = Flown::new("optimum", &best.setup)?;
         let of_drive = longest.drive.warnings(&best.setup).into_iter().filter(|warning| !remarks.contains(warning));
-        let of_drive: Vec<_> = of_drive.map(|warning| format!("at the optimum: {warning}")).collect();
+        let of_drive: Vec<_> = of_drive.map(|warning| Message::from("at the optimum: ").message(warning)).collect();
         remarks.extend(of_drive);
         flown.push(longest);
     }
@@ -107,7 +108,7 @@ pub fn run(args: &Report) -> Result<Answer> {
         let (status, message) = match &flown[0].drive.flight {
             Flight::None(why) => (why.status(), Some(why.to_string())),
             Flight::Landed(_) if is_found => ("done", None),
-            Flight::Landed(_) => (found.status(), Some(found.message())),
+            Flight::Landed(_) => (found.status(), Some(found.message().to_string())),
         };
         let body = json!({ "folder": args.output.display().to_string(), "files": names });
         Answer::json(&Reply::done("report", remarks.clone(), body).ended(status, message))
@@ -132,11 +133,11 @@ fn rows(setup: &Setup<f64>, search: &Search) -> Result<Vec<Row>> {
 }
 
 /// A part of the report; where it has no answer the report says so, and goes on.
-fn said<T>(part: Result<T>, remarks: &mut Vec<String>) -> Result<Option<T>> {
+fn said<T>(part: Result<T>, remarks: &mut Vec<Message>) -> Result<Option<T>> {
     match part {
         Ok(part) => Ok(Some(part)),
         Err(error) if error.is_an_outcome() => {
-            let remark = error.to_string();
+            let remark = error.message();
             if !remarks.contains(&remark) {
                 remarks.push(remark);
             }

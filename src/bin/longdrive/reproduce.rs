@@ -4,8 +4,7 @@ use crate::output::{Answer, stated_system, tell};
 use longdrive::Result;
 use longdrive::report::plot::{Look, figure_csv, figure_svg};
 use longdrive::report::{Document, mae494_document, mae494_reply, winfield_tan_document, winfield_tan_reply};
-use longdrive::reproduce::{mae494, winfield_tan};
-use longdrive::units::System;
+use longdrive::reproduce::{Mae494, WinfieldTan, mae494, winfield_tan};
 
 /// Files that every document has.
 pub const DOCUMENT: [&str; 2] = ["report.md", "index.html"];
@@ -16,15 +15,16 @@ pub fn run(args: &Reproduce) -> Result<Answer> {
     let (document, reply, system) = match args.study {
         Published::Mae494 => {
             let found = mae494(|what| tell(&format!("computing {what}")))?;
-            (mae494_document(&found), mae494_reply(&found), System::Metric)
+            let system = stated_system().unwrap_or(Mae494::UNITS);
+            (mae494_document(&found, system), mae494_reply(&found), system)
         }
         Published::WinfieldTan => {
             let found = winfield_tan(|what| tell(&format!("computing {what}")))?;
-            (winfield_tan_document(&found), winfield_tan_reply(&found), System::Us)
+            let system = stated_system().unwrap_or(WinfieldTan::UNITS);
+            (winfield_tan_document(&found, system), winfield_tan_reply(&found), system)
         }
     };
     if let Some(folder) = &folder {
-        let system = stated_system().unwrap_or(system);
         write(folder, &document, &Look { system, ..Look::default() })?;
     }
     Ok(if args.json { Answer::json(&reply) } else { Answer::text(document.text()) })

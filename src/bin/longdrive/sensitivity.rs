@@ -21,7 +21,7 @@ pub fn run(args: &SensitivityArgs) -> Result<Answer> {
         if found.solution.status != Status::Converged {
             return Err(Error::NotConverged { status: found.status(), message: found.message() });
         }
-        tell(&found.message());
+        tell(&found.message().in_units(system()));
         setup = found.setup;
         best = Some(found);
     }

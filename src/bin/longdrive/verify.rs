@@ -1,6 +1,6 @@
 use crate::args::Verify;
 use crate::names::{outcomes, variables};
-use crate::output::{Answer, bar, show, tell, warn};
+use crate::output::{Answer, bar, show, system, tell, warn};
 use longdrive::report::{CertificateReport, certificate_text};
 use longdrive::reproduce::while_loop;
 use longdrive::study::certificate::{StepError, certify};
@@ -19,13 +19,13 @@ pub fn run(args: &Verify) -> Result<Answer> {
     let warnings = [of_drive, of_step].concat();
     warn(&warnings);
     for (of, why) in &certificate.missing {
-        tell(&format!("left out: {}: {why}", of.name()));
+        tell(&format!("left out: {}: {}", of.name(), why.in_units(system())));
     }
     let loops = while_loop(&setup, &certificate.rows);
     let answer = if args.question.json {
         Answer::json(&CertificateReport::reply(&certificate, &loops, warnings))
     } else {
-        Answer::text(certificate_text(&certificate, &loops))
+        Answer::text(certificate_text(&certificate, &loops, system()))
     };
     Ok(answer.found(certificate.passed()))
 }

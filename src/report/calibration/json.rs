@@ -1,9 +1,10 @@
 use super::{CalibrationReport, by_outcome};
 use crate::report::{Reply, json};
+use crate::units::Message;
 use serde_json::{Map, Value, json};
 
 /// The answer of `calibrate`: the status and the message are the fit's, unless a fit for the held-out error was interrupted.
-pub fn calibration_reply(report: &CalibrationReport<'_>, warnings: Vec<String>) -> Reply<Value> {
+pub fn calibration_reply(report: &CalibrationReport<'_>, warnings: Vec<Message>) -> Reply<Value> {
     Reply::done("calibrate", warnings, body(report)).ended(report.status().name(), Some(report.message()))
 }
 

@@ -59,16 +59,22 @@ impl CalibrationReport<'_> {
     }
 }
 
+/// A value to the second digit of its standard error.
+fn to_its_error(quantity: Quantity, unit: &str, value: f64, standard_error: Option<f64>) -> String {
+    let size = quantity.size_of(unit).unwrap_or(1.0);
+    let decimals = standard_error.filter(|error| *error > 0.0).map(|error| 1.0 - (error / size).log10().floor());
+    match decimals {
+        Some(decimals @ 0.0..=9.0) => format!("{:.*} {unit}", decimals as usize, value / size).trim_end().to_owned(),
+        _ => quantity.show(value, unit),
+    }
+}
+
 /// The estimate as a person reads it, with its 95 % interval: to the second digit of its standard error.
 fn estimated(estimate: &Estimate, reach: f64, system: System) -> Vec<String> {
     let Estimate { parameter, value, standard_error, is_at_bound, is_determined } = estimate;
     let (quantity, unit) = (parameter.quantity, system.unit(parameter.unit));
     let size = quantity.size_of(unit).unwrap_or(1.0);
-    let decimals = standard_error.filter(|error| *error > 0.0).map(|error| 1.0 - (error / size).log10().floor());
-    let show = |value: f64| match decimals {
-        Some(decimals @ 0.0..=9.0) => format!("{:.*} {unit}", decimals as usize, value / size).trim_end().to_owned(),
-        _ => quantity.show(value, unit),
-    };
+    let show = |value: f64| to_its_error(quantity, unit, value, *standard_error);
     let (error, interval) = match standard_error {
         Some(error) => (
             significant(error / size, 2),
@@ -100,7 +106,7 @@ pub fn calibration_document(report: &CalibrationReport<'_>, system: System) -> D
         counted(table.residuals() as u64, "measured value")
     ));
     for remark in &table.remarks {
-        document.paragraph(remark.clone());
+        document.paragraph(remark.in_units(system));
     }
     if found.starts.0 > 1 {
         document.paragraph(format!("{} of {} starts ended at this sum.", found.starts.1, found.starts.0));

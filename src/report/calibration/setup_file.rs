@@ -1,7 +1,10 @@
+use super::to_its_error;
 use crate::error::Result;
 use crate::parameters::Preset;
 use crate::report::setup_toml;
-use crate::study::calibrate::Calibration;
+use crate::report::shown::as_declared;
+use crate::study::calibrate::{Calibration, Estimate};
+use crate::units::significant;
 
 /// The fitted setup as a setup file in TOML, to the last digit, the fitted parameters with their standard errors.
 ///
@@ -10,12 +13,17 @@ use crate::study::calibrate::Calibration;
 pub fn calibration_toml(found: &Calibration, preset: &Preset, data: &str) -> Result<String> {
     let about = [format!("{}, fitted to {data}", preset.name), format!("{}: {}", found.fit.status, found.fit.message)];
     let remarks = found.estimates.iter().map(|estimate| {
-        let parameter = estimate.parameter;
-        let error = match estimate.standard_error {
-            Some(error) => format!("± {}", parameter.show(Some(error))),
-            None => "without a standard error".into(),
+        let Estimate { parameter, value, standard_error, .. } = *estimate;
+        let (quantity, unit) = (parameter.quantity, parameter.unit);
+        let value = match standard_error {
+            Some(error) => {
+                let size = quantity.size_of(unit).unwrap_or(1.0);
+                let value = to_its_error(quantity, unit, value, standard_error);
+                format!("{value} ± {} {unit}", significant(error / size, 2)).trim_end().to_owned()
+            }
+            None => format!("{} without a standard error", as_declared(parameter, value)),
         };
-        (parameter, format!("fitted to {data}: {} {error}", parameter.show(Some(estimate.value))))
+        (parameter, format!("fitted to {data}: {value}"))
     });
     setup_toml(&found.setup, preset, &about, &remarks.collect::<Vec<_>>())
 }

@@ -1,5 +1,6 @@
 use super::{Block, Document};
-use crate::report::table::{paragraph, table};
+use crate::report::lines::paragraph;
+use crate::report::table::table;
 
 impl Document {
     /// As plain text.

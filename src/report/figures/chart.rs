@@ -1,9 +1,11 @@
 use super::map::capital;
 use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};
 use crate::study::{Chart, ChartPoint};
+use crate::units::System;
 
-/// The optimum along a parameter: a plot of its value, and one of each parameter varied with the bounds of its range.
-pub fn chart_figures(chart: &Chart) -> Vec<Figure> {
+/// The optimum along a parameter: a plot of its value, and one of each parameter varied with the bounds of its range. The notes
+/// are in the units of `system` first.
+pub fn chart_figures(chart: &Chart, system: System) -> Vec<Figure> {
     let Some(first) = chart.points.first() else { return vec![] };
     let search = &first.best.search;
     let along = Measure::parameter(chart.along.parameter);
@@ -15,7 +17,7 @@ pub fn chart_figures(chart: &Chart) -> Vec<Figure> {
     let value = chart.points.iter().filter_map(|point| Some([point.at, point.best.value()?])).collect();
     let name = format!("chart-{}-by-{tag}", search.maximize.name());
     let best = Figure::new(name, title, x(), Axis::linear(of)).with(line(value));
-    let best = marked(best, chart, |point| point.best.value());
+    let best = marked(best, chart, system, |point| point.best.value());
 
     let varied = search.vary.iter().enumerate().map(|(i, vary)| {
         let measure = Measure::parameter(vary.parameter);
@@ -30,24 +32,24 @@ pub fn chart_figures(chart: &Chart) -> Vec<Figure> {
             .with(bound("bounds", vary.low))
             .with(bound("", vary.high))
             .with(line(path));
-        marked(figure, chart, move |point| Some(point.best.solution.x[i]))
+        marked(figure, chart, system, move |point| Some(point.best.solution.x[i]))
     });
     std::iter::once(best).chain(varied).collect()
 }
 
 /// Marks where a bound or constraint begins or ends to hold, and says what in the note.
-fn marked(mut figure: Figure, chart: &Chart, y: impl Fn(&ChartPoint) -> Option<f64>) -> Figure {
+fn marked(mut figure: Figure, chart: &Chart, system: System, y: impl Fn(&ChartPoint) -> Option<f64>) -> Figure {
     let mut notes = vec![];
     for point in &chart.points {
         if let (Some(event), Some(y)) = (&point.event, y(point)) {
             let number = format!("{}", notes.len() + 1);
             notes.push(format!(
                 "{number}: at {} {event}.",
-                Measure::parameter(chart.along.parameter).show_both(point.at)
+                Measure::parameter(chart.along.parameter).show_both(point.at, system)
             ));
             figure.layers.push(Layer::Mark { name: number, hue: Hue::Series(1), at: [point.at, y] });
         }
     }
-    notes.extend(chart.begun.iter().chain(&chart.ended).cloned());
+    notes.extend(chart.begun.iter().chain(&chart.ended).map(|why| why.in_units(system)));
     figure.noted(notes.join(" "))
 }

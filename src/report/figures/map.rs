@@ -1,16 +1,18 @@
 use crate::report::plot::{Axis, Field, Figure, Hue, Layer, Measure};
 use crate::study::{Constraint, Flatness, Map, Optimum, Slope, Vary};
+use crate::units::System;
 
 /// The longest arrow, as a part of the map's width.
 const LONGEST_ARROW: f64 = 0.1;
 
 /// A map with its gradients, the limits of outcomes as lines on it (each with a map of its outcome), and where the search of an
-/// optimum varied both its parameters, the optimum with its window.
+/// optimum varied both its parameters, the optimum with its window. The note is in the units of `system` first.
 pub fn map_figure(
     map: &Map,
     limits: &[(Constraint, Map)],
     best: Option<&Optimum>,
     flatness: Option<&Flatness>,
+    system: System,
 ) -> Figure {
     let Map { of, across, up, missing, slopes, .. } = map;
     let [x, y] = [across, up].map(|vary| Axis::linear(Measure::parameter(vary.parameter)).exactly(vary.low, vary.high));
@@ -31,7 +33,7 @@ pub fn map_figure(
     let mut notes =
         vec!["The edges are the bounds. The arrows are exact gradients, scaled by the ranges; their length grows with the square root of the slope.".to_owned()];
     if let Some(why) = missing {
-        notes.push(format!("Grey: no value; the first reason: {why}."));
+        notes.push(format!("Grey: no value; the first reason: {}.", why.in_units(system)));
     }
     if let Some(best) = best
         && let Some([i, j]) = place(best, across, up)
@@ -44,7 +46,7 @@ pub fn map_figure(
             for (ends, name) in cross.into_iter().zip(["window", ""]) {
                 figure.layers.push(Layer::Line { name: name.into(), hue, is_dashed: false, points: ends.to_vec() });
             }
-            let loss = Measure::outcome(best.search.maximize).show_both(flatness.loss);
+            let loss = Measure::outcome(best.search.maximize).show_both(flatness.loss, system);
             notes.push(format!("The window shows how far each parameter may deviate alone for a loss of {loss}."));
             if let Some(ellipse) = ellipse(best, flatness, [i, j]) {
                 figure.layers.push(ellipse);

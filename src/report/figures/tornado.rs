@@ -1,6 +1,6 @@
 use crate::report::plot::{Axis, Bar, Figure, Hue, Layer, Measure};
 use crate::study::{Effect, Effects, Sigma};
-use crate::units::significant;
+use crate::units::{System, significant};
 
 /// Most bars of a tornado: the largest; the others are counted in the note.
 const MOST: usize = 15;
@@ -18,8 +18,8 @@ struct Ends {
 }
 
 /// What standard uncertainties of parameters do to an outcome, as bars, the largest on top: flown at p − σ and p + σ, one
-/// parameter at a time.
-pub fn tornado_figure(effects: &Effects) -> Figure {
+/// parameter at a time. The uncertainties, and first in the note, are in the units of `system`.
+pub fn tornado_figure(effects: &Effects, system: System) -> Figure {
     let ends = |effect: &Effect| {
         let bar = effect.bar?;
         let [lower, higher] = bar.flown;
@@ -41,9 +41,9 @@ pub fn tornado_figure(effects: &Effects) -> Figure {
     let measure = Measure::outcome(effects.of);
     let names = ranked.iter().map(|ends| {
         let parameter = ends.sigma.parameter;
-        let size = parameter.quantity.size_of(parameter.unit).unwrap_or(1.0);
-        let sigma = significant(ends.sigma.value / size, 3);
-        format!("{} ± {sigma} {}", Measure::parameter(parameter).label, parameter.unit).trim_end().to_owned()
+        let measure = Measure::parameter(parameter);
+        let sigma = significant(measure.in_units(ends.sigma.value, system), 3);
+        format!("{} ± {sigma} {}", measure.label, system.unit(parameter.unit)).trim_end().to_owned()
     });
     let x = Axis::linear(Measure { label: format!("change of {}", measure.label), ..measure.clone() });
     let bars = |name: &str, hue: usize, to: fn(&Ends) -> f64| {
@@ -56,14 +56,21 @@ pub fn tornado_figure(effects: &Effects) -> Figure {
         .with(bars("parameter higher", 0, |ends| ends.higher));
     // as tall as its bars take
     figure.aspect = 0.16 + 0.11 * ranked.len() as f64;
-    figure.noted(note(effects, &ranked, &still, left_out, &measure))
+    figure.noted(note(effects, &ranked, &still, left_out, &measure, system))
 }
 
-fn note(effects: &Effects, ranked: &[Ends], still: &[String], left_out: usize, measure: &Measure) -> String {
+fn note(
+    effects: &Effects,
+    ranked: &[Ends],
+    still: &[String],
+    left_out: usize,
+    measure: &Measure,
+    system: System,
+) -> String {
     let mut note = format!(
         "Change of {} when each parameter is moved by its standard uncertainty, one at a time. All together, if independent: ± {}.",
         measure.label,
-        measure.show_both(effects.standard_uncertainty()),
+        measure.show_both(effects.standard_uncertainty(), system),
     );
     let straight = ranked.iter().filter(|ends| !ends.is_flown).count();
     if straight > 0 {
@@ -73,7 +80,7 @@ fn note(effects: &Effects, ranked: &[Ends], still: &[String], left_out: usize, m
     if linearity > 0.0 {
         note += &format!(
             " Bars shorter than {} are smaller than what the linear model neglects.",
-            measure.show_both(linearity)
+            measure.show_both(linearity, system)
         );
     }
     if !still.is_empty() {

@@ -9,46 +9,33 @@ mod tables;
 pub use json::mae494_reply;
 
 use super::document::Document;
+use super::published::Published;
 use crate::reproduce::Mae494;
-use crate::units::significant;
+use crate::units::System;
 
-/// The report, reproduced, as a document.
-pub fn mae494_document(found: &Mae494) -> Document {
+/// The report, reproduced, as a document: computed numbers in the units of `system`, printed ones as the report prints them, with those
+/// units beside.
+pub fn mae494_document(found: &Mae494, system: System) -> Document {
+    let shown = Published { paper: Mae494::UNITS, system };
     let mut document = Document::new("The MAE 494 report, reproduced");
     document.paragraph(
         "A student report of the course MAE 494, \"Optimization of a Golf Driver\", repeated Winfield & Tan (1994). Here its constants are used in \
          Winfield & Tan's equations (the preset mae494), and each printed number is compared with what that model gives. All numbers \
          except the printed ones are computed by this command.",
     );
-    tables::optimum(&mut document, found);
-    tables::tables(&mut document, found);
-    tables::average(&mut document, found);
-    tables::regression(&mut document, found);
-    physics::energy(&mut document, found);
-    physics::subsystems(&mut document, found);
-    physics::parametric(&mut document, found);
-    noise::noise(&mut document, &found.noise);
-    searches::searches(&mut document, found);
+    tables::optimum(&mut document, found, shown);
+    tables::tables(&mut document, found, shown);
+    tables::average(&mut document, found, shown);
+    tables::regression(&mut document, found, shown);
+    physics::energy(&mut document, found, shown);
+    physics::subsystems(&mut document, found, shown);
+    physics::parametric(&mut document, found, shown);
+    noise::noise(&mut document, &found.noise, shown);
+    searches::searches(&mut document, found, shown);
     document
 }
 
 /// An angle in degrees, to four decimals as the report prints it.
 fn degrees(radians: f64) -> String {
     format!("{:.4}°", radians.to_degrees())
-}
-
-/// A length in metres, to two decimals as the report prints it.
-fn metres(length: f64) -> String {
-    // a loss of nothing is not one of minus nothing
-    format!("{:.2} m", if length.abs() < 0.005 { 0.0 } else { length })
-}
-
-/// A slope by an angle: "1.052 m per degree".
-fn per_degree(slope: f64) -> String {
-    format!("{} m per degree", significant(slope.to_radians(), 4))
-}
-
-/// A slope in SI: "-65.4 m/rad".
-fn per_radian(slope: f64) -> String {
-    format!("{slope:+.1} m/rad")
 }

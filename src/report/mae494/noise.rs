@@ -1,21 +1,22 @@
 //! The exhibit of the noise.
 
-use super::per_radian;
 use crate::report::document::Document;
 use crate::report::plot::{Axis, Figure, Layer, Measure};
+use crate::report::published::Published;
 use crate::reproduce::{Landings, Noise, Slopes};
 use crate::units::{Quantity, significant};
 
-pub(super) fn noise(document: &mut Document, noise: &Noise) {
+pub(super) fn noise(document: &mut Document, noise: &Noise, shown: Published) {
+    let per_radian = |slope: f64| shown.per_radian(slope);
     document.heading("The noise of its flight loop");
     document.paragraph(format!(
         "The report's flight loop stops at the first step of {} s that ends below the ground. Carry as a function of loft is then a \
-         sawtooth: around loft 10°, attack angle 0° there is a jump every {}° of loft, {} m high. This is not random noise but a bias: a small \
+         sawtooth: around loft 10°, attack angle 0° there is a jump every {}° of loft, {} high. This is not random noise but a bias: a small \
          difference lies between two jumps, where the number of steps does not change, and gives the slope of carry at a fixed time, not that \
          at landing. Its sign is wrong at {} of the {} lofts below. Linear interpolation between the last two steps of the loop removes the jumps.",
         noise.step,
         significant(noise.teeth.width.to_degrees(), 3),
-        significant(noise.teeth.height, 3),
+        Quantity::LENGTH.read_off_difference(noise.teeth.height, shown.length_unit()),
         noise.wrong_signs(),
         noise.slopes.len(),
     ));

@@ -1,33 +1,35 @@
 //! The report's claims, checked with its own model.
 
-use super::{degrees, metres};
+use super::degrees;
 use crate::report::document::Document;
+use crate::report::published::Published;
+use crate::report::shown::{ratio, stated};
 use crate::reproduce::{Launched, Mae494};
-use crate::units::significant;
+use crate::units::Quantity;
 
-pub(super) fn energy(document: &mut Document, found: &Mae494) {
+pub(super) fn energy(document: &mut Document, found: &Mae494, shown: Published) {
     let energy = &found.energy;
     let longest = found.optimum.printed.carry;
     document.heading("Its distances are not possible");
     document.paragraph(format!(
-        "No ball leaves this club faster than (1 + e)/(1 + m/M) V = {:.2} m/s, with {:.1} J of the club's {:.1} J. At this speed no ball carries \
-         farther than {}, whatever its launch angle and spin: the best launch is {} above horizontal with {} rad/s of spin, and 1 m/s more would \
-         add {} m. The report's longest distance, {}, needs at least {:.2} m/s, that is {:.1} J: {:.1} % of the club's energy.",
-        energy.fastest,
+        "No ball leaves this club faster than (1 + e)/(1 + m/M) V = {}, with {:.1} J of the club's {:.1} J. At this speed no ball carries \
+         farther than {}, whatever its launch angle and spin: the best launch is {} above horizontal with {} rad/s of spin, and more speed would \
+         add {}. The report's longest distance, {}, needs at least {}, that is {:.1} J: {:.1} % of the club's energy.",
+        shown.speed(energy.fastest),
         energy.ball,
         energy.club,
-        metres(energy.farthest.carry),
+        shown.length(energy.farthest.carry),
         degrees(energy.farthest.angle),
         spin(&energy.farthest),
-        significant(energy.price_of_speed, 4),
-        metres(longest),
-        energy.needed.speed,
+        ratio((Quantity::LENGTH, "m"), (Quantity::SPEED, "m/s"), energy.price_of_speed, shown.system, 4),
+        shown.printed_length(longest),
+        shown.speed(energy.needed.speed),
         energy.ball_needed,
         100.0 * energy.ball_needed / energy.club,
     ));
 }
 
-pub(super) fn subsystems(document: &mut Document, found: &Mae494) {
+pub(super) fn subsystems(document: &mut Document, found: &Mae494, shown: Published) {
     let parts = &found.subsystems;
     document.heading("Its subsystems");
     document.paragraph(
@@ -36,10 +38,10 @@ pub(super) fn subsystems(document: &mut Document, found: &Mae494) {
     );
     let row = |what: &str, launched: &Launched| {
         vec![
-            format!("{:.3} m/s", launched.speed),
+            shown.speed(launched.speed),
             degrees(launched.angle),
             format!("{} rad/s", spin(launched)),
-            metres(launched.carry),
+            shown.length(launched.carry),
             what.into(),
         ]
     };
@@ -56,17 +58,20 @@ pub(super) fn subsystems(document: &mut Document, found: &Mae494) {
          of the flight alone has no spin, and only a face without loft gives that: at an attack angle of {}, which no golfer reaches. Within \
          the ranges no impact gives that launch, and the optimum of the whole is that of neither subsystem: {} shorter than the flight's own.",
         degrees(parts.impact.attack_angle),
-        metres(parts.impact.carry),
+        shown.length(parts.impact.carry),
         degrees(found.energy.farthest.angle),
-        metres(parts.flight.carry - parts.whole.carry),
+        shown.length(parts.flight.carry - parts.whole.carry),
     ));
     let through = |parts: &[f64; 3]| {
-        let [speed, angle, spin] = parts.map(|part| format!("{:+.4}", part.to_radians()));
+        let for_a_degree = |part: f64| format!("{:+.4}", shown.length_number(part).to_radians());
+        let [speed, angle, spin] = parts.map(for_a_degree);
         let sum: f64 = parts.iter().sum();
-        let sum = if sum.abs() < 1e-9 { 0.0 } else { sum.to_radians() };
-        vec![speed, angle, spin, format!("{sum:+.4}")]
+        vec![speed, angle, spin, for_a_degree(if sum.abs() < 1e-9 { 0.0 } else { sum })]
     };
-    document.paragraph("The change of carry there in m for one degree, through each part of the launch (exact):");
+    document.paragraph(format!(
+        "The change of carry there in {} for one degree, through each part of the launch (exact):",
+        shown.length_unit()
+    ));
     let rows = [("loft", &parts.by_loft), ("attack angle", &parts.by_attack_angle)];
     document.table(
         &["ball speed", "launch angle", "backspin", "total", "by one degree of"],
@@ -74,7 +79,7 @@ pub(super) fn subsystems(document: &mut Document, found: &Mae494) {
     );
 }
 
-pub(super) fn parametric(document: &mut Document, found: &Mae494) {
+pub(super) fn parametric(document: &mut Document, found: &Mae494, shown: Published) {
     let study = &found.parametric;
     document.heading("Its parametric study");
     document.paragraph(
@@ -85,9 +90,9 @@ pub(super) fn parametric(document: &mut Document, found: &Mae494) {
     let rows = study.sensitivities.iter().map(|constant| {
         let parameter = constant.sensitivity.parameter;
         vec![
-            format!("{:+.4} m", constant.carry_per_cent() + 0.0),
+            format!("{:+.4} {}", shown.length_number(constant.carry_per_cent()) + 0.0, shown.length_unit()),
             format!("{:+.4}°", constant.loft_per_cent().to_degrees() + 0.0),
-            parameter.show(Some(constant.value)),
+            stated(parameter, constant.value, shown.system),
             parameter.name.into(),
         ]
     });
@@ -101,8 +106,8 @@ pub(super) fn parametric(document: &mut Document, found: &Mae494) {
         let value = found.optimum.best.setup.value(changed.change.parameter);
         let part = changed.change.delta / value.unwrap_or(f64::NAN);
         vec![
-            metres(changed.second_order),
-            changed.resolved.value().map_or("–".into(), metres),
+            shown.length(changed.second_order),
+            changed.resolved.value().map_or("–".into(), |carry| shown.length(carry)),
             degrees(changed.predicted[0]),
             degrees(changed.resolved.solution.x[0]),
             format!("{} {:+.0} %", changed.change.parameter.name, 100.0 * part),

@@ -1,15 +1,15 @@
 //! Searches on the noise and without it.
 
-use super::metres;
 use crate::report::document::Document;
 use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};
+use crate::report::published::Published;
 use crate::reproduce::{Delivery, Landing, Mae494, Method, Searches};
 use crate::units::Quantity;
 
 /// A search within this of the best carry, m, has found it.
 const FOUND: f64 = 0.01;
 
-pub(super) fn searches(document: &mut Document, found: &Mae494) {
+pub(super) fn searches(document: &mut Document, found: &Mae494, shown: Published) {
     let best = found.optimum.exact();
     let count = found.searches.first().map_or(0, |searches| searches.ends.len());
     document.heading("Searches with its flight loop");
@@ -18,7 +18,7 @@ pub(super) fn searches(document: &mut Document, found: &Mae494) {
          the best carry, {}; how much carry the others miss is computed with the smooth landing. A flight with exact derivatives counts as one. L-BFGS is \
          that of argmin, with the line search of Moré and Thuente; since it has no bounds, it searches over u, with x = middle + half the width · sin u. \
          Its carry is taken as 0 where a drive does not fly.",
-        metres(best.carry),
+        shown.length(best.carry),
     ));
     let rows = found.searches.iter().map(|searches| {
         let missed = searches.missed(best.carry);
@@ -26,8 +26,8 @@ pub(super) fn searches(document: &mut Document, found: &Mae494) {
         let median = missed.get(missed.len() / 2).copied().unwrap_or_default();
         vec![
             format!("{} of {count}", searches.within(FOUND, best.carry)),
-            metres(median),
-            metres(worst),
+            shown.length(median),
+            shown.length(worst),
             format!("{}", searches.flights() / count.max(1) as u64),
             landing(searches.landing).into(),
             method(searches.method).into(),
@@ -63,8 +63,8 @@ fn ends(searches: &[Searches], best: &Delivery) -> Figure {
         let points = any.ends.iter().map(|end| [end.start.loft, end.start.attack_angle]).collect();
         figure = figure.with(Layer::Dots { name: "starts".into(), hue: Hue::Faint, points });
     }
-    let shown = [(Landing::Overshot, Method::LimitedMemory, 1), (Landing::Overshot, Method::QuasiNewton, 2)];
-    for (landing, by, hue) in shown {
+    let drawn = [(Landing::Overshot, Method::LimitedMemory, 1), (Landing::Overshot, Method::QuasiNewton, 2)];
+    for (landing, by, hue) in drawn {
         for searches in searches.iter().filter(|searches| (searches.landing, searches.method) == (landing, by)) {
             let points = searches.ends.iter().map(|end| [end.at.loft, end.at.attack_angle]).collect();
             figure = figure.with(Layer::dots(format!("{} on the report's loop", method(by)), hue, points));

@@ -1,12 +1,13 @@
 //! What the report prints of optima, beside the exact ones.
 
-use super::{degrees, metres, per_degree};
+use super::degrees;
 use crate::report::document::Document;
 use crate::report::plot::{Axis, Figure, Layer, Measure};
+use crate::report::published::Published;
 use crate::reproduce::{Mae494, Row};
 use crate::units::Quantity;
 
-pub(super) fn optimum(document: &mut Document, found: &Mae494) {
+pub(super) fn optimum(document: &mut Document, found: &Mae494, shown: Published) {
     let Row { printed, best, .. } = &found.optimum;
     let exact = found.optimum.exact();
     document.heading("The optimum");
@@ -15,18 +16,18 @@ pub(super) fn optimum(document: &mut Document, found: &Mae494) {
          report recommends {} and {} and prints {}; in its model that delivery carries {}, which is {} less than the best.",
         degrees(exact.loft),
         degrees(exact.attack_angle),
-        metres(exact.carry),
-        held(&found.optimum),
+        shown.length(exact.carry),
+        held(&found.optimum, shown),
         degrees(printed.loft),
         degrees(printed.attack_angle),
-        metres(printed.carry),
-        carried(&found.optimum),
-        metres(found.optimum.cost()),
+        shown.printed_length(printed.carry),
+        carried(&found.optimum, shown),
+        shown.length(found.optimum.cost()),
     ));
     document.paragraph(format!("The search {}: {}.", best.status(), best.message()));
 }
 
-pub(super) fn tables(document: &mut Document, found: &Mae494) {
+pub(super) fn tables(document: &mut Document, found: &Mae494, shown: Published) {
     let active = |rows: &[Row]| rows.iter().filter(|row| !row.active.is_empty()).count();
     document.heading("Its tables");
     document.paragraph(format!(
@@ -41,12 +42,12 @@ pub(super) fn tables(document: &mut Document, found: &Mae494) {
         vec![
             format!("{:.0}°", given.to_degrees()),
             degrees(printed),
-            metres(row.printed.carry),
-            carried(row),
+            shown.printed_length(row.printed.carry),
+            carried(row, shown),
             degrees(exact),
-            metres(row.exact().carry),
-            metres(row.cost()),
-            held(row),
+            shown.length(row.exact().carry),
+            shown.length(row.cost()),
+            held(row, shown),
         ]
     };
     let head = |given: &'static str, best: &'static str, exact: &'static str| {
@@ -74,52 +75,52 @@ fn best_lofts(rows: &[Row]) -> Figure {
 }
 
 /// How far the printed optimum carries.
-fn carried(row: &Row) -> String {
-    row.at_printed.map_or("does not fly".into(), metres)
+fn carried(row: &Row, shown: Published) -> String {
+    row.at_printed.map_or("does not fly".into(), |carry| shown.length(carry))
 }
 
-/// "club.loft at its upper bound, 0.52 m per degree beyond it".
-fn held(row: &Row) -> String {
+/// "club.loft at its upper bound, 0.52 m per deg beyond it".
+fn held(row: &Row, shown: Published) -> String {
     let solution = &row.best.solution;
     let bounds = row.active.iter().filter_map(|active| {
         let i = row.best.search.vary.iter().position(|vary| vary.parameter.name == active.name)?;
         let price = solution.lower_multipliers[i] + solution.upper_multipliers[i];
-        Some(format!("{active}, {} beyond it", per_degree(price)))
+        Some(format!("{active}, {} beyond it", shown.per_degree(price)))
     });
     let bounds: Vec<_> = bounds.collect();
     if bounds.is_empty() { "free".into() } else { bounds.join(", ") }
 }
 
-pub(super) fn average(document: &mut Document, found: &Mae494) {
+pub(super) fn average(document: &mut Document, found: &Mae494, shown: Published) {
     let average = &found.average;
     document.heading("The average over attack angles");
     let longest = average.rows.iter().max_by(|a, b| a.1.total_cmp(&b.1));
     let whole = longest.map_or(String::new(), |(loft, carry)| {
-        format!("Of the lofts computed, {:.0}° has the longest ({}). ", loft.to_degrees(), metres(*carry))
+        format!("Of the lofts computed, {:.0}° has the longest ({}). ", loft.to_degrees(), shown.length(*carry))
     });
     document.paragraph(format!(
         "Carry averaged over the attack angles 0, 1 … 10° is longest at {:.0}° by the report. {whole}The exact best is {}, with {}.",
         average.printed.to_degrees(),
         degrees(average.best.0),
-        metres(average.best.1),
+        shown.length(average.best.1),
     ));
 }
 
-pub(super) fn regression(document: &mut Document, found: &Mae494) {
+pub(super) fn regression(document: &mut Document, found: &Mae494, shown: Published) {
     let fit = &found.regression;
     document.heading("The regression");
     document.paragraph(format!(
         "The listing fits 1, λ², λ³, λ⁴, λ⁵ to five distances at attack angle 10° and evaluates the coefficients against 1, λ, λ², λ³, λ⁴. So its \
-         maximum is at {}, the optimum that Table 1 prints there, where it predicts {:.0} m. The same coefficients, evaluated as they were fitted, \
+         maximum is at {}, the optimum that Table 1 prints there, where it predicts {}. The same coefficients, evaluated as they were fitted, \
          have their maximum at {} ({}); the ordinary polynomial 1 … λ⁴ through the same points has it at {} ({}). In the report's model a ball struck with loft \
          {} at attack angle 10° carries {}.",
         degrees(fit.slipped.loft),
-        fit.slipped.distance,
+        shown.length(fit.slipped.distance),
         degrees(fit.as_fitted.loft),
-        metres(fit.as_fitted.distance),
+        shown.length(fit.as_fitted.distance),
         degrees(fit.ordinary.loft),
-        metres(fit.ordinary.distance),
+        shown.length(fit.ordinary.distance),
         degrees(found.slipped.loft),
-        metres(found.slipped.carry),
+        shown.length(found.slipped.carry),
     ));
 }

@@ -10,7 +10,7 @@ use crate::parameters::{Preset, Setup};
 use crate::reproduce::LoopRow;
 use crate::study::certificate::Row;
 use crate::study::{Chart, Constraint, Effects, Flatness, Map, Optimum};
-use crate::units::System;
+use crate::units::{Message, System};
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 /// What a report tells of. What is not there is left out of the page, and `remarks` says why.
@@ -42,7 +42,7 @@ pub struct Findings<'a> {
     /// The units that the page is shown in at first.
     pub system: System,
     /// What deserves a word.
-    pub remarks: &'a [String],
+    pub remarks: &'a [Message],
 }
 
 /// A file of a report.
@@ -61,45 +61,71 @@ pub struct Document {
 pub fn report_documents(findings: &Findings<'_>) -> Result<Vec<Document>> {
     let plots = Plots {
         drive: trajectories(findings.flown),
-        map: findings
-            .map
-            .map(|map| map_figure(map, findings.limits, findings.best, findings.flatness))
-            .into_iter()
-            .collect(),
-        chart: findings.chart.map(chart_figures).unwrap_or_default(),
+        map: findings.map.map(|map| in_each(|system| mapped(findings, map, system))).into_iter().collect(),
+        chart: findings.chart.map(charts).unwrap_or_default(),
         // without any effect there is no bar to draw
-        effects: findings.effects.iter().filter(|e| e.standard_uncertainty() > 0.0).map(tornado_figure).collect(),
-        curves: if findings.rows.is_empty() { vec![] } else { vec![vcurve_figure(findings.rows, findings.loops)] },
+        effects: findings
+            .effects
+            .iter()
+            .filter(|effects| effects.standard_uncertainty() > 0.0)
+            .map(|effects| in_each(|system| tornado_figure(effects, system)))
+            .collect(),
+        curves: match findings.rows {
+            [] => vec![],
+            rows => vec![alike(&vcurve_figure(rows, findings.loops))],
+        },
     };
     let mut documents = vec![Document { name: "index.html".into(), text: page(findings, &plots)?.into_string() }];
-    for figure in plots.all() {
-        for system in System::ALL {
+    for pair in plots.all() {
+        for (figure, system) in pair.iter().zip(System::ALL) {
             let text = figure_svg(figure, &Look { system, ..Look::default() })?;
             documents.push(Document { name: svg_name(figure, system), text });
         }
+        let [figure, _] = pair;
         documents.push(Document { name: csv_name(figure), text: figure_csv(figure)? });
     }
     Ok(documents)
 }
 
+/// A plot with its words in the units of each of [`System::ALL`].
+type Pair = [Figure; 2];
+
+fn in_each(figure: impl Fn(System) -> Figure) -> Pair {
+    System::ALL.map(figure)
+}
+
+/// A plot without any unit in its words.
+fn alike(figure: &Figure) -> Pair {
+    in_each(|_| figure.clone())
+}
+
+fn mapped(findings: &Findings<'_>, map: &Map, system: System) -> Figure {
+    map_figure(map, findings.limits, findings.best, findings.flatness, system)
+}
+
+fn charts(chart: &Chart) -> Vec<Pair> {
+    let [metric, us] = System::ALL.map(|system| chart_figures(chart, system));
+    metric.into_iter().zip(us).map(|(metric, us)| [metric, us]).collect()
+}
+
 /// The paths of what flies, from both sides.
-fn trajectories(flown: &[Flown]) -> Vec<Figure> {
+fn trajectories(flown: &[Flown]) -> Vec<Pair> {
     let flying: Vec<Flown> = flown.iter().filter(|one| !one.path.points.is_empty()).cloned().collect();
     let views: &[View] = if flying.is_empty() { &[] } else { &[View::Side, View::Top] };
-    views.iter().map(|view| trajectory_figure(&flying, *view)).collect()
+    views.iter().map(|view| alike(&trajectory_figure(&flying, *view))).collect()
 }
 
 /// The plots of a page, by section.
 struct Plots {
-    drive: Vec<Figure>,
-    map: Vec<Figure>,
-    chart: Vec<Figure>,
-    effects: Vec<Figure>,
-    curves: Vec<Figure>,
+    drive: Vec<Pair>,
+    map: Vec<Pair>,
+    chart: Vec<Pair>,
+    effects: Vec<Pair>,
+    curves: Vec<Pair>,
 }
 
 impl Plots {
-    fn all(&self) -> impl Iterator<Item = &Figure> {
+    fn all(&self) -> impl Iterator<Item = &Pair> {
         let sections = [&self.drive, &self.map, &self.chart, &self.effects, &self.curves];
         sections.into_iter().flatten()
     }
@@ -140,7 +166,7 @@ fn page(findings: &Findings<'_>, plots: &Plots) -> Result<Markup> {
                     div.switch { label for="units-us" { "yd, mph" } label for="units-metric" { "m, m/s" } }
                 }
                 main {
-                    @for remark in findings.remarks { p.warning { (remark) } }
+                    @for remark in findings.remarks { p.warning { (numbers::both(|system| remark.in_units(system))) } }
                     section {
                         h2 { "The drive" }
                         (sections::panel(findings))
@@ -169,26 +195,26 @@ fn page(findings: &Findings<'_>, plots: &Plots) -> Result<Markup> {
 }
 
 /// Plots side by side, each in both systems of units, of which the page shows one.
-fn pictures(figures: &[Figure]) -> Result<Markup> {
-    let drawn = figures.iter().map(|figure| {
-        let picture = |system: System| {
-            let look = Look { system, shades: Shades::Light, ..Look::default() };
-            figure_svg(figure, &look).map(PreEscaped)
-        };
-        Ok((figure, picture(System::Us)?, picture(System::Metric)?))
-    });
+fn pictures(pairs: &[Pair]) -> Result<Markup> {
+    let picture = |figure: &Figure, system: System| {
+        let look = Look { system, shades: Shades::Light, ..Look::default() };
+        figure_svg(figure, &look).map(PreEscaped)
+    };
+    let drawn = pairs
+        .iter()
+        .map(|[metric, us]| Ok(((us, picture(us, System::Us)?), (metric, picture(metric, System::Metric)?))));
     let drawn = drawn.collect::<Result<Vec<_>>>()?;
     Ok(html! {
         div.figures {
-            @for (figure, us, metric) in drawn {
+            @for ((us, in_us), (metric, in_metric)) in drawn {
                 figure {
-                    div.us { (us) }
-                    div.metric { (metric) }
+                    div.us { (in_us) }
+                    div.metric { (in_metric) }
                     figcaption {
-                        (figure.note) " "
-                        a.us href=(svg_name(figure, System::Us)) { "SVG" }
-                        a.metric href=(svg_name(figure, System::Metric)) { "SVG" }
-                        " " a href=(csv_name(figure)) { "data" }
+                        (numbers::both(|system| if system == System::Us { &us.note } else { &metric.note }.clone())) " "
+                        a.us href=(svg_name(us, System::Us)) { "SVG" }
+                        a.metric href=(svg_name(metric, System::Metric)) { "SVG" }
+                        " " a href=(csv_name(us)) { "data" }
                     }
                 }
             }

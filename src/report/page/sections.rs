@@ -81,7 +81,7 @@ pub(super) fn optimum(best: &Optimum, flatness: Option<&Flatness>) -> Markup {
         p {
             (capital(search.sense.adjective())) " " (of.name().replace('_', " ")) ": " strong { (outcome(of, best.value())) } ". "
             span.faint {
-                (best.status()) ": " (best.message()) " (" (counted(solution.iterations, "iteration")) ", "
+                (best.status()) ": " (both(|system| best.message().in_units(system))) " (" (counted(solution.iterations, "iteration")) ", "
                 (counted(solution.evaluations, "evaluation")) ")"
             }
         }

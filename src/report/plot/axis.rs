@@ -40,13 +40,13 @@ impl Measure {
         value / self.quantity.size_of(system.unit(self.unit)).unwrap_or(1.0)
     }
 
-    /// An SI value as golfers of both systems read it: "1 yd (0.914 m)".
-    pub fn show_both(&self, value: f64) -> String {
-        let [us, metric] = [System::Us, System::Metric].map(|system| {
+    /// An SI value in the units of a system, and in those of the other in parentheses: "1 yd (0.9144 m)".
+    pub fn show_both(&self, value: f64, system: System) -> String {
+        let [chosen, other] = [system, system.other()].map(|system| {
             let unit = system.unit(self.unit);
             format!("{} {unit}", significant(self.in_units(value, system), 4)).trim_end().to_owned()
         });
-        if us == metric { us } else { format!("{us} ({metric})") }
+        if chosen == other { chosen } else { format!("{chosen} ({other})") }
     }
 
     /// What it is called, with the unit of a system: `carry [yd]`.

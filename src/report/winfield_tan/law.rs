@@ -3,46 +3,74 @@
 use crate::aerodynamics::{AerodynamicLaw, Stream};
 use crate::report::document::Document;
 use crate::report::plot::{Axis, Figure, Layer, Measure};
+use crate::report::published::Published;
+use crate::report::shown::stated;
 use crate::reproduce::WinfieldTan;
-use crate::units::{Quantity, significant};
+use crate::units::{Quantity, System, significant};
 
-/// Speeds, m/s, and spin ratios, that the law is shown at: what the paper's flights pass through.
-const SPEEDS: [f64; 4] = [30.0, 40.0, 50.0, 65.0];
+/// Speeds that the law is shown at, m/s and mph, the same to 3 %: what the paper's flights pass through.
+const METRES_PER_SECOND: [f64; 4] = [30.0, 40.0, 50.0, 65.0];
+const MILES_PER_HOUR: [f64; 4] = [70.0, 90.0, 110.0, 145.0];
+
+/// The slowest and the fastest ball of the paper's flights, m/s.
+const FLOWN: [f64; 2] = [25.0, 68.0];
+
+/// Spin ratios that the law is shown at.
 const SPIN_RATIOS: [f64; 6] = [0.03, 0.06, 0.10, 0.15, 0.20, 0.30];
+
+/// The uncertainty that a printed distance is given in the calibration, m: 0.05 yd.
+const WEIGHT: f64 = 0.04572;
 
 /// The most spin of the paper's flights, rad/s: loft 17.14° at 110 mph.
 const MOST_SPIN: f64 = 450.0;
 
-pub(super) fn law(document: &mut Document, found: &WinfieldTan) {
+pub(super) fn law(document: &mut Document, found: &WinfieldTan, shown: Published) {
     let fit = &found.fitted.law;
     let left = (fit.statistics.chi_square / fit.statistics.degrees_of_freedom as f64).sqrt();
     document.heading("The law");
     document.paragraph(format!(
         "With x = s √(v/50 m/s) and u = (v − 50 m/s)/20 m/s, C_D = (cd0 + cd1 x + cd2 x² + cd3 x³)(1 + cd_v1 u + cd_v2 u²) and C_L = \
          (cl_hill x/(x + cl_half) + cl_slope x)/(1 + ((v − cl_speed)/cl_width)²): {} coefficients, calibrated to {} printed numbers with \
-         the spin decay held at {} /s. The weights (0.05 yd, 0.02°) are finer than the law can follow: the residuals are \
+         the spin decay held at {} /s. The weights ({}, 0.02°) are finer than the law can follow: the residuals are \
          {left:.1} times as large, and the standard errors here are scaled by that factor.",
         fit.estimates.len(),
         fit.remainders.len(),
         significant(found.setup.aero.spin_decay, 3),
+        Quantity::LENGTH.read_off_difference(WEIGHT, shown.length_unit()),
     ));
     let rows = fit.estimates.iter().map(|estimate| {
-        let shipped = found.setup.value(estimate.parameter);
-        let error = estimate.standard_error.map(|error| estimate.parameter.show(Some(significant_at(error * left))));
+        let parameter = estimate.parameter;
+        let show = |value: Option<f64>| value.map_or("–".into(), |value| stated(parameter, value, shown.system));
+        let unit = shown.system.unit(parameter.unit);
+        let size = parameter.quantity.size_of(unit).unwrap_or(f64::NAN);
+        let error = estimate
+            .standard_error
+            .map(|error| format!("{} {unit}", significant(error * left / size, 2)).trim_end().to_owned());
         vec![
-            estimate.parameter.show(shipped),
-            estimate.parameter.show(Some(estimate.value)),
+            show(found.setup.value(parameter)),
+            show(Some(estimate.value)),
             error.unwrap_or("–".into()),
-            estimate.parameter.name.into(),
+            parameter.name.into(),
         ]
     });
     document.table(&["in the preset", "fitted again", "standard error", "coefficient"], rows);
-    document.paragraph("It is valid for the speeds and spins of the paper's flights, 25 < v < 68 m/s, 0.02 < s < 0.35 and spins up to 450 rad/s, where it is shown; outside, it is \
-                        smooth, positive and rises with spin, but is not supported by data.");
+    let unit = shown.system.unit("m/s");
+    let size = Quantity::SPEED.size_of(unit).unwrap_or(f64::NAN);
+    let [slowest, fastest] = FLOWN.map(|speed| significant(speed / size, 2));
+    document.paragraph(format!(
+        "It is valid for the speeds and spins of the paper's flights, {slowest} < v < {fastest} {unit}, 0.02 < s < 0.35 and spins up to {MOST_SPIN} rad/s, where \
+         it is shown; outside, it is smooth, positive and rises with spin, but is not supported by data.",
+    ));
+    let speeds = match shown.system {
+        System::Metric => METRES_PER_SECOND,
+        System::Us => MILES_PER_HOUR,
+    };
+    let head = |of: &str| speeds.map(|v| if v == speeds[0] { format!("{of} at {v} {unit}") } else { format!("{v}") });
+    let heads: Vec<String> = ["s".to_owned()].into_iter().chain(head("C_D")).chain(head("C_L")).collect();
     document.table(
-        &["s", "C_D at 30 m/s", "40", "50", "65", "C_L at 30 m/s", "40", "50", "65"],
+        &heads.iter().map(String::as_str).collect::<Vec<_>>(),
         SPIN_RATIOS.map(|s| {
-            let at = SPEEDS.map(|speed| is_flown(found, s, speed).then(|| coefficients(found, s, speed)));
+            let at = speeds.map(|v| is_flown(found, s, v * size).then(|| coefficients(found, s, v * size)));
             let cell = |value: Option<f64>| value.map_or("–".into(), |value| format!("{value:.3}"));
             let drag = at.iter().map(|c| cell(c.map(|(drag, _)| drag)));
             let lift = at.iter().map(|c| cell(c.map(|(_, lift)| lift)));
@@ -52,13 +80,13 @@ pub(super) fn law(document: &mut Document, found: &WinfieldTan) {
     for (name, title, is_drag) in [("drag", "Drag coefficient", true), ("lift", "Lift coefficient", false)] {
         let axes = (Axis::linear(Measure::plain("spin ratio")), Axis::linear(Measure::plain(title)));
         let mut figure = Figure::new(format!("law-{name}"), format!("{title} of the recovered law"), axes.0, axes.1);
-        for (i, speed) in SPEEDS.into_iter().enumerate() {
-            let flown = (1..=35).map(|k| f64::from(k) * 0.01).filter(|s| is_flown(found, *s, speed));
+        for (i, speed) in speeds.into_iter().enumerate() {
+            let flown = (1..=35).map(|k| f64::from(k) * 0.01).filter(|s| is_flown(found, *s, speed * size));
             let points = flown.map(|s| {
-                let (drag, lift) = coefficients(found, s, speed);
+                let (drag, lift) = coefficients(found, s, speed * size);
                 [s, if is_drag { drag } else { lift }]
             });
-            figure = figure.with(Layer::line(format!("{speed} m/s"), i, points.collect()));
+            figure = figure.with(Layer::line(format!("{speed} {unit}"), i, points.collect()));
         }
         document.figure(figure);
     }
@@ -67,11 +95,6 @@ pub(super) fn law(document: &mut Document, found: &WinfieldTan) {
 /// Whether a ball of the paper has as much spin.
 fn is_flown(found: &WinfieldTan, spin_ratio: f64, speed: f64) -> bool {
     spin_ratio * speed / found.setup.ball.radius <= MOST_SPIN
-}
-
-/// A standard error to two digits.
-fn significant_at(error: f64) -> f64 {
-    format!("{error:.1e}").parse().unwrap_or(error)
 }
 
 fn coefficients(found: &WinfieldTan, spin_ratio: f64, speed: f64) -> (f64, f64) {

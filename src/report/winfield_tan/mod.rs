@@ -7,11 +7,14 @@ mod tables;
 pub use json::winfield_tan_reply;
 
 use super::document::Document;
+use super::published::Published;
 use crate::reproduce::WinfieldTan;
-use crate::units::Quantity;
+use crate::units::System;
 
-/// The paper, reproduced, as a document.
-pub fn winfield_tan_document(found: &WinfieldTan) -> Document {
+/// The paper, reproduced, as a document: computed numbers in the units of `system`, printed ones as the paper prints them, with those
+/// units beside.
+pub fn winfield_tan_document(found: &WinfieldTan, system: System) -> Document {
+    let shown = Published { paper: WinfieldTan::UNITS, system };
     let mut document = Document::new("Winfield & Tan (1994), reproduced");
     document.paragraph(
         "\"Optimization of clubhead loft and swing elevation angles for maximum distance of a golf drive\" finds the loft and the \
@@ -19,23 +22,13 @@ pub fn winfield_tan_document(found: &WinfieldTan) -> Document {
          not print its curves of drag and lift: the law of the preset is calibrated to its tables, so distances agree by design, and the test is \
          how closely one smooth law can meet all of them. The impact has no fitted parameter.",
     );
-    tables::shot(&mut document, found);
-    tables::optimum(&mut document, found);
-    tables::tables(&mut document, found);
-    tables::average(&mut document, found);
-    law::law(&mut document, found);
+    tables::shot(&mut document, found, shown);
+    tables::optimum(&mut document, found, shown);
+    tables::tables(&mut document, found, shown);
+    tables::average(&mut document, found, shown);
+    law::law(&mut document, found, shown);
     law::decay(&mut document, found);
     document
-}
-
-/// A length in yards, to two decimals as the paper prints it.
-fn yards(length: f64) -> String {
-    format!("{:.2} yd", in_yards(length))
-}
-
-/// The number of yards.
-fn in_yards(length: f64) -> f64 {
-    length / Quantity::LENGTH.size_of("yd").unwrap_or(f64::NAN)
 }
 
 /// An angle in degrees, to two decimals as the paper prints it.

@@ -1,97 +1,109 @@
 //! What the paper prints, beside what comes out.
 
-use super::{degrees, in_yards, spread, yards};
+use super::{degrees, spread};
 use crate::report::document::Document;
 use crate::report::plot::{Axis, Figure, Layer, Measure};
+use crate::report::published::Published;
 use crate::reproduce::{Best, MISPRINTS, WinfieldTan};
 use crate::units::Quantity;
 
-pub(super) fn shot(document: &mut Document, found: &WinfieldTan) {
+pub(super) fn shot(document: &mut Document, found: &WinfieldTan, shown: Published) {
     let (ours, theirs) = (&found.shot.computed, &found.shot.printed);
-    let mph = Quantity::SPEED.size_of("mph").unwrap_or(f64::NAN);
-    let row = |what: &str, unit: &str, size: f64, ours: f64, theirs: f64| {
-        let show = |value: f64| format!("{:.2} {unit}", value / size).trim_end().to_owned();
-        vec![show(theirs), show(ours), signed((ours - theirs) / size), what.into()]
+    let row = |what: &str, (quantity, unit): (Quantity, &'static str), ours: f64, theirs: f64| {
+        vec![
+            shown.printed(quantity, unit, theirs),
+            shown.computed(quantity, unit, ours),
+            shown.difference(quantity, unit, ours - theirs),
+            what.into(),
+        ]
     };
     document.heading("The single shot");
-    document.paragraph("Loft 10°, attack angle 0°, 103 mph.");
-    let yd = Quantity::LENGTH.size_of("yd").unwrap_or(f64::NAN);
-    let degree = 1.0_f64.to_radians();
+    let speed = (Quantity::SPEED, "mph");
+    let at = shown.printed(speed.0, speed.1, found.shot.club_speed);
+    document.paragraph(format!("Loft 10°, attack angle 0°, {at}."));
+    let (length, time) = ((Quantity::LENGTH, "yd"), (Quantity::TIME, "s"));
     document.table(
         &["printed", "computed", "difference", "what"],
         [
-            row("ball upwards", "mph", mph, ours.up, theirs.up),
-            row("ball downrange", "mph", mph, ours.downrange, theirs.downrange),
-            row("backspin", "rev/s", std::f64::consts::TAU, ours.backspin, theirs.backspin),
-            row("club downrange after impact", "mph", mph, ours.club_after, theirs.club_after),
-            row("launch angle", "deg", degree, ours.launch_angle, theirs.launch_angle),
-            row("carry", "yd", yd, ours.carry, theirs.carry),
-            row("flight time", "s", 1.0, ours.flight_time, theirs.flight_time),
-            row("apex", "yd", yd, ours.apex_height, theirs.apex_height),
-            row("time of the apex", "s", 1.0, ours.apex_time, theirs.apex_time),
+            row("ball upwards", speed, ours.up, theirs.up),
+            row("ball downrange", speed, ours.downrange, theirs.downrange),
+            row("backspin", (Quantity::ANGULAR_VELOCITY, "rev/s"), ours.backspin, theirs.backspin),
+            row("club downrange after impact", speed, ours.club_after, theirs.club_after),
+            row("launch angle", (Quantity::ANGLE, "deg"), ours.launch_angle, theirs.launch_angle),
+            row("carry", length, ours.carry, theirs.carry),
+            row("flight time", time, ours.flight_time, theirs.flight_time),
+            row("apex", length, ours.apex_height, theirs.apex_height),
+            row("time of the apex", time, ours.apex_time, theirs.apex_time),
         ],
     );
     document.paragraph(format!(
         "The printed launch angle is a misprint: the printed components of the ball's velocity give {}. The robot Iron Byron, with the same \
          delivery, hit {} ± {}: the computed carry lies {:.2} standard deviations from its mean.",
         degrees(theirs.up.atan2(theirs.downrange)),
-        yards(found.shot.robot.0),
-        yards(found.shot.robot.1),
+        shown.printed_length(found.shot.robot.0),
+        shown.printed_length(found.shot.robot.1),
         (ours.carry - found.shot.robot.0).abs() / found.shot.robot.1,
     ));
 }
 
-pub(super) fn optimum(document: &mut Document, found: &WinfieldTan) {
+pub(super) fn optimum(document: &mut Document, found: &WinfieldTan, shown: Published) {
     let Best { computed, printed, at_printed } = &found.optimum;
+    let less = |by: f64| format!("{:.3} {}", shown.length_number(by), shown.length_unit());
     document.heading("The optimum");
     document.table(
         &["loft", "attack angle", "carry", ""],
         [
-            vec![degrees(printed.loft), degrees(printed.attack_angle), yards(printed.carry), "printed".into()],
             vec![
                 degrees(printed.loft),
                 degrees(printed.attack_angle),
-                yards(*at_printed),
+                shown.printed_length(printed.carry),
+                "printed".into(),
+            ],
+            vec![
+                degrees(printed.loft),
+                degrees(printed.attack_angle),
+                shown.length(*at_printed),
                 "printed delivery, computed".into(),
             ],
-            vec![degrees(computed.loft), degrees(computed.attack_angle), yards(computed.carry), "exact".into()],
+            vec![degrees(computed.loft), degrees(computed.attack_angle), shown.length(computed.carry), "exact".into()],
         ],
     );
     document.paragraph(format!(
         "The optimum lies on a ridge: as the attack angle rises, the best loft falls, and carry hardly changes. The printed delivery \
-         carries only {:.3} yd less than the exact best, so the place on the ridge where a search ends has little meaning. Along the ridge:",
-        in_yards(computed.carry - at_printed)
+         carries only {} less than the exact best, so the place on the ridge where a search ends has little meaning. Along the ridge:",
+        less(computed.carry - at_printed)
     ));
     document.table(
         &["attack angle", "best loft", "carry", "loss"],
         found.ridge.iter().map(|point| {
-            let less = format!("{:.3} yd", in_yards(computed.carry - point.carry).max(0.0));
-            vec![degrees(point.attack_angle), degrees(point.loft), yards(point.carry), less]
+            let loss = less((computed.carry - point.carry).max(0.0));
+            vec![degrees(point.attack_angle), degrees(point.loft), shown.length(point.carry), loss]
         }),
     );
 }
 
-pub(super) fn tables(document: &mut Document, found: &WinfieldTan) {
+pub(super) fn tables(document: &mut Document, found: &WinfieldTan, shown: Published) {
     document.heading("Its tables");
     let all = || found.table1.iter().chain(&found.table2);
-    let (carry_rms, carry_worst) = spread(all().map(|row| in_yards(row.computed.carry - row.printed.carry)));
+    let (carry_rms, carry_worst) = spread(all().map(|row| shown.length_number(row.computed.carry - row.printed.carry)));
     let angles = found.table1.iter().map(|row| row.computed.attack_angle - row.printed.attack_angle);
     let angles = angles.chain(found.table2.iter().map(|row| row.computed.loft - row.printed.loft)).map(f64::to_degrees);
     let (angle_rms, angle_worst) = spread(angles);
     document.paragraph(format!(
-        "Over all {} rows distances differ by {carry_rms:.3} yd rms (at most {carry_worst:.2}), optimum angles by {angle_rms:.3}° rms (at \
+        "Over all {} rows distances differ by {carry_rms:.3} {} rms (at most {carry_worst:.2}), optimum angles by {angle_rms:.3}° rms (at \
          most {angle_worst:.2}°).",
-        all().count()
+        all().count(),
+        shown.length_unit(),
     ));
     document.paragraph("Table 1: the best attack angle at each loft.");
     document.table(
         &["loft", "attack printed", "attack", "carry printed", "carry", "difference"],
-        found.table1.iter().map(|row| line(row, true)),
+        found.table1.iter().map(|row| line(row, true, shown)),
     );
     document.paragraph("Table 2: the best loft at each attack angle.");
     document.table(
         &["attack angle", "loft printed", "loft", "carry printed", "carry", "difference"],
-        found.table2.iter().map(|row| line(row, false)),
+        found.table2.iter().map(|row| line(row, false, shown)),
     );
     let slips = MISPRINTS.map(|(table, row, scanned, taken)| format!("Table {table} at {row}°, {scanned} for {taken}"));
     document.paragraph(format!(
@@ -102,7 +114,7 @@ pub(super) fn tables(document: &mut Document, found: &WinfieldTan) {
     document.figure(left_over(found));
 }
 
-fn line(row: &Best, is_by_loft: bool) -> Vec<String> {
+fn line(row: &Best, is_by_loft: bool, shown: Published) -> Vec<String> {
     let Best { computed, printed, .. } = row;
     let (given, theirs, ours) = match is_by_loft {
         true => (printed.loft, printed.attack_angle, computed.attack_angle),
@@ -112,15 +124,10 @@ fn line(row: &Best, is_by_loft: bool) -> Vec<String> {
         format!("{:.0}°", given.to_degrees()),
         degrees(theirs),
         degrees(ours),
-        yards(printed.carry),
-        yards(computed.carry),
-        signed(in_yards(computed.carry - printed.carry)) + " yd",
+        shown.printed_length(printed.carry),
+        shown.length(computed.carry),
+        shown.difference(Quantity::LENGTH, "yd", computed.carry - printed.carry),
     ]
-}
-
-/// A difference to two decimals; one of nothing has no sign.
-fn signed(difference: f64) -> String {
-    if difference.abs() < 0.005 { "0.00".into() } else { format!("{difference:+.2}") }
 }
 
 fn angle(label: &str) -> Axis {
@@ -154,21 +161,26 @@ fn left_over(found: &WinfieldTan) -> Figure {
         .with(Layer::dots("Table 2", 1, points(&found.table2)))
 }
 
-pub(super) fn average(document: &mut Document, found: &WinfieldTan) {
+pub(super) fn average(document: &mut Document, found: &WinfieldTan, shown: Published) {
     let mean = &found.average;
     document.heading("The average over attack angles");
     document.paragraph("Carry averaged over attack angles of 0, 1 … 10°, at each loft.");
     document.table(
         &["loft", "average carry"],
-        mean.rows.iter().map(|(loft, carry)| vec![format!("{:.0}°", loft.to_degrees()), yards(*carry)]),
+        mean.rows.iter().map(|(loft, carry)| vec![format!("{:.0}°", loft.to_degrees()), shown.length(*carry)]),
     );
-    let row = |(loft, carry): (f64, f64), what: &str| vec![degrees(loft), yards(carry), what.to_owned()];
+    let row = |loft: f64, carry: String, what: &str| vec![degrees(loft), carry, what.to_owned()];
+    let computed = |(loft, carry): (f64, f64), what: &str| row(loft, shown.length(carry), what);
     document.table(
         &["best loft", "average carry", "how"],
         [
-            row(mean.printed, "printed: maximum of a polynomial of fifth order"),
-            row(mean.by_polynomial, "maximum of the polynomial of fifth order through these rows"),
-            row(mean.best, "exact optimum of the average, no polynomial"),
+            row(
+                mean.printed.0,
+                shown.printed_length(mean.printed.1),
+                "printed: maximum of a polynomial of fifth order",
+            ),
+            computed(mean.by_polynomial, "maximum of the polynomial of fifth order through these rows"),
+            computed(mean.best, "exact optimum of the average, no polynomial"),
         ],
     );
     let carry = Axis::linear(Measure::new("average carry", Quantity::LENGTH, "yd"));

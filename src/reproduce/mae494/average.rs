@@ -57,7 +57,7 @@ impl Average {
         let found = minimize(&problem, &Domain::new(vec![low], vec![high])?, &[printed], &Options::default())?;
         match found.value {
             Some(value) if found.status == Status::Converged => Ok(Self { printed, rows, best: (found.x[0], -value) }),
-            _ => Err(Error::NotConverged { status: found.status.name(), message: found.message }),
+            _ => Err(Error::NotConverged { status: found.status.name(), message: found.message.into() }),
         }
     }
 }

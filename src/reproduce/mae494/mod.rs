@@ -25,6 +25,7 @@ pub(super) use while_loop::fly_past_the_ground;
 
 use crate::error::Result;
 use crate::parameters::Setup;
+use crate::units::System;
 
 /// The parameters that the report varies.
 const LOFT: &str = "club.loft";
@@ -79,6 +80,11 @@ pub struct Mae494 {
     pub noise: Noise,
     /// What searches make of that noise, and of landings without.
     pub searches: Vec<Searches>,
+}
+
+impl Mae494 {
+    /// The units that the report prints.
+    pub const UNITS: System = System::Metric;
 }
 
 /// Reproduces the report; `progress` is told what is computed.

@@ -68,7 +68,7 @@ impl Polynomial {
             }
             best => {
                 let message = best.map(|best| best.message.clone()).unwrap_or_default();
-                Err(Error::NotConverged { status: "no peak", message })
+                Err(Error::NotConverged { status: "no peak", message: message.into() })
             }
         }
     }

@@ -18,6 +18,7 @@ pub use tables::{Best, Point};
 
 use crate::error::Result;
 use crate::parameters::Setup;
+use crate::units::System;
 
 /// The paper, reproduced.
 #[derive(Clone, Debug)]
@@ -38,6 +39,11 @@ pub struct WinfieldTan {
     pub average: Mean,
     /// How the law came out of the print.
     pub fitted: Fitted,
+}
+
+impl WinfieldTan {
+    /// The units that the paper prints.
+    pub const UNITS: System = System::Us;
 }
 
 /// The paper, reproduced; `progress` is told what is being computed.

@@ -31,6 +31,8 @@ pub struct SingleShot {
 /// The single shot, computed and printed.
 #[derive(Clone, Copy, Debug)]
 pub struct Struck {
+    /// The club's speed before impact, m/s.
+    pub club_speed: f64,
     /// As it comes out.
     pub computed: SingleShot,
     /// As it is printed.
@@ -75,6 +77,6 @@ impl Struck {
             apex_time,
         };
         let [mean, deviation] = printed::ROBOT;
-        Ok(Self { computed, printed, robot: (mean * yard, deviation * yard) })
+        Ok(Self { club_speed: at.swing.speed, computed, printed, robot: (mean * yard, deviation * yard) })
     }
 }

@@ -8,6 +8,7 @@ use crate::error::{Error, Result};
 use crate::foreign::of_csv;
 use crate::launch::Launch;
 use crate::parameters::{Parameter, Setup};
+use crate::units::{Digits, Message};
 use csv::{ReaderBuilder, StringRecord, Trim};
 use std::io::Read;
 
@@ -27,7 +28,7 @@ pub struct ShotTable {
     /// Whether rows are launch conditions.
     pub is_launched: bool,
     /// What deserves a word: outcomes without a sigma column.
-    pub remarks: Vec<String>,
+    pub remarks: Vec<Message>,
     /// What the standard uncertainties of the measured values are worth.
     pub uncertainties: Uncertainties,
 }
@@ -145,7 +146,7 @@ fn is_of_the_strike(column: &Column) -> bool {
 
 /// Leaves out what a launch monitor's table has and the fit cannot use, and says so: columns without a name here; where the launch
 /// was measured, those of the club; of backspin, sidespin and the spin axis what repeats the spin.
-fn left_out(columns: &mut [Column]) -> Vec<String> {
+fn left_out(columns: &mut [Column]) -> Vec<Message> {
     let named = |columns: &[Column], is: &dyn Fn(&Column) -> bool| -> Vec<String> {
         columns
             .iter()
@@ -157,7 +158,7 @@ fn left_out(columns: &mut [Column]) -> Vec<String> {
     let mut remarks = vec![];
     let unknown = named(columns, &Column::is_unknown);
     if !unknown.is_empty() {
-        remarks.push(format!("columns without a name here are left out: {}", unknown.join(", ")));
+        remarks.push(format!("columns without a name here are left out: {}", unknown.join(", ")).into());
     }
     let has = |columns: &[Column], outcome| columns.iter().any(|column| column.holds == Holds::Outcome(outcome));
     let has_spin = has(columns, Outcome::Spin) || has(columns, Outcome::Backspin);
@@ -166,10 +167,13 @@ fn left_out(columns: &mut [Column]) -> Vec<String> {
             |column: &Column| is_of_the_strike(column) || column.holds == Holds::Outcome(Outcome::SmashFactor);
         let club = named(columns, &is_club);
         if !club.is_empty() {
-            remarks.push(format!(
-                "the ball flies from its measured launch; columns of the club are left out: {}",
-                club.join(", ")
-            ));
+            remarks.push(
+                format!(
+                    "the ball flies from its measured launch; columns of the club are left out: {}",
+                    club.join(", ")
+                )
+                .into(),
+            );
         }
         let repeated: &[Outcome] = match has(columns, Outcome::Spin)
             && (has(columns, Outcome::SpinAxis) || !has(columns, Outcome::Sidespin))
@@ -181,7 +185,7 @@ fn left_out(columns: &mut [Column]) -> Vec<String> {
         let repeats = |column: &Column| repeated.iter().any(|outcome| column.holds == Holds::Outcome(*outcome));
         let again = named(columns, &repeats);
         if !again.is_empty() {
-            remarks.push(format!("the spin is stated twice; left out: {}", again.join(", ")));
+            remarks.push(format!("the spin is stated twice; left out: {}", again.join(", ")).into());
         }
         for column in columns.iter_mut().filter(|column| is_club(column) || repeats(column)) {
             column.holds = Holds::Note;
@@ -314,7 +318,7 @@ impl Reading<'_> {
     }
 
     /// What is taken where no standard uncertainty stands beside a measured column, and what they are worth in all.
-    fn assumed(&self) -> (Vec<String>, Uncertainties) {
+    fn assumed(&self) -> (Vec<Message>, Uncertainties) {
         let has = |holds: Holds| self.columns.iter().any(|column| column.holds == holds);
         let mut worth = Uncertainties::Stated;
         let mut remarks = vec![];
@@ -322,22 +326,25 @@ impl Reading<'_> {
             match column.holds {
                 Holds::Outcome(outcome) if self.is_launched && CONDITIONS.contains(&outcome) => {}
                 Holds::Outcome(outcome) if !has(Holds::Sigma(outcome)) => match instrument(outcome) {
-                    Some((known, _)) => {
-                        let (head, Instrument { sigma, source, .. }) = (&column.head, known);
-                        remarks.push(format!(
-                            "{head} has no column 'sigma {}': {sigma} is taken for each ({source})",
-                            outcome.name()
-                        ));
+                    Some((Instrument { source, .. }, sigma)) => {
+                        let without = format!("{} has no column 'sigma {}': ", column.head, outcome.name());
+                        let remark = Message::from(without)
+                            .quantity(outcome.quantity(), outcome.unit(), sigma, Digits::Significant(3))
+                            .words(format!(" is taken for each ({source})"));
+                        remarks.push(remark);
                         if worth == Uncertainties::Stated {
                             worth = Uncertainties::Instruments;
                         }
                     }
                     None => {
-                        remarks.push(format!(
-                            "{0} has no column 'sigma {0}': 1 {1} is taken for each, as a weight",
-                            outcome.name(),
-                            column.unit()
-                        ));
+                        remarks.push(
+                            format!(
+                                "{0} has no column 'sigma {0}': 1 {1} is taken for each, as a weight",
+                                outcome.name(),
+                                column.unit()
+                            )
+                            .into(),
+                        );
                         worth = Uncertainties::Weights;
                     }
                 },

@@ -23,11 +23,12 @@ use crate::derivative::{Order, evaluate};
 use crate::drive::{Drive, Outcome, Part};
 use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup};
+use crate::units::Message;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// An outcome without derivatives, and why.
-pub type Missing = (Outcome, String);
+pub type Missing = (Outcome, Message);
 
 /// A check that was not made.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -160,7 +161,7 @@ fn present(setup: &Setup<f64>, of: &[Outcome], wrt: &[&'static Parameter]) -> Re
     for &one in of {
         match evaluate(setup, &[one], wrt, Order::First) {
             Ok(_) => present.push(one),
-            Err(error) if error.is_an_outcome() => missing.push((one, error.to_string())),
+            Err(error) if error.is_an_outcome() => missing.push((one, error.message())),
             Err(error) => return Err(error),
         }
     }

@@ -6,6 +6,7 @@ use crate::derivative::jacobian;
 use crate::drive::{Drive, Outcome};
 use crate::error::Result;
 use crate::parameters::{Parameter, Setup};
+use crate::units::Message;
 
 /// The drive is held against one with a step this many times shorter: of an error of order 4 that leaves a part in 4096.
 const SHORTER: f64 = 8.0;
@@ -33,13 +34,14 @@ pub struct StepError {
 
 impl StepError {
     /// What is to be said where a derivative is off by more than a millionth.
-    pub fn warning(&self) -> Option<String> {
+    pub fn warning(&self) -> Option<Message> {
         let (parameter, error) = self.derivative.filter(|(_, error)| *error > WORTH_A_WORD)?;
         let (of, by, step) = (self.of.name(), parameter.name, 1e3 * self.steps[0]);
-        Some(format!(
+        let warning = format!(
             "the derivative of {of} by {by} is that of the flight in time steps of {step} ms, and {error:.0e} of it off that of a flight in short ones; \
              a shorter flight.step brings it nearer"
-        ))
+        );
+        Some(warning.into())
     }
 }
 

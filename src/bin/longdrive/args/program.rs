@@ -7,7 +7,7 @@ use std::path::PathBuf;
 #[derive(Clone, Debug, clap::Args)]
 #[command(next_help_heading = "Options of every command")]
 pub struct Shown {
-    /// The units that results are shown in as text, in plots and on pages [default: us; reproduce: as the study]. JSON and CSV are in
+    /// The units that results are shown in as text, in plots and on pages [default: us; reproduce: those of the study]. JSON and CSV are in
     /// SI units and radians.
     #[arg(long, value_enum, global = true)]
     pub units: Option<Units>,

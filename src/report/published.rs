@@ -1,0 +1,95 @@
+//! Numbers of a published study: computed ones in the units asked for, printed ones in the paper's own units too.
+
+use super::shown::ratio;
+use crate::units::{Quantity, System};
+
+/// The units that a study is shown in.
+#[derive(Clone, Copy)]
+pub(super) struct Published {
+    /// Those of the paper.
+    pub paper: System,
+    /// Those asked for.
+    pub system: System,
+}
+
+impl Published {
+    /// The unit of a length.
+    pub fn length_unit(self) -> &'static str {
+        self.system.unit("m")
+    }
+
+    /// The number of a length, without its unit.
+    pub fn length_number(self, length: f64) -> f64 {
+        length / Quantity::LENGTH.size_of(self.length_unit()).unwrap_or(f64::NAN)
+    }
+
+    /// A computed length: "153.33 m".
+    pub fn length(self, length: f64) -> String {
+        self.computed(Quantity::LENGTH, "m", length)
+    }
+
+    /// A computed speed: "62.64 m/s".
+    pub fn speed(self, speed: f64) -> String {
+        self.computed(Quantity::SPEED, "m/s", speed)
+    }
+
+    /// A computed number.
+    pub fn computed(self, quantity: Quantity, unit: &'static str, value: f64) -> String {
+        two_decimals(quantity, self.system.unit(unit), value)
+    }
+
+    /// A computed number less the printed one, with its sign.
+    pub fn difference(self, quantity: Quantity, unit: &'static str, difference: f64) -> String {
+        let text = self.computed(quantity, unit, difference);
+        let is_positive = text.bytes().any(|digit| (b'1'..=b'9').contains(&digit)) && difference > 0.0;
+        if is_positive { format!("+{text}") } else { text }
+    }
+
+    /// A slope of a length by an angle: "1.052 m per deg".
+    pub fn per_degree(self, slope: f64) -> String {
+        ratio((Quantity::LENGTH, "m"), (Quantity::ANGLE, "deg"), slope, self.system, 4)
+    }
+
+    /// A slope of a length by an angle in radians, with its sign: "-65.4 m/rad".
+    pub fn per_radian(self, slope: f64) -> String {
+        format!("{:+.1} {}/rad", self.length_number(slope), self.length_unit())
+    }
+
+    /// A length that the paper prints.
+    pub fn printed_length(self, length: f64) -> String {
+        self.printed(Quantity::LENGTH, "m", length)
+    }
+
+    /// A number that the paper prints, as it prints it; in the units asked for beside, where they are others:
+    /// "248.48 m (271.74 yd)".
+    pub fn printed(self, quantity: Quantity, unit: &'static str, value: f64) -> String {
+        let [theirs, asked] = [self.paper, self.system].map(|system| system.unit(unit));
+        let printed = two_decimals(quantity, theirs, value);
+        if theirs == asked { printed } else { format!("{printed} ({})", two_decimals(quantity, asked, value)) }
+    }
+}
+
+/// A number with two decimals, as the papers print them; zero has no sign.
+fn two_decimals(quantity: Quantity, unit: &str, value: f64) -> String {
+    let number = value / quantity.size_of(unit).unwrap_or(f64::NAN);
+    let number = if number.abs() < 0.005 { 0.0 } else { number };
+    format!("{number:.2} {unit}").trim_end().to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Published, Quantity, System};
+
+    #[test]
+    fn paper_numbers_keep_the_papers_units_with_those_asked_for_beside() {
+        let [alone, beside] = System::ALL.map(|system| Published { paper: System::Metric, system });
+        // the report's longest distance; a yard is 0.9144 m
+        assert_eq!(alone.printed_length(248.48), "248.48 m");
+        assert_eq!(beside.printed_length(248.48), "248.48 m (271.74 yd)");
+        assert_eq!((alone.length(248.48), beside.length(248.48)), ("248.48 m".into(), "271.74 yd".into()));
+        assert_eq!((alone.speed(44.704), beside.speed(44.704)), ("44.70 m/s".into(), "100.00 mph".into()));
+        assert_eq!(beside.printed(Quantity::ANGLE, "deg", 0.2), "11.46 deg");
+        let differences = [0.01, -0.01, 1e-6, -1e-6].map(|by| alone.difference(Quantity::LENGTH, "m", by));
+        assert_eq!(differences, ["+0.01 m", "-0.01 m", "0.00 m", "0.00 m"]);
+    }
+}
