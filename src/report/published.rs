@@ -63,9 +63,8 @@ impl Published {
     /// A number that the paper prints, as it prints it; in the units asked for beside, where they are others:
     /// "248.48 m (271.74 yd)".
     pub fn printed(self, quantity: Quantity, unit: &'static str, value: f64) -> String {
-        let [theirs, asked] = [self.paper, self.system].map(|system| system.unit(unit));
-        let printed = two_decimals(quantity, theirs, value);
-        if theirs == asked { printed } else { format!("{printed} ({})", two_decimals(quantity, asked, value)) }
+        let [printed, asked] = [self.paper, self.system].map(|system| two_decimals(quantity, system.unit(unit), value));
+        if printed == asked { printed } else { format!("{printed} ({asked})") }
     }
 }
 

@@ -157,15 +157,22 @@ impl Optimum {
                 format!("{of} does not depend on the parameters varied here: every drive is equally good").into()
             }
             (None, Status::Undefined) => {
-                let (trials, why) = (self.search.options.start_trials, self.solution.undefined_at_start.as_deref());
-                format!(
-                    "no drive of the search flies, neither the start nor {trials} other points of the ranges; at the start: {}",
-                    why.unwrap_or_default()
-                )
-                .into()
+                let trials = self.search.options.start_trials;
+                Message::from(format!(
+                    "no drive of the search flies, neither the start nor {trials} other points of the ranges; at the start: "
+                ))
+                .message(self.undefined_at_start())
             }
             _ => self.solution.message.clone().into(),
         }
+    }
+
+    /// Why the outcome has no value at the start, where a search that found none stays. The optimizer kept only the words.
+    fn undefined_at_start(&self) -> Message {
+        let words = self.solution.undefined_at_start.as_deref().unwrap_or_default();
+        let again = Drive::new(&self.setup).and_then(|drive| self.search.maximize.of(&drive)).err();
+        let again = again.map(|error| error.message()).filter(|message| message.to_string() == words);
+        again.unwrap_or_else(|| words.into())
     }
 
     /// The bounds and constraints that are active at the optimum.

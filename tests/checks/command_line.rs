@@ -164,7 +164,7 @@ fn bad_input_gets_status_two_and_a_message_that_helps() {
         ),
         (
             vec!["simulate", "--set", "swing.face_angle=80deg", "--set", "swing.path=-80deg"],
-            vec!["does not strike the ball", "m/s"],
+            vec!["does not strike the ball", "mph"],
         ),
         (vec!["simulate", "winfeld-tan"], vec!["did you mean 'winfield-tan'?"]),
         (vec!["simulate", "no/such/file.toml"], vec!["no/such/file.toml", "modern-driver"]),

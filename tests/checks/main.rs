@@ -9,6 +9,7 @@ mod command_line_files;
 mod command_line_search;
 mod command_line_sweep;
 mod command_line_text;
+mod command_line_units;
 mod common;
 mod derivatives;
 mod documents;

@@ -4,7 +4,6 @@ use crate::parameters::Preset;
 use crate::report::setup_toml;
 use crate::report::shown::as_declared;
 use crate::study::calibrate::{Calibration, Estimate};
-use crate::units::significant;
 
 /// The fitted setup as a setup file in TOML, to the last digit, the fitted parameters with their standard errors.
 ///
@@ -17,9 +16,8 @@ pub fn calibration_toml(found: &Calibration, preset: &Preset, data: &str) -> Res
         let (quantity, unit) = (parameter.quantity, parameter.unit);
         let value = match standard_error {
             Some(error) => {
-                let size = quantity.size_of(unit).unwrap_or(1.0);
-                let value = to_its_error(quantity, unit, value, standard_error);
-                format!("{value} ± {} {unit}", significant(error / size, 2)).trim_end().to_owned()
+                let show = |value: f64| to_its_error(quantity, unit, value, standard_error);
+                format!("{} ± {}", show(value), show(error))
             }
             None => format!("{} without a standard error", as_declared(parameter, value)),
         };

@@ -36,16 +36,14 @@ pub(super) fn law(document: &mut Document, found: &WinfieldTan, shown: Published
         fit.estimates.len(),
         fit.remainders.len(),
         significant(found.setup.aero.spin_decay, 3),
-        Quantity::LENGTH.read_off_difference(WEIGHT, shown.length_unit()),
+        given(shown.length_number(WEIGHT), shown.length_unit()),
     ));
     let rows = fit.estimates.iter().map(|estimate| {
         let parameter = estimate.parameter;
         let show = |value: Option<f64>| value.map_or("–".into(), |value| stated(parameter, value, shown.system));
         let unit = shown.system.unit(parameter.unit);
-        let size = parameter.quantity.size_of(unit).unwrap_or(f64::NAN);
-        let error = estimate
-            .standard_error
-            .map(|error| format!("{} {unit}", significant(error * left / size, 2)).trim_end().to_owned());
+        let size = parameter.quantity.size_of(unit).unwrap_or(1.0);
+        let error = estimate.standard_error.map(|error| given(error * left / size, unit));
         vec![
             show(found.setup.value(parameter)),
             show(Some(estimate.value)),
@@ -90,6 +88,11 @@ pub(super) fn law(document: &mut Document, found: &WinfieldTan, shown: Published
         }
         document.figure(figure);
     }
+}
+
+/// A number to two digits, with its unit.
+fn given(number: f64, unit: &str) -> String {
+    format!("{} {unit}", significant(number, 2)).trim_end().to_owned()
 }
 
 /// Whether a ball of the paper has as much spin.

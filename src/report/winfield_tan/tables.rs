@@ -19,7 +19,7 @@ pub(super) fn shot(document: &mut Document, found: &WinfieldTan, shown: Publishe
     };
     document.heading("The single shot");
     let speed = (Quantity::SPEED, "mph");
-    let at = shown.printed(speed.0, speed.1, found.shot.club_speed);
+    let at = Measure::new("club speed", speed.0, speed.1).show_both(found.shot.club_speed, shown.paper);
     document.paragraph(format!("Loft 10°, attack angle 0°, {at}."));
     let (length, time) = ((Quantity::LENGTH, "yd"), (Quantity::TIME, "s"));
     document.table(
