@@ -14,4 +14,21 @@ pub struct Fitted {
 impl Fitted {
     /// Of a law that is fitted to nothing, or whose source does not say to what.
     pub const UNKNOWN: Self = Self { spin_ratio: None, reynolds: None, speed: None, to: "" };
+
+    /// The ranges, in the order of a stream: spin ratio, Reynolds number, speed through the air, m/s; each with its name and unit.
+    pub fn ranges(&self) -> [(&'static str, &'static str, Option<[f64; 2]>); 3] {
+        [
+            ("spin ratio", "", self.spin_ratio),
+            ("Reynolds number", "", self.reynolds),
+            ("speed through the air", " m/s", self.speed),
+        ]
+    }
+
+    /// Whether a spin ratio, Reynolds number and speed through the air lie within all ranges that are known. In no air (a Reynolds
+    /// number of 0) there is no law to leave.
+    pub fn holds(&self, stream: [f64; 3]) -> bool {
+        let known = self.ranges().into_iter().zip(stream);
+        let mut known = known.filter_map(|((.., range), value)| Some((range?, value)));
+        stream[1] == 0.0 || known.all(|([low, high], value)| (low..=high).contains(&value))
+    }
 }

@@ -2,7 +2,8 @@
 
 use super::block::{Block, Status};
 use super::kernel::Kernel;
-use crate::drive::{Part, Shown};
+use crate::aerodynamics::AerodynamicLaw;
+use crate::drive::{Beyond, Part, Shown, is_beside_any_face};
 use crate::flight::{Pace, Shot, Wanted};
 use crate::impact::Unchecked;
 use crate::launch::Launch;
@@ -104,6 +105,8 @@ where
         let wanted =
             if kernel.of.iter().any(|outcome| outcome.is_of_the_apex()) { Wanted::Apex } else { Wanted::Landing };
         let flying = u8::MAX >> (8 - group.len());
+        let (stream, strike) = (shot.stream(), [setup.strike.toe, setup.strike.high]);
+        let fitted = AerodynamicLaw::<f64>::fitted(&kernel.setup.law);
         let formation = shot.fly_abreast(&Pace::of(&kernel.setup), wanted, flying);
         for (lane, &(_, row)) in group.iter().enumerate() {
             if formation.sound >> lane & 1 == 0 {
@@ -119,6 +122,11 @@ where
             let shown =
                 Shown { launch: &launch, club_speed: Some(setup.swing.speed.lane(lane)), landed: Some(&landed) };
             self.block.status[row] = Status::Landed;
+            let [toe, high] = strike.map(|place| place.lane(lane).re());
+            self.block.beyond[row] = Beyond {
+                law: !fitted.holds(stream.map(|value| value.lane(lane).re())),
+                face: is_beside_any_face(toe, high),
+            };
             for (i, outcome) in kernel.of.iter().enumerate() {
                 self.write(row, i, outcome.shown(&shown));
             }

@@ -1,3 +1,4 @@
+use crate::drive::{Beyond, BeyondCount};
 use std::fmt;
 
 /// How a drive of a batch ended.
@@ -42,39 +43,51 @@ impl fmt::Display for Status {
     }
 }
 
-/// How many drives ended in which way.
+/// How many drives ended in which way, and how many of those that landed lie beyond what the model is made for.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Tally([u64; Status::ALL.len()]);
+pub struct Tally {
+    statuses: [u64; Status::ALL.len()],
+    beyond: BeyondCount,
+}
 
 impl Tally {
     /// Counts the drives of a block.
     pub fn add(&mut self, block: &Block) {
-        for status in &block.status {
-            self.0[*status as usize] += 1;
+        for (status, beyond) in block.status.iter().zip(&block.beyond) {
+            self.statuses[*status as usize] += 1;
+            if *status == Status::Landed {
+                self.beyond.add(*beyond);
+            }
         }
     }
 
     /// Adds another tally.
     pub fn merge(&mut self, other: Self) {
-        for (ours, theirs) in self.0.iter_mut().zip(other.0) {
+        for (ours, theirs) in self.statuses.iter_mut().zip(other.statuses) {
             *ours += theirs;
         }
+        self.beyond.merge(other.beyond);
     }
 
-    /// The tally of counts by the statuses' names; names of none are passed over.
-    pub fn of<'a>(counts: impl IntoIterator<Item = (&'a str, u64)>) -> Self {
-        let mut tally = Self::default();
+    /// The tally of counts by the statuses' names, and of the landed drives that lie beyond; names of none are passed over.
+    pub fn of<'a>(counts: impl IntoIterator<Item = (&'a str, u64)>, beyond: BeyondCount) -> Self {
+        let mut tally = Self { beyond, ..Self::default() };
         for (name, count) in counts {
             if let Some(status) = Status::ALL.into_iter().find(|status| status.name() == name) {
-                tally.0[status as usize] = count;
+                tally.statuses[status as usize] = count;
             }
         }
         tally
     }
 
+    /// How many of the landed drives lie beyond what the model is made for.
+    pub fn beyond(&self) -> BeyondCount {
+        self.beyond
+    }
+
     /// Each status with its number of drives.
     pub fn counts(&self) -> impl Iterator<Item = (Status, u64)> {
-        Status::ALL.into_iter().map(|status| (status, self.0[status as usize]))
+        Status::ALL.into_iter().map(|status| (status, self.statuses[status as usize]))
     }
 }
 
@@ -86,6 +99,8 @@ pub struct Block {
     pub(super) points: Vec<f64>,
     pub(super) parameters: usize,
     pub(super) status: Vec<Status>,
+    /// What each drive that landed lies beyond.
+    pub(super) beyond: Vec<Beyond>,
     /// A column for each outcome; a number that is not finite stands for a value that does not exist.
     pub(super) outcomes: Vec<Vec<f64>>,
     /// A column for each outcome and parameter, the parameters of the first outcome first; likewise.
@@ -111,6 +126,11 @@ impl Block {
     /// How the drive ended.
     pub fn status(&self, row: usize) -> Status {
         self.status[row]
+    }
+
+    /// What a drive that landed lies beyond at its launch.
+    pub fn beyond(&self, row: usize) -> Beyond {
+        self.beyond[row]
     }
 
     /// The outcome of this number, SI.

@@ -1,7 +1,7 @@
 use super::abreast::Abreast;
 use super::block::{Block, Status};
 use crate::derivative::{self, Order};
-use crate::drive::{Drive, Outcome};
+use crate::drive::{Beyond, Drive, Looked, Outcome};
 use crate::error::{Error, Result};
 use crate::flight::{Flight, NoFlight};
 #[cfg(target_arch = "x86_64")]
@@ -30,6 +30,7 @@ impl Kernel {
             first_row,
             parameters: self.parameters.len(),
             status: vec![Status::OutOfRange; rows],
+            beyond: vec![Beyond::default(); rows],
             outcomes: empty(self.of.len()),
             derivatives: empty(self.of.len() * self.wrt.len()),
             points,
@@ -108,6 +109,7 @@ impl Kernel {
             Flight::None(NoFlight::Aloft { .. }) => Status::Aloft,
             Flight::None(_) => Status::NoFlight,
         };
+        block.beyond[row] = drive.beyond(setup, Looked::AtLaunch);
         for (outcome, column) in self.of.iter().zip(&mut block.outcomes) {
             column[row] = outcome.value(&drive).unwrap_or(f64::NAN);
         }

@@ -1,7 +1,11 @@
 //! One drive, from the setup to its outcomes: impact, launch, flight, landing.
 
+mod beyond;
 mod outcome;
 mod warnings;
+
+pub(crate) use beyond::is_beside_any_face;
+pub use beyond::{Beyond, BeyondCount, Looked};
 
 pub(crate) use outcome::Shown;
 pub use outcome::{Outcome, Part};

@@ -1,14 +1,12 @@
 //! What deserves a word about a drive that is computed as it stands.
 
 use super::Drive;
+use super::beyond::{any_face, is_beside_any_face};
 use crate::aerodynamics::AerodynamicLaw;
 use crate::atmosphere::WindField;
 use crate::flight::trajectory;
 use crate::parameters::Setup;
 use crate::units::{Digits, Message, Quantity};
-
-/// The largest head that conforms, m: 5 in from heel to toe, 2.8 in from sole to crown (R&A and USGA, Equipment Rules, part 2, 4b). No face is larger.
-const LARGEST_HEAD: [f64; 2] = [0.127, 0.07112];
 
 /// Less than this part of the time of flight outside of what a law was fitted to is not worth a word: the laws are uncertain by more within it.
 const WORTH_A_WORD: f64 = 0.01;
@@ -27,33 +25,25 @@ impl Drive<f64> {
     /// A strike beside the face of any head that conforms.
     fn beside_the_face(&self, setup: &Setup<f64>) -> Option<String> {
         self.impact.as_ref()?;
-        let [wide, high] = LARGEST_HEAD;
         let show = |value: f64| Quantity::LENGTH.show(value, "mm");
         let strike = &setup.strike;
-        let is_beside = strike.toe.abs() > 0.5 * wide || strike.high.abs() > 0.5 * high;
-        is_beside.then(|| {
+        is_beside_any_face(strike.toe, strike.high).then(|| {
             format!(
-                "strike.toe = {} and strike.high = {} lie outside the face of any head that conforms to the Rules of Golf (at most {} from heel to toe and \
-                 {} from sole to crown): no club strikes the ball there",
+                "strike.toe = {} and strike.high = {} lie outside {}: no club strikes the ball there",
                 show(strike.toe),
                 show(strike.high),
-                show(wide),
-                show(high)
+                any_face()
             )
         })
     }
 
     /// What the law of drag and lift was not fitted to, and for how much of the flight.
-    fn outside_of_the_law(&self, setup: &Setup<f64>) -> Vec<Message> {
+    pub(super) fn outside_of_the_law(&self, setup: &Setup<f64>) -> Vec<Message> {
         if setup.air.density == 0.0 {
             return vec![];
         }
         let fitted = AerodynamicLaw::<f64>::fitted(&setup.law);
-        let ranges = [
-            ("spin ratio", (Quantity::NUMBER, ""), fitted.spin_ratio),
-            ("Reynolds number", (Quantity::NUMBER, ""), fitted.reynolds),
-            ("speed through the air", (Quantity::SPEED, "m/s"), fitted.speed),
-        ];
+        let ranges = fitted.ranges();
         if ranges.iter().all(|(.., range)| range.is_none()) {
             return vec![];
         }

@@ -30,6 +30,17 @@ pub(crate) struct Shot<T> {
 }
 
 impl<T: Numbers> Shot<T> {
+    /// Spin ratio, Reynolds number and speed through the air as the ball leaves.
+    #[inline(always)]
+    pub fn stream(&self) -> [T; 3] {
+        let wind = self.wind.at(
+            #[inline(always)]
+            || T::constant(0.0),
+        );
+        let speed = (self.velocity - wind).norm();
+        [self.spin * self.radius / speed, self.reynolds_per_speed * speed, speed]
+    }
+
     /// The flight of a ball that leaves like this, in the air of a setup.
     #[inline(always)]
     pub fn new(setup: &Setup<T>, launch: &Launch<T>) -> Self {

@@ -3,6 +3,7 @@
 use super::Vary;
 use super::optimum::{Active, Optimum, Search, optimum};
 use super::sensitivity::sensitivity;
+use crate::drive::{BeyondCount, Looked};
 use crate::error::{Error, Result};
 use crate::optimize::{Options, Status, Watch};
 use crate::parameters::Setup;
@@ -32,6 +33,19 @@ pub struct ChartPoint {
     pub active: Vec<Active>,
     /// What happens here: an active bound or constraint comes or goes, or the optimum jumps.
     pub event: Option<String>,
+}
+
+impl Chart {
+    /// How many of its points lie beyond what the law was fitted to, or beside any face.
+    pub fn beyond(&self) -> BeyondCount {
+        let mut count = BeyondCount::default();
+        for best in self.points.iter().map(|point| &point.best) {
+            if let Some(drive) = &best.drive {
+                count.add(drive.beyond(&best.setup, Looked::AtFlight));
+            }
+        }
+        count
+    }
 }
 
 /// The longest step, as a part of the range.

@@ -3,11 +3,12 @@ use crate::files::Rule;
 use crate::output::{Answer, system, tell, warn};
 use crate::reproduce::{DOCUMENT, write};
 use crate::search::{BEST_SO_FAR, interrupt};
+use longdrive::drive::Looked;
 use longdrive::optimize::least_squares::{Follow, Loss};
 use longdrive::parameters::{Law, Vary};
 use longdrive::report::plot::Look;
 use longdrive::report::{CalibrationReport, calibration_document, calibration_reply, calibration_toml};
-use longdrive::study::calibrate::{HeldOut, Plan, ShotTable, calibrate, held_out};
+use longdrive::study::calibrate::{HeldOut, Plan, ShotTable, beyond, calibrate, held_out};
 use longdrive::{Error, Result, Setup};
 use serde_json::json;
 use std::fs::File;
@@ -24,7 +25,7 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
         let source = "the rows say how each ball was struck or launched; leave it out".into();
         return Err(Error::Unreadable { name: "--launch".into(), source });
     }
-    let warnings = setup.warnings();
+    let mut warnings = setup.warnings();
     warn(&warnings);
     let file = args.data.display().to_string();
     let cannot = |error: std::io::Error| Error::Table {
@@ -41,6 +42,10 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
     }
     let follow = Follow { iteration: Some(Arc::new(shown)), interrupt: interrupt(BEST_SO_FAR) };
     let found = calibrate(&setup, &table, &plan, &follow)?;
+    let shots = beyond(&found.setup, &table.shots);
+    let shots = shots.warnings(&setup.law, ["shot", "shots"], Looked::AtFlight);
+    warn(&shots);
+    warnings.extend(shots);
 
     let quiet = Follow { iteration: None, ..follow };
     let mut held = vec![];

@@ -1,6 +1,7 @@
 use crate::args::ChartArgs;
 use crate::output::{Answer, system, tell, tell_error, warn};
 use crate::search::{BEST_SO_FAR, interrupt};
+use longdrive::drive::Looked;
 use longdrive::report::{ChartReport, chart_csv, chart_text, outcome_text, parameter_text};
 use longdrive::study::{Chart, Vary, chart_at};
 use longdrive::{Result, Setup};
@@ -12,7 +13,7 @@ pub fn run(args: &ChartArgs) -> Result<Answer> {
     let (along, at) = args.places(&setup)?;
     let ranges: Vec<_> = search.vary.iter().copied().chain([along]).collect();
     let setup = args.question.within_tolerance(setup, &ranges)?;
-    let warnings = setup.warnings();
+    let mut warnings = setup.warnings();
     warn(&warnings);
     let stop = interrupt(BEST_SO_FAR);
     let of = search.maximize;
@@ -39,6 +40,9 @@ pub fn run(args: &ChartArgs) -> Result<Answer> {
         }
         chart => chart?,
     };
+    let beyond = chart.beyond().warnings(&setup.law, ["optimum", "optima"], Looked::AtFlight);
+    warn(&beyond);
+    warnings.extend(beyond);
     let answer = if args.question.json {
         Answer::json(&ChartReport::reply(&chart, &search, warnings))
     } else if args.csv {

@@ -1,6 +1,7 @@
 //! Calibration: parameters of a setup fitted to measured shots by least squares with exact Jacobians, with what the data say of
 //! them and what they do not.
 
+mod beyond;
 mod column;
 mod data;
 mod estimate;
@@ -12,6 +13,7 @@ mod shot;
 mod statistics;
 mod verdict;
 
+pub use beyond::beyond;
 pub use data::ShotTable;
 pub use estimate::{Calibration, Estimate, Plan, Remainder, calibrate};
 pub use folds::{HeldOut, held_out};

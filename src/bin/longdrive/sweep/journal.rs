@@ -1,6 +1,7 @@
 use super::rows::Question;
 use crate::files::beside;
 use longdrive::batch::Tally;
+use longdrive::drive::BeyondCount;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::fs::{File, OpenOptions, TryLockError};
@@ -27,6 +28,8 @@ pub struct Entry {
     pub bytes: u64,
     /// How many drives ended how.
     pub drives: BTreeMap<String, u64>,
+    /// How many landed; of these, how many begin with what the law was not fitted to, and how many with a strike beside any face.
+    pub beyond: [u64; 3],
     /// The metadata of the row group that ends here, in hexadecimal.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub group: String,
@@ -35,11 +38,13 @@ pub struct Entry {
 impl Entry {
     pub fn new(rows: u64, bytes: u64, tally: Tally, group: &[u8]) -> Self {
         let drives = tally.counts().map(|(status, count)| (status.name().to_owned(), count)).collect();
-        Self { rows, bytes, drives, group: group.iter().map(|byte| format!("{byte:02x}")).collect() }
+        let BeyondCount { all, law, face } = tally.beyond();
+        Self { rows, bytes, drives, beyond: [all, law, face], group: group.iter().map(|byte| format!("{byte:02x}")).collect() }
     }
 
     pub fn tally(&self) -> Tally {
-        Tally::of(self.drives.iter().map(|(name, count)| (name.as_str(), *count)))
+        let [all, law, face] = self.beyond;
+        Tally::of(self.drives.iter().map(|(name, count)| (name.as_str(), *count)), BeyondCount { all, law, face })
     }
 
     /// The metadata of the row group.

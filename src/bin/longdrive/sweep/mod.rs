@@ -12,6 +12,7 @@ use crate::names::{outcomes, variables};
 use crate::output::{Answer, bar, tell, warn};
 use crate::search::interrupt;
 use longdrive::batch::{Batch, Run, Tally};
+use longdrive::drive::Looked;
 use longdrive::report::Reply;
 use longdrive::units::counted;
 use longdrive::{Error, Result};
@@ -36,7 +37,7 @@ pub fn run(args: &Sweep) -> Result<Answer> {
     let writer = Writer::new(&batch, target.format, points.identity())?;
     room::check(args, &batch, points.as_mut(), &writer, &target)?;
     let mut output = target.open(&writer, args)?;
-    let warnings = setup.warnings();
+    let mut warnings = setup.warnings();
     warn(&warnings);
 
     let total = points.rows();
@@ -67,6 +68,10 @@ pub fn run(args: &Sweep) -> Result<Answer> {
     done?;
 
     let summary = Summary::new(total, output.tally(), args);
+    let beyond = output.tally().beyond();
+    let beyond = beyond.warnings(&setup.law, ["drive that landed", "drives that landed"], Looked::AtLaunch);
+    warn(&beyond);
+    warnings.extend(beyond);
     if !is_complete {
         let drives = summary.text(None);
         tell(&match target.part() {

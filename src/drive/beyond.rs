@@ -1,0 +1,115 @@
+//! Where drives lie beyond what their law was fitted to, or beside any face: one by one, and how many of many.
+
+use super::Drive;
+use crate::aerodynamics::{AerodynamicLaw, Fitted};
+use crate::flight::Shot;
+use crate::parameters::{Law, Setup};
+use crate::units::{Quantity, significant};
+
+/// The largest head that conforms, m: 5 in from heel to toe, 2.8 in from sole to crown (R&A and USGA, Equipment Rules, part 2, 4b). No face is larger.
+const LARGEST_HEAD: [f64; 2] = [0.127, 0.07112];
+
+/// Whether a strike, m from the middle of the face, lies beside the face of any head that conforms.
+pub(crate) fn is_beside_any_face(toe: f64, high: f64) -> bool {
+    let [wide, tall] = LARGEST_HEAD;
+    toe.abs() > 0.5 * wide || high.abs() > 0.5 * tall
+}
+
+/// The face of the largest head, in words.
+pub(crate) fn any_face() -> String {
+    let [wide, tall] = LARGEST_HEAD.map(|size| Quantity::LENGTH.show(size, "mm"));
+    format!(
+        "the face of any head that conforms to the Rules of Golf (at most {wide} from heel to toe and {tall} from sole to crown)"
+    )
+}
+
+/// What a drive lies beyond, as its launch or as its whole flight tells.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Beyond {
+    /// The ball has a spin ratio, a Reynolds number or a speed through the air that its law was not fitted to.
+    pub law: bool,
+    /// The strike lies beside the face of any head that conforms.
+    pub face: bool,
+}
+
+/// How much of a drive is looked at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Looked {
+    /// The launch alone: cheap enough for every drive of a batch.
+    AtLaunch,
+    /// The whole flight, flown once more.
+    AtFlight,
+}
+
+impl Drive<f64> {
+    /// What the drive of a setup lies beyond.
+    pub fn beyond(&self, setup: &Setup<f64>, looked: Looked) -> Beyond {
+        let law = match looked {
+            Looked::AtLaunch => {
+                !AerodynamicLaw::<f64>::fitted(&setup.law).holds(Shot::new(setup, &self.launch).stream())
+            }
+            Looked::AtFlight => !self.outside_of_the_law(setup).is_empty(),
+        };
+        Beyond { law, face: self.impact.is_some() && is_beside_any_face(setup.strike.toe, setup.strike.high) }
+    }
+}
+
+/// How many of some drives lie beyond.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct BeyondCount {
+    /// All that flew and landed.
+    pub all: u64,
+    /// Those launched with what the law was not fitted to.
+    pub law: u64,
+    /// Those struck beside any face.
+    pub face: u64,
+}
+
+impl BeyondCount {
+    /// Counts a drive.
+    pub fn add(&mut self, drive: Beyond) {
+        self.all += 1;
+        self.law += u64::from(drive.law);
+        self.face += u64::from(drive.face);
+    }
+
+    /// Adds other drives.
+    pub fn merge(&mut self, other: Self) {
+        self.all += other.all;
+        self.law += other.law;
+        self.face += other.face;
+    }
+
+    /// What deserves a word: a sentence for each kind of which there are any. `of` is what they are: "drive", "optimum".
+    pub fn warnings(&self, law: &Law<f64>, of: [&str; 2], looked: Looked) -> Vec<String> {
+        let some = |count: u64| format!("{count} of {} {}", self.all, of[usize::from(self.all != 1)]);
+        let mut warnings = vec![];
+        if self.law > 0 {
+            let fitted = AerodynamicLaw::<f64>::fitted(law);
+            let (which, what) = (some(self.law), in_words(&fitted));
+            let (when, rest) = match looked {
+                Looked::AtLaunch => ("at launch", "; the rest of the flight was not looked at"),
+                Looked::AtFlight => ("in 1 % of the flight or more", ""),
+            };
+            warnings.push(format!(
+                "{which}: {when} outside of what the law {} was fitted to ({what}; {}), where it is extrapolated{rest}",
+                law.name(),
+                fitted.to
+            ));
+        }
+        if self.face > 0 {
+            let which = some(self.face);
+            warnings.push(format!("{which}: the strike lies outside {}: no club strikes the ball there", any_face()));
+        }
+        warnings
+    }
+}
+
+/// The ranges of a fit in words: "spin ratio 0.06 to 0.33, Reynolds number 70000 to 230000".
+fn in_words(fitted: &Fitted) -> String {
+    let range = |(name, unit, range): (&str, &str, Option<[f64; 2]>)| {
+        let [low, high] = range?.map(|end| significant(end, 3));
+        Some(format!("{name} {low} to {high}{unit}"))
+    };
+    fitted.ranges().into_iter().filter_map(range).collect::<Vec<_>>().join(", ")
+}
