@@ -1,3 +1,8 @@
+use crate::units::Quantity;
+
+/// The name of what a law was fitted over, its quantity and unit, and the range.
+pub type FittedRange = (&'static str, (Quantity, &'static str), Option<[f64; 2]>);
+
 /// What the measurements cover that a law was fitted to. Outside of it the law's formula goes on as it stands, and nothing tells how well.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fitted {
@@ -15,12 +20,12 @@ impl Fitted {
     /// Of a law that is fitted to nothing, or whose source does not say to what.
     pub const UNKNOWN: Self = Self { spin_ratio: None, reynolds: None, speed: None, to: "" };
 
-    /// The ranges, in the order of a stream: spin ratio, Reynolds number, speed through the air, m/s; each with its name and unit.
-    pub fn ranges(&self) -> [(&'static str, &'static str, Option<[f64; 2]>); 3] {
+    /// The ranges, in the order of a stream: spin ratio, Reynolds number, speed through the air; each with its name, quantity and unit.
+    pub fn ranges(&self) -> [FittedRange; 3] {
         [
-            ("spin ratio", "", self.spin_ratio),
-            ("Reynolds number", "", self.reynolds),
-            ("speed through the air", " m/s", self.speed),
+            ("spin ratio", (Quantity::NUMBER, ""), self.spin_ratio),
+            ("Reynolds number", (Quantity::NUMBER, ""), self.reynolds),
+            ("speed through the air", (Quantity::SPEED, "m/s"), self.speed),
         ]
     }
 

@@ -12,7 +12,7 @@ mod robinson;
 mod smits_smith;
 mod winfield_tan;
 
-pub use fitted::Fitted;
+pub use fitted::{Fitted, FittedRange};
 
 use crate::number::Numbers;
 use crate::parameters::{Law, with_law};

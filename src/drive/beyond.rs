@@ -4,7 +4,7 @@ use super::Drive;
 use crate::aerodynamics::{AerodynamicLaw, Fitted};
 use crate::flight::Shot;
 use crate::parameters::{Law, Setup};
-use crate::units::{Quantity, significant};
+use crate::units::{Digits, Message, Quantity};
 
 /// The largest head that conforms, m: 5 in from heel to toe, 2.8 in from sole to crown (R&A and USGA, Equipment Rules, part 2, 4b). No face is larger.
 const LARGEST_HEAD: [f64; 2] = [0.127, 0.07112];
@@ -81,35 +81,37 @@ impl BeyondCount {
     }
 
     /// What deserves a word: a sentence for each kind of which there are any. `of` is what they are: "drive", "optimum".
-    pub fn warnings(&self, law: &Law<f64>, of: [&str; 2], looked: Looked) -> Vec<String> {
+    pub fn warnings(&self, law: &Law<f64>, of: [&str; 2], looked: Looked) -> Vec<Message> {
         let some = |count: u64| format!("{count} of {} {}", self.all, of[usize::from(self.all != 1)]);
         let mut warnings = vec![];
         if self.law > 0 {
             let fitted = AerodynamicLaw::<f64>::fitted(law);
-            let (which, what) = (some(self.law), in_words(&fitted));
             let (when, rest) = match looked {
                 Looked::AtLaunch => ("at launch", "; the rest of the flight was not looked at"),
                 Looked::AtFlight => ("in 1 % of the flight or more", ""),
             };
-            warnings.push(format!(
-                "{which}: {when} outside of what the law {} was fitted to ({what}; {}), where it is extrapolated{rest}",
-                law.name(),
-                fitted.to
-            ));
+            let which = some(self.law);
+            let name = law.name();
+            let before = Message::from(format!("{which}: {when} outside of what the law {name} was fitted to ("));
+            warnings.push(in_words(&fitted, before).words(format!("; {}), where it is extrapolated{rest}", fitted.to)));
         }
         if self.face > 0 {
             let which = some(self.face);
-            warnings.push(format!("{which}: the strike lies outside {}: no club strikes the ball there", any_face()));
+            warnings.push(
+                format!("{which}: the strike lies outside {}: no club strikes the ball there", any_face()).into(),
+            );
         }
         warnings
     }
 }
 
 /// The ranges of a fit in words: "spin ratio 0.06 to 0.33, Reynolds number 70000 to 230000".
-fn in_words(fitted: &Fitted) -> String {
-    let range = |(name, unit, range): (&str, &str, Option<[f64; 2]>)| {
-        let [low, high] = range?.map(|end| significant(end, 3));
-        Some(format!("{name} {low} to {high}{unit}"))
-    };
-    fitted.ranges().into_iter().filter_map(range).collect::<Vec<_>>().join(", ")
+fn in_words(fitted: &Fitted, before: Message) -> Message {
+    let known = fitted.ranges().into_iter().filter_map(|(name, unit, range)| Some((name, unit, range?)));
+    known.enumerate().fold(before, |message, (i, (name, (quantity, unit), [low, high]))| {
+        let comma = if i == 0 { "" } else { ", " };
+        let digits = Digits::Significant(3);
+        let low = message.words(format!("{comma}{name} ")).quantity(quantity, unit, low, digits);
+        low.words(" to ").quantity(quantity, unit, high, digits)
+    })
 }

@@ -2,7 +2,7 @@
 
 use super::Drive;
 use super::beyond::{any_face, is_beside_any_face};
-use crate::aerodynamics::AerodynamicLaw;
+use crate::aerodynamics::{AerodynamicLaw, FittedRange};
 use crate::atmosphere::WindField;
 use crate::flight::trajectory;
 use crate::parameters::Setup;
@@ -48,8 +48,7 @@ impl Drive<f64> {
             return vec![];
         }
         let flown = self.stream(setup);
-        type Range = (&'static str, (Quantity, &'static str), Option<[f64; 2]>);
-        let told = |(k, (name, (quantity, unit), range)): (usize, Range)| {
+        let told = |(k, (name, (quantity, unit), range)): (usize, FittedRange)| {
             let [low, high] = range?;
             let values = flown.iter().map(|(time, values)| (*time, values[k]));
             let outside = share(values.clone(), |value| !(low..=high).contains(&value));

@@ -36,10 +36,10 @@ impl Size {
     }
 }
 
-/// The SI size and the dimension of a product of units: factors separated by spaces, `*`, `·` or `/` (which
-/// divides by the one factor that follows), each perhaps with a power: `kg/m^3`, `g cm²`, `m s^-2`.
+/// The SI size and the dimension of a product of units: factors separated by spaces, `*`, `·`, `.` or `/` (which
+/// divides by the one factor that follows), each perhaps with a power: `kg/m^3`, `g cm²`, `m s^-2`, `Pa.s`.
 pub(super) fn read_unit(text: &str) -> Option<(Size, Dimension)> {
-    let spaced = text.replace('/', " / ").replace(['*', '·'], " ");
+    let spaced = text.replace('/', " / ").replace(['*', '·', '⋅', '.'], " ");
     let (mut size, mut dimension) = (Size::ONE, Dimension::NONE);
     let mut divide = false;
     for factor in spaced.split_whitespace() {

@@ -231,6 +231,9 @@ mod tests {
             (Quantity::ANGLE, "90°", std::f64::consts::FRAC_PI_2),
             (Quantity::ANGLE, "\u{2212}90°", -std::f64::consts::FRAC_PI_2),
             (Quantity::RATE, "4 %/s", 0.04),
+            (Quantity::VISCOSITY, "1.8e-5 Pa.s", 1.8e-5),
+            (Quantity::VISCOSITY, "1.8e-5 Pa·s", 1.8e-5),
+            (Quantity::VISCOSITY, "1.8e-5 Pa s", 1.8e-5),
             (Quantity::NUMBER, "0.83", 0.83),
         ] {
             let value = quantity.read(text).unwrap();

@@ -231,6 +231,50 @@ fn bad_tables_and_plans_are_refused_with_row_and_column() {
     }
 }
 
+/// As Foresight writes it: a spin axis without a unit, with its side; a summary below, and a shot whose ball was not seen.
+#[test]
+fn exact_exports_leave_out_summaries_and_incomplete_rows_by_name_and_read_angles_in_degrees() {
+    let head = "Shot,Ball Speed (mph),Launch Angle,Side Angle,Total Spin (rpm),Spin Axis,Carry (yd)\n";
+    let shots = "1,160,12.0,1.5 R,2500,6.8 L,262\n2,,11.0,0.5 L,2400,2.0 R,\n3,150,13.0,0.5 L,2600,2.0 R,240\n4,151,13.0,0,2600,0,\n";
+    let below = "Average,155,12.5,0.5 R,2550,2.4 L,251\nStd. Dev.,5,0.5,1,50,4.4,11\n";
+    let setup = Setup::default();
+    let read = |text: &str| ShotTable::read(&setup, "export.csv", text.as_bytes());
+    let table = read(&[head, shots, below].concat()).unwrap();
+    let rows: Vec<usize> = table.shots.iter().map(|shot| shot.row).collect();
+    assert_eq!(rows, [1, 3]);
+    let (launch, degree) = (table.shots[0].launch.unwrap(), 1.0_f64.to_radians());
+    for (angle, degrees) in
+        [(launch.launch_angle(), 12.0), (launch.launch_direction(), 1.5), (launch.spin_axis(), -6.8)]
+    {
+        assert!((angle - degrees * degree).abs() < 1e-12, "{angle} {degrees}");
+    }
+    for told in [
+        "2 rows summing up others left out: 5 (Average), 6 (Std. Dev.)",
+        "2 rows without what every shot needs left out: 2 (Ball Speed), 4 (nothing is measured)",
+        "Launch Angle, Side Angle, Spin Axis are read in degrees",
+    ] {
+        assert!(table.remarks.iter().any(|remark| remark.contains(told)), "{told}: {:?}", table.remarks);
+    }
+    // nothing but a summary is no table; and no other table has rows that are left out
+    let error = read(&[head, below].concat()).unwrap_err().to_string();
+    assert!(error.contains("no shot is left of it (2 rows summing up others"), "{error}");
+    let error = read("ball_speed [mph],launch_angle [deg],backspin [rpm],carry [yd]\n,12,2500,262\n").unwrap_err();
+    assert!(error.to_string().contains("row 1, column ball_speed: the cell is empty"), "{error}");
+    let error =
+        read("ball_speed [mph],launch_angle [deg],backspin [rpm],carry [yd]\nAverage,12,2500,262\n").unwrap_err();
+    assert!(error.to_string().contains("'Average' is not a number"), "{error}");
+}
+
+#[test]
+fn what_stands_for_an_uncertainty_has_a_source_or_says_that_it_is_assumed() {
+    use longdrive::study::calibrate::instrument;
+    for outcome in Outcome::ALL {
+        let source = instrument(*outcome).unwrap().0.source;
+        let is_read = ["golflaunchlab.com", "docs/sources.md"].iter().any(|place| source.contains(place));
+        assert!(is_read || source.starts_with("assumed: "), "{}: {source}", outcome.name());
+    }
+}
+
 /// Deliveries of the default setup at several club speeds, flown exactly: carry, and with it what else is asked for.
 fn flown(speeds: &[f64], of: &[Outcome], sigma: Option<f64>) -> String {
     let sigmas = |outcome: &Outcome| sigma.map_or(String::new(), |_| format!(",sigma {}", with_unit(*outcome)));

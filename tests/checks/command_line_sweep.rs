@@ -59,6 +59,9 @@ fn killed_and_resumed(many: &[&str], format: &str) {
     let (status, said) = finish(start(many, &whole, &["--threads", "1"]));
     assert_eq!(status, Some(0), "{said}");
     assert!(!sidecar(&whole).exists());
+    let beyond = |said: &str| said.lines().find(|line| line.contains("drives that landed: ")).map(str::to_owned);
+    let counted = beyond(&said);
+    assert!(counted.is_some(), "{said}");
 
     let mut child = start(many, &part, &["--threads", "2"]);
     wait_for_rows(&mut child, &part);
@@ -103,6 +106,7 @@ fn killed_and_resumed(many: &[&str], format: &str) {
         let (status, said) = finish(start(many, &part, &["--resume", "--threads", "3"]));
         assert_eq!(status, Some(0), "{said}");
         assert!(said.contains("resuming after "), "{said}");
+        assert_eq!(beyond(&said), counted, "another count than that of an undisturbed run");
         if let Some(promised) = promised {
             let rows = promised.split(' ').next().unwrap_or_default();
             assert!(said.contains(&format!("resuming after {rows} ")), "{promised}: {said}");

@@ -1,10 +1,12 @@
 //! What deserves a word about a drive: a law beyond what it was fitted to, a strike beside the face; and nothing about usual drives.
 
 use crate::command_line::{json, longdrive};
+use longdrive::atmosphere::WindField;
+use longdrive::batch::{Batch, Status, Tally};
 use longdrive::optimize::Watch;
 use longdrive::parameters::PRESETS;
 use longdrive::study::{Search, optimum};
-use longdrive::{Drive, Setup};
+use longdrive::{Drive, Outcome, Setup};
 
 fn warnings(preset: &str, settings: &[(&str, &str)]) -> Vec<String> {
     let mut setup = Setup::preset(preset).unwrap();
@@ -82,4 +84,102 @@ fn a_strike_beside_the_face_is_told_on_standard_error_and_in_json() {
         let warnings = answer["warnings"].as_array().unwrap();
         assert!(warnings.iter().any(|it| it.as_str().unwrap().contains(told)), "{answer}");
     }
+}
+
+/// s = Rω/v at launch is 0.06 at v = Rω/0.06: faster balls lie outside of the law.
+#[test]
+fn exact_count_of_a_sweep_is_the_same_for_any_threads() {
+    let folder = tempfile::tempdir().unwrap();
+    let setup = Setup::default();
+    let edge = setup.ball.radius * 2500.0 * std::f64::consts::TAU / 60.0 / 0.06;
+    let points: Vec<f64> = (0..5000).map(|k| 60.0 + 0.01 * f64::from(k)).collect();
+    let outside = points.iter().filter(|speed| **speed > edge).count();
+    assert!((1000..4000).contains(&outside), "{outside}");
+    let table = folder.path().join("points.csv");
+    let rows: String = points.iter().map(|speed| format!("{speed},12,2500\n")).collect();
+    std::fs::write(&table, format!("ball_speed [m/s],launch_angle [deg],backspin [rpm]\n{rows}")).unwrap();
+    let told = format!("{outside} of 5000 drives that landed: at launch outside of what the law launch-monitor");
+    for threads in ["1", "2"] {
+        let output = folder.path().join(format!("{threads}.csv"));
+        let (table, output) = (table.to_str().unwrap(), output.to_str().unwrap());
+        // air so thick that the Reynolds number stays within the law
+        let thick = ["--set", "air.viscosity=3e-5 Pa.s", "--threads", threads, "-o", output];
+        let (status, answer) = json(&[&["sweep", "--points", table][..], &thick].concat());
+        let warnings = answer["warnings"].as_array().unwrap();
+        assert!(status == 0 && warnings.len() == 1, "{answer}");
+        assert!(warnings[0].as_str().unwrap().contains(&told), "{told}: {answer}");
+    }
+}
+
+/// Side by side as one by one: spin ratio, Reynolds number and speed by their definitions, in wind, for values and for gradients.
+#[test]
+fn exact_definitions_say_which_drives_of_a_batch_lie_beyond() {
+    let mut setup = Setup::default();
+    setup.set_all([("wind.downrange", "5 m/s"), ("wind.right", "-3 m/s"), ("wind.roughness", "10 mm")]).unwrap();
+    for law in ["launch-monitor", "smits-smith", "winfield-tan", "linear"] {
+        setup.set_law(law).unwrap();
+        let swept = ["swing.speed", "club.loft", "strike.toe"].map(|name| setup.variable(name).unwrap());
+        let ranges = [(8.0, 60.0), (0.02, 0.5), (-0.08, 0.08)];
+        let at = |k: u32| {
+            ranges.map(|(low, high): (f64, f64)| low + (high - low) * (f64::from(k) * low.abs().sqrt()).fract())
+        };
+        let points: Vec<f64> = (1..400).flat_map(at).collect();
+        for wrt in [&swept[..0], &swept[..2]] {
+            let batch = Batch::new(&setup, &swept, &[Outcome::Carry], wrt).unwrap();
+            let block = batch.evaluate(0, points.clone());
+            let (mut tally, mut outside, mut landed) = (Tally::default(), 0, 0);
+            tally.add(&block);
+            for row in 0..block.rows() {
+                let [speed, loft, toe] = block.point(row) else { panic!() };
+                if block.status(row) != Status::Landed {
+                    continue;
+                }
+                landed += 1;
+                let mut one = setup;
+                (one.swing.speed, one.club.loft, one.strike.toe) = (*speed, *loft, *toe);
+                let launch = Drive::new(&one).unwrap().launch;
+                let wind = WindField::new(&one.wind, &one.ground).at(|| 0.0);
+                let v = [launch.velocity.x - wind.x, launch.velocity.y - wind.y, launch.velocity.z - wind.z];
+                let v = v.iter().map(|v| v * v).sum::<f64>().sqrt();
+                let stream = [
+                    one.ball.radius * launch.total_spin() / v,
+                    one.air.density * 2.0 * one.ball.radius * v / one.air.viscosity,
+                    v,
+                ];
+                let is_within = |[low, high]: [f64; 2], value: f64| low <= value && value <= high;
+                let within = match law {
+                    "launch-monitor" => is_within([0.06, 0.33], stream[0]) && is_within([7e4, 2.3e5], stream[1]),
+                    "smits-smith" => is_within([0.08, 0.2], stream[0]) && is_within([7e4, 2.1e5], stream[1]),
+                    "winfield-tan" => is_within([0.02, 0.35], stream[0]) && is_within([25.0, 68.0], stream[2]),
+                    _ => true,
+                };
+                let found = block.beyond(row);
+                assert_eq!((found.law, found.face), (!within, toe.abs() > 0.0635), "{law}, row {row}: {stream:?}");
+                outside += u64::from(!within);
+            }
+            assert!(landed > 100 && (outside > 20 || law == "linear"), "{law}: {outside} of {landed}");
+            assert_eq!((tally.beyond().all, tally.beyond().law), (landed, outside));
+        }
+    }
+}
+
+#[test]
+fn charts_and_calibrations_count_what_leaves_the_law() {
+    let (status, chart) = json(&["chart", "--along", "swing.speed=25mph..30mph"]);
+    let points = chart["points"].as_array().unwrap().len();
+    let told =
+        format!("{points} of {points} optima: in 1 % of the flight or more outside of what the law launch-monitor");
+    assert!(status == 0 && chart["warnings"][0].as_str().unwrap().starts_with(&told), "{told}: {chart}");
+    let (_, usual) = json(&["chart", "--along", "swing.speed", "--at", "105mph,110mph"]);
+    assert_eq!(usual["warnings"].as_array().unwrap().len(), 0, "{usual}");
+
+    let mut table = tempfile::Builder::new().suffix(".csv").tempfile().unwrap();
+    let rows = "160,12,2600,250\n150,12,2500,240\n40,14,1500,35\n";
+    std::io::Write::write_all(
+        &mut table,
+        format!("ball_speed [mph],launch_angle [deg],backspin [rpm],carry [yd]\n{rows}").as_bytes(),
+    )
+    .unwrap();
+    let (_, found) = json(&["calibrate", table.path().to_str().unwrap(), "--fit", "aero.cd0"]);
+    assert!(found["warnings"][0].as_str().unwrap().starts_with("1 of 3 shots: in 1 % of the flight"), "{found}");
 }

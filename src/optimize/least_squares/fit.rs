@@ -4,6 +4,7 @@ use super::super::domain::Domain;
 use super::step::Point;
 use super::{Options, Residuals, Rows};
 use crate::error::{Error, Result};
+use crate::units::counted;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::fmt;
@@ -23,6 +24,9 @@ const LEAST_DAMPING: f64 = 1e-12;
 /// A step without damping shorter than this, relative to the point and to the way there, is rounding where no step lowers the sum
 /// (Moré 1978, MINPACK's `xtol`; near a sum of 0 the slope says nothing, since the residuals themselves are rounding).
 const SHORTEST: f64 = 1e-8;
+
+/// What tells how near a fit is to the lowest sum, in words: 0 where no small change of a parameter changes the sum.
+const COSINE: &str = "cosine between the residuals and their slopes";
 
 /// How a fit ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -228,14 +232,20 @@ impl Search {
             return Some((Status::Converged, message));
         }
         if cosine <= tolerance {
-            return Some((Status::Converged, format!("largest cosine {cosine:.1e} <= {tolerance:.0e}")));
+            return Some((
+                Status::Converged,
+                format!("no small change lowers the sum: {COSINE} {cosine:.1e} <= {tolerance:.0e}"),
+            ));
         }
         if is_interrupted {
-            return Some((Status::Interrupted, format!("stopped with a largest cosine of {cosine:.1e}")));
+            return Some((
+                Status::Interrupted,
+                format!("stopped before the lowest sum: {COSINE} {cosine:.1e} > {tolerance:.0e}"),
+            ));
         }
         (self.iterations >= options.max_iterations).then(|| {
-            let message =
-                format!("stopped at the limit of {} iterations with a largest cosine of {cosine:.1e}", self.iterations);
+            let limit = counted(self.iterations, "iteration");
+            let message = format!("stopped at the limit of {limit}: {COSINE} {cosine:.1e} > {tolerance:.0e}");
             (Status::IterationLimit, message)
         })
     }
@@ -250,7 +260,7 @@ impl Search {
         self.iterations += 1;
         loop {
             let stalled = |what: &str| {
-                let message = format!("{what}; largest cosine {cosine:.1e}. Start elsewhere, or fit fewer parameters");
+                let message = format!("{what}; {COSINE} {cosine:.1e}. Start elsewhere, or fit fewer parameters");
                 Some((Status::Stalled, message))
             };
             if self.damping > MOST_DAMPING {

@@ -30,6 +30,8 @@ pub(super) struct Column {
     pub head: String,
     unit: Option<String>,
     format: Format,
+    /// Whether it is an angle of a launch monitor that states no unit.
+    is_in_degrees_untold: bool,
 }
 
 /// How a table is written.
@@ -67,7 +69,11 @@ impl Column {
                     .map(|outcome| Holds::Outcome(measured(outcome)))
                     .or_else(|_| known(setup, name).map(Holds::Input))?,
             };
-        let column = Self { holds, head: name.into(), unit, format };
+        let mut column = Self { holds, head: name.into(), unit, format, is_in_degrees_untold: false };
+        let is_of_an_export = format.is_export && launch_monitor::meaning(name).is_some();
+        if is_of_an_export && column.unit.is_none() && column.quantity() == Some(Quantity::ANGLE) {
+            (column.unit, column.is_in_degrees_untold) = (Some("deg".into()), true);
+        }
         column.check_unit()?;
         Ok(column)
     }
@@ -75,6 +81,11 @@ impl Column {
     /// Whether it is left out because this program has no name for it.
     pub fn is_unknown(&self) -> bool {
         self.holds == Holds::Note && self.head != NOTE
+    }
+
+    /// Whether it states no unit and is read in degrees, as launch monitors write angles.
+    pub fn is_in_degrees_untold(&self) -> bool {
+        self.is_in_degrees_untold && self.holds != Holds::Note
     }
 
     fn check_unit(&self) -> Result<()> {

@@ -1,15 +1,14 @@
 use super::column::{Column, Format, Holds};
-use super::instrument::{Instrument, instrument};
 use super::launch_monitor;
-use super::shot::{Measurement, Shot, Stationary};
+use super::reading::Reading;
+use super::shot::Shot;
 use super::statistics::Uncertainties;
-use crate::drive::{Outcome, Part};
+use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::foreign::of_csv;
-use crate::launch::Launch;
 use crate::parameters::{Parameter, Setup};
-use crate::units::{Digits, Message};
-use csv::{ReaderBuilder, StringRecord, Trim};
+use crate::units::{Message, counted};
+use csv::{ReaderBuilder, Trim};
 use std::io::Read;
 
 /// Measured shots, a row each.
@@ -33,26 +32,14 @@ pub struct ShotTable {
     pub uncertainties: Uncertainties,
 }
 
-/// No outcome of a drive is larger than this, in whatever SI unit.
-const MOST: f64 = 1e9;
-
-/// Outcomes that, all together, are a launch.
-const CONDITIONS: [Outcome; 7] = [
-    Outcome::BallSpeed,
-    Outcome::LaunchAngle,
-    Outcome::LaunchDirection,
-    Outcome::Spin,
-    Outcome::Backspin,
-    Outcome::Sidespin,
-    Outcome::SpinAxis,
-];
-
 impl ShotTable {
     /// Reads a table in CSV.
     ///
     /// # Errors
     /// [`Error::Table`] with row and column for a column that is unknown, given twice or in a wrong unit, a cell that is no
-    /// number, a sigma that is not positive, a value outside its range, a row without a measurement, and a table without rows.
+    /// number, a sigma that is not positive, a value outside its range, a row without a measurement, and a table without rows. Of a
+    /// launch monitor's export, rows that sum up others and rows with an empty cell that every shot needs are left out, and named in the
+    /// remarks.
     pub fn read(setup: &Setup<f64>, file: &str, source: impl Read) -> Result<Self> {
         let refused = |place: String, reason: String| Error::Table { file: file.into(), place, reason };
         let mut text = String::new();
@@ -88,6 +75,7 @@ impl ShotTable {
         let mut remarks = vec![];
         if is_export {
             remarks.extend(left_out(&mut columns));
+            remarks.extend(in_degrees(&columns).map(Message::from));
         }
         let reading = Reading { setup, is_launched: is_launched(&columns), columns };
         if is_export && !reading.is_launched && !reading.columns.iter().any(is_of_the_strike) {
@@ -95,19 +83,39 @@ impl ShotTable {
                           speed; add the missing columns";
             return Err(refused(String::new(), reason.into()));
         }
-        let mut shots = vec![];
+        let (mut shots, mut summaries, mut incomplete) = (vec![], vec![], vec![]);
         for (at, record) in records.enumerate() {
             let row = at + 1;
             let record = record.map_err(|error| refused(format!(", row {row}"), of_csv(&error)))?;
-            let shot = reading.shot(row, &record);
-            shots.push(shot.map_err(|(column, why)| {
-                let column = column.map_or(String::new(), |name| format!(", column {name}"));
-                refused(format!(", row {row}{column}"), why)
-            })?);
+            if let Some(word) = launch_monitor::summary(record.iter()).filter(|_| is_export) {
+                summaries.push(format!("{row} ({word})"));
+                continue;
+            }
+            match reading.shot(row, &record) {
+                Ok(shot) => shots.push(shot),
+                Err(wrong) if is_export && wrong.is_incomplete => {
+                    let column = wrong.column.unwrap_or_else(|| "nothing is measured".into());
+                    incomplete.push(format!("{row} ({column})"));
+                }
+                Err(wrong) => {
+                    let column = wrong.column.map_or(String::new(), |name| format!(", column {name}"));
+                    return Err(refused(format!(", row {row}{column}"), wrong.why));
+                }
+            }
         }
+        let left_out: Vec<String> = [(summaries, "summing up others"), (incomplete, "without what every shot needs")]
+            .into_iter()
+            .filter(|(rows, _)| !rows.is_empty())
+            .map(|(rows, what)| format!("{} {what} left out: {}", counted(rows.len() as u64, "row"), rows.join(", ")))
+            .collect();
         if shots.is_empty() {
-            return Err(refused(String::new(), "it has no rows; give one for each shot".into()));
+            let reason = match left_out.is_empty() {
+                true => "it has no rows; give one for each shot".into(),
+                false => format!("no shot is left of it ({}); give a row for each shot", left_out.join("; ")),
+            };
+            return Err(refused(String::new(), reason));
         }
+        remarks.extend(left_out.into_iter().map(Message::from));
         let (assumed, uncertainties) = reading.assumed();
         remarks.extend(assumed);
         let Reading { is_launched, .. } = reading;
@@ -142,6 +150,16 @@ fn is_launched(columns: &[Column]) -> bool {
 fn is_of_the_strike(column: &Column) -> bool {
     let groups = ["swing.", "club.", "strike.", "impact."];
     matches!(column.holds, Holds::Input(parameter) if groups.iter().any(|group| parameter.name.starts_with(group)))
+}
+
+/// The angles whose unit is taken for granted.
+fn in_degrees(columns: &[Column]) -> Option<String> {
+    let heads: Vec<&str> =
+        columns.iter().filter(|column| column.is_in_degrees_untold()).map(|column| column.head.as_str()).collect();
+    let (is, angles) = if heads.len() == 1 { ("is", "an angle") } else { ("are", "angles") };
+    (!heads.is_empty()).then(|| {
+        format!("{} {is} read in degrees: {angles} without a unit, and launch monitors write degrees", heads.join(", "))
+    })
 }
 
 /// Leaves out what a launch monitor's table has and the fit cannot use, and says so: columns without a name here; where the launch
@@ -192,171 +210,4 @@ fn left_out(columns: &mut [Column]) -> Vec<Message> {
         }
     }
     remarks
-}
-
-/// A table being read.
-struct Reading<'a> {
-    setup: &'a Setup<f64>,
-    columns: Vec<Column>,
-    is_launched: bool,
-}
-
-/// The column in which something is wrong, and what.
-type Wrong = (Option<String>, String);
-
-impl Reading<'_> {
-    fn cell(&self, record: &StringRecord, holds: Holds) -> Result<Option<f64>, Wrong> {
-        let Some(at) = self.columns.iter().position(|column| column.holds == holds) else { return Ok(None) };
-        let column = &self.columns[at];
-        column.value(record.get(at).unwrap_or_default()).map_err(|why| (Some(column.head.clone()), why))
-    }
-
-    fn sigma(&self, record: &StringRecord, holds: Holds, one: f64) -> Result<f64, Wrong> {
-        let sigma = self.cell(record, holds)?;
-        let has_column = self.columns.iter().any(|column| column.holds == holds);
-        match sigma {
-            Some(sigma) if sigma > 0.0 => Ok(sigma),
-            None if !has_column => Ok(one),
-            _ => {
-                let head = self.columns.iter().find(|column| column.holds == holds).map(|column| column.head.clone());
-                Err((head, "a standard uncertainty must be a number above 0 wherever there is a measurement".into()))
-            }
-        }
-    }
-
-    fn shot(&self, row: usize, record: &StringRecord) -> Result<Shot, Wrong> {
-        let (mut inputs, mut measured) = (vec![], vec![]);
-        let mut at_shot = *self.setup;
-        for column in &self.columns {
-            let here = || Some(column.head.clone());
-            match column.holds {
-                Holds::Input(parameter) => {
-                    let Some(value) = self.cell(record, column.holds)? else {
-                        return Err((here(), "the cell is empty; every row needs the shot's own inputs".into()));
-                    };
-                    at_shot.set_value(parameter, Some(value)).map_err(|error| (here(), error.to_string()))?;
-                    inputs.push((parameter, value));
-                }
-                Holds::Outcome(outcome) if !(self.is_launched && CONDITIONS.contains(&outcome)) => {
-                    if self.is_launched && outcome.part() == Part::Launch {
-                        return Err((here(), "rows of launch conditions have no club".into()));
-                    }
-                    if let Some(value) = self.cell(record, column.holds)? {
-                        if value.abs() > MOST {
-                            let (shown, most) = (outcome.show(value), outcome.show(MOST));
-                            return Err((
-                                here(),
-                                format!("{shown} is outside its range −{most} .. {most}; correct the cell"),
-                            ));
-                        }
-                        let assumed = instrument(outcome).map_or(column.one(), |(_, sigma)| sigma);
-                        let sigma = self.sigma(record, Holds::Sigma(outcome), assumed)?;
-                        measured.push(Measurement { outcome, value, sigma });
-                    }
-                }
-                _ => {}
-            }
-        }
-        at_shot.validate().map_err(|error| (None, error.to_string()))?;
-        let launch = if self.is_launched { Some(self.launch(record)?) } else { None };
-        let stationary = self.stationary(record, &at_shot)?;
-        if measured.is_empty() && stationary.is_empty() {
-            return Err((None, "nothing is measured in it; give an outcome, or take the row out".into()));
-        }
-        Ok(Shot { row, inputs, launch, measured, stationary })
-    }
-
-    fn launch(&self, record: &StringRecord) -> Result<Launch<f64>, Wrong> {
-        let [speed, angle, direction, spin, backspin, sidespin, axis] =
-            CONDITIONS.map(|outcome| self.cell(record, Holds::Outcome(outcome)));
-        let wanted = |cell: Option<f64>, what: Outcome| {
-            cell.ok_or_else(|| (Some(what.name().to_owned()), "the cell is empty; every launch needs one".to_owned()))
-        };
-        let (speed, angle) = (wanted(speed?, Outcome::BallSpeed)?, wanted(angle?, Outcome::LaunchAngle)?);
-        let wrong = |what: Outcome, why: &str| Err((Some(what.name().to_owned()), why.to_owned()));
-        if speed <= 0.0 {
-            return wrong(Outcome::BallSpeed, "the ball's speed must be above 0");
-        }
-        if angle.abs() >= std::f64::consts::FRAC_PI_2 {
-            return wrong(Outcome::LaunchAngle, "the launch must be between −90° and 90°");
-        }
-        let (back, side) = match (spin?, backspin?, sidespin?, axis?) {
-            (None, Some(back), side, None) => (back, side.unwrap_or(0.0)),
-            (Some(spin), None, None, axis) => {
-                let (sin, cos) = axis.unwrap_or(0.0).sin_cos();
-                (spin * cos, spin * sin)
-            }
-            (Some(spin), None, Some(side), None) if side.abs() <= spin => ((spin * spin - side * side).sqrt(), side),
-            _ => {
-                return wrong(
-                    Outcome::Spin,
-                    "give the spin once: backspin with sidespin, or spin with spin_axis or with a sidespin no larger",
-                );
-            }
-        };
-        Ok(Launch::with_conditions(speed, angle, direction?.unwrap_or(0.0), back, side))
-    }
-
-    fn stationary(&self, record: &StringRecord, at_shot: &Setup<f64>) -> Result<Vec<Stationary>, Wrong> {
-        let Some(at) = self.columns.iter().position(|column| column.holds == Holds::Stationary) else {
-            return Ok(vec![]);
-        };
-        let here = || Some("stationary".to_owned());
-        let mut all = vec![];
-        for name in record.get(at).unwrap_or_default().split_whitespace() {
-            let parameter = at_shot.variable(name).map_err(|error| (here(), error.to_string()))?;
-            if self.is_launched {
-                return Err((here(), "rows of launch conditions have no parameter to be best in".into()));
-            }
-            let one = crate::units::Quantity::ANGLE.size_of("deg").unwrap_or(1.0);
-            if parameter.quantity != crate::units::Quantity::ANGLE {
-                return Err((here(), format!("{name} is no angle; optima are read in angles")));
-            }
-            all.push(Stationary { parameter, sigma: self.sigma(record, Holds::SigmaStationary, one)? });
-        }
-        Ok(all)
-    }
-
-    /// What is taken where no standard uncertainty stands beside a measured column, and what they are worth in all.
-    fn assumed(&self) -> (Vec<Message>, Uncertainties) {
-        let has = |holds: Holds| self.columns.iter().any(|column| column.holds == holds);
-        let mut worth = Uncertainties::Stated;
-        let mut remarks = vec![];
-        for column in &self.columns {
-            match column.holds {
-                Holds::Outcome(outcome) if self.is_launched && CONDITIONS.contains(&outcome) => {}
-                Holds::Outcome(outcome) if !has(Holds::Sigma(outcome)) => match instrument(outcome) {
-                    Some((Instrument { source, .. }, sigma)) => {
-                        let without = format!("{} has no column 'sigma {}': ", column.head, outcome.name());
-                        let remark = Message::from(without)
-                            .quantity(outcome.quantity(), outcome.unit(), sigma, Digits::Significant(3))
-                            .words(format!(" is taken for each ({source})"));
-                        remarks.push(remark);
-                        if worth == Uncertainties::Stated {
-                            worth = Uncertainties::Instruments;
-                        }
-                    }
-                    None => {
-                        remarks.push(
-                            format!(
-                                "{0} has no column 'sigma {0}': 1 {1} is taken for each, as a weight",
-                                outcome.name(),
-                                column.unit()
-                            )
-                            .into(),
-                        );
-                        worth = Uncertainties::Weights;
-                    }
-                },
-                Holds::Stationary if !has(Holds::SigmaStationary) => {
-                    remarks.push(
-                        "stationary has no column 'sigma stationary': 1 deg is taken for each, as a weight".into(),
-                    );
-                    worth = Uncertainties::Weights;
-                }
-                _ => {}
-            }
-        }
-        (remarks, worth)
-    }
 }

@@ -10,12 +10,18 @@ pub struct Instrument {
     pub outcome: Outcome,
     /// Its standard uncertainty as people state it: `0.3 deg`.
     pub sigma: &'static str,
-    /// Where that comes from; "assumed" where no measurement is known to this project.
+    /// Where that comes from; "assumed", with the reasoning, where no source could be read.
     pub source: &'static str,
 }
 
-/// Ball and launch: what makers of radar and camera units state for a driver; recalled, not read at its source.
-const STATED: &str = "what makers of launch monitors state for a driver, rounded up; recalled, not read at its source";
+/// Ball speed: two units of one kind beside each other agree to about ±0.5 % of it (golflaunchlab.com/guides/golf-launch-monitor-accuracy, read
+/// in a stored copy; it names no test), which is 0.8 mph of 165 mph. No maker's data sheet, and not the numbers of Leach, Forrester, Mears &
+/// Roberts (Measurement 112, 2017, 125–136), could be read.
+const AGREE: &str = "two radar units agree to about 0.5 % (golflaunchlab.com, a guide that names no test): 0.8 mph of 165 mph, rounded up";
+/// Angles of the launch: no source could be read.
+const TENTHS: &str = "assumed: three of the tenths of a degree that exports print";
+/// Spin: no source could be read.
+const OF_SPIN: &str = "assumed: 4 % of a driver's 2500 rpm";
 /// Distances: how far monitors are apart from each other on the same launches.
 const APART: &str = "launch monitors predict the same launch within about 3 yd of each other (docs/sources.md)";
 /// Chart rounding: published averages are whole yards and degrees.
@@ -23,11 +29,11 @@ const ROUNDED: &str = "assumed: tables print whole yards and degrees, and indoor
 
 /// All that is known or assumed.
 const INSTRUMENTS: [Instrument; 17] = [
-    Instrument { outcome: Outcome::BallSpeed, sigma: "1 mph", source: STATED },
-    Instrument { outcome: Outcome::LaunchAngle, sigma: "0.3 deg", source: STATED },
-    Instrument { outcome: Outcome::LaunchDirection, sigma: "0.3 deg", source: STATED },
-    Instrument { outcome: Outcome::Spin, sigma: "100 rpm", source: STATED },
-    Instrument { outcome: Outcome::Backspin, sigma: "100 rpm", source: STATED },
+    Instrument { outcome: Outcome::BallSpeed, sigma: "1 mph", source: AGREE },
+    Instrument { outcome: Outcome::LaunchAngle, sigma: "0.3 deg", source: TENTHS },
+    Instrument { outcome: Outcome::LaunchDirection, sigma: "0.3 deg", source: TENTHS },
+    Instrument { outcome: Outcome::Spin, sigma: "100 rpm", source: OF_SPIN },
+    Instrument { outcome: Outcome::Backspin, sigma: "100 rpm", source: OF_SPIN },
     Instrument { outcome: Outcome::Sidespin, sigma: "100 rpm", source: "assumed: as for spin" },
     Instrument {
         outcome: Outcome::SpinAxis,
@@ -44,10 +50,14 @@ const INSTRUMENTS: [Instrument; 17] = [
     Instrument { outcome: Outcome::Lateral, sigma: "3 yd", source: "assumed: 0.7 deg of direction at 250 yd" },
     Instrument { outcome: Outcome::ApexHeight, sigma: "1 yd", source: ROUNDED },
     Instrument { outcome: Outcome::ApexDownrange, sigma: "3 yd", source: "assumed: as for carry" },
-    Instrument { outcome: Outcome::ApexTime, sigma: "0.1 s", source: "assumed" },
-    Instrument { outcome: Outcome::FlightTime, sigma: "0.1 s", source: "assumed" },
+    Instrument { outcome: Outcome::ApexTime, sigma: "0.1 s", source: "assumed: as for flight_time" },
+    Instrument {
+        outcome: Outcome::FlightTime,
+        sigma: "0.1 s",
+        source: "assumed: tables print tenths of a second, and indoors these are computed from the launch",
+    },
     Instrument { outcome: Outcome::DescentAngle, sigma: "1 deg", source: ROUNDED },
-    Instrument { outcome: Outcome::LandingSpeed, sigma: "1 mph", source: "assumed" },
+    Instrument { outcome: Outcome::LandingSpeed, sigma: "1 mph", source: "assumed: as for ball_speed" },
 ];
 
 /// How well an outcome is measured, and its standard uncertainty in SI; `None` where nothing is known.

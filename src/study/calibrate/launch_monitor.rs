@@ -146,6 +146,28 @@ pub(super) fn units_row<'a>(cells: impl Iterator<Item = &'a str>) -> Option<Vec<
     units.iter().any(Option::is_some).then_some(units)
 }
 
+/// What a row is that sums up others: the word for it, as it is written. Shots have none of these words in any cell.
+pub(super) fn summary<'a>(cells: impl Iterator<Item = &'a str>) -> Option<&'a str> {
+    const WORDS: [&str; 11] = [
+        "average",
+        "averages",
+        "avg",
+        "mean",
+        "median",
+        "consistency",
+        "std dev",
+        "stddev",
+        "stdev",
+        "standard deviation",
+        "deviation",
+    ];
+    let mut cells = cells.map(str::trim);
+    cells.find(|cell| {
+        let plain = cell.to_lowercase().replace(['.', ':'], " ");
+        WORDS.contains(&plain.split_whitespace().collect::<Vec<_>>().join(" ").as_str())
+    })
+}
+
 /// What separates the cells of a table: the most frequent of tab, semicolon and comma in its head; and the text without a line
 /// `sep=;` that says so.
 pub(super) fn separated(text: &str) -> (u8, &str) {

@@ -8,6 +8,7 @@ mod estimate;
 mod folds;
 mod instrument;
 mod launch_monitor;
+mod reading;
 mod residuals;
 mod shot;
 mod statistics;

@@ -41,7 +41,7 @@ pub(super) fn of_data(found: &mut Calibration, loss: Loss) {
         let all: Vec<String> = undetermined.iter().map(|direction| names(found, direction)).collect();
         found.fit.status = Status::Undetermined;
         found.fit.message = format!(
-            "the data do not determine {}; what stands for these is one of many answers. Fit fewer parameters, give narrower \
+            "the data do not determine {}: many other values of these fit as well as those shown. Fit fewer parameters, give narrower \
              ranges, or measure what depends on them ({})",
             all.join(", nor "),
             found.fit.message

@@ -39,7 +39,13 @@ impl Entry {
     pub fn new(rows: u64, bytes: u64, tally: Tally, group: &[u8]) -> Self {
         let drives = tally.counts().map(|(status, count)| (status.name().to_owned(), count)).collect();
         let BeyondCount { all, law, face } = tally.beyond();
-        Self { rows, bytes, drives, beyond: [all, law, face], group: group.iter().map(|byte| format!("{byte:02x}")).collect() }
+        Self {
+            rows,
+            bytes,
+            drives,
+            beyond: [all, law, face],
+            group: group.iter().map(|byte| format!("{byte:02x}")).collect(),
+        }
     }
 
     pub fn tally(&self) -> Tally {

@@ -1,0 +1,228 @@
+//! The rows of a table of measured shots.
+
+use super::column::{Column, Holds};
+use super::instrument::{Instrument, instrument};
+use super::shot::{Measurement, Shot, Stationary};
+use super::statistics::Uncertainties;
+use crate::drive::{Outcome, Part};
+use crate::launch::Launch;
+use crate::parameters::Setup;
+use crate::units::{Digits, Message, Quantity};
+use csv::StringRecord;
+
+/// No outcome of a drive is larger than this, in whatever SI unit.
+const MOST: f64 = 1e9;
+
+/// Outcomes that, all together, are a launch.
+pub(super) const CONDITIONS: [Outcome; 7] = [
+    Outcome::BallSpeed,
+    Outcome::LaunchAngle,
+    Outcome::LaunchDirection,
+    Outcome::Spin,
+    Outcome::Backspin,
+    Outcome::Sidespin,
+    Outcome::SpinAxis,
+];
+
+/// A table being read.
+pub(super) struct Reading<'a> {
+    pub setup: &'a Setup<f64>,
+    pub columns: Vec<Column>,
+    pub is_launched: bool,
+}
+
+/// What is wrong with a row.
+pub(super) struct Wrong {
+    /// The column, where it is one.
+    pub column: Option<String>,
+    pub why: String,
+    /// Whether the row lacks what every shot needs, and is sound otherwise.
+    pub is_incomplete: bool,
+}
+
+impl Wrong {
+    fn incomplete(column: Option<String>, why: impl Into<String>) -> Self {
+        Self { column, why: why.into(), is_incomplete: true }
+    }
+}
+
+/// Something wrong in a column.
+impl<T: Into<String>> From<(Option<String>, T)> for Wrong {
+    fn from((column, why): (Option<String>, T)) -> Self {
+        Self { column, why: why.into(), is_incomplete: false }
+    }
+}
+
+impl Reading<'_> {
+    fn cell(&self, record: &StringRecord, holds: Holds) -> Result<Option<f64>, Wrong> {
+        let Some(at) = self.columns.iter().position(|column| column.holds == holds) else { return Ok(None) };
+        let column = &self.columns[at];
+        column.value(record.get(at).unwrap_or_default()).map_err(|why| (Some(column.head.clone()), why).into())
+    }
+
+    fn sigma(&self, record: &StringRecord, holds: Holds, one: f64) -> Result<f64, Wrong> {
+        let sigma = self.cell(record, holds)?;
+        let has_column = self.columns.iter().any(|column| column.holds == holds);
+        match sigma {
+            Some(sigma) if sigma > 0.0 => Ok(sigma),
+            None if !has_column => Ok(one),
+            _ => {
+                let head = self.columns.iter().find(|column| column.holds == holds).map(|column| column.head.clone());
+                Err((head, "a standard uncertainty must be a number above 0 wherever there is a measurement").into())
+            }
+        }
+    }
+
+    /// The shot of a row.
+    pub fn shot(&self, row: usize, record: &StringRecord) -> Result<Shot, Wrong> {
+        let (mut inputs, mut measured) = (vec![], vec![]);
+        let mut at_shot = *self.setup;
+        for column in &self.columns {
+            let here = || Some(column.head.clone());
+            match column.holds {
+                Holds::Input(parameter) => {
+                    let Some(value) = self.cell(record, column.holds)? else {
+                        let why = "the cell is empty; every row needs the shot's own inputs";
+                        return Err(Wrong::incomplete(here(), why));
+                    };
+                    at_shot
+                        .set_value(parameter, Some(value))
+                        .map_err(|error| Wrong::from((here(), error.to_string())))?;
+                    inputs.push((parameter, value));
+                }
+                Holds::Outcome(outcome) if !(self.is_launched && CONDITIONS.contains(&outcome)) => {
+                    if self.is_launched && outcome.part() == Part::Launch {
+                        return Err((here(), "rows of launch conditions have no club").into());
+                    }
+                    if let Some(value) = self.cell(record, column.holds)? {
+                        if value.abs() > MOST {
+                            let (shown, most) = (outcome.show(value), outcome.show(MOST));
+                            let why = format!("{shown} is outside its range −{most} .. {most}; correct the cell");
+                            return Err((here(), why).into());
+                        }
+                        let assumed = instrument(outcome).map_or(column.one(), |(_, sigma)| sigma);
+                        let sigma = self.sigma(record, Holds::Sigma(outcome), assumed)?;
+                        measured.push(Measurement { outcome, value, sigma });
+                    }
+                }
+                _ => {}
+            }
+        }
+        at_shot.validate().map_err(|error| Wrong::from((None, error.to_string())))?;
+        let launch = if self.is_launched { Some(self.launch(record)?) } else { None };
+        let stationary = self.stationary(record, &at_shot)?;
+        if measured.is_empty() && stationary.is_empty() {
+            return Err(Wrong::incomplete(None, "nothing is measured in it; give an outcome, or take the row out"));
+        }
+        Ok(Shot { row, inputs, launch, measured, stationary })
+    }
+
+    fn has(&self, outcome: Outcome) -> bool {
+        self.columns.iter().any(|column| column.holds == Holds::Outcome(outcome))
+    }
+
+    /// The head of an outcome's column, for messages.
+    fn head(&self, of: Outcome) -> String {
+        let column = self.columns.iter().find(|column| column.holds == Holds::Outcome(of));
+        column.map_or(of.name(), |column| column.head.as_str()).to_owned()
+    }
+
+    fn launch(&self, record: &StringRecord) -> Result<Launch<f64>, Wrong> {
+        let [speed, angle, direction, spin, backspin, sidespin, axis] =
+            CONDITIONS.map(|outcome| self.cell(record, Holds::Outcome(outcome)));
+        let wanted = |cell: Option<f64>, what: Outcome| {
+            cell.ok_or_else(|| Wrong::incomplete(Some(self.head(what)), "the cell is empty; every launch needs one"))
+        };
+        let (speed, angle) = (wanted(speed?, Outcome::BallSpeed)?, wanted(angle?, Outcome::LaunchAngle)?);
+        let wrong = |what: Outcome, why: &str| Err((Some(self.head(what)), why).into());
+        if speed <= 0.0 {
+            return wrong(Outcome::BallSpeed, "the ball's speed must be above 0");
+        }
+        if angle.abs() >= std::f64::consts::FRAC_PI_2 {
+            return wrong(Outcome::LaunchAngle, "the launch must be between −90° and 90°");
+        }
+        let spin_is_empty = "the cells of the spin are empty; every launch needs one";
+        let (back, side) = match (spin?, backspin?, sidespin?, axis?) {
+            (None, None, _, _) => {
+                let column = if self.has(Outcome::Spin) { Outcome::Spin } else { Outcome::Backspin };
+                return Err(Wrong::incomplete(Some(self.head(column)), spin_is_empty));
+            }
+            (None, Some(back), side, None) => (back, side.unwrap_or(0.0)),
+            (Some(spin), None, None, axis) => {
+                let (sin, cos) = axis.unwrap_or(0.0).sin_cos();
+                (spin * cos, spin * sin)
+            }
+            (Some(spin), None, Some(side), None) if side.abs() <= spin => ((spin * spin - side * side).sqrt(), side),
+            _ => {
+                return wrong(
+                    Outcome::Spin,
+                    "give the spin once: backspin with sidespin, or spin with spin_axis or with a sidespin no larger",
+                );
+            }
+        };
+        Ok(Launch::with_conditions(speed, angle, direction?.unwrap_or(0.0), back, side))
+    }
+
+    fn stationary(&self, record: &StringRecord, at_shot: &Setup<f64>) -> Result<Vec<Stationary>, Wrong> {
+        let Some(at) = self.columns.iter().position(|column| column.holds == Holds::Stationary) else {
+            return Ok(vec![]);
+        };
+        let here = || Some("stationary".to_owned());
+        let mut all = vec![];
+        for name in record.get(at).unwrap_or_default().split_whitespace() {
+            let parameter = at_shot.variable(name).map_err(|error| Wrong::from((here(), error.to_string())))?;
+            if self.is_launched {
+                return Err((here(), "rows of launch conditions have no parameter to be best in").into());
+            }
+            let one = Quantity::ANGLE.size_of("deg").unwrap_or(1.0);
+            if parameter.quantity != Quantity::ANGLE {
+                return Err((here(), format!("{name} is no angle; optima are read in angles")).into());
+            }
+            all.push(Stationary { parameter, sigma: self.sigma(record, Holds::SigmaStationary, one)? });
+        }
+        Ok(all)
+    }
+
+    /// What is taken where no standard uncertainty stands beside a measured column, and what they are worth in all.
+    pub fn assumed(&self) -> (Vec<Message>, Uncertainties) {
+        let has = |holds: Holds| self.columns.iter().any(|column| column.holds == holds);
+        let mut worth = Uncertainties::Stated;
+        let mut remarks = vec![];
+        for column in &self.columns {
+            match column.holds {
+                Holds::Outcome(outcome) if self.is_launched && CONDITIONS.contains(&outcome) => {}
+                Holds::Outcome(outcome) if !has(Holds::Sigma(outcome)) => match instrument(outcome) {
+                    Some((Instrument { source, .. }, sigma)) => {
+                        let without = format!("{} has no column 'sigma {}': ", column.head, outcome.name());
+                        let remark = Message::from(without)
+                            .quantity(outcome.quantity(), outcome.unit(), sigma, Digits::Significant(3))
+                            .words(format!(" is taken for each ({source})"));
+                        remarks.push(remark);
+                        if worth == Uncertainties::Stated {
+                            worth = Uncertainties::Instruments;
+                        }
+                    }
+                    None => {
+                        remarks.push(
+                            format!(
+                                "{0} has no column 'sigma {0}': 1 {1} is taken for each, as a weight",
+                                outcome.name(),
+                                column.unit()
+                            )
+                            .into(),
+                        );
+                        worth = Uncertainties::Weights;
+                    }
+                },
+                Holds::Stationary if !has(Holds::SigmaStationary) => {
+                    remarks.push(
+                        "stationary has no column 'sigma stationary': 1 deg is taken for each, as a weight".into(),
+                    );
+                    worth = Uncertainties::Weights;
+                }
+                _ => {}
+            }
+        }
+        (remarks, worth)
+    }
+}
