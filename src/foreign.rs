@@ -19,6 +19,42 @@ pub(crate) fn of_csv(error: &csv::Error) -> String {
     }
 }
 
+/// What to do about a file that is damaged.
+#[cfg(any(feature = "arrow", feature = "parquet"))]
+pub(crate) const DAMAGED: &str = "copy it again, or have the program that wrote it write it anew";
+
+/// What is wrong with a Parquet file, whose first and last bytes are those of one.
+#[cfg(feature = "parquet")]
+pub(crate) fn of_parquet(error: &parquet::errors::ParquetError) -> String {
+    use parquet::errors::ParquetError;
+    match error {
+        ParquetError::NYI(_) => {
+            "it uses a part of Parquet that is not read here; write plain columns of numbers".into()
+        }
+        ParquetError::External(error) => match error.downcast_ref::<std::io::Error>() {
+            Some(error) if error.raw_os_error().is_some() => format!("it cannot be read ({error})"),
+            // of a decoder
+            _ => format!("it is damaged; {DAMAGED}"),
+        },
+        _ => format!("it is damaged or was cut short; {DAMAGED}"),
+    }
+}
+
+/// What is wrong with a record batch of Arrow IPC.
+#[cfg(feature = "arrow")]
+pub(crate) fn of_arrow(error: &arrow_schema::ArrowError) -> String {
+    use arrow_schema::ArrowError;
+    match error {
+        ArrowError::NotYetImplemented(_) => {
+            "it uses a part of Arrow that is not read here; write plain columns of numbers".into()
+        }
+        // others are of a decoder
+        ArrowError::IoError(_, error) if error.raw_os_error().is_some() => format!("it cannot be read ({error})"),
+        ArrowError::MemoryError(_) => "there is no memory for it; write smaller record batches".into(),
+        _ => format!("a record batch is damaged; {DAMAGED}"),
+    }
+}
+
 /// What is wrong with a setup file that is not TOML, with the line where it is; `place` finds line and column.
 pub(crate) fn of_toml(error: &toml::de::Error, text: &str, place: impl Fn(usize) -> (usize, usize)) -> String {
     let what = error.message().trim_end().replace('\n', ", ");

@@ -291,3 +291,54 @@ fn limits_of_what_is_possible_are_flown() {
         assert!(!text.contains("NaN") && !text.contains("nan"), "{text}");
     }
 }
+
+#[test]
+fn whole_numbers_of_options_are_refused_with_option_value_range_and_example() {
+    for (command, option, value, says) in [
+        (
+            &["sweep", "--over", "club.loft=5deg..15deg:3"][..],
+            "--threads",
+            "x",
+            "a whole number of 0 or more; write for example --threads 4",
+        ),
+        (
+            &["sweep", "--over", "club.loft=5deg..15deg"],
+            "--sample",
+            "0",
+            "a whole number of 1 or more; write for example --sample 1000",
+        ),
+        (&["uncertainty"], "--seed", "-1", "a whole number of 0 or more; write for example --seed 7"),
+        (&["uncertainty"], "--samples", "1", "a whole number from 2 to 1000000; write for example --samples 4096"),
+        (
+            &["optimize"],
+            "--starts",
+            "1.5",
+            "a whole number of 1 or more (at most 4294967295); write for example --starts 8",
+        ),
+        (
+            &["optimize"],
+            "--max-iterations",
+            "many",
+            "a whole number of 0 or more; write for example --max-iterations 200",
+        ),
+        (
+            &["plot", "contour", "-o", "a.svg"],
+            "--width",
+            "10",
+            "a whole number from 240 to 4000; write for example --width 800",
+        ),
+        (
+            &["calibrate", "a.csv", "--fit", "aero.cd0"],
+            "--folds",
+            "-2",
+            "a whole number of 0 or more (at most 4294967295)",
+        ),
+    ] {
+        let said = longdrive(&[command, &[option, value]].concat());
+        assert_eq!(said.status, 2, "{option} {value}: {}", said.err);
+        for word in [option, value, says] {
+            assert!(said.err.contains(word), "{option} {value}: '{word}' is not in {}", said.err);
+        }
+        assert!(!said.err.contains("invalid digit"), "{}", said.err);
+    }
+}

@@ -288,3 +288,14 @@ fn exact_optima_at_the_points_one_chooses() {
         assert!(said.err.contains(says), "{args:?}: {}", said.err);
     }
 }
+
+#[test]
+fn progress_of_a_chart_shows_the_points_that_were_asked_for() {
+    let said = longdrive(&["chart", "--along", "swing.speed", "--at", "100mph,120mph"]);
+    let shown: Vec<&str> = said.err.lines().filter(|line| line.starts_with("swing.speed ")).collect();
+    assert!(said.status == 0 && shown.len() == 2, "{}", said.err);
+    assert!(
+        shown[0].starts_with("swing.speed 100 mph: carry") && shown[1].starts_with("swing.speed 120 mph: carry"),
+        "{shown:?}"
+    );
+}

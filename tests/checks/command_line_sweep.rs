@@ -323,3 +323,21 @@ fn bad_input_to_a_sweep_is_status_2_and_says_what_to_write() {
         assert!(said.err.contains(says), "{args:?}: {}", said.err);
     }
 }
+
+#[test]
+fn a_sweep_without_any_answer_says_so_with_status_one() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("none.csv");
+    let command = ["sweep", "--over", "club.loft=-40deg..-30deg:3", "-o", file.to_str().unwrap(), "--overwrite"];
+    let said = longdrive(&command);
+    let told = "no drive has the outcome that was asked for: 3 drives: 3 no-flight";
+    assert!(said.status == 1 && said.err.contains(told), "{} {}", said.status, said.err);
+    assert_eq!(fs::read_to_string(&file).unwrap().lines().count(), 4, "the rows are there and say why");
+    let (status, answer) = json(&command);
+    assert_eq!((status, &answer["status"], &answer["statuses"]["no-flight"]), (1, &"no-answer".into(), &3.into()));
+    assert!(answer["message"].as_str().unwrap().contains(told), "{answer}");
+    // the ball's speed is there though it does not fly, and one drive that lands is an answer
+    assert_eq!(longdrive(&[&command[..], &["--outcomes", "ball_speed"]].concat()).status, 0);
+    let some = ["sweep", "--over", "club.loft=-40deg..10deg:2"];
+    assert_eq!(longdrive(&some).status, 0);
+}

@@ -120,3 +120,53 @@ fn the_costs_in_the_readme_are_those_of_performance_md() {
         assert!(readme.contains(&format!("{} {}", row[1], row[0])), "README.md should say: {} {}", row[1], row[0]);
     }
 }
+
+/// The commands of README and docs that read a sample of `examples/`.
+#[test]
+fn commands_on_the_samples_run_as_they_are_written() {
+    let folder = tempfile::tempdir().unwrap();
+    let texts = ["README.md", "docs/calibration.md"].map(document).concat();
+    let samples = texts.lines().filter(|line| line.starts_with("longdrive ") && line.contains("examples/"));
+    let mut run = 0;
+    for line in samples {
+        let command = line.split('#').next().unwrap();
+        let words: Vec<String> = command
+            .split_whitespace()
+            .skip(1)
+            .map(|word| match word {
+                _ if word.starts_with("examples/") => format!("{}/{word}", env!("CARGO_MANIFEST_DIR")),
+                _ if word.ends_with(".toml")
+                    || word.ends_with(".csv")
+                    || word.ends_with(".jsonl")
+                    || word == "residuals" =>
+                {
+                    folder.path().join(word).display().to_string()
+                }
+                _ => word.to_owned(),
+            })
+            .collect();
+        let said = longdrive(&words.iter().map(String::as_str).collect::<Vec<_>>());
+        assert_eq!(said.status, 0, "{line}\n{}", said.err);
+        run += 1;
+    }
+    assert!(run >= 5, "{run}");
+}
+
+#[test]
+fn the_sample_of_launches_is_what_the_program_makes_of_the_deliveries() {
+    let of = |sample: &str| format!("{}/examples/{sample}", env!("CARGO_MANIFEST_DIR"));
+    let outcomes = "ball_speed,launch_angle,launch_direction,backspin,sidespin";
+    let said = longdrive(&["sweep", "--points", &of("deliveries.csv"), "--outcomes", outcomes]);
+    let launches = document("examples/launches.csv");
+    let (degree, rpm) = (1.0_f64.to_radians(), std::f64::consts::TAU / 60.0);
+    let sizes = [0.44704, degree, degree, rpm, rpm];
+    let lines: Vec<_> = said.out.lines().skip(1).zip(launches.lines().skip(1)).collect();
+    assert_eq!(lines.len(), 6);
+    for (computed, written) in lines {
+        let computed = computed.split(',').skip(8).map(|cell| cell.parse::<f64>().unwrap());
+        let written = written.split(',').map(|cell| cell.parse::<f64>().unwrap());
+        for (((computed, written), size), digit) in computed.zip(written).zip(sizes).zip([0.1, 0.1, 0.1, 1.0, 1.0]) {
+            assert!((computed / size - written).abs() <= 0.501 * digit, "{computed} {written}");
+        }
+    }
+}

@@ -257,7 +257,7 @@ fn bad_tables_are_told_by_row_and_column_before_any_work() {
         ("a.txt", "club.loft [rad]\n0.1\n", "a table's name must end in .csv"),
         #[cfg(not(feature = "arrow"))]
         ("a.arrow", "", "built without the feature arrow"),
-        ("a.parquet", "club.loft [rad]\n0.1\n", "it cannot be read"),
+        ("a.parquet", "club.loft [rad]\n0.1\n", "it is not a Parquet file"),
     ] {
         let (_folder, path) = table(name, text);
         let message = open_table(&setup, &path).err().expect(text).to_string();

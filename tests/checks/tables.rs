@@ -6,6 +6,7 @@ use arrow_array::{ArrayRef, Float32Array, Float64Array, Int16Array, RecordBatch}
 use arrow_ipc::writer::{FileWriter, StreamWriter};
 use longdrive::Setup;
 use longdrive::batch::{Points, open_table};
+use std::fs::File;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, LazyLock};
 
@@ -153,6 +154,78 @@ fn bad_files_say_what_is_wrong_with_them() {
     assert!(none.contains("/nowhere/a.arrow: it cannot be read"), "{none}");
 }
 
+/// Whether a message is the program's alone.
+fn is_in_own_words(message: &str) -> bool {
+    let words = [
+        "Parquet error",
+        "EOF",
+        "External",
+        "NYI",
+        "Ipc error",
+        "Io error",
+        "thrift",
+        "orrupt",
+        "flatbuffer",
+        "error @",
+        "Unexpected",
+    ];
+    !message.contains('\n') && !words.iter().any(|word| message.contains(word))
+}
+
+#[test]
+fn bad_parquet_files_say_what_is_wrong_with_them_in_own_words() {
+    let whole = std::fs::read(file("points.parquet")).unwrap();
+    let mut end = whole.clone();
+    let at = end.len() - 60;
+    end[at..at + 20].fill(0xff);
+    let mut middle = whole.clone();
+    middle[4..40].fill(0xff);
+    for (bytes, says) in [
+        (&b""[..], "it is empty"),
+        (b"club.loft [rad]\n0.1\n", "it is not a Parquet file"),
+        (b"PARE", "it is encrypted"),
+        (b"PAR1", "it has no footer"),
+        (&whole[..whole.len() / 2], "it has no footer: it was cut short"),
+        (&end, "it is damaged"),
+        (&middle, "rows 1 to 4, column club.loft: it is damaged"),
+    ] {
+        let (_folder, path) = table("a.parquet", bytes);
+        let message = refusal(&path);
+        assert!(message.contains("a.parquet") && message.contains(says), "{says}: {message}");
+        assert!(is_in_own_words(&message), "{message}");
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let directory = folder.path().join("a.parquet");
+    std::fs::create_dir(&directory).unwrap();
+    let message = refusal(&directory);
+    assert!(message.contains("a.parquet: it cannot be read (") && is_in_own_words(&message), "{message}");
+}
+
+/// The same columns, said to be compressed by GZIP, which this program has no reader for.
+#[test]
+fn a_compression_that_is_not_read_is_named_with_those_that_are() {
+    use parquet::basic::Compression;
+    use parquet::file::metadata::{ParquetMetaData, ParquetMetaDataReader, ParquetMetaDataWriter};
+    let metadata = ParquetMetaDataReader::new().parse_and_finish(&File::open(file("points.parquet")).unwrap()).unwrap();
+    let groups = metadata.row_groups().iter().map(|group| {
+        let columns = group.columns().iter().cloned();
+        let by_gzip = |column: parquet::file::metadata::ColumnChunkMetaData| {
+            column.into_builder().set_compression(Compression::GZIP(Default::default())).build().unwrap()
+        };
+        group.clone().into_builder().set_column_metadata(columns.map(by_gzip).collect()).build().unwrap()
+    });
+    let changed = ParquetMetaData::new(metadata.file_metadata().clone(), groups.collect());
+    let mut bytes = std::fs::read(file("points.parquet")).unwrap();
+    let tail = bytes.len() - 8;
+    let length = u32::from_le_bytes(bytes[tail..tail + 4].try_into().unwrap()) as usize;
+    bytes.truncate(tail - length);
+    ParquetMetaDataWriter::new(&mut bytes, &changed).finish().unwrap();
+    let (_folder, path) = table("a.parquet", &bytes);
+    let message = refusal(&path);
+    let says = "column club.loft: it is compressed by GZIP, which is not read here; write it uncompressed, or with Snappy or ZSTD";
+    assert!(message.contains(says), "{message}");
+}
+
 #[test]
 fn a_table_cut_short_anywhere_is_refused() {
     for name in ["points.arrow", "points.arrows", "zstd.feather", "lz4.feather"] {
@@ -175,9 +248,13 @@ fn a_damaged_table_is_refused_or_read_whole_but_nothing_panics() {
                 let mut damaged = bytes.clone();
                 damaged[at] ^= mask;
                 std::fs::write(&path, &damaged).unwrap();
-                let Ok(mut points) = open(&path) else {
-                    refused += 1;
-                    continue;
+                let mut points = match open(&path) {
+                    Ok(points) => points,
+                    Err(error) => {
+                        assert!(is_in_own_words(&error.to_string()), "{name}, byte {at}: {error}");
+                        refused += 1;
+                        continue;
+                    }
                 };
                 let values = all(points.as_mut());
                 let count = points.rows() as usize * points.parameters().len();

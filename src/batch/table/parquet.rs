@@ -1,11 +1,14 @@
 use super::{Fingerprint, column, is_value, refuse_columns, refused};
 use crate::batch::points::Points;
 use crate::error::Result;
+use crate::foreign::of_parquet;
 use crate::parameters::{Parameter, Setup};
+use parquet::basic::{Compression, Type};
 use parquet::column::reader::ColumnReader;
 use parquet::errors::ParquetError;
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use std::fs::File;
+use std::io::{Read, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
 
 /// Points in a Parquet file: columns of numbers, SI, named by parameters. It is read a row group at a time.
@@ -30,9 +33,9 @@ impl ParquetTable {
     /// [`Error::Table`](crate::Error::Table) for a file that cannot be read, a column that is no parameter, given
     /// twice or not of numbers, and a missing value.
     pub fn open(setup: &Setup<f64>, path: &Path) -> Result<Self> {
-        let unreadable = |reason: String| refused(path, String::new(), format!("it cannot be read ({reason})"));
-        let opened = File::open(path).map_err(|error| unreadable(error.to_string()))?;
-        let file = SerializedFileReader::new(opened).map_err(|error| unreadable(error.to_string()))?;
+        let opened = whole(path).map_err(|reason| refused(path, String::new(), reason))?;
+        let file = SerializedFileReader::new(opened);
+        let file = file.map_err(|error| refused(path, String::new(), of_parquet(&error)))?;
         let schema = file.metadata().file_metadata().schema_descr_ptr();
         let mut parameters = vec![];
         for (at, head) in schema.columns().iter().enumerate() {
@@ -40,6 +43,20 @@ impl ParquetTable {
             parameters.push(column(setup, path, at + 1, &name)?);
             if head.max_rep_level() > 0 || head.max_def_level() > 1 {
                 return Err(refused(path, format!(", column {name}"), "it is nested; a column must hold numbers"));
+            }
+            let kind = head.physical_type();
+            if !matches!(kind, Type::DOUBLE | Type::FLOAT | Type::INT32 | Type::INT64) {
+                let reason = format!("its type is {kind}; a column must hold numbers (DOUBLE, FLOAT, INT32 or INT64)");
+                return Err(refused(path, format!(", column {name}"), reason));
+            }
+        }
+        let chunks = file.metadata().row_groups().iter().flat_map(|group| group.columns());
+        for (chunk, parameter) in chunks.zip(parameters.iter().cycle()) {
+            if let Some(by) = not_read(chunk.compression()) {
+                let reason = format!(
+                    "it is compressed by {by}, which is not read here; write it uncompressed, or with Snappy or ZSTD"
+                );
+                return Err(refused(path, format!(", column {}", parameter.name), reason));
             }
         }
         refuse_columns(path, &parameters)?;
@@ -51,7 +68,7 @@ impl ParquetTable {
     }
 
     fn unreadable(&self, error: ParquetError) -> crate::Error {
-        refused(&self.path, format!(", after row {}", self.next), error.to_string())
+        refused(&self.path, format!(", after row {}", self.next), of_parquet(&error))
     }
 
     /// Begins row groups until one has rows left; false at the end.
@@ -67,6 +84,48 @@ impl ParquetTable {
             self.group += 1;
         }
         Ok(true)
+    }
+}
+
+/// The file, where its first and last bytes are those of a Parquet file; or what is wrong with it.
+fn whole(path: &Path) -> Result<File, String> {
+    const MAGIC: &[u8; 4] = b"PAR1";
+    const ENCRYPTED: &[u8; 4] = b"PARE";
+    let unreadable = |error: std::io::Error| format!("it cannot be read ({error})");
+    let mut file = File::open(path).map_err(unreadable)?;
+    let mut begins = vec![];
+    file.by_ref().take(4).read_to_end(&mut begins).map_err(unreadable)?;
+    if begins.is_empty() {
+        return Err("it is empty".into());
+    }
+    if begins == ENCRYPTED {
+        return Err("it is encrypted; write it without encryption".into());
+    }
+    if begins != MAGIC {
+        return Err(
+            "it is not a Parquet file; its name must end in what it is: .parquet, .csv, .arrow, .arrows or .feather"
+                .into(),
+        );
+    }
+    let mut ends = [0; 4];
+    let length = file.seek(SeekFrom::End(0)).map_err(unreadable)?;
+    file.seek(SeekFrom::Start(length.saturating_sub(4))).map_err(unreadable)?;
+    file.read_exact(&mut ends).map_err(unreadable)?;
+    if length < 12 || ends != *MAGIC {
+        return Err("it has no footer: it was cut short, or the program that wrote it did not close it".into());
+    }
+    file.rewind().map_err(unreadable)?;
+    Ok(file)
+}
+
+/// The name of a compression that this program does not read.
+fn not_read(compression: Compression) -> Option<&'static str> {
+    match compression {
+        Compression::UNCOMPRESSED | Compression::SNAPPY | Compression::ZSTD(_) => None,
+        Compression::GZIP(_) => Some("GZIP"),
+        Compression::BROTLI(_) => Some("Brotli"),
+        Compression::LZ4 | Compression::LZ4_RAW => Some("LZ4"),
+        Compression::LZO => Some("LZO"),
     }
 }
 
@@ -129,7 +188,7 @@ impl Points for ParquetTable {
                 let place =
                     || format!(", rows {} to {}, column {}", self.next + 1, self.next + wanted as u64, parameter.name);
                 let column = values(&mut self.columns[i], wanted)
-                    .map_err(|error| refused(&self.path, place(), error.to_string()))?;
+                    .map_err(|error| refused(&self.path, place(), of_parquet(&error)))?;
                 if column.len() < wanted || column.iter().any(|value| !is_value(parameter, *value)) {
                     return Err(refused(
                         &self.path,

@@ -1,3 +1,4 @@
+use crate::foreign::{DAMAGED, of_arrow};
 use arrow_array::RecordBatch;
 use arrow_buffer::Buffer;
 use arrow_ipc::convert::try_fb_to_schema;
@@ -73,7 +74,7 @@ impl RecordBatches {
         let foot = read_footer_length(tail).ok().and_then(|foot| foot_end.checked_sub(foot as u64));
         let end = foot.ok_or_else(cut_short)?;
         let foot = bytes(&mut file, end..foot_end)?;
-        let foot = root_as_footer(&foot).map_err(|error| format!("its footer is damaged ({error})"))?;
+        let foot = root_as_footer(&foot).map_err(|_| format!("its footer is damaged; {DAMAGED}"))?;
         let schema = read_schema(foot.schema())?;
         let starts = foot.recordBatches().into_iter().flatten().map(|block| u64::try_from(block.offset()));
         let starts = starts.collect::<Result<_, _>>().map_err(|_| "its footer is damaged (a place before the file)")?;
@@ -151,7 +152,7 @@ impl RecordBatches {
         let (schema, version) = (Arc::clone(&self.schema), message.version());
         RecordBatchDecoder::try_new(&body, batch, schema, &HashMap::new(), &version)
             .and_then(RecordBatchDecoder::read_record_batch)
-            .map_err(|error| format!("a record batch is damaged ({error})"))
+            .map_err(|error| of_arrow(&error))
     }
 
     /// The message at a place; none at the mark of the end.
@@ -180,7 +181,7 @@ impl RecordBatches {
         let length = u64::try_from(length).map_err(|_| format!("a message claims {length} bytes"))?;
         let body = at.checked_add(length).filter(|body| *body <= self.end).ok_or_else(cut_short)?;
         let metadata = bytes(&mut self.file, at..body)?;
-        let message = root_as_message(&metadata).map_err(|error| format!("a message is damaged ({error})"))?;
+        let message = root_as_message(&metadata).map_err(|_| format!("a message is damaged; {DAMAGED}"))?;
         let length = u64::try_from(message.bodyLength()).ok();
         let end = length.and_then(|length| body.checked_add(length)).filter(|end| *end <= self.end);
         let body = body..end.ok_or_else(cut_short)?;
@@ -190,7 +191,7 @@ impl RecordBatches {
 
 impl Head {
     fn message(&self, wanted: MessageHeader) -> Result<Message<'_>, String> {
-        let message = root_as_message(&self.metadata).map_err(|error| format!("a message is damaged ({error})"))?;
+        let message = root_as_message(&self.metadata).map_err(|_| format!("a message is damaged; {DAMAGED}"))?;
         match message.header_type() {
             kind if kind == wanted => Ok(message),
             kind => Err(format!("a message is a {kind:?} where a {wanted:?} is expected")),
@@ -203,7 +204,7 @@ fn read_schema(schema: Option<arrow_ipc::Schema>) -> Result<Arc<Schema>, String>
     if schema.endianness() != Endianness::Little {
         return Err("its numbers are big-endian; write it on a little-endian machine".into());
     }
-    try_fb_to_schema(schema).map(Arc::new).map_err(|error| format!("its schema is damaged ({error})"))
+    try_fb_to_schema(schema).map(Arc::new).map_err(|_| format!("its schema is damaged; {DAMAGED}"))
 }
 
 /// A part of a file that is known to lie within it.
@@ -212,6 +213,6 @@ fn bytes(file: &mut File, part: Range<u64>) -> Result<Vec<u8>, String> {
     let mut bytes = vec![0; length];
     file.seek(SeekFrom::Start(part.start))
         .and_then(|_| file.read_exact(&mut bytes))
-        .map_err(|error| error.to_string())?;
+        .map_err(|error| format!("it cannot be read ({error})"))?;
     Ok(bytes)
 }

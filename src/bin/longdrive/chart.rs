@@ -1,5 +1,5 @@
 use crate::args::ChartArgs;
-use crate::output::{Answer, system, tell, tell_error, warn};
+use crate::output::{Answer, spinner, system, tell, tell_error, warn};
 use crate::search::{BEST_SO_FAR, interrupt};
 use longdrive::drive::Looked;
 use longdrive::report::{ChartReport, chart_csv, chart_text, outcome_text, parameter_text};
@@ -17,16 +17,16 @@ pub fn run(args: &ChartArgs) -> Result<Answer> {
     warn(&warnings);
     let stop = interrupt(BEST_SO_FAR);
     let of = search.maximize;
+    let spinner = spinner("following the optimum");
     let chart = chart_at(&setup, &search, along, &at, |point| {
-        let value = point.best.value().map_or("–".into(), |value| outcome_text(of, value, system()));
-        tell(&format!(
-            "{} {}: {} {value}",
-            along.parameter.name,
-            parameter_text(along.parameter, point.at, system()),
-            of.name()
-        ));
+        if at.is_empty() || at.contains(&point.at) {
+            let value = point.best.value().map_or("–".into(), |value| outcome_text(of, value, system()));
+            let place = parameter_text(along.parameter, point.at, system());
+            spinner.suspend(|| tell(&format!("{} {place}: {} {value}", along.parameter.name, of.name())));
+        }
         !stop.load(Ordering::Relaxed)
     });
+    spinner.finish_and_clear();
     let chart = match chart {
         Err(error) if error.is_an_outcome() => {
             tell_error(&error);

@@ -50,8 +50,10 @@ pub struct ParquetGroup {
 #[derive(Clone, Debug)]
 pub struct PlacedGroup(RowGroupMetaData);
 
-fn failed(error: ParquetError) -> Error {
-    Error::Output(std::io::Error::other(error))
+/// Nothing of ours is what Parquet cannot hold: only what a journal kept of a row group can be wrong.
+fn failed(_: ParquetError) -> Error {
+    let reason = "what is known of a row group of the Parquet file is damaged; begin the file anew";
+    Error::Output(std::io::Error::other(reason))
 }
 
 impl SweepParquet {

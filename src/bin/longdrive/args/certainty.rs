@@ -2,6 +2,7 @@
 
 use super::Question;
 use super::SearchArgs;
+use super::number::whole;
 
 #[derive(clap::Args)]
 pub struct Verify {
@@ -63,10 +64,10 @@ pub struct UncertaintyArgs {
     pub distribution: Vec<String>,
 
     /// The number of points N of the sample; with k uncertain parameters, N (k + 2) drives are computed.
-    #[arg(long, value_name = "N", default_value_t = 4096, value_parser = clap::value_parser!(u64).range(2..=1_000_000))]
+    #[arg(long, value_name = "N", default_value_t = 4096, value_parser = whole::<u64>(2..=1_000_000, "--samples 4096"), allow_negative_numbers = true)]
     pub samples: u64,
 
     /// The seed of the sample; the same seed gives the same sample.
-    #[arg(long, value_name = "SEED", default_value_t = 0)]
+    #[arg(long, value_name = "SEED", default_value_t = 0, value_parser = whole::<u64>(0..=u64::MAX, "--seed 7"), allow_negative_numbers = true)]
     pub seed: u64,
 }

@@ -1,6 +1,7 @@
 //! Measured shots and published studies.
 
 use super::Question;
+use super::number::{U32, whole};
 use std::path::PathBuf;
 
 #[derive(clap::Args)]
@@ -22,11 +23,11 @@ pub struct Calibrate {
     pub huber: bool,
 
     /// Search from this many starts, spread evenly over the ranges; the first is the setup's own.
-    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = whole::<u32>(1..=U32, "--starts 8"), allow_negative_numbers = true)]
     pub starts: u32,
 
     /// Cross-validate: fit K times, each time without a K-th of the rows, and show how well those rows are predicted.
-    #[arg(long, value_name = "K", default_value_t = 0)]
+    #[arg(long, value_name = "K", default_value_t = 0, value_parser = whole::<u32>(0..=U32, "--folds 5"), allow_negative_numbers = true)]
     pub folds: u32,
 
     /// Compare with another aerodynamic law, as published and fitted, by its cross-validation error. Repeatable.
@@ -34,7 +35,7 @@ pub struct Calibrate {
     pub compare: Vec<String>,
 
     /// The largest number of iterations of a search.
-    #[arg(long, value_name = "N", default_value_t = 200)]
+    #[arg(long, value_name = "N", default_value_t = 200, value_parser = whole::<u64>(0..=u64::MAX, "--max-iterations 200"), allow_negative_numbers = true)]
     pub max_iterations: u64,
 
     /// Write the fitted setup into this file.

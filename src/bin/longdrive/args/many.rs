@@ -1,6 +1,7 @@
 //! Very many drives.
 
 use super::Question;
+use super::number::{U32, whole};
 use std::path::PathBuf;
 
 #[derive(clap::Args)]
@@ -14,11 +15,11 @@ pub struct Sweep {
     pub over: Vec<String>,
 
     /// Take this many points of a quasi-random (Sobol') sequence in the ranges of --over, which then have no counts.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    #[arg(long, value_name = "N", value_parser = whole::<u64>(1..=u64::MAX, "--sample 1000"), allow_negative_numbers = true)]
     pub sample: Option<u64>,
 
     /// The seed of --sample; the same seed gives the same points.
-    #[arg(long, value_name = "SEED", default_value_t = 0, requires = "sample")]
+    #[arg(long, value_name = "SEED", default_value_t = 0, requires = "sample", value_parser = whole::<u32>(0..=U32, "--seed 7"), allow_negative_numbers = true)]
     pub seed: u32,
 
     /// Take the points from a table (.csv, .parquet, or Arrow IPC: .arrow, .arrows, .feather): a column for each
@@ -59,7 +60,7 @@ pub struct Sweep {
     pub max_size: Option<String>,
 
     /// Threads (0: as many as there are processors), as far as there is work for them; the results do not depend on it.
-    #[arg(long, value_name = "N", default_value_t = 0)]
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = whole::<usize>(0..=u64::MAX, "--threads 4"), allow_negative_numbers = true)]
     pub threads: usize,
 }
 

@@ -3,6 +3,7 @@
 mod certainty;
 mod data;
 mod many;
+mod number;
 mod picture;
 mod program;
 mod question;

@@ -2,6 +2,7 @@
 
 use super::Question;
 use super::SearchArgs;
+use super::number::whole;
 use clap::Subcommand;
 use std::path::PathBuf;
 
@@ -54,7 +55,7 @@ pub struct Drawing {
     pub dark: bool,
 
     /// The width of the picture in pixels; a PNG has twice the resolution. The size of the text does not change.
-    #[arg(long, value_name = "PIXELS", default_value_t = 480, value_parser = clap::value_parser!(u32).range(240..=4000))]
+    #[arg(long, value_name = "PIXELS", default_value_t = 480, value_parser = whole::<u32>(240..=4000, "--width 800"), allow_negative_numbers = true)]
     pub width: u32,
 }
 

@@ -1,6 +1,7 @@
 //! Searches for an optimum.
 
 use super::Question;
+use super::number::{U32, whole};
 use std::path::PathBuf;
 
 /// What to look for.
@@ -25,7 +26,7 @@ pub struct SearchArgs {
     pub subject_to: Vec<String>,
 
     /// The largest number of iterations of a search [default: 500].
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = whole::<u64>(0..=u64::MAX, "--max-iterations 200"), allow_negative_numbers = true)]
     pub max_iterations: Option<u64>,
 }
 
@@ -34,7 +35,7 @@ pub struct SearchArgs {
 pub struct WorkArgs {
     /// Search from this many starts, spread evenly over the ranges (the first is the setup's own), and list the local
     /// optima.
-    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = whole::<u32>(1..=U32, "--starts 8"), allow_negative_numbers = true)]
     pub starts: u32,
 
     /// Save the search to this file after every iteration; if the file exists, continue from it.

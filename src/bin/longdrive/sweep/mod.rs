@@ -8,14 +8,15 @@ mod rows;
 mod target;
 
 use crate::args::Sweep;
+use crate::colour;
 use crate::names::{outcomes, variables};
 use crate::output::{Answer, bar, tell, warn};
 use crate::search::interrupt;
-use longdrive::batch::{Batch, Run, Tally};
-use longdrive::drive::Looked;
+use longdrive::batch::{Batch, Run, Status, Tally};
+use longdrive::drive::{Looked, Part};
 use longdrive::report::Reply;
 use longdrive::units::counted;
-use longdrive::{Error, Result};
+use longdrive::{Error, Outcome, Result};
 use rows::{Rows, Writer};
 use serde::Serialize;
 use serde_json::{Map, Value};
@@ -83,16 +84,41 @@ pub fn run(args: &Sweep) -> Result<Answer> {
             None => format!("stopped: {drives}; with -o FILE it could be resumed"),
         });
     }
+    let nothing = (is_complete && !has_answers(output.tally(), &of)).then(|| {
+        let which = if of.len() == 1 { "the outcome" } else { "any of the outcomes" };
+        format!("no drive has {which} that was asked for: {}", summary.text(None))
+    });
+    if let Some(nothing) = &nothing {
+        colour::say("error", nothing);
+    }
+    let is_answered = is_complete && nothing.is_none();
     Ok(match (args.question.json, target.is_standard_output()) {
         (true, _) => {
             let reply = Reply::done("sweep", warnings, &summary);
             let stopped = || Some(format!("stopped: {}", summary.text(None)));
-            Answer::json(&if is_complete { reply } else { reply.ended("interrupted", stopped()) })
+            Answer::json(&match (is_complete, nothing) {
+                (true, None) => reply,
+                (true, nothing) => reply.ended("no-answer", nothing),
+                (false, _) => reply.ended("interrupted", stopped()),
+            })
         }
         (false, false) if is_complete => Answer::text(summary.text(target.file()) + "\n"),
         _ => Answer::text(String::new()),
     }
-    .found(is_complete))
+    .found(is_answered))
+}
+
+/// Whether any drive has an outcome that was asked for, or there are no drives: those of the launch are there also where the ball does
+/// not land.
+fn has_answers(tally: Tally, of: &[Outcome]) -> bool {
+    let is_of_the_launch = of.iter().any(|outcome| outcome.part() == Part::Launch);
+    let has = |status| match status {
+        Status::Landed => true,
+        Status::NoFlight | Status::Aloft => is_of_the_launch,
+        _ => false,
+    };
+    let all: u64 = tally.counts().map(|(_, count)| count).sum();
+    all == 0 || tally.counts().any(|(status, count)| count > 0 && has(status))
 }
 
 /// What a sweep did, as JSON.
