@@ -143,7 +143,7 @@ fn mistakes_are_bad_input_and_say_what_to_write() {
         (vec!["uncertainty", "--distribution", "club.loft=gauss(1deg,2deg)"], "write NAME=normal(MEAN,DEVIATION)"),
         (vec!["uncertainty", "--distribution", "club.loft=uniform(12deg,9deg)"], "must rise"),
         (vec!["uncertainty", "--sigma", "club.lofft=1deg"], "did you mean 'club.loft'?"),
-        (vec!["uncertainty", "--samples", "1"], "2..=1000000"),
+        (vec!["uncertainty", "--samples", "1"], "a whole number from 2 to 1000000"),
     ] {
         let said = longdrive(&args);
         assert!(said.status == 2 && said.err.contains(says), "{args:?}: {} {}", said.status, said.err);
