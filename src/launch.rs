@@ -1,6 +1,6 @@
 //! The ball as it leaves the face: what a launch monitor shows.
 
-use crate::number::{Number, Vector};
+use crate::number::{Number, Numbers, Vector};
 use crate::parameters::Setup;
 
 /// η, rad/s: below it a spin counts as none. |ω| is taken as √(ω·ω + η²) in the air, so that neither it nor
@@ -16,7 +16,18 @@ pub struct Launch<T> {
     pub spin: Vector<T>,
 }
 
-impl<T: Number> Launch<T> {
+impl<T> Launch<T> {
+    /// The same over another number.
+    #[inline(always)]
+    pub(crate) fn map<U>(&self, f: impl Fn(T) -> U) -> Launch<U>
+    where
+        T: Copy,
+    {
+        Launch { velocity: self.velocity.map(&f), spin: self.spin.map(&f) }
+    }
+}
+
+impl<T: Numbers> Launch<T> {
     /// The launch with these conditions, as a launch monitor reports them: what [`ball_speed`](Self::ball_speed),
     /// [`launch_angle`](Self::launch_angle), [`launch_direction`](Self::launch_direction), [`backspin`](Self::backspin) and
     /// [`sidespin`](Self::sidespin) then say. SI.
@@ -27,6 +38,7 @@ impl<T: Number> Launch<T> {
     /// assert!((launch.ball_speed() - 70.0_f64).abs() < 1e-12 && (launch.launch_direction() - 0.1).abs() < 1e-15);
     /// assert!((launch.backspin() - 300.0).abs() < 1e-12 && (launch.sidespin() + 50.0).abs() < 1e-12);
     /// ```
+    #[inline(always)]
     pub fn with_conditions(ball_speed: T, angle: T, direction: T, backspin: T, sidespin: T) -> Self {
         let ((rise, run), (right, ahead)) = (angle.sin_cos(), direction.sin_cos());
         let velocity = Vector::new(rise, run * right, run * ahead) * ball_speed;
@@ -36,6 +48,7 @@ impl<T: Number> Launch<T> {
     }
 
     /// The launch that a setup gives (`launch.*`), where no club strikes the ball.
+    #[inline(always)]
     pub fn given(setup: &Setup<T>) -> Option<Self> {
         let given = &setup.launch;
         let (speed, angle) = (given.ball_speed?, given.launch_angle?);
@@ -49,7 +62,9 @@ impl<T: Number> Launch<T> {
         };
         Some(Self::with_conditions(speed, angle, or_zero(given.launch_direction), back, side))
     }
+}
 
+impl<T: Number> Launch<T> {
     /// |v|, m/s.
     pub fn ball_speed(&self) -> T {
         self.velocity.norm()

@@ -12,7 +12,7 @@ const SMOOTH_BELOW: f64 = 0.02;
 impl<T: Numbers> AerodynamicLaw<T> for Ferguson<T> {
     #[inline(always)]
     fn coefficients(&self, stream: &Stream<T>) -> Coefficients<T> {
-        let s = stream.spin_ratio();
+        let s = stream.spin_ratio;
         let drag = self.cd2.mul_add(s, self.cd1).mul_add(s, self.cd0);
         let smooth = inlined(
             #[inline(always)]

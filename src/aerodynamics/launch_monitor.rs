@@ -8,10 +8,12 @@ use crate::parameters::LaunchMonitor;
 impl<T: Numbers> AerodynamicLaw<T> for LaunchMonitor<T> {
     #[inline(always)]
     fn coefficients(&self, stream: &Stream<T>) -> Coefficients<T> {
-        let s = stream.spin_ratio();
-        let capped = self.s_cap * (s * self.s_cap.recip()).tanh();
-        let reynolds = stream.reynolds() * 1e-5 - 1.5;
-        let drag = self.cd2.mul_add(capped, self.cd1).mul_add(capped, self.cd_re.mul_add(reynolds, self.cd0));
+        let s = stream.spin_ratio;
+        // s_c/s_cap: what waits for it comes last
+        let capped = (s * self.s_cap.recip()).tanh();
+        let (linear, square) = (self.cd1 * self.s_cap, self.cd2 * self.s_cap * self.s_cap);
+        let base = self.cd_re.mul_add(stream.reynolds * 1e-5 - 1.5, self.cd0);
+        let drag = square.mul_add(capped, linear).mul_add(capped, base);
         let hill = self.cl_rate * s;
         Coefficients { drag, lift: self.cl_max * hill / (hill + 1.0) }
     }

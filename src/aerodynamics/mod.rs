@@ -22,26 +22,12 @@ use crate::parameters::{Law, with_law};
 pub struct Stream<T> {
     /// |ω|, rad/s.
     pub spin: T,
-    /// R/|v|, s.
-    pub radius_per_speed: T,
+    /// s = R |ω|/|v|.
+    pub spin_ratio: T,
     /// |v|, m/s.
     pub speed: T,
-    /// Re/|v| = ρ 2R/μ, s/m.
-    pub reynolds_per_speed: T,
-}
-
-impl<T: Numbers> Stream<T> {
-    /// s = R |ω|/|v|.
-    #[inline(always)]
-    pub fn spin_ratio(&self) -> T {
-        self.spin * self.radius_per_speed
-    }
-
     /// Re = ρ |v| 2R/μ.
-    #[inline(always)]
-    pub fn reynolds(&self) -> T {
-        self.speed * self.reynolds_per_speed
-    }
+    pub reynolds: T,
 }
 
 /// What a law says of drag and lift.
@@ -58,13 +44,6 @@ pub trait AerodynamicLaw<T: Numbers> {
     /// C_D and C_L in this stream. C_L must vanish with the spin: the lift's direction does.
     fn coefficients(&self, stream: &Stream<T>) -> Coefficients<T>;
 
-    /// The coefficients of a law that depends on the spin alone, so that a flight asks once for each time
-    /// and not for each speed it tries there.
-    #[inline(always)]
-    fn by_spin_alone(&self, _spin: T) -> Option<Coefficients<T>> {
-        None
-    }
-
     /// Whether C_D grows with |ω| from zero spin on, so that outcomes have a corner there.
     fn has_corner_at_zero_spin(&self) -> bool {
         true
@@ -76,21 +55,13 @@ pub trait AerodynamicLaw<T: Numbers> {
     }
 }
 
-/// Whichever law it is: asked by a call, since there are many and they are asked for at every stage of every method.
+/// Whichever law it is: asked by a call, since there are many and they are asked for in many places.
 impl<T: Numbers> AerodynamicLaw<T> for Law<T> {
     #[inline(always)]
     fn coefficients(&self, stream: &Stream<T>) -> Coefficients<T> {
         T::outlined(
             #[inline(always)]
             || with_law!(self, |law| law.coefficients(stream)),
-        )
-    }
-
-    #[inline(always)]
-    fn by_spin_alone(&self, spin: T) -> Option<Coefficients<T>> {
-        T::outlined(
-            #[inline(always)]
-            || with_law!(self, |law| law.by_spin_alone(spin)),
         )
     }
 
@@ -111,12 +82,7 @@ mod tests {
 
     fn stream(spin_ratio: f64) -> Stream<f64> {
         let (radius, speed) = (0.02134, 50.0);
-        Stream {
-            spin: spin_ratio * speed / radius,
-            radius_per_speed: radius / speed,
-            speed,
-            reynolds_per_speed: 3000.0,
-        }
+        Stream { spin: spin_ratio * speed / radius, spin_ratio, speed, reynolds: 3000.0 * speed }
     }
 
     /// C_D and C_L that docs/sources.md tabulates for the two laws at Re = 1.5e5, to one in the last digit.
@@ -144,8 +110,7 @@ mod tests {
         let law = Law::named("winfield-tan").unwrap();
         for speed in [25.0, 35.0, 45.0, 55.0, 70.0] {
             let at = |s: f64| {
-                let stream =
-                    Stream { spin: s * speed, radius_per_speed: 1.0 / speed, speed, reynolds_per_speed: 3000.0 };
+                let stream = Stream { spin: s * speed, spin_ratio: s, speed, reynolds: 3000.0 * speed };
                 law.coefficients(&stream)
             };
             assert_eq!(at(0.0).lift, 0.0);
@@ -167,8 +132,7 @@ mod tests {
                 let law = setup.map(|_, value| Dual2_64::from(value)).law;
                 let s = Dual2_64::from(s).derivative();
                 let one = Dual2_64::from(1.0);
-                // R/|v| = 1: the spin is the spin ratio
-                let stream = Stream { spin: s, radius_per_speed: one, speed: one, reynolds_per_speed: one };
+                let stream = Stream { spin: s, spin_ratio: s, speed: one, reynolds: one };
                 law.coefficients(&stream).lift
             };
             let (below, above) = (lift(join * (1.0 - 1e-13)), lift(join * (1.0 + 1e-13)));

@@ -12,8 +12,8 @@ const SMOOTH_BELOW: f64 = 0.001;
 impl<T: Numbers> AerodynamicLaw<T> for SmitsSmith<T> {
     #[inline(always)]
     fn coefficients(&self, stream: &Stream<T>) -> Coefficients<T> {
-        let s = stream.spin_ratio();
-        let phase = (stream.reynolds() - self.re1) * PI / self.re2;
+        let s = stream.spin_ratio;
+        let phase = (stream.reynolds - self.re1) * PI / self.re2;
         let drag = self.cd1 + self.cd2 * s + self.cd3 * phase.sin();
         let p = self.cl_exp;
         let smooth = inlined(

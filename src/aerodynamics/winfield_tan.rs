@@ -14,7 +14,7 @@ const SPREAD: f64 = 20.0;
 impl<T: Numbers> AerodynamicLaw<T> for WinfieldTan<T> {
     #[inline(always)]
     fn coefficients(&self, stream: &Stream<T>) -> Coefficients<T> {
-        let x = stream.spin_ratio() * (stream.speed * (1.0 / MIDDLE)).sqrt();
+        let x = stream.spin_ratio * (stream.speed * (1.0 / MIDDLE)).sqrt();
         let u = (stream.speed - MIDDLE) * (1.0 / SPREAD);
         let by_spin = self.cd3.mul_add(x, self.cd2).mul_add(x, self.cd1).mul_add(x, self.cd0);
         let by_speed = self.cd_v2.mul_add(u, self.cd_v1).mul_add(u, T::constant(1.0));

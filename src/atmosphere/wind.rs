@@ -23,6 +23,7 @@ struct Profile<T> {
 
 impl<T: Numbers> WindField<T> {
     /// The field of these parameters.
+    #[inline(always)]
     pub fn new(wind: &Wind<T>, ground: &Ground<T>) -> Self {
         let profile = wind.roughness.map(|roughness| Profile {
             roughness,
@@ -30,18 +31,6 @@ impl<T: Numbers> WindField<T> {
             scale: logarithm(wind.reference_height, roughness).recip(),
         });
         Self { reference: Vector::new(wind.up, wind.right, wind.downrange), profile }
-    }
-
-    /// The wind where it is the same everywhere.
-    #[inline(always)]
-    pub(crate) fn uniform(&self) -> Option<Vector<T>> {
-        if self.profile.is_some() { None } else { Some(self.reference) }
-    }
-
-    /// Whether it never blows, to the derivatives carried.
-    #[inline(always)]
-    pub(crate) fn is_calm(&self) -> bool {
-        self.uniform().is_some_and(|wind| wind.to_array().iter().all(|w| w.is_zero()))
     }
 
     /// The same over another number.
@@ -56,12 +45,18 @@ impl<T: Numbers> WindField<T> {
         WindField { reference, profile }
     }
 
-    /// The air's velocity, m/s; `height` is asked only where the wind depends on it.
+    /// Whether it is a profile, and not the same everywhere.
     #[inline(always)]
-    pub fn at(&self, height: impl FnOnce() -> T) -> Vector<T> {
+    pub(crate) fn depends_on_height(&self) -> bool {
+        self.profile.is_some()
+    }
+
+    /// The air's velocity, m/s, at a height, m.
+    #[inline(always)]
+    pub fn at(&self, height: T) -> Vector<T> {
         match &self.profile {
             None => self.reference,
-            Some(profile) => self.reference * (logarithm(height() - profile.ground, profile.roughness) * profile.scale),
+            Some(profile) => self.reference * (logarithm(height - profile.ground, profile.roughness) * profile.scale),
         }
     }
 }
@@ -84,10 +79,10 @@ mod tests {
         let mut setup = Setup::default();
         (setup.wind.downrange, setup.wind.roughness) = (5.0, Some(0.03));
         let field = WindField::new(&setup.wind, &setup.ground);
-        assert!((field.at(|| 10.0).z - 5.0).abs() < 1e-14);
-        let ratio = field.at(|| 1000.0).z / field.at(|| 100.0).z;
+        assert!((field.at(10.0).z - 5.0).abs() < 1e-14);
+        let ratio = field.at(1000.0).z / field.at(100.0).z;
         assert!((ratio - (1000.0 / 0.03_f64).ln_1p() / (100.0 / 0.03_f64).ln_1p()).abs() < 1e-6);
-        let below = field.at(|| -3.0).z;
-        assert!(below > 0.0 && below < field.at(|| 0.0).z);
+        let below = field.at(-3.0).z;
+        assert!(below > 0.0 && below < field.at(0.0).z);
     }
 }

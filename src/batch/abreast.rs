@@ -3,59 +3,50 @@
 use super::block::{Block, Status};
 use super::kernel::Kernel;
 use crate::aerodynamics::AerodynamicLaw;
-use crate::drive::{Beyond, Part, Shown, is_beside_any_face};
-use crate::flight::{Pace, Shot, Wanted};
-use crate::impact::Unchecked;
-use crate::launch::Launch;
-use crate::number::{Lanes, Number, Seeded, Task};
+use crate::drive::{Beyond, Part, Shown, Struck, is_beside_any_face};
+use crate::flight::{Discretization, Flight};
+use crate::number::{Jet, Lanes, Mask, Number, Seeded, Task};
 use crate::parameters::{Parameter, Setup};
-use std::marker::PhantomData;
 
-/// The drives of a block, over lanes `V` of values and lanes `J` of values with derivatives by up to two parameters.
-pub(super) struct Abreast<'a, V, J> {
+/// Parameters differentiated by in one pass.
+pub(super) const DIRECTIONS: usize = 3;
+
+/// The drives of a block, with derivatives by a few parameters.
+pub(super) struct Abreast<'a> {
     pub kernel: &'a Kernel,
     pub block: &'a mut Block,
     /// The parameters differentiated by, and the place of the first among all.
     pub wrt: &'a [&'static Parameter],
     pub first: usize,
-    pub numbers: PhantomData<(V, J)>,
 }
 
-impl<V, J> Task for Abreast<'_, V, J>
-where
-    V: Lanes<Lane = f64>,
-    J: Lanes,
-    J::Lane: Seeded,
-{
+impl Task for Abreast<'_> {
     /// The rows that have to be looked at one by one.
     type Output = Vec<usize>;
 
     #[inline(always)]
-    fn run(mut self) -> Vec<usize> {
-        let (mut flying, mut alone) = self.line_up();
+    fn run<V: Lanes<Lane = f64>>(mut self) -> Vec<usize> {
+        let (mut flying, mut alone) = self.line_up::<V>();
         // flights of about the same length side by side: a group takes as long as its longest
         flying.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-        let mut setup = self.template();
-        for group in flying.chunks(J::WIDTH) {
-            self.fly(&mut setup, group, &mut alone);
+        match self.wrt.len() {
+            0 => self.fly::<V>(&flying, &mut alone),
+            1 => self.fly::<Jet<1, V>>(&flying, &mut alone),
+            2 => self.fly::<Jet<2, V>>(&flying, &mut alone),
+            _ => self.fly::<Jet<DIRECTIONS, V>>(&flying, &mut alone),
         }
         alone
     }
 }
 
-impl<V, J> Abreast<'_, V, J>
-where
-    V: Lanes<Lane = f64>,
-    J: Lanes,
-    J::Lane: Seeded,
-{
+impl Abreast<'_> {
     /// The rows that fly, each with its upward speed at launch, and those that have to be looked at alone. Those whose ball
     /// is launched into the ground are done with.
     #[inline(always)]
-    fn line_up(&mut self) -> (Vec<(f64, usize)>, Vec<usize>) {
+    fn line_up<V: Lanes<Lane = f64>>(&mut self) -> (Vec<(f64, usize)>, Vec<usize>) {
         let kernel = self.kernel;
         let shows_launch = kernel.of.iter().any(|outcome| outcome.part() == Part::Launch);
-        let mut setup = kernel.setup.map(|_, value| V::from_lanes(|_| value));
+        let mut setup = kernel.setup.map(|_, value| V::constant(value));
         let (mut flying, mut alone) = (vec![], vec![]);
         let rows: Vec<usize> =
             (0..self.block.rows()).filter(|&row| kernel.is_in_range(self.block.point(row))).collect();
@@ -64,11 +55,10 @@ where
             let row_of = |lane: usize| rows[lane.min(rows.len() - 1)];
             let block = &*self.block;
             setup.put(&kernel.parameters, |k| V::from_lanes(|lane| block.point(row_of(lane))[k]));
-            let struck = Unchecked::new(&setup);
-            let sound = struck.checks().map(V::bits).into_iter().fold(u8::MAX, |all, one| all & one);
+            let struck = Struck::new(&setup, None);
             for (lane, &row) in rows.iter().enumerate() {
                 let (up, ground) = (struck.launch.velocity.x.lane(lane), setup.ground.height.lane(lane));
-                if sound >> lane & 1 == 0 {
+                if !struck.is_sound.holds(lane) {
                     alone.push(row);
                 } else if up > 0.0 || ground < 0.0 {
                     flying.push((up, row));
@@ -82,50 +72,53 @@ where
         (flying, alone)
     }
 
-    /// The setup with what is the same in every row: the swept parameters are still to be put in.
-    fn template(&self) -> Setup<J> {
-        self.kernel.setup.map(|parameter, value| {
+    /// Hits and flies the rows, a group at a time, and writes what it finds into the block.
+    #[inline(always)]
+    fn fly<J: Lanes<Lane: Seeded>>(&mut self, rows: &[(f64, usize)], alone: &mut Vec<usize>) {
+        // the setup with what is the same in every row: the swept parameters are still to be put in
+        let mut setup: Setup<J> = self.kernel.setup.map(|parameter, value| {
             let direction = self.wrt.iter().position(|row| *row == parameter);
             J::from_lanes(|_| seeded(value, direction))
-        })
+        });
+        let directions: Vec<Option<usize>> =
+            self.kernel.parameters.iter().map(|parameter| self.wrt.iter().position(|row| row == parameter)).collect();
+        for group in rows.chunks(J::WIDTH) {
+            self.fly_group(&mut setup, &directions, group, alone);
+        }
     }
 
-    /// Hits and flies a group, and writes what it finds into the block.
     #[inline(always)]
-    fn fly(&mut self, setup: &mut Setup<J>, group: &[(f64, usize)], alone: &mut Vec<usize>) {
+    fn fly_group<J: Lanes<Lane: Seeded>>(
+        &mut self,
+        setup: &mut Setup<J>,
+        directions: &[Option<usize>],
+        group: &[(f64, usize)],
+        alone: &mut Vec<usize>,
+    ) {
         let kernel = self.kernel;
         let row_of = |lane: usize| group[lane.min(group.len() - 1)].1;
         let block = &*self.block;
-        setup.put(&kernel.parameters, |k| {
-            let direction = self.wrt.iter().position(|row| *row == kernel.parameters[k]);
-            J::from_lanes(|lane| seeded(block.point(row_of(lane))[k], direction))
-        });
-        let launch = Unchecked::new(setup).launch;
-        let shot = Shot::new(setup, &launch);
-        let wanted =
-            if kernel.of.iter().any(|outcome| outcome.is_of_the_apex()) { Wanted::Apex } else { Wanted::Landing };
-        let flying = u8::MAX >> (8 - group.len());
-        let (stream, strike) = (shot.stream(), [setup.strike.toe, setup.strike.high]);
+        setup.put(&kernel.parameters, |k| J::from_lanes(|lane| seeded(block.point(row_of(lane))[k], directions[k])));
+        let struck = Struck::new(setup, None);
+        let (stream, strike) = (struck.inputs.stream(), [setup.strike.toe, setup.strike.high]);
         let fitted = AerodynamicLaw::<f64>::fitted(&kernel.setup.law);
-        let formation = shot.fly_abreast(&Pace::of(&kernel.setup), wanted, flying);
+        let has_apex = kernel.of.iter().any(|outcome| outcome.is_of_the_apex());
+        let how = Discretization::of(&kernel.setup);
+        let ended = struck.inputs.follow(&how, J::Mask::first(group.len()), has_apex, &mut |_, _| ());
         for (lane, &(_, row)) in group.iter().enumerate() {
-            if formation.sound >> lane & 1 == 0 {
+            let Ok(Flight::Landed(landed)) = ended.flight(&how, &struck.inputs, lane, |number| number.lane(lane))
+            else {
                 alone.push(row);
                 continue;
-            }
-            let landed = formation.landed.map(
-                #[inline(always)]
-                |number| number.lane(lane),
-            );
-            let launch =
-                Launch { velocity: launch.velocity.map(|v| v.lane(lane)), spin: launch.spin.map(|w| w.lane(lane)) };
-            let shown =
-                Shown { launch: &launch, club_speed: Some(setup.swing.speed.lane(lane)), landed: Some(&landed) };
+            };
+            let launch = struck.launch.map(|number| number.lane(lane));
+            let club_speed = struck.club_speed.map(|speed| speed.lane(lane));
+            let shown = Shown { launch: &launch, club_speed, landed: Some(&landed) };
             self.block.status[row] = Status::Landed;
             let [toe, high] = strike.map(|place| place.lane(lane).re());
             self.block.beyond[row] = Beyond {
                 law: !fitted.holds(stream.map(|value| value.lane(lane).re())),
-                face: is_beside_any_face(toe, high),
+                face: club_speed.is_some() && is_beside_any_face(toe, high),
             };
             for (i, outcome) in kernel.of.iter().enumerate() {
                 self.write(row, i, outcome.shown(&shown));
@@ -134,7 +127,7 @@ where
     }
 
     /// Writes an outcome with its derivatives.
-    fn write(&mut self, row: usize, outcome: usize, found: Option<J::Lane>) {
+    fn write<L: Seeded>(&mut self, row: usize, outcome: usize, found: Option<L>) {
         let Some(number) = found else { return };
         self.block.outcomes[outcome][row] = number.re();
         for k in 0..self.wrt.len() {

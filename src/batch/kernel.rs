@@ -1,14 +1,11 @@
-use super::abreast::Abreast;
+use super::abreast::{Abreast, DIRECTIONS};
 use super::block::{Block, Status};
 use crate::derivative::{self, Order};
 use crate::drive::{Beyond, Drive, Looked, Outcome};
 use crate::error::{Error, Result};
 use crate::flight::{Flight, NoFlight};
-#[cfg(target_arch = "x86_64")]
-use crate::number::{Jet, Pack4, Pack8};
-use crate::number::{Lanes, Level, Seeded};
+use crate::number::Level;
 use crate::parameters::{Parameter, Setup};
-use std::marker::PhantomData;
 
 /// Computes chunks of drives: the only place in a batch where drives are hit and flown.
 #[derive(Clone, Debug)]
@@ -44,44 +41,26 @@ impl Kernel {
         block
     }
 
-    /// Whether many drives are computed side by side: where the machine has the lanes, neither the inertia tensor nor a
-    /// limit of friction need be looked at in each, and there are not so many derivatives that those of one drive fill the lanes.
+    /// Whether many drives are computed side by side: where there are not so many derivatives that those of one drive fill the
+    /// lanes, and no inertia tensor that no body can have.
     fn goes_abreast(&self) -> bool {
-        const MOST_DERIVATIVES: usize = 6;
+        const MOST_DERIVATIVES: usize = 4 * DIRECTIONS;
         let turns_inertia = self.parameters.iter().any(|parameter| parameter.is_of_inertia());
-        let sticks = self.setup.impact.friction.is_none();
-        let is_given = self.parameters.iter().any(|parameter| parameter.is_of_launch()) || self.setup.launch.is_given();
-        Level::here() > Level::Baseline && !turns_inertia && sticks && !is_given && self.wrt.len() <= MOST_DERIVATIVES
+        !turns_inertia && self.wrt.len() <= MOST_DERIVATIVES
     }
 
     /// Computes the drives of a block side by side; the rows that have to be looked at one by one are left over.
     fn abreast(&self, block: &mut Block) -> Vec<usize> {
-        let mut alone = vec![];
         if self.wrt.is_empty() {
-            alone = self.at_level::<Value>(block, &[], 0);
+            return Level::here().run(Abreast { kernel: self, block, wrt: &[], first: 0 });
         }
-        for (chunk, wrt) in self.wrt.chunks(2).enumerate() {
-            alone.extend(self.at_level::<Pair>(block, wrt, 2 * chunk));
+        let mut alone = vec![];
+        for (chunk, wrt) in self.wrt.chunks(DIRECTIONS).enumerate() {
+            alone.extend(Level::here().run(Abreast { kernel: self, block, wrt, first: DIRECTIONS * chunk }));
         }
         alone.sort_unstable();
         alone.dedup();
         alone
-    }
-
-    fn at_level<C: Carried>(&self, block: &mut Block, wrt: &[&'static Parameter], first: usize) -> Vec<usize> {
-        let rows = block.rows();
-        let found = match Level::here() {
-            #[cfg(target_arch = "x86_64")]
-            Level::Eight => {
-                Level::run_eight(Abreast::<Pack8, C::Eight> { kernel: self, block, wrt, first, numbers: PhantomData })
-            }
-            #[cfg(target_arch = "x86_64")]
-            Level::Four => {
-                Level::run_four(Abreast::<Pack4, C::Four> { kernel: self, block, wrt, first, numbers: PhantomData })
-            }
-            _ => None,
-        };
-        found.unwrap_or_else(|| (0..rows).collect())
     }
 
     /// Whether each value of a point is one its parameter may have.
@@ -139,28 +118,4 @@ impl Kernel {
             }
         }
     }
-}
-
-/// What the lanes carry: the numbers that hold it at each level.
-trait Carried {
-    type Four: Lanes<Lane: Seeded>;
-    type Eight: Lanes<Lane: Seeded>;
-}
-
-/// Values.
-struct Value;
-
-/// Values with two derivatives.
-struct Pair;
-
-#[cfg(target_arch = "x86_64")]
-impl Carried for Value {
-    type Four = Pack4;
-    type Eight = Pack8;
-}
-
-#[cfg(target_arch = "x86_64")]
-impl Carried for Pair {
-    type Four = Jet<2, Pack4>;
-    type Eight = Jet<2, Pack8>;
 }

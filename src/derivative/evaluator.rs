@@ -1,5 +1,7 @@
-use super::chain::{Asked, first, second, values};
+use super::asked::Asked;
+use super::pass::{hessians, most_in_a_pass, values};
 use super::{Order, Taylor};
+use super::{chain, pass};
 use crate::drive::{Outcome, Part};
 use crate::error::{Error, Result};
 use crate::launch::Launch;
@@ -112,7 +114,7 @@ impl Evaluator {
         self.unchecked(&values, progress)
     }
 
-    fn unchecked(&self, x: &[f64], progress: impl FnMut(usize, usize)) -> Result<Vec<Taylor>> {
+    fn unchecked(&self, x: &[f64], mut progress: impl FnMut(usize, usize)) -> Result<Vec<Taylor>> {
         let asked = Asked {
             setup: &self.setup,
             launch: self.launch.as_ref(),
@@ -124,8 +126,13 @@ impl Evaluator {
         };
         let taylors = match self.order {
             Order::Value => values(&asked)?,
-            Order::First => first(&asked, progress)?,
-            Order::Second => second(&asked, self.pairs, progress)?,
+            Order::First if self.wrt.len() <= most_in_a_pass() => {
+                let taylors = pass::gradients(&asked)?;
+                progress(1, 1);
+                taylors
+            }
+            Order::First => chain::gradients(&asked, progress)?,
+            Order::Second => hessians(&asked, self.pairs, progress)?,
         };
         for (outcome, taylor) in self.of.iter().zip(&taylors) {
             check(taylor, *outcome, &self.wrt)?;

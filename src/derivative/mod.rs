@@ -1,9 +1,11 @@
 //! Exact derivatives of any outcomes with respect to any parameters, chosen by name at run time. Dual
 //! numbers enter and leave here only.
 
+mod asked;
 mod chain;
 pub mod check;
 mod evaluator;
+mod pass;
 
 pub use crate::number::{Order, Taylor};
 pub use evaluator::Evaluator;

@@ -2,7 +2,7 @@
 
 use super::Drive;
 use crate::aerodynamics::{AerodynamicLaw, Fitted};
-use crate::flight::Shot;
+use crate::flight::Inputs;
 use crate::parameters::{Law, Setup};
 use crate::units::{Digits, Message, Quantity};
 
@@ -46,7 +46,7 @@ impl Drive<f64> {
     pub fn beyond(&self, setup: &Setup<f64>, looked: Looked) -> Beyond {
         let law = match looked {
             Looked::AtLaunch => {
-                !AerodynamicLaw::<f64>::fitted(&setup.law).holds(Shot::new(setup, &self.launch).stream())
+                !AerodynamicLaw::<f64>::fitted(&setup.law).holds(Inputs::new(setup, &self.launch).stream())
             }
             Looked::AtFlight => !self.outside_of_the_law(setup).is_empty(),
         };

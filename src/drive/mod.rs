@@ -2,6 +2,7 @@
 
 mod beyond;
 mod outcome;
+mod struck;
 mod warnings;
 
 pub(crate) use beyond::is_beside_any_face;
@@ -9,6 +10,7 @@ pub use beyond::{Beyond, BeyondCount, Looked};
 
 pub(crate) use outcome::Shown;
 pub use outcome::{Outcome, Part};
+pub(crate) use struck::Struck;
 
 use crate::aerodynamics::AerodynamicLaw;
 use crate::error::{Error, Result};

@@ -77,7 +77,7 @@ impl Drive<f64> {
         let per_speed = setup.air.density * 2.0 * radius / setup.air.viscosity;
         let (mut way, mut before) = (0.0, None);
         let mut point = |point: &crate::flight::TrajectoryPoint| {
-            let speed = (point.velocity - wind.at(|| point.position.x)).norm();
+            let speed = (point.velocity - wind.at(point.position.x)).norm();
             if let Some((time, slower)) = before.replace((point.time, speed)) {
                 way += 0.5 * (slower + speed) * (point.time - time);
             }

@@ -1,158 +1,48 @@
-use super::hermite::Segment;
-use super::motion::Motion;
-use super::node::{Node, Stepper};
-use super::pace::Pace;
-use super::rk4::Classical;
-use super::shot::Shot;
-use super::space::{Plane, Space};
-use super::surroundings::{Still, Surroundings, Windy};
-use super::tableau::Higher;
+use super::ending::{Apex, Flight, Landed, NoFlight};
+use super::inputs::Inputs;
+use super::motion::{LEAST_SPEED, Node, State};
+use super::septic::Path;
+use super::step::{Step, Stepper};
+use super::tableau::Tableau;
 use crate::error::{Error, Result};
 use crate::launch::Launch;
-use crate::number::{Factor, Number, Vector};
+use crate::number::{Mask, Number, Numbers, Vector};
 use crate::parameters::{Method, Setup};
-use crate::units::{Digits, Message, Quantity};
-use std::fmt;
 
-/// How a flight ends.
-#[derive(Clone, Copy, Debug)]
-pub enum Flight<T> {
-    /// On the ground.
-    Landed(Landed<T>),
-    /// It does not begin, or was not followed to its end.
-    None(NoFlight),
-}
-
-/// A flight that landed.
-#[derive(Clone, Copy, Debug)]
-pub struct Landed<T> {
-    /// Downrange distance at landing, along the target line, m.
-    pub carry: T,
-    /// Distance to the right of the target line at landing, m.
-    pub lateral: T,
-    /// Time from launch to landing, s.
-    pub flight_time: T,
-    /// Velocity at landing, m/s.
-    pub velocity: Vector<T>,
-    /// The highest point of the flight; `None` where it was not asked for.
-    pub apex: Option<Apex<T>>,
-    /// Steps of the integration, the last one cut by the landing.
-    pub steps: usize,
-}
-
-impl<T: Number> Landed<T> {
-    /// The highest point of the flight.
-    ///
-    /// # Errors
-    /// [`Error::Undefined`] where the flight was followed for its landing alone.
-    pub fn apex(&self) -> Result<&Apex<T>> {
-        self.apex.as_ref().ok_or_else(|| Error::Undefined {
-            what: "the apex".into(),
-            reason: "the flight was followed for its landing alone".into(),
-        })
-    }
-}
-
-impl<T: Copy> Landed<T> {
-    /// The same over another number.
-    #[inline(always)]
-    pub(crate) fn map<U>(&self, mut f: impl FnMut(T) -> U) -> Landed<U> {
-        Landed {
-            carry: f(self.carry),
-            lateral: f(self.lateral),
-            flight_time: f(self.flight_time),
-            velocity: self.velocity.map(&mut f),
-            apex: self.apex.map(|apex| Apex {
-                height: f(apex.height),
-                time: f(apex.time),
-                downrange: f(apex.downrange),
-            }),
-            steps: self.steps,
-        }
-    }
-}
-
-/// The highest point of a flight; the launch itself where the ball only falls.
-#[derive(Clone, Copy, Debug)]
-pub struct Apex<T> {
-    /// Height above the tee, m.
-    pub height: T,
-    /// Time from launch, s.
-    pub time: T,
-    /// Downrange distance, m.
-    pub downrange: T,
-}
-
-/// Why there is no landing.
+/// How the equation of motion is integrated.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum NoFlight {
-    /// Launched at or below horizontal, with the ground at or above the ball.
-    LaunchedDown {
-        /// Angle above horizontal, rad.
-        launch_angle: f64,
-    },
-    /// The apex stays below the ground's height.
-    BelowGround {
-        /// Apex height, m.
-        apex_height: f64,
-        /// The ground's height, m.
-        ground_height: f64,
-    },
-    /// Still in the air when `flight.time_limit` ran out.
-    Aloft {
-        /// When, s.
-        time: f64,
-        /// How high, m.
-        height: f64,
-    },
+pub(crate) struct Discretization {
+    pub method: Method,
+    /// h, s.
+    pub step: f64,
+    /// s.
+    pub time_limit: f64,
 }
 
-impl NoFlight {
-    /// The status it has in JSON.
-    pub fn status(&self) -> &'static str {
-        match self {
-            Self::LaunchedDown { .. } | Self::BelowGround { .. } => "no-flight",
-            Self::Aloft { .. } => "aloft",
-        }
+impl Discretization {
+    /// That of a setup.
+    #[inline(always)]
+    pub fn of<T>(setup: &Setup<T>) -> Self {
+        Self { method: setup.method, step: setup.flight.step, time_limit: setup.flight.time_limit }
     }
 }
 
-impl NoFlight {
-    /// The same in a sentence.
-    pub fn message(&self) -> Message {
-        let height =
-            |message: Message, height: f64| message.quantity(Quantity::LENGTH, "m", height, Digits::Significant(5));
-        match self {
-            Self::LaunchedDown { launch_angle } => {
-                let degrees = launch_angle.to_degrees();
-                Message::from(format!(
-                    "the ball leaves at {degrees:.3}° to the horizontal and the ground is not below it; \
-                     more loft or attack angle lets it fly"
-                ))
-            }
-            Self::BelowGround { apex_height, ground_height } => {
-                let rises = height("the ball rises to ".into(), *apex_height);
-                height(rises.words(" only, below the ground's height of "), *ground_height)
-            }
-            Self::Aloft { time, height: up } => height("the ball is still ".into(), *up)
-                .words(format!(" up after {time} s; raise flight.time_limit to follow it further")),
-        }
-    }
-}
-
-impl fmt::Display for NoFlight {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.message().fmt(f)
-    }
-}
-
-/// What is wanted of a flight beyond its landing.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Wanted {
-    /// Nothing.
-    Landing,
-    /// The apex.
-    Apex,
+/// Flights side by side, or one, that have ended.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Ended<T: Numbers> {
+    /// The landings, where `has_landed`.
+    pub landed: Landed<T>,
+    pub has_landed: T::Mask,
+    /// Where the apex stays below the ground.
+    stays_below: T::Mask,
+    /// Where drag and lift change the velocity too much within a step to be followed, or numbers overflow.
+    diverges: T::Mask,
+    /// Where the ball is still in the air when the time is over.
+    is_aloft: T::Mask,
+    /// The height of an apex that stays below the ground, and of a ball still in the air, m.
+    height: T,
+    /// When the last step ended, s.
+    time: f64,
 }
 
 /// Flies the ball from launch to landing (docs/model.md, eqs. 12–18). No heap memory is used.
@@ -160,142 +50,179 @@ pub(crate) enum Wanted {
 /// # Errors
 /// [`Error::Diverged`] where the numbers overflow.
 pub fn fly<T: Number>(setup: &Setup<T>, launch: &Launch<T>) -> Result<Flight<T>> {
-    Shot::new(setup, launch).fly::<Vector<T>>(&Pace::of(setup), Wanted::Apex, |_| ())
+    Inputs::new(setup, launch).fly(&Discretization::of(setup), true, &mut |_, _| ())
 }
 
-impl<T: Number> Shot<T> {
-    /// The flight in a space, showing each node of the integration to `observe`, from the launch on.
+impl<T: Numbers> Inputs<T> {
+    /// Flies the balls of those lanes that start above the ground or upwards, showing each step, with the time it begins at, to
+    /// `observe`; the apex is found where `has_apex`. Called and not taken in: there is one copy for each number.
     #[inline(always)]
-    pub(super) fn fly<S: Space<T>>(
+    pub(crate) fn follow(
         &self,
-        pace: &Pace,
-        wanted: Wanted,
-        observe: impl FnMut(&Node<T, S>),
-    ) -> Result<Flight<T>> {
-        self.fly_by::<S, _>(Windy::new(self.law, self.force_per_mass), pace, wanted, observe)
-    }
-
-    /// The flight by the shortest way there is: in the plane where it stays there, and with the one law whose
-    /// coefficients change with the time alone taken in rather than called, if its constants can be of type `C`.
-    #[inline(always)]
-    pub(super) fn fly_shortest<C: Factor<T>>(&self, pace: &Pace, wanted: Wanted) -> Result<Flight<T>> {
-        if !(self.is_plane() && self.is_in_still_air()) {
-            return self.fly::<Vector<T>>(pace, wanted, |_| ());
-        }
-        match self.spun::<C>(pace) {
-            Some(law) => self.fly_by::<Plane<T>, _>(law, pace, wanted, |_| ()),
-            None => self.fly_by::<Plane<T>, _>(Still::new(self.law, self.force_per_mass), pace, wanted, |_| ()),
-        }
+        how: &Discretization,
+        lanes: T::Mask,
+        has_apex: bool,
+        observe: &mut dyn FnMut(f64, &Step<T>),
+    ) -> Ended<T> {
+        T::outlined(
+            #[inline(always)]
+            || self.followed(how, lanes, has_apex, observe),
+        )
     }
 
     #[inline(always)]
-    fn fly_by<S: Space<T>, L: Surroundings<T>>(
+    fn followed(
         &self,
-        law: L,
-        pace: &Pace,
-        wanted: Wanted,
-        observe: impl FnMut(&Node<T, S, L::Memory>),
-    ) -> Result<Flight<T>> {
-        match pace.method {
-            Method::Rk4 => T::outlined(
-                #[inline(always)]
-                || self.follow::<S, L, Classical<L::Constant>>(law, pace, wanted, observe),
-            ),
-            Method::DormandPrince5 | Method::DormandPrince8 => T::outlined(
-                #[inline(always)]
-                || self.follow::<S, L, Higher<L::Constant>>(law, pace, wanted, observe),
-            ),
-        }
-    }
+        how: &Discretization,
+        lanes: T::Mask,
+        has_apex: bool,
+        observe: &mut dyn FnMut(f64, &Step<T>),
+    ) -> Ended<T> {
+        let (tableau, h, ground) = (Tableau::of(how.method), how.step, self.ground);
+        let none = T::constant(1.0).below(0.0);
+        let start = State { position: Vector::zero(), velocity: self.velocity, spin: self.spin };
+        let stepper = Stepper::new(self, tableau, h);
+        let mut here = self.node(start);
+        let mut has_been_above = ground.below(0.0);
+        let mut flying = lanes & (has_been_above | is_rising(&here));
+        let apex = Apex { height: T::zero(), time: T::zero(), downrange: T::zero() };
+        let landed = Landed {
+            carry: T::zero(),
+            lateral: T::zero(),
+            flight_time: T::zero(),
+            velocity: Vector::zero(),
+            apex: has_apex.then_some(apex),
+            steps: 0,
+        };
+        let mut ended = Ended {
+            landed,
+            has_landed: none,
+            stays_below: none,
+            diverges: none,
+            is_aloft: none,
+            height: T::zero(),
+            time: 0.0,
+        };
+        while flying.any() && ended.time < how.time_limit {
+            let step = stepper.step(&here);
+            observe(ended.time, &step);
+            // a comparison with NaN does not hold: what is lost is not followed
+            let is_followed =
+                self.coarseness(&here, h).below(tableau.reach * tableau.reach) & step.to.state.position.x.is_finite();
+            ended.diverges = ended.diverges | flying & !is_followed;
+            flying = flying & is_followed;
 
-    #[inline(always)]
-    fn follow<S: Space<T>, L: Surroundings<T>, M: Stepper<T, S, L::Constant>>(
-        &self,
-        law: L,
-        pace: &Pace,
-        wanted: Wanted,
-        mut observe: impl FnMut(&Node<T, S, L::Memory>),
-    ) -> Result<Flight<T>> {
-        let ground = self.ground;
-        let step = pace.step;
-        let mut above = ground.re() < 0.0;
-        let rising = self.velocity.x.re() > 0.0;
-        if !above && !rising {
-            let launch = Launch { velocity: self.velocity, spin: self.axis };
-            return Ok(Flight::None(NoFlight::LaunchedDown { launch_angle: launch.launch_angle().re() }));
-        }
-
-        let motion = Motion::<T, S, L>::new(self, law);
-        let stepper = M::new(&motion, pace);
-        let mut here = Node::at_launch(&motion, self);
-        let mut apex = Apex { height: T::zero(), time: T::zero(), downrange: T::zero() };
-        for steps in 1.. {
-            observe(&here);
-            if here.state.time >= pace.time_limit {
-                let (time, height) = (here.state.time, here.state.position.up().re());
-                return Ok(Flight::None(NoFlight::Aloft { time, height }));
-            }
-            let time = steps as f64 * step;
-            let (next, _) = stepper.step(&motion, &here, time);
-            // NaN is no less than 1, and infinite numbers pull as much
-            let is_followed = here.coarseness(step).re() <= 1.0;
-
-            let falls = here.state.velocity.up().re() > 0.0 && next.state.velocity.up().re() <= 0.0;
-            let is_low = next.state.position.up().re() <= ground.re();
-            // a step without an event
-            if is_followed && !is_low && !(falls && (wanted == Wanted::Apex || !above)) {
-                above = true;
-                here = next;
-                continue;
-            }
-
-            if !is_followed || next.is_lost() {
-                return Err(Error::Diverged { time: here.state.time, step });
-            }
-
-            // the step once more, with what it added: kept at every step, that would fill the registers for nothing
-            // (copies, so that what every step uses is not kept in memory for the sake of the call)
-            let (motion, stepper, start) = (motion, stepper, here.state);
-            let (from, to, added) = T::outlined(
-                #[inline(always)]
-                || {
-                    let from = Node::at(&motion, start);
-                    let (to, added) = stepper.step(&motion, &from, time);
-                    (from, to, added)
-                },
-            );
-            let segment = Segment::new(&motion, &from, &to, &added, step);
-            let mut falls_from = 0.0;
-            if falls {
-                let s = segment.height().top();
-                let top = segment.position(s);
-                if top.x.re() > apex.height.re() {
-                    apex = Apex { height: top.x, time: segment.time(s), downrange: top.z };
+            let is_above = (ground - step.to.state.position.x).below(0.0);
+            let has_top = flying & is_rising(&here) & !is_rising(&step.to);
+            let is_low = flying & !is_above & (has_been_above | has_top);
+            let asks_for_top = has_top & !(has_been_above & is_above);
+            if is_low.any() || asks_for_top.any() || has_apex && has_top.any() {
+                // taken in, it would be as much code as all the rest
+                let path = T::outlined(
+                    #[inline(always)]
+                    || Path::new(self, &step, h),
+                );
+                let mut falls_from = T::zero();
+                if (has_top & is_low).any() || asks_for_top.any() || has_apex && has_top.any() {
+                    let s = path.up.top(has_top);
+                    let top = path.position(s);
+                    falls_from = s.blend(falls_from, has_top);
+                    if let Some(apex) = &mut ended.landed.apex {
+                        let is_higher = has_top & (apex.height - top.x).below(0.0);
+                        apex.height = top.x.blend(apex.height, is_higher);
+                        apex.time = (s * h + ended.time).blend(apex.time, is_higher);
+                        apex.downrange = top.z.blend(apex.downrange, is_higher);
+                    }
+                    let is_over = has_top & (ground - top.x).below(0.0);
+                    let stays_below = has_top & !is_over & !has_been_above;
+                    ended.height = top.x.blend(ended.height, stays_below);
+                    ended.stays_below = ended.stays_below | stays_below;
+                    flying = flying & !stays_below;
+                    has_been_above = has_been_above | is_over;
                 }
-                if !above && top.x.re() <= ground.re() {
-                    let (apex_height, ground_height) = (top.x.re(), ground.re());
-                    return Ok(Flight::None(NoFlight::BelowGround { apex_height, ground_height }));
+                let lands = flying & is_low & has_been_above;
+                if lands.any() {
+                    let s = path.up.falls_to(ground, falls_from, lands);
+                    let (x, v) = (path.position(s), path.velocity(s));
+                    let old = &mut ended.landed;
+                    old.carry = x.z.blend(old.carry, lands);
+                    old.lateral = x.y.blend(old.lateral, lands);
+                    old.flight_time = (s * h + ended.time).blend(old.flight_time, lands);
+                    old.velocity = v.blend(old.velocity, lands);
+                    ended.has_landed = ended.has_landed | lands;
+                    flying = flying & !lands;
                 }
-                above = true;
-                falls_from = s.re();
             }
-
-            if !is_low {
-                above = true;
-            } else if above {
-                let s = segment.height().falls_to(ground, falls_from);
-                let landing = segment.position(s);
-                return Ok(Flight::Landed(Landed {
-                    carry: landing.z,
-                    lateral: landing.y,
-                    flight_time: segment.time(s),
-                    velocity: segment.velocity(s),
-                    apex: (wanted == Wanted::Apex).then_some(apex),
-                    steps,
-                }));
-            }
-            here = to;
+            has_been_above = has_been_above | is_above;
+            here = step.to;
+            ended.landed.steps += 1;
+            ended.time = ended.landed.steps as f64 * h;
         }
-        unreachable!("the loop ends by the time limit")
+        if flying.any() {
+            ended.is_aloft = flying;
+            ended.height = here.state.position.x.blend(ended.height, flying);
+        }
+        ended
+    }
+
+    /// The square of the part of itself by which drag and lift change the airspeed within a step.
+    #[inline(always)]
+    fn coarseness(&self, node: &Node<T>, h: f64) -> T {
+        let air = node.state.velocity - self.wind.at(node.state.position.x);
+        let a = node.rate.acceleration;
+        let pull = Vector::new(a.x + self.gravity, a.y, a.z);
+        pull.dot(pull) * (h * h) / (air.dot(air) + LEAST_SPEED * LEAST_SPEED)
+    }
+}
+
+#[inline(always)]
+fn is_rising<T: Numbers>(node: &Node<T>) -> T::Mask {
+    (-node.state.velocity.x).below(0.0)
+}
+
+impl<T: Number> Inputs<T> {
+    /// Flies one ball.
+    ///
+    /// # Errors
+    /// [`Error::Diverged`] where the numbers overflow.
+    pub(crate) fn fly(
+        &self,
+        how: &Discretization,
+        has_apex: bool,
+        observe: &mut dyn FnMut(f64, &Step<T>),
+    ) -> Result<Flight<T>> {
+        self.follow(how, true, has_apex, observe).flight(how, self, 0, |number| number)
+    }
+}
+
+impl<T: Numbers> Ended<T> {
+    /// How the flight in a lane ended, which `read` takes out of the numbers.
+    ///
+    /// # Errors
+    /// [`Error::Diverged`] where the numbers overflow.
+    #[inline(always)]
+    pub(crate) fn flight<U: Number>(
+        &self,
+        how: &Discretization,
+        inputs: &Inputs<T>,
+        lane: usize,
+        read: impl Fn(T) -> U,
+    ) -> Result<Flight<U>> {
+        if self.has_landed.holds(lane) {
+            return Ok(Flight::Landed(self.landed.map(read)));
+        }
+        let (time, height) = (self.time, read(self.height).re());
+        if self.diverges.holds(lane) {
+            return Err(Error::Diverged { time: time - how.step, step: how.step });
+        }
+        Ok(Flight::None(if self.stays_below.holds(lane) {
+            NoFlight::BelowGround { apex_height: height, ground_height: read(inputs.ground).re() }
+        } else if self.is_aloft.holds(lane) {
+            NoFlight::Aloft { time, height }
+        } else {
+            let velocity = inputs.velocity.map(&read);
+            let launch = Launch { velocity, spin: velocity };
+            NoFlight::LaunchedDown { launch_angle: launch.launch_angle().re() }
+        }))
     }
 }

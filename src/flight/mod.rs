@@ -1,22 +1,16 @@
 //! The ball in the air: equation of motion, fixed-step integration, a smooth landing.
 
-mod fast;
-mod hermite;
+mod ending;
+mod inputs;
 mod landing;
-mod lanes;
 mod motion;
-mod node;
-mod pace;
-mod rk4;
-mod shot;
-mod space;
-mod surroundings;
+mod septic;
+mod step;
 mod tableau;
 mod trajectory;
 
-pub(crate) use fast::Over;
-pub(crate) use landing::Wanted;
-pub use landing::{Apex, Flight, Landed, NoFlight, fly};
-pub(crate) use pace::Pace;
-pub(crate) use shot::Shot;
+pub use ending::{Apex, Flight, Landed, NoFlight};
+pub(crate) use inputs::Inputs;
+pub(crate) use landing::Discretization;
+pub use landing::fly;
 pub use trajectory::{Trajectory, TrajectoryPoint, trajectory};

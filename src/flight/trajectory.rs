@@ -1,16 +1,20 @@
-use super::landing::{Flight, Wanted};
-use super::node::State;
-use super::pace::Pace;
-use super::shot::Shot;
+use super::ending::Flight;
+use super::inputs::Inputs;
+use super::landing::Discretization;
+use super::septic::Path;
 use crate::error::Result;
 use crate::launch::Launch;
 use crate::number::Vector;
 use crate::parameters::Setup;
 
-/// The path of a flight, node by node.
+/// s: points of a path are no farther apart.
+const MOST_APART: f64 = 0.05;
+
+/// The path of a flight.
 #[derive(Clone, Debug)]
 pub struct Trajectory {
-    /// Where the ball is at launch and after each step; where it landed, the landing is the last point.
+    /// Where the ball is at launch, after each step, and within long steps every 0.05 s or less; where it landed, the landing is
+    /// the last point.
     pub points: Vec<TrajectoryPoint>,
     /// How the flight ends.
     pub flight: Flight<f64>,
@@ -40,13 +44,23 @@ pub struct TrajectoryPoint {
 /// # Errors
 /// As [`fly`](super::fly).
 pub fn trajectory(setup: &Setup<f64>, launch: &Launch<f64>) -> Result<Trajectory> {
-    let mut points = Vec::new();
-    let shot = Shot::new(setup, launch);
-    let flight = shot.fly::<Vector<f64>>(&Pace::of(setup), Wanted::Apex, |node| {
-        let State { time, position, velocity, .. } = node.state;
-        points.push(TrajectoryPoint { time, position, velocity });
+    let start = TrajectoryPoint { time: 0.0, position: Vector::zero(), velocity: launch.velocity };
+    let mut points = vec![start];
+    let inputs = Inputs::new(setup, launch);
+    let (h, parts) = (setup.flight.step, (setup.flight.step / MOST_APART).ceil().max(1.0));
+    let flight = inputs.fly(&Discretization::of(setup), true, &mut |begin, step| {
+        let path = Path::new(&inputs, step, h);
+        let within = (1..parts as u32).map(|k| f64::from(k) / parts);
+        points.extend(within.map(|s| TrajectoryPoint {
+            time: begin + s * h,
+            position: path.position(s),
+            velocity: path.velocity(s),
+        }));
+        let end = step.to.state;
+        points.push(TrajectoryPoint { time: begin + h, position: end.position, velocity: end.velocity });
     })?;
     if let Flight::Landed(landed) = &flight {
+        points.retain(|point| point.time < landed.flight_time);
         points.push(TrajectoryPoint {
             time: landed.flight_time,
             position: Vector::new(setup.ground.height, landed.lateral, landed.carry),

@@ -1,6 +1,6 @@
 use super::rigid_body::{Collision, Factors, Rebound, jammed};
 use crate::error::Result;
-use crate::number::Number;
+use crate::number::{Mask, Number, Numbers};
 
 /// Where a contact stands against the limit of friction.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -13,39 +13,68 @@ pub enum Grip {
     Slips(f64),
 }
 
-/// The rebound under Coulomb friction (docs/model.md, eq. 11), and whether the ball slips: where the sticking
-/// impulse lies outside the friction cone, J = j (n + μ t̂) with t̂ the direction of the sticking J_t. It
-/// joins the sticking rebound continuously; its slope does not.
-///
-/// # Errors
-/// [`Error::Jammed`](crate::error::Error::Jammed) where such an impulse cannot separate the bodies.
-#[inline]
-pub(super) fn limited<T: Number>(
+/// A rebound under a limit of friction.
+pub(super) struct Limited<T: Numbers> {
+    pub rebound: Rebound<T>,
+    /// |J_t|² of the sticking contact, and μ J_n.
+    needed_squared: T,
+    limit: T,
+    slips: T::Mask,
+    /// n·K(n + μ t̂), 1/kg: where the ball slips it must be above 0.
+    separating: T,
+}
+
+/// The rebound under Coulomb friction (docs/model.md, eq. 11): where the sticking impulse lies outside the friction cone,
+/// J = j (n + μ t̂) with t̂ the direction of the sticking J_t. It joins the sticking rebound continuously; its slope does not.
+#[inline(always)]
+pub(super) fn limited<T: Numbers>(
     collision: &Collision<T>,
     factors: &Factors<T>,
     sticking: Rebound<T>,
-    friction: Option<T>,
-) -> Result<(Rebound<T>, Grip)> {
-    let Some(friction) = friction else { return Ok((sticking, Grip::Unlimited)) };
+    friction: T,
+) -> Limited<T> {
     let normal = collision.normal;
     let push = sticking.impulse.dot(normal);
     let tangential = sticking.impulse - normal * push;
-    let (needed, limit) = (tangential.re().norm(), (friction * push).re());
-    let used = if needed == 0.0 { 0.0 } else { needed / limit };
-    if needed <= limit {
-        return Ok((sticking, Grip::Sticks(used)));
+    let (needed_squared, limit) = (tangential.dot(tangential), friction * push);
+    let slips = (limit * limit - needed_squared).below(0.0);
+    if !slips.any() {
+        return Limited { rebound: sticking, needed_squared, limit, slips, separating: T::constant(1.0) };
     }
-    let direction = normal + tangential * (friction / tangential.norm());
+    let direction = normal + tangential * (friction / needed_squared.sqrt());
     let [x, y, z] = collision.columns(&factors.inertia);
     let separating = normal.dot(x * direction.x + y * direction.y + z * direction.z);
-    if separating.re() <= 0.0 || separating.re().is_nan() {
-        return Err(jammed(&format!(
-            "with impact.friction = {} the ball slips but n·K(n + μ t) = {} /kg, which must be above 0",
-            friction.re(),
-            separating.re()
-        )));
-    }
     let size = collision.approach().dot(normal) * (collision.restitution + 1.0) / separating;
-    let slipping = collision.checked(collision.after(direction * size, factors))?;
-    Ok((slipping, Grip::Slips(used)))
+    let slipping = collision.after(direction * size, factors);
+    Limited { rebound: slipping.blend(&sticking, slips), needed_squared, limit, slips, separating }
+}
+
+impl<T: Numbers> Limited<T> {
+    /// Whether the bodies separate, if the ball slips.
+    #[inline(always)]
+    pub fn separates(&self) -> T::Mask {
+        !self.slips | (-self.separating).below(0.0)
+    }
+}
+
+impl<T: Number> Limited<T> {
+    /// The rebound, and where it stands against the limit.
+    ///
+    /// # Errors
+    /// [`Error::Jammed`](crate::error::Error::Jammed) where such an impulse cannot separate the bodies.
+    pub fn checked(self, collision: &Collision<T>, friction: T) -> Result<(Rebound<T>, Grip)> {
+        let needed = self.needed_squared.re().sqrt();
+        let used = if needed == 0.0 { 0.0 } else { needed / self.limit.re() };
+        if !self.slips {
+            return Ok((self.rebound, Grip::Sticks(used)));
+        }
+        if !self.separates() {
+            return Err(jammed(&format!(
+                "with impact.friction = {} the ball slips but n·K(n + μ t) = {} /kg, which must be above 0",
+                friction.re(),
+                self.separating.re()
+            )));
+        }
+        Ok((collision.checked(self.rebound)?, Grip::Slips(used)))
+    }
 }

@@ -51,7 +51,10 @@ pub fn strike<T: Number>(setup: &Setup<T>) -> Result<Impact<T>> {
     }
     let factors = collision.checked_factors()?;
     let rolling = collision.checked(collision.rolling(&factors))?;
-    let (rebound, grip) = friction::limited(&collision, &factors, rolling, setup.impact.friction)?;
+    let (rebound, grip) = match setup.impact.friction {
+        None => (rolling, Grip::Unlimited),
+        Some(friction) => friction::limited(&collision, &factors, rolling, friction).checked(&collision, friction)?,
+    };
     let ground = inlined(
         #[inline(always)]
         |v| delivery.to_ground(v),
@@ -67,40 +70,41 @@ pub fn strike<T: Number>(setup: &Setup<T>) -> Result<Impact<T>> {
     })
 }
 
-/// A launch that is one only where the checks hold.
-pub(crate) struct Unchecked<T> {
+/// A launch over any numbers, side by side too, with what is to be known of each before it is used.
+pub(crate) struct Unchecked<T: Numbers> {
     pub launch: Launch<T>,
-    /// Below 1 where the strike is on the face.
-    q: T,
-    /// Above 0 where the face approaches the ball.
-    approach: T,
-    /// Above 0 where the impulse pushes.
-    push: T,
+    /// Where [`strike`] gives this launch and no error.
+    pub is_sound: T::Mask,
 }
 
 impl<T: Numbers> Unchecked<T> {
-    /// The launch of a contact that sticks, with nothing to branch on.
     #[inline(always)]
     pub fn new(setup: &Setup<T>) -> Self {
         let delivery = Delivery::new(&setup.swing);
         let (face, q) = FacePoint::unchecked(&setup.club, &setup.strike);
         let collision = Collision::at(setup, &delivery, &face);
-        let rebound = collision.rolling(&collision.factors());
+        let factors = collision.factors();
+        let sticking = collision.rolling(&factors);
+        let above_zero = inlined(
+            #[inline(always)]
+            |x: T| (-x).below(0.0),
+        );
+        let mut is_sound = q.below(1.0)
+            & above_zero(collision.approach().dot(collision.normal))
+            & factors.inertia.is_positive()
+            & factors.compliance.is_positive()
+            & above_zero(sticking.impulse.dot(collision.normal));
+        let rebound = match setup.impact.friction {
+            None => sticking,
+            Some(friction) => {
+                let limited = friction::limited(&collision, &factors, sticking, friction);
+                is_sound = is_sound & limited.separates() & above_zero(limited.rebound.impulse.dot(collision.normal));
+                limited.rebound
+            }
+        };
         let (velocity, spin) = (delivery.to_ground(rebound.ball_velocity), delivery.to_ground(rebound.ball_spin));
-        Self {
-            launch: Launch { velocity, spin },
-            q,
-            approach: collision.approach().dot(collision.normal),
-            push: rebound.impulse.dot(collision.normal),
-        }
-    }
-
-    /// What must all hold.
-    #[inline(always)]
-    pub fn checks(&self) -> [T::Mask; 4] {
-        let Launch { velocity, spin } = self.launch;
         // NaN is below nothing: what is not a number does not hold
         let size = velocity.dot(velocity) + spin.dot(spin);
-        [self.q.below(1.0), (-self.approach).below(0.0), (-self.push).below(0.0), size.below(f64::MAX)]
+        Self { launch: Launch { velocity, spin }, is_sound: is_sound & size.below(f64::MAX) }
     }
 }

@@ -46,6 +46,20 @@ pub struct Rebound<T> {
     pub club_spin: Vector<T>,
 }
 
+impl<T: Numbers> Rebound<T> {
+    /// `self` where the mask holds, `other` where it does not.
+    #[inline(always)]
+    pub(super) fn blend(&self, other: &Self, mask: T::Mask) -> Self {
+        Self {
+            impulse: self.impulse.blend(other.impulse, mask),
+            ball_velocity: self.ball_velocity.blend(other.ball_velocity, mask),
+            ball_spin: self.ball_spin.blend(other.ball_spin, mask),
+            club_velocity: self.club_velocity.blend(other.club_velocity, mask),
+            club_spin: self.club_spin.blend(other.club_spin, mask),
+        }
+    }
+}
+
 impl<T: Numbers> Collision<T> {
     /// The collision of a head that strikes the ball at a point of its face.
     #[inline(always)]

@@ -32,11 +32,15 @@ impl<const N: usize, const M: usize, B: Numbers> Jet2<N, M, B> {
         const { assert!(M == N * (N + 1) / 2) };
         let mut all = [B::zero(); M];
         let mut k = 0;
-        for i in 0..N {
-            for j in 0..=i {
+        let mut i = 0;
+        while i < N {
+            let mut j = 0;
+            while j <= i {
                 all[k] = entry(k, i, j);
                 k += 1;
+                j += 1;
             }
+            i += 1;
         }
         all
     }
@@ -45,10 +49,10 @@ impl<const N: usize, const M: usize, B: Numbers> Jet2<N, M, B> {
     #[inline(always)]
     fn chain(self, f: B, slope: B, curvature: B) -> Self {
         let (g, h) = (self.gradient, self.hessian);
-        let bent = g.map(|d| d * curvature);
+        let bent = each!(i: N => g[i] * curvature);
         Self {
             re: f,
-            gradient: g.map(|d| d * slope),
+            gradient: each!(i: N => g[i] * slope),
             hessian: Self::triangle(
                 #[inline(always)]
                 |k, i, j| h[k].mul_add(slope, bent[i] * g[j]),
@@ -62,7 +66,7 @@ impl<const N: usize, const M: usize, B: Numbers> Jet2<N, M, B> {
         let (a, b) = (&self, &other);
         Self {
             re: a.re * b.re,
-            gradient: std::array::from_fn(|i| a.gradient[i].mul_add(b.re, a.re * b.gradient[i])),
+            gradient: each!(i: N => a.gradient[i].mul_add(b.re, a.re * b.gradient[i])),
             hessian: Self::triangle(
                 #[inline(always)]
                 |k, i, j| {
@@ -78,15 +82,19 @@ impl<const N: usize, const M: usize, B: Numbers> Jet2<N, M, B> {
     pub(super) fn entrywise(self, other: Self, f: impl Fn(B, B) -> B) -> Self {
         Self {
             re: f(self.re, other.re),
-            gradient: std::array::from_fn(|i| f(self.gradient[i], other.gradient[i])),
-            hessian: std::array::from_fn(|i| f(self.hessian[i], other.hessian[i])),
+            gradient: each!(i: N => f(self.gradient[i], other.gradient[i])),
+            hessian: each!(i: M => f(self.hessian[i], other.hessian[i])),
         }
     }
 
     /// Each entry.
     #[inline(always)]
     pub(super) fn each(self, f: impl Fn(B) -> B) -> Self {
-        Self { re: f(self.re), gradient: self.gradient.map(&f), hessian: self.hessian.map(&f) }
+        Self {
+            re: f(self.re),
+            gradient: each!(i: N => f(self.gradient[i])),
+            hessian: each!(i: M => f(self.hessian[i])),
+        }
     }
 }
 
@@ -178,7 +186,6 @@ impl<const N: usize, const M: usize, B: Numbers> Div<f64> for Jet2<N, M, B> {
 
 impl<const N: usize, const M: usize, B: Numbers> Numbers for Jet2<N, M, B> {
     type Mask = B::Mask;
-    type Value = B;
 
     #[inline(always)]
     fn constant(value: f64) -> Self {
@@ -199,28 +206,18 @@ impl<const N: usize, const M: usize, B: Numbers> Numbers for Jet2<N, M, B> {
         )
     }
     #[inline(always)]
-    fn is_zero(self) -> bool {
-        self.re.is_zero() && self.gradient.iter().chain(&self.hessian).all(|d| d.is_zero())
-    }
-    #[inline(always)]
-    fn is_constant(self) -> bool {
-        self.gradient.iter().chain(&self.hessian).all(|d| d.is_zero())
-    }
-    #[inline(always)]
     fn is_finite(self) -> Self::Mask {
         self.re.is_finite()
     }
     #[inline(always)]
-    fn outlined<R>(work: impl FnOnce() -> R) -> R {
+    fn outlined<R>(work: impl FnMut() -> R) -> R {
         B::outlined(work)
     }
     #[inline(always)]
     fn mul_add(self, a: Self, b: Self) -> Self {
         Self {
             re: self.re.mul_add(a.re, b.re),
-            gradient: std::array::from_fn(|i| {
-                self.gradient[i].mul_add(a.re, self.re.mul_add(a.gradient[i], b.gradient[i]))
-            }),
+            gradient: each!(i: N => self.gradient[i].mul_add(a.re, self.re.mul_add(a.gradient[i], b.gradient[i]))),
             hessian: Self::triangle(
                 #[inline(always)]
                 |k, i, j| {

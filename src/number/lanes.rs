@@ -1,12 +1,17 @@
-use super::{Jet, Number, Numbers};
+use super::{Jet, Jet2, Number, Numbers};
 use std::fmt::Debug;
+use std::ops::{BitAnd, BitOr, Not};
 
 /// The answers to a comparison of several numbers.
-pub trait Mask: Copy + Debug + 'static {
+pub trait Mask: Copy + Debug + 'static + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output = Self> {
     /// Whether it holds for each.
     fn all(self) -> bool;
     /// Whether it holds for one at least.
     fn any(self) -> bool;
+    /// Whether it holds for this one, counted from 0.
+    fn holds(self, lane: usize) -> bool;
+    /// The mask that holds for the first of several.
+    fn first(count: usize) -> Self;
 }
 
 impl Mask for bool {
@@ -18,29 +23,17 @@ impl Mask for bool {
     fn any(self) -> bool {
         self
     }
-}
-
-/// The answers to a comparison of `W` numbers, a bit each, the first the lowest.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Bits<const W: usize>(pub u8);
-
-impl<const W: usize> Bits<W> {
-    /// Holds for each.
-    pub const ALL: Self = Self(((1_u16 << W) - 1) as u8);
-}
-
-impl<const W: usize> Mask for Bits<W> {
     #[inline(always)]
-    fn all(self) -> bool {
-        self == Self::ALL
+    fn holds(self, _lane: usize) -> bool {
+        self
     }
     #[inline(always)]
-    fn any(self) -> bool {
-        self.0 != 0
+    fn first(count: usize) -> Self {
+        count > 0
     }
 }
 
-/// Several drives side by side, each a number of its own.
+/// Several numbers side by side: of drives next to each other, or of one drive, each with derivatives in directions of its own.
 pub(crate) trait Lanes: Numbers {
     /// How many.
     const WIDTH: usize;
@@ -51,10 +44,21 @@ pub(crate) trait Lanes: Numbers {
     fn lane(self, i: usize) -> Self::Lane;
     /// The numbers in lanes 0, 1, 2 …; `f` is asked for each of them.
     fn from_lanes(f: impl FnMut(usize) -> Self::Lane) -> Self;
-    /// The mask with these bits, the lowest for lane 0.
-    fn mask(bits: u8) -> Self::Mask;
-    /// The bits of a mask.
-    fn bits(mask: Self::Mask) -> u8;
+}
+
+/// A number alone.
+impl Lanes for f64 {
+    const WIDTH: usize = 1;
+    type Lane = f64;
+
+    #[inline(always)]
+    fn lane(self, _: usize) -> f64 {
+        self
+    }
+    #[inline(always)]
+    fn from_lanes(mut f: impl FnMut(usize) -> f64) -> f64 {
+        f(0)
+    }
 }
 
 impl<const K: usize, B: Lanes<Lane = f64>> Lanes for Jet<K, B> {
@@ -67,21 +71,36 @@ impl<const K: usize, B: Lanes<Lane = f64>> Lanes for Jet<K, B> {
     }
     #[inline(always)]
     fn from_lanes(mut f: impl FnMut(usize) -> Jet<K>) -> Self {
-        let mut lanes = [Jet::<K>::zero(); 8];
-        for (i, lane) in lanes.iter_mut().enumerate().take(B::WIDTH) {
-            *lane = f(i);
-        }
+        let lanes: [Jet<K>; MOST] = std::array::from_fn(|i| if i < B::WIDTH { f(i) } else { Jet::zero() });
         Jet {
             re: B::from_lanes(|i| lanes[i].re),
             gradient: std::array::from_fn(|k| B::from_lanes(|i| lanes[i].gradient[k])),
         }
     }
+}
+
+impl<const N: usize, const M: usize, B: Lanes<Lane = f64>> Lanes for Jet2<N, M, B> {
+    const WIDTH: usize = B::WIDTH;
+    type Lane = Jet2<N, M>;
+
     #[inline(always)]
-    fn mask(bits: u8) -> Self::Mask {
-        B::mask(bits)
+    fn lane(self, i: usize) -> Jet2<N, M> {
+        Jet2 {
+            re: self.re.lane(i),
+            gradient: self.gradient.map(|d| d.lane(i)),
+            hessian: self.hessian.map(|d| d.lane(i)),
+        }
     }
     #[inline(always)]
-    fn bits(mask: Self::Mask) -> u8 {
-        B::bits(mask)
+    fn from_lanes(mut f: impl FnMut(usize) -> Jet2<N, M>) -> Self {
+        let lanes: [Jet2<N, M>; MOST] = std::array::from_fn(|i| if i < B::WIDTH { f(i) } else { Jet2::zero() });
+        Jet2 {
+            re: B::from_lanes(|i| lanes[i].re),
+            gradient: std::array::from_fn(|k| B::from_lanes(|i| lanes[i].gradient[k])),
+            hessian: std::array::from_fn(|k| B::from_lanes(|i| lanes[i].hessian[k])),
+        }
     }
 }
+
+/// Lanes of the widest registers.
+const MOST: usize = 8;

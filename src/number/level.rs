@@ -1,5 +1,9 @@
 //! What the processor can do, and work compiled for that.
 
+use super::Lanes;
+#[cfg(target_arch = "x86_64")]
+use super::{Pack4, Pack8};
+
 /// Vector units worth another copy of the code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Level {
@@ -13,13 +17,13 @@ pub(crate) enum Level {
     Eight,
 }
 
-/// Work that is compiled for a level. `run` and all that it calls on the numbers of that level must be
+/// Work that is compiled for each level, over the lanes it has. `run` and all that it calls on numbers must be
 /// `#[inline(always)]`: only what ends up inside the copy is compiled for its vector unit.
 pub(crate) trait Task {
     /// What comes of it.
     type Output;
     /// Does it.
-    fn run(self) -> Self::Output;
+    fn run<V: Lanes<Lane = f64>>(self) -> Self::Output;
 }
 
 impl Level {
@@ -42,43 +46,47 @@ impl Level {
         Self::Baseline
     }
 
-    /// Runs a task that is compiled for [`Level::Four`]; `None` where the machine is below it.
+    /// The level of this machine for so many numbers: what fits into few lanes is quicker in those.
     #[inline]
-    #[allow(unsafe_code)]
-    pub fn run_four<W: Task>(task: W) -> Option<W::Output> {
-        #[cfg(target_arch = "x86_64")]
-        if Self::here() >= Self::Four {
-            // SAFETY: the processor has been asked
-            return Some(unsafe { with_four(task) });
-        }
-        let _ = task;
-        None
+    pub fn of(count: usize) -> Self {
+        if count <= 4 { Self::here().min(Self::Four) } else { Self::here() }
     }
 
-    /// Runs a task that is compiled for [`Level::Eight`]; `None` where the machine is below it.
+    /// How many lanes there are.
+    pub fn width(self) -> usize {
+        match self {
+            Self::Baseline => 1,
+            Self::Four => 4,
+            Self::Eight => 8,
+        }
+    }
+
+    /// Runs a task at this level, or the best that the machine has below it.
     #[inline]
     #[allow(unsafe_code)]
-    pub fn run_eight<W: Task>(task: W) -> Option<W::Output> {
-        #[cfg(target_arch = "x86_64")]
-        if Self::here() >= Self::Eight {
+    pub fn run<W: Task>(self, task: W) -> W::Output {
+        match self.min(Self::here()) {
+            #[cfg(target_arch = "x86_64")]
             // SAFETY: the processor has been asked
-            return Some(unsafe { with_eight(task) });
+            Self::Eight => unsafe { with_eight(task) },
+            #[cfg(target_arch = "x86_64")]
+            // SAFETY: the processor has been asked
+            Self::Four => unsafe { with_four(task) },
+            _ => task.run::<f64>(),
         }
-        let _ = task;
-        None
     }
 }
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2,fma")]
 fn with_four<W: Task>(task: W) -> W::Output {
-    task.run()
+    task.run::<Pack4>()
 }
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2,fma,avx512f,avx512dq,avx512vl")]
 fn with_eight<W: Task>(task: W) -> W::Output {
-    task.run()
+    task.run::<Pack8>()
 }
 
 /// A closure as it is. An attribute like `#[inline(always)]` may stand on an argument, not on the right of a `let`; a closure that

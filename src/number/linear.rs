@@ -71,11 +71,12 @@ impl<T: Numbers> SymmetricFactors<T> {
 
     /// Whether each pivot is positive and finite, as those of a positive definite matrix are.
     #[inline(always)]
-    pub fn is_positive(&self) -> bool
-    where
-        T: Number,
-    {
-        self.inverse_pivots.iter().all(|pivot| pivot.re() > 0.0 && pivot.re().is_finite())
+    pub fn is_positive(&self) -> T::Mask {
+        let [first, second, third] = self.inverse_pivots.map(
+            #[inline(always)]
+            |pivot| (-pivot).below(0.0) & pivot.below(f64::INFINITY),
+        );
+        first & second & third
     }
 }
 

@@ -8,11 +8,11 @@
 
 #[macro_use]
 mod second_order;
+#[cfg(target_arch = "x86_64")]
+mod bits;
 mod differentiate;
+#[cfg(target_arch = "x86_64")]
 mod exponential;
-mod factor;
-mod fast;
-mod fused;
 mod jet;
 mod jet2;
 mod lanes;
@@ -21,20 +21,13 @@ mod linear;
 mod outlined;
 #[cfg(target_arch = "x86_64")]
 mod pack;
-#[cfg(target_arch = "x86_64")]
-mod pair;
-mod partial;
 mod seed;
+mod tanh;
 mod taylor;
 mod vector;
 
 pub use differentiate::Order;
 pub(crate) use differentiate::{Pairs, Seedable, first, second};
-pub use factor::Factor;
-#[cfg(target_arch = "x86_64")]
-pub(crate) use fast::Wide;
-pub(crate) use fast::{Counterpart, Fast};
-pub use fused::Fused;
 pub use jet::Jet;
 pub use jet2::Jet2;
 pub(crate) use lanes::Lanes;
@@ -42,10 +35,7 @@ pub use lanes::Mask;
 pub(crate) use level::{Level, Task, inlined};
 pub(crate) use linear::{SymmetricFactors, solve};
 #[cfg(target_arch = "x86_64")]
-pub(crate) use pack::{Free2, Free4, Pack2, Pack4, Pack8};
-#[cfg(target_arch = "x86_64")]
-pub(crate) use pair::Pair;
-pub use partial::Partial;
+pub(crate) use pack::{Pack4, Pack8};
 pub(crate) use seed::Seeded;
 pub use taylor::Taylor;
 pub use vector::Vector;
@@ -70,11 +60,6 @@ impl<T, R> Arithmetic<R> for T where T: Add<R, Output = T> + Sub<R, Output = T> 
 pub trait Numbers: Copy + Debug + 'static + Neg<Output = Self> + Arithmetic<Self> + Arithmetic<f64> {
     /// The answer to a comparison: `bool`, or one for each of several.
     type Mask: Mask;
-    /// The same without derivatives.
-    type Value: Factor<Self>;
-    /// Whether it is a lone value: then a chain of operations waits for each result, and a longer way that shortens the chain
-    /// is the faster one. With derivatives or neighbours there is enough to do meanwhile.
-    const IS_LONE: bool = false;
 
     /// The number with this value and no derivatives.
     fn constant(value: f64) -> Self;
@@ -86,8 +71,6 @@ pub trait Numbers: Copy + Debug + 'static + Neg<Output = Self> + Arithmetic<Self
     fn exp(self) -> Self;
     /// eˣ − 1, exact near 0.
     fn exp_m1(self) -> Self;
-    /// eˣ − 1, whose value is known.
-    fn known_exp_m1(self, value: Self::Value) -> Self;
     /// ln x.
     fn ln(self) -> Self;
     /// ln(1 + x), exact near 0.
@@ -100,10 +83,6 @@ pub trait Numbers: Copy + Debug + 'static + Neg<Output = Self> + Arithmetic<Self
     fn below(self, limit: f64) -> Self::Mask;
     /// `self` where the mask holds, `other` where it does not.
     fn blend(self, other: Self, mask: Self::Mask) -> Self;
-    /// Whether the value and every derivative are 0, for each of several.
-    fn is_zero(self) -> bool;
-    /// Whether every derivative is 0, for each of several.
-    fn is_constant(self) -> bool;
     /// Whether the value, and that of each of several, is finite.
     fn is_finite(self) -> Self::Mask;
 
@@ -128,32 +107,14 @@ pub trait Numbers: Copy + Debug + 'static + Neg<Output = Self> + Arithmetic<Self
     /// √x and 1/√x.
     #[inline(always)]
     fn sqrt_recip(self) -> (Self, Self) {
-        let root = self.sqrt();
-        (root, root.recip())
-    }
-
-    /// c z for complex numbers z and c, each as its real and imaginary part.
-    #[inline(always)]
-    fn complex_product(c: [Self; 2], z: [Self; 2]) -> [Self; 2] {
-        [c[0].mul_add(z[0], -(c[1] * z[1])), c[0].mul_add(z[1], c[1] * z[0])]
-    }
-
-    /// |z| c z, given |z| and its inverse.
-    #[inline(always)]
-    fn sized_product(c: [Self; 2], z: [Self; 2], size: Self, _inverse: Self) -> [Self; 2] {
-        let [real, imaginary] = Self::complex_product(c, z);
-        [real * size, imaginary * size]
-    }
-
-    /// This value with the derivatives of another number that has the same; itself, where it has brought its own.
-    #[inline(always)]
-    fn with_derivatives_of(self, _other: Self) -> Self {
-        self
+        // the quotient does not wait for the root
+        let (root, inverse) = (self.sqrt(), self.recip());
+        (root, root * inverse)
     }
 
     /// `yes()` where the mask holds, `no()` where it does not; what no one needs is not computed.
     #[inline(always)]
-    fn choose(mask: Self::Mask, yes: impl FnOnce() -> Self, no: impl FnOnce() -> Self) -> Self {
+    fn choose(mask: Self::Mask, yes: impl Fn() -> Self, no: impl Fn() -> Self) -> Self {
         if mask.all() {
             yes()
         } else if !mask.any() {
@@ -163,11 +124,11 @@ pub trait Numbers: Copy + Debug + 'static + Neg<Output = Self> + Arithmetic<Self
         }
     }
 
-    /// Work on these numbers that is a function of its own, called and not taken in: for what is asked for in many places
-    /// and would make each of them large.
+    /// Work on these numbers that is a function of its own, called and not taken in: for what would make the places that ask
+    /// for it large. (A closure that may be called but once goes through a function that no attribute reaches.)
     #[inline(always)]
-    fn outlined<R>(work: impl FnOnce() -> R) -> R {
-        outlined::plain::outlined(work)
+    fn outlined<R>(work: impl FnMut() -> R) -> R {
+        outlined::plain(work)
     }
 
     /// sin x.
@@ -206,11 +167,7 @@ pub trait Numbers: Copy + Debug + 'static + Neg<Output = Self> + Arithmetic<Self
     /// tanh x, finite for every x (sinh/cosh overflows).
     #[inline(always)]
     fn tanh(self) -> Self {
-        let is_negative = self.below(0.0);
-        let size = (-self).blend(self, is_negative);
-        let decay = (size * -2.0).exp_m1();
-        let tanh = -decay / (decay + 2.0);
-        (-tanh).blend(tanh, is_negative)
+        tanh::tanh(self)
     }
 }
 
@@ -247,9 +204,6 @@ pub trait Number: Numbers<Mask = bool> {
 
 impl<D: DualNum<Primitive = f64> + Copy> Numbers for D {
     type Mask = bool;
-    // a dual number does not show its derivatives here: whether there are any is not asked
-    type Value = D;
-    const IS_LONE: bool = D::NDERIV == 0;
 
     #[inline(always)]
     fn constant(value: f64) -> Self {
@@ -270,10 +224,6 @@ impl<D: DualNum<Primitive = f64> + Copy> Numbers for D {
     #[inline(always)]
     fn exp_m1(self) -> Self {
         DualNum::exp_m1(&self)
-    }
-    #[inline(always)]
-    fn known_exp_m1(self, value: D) -> Self {
-        value
     }
     #[inline(always)]
     fn ln(self) -> Self {
@@ -298,15 +248,6 @@ impl<D: DualNum<Primitive = f64> + Copy> Numbers for D {
     #[inline(always)]
     fn blend(self, other: Self, mask: bool) -> Self {
         if mask { self } else { other }
-    }
-    #[inline(always)]
-    fn is_zero(self) -> bool {
-        // a dual number does not show its derivatives here; only a plain one is known to be 0
-        D::NDERIV == 0 && num_dual::DualStruct::re(&self) == 0.0
-    }
-    #[inline(always)]
-    fn is_constant(self) -> bool {
-        D::NDERIV == 0
     }
     #[inline(always)]
     fn is_finite(self) -> bool {
@@ -346,6 +287,5 @@ mod tests {
         assert_eq!(Numbers::tanh(Dual64::from(-800.0).derivative()).eps, 0.0);
         let small = Numbers::tanh(Dual64::from(1e-9).derivative());
         assert!((small.re / 1e-9 - 1.0).abs() < 1e-15 && (small.eps - 1.0).abs() < 1e-15);
-        assert!((Numbers::tanh(0.7_f64) - 0.7_f64.tanh()).abs() < 1e-16);
     }
 }

@@ -4,24 +4,25 @@
 //! [`Level`](super::Level) it belongs to, which asks the processor first; that is what each `unsafe` here relies on.
 #![allow(unsafe_code)]
 
+use super::Numbers;
+use super::bits::Bits;
 use super::exponential::{self, Powers};
-use super::lanes::{Bits, Lanes};
-use super::{Fused, Numbers, Partial};
+use super::lanes::Lanes;
 use std::arch::x86_64::*;
 use std::fmt;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// A register type with its operators, its use as partial derivatives of a [`Fused`] number, and as lanes.
+/// A register type with its operators, as lanes.
 macro_rules! pack {
     (
-        $( $(#[doc = $doc:literal])+ $Pack:ident outlined $partials:ident $lanes:ident, )+
+        $( $(#[doc = $doc:literal])+ $Pack:ident outlined $outlined:ident, )+
         as $Register:ident of $width:literal, $instructions:tt
     ) => {
-        $( pack! { type $(#[doc = $doc])+ $Pack($Register) of $width outlined $partials $lanes, $instructions } )+
+        $( pack! { type $(#[doc = $doc])+ $Pack($Register) of $width outlined $outlined, $instructions } )+
     };
 
     (
-        type $(#[doc = $doc:literal])+ $Pack:ident($Register:ident) of $width:literal outlined $partials:ident $lanes:ident,
+        type $(#[doc = $doc:literal])+ $Pack:ident($Register:ident) of $width:literal outlined $outlined:ident,
         {
             operators $add:ident $sub:ident $mul:ident $div:ident,
             spread $set:ident, fused $mul_add:ident, root $sqrt:ident, least $min:ident $max:ident,
@@ -88,7 +89,6 @@ macro_rules! pack {
 
         impl Numbers for $Pack {
             type Mask = Bits<$width>;
-            type Value = Self;
 
             #[inline(always)]
             fn constant(value: f64) -> Self {
@@ -114,10 +114,6 @@ macro_rules! pack {
             #[inline(always)]
             fn exp_m1(self) -> Self {
                 exponential::exp_m1(self)
-            }
-            #[inline(always)]
-            fn known_exp_m1(self, value: Self) -> Self {
-                value
             }
             #[inline(always)]
             fn ln(self) -> Self {
@@ -146,21 +142,13 @@ macro_rules! pack {
                 Self(unsafe { $blend })
             }
             #[inline(always)]
-            fn is_zero(self) -> bool {
-                self.to_array().iter().all(|x| *x == 0.0)
-            }
-            #[inline(always)]
-            fn is_constant(self) -> bool {
-                true
-            }
-            #[inline(always)]
             fn is_finite(self) -> Bits<$width> {
                 // x − x is 0 where x is finite and NaN, below nothing, where it is not
                 (self - self).below(1.0)
             }
             #[inline(always)]
-            fn outlined<R>(work: impl FnOnce() -> R) -> R {
-                unsafe { super::outlined::$lanes::outlined(work) }
+            fn outlined<R>(work: impl FnMut() -> R) -> R {
+                unsafe { super::outlined::$outlined(work) }
             }
             #[inline(always)]
             fn mul_add(self, a: Self, b: Self) -> Self {
@@ -184,50 +172,8 @@ macro_rules! pack {
             fn from_lanes(f: impl FnMut(usize) -> f64) -> Self {
                 Self::from_array(std::array::from_fn(f))
             }
-            #[inline(always)]
-            fn mask(bits: u8) -> Bits<$width> {
-                Bits(bits)
-            }
-            #[inline(always)]
-            fn bits(mask: Bits<$width>) -> u8 {
-                mask.0
-            }
         }
 
-        impl Partial<Fused> for $Pack {
-            #[inline(always)]
-            fn none() -> Self {
-                Self::spread(0.0)
-            }
-            #[inline(always)]
-            fn times(self, b: Fused) -> Self {
-                self * b.0
-            }
-            #[inline(always)]
-            fn times_plus(self, b: Fused, other: Self) -> Self {
-                self.scale_add(b.0, other)
-            }
-            #[inline(always)]
-            fn scaled(self, b: f64) -> Self {
-                self * b
-            }
-            #[inline(always)]
-            fn scaled_plus(self, b: f64, other: Self) -> Self {
-                self.scale_add(b, other)
-            }
-            #[inline(always)]
-            fn either(self, other: Self, mask: bool) -> Self {
-                if mask { self } else { other }
-            }
-            #[inline(always)]
-            fn vanishes(self) -> bool {
-                self.is_zero()
-            }
-            #[inline(always)]
-            fn outlined<R>(work: impl FnOnce() -> R) -> R {
-                unsafe { super::outlined::$partials::outlined(work) }
-            }
-        }
     };
 
     (operator $Pack:ident $Operator:ident $operation:ident $instruction:ident) => {
@@ -250,30 +196,8 @@ macro_rules! pack {
 }
 
 pack! {
-    /// Two numbers (SSE2, with FMA).
-    Pack2 outlined two two,
-    /// Two numbers, in one of twice as many registers (AVX-512).
-    Free2 outlined two_of_32 two_of_32,
-    as __m128d of 2,
-    {
-        operators _mm_add_pd _mm_sub_pd _mm_mul_pd _mm_div_pd,
-        spread _mm_set1_pd, fused _mm_fmadd_pd, root _mm_sqrt_pd, least _mm_min_pd _mm_max_pd,
-        power |k| _mm_castsi128_pd(_mm_slli_epi64::<52>(_mm_add_epi64(_mm_castpd_si128(k), _mm_set1_epi64x(1023)))),
-        below |x, limit| _mm_movemask_pd(_mm_cmplt_pd(x, limit)),
-        blend |yes, no, mask| {
-            let bit = _mm_set_epi64x(2, 1);
-            let set = _mm_cmpeq_epi64(_mm_and_si128(_mm_set1_epi64x(i64::from(mask)), bit), bit);
-            _mm_blendv_pd(no, yes, _mm_castsi128_pd(set))
-        },
-        root and inverse |x| { let root = x.sqrt(); (root, root.recip()) }
-    }
-}
-
-pack! {
     /// Four numbers (AVX2 with FMA).
-    Pack4 outlined four four_lanes,
-    /// Four numbers, in one of twice as many registers (AVX-512).
-    Free4 outlined four_of_32 four_of_32,
+    Pack4 outlined four,
     as __m256d of 4,
     {
         operators _mm256_add_pd _mm256_sub_pd _mm256_mul_pd _mm256_div_pd,
@@ -287,13 +211,13 @@ pack! {
             let set = _mm256_cmpeq_epi64(_mm256_and_si256(_mm256_set1_epi64x(i64::from(mask)), bit), bit);
             _mm256_blendv_pd(no, yes, _mm256_castsi256_pd(set))
         },
-        root and inverse |x| { let root = x.sqrt(); (root, root.recip()) }
+        root and inverse |x| { let (root, inverse) = (x.sqrt(), x.recip()); (root, root * inverse) }
     }
 }
 
 pack! {
     /// Eight numbers (AVX-512).
-    Pack8 outlined eight eight_lanes,
+    Pack8 outlined eight,
     as __m512d of 8,
     {
         operators _mm512_add_pd _mm512_sub_pd _mm512_mul_pd _mm512_div_pd,
@@ -319,17 +243,15 @@ pack! {
 #[cfg(test)]
 mod tests {
     use super::super::{Lanes, Level, Task};
-    use super::{Pack4, Pack8};
-    use std::marker::PhantomData;
 
     /// The largest errors of root, inverse root and exponential over many numbers, in units of the last place.
-    struct Worst<P>(PhantomData<P>);
+    struct Worst;
 
-    impl<P: Lanes<Lane = f64>> Task for Worst<P> {
+    impl Task for Worst {
         type Output = [f64; 3];
 
         #[inline(always)]
-        fn run(self) -> [f64; 3] {
+        fn run<P: Lanes<Lane = f64>>(self) -> [f64; 3] {
             let mut worst = [0.0_f64; 3];
             for i in 0..40_000 {
                 // 1e-12 to 1e12, each lane another
@@ -351,9 +273,7 @@ mod tests {
 
     #[test]
     fn measured_vector_functions_are_within_two_units_of_the_libm_ones() {
-        let four = Level::run_four(Worst::<Pack4>(PhantomData));
-        let eight = Level::run_eight(Worst::<Pack8>(PhantomData));
-        for worst in [four, eight].into_iter().flatten() {
+        for worst in [Level::Four, Level::Eight].map(|level| level.run(Worst)) {
             assert!(worst.iter().all(|most| *most <= 2.0), "{worst:?}");
         }
     }

@@ -1,3 +1,17 @@
+/// `each!(i: K => expression)`: an array of its values; `std::array::from_fn` is a call that the compiler does not always
+/// take apart, and then the registers go through memory.
+macro_rules! each {
+    ($i:ident : $K:expr => $value:expr) => {{
+        let mut all = [B::zero(); $K];
+        let mut $i = 0;
+        while $i < $K {
+            all[$i] = $value;
+            $i += 1;
+        }
+        all
+    }};
+}
+
 /// The elementary functions of a number with second derivatives: f, f′ and f″ at its value, for its `chain` rule.
 macro_rules! second_order_functions {
     () => {
@@ -24,10 +38,6 @@ macro_rules! second_order_functions {
             self.chain(f, f + 1.0, f + 1.0)
         }
         #[inline(always)]
-        fn known_exp_m1(self, value: Self::Value) -> Self {
-            self.chain(value, value + 1.0, value + 1.0)
-        }
-        #[inline(always)]
         fn ln(self) -> Self {
             let slope = self.re.recip();
             self.chain(self.re.ln(), slope, -(slope * slope))
@@ -46,6 +56,12 @@ macro_rules! second_order_functions {
         fn atan(self) -> Self {
             let slope = (self.re * self.re + 1.0).recip();
             self.chain(self.re.atan(), slope, self.re * slope * slope * -2.0)
+        }
+        #[inline(always)]
+        fn tanh(self) -> Self {
+            let f = self.re.tanh();
+            let slope = -(f * f) + 1.0;
+            self.chain(f, slope, f * slope * -2.0)
         }
     };
 }

@@ -55,6 +55,18 @@ impl<T: Numbers> Vector<T> {
         )
     }
 
+    /// k v + b with a plain factor.
+    #[inline(always)]
+    pub(crate) fn scale_add(self, k: f64, b: Self) -> Self {
+        Self::new(self.x.scale_add(k, b.x), self.y.scale_add(k, b.y), self.z.scale_add(k, b.z))
+    }
+
+    /// `self` where the mask holds, `other` where it does not.
+    #[inline(always)]
+    pub(crate) fn blend(self, other: Self, mask: T::Mask) -> Self {
+        Self::new(self.x.blend(other.x, mask), self.y.blend(other.y, mask), self.z.blend(other.z, mask))
+    }
+
     /// Euclidean length. Its derivative does not exist at zero length.
     #[inline(always)]
     pub fn norm(self) -> T {

@@ -7,11 +7,6 @@ use crate::error::{Error, Result};
 const GROUP: &str = "launch.";
 
 impl super::Parameter {
-    /// Whether it is a launch condition, which takes the place of a club.
-    pub(crate) fn is_of_launch(&self) -> bool {
-        self.name.starts_with(GROUP)
-    }
-
     /// Whether it is of the club and its strike, of which nothing depends where the launch is given.
     pub(crate) fn is_of_strike(&self) -> bool {
         ["swing.", "strike.", "club.", "impact."].iter().any(|group| self.name.starts_with(group))

@@ -22,9 +22,9 @@ pub struct Accuracy {
 const SAFETY: f64 = 0.5;
 /// The step of the reference flights, s; with the method of order 8 their own error is below 1e-11 m in still air.
 const REFERENCE_STEP: f64 = 0.01;
-/// Steps tried, s, each √½ of the one before.
-const LONGEST_STEP: f64 = 0.8;
-const STEPS: i32 = 20;
+/// Steps tried, s, each 2^(−1/4) of the one before.
+const LONGEST_STEP: f64 = 1.6;
+const STEPS: i32 = 40;
 /// Points within the ranges that are looked at.
 const INSIDE: u64 = 32;
 /// Ends of ranges are combined for so many parameters; of further ones the setup's own value is taken.
@@ -53,7 +53,7 @@ pub fn accuracy(setup: &Setup<f64>, ranges: &[Vary], tolerance: f64) -> Result<A
     for &method in Method::ALL {
         let cost = |step: f64| f64::from(method.stages()) / step;
         for k in 0..STEPS {
-            let step = LONGEST_STEP * 0.5_f64.powf(0.5 * f64::from(k));
+            let step = LONGEST_STEP * 0.5_f64.powf(0.25 * f64::from(k));
             if best.is_some_and(|best| cost(step) >= f64::from(best.method.stages()) / best.step) {
                 break;
             }
@@ -69,7 +69,7 @@ pub fn accuracy(setup: &Setup<f64>, ranges: &[Vary], tolerance: f64) -> Result<A
         tolerance,
         reason: format!(
             "no step of {LONGEST_STEP} s down to {:.1e} s reaches it; set flight.method and flight.step",
-            LONGEST_STEP * 0.5_f64.powf(0.5 * f64::from(STEPS - 1))
+            LONGEST_STEP * 0.5_f64.powf(0.25 * f64::from(STEPS - 1))
         ),
     })
 }

@@ -224,7 +224,9 @@ fn differences_of_least_values_are_their_sensitivities() {
         let (_, drive) = json(&["simulate", "--set", &loft]);
         number(&drive["flight"]["landing_speed"]) - number(&found["value"])
     };
-    assert!(loss("low") > 0.0 && loss("high") > 0.0);
+    // the optimum stands at the upper bound: there nothing is lost but rounding
+    assert!(loss("low") > 0.1 && found["window"]["club.loft"]["high_limit"] == "bound", "{found}");
+    close(loss("high"), 0.0, number(&found["value"]), 1e-14, "loss at the optimum");
 }
 
 #[test]

@@ -149,7 +149,10 @@ fn derivatives_do_not_depend_on_what_else_is_asked_for() {
 
     let mut seen = vec![];
     evaluate_with(&setup, &[Outcome::Carry], &three, Order::Second, |done, passes| seen.push((done, passes))).unwrap();
-    assert_eq!(seen, [(1, 3), (2, 3), (3, 3)]);
+    // a processor with wider registers needs fewer passes for the three pairs
+    let passes = seen.len();
+    assert!((1..=3).contains(&passes));
+    assert!(seen.iter().enumerate().all(|(done, told)| *told == (done + 1, passes)), "{seen:?}");
 }
 
 #[test]

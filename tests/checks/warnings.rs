@@ -138,7 +138,7 @@ fn exact_definitions_say_which_drives_of_a_batch_lie_beyond() {
                 let mut one = setup;
                 (one.swing.speed, one.club.loft, one.strike.toe) = (*speed, *loft, *toe);
                 let launch = Drive::new(&one).unwrap().launch;
-                let wind = WindField::new(&one.wind, &one.ground).at(|| 0.0);
+                let wind = WindField::new(&one.wind, &one.ground).at(0.0);
                 let v = [launch.velocity.x - wind.x, launch.velocity.y - wind.y, launch.velocity.z - wind.z];
                 let v = v.iter().map(|v| v * v).sum::<f64>().sqrt();
                 let stream = [

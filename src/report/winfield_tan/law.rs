@@ -104,9 +104,9 @@ fn coefficients(found: &WinfieldTan, spin_ratio: f64, speed: f64) -> (f64, f64) 
     let radius = found.setup.ball.radius;
     let c = found.setup.law.coefficients(&Stream {
         spin: spin_ratio * speed / radius,
-        radius_per_speed: radius / speed,
+        spin_ratio,
         speed,
-        reynolds_per_speed: found.setup.air.density * 2.0 * radius / found.setup.air.viscosity,
+        reynolds: found.setup.air.density * speed * 2.0 * radius / found.setup.air.viscosity,
     });
     (c.drag, c.lift)
 }

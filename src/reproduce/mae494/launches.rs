@@ -1,13 +1,9 @@
 use super::{ATTACK_ANGLE, Delivery, LOFT, Row, tables};
-use crate::derivative;
+use crate::derivative::{self, Evaluator, Order};
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
-use crate::flight::{Flight, fly};
-use crate::launch::Launch;
-use crate::number::{Number, Taylor, Vector};
-use crate::optimize::{
-    Domain, Evaluation, Exact, Follow, Functions, Options, Problem, Status, Values, minimize_from, starts,
-};
+use crate::number::Taylor;
+use crate::optimize::{Domain, Evaluation, Follow, Options, Problem, Status, minimize_from, starts};
 use crate::parameters::Setup;
 use std::f64::consts::FRAC_PI_2;
 
@@ -73,9 +69,9 @@ impl Energy {
     pub(super) fn new(setup: &Setup<f64>, distance: f64) -> Result<Self> {
         let (head, ball) = (setup.club.mass, setup.ball.mass);
         let fastest = (1.0 + setup.impact.restitution) / (1.0 + ball / head) * setup.swing.speed;
-        let alone = FlightAlone { setup: *setup, wanted: Wanted::Farthest };
+        let alone = FlightAlone::new(setup, Wanted::Farthest)?;
         let (farthest, prices) = alone.best([SLOWEST, fastest])?;
-        let slowest = FlightAlone { setup: *setup, wanted: Wanted::SlowestBeyond(distance) };
+        let slowest = FlightAlone::new(setup, Wanted::SlowestBeyond(distance))?;
         let (needed, _) = slowest.best([SLOWEST, MOST_SPEED])?;
         let energy = |mass: f64, speed: f64| 0.5 * mass * speed * speed;
         Ok(Self {
@@ -98,10 +94,9 @@ impl Subsystems {
         let wrt = [setup.variable(LOFT)?, setup.variable(ATTACK_ANGLE)?];
         let impact = derivative::jacobian(setup, &quantities, &wrt)?;
         let launch: Vec<f64> = impact.iter().map(|quantity| quantity.value).collect();
-        let alone = FlightAlone { setup: *setup, wanted: Wanted::Farthest };
+        let alone = FlightAlone::new(setup, Wanted::Farthest)?;
         let failed = |message| Error::Undefined { what: "the carry of the launch".into(), reason: message };
-        let flight: Taylor =
-            Exact(alone).evaluate(&launch).map(|all: Evaluation| all.objective).map_err(failed)?.negated();
+        let flight: Taylor = alone.evaluate(&launch).map(|all: Evaluation| all.objective).map_err(failed)?.negated();
         let slopes = [0, 1, 2].map(|quantity| flight.gradient[quantity]);
         let through = |parameter: usize| [0, 1, 2].map(|q| slopes[q] * impact[q].gradient[parameter]);
         let (own_choice, _) = alone.best([launch[0], launch[0]])?;
@@ -119,9 +114,8 @@ impl Subsystems {
 }
 
 /// A flight by its launch alone, x = (ball speed, launch angle, backspin), with nothing asked of a club.
-#[derive(Clone, Copy)]
 struct FlightAlone {
-    setup: Setup<f64>,
+    carry: Evaluator,
     wanted: Wanted,
 }
 
@@ -133,8 +127,18 @@ enum Wanted {
 }
 
 impl FlightAlone {
+    fn new(setup: &Setup<f64>, wanted: Wanted) -> Result<Self> {
+        let mut setup = *setup;
+        let given = &mut setup.launch;
+        (given.ball_speed, given.launch_angle, given.backspin) = (Some(MOST_SPEED), Some(ANGLES[0]), Some(0.0));
+        let conditions = ["launch.ball_speed", "launch.launch_angle", "launch.backspin"];
+        let wrt = conditions.map(|name| setup.variable(name));
+        let wrt = wrt.into_iter().collect::<Result<Vec<_>>>()?;
+        Ok(Self { carry: Evaluator::new(&setup, &[Outcome::Carry], &wrt, Order::Second)?, wanted })
+    }
+
     /// The best launch with a ball speed in this range, and the prices of the upper bounds.
-    fn best(self, speeds: [f64; 2]) -> Result<(Launched, Vec<f64>)> {
+    fn best(&self, speeds: [f64; 2]) -> Result<(Launched, Vec<f64>)> {
         let domain = Domain::new(vec![speeds[0], ANGLES[0], 0.0], vec![speeds[1], ANGLES[1], MOST_SPIN])?;
         let domain = match self.wanted {
             Wanted::Farthest => domain,
@@ -142,7 +146,7 @@ impl FlightAlone {
         };
         let middle: Vec<f64> = (0..3).map(|i| 0.5 * (domain.variables.low[i] + domain.variables.high[i])).collect();
         let starts = starts(&domain, &middle, 16)?;
-        let found = minimize_from(&Exact(self), &domain, &starts, &Options::default(), &Follow::default())?;
+        let found = minimize_from(self, &domain, &starts, &Options::default(), &Follow::default())?;
         let best = found.into_iter().map(|local| local.solution).find(|best| best.status == Status::Converged);
         let best = best.ok_or(Error::Nothing { doing: "find", what: "best launch" })?;
         let carry = match self.wanted {
@@ -153,18 +157,15 @@ impl FlightAlone {
     }
 }
 
-impl Functions for FlightAlone {
-    fn evaluate<T: Number>(&self, x: &[T]) -> std::result::Result<Values<T>, String> {
-        let (sin, cos) = x[1].sin_cos();
-        let velocity = Vector::new(x[0] * sin, T::zero(), x[0] * cos);
-        let launch = Launch { velocity, spin: Vector::new(T::zero(), x[2], T::zero()) };
-        let setup = self.setup.map(|_, value| T::constant(value));
-        match fly(&setup, &launch).map_err(|error| error.to_string())? {
-            Flight::None(why) => Err(why.to_string()),
-            Flight::Landed(landed) => Ok(match self.wanted {
-                Wanted::Farthest => Values { objective: -landed.carry, constraints: vec![] },
-                Wanted::SlowestBeyond(_) => Values { objective: x[0], constraints: vec![landed.carry] },
-            }),
-        }
+impl Problem for FlightAlone {
+    fn evaluate(&self, x: &[f64]) -> std::result::Result<Evaluation, String> {
+        let carry = self.carry.at(x).map_err(|error| error.to_string())?.swap_remove(0);
+        Ok(match self.wanted {
+            Wanted::Farthest => Evaluation { objective: carry.negated(), constraints: vec![] },
+            Wanted::SlowestBeyond(_) => {
+                let speed = Taylor { value: x[0], gradient: vec![1.0, 0.0, 0.0], hessian: vec![vec![0.0; 3]; 3] };
+                Evaluation { objective: speed, constraints: vec![carry] }
+            }
+        })
     }
 }

@@ -37,9 +37,9 @@ pub(in super::super) fn fly_past_the_ground(setup: &Setup<f64>, step: f64) -> Re
         let speed = velocity.norm();
         let coefficients = setup.law.coefficients(&Stream {
             spin,
-            radius_per_speed: setup.ball.radius / speed,
+            spin_ratio: spin * setup.ball.radius / speed,
             speed,
-            reynolds_per_speed: 2.0 * setup.air.density * setup.ball.radius / setup.air.viscosity,
+            reynolds: 2.0 * setup.air.density * setup.ball.radius * speed / setup.air.viscosity,
         });
         let pressure = 0.5 * setup.air.density * area * speed / setup.ball.mass;
         let pull = axis.cross(velocity) * coefficients.lift - velocity * coefficients.drag;

@@ -61,7 +61,7 @@ pub(super) fn at_landing(setup: &Setup<f64>, wrt: &[&'static Parameter]) -> Resu
             // no further than T
             moved.flight.time_limit = time - 0.5 * setup.flight.step;
             let path = trajectory(&moved, &strike(&moved).ok()?.launch).ok()?;
-            Some(to_ground(path.points.get(steps as usize)?.position, landed.velocity, ground, time))
+            Some(to_ground(path.points.last()?.position, landed.velocity, ground, time))
         };
         let ladders = Ladder::sample(at, scale(&setup, parameter), FEW_STEPS, |value| {
             moved(value).map_or(vec![f64::NAN; 3], |outcomes| outcomes.to_vec())

@@ -1,0 +1,133 @@
+use super::Taylor;
+use crate::drive::{Outcome, Part, Shown};
+use crate::error::{Error, Result};
+use crate::flight::{Discretization, Flight, Inputs};
+use crate::impact::strike;
+use crate::launch::Launch;
+use crate::number::{Lanes, Mask, Number, Numbers, Seeded};
+use crate::parameters::{Parameter, Setup};
+
+/// A question, at one place.
+pub(super) struct Asked<'a> {
+    pub setup: &'a Setup<f64>,
+    /// The ball as it leaves, where no club makes it.
+    pub launch: Option<&'a Launch<f64>>,
+    pub of: &'a [Outcome],
+    pub wrt: &'a [&'static Parameter],
+    /// The parameters' values.
+    pub x: &'a [f64],
+    /// Whether an outcome is of the flight, and whether one is of its apex.
+    pub flies: bool,
+    pub has_apex: bool,
+}
+
+/// By which places a pass differentiates: the lanes all hold the same drive, each with directions of its own.
+#[derive(Clone, Copy)]
+pub(super) enum Directions<'a> {
+    /// By none.
+    None,
+    /// By one after the other, as many in each lane as its number has directions.
+    Each(&'a [usize]),
+    /// By a pair in each lane, twice.
+    Pairs(&'a [Vec<usize>]),
+}
+
+impl Directions<'_> {
+    /// The places in a lane.
+    #[inline(always)]
+    pub fn in_lane(&self, lane: usize, per_lane: usize) -> &[usize] {
+        match self {
+            Self::None => &[],
+            Self::Each(places) => places.chunks(per_lane).nth(lane).unwrap_or_default(),
+            Self::Pairs(pairs) => pairs.get(lane).map_or(&[], Vec::as_slice),
+        }
+    }
+
+    /// How many lanes have any, and at least one.
+    pub fn lanes(&self, per_lane: usize) -> usize {
+        match self {
+            Self::None => 1,
+            Self::Each(places) => places.len().div_ceil(per_lane).max(1),
+            Self::Pairs(pairs) => pairs.len().max(1),
+        }
+    }
+
+    /// The number of a place, in each lane the independent variable of the direction that it has there.
+    #[inline(always)]
+    pub fn seeded<J: Lanes<Lane: Seeded>>(&self, place: usize, value: f64, per_lane: usize) -> J {
+        J::from_lanes(|lane| match self.in_lane(lane, per_lane).iter().position(|seed| *seed == place) {
+            None => J::Lane::constant(value),
+            Some(direction) => J::Lane::seeded(value, direction),
+        })
+    }
+}
+
+impl Asked<'_> {
+    /// The setup over the numbers of a pass.
+    #[inline(always)]
+    pub fn lifted<J: Lanes<Lane: Seeded>>(&self, directions: Directions<'_>, per_lane: usize) -> Setup<J> {
+        let mut setup = self.setup.map(|_, value| J::constant(value));
+        setup.put(self.wrt, |place| directions.seeded(place, self.x[place], per_lane));
+        setup
+    }
+
+    /// Flies a ball, whose drive `lanes` lanes hold, and shows each lane's outcomes to `take`, with their places.
+    #[inline(always)]
+    pub fn fly<J: Lanes>(
+        &self,
+        inputs: &Inputs<J>,
+        lanes: usize,
+        mut take: impl FnMut(usize, usize, J::Lane),
+    ) -> Result<()> {
+        let how = Discretization::of(self.setup);
+        let ended = inputs.follow(&how, J::Mask::first(lanes), self.has_apex, &mut |_, _| ());
+        for lane in 0..lanes {
+            let flight = ended.flight(&how, inputs, lane, |number| number.lane(lane))?;
+            let velocity = inputs.velocity.map(|v| v.lane(lane));
+            let launch = Launch { velocity, spin: velocity };
+            for (i, outcome) in self.of.iter().enumerate().filter(|(_, outcome)| outcome.part() == Part::Flight) {
+                take(lane, i, read(*outcome, &launch, None, Some(&flight))?);
+            }
+        }
+        Ok(())
+    }
+
+    /// Why there is no drive, where a pass has found none.
+    pub fn refusal(&self) -> Error {
+        let mut setup = *self.setup;
+        setup.put(self.wrt, |place| self.x[place]);
+        strike(&setup).err().unwrap_or_else(|| Error::Undefined {
+            what: "the impact".into(),
+            reason: "it lies on the edge of where the club strikes the ball".into(),
+        })
+    }
+
+    /// A Taylor polynomial to be filled in for each outcome, with so many columns and rows of second derivatives.
+    pub fn blank(&self, columns: usize, rows: usize) -> Vec<Taylor> {
+        let blank = || Taylor { value: 0.0, gradient: vec![0.0; columns], hessian: vec![vec![0.0; columns]; rows] };
+        std::iter::repeat_with(blank).take(self.of.len()).collect()
+    }
+}
+
+/// An outcome of a launch and what followed.
+pub(super) fn read<J: Number>(
+    outcome: Outcome,
+    launch: &Launch<J>,
+    club_speed: Option<J>,
+    flight: Option<&Flight<J>>,
+) -> Result<J> {
+    let landed = match flight {
+        Some(Flight::Landed(landed)) => Some(landed),
+        Some(Flight::None(why)) if outcome.part() == Part::Flight => {
+            return Err(Error::NoFlight { reason: why.message() });
+        }
+        _ => None,
+    };
+    outcome.shown(&Shown { launch, club_speed, landed }).ok_or_else(|| Error::Undefined {
+        what: outcome.name().into(),
+        reason: match outcome.part() {
+            Part::Launch => "no club strikes the ball: the launch is given".into(),
+            Part::Flight => "the flight was not followed for it".into(),
+        },
+    })
+}

@@ -1,0 +1,120 @@
+use super::Taylor;
+use super::asked::{Asked, Directions, read};
+use crate::drive::{Part, Struck};
+use crate::error::Result;
+use crate::number::{Jet, Jet2, Lanes, Level, Mask, Pairs, Seeded, Task};
+
+/// The most directions in a lane.
+pub(super) const MOST_PER_LANE: usize = 3;
+
+/// A drive with its derivatives in as many directions as there are, from the club to the landing.
+struct Pass<'a> {
+    asked: &'a Asked<'a>,
+    directions: Directions<'a>,
+    taylors: &'a mut [Taylor],
+}
+
+impl Task for Pass<'_> {
+    type Output = Result<()>;
+
+    #[inline(always)]
+    fn run<V: Lanes<Lane = f64>>(self) -> Result<()> {
+        match self.directions {
+            Directions::None => self.over::<V>(1),
+            Directions::Each(places) => match places.len().div_ceil(V::WIDTH) {
+                0 | 1 => self.over::<Jet<1, V>>(1),
+                2 => self.over::<Jet<2, V>>(2),
+                _ => self.over::<Jet<MOST_PER_LANE, V>>(MOST_PER_LANE),
+            },
+            Directions::Pairs(_) => self.over::<Jet2<2, 3, V>>(2),
+        }
+    }
+}
+
+impl Pass<'_> {
+    #[inline(always)]
+    fn over<J: Lanes<Lane: Seeded>>(self, per_lane: usize) -> Result<()> {
+        let Self { asked, directions, taylors } = self;
+        let struck = Struck::new(&asked.lifted::<J>(directions, per_lane), asked.launch);
+        if !struck.is_sound.holds(0) {
+            return Err(asked.refusal());
+        }
+        let lanes = directions.lanes(per_lane);
+        let mut take = |lane: usize, outcome: usize, number: J::Lane| {
+            put(&mut taylors[outcome], directions.in_lane(lane, per_lane), &number);
+        };
+        read_launches(asked, &struck, lanes, &mut take)?;
+        if asked.flies { asked.fly(&struck.inputs, lanes, take) } else { Ok(()) }
+    }
+}
+
+/// Shows the outcomes of the launch in each lane to `take`, with their places.
+#[inline(always)]
+pub(super) fn read_launches<J: Lanes>(
+    asked: &Asked<'_>,
+    struck: &Struck<J>,
+    lanes: usize,
+    mut take: impl FnMut(usize, usize, J::Lane),
+) -> Result<()> {
+    for lane in 0..lanes {
+        let launch = struck.launch.map(|number| number.lane(lane));
+        let club_speed = struck.club_speed.map(|speed| speed.lane(lane));
+        for (i, outcome) in asked.of.iter().enumerate().filter(|(_, outcome)| outcome.part() == Part::Launch) {
+            take(lane, i, read(*outcome, &launch, club_speed, None)?);
+        }
+    }
+    Ok(())
+}
+
+/// Writes what a number tells of its directions to their places.
+fn put<J: Seeded>(taylor: &mut Taylor, places: &[usize], number: &J) {
+    taylor.value = number.re();
+    for (i, &row) in places.iter().enumerate() {
+        taylor.gradient[row] = number.first(i);
+        if let Some(hessian_row) = taylor.hessian.get_mut(row) {
+            for (j, &column) in places.iter().enumerate() {
+                hessian_row[column] = number.second(i, j);
+            }
+        }
+    }
+}
+
+/// Each outcome, alone.
+pub(super) fn values(asked: &Asked<'_>) -> Result<Vec<Taylor>> {
+    let mut taylors = asked.blank(0, 0);
+    Level::of(1).run(Pass { asked, directions: Directions::None, taylors: &mut taylors })?;
+    Ok(taylors)
+}
+
+/// Each outcome with its gradient by few enough parameters for one pass.
+pub(super) fn gradients(asked: &Asked<'_>) -> Result<Vec<Taylor>> {
+    let n = asked.wrt.len();
+    let mut taylors = asked.blank(n, 0);
+    let places: Vec<usize> = (0..n).collect();
+    Level::of(n).run(Pass { asked, directions: Directions::Each(&places), taylors: &mut taylors })?;
+    Ok(taylors)
+}
+
+/// How many parameters these are on this machine.
+pub(super) fn most_in_a_pass() -> usize {
+    MOST_PER_LANE * Level::here().width()
+}
+
+/// Each outcome with its gradient and the wanted part of its Hessian; `progress` is told how many passes of how many are done.
+pub(super) fn hessians(asked: &Asked<'_>, pairs: Pairs, mut progress: impl FnMut(usize, usize)) -> Result<Vec<Taylor>> {
+    let n = asked.wrt.len();
+    let is_wanted = |i: &usize| pairs == Pairs::All || i + 1 == n;
+    let mut wanted: Vec<Vec<usize>> = (0..n).filter(is_wanted).flat_map(|i| (0..i).map(move |j| vec![j, i])).collect();
+    let mut taylors = asked.blank(n, n);
+    if n == 1 {
+        wanted.push(vec![0]);
+    }
+    let level = Level::of(wanted.len());
+    let passes = wanted.chunks(level.width());
+    let all = passes.len();
+    for (done, pairs) in passes.enumerate() {
+        level.run(Pass { asked, directions: Directions::Pairs(pairs), taylors: &mut taylors })?;
+        progress(done + 1, all);
+    }
+    Ok(taylors)
+}

@@ -1,0 +1,44 @@
+use crate::flight::Inputs;
+use crate::impact::Unchecked;
+use crate::launch::Launch;
+use crate::number::{Mask, Numbers};
+use crate::parameters::Setup;
+
+/// A ball that leaves, over any numbers, side by side too: the part of a drive before the flight.
+pub(crate) struct Struck<T: Numbers> {
+    pub launch: Launch<T>,
+    /// Speed of the head, m/s, where a club strikes the ball.
+    pub club_speed: Option<T>,
+    /// What the flight depends on.
+    pub inputs: Inputs<T>,
+    /// Where [`strike`](crate::impact::strike) gives this launch and no error.
+    pub is_sound: T::Mask,
+}
+
+impl<T: Numbers> Struck<T> {
+    /// The ball of a setup; where it is given how it leaves, by the setup or by `launch`, no club strikes it. Called and not
+    /// taken in: there is one copy for each number.
+    #[inline(always)]
+    pub fn new(setup: &Setup<T>, launch: Option<&Launch<f64>>) -> Self {
+        T::outlined(
+            #[inline(always)]
+            || Self::of(setup, launch),
+        )
+    }
+
+    #[inline(always)]
+    fn of(setup: &Setup<T>, launch: Option<&Launch<f64>>) -> Self {
+        let given = match launch {
+            Some(launch) => {
+                Some(Launch { velocity: launch.velocity.map(T::constant), spin: launch.spin.map(T::constant) })
+            }
+            None => Launch::given(setup),
+        };
+        if let Some(launch) = given {
+            let inputs = Inputs::new(setup, &launch);
+            return Self { launch, club_speed: None, inputs, is_sound: T::Mask::first(usize::MAX) };
+        }
+        let Unchecked { launch, is_sound } = Unchecked::new(setup);
+        Self { launch, club_speed: Some(setup.swing.speed), inputs: Inputs::new(setup, &launch), is_sound }
+    }
+}

@@ -1,0 +1,136 @@
+use crate::error::{Error, Result};
+use crate::number::{Number, Vector};
+use crate::units::{Digits, Message, Quantity};
+use std::fmt;
+
+/// How a flight ends.
+#[derive(Clone, Copy, Debug)]
+pub enum Flight<T> {
+    /// On the ground.
+    Landed(Landed<T>),
+    /// It does not begin, or was not followed to its end.
+    None(NoFlight),
+}
+
+/// A flight that landed.
+#[derive(Clone, Copy, Debug)]
+pub struct Landed<T> {
+    /// Downrange distance at landing, along the target line, m.
+    pub carry: T,
+    /// Distance to the right of the target line at landing, m.
+    pub lateral: T,
+    /// Time from launch to landing, s.
+    pub flight_time: T,
+    /// Velocity at landing, m/s.
+    pub velocity: Vector<T>,
+    /// The highest point of the flight; `None` where it was not asked for.
+    pub apex: Option<Apex<T>>,
+    /// Steps of the integration, the last one cut by the landing.
+    pub steps: usize,
+}
+
+impl<T: Number> Landed<T> {
+    /// The highest point of the flight.
+    ///
+    /// # Errors
+    /// [`Error::Undefined`] where the flight was followed for its landing alone.
+    pub fn apex(&self) -> Result<&Apex<T>> {
+        self.apex.as_ref().ok_or_else(|| Error::Undefined {
+            what: "the apex".into(),
+            reason: "the flight was followed for its landing alone".into(),
+        })
+    }
+}
+
+impl<T: Copy> Landed<T> {
+    /// The same over another number.
+    #[inline(always)]
+    pub(crate) fn map<U>(&self, mut f: impl FnMut(T) -> U) -> Landed<U> {
+        Landed {
+            carry: f(self.carry),
+            lateral: f(self.lateral),
+            flight_time: f(self.flight_time),
+            velocity: self.velocity.map(&mut f),
+            apex: self.apex.map(|apex| Apex {
+                height: f(apex.height),
+                time: f(apex.time),
+                downrange: f(apex.downrange),
+            }),
+            steps: self.steps,
+        }
+    }
+}
+
+/// The highest point of a flight; the launch itself where the ball only falls.
+#[derive(Clone, Copy, Debug)]
+pub struct Apex<T> {
+    /// Height above the tee, m.
+    pub height: T,
+    /// Time from launch, s.
+    pub time: T,
+    /// Downrange distance, m.
+    pub downrange: T,
+}
+
+/// Why there is no landing.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum NoFlight {
+    /// Launched at or below horizontal, with the ground at or above the ball.
+    LaunchedDown {
+        /// Angle above horizontal, rad.
+        launch_angle: f64,
+    },
+    /// The apex stays below the ground's height.
+    BelowGround {
+        /// Apex height, m.
+        apex_height: f64,
+        /// The ground's height, m.
+        ground_height: f64,
+    },
+    /// Still in the air when `flight.time_limit` ran out.
+    Aloft {
+        /// When, s.
+        time: f64,
+        /// How high, m.
+        height: f64,
+    },
+}
+
+impl NoFlight {
+    /// The status it has in JSON.
+    pub fn status(&self) -> &'static str {
+        match self {
+            Self::LaunchedDown { .. } | Self::BelowGround { .. } => "no-flight",
+            Self::Aloft { .. } => "aloft",
+        }
+    }
+}
+
+impl NoFlight {
+    /// The same in a sentence.
+    pub fn message(&self) -> Message {
+        let height =
+            |message: Message, height: f64| message.quantity(Quantity::LENGTH, "m", height, Digits::Significant(5));
+        match self {
+            Self::LaunchedDown { launch_angle } => {
+                let degrees = launch_angle.to_degrees();
+                Message::from(format!(
+                    "the ball leaves at {degrees:.3}° to the horizontal and the ground is not below it; \
+                     more loft or attack angle lets it fly"
+                ))
+            }
+            Self::BelowGround { apex_height, ground_height } => {
+                let rises = height("the ball rises to ".into(), *apex_height);
+                height(rises.words(" only, below the ground's height of "), *ground_height)
+            }
+            Self::Aloft { time, height: up } => height("the ball is still ".into(), *up)
+                .words(format!(" up after {time} s; raise flight.time_limit to follow it further")),
+        }
+    }
+}
+
+impl fmt::Display for NoFlight {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.message().fmt(f)
+    }
+}

@@ -1,0 +1,89 @@
+use crate::atmosphere::WindField;
+use crate::launch::{LEAST_SPIN, Launch};
+use crate::number::{Numbers, Vector};
+use crate::parameters::{Law, Setup};
+use std::f64::consts::PI;
+
+/// All that a flight depends on (docs/model.md, eqs. 12–15): a few quantities, into which whatever made the launch enters
+/// only through these. Derivatives of the flight are taken by them and chained with theirs.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Inputs<T> {
+    /// Velocity at launch, m/s.
+    pub velocity: Vector<T>,
+    /// |ω₀| = √(ω₀·ω₀ + η²), rad/s.
+    pub spin: T,
+    /// ω₀/|ω₀|: the axis, which the spin keeps (and of no length without spin).
+    pub axis: Vector<T>,
+    /// ρ A/(2 m): deceleration per C_D |v|², 1/m.
+    pub force_per_mass: T,
+    /// g, m/s².
+    pub gravity: T,
+    /// R, m.
+    pub radius: T,
+    /// Re/|v|, s/m.
+    pub reynolds_per_speed: T,
+    /// δ, 1/s.
+    pub decay: T,
+    /// κ/R, 1/m, where spin is damped by the way through the air.
+    pub damping: Option<T>,
+    /// How the air moves.
+    pub wind: WindField<T>,
+    /// Height of the landing area, m.
+    pub ground: T,
+    /// Drag and lift.
+    pub law: Law<T>,
+}
+
+impl<T: Numbers> Inputs<T> {
+    /// What the flight of a ball depends on that leaves like this, in the air of a setup.
+    #[inline(always)]
+    pub fn new(setup: &Setup<T>, launch: &Launch<T>) -> Self {
+        let radius = setup.ball.radius;
+        let density = setup.air.density;
+        let (spin, per_spin) = (launch.spin.dot(launch.spin) + LEAST_SPIN * LEAST_SPIN).sqrt_recip();
+        Self {
+            velocity: launch.velocity,
+            spin,
+            axis: launch.spin * per_spin,
+            force_per_mass: density * radius * radius * (0.5 * PI) / setup.ball.mass,
+            gravity: setup.flight.gravity,
+            radius,
+            reynolds_per_speed: density * radius * 2.0 / setup.air.viscosity,
+            decay: setup.aero.spin_decay,
+            damping: setup.aero.spin_damping.map(
+                #[inline(always)]
+                |damping| damping / radius,
+            ),
+            wind: WindField::new(&setup.wind, &setup.ground),
+            ground: setup.ground.height,
+            law: setup.law,
+        }
+    }
+
+    /// Spin ratio, Reynolds number and speed through the air as the ball leaves.
+    #[inline(always)]
+    pub fn stream(&self) -> [T; 3] {
+        let speed = (self.velocity - self.wind.at(T::zero())).norm();
+        [self.spin * self.radius / speed, self.reynolds_per_speed * speed, speed]
+    }
+
+    /// The same over another number: `f` makes it from each quantity, always in the same order.
+    #[inline(always)]
+    pub fn map<U>(&self, mut f: impl FnMut(T) -> U) -> Inputs<U> {
+        let f = &mut f;
+        Inputs {
+            velocity: self.velocity.map(&mut *f),
+            spin: f(self.spin),
+            axis: self.axis.map(&mut *f),
+            force_per_mass: f(self.force_per_mass),
+            gravity: f(self.gravity),
+            radius: f(self.radius),
+            reynolds_per_speed: f(self.reynolds_per_speed),
+            decay: f(self.decay),
+            damping: self.damping.map(&mut *f),
+            wind: self.wind.map(f),
+            ground: f(self.ground),
+            law: self.law.map(&mut |_, value| f(value)),
+        }
+    }
+}

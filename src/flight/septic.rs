@@ -1,0 +1,171 @@
+use super::inputs::Inputs;
+use super::step::Step;
+use crate::number::{Mask, Numbers, Vector, inlined};
+
+/// A coordinate, or all of them, within a step as a polynomial of degree 7 in s = (t − t₀)/h, with the position, velocity,
+/// acceleration and jerk of both ends. Neighbouring ones join C³: velocity at landing is C² in the parameters, whatever the
+/// number of steps.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Septic<C>([C; 8]);
+
+/// k (k − 1) … of as many factors as the order of the derivative: 1, k, k (k − 1).
+const FALLING: [[f64; 8]; 3] =
+    [[1.0; 8], [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0], [0.0, 0.0, 2.0, 6.0, 12.0, 20.0, 30.0, 42.0]];
+
+impl<T: Numbers> Septic<T> {
+    /// From h v₀, h² a₀, h³ j₀ at the start, h² a₁, h³ j₁ at the end, and what the step added: x₁ − x₀ − h v₀ and h (v₁ − v₀).
+    /// These are the step's own small numbers; differences of the sums would lose their digits.
+    #[inline(always)]
+    fn new(x0: T, [v0, a0, j0]: [T; 3], [a1, j1]: [T; 2], [bent, gained]: [T; 2]) -> Self {
+        // what the cubic from the start leaves over at the end
+        let (half, sixth) = (a0 * 0.5, j0 * (1.0 / 6.0));
+        let x = bent - half - sixth;
+        let v = gained - a0 - j0 * 0.5;
+        let a = a1 - a0 - j0;
+        let j = j1 - j0;
+        let sum = inlined(
+            #[inline(always)]
+            |[wx, wv, wa, wj]: [f64; 4]| x.scale_add(wx, v.scale_add(wv, a.scale_add(wa, j * wj))),
+        );
+        Self([
+            x0,
+            v0,
+            half,
+            sixth,
+            sum([35.0, -15.0, 2.5, -1.0 / 6.0]),
+            sum([-84.0, 39.0, -7.0, 0.5]),
+            sum([70.0, -34.0, 6.5, -0.5]),
+            sum([-20.0, 10.0, -2.0, 1.0 / 6.0]),
+        ])
+    }
+
+    /// The `ORDER`-th derivative by s.
+    #[inline(always)]
+    fn derivative<const ORDER: usize>(&self, s: T) -> T {
+        let mut value = self.0[7] * FALLING[ORDER][7];
+        let mut k = 7;
+        while k > ORDER {
+            k -= 1;
+            value = value.mul_add(s, self.0[k] * FALLING[ORDER][k]);
+        }
+        value
+    }
+
+    /// The coordinate at s.
+    #[inline(always)]
+    pub fn value(&self, s: T) -> T {
+        self.derivative::<0>(s)
+    }
+
+    /// d/ds.
+    #[inline(always)]
+    pub fn slope(&self, s: T) -> T {
+        self.derivative::<1>(s)
+    }
+
+    /// Where the coordinate falls to `level`, between `from` (where it is above) and the end (where it is not), in the lanes of a mask.
+    #[inline(always)]
+    pub fn falls_to(&self, level: T, from: T, lanes: T::Mask) -> T {
+        falling_root(
+            from,
+            lanes,
+            #[inline(always)]
+            |s| (self.value(s) - level, self.slope(s)),
+        )
+    }
+
+    /// Where the coordinate, rising at the start and not at the end, is highest, in the lanes of a mask.
+    #[inline(always)]
+    pub fn top(&self, lanes: T::Mask) -> T {
+        falling_root(
+            T::zero(),
+            lanes,
+            #[inline(always)]
+            |s| (self.slope(s), self.derivative::<2>(s)),
+        )
+    }
+}
+
+/// The root in [low, 1] of a function that is positive at `low` and not at 1, given with its slope: Newton's method kept inside
+/// a bracket. Once the value has settled, a step each makes first and second derivatives exact (the implicit function theorem).
+#[inline(always)]
+fn falling_root<T: Numbers>(mut low: T, lanes: T::Mask, f: impl Fn(T) -> (T, T)) -> T {
+    // bisection alone needs 53
+    const MOST_STEPS: usize = 60;
+    const DERIVATIVE_STEPS: usize = 2;
+    let mut high = T::constant(1.0);
+    let mut s = high;
+    let (mut left, mut is_settled) = (MOST_STEPS, false);
+    while left > 0 {
+        left -= 1;
+        let (value, slope) = f(s);
+        let newton = s - value / slope;
+        if is_settled {
+            s = newton;
+            continue;
+        }
+        let is_before = (-value).below(0.0);
+        low = s.blend(low, is_before);
+        high = high.blend(s, is_before);
+        let is_inside = (low - newton).below(0.0) & (newton - high).below(0.0);
+        let next = newton.blend((low + high) * 0.5, is_inside);
+        let change = next - s;
+        s = next;
+        if !(lanes & !(change * change).below(1e-18)).any() {
+            (left, is_settled) = (DERIVATIVE_STEPS, true);
+        }
+    }
+    s
+}
+
+/// The path of a step.
+pub(super) struct Path<T> {
+    h: f64,
+    pub up: Septic<T>,
+    right: Septic<T>,
+    downrange: Septic<T>,
+}
+
+impl<T: Numbers> Path<T> {
+    /// The path of a step of length h.
+    #[inline(always)]
+    pub fn new(inputs: &Inputs<T>, step: &Step<T>, h: f64) -> Self {
+        let Step { from, to, bent, gained } = step;
+        let (x, v, a0, a1) = (from.state.position, from.state.velocity, from.rate.acceleration, to.rate.acceleration);
+        // one after the other, in one place
+        let mut jerks = [v; 2];
+        for (jerk, node) in jerks.iter_mut().zip([from, to]) {
+            *jerk = inputs.jerk(node);
+        }
+        let [j0, j1] = jerks;
+        let ([x, y, z], [vx, vy, vz]) = (x.to_array(), v.to_array());
+        let ([ax, ay, az], [bx, by, bz]) = (a0.to_array(), a1.to_array());
+        let ([jx, jy, jz], [kx, ky, kz]) = (j0.to_array(), j1.to_array());
+        let coordinate = inlined(
+            #[inline(always)]
+            |x: T, [v, a, j]: [T; 3], [b, k]: [T; 2], bent: T, gained: T| {
+                let (h2, h3) = (h * h, h * h * h);
+                Septic::new(x, [v * h, a * h2, j * h3], [b * h2, k * h3], [bent, gained * h])
+            },
+        );
+        Self {
+            h,
+            up: coordinate(x, [vx, ax, jx], [bx, kx], bent.x, gained.x),
+            right: coordinate(y, [vy, ay, jy], [by, ky], bent.y, gained.y),
+            downrange: coordinate(z, [vz, az, jz], [bz, kz], bent.z, gained.z),
+        }
+    }
+
+    /// The position at s.
+    #[inline(always)]
+    pub fn position(&self, s: T) -> Vector<T> {
+        Vector::new(self.up.value(s), self.right.value(s), self.downrange.value(s))
+    }
+
+    /// The velocity at s.
+    #[inline(always)]
+    pub fn velocity(&self, s: T) -> Vector<T> {
+        let per_time = 1.0 / self.h;
+        Vector::new(self.up.slope(s) * per_time, self.right.slope(s) * per_time, self.downrange.slope(s) * per_time)
+    }
+}

@@ -1,0 +1,86 @@
+use super::inputs::Inputs;
+use super::motion::{Node, Rate, State};
+use super::tableau::{MOST_STAGES, Tableau};
+use crate::number::{Numbers, Vector};
+
+/// A method with a fixed step, for one flight.
+pub(super) struct Stepper<'a, T> {
+    inputs: &'a Inputs<T>,
+    tableau: &'static Tableau,
+    /// s.
+    h: f64,
+    /// exp(−δ cᵢ h): what is left of a spin at each stage, apart from damping.
+    fading: [T; MOST_STAGES + 1],
+}
+
+/// A step of the integration.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Step<T> {
+    pub from: Node<T>,
+    pub to: Node<T>,
+    /// x₁ − x₀ − h v₀ and v₁ − v₀, as computed, before the sums rounded them.
+    pub bent: Vector<T>,
+    pub gained: Vector<T>,
+}
+
+impl<'a, T: Numbers> Stepper<'a, T> {
+    #[inline(always)]
+    pub fn new(inputs: &'a Inputs<T>, tableau: &'static Tableau, h: f64) -> Self {
+        let mut fading = [T::constant(1.0); MOST_STAGES + 1];
+        for (left, time) in fading.iter_mut().zip(tableau.time).take(tableau.stages + 1).skip(1) {
+            *left = (inputs.decay * (-time * h)).exp();
+        }
+        Self { inputs, tableau, h, fading }
+    }
+
+    /// The step from a node.
+    #[inline(always)]
+    pub fn step(&self, from: &Node<T>) -> Step<T> {
+        let (inputs, tableau, h) = (self.inputs, self.tableau, self.h);
+        let State { position: x, velocity: v, spin } = from.state;
+        let mut rates = [from.rate; MOST_STAGES];
+        for i in 1..tableau.stages {
+            let velocity = sum(&rates[..i], &tableau.velocity[i], h, v);
+            let mut height = v.x.scale_add(h * tableau.time[i], x.x);
+            if inputs.wind.depends_on_height() {
+                for (rate, weight) in rates.iter().zip(&tableau.position[i]).take(i) {
+                    height = rate.acceleration.x.scale_add(h * h * weight, height);
+                }
+            }
+            rates[i] = inputs.rate(velocity, self.spin(spin, i, &rates[..i]), height);
+        }
+        let (end, rates) = (tableau.stages, &rates[..tableau.stages]);
+        let gained = sum(rates, &tableau.velocity[end], h, Vector::zero());
+        let bent = sum(rates, &tableau.position[end], h * h, Vector::zero());
+        let state =
+            State { position: v.scale_add(h, x + bent), velocity: v + gained, spin: self.spin(spin, end, rates) };
+        Step { from: *from, to: inputs.node(state), bent, gained }
+    }
+
+    /// The spin at a stage, of what it was at the start of the step: ω exp(−δ t − κ ℓ/R), ℓ the way through the air since.
+    #[inline(always)]
+    fn spin(&self, spin: T, stage: usize, rates: &[Rate<T>]) -> T {
+        let faded = spin * self.fading[stage];
+        let Some(damping) = self.inputs.damping else { return faded };
+        let mut way = T::zero();
+        for (rate, weight) in rates.iter().zip(&self.tableau.velocity[stage]) {
+            way = rate.speed.scale_add(self.h * weight, way);
+        }
+        T::outlined(
+            #[inline(always)]
+            || faded * (-(damping * way)).exp(),
+        )
+    }
+}
+
+/// scale Σ wⱼ aⱼ, and what it is added to.
+#[inline(always)]
+fn sum<T: Numbers>(rates: &[Rate<T>], weights: &[f64], scale: f64, start: Vector<T>) -> Vector<T> {
+    let mut sum = start;
+    for (rate, weight) in rates.iter().zip(weights) {
+        if *weight != 0.0 {
+            sum = rate.acceleration.scale_add(scale * weight, sum);
+        }
+    }
+    sum
+}
