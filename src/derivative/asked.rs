@@ -55,6 +55,15 @@ impl Directions<'_> {
     /// The number of a place, in each lane the independent variable of the direction that it has there.
     #[inline(always)]
     pub fn seeded<J: Lanes<Lane: Seeded>>(&self, place: usize, value: f64, per_lane: usize) -> J {
+        // a place that is none of a pass is the same in every lane
+        let is_one = match self {
+            Self::None => false,
+            Self::Each(places) => places.contains(&place),
+            Self::Pairs(pairs) => pairs.iter().any(|pair| pair.contains(&place)),
+        };
+        if !is_one {
+            return J::constant(value);
+        }
         J::from_lanes(|lane| match self.in_lane(lane, per_lane).iter().position(|seed| *seed == place) {
             None => J::Lane::constant(value),
             Some(direction) => J::Lane::seeded(value, direction),
