@@ -3,8 +3,8 @@
 
 use super::Taylor;
 use super::asked::{Asked, Directions};
-use super::pass::{MOST_PER_LANE, most_in_a_pass, read_launches};
-use crate::drive::Struck;
+use super::pass::{MOST_PER_LANE, most_in_a_pass, put, read_launches};
+use crate::drive::{self, Struck};
 use crate::error::Result;
 use crate::flight::Inputs;
 use crate::number::{Jet, Lanes, Level, Mask, Task};
@@ -12,6 +12,7 @@ use crate::number::{Jet, Lanes, Level, Mask, Task};
 /// The flight's inputs, and how they change with the parameters.
 struct Changes {
     inputs: Inputs<f64>,
+    parameters: usize,
     /// The gradients of the inputs, one after the other.
     gradients: Vec<f64>,
 }
@@ -24,7 +25,8 @@ pub(super) fn gradients(asked: &Asked<'_>, mut progress: impl FnMut(usize, usize
     let places: Vec<usize> = (0..n).collect();
     let mut changes = None;
     for places in places.chunks(most_in_a_pass()) {
-        Level::of(places.len()).run(Impact { asked, places, changes: &mut changes, taylors: &mut taylors })?;
+        let part = Part::Impact { changes: &mut changes, taylors: &mut taylors };
+        Level::of(places.len()).run(Pass { asked, places, part })?;
     }
     let Some(changes) = changes.filter(|_| asked.flies) else {
         progress(1, 1);
@@ -35,16 +37,17 @@ pub(super) fn gradients(asked: &Asked<'_>, mut progress: impl FnMut(usize, usize
     let by_input = moving.len() < n;
     let directions: Vec<usize> = (0..if by_input { moving.len() } else { n }).collect();
     let mut slopes = asked.blank(directions.len(), 0);
-    let passes = directions.chunks(most_in_a_pass());
-    let all = passes.len();
-    for (done, places) in passes.enumerate() {
+    // a flight that no parameter changes is flown too, for its value
+    let all = directions.len().div_ceil(most_in_a_pass()).max(1);
+    for done in 0..all {
+        let places = directions.chunks(most_in_a_pass()).nth(done).unwrap_or_default();
         let moving = by_input.then_some(&moving[..]);
-        let flight = Flight { asked, changes: &changes, moving, places, slopes: &mut slopes };
-        Level::of(places.len()).run(flight)?;
+        let part = Part::Flight { changes: &changes, moving, slopes: &mut slopes };
+        Level::of(places.len()).run(Pass { asked, places, part })?;
         progress(done + 1, all);
     }
     for (outcome, (taylor, slopes)) in asked.of.iter().zip(taylors.iter_mut().zip(slopes)) {
-        if outcome.part() != crate::drive::Part::Flight {
+        if outcome.part() != drive::Part::Flight {
             continue;
         }
         taylor.value = slopes.value;
@@ -61,15 +64,21 @@ pub(super) fn gradients(asked: &Asked<'_>, mut progress: impl FnMut(usize, usize
     Ok(taylors)
 }
 
-/// The impact, with derivatives by the parameters at some places; outcomes of the launch are filled in.
-struct Impact<'a> {
+/// A pass by the parameters, or the flight's inputs, at some places.
+struct Pass<'a> {
     asked: &'a Asked<'a>,
     places: &'a [usize],
-    changes: &'a mut Option<Changes>,
-    taylors: &'a mut [Taylor],
+    part: Part<'a>,
 }
 
-impl Task for Impact<'_> {
+enum Part<'a> {
+    /// The impact by the parameters; outcomes of the launch are filled in.
+    Impact { changes: &'a mut Option<Changes>, taylors: &'a mut [Taylor] },
+    /// The flight by its inputs that move or, where there are none given, through them by the parameters.
+    Flight { changes: &'a Changes, moving: Option<&'a [usize]>, slopes: &'a mut [Taylor] },
+}
+
+impl Task for Pass<'_> {
     type Output = Result<()>;
 
     #[inline(always)]
@@ -82,87 +91,75 @@ impl Task for Impact<'_> {
     }
 }
 
-impl Impact<'_> {
+impl Pass<'_> {
     #[inline(always)]
     fn over<const K: usize, V: Lanes<Lane = f64>>(self) -> Result<()> {
-        let Self { asked, places, changes, taylors } = self;
-        let n = asked.wrt.len();
+        let Self { asked, places, part } = self;
         let directions = Directions::Each(places);
-        let struck = Struck::new(&asked.lifted::<Jet<K, V>>(directions, K), asked.launch);
-        if !struck.is_sound.holds(0) {
-            return Err(asked.refusal());
+        let lanes = directions.lanes(K);
+        match part {
+            Part::Impact { changes, taylors } => {
+                let struck = Struck::new(&asked.lifted::<Jet<K, V>>(directions, K), asked.launch);
+                if !struck.is_sound.holds(0) {
+                    return Err(asked.refusal());
+                }
+                changes
+                    .get_or_insert_with(|| Changes::none(&struck.inputs, asked.wrt.len()))
+                    .take(&struck.inputs, places);
+                read_launches(asked, &struck, lanes, |lane, outcome, jet| {
+                    put(&mut taylors[outcome], directions.in_lane(lane, K), &jet);
+                })
+            }
+            Part::Flight { changes, moving, slopes } => {
+                asked.fly(&changes.seeded::<K, V>(moving, places), lanes, |lane, outcome, jet| {
+                    put(&mut slopes[outcome], directions.in_lane(lane, K), &jet);
+                })
+            }
         }
-        let changes = changes.get_or_insert_with(|| {
-            let mut count = 0;
-            let inputs = struck.inputs.map(|jet| {
-                count += 1;
-                jet.re.lane(0)
-            });
-            Changes { inputs, gradients: vec![0.0; count * n] }
+    }
+}
+
+impl Changes {
+    /// The inputs with room for gradients by so many parameters.
+    fn none<const K: usize, V: Lanes<Lane = f64>>(inputs: &Inputs<Jet<K, V>>, parameters: usize) -> Self {
+        let mut count = 0;
+        let inputs = inputs.map(|jet| {
+            count += 1;
+            jet.re.lane(0)
         });
-        let mut rows = changes.gradients.chunks_mut(n);
-        struck.inputs.map(|jet| {
+        Self { inputs, parameters, gradients: vec![0.0; count * parameters] }
+    }
+
+    /// Takes over the derivatives by the parameters at some places.
+    fn take<const K: usize, V: Lanes<Lane = f64>>(&mut self, inputs: &Inputs<Jet<K, V>>, places: &[usize]) {
+        let mut rows = self.gradients.chunks_mut(self.parameters);
+        inputs.map(|jet| {
             if let Some(row) = rows.next() {
                 for (direction, place) in places.iter().enumerate() {
                     row[*place] = jet.gradient[direction % K].lane(direction / K);
                 }
             }
         });
-        read_launches(asked, &struck, directions.lanes(K), |lane, outcome, jet| {
-            taylors[outcome].value = jet.re;
-            for (place, d) in directions.in_lane(lane, K).iter().zip(jet.gradient) {
-                taylors[outcome].gradient[*place] = d;
-            }
-        })
     }
-}
 
-/// The flight, with derivatives in some directions: by its inputs or, through them, by the parameters.
-struct Flight<'a> {
-    asked: &'a Asked<'a>,
-    changes: &'a Changes,
-    /// The inputs differentiated by.
-    moving: Option<&'a [usize]>,
-    places: &'a [usize],
-    slopes: &'a mut [Taylor],
-}
-
-impl Task for Flight<'_> {
-    type Output = Result<()>;
-
+    /// The inputs, each with its change in the directions of a pass.
     #[inline(always)]
-    fn run<V: Lanes<Lane = f64>>(self) -> Result<()> {
-        match self.places.len().div_ceil(V::WIDTH) {
-            0 | 1 => self.over::<1, V>(),
-            2 => self.over::<2, V>(),
-            _ => self.over::<MOST_PER_LANE, V>(),
-        }
-    }
-}
-
-impl Flight<'_> {
-    #[inline(always)]
-    fn over<const K: usize, V: Lanes<Lane = f64>>(self) -> Result<()> {
-        let Self { asked, changes, moving, places, slopes } = self;
-        let n = asked.wrt.len();
+    fn seeded<const K: usize, V: Lanes<Lane = f64>>(
+        &self,
+        moving: Option<&[usize]>,
+        places: &[usize],
+    ) -> Inputs<Jet<K, V>> {
         let mut input = 0;
-        let inputs = changes.inputs.map(|value| {
+        self.inputs.map(|value| {
             let change = |place: usize| match moving {
                 Some(moving) => f64::from(u8::from(moving[place] == input)),
-                None => changes.gradients[input * n + place],
+                None => self.gradients[input * self.parameters + place],
             };
             let gradient = std::array::from_fn(|k| {
                 V::from_lanes(|lane| places.get(lane * K + k).map_or(0.0, |place| change(*place)))
             });
             input += 1;
-            Jet::<K, V> { re: V::constant(value), gradient }
-        });
-        let directions = Directions::Each(places);
-        asked.fly(&inputs, directions.lanes(K), |lane, outcome, jet| {
-            slopes[outcome].value = jet.re;
-            for (place, d) in directions.in_lane(lane, K).iter().zip(jet.gradient) {
-                slopes[outcome].gradient[*place] = d;
-            }
+            Jet { re: V::constant(value), gradient }
         })
     }
 }

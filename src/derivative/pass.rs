@@ -67,7 +67,7 @@ pub(super) fn read_launches<J: Lanes>(
 }
 
 /// Writes what a number tells of its directions to their places.
-fn put<J: Seeded>(taylor: &mut Taylor, places: &[usize], number: &J) {
+pub(super) fn put<J: Seeded>(taylor: &mut Taylor, places: &[usize], number: &J) {
     taylor.value = number.re();
     for (i, &row) in places.iter().enumerate() {
         taylor.gradient[row] = number.first(i);

@@ -94,7 +94,6 @@ impl CertificateReport {
                 "steps": found.steps,
                 "jumps": found.jumps,
                 "tolerances": found.bars,
-                "continuous_derivatives": found.smoothness,
                 "verdict": verdict_of(found.passed()),
             })
         });
@@ -200,8 +199,7 @@ pub fn certificate_text(certificate: &Certificate, loops: &[LoopRow], system: Sy
     for found in &certificate.continuity {
         let show = |values: [f64; 3]| values.map(|value| format!("{value:.0e}")).join(", ");
         text += &format!(
-            "  {}: at {} = {}, where the number of steps changes from {} to {}, {}, its gradient and its Hessian jump by {} (allowed: {}); \
-             its first {} derivatives are continuous\n",
+            "  {}: at {} = {}, where the number of steps changes from {} to {}, {}, its gradient and its Hessian jump by {} (allowed: {})\n",
             verdict_of(found.passed()),
             found.parameter.name,
             found.parameter.quantity.show(found.at, system.unit(found.parameter.unit)),
@@ -210,7 +208,6 @@ pub fn certificate_text(certificate: &Certificate, loops: &[LoopRow], system: Sy
             found.of.name(),
             show(found.jumps),
             show(found.bars),
-            found.smoothness,
         );
     }
     for found in &certificate.convergence {

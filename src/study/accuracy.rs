@@ -82,7 +82,10 @@ fn flown(setup: &Setup<f64>, method: Method, step: f64) -> Setup<f64> {
 
 /// The drives looked at, as values of the ranges' parameters, with their carries; those that do not fly are left out.
 fn drives(reference: &Setup<f64>, ranges: &[Vary]) -> Result<Vec<(Vec<f64>, f64)>> {
-    let own: Vec<f64> = ranges.iter().filter_map(|range| reference.value(range.parameter)).collect();
+    // a launch that only the points have is taken in its middle
+    let middle = |range: &Vary| 0.5 * (range.low + range.high);
+    let own: Vec<f64> =
+        ranges.iter().map(|range| reference.value(range.parameter).unwrap_or_else(|| middle(range))).collect();
     let mut points = vec![own.clone()];
     if !ranges.is_empty() {
         for corner in 0..1_usize << ranges.len().min(MOST_COMBINED) {

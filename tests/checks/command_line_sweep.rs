@@ -341,3 +341,25 @@ fn a_sweep_without_any_answer_says_so_with_status_one() {
     let some = ["sweep", "--over", "club.loft=-40deg..10deg:2"];
     assert_eq!(longdrive(&some).status, 0);
 }
+
+/// A tolerance holds in every row of a table, however far it lies from the setup: beside the same rows by `dp8` in steps of 20 ms.
+#[test]
+fn independent_rows_of_a_table_are_within_the_tolerance() {
+    let carries = |more: &[&str]| {
+        let asked = ["sweep", "--points", "examples/launches.csv", "--outcomes", "carry"];
+        let said = longdrive(&[&asked[..], more].concat());
+        assert_eq!(said.status, 0, "{}", said.err);
+        let rows: Vec<f64> =
+            said.out.lines().skip(1).map(|row| row.rsplit(',').next().unwrap().parse().unwrap()).collect();
+        (rows, said.err)
+    };
+    let (exact, _) = carries(&["--set", "flight.method=dp8", "--set", "flight.step=0.02s"]);
+    assert!(exact.len() == 6 && exact.iter().all(|carry| *carry > 100.0), "{exact:?}");
+    for (text, tolerance) in [("1m", 1.0), ("1cm", 1e-2), ("1mm", 1e-3), ("1um", 1e-6)] {
+        let (rows, told) = carries(&[&format!("--tolerance={text}")]);
+        assert!(told.contains("in the 49 drives"), "own, 16 corners, 32 within: {told}");
+        for (carry, exact) in rows.iter().zip(&exact) {
+            assert!((carry - exact).abs() <= tolerance, "{carry} beside {exact}, within {text}: {told}");
+        }
+    }
+}

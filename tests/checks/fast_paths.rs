@@ -1,5 +1,5 @@
-//! The ways that are fast against the one that is general: fused and packed numbers, the plane, laws taken in, drives side by
-//! side, the chain rule between impact and flight, methods of higher order.
+//! The ways that are fast against the one that is general: directions in lanes, drives side by side, the chain rule between impact
+//! and flight, methods of higher order.
 
 use crate::common::{close, for_random_setups};
 use longdrive::batch::{Axis, Grid, Run, Sequence, Status, gradient_batch};
@@ -238,4 +238,23 @@ fn independent_drives_between_those_looked_at_are_within_the_tolerance() {
         }
     }
     assert!(accuracy(&Setup::default(), &[], 0.0).is_err() && accuracy(&Setup::default(), &[], f64::NAN).is_err());
+}
+
+/// A launch that is given does not depend on the club: with as many parameters of the club as there are, the value stays, and every derivative is 0.
+#[test]
+fn exact_a_flight_that_no_parameter_changes_has_its_value_and_no_slopes() {
+    let mut setup = Setup::default();
+    setup.set_all([("impact.friction", "0.4"), ("club.face_semi_axis", "300 mm")]).unwrap();
+    let groups = ["swing.", "strike.", "club.", "impact."];
+    let is_of_the_club = |row: &&'static Parameter| groups.iter().any(|group| row.name.starts_with(group));
+    let wrt: Vec<_> = setup.variables().into_iter().filter(|row| is_of_the_club(&row)).collect();
+    assert!(wrt.len() > 24, "more than the widest pass holds: {}", wrt.len());
+    let launch = longdrive::launch::Launch::with_conditions(70.0, 0.2, 0.0, 280.0, 20.0);
+    let values: Vec<f64> = wrt.iter().map(|row| setup.value(row).unwrap()).collect();
+    let ask =
+        |order| Evaluator::new(&setup, &[Outcome::Carry], &wrt, order).unwrap().launched(launch).at(&values).unwrap();
+    let (alone, found) = (ask(Order::Value), ask(Order::First));
+    assert!(alone[0].value > 100.0);
+    assert_eq!(found[0].value, alone[0].value);
+    assert!(found[0].gradient.len() == wrt.len() && found[0].gradient.iter().all(|d| *d == 0.0));
 }

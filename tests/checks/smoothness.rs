@@ -1,4 +1,4 @@
-//! Continuity of carry, gradient and Hessian along lines of lofts that cross many changes of the number of steps,
+//! Continuity of value, gradient and Hessian along lines of lofts that cross many changes of the number of steps,
 //! measured at each change on the two adjacent floating-point lofts.
 
 use longdrive::derivative::{Taylor, hessian};
@@ -54,30 +54,40 @@ fn jumps(setup: &Setup<f64>, of: Outcome, degrees: (f64, f64)) -> (usize, [f64; 
 }
 
 #[test]
-fn exact_continuity_of_carry_gradient_and_hessian_where_the_number_of_steps_changes() {
-    for (preset, step) in [("mae494", 0.01), ("modern-driver", 0.005), ("modern-driver", 0.05), ("winfield-tan", 0.2)] {
+fn exact_continuity_of_every_outcome_at_landing_where_the_number_of_steps_changes() {
+    let questions = [
+        ("mae494", "rk4", 0.01),
+        ("modern-driver", "rk4", 0.005),
+        ("modern-driver", "rk4", 0.05),
+        ("modern-driver", "dp5", 0.1),
+        ("modern-driver", "dp8", 0.2),
+        ("winfield-tan", "rk4", 0.2),
+    ];
+    for (preset, method, step) in questions {
         let mut setup = Setup::preset(preset).unwrap();
+        setup.set("flight.method", method).unwrap();
         setup.flight.step = step;
         setup.set_all([("swing.attack_angle", "3 deg"), ("wind.right", "4 m/s")]).unwrap();
-        for of in [Outcome::Carry, Outcome::Lateral, Outcome::FlightTime] {
+        let at_landing =
+            [Outcome::Carry, Outcome::Lateral, Outcome::FlightTime, Outcome::DescentAngle, Outcome::LandingSpeed];
+        for of in at_landing {
             let (changes, worst) = jumps(&setup, of, (8.0, 18.0));
             println!("{preset}, step {step} s, {}: {changes} changes, jumps {worst:?}", of.name());
-            assert!(changes > if step > 0.1 { 5 } else { 20 }, "{changes}");
+            assert!(changes > if step > 0.05 { 5 } else { 20 }, "{changes}");
             assert!(worst[0] < 1e-13 && worst[1] < 1e-12 && worst[2] < 1e-10, "{preset} at {step} s: {worst:?}");
         }
     }
 }
 
 #[test]
-fn order_of_the_jump_of_the_apex_time_is_that_of_a_c1_function() {
-    // the apex is a root of the quintic's slope, one order less smooth: its height is C², its time C¹
+fn exact_continuity_of_the_apex_where_it_moves_from_one_step_to_the_next() {
     let mut setup = Setup::preset("mae494").unwrap();
     setup.flight.step = 0.05;
-    let (changes, height) = apex_jumps(&setup, Outcome::ApexHeight);
-    let (_, time) = apex_jumps(&setup, Outcome::ApexTime);
-    assert!(changes > 5);
-    assert!(height[0] < 1e-13 && height[1] < 1e-12 && height[2] < 1e-10, "{height:?}");
-    assert!(time[0] < 1e-13 && time[1] < 1e-11 && time[2] < 1e-3, "{time:?}");
+    for of in [Outcome::ApexHeight, Outcome::ApexTime, Outcome::ApexDownrange] {
+        let (changes, worst) = apex_jumps(&setup, of);
+        assert!(changes > 5);
+        assert!(worst[0] < 1e-13 && worst[1] < 1e-12 && worst[2] < 1e-10, "{}: {worst:?}", of.name());
+    }
 }
 
 /// Jumps where the apex moves from one step to the next.

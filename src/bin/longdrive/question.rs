@@ -2,7 +2,7 @@ use crate::args::Question;
 use crate::output::tell;
 use longdrive::parameters::{PRESETS, Preset, SetupFile, Vary};
 use longdrive::study::{Accuracy, accuracy};
-use longdrive::units::Quantity;
+use longdrive::units::{Quantity, counted};
 use longdrive::{Error, Result, Setup};
 use std::path::Path;
 
@@ -36,8 +36,9 @@ impl Question {
         let tolerance = Quantity::LENGTH.read(text).map_err(unreadable)?;
         let Accuracy { method, step, error, drives } = accuracy(&setup, ranges, tolerance)?;
         tell(&format!(
-            "method {} with a step of {step:.4} s: carry is within {error:.1e} m of its exact value in the {drives} drives checked",
-            method.name()
+            "method {} with a step of {step:.4} s: carry is within {error:.1e} m of its exact value in the {} checked",
+            method.name(),
+            counted(drives as u64, "drive")
         ));
         let mut setup = Setup { method, ..setup };
         setup.flight.step = step;

@@ -38,14 +38,12 @@ pub struct Continuity {
     pub jumps: [f64; 3],
     /// The jumps that may be: those promised, or what rounding makes by the scatter beside the change.
     pub bars: [f64; 3],
-    /// How many derivatives are to be continuous: 2, or 1 for what is read off a velocity or the time of the apex.
-    pub smoothness: usize,
 }
 
 impl Continuity {
     /// Whether no jump is more than rounding.
     pub fn passed(&self) -> bool {
-        self.jumps.iter().zip(self.bars).take(self.smoothness + 1).all(|(jump, bar)| *jump <= bar)
+        self.jumps.iter().zip(self.bars).all(|(jump, bar)| *jump <= bar)
     }
 }
 
@@ -88,7 +86,6 @@ pub(super) fn continuity(setup: &Setup<f64>, of: &[Outcome], wrt: &[&'static Par
             steps,
             jumps: pairs.map(|(jump, _)| jump),
             bars: pairs.map(|(_, bar)| bar),
-            smoothness: smoothness(*of),
         }
     };
     Ok(of.iter().enumerate().map(continuity).collect())
@@ -99,13 +96,6 @@ fn brought_back(taylor: &Taylor, offset: f64) -> Taylor {
     let slope = taylor.gradient.first().copied().unwrap_or_default();
     let gradient = taylor.gradient.iter().zip(&taylor.hessian).map(|(d, row)| d - row[0] * offset);
     Taylor { value: taylor.value - slope * offset, gradient: gradient.collect(), hessian: taylor.hessian.clone() }
-}
-
-/// How many derivatives of an outcome are continuous: a velocity off the quintic, and the root of its slope, is one order less smooth
-/// than a position.
-pub(super) fn smoothness(of: Outcome) -> usize {
-    use Outcome::{ApexDownrange, ApexTime, DescentAngle, LandingSpeed};
-    if matches!(of, DescentAngle | LandingSpeed | ApexTime | ApexDownrange) { 1 } else { 2 }
 }
 
 /// The value, the gradient or the Hessian, of parameters in units of their scales.

@@ -136,12 +136,6 @@ pub fn certify(
         "convergence with the time step".into(),
         why("the flight cannot be followed at such steps"),
     );
-    let rough: Vec<_> = flown.iter().filter(|of| continuity::smoothness(**of) < 2).map(|of| of.name()).collect();
-    skipped(
-        !rough.is_empty(),
-        format!("second derivatives of {}", rough.join(", ")),
-        "they jump from one time step to the next",
-    );
     Ok(Certificate {
         step: if flown.is_empty() { vec![] } else { step::step_errors(setup, &flown, wrt)? },
         not_examined,

@@ -1,4 +1,3 @@
-use super::continuity::smoothness;
 use super::scale::scale;
 use crate::derivative::check::{Check, Demand, FEW_STEPS, Ladder, STEPS, Verdict, taylor_slopes};
 use crate::derivative::{Evaluator, Order, Taylor, evaluate};
@@ -74,9 +73,7 @@ pub(super) fn rows(
             of: of[i],
             parameter,
             first: ladder.judge(exact[i], demand(setup)),
-            second: curvature
-                .filter(|_| smoothness(of[i]) > 1)
-                .map(|d| gradients.made_of(ladder.size / scale).judge(d, Demand::SECOND)),
+            second: curvature.map(|d| gradients.made_of(ladder.size / scale).judge(d, Demand::SECOND)),
             slopes: taylor_slopes(&ladder, exact[i], curvature.unwrap_or_default()),
             ladder,
         }
