@@ -247,7 +247,7 @@ fn exact_a_flight_that_no_parameter_changes_has_its_value_and_no_slopes() {
     setup.set_all([("impact.friction", "0.4"), ("club.face_semi_axis", "300 mm")]).unwrap();
     let groups = ["swing.", "strike.", "club.", "impact."];
     let is_of_the_club = |row: &&'static Parameter| groups.iter().any(|group| row.name.starts_with(group));
-    let wrt: Vec<_> = setup.variables().into_iter().filter(|row| is_of_the_club(&row)).collect();
+    let wrt: Vec<_> = setup.variables().into_iter().filter(|row| is_of_the_club(row)).collect();
     assert!(wrt.len() > 24, "more than the widest pass holds: {}", wrt.len());
     let launch = longdrive::launch::Launch::with_conditions(70.0, 0.2, 0.0, 280.0, 20.0);
     let values: Vec<f64> = wrt.iter().map(|row| setup.value(row).unwrap()).collect();
