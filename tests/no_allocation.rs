@@ -3,7 +3,7 @@
 
 use longdrive::flight::fly;
 use longdrive::impact::strike;
-use longdrive::number::{Jet, Jet2, Number, Taylor};
+use longdrive::number::{Jet, Mixed, Number, Taylor};
 use longdrive::optimize::{Domain, Evaluation, Options, Status, minimize};
 use longdrive::{Drive, Setup};
 
@@ -24,7 +24,7 @@ fn exact_count_of_allocations_in_a_drive_is_zero() {
         setup.set_law(law).unwrap();
         assert_eq!(allocations(&setup, |value| value), 0);
         assert_eq!(allocations(&setup, |value| Jet::<12>::variable(value, 3)), 0);
-        assert_eq!(allocations(&setup, |value| Jet2::<2, 3>::variable(value, 1)), 0);
+        assert_eq!(allocations(&setup, |value| Mixed::variable(Jet::variable(value, 0), 0)), 0);
     }
 }
 

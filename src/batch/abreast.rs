@@ -46,7 +46,7 @@ impl Abreast<'_> {
     fn line_up<V: Lanes<Lane = f64>>(&mut self) -> (Vec<(f64, usize)>, Vec<usize>) {
         let kernel = self.kernel;
         let shows_launch = kernel.of.iter().any(|outcome| outcome.part() == Part::Launch);
-        let mut setup = kernel.setup.map(|_, value| V::constant(value));
+        let mut setup = kernel.setup.constant::<V>();
         let (mut flying, mut alone) = (vec![], vec![]);
         let rows: Vec<usize> =
             (0..self.block.rows()).filter(|&row| kernel.is_in_range(self.block.point(row))).collect();
@@ -76,9 +76,10 @@ impl Abreast<'_> {
     #[inline(always)]
     fn fly<J: Lanes<Lane: Seeded>>(&mut self, rows: &[(f64, usize)], alone: &mut Vec<usize>) {
         // the setup with what is the same in every row: the swept parameters are still to be put in
-        let mut setup: Setup<J> = self.kernel.setup.map(|parameter, value| {
-            let direction = self.wrt.iter().position(|row| *row == parameter);
-            J::from_lanes(|_| seeded(value, direction))
+        let mut setup = self.kernel.setup.constant::<J>();
+        setup.put(self.wrt, |k| {
+            let value = self.kernel.setup.value(self.wrt[k]).unwrap_or(f64::NAN);
+            J::from_lanes(|_| seeded(value, Some(k)))
         });
         let directions: Vec<Option<usize>> =
             self.kernel.parameters.iter().map(|parameter| self.wrt.iter().position(|row| row == parameter)).collect();
@@ -138,5 +139,5 @@ impl Abreast<'_> {
 }
 
 fn seeded<T: Seeded>(value: f64, direction: Option<usize>) -> T {
-    direction.map_or(T::constant(value), |direction| T::seeded(value, direction))
+    T::seeded(value, |k| direction == Some(k))
 }

@@ -4,7 +4,7 @@ use crate::error::{Error, Result};
 use crate::flight::{Discretization, Flight, Inputs};
 use crate::impact::strike;
 use crate::launch::Launch;
-use crate::number::{Lanes, Mask, Number, Numbers, Seeded};
+use crate::number::{Lanes, Mask, Number, Seeded};
 use crate::parameters::{Parameter, Setup};
 
 /// A question, at one place.
@@ -29,7 +29,7 @@ pub(super) enum Directions<'a> {
     /// By one after the other, as many in each lane as its number has directions.
     Each(&'a [usize]),
     /// By a pair in each lane, twice.
-    Pairs(&'a [Vec<usize>]),
+    Pairs(&'a [[usize; 2]]),
 }
 
 impl Directions<'_> {
@@ -39,7 +39,7 @@ impl Directions<'_> {
         match self {
             Self::None => &[],
             Self::Each(places) => places.chunks(per_lane).nth(lane).unwrap_or_default(),
-            Self::Pairs(pairs) => pairs.get(lane).map_or(&[], Vec::as_slice),
+            Self::Pairs(pairs) => pairs.get(lane).map_or(&[], |pair| pair),
         }
     }
 
@@ -64,9 +64,9 @@ impl Directions<'_> {
         if !is_one {
             return J::constant(value);
         }
-        J::from_lanes(|lane| match self.in_lane(lane, per_lane).iter().position(|seed| *seed == place) {
-            None => J::Lane::constant(value),
-            Some(direction) => J::Lane::seeded(value, direction),
+        J::from_lanes(|lane| {
+            let places = self.in_lane(lane, per_lane);
+            J::Lane::seeded(value, |direction| places.get(direction) == Some(&place))
         })
     }
 }
@@ -75,7 +75,7 @@ impl Asked<'_> {
     /// The setup over the numbers of a pass.
     #[inline(always)]
     pub fn lifted<J: Lanes<Lane: Seeded>>(&self, directions: Directions<'_>, per_lane: usize) -> Setup<J> {
-        let mut setup = self.setup.map(|_, value| J::constant(value));
+        let mut setup = self.setup.constant();
         setup.put(self.wrt, |place| directions.seeded(place, self.x[place], per_lane));
         setup
     }

@@ -1,11 +1,10 @@
 use super::asked::Asked;
 use super::pass::{hessians, most_in_a_pass, values};
-use super::{Order, Taylor};
+use super::{Order, Pairs, Taylor};
 use super::{chain, pass};
 use crate::drive::{Outcome, Part};
 use crate::error::{Error, Result};
 use crate::launch::Launch;
-use crate::number::Pairs;
 use crate::parameters::{Parameter, Setup};
 
 /// A question asked of many drives: outcomes, with derivatives by parameters, of one setup at changing values of these

@@ -7,13 +7,32 @@ pub mod check;
 mod evaluator;
 mod pass;
 
-pub use crate::number::{Order, Taylor};
+pub use crate::number::Taylor;
 pub use evaluator::Evaluator;
 
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
-use crate::number::Pairs;
 use crate::parameters::{Parameter, Setup};
+
+/// How far a differentiation goes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Order {
+    /// Values.
+    Value,
+    /// Values and gradients.
+    First,
+    /// Values, gradients and Hessians.
+    Second,
+}
+
+/// Which second derivatives are wanted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Pairs {
+    /// All of them.
+    All,
+    /// Those that the last variable takes part in.
+    WithLast,
+}
 
 /// Value and gradient of an outcome.
 ///

@@ -2,7 +2,8 @@ use super::Taylor;
 use super::asked::{Asked, Directions, read};
 use crate::drive::{Part, Struck};
 use crate::error::Result;
-use crate::number::{Jet, Jet2, Lanes, Level, Mask, Pairs, Seeded, Task};
+use super::Pairs;
+use crate::number::{Jet, Lanes, Level, Mask, Mixed, Seeded, Task};
 
 /// The most directions in a lane.
 pub(super) const MOST_PER_LANE: usize = 3;
@@ -26,7 +27,7 @@ impl Task for Pass<'_> {
                 2 => self.over::<Jet<2, V>>(2),
                 _ => self.over::<Jet<MOST_PER_LANE, V>>(MOST_PER_LANE),
             },
-            Directions::Pairs(_) => self.over::<Jet2<2, 3, V>>(2),
+            Directions::Pairs(_) => self.over::<Mixed<V>>(2),
         }
     }
 }
@@ -69,13 +70,11 @@ pub(super) fn read_launches<J: Lanes>(
 /// Writes what a number tells of its directions to their places.
 pub(super) fn put<J: Seeded>(taylor: &mut Taylor, places: &[usize], number: &J) {
     taylor.value = number.re();
-    for (i, &row) in places.iter().enumerate() {
-        taylor.gradient[row] = number.first(i);
-        if let Some(hessian_row) = taylor.hessian.get_mut(row) {
-            for (j, &column) in places.iter().enumerate() {
-                hessian_row[column] = number.second(i, j);
-            }
-        }
+    for (i, &place) in places.iter().enumerate() {
+        taylor.gradient[place] = number.first(i);
+    }
+    if let (&[i, j], Some(second)) = (places, number.second()) {
+        (taylor.hessian[i][j], taylor.hessian[j][i]) = (second, second);
     }
 }
 
@@ -103,12 +102,9 @@ pub(super) fn most_in_a_pass() -> usize {
 /// Each outcome with its gradient and the wanted part of its Hessian; `progress` is told how many passes of how many are done.
 pub(super) fn hessians(asked: &Asked<'_>, pairs: Pairs, mut progress: impl FnMut(usize, usize)) -> Result<Vec<Taylor>> {
     let n = asked.wrt.len();
-    let is_wanted = |i: &usize| pairs == Pairs::All || i + 1 == n;
-    let mut wanted: Vec<Vec<usize>> = (0..n).filter(is_wanted).flat_map(|i| (0..i).map(move |j| vec![j, i])).collect();
+    let rows = if pairs == Pairs::WithLast { n - 1..n } else { 0..n };
+    let wanted: Vec<[usize; 2]> = rows.flat_map(|i| (0..=i).map(move |j| [i, j])).collect();
     let mut taylors = asked.blank(n, n);
-    if n == 1 {
-        wanted.push(vec![0]);
-    }
     let level = Level::of(wanted.len());
     let passes = wanted.chunks(level.width());
     let all = passes.len();

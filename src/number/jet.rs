@@ -7,9 +7,42 @@
 use super::{Number, Numbers, inlined};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// A value with its first derivatives: `K` partial derivatives of a value over `B`, each a `P`. `Jet<2>` holds plain
-/// numbers, two directions; where `P` is a vector register, `K` registers of directions; where `B` is lanes, as many
-/// drives side by side.
+/// `each!(self, i: K => expression)`: an array like the gradient of `self`. Without a loop up to three directions, also none that
+/// fills the array: loops of one to three rounds in every operation took the compiler two thirds of its time.
+macro_rules! each {
+    ($self:ident, $i:ident : $K:expr => $value:expr) => {{
+        let mut all = $self.gradient;
+        if $K > 0 {
+            let $i = 0;
+            all[$i] = $value;
+        }
+        if $K > 1 {
+            let $i = 1;
+            all[$i] = $value;
+        }
+        if $K > 2 {
+            let $i = 2;
+            all[$i] = $value;
+        }
+        if $K > 3 {
+            let mut $i = 3;
+            while $i < $K {
+                all[$i] = $value;
+                $i += 1;
+            }
+        }
+        all
+    }};
+}
+
+/// An array of equal numbers, without a loop up to three.
+#[inline(always)]
+fn filled<B: Copy, const K: usize>(number: B) -> [B; K] {
+    [number, number, number].first_chunk().copied().unwrap_or([number; K])
+}
+
+/// A value with its first derivatives in `K` directions. `Jet<2>` holds plain numbers; where `B` is lanes, as many drives, or
+/// directions of one, lie side by side. A jet over a jet holds second derivatives: [`Jet<1, Jet<1>>`](Mixed) one of them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Jet<const K: usize, B = f64> {
     /// The value.
@@ -18,10 +51,13 @@ pub struct Jet<const K: usize, B = f64> {
     pub gradient: [B; K],
 }
 
+/// A value with its derivatives in two directions and the second derivative in both.
+pub type Mixed<B = f64> = Jet<1, Jet<1, B>>;
+
 impl<const K: usize, B: Numbers> Jet<K, B> {
     /// The independent variable of a direction.
     pub fn variable(re: B, direction: usize) -> Self {
-        let mut jet = Self { re, gradient: [B::zero(); K] };
+        let mut jet = Self { re, gradient: filled(B::zero()) };
         jet.gradient[direction] = B::constant(1.0);
         jet
     }
@@ -31,7 +67,7 @@ impl<const K: usize, B: Numbers> Jet<K, B> {
     /// Chain rule: f(x) from f(x.re) and f′(x.re).
     #[inline(always)]
     fn chain(self, f: B, slope: B) -> Self {
-        Self { re: f, gradient: each!(i: K => self.gradient[i] * slope) }
+        Self { re: f, gradient: each!(self, i: K => self.gradient[i] * slope) }
     }
 }
 
@@ -39,7 +75,7 @@ impl<const K: usize, B: Numbers> Add for Jet<K, B> {
     type Output = Self;
     #[inline(always)]
     fn add(self, other: Self) -> Self {
-        Self { re: self.re + other.re, gradient: each!(i: K => self.gradient[i] + other.gradient[i]) }
+        Self { re: self.re + other.re, gradient: each!(self, i: K => self.gradient[i] + other.gradient[i]) }
     }
 }
 
@@ -47,7 +83,7 @@ impl<const K: usize, B: Numbers> Sub for Jet<K, B> {
     type Output = Self;
     #[inline(always)]
     fn sub(self, other: Self) -> Self {
-        Self { re: self.re - other.re, gradient: each!(i: K => self.gradient[i] - other.gradient[i]) }
+        Self { re: self.re - other.re, gradient: each!(self, i: K => self.gradient[i] - other.gradient[i]) }
     }
 }
 
@@ -55,7 +91,7 @@ impl<const K: usize, B: Numbers> Mul for Jet<K, B> {
     type Output = Self;
     #[inline(always)]
     fn mul(self, other: Self) -> Self {
-        let product = each!(i: K => self.gradient[i].mul_add(other.re, other.gradient[i] * self.re));
+        let product = each!(self, i: K => self.gradient[i].mul_add(other.re, other.gradient[i] * self.re));
         Self { re: self.re * other.re, gradient: product }
     }
 }
@@ -66,7 +102,7 @@ impl<const K: usize, B: Numbers> Div for Jet<K, B> {
     fn div(self, other: Self) -> Self {
         let inverse = other.re.recip();
         let re = self.re * inverse;
-        let change = each!(i: K => other.gradient[i].mul_add(-re, self.gradient[i]) * inverse);
+        let change = each!(self, i: K => other.gradient[i].mul_add(-re, self.gradient[i]) * inverse);
         Self { re, gradient: change }
     }
 }
@@ -75,7 +111,7 @@ impl<const K: usize, B: Numbers> Neg for Jet<K, B> {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
-        Self { re: -self.re, gradient: each!(i: K => -self.gradient[i]) }
+        Self { re: -self.re, gradient: each!(self, i: K => -self.gradient[i]) }
     }
 }
 
@@ -99,7 +135,7 @@ impl<const K: usize, B: Numbers> Mul<f64> for Jet<K, B> {
     type Output = Self;
     #[inline(always)]
     fn mul(self, other: f64) -> Self {
-        Self { re: self.re * other, gradient: each!(i: K => self.gradient[i] * other) }
+        Self { re: self.re * other, gradient: each!(self, i: K => self.gradient[i] * other) }
     }
 }
 
@@ -116,7 +152,7 @@ impl<const K: usize, B: Numbers> Numbers for Jet<K, B> {
 
     #[inline(always)]
     fn constant(value: f64) -> Self {
-        Self { re: B::constant(value), gradient: [B::zero(); K] }
+        Self { re: B::constant(value), gradient: filled(B::zero()) }
     }
     #[inline(always)]
     fn recip(self) -> Self {
@@ -172,7 +208,7 @@ impl<const K: usize, B: Numbers> Numbers for Jet<K, B> {
     }
     #[inline(always)]
     fn blend(self, other: Self, mask: Self::Mask) -> Self {
-        let gradient = each!(i: K => self.gradient[i].blend(other.gradient[i], mask));
+        let gradient = each!(self, i: K => self.gradient[i].blend(other.gradient[i], mask));
         Self { re: self.re.blend(other.re, mask), gradient }
     }
     #[inline(always)]
@@ -189,11 +225,11 @@ impl<const K: usize, B: Numbers> Numbers for Jet<K, B> {
             #[inline(always)]
             |i: usize| a.gradient[i].mul_add(self.re, b.gradient[i]),
         );
-        Self { re: self.re.mul_add(a.re, b.re), gradient: each!(i: K => self.gradient[i].mul_add(a.re, other(i))) }
+        Self { re: self.re.mul_add(a.re, b.re), gradient: each!(self, i: K => self.gradient[i].mul_add(a.re, other(i))) }
     }
     #[inline(always)]
     fn scale_add(self, a: f64, b: Self) -> Self {
-        Self { re: self.re.scale_add(a, b.re), gradient: each!(i: K => self.gradient[i].scale_add(a, b.gradient[i])) }
+        Self { re: self.re.scale_add(a, b.re), gradient: each!(self, i: K => self.gradient[i].scale_add(a, b.gradient[i])) }
     }
 }
 

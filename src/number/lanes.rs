@@ -1,4 +1,4 @@
-use super::{Jet, Jet2, Number, Numbers};
+use super::{Jet, Number, Numbers};
 use std::fmt::Debug;
 use std::ops::{BitAnd, BitOr, Not};
 
@@ -61,43 +61,20 @@ impl Lanes for f64 {
     }
 }
 
-impl<const K: usize, B: Lanes<Lane = f64>> Lanes for Jet<K, B> {
+impl<const K: usize, B: Lanes> Lanes for Jet<K, B> {
     const WIDTH: usize = B::WIDTH;
-    type Lane = Jet<K>;
+    type Lane = Jet<K, B::Lane>;
 
     #[inline(always)]
-    fn lane(self, i: usize) -> Jet<K> {
+    fn lane(self, i: usize) -> Self::Lane {
         Jet { re: self.re.lane(i), gradient: self.gradient.map(|d| d.lane(i)) }
     }
     #[inline(always)]
-    fn from_lanes(mut f: impl FnMut(usize) -> Jet<K>) -> Self {
-        let lanes: [Jet<K>; MOST] = std::array::from_fn(|i| if i < B::WIDTH { f(i) } else { Jet::zero() });
+    fn from_lanes(mut f: impl FnMut(usize) -> Self::Lane) -> Self {
+        let lanes: [Self::Lane; MOST] = std::array::from_fn(|i| if i < B::WIDTH { f(i) } else { Self::Lane::zero() });
         Jet {
             re: B::from_lanes(|i| lanes[i].re),
             gradient: std::array::from_fn(|k| B::from_lanes(|i| lanes[i].gradient[k])),
-        }
-    }
-}
-
-impl<const N: usize, const M: usize, B: Lanes<Lane = f64>> Lanes for Jet2<N, M, B> {
-    const WIDTH: usize = B::WIDTH;
-    type Lane = Jet2<N, M>;
-
-    #[inline(always)]
-    fn lane(self, i: usize) -> Jet2<N, M> {
-        Jet2 {
-            re: self.re.lane(i),
-            gradient: self.gradient.map(|d| d.lane(i)),
-            hessian: self.hessian.map(|d| d.lane(i)),
-        }
-    }
-    #[inline(always)]
-    fn from_lanes(mut f: impl FnMut(usize) -> Jet2<N, M>) -> Self {
-        let lanes: [Jet2<N, M>; MOST] = std::array::from_fn(|i| if i < B::WIDTH { f(i) } else { Jet2::zero() });
-        Jet2 {
-            re: B::from_lanes(|i| lanes[i].re),
-            gradient: std::array::from_fn(|k| B::from_lanes(|i| lanes[i].gradient[k])),
-            hessian: std::array::from_fn(|k| B::from_lanes(|i| lanes[i].hessian[k])),
         }
     }
 }

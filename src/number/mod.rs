@@ -3,18 +3,14 @@
 //! [`Numbers`] lists the few operations that a drive needs, [`Number`] adds that there is one value to look at.
 //! Both are implemented once, for every [`num_dual::DualNum`] over `f64`: for `f64` itself (plain values) and for each of
 //! num-dual's dual numbers (values with exact derivatives). Number types of our own implement the same traits and
-//! run through the same physics: [`Jet`] and [`Jet2`] carry derivatives in plain arrays or in the registers of a vector
-//! unit, and lanes hold several drives side by side.
+//! run through the same physics: [`Jet`] carries derivatives and, over itself, second
+//! derivatives; lanes hold several drives, or several directions of one, side by side.
 
-#[macro_use]
-mod second_order;
 #[cfg(target_arch = "x86_64")]
 mod bits;
-mod differentiate;
 #[cfg(target_arch = "x86_64")]
 mod exponential;
 mod jet;
-mod jet2;
 mod lanes;
 mod level;
 mod linear;
@@ -26,10 +22,7 @@ mod tanh;
 mod taylor;
 mod vector;
 
-pub use differentiate::Order;
-pub(crate) use differentiate::{Pairs, Seedable, first, second};
-pub use jet::Jet;
-pub use jet2::Jet2;
+pub use jet::{Jet, Mixed};
 pub(crate) use lanes::Lanes;
 pub use lanes::Mask;
 pub(crate) use level::{Level, Task, inlined};
@@ -128,7 +121,7 @@ pub trait Numbers: Copy + Debug + 'static + Neg<Output = Self> + Arithmetic<Self
     /// for it large. (A closure that may be called but once goes through a function that no attribute reaches.)
     #[inline(always)]
     fn outlined<R>(work: impl FnMut() -> R) -> R {
-        outlined::plain(work)
+        outlined::plain::outlined(work)
     }
 
     /// sin x.

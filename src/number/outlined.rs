@@ -1,16 +1,15 @@
 //! [`Numbers::outlined`](super::Numbers::outlined) at each level: a function that is called, and not taken in, is compiled for
-//! no vector unit but that which it names itself.
+//! no vector unit but that which it names itself. Each is a module, for the compiler divides its work between processors by modules.
 
 macro_rules! outlined {
-    ($name:ident $(: $features:literal)?) => {
-        /// Work that is called and not taken in.
-        $(
-            #[cfg(target_arch = "x86_64")]
-            #[target_feature(enable = $features)]
-        )?
-        #[inline(never)]
-        pub(super) fn $name<R>(mut work: impl FnMut() -> R) -> R {
-            work()
+    ($level:ident $(: $features:literal)?) => {
+        pub(super) mod $level {
+            /// Work that is called and not taken in.
+            $( #[target_feature(enable = $features)] )?
+            #[inline(never)]
+            pub fn outlined<R>(mut work: impl FnMut() -> R) -> R {
+                work()
+            }
         }
     };
 }

@@ -148,7 +148,7 @@ macro_rules! pack {
             }
             #[inline(always)]
             fn outlined<R>(work: impl FnMut() -> R) -> R {
-                unsafe { super::outlined::$outlined(work) }
+                unsafe { super::outlined::$outlined::outlined(work) }
             }
             #[inline(always)]
             fn mul_add(self, a: Self, b: Self) -> Self {

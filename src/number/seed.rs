@@ -1,21 +1,19 @@
-use super::{Jet, Jet2, Number};
-use num_dual::{Dual2_64, Dual64};
+use super::{Jet, Mixed, Number};
 
-/// A number that can be an independent variable, and tells derivatives by it. The one place that knows how
-/// each kind stores them.
+/// A number that can be an independent variable, and tells derivatives by it.
 pub(crate) trait Seeded: Number {
-    /// The independent variable of this direction.
-    fn seeded(value: f64, direction: usize) -> Self;
+    /// The number that changes like its value in the directions that are so told.
+    fn seeded(value: f64, changes_in: impl Fn(usize) -> bool) -> Self;
     /// First derivative in a direction.
     fn first(&self, direction: usize) -> f64;
-    /// Second derivative in two directions, 0 for a number that holds none.
-    fn second(&self, _i: usize, _j: usize) -> f64 {
-        0.0
+    /// Second derivative in directions 0 and 1, where it is held.
+    fn second(&self) -> Option<f64> {
+        None
     }
 }
 
 impl Seeded for f64 {
-    fn seeded(value: f64, _: usize) -> Self {
+    fn seeded(value: f64, _: impl Fn(usize) -> bool) -> Self {
         value
     }
 
@@ -24,33 +22,9 @@ impl Seeded for f64 {
     }
 }
 
-impl Seeded for Dual64 {
-    fn seeded(value: f64, _: usize) -> Self {
-        Self::from(value).derivative()
-    }
-
-    fn first(&self, _: usize) -> f64 {
-        self.eps
-    }
-}
-
-impl Seeded for Dual2_64 {
-    fn seeded(value: f64, _: usize) -> Self {
-        Self::from(value).derivative()
-    }
-
-    fn first(&self, _: usize) -> f64 {
-        self.v1
-    }
-
-    fn second(&self, _: usize, _: usize) -> f64 {
-        self.v2
-    }
-}
-
-impl<const N: usize> Seeded for Jet<N> {
-    fn seeded(value: f64, direction: usize) -> Self {
-        Self::variable(value, direction)
+impl<const K: usize> Seeded for Jet<K> {
+    fn seeded(value: f64, changes_in: impl Fn(usize) -> bool) -> Self {
+        Self { re: value, gradient: std::array::from_fn(|k| f64::from(u8::from(changes_in(k)))) }
     }
 
     fn first(&self, direction: usize) -> f64 {
@@ -58,16 +32,17 @@ impl<const N: usize> Seeded for Jet<N> {
     }
 }
 
-impl<const N: usize, const M: usize> Seeded for Jet2<N, M> {
-    fn seeded(value: f64, direction: usize) -> Self {
-        Self::variable(value, direction)
+impl Seeded for Mixed {
+    fn seeded(value: f64, changes_in: impl Fn(usize) -> bool) -> Self {
+        let change = f64::from(u8::from(changes_in(1)));
+        Self { re: Jet::seeded(value, |_| changes_in(0)), gradient: [Jet { re: change, gradient: [0.0] }] }
     }
 
     fn first(&self, direction: usize) -> f64 {
-        self.gradient[direction]
+        if direction == 0 { self.re.gradient[0] } else { self.gradient[0].re }
     }
 
-    fn second(&self, i: usize, j: usize) -> f64 {
-        Jet2::second(self, i, j)
+    fn second(&self) -> Option<f64> {
+        Some(self.gradient[0].gradient[0])
     }
 }

@@ -1,5 +1,6 @@
 use super::problem::{Evaluation, Problem};
-use crate::number::{Number, Pairs, Seedable, Seeded, Taylor, first, second};
+use crate::number::{Number, Taylor};
+use num_dual::{Dual64, HyperDual64};
 
 /// The functions of a problem, written once over the number: their derivatives are then exact by themselves.
 ///
@@ -46,7 +47,17 @@ pub struct Exact<F>(pub F);
 
 impl<F: Functions> Problem for Exact<F> {
     fn evaluate(&self, x: &[f64]) -> Result<Evaluation, String> {
-        second(&At { functions: &self.0, x }, x.len(), Pairs::All, |_, _| ()).map(split)
+        let n = x.len();
+        let mut evaluation = None;
+        for (i, j) in (0..n).flat_map(|i| (0..=i).map(move |j| (i, j))) {
+            let is = |place: usize, k: usize| f64::from(u8::from(place == k));
+            let lifted: Vec<_> = (0..n).map(|k| HyperDual64::new(x[k], is(i, k), is(j, k), 0.0)).collect();
+            put(&mut evaluation, self.0.evaluate(&lifted)?, n, n, |taylor, number| {
+                (taylor.value, taylor.gradient[i]) = (number.re, number.eps1);
+                (taylor.hessian[i][j], taylor.hessian[j][i]) = (number.eps1eps2, number.eps1eps2);
+            });
+        }
+        evaluation.ok_or_else(|| "there are no variables".into())
     }
 }
 
@@ -56,31 +67,35 @@ pub struct Gradients<F>(pub F);
 
 impl<F: Functions> Problem for Gradients<F> {
     fn evaluate(&self, x: &[f64]) -> Result<Evaluation, String> {
-        first(&At { functions: &self.0, x }, x.len(), |_, _| ()).map(split)
+        let n = x.len();
+        let mut evaluation = None;
+        for i in 0..n {
+            let mut lifted: Vec<_> = x.iter().map(|value| Dual64::from_re(*value)).collect();
+            lifted[i] = lifted[i].derivative();
+            put(&mut evaluation, self.0.evaluate(&lifted)?, n, 0, |taylor, number| {
+                (taylor.value, taylor.gradient[i]) = (number.re, number.eps);
+            });
+        }
+        evaluation.ok_or_else(|| "there are no variables".into())
     }
 }
 
-/// f and c from all outputs in a row.
-fn split(mut all: Vec<Taylor>) -> Evaluation {
-    let constraints = all.split_off(1);
-    Evaluation { objective: all.swap_remove(0), constraints }
-}
-
-struct At<'a, F> {
-    functions: &'a F,
-    x: &'a [f64],
-}
-
-impl<F: Functions> Seedable for At<'_, F> {
-    type Error = String;
-
-    fn outputs<D: Seeded>(&self, seeds: &[usize]) -> Result<Vec<D>, String> {
-        let lift = |i: usize| match seeds.iter().position(|&seed| seed == i) {
-            Some(direction) => D::seeded(self.x[i], direction),
-            None => D::constant(self.x[i]),
-        };
-        let x: Vec<D> = (0..self.x.len()).map(lift).collect();
-        let values = self.functions.evaluate(&x)?;
-        Ok(std::iter::once(values.objective).chain(values.constraints).collect())
+/// Writes what the numbers of one pass tell into a problem's Taylor polynomials, of so many columns and rows of second
+/// derivatives.
+fn put<T>(
+    evaluation: &mut Option<Evaluation>,
+    values: Values<T>,
+    columns: usize,
+    rows: usize,
+    write: impl Fn(&mut Taylor, &T),
+) {
+    let blank = || Taylor { value: 0.0, gradient: vec![0.0; columns], hessian: vec![vec![0.0; columns]; rows] };
+    let Evaluation { objective, constraints } = evaluation.get_or_insert_with(|| Evaluation {
+        objective: blank(),
+        constraints: values.constraints.iter().map(|_| blank()).collect(),
+    });
+    write(objective, &values.objective);
+    for (taylor, number) in constraints.iter_mut().zip(&values.constraints) {
+        write(taylor, number);
     }
 }

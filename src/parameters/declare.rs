@@ -79,6 +79,16 @@ pub(super) enum Slot<'a, T> {
     Setting(&'a mut f64),
 }
 
+impl Slot<'_, f64> {
+    /// What stands there.
+    pub fn value(&self) -> Option<f64> {
+        match self {
+            Self::Required(value) | Self::Setting(value) => Some(**value),
+            Self::Optional(value) => **value,
+        }
+    }
+}
+
 /// What the type of a field, `T`, `Option<T>` or `f64`, means for the walks over the rows.
 macro_rules! slot {
     (kind T) => {
@@ -109,14 +119,14 @@ macro_rules! slot {
         let _ = $row;
         $value
     }};
-    (visit T $f:ident $row:ident $place:expr) => {
-        $f($row, Slot::Required($place))
+    (place T $place:expr) => {
+        Slot::Required($place)
     };
-    (visit Option $f:ident $row:ident $place:expr) => {
-        $f($row, Slot::Optional($place))
+    (place Option $place:expr) => {
+        Slot::Optional($place)
     };
-    (visit f64 $f:ident $row:ident $place:expr) => {
-        $f($row, Slot::Setting($place))
+    (place f64 $place:expr) => {
+        Slot::Setting($place)
     };
 }
 
@@ -161,14 +171,17 @@ macro_rules! parameter_struct {
 
         impl<T: Copy> $Group<T> {
             /// The same struct over another number.
+            #[inline(always)]
             pub(super) fn map<U>(&self, f: &mut impl FnMut(&'static Parameter, T) -> U) -> $Group<U> {
                 let [$($field),+] = $Group::<f64>::rows();
                 $Group { $( $field: slot!(map $kind f $field self.$field), )+ }
             }
 
-            pub(super) fn visit(&mut self, f: &mut dyn FnMut(&'static Parameter, Slot<'_, T>)) {
+            /// The place of a parameter, if it is one of this struct.
+            fn slot(&mut self, parameter: &Parameter) -> Option<Slot<'_, T>> {
                 let [$($field),+] = $Group::<f64>::rows();
-                $( slot!(visit $kind f $field &mut self.$field); )+
+                $( if parameter == $field { return Some(slot!(place $kind &mut self.$field)); } )+
+                None
             }
         }
     };
@@ -207,14 +220,23 @@ macro_rules! parameter_groups {
         impl<T: Copy> Setup<T> {
             /// The same setup over another number: `f` makes it from each parameter and its value. Settings
             /// and unset parameters stay as they are.
+            #[inline(always)]
             pub fn map<U>(&self, mut f: impl FnMut(&'static Parameter, T) -> U) -> Setup<U> {
                 let f = &mut f;
                 Setup { $( $group: self.$group.map(f), )+ law: self.law.map(f), method: self.method }
             }
 
-            pub(super) fn visit(&mut self, f: &mut dyn FnMut(&'static Parameter, Slot<'_, T>)) {
-                $( self.$group.visit(f); )+
-                self.law.visit(f);
+            /// The parameters that this setup has, in the table's order: all groups, then the coefficients of its law.
+            pub fn parameters(&self) -> Vec<&'static Parameter> {
+                let groups = [$( $Group::rows().as_slice(), )+ self.law.rows()];
+                groups.into_iter().flatten().collect()
+            }
+
+            /// The place of a parameter; none where it belongs to another law.
+            #[inline(never)]
+            pub(super) fn slot(&mut self, parameter: &Parameter) -> Option<Slot<'_, T>> {
+                $( if let Some(slot) = self.$group.slot(parameter) { return Some(slot); } )+
+                self.law.slot(parameter)
             }
         }
     };
@@ -261,8 +283,12 @@ macro_rules! law_coefficients {
                 match self { $( Self::$Law(law) => Law::$Law(law.map(f)), )+ }
             }
 
-            fn visit(&mut self, f: &mut dyn FnMut(&'static Parameter, Slot<'_, T>)) {
-                match self { $( Self::$Law(law) => law.visit(f), )+ }
+            fn rows(&self) -> &'static [Parameter] {
+                match self { $( Self::$Law(_) => $Law::rows(), )+ }
+            }
+
+            fn slot(&mut self, parameter: &Parameter) -> Option<Slot<'_, T>> {
+                match self { $( Self::$Law(law) => law.slot(parameter), )+ }
             }
         }
 

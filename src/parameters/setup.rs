@@ -3,6 +3,7 @@ use super::method::{METHOD, Method};
 use super::range::Range;
 use super::table::{Law, Setup};
 use crate::error::{Error, Result};
+use crate::number::Numbers;
 use crate::units::Message;
 
 /// The name by which the aerodynamic law is chosen: `aero.law = "robinson"`.
@@ -69,28 +70,28 @@ impl Parameter {
     }
 }
 
-impl<T: Copy> Setup<T> {
-    /// The parameters that this setup has, in the table's order: all groups, then the coefficients of its law.
-    pub fn parameters(&self) -> Vec<&'static Parameter> {
-        let mut rows = Vec::new();
-        let mut copy = *self;
-        copy.visit(&mut |row, _| rows.push(row));
-        rows
+impl Setup<f64> {
+    /// The setup over another number, without derivatives.
+    #[inline(always)]
+    pub(crate) fn constant<T: Numbers>(&self) -> Setup<T> {
+        T::outlined(
+            #[inline(always)]
+            || self.map(|_, value| T::constant(value)),
+        )
     }
 }
 
 impl<T: Copy> Setup<T> {
     /// Puts numbers in the places of some parameters, unchecked; `value` makes each from its place in the list.
+    #[inline(always)]
     pub(crate) fn put(&mut self, parameters: &[&'static Parameter], mut value: impl FnMut(usize) -> T) {
-        self.visit(&mut |row, slot| {
-            if let Some(i) = parameters.iter().position(|parameter| *parameter == row) {
-                match slot {
-                    Slot::Required(place) => *place = value(i),
-                    Slot::Optional(place) => *place = Some(value(i)),
-                    Slot::Setting(_) => {}
-                }
+        for (i, parameter) in parameters.iter().enumerate() {
+            match self.slot(parameter) {
+                Some(Slot::Required(place)) => *place = value(i),
+                Some(Slot::Optional(place)) => *place = Some(value(i)),
+                Some(Slot::Setting(_)) | None => {}
             }
-        });
+        }
     }
 }
 
@@ -113,17 +114,8 @@ impl Setup<f64> {
 
     /// The value of a parameter, `None` where it is unset or belongs to another law.
     pub fn value(&self, parameter: &Parameter) -> Option<f64> {
-        let mut found = None;
         let mut copy = *self;
-        copy.visit(&mut |row, slot| {
-            if row == parameter {
-                found = match slot {
-                    Slot::Required(value) | Slot::Setting(value) => Some(*value),
-                    Slot::Optional(value) => *value,
-                };
-            }
-        });
-        found
+        copy.slot(parameter)?.value()
     }
 
     /// Sets a parameter, or the law, by name from a text such as `"10.5 deg"`. A quantity with a dimension needs its unit;
@@ -185,15 +177,11 @@ impl Setup<f64> {
             let reason = "it cannot be unset".into();
             return Err(Error::NotVariable { name: parameter.name.into(), reason });
         }
-        self.visit(&mut |row, slot| {
-            if row == parameter {
-                match (slot, value) {
-                    (Slot::Required(place) | Slot::Setting(place), Some(value)) => *place = value,
-                    (Slot::Optional(place), value) => *place = value,
-                    (_, None) => {}
-                }
-            }
-        });
+        match (self.slot(parameter), value) {
+            (Some(Slot::Required(place) | Slot::Setting(place)), Some(value)) => *place = value,
+            (Some(Slot::Optional(place)), value) => *place = value,
+            _ => {}
+        }
         Ok(())
     }
 
@@ -202,18 +190,11 @@ impl Setup<f64> {
     /// # Errors
     /// [`Error::OutOfRange`], also for a step so short that no one would wait for the flight; [`Error::Inertia`].
     pub fn validate(&self) -> Result<()> {
-        let mut result = Ok(());
-        let mut copy = *self;
-        copy.visit(&mut |row, slot| {
-            let value = match slot {
-                Slot::Required(value) | Slot::Setting(value) => Some(*value),
-                Slot::Optional(value) => *value,
-            };
-            if let (Ok(()), Some(value)) = (&result, value) {
-                result = row.check(value);
+        for parameter in self.parameters() {
+            if let Some(value) = self.value(parameter) {
+                parameter.check(value)?;
             }
-        });
-        result?;
+        }
         self.check_step_count()?;
         self.check_launch(&[])?;
         self.club.check_inertia()

@@ -1,5 +1,6 @@
 //! Drives computed independently of this project, random drives, and how to hold numbers against each other.
 
+use longdrive::number::{Jet, Mixed};
 use longdrive::parameters::Law;
 use longdrive::{Outcome, Setup};
 use proptest::prelude::*;
@@ -29,6 +30,13 @@ pub fn setup(json: &Map<String, Value>) -> Setup<f64> {
     }
     setup.validate().unwrap();
     setup
+}
+
+/// A value that changes in the first, the second, or both of two directions.
+pub fn mixed(value: f64, first: bool, second: bool) -> Mixed {
+    let change = |is: bool| f64::from(u8::from(is));
+    let inner = Jet { re: value, gradient: [change(first)] };
+    Jet { re: inner, gradient: [Jet { re: change(second), gradient: [0.0] }] }
 }
 
 /// The setup of a JSON drive.
