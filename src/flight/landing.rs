@@ -214,12 +214,14 @@ impl<T: Numbers> Ended<T> {
         }
         let (time, height) = (self.time, read(self.height).re());
         if self.diverges.holds(lane) {
+            // of the values alone: a length of zero has no derivative
+            let norm = |vector: Vector<T>| vector.map(|part| read(part).re()).norm();
             let diverging = Diverging {
                 step: how.step,
-                speed: read(inputs.velocity.norm()).re(),
+                speed: norm(inputs.velocity),
                 spin: read(inputs.spin).re(),
                 force_per_mass: read(inputs.force_per_mass).re(),
-                wind: read(inputs.wind.at(inputs.ground).norm()).re(),
+                wind: norm(inputs.wind.at(inputs.ground)),
                 law: inputs.law.name(),
             };
             let (time, step) = (time - how.step, how.step);
