@@ -113,6 +113,9 @@ pub fn chart(
     chart_at(setup, search, along, &[], &ChartWatch::default(), watch)
 }
 
+/// Shows an iteration.
+type Show = Rc<dyn Fn(&Iteration)>;
+
 /// Those who follow the searches of a chart.
 #[derive(Clone, Default)]
 pub struct ChartWatch {
@@ -121,7 +124,7 @@ pub struct ChartWatch {
     /// Is shown each value at which the first optimum is searched for: the low end of the range, and others where it has none.
     pub beginning: Option<Rc<dyn Fn(f64)>>,
     /// Is shown every iteration of every search.
-    pub iteration: Option<Rc<dyn Fn(&Iteration)>>,
+    pub iteration: Option<Show>,
 }
 
 impl ChartWatch {
