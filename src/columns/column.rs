@@ -81,6 +81,7 @@ impl Column {
     }
 
     /// The column of this name in a table that is in SI throughout.
+    #[cfg(any(feature = "arrow", feature = "parquet"))]
     pub fn in_si(setup: &Setup<f64>, name: &str) -> Result<Self> {
         let name = name.trim();
         named(setup, name).map(|holds| Self::of(holds, name)).map_err(|error| {

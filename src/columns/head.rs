@@ -49,6 +49,7 @@ impl Head {
     ///
     /// # Errors
     /// As [`read`](Self::read).
+    #[cfg(any(feature = "arrow", feature = "parquet"))]
     pub fn in_si(setup: &Setup<f64>, names: &[String]) -> Result<Self, (usize, Error)> {
         let column = |(at, name): (usize, &String)| Column::in_si(setup, name).map_err(|error| (at, error));
         let mut columns = names.iter().enumerate().map(column).collect::<Result<Vec<_>, _>>()?;
