@@ -1,6 +1,7 @@
 //! What can be wrong with a question, and what can keep a drive from having an answer.
 
-use crate::units::{Digits, Message, Quantity, System};
+use crate::foreign::of_io;
+use crate::units::{Digits, Message, Quantity, System, significant};
 
 /// `Result` with longdrive's [`enum@Error`].
 pub type Result<T, E = Error> = std::result::Result<T, E>;
@@ -97,7 +98,7 @@ pub enum Error {
         what: &'static str,
     },
     /// A setup file that cannot be opened or read.
-    #[error("cannot read the setup file '{file}': {source}; a setup is a preset ({presets}) or a TOML file")]
+    #[error("the setup file '{file}': {}; a setup is a preset ({presets}) or a TOML file", of_io(source))]
     File {
         /// The file.
         file: String,
@@ -169,16 +170,18 @@ pub enum Error {
         /// Why, with numbers.
         reason: String,
     },
-    /// A flight whose numbers overflow.
+    /// A flight that cannot be followed.
     #[error(
-        "the flight diverged at t = {time} s: the step flight.step = {step} s is too coarse for this drag or lift \
-         (or the law gives negative drag here); reduce flight.step or check the ball, the air and the law's coefficients"
+        "the flight diverged at t = {} s: drag and lift change the velocity too much within a step (flight.step = {} s) to be \
+         followed; {advice}", significant(*time, 5), significant(*step, 5)
     )]
     Diverged {
         /// When, s.
         time: f64,
         /// The step, s.
         step: f64,
+        /// What is out of the ordinary, and what to do.
+        advice: String,
     },
     /// A drive that does not fly; see the model page, landing.
     #[error("no flight: {reason}")]
@@ -262,7 +265,7 @@ pub enum Error {
         reason: String,
     },
     /// A tolerance that no integration meets.
-    #[error("the tolerance of {tolerance:e} m on carry: {reason}")]
+    #[error("the tolerance of {} m on carry: {reason}", significant(*tolerance, 5))]
     Tolerance {
         /// The tolerance, m.
         tolerance: f64,
@@ -314,17 +317,18 @@ impl Error {
         }
     }
 
-    /// Whether the question was sound but has no answer (a drive that does not fly, an angle without direction), as
-    /// against bad input.
+    /// Whether the question was sound but has no answer (a drive that does not fly, a flight that diverges, an angle without
+    /// direction), as against bad input.
     pub fn is_an_outcome(&self) -> bool {
         self.status() != "error"
     }
 
-    /// The error in a word, as JSON answers give it: `no-flight`, `undefined`, how a search ended (`infeasible`, …), or
+    /// The error in a word, as JSON answers give it: `no-flight`, `diverged`, `undefined`, how a search ended (`infeasible`, …), or
     /// `error` for bad input.
     pub fn status(&self) -> &'static str {
         match self {
             Self::NoFlight { .. } => "no-flight",
+            Self::Diverged { .. } => "diverged",
             Self::Undefined { .. } => "undefined",
             Self::NotConverged { status, .. } => status,
             _ => "error",

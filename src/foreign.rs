@@ -14,8 +14,8 @@ pub(crate) fn of_csv(error: &csv::Error) -> String {
         csv::ErrorKind::Utf8 { .. } => {
             "it holds bytes that are not text in UTF-8; save the table as CSV in UTF-8".into()
         }
-        csv::ErrorKind::Io(error) => format!("it cannot be read ({error})"),
-        _ => format!("it cannot be read as CSV ({error})"),
+        csv::ErrorKind::Io(error) => of_io(error),
+        _ => format!("it cannot be read as CSV (the reader says: {error})"),
     }
 }
 
@@ -32,7 +32,7 @@ pub(crate) fn of_parquet(error: &parquet::errors::ParquetError) -> String {
             "it uses a part of Parquet that is not read here; write plain columns of numbers".into()
         }
         ParquetError::External(error) => match error.downcast_ref::<std::io::Error>() {
-            Some(error) if error.raw_os_error().is_some() => format!("it cannot be read ({error})"),
+            Some(error) if error.raw_os_error().is_some() => of_io(error),
             // of a decoder
             _ => format!("it is damaged; {DAMAGED}"),
         },
@@ -49,7 +49,7 @@ pub(crate) fn of_arrow(error: &arrow_schema::ArrowError) -> String {
             "it uses a part of Arrow that is not read here; write plain columns of numbers".into()
         }
         // others are of a decoder
-        ArrowError::IoError(_, error) if error.raw_os_error().is_some() => format!("it cannot be read ({error})"),
+        ArrowError::IoError(_, error) if error.raw_os_error().is_some() => of_io(error),
         ArrowError::MemoryError(_) => "there is no memory for it; write smaller record batches".into(),
         _ => format!("a record batch is damaged; {DAMAGED}"),
     }
@@ -57,12 +57,75 @@ pub(crate) fn of_arrow(error: &arrow_schema::ArrowError) -> String {
 
 /// What is wrong with a setup file that is not TOML, with the line where it is; `place` finds line and column.
 pub(crate) fn of_toml(error: &toml::de::Error, text: &str, place: impl Fn(usize) -> (usize, usize)) -> String {
-    let what = error.message().trim_end().replace('\n', ", ");
+    let said = error.message().trim_end().replace('\n', ", ");
+    let what = in_own_words(&said).map_or_else(|| format!("the reader says: {said}"), str::to_owned);
     let Some(span) = error.span() else { return format!("it is not valid TOML: {what}") };
     let (line, column) = place(span.start);
     let there = text.lines().nth(line.saturating_sub(1)).unwrap_or_default();
     let mark = " ".repeat(column.saturating_sub(1));
     format!("line {line}, column {column} is not valid TOML: {what}\n  {there}\n  {mark}^")
+}
+
+/// The most common mistakes in TOML: how the reader's message begins, what is wrong, and what to do.
+const OF_TOML: [(&str, &str); 22] = [
+    ("duplicate key", "this key or table stands twice; keep one"),
+    ("string values must be quoted", NOT_QUOTED),
+    ("invalid float", NOT_QUOTED),
+    ("invalid integer", NOT_QUOTED),
+    ("invalid boolean", NOT_QUOTED),
+    ("unexpected leading zero", "a number must not begin with 0; take the zero out"),
+    ("`_` may only go between digits", "'_' may stand between digits only; take it out"),
+    ("invalid basic string, expected `\"`", "the string does not end; close it with \" on its line"),
+    ("invalid literal string, expected `'`", "the string does not end; close it with ' on its line"),
+    ("invalid multi-line basic string, expected `\"`", "the string does not end; close it with \"\"\""),
+    ("invalid multi-line literal string, expected `'`", "the string does not end; close it with '''"),
+    ("missing escaped value", "a backslash in \"…\" begins an escape; write the backslash twice, or the string in '…'"),
+    ("unclosed table", "the head of the table does not end; close it with ], as in [club]"),
+    ("unclosed array table", "the head of the table does not end; write it as [club]"),
+    ("unclosed array", "the list does not end; close it with ]"),
+    ("unclosed inline table", "the table in braces does not end; close it with }"),
+    ("key with no value", "a key needs '=' and a value after it, as in loft = \"10.5 deg\""),
+    ("extra `=`", "there is one '=' too many; take it out"),
+    ("unexpected key or value", "a line holds one setting; begin a new line here"),
+    ("unquoted keys cannot be empty", "the name is missing; write for example [club] or loft = \"10.5 deg\""),
+    ("invalid key-value pair", "a setting begins with its name, as in loft = \"10.5 deg\""),
+    ("invalid unquoted key", "a name has letters, digits, '-' and '_' only, as in attack_angle = \"3 deg\""),
+];
+
+/// What a value is where it is not a number alone.
+const NOT_QUOTED: &str = "a value is a number, or text in quotes where it has a unit or is a name, as in loft = \"10.5 deg\" or preset = \"mae494\"";
+
+fn in_own_words(said: &str) -> Option<&'static str> {
+    OF_TOML.iter().find(|(begins, _)| said.starts_with(begins)).map(|(_, what)| *what)
+}
+
+/// Why a file cannot be read.
+pub(crate) fn of_io(error: &std::io::Error) -> String {
+    use std::io::ErrorKind;
+    let why = match error.kind() {
+        ErrorKind::InvalidData => return "it holds bytes that are not text in UTF-8; save it as text in UTF-8".into(),
+        ErrorKind::NotFound => "there is no such file".to_owned(),
+        ErrorKind::IsADirectory => "it is a folder".into(),
+        ErrorKind::PermissionDenied => "its permissions do not allow it".into(),
+        _ => format!("the reader says: {error}"),
+    };
+    format!("it cannot be read ({why})")
+}
+
+/// The number of the first line in which a quote is opened and not closed.
+pub(crate) fn unclosed_quote(text: impl std::io::BufRead) -> Option<usize> {
+    let is_odd = |line: &Vec<u8>| line.iter().filter(|byte| **byte == b'"').count() % 2 == 1;
+    text.split(b'\n').map_while(Result::ok).position(|line| is_odd(&line)).map(|at| at + 1)
+}
+
+/// What is wrong with a row of a CSV table, `text` anew: a quote that is not closed takes the rows after it in.
+pub(crate) fn of_csv_row(error: &csv::Error, text: impl std::io::BufRead) -> String {
+    match (error.kind(), unclosed_quote(text)) {
+        (csv::ErrorKind::UnequalLengths { .. }, Some(line)) => {
+            format!("line {line} opens a quote (\") and does not close it; close it, or take it out")
+        }
+        _ => of_csv(error),
+    }
 }
 
 #[cfg(test)]

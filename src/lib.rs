@@ -48,6 +48,7 @@
 pub mod aerodynamics;
 pub mod atmosphere;
 pub mod batch;
+mod columns;
 pub mod derivative;
 pub mod drive;
 pub mod error;

@@ -1,5 +1,6 @@
 use crate::error::{Error, Result};
 use crate::parameters::Parameter;
+use crate::units::Message;
 
 /// Where the points of a batch come from: the values of some parameters, a row for each drive, in an order that is the
 /// same every time.
@@ -22,6 +23,11 @@ pub trait Points {
     /// # Errors
     /// [`Error::Table`] for what cannot be read.
     fn read(&mut self, most: usize, values: &mut Vec<f64>) -> Result<usize>;
+
+    /// What deserves a word about where they come from: columns of a table that are not read.
+    fn notes(&self) -> Vec<Message> {
+        vec![]
+    }
 
     /// What tells these points from any others: the same words for the same points.
     fn identity(&self) -> String;

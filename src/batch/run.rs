@@ -3,7 +3,7 @@ use super::kernel::Kernel;
 use super::points::Points;
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
-use crate::parameters::{Parameter, Setup};
+use crate::parameters::{NO_CLUB, Parameter, Setup};
 use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -56,6 +56,10 @@ impl Batch {
             setup.variable(parameter.name)?;
         }
         setup.check_launch(&parameters.iter().map(|parameter| parameter.name).collect::<Vec<_>>())?;
+        let is_launched = setup.launch.is_given() || parameters.iter().any(|parameter| parameter.is_of_launch());
+        if let Some(of_club) = parameters.iter().chain(wrt).find(|parameter| is_launched && parameter.is_of_strike()) {
+            return Err(Error::NotVariable { name: of_club.name.into(), reason: NO_CLUB.into() });
+        }
         let (parameters, of, wrt) = (parameters.to_vec(), of.to_vec(), wrt.to_vec());
         Ok(Self { kernel: Kernel { setup: *setup, parameters, of, wrt } })
     }

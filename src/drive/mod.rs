@@ -19,6 +19,7 @@ use crate::impact::{Grip, Impact, strike};
 use crate::launch::Launch;
 use crate::number::Number;
 use crate::parameters::Setup;
+use crate::units::significant;
 
 /// A drive: what the impact makes of a setup, and how the ball flies.
 #[derive(Clone, Copy, Debug)]
@@ -83,8 +84,9 @@ impl Drive<f64> {
         let spin = self.launch.total_spin();
         if spin < ON_THE_SPIN_CORNER && setup.law.has_corner_at_zero_spin() && setup.air.density > 0.0 {
             corners.push(format!(
-                "the spin is {spin:.1e} rad/s: with the law {} outcomes have a corner at zero spin, and derivatives \
+                "the spin is {} rad/s: with the law {} outcomes have a corner at zero spin, and derivatives \
                  here lie between those of its two sides",
+                significant(spin, 2),
                 setup.law.name()
             ));
         }

@@ -1,3 +1,4 @@
+use super::divergence::Diverging;
 use super::ending::{Apex, Flight, Landed, NoFlight};
 use super::inputs::Inputs;
 use super::motion::{LEAST_SPEED, Node, State};
@@ -213,7 +214,18 @@ impl<T: Numbers> Ended<T> {
         }
         let (time, height) = (self.time, read(self.height).re());
         if self.diverges.holds(lane) {
-            return Err(Error::Diverged { time: time - how.step, step: how.step });
+            // of the values alone: a length of zero has no derivative
+            let norm = |vector: Vector<T>| vector.map(|part| read(part).re()).norm();
+            let diverging = Diverging {
+                step: how.step,
+                speed: norm(inputs.velocity),
+                spin: read(inputs.spin).re(),
+                force_per_mass: read(inputs.force_per_mass).re(),
+                wind: norm(inputs.wind.at(inputs.ground)),
+                law: inputs.law.name(),
+            };
+            let (time, step) = (time - how.step, how.step);
+            return Err(Error::Diverged { time, step, advice: diverging.advice() });
         }
         Ok(Flight::None(if self.stays_below.holds(lane) {
             NoFlight::BelowGround { apex_height: height, ground_height: read(inputs.ground).re() }

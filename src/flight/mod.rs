@@ -1,5 +1,6 @@
 //! The ball in the air: equation of motion, fixed-step integration, a smooth landing.
 
+mod divergence;
 mod ending;
 mod inputs;
 mod landing;

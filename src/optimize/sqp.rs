@@ -151,13 +151,17 @@ impl<P: Problem> Solver<P, SqpState> for Sqp {
         let start = self.domain.variables.project(&state.take_param().unwrap_or_default());
         let (trials, m) = (self.options.start_trials, self.domain.constraints.dimension());
         let mut count = 0;
-        let (first, why) = first_point(&self.domain.variables, &start, trials, |x| {
+        let is_interrupted = || self.interrupt.load(Ordering::Relaxed);
+        let (first, why) = first_point(&self.domain.variables, &start, trials, is_interrupted, |x| {
             count += 1;
             evaluate(problem, x, m)
         })?;
         self.progress.undefined_at_start.clone_from(&why);
         let Some(at) = first else {
-            self.progress.verdict = why.map(|why| Verdict::undefined(trials, &why));
+            self.progress.verdict = match is_interrupted() {
+                true => Some(Verdict::without_start(count)),
+                false => why.map(|why| Verdict::undefined(trials, &why)),
+            };
             return Ok((state.param(start), None));
         };
         self.progress.begun_at.clone_from(&at.x);

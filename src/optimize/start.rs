@@ -6,11 +6,13 @@ use super::problem::Evaluation;
 /// the first that is.
 const CHOICE: u32 = 8;
 
-/// f at the start, or at another point of the box where it is not defined there; and why it is not.
+/// f at the start, or at another point of the box where it is not defined there; and why it is not. No other points are tried once it
+/// is interrupted.
 pub(super) fn first_point<E>(
     bounds: &Bounds,
     start: &[f64],
     trials: u32,
+    is_interrupted: impl Fn() -> bool,
     mut evaluate: impl FnMut(&[f64]) -> Result<Result<Evaluation, String>, E>,
 ) -> Result<(Option<Point>, Option<String>), E> {
     let why = match evaluate(start)? {
@@ -19,7 +21,7 @@ pub(super) fn first_point<E>(
     };
     let mut best: Option<Point> = None;
     for trial in 0..trials {
-        if trial >= CHOICE && best.is_some() {
+        if trial >= CHOICE && best.is_some() || is_interrupted() {
             break;
         }
         let x = spread(bounds, start, trial);

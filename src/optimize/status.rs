@@ -77,6 +77,12 @@ impl Verdict {
         )
     }
 
+    pub fn without_start(tried: u64) -> Self {
+        let message =
+            format!("stopped before a start was found: at none of the {tried} points tried the functions are defined");
+        Self::new(Status::Interrupted, message)
+    }
+
     pub fn interrupted(iterations: u64, residual: f64) -> Self {
         let message = format!("stopped after {iterations} iterations with a KKT residual of {residual:.1e}");
         Self::new(Status::Interrupted, message)

@@ -29,6 +29,8 @@ pub struct SetupFile {
     pub setup: Setup<f64>,
     /// The preset that it starts from: `modern-driver` where the file names none.
     pub preset: &'static Preset,
+    /// The parameters that the file itself gives, in their order there.
+    pub given: Vec<&'static Parameter>,
     /// Parameters with a dimension whose numbers stand without a unit, and were read as SI.
     pub without_unit: Vec<&'static Parameter>,
 }
@@ -74,13 +76,14 @@ impl SetupFile {
             setup.apply(item).map_err(|(at, source)| in_file(text, file, at, source))?;
         }
         let named = items.iter().find(|item| item.key == PRESET).and_then(|item| item.value.as_str());
+        let given = items.iter().filter_map(|item| setup.parameter(&item.key).ok()).collect();
         let bare = items.iter().filter(|item| matches!(item.value, DeValue::Integer(_) | DeValue::Float(_)));
         let bare = bare.filter_map(|item| setup.parameter(&item.key).ok());
         let has_unit = |parameter: &&Parameter| !parameter.quantity.si.is_empty();
         let is_finite = |parameter: &&Parameter| setup.value(parameter).is_some_and(f64::is_finite);
         let without_unit = bare.filter(has_unit).filter(is_finite).collect();
         let preset = named.and_then(Preset::named).unwrap_or(&PRESETS[0]);
-        Ok(Self { setup, preset, without_unit })
+        Ok(Self { setup, preset, given, without_unit })
     }
 }
 

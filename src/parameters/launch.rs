@@ -8,8 +8,13 @@ const GROUP: &str = "launch.";
 
 impl super::Parameter {
     /// Whether it is of the club and its strike, of which nothing depends where the launch is given.
-    pub(crate) fn is_of_strike(&self) -> bool {
+    pub fn is_of_strike(&self) -> bool {
         ["swing.", "strike.", "club.", "impact."].iter().any(|group| self.name.starts_with(group))
+    }
+
+    /// Whether it is a launch condition.
+    pub fn is_of_launch(&self) -> bool {
+        self.name.starts_with(GROUP)
     }
 }
 

@@ -19,6 +19,7 @@ pub use method::{METHOD, Method};
 pub use presets::{PRESETS, Preset, PresetEntry};
 pub use range::Range;
 pub use setup::LAW;
+pub(crate) use setup::NO_CLUB;
 pub(crate) use table::with_law;
 pub use table::{
     Aero, Air, Ball, Club, Contact, Ferguson, FlightConditions, Ground, LaunchConditions, LaunchMonitor, Law, Linear,

@@ -9,6 +9,10 @@ use crate::units::Message;
 /// The name by which the aerodynamic law is chosen: `aero.law = "robinson"`.
 pub const LAW: &str = "aero.law";
 
+/// Why a parameter of the club has no effect.
+pub(crate) const NO_CLUB: &str =
+    "no club strikes the ball, since its launch is given; name launch.launch_angle and the like";
+
 const LISTING: &str = "'longdrive parameters' lists them all";
 
 impl Parameter {
@@ -238,9 +242,7 @@ impl Setup<f64> {
             return refuse("it is a setting of the computation, not of the drive".into());
         }
         if self.launch.is_given() && parameter.is_of_strike() {
-            return refuse(
-                "no club strikes the ball, since its launch is given; name launch.launch_angle and the like".into(),
-            );
+            return refuse(NO_CLUB.into());
         }
         match self.value(parameter) {
             Some(value) if value.is_finite() => Ok(parameter),

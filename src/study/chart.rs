@@ -5,9 +5,12 @@ use super::optimum::{Active, Optimum, Search, optimum};
 use super::sensitivity::sensitivity;
 use crate::drive::{BeyondCount, Looked};
 use crate::error::{Error, Result};
-use crate::optimize::{Options, Status, Watch};
+use crate::optimize::{Iteration, Options, Status, Watch};
 use crate::parameters::Setup;
 use crate::units::Message;
+use std::rc::Rc;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Optima along a parameter.
 #[derive(Clone, Debug)]
@@ -36,15 +39,48 @@ pub struct ChartPoint {
 }
 
 impl Chart {
-    /// How many of its points lie beyond what the law was fitted to, or beside any face.
-    pub fn beyond(&self) -> BeyondCount {
+    /// What deserves a word about its optima: how many lie beyond what the law was fitted to, or are struck beside any face, and where
+    /// along the parameter.
+    pub fn warnings(&self) -> Vec<Message> {
+        let Some(first) = self.points.first() else { return vec![] };
         let mut count = BeyondCount::default();
-        for best in self.points.iter().map(|point| &point.best) {
+        let (mut law, mut face) = (Reach::NONE, Reach::NONE);
+        for ChartPoint { at, best, .. } in &self.points {
             if let Some(drive) = &best.drive {
-                count.add(drive.beyond(&best.setup, Looked::AtFlight));
+                let beyond = drive.beyond(&best.setup, Looked::AtFlight);
+                count.add(beyond);
+                law.add(*at, beyond.law);
+                face.add(*at, beyond.face);
             }
         }
-        count
+        let warnings = count.warnings(&first.best.setup.law, ["optimum", "optima"], Looked::AtFlight);
+        // in their order, those that there are
+        let reaches = [law, face].into_iter().filter(|reach| reach.low <= reach.high);
+        warnings.into_iter().zip(reaches).map(|(warning, reach)| reach.told(warning, &self.along)).collect()
+    }
+}
+
+/// The part of a range in which something is so.
+#[derive(Clone, Copy)]
+struct Reach {
+    low: f64,
+    high: f64,
+}
+
+impl Reach {
+    const NONE: Self = Self { low: f64::INFINITY, high: f64::NEG_INFINITY };
+
+    fn add(&mut self, at: f64, is_so: bool) {
+        if is_so {
+            (self.low, self.high) = (self.low.min(at), self.high.max(at));
+        }
+    }
+
+    fn told(self, warning: Message, along: &Vary) -> Message {
+        let Vary { parameter, .. } = along;
+        let place = if self.low == self.high { "at" } else { "between" };
+        let begun = parameter.place(warning.words(format!("; {place} {} = ", parameter.name)), self.low);
+        if self.low == self.high { begun } else { parameter.place(begun.words(" and "), self.high) }
     }
 }
 
@@ -66,7 +102,7 @@ const RADIUS: f64 = 0.05;
 /// `watch` is shown every point as it is found.
 ///
 /// # Errors
-/// [`Error::NotConverged`] where no optimum is found to begin with; [`Error::NotVariable`] for a parameter that
+/// [`Error::NotConverged`] where no optimum is found to begin with; [`Error::Unreadable`] for a parameter that
 /// is itself varied; as [`optimum`].
 pub fn chart(
     setup: &Setup<f64>,
@@ -74,11 +110,41 @@ pub fn chart(
     along: Vary,
     watch: impl FnMut(&ChartPoint) -> bool,
 ) -> Result<Chart> {
-    chart_at(setup, search, along, &[], watch)
+    chart_at(setup, search, along, &[], &ChartWatch::default(), watch)
+}
+
+/// Shows an iteration.
+type Show = Rc<dyn Fn(&Iteration)>;
+
+/// Those who follow the searches of a chart.
+#[derive(Clone, Default)]
+pub struct ChartWatch {
+    /// Ends the chart with the points so far once it is true, also within a search.
+    pub interrupt: Arc<AtomicBool>,
+    /// Is shown each value at which the first optimum is searched for: the low end of the range, and others where it has none.
+    pub beginning: Option<Rc<dyn Fn(f64)>>,
+    /// Is shown every iteration of every search.
+    pub iteration: Option<Show>,
+}
+
+impl ChartWatch {
+    fn search(&self) -> Watch {
+        let shown = self.iteration.clone();
+        let iteration = move |iteration: &Iteration| {
+            if let Some(shown) = &shown {
+                shown(iteration);
+            }
+        };
+        Watch { interrupt: self.interrupt.clone(), ..Watch::showing(iteration) }
+    }
+
+    fn is_interrupted(&self) -> bool {
+        self.interrupt.load(Ordering::Relaxed)
+    }
 }
 
 /// As [`chart`], with a point at each of these values of the parameter (SI, within its range) and no others; with none, wherever the
-/// optimum was followed.
+/// optimum was followed. `follow` stops it within a search.
 ///
 /// # Errors
 /// As [`chart`]; [`Error::SearchRange`] for a value outside the range.
@@ -87,6 +153,7 @@ pub fn chart_at(
     search: &Search,
     along: Vary,
     at: &[f64],
+    follow: &ChartWatch,
     mut watch: impl FnMut(&ChartPoint) -> bool,
 ) -> Result<Chart> {
     if let Some(outside) = at.iter().find(|at| !(along.low..=along.high).contains(*at)) {
@@ -95,10 +162,14 @@ pub fn chart_at(
         return Err(Error::SearchRange { name: along.parameter.name.into(), reason });
     }
     if search.vary.iter().any(|vary| vary.parameter == along.parameter) {
-        let reason = "it is one of the parameters varied; a chart runs along another parameter".into();
-        return Err(Error::NotVariable { name: along.parameter.name.into(), reason });
+        let name = along.parameter.name;
+        let source = format!(
+            "{name} is one of the parameters varied, so that the search chooses it; take it out of those (--vary), or follow the optimum \
+             along another parameter"
+        );
+        return Err(Error::Unreadable { name: format!("the chart along {name}"), source: source.into() });
     }
-    let follower = Follower { setup, search, along };
+    let follower = Follower { setup, search, along, follow };
     let (first, begun) = follower.first()?;
     let mut chart = Chart { along, points: vec![], begun, ended: None };
     let width = along.high - along.low;
@@ -108,7 +179,7 @@ pub fn chart_at(
     while let Some(here) = chart.points.last()
         && here.at < along.high
     {
-        if !goes_on {
+        if !goes_on || follow.is_interrupted() {
             chart.ended = Some(along.parameter.place("stopped at ".into(), here.at));
             break;
         }
@@ -123,6 +194,8 @@ pub fn chart_at(
                 step *= 0.5;
                 continue;
             }
+            // an interrupted search is no reason for shorter steps
+            Err(_) if follow.is_interrupted() => continue,
             Err(_) if step > SHORTEST * width => {
                 step *= 0.5;
                 continue;
@@ -158,6 +231,7 @@ struct Follower<'a> {
     setup: &'a Setup<f64>,
     search: &'a Search,
     along: Vary,
+    follow: &'a ChartWatch,
 }
 
 impl Follower<'_> {
@@ -169,7 +243,10 @@ impl Follower<'_> {
             let at = low + f64::from(place) * LONGEST * (high - low);
             let mut setup = *self.setup;
             setup.set_value(parameter, Some(at))?;
-            let found = optimum(&setup, self.search.clone(), Watch::default()).and_then(|best| point(at, best));
+            if let Some(beginning) = &self.follow.beginning {
+                beginning(at);
+            }
+            let found = optimum(&setup, self.search.clone(), self.follow.search()).and_then(|best| point(at, best));
             match found {
                 Ok(point) => {
                     let begun = why.map(|why: Error| {
@@ -179,6 +256,7 @@ impl Follower<'_> {
                     });
                     return Ok((point, begun));
                 }
+                Err(error) if self.follow.is_interrupted() => return Err(error),
                 Err(error) if error.is_an_outcome() => why = why.or(Some(error)),
                 Err(error) => return Err(error),
             }
@@ -202,7 +280,7 @@ impl Follower<'_> {
             setup.set_value(vary.parameter, Some(*x))?;
         }
         let options = Options { initial_radius: RADIUS, ..self.search.options.clone() };
-        let found = point(to, optimum(&setup, Search { options, ..self.search.clone() }, Watch::default())?)?;
+        let found = point(to, optimum(&setup, Search { options, ..self.search.clone() }, self.follow.search())?)?;
         let widths = self.search.vary.iter().map(|vary| vary.high - vary.low);
         let apart = found.best.solution.x.iter().zip(&predicted).zip(widths);
         let apart = apart.map(|((x, predicted), width)| if width > 0.0 { (x - predicted).abs() / width } else { 0.0 });

@@ -156,6 +156,9 @@ impl Optimum {
             (None, Status::Converged) if self.is_flat() => {
                 format!("{of} does not depend on the parameters varied here: every drive is equally good").into()
             }
+            (None, Status::Interrupted) if self.solution.value.is_none() => {
+                "stopped before a drive that flies was found".into()
+            }
             (None, Status::Undefined) => {
                 let trials = self.search.options.start_trials;
                 Message::from(format!(

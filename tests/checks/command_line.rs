@@ -342,3 +342,24 @@ fn whole_numbers_of_options_are_refused_with_option_value_range_and_example() {
         assert!(!said.err.contains("invalid digit"), "{}", said.err);
     }
 }
+
+/// A flight that cannot be followed is no answer, alone as in a sweep, and the step is blamed only where it is long.
+#[test]
+fn a_flight_that_diverges_ends_with_status_one_everywhere() {
+    for (set, says, says_not) in [
+        ("flight.step=2s", "reduce flight.step", "ordinary"),
+        ("air.density=900kg/m^3", "air.density", "reduce flight.step"),
+        ("ball.mass=0.1g", "ball.mass", "reduce flight.step"),
+    ] {
+        let set = ["--set", set];
+        let said = longdrive(&[&["simulate"], &set[..]].concat());
+        assert!(said.status == 1 && said.err.contains("the flight diverged at t = "), "{set:?}: {}", said.err);
+        assert!(said.err.contains(says) && !said.err.contains(says_not), "{set:?}: {}", said.err);
+        let (status, answer) = json(&[&["simulate"], &set[..]].concat());
+        assert_eq!((status, answer["status"].as_str()), (1, Some("diverged")));
+        let sweep = longdrive(&[&["sweep", "--over", "gravity=9m/s^2..10m/s^2:2"], &set[..]].concat());
+        assert!(sweep.status == 1 && sweep.err.contains("2 diverged"), "{set:?}: {}", sweep.err);
+        let (status, answer) = json(&[&["gradient"], &set[..]].concat());
+        assert_eq!((status, answer["status"].as_str()), (1, Some("diverged")));
+    }
+}

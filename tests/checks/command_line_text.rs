@@ -225,3 +225,110 @@ fn help_and_messages_are_in_plain_words() {
         }
     }
 }
+
+/// Numbers and sentences as a person writes them.
+#[test]
+fn plain_words_where_a_library_or_a_formula_spoke() {
+    let said = |args: &[&str]| {
+        let said = longdrive(args);
+        (said.status, format!("{}{}", said.out, said.err).split_whitespace().collect::<Vec<_>>().join(" "))
+    };
+    let still = ["--set", "launch.spin=0 rpm"];
+    let no_spin = [
+        "verify",
+        "--launch",
+        "ball_speed=60m/s,launch_angle=12deg",
+        "--wrt",
+        "gravity",
+        "--of",
+        "carry",
+        "--set",
+        "aero.law=ferguson",
+    ];
+    for (args, status, says, says_not) in [
+        (vec!["simulate", "--tolerance=-1m"], 2, "the tolerance of -1 m", "e0"),
+        ([&no_spin[..], &still].concat(), 1, "the spin is 0 rad/s", "0.0e0"),
+        (
+            vec!["calibrate", "examples/shots.csv", "--fit", "aero.cl_max"],
+            0,
+            "the sum of squares is at its smallest",
+            "promises",
+        ),
+        (
+            vec!["chart", "--along", "club.loft=5deg..6deg"],
+            2,
+            "the chart along club.loft: club.loft is one of",
+            "differentiated",
+        ),
+        (vec!["reproduce", "winfield-tan"], 0, "Table 1 at 8° prints 242.14, and 242.74 is taken", "242.14 for"),
+        (
+            vec!["reproduce", "mae494"],
+            0,
+            "a printed delivery that does not fly counts with a carry of 0",
+            "which is 0 where",
+        ),
+        (vec!["reproduce", "mae494", "--units", "us"], 0, "end within 0.39 in of the best carry", "centimetre"),
+        (vec!["reproduce", "mae494", "--units", "metric"], 0, "end within 10.0 mm of the best carry", "centimetre"),
+        (vec!["simulate", "--threads", "3"], 2, "this command has no option '--threads'; --help lists", "'-- "),
+        (vec!["simulate", "--set", "-5"], 2, "joined to its option by '=', as in --set=NAME=-5", "'-- "),
+        (vec!["simulate", "--sett", "a=1"], 2, "a similar argument exists: '--set'", "this command has no"),
+    ] {
+        let (ended, text) = said(&args);
+        assert_eq!(ended, status, "{args:?}: {text}");
+        assert!(text.contains(says) && !text.contains(says_not), "{args:?}: no '{says}', or '{says_not}': {text}");
+    }
+}
+
+/// What is wrong with a file, in this program's words, with file and line, and what to do.
+#[test]
+fn broken_files_are_told_in_own_words() {
+    let folder = tempfile::tempdir().unwrap();
+    for (name, bytes, says) in [
+        (
+            "a.toml",
+            &b"[club]\nloft = \"10 deg\n"[..],
+            "a.toml: line 2, column 15 is not valid TOML: the string does not end; close it with \"",
+        ),
+        ("a.toml", b"[club]\nloft = '10 deg\n", "the string does not end; close it with '"),
+        ("a.toml", b"[club]\nloft = 10 deg\n", "a value is a number, or text in quotes where it has a unit"),
+        ("a.toml", b"[club]\nloft = 10deg\n", "a value is a number, or text in quotes where it has a unit"),
+        ("a.toml", b"[club]\nloft =\n", "a value is a number, or text in quotes where it has a unit"),
+        ("a.toml", b"[club]\nloft = True\n", "a value is a number, or text in quotes where it has a unit"),
+        (
+            "a.toml",
+            b"[club]\nloft = 1\nloft = 2\n",
+            "line 3, column 1 is not valid TOML: this key or table stands twice; keep one",
+        ),
+        ("a.toml", b"[club\nloft = 1\n", "the head of the table does not end; close it with ]"),
+        ("a.toml", b"[club]\nloft: 1\n", "a key needs '=' and a value after it"),
+        ("a.toml", b"[club]\nloft = true\n", "'club.loft' is a boolean; expected a number or a string"),
+        ("a.toml", b"[club]\nlofft = 1\n", "did you mean 'club.loft'?"),
+        ("a.toml", b"[club]\nloft = \"\x01\"\n", "the reader says: "),
+        ("a.toml", b"[club]\nloft = '\xff'\n", "it holds bytes that are not text in UTF-8; save it as text in UTF-8"),
+        ("none.toml", b"", "it cannot be read (there is no such file)"),
+        (
+            "a.csv",
+            b"club.loft [deg],swing.speed [mph]\n9,100\n\"10,100\n11,100\n",
+            "line 3 opens a quote (\") and does not close it",
+        ),
+        ("a.csv", b"club.loft [deg]\n\"9\n10\n", "row 1, column club.loft: a quote (\") is opened and not closed"),
+        (
+            "a.csv",
+            b"club.loft [deg],swing.speed [mph]\n9,100,1\n",
+            "row 1: the row has 3 cells, but the head has 2 cells",
+        ),
+        ("a.csv", b"club.loft [deg]\n\xff\n", "not text in UTF-8; save the table"),
+        ("none.csv", b"", "it cannot be read (there is no such file)"),
+    ] {
+        let path = folder.path().join(name);
+        if !name.starts_with("none") {
+            std::fs::write(&path, bytes).unwrap();
+        }
+        let file = path.to_str().unwrap();
+        let args = if name.ends_with("toml") { vec!["simulate", file] } else { vec!["sweep", "--points", file] };
+        let said = longdrive(&args);
+        let text = String::from_utf8_lossy(bytes);
+        assert!(said.status == 2 && said.err.contains(says), "{text}: no '{says}' in {}", said.err);
+        assert!(said.err.contains(name) && !said.err.contains("expected literal"), "{text}: {}", said.err);
+    }
+}

@@ -202,3 +202,23 @@ fn remarks_in_setup_files_have_the_digits_of_the_text_and_values_all_of_them() {
     assert_eq!(value, format!("{:.decimals$}", drag.parse::<f64>().unwrap()), "{text}");
     assert!(error.trim_start_matches(['0', '.']).len() == 2 && drag.len() > value.len(), "{text}");
 }
+
+/// What a calibration remarks about instruments is in the units asked for, too.
+#[test]
+fn remarks_of_a_calibration_have_no_yards_where_metres_are_asked_for() {
+    let table = "club.loft [deg],carry [yd],ball_speed [mph],lateral [yd],apex_height [yd],smash_factor\n\
+                 9,240,160,1,30,1.47\n11,250,160,1,33,1.46\n";
+    let (_folder, path) = crate::sweep::table("shots.csv", table);
+    let said = |units: &str| {
+        let said = longdrive(&["calibrate", path.to_str().unwrap(), "--fit", "aero.cd0", "--units", units]);
+        said.out.split_whitespace().collect::<Vec<_>>().join(" ")
+    };
+    let (metric, us) = (said("metric"), said("us"));
+    let remarks = |text: &str| text.split("Estimates").next().unwrap().to_owned();
+    for unit in [" yd", " mph", "yard"] {
+        assert!(!remarks(&metric).contains(unit), "{unit}: {metric}");
+    }
+    for (metric_says, us_says) in [("within about 2.7 m", "within about 3 yd"), ("at 230 m", "at 250 yd")] {
+        assert!(metric.contains(metric_says) && us.contains(us_says), "{metric_says}: {metric} {us}");
+    }
+}

@@ -145,3 +145,51 @@ fn a_launch_on_the_command_line_and_in_a_table_is_the_same() {
         assert!(said.err.contains(says), "{args:?}: {}", said.err);
     }
 }
+
+/// What is set of a club that does not strike the ball would change nothing, and is refused by its name wherever a launch is given.
+#[test]
+fn a_club_beside_a_launch_is_refused_by_name() {
+    let launch = "ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm";
+    let folder = tempfile::tempdir().unwrap();
+    let file = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let (plot, points, mine) = (file("a.svg"), file("points.csv"), file("mine.toml"));
+    std::fs::write(&points, "ball_speed [mph],launch_angle [deg],backspin [rpm]\n167,10.9,2686\n").unwrap();
+    let given = ["--launch", launch];
+    for (command, is_given) in [
+        (vec!["simulate"], true),
+        (vec!["gradient"], true),
+        (vec!["uncertainty", "--samples", "8"], true),
+        (vec!["plot", "trajectory", "-o", &plot], true),
+        (vec!["sweep", "--over", "gravity=9m/s^2..10m/s^2:2"], true),
+        (vec!["sweep", "--points", &points], false),
+        (vec!["sweep", "--over", "launch.ball_speed=60m/s..70m/s:2", "--set", "launch.launch_angle=9deg"], false),
+        (vec!["calibrate", "examples/shots.csv", "--fit", "aero.cd0"], false),
+    ] {
+        let given = if is_given { &given[..] } else { &[] };
+        for name in ["club.loft=9deg", "swing.speed=90mph", "strike.toe=5mm", "impact.restitution=0.8"] {
+            let said = longdrive(&[&command[..], given, &["--set", name]].concat());
+            let parameter = name.split('=').next().unwrap();
+            let told = format!("--set {parameter}: ");
+            let is_partial = command.contains(&"launch.launch_angle=9deg");
+            assert!(said.status == 2 && (is_partial || said.err.contains(&told)), "{command:?} {name}: {}", said.err);
+            assert!(is_partial || said.err.contains("swing, club, strike and impact none is used"), "{}", said.err);
+        }
+        if !command.contains(&"launch.launch_angle=9deg") {
+            let said = longdrive(&[&command[..], given, &["--set", "air.density=1.1 kg/m^3"]].concat());
+            assert_eq!(said.status, 0, "{command:?}: {}", said.err);
+        }
+    }
+    // what is swept or fitted of a club, likewise; a setup file is told of
+    let both = "ball_speed [mph],launch_angle [deg],backspin [rpm],launch.spin [rpm]\n167,10.9,2686,1\n";
+    std::fs::write(&points, both).unwrap();
+    assert_eq!(longdrive(&["sweep", "--points", &points]).status, 2);
+    let said = longdrive(&["sweep", "--points", "examples/deliveries.csv", "--launch", launch]);
+    assert!(said.status == 2 && said.err.contains("no club strikes the ball"), "{}", said.err);
+    let said = longdrive(&["calibrate", "examples/shots.csv", "--fit", "club.loft"]);
+    assert!(said.status == 2 && said.err.contains("club.loft cannot be fitted"), "{}", said.err);
+    std::fs::write(&mine, "[club]\nloft = '9 deg'\n[air]\ndensity = '1.1 kg/m^3'\n").unwrap();
+    let said = longdrive(&["simulate", &mine, "--launch", launch]);
+    let told = "not used, since the drive is given by its launch: club.loft";
+    assert!(said.status == 0 && said.err.replace("\n  ", " ").contains(told), "{}", said.err);
+    assert!(!longdrive(&["simulate", &mine]).err.contains("not used"));
+}

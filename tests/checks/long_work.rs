@@ -138,3 +138,28 @@ fn what_cannot_be_kept_is_an_error_before_the_search() {
     let error = longdrive::study::optimum(&setup, search, watch).unwrap_err();
     assert!(error.to_string().contains("the disk is full"), "{error}");
 }
+
+/// Ctrl-C is answered where no start has been found yet, and what is done there is told: balls that never land take long.
+#[cfg(unix)]
+#[test]
+fn a_chart_is_interrupted_in_its_first_search() {
+    use std::process::{Command, Stdio};
+    use std::time::{Duration, Instant};
+    for command in [&["chart", "--along", "swing.speed=80mph..130mph"][..], &["optimize"]] {
+        let mut program = Command::new(assert_cmd::cargo::cargo_bin!("longdrive"));
+        program.args(command).args(["--set", "gravity=1e-6m/s^2", "--json"]);
+        let child = program.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+        std::thread::sleep(Duration::from_millis(700));
+        let asked = Instant::now();
+        assert!(Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap().success());
+        let output = child.wait_with_output().unwrap();
+        // the flight under way ends first; the other 63 take several seconds
+        assert!(asked.elapsed() < Duration::from_secs(3), "{command:?}: {:?}", asked.elapsed());
+        let (out, err) = (String::from_utf8(output.stdout).unwrap(), String::from_utf8(output.stderr).unwrap());
+        assert_eq!(output.status.code(), Some(1), "{out} {err}");
+        let says =
+            if command[0] == "chart" { "stopped before a drive that flies was found" } else { "\"interrupted\"" };
+        assert!(out.contains(says), "{out} {err}");
+        assert!(command[0] != "chart" || err.contains("searching for an optimum at swing.speed 80 mph"), "{err}");
+    }
+}

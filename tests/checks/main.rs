@@ -4,10 +4,12 @@
 mod analysis;
 mod calibration;
 mod command_line;
+mod command_line_calibrate;
 mod command_line_certainty;
 mod command_line_files;
 mod command_line_search;
 mod command_line_sweep;
+mod command_line_tables;
 mod command_line_text;
 mod command_line_units;
 mod common;

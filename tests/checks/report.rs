@@ -374,3 +374,26 @@ fn bad_plots_and_folders_get_messages_that_help() {
         assert!(!Path::new(&svg).exists(), "{args:?}: nothing is written");
     }
 }
+
+/// What a picture says of its scales is true of it: a steep flight is as high as it is long, a drive aimed far right as wide.
+#[test]
+fn exact_scales_are_what_the_note_says() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("a.svg").display().to_string();
+    let note = |more: &[&str]| {
+        let (status, answer) =
+            crate::command_line::json(&[&["plot", "trajectory", "-o", &file, "--overwrite"], more].concat());
+        assert_eq!(status, 0);
+        answer["note"].as_str().unwrap().to_owned()
+    };
+    // 279 yd long and 38 yd high, 0.55 as high as wide: 4 times as large
+    assert_eq!(note(&[]), "Heights are drawn larger than distances.");
+    assert_eq!(note(&["--set", "club.loft=70deg"]), "Heights and distances have scales of their own.");
+    assert!(
+        note(&["--view", "top"]).ends_with("Distances to the left and right are drawn larger than those downrange.")
+    );
+    let right = ["--view", "top", "--set", "swing.path=30deg", "--set", "swing.face_angle=30deg"];
+    assert!(note(&right).ends_with("have scales of their own."), "{}", note(&right));
+    let far = ["--view", "top", "--set", "swing.path=80deg", "--set", "swing.face_angle=80deg"];
+    assert!(note(&far).ends_with("are drawn smaller than those downrange."), "{}", note(&far));
+}

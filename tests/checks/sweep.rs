@@ -244,14 +244,14 @@ fn bad_tables_are_told_by_row_and_column_before_any_work() {
         ("a.csv", "gravity [m/s^2]\ninf\n", "row 1, column gravity: 'inf' is not a finite number"),
         ("a.csv", "club.loft [rad],air.density [kg/m^3]\n0.1,\n", "row 1, column air.density: the cell is empty"),
         ("a.csv", "club.loft [rad],air.density [kg/m^3]\n0.1\n", "row 1"),
-        ("a.csv", "club.loft [rad]\n10 deg\n", "units stand in the head, as in 'club.loft [deg]'"),
-        ("a.csv", "club.lofft\n0.1\n", "column 1: unknown parameter 'club.lofft'; did you mean 'club.loft'?"),
-        ("a.csv", "club.loft [kg]\n0.1\n", "column 1 (club.loft): \"1 kg\" is not an angle"),
+        ("a.csv", "club.loft [rad]\n10 deg\n", "units stand in the head, as in 'club.loft [rad]'"),
+        ("a.csv", "club.lofft\n0.1\n", "column 1: unknown column 'club.lofft'; did you mean 'club.loft'?"),
+        ("a.csv", "club.loft [kg]\n0.1\n", "column 1: the column 'club.loft': \"1 kg\" is not an angle"),
         ("a.csv", "club.loft [deg],club.loft [rad]\n0.1,0.1\n", "club.loft has two columns"),
         (
             "a.csv",
             "club.loft\n0.1\n",
-            "column 1 (club.loft): it has no unit; write it into the head, as in 'club.loft [deg]'",
+            "column 1: the column 'club.loft': it has no unit; write it into the head, as in 'club.loft [deg]'",
         ),
         ("a.csv", "", "column"),
         ("a.txt", "club.loft [rad]\n0.1\n", "a table's name must end in .csv"),
@@ -437,6 +437,6 @@ mod in_parquet {
 
         write(&path, true);
         let message = open_table(&setup, &path).err().unwrap().to_string();
-        assert!(message.contains("rows 1 to 5, column air.density: a value is missing"), "{message}");
+        assert!(message.contains("row 3, column air.density: a value is missing; every row needs one"), "{message}");
     }
 }

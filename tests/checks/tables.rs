@@ -119,8 +119,11 @@ fn bad_columns_and_values_are_told_by_row_and_column() {
         ("nested.arrow", "column club.loft: its type is List"),
         ("time.arrow", "column club.loft: its type is Timestamp"),
         ("only_null.arrow", "column club.loft: its type is Null"),
-        ("unknown.arrow", "column 2: unknown parameter 'club.lofft'; did you mean 'club.loft'?"),
-        ("unit.arrow", "column 1: unknown parameter 'club.loft [deg]'"),
+        ("unknown.arrow", "column 2: unknown column 'club.lofft'; did you mean 'club.loft'?"),
+        (
+            "unit.arrow",
+            "column 1: the column 'club.loft': 'club.loft [deg]' has a unit in its name, but the columns of Parquet and Arrow tables are in SI; name it 'club.loft', with numbers in rad",
+        ),
         ("twice.arrow", "the parameter club.loft has two columns; keep one"),
         ("no_columns.arrow", "it has no columns"),
     ] {

@@ -183,3 +183,29 @@ fn charts_and_calibrations_count_what_leaves_the_law() {
     let (_, found) = json(&["calibrate", table.path().to_str().unwrap(), "--fit", "aero.cd0"]);
     assert!(found["warnings"][0].as_str().unwrap().starts_with("1 of 3 shots: in 1 % of the flight"), "{found}");
 }
+
+/// The optima of plots and pages are looked at as those of `chart` are, each kind of warning once, with where it holds.
+#[test]
+fn plots_and_reports_of_optima_warn_once_for_each_kind() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = |name: &str| folder.path().join(name).display().to_string();
+    let (svg, page) = (file("a.svg"), file("page"));
+    let slow = ["--along", "swing.speed=25mph..30mph"];
+    let says = ["optima: in 1 % of the flight or more outside of", "; between swing.speed = 25 mph and 30 mph"];
+    let of_optima = |answer: &serde_json::Value| {
+        let warnings = answer["warnings"].as_array().unwrap().iter().map(|it| it.as_str().unwrap().to_owned());
+        warnings.filter(|it| it.contains("optima: ")).collect::<Vec<_>>()
+    };
+    for command in [vec!["chart"], vec!["plot", "chart", "-o", &svg], vec!["report", "-o", &page]] {
+        let (_, answer) = json(&[&command[..], &slow].concat());
+        let found = of_optima(&answer);
+        assert!(found.len() == 1 && says.iter().all(|says| found[0].contains(says)), "{command:?}: {answer}");
+    }
+    let (_, usual) = json(&["plot", "chart", "-o", &svg, "--overwrite", "--along", "swing.speed=105mph..110mph"]);
+    assert_eq!(of_optima(&usual), Vec::<String>::new());
+    // the setup's own drive is usual, the optimum is not
+    let vary = ["--vary", "club.loft=4deg..60deg", "--vary", "swing.speed=20mph..30mph", "--maximize", "carry"];
+    let (_, map) = json(&[&["plot", "contour", "-o", &svg, "--overwrite"], &vary[..]].concat());
+    let warnings = map["warnings"].as_array().unwrap();
+    assert!(warnings.iter().any(|it| it.as_str().unwrap().starts_with("at the optimum: the law")), "{map}");
+}

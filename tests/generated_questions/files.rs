@@ -44,7 +44,20 @@ pub fn points(chance: &mut Chance) -> Vec<u8> {
         let name = name_of(columns[at], chance);
         if units[at].is_empty() { name } else { format!("{name} [{}]", units[at]) }
     };
-    let mut text = (0..columns.len()).map(|at| head(at, chance)).collect::<Vec<_>>().join(",") + "\n";
+    let separator = if chance.is(0.7) { "," } else { chance.of(&[";", "\t"]) };
+    // what a sweep has written beside them, and what launch monitors write
+    let others = [("status", "landed"), ("carry [m]", "200.5"), ("d_carry/d_club.loft [m/rad]", ""), ("note", "x")];
+    let launch = [("Ball Speed [mph]", "150"), ("Launch Angle [deg]", "12"), ("Spin Rate [rpm]", "2,500")];
+    let more: &[(&str, &str)] = match chance.below(8) {
+        0 => &others,
+        1 if separator != "," => &launch,
+        _ => &[],
+    };
+    let joined = |cells: Vec<String>, more: Vec<&str>| {
+        cells.into_iter().chain(more.into_iter().map(str::to_owned)).collect::<Vec<_>>().join(separator) + "\n"
+    };
+    let heads = (0..columns.len()).map(|at| head(at, chance)).collect();
+    let mut text = joined(heads, more.iter().map(|(head, _)| *head).collect());
     for _ in 0..(1 + chance.below(7)) * usize::from(!chance.slips()) {
         let cell = |at: usize, chance: &mut Chance| {
             let size = columns[at].quantity.size_of(units[at]).filter(|_| !units[at].is_empty()).unwrap_or(1.0);
@@ -55,7 +68,8 @@ pub fn points(chance: &mut Chance) -> Vec<u8> {
                 format!("{number:?}")
             }
         };
-        text += &((0..columns.len()).map(|at| cell(at, chance)).collect::<Vec<_>>().join(",") + "\n");
+        let cells = (0..columns.len()).map(|at| cell(at, chance)).collect();
+        text += &joined(cells, more.iter().map(|(_, cell)| *cell).collect());
     }
     spoilt(text, chance)
 }

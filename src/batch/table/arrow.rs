@@ -1,8 +1,9 @@
 use super::record_batches::RecordBatches;
-use super::{Fingerprint, column, is_value, refuse_columns, refused};
+use super::{Columns, Fingerprint, columns_in_si, refused, wrong_value};
 use crate::batch::points::Points;
 use crate::error::Result;
 use crate::parameters::{Parameter, Setup};
+use crate::units::Message;
 use arrow_array::cast::AsArray;
 use arrow_array::types::{
     Float32Type, Float64Type, Int8Type, Int16Type, Int32Type, Int64Type, UInt8Type, UInt16Type, UInt32Type, UInt64Type,
@@ -16,7 +17,8 @@ use std::path::{Path, PathBuf};
 pub struct ArrowTable {
     path: PathBuf,
     batches: RecordBatches,
-    parameters: Vec<&'static Parameter>,
+    read: Columns,
+    notes: Vec<Message>,
     rows: u64,
     fingerprint: Fingerprint,
     /// The record batch that is being read, and how many of its rows have been.
@@ -33,18 +35,18 @@ impl ArrowTable {
     /// that is no parameter, given twice or not of numbers, a missing value, and NaN.
     pub fn open(setup: &Setup<f64>, path: &Path) -> Result<Self> {
         let batches = RecordBatches::open(path).map_err(|reason| refused(path, String::new(), reason))?;
-        let mut parameters = vec![];
-        for (at, head) in batches.schema().fields().iter().enumerate() {
-            parameters.push(column(setup, path, at + 1, head.name())?);
-            let kind = head.data_type();
+        let fields = batches.schema().fields();
+        let names: Vec<String> = fields.iter().map(|field| field.name().clone()).collect();
+        let (read, notes) = columns_in_si(setup, path, &names)?;
+        for at in &read.at {
+            let kind = fields[*at].data_type();
             if !(kind.is_integer() || matches!(kind, DataType::Float32 | DataType::Float64)) {
                 let reason = format!("its type is {kind}; a column must hold numbers (float64, float32 or integers)");
-                return Err(refused(path, format!(", column {}", head.name()), reason));
+                return Err(refused(path, format!(", column {}", names[*at]), reason));
             }
         }
-        refuse_columns(path, &parameters)?;
         let (path, fingerprint) = (path.to_owned(), Fingerprint::new());
-        let mut table = Self { path, batches, parameters, rows: 0, fingerprint, batch: None, passed: 0, next: 0 };
+        let mut table = Self { path, batches, read, notes, rows: 0, fingerprint, batch: None, passed: 0, next: 0 };
         (table.rows, table.fingerprint) = Fingerprint::of(&mut table)?;
         table.seek(0)?;
         Ok(table)
@@ -104,7 +106,11 @@ fn values(column: &dyn Array) -> Option<Vec<f64>> {
 
 impl Points for ArrowTable {
     fn parameters(&self) -> &[&'static Parameter] {
-        &self.parameters
+        &self.read.parameters
+    }
+
+    fn notes(&self) -> Vec<Message> {
+        self.notes.clone()
     }
 
     fn rows(&self) -> u64 {
@@ -122,7 +128,7 @@ impl Points for ArrowTable {
     }
 
     fn read(&mut self, most: usize, into: &mut Vec<f64>) -> Result<usize> {
-        let width = self.parameters.len();
+        let width = self.read.parameters.len();
         let mut rows = 0;
         // a chunk may reach over the end of a record batch
         while rows < most && self.open_batch(self.next)? {
@@ -130,19 +136,14 @@ impl Points for ArrowTable {
             let Some(batch) = &self.batch else { break };
             let first = into.len();
             into.resize(first + wanted * width, 0.0);
-            for (i, parameter) in self.parameters.iter().enumerate() {
-                let column = batch.column(i).slice(self.passed, wanted);
+            for (i, parameter) in self.read.parameters.iter().enumerate() {
+                let column = batch.column(self.read.at[i]).slice(self.passed, wanted);
                 let values = values(&column).ok_or_else(|| self.unreadable("it is not a column of numbers".into()))?;
                 for (row, value) in values.into_iter().enumerate() {
-                    let is_missing = column.is_null(row);
-                    if is_missing || !is_value(parameter, value) {
+                    let found = (!column.is_null(row)).then_some(value);
+                    if let Some(wrong) = wrong_value(parameter, found) {
                         let place = format!(", row {}, column {}", self.next + row as u64 + 1, parameter.name);
-                        let what = if is_missing {
-                            "a value is missing".into()
-                        } else {
-                            format!("{value} is not a finite number")
-                        };
-                        return Err(refused(&self.path, place, format!("{what}; every row needs one")));
+                        return Err(refused(&self.path, place, wrong));
                     }
                     into[first + row * width + i] = value;
                 }

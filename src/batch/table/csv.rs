@@ -1,119 +1,174 @@
-use super::{Fingerprint, column, is_value, refuse_columns, refused};
+use super::{Columns, Fingerprint, refuse_columns, refused};
 use crate::batch::points::Points;
-use crate::error::Result;
-use crate::foreign::of_csv;
+use crate::columns::{Column, Head, separated, summary};
+use crate::error::{Error, Result};
+use crate::foreign::{of_csv, of_csv_row, of_io};
 use crate::parameters::{Parameter, Setup};
+use crate::units::Message;
 use csv::{Reader, ReaderBuilder, StringRecord, Trim};
 use std::fs::File;
+use std::io::{BufRead, BufReader, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
 
-/// Points in a CSV file. Its head names the parameters with their units: `club.loft [deg]`, `impact.restitution`.
+/// Points in a CSV file. Its head names the parameters with their units, `club.loft [deg]`, `impact.restitution`, or is that of a
+/// launch monitor's export, `Ball Speed [mph]`; cells are separated by commas, semicolons or tabs.
 #[derive(Debug)]
 pub struct CsvTable {
     path: PathBuf,
+    layout: Layout,
     reader: Reader<File>,
-    columns: Vec<Column>,
-    parameters: Vec<&'static Parameter>,
+    columns: Columns,
+    /// The columns that are read, with their places.
+    read: Vec<(usize, Column)>,
+    /// Whether the table is a launch monitor's, of which rows that sum up others are passed over.
+    is_export: bool,
+    notes: Vec<Message>,
     rows: u64,
     fingerprint: Fingerprint,
     next: u64,
+    /// The number of the record in the file, and of those that are no drives.
+    line: u64,
+    summaries: Vec<String>,
     record: StringRecord,
 }
 
-/// A column of numbers, and the unit that they are in; a plain number has none.
-#[derive(Clone, Debug)]
-struct Column {
-    parameter: &'static Parameter,
-    unit: Option<String>,
+/// Where the cells of a file are.
+#[derive(Clone, Copy, Debug)]
+struct Layout {
+    separator: u8,
+    /// The byte at which the head begins.
+    begin: u64,
+    has_units_row: bool,
 }
 
 impl CsvTable {
     /// The table in a file. All of it is read once, so that a cell that is no number is told before any work.
     ///
     /// # Errors
-    /// [`Error::Table`](crate::Error::Table) for a file that cannot be read, a column that is no parameter or given
-    /// twice, a unit of another kind, and a cell that is no number.
+    /// [`Error::Table`] for a file that cannot be read, without a row or without a column of a parameter, for a column that is unknown
+    /// or given twice, a unit of another kind, and a cell that is no number.
     pub fn open(setup: &Setup<f64>, path: &Path) -> Result<Self> {
-        let mut reader = begin(path)?;
-        let head = reader.headers().map_err(|error| refused(path, String::new(), of_csv(&error)))?.clone();
-        let columns = head.iter().enumerate().map(|(at, head)| Column::read(setup, path, at + 1, head));
-        let columns = columns.collect::<Result<Vec<_>>>()?;
-        let parameters: Vec<_> = columns.iter().map(|column| column.parameter).collect();
-        refuse_columns(path, &parameters)?;
-        let (path, record, fingerprint) = (path.to_owned(), StringRecord::new(), Fingerprint::new());
-        let mut table = Self { path, reader, columns, parameters, rows: u64::MAX, fingerprint, next: 0, record };
+        let mut layout = Layout::of(path)?;
+        let mut reader = layout.begin(path)?;
+        let heads = reader.headers().map_err(|error| refused(path, String::new(), of_csv(&error)))?.clone();
+        let mut first = StringRecord::new();
+        // a row that cannot be read is told with its number below
+        let has_first = reader.read_record(&mut first).unwrap_or(false);
+        let below = has_first.then(|| first.iter());
+        let at_column = |(at, error): (usize, Error)| refused(path, format!(", column {}", at + 1), error.to_string());
+        let head = Head::read(setup, heads.iter(), below, layout.separator).map_err(at_column)?;
+        layout.has_units_row = head.has_units_row;
+        let columns = Columns::new(setup, path, &head)?;
+        let read = columns.at.iter().map(|at| (*at, head.columns[*at].clone())).collect::<Vec<_>>();
+        for (at, column) in &read {
+            column.check_unit().map_err(|error| at_column((*at, error)))?;
+        }
+        refuse_columns(path, &columns.parameters)?;
+        let notes = head.remarks.iter().cloned().chain(columns.not_read(&head)).collect();
+        let mut table = Self {
+            path: path.to_owned(),
+            layout,
+            reader: layout.begin(path)?,
+            columns,
+            read,
+            is_export: head.format.is_export,
+            notes,
+            rows: u64::MAX,
+            fingerprint: Fingerprint::new(),
+            next: 0,
+            line: 0,
+            summaries: vec![],
+            record: StringRecord::new(),
+        };
         (table.rows, table.fingerprint) = Fingerprint::of(&mut table)?;
+        let summaries = std::mem::take(&mut table.summaries);
+        if !summaries.is_empty() {
+            table.notes.push(format!("rows left out, since they sum up other rows: {}", summaries.join(", ")).into());
+        }
         table.seek(0)?;
         Ok(table)
     }
 
+    /// The next row that is a drive.
     fn record(&mut self) -> Result<bool> {
-        self.reader.read_record(&mut self.record).map_err(|error| {
-            let place = format!(", row {}", self.next + 1);
-            refused(&self.path, place, of_csv(&error))
-        })
-    }
-}
-
-fn begin(path: &Path) -> Result<Reader<File>> {
-    let file =
-        File::open(path).map_err(|error| refused(path, String::new(), format!("it cannot be read ({error})")))?;
-    Ok(ReaderBuilder::new().trim(Trim::All).from_reader(file))
-}
-
-impl Column {
-    fn read(setup: &Setup<f64>, path: &Path, number: usize, head: &str) -> Result<Self> {
-        // a spreadsheet's mark of its encoding is no part of a name
-        let head = head.trim_start_matches('\u{feff}');
-        let (name, unit) = match head.split_once('[') {
-            Some((name, unit)) => (name.trim(), Some(unit.trim_end().trim_end_matches(']').trim())),
-            None => (head, None),
-        };
-        let parameter = column(setup, path, number, name)?;
-        if let Some(unit) = unit
-            && let Err(error) = parameter.quantity.read(&format!("1 {unit}"))
-        {
-            return Err(refused(path, format!(", column {number} ({name})"), error.to_string()));
-        }
-        if unit.is_none() && !parameter.quantity.si.is_empty() {
-            let reason = format!("it has no unit; write it into the head, as in '{name} [{}]'", parameter.unit);
-            return Err(refused(path, format!(", column {number} ({name})"), reason));
-        }
-        Ok(Self { parameter, unit: unit.map(str::to_owned) })
-    }
-
-    /// The SI value of a cell.
-    fn value(&self, cell: &str) -> Result<f64, String> {
-        let number: f64 = cell.parse().ok().filter(|number| is_value(self.parameter, *number)).ok_or_else(|| {
-            let unit = self.parameter.unit;
-            match cell {
-                "" => "the cell is empty; every row needs a value".into(),
-                _ => format!(
-                    "'{cell}' is not a finite number; units stand in the head, as in '{} [{unit}]'",
-                    self.parameter.name
-                ),
+        loop {
+            let place = |line: u64| format!(", row {}", line + 1);
+            let is_there = self.reader.read_record(&mut self.record).map_err(|error| match File::open(&self.path) {
+                Ok(again) => refused(&self.path, place(self.line), of_csv_row(&error, BufReader::new(again))),
+                Err(_) => refused(&self.path, place(self.line), of_csv(&error)),
+            })?;
+            self.line += u64::from(is_there);
+            match summary(self.record.iter()).filter(|_| is_there && self.is_export) {
+                Some(word) => {
+                    if self.rows == u64::MAX {
+                        self.summaries.push(format!("{} ({word})", self.line));
+                    }
+                }
+                None => return Ok(is_there),
             }
-        })?;
-        match &self.unit {
-            Some(unit) => self.parameter.quantity.read(&format!("{number} {unit}")).map_err(|error| error.to_string()),
-            None => Ok(number),
         }
+    }
+
+    fn restart(&mut self) -> Result<()> {
+        self.reader = self.layout.begin(&self.path)?;
+        (self.next, self.line) = (0, 0);
+        Ok(())
+    }
+}
+
+impl Layout {
+    /// How the file separates its cells: what its head says, and a line `sep=;` before it.
+    fn of(path: &Path) -> Result<Self> {
+        let unreadable = |error: std::io::Error| refused(path, String::new(), of_io(&error));
+        let mut file = BufReader::new(File::open(path).map_err(unreadable)?);
+        let mut bytes = vec![];
+        loop {
+            let from = bytes.len();
+            if file.read_until(b'\n', &mut bytes).map_err(unreadable)? == 0 {
+                break;
+            }
+            let line = String::from_utf8_lossy(&bytes[from..]);
+            let line = line.trim_start_matches('\u{feff}').trim();
+            if !(line.is_empty() || line.starts_with(['#']) || line.starts_with("sep=")) {
+                break;
+            }
+        }
+        let text = String::from_utf8_lossy(&bytes);
+        let (separator, rest) = separated(&text);
+        Ok(Self { separator, begin: (text.len() - rest.len()) as u64, has_units_row: false })
+    }
+
+    /// Reads the file from its head.
+    fn begin(&self, path: &Path) -> Result<Reader<File>> {
+        let unreadable = |error: std::io::Error| refused(path, String::new(), of_io(&error));
+        let mut file = File::open(path).map_err(unreadable)?;
+        file.seek(SeekFrom::Start(self.begin)).map_err(unreadable)?;
+        let mut reader =
+            ReaderBuilder::new().trim(Trim::All).comment(Some(b'#')).delimiter(self.separator).from_reader(file);
+        if self.has_units_row {
+            let passed = reader.read_record(&mut StringRecord::new());
+            passed.map_err(|error| refused(path, String::new(), of_csv(&error)))?;
+        }
+        Ok(reader)
     }
 }
 
 impl Points for CsvTable {
     fn parameters(&self) -> &[&'static Parameter] {
-        &self.parameters
+        &self.columns.parameters
     }
 
     fn rows(&self) -> u64 {
         self.rows
     }
 
+    fn notes(&self) -> Vec<Message> {
+        self.notes.clone()
+    }
+
     fn seek(&mut self, row: u64) -> Result<()> {
         if row < self.next || self.reader.is_done() {
-            self.reader = begin(&self.path)?;
-            self.next = 0;
+            self.restart()?;
         }
         while self.next < row && self.record()? {
             self.next += 1;
@@ -125,9 +180,11 @@ impl Points for CsvTable {
         let mut rows = 0;
         while rows < most && self.next < self.rows && self.record()? {
             self.next += 1;
-            for (column, cell) in self.columns.iter().zip(&self.record) {
-                values.push(column.value(cell).map_err(|reason| {
-                    refused(&self.path, format!(", row {}, column {}", self.next, column.parameter.name), reason)
+            for (at, column) in &self.read {
+                let value = column.value(self.record.get(*at).unwrap_or_default());
+                let value = value.and_then(|value| value.ok_or("the cell is empty; every row needs a value".into()));
+                values.push(value.map_err(|reason| {
+                    refused(&self.path, format!(", row {}, column {}", self.line, column.head), reason)
                 })?);
             }
             rows += 1;

@@ -15,8 +15,10 @@ pub use csv::CsvTable;
 pub use parquet::ParquetTable;
 
 use super::points::Points;
+use crate::columns::{CONDITIONS, Column, Head, Holds};
 use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup};
+use crate::units::Message;
 use std::path::Path;
 
 /// The table in a file, by the ending of its name: CSV (`.csv`), Parquet (`.parquet`), or Arrow IPC (`.arrow`, `.arrows`,
@@ -59,16 +61,70 @@ fn refused(path: &Path, place: String, reason: impl Into<String>) -> Error {
     Error::Table { file: path.display().to_string(), place, reason: reason.into() }
 }
 
-/// The parameter of a column.
-fn column(setup: &Setup<f64>, path: &Path, number: usize, name: &str) -> Result<&'static Parameter> {
-    let place = format!(", column {number}");
-    // a launch monitor's own names stand for the launch conditions
-    if let Some(condition) = setup.launch_condition(name) {
-        return Ok(condition);
-    }
-    setup.column(name).map_err(|error| refused(path, place, format!("{error}; every column must be a parameter")))
+/// The columns of a table that drives are computed from.
+#[derive(Debug)]
+struct Columns {
+    /// Their places in the table, from 0.
+    at: Vec<usize>,
+    parameters: Vec<&'static Parameter>,
 }
 
+impl Columns {
+    /// The columns of parameters and, where the table has no club, of launch conditions.
+    fn new(setup: &Setup<f64>, path: &Path, head: &Head) -> Result<Self> {
+        let is_struck = head.has_strike();
+        let parameter = |column: &Column| match column.holds {
+            Holds::Input(parameter) => Some(parameter),
+            Holds::Outcome(outcome) if !is_struck && CONDITIONS.contains(&outcome) => {
+                setup.launch_condition(outcome.name())
+            }
+            _ => None,
+        };
+        let read = head.columns.iter().enumerate().filter_map(|(at, column)| Some((at, parameter(column)?)));
+        let (at, parameters): (Vec<_>, Vec<_>) = read.unzip();
+        if let (true, [_, ..]) = (at.is_empty(), &head.columns[..]) {
+            let heads = head.named(|_| true).0.join(", ");
+            let reason = format!(
+                "none of its columns is a parameter or a launch condition ({heads}); add one, such as 'club.loft [deg]'"
+            );
+            return Err(refused(path, String::new(), reason));
+        }
+        Ok(Self { at, parameters })
+    }
+
+    /// The columns that are not read, but for those of which the head itself says so.
+    fn not_read(&self, head: &Head) -> Option<Message> {
+        let is_read = |column: &Column| self.at.iter().any(|at| std::ptr::eq(&head.columns[*at], column));
+        let not_read = head.named(|column| !is_read(column) && (column.holds != Holds::Note || !head.format.is_export));
+        let of = if head.has_strike() && !head.format.is_export { "parameters of the club" } else { "parameters" };
+        not_read.told(&format!("columns not read, since they are results or remarks and not {of}"))
+    }
+}
+
+/// The columns of a table that is in SI throughout, by their names, and what deserves a word.
+#[cfg(any(feature = "arrow", feature = "parquet"))]
+fn columns_in_si(setup: &Setup<f64>, path: &Path, names: &[String]) -> Result<(Columns, Vec<Message>)> {
+    let head = Head::in_si(setup, names)
+        .map_err(|(at, error)| refused(path, format!(", column {}", at + 1), error.to_string()))?;
+    let columns = Columns::new(setup, path, &head)?;
+    refuse_columns(path, &columns.parameters)?;
+    let notes = columns.not_read(&head).into_iter().collect();
+    Ok((columns, notes))
+}
+
+/// What is wrong with a value that is missing or that may not stand in a column.
+#[cfg(any(feature = "arrow", feature = "parquet"))]
+fn wrong_value(parameter: &Parameter, value: Option<f64>) -> Option<String> {
+    match value {
+        None => Some("a value is missing; every row needs one".into()),
+        Some(value) if !is_value(parameter, value) => {
+            Some(format!("{value} is not a finite number; every row needs one"))
+        }
+        Some(_) => None,
+    }
+}
+
+#[cfg(any(feature = "arrow", feature = "parquet"))]
 /// Whether a value may stand in a column: NaN never, an infinite one only where the parameter may be that (a flat face).
 fn is_value(parameter: &Parameter, value: f64) -> bool {
     value.is_finite() || parameter.range.contains(value)

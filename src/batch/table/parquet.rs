@@ -1,8 +1,9 @@
-use super::{Fingerprint, column, is_value, refuse_columns, refused};
+use super::{Columns, Fingerprint, columns_in_si, refused, wrong_value};
 use crate::batch::points::Points;
 use crate::error::Result;
-use crate::foreign::of_parquet;
+use crate::foreign::{of_io, of_parquet};
 use crate::parameters::{Parameter, Setup};
+use crate::units::Message;
 use parquet::basic::{Compression, Type};
 use parquet::column::reader::ColumnReader;
 use parquet::errors::ParquetError;
@@ -15,7 +16,8 @@ use std::path::{Path, PathBuf};
 pub struct ParquetTable {
     path: PathBuf,
     file: SerializedFileReader<File>,
-    parameters: Vec<&'static Parameter>,
+    read: Columns,
+    notes: Vec<Message>,
     rows: u64,
     fingerprint: Fingerprint,
     /// The row group that is read next.
@@ -37,10 +39,10 @@ impl ParquetTable {
         let file = SerializedFileReader::new(opened);
         let file = file.map_err(|error| refused(path, String::new(), of_parquet(&error)))?;
         let schema = file.metadata().file_metadata().schema_descr_ptr();
-        let mut parameters = vec![];
-        for (at, head) in schema.columns().iter().enumerate() {
-            let name = head.path().string();
-            parameters.push(column(setup, path, at + 1, &name)?);
+        let names: Vec<String> = schema.columns().iter().map(|head| head.path().string()).collect();
+        let (read, notes) = columns_in_si(setup, path, &names)?;
+        for at in &read.at {
+            let (head, name) = (schema.column(*at), &names[*at]);
             if head.max_rep_level() > 0 || head.max_def_level() > 1 {
                 return Err(refused(path, format!(", column {name}"), "it is nested; a column must hold numbers"));
             }
@@ -49,19 +51,16 @@ impl ParquetTable {
                 let reason = format!("its type is {kind}; a column must hold numbers (DOUBLE, FLOAT, INT32 or INT64)");
                 return Err(refused(path, format!(", column {name}"), reason));
             }
-        }
-        let chunks = file.metadata().row_groups().iter().flat_map(|group| group.columns());
-        for (chunk, parameter) in chunks.zip(parameters.iter().cycle()) {
-            if let Some(by) = not_read(chunk.compression()) {
+            let chunks = file.metadata().row_groups().iter().map(|group| group.column(*at));
+            if let Some(by) = chunks.filter_map(|chunk| not_read(chunk.compression())).next() {
                 let reason = format!(
                     "it is compressed by {by}, which is not read here; write it uncompressed, or with Snappy or ZSTD"
                 );
-                return Err(refused(path, format!(", column {}", parameter.name), reason));
+                return Err(refused(path, format!(", column {name}"), reason));
             }
         }
-        refuse_columns(path, &parameters)?;
         let (path, columns, fingerprint) = (path.to_owned(), vec![], Fingerprint::new());
-        let mut table = Self { path, file, parameters, rows: 0, fingerprint, group: 0, columns, left: 0, next: 0 };
+        let mut table = Self { path, file, read, notes, rows: 0, fingerprint, group: 0, columns, left: 0, next: 0 };
         (table.rows, table.fingerprint) = Fingerprint::of(&mut table)?;
         table.seek(0)?;
         Ok(table)
@@ -78,7 +77,7 @@ impl ParquetTable {
                 return Ok(false);
             }
             let group = self.file.get_row_group(self.group).map_err(|error| self.unreadable(error))?;
-            let columns = (0..self.parameters.len()).map(|i| group.get_column_reader(i));
+            let columns = self.read.at.iter().map(|at| group.get_column_reader(*at));
             self.columns = columns.collect::<Result<_, _>>().map_err(|error| self.unreadable(error))?;
             self.left = group.metadata().num_rows().max(0) as usize;
             self.group += 1;
@@ -91,7 +90,7 @@ impl ParquetTable {
 fn whole(path: &Path) -> Result<File, String> {
     const MAGIC: &[u8; 4] = b"PAR1";
     const ENCRYPTED: &[u8; 4] = b"PARE";
-    let unreadable = |error: std::io::Error| format!("it cannot be read ({error})");
+    let unreadable = |error: std::io::Error| of_io(&error);
     let mut file = File::open(path).map_err(unreadable)?;
     let mut begins = vec![];
     file.by_ref().take(4).read_to_end(&mut begins).map_err(unreadable)?;
@@ -129,8 +128,8 @@ fn not_read(compression: Compression) -> Option<&'static str> {
     }
 }
 
-/// The next values of a column; fewer where some are missing.
-fn values(column: &mut ColumnReader, rows: usize) -> Result<Vec<f64>, ParquetError> {
+/// The next values of a column.
+fn values(column: &mut ColumnReader, rows: usize) -> Result<Vec<Option<f64>>, ParquetError> {
     macro_rules! read {
         ($column:expr, $into:expr) => {{
             let (mut values, mut levels) = (Vec::with_capacity(rows), Vec::new());
@@ -142,7 +141,12 @@ fn values(column: &mut ColumnReader, rows: usize) -> Result<Vec<f64>, ParquetErr
                 }
                 read += records;
             }
-            values.into_iter().map($into).collect()
+            let mut present = values.into_iter().map($into);
+            // a column of which every value must be there has no levels
+            match levels.is_empty() {
+                true => present.map(Some).collect(),
+                false => levels.iter().map(|level| if *level > 0 { present.next() } else { None }).collect(),
+            }
         }};
     }
     Ok(match column {
@@ -156,7 +160,11 @@ fn values(column: &mut ColumnReader, rows: usize) -> Result<Vec<f64>, ParquetErr
 
 impl Points for ParquetTable {
     fn parameters(&self) -> &[&'static Parameter] {
-        &self.parameters
+        &self.read.parameters
+    }
+
+    fn notes(&self) -> Vec<Message> {
+        self.notes.clone()
     }
 
     fn rows(&self) -> u64 {
@@ -177,27 +185,26 @@ impl Points for ParquetTable {
     }
 
     fn read(&mut self, most: usize, into: &mut Vec<f64>) -> Result<usize> {
-        let width = self.parameters.len();
+        let width = self.read.parameters.len();
         let mut rows = 0;
         // a chunk may reach over the end of a row group
         while rows < most && self.open_group()? {
             let wanted = self.left.min(most - rows);
             let first = into.len();
             into.resize(first + wanted * width, 0.0);
-            for (i, parameter) in self.parameters.iter().enumerate() {
-                let place =
-                    || format!(", rows {} to {}, column {}", self.next + 1, self.next + wanted as u64, parameter.name);
-                let column = values(&mut self.columns[i], wanted)
-                    .map_err(|error| refused(&self.path, place(), of_parquet(&error)))?;
-                if column.len() < wanted || column.iter().any(|value| !is_value(parameter, *value)) {
-                    return Err(refused(
-                        &self.path,
-                        place(),
-                        "a value is missing or is not a finite number; every row needs one",
-                    ));
-                }
-                for (row, value) in column.into_iter().enumerate() {
-                    into[first + row * width + i] = value;
+            for (i, parameter) in self.read.parameters.iter().enumerate() {
+                let column = values(&mut self.columns[i], wanted).map_err(|error| {
+                    let rows = format!(", rows {} to {}", self.next + 1, self.next + wanted as u64);
+                    refused(&self.path, format!("{rows}, column {}", parameter.name), of_parquet(&error))
+                })?;
+                // what a damaged file leaves out is missing too
+                let column = column.into_iter().chain(std::iter::repeat(None)).take(wanted);
+                for (row, value) in column.enumerate() {
+                    if let Some(wrong) = wrong_value(parameter, value) {
+                        let place = format!(", row {}, column {}", self.next + row as u64 + 1, parameter.name);
+                        return Err(refused(&self.path, place, wrong));
+                    }
+                    into[first + row * width + i] = value.unwrap_or_default();
                 }
             }
             self.left -= wanted;

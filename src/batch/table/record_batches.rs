@@ -1,4 +1,4 @@
-use crate::foreign::{DAMAGED, of_arrow};
+use crate::foreign::{DAMAGED, of_arrow, of_io};
 use arrow_array::RecordBatch;
 use arrow_buffer::Buffer;
 use arrow_ipc::convert::try_fb_to_schema;
@@ -48,7 +48,7 @@ pub(super) struct Head {
 impl RecordBatches {
     /// Those of a file, or the reason why there are none.
     pub(super) fn open(path: &Path) -> Result<Self, String> {
-        let unreadable = |error: std::io::Error| format!("it cannot be read ({error})");
+        let unreadable = |error: std::io::Error| of_io(&error);
         let mut file = File::open(path).map_err(unreadable)?;
         let length = file.metadata().map_err(unreadable)?.len();
         let mut magic = vec![];
@@ -211,8 +211,6 @@ fn read_schema(schema: Option<arrow_ipc::Schema>) -> Result<Arc<Schema>, String>
 fn bytes(file: &mut File, part: Range<u64>) -> Result<Vec<u8>, String> {
     let length = usize::try_from(part.end - part.start).map_err(|_| "it is too large for this machine")?;
     let mut bytes = vec![0; length];
-    file.seek(SeekFrom::Start(part.start))
-        .and_then(|_| file.read_exact(&mut bytes))
-        .map_err(|error| format!("it cannot be read ({error})"))?;
+    file.seek(SeekFrom::Start(part.start)).and_then(|_| file.read_exact(&mut bytes)).map_err(|error| of_io(&error))?;
     Ok(bytes)
 }

@@ -8,10 +8,9 @@ use longdrive::optimize::least_squares::{Follow, Loss};
 use longdrive::parameters::{Law, Vary};
 use longdrive::report::plot::Look;
 use longdrive::report::{CalibrationReport, calibration_document, calibration_reply, calibration_toml};
-use longdrive::study::calibrate::{HeldOut, Plan, ShotTable, beyond, calibrate, held_out};
+use longdrive::study::calibrate::{HeldOut, Plan, ShotTable, beyond, calibrate, held_out, ranges};
 use longdrive::{Error, Result, Setup};
 use serde_json::json;
-use std::fs::File;
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -28,13 +27,12 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
     let mut warnings = setup.warnings();
     warn(&warnings);
     let file = args.data.display().to_string();
-    let cannot = |error: std::io::Error| Error::Table {
-        file: file.clone(),
-        place: String::new(),
-        reason: format!("it cannot be read ({error})"),
-    };
-    let table = ShotTable::read(&setup, &file, File::open(&args.data).map_err(cannot)?)?;
+    let table = ShotTable::open(&setup, &args.data)?;
+    if table.is_launched {
+        args.question.refuse_club(&setup, &format!("the rows of {file} are launches"))?;
+    }
     let mut plan = Plan::read(&setup, &args.fit)?;
+    let setup = args.question.within_tolerance(setup, &ranges(&setup, &table, &plan.fit))?;
     plan.starts = args.starts as usize;
     plan.options.max_iterations = args.max_iterations;
     if args.huber {

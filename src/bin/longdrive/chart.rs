@@ -1,11 +1,14 @@
 use crate::args::ChartArgs;
 use crate::output::{Answer, spinner, system, tell, tell_error, warn};
 use crate::search::{BEST_SO_FAR, interrupt};
-use longdrive::drive::Looked;
-use longdrive::report::{ChartReport, chart_csv, chart_text, outcome_text, parameter_text};
-use longdrive::study::{Chart, Vary, chart_at};
+use indicatif::ProgressBar;
+use longdrive::optimize::Iteration;
+use longdrive::report::{ChartReport, chart_csv, chart_text, iteration_line, outcome_text, parameter_text};
+use longdrive::study::{Chart, ChartWatch, Search, Vary, chart_at};
 use longdrive::{Result, Setup};
-use std::sync::atomic::Ordering;
+use std::cell::Cell;
+use std::rc::Rc;
+use std::time::{Duration, Instant};
 
 pub fn run(args: &ChartArgs) -> Result<Answer> {
     let setup = args.question.setup()?;
@@ -18,13 +21,25 @@ pub fn run(args: &ChartArgs) -> Result<Answer> {
     let stop = interrupt(BEST_SO_FAR);
     let of = search.maximize;
     let spinner = spinner("following the optimum");
-    let chart = chart_at(&setup, &search, along, &at, |point| {
+    let beginning = {
+        let spinner = spinner.clone();
+        move |at| {
+            let place = parameter_text(along.parameter, at, system());
+            spinner.suspend(|| tell(&format!("searching for an optimum at {} {place}", along.parameter.name)));
+        }
+    };
+    let follow = ChartWatch {
+        interrupt: stop,
+        beginning: Some(Rc::new(beginning)),
+        iteration: Some(Rc::new(progress(&search, &spinner))),
+    };
+    let chart = chart_at(&setup, &search, along, &at, &follow, |point| {
         if at.is_empty() || at.contains(&point.at) {
             let value = point.best.value().map_or("–".into(), |value| outcome_text(of, value, system()));
             let place = parameter_text(along.parameter, point.at, system());
             spinner.suspend(|| tell(&format!("{} {place}: {} {value}", along.parameter.name, of.name())));
         }
-        !stop.load(Ordering::Relaxed)
+        true
     });
     spinner.finish_and_clear();
     let chart = match chart {
@@ -40,7 +55,7 @@ pub fn run(args: &ChartArgs) -> Result<Answer> {
         }
         chart => chart?,
     };
-    let beyond = chart.beyond().warnings(&setup.law, ["optimum", "optima"], Looked::AtFlight);
+    let beyond = chart.warnings();
     warn(&beyond);
     warnings.extend(beyond);
     let answer = if args.question.json {
@@ -51,6 +66,18 @@ pub fn run(args: &ChartArgs) -> Result<Answer> {
         Answer::text(chart_text(&chart, system()))
     };
     Ok(answer.found(chart.begun.is_none() && chart.ended.is_none()))
+}
+
+/// Tells of an iteration where nothing was told for a second: most searches of a chart are done before.
+fn progress(search: &Search, spinner: &ProgressBar) -> impl Fn(&Iteration) + use<> {
+    const SILENCE: Duration = Duration::from_secs(1);
+    let (search, spinner, told) = (search.clone(), spinner.clone(), Cell::new(Instant::now()));
+    move |iteration| {
+        if told.get().elapsed() >= SILENCE {
+            told.set(Instant::now());
+            spinner.suspend(|| tell(&iteration_line(&search, iteration, system())));
+        }
+    }
 }
 
 impl ChartArgs {

@@ -37,7 +37,7 @@ fn main() -> ExitCode {
         Ok(args) => args,
         Err(error) => {
             let words: Vec<_> = std::env::args_os().skip(1).collect();
-            return output::explain(&error, Command::named_in(&words), words.iter().any(|word| word == "--json"));
+            return output::explain(error, Command::named_in(&words), words.iter().any(|word| word == "--json"));
         }
     };
     output::begin(args.shown);

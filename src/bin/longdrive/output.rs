@@ -1,5 +1,6 @@
 use crate::args::Shown;
 use crate::colour;
+use clap::error::{ContextKind, ContextValue};
 use indicatif::{ProgressBar, ProgressStyle};
 use longdrive::report::{Empty, Reply, remark};
 use longdrive::units::{Message, System};
@@ -91,7 +92,8 @@ pub fn complain(error: &Error, command: &'static str, is_json: bool) -> ExitCode
 }
 
 /// Says what the arguments lack, or shows the help that they ask for.
-pub fn explain(error: &clap::Error, command: Option<&'static str>, is_json: bool) -> ExitCode {
+pub fn explain(mut error: clap::Error, command: Option<&'static str>, is_json: bool) -> ExitCode {
+    in_own_words(&mut error);
     // a reader that has gone away is no failure of ours
     let _ = error.print();
     if error.use_stderr() && is_json {
@@ -102,6 +104,23 @@ pub fn explain(error: &clap::Error, command: Option<&'static str>, is_json: bool
         say(&Reply::refused(command, "error", message));
     }
     ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2))
+}
+
+/// Says what to do about an argument that begins with a hyphen and is no option: the reader of arguments takes it for the name of a
+/// setup that is to stand after `--`.
+fn in_own_words(error: &mut clap::Error) {
+    let Some(ContextValue::StyledStrs(tips)) = error.get(ContextKind::Suggested) else { return };
+    let Some(ContextValue::String(argument)) = error.get(ContextKind::InvalidArg) else { return };
+    if tips.len() != 1 || !tips[0].to_string().contains("use '-- ") {
+        return;
+    }
+    let tip = match argument.starts_with("--") {
+        true => format!("this command has no option '{argument}'; --help lists those that it has"),
+        false => {
+            format!("a value that begins with a hyphen is joined to its option by '=', as in --set=NAME={argument}")
+        }
+    };
+    error.insert(ContextKind::Suggested, ContextValue::StyledStrs(vec![tip.into()]));
 }
 
 fn say(reply: &Reply<Empty>) {

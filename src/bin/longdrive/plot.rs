@@ -16,6 +16,7 @@ use longdrive::study::{
     Constraint, Fineness, Map, Optimum, Search, Sigma, Vary, chart, effects, flatness, map, optimum, usual_loss,
     with_defaults,
 };
+use longdrive::units::Message;
 use longdrive::{Drive, Error, Outcome, Result, Setup};
 use serde_json::json;
 use std::path::Path;
@@ -39,7 +40,7 @@ fn trajectory(args: &PlotTrajectory) -> Result<Answer> {
         Seen::Side => View::Side,
         Seen::Top => View::Top,
     };
-    target.written(&args.question, &setup, &args.drawing, &trajectory_figure(&[flown], view))
+    target.written(&args.question, &setup, &args.drawing, &trajectory_figure(&[flown], view), vec![])
 }
 
 fn contour(args: &PlotContour) -> Result<Answer> {
@@ -51,9 +52,22 @@ fn contour(args: &PlotContour) -> Result<Answer> {
     let (best, map) = mapped(&setup, &search)?;
     let best = best.as_ref();
     let limits = limits(best.map_or(&setup, |best| &best.setup), &search)?;
+    let of_best = best.map_or(vec![], at_optimum);
     let flatness = best.map(|best| flatness(best, usual_loss(best))).transpose()?;
     spinner.finish_and_clear();
-    target.written(&args.question, &setup, &args.drawing, &map_figure(&map, &limits, best, flatness.as_ref(), system()))
+    target.written(
+        &args.question,
+        &setup,
+        &args.drawing,
+        &map_figure(&map, &limits, best, flatness.as_ref(), system()),
+        of_best,
+    )
+}
+
+/// What deserves a word about the drive of an optimum.
+pub fn at_optimum(best: &Optimum) -> Vec<Message> {
+    let warnings = best.drive.as_ref().map_or_else(Vec::new, |drive| drive.warnings(&best.setup));
+    warnings.into_iter().map(|warning| Message::from("at the optimum: ").message(warning)).collect()
 }
 
 /// The map around an optimum; around the setup itself, where there is none.
@@ -108,7 +122,7 @@ fn along(args: &PlotChart) -> Result<Answer> {
         tell(&note.in_units(system()));
     }
     match chart_figures(&chart, system()).get(shown) {
-        Some(figure) => target.written(&args.question, &setup, &args.drawing, figure),
+        Some(figure) => target.written(&args.question, &setup, &args.drawing, figure, chart.warnings()),
         None => Err(Error::Nothing { doing: "draw", what: "optimum" }),
     }
 }
@@ -123,7 +137,9 @@ fn tornado(args: &PlotTornado) -> Result<Answer> {
     bar.finish_and_clear();
     let found = found?;
     match found.first() {
-        Some(effects) => target.written(&args.question, &setup, &args.drawing, &tornado_figure(effects, system())),
+        Some(effects) => {
+            target.written(&args.question, &setup, &args.drawing, &tornado_figure(effects, system()), vec![])
+        }
         None => Err(Error::Nothing { doing: "draw", what: "outcome" }),
     }
 }
@@ -147,6 +163,7 @@ fn vcurve(args: &PlotVcurve) -> Result<Answer> {
         &setup,
         &args.drawing,
         &vcurve_figure(asked.filter_map(row), &while_loop(&setup, &certificate.rows)),
+        vec![],
     )
 }
 
@@ -192,8 +209,17 @@ impl Target {
         Ok(Self { format, destination: rule.file(&drawing.output)? })
     }
 
-    fn written(&self, question: &Question, setup: &Setup<f64>, drawing: &Drawing, figure: &Figure) -> Result<Answer> {
-        let warnings = Drive::new(setup).map_or_else(|_| setup.warnings(), |drive| drive.warnings(setup));
+    /// Writes the plot; `of_optima` is what deserves a word about the optima in it, beside the setup's own drive.
+    fn written(
+        &self,
+        question: &Question,
+        setup: &Setup<f64>,
+        drawing: &Drawing,
+        figure: &Figure,
+        of_optima: Vec<Message>,
+    ) -> Result<Answer> {
+        let mut warnings = Drive::new(setup).map_or_else(|_| setup.warnings(), |drive| drive.warnings(setup));
+        warnings.extend(of_optima);
         warn(&warnings);
         let shades = if drawing.dark { Shades::Dark } else { Shades::Light };
         let look = Look { system: system(), shades, width: drawing.width };

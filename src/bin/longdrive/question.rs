@@ -1,6 +1,6 @@
 use crate::args::Question;
 use crate::output::tell;
-use longdrive::parameters::{PRESETS, Preset, SetupFile, Vary};
+use longdrive::parameters::{PRESETS, Parameter, Preset, SetupFile, Vary};
 use longdrive::study::{Accuracy, accuracy};
 use longdrive::units::{Quantity, counted};
 use longdrive::{Error, Result, Setup};
@@ -26,7 +26,42 @@ impl Question {
             setup.set(condition.name, value)?;
         }
         setup.validate()?;
+        if setup.launch.is_given() {
+            self.refuse_club(&setup, "the drive is given by its launch")?;
+            self.tell_unused()?;
+        }
         Ok(setup)
+    }
+
+    /// Where no club strikes the ball, nothing of a club may be set: it would change nothing.
+    pub fn refuse_club(&self, setup: &Setup<f64>, why: &str) -> Result<()> {
+        for text in &self.set {
+            let (name, _) = split("--set", text)?;
+            if setup.parameter(name).is_ok_and(Parameter::is_of_strike) {
+                let source = format!(
+                    "{why}: of the parameters of swing, club, strike and impact none is used; leave it out, or give the drive by its \
+                     club"
+                );
+                return Err(Error::Unreadable { name: format!("--set {name}"), source: source.into() });
+            }
+        }
+        Ok(())
+    }
+
+    /// Says what a setup file gives of a club that does not strike the ball.
+    fn tell_unused(&self) -> Result<()> {
+        for path in self.inputs() {
+            let of_club = SetupFile::open(path)?.given.into_iter().filter(|parameter| parameter.is_of_strike());
+            let names: Vec<_> = of_club.map(|parameter| parameter.name).collect();
+            if !names.is_empty() {
+                tell(&format!(
+                    "note: {}: not used, since the drive is given by its launch: {}",
+                    path.display(),
+                    names.join(", ")
+                ));
+            }
+        }
+        Ok(())
     }
 
     /// The setup, flown within the tolerance asked for wherever its parameters lie in these ranges.

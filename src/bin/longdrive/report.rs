@@ -10,7 +10,7 @@ use longdrive::report::page::{Document, Findings, report_documents};
 use longdrive::reproduce::while_loop;
 use longdrive::study::certificate::{Row, certify};
 use longdrive::study::{
-    Fineness, Search, Sigma, Vary, chart, effects, flatness, map, optimum, usual_loss, with_defaults,
+    Chart, Fineness, Search, Sigma, Vary, chart, effects, flatness, map, optimum, usual_loss, with_defaults,
 };
 use longdrive::units::Message;
 use longdrive::{Outcome, Result, Setup};
@@ -70,6 +70,8 @@ pub fn run(args: &Report) -> Result<Answer> {
     } else {
         None
     };
+
+    remarks.extend(chart.as_ref().map_or_else(Vec::new, Chart::warnings));
 
     let of = if search.maximize == Outcome::Lateral {
         vec![Outcome::Carry]

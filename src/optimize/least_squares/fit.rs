@@ -280,7 +280,10 @@ impl Search {
                     self.at.step(&domain.variables, &self.scale, LEAST_DAMPING).map_or(0.0, |(_, gain)| gain);
                 if undamped <= 1e3 * NOISE * self.at.cost || self.damping <= FIRST_DAMPING {
                     let part = if self.at.cost > 0.0 { undamped / self.at.cost } else { 0.0 };
-                    let message = format!("a step promises {part:.1e} of the sum: rounding lets it fall no further");
+                    let message = format!(
+                        "the sum of squares is at its smallest: what a step could still lower it by ({part:.1e} of it) is lost in its \
+                         rounding"
+                    );
                     return Some((Status::Converged, message));
                 }
                 return self.rounding(domain).or_else(|| stalled("steps too short to tell"));

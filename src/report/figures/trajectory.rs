@@ -48,15 +48,13 @@ pub fn trajectory_figure(flown: &[Flown], view: View) -> Figure {
     let mut figure = match view {
         View::Side => {
             Figure::new("trajectory-side", "Trajectory from the side", downrange, Axis::linear(length("height")))
-                .noted("Heights are drawn larger than distances.")
         }
         View::Top => Figure::new(
             "trajectory-top",
             "Trajectory from above",
             downrange,
             Axis::left_right(length("right of the target line")).reaching(-CORRIDOR, CORRIDOR),
-        )
-        .noted("Seen from above with the target to the right. Distances to the left and right are drawn larger than those downrange."),
+        ),
     };
     figure.aspect = if view == View::Side { 0.55 } else { 0.4 };
     for (i, Flown { name, drive, path }) in flown.iter().enumerate() {
@@ -80,5 +78,37 @@ pub fn trajectory_figure(flown: &[Flown], view: View) -> Figure {
             figure.layers.push(Layer::Mark { name: "apex".into(), hue, at: [downrange, height] });
         }
     }
-    figure
+    let note = match view {
+        View::Side => scales(&figure, "Heights", "distances"),
+        View::Top => format!(
+            "Seen from above with the target to the right. {}",
+            scales(&figure, "Distances to the left and right", "those downrange")
+        ),
+    };
+    figure.noted(note)
+}
+
+/// Which of two lengths is drawn larger, for what runs up the picture and what runs across it.
+fn scales(figure: &Figure, up: &str, across: &str) -> String {
+    /// Axes reach on to the next round number: nearer to 1 than this the ratio is not known here.
+    const CLEARLY: f64 = 1.6;
+    let lines = figure.layers.iter().filter_map(|layer| match layer {
+        Layer::Line { points, .. } => Some(points),
+        _ => None,
+    });
+    let points: Vec<[f64; 2]> = lines.flatten().copied().collect();
+    let extent = |axis: usize, reach: Option<[f64; 2]>| {
+        let values = points.iter().map(|point| point[axis]).chain(reach.into_iter().flatten());
+        let (low, high) =
+            values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));
+        high - low
+    };
+    let larger = figure.aspect * extent(0, figure.x.reach) / extent(1, figure.y.reach);
+    if larger > CLEARLY {
+        format!("{up} are drawn larger than {across}.")
+    } else if larger < CLEARLY.recip() {
+        format!("{up} are drawn smaller than {across}.")
+    } else {
+        format!("{up} and {across} have scales of their own.")
+    }
 }

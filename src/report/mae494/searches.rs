@@ -14,10 +14,11 @@ pub(super) fn searches(document: &mut Document, found: &Mae494, shown: Published
     let count = found.searches.first().map_or(0, |searches| searches.ends.len());
     document.heading("Searches with its flight loop");
     document.paragraph(format!(
-        "Searches from the same {count} starts in the report's ranges, all of which fly. The table counts the searches that end within a centimetre of \
+        "Searches from the same {count} starts in the report's ranges, all of which fly. The table counts the searches that end within {} of \
          the best carry, {}; how much carry the others miss is computed with the smooth landing. A flight with exact derivatives counts as one. L-BFGS is \
          that of argmin, with the line search of Moré and Thuente; since it has no bounds, it searches over u, with x = middle + half the width · sin u. \
          Its carry is taken as 0 where a drive does not fly.",
+        Quantity::LENGTH.read_off(FOUND, if shown.length_unit() == "yd" { "in" } else { "mm" }),
         shown.length(best.carry),
     ));
     let rows = found.searches.iter().map(|searches| {

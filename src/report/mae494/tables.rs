@@ -32,7 +32,7 @@ pub(super) fn tables(document: &mut Document, found: &Mae494, shown: Published) 
     document.heading("Its tables");
     document.paragraph(format!(
         "The report says that no constraint was active. In its model the bound of loft is active at {} of {} attack angles, and that of the \
-         attack angle at {} of {} lofts. The cost is the difference between the carry of the exact optimum and that of the printed one, which is 0 where the ball does not fly.",
+         attack angle at {} of {} lofts. The cost is the carry of the exact optimum less that of the printed delivery; a printed delivery that does not fly counts with a carry of 0.",
         active(&found.table1),
         found.table1.len(),
         active(&found.table2),

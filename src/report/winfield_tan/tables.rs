@@ -105,9 +105,10 @@ pub(super) fn tables(document: &mut Document, found: &WinfieldTan, shown: Publis
         &["attack angle", "loft printed", "loft", "carry printed", "carry", "difference"],
         found.table2.iter().map(|row| line(row, false, shown)),
     );
-    let slips = MISPRINTS.map(|(table, row, scanned, taken)| format!("Table {table} at {row}°, {scanned} for {taken}"));
+    let slips = MISPRINTS
+        .map(|(table, row, scanned, taken)| format!("Table {table} at {row}° prints {scanned}, and {taken} is taken"));
     document.paragraph(format!(
-        "Three numbers of the scanned paper do not fit columns that are smooth otherwise, and are corrected here: {}.",
+        "Three numbers of the scanned paper do not fit columns that are smooth otherwise: {}.",
         slips.join("; ")
     ));
     document.figure(ridges(found));

@@ -1,15 +1,15 @@
-use super::column::{Column, Format, Holds};
-use super::launch_monitor;
 use super::reading::Reading;
 use super::shot::Shot;
 use super::statistics::Uncertainties;
-use crate::drive::Outcome;
+use crate::columns::{Column, Head, Holds, separated, summary};
 use crate::error::{Error, Result};
-use crate::foreign::of_csv;
+use crate::foreign::{of_csv, of_csv_row, of_io};
 use crate::parameters::{Parameter, Setup};
-use crate::units::{Message, counted};
+use crate::units::Message;
 use csv::{ReaderBuilder, Trim};
+use std::fs::File;
 use std::io::Read;
+use std::path::Path;
 
 /// Measured shots, a row each.
 ///
@@ -33,6 +33,20 @@ pub struct ShotTable {
 }
 
 impl ShotTable {
+    /// Reads a table in a CSV file.
+    ///
+    /// # Errors
+    /// As [`read`](Self::read).
+    pub fn open(setup: &Setup<f64>, path: &Path) -> Result<Self> {
+        let file = path.display().to_string();
+        let source = File::open(path).map_err(|error| Error::Table {
+            file: file.clone(),
+            place: String::new(),
+            reason: of_io(&error),
+        })?;
+        Self::read(setup, &file, source)
+    }
+
     /// Reads a table in CSV.
     ///
     /// # Errors
@@ -44,41 +58,34 @@ impl ShotTable {
         let refused = |place: String, reason: String| Error::Table { file: file.into(), place, reason };
         let mut text = String::new();
         let mut source = source;
-        source
-            .read_to_string(&mut text)
-            .map_err(|error| refused(String::new(), format!("it cannot be read ({error})")))?;
-        let (separator, text) = launch_monitor::separated(&text);
+        source.read_to_string(&mut text).map_err(|error| refused(String::new(), of_io(&error)))?;
+        let (separator, text) = separated(&text);
         let mut reader =
             ReaderBuilder::new().trim(Trim::All).comment(Some(b'#')).delimiter(separator).from_reader(text.as_bytes());
-        let head = reader.headers().map_err(|error| refused(String::new(), of_csv(&error)))?.clone();
+        let heads = reader.headers().map_err(|error| refused(String::new(), of_csv(&error)))?.clone();
         let mut records = reader.records().peekable();
-        let is_export = launch_monitor::is_export(head.iter());
-        let format = Format { is_export, has_decimal_comma: separator != b',' };
-        let units = match records.peek() {
-            Some(Ok(first)) => launch_monitor::units_row(first.iter()),
-            _ => None,
-        };
-        if units.is_some() {
+        let first = records.peek().and_then(|first| first.as_ref().ok()).map(|first| first.iter());
+        let at_column = |(at, error): (usize, Error)| refused(format!(", column {}", at + 1), error.to_string());
+        let head = Head::read(setup, heads.iter(), first, separator).map_err(at_column)?;
+        if head.has_units_row {
             records.next();
         }
-        let mut columns: Vec<Column> = vec![];
-        for (at, text) in head.iter().enumerate() {
-            let place = || format!(", column {}", at + 1);
-            let below = units.as_ref().and_then(|units| units.get(at)?.as_deref());
-            let column =
-                Column::read(setup, text, below, format).map_err(|error| refused(place(), error.to_string()))?;
-            if column.holds != Holds::Note && columns.iter().any(|other| other.holds == column.holds) {
-                return Err(refused(place(), format!("'{}' has two columns; keep one", column.head)));
+        for (at, column) in head.columns.iter().enumerate() {
+            column.check_unit().map_err(|error| at_column((at, error)))?;
+            let is_read = !matches!(column.holds, Holds::Note | Holds::Written);
+            if is_read && head.columns[..at].iter().any(|other| other.holds == column.holds) {
+                return Err(refused(
+                    format!(", column {}", at + 1),
+                    format!("'{}' has two columns; keep one", column.head),
+                ));
             }
-            columns.push(column);
         }
-        let mut remarks = vec![];
-        if is_export {
-            remarks.extend(left_out(&mut columns));
-            remarks.extend(in_degrees(&columns).map(Message::from));
-        }
-        let reading = Reading { setup, is_launched: is_launched(&columns), columns };
-        if is_export && !reading.is_launched && !reading.columns.iter().any(is_of_the_strike) {
+        let mut remarks = head.remarks.clone();
+        let written = head.named(|column| column.holds == Holds::Written);
+        remarks.extend(written.told("columns that a sweep writes beside what is measured are not read"));
+        let (is_export, is_launched) = (head.format.is_export, head.is_launched());
+        let reading = Reading { setup, is_launched, columns: head.columns };
+        if is_export && !reading.is_launched && !reading.columns.iter().any(Column::is_of_the_strike) {
             let reason = "it has neither a whole launch (ball speed, launch angle and spin) nor a column of the club, such as club \
                           speed; add the missing columns";
             return Err(refused(String::new(), reason.into()));
@@ -86,8 +93,9 @@ impl ShotTable {
         let (mut shots, mut summaries, mut incomplete) = (vec![], vec![], vec![]);
         for (at, record) in records.enumerate() {
             let row = at + 1;
-            let record = record.map_err(|error| refused(format!(", row {row}"), of_csv(&error)))?;
-            if let Some(word) = launch_monitor::summary(record.iter()).filter(|_| is_export) {
+            let record =
+                record.map_err(|error| refused(format!(", row {row}"), of_csv_row(&error, text.as_bytes())))?;
+            if let Some(word) = summary(record.iter()).filter(|_| is_export) {
                 summaries.push(format!("{row} ({word})"));
                 continue;
             }
@@ -103,11 +111,12 @@ impl ShotTable {
                 }
             }
         }
-        let left_out: Vec<String> = [(summaries, "summing up others"), (incomplete, "without what every shot needs")]
-            .into_iter()
-            .filter(|(rows, _)| !rows.is_empty())
-            .map(|(rows, what)| format!("{} {what} left out: {}", counted(rows.len() as u64, "row"), rows.join(", ")))
-            .collect();
+        let left_out: Vec<String> =
+            [(summaries, "sum up other rows"), (incomplete, "lack a value that every shot needs")]
+                .into_iter()
+                .filter(|(rows, _)| !rows.is_empty())
+                .map(|(rows, what)| format!("rows left out, since they {what}: {}", rows.join(", ")))
+                .collect();
         if shots.is_empty() {
             let reason = match left_out.is_empty() {
                 true => "it has no rows; give one for each shot".into(),
@@ -137,77 +146,4 @@ impl ShotTable {
     pub fn gives(&self, parameter: &'static Parameter) -> bool {
         self.shots.iter().any(|shot| shot.inputs.iter().any(|(row, _)| *row == parameter))
     }
-}
-
-/// Whether the columns are those of launch conditions.
-fn is_launched(columns: &[Column]) -> bool {
-    let has = |outcome| columns.iter().any(|column| column.holds == Holds::Outcome(outcome));
-    let has_spin = has(Outcome::Spin) || has(Outcome::Backspin);
-    has(Outcome::BallSpeed) && has(Outcome::LaunchAngle) && has_spin && !columns.iter().any(is_of_the_strike)
-}
-
-/// Whether a column is of the delivery of the club.
-fn is_of_the_strike(column: &Column) -> bool {
-    let groups = ["swing.", "club.", "strike.", "impact."];
-    matches!(column.holds, Holds::Input(parameter) if groups.iter().any(|group| parameter.name.starts_with(group)))
-}
-
-/// The angles whose unit is taken for granted.
-fn in_degrees(columns: &[Column]) -> Option<String> {
-    let heads: Vec<&str> =
-        columns.iter().filter(|column| column.is_in_degrees_untold()).map(|column| column.head.as_str()).collect();
-    let (is, angles) = if heads.len() == 1 { ("is", "an angle") } else { ("are", "angles") };
-    (!heads.is_empty()).then(|| {
-        format!("{} {is} read in degrees: {angles} without a unit, and launch monitors write degrees", heads.join(", "))
-    })
-}
-
-/// Leaves out what a launch monitor's table has and the fit cannot use, and says so: columns without a name here; where the launch
-/// was measured, those of the club; of backspin, sidespin and the spin axis what repeats the spin.
-fn left_out(columns: &mut [Column]) -> Vec<Message> {
-    let named = |columns: &[Column], is: &dyn Fn(&Column) -> bool| -> Vec<String> {
-        columns
-            .iter()
-            .filter(|column| is(column))
-            .map(|column| column.head.clone())
-            .filter(|head| !head.is_empty())
-            .collect()
-    };
-    let mut remarks = vec![];
-    let unknown = named(columns, &Column::is_unknown);
-    if !unknown.is_empty() {
-        remarks.push(format!("columns without a name here are left out: {}", unknown.join(", ")).into());
-    }
-    let has = |columns: &[Column], outcome| columns.iter().any(|column| column.holds == Holds::Outcome(outcome));
-    let has_spin = has(columns, Outcome::Spin) || has(columns, Outcome::Backspin);
-    if has(columns, Outcome::BallSpeed) && has(columns, Outcome::LaunchAngle) && has_spin {
-        let is_club =
-            |column: &Column| is_of_the_strike(column) || column.holds == Holds::Outcome(Outcome::SmashFactor);
-        let club = named(columns, &is_club);
-        if !club.is_empty() {
-            remarks.push(
-                format!(
-                    "the ball flies from its measured launch; columns of the club are left out: {}",
-                    club.join(", ")
-                )
-                .into(),
-            );
-        }
-        let repeated: &[Outcome] = match has(columns, Outcome::Spin)
-            && (has(columns, Outcome::SpinAxis) || !has(columns, Outcome::Sidespin))
-        {
-            true => &[Outcome::Backspin, Outcome::Sidespin],
-            false if has(columns, Outcome::Backspin) => &[Outcome::Spin, Outcome::SpinAxis],
-            false => &[],
-        };
-        let repeats = |column: &Column| repeated.iter().any(|outcome| column.holds == Holds::Outcome(*outcome));
-        let again = named(columns, &repeats);
-        if !again.is_empty() {
-            remarks.push(format!("the spin is stated twice; left out: {}", again.join(", ")).into());
-        }
-        for column in columns.iter_mut().filter(|column| is_club(column) || repeats(column)) {
-            column.holds = Holds::Note;
-        }
-    }
-    remarks
 }

@@ -1,4 +1,5 @@
 use super::data::ShotTable;
+use super::refusal::refusal;
 use super::residuals::ShotResiduals;
 use super::shot::Shot;
 use super::statistics::{Fitted, Statistics};
@@ -101,6 +102,13 @@ impl Plan {
     fn check(&self, table: &ShotTable) -> Result<()> {
         let refuse = |reason: String| Err(Error::Calibration { reason });
         for Vary { parameter, .. } in &self.fit {
+            if table.is_launched && parameter.is_of_strike() {
+                return refuse(format!(
+                    "{} cannot be fitted: the rows of {} are launches, which do not use the parameters of swing, club, strike and \
+                     impact",
+                    parameter.name, table.file
+                ));
+            }
             if table.gives(parameter) {
                 return refuse(format!(
                     "{} is a column of {}; what the rows give cannot be fitted",
@@ -182,20 +190,14 @@ pub fn calibrate(setup: &Setup<f64>, table: &ShotTable, plan: &Plan, follow: &Fo
 }
 
 fn nothing_flies(problem: &ShotResiduals<'_>, start: &[f64]) -> Error {
-    let why = match problem.each(start) {
+    let reason = match problem.each(start) {
         Ok(each) => {
-            let rows = each.iter().zip(problem.shots);
-            let failed =
-                rows.filter_map(|(row, shot)| row.as_ref().err().map(|why| format!("row {}: {why}", shot.row)));
-            failed.collect::<Vec<_>>().join("; ")
+            let rows = problem.shots.iter().zip(each);
+            refusal(&rows.filter_map(|(shot, row)| row.err().map(|why| (shot.row, why))).collect::<Vec<_>>())
         }
         Err(error) => error.to_string(),
     };
-    Error::Calibration {
-        reason: format!(
-            "not every row has an answer at the start, nor at any other tried ({why}); take these rows out, or start elsewhere"
-        ),
-    }
+    Error::Calibration { reason }
 }
 
 fn finished(

@@ -1,7 +1,7 @@
 //! How well launch monitors measure: the standard uncertainty that stands for a column's own where a table states none.
 
 use crate::drive::Outcome;
-use crate::units::Quantity;
+use crate::units::{Digits, Message, Quantity};
 
 /// How well an outcome is measured.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -10,22 +10,42 @@ pub struct Instrument {
     pub outcome: Outcome,
     /// Its standard uncertainty as people state it: `0.3 deg`.
     pub sigma: &'static str,
-    /// Where that comes from; "assumed", with the reasoning, where no source could be read.
-    pub source: &'static str,
+    /// Where that comes from; "assumed", with the reasoning, where no source could be read. Lengths and speeds in it stand in braces.
+    source: &'static str,
+}
+
+impl Instrument {
+    /// Where the uncertainty comes from, or how it is reasoned.
+    pub fn source(&self) -> Message {
+        let parts = self.source.split(['{', '}']).enumerate();
+        parts.fold(Message::default(), |message, (i, part)| match quantity(part) {
+            Some((quantity, unit, value)) if i % 2 == 1 => {
+                message.quantity(quantity, unit, value, Digits::Significant(2))
+            }
+            _ => message.words(part),
+        })
+    }
+}
+
+/// A length or a speed.
+fn quantity(text: &str) -> Option<(Quantity, &'static str, f64)> {
+    let kinds = [(Quantity::LENGTH, "yd"), (Quantity::SPEED, "mph")];
+    kinds.into_iter().find_map(|(quantity, unit)| Some((quantity, unit, quantity.read(text).ok()?)))
 }
 
 /// Ball speed: two units of one kind beside each other agree to about ±0.5 % of it (golflaunchlab.com/guides/golf-launch-monitor-accuracy, read
 /// in a stored copy; it names no test), which is 0.8 mph of 165 mph. No maker's data sheet, and not the numbers of Leach, Forrester, Mears &
 /// Roberts (Measurement 112, 2017, 125–136), could be read.
-const AGREE: &str = "two radar units agree to about 0.5 % (golflaunchlab.com, a guide that names no test): 0.8 mph of 165 mph, rounded up";
+const AGREE: &str = "two radar units agree to about 0.5 % (golflaunchlab.com, a guide that names no test): {0.8 mph} of {165 mph}, rounded up";
 /// Angles of the launch: no source could be read.
 const TENTHS: &str = "assumed: three of the tenths of a degree that exports print";
 /// Spin: no source could be read.
 const OF_SPIN: &str = "assumed: 4 % of a driver's 2500 rpm";
 /// Distances: how far monitors are apart from each other on the same launches.
-const APART: &str = "launch monitors predict the same launch within about 3 yd of each other (docs/sources.md)";
+const APART: &str = "launch monitors predict the same launch within about {3 yd} of each other (docs/sources.md)";
 /// Chart rounding: published averages are whole yards and degrees.
-const ROUNDED: &str = "assumed: tables print whole yards and degrees, and indoors these are computed from the launch";
+const ROUNDED: &str =
+    "assumed: tables print whole units of length and whole degrees, and indoors these are computed from the launch";
 
 /// All that is known or assumed.
 const INSTRUMENTS: [Instrument; 17] = [
@@ -43,11 +63,11 @@ const INSTRUMENTS: [Instrument; 17] = [
     Instrument {
         outcome: Outcome::SmashFactor,
         sigma: "0.02",
-        source: "assumed: 1 mph of the ball and 1.5 mph of the club, of a ratio of 1.48",
+        source: "assumed: {1 mph} of the ball and {1.5 mph} of the club, of a ratio of 1.48",
     },
     Instrument { outcome: Outcome::Carry, sigma: "3 yd", source: APART },
     Instrument { outcome: Outcome::CarryDistance, sigma: "3 yd", source: APART },
-    Instrument { outcome: Outcome::Lateral, sigma: "3 yd", source: "assumed: 0.7 deg of direction at 250 yd" },
+    Instrument { outcome: Outcome::Lateral, sigma: "3 yd", source: "assumed: 0.7 deg of direction at {250 yd}" },
     Instrument { outcome: Outcome::ApexHeight, sigma: "1 yd", source: ROUNDED },
     Instrument { outcome: Outcome::ApexDownrange, sigma: "3 yd", source: "assumed: as for carry" },
     Instrument { outcome: Outcome::ApexTime, sigma: "0.1 s", source: "assumed: as for flight_time" },
@@ -78,12 +98,18 @@ pub fn instrument(outcome: Outcome) -> Option<(&'static Instrument, f64)> {
 mod tests {
     use super::{INSTRUMENTS, instrument};
     use crate::Outcome;
+    use crate::units::System;
 
     #[test]
     fn every_outcome_has_one_uncertainty_above_0_with_a_source() {
         for outcome in Outcome::ALL {
             let (found, sigma) = instrument(*outcome).unwrap_or_else(|| panic!("{} has none", outcome.name()));
-            assert!(sigma > 0.0 && sigma.is_finite() && !found.source.is_empty(), "{}", outcome.name());
+            let source = found.source().to_string();
+            assert!(sigma > 0.0 && sigma.is_finite() && !source.is_empty(), "{}", outcome.name());
+            // what stands in braces is read, and shown in the units of either system
+            assert!(!source.contains(['{', '}']), "{source}");
+            let metric = found.source().in_units(System::Metric);
+            assert!(!metric.contains(" yd") && !metric.contains(" mph"), "{metric}");
         }
         assert_eq!(INSTRUMENTS.len(), Outcome::ALL.len());
     }

@@ -2,13 +2,13 @@
 //! them and what they do not.
 
 mod beyond;
-mod column;
 mod data;
 mod estimate;
 mod folds;
 mod instrument;
-mod launch_monitor;
+mod ranges;
 mod reading;
+mod refusal;
 mod residuals;
 mod shot;
 mod statistics;
@@ -19,5 +19,6 @@ pub use data::ShotTable;
 pub use estimate::{Calibration, Estimate, Plan, Remainder, calibrate};
 pub use folds::{HeldOut, held_out};
 pub use instrument::{Instrument, instrument};
+pub use ranges::ranges;
 pub use shot::{Measurement, Shot, Stationary};
 pub use statistics::{Fitted, Statistics, Uncertainties, Undetermined};

@@ -1,9 +1,9 @@
 //! The rows of a table of measured shots.
 
-use super::column::{Column, Holds};
-use super::instrument::{Instrument, instrument};
+use super::instrument::instrument;
 use super::shot::{Measurement, Shot, Stationary};
 use super::statistics::Uncertainties;
+use crate::columns::{CONDITIONS, Column, Holds};
 use crate::drive::{Outcome, Part};
 use crate::launch::Launch;
 use crate::parameters::Setup;
@@ -12,17 +12,6 @@ use csv::StringRecord;
 
 /// No outcome of a drive is larger than this, in whatever SI unit.
 const MOST: f64 = 1e9;
-
-/// Outcomes that, all together, are a launch.
-pub(super) const CONDITIONS: [Outcome; 7] = [
-    Outcome::BallSpeed,
-    Outcome::LaunchAngle,
-    Outcome::LaunchDirection,
-    Outcome::Spin,
-    Outcome::Backspin,
-    Outcome::Sidespin,
-    Outcome::SpinAxis,
-];
 
 /// A table being read.
 pub(super) struct Reading<'a> {
@@ -91,10 +80,10 @@ impl Reading<'_> {
                     inputs.push((parameter, value));
                 }
                 Holds::Outcome(outcome) if !(self.is_launched && CONDITIONS.contains(&outcome)) => {
-                    if self.is_launched && outcome.part() == Part::Launch {
-                        return Err((here(), "rows of launch conditions have no club").into());
-                    }
                     if let Some(value) = self.cell(record, column.holds)? {
+                        if self.is_launched && outcome.part() == Part::Launch {
+                            return Err((here(), "rows of launch conditions have no club").into());
+                        }
                         if value.abs() > MOST {
                             let (shown, most) = (outcome.show(value), outcome.show(MOST));
                             let why = format!("{shown} is outside its range −{most} .. {most}; correct the cell");
@@ -192,11 +181,13 @@ impl Reading<'_> {
             match column.holds {
                 Holds::Outcome(outcome) if self.is_launched && CONDITIONS.contains(&outcome) => {}
                 Holds::Outcome(outcome) if !has(Holds::Sigma(outcome)) => match instrument(outcome) {
-                    Some((Instrument { source, .. }, sigma)) => {
+                    Some((instrument, sigma)) => {
                         let without = format!("{} has no column 'sigma {}': ", column.head, outcome.name());
                         let remark = Message::from(without)
                             .quantity(outcome.quantity(), outcome.unit(), sigma, Digits::Significant(3))
-                            .words(format!(" is taken for each ({source})"));
+                            .words(" is taken for each (")
+                            .message(instrument.source())
+                            .words(")");
                         remarks.push(remark);
                         if worth == Uncertainties::Stated {
                             worth = Uncertainties::Instruments;

@@ -116,10 +116,10 @@ impl ShotResiduals<'_> {
     }
 
     /// The residuals of each shot by itself at `x`, or why it has none.
-    pub fn each(&self, x: &[f64]) -> Result<Vec<std::result::Result<Vec<f64>, String>>> {
+    pub fn each(&self, x: &[f64]) -> Result<Vec<Result<Vec<f64>>>> {
         let moved = self.moved(x)?;
         let of = |at: usize| {
-            let rows = self.of(&moved, at).map_err(why)?;
+            let rows = self.of(&moved, at)?;
             Ok(rows.into_iter().map(|(residual, _)| residual).collect())
         };
         Ok((0..self.shots.len()).into_par_iter().map(of).collect())

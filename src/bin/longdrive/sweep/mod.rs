@@ -10,7 +10,7 @@ mod target;
 use crate::args::Sweep;
 use crate::colour;
 use crate::names::{outcomes, variables};
-use crate::output::{Answer, bar, tell, warn};
+use crate::output::{Answer, bar, system, tell, warn};
 use crate::search::interrupt;
 use longdrive::batch::{Batch, Run, Status, Tally};
 use longdrive::drive::{Looked, Part};
@@ -30,6 +30,16 @@ pub fn run(args: &Sweep) -> Result<Answer> {
     let of = outcomes(&args.outcomes)?;
     let target = Target::new(args)?;
     let mut points = points::points(&setup, args)?;
+    for note in points.notes() {
+        tell(&format!("note: {}: {}", described(args), note.in_units(system())));
+    }
+    if let (Some(table), 0) = (&args.points, points.rows()) {
+        let reason = "it has a head and no rows; give a row for each drive".into();
+        return Err(Error::Table { file: table.display().to_string(), place: String::new(), reason });
+    }
+    if !setup.launch.is_given() && points.parameters().iter().any(|parameter| parameter.is_of_launch()) {
+        args.question.refuse_club(&setup, "the points are launches")?;
+    }
     let wrt = match args.wrt.as_slice() {
         [] if args.gradient => points.parameters().to_vec(),
         names => variables(&setup, names)?,
@@ -106,6 +116,11 @@ pub fn run(args: &Sweep) -> Result<Answer> {
         _ => Answer::text(String::new()),
     }
     .found(is_answered))
+}
+
+/// Where the points come from.
+fn described(args: &Sweep) -> String {
+    args.points.as_ref().map_or("--over".into(), |table| table.display().to_string())
 }
 
 /// Whether any drive has an outcome that was asked for, or there are no drives: those of the launch are there also where the ball does

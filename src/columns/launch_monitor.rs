@@ -147,7 +147,7 @@ pub(super) fn units_row<'a>(cells: impl Iterator<Item = &'a str>) -> Option<Vec<
 }
 
 /// What a row is that sums up others: the word for it, as it is written. Shots have none of these words in any cell.
-pub(super) fn summary<'a>(cells: impl Iterator<Item = &'a str>) -> Option<&'a str> {
+pub(crate) fn summary<'a>(cells: impl Iterator<Item = &'a str>) -> Option<&'a str> {
     const WORDS: [&str; 11] = [
         "average",
         "averages",
@@ -170,7 +170,7 @@ pub(super) fn summary<'a>(cells: impl Iterator<Item = &'a str>) -> Option<&'a st
 
 /// What separates the cells of a table: the most frequent of tab, semicolon and comma in its head; and the text without a line
 /// `sep=;` that says so.
-pub(super) fn separated(text: &str) -> (u8, &str) {
+pub(crate) fn separated(text: &str) -> (u8, &str) {
     let text = text.trim_start_matches('\u{feff}');
     if let Some(rest) = text.strip_prefix("sep=") {
         let (stated, rest) = rest.split_once('\n').unwrap_or((rest, ""));

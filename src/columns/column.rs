@@ -1,4 +1,4 @@
-//! What the head of a table of shots says of a column.
+//! What the head of a table says of a column.
 
 use super::launch_monitor::{self, Meaning};
 use crate::drive::Outcome;
@@ -8,7 +8,7 @@ use crate::units::Quantity;
 
 /// What a column holds.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Holds {
+pub(crate) enum Holds {
     /// A parameter of the shot.
     Input(&'static Parameter),
     /// An outcome: measured, or a launch condition.
@@ -21,22 +21,26 @@ pub(super) enum Holds {
     SigmaStationary,
     /// A remark, which is not read.
     Note,
+    /// What this program writes and does not read: how a drive ended, a derivative.
+    Written,
 }
 
 /// A column, with the unit that its numbers are in; SI where the head names none.
 #[derive(Clone, Debug)]
-pub(super) struct Column {
+pub(crate) struct Column {
     pub holds: Holds,
     pub head: String,
     unit: Option<String>,
     format: Format,
     /// Whether it is an angle of a launch monitor that states no unit.
     is_in_degrees_untold: bool,
+    /// Whether it is a launch condition by its dotted name.
+    is_dotted_condition: bool,
 }
 
 /// How a table is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Format {
+pub(crate) struct Format {
     /// Whether its heads are those of a launch monitor: columns that this program has no name for are then left out.
     pub is_export: bool,
     /// Whether numbers may have a decimal comma.
@@ -47,6 +51,10 @@ pub(super) struct Format {
 const STATIONARY: &str = "stationary";
 /// A column for people.
 const NOTE: &str = "note";
+/// A column of sweeps that says how a drive ended.
+const STATUS: &str = "status";
+/// The group of the launch conditions.
+const LAUNCH: &str = "launch.";
 
 impl Column {
     /// Reads `carry [yd]`, `sigma carry [yd]`, `club.loft [deg]`, `stationary`, `note`, or a head as launch monitors write it;
@@ -59,23 +67,39 @@ impl Column {
         let unit = unit.or_else(|| below.map(str::to_owned)).map(|unit| launch_monitor::unit(&unit));
         let holds =
             match (name.strip_prefix("sigma ").map(str::trim), launch_monitor::meaning_with(name, unit.as_deref())) {
-                (Some(STATIONARY), _) => Holds::SigmaStationary,
-                (Some(outcome), _) => Holds::Sigma(measured(Outcome::named(outcome)?)),
                 (None, Some(Meaning::Outcome(outcome))) => Holds::Outcome(outcome),
-                (None, Some(Meaning::Input(parameter))) => Holds::Input(setup.variable(parameter)?),
-                (None, None) if name == STATIONARY => Holds::Stationary,
-                (None, None) if name == NOTE || is_foreign(name, format) => Holds::Note,
-                (None, None) => Outcome::named(name)
-                    .map(|outcome| Holds::Outcome(measured(outcome)))
-                    .or_else(|_| known(setup, name).map(Holds::Input))?,
+                (None, Some(Meaning::Input(parameter))) => Holds::Input(setup.column(parameter)?),
+                (None, None) if is_foreign(name, format) => Holds::Note,
+                _ => named(setup, name)?,
             };
-        let mut column = Self { holds, head: name.into(), unit, format, is_in_degrees_untold: false };
+        let mut column = Self { unit, format, ..Self::of(holds, name) };
         let is_of_an_export = format.is_export && launch_monitor::meaning(name).is_some();
         if is_of_an_export && column.unit.is_none() && column.quantity() == Some(Quantity::ANGLE) {
             (column.unit, column.is_in_degrees_untold) = (Some("deg".into()), true);
         }
-        column.check_unit()?;
         Ok(column)
+    }
+
+    /// The column of this name in a table that is in SI throughout.
+    #[cfg(any(feature = "arrow", feature = "parquet"))]
+    pub fn in_si(setup: &Setup<f64>, name: &str) -> Result<Self> {
+        let name = name.trim();
+        named(setup, name).map(|holds| Self::of(holds, name)).map_err(|error| {
+            let alone = name.split(['[', '(']).next().unwrap_or_default().trim();
+            let Some(Ok(holds)) = (alone != name).then(|| named(setup, alone)) else { return error };
+            let column = Self::of(holds, alone);
+            let unit = if column.unit().is_empty() { String::new() } else { format!(", with numbers in {}", column.unit()) };
+            column.unreadable(format!(
+                "'{name}' has a unit in its name, but the columns of Parquet and Arrow tables are in SI; name it '{alone}'{unit}"
+            ))
+        })
+    }
+
+    /// A column in SI.
+    fn of(holds: Holds, head: &str) -> Self {
+        let format = Format { is_export: false, has_decimal_comma: false };
+        let is_dotted_condition = head.starts_with(LAUNCH) && matches!(holds, Holds::Outcome(_));
+        Self { holds, head: head.into(), unit: None, format, is_in_degrees_untold: false, is_dotted_condition }
     }
 
     /// Whether it is left out because this program has no name for it.
@@ -88,9 +112,25 @@ impl Column {
         self.is_in_degrees_untold && self.holds != Holds::Note
     }
 
-    fn check_unit(&self) -> Result<()> {
+    /// Whether it is of the delivery of the club.
+    pub fn is_of_the_strike(&self) -> bool {
+        matches!(self.holds, Holds::Input(parameter) if parameter.is_of_strike())
+    }
+
+    /// Whether it is a launch condition by its dotted name, `launch.ball_speed`.
+    pub fn is_dotted_condition(&self) -> bool {
+        self.is_dotted_condition
+    }
+
+    /// Whether it says how each drive of a sweep ended.
+    pub fn is_status(&self) -> bool {
+        self.holds == Holds::Written && self.head == STATUS
+    }
+
+    /// Whether its unit is one of what it holds, and stated where it must be.
+    pub fn check_unit(&self) -> Result<()> {
         match (&self.unit, self.quantity()) {
-            _ if self.is_unknown() => Ok(()),
+            _ if self.is_unknown() || self.holds == Holds::Written => Ok(()),
             (None, Some(quantity)) if !quantity.si.is_empty() => {
                 let unit = self.usual_unit();
                 Err(self.unreadable(format!("it has no unit; write it into the head, as in '{} [{unit}]'", self.head)))
@@ -112,7 +152,7 @@ impl Column {
             Holds::Input(parameter) => Some(parameter.quantity),
             Holds::Outcome(outcome) | Holds::Sigma(outcome) => Some(outcome.quantity()),
             Holds::SigmaStationary => Some(Quantity::ANGLE),
-            Holds::Stationary | Holds::Note => None,
+            Holds::Stationary | Holds::Note | Holds::Written => None,
         }
     }
 
@@ -123,6 +163,10 @@ impl Column {
             Holds::Outcome(outcome) | Holds::Sigma(outcome) => outcome.unit(),
             _ => "deg",
         }
+    }
+
+    fn may_be(&self, value: f64) -> bool {
+        matches!(self.holds, Holds::Input(parameter) if parameter.range.contains(value))
     }
 
     /// Whether its numbers may have a side: `3.2 L`.
@@ -155,9 +199,15 @@ impl Column {
         if cell.is_empty() {
             return Ok(None);
         }
-        let Some(number) = launch_monitor::number(cell, self.format.has_decimal_comma, self.has_side()) else {
+        // a flat face has an infinite radius
+        let infinite = cell.parse().ok().filter(|number: &f64| number.is_infinite() && self.may_be(*number));
+        let number = launch_monitor::number(cell, self.format.has_decimal_comma, self.has_side()).or(infinite);
+        let Some(number) = number else {
+            if cell.contains('\n') {
+                return Err("a quote (\") is opened and not closed in its line; close it, or take it out".into());
+            }
             return Err(format!(
-                "'{cell}' is not a number; units stand in the head, as in '{} [{}]', and an empty cell is a missing value",
+                "'{cell}' is not a finite number; units stand in the head, as in '{} [{}]', and an empty cell is a missing value",
                 self.head,
                 self.unit()
             ));
@@ -183,9 +233,32 @@ fn is_foreign(name: &str, format: Format) -> bool {
         || format.is_export && name.contains(". ")
 }
 
+/// What a column of this program's own name holds.
+fn named(setup: &Setup<f64>, name: &str) -> Result<Holds> {
+    let condition = |name: &str| setup.launch_condition(name).and_then(|_| Outcome::named(name).ok());
+    match name.strip_prefix("sigma ").map(str::trim) {
+        Some(STATIONARY) => return Ok(Holds::SigmaStationary),
+        Some(outcome) => return Ok(Holds::Sigma(measured(Outcome::named(outcome)?))),
+        None => {}
+    }
+    let is_derivative = || name.strip_prefix("d_").is_some_and(|rest| rest.contains("/d_"));
+    Ok(match name {
+        STATIONARY => Holds::Stationary,
+        NOTE => Holds::Note,
+        STATUS => Holds::Written,
+        _ if is_derivative() => Holds::Written,
+        _ => match name.strip_prefix(LAUNCH).and_then(condition) {
+            Some(outcome) => Holds::Outcome(outcome),
+            None => Outcome::named(name)
+                .map(|outcome| Holds::Outcome(measured(outcome)))
+                .or_else(|_| known(setup, name).map(Holds::Input))?,
+        },
+    })
+}
+
 /// The parameter of a column, or an error that names outcomes too.
 fn known(setup: &Setup<f64>, name: &str) -> Result<&'static Parameter> {
-    setup.variable(name).map_err(|error| match error {
+    setup.column(name).map_err(|error| match error {
         Error::Unknown { .. } => {
             let names: Vec<_> = setup.parameters().iter().map(|row| row.name).collect();
             let outcomes = Outcome::ALL.iter().map(|outcome| outcome.name());

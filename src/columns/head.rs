@@ -1,0 +1,101 @@
+use super::column::{Column, Format, Holds};
+use super::launch_monitor::{is_export, units_row};
+use super::{CONDITIONS, left_out};
+use crate::drive::Outcome;
+use crate::error::{Error, Result};
+use crate::parameters::Setup;
+use crate::units::Message;
+
+/// What the columns of a table hold.
+#[derive(Clone, Debug)]
+pub(crate) struct Head {
+    /// The columns, in their order.
+    pub columns: Vec<Column>,
+    /// How the table is written.
+    pub format: Format,
+    /// Whether the first row below the head states units.
+    pub has_units_row: bool,
+    /// What deserves a word: columns of an export that are not used.
+    pub remarks: Vec<Message>,
+}
+
+/// The names of some columns, as a message lists them.
+pub(crate) struct Names<'a>(pub Vec<&'a str>);
+
+impl Head {
+    /// Reads the heads of a CSV table and the first row below them, which may state units; `separator` is what stands between cells.
+    ///
+    /// # Errors
+    /// The number of the column, from 0, and what is wrong with it.
+    pub fn read<'a>(
+        setup: &Setup<f64>,
+        heads: impl Iterator<Item = &'a str> + Clone,
+        first: Option<impl Iterator<Item = &'a str>>,
+        separator: u8,
+    ) -> Result<Self, (usize, Error)> {
+        let format = Format { is_export: is_export(heads.clone()), has_decimal_comma: separator != b',' };
+        let units = first.and_then(units_row);
+        let column = |(at, head): (usize, &str)| {
+            let below = units.as_ref().and_then(|units| units.get(at)?.as_deref());
+            Column::read(setup, head, below, format).map_err(|error| (at, error))
+        };
+        let mut columns = heads.enumerate().map(column).collect::<Result<Vec<_>, _>>()?;
+        let remarks = if format.is_export { left_out::remarks(&mut columns) } else { vec![] };
+        told_apart(&mut columns);
+        Ok(Self { columns, format, has_units_row: units.is_some(), remarks })
+    }
+
+    /// Reads the names of the columns of a table that is in SI throughout.
+    ///
+    /// # Errors
+    /// As [`read`](Self::read).
+    #[cfg(any(feature = "arrow", feature = "parquet"))]
+    pub fn in_si(setup: &Setup<f64>, names: &[String]) -> Result<Self, (usize, Error)> {
+        let column = |(at, name): (usize, &String)| Column::in_si(setup, name).map_err(|error| (at, error));
+        let mut columns = names.iter().enumerate().map(column).collect::<Result<Vec<_>, _>>()?;
+        told_apart(&mut columns);
+        let format = Format { is_export: false, has_decimal_comma: false };
+        Ok(Self { columns, format, has_units_row: false, remarks: vec![] })
+    }
+
+    /// Whether a column is of the club's delivery.
+    pub fn has_strike(&self) -> bool {
+        self.columns.iter().any(Column::is_of_the_strike)
+    }
+
+    /// Whether it has a whole launch, and no club.
+    pub fn is_launched(&self) -> bool {
+        let has = |outcome| self.columns.iter().any(|column| column.holds == Holds::Outcome(outcome));
+        let has_spin = has(Outcome::Spin) || has(Outcome::Backspin);
+        has(Outcome::BallSpeed) && has(Outcome::LaunchAngle) && has_spin && !self.has_strike()
+    }
+
+    /// The heads of the columns of which this is so.
+    pub fn named(&self, is: impl Fn(&Column) -> bool) -> Names<'_> {
+        Names(self.columns.iter().filter(|column| is(column)).map(|column| column.head.as_str()).collect())
+    }
+}
+
+/// What the same name is in tables that this program wrote itself. Beside launch conditions by their dotted names, those without a group
+/// are outcomes; and in a sweep, which has a status, `carry` is the distance along the target line that it is everywhere else.
+fn told_apart(columns: &mut [Column]) {
+    if columns.iter().any(Column::is_dotted_condition) {
+        for column in columns.iter_mut().filter(|column| !column.is_dotted_condition()) {
+            if matches!(column.holds, Holds::Outcome(outcome) if CONDITIONS.contains(&outcome)) {
+                column.holds = Holds::Written;
+            }
+        }
+    }
+    if columns.iter().any(Column::is_status) {
+        for column in columns.iter_mut().filter(|column| column.head == Outcome::Carry.name()) {
+            column.holds = Holds::Outcome(Outcome::Carry);
+        }
+    }
+}
+
+impl Names<'_> {
+    /// `what: a, b`, where there are any.
+    pub fn told(&self, what: &str) -> Option<Message> {
+        (!self.0.is_empty()).then(|| format!("{what}: {}", self.0.join(", ")).into())
+    }
+}

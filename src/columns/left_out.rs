@@ -1,0 +1,72 @@
+//! What a launch monitor's export has and is not used.
+
+use super::column::{Column, Holds};
+use crate::drive::Outcome;
+use crate::units::Message;
+
+/// What deserves a word about an export, whose columns that are not used are then notes.
+pub(super) fn remarks(columns: &mut [Column]) -> Vec<Message> {
+    let mut remarks = left_out(columns);
+    remarks.extend(in_degrees(columns).map(Message::from));
+    remarks
+}
+
+/// The angles whose unit is taken for granted.
+fn in_degrees(columns: &[Column]) -> Option<String> {
+    let heads: Vec<&str> =
+        columns.iter().filter(|column| column.is_in_degrees_untold()).map(|column| column.head.as_str()).collect();
+    let (is, angles) = if heads.len() == 1 { ("is", "an angle") } else { ("are", "angles") };
+    (!heads.is_empty()).then(|| {
+        format!("{} {is} read in degrees: {angles} without a unit, and launch monitors write degrees", heads.join(", "))
+    })
+}
+
+/// Leaves out what a launch monitor's table has and the fit cannot use, and says so: columns without a name here; where the launch
+/// was measured, those of the club; of backspin, sidespin and the spin axis what repeats the spin.
+fn left_out(columns: &mut [Column]) -> Vec<Message> {
+    let named = |columns: &[Column], is: &dyn Fn(&Column) -> bool| -> Vec<String> {
+        columns
+            .iter()
+            .filter(|column| is(column))
+            .map(|column| column.head.clone())
+            .filter(|head| !head.is_empty())
+            .collect()
+    };
+    let mut remarks = vec![];
+    let unknown = named(columns, &Column::is_unknown);
+    if !unknown.is_empty() {
+        remarks.push(format!("columns without a name here are left out: {}", unknown.join(", ")).into());
+    }
+    let has = |columns: &[Column], outcome| columns.iter().any(|column| column.holds == Holds::Outcome(outcome));
+    let has_spin = has(columns, Outcome::Spin) || has(columns, Outcome::Backspin);
+    if has(columns, Outcome::BallSpeed) && has(columns, Outcome::LaunchAngle) && has_spin {
+        let is_club =
+            |column: &Column| column.is_of_the_strike() || column.holds == Holds::Outcome(Outcome::SmashFactor);
+        let club = named(columns, &is_club);
+        if !club.is_empty() {
+            remarks.push(
+                format!(
+                    "the ball flies from its measured launch; columns of the club are left out: {}",
+                    club.join(", ")
+                )
+                .into(),
+            );
+        }
+        let repeated: &[Outcome] = match has(columns, Outcome::Spin)
+            && (has(columns, Outcome::SpinAxis) || !has(columns, Outcome::Sidespin))
+        {
+            true => &[Outcome::Backspin, Outcome::Sidespin],
+            false if has(columns, Outcome::Backspin) => &[Outcome::Spin, Outcome::SpinAxis],
+            false => &[],
+        };
+        let repeats = |column: &Column| repeated.iter().any(|outcome| column.holds == Holds::Outcome(*outcome));
+        let again = named(columns, &repeats);
+        if !again.is_empty() {
+            remarks.push(format!("the spin is stated twice; left out: {}", again.join(", ")).into());
+        }
+        for column in columns.iter_mut().filter(|column| is_club(column) || repeats(column)) {
+            column.holds = Holds::Note;
+        }
+    }
+    remarks
+}

@@ -1,0 +1,88 @@
+//! Why a flight could not be followed, and what to do about it.
+
+use crate::units::significant;
+
+/// What a flight that diverged was made of, SI.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Diverging {
+    /// flight.step, s.
+    pub step: f64,
+    /// Speed at launch, m/s.
+    pub speed: f64,
+    /// Spin at launch, rad/s.
+    pub spin: f64,
+    /// ρ A/(2 m), 1/m.
+    pub force_per_mass: f64,
+    /// Speed of the wind, m/s.
+    pub wind: f64,
+    /// The name of the law.
+    pub law: &'static str,
+}
+
+/// Steps up to this follow any golf ball, s; the default is 5 ms.
+const FINE: f64 = 0.05;
+/// No golf ball leaves faster: the record is below 110 m/s.
+const FAST: f64 = 150.0;
+/// Nor with more spin: 19000 rpm.
+const MUCH_SPIN: f64 = 2000.0;
+/// A golf ball in air has 0.018 per m.
+const MUCH_FORCE: f64 = 0.1;
+/// A hurricane.
+const MUCH_WIND: f64 = 100.0;
+
+impl Diverging {
+    /// What is out of the ordinary, and what to do: the step only where it is a long one.
+    pub fn advice(&self) -> String {
+        let Self { step, speed, spin, force_per_mass, wind, law } = *self;
+        if step > FINE {
+            return "the step is long; reduce flight.step (the default is 5 ms)".into();
+        }
+        let shown = |value: f64| significant(value, 3);
+        // also what is no number at all
+        let is_beyond = |value: f64, most: f64| !(0.0..=most).contains(&value);
+        let mut found = vec![];
+        if is_beyond(speed, FAST) {
+            found.push(format!("the ball leaves at {} m/s", shown(speed)));
+        }
+        if is_beyond(spin, MUCH_SPIN) {
+            found.push(format!("its spin is {} rad/s", shown(spin)));
+        }
+        if is_beyond(force_per_mass, MUCH_FORCE) {
+            let per_metre = shown(force_per_mass);
+            found.push(format!("air.density · area/(2 ball.mass) is {per_metre} per m (0.018 for a golf ball in air)"));
+        }
+        if is_beyond(wind, MUCH_WIND) {
+            found.push(format!("the wind is {} m/s", shown(wind)));
+        }
+        match &found[..] {
+            [] => format!(
+                "launch, ball and air are ordinary, so check the coefficients of the law {law}: they may give a negative drag, or far \
+                 too large a force"
+            ),
+            found => format!("{}, which is out of the ordinary: check it", found.join(", and ")),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Diverging;
+
+    #[test]
+    fn the_step_is_named_only_where_it_is_long_and_else_what_is_out_of_the_ordinary() {
+        let usual =
+            Diverging { step: 0.005, speed: 70.0, spin: 280.0, force_per_mass: 0.018, wind: 3.0, law: "linear" };
+        assert!(usual.advice().contains("the coefficients of the law linear"));
+        for (of, says) in [
+            (Diverging { step: 2.0, ..usual }, "reduce flight.step"),
+            (Diverging { speed: 1e5, ..usual }, "the ball leaves at 100000 m/s"),
+            (Diverging { spin: 1e6, ..usual }, "its spin is"),
+            (Diverging { force_per_mass: 15.0, ..usual }, "is 15 per m"),
+            (Diverging { wind: 1e4, ..usual }, "the wind is 10000 m/s"),
+            (Diverging { speed: f64::NAN, ..usual }, "the ball leaves at NaN"),
+        ] {
+            let told = of.advice();
+            assert!(told.contains(says) && (of.step > 1.0) == told.contains("flight.step"), "{told}");
+        }
+    }
+}

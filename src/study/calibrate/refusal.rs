@@ -1,0 +1,105 @@
+//! Why rows have no answer where a fit is to begin: rows with the same reason in one sentence.
+
+use crate::error::Error;
+
+/// Rows whose reasons differ in their numbers only.
+struct Group {
+    rows: Vec<usize>,
+    /// The reason of the first row.
+    reason: String,
+    /// Whether all rows have that very reason.
+    is_same: bool,
+    /// Whether it is of the setup, so that taking rows out is no remedy.
+    is_of_the_setup: bool,
+}
+
+/// One sentence for the rows that failed, each with its number and error, and what to do.
+pub(super) fn refusal(failed: &[(usize, Error)]) -> String {
+    let mut groups: Vec<Group> = vec![];
+    for (row, error) in failed {
+        let reason = reason(error);
+        match groups.iter_mut().find(|group| kind(&group.reason) == kind(&reason)) {
+            Some(group) => {
+                group.rows.push(*row);
+                group.is_same &= group.reason == reason;
+            }
+            None => {
+                let is_of_the_setup = matches!(error, Error::Diverged { .. });
+                groups.push(Group { rows: vec![*row], reason, is_same: true, is_of_the_setup });
+            }
+        }
+    }
+    let said: Vec<String> = groups.iter().map(Group::said).collect();
+    let advice = match groups.iter().all(|group| group.is_of_the_setup) {
+        true => "",
+        false => "; correct these rows or take them out, or start the fit elsewhere (--set, or --fit NAME=LOW..HIGH)",
+    };
+    format!("no start was found at which every row has an answer: {}{advice}", said.join("; "))
+}
+
+impl Group {
+    fn said(&self) -> String {
+        let Self { rows, reason, is_same, .. } = self;
+        let first = rows.first().copied().unwrap_or_default();
+        let rows = numbered(rows);
+        if *is_same { format!("{rows}: {reason}") } else { format!("{rows}: as row {first}, {reason}") }
+    }
+}
+
+/// Why a row has no residuals, without saying again that it is of a calibration, and without the moment of a flight's end.
+fn reason(error: &Error) -> String {
+    match error {
+        Error::Calibration { reason } => reason.clone(),
+        Error::Diverged { advice, .. } => format!("the flight diverges; {advice}"),
+        error => error.to_string(),
+    }
+}
+
+/// A reason without its numbers.
+fn kind(reason: &str) -> String {
+    reason.chars().filter(|c| !(c.is_ascii_digit() || ['-', '.', '\u{2212}'].contains(c))).collect()
+}
+
+/// "row 3", "rows 1 to 4, 7".
+fn numbered(rows: &[usize]) -> String {
+    let mut runs: Vec<(usize, usize)> = vec![];
+    for row in rows {
+        match runs.last_mut() {
+            Some((_, last)) if *last + 1 == *row => *last = *row,
+            _ => runs.push((*row, *row)),
+        }
+    }
+    let run = |(first, last): &(usize, usize)| match last - first {
+        0 => first.to_string(),
+        1 => format!("{first}, {last}"),
+        _ => format!("{first} to {last}"),
+    };
+    let all: Vec<String> = runs.iter().map(run).collect();
+    format!("{} {}", if rows.len() == 1 { "row" } else { "rows" }, all.join(", "))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{numbered, refusal};
+    use crate::error::Error;
+
+    #[test]
+    fn rows_are_numbered_in_runs() {
+        assert_eq!(numbered(&[3]), "row 3");
+        assert_eq!(numbered(&[1, 2, 3, 4, 7, 9, 10]), "rows 1 to 4, 7, 9, 10");
+    }
+
+    #[test]
+    fn rows_with_the_same_reason_are_told_once_and_advice_fits_the_reason() {
+        let diverged = |time| Error::Diverged { time, step: 2.0, advice: "reduce flight.step".into() };
+        let told = refusal(&[(1, diverged(2.0)), (2, diverged(4.0)), (3, diverged(2.0))]);
+        assert!(told.ends_with("rows 1 to 3: the flight diverges; reduce flight.step"), "{told}");
+        let no_flight = |angle: &str| Error::NoFlight { reason: format!("the ball leaves at {angle}").as_str().into() };
+        let told = refusal(&[(2, no_flight("-3.5 deg")), (5, no_flight("-1 deg")), (6, diverged(1.0))]);
+        assert!(
+            told.contains("rows 2, 5: as row 2, no flight: the ball leaves at -3.5 deg; row 6: the flight"),
+            "{told}"
+        );
+        assert!(told.contains("take them out"), "{told}");
+    }
+}

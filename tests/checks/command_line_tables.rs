@@ -1,0 +1,101 @@
+//! Tables that `sweep --points` and `calibrate` both read: the same heads, and what is not read.
+
+use crate::command_line::{json, longdrive};
+use crate::common::close;
+use crate::sweep::table;
+use longdrive::Setup;
+use longdrive::batch::open_table;
+
+#[test]
+fn a_table_of_a_head_alone_is_refused() {
+    let (_folder, path) = table("empty.csv", "club.loft [deg]\n");
+    let said = longdrive(&["sweep", "--points", path.to_str().unwrap()]);
+    assert_eq!((said.status, said.out.as_str()), (2, ""));
+    assert!(said.err.contains("empty.csv: it has a head and no rows"), "{}", said.err);
+    let said = longdrive(&["calibrate", path.to_str().unwrap(), "--fit", "aero.cd0"]);
+    assert!(said.status == 2 && said.err.contains("empty.csv"), "{}", said.err);
+}
+
+/// The same launch, however a table writes it, with and without what was measured of it.
+#[test]
+fn exact_same_points_however_the_head_is_written() {
+    let setup = Setup::default();
+    let values = |text: &str| {
+        let (_folder, path) = table("a.csv", text);
+        let mut points = open_table(&setup, &path).unwrap_or_else(|error| panic!("{text}: {error}"));
+        let names: Vec<_> = points.parameters().iter().map(|parameter| parameter.name).collect();
+        let notes: Vec<_> = points.notes().iter().map(ToString::to_string).collect();
+        (names.join(" "), crate::sweep::all(points.as_mut()), notes.join("; "))
+    };
+    let plain = values("ball_speed [mph],launch_angle [deg],backspin [rpm]\n160.5,11.25,2686\n150,12,2500\n");
+    assert_eq!((plain.0.as_str(), plain.2.as_str()), ("launch.ball_speed launch.launch_angle launch.backspin", ""));
+    for text in [
+        "ball_speed [mph];launch_angle [deg];backspin [rpm]\n160,5;11,25;2686\n150;12;2500\n",
+        "ball_speed [mph]\tlaunch_angle [deg]\tbackspin [rpm]\n160.5\t11.25\t2686\n150\t12\t2500\n",
+        "sep=;\r\nBall Speed [mph];Launch Angle [deg];Backspin [rpm]\r\n160,5;11,25;2686\r\n150;12;2500\r\n",
+        "\u{feff}# a remark\nBall Speed (mph),Launch V (deg),Back Spin (rpm)\n160.5,11.25,\"2,686\"\n150,12,2500\n",
+        "Ball Speed,Launch Angle,Backspin\n[mph],[deg],[rpm]\n160.5,11.25,2686\n150,12,2500\n",
+        "launch.ball_speed [mph],launch.launch_angle [deg],launch.backspin [rpm]\n160.5,11.25,2686\n150,12,2500\n",
+    ] {
+        let found = values(text);
+        assert_eq!((&found.0, &found.2), (&plain.0, &plain.2), "{text}");
+        for (ours, theirs) in found.1.iter().zip(&plain.1) {
+            close(*ours, *theirs, theirs.abs(), 1e-15, text);
+        }
+        assert_eq!(found.1.len(), 6);
+    }
+    let export = "Player,Club Speed [mph],Ball Speed [mph],Launch Angle [deg],Backspin [rpm],Carry [yds]\n\
+                  A,110,160.5,11.25,2686,270\nA,108,150,12,2500,265\nAverage,109,155,11.6,2600,267\n";
+    let found = values(export);
+    assert_eq!((&found.0, &found.1), (&plain.0, &plain.1));
+    for says in ["Player", "Club Speed", "Carry", "rows left out, since they sum up other rows: 3 (Average)"] {
+        assert!(found.2.contains(says), "{says}: {}", found.2);
+    }
+    // the rows of an export are those of the file
+    let (_folder, path) =
+        table("a.csv", "Ball Speed [mph],Launch Angle [deg],Backspin [rpm]\nAverage,1,2\n150,x,2500\n");
+    let message = open_table(&setup, &path).err().unwrap().to_string();
+    assert!(message.contains("row 2, column Launch Angle: 'x' is not a finite number"), "{message}");
+}
+
+#[test]
+fn what_a_sweep_writes_is_read_again_and_what_is_not_read_is_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let launched = ["--points", "examples/launches.csv"];
+    for (name, of) in [
+        ("struck", &["--over", "club.loft=8deg..12deg:3", "--over", "swing.speed=90mph..110mph:2"][..]),
+        ("launched", &launched),
+    ] {
+        let all = ["--outcomes", "all", "--gradient"];
+        for ending in ["csv", "parquet"] {
+            let (first, second) = (file(&format!("{name}-1.{ending}")), file(&format!("{name}-of-{ending}.csv")));
+            assert_eq!(longdrive(&[&["sweep", "-o", &first], of, &all].concat()).status, 0);
+            let said = longdrive(&[&["sweep", "-o", &second, "--points", &first], &all[..]].concat());
+            assert_eq!(said.status, 0, "{name}.{ending}: {}", said.err);
+            let told = said.err.split_whitespace().collect::<Vec<_>>().join(" ");
+            for says in ["columns not read, since they are results", "status", "carry", "d_carry/d_"] {
+                assert!(told.contains(says), "{says}: {told}");
+            }
+            let csv = std::fs::read(file(&format!("{name}-1.csv"))).unwrap();
+            assert!(csv == std::fs::read(&second).unwrap(), "{name}.{ending}");
+        }
+        // and what it computed can be taken for what was measured
+        let args = ["calibrate", &file(&format!("{name}-1.csv")), "--fit", "aero.cd0"];
+        let said = longdrive(&args);
+        let told = "columns that a sweep writes beside what is measured are not read: status";
+        assert!(
+            said.status == 0 && said.out.split_whitespace().collect::<Vec<_>>().join(" ").contains(told),
+            "{}{}",
+            said.out,
+            said.err
+        );
+    }
+    let (_folder, results) = table("results.csv", "status,carry [m]\nlanded,200\n");
+    let said = longdrive(&["sweep", "--points", results.to_str().unwrap()]);
+    assert!(said.status == 2 && said.err.contains("none of its columns is a parameter"), "{}", said.err);
+    assert!(said.err.contains("status, carry"), "{}", said.err);
+    let (_folder, both) = table("both.csv", "club.loft [deg],swing.speed [mph],ball_speed [mph]\n10,100,150\n");
+    let (status, answer) = json(&["sweep", "--points", both.to_str().unwrap(), "-o", &file("both.jsonl")]);
+    assert_eq!((status, &answer["statuses"]["landed"]), (0, &1.into()));
+}
