@@ -52,6 +52,7 @@ mod columns;
 pub mod derivative;
 pub mod drive;
 pub mod error;
+pub mod features;
 pub mod flight;
 mod foreign;
 pub mod impact;

@@ -1,8 +1,8 @@
+use super::Pairs;
 use super::Taylor;
 use super::asked::{Asked, Directions, read};
 use crate::drive::{Part, Struck};
 use crate::error::Result;
-use super::Pairs;
 use crate::number::{Jet, Lanes, Level, Mask, Mixed, Seeded, Task};
 
 /// The most directions in a lane.

@@ -225,11 +225,17 @@ impl<const K: usize, B: Numbers> Numbers for Jet<K, B> {
             #[inline(always)]
             |i: usize| a.gradient[i].mul_add(self.re, b.gradient[i]),
         );
-        Self { re: self.re.mul_add(a.re, b.re), gradient: each!(self, i: K => self.gradient[i].mul_add(a.re, other(i))) }
+        Self {
+            re: self.re.mul_add(a.re, b.re),
+            gradient: each!(self, i: K => self.gradient[i].mul_add(a.re, other(i))),
+        }
     }
     #[inline(always)]
     fn scale_add(self, a: f64, b: Self) -> Self {
-        Self { re: self.re.scale_add(a, b.re), gradient: each!(self, i: K => self.gradient[i].scale_add(a, b.gradient[i])) }
+        Self {
+            re: self.re.scale_add(a, b.re),
+            gradient: each!(self, i: K => self.gradient[i].scale_add(a, b.gradient[i])),
+        }
     }
 }
 

@@ -43,7 +43,8 @@ fn independent_number_types_of_num_dual_agree_with_ours() {
             let (eps, v1, v2) = (dual.eps.0.unwrap(), dual2.v1.0.unwrap(), dual2.v2.0.unwrap());
             let scale = first.gradient.iter().fold(1.0, |most: f64, d| most.max(d.abs()));
             for k in 0..2 {
-                for other in [eps[k], [both.re.gradient[0], both.gradient[0].re][k], v1[k], [hyper.eps1, hyper.eps2][k]] {
+                for other in [eps[k], [both.re.gradient[0], both.gradient[0].re][k], v1[k], [hyper.eps1, hyper.eps2][k]]
+                {
                     close(first.gradient[k], other, scale, 1e-11, "first derivative");
                 }
             }

@@ -17,6 +17,8 @@ pub use parquet::ParquetTable;
 use super::points::Points;
 use crate::columns::{CONDITIONS, Column, Head, Holds};
 use crate::error::{Error, Result};
+#[cfg(not(all(feature = "arrow", feature = "parquet")))]
+use crate::features::how_to_get;
 use crate::parameters::{Parameter, Setup};
 use crate::units::Message;
 use std::path::Path;
@@ -34,27 +36,14 @@ pub fn open_table(setup: &Setup<f64>, path: &Path) -> Result<Box<dyn Points>> {
         "parquet" => Ok(Box::new(ParquetTable::open(setup, path)?)),
         #[cfg(feature = "arrow")]
         "arrow" | "arrows" | "feather" => Ok(Box::new(ArrowTable::open(setup, path)?)),
-        _ => Err(refused(path, String::new(), endings())),
-    }
-}
-
-/// Which endings a table's name may have.
-fn endings() -> String {
-    let mut endings = vec![".csv"];
-    let mut without = String::new();
-    for (feature, is_there, more) in [
-        ("parquet", cfg!(feature = "parquet"), &[".parquet"][..]),
-        ("arrow", cfg!(feature = "arrow"), &[".arrow", ".arrows", ".feather"]),
-    ] {
-        if is_there {
-            endings.extend(more);
-        } else {
-            without += &format!(" (this longdrive is built without the feature {feature})");
+        #[cfg(not(feature = "parquet"))]
+        "parquet" => Err(refused(path, String::new(), how_to_get("parquet"))),
+        #[cfg(not(feature = "arrow"))]
+        "arrow" | "arrows" | "feather" => Err(refused(path, String::new(), how_to_get("arrow"))),
+        _ => {
+            Err(refused(path, String::new(), "a table's name must end in .csv, .parquet, .arrow, .arrows or .feather"))
         }
     }
-    let last = endings.pop().unwrap_or_default();
-    let others = if endings.is_empty() { String::new() } else { endings.join(", ") + " or " };
-    format!("a table's name must end in {others}{last}{without}")
 }
 
 fn refused(path: &Path, place: String, reason: impl Into<String>) -> Error {

@@ -4,6 +4,8 @@ use crate::args::{
 use crate::files::{Destination, Rule};
 use crate::names::{outcomes, variables};
 use crate::output::{Answer, bar, show, spinner, system, tell, warn};
+#[cfg(not(feature = "png"))]
+use longdrive::features::how_to_get;
 use longdrive::optimize::Watch;
 use longdrive::report::Reply;
 use longdrive::report::figures::{
@@ -184,13 +186,14 @@ impl Format {
             Some("svg") => Ok(Self::Svg),
             #[cfg(feature = "png")]
             Some("png") => Ok(Self::Png),
+            #[cfg(not(feature = "png"))]
+            Some("png") => Err(Error::Plot { name: file.display().to_string(), reason: how_to_get("png") }),
             Some("csv") => Ok(Self::Csv),
-            _ => {
-                let pictures = if cfg!(feature = "png") { ".svg or .png" } else { ".svg" };
-                let reason =
-                    format!("its ending does not name a format; use {pictures} for a picture, or .csv for its data");
-                Err(Error::Plot { name: file.display().to_string(), reason })
-            }
+            _ => Err(Error::Plot {
+                name: file.display().to_string(),
+                reason: "its ending does not name a format; use .svg or .png for a picture, or .csv for its data"
+                    .into(),
+            }),
         }
     }
 }

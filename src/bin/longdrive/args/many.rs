@@ -44,7 +44,8 @@ pub struct Sweep {
     pub output: PathBuf,
 
     /// The format, whatever the name of the file ends in [default for standard output: csv].
-    #[arg(long, value_enum)]
+    #[cfg_attr(feature = "parquet", arg(long, value_enum))]
+    #[cfg_attr(not(feature = "parquet"), arg(long, value_name = "FORMAT", value_parser = without_parquet))]
     pub format: Option<Format>,
 
     /// Continue a sweep that was stopped or killed; the complete file is the same as without the interruption.
@@ -75,4 +76,13 @@ pub enum Format {
     /// Apache Parquet; a missing value is null.
     #[cfg(feature = "parquet")]
     Parquet,
+}
+
+/// Reads a format where there is no Parquet.
+#[cfg(not(feature = "parquet"))]
+fn without_parquet(text: &str) -> Result<Format, String> {
+    if text == "parquet" {
+        return Err(longdrive::features::how_to_get("parquet"));
+    }
+    clap::ValueEnum::from_str(text, false).map_err(|_| "the formats are csv and jsonl".into())
 }

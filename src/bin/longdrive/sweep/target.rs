@@ -28,6 +28,8 @@ impl Target {
             (None, "jsonl" | "ndjson") => Format::Jsonl,
             #[cfg(feature = "parquet")]
             (None, "parquet") => Format::Parquet,
+            #[cfg(not(feature = "parquet"))]
+            (None, "parquet") => return refuse(&longdrive::features::how_to_get("parquet")),
             (None, _) if target.is_standard_output() => Format::Csv,
             _ => return refuse("its name must end in .csv, .jsonl or .parquet, or --format must name the format"),
         };
