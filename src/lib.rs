@@ -42,7 +42,6 @@
 //! | every parameter, declared once | [`parameters`] |
 //! | numbers, quantity strings, errors | [`number`], [`units`], [`error`] |
 
-#![deny(unsafe_code)]
 #![warn(missing_docs)]
 
 pub mod aerodynamics;

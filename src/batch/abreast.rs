@@ -5,7 +5,7 @@ use super::kernel::Kernel;
 use crate::aerodynamics::AerodynamicLaw;
 use crate::drive::{Beyond, Part, Shown, Struck, is_beside_any_face};
 use crate::flight::{Discretization, Flight};
-use crate::number::{Jet, Lanes, Mask, Number, Seeded, Task};
+use crate::number::{Derivatives, Jet, Lanes, Mask, Number, Task};
 use crate::parameters::{Parameter, Setup};
 
 /// Parameters differentiated by in one pass.
@@ -74,12 +74,12 @@ impl Abreast<'_> {
 
     /// Hits and flies the rows, a group at a time, and writes what it finds into the block.
     #[inline(always)]
-    fn fly<J: Lanes<Lane: Seeded>>(&mut self, rows: &[(f64, usize)], alone: &mut Vec<usize>) {
+    fn fly<J: Lanes<Lane: Derivatives>>(&mut self, rows: &[(f64, usize)], alone: &mut Vec<usize>) {
         // the setup with what is the same in every row: the swept parameters are still to be put in
         let mut setup = self.kernel.setup.constant::<J>();
         setup.put(self.wrt, |k| {
             let value = self.kernel.setup.value(self.wrt[k]).unwrap_or(f64::NAN);
-            J::from_lanes(|_| seeded(value, Some(k)))
+            J::seeded(&|_| value, &|_, direction| direction == k, 0)
         });
         let directions: Vec<Option<usize>> =
             self.kernel.parameters.iter().map(|parameter| self.wrt.iter().position(|row| row == parameter)).collect();
@@ -89,7 +89,7 @@ impl Abreast<'_> {
     }
 
     #[inline(always)]
-    fn fly_group<J: Lanes<Lane: Seeded>>(
+    fn fly_group<J: Lanes<Lane: Derivatives>>(
         &mut self,
         setup: &mut Setup<J>,
         directions: &[Option<usize>],
@@ -99,7 +99,9 @@ impl Abreast<'_> {
         let kernel = self.kernel;
         let row_of = |lane: usize| group[lane.min(group.len() - 1)].1;
         let block = &*self.block;
-        setup.put(&kernel.parameters, |k| J::from_lanes(|lane| seeded(block.point(row_of(lane))[k], directions[k])));
+        setup.put(&kernel.parameters, |k| {
+            J::seeded(&|lane| block.point(row_of(lane))[k], &|_, direction| directions[k] == Some(direction), 0)
+        });
         let struck = Struck::new(setup, None);
         let (stream, strike) = (struck.inputs.stream(), [setup.strike.toe, setup.strike.high]);
         let fitted = AerodynamicLaw::<f64>::fitted(&kernel.setup.law);
@@ -128,7 +130,7 @@ impl Abreast<'_> {
     }
 
     /// Writes an outcome with its derivatives.
-    fn write<L: Seeded>(&mut self, row: usize, outcome: usize, found: Option<L>) {
+    fn write<L: Derivatives>(&mut self, row: usize, outcome: usize, found: Option<L>) {
         let Some(number) = found else { return };
         self.block.outcomes[outcome][row] = number.re();
         for k in 0..self.wrt.len() {
@@ -136,8 +138,4 @@ impl Abreast<'_> {
             self.block.derivatives[column][row] = number.first(k);
         }
     }
-}
-
-fn seeded<T: Seeded>(value: f64, direction: Option<usize>) -> T {
-    T::seeded(value, |k| direction == Some(k))
 }

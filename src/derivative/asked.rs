@@ -4,7 +4,7 @@ use crate::error::{Error, Result};
 use crate::flight::{Discretization, Flight, Inputs};
 use crate::impact::strike;
 use crate::launch::Launch;
-use crate::number::{Lanes, Mask, Number, Seeded};
+use crate::number::{Lanes, Mask, Number};
 use crate::parameters::{Parameter, Setup};
 
 /// A question, at one place.
@@ -54,27 +54,23 @@ impl Directions<'_> {
 
     /// The number of a place, in each lane the independent variable of the direction that it has there.
     #[inline(always)]
-    pub fn seeded<J: Lanes<Lane: Seeded>>(&self, place: usize, value: f64, per_lane: usize) -> J {
-        // a place that is none of a pass is the same in every lane
-        let is_one = match self {
-            Self::None => false,
-            Self::Each(places) => places.contains(&place),
-            Self::Pairs(pairs) => pairs.iter().any(|pair| pair.contains(&place)),
-        };
-        if !is_one {
-            return J::constant(value);
-        }
-        J::from_lanes(|lane| {
-            let places = self.in_lane(lane, per_lane);
-            J::Lane::seeded(value, |direction| places.get(direction) == Some(&place))
-        })
+    pub fn seeded<J: Lanes>(&self, place: usize, value: f64, per_lane: usize) -> J {
+        J::seeded(
+            &|_| value,
+            &|lane, direction| match self {
+                Self::None => false,
+                Self::Each(places) => direction < per_lane && places.get(lane * per_lane + direction) == Some(&place),
+                Self::Pairs(pairs) => pairs.get(lane).is_some_and(|pair| pair[direction] == place),
+            },
+            0,
+        )
     }
 }
 
 impl Asked<'_> {
     /// The setup over the numbers of a pass.
     #[inline(always)]
-    pub fn lifted<J: Lanes<Lane: Seeded>>(&self, directions: Directions<'_>, per_lane: usize) -> Setup<J> {
+    pub fn lifted<J: Lanes>(&self, directions: Directions<'_>, per_lane: usize) -> Setup<J> {
         let mut setup = self.setup.constant();
         setup.put(self.wrt, |place| directions.seeded(place, self.x[place], per_lane));
         setup

@@ -135,8 +135,10 @@ impl Changes {
         let mut rows = self.gradients.chunks_mut(self.parameters);
         inputs.map(|jet| {
             if let Some(row) = rows.next() {
-                for (direction, place) in places.iter().enumerate() {
-                    row[*place] = jet.gradient[direction % K].lane(direction / K);
+                for (k, d) in jet.gradient.iter().enumerate() {
+                    for (lane, place) in places.iter().skip(k).step_by(K).enumerate() {
+                        row[*place] = d.lane(lane);
+                    }
                 }
             }
         });

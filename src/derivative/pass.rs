@@ -3,7 +3,7 @@ use super::Taylor;
 use super::asked::{Asked, Directions, read};
 use crate::drive::{Part, Struck};
 use crate::error::Result;
-use crate::number::{Jet, Lanes, Level, Mask, Mixed, Seeded, Task};
+use crate::number::{Derivatives, Jet, Lanes, Level, Mask, Mixed, Task};
 
 /// The most directions in a lane.
 pub(super) const MOST_PER_LANE: usize = 3;
@@ -34,7 +34,7 @@ impl Task for Pass<'_> {
 
 impl Pass<'_> {
     #[inline(always)]
-    fn over<J: Lanes<Lane: Seeded>>(self, per_lane: usize) -> Result<()> {
+    fn over<J: Lanes<Lane: Derivatives>>(self, per_lane: usize) -> Result<()> {
         let Self { asked, directions, taylors } = self;
         let struck = Struck::new(&asked.lifted::<J>(directions, per_lane), asked.launch);
         if !struck.is_sound.holds(0) {
@@ -68,7 +68,7 @@ pub(super) fn read_launches<J: Lanes>(
 }
 
 /// Writes what a number tells of its directions to their places.
-pub(super) fn put<J: Seeded>(taylor: &mut Taylor, places: &[usize], number: &J) {
+pub(super) fn put<J: Derivatives>(taylor: &mut Taylor, places: &[usize], number: &J) {
     taylor.value = number.re();
     for (i, &place) in places.iter().enumerate() {
         taylor.gradient[place] = number.first(i);

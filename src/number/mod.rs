@@ -8,6 +8,7 @@
 
 #[cfg(target_arch = "x86_64")]
 mod bits;
+mod derivatives;
 #[cfg(target_arch = "x86_64")]
 mod exponential;
 mod jet;
@@ -17,11 +18,11 @@ mod linear;
 mod outlined;
 #[cfg(target_arch = "x86_64")]
 mod pack;
-mod seed;
 mod tanh;
 mod taylor;
 mod vector;
 
+pub(crate) use derivatives::Derivatives;
 pub use jet::{Jet, Mixed};
 pub(crate) use lanes::Lanes;
 pub use lanes::Mask;
@@ -29,7 +30,6 @@ pub(crate) use level::{Level, Task, inlined};
 pub(crate) use linear::{SymmetricFactors, solve};
 #[cfg(target_arch = "x86_64")]
 pub(crate) use pack::{Pack4, Pack8};
-pub(crate) use seed::Seeded;
 pub use taylor::Taylor;
 pub use vector::Vector;
 

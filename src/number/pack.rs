@@ -172,6 +172,10 @@ macro_rules! pack {
             fn from_lanes(f: impl FnMut(usize) -> f64) -> Self {
                 Self::from_array(std::array::from_fn(f))
             }
+            #[inline(always)]
+            fn seeded(value: &impl Fn(usize) -> f64, _: &impl Fn(usize, usize) -> bool, _: usize) -> Self {
+                Self::from_lanes(value)
+            }
         }
 
     };

@@ -1,6 +1,6 @@
 use super::problem::{Evaluation, Problem};
-use crate::number::{Number, Taylor};
-use num_dual::{Dual64, HyperDual64};
+use crate::number::{Derivatives, Lanes, Mixed, Number, Taylor};
+use num_dual::Dual64;
 
 /// The functions of a problem, written once over the number: their derivatives are then exact by themselves.
 ///
@@ -50,11 +50,12 @@ impl<F: Functions> Problem for Exact<F> {
         let n = x.len();
         let mut evaluation = None;
         for (i, j) in (0..n).flat_map(|i| (0..=i).map(move |j| (i, j))) {
-            let is = |place: usize, k: usize| f64::from(u8::from(place == k));
-            let lifted: Vec<_> = (0..n).map(|k| HyperDual64::new(x[k], is(i, k), is(j, k), 0.0)).collect();
+            let lifted: Vec<Mixed> =
+                (0..n).map(|k| Lanes::seeded(&|_| x[k], &|_, direction| k == [i, j][direction], 0)).collect();
             put(&mut evaluation, self.0.evaluate(&lifted)?, n, n, |taylor, number| {
-                (taylor.value, taylor.gradient[i]) = (number.re, number.eps1);
-                (taylor.hessian[i][j], taylor.hessian[j][i]) = (number.eps1eps2, number.eps1eps2);
+                (taylor.value, taylor.gradient[i]) = (number.re(), number.first(0));
+                let second = number.second().unwrap_or_default();
+                (taylor.hessian[i][j], taylor.hessian[j][i]) = (second, second);
             });
         }
         evaluation.ok_or_else(|| "there are no variables".into())

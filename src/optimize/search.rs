@@ -152,8 +152,10 @@ impl Search {
             }
         }
 
-        let kept = outcome.is_kept();
-        self.resize(&plan, &outcome);
+        let kept = outcome.is_kept() || tried.as_ref().is_some_and(|tried| self.is_calmed(&plan, tried, &outcome));
+        if outcome.is_kept() || !kept {
+            self.resize(&plan, &outcome);
+        }
         let other = match tried {
             Some(tried) if kept => Some(self.move_to(tried, plan.multipliers.clone())),
             tried => tried,
@@ -246,6 +248,15 @@ impl Search {
         });
         let noise = NOISE * (self.frame.size(&self.at) + self.penalty);
         Outcome { fell, promised: self.promised(plan), noise }
+    }
+
+    /// Whether a step that changes the merit by little more than rounding makes the KKT residual half as large: near a
+    /// solution the gradient is known to more digits than the merit (Hager & Zhang 2005, SIAM J. Optim. 16, section 2).
+    fn is_calmed(&self, plan: &Plan, tried: &Point, outcome: &Outcome) -> bool {
+        const QUIET: f64 = 1e-10;
+        let most = QUIET * (self.frame.size(&self.at) + self.penalty);
+        let residual = self.frame.residual(tried, &plan.multipliers);
+        outcome.promised <= most && outcome.fell.abs() <= most && residual.largest() <= 0.5 * self.residual.largest()
     }
 
     /// The trust region for the next step.

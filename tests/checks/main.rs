@@ -35,3 +35,4 @@ mod tables;
 mod uncertainty;
 mod verify;
 mod warnings;
+mod weight;
