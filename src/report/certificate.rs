@@ -214,7 +214,7 @@ pub fn certificate_text(certificate: &Certificate, loops: &[LoopRow], system: Sy
         text += &convergence_text(found);
     }
     for planted in &certificate.planted {
-        let verdict = verdict_of(planted.is_caught());
+        let verdict = if planted.rows == 0 { "not checked" } else { verdict_of(planted.is_caught()) };
         let (name, caught, rows) = (planted.plant.name(), planted.caught, planted.rows);
         text += &format!("  {verdict}: the planted error \"{name}\" is found in {caught} of {rows} rows\n");
     }

@@ -38,3 +38,9 @@ fn rows_that_diverge_alike_are_told_once_with_the_advice_that_fits() {
     let said = longdrive(&[&SHOTS[..], &["--set", "air.density=900kg/m^3"]].concat());
     assert!(said.err.contains("air.density") && !said.err.contains("flight.step"), "{}", said.err);
 }
+
+#[test]
+fn a_range_of_one_value_is_refused() {
+    let said = longdrive(&["calibrate", "examples/shots.csv", "--fit", "aero.cd0=0.2..0.2"]);
+    assert!(said.status == 2 && said.err.contains("aero.cd0 is the single value 0.2"), "{}", said.err);
+}

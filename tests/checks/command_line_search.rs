@@ -301,3 +301,12 @@ fn progress_of_a_chart_shows_the_points_that_were_asked_for() {
         "{shown:?}"
     );
 }
+
+#[test]
+fn a_setup_that_is_not_written_is_told_even_where_it_is_to_be_quiet() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("best.toml");
+    let said = longdrive(&["optimize", "-q", "--max-iterations", "1", "-o", file.to_str().unwrap()]);
+    assert!(said.status == 1 && said.err.contains("is not written: there is no optimum"), "{}", said.err);
+    assert!(!file.exists());
+}

@@ -99,3 +99,17 @@ fn what_a_sweep_writes_is_read_again_and_what_is_not_read_is_told() {
     let (status, answer) = json(&["sweep", "--points", both.to_str().unwrap(), "-o", &file("both.jsonl")]);
     assert_eq!((status, &answer["statuses"]["landed"]), (0, &1.into()));
 }
+
+#[test]
+fn a_parameter_of_every_drive_is_not_set_beside_them() {
+    let launch = ["--launch", "ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm"];
+    let cases = [
+        &["--points", "examples/launches.csv", launch[0], launch[1]][..],
+        &["--points", "examples/deliveries.csv", "--set", "swing.speed=100mph"],
+        &["--over", "club.loft=5deg..15deg:3", "--set", "club.loft=9deg"],
+    ];
+    for case in cases {
+        let said = longdrive(&[&["sweep"], case].concat());
+        assert!(said.status == 2 && said.err.contains("of its own, so this one is not used"), "{case:?}: {}", said.err);
+    }
+}

@@ -63,6 +63,18 @@ fn differences_certify_every_derivative_of_every_preset_and_catch_every_planted_
 }
 
 #[test]
+fn differences_certify_a_launch_without_a_club() {
+    let mut setup = Setup::default();
+    let launch =
+        [("launch.ball_speed", "167 mph"), ("launch.launch_angle", "10.9 deg"), ("launch.backspin", "2686 rpm")];
+    setup.set_all(launch).unwrap();
+    let wrt = ["air.density", "launch.backspin"].map(|name| setup.variable(name).unwrap());
+    let certificate = certificate(&setup, &[Outcome::Carry, Outcome::FlightTime], &wrt);
+    assert!(certificate.passed(), "{:?}", failures(&certificate));
+    assert_eq!(certificate.landing.len(), 6, "three outcomes of the landing by two parameters");
+}
+
+#[test]
 fn differences_certify_two_hundred_random_drives() {
     // so many parameters of each drive, others for the next; all of them were looked at once (docs/verification.md)
     const AT_A_TIME: usize = 4;

@@ -23,7 +23,17 @@ pub fn run(args: &Optimize) -> Result<Answer> {
         Answer::json(&reply)
     } else {
         let listed = if args.work.starts > 1 { optima_text(&optima, system()) } else { String::new() };
-        Answer::text(optimum_text(best, system()) + &listed)
+        // of one search alone the text below says so
+        let stopped = match optima.stopped() {
+            stopped if stopped > 0 && optima.starts > 1 => {
+                format!(
+                    "interrupted: {stopped} of {} searches were stopped before their end; the best so far:\n",
+                    optima.starts
+                )
+            }
+            _ => String::new(),
+        };
+        Answer::text(stopped + &optimum_text(best, system()) + &listed)
     };
     Ok(answer.found(best.solution.status == Status::Converged && optima.stopped() == 0))
 }
@@ -40,7 +50,7 @@ impl Optimize {
     pub fn write(&self, output: &Destination, best: &Optimum) -> Result<Option<String>> {
         let file = output.path().display();
         if best.solution.status != Status::Converged {
-            tell(&format!("{file} is not written: there is no optimum"));
+            warn(&[Message::from(format!("{file} is not written: there is no optimum"))]);
             return Ok(None);
         }
         output.write(optimum_toml(best, self.question.preset()?)?.as_bytes())?;

@@ -48,6 +48,21 @@ impl Question {
         Ok(())
     }
 
+    /// A parameter that has a value in each drive may not be set beside: that value would not be used.
+    pub fn refuse_twice(&self, setup: &Setup<f64>, parameters: &[&'static Parameter]) -> Result<()> {
+        let set = self.set.iter().map(|text| ("--set", text));
+        for (option, text) in set.chain(self.launch.iter().map(|text| ("--launch", text))) {
+            let (name, _) = split(option, text)?;
+            let named = setup.launch_condition(name).map_or(name, |condition| condition.name);
+            if parameters.iter().any(|parameter| parameter.name == named) {
+                let source =
+                    format!("every drive of the sweep has a {name} of its own, so this one is not used; leave it out");
+                return Err(Error::Unreadable { name: format!("{option} {name}"), source: source.into() });
+            }
+        }
+        Ok(())
+    }
+
     /// Says what a setup file gives of a club that does not strike the ball.
     fn tell_unused(&self) -> Result<()> {
         for path in self.inputs() {

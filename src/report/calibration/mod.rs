@@ -146,7 +146,7 @@ fn left_over(report: &CalibrationReport<'_>) -> String {
     let (statistics, stated) = (&report.found.statistics, report.table.uncertainties);
     let (chi, dof) = (significant(statistics.chi_square, 5), statistics.degrees_of_freedom);
     let freedom = match dof {
-        0 => "no degree of freedom is left: there are as many parameters as values, or more".to_owned(),
+        0 => "no degree of freedom left, for there are as many parameters as values, or more".to_owned(),
         1 => "1 degree of freedom".into(),
         _ => format!("{dof} degrees of freedom"),
     };

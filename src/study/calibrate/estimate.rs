@@ -90,6 +90,14 @@ impl Plan {
         };
         let fit = fit.iter().map(one).collect::<Result<Vec<_>>>()?;
         for (at, vary) in fit.iter().enumerate() {
+            if vary.low == vary.high {
+                let (name, value) = (vary.parameter.name, vary.parameter.show(Some(vary.low)));
+                return Err(Error::Calibration {
+                    reason: format!(
+                        "the range of {name} is the single value {value}, so nothing is left to fit; give a wider one, or --set it"
+                    ),
+                });
+            }
             if fit[..at].iter().any(|other| other.parameter == vary.parameter) {
                 return Err(Error::Calibration {
                     reason: format!("{} is to be fitted twice; name it once", vary.parameter.name),

@@ -12,6 +12,7 @@ use crate::drive::{Drive, Outcome};
 use crate::error::Result;
 use crate::flight::trajectory;
 use crate::impact::strike;
+use crate::launch::Launch;
 use crate::number::Vector;
 use crate::parameters::{Parameter, Setup};
 
@@ -60,7 +61,11 @@ pub(super) fn at_landing(setup: &Setup<f64>, wrt: &[&'static Parameter]) -> Resu
             moved.ground.height -= WAY_DOWN;
             // no further than T
             moved.flight.time_limit = time - 0.5 * setup.flight.step;
-            let path = trajectory(&moved, &strike(&moved).ok()?.launch).ok()?;
+            let launch = match Launch::given(&moved) {
+                Some(launch) => launch,
+                None => strike(&moved).ok()?.launch,
+            };
+            let path = trajectory(&moved, &launch).ok()?;
             Some(to_ground(path.points.last()?.position, landed.velocity, ground, time))
         };
         let ladders = Ladder::sample(at, scale(&setup, parameter), FEW_STEPS, |value| {

@@ -37,6 +37,7 @@ pub fn run(args: &Sweep) -> Result<Answer> {
         let reason = "it has a head and no rows; give a row for each drive".into();
         return Err(Error::Table { file: table.display().to_string(), place: String::new(), reason });
     }
+    args.question.refuse_twice(&setup, points.parameters())?;
     if !setup.launch.is_given() && points.parameters().iter().any(|parameter| parameter.is_of_launch()) {
         args.question.refuse_club(&setup, "the points are launches")?;
     }
