@@ -28,7 +28,7 @@
 //! degrees, mph and yards only in strings ([`units`]) and reports.
 //!
 //! # Modules
-//! Imports point downward only; what stands on one line does not know its neighbours.
+//! Imports point downward, without a circle between modules; docs/architecture.md lists them.
 //!
 //! | | |
 //! |---|---|

@@ -16,7 +16,7 @@ use std::path::Path;
 /// The head names parameters (inputs of the shot), outcomes (what was measured), `sigma OUTCOME` (its standard uncertainty),
 /// `stationary` (names of parameters, separated by spaces, in which carry is at its largest there), `sigma stationary`, and
 /// `note`; with its unit in brackets. Heads, units, separators and sides may also be those of a launch monitor's export; carry is the
-/// distance to the landing point, [`Outcome::CarryDistance`]. Where `ball_speed`, `launch_angle` and `spin` or `backspin` stand beside no
+/// distance to the landing point, [`Outcome::CarryDistance`](crate::Outcome::CarryDistance). Where `ball_speed`, `launch_angle` and `spin` or `backspin` stand beside no
 /// parameter of swing, club, strike or impact, the rows are launch conditions, and the ball flies from them without an impact.
 #[derive(Clone, Debug)]
 pub struct ShotTable {
