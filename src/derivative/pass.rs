@@ -1,6 +1,5 @@
-use super::Pairs;
-use super::Taylor;
 use super::asked::{Asked, Directions, read};
+use super::{Pairs, Taylor};
 use crate::drive::{Part, Struck};
 use crate::error::Result;
 use crate::number::{Derivatives, Jet, Lanes, Level, Mask, Mixed, Task};

@@ -1,5 +1,5 @@
 //! What longdrive promises, held against papers, closed forms, independent computations and measured orders.
-//! A test's name says which: `paper_`, `exact_`, `independent_`, `order_`, `differences_`.
+//! A test's name says which: `paper_`, `exact_`, `independent_`, `order_`, `differences_`, `measured_`, and `regress_` for what may not grow.
 
 mod analysis;
 mod calibration;

@@ -1,7 +1,5 @@
 //! What the program weighs.
 
-use std::collections::HashSet;
-
 /// A flight loop is compiled for each number that drives are made of: it is most of what the library costs to build. Its copies are
 /// counted among the names of functions in the program, which say for what numbers they are (`.cargo/config.toml`).
 #[test]
@@ -12,6 +10,6 @@ fn regress_copies_of_the_flight_loop_at_most_twenty() {
         let has = |part: &str| name.windows(part.len()).any(|window| window == part.as_bytes());
         name.starts_with(b"_R") && has("8outlined") && has("5Ended") && has("6follow")
     };
-    let copies: HashSet<&[u8]> = program.split(|byte| *byte == 0).filter(is_flight).collect();
+    let copies: std::collections::HashSet<&[u8]> = program.split(|byte| *byte == 0).filter(is_flight).collect();
     assert!((3..=20).contains(&copies.len()), "{} copies of the flight loop", copies.len());
 }
