@@ -118,6 +118,7 @@ impl Abreast<'_> {
             let club_speed = struck.club_speed.map(|speed| speed.lane(lane));
             let shown = Shown { launch: &launch, club_speed, landed: Some(&landed) };
             self.block.status[row] = Status::Landed;
+            self.block.defect[row] = landed.defect.re();
             let [toe, high] = strike.map(|place| place.lane(lane).re());
             self.block.beyond[row] = Beyond {
                 law: !fitted.holds(stream.map(|value| value.lane(lane).re())),

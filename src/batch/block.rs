@@ -101,6 +101,8 @@ pub struct Block {
     pub(super) status: Vec<Status>,
     /// What each drive that landed lies beyond.
     pub(super) beyond: Vec<Beyond>,
+    /// What tells of the error of the integration, of each drive that landed.
+    pub(super) defect: Vec<f64>,
     /// A column for each outcome; a number that is not finite stands for a value that does not exist.
     pub(super) outcomes: Vec<Vec<f64>>,
     /// A column for each outcome and parameter, the parameters of the first outcome first; likewise.
@@ -131,6 +133,11 @@ impl Block {
     /// What a drive that landed lies beyond at its launch.
     pub fn beyond(&self, row: usize) -> Beyond {
         self.beyond[row]
+    }
+
+    /// What tells of the error of the integration, of each drive that landed: its defect, m.
+    pub(crate) fn defects(&self) -> impl Iterator<Item = f64> {
+        self.status.iter().zip(&self.defect).filter(|(status, _)| **status == Status::Landed).map(|(_, defect)| *defect)
     }
 
     /// The outcome of this number, SI.

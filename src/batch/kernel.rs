@@ -16,7 +16,12 @@ pub(crate) struct Kernel {
     pub of: Vec<Outcome>,
     /// What the outcomes are differentiated by; nothing for values alone.
     pub wrt: Vec<&'static Parameter>,
+    /// Drives with a larger defect are flown again, in shorter steps; infinite where the setup's own step is kept.
+    pub largest_defect: f64,
 }
+
+/// Halvings of the step within which a drive has to get below the largest defect.
+const HALVINGS: usize = 12;
 
 impl Kernel {
     /// The drives of some points, given one after the other.
@@ -28,14 +33,16 @@ impl Kernel {
             parameters: self.parameters.len(),
             status: vec![Status::OutOfRange; rows],
             beyond: vec![Beyond::default(); rows],
+            defect: vec![0.0; rows],
             outcomes: empty(self.of.len()),
             derivatives: empty(self.of.len() * self.wrt.len()),
             points,
         };
-        let alone = if self.goes_abreast() { self.abreast(&mut block) } else { (0..rows).collect() };
+        let mut alone = if self.goes_abreast() { self.abreast(&mut block) } else { (0..rows).collect() };
+        alone.extend((0..rows).filter(|&row| self.is_off(block.defect[row])));
         for row in alone {
             if let Ok(setup) = self.moved(block.point(row)) {
-                self.drive(&setup, row, &mut block);
+                self.drive(setup, row, &mut block);
             }
         }
         block
@@ -77,14 +84,43 @@ impl Kernel {
         Ok(setup)
     }
 
-    fn drive(&self, setup: &Setup<f64>, row: usize, block: &mut Block) {
-        let drive = match Drive::new(setup) {
+    /// Whether a drive with this defect is not followed closely enough.
+    fn is_off(&self, defect: f64) -> bool {
+        defect > self.largest_defect
+    }
+
+    /// The drive with the longest of some steps, each half of the one before, that follows it closely enough. Without a largest
+    /// defect that is the first.
+    fn followed(&self, setup: &mut Setup<f64>) -> Result<Drive<f64>> {
+        let mut halvings = if self.largest_defect.is_finite() { HALVINGS } else { 0 };
+        loop {
+            let found = Drive::new(setup);
+            let is_close = match &found {
+                Ok(Drive { flight: Flight::Landed(landed), .. }) => !self.is_off(landed.defect),
+                Err(Error::Diverged { .. }) => false,
+                _ => true,
+            };
+            if is_close || halvings == 0 {
+                return found;
+            }
+            halvings -= 1;
+            setup.flight.step *= 0.5;
+        }
+    }
+
+    fn drive(&self, mut setup: Setup<f64>, row: usize, block: &mut Block) {
+        let drive = match self.followed(&mut setup) {
             Ok(drive) => drive,
             Err(Error::Diverged { .. }) => return block.status[row] = Status::Diverged,
             Err(_) => return block.status[row] = Status::NoStrike,
         };
+        let setup = &setup;
         block.status[row] = match &drive.flight {
-            Flight::Landed(_) => Status::Landed,
+            Flight::Landed(landed) if self.is_off(landed.defect) => return block.status[row] = Status::Diverged,
+            Flight::Landed(landed) => {
+                block.defect[row] = landed.defect;
+                Status::Landed
+            }
             Flight::None(NoFlight::Aloft { .. }) => Status::Aloft,
             Flight::None(_) => Status::NoFlight,
         };

@@ -61,7 +61,15 @@ impl Batch {
             return Err(Error::NotVariable { name: of_club.name.into(), reason: NO_CLUB.into() });
         }
         let (parameters, of, wrt) = (parameters.to_vec(), of.to_vec(), wrt.to_vec());
-        Ok(Self { kernel: Kernel { setup: *setup, parameters, of, wrt } })
+        Ok(Self { kernel: Kernel { setup: *setup, parameters, of, wrt, largest_defect: f64::INFINITY } })
+    }
+
+    /// The same with another step for each drive that the setup's own step does not follow closely enough: one whose steps have
+    /// a larger defect than this, m (docs/model.md, eq. 16a), is flown again in steps half as long, and again. One that stays above it
+    /// in the shortest has the status `diverged`.
+    pub fn with_largest_defect(mut self, defect: f64) -> Self {
+        self.kernel.largest_defect = defect;
+        self
     }
 
     /// The setup that the points move.

@@ -25,6 +25,8 @@ pub struct Landed<T> {
     pub velocity: Vector<T>,
     /// The highest point of the flight; `None` where it was not asked for.
     pub apex: Option<Apex<T>>,
+    /// What tells of the error of the integration: the defects of the steps, over the sine of the descent angle, m.
+    pub(crate) defect: T,
     /// Steps of the integration, the last one cut by the landing.
     pub steps: usize,
 }
@@ -56,6 +58,7 @@ impl<T: Copy> Landed<T> {
                 time: f(apex.time),
                 downrange: f(apex.downrange),
             }),
+            defect: f(self.defect),
             steps: self.steps,
         }
     }

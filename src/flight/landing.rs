@@ -93,6 +93,7 @@ impl<T: Numbers> Inputs<T> {
             flight_time: T::zero(),
             velocity: Vector::zero(),
             apex: has_apex.then_some(apex),
+            defect: T::zero(),
             steps: 0,
         };
         let mut ended = Ended {
@@ -112,6 +113,9 @@ impl<T: Numbers> Inputs<T> {
                 self.coarseness(&here, h).below(tableau.reach * tableau.reach) & step.to.state.position.x.is_finite();
             ended.diverges = ended.diverges | flying & !is_followed;
             flying = flying & is_followed;
+
+            let defect = &mut ended.landed.defect;
+            *defect = (*defect + step.defect(h)).blend(*defect, flying);
 
             let is_above = (ground - step.to.state.position.x).below(0.0);
             let has_top = flying & is_rising(&here) & !is_rising(&step.to);
@@ -150,6 +154,9 @@ impl<T: Numbers> Inputs<T> {
                     old.lateral = x.y.blend(old.lateral, lands);
                     old.flight_time = (s * h + ended.time).blend(old.flight_time, lands);
                     old.velocity = v.blend(old.velocity, lands);
+                    // an error of the height is one of the landing place, the larger the flatter the ball comes down
+                    let (speed, _) = v.dot(v).sqrt_recip();
+                    old.defect = (old.defect * speed / -v.x).blend(old.defect, lands);
                     ended.has_landed = ended.has_landed | lands;
                     flying = flying & !lands;
                 }

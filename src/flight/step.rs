@@ -23,6 +23,17 @@ pub(crate) struct Step<T> {
     pub gained: Vector<T>,
 }
 
+impl<T: Numbers> Step<T> {
+    /// How far a step of length h is from Hermite's quadrature between its ends (docs/model.md, eq. 16a), squared over the way
+    /// through the air, m. It grows with the eighth power of h.
+    #[inline(always)]
+    pub fn defect(&self, h: f64) -> T {
+        let (a0, a1) = (self.from.rate.acceleration, self.to.rate.acceleration);
+        let off = (a0 - a1).scale_add(h * h * (-1.0 / 12.0), self.gained.scale_add(-0.5 * h, self.bent));
+        off.dot(off) * (1.0 / h) / self.from.rate.speed
+    }
+}
+
 impl<'a, T: Numbers> Stepper<'a, T> {
     #[inline(always)]
     pub fn new(inputs: &'a Inputs<T>, tableau: &'static Tableau, h: f64) -> Self {

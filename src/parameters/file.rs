@@ -31,6 +31,8 @@ pub struct SetupFile {
     pub preset: &'static Preset,
     /// The parameters that the file itself gives, in their order there.
     pub given: Vec<&'static Parameter>,
+    /// Whether the file itself says how to integrate: flight.method or flight.step.
+    pub gives_step: bool,
     /// Parameters with a dimension whose numbers stand without a unit, and were read as SI.
     pub without_unit: Vec<&'static Parameter>,
 }
@@ -83,7 +85,8 @@ impl SetupFile {
         let is_finite = |parameter: &&Parameter| setup.value(parameter).is_some_and(f64::is_finite);
         let without_unit = bare.filter(has_unit).filter(is_finite).collect();
         let preset = named.and_then(Preset::named).unwrap_or(&PRESETS[0]);
-        Ok(Self { setup, preset, given, without_unit })
+        let gives_step = items.iter().any(|item| matches!(item.key.as_str(), METHOD | "flight.step"));
+        Ok(Self { setup, preset, given, gives_step, without_unit })
     }
 }
 

@@ -1,138 +1,190 @@
 use super::Vary;
-use crate::derivative::{Evaluator, Order};
+use crate::batch::{Batch, Block, Status};
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::optimize::sobol;
-use crate::parameters::{Method, Setup};
+use crate::parameters::{Method, Parameter, Setup};
+use crate::units::Quantity;
 
-/// How drives are to be integrated so that their carry is within a tolerance.
+/// How drives are to be integrated so that their lengths are within a tolerance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Accuracy {
-    /// The method that does it with the fewest evaluations of the force.
+    /// The method.
     pub method: Method,
     /// Its step, s.
     pub step: f64,
-    /// The largest error of a carry found with it, m.
+    /// The largest error found with it, m.
     pub error: f64,
     /// Drives that were looked at.
     pub drives: usize,
+    /// The largest defect of a drive that was looked at, m: one with a larger defect is beyond what was looked at. See
+    /// [`Batch::with_largest_defect`].
+    pub largest_defect: f64,
 }
 
-/// Half of the tolerance is kept for drives between those that are looked at.
-const SAFETY: f64 = 0.5;
-/// The step of the reference flights, s; with the method of order 8 their own error is below 1e-11 m in still air.
-const REFERENCE_STEP: f64 = 0.01;
+impl Accuracy {
+    /// The setup, integrated like this.
+    pub fn applied_to(&self, setup: &Setup<f64>) -> Setup<f64> {
+        integrated(setup, self.step)
+    }
+}
+
+/// The method of the highest order needs the fewest evaluations of the force for every tolerance that is asked for.
+const METHOD: Method = Method::DormandPrince8;
+/// The rest of the tolerance is kept for drives between those that are looked at.
+const SAFETY: f64 = 0.25;
 /// Steps tried, s, each 2^(−1/4) of the one before.
 const LONGEST_STEP: f64 = 1.6;
 const STEPS: i32 = 40;
+/// Step of the reference flights, s, in a uniform wind and in one that grows with height: their own error is below 1e-11 m and 1e-9 m.
+const REFERENCE_STEP: [f64; 2] = [0.05, 0.01];
 /// Points within the ranges that are looked at.
-const INSIDE: u64 = 32;
+const INSIDE: u64 = 64;
 /// Ends of ranges are combined for so many parameters; of further ones the setup's own value is taken.
 const MOST_COMBINED: usize = 4;
+/// Where in its last step a ball lands makes a difference, so each drive is flown in a few steps a little shorter too.
+const PHASES: u32 = 8;
+/// A defect that says nothing, m: next to no air leaves rounding alone.
+const ROUNDING: f64 = 1e-12;
 
-/// The cheapest method and step with which carry is within `tolerance` (m) of the exact one, for the setup and for drives at the
-/// ends of the ranges and within them. Both are fixed beforehand and do not depend on the drive, so that carry stays as smooth as it is.
+/// The longest step with which every length among some outcomes is within `tolerance` (m) of its exact value, for the setup and for
+/// drives at the ends of the ranges and within them. It is fixed beforehand and does not depend on the drive, so that outcomes stay as
+/// smooth as they are. Without a length among the outcomes, it is that of carry.
 ///
 /// ```
-/// use longdrive::{Setup, study::accuracy};
+/// use longdrive::{Outcome, Setup, study::accuracy};
 /// let setup = Setup::default();
-/// let micrometre = accuracy(&setup, &[], 1e-6).unwrap();
+/// let micrometre = accuracy(&setup, &[], &[Outcome::Carry], 1e-6).unwrap();
 /// assert!(micrometre.error < 1e-6 && micrometre.step > setup.flight.step);
 /// ```
 ///
 /// # Errors
-/// [`Error::Tolerance`] for a tolerance that is none, or that none of the steps down to 1 ms reaches; as
-/// [`Evaluator::at`] where the setup's drive has no carry and none at the ends of the ranges has.
-pub fn accuracy(setup: &Setup<f64>, ranges: &[Vary], tolerance: f64) -> Result<Accuracy> {
+/// [`Error::Tolerance`] for a tolerance that is none, or that none of the steps down to 2 ms reaches, with the drive that is off most;
+/// [`Error::NoFlight`] where none of the drives lands; what [`Batch::new`] refuses.
+pub fn accuracy(setup: &Setup<f64>, ranges: &[Vary], of: &[Outcome], tolerance: f64) -> Result<Accuracy> {
     if !(tolerance > 0.0 && tolerance.is_finite()) {
         return Err(Error::Tolerance { tolerance, reason: "give a length above 0, for example 1 um".into() });
     }
-    let reference = flown(setup, Method::DormandPrince8, REFERENCE_STEP);
-    let drives = drives(&reference, ranges)?;
-    let mut best: Option<Accuracy> = None;
-    for &method in Method::ALL {
-        let cost = |step: f64| f64::from(method.stages()) / step;
-        for k in 0..STEPS {
-            let step = LONGEST_STEP * 0.5_f64.powf(0.25 * f64::from(k));
-            if best.is_some_and(|best| cost(step) >= f64::from(best.method.stages()) / best.step) {
-                break;
+    let sample = Sample::new(setup, ranges, of)?;
+    let mut step = LONGEST_STEP;
+    let mut worst = None;
+    for _ in 0..STEPS {
+        match sample.largest_error(setup, step, SAFETY * tolerance)? {
+            Ok(Found { error, largest_defect }) => {
+                let drives = sample.exact.defects().count();
+                return Ok(Accuracy { method: METHOD, step, error, drives, largest_defect });
             }
-            if let Some(error) = largest_error(&flown(setup, method, step), ranges, &drives)
-                && error <= SAFETY * tolerance
-            {
-                best = Some(Accuracy { method, step, error, drives: drives.len() });
-                break;
+            Err(drive) => worst = Some(drive),
+        }
+        step *= 0.5_f64.powf(0.25);
+    }
+    let drive = worst.map_or_else(String::new, |missed| sample.told(missed));
+    let reason = format!("{drive} with method {} in steps of 2 ms; set flight.method and flight.step", METHOD.name());
+    Err(Error::Tolerance { tolerance, reason })
+}
+
+/// What was found of a step.
+struct Found {
+    error: f64,
+    largest_defect: f64,
+}
+
+/// A drive that a step does not follow: its row, and the outcome that is off, with its error, m; nothing where it does not land.
+type Missed = (usize, Option<(Outcome, f64)>);
+
+/// The drives looked at.
+struct Sample {
+    parameters: Vec<&'static Parameter>,
+    points: Vec<f64>,
+    lengths: Vec<Outcome>,
+    /// As the reference has them.
+    exact: Block,
+}
+
+impl Sample {
+    fn new(setup: &Setup<f64>, ranges: &[Vary], of: &[Outcome]) -> Result<Self> {
+        let lengths = of.iter().copied().filter(|of| of.quantity() == Quantity::LENGTH);
+        let mut lengths: Vec<_> = lengths.collect();
+        if lengths.is_empty() {
+            lengths.push(Outcome::Carry);
+        }
+        // a batch has a parameter at least: one that every setup has
+        let own = |parameter: &'static Parameter| {
+            let value = setup.value(parameter).unwrap_or_default();
+            Vary { parameter, low: value, high: value }
+        };
+        let still = [own(setup.variable("gravity")?)];
+        let ranges = if ranges.is_empty() { &still } else { ranges };
+        let parameters: Vec<_> = ranges.iter().map(|range| range.parameter).collect();
+        let points = points(setup, ranges);
+        let reference = integrated(setup, REFERENCE_STEP[usize::from(setup.wind.roughness.is_some())]);
+        let exact = Batch::new(&reference, &parameters, &lengths, &[])?.evaluate(0, points.clone());
+        if exact.defects().next().is_none() {
+            return Err(Error::NoFlight { reason: "no drive that the step would be chosen for lands".into() });
+        }
+        Ok(Self { parameters, points, lengths, exact })
+    }
+
+    /// The largest error of a step, or the drive by which it misses the limit.
+    fn largest_error(&self, setup: &Setup<f64>, step: f64, limit: f64) -> Result<std::result::Result<Found, Missed>> {
+        let mut found = Found { error: 0.0, largest_defect: ROUNDING };
+        for phase in 0..PHASES {
+            let setup = integrated(setup, step * (1.0 - 0.035 * f64::from(phase)));
+            let flown = Batch::new(&setup, &self.parameters, &self.lengths, &[])?.evaluate(0, self.points.clone());
+            for row in (0..flown.rows()).filter(|&row| self.exact.status(row) == Status::Landed) {
+                for (i, of) in self.lengths.iter().enumerate() {
+                    let Some((exact, flown)) = self.exact.outcome(row, i).zip(flown.outcome(row, i)) else {
+                        return Ok(Err((row, None)));
+                    };
+                    let error = (flown - exact).abs();
+                    if error > limit {
+                        return Ok(Err((row, Some((*of, error)))));
+                    }
+                    found.error = found.error.max(error);
+                }
+            }
+            if phase == 0 {
+                found.largest_defect = flown.defects().fold(ROUNDING, f64::max);
             }
         }
+        Ok(Ok(found))
     }
-    best.ok_or_else(|| Error::Tolerance {
-        tolerance,
-        reason: format!(
-            "no step of {LONGEST_STEP} s down to {:.1e} s reaches it; set flight.method and flight.step",
-            LONGEST_STEP * 0.5_f64.powf(0.25 * f64::from(STEPS - 1))
-        ),
-    })
+
+    /// A drive that is missed, in words.
+    fn told(&self, (row, off): Missed) -> String {
+        let values = self.parameters.iter().zip(self.exact.point(row));
+        let values = values.map(|(parameter, value)| format!("{} = {}", parameter.name, parameter.show(Some(*value))));
+        let drive = format!("the drive with {}", values.collect::<Vec<_>>().join(", "));
+        match off {
+            Some((of, error)) => format!("{} of {drive} is off by {error:.1e} m", of.name()),
+            None => format!("{drive} diverges"),
+        }
+    }
 }
 
-fn flown(setup: &Setup<f64>, method: Method, step: f64) -> Setup<f64> {
-    let mut flown = Setup { method, ..*setup };
-    flown.flight.step = step;
-    flown
+fn integrated(setup: &Setup<f64>, step: f64) -> Setup<f64> {
+    let mut setup = Setup { method: METHOD, ..*setup };
+    setup.flight.step = step;
+    setup
 }
 
-/// The drives looked at, as values of the ranges' parameters, with their carries; those that do not fly are left out.
-fn drives(reference: &Setup<f64>, ranges: &[Vary]) -> Result<Vec<(Vec<f64>, f64)>> {
+/// The drives looked at, as values of the ranges' parameters, one after the other.
+fn points(setup: &Setup<f64>, ranges: &[Vary]) -> Vec<f64> {
     // a launch that only the points have is taken in its middle
     let middle = |range: &Vary| 0.5 * (range.low + range.high);
-    let own: Vec<f64> =
-        ranges.iter().map(|range| reference.value(range.parameter).unwrap_or_else(|| middle(range))).collect();
-    let mut points = vec![own.clone()];
-    if !ranges.is_empty() {
-        for corner in 0..1_usize << ranges.len().min(MOST_COMBINED) {
-            let end = |(i, range): (usize, &Vary)| match corner >> i & 1 {
-                _ if i >= MOST_COMBINED => own[i],
-                0 => range.low,
-                _ => range.high,
-            };
-            points.push(ranges.iter().enumerate().map(end).collect());
-        }
-        // and within: the shortest flights, in few steps, are seldom at a corner
-        for k in 0..INSIDE {
-            let at = |(i, range): (usize, &Vary)| range.low + (range.high - range.low) * sobol::coordinate(k, i, 0);
-            points.push(ranges.iter().enumerate().map(at).collect());
-        }
+    let own: Vec<f64> = ranges.iter().map(|range| setup.value(range.parameter).unwrap_or_else(|| middle(range))).collect();
+    let mut points = own.clone();
+    for corner in 0..1_usize << ranges.len().min(MOST_COMBINED) {
+        points.extend(ranges.iter().enumerate().map(|(i, range)| match corner >> i & 1 {
+            _ if i >= MOST_COMBINED => own[i],
+            0 => range.low,
+            _ => range.high,
+        }));
     }
-    let carry = carry(reference, ranges)?;
-    let mut found = vec![];
-    let mut refused = None;
-    for point in points {
-        match carry.at(&point) {
-            Ok(taylors) => found.push((point, taylors[0].value)),
-            Err(error) => refused = refused.or(Some(error)),
-        }
+    // and within: the shortest flights, in few steps, are seldom at a corner
+    for k in 0..INSIDE {
+        let at = |(i, range): (usize, &Vary)| range.low + (range.high - range.low) * sobol::coordinate(k, i, 0);
+        points.extend(ranges.iter().enumerate().map(at));
     }
-    match refused {
-        Some(error) if found.is_empty() => Err(error),
-        _ => Ok(found),
-    }
-}
-
-/// The largest error over the drives; nothing where one of them is not even flown. Where in its last step a ball lands makes a
-/// difference, so each drive is flown with a few steps a little shorter too.
-fn largest_error(setup: &Setup<f64>, ranges: &[Vary], drives: &[(Vec<f64>, f64)]) -> Option<f64> {
-    const PHASES: u32 = 8;
-    let mut largest = 0.0_f64;
-    for phase in 0..PHASES {
-        let step = setup.flight.step * (1.0 - 0.035 * f64::from(phase));
-        let carry = carry(&flown(setup, setup.method, step), ranges).ok()?;
-        for (point, exact) in drives {
-            largest = largest.max((carry.at(point).ok()?[0].value - exact).abs());
-        }
-    }
-    Some(largest)
-}
-
-fn carry(setup: &Setup<f64>, ranges: &[Vary]) -> Result<Evaluator> {
-    let parameters: Vec<_> = ranges.iter().map(|range| range.parameter).collect();
-    Evaluator::new(setup, &[Outcome::Carry], &parameters, Order::Value)
+    points
 }

@@ -81,7 +81,7 @@ fn winfield_tan(within: Option<f64>) -> Result<Box<dyn Fn() -> Result<Answer>>> 
     let vary = ["club.loft=2deg..18deg", "swing.attack_angle=-10deg..30deg"];
     let vary = vary.iter().map(|text| Vary::read(&setup, text)).collect::<Result<Vec<_>>>()?;
     if let Some(tolerance) = within {
-        let found = accuracy(&setup, &vary, tolerance)?;
+        let found = accuracy(&setup, &vary, &[Outcome::Carry], tolerance)?;
         (setup.method, setup.flight.step) = (found.method, found.step);
     }
     (setup.club.loft, setup.swing.attack_angle) = (10_f64.to_radians(), 0.0);

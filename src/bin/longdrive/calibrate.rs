@@ -32,7 +32,7 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
         args.question.refuse_club(&setup, &format!("the rows of {file} are launches"))?;
     }
     let mut plan = Plan::read(&setup, &args.fit)?;
-    let setup = args.question.within_tolerance(setup, &ranges(&setup, &table, &plan.fit))?;
+    let setup = args.question.for_many(setup, &ranges(&setup, &table, &plan.fit))?;
     plan.starts = args.starts as usize;
     plan.options.max_iterations = args.max_iterations;
     if args.huber {

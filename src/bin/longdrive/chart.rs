@@ -15,7 +15,7 @@ pub fn run(args: &ChartArgs) -> Result<Answer> {
     let search = args.search.search(&setup)?;
     let (along, at) = args.places(&setup)?;
     let ranges: Vec<_> = search.vary.iter().copied().chain([along]).collect();
-    let setup = args.question.within_tolerance(setup, &ranges)?;
+    let setup = args.question.for_many(setup, &ranges)?;
     let mut warnings = setup.warnings();
     warn(&warnings);
     let stop = interrupt(BEST_SO_FAR);

@@ -7,7 +7,7 @@ use longdrive::report::{GradientReport, gradient_text};
 use longdrive::{Drive, Error, Result, Setup};
 
 pub fn run(args: &Gradient) -> Result<Answer> {
-    let setup = args.question.within_tolerance(args.question.setup()?, &[])?;
+    let setup = args.question.within_tolerance(args.question.setup()?)?;
     let of = outcomes(&args.of)?;
     let wrt = if args.wrt.is_empty() { usual(&setup)? } else { variables(&setup, &args.wrt)? };
     let drive = Drive::new(&setup)?;

@@ -10,7 +10,7 @@ use longdrive::{Result, Setup};
 pub fn run(args: &Optimize) -> Result<Answer> {
     let setup = args.question.setup()?;
     let search = args.search.search(&setup)?;
-    let setup = args.question.within_tolerance(setup, &search.vary)?;
+    let setup = args.question.for_many(setup, &search.vary)?;
     let output = args.destination()?;
     let optima = args.work.run(&setup, &search)?;
     let best = optima.best()?;

@@ -13,7 +13,7 @@ pub fn run(args: &OptimumSensitivity) -> Result<Answer> {
     let Optimize { question, search, work, .. } = &args.optimize;
     let setup = question.setup()?;
     let search = search.search(&setup)?;
-    let setup = question.within_tolerance(setup, &search.vary)?;
+    let setup = question.for_many(setup, &search.vary)?;
     let wrt = variables(&setup, &args.wrt)?;
     let changes = args.change.iter().map(|text| Change::read(&setup, text)).collect::<Result<Vec<_>>>()?;
     let is_named = |parameter: &Parameter| args.wrt.iter().any(|name| name.trim() == parameter.name);

@@ -35,7 +35,7 @@ pub fn run(args: &Plot) -> Result<Answer> {
 
 fn trajectory(args: &PlotTrajectory) -> Result<Answer> {
     let target = Target::new(&args.question, &args.drawing)?;
-    let setup = args.question.within_tolerance(args.question.setup()?, &[])?;
+    let setup = args.question.within_tolerance(args.question.setup()?)?;
     let flown = Flown::new("", &setup)?;
     flown.drive.landed()?;
     let view = match args.view {
@@ -49,7 +49,7 @@ fn contour(args: &PlotContour) -> Result<Answer> {
     let target = Target::new(&args.question, &args.drawing)?;
     let setup = args.question.setup()?;
     let search = args.search.search(&setup)?;
-    let setup = args.question.within_tolerance(setup, &search.vary)?;
+    let setup = args.question.for_many(setup, &search.vary)?;
     let spinner = spinner("computing the map");
     let (best, map) = mapped(&setup, &search)?;
     let best = best.as_ref();
@@ -112,7 +112,7 @@ fn along(args: &PlotChart) -> Result<Answer> {
         _ => 0,
     };
     let ranges: Vec<_> = search.vary.iter().copied().chain([along]).collect();
-    let setup = args.question.within_tolerance(setup, &ranges)?;
+    let setup = args.question.for_many(setup, &ranges)?;
     let bar = bar("optima");
     let chart = chart(&setup, &search, along, |_| {
         bar.inc(1);
@@ -131,7 +131,7 @@ fn along(args: &PlotChart) -> Result<Answer> {
 
 fn tornado(args: &PlotTornado) -> Result<Answer> {
     let target = Target::new(&args.question, &args.drawing)?;
-    let setup = args.question.within_tolerance(args.question.setup()?, &[])?;
+    let setup = args.question.within_tolerance(args.question.setup()?)?;
     let of = Outcome::named(&args.of)?;
     let given = args.sigma.iter().map(|text| Sigma::read(&setup, text)).collect::<Result<Vec<_>>>()?;
     let bar = bar("uncertainties");
@@ -148,7 +148,7 @@ fn tornado(args: &PlotTornado) -> Result<Answer> {
 
 fn vcurve(args: &PlotVcurve) -> Result<Answer> {
     let target = Target::new(&args.question, &args.drawing)?;
-    let setup = args.question.within_tolerance(args.question.setup()?, &[])?;
+    let setup = args.question.within_tolerance(args.question.setup()?)?;
     let (of, wrt) = (outcomes(&args.of)?, variables(&setup, &args.wrt)?);
     let bar = bar("parameters");
     let certificate = certify(&setup, &of, &wrt, |done, all| show(&bar, done, all));

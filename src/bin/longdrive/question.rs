@@ -1,10 +1,13 @@
 use crate::args::Question;
 use crate::output::tell;
-use longdrive::parameters::{PRESETS, Parameter, Preset, SetupFile, Vary};
+use longdrive::parameters::{METHOD, PRESETS, Parameter, Preset, SetupFile, Vary};
 use longdrive::study::{Accuracy, accuracy};
 use longdrive::units::{Quantity, counted};
-use longdrive::{Error, Result, Setup};
+use longdrive::{Error, Outcome, Result, Setup};
 use std::path::Path;
+
+/// The tolerance of commands that fly many drives, m.
+const MICROMETRE: f64 = 1e-6;
 
 impl Question {
     /// The setup asked about: a preset or a file, with the overrides applied, checked.
@@ -79,20 +82,61 @@ impl Question {
         Ok(())
     }
 
-    /// The setup, flown within the tolerance asked for wherever its parameters lie in these ranges.
-    pub fn within_tolerance(&self, setup: Setup<f64>, ranges: &[Vary]) -> Result<Setup<f64>> {
-        let Some(text) = &self.tolerance else { return Ok(setup) };
+    /// The setup, integrated within the tolerance asked for.
+    pub fn within_tolerance(&self, setup: Setup<f64>) -> Result<Setup<f64>> {
+        Ok(self.asked_accuracy(&setup, &[], Outcome::ALL)?.map_or(setup, |found| found.applied_to(&setup)))
+    }
+
+    /// The setup, integrated as many drives of it are wherever its parameters lie in these ranges.
+    pub fn for_many(&self, setup: Setup<f64>, ranges: &[Vary]) -> Result<Setup<f64>> {
+        Ok(self.accuracy(&setup, ranges, Outcome::ALL)?.map_or(setup, |found| found.applied_to(&setup)))
+    }
+
+    /// How many drives are integrated: within the tolerance asked for or, where none is, a micrometre; `None` where it is by
+    /// flight.method and flight.step of the setup.
+    pub fn accuracy(&self, setup: &Setup<f64>, ranges: &[Vary], of: &[Outcome]) -> Result<Option<Accuracy>> {
+        if self.tolerance.is_some() || !self.chooses_step()? {
+            return self.asked_accuracy(setup, ranges, of);
+        }
+        match accuracy(setup, ranges, of, MICROMETRE) {
+            Err(Error::Tolerance { reason, .. }) => {
+                tell(&format!(
+                    "note: flown with flight.method = {} and flight.step = {} s of the setup, since no step is within 1 um: {reason}",
+                    setup.method.name(),
+                    setup.flight.step
+                ));
+                Ok(None)
+            }
+            found => landing(found),
+        }
+    }
+
+    fn asked_accuracy(&self, setup: &Setup<f64>, ranges: &[Vary], of: &[Outcome]) -> Result<Option<Accuracy>> {
+        let Some(text) = &self.tolerance else { return Ok(None) };
         let unreadable = |e| Error::Unreadable { name: "--tolerance".into(), source: Box::new(e) };
         let tolerance = Quantity::LENGTH.read(text).map_err(unreadable)?;
-        let Accuracy { method, step, error, drives } = accuracy(&setup, ranges, tolerance)?;
-        tell(&format!(
-            "method {} with a step of {step:.4} s: carry is within {error:.1e} m of its exact value in the {} checked",
-            method.name(),
-            counted(drives as u64, "drive")
-        ));
-        let mut setup = Setup { method, ..setup };
-        setup.flight.step = step;
-        Ok(setup)
+        let found = landing(accuracy(setup, ranges, of, tolerance))?;
+        if let Some(Accuracy { method, step, error, drives, .. }) = found {
+            tell(&format!(
+                "method {} with a step of {step:.4} s: lengths are within {error:.1e} m of their exact values in the {} checked",
+                method.name(),
+                counted(drives as u64, "drive")
+            ));
+        }
+        Ok(found)
+    }
+
+    /// Whether method and step are chosen where no tolerance is asked for: not where someone has said what they are.
+    pub fn chooses_step(&self) -> Result<bool> {
+        let is_of_step = |name: &str| matches!(name, METHOD | "flight.step");
+        if self.own_step || self.set.iter().any(|text| split("--set", text).is_ok_and(|(name, _)| is_of_step(name))) {
+            return Ok(false);
+        }
+        if self.preset()?.entries.iter().any(|entry| is_of_step(entry.name)) {
+            return Ok(false);
+        }
+        let is_given = |path| SetupFile::open(path).map(|file| file.gives_step);
+        Ok(!self.inputs().map(is_given).collect::<Result<Vec<_>>>()?.contains(&true))
     }
 
     /// The preset that the setup started from.
@@ -124,6 +168,14 @@ impl Question {
             tell(&format!("note: {}: read as SI, without a unit: {}", self.setup, read.collect::<Vec<_>>().join(", ")));
         }
         Ok(setup)
+    }
+}
+
+/// What was found, or nothing where no drive lands: then there is nothing to be exact about.
+fn landing(found: Result<Accuracy>) -> Result<Option<Accuracy>> {
+    match found {
+        Err(Error::NoFlight { .. }) => Ok(None),
+        found => found.map(Some),
     }
 }
 

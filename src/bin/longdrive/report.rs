@@ -24,7 +24,7 @@ pub fn run(args: &Report) -> Result<Answer> {
     let search = args.search.search(&setup)?;
     let along = Vary::read(&setup, &args.along)?;
     let ranges: Vec<_> = search.vary.iter().copied().chain([along]).collect();
-    let setup = args.question.within_tolerance(setup, &ranges)?;
+    let setup = args.question.for_many(setup, &ranges)?;
     let preset = args.question.preset()?;
     let given = args.sigma.iter().map(|text| Sigma::read(&setup, text)).collect::<Result<Vec<_>>>()?;
     let sigmas = with_defaults(&setup, &given)?;

@@ -7,7 +7,7 @@ use longdrive::study::{Sigma, effects, optimum, sensitivities, with_defaults};
 use longdrive::{Drive, Error, Outcome, Result};
 
 pub fn run(args: &SensitivityArgs) -> Result<Answer> {
-    let mut setup = args.question.within_tolerance(args.question.setup()?, &[])?;
+    let mut setup = args.question.within_tolerance(args.question.setup()?)?;
     let of = outcomes(&args.of)?;
     let given = args.sigma.iter().map(|text| Sigma::read(&setup, text)).collect::<Result<Vec<_>>>()?;
     let mut best = None;
@@ -17,6 +17,7 @@ pub fn run(args: &SensitivityArgs) -> Result<Answer> {
     }
     if args.at_optimum {
         let search = args.search.search(&setup)?;
+        setup = args.question.for_many(setup, &search.vary)?;
         let found = optimum(&setup, search, Watch::default())?;
         if found.solution.status != Status::Converged {
             return Err(Error::NotConverged { status: found.status(), message: found.message() });

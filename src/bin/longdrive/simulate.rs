@@ -5,7 +5,7 @@ use longdrive::report::{DriveReport, drive_text};
 use longdrive::{Drive, Result};
 
 pub fn run(args: &Simulate) -> Result<Answer> {
-    let setup = args.question.within_tolerance(args.question.setup()?, &[])?;
+    let setup = args.question.within_tolerance(args.question.setup()?)?;
     let drive = Drive::new(&setup);
     let warnings = drive.as_ref().map_or_else(|_| setup.warnings(), |drive| drive.warnings(&setup));
     warn(&warnings);

@@ -7,9 +7,10 @@ use longdrive::study::{Sigma, with_defaults};
 use longdrive::{Drive, Error, Result, Setup};
 
 pub fn run(args: &UncertaintyArgs) -> Result<Answer> {
-    let setup = args.question.within_tolerance(args.question.setup()?, &[])?;
+    let setup = args.question.setup()?;
     let of = outcomes(&args.of)?;
     let inputs = inputs(&setup, args)?;
+    let setup = args.question.for_many(setup, &inputs.iter().map(Uncertain::range).collect::<Vec<_>>())?;
     let warnings = Drive::new(&setup).map_or_else(|_| setup.warnings(), |drive| drive.warnings(&setup));
     warn(&warnings);
     let plan = Plan { samples: args.samples as usize, seed: args.seed };

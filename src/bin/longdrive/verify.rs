@@ -7,7 +7,7 @@ use longdrive::study::certificate::{StepError, certify};
 use longdrive::{Drive, Result};
 
 pub fn run(args: &Verify) -> Result<Answer> {
-    let setup = args.question.within_tolerance(args.question.setup()?, &[])?;
+    let setup = args.question.within_tolerance(args.question.setup()?)?;
     let of = outcomes(&args.of)?;
     let wrt = variables(&setup, &args.wrt)?;
     let bar = bar("parameters");

@@ -1,5 +1,5 @@
 use crate::error::{Error, Result};
-use crate::parameters::{Parameter, Setup};
+use crate::parameters::{Parameter, Setup, Vary};
 use crate::study::Sigma;
 use crate::study::sigma::amount_of;
 use statrs::distribution::{ContinuousCDF, Normal, Triangular, Uniform};
@@ -105,6 +105,12 @@ impl Uncertain {
     pub fn normal(setup: &Setup<f64>, sigma: &Sigma) -> Self {
         let mean = setup.value(sigma.parameter).unwrap_or_default();
         Self { parameter: sigma.parameter, distribution: Distribution::Normal { mean, deviation: sigma.value } }
+    }
+
+    /// The range that all but one in a thousand of its values lie in.
+    pub fn range(&self) -> Vary {
+        let [low, high] = [0.0005, 0.9995].map(|share| self.distribution.quantile(share));
+        Vary { parameter: self.parameter, low, high }
     }
 
     /// Reads `NAME=normal(MEAN,DEVIATION)`, `NAME=uniform(LOW,HIGH)` or `NAME=triangular(LOW,MODE,HIGH)`.

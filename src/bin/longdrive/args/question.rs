@@ -17,11 +17,16 @@ pub struct Question {
     #[arg(long, value_name = "NAME=VALUE,…", value_delimiter = ',')]
     pub launch: Vec<String>,
 
-    /// Choose the method and the time step so that carry is within this length of its exact value (1um if no length is
-    /// given), at the least cost; they are chosen once, before the first drive. Without this option: flight.method and
-    /// flight.step of the setup.
+    /// Choose the method and the time step so that every length asked for is within this length of its exact value (1um if no
+    /// length is given), at the least cost; they are chosen once, before the first drive. Commands that fly many drives (sweep,
+    /// optimize, chart, calibrate, uncertainty, report, maps) do so by themselves, for 1um, unless the setup or --set gives
+    /// flight.method or flight.step.
     #[arg(long, value_name = "LENGTH", num_args = 0..=1, default_missing_value = "1um", require_equals = true)]
     pub tolerance: Option<String>,
+
+    /// Integrate by flight.method and flight.step of the setup, also where the command would choose them.
+    #[arg(long, conflicts_with = "tolerance")]
+    pub own_step: bool,
 
     /// Print the answer as JSON (SI units and radians), and nothing else, to standard output.
     #[arg(long)]

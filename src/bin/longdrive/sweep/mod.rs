@@ -26,8 +26,12 @@ use target::Target;
 
 pub fn run(args: &Sweep) -> Result<Answer> {
     let setup = args.question.setup()?;
-    let setup = args.question.within_tolerance(setup, &points::ranges(&setup, args)?)?;
     let of = outcomes(&args.outcomes)?;
+    let accuracy = match args.question.tolerance.is_some() || args.question.chooses_step()? {
+        true => args.question.accuracy(&setup, &points::ranges(&setup, args)?, &of)?,
+        false => None,
+    };
+    let setup = accuracy.map_or(setup, |found| found.applied_to(&setup));
     let target = Target::new(args)?;
     let mut points = points::points(&setup, args)?;
     for note in points.notes() {
@@ -45,7 +49,10 @@ pub fn run(args: &Sweep) -> Result<Answer> {
         [] if args.gradient => points.parameters().to_vec(),
         names => variables(&setup, names)?,
     };
-    let batch = Batch::new(&setup, points.parameters(), &of, &wrt)?;
+    let mut batch = Batch::new(&setup, points.parameters(), &of, &wrt)?;
+    if let Some(found) = accuracy {
+        batch = batch.with_largest_defect(found.largest_defect);
+    }
     let writer = Writer::new(&batch, target.format, points.identity())?;
     room::check(args, &batch, points.as_mut(), &writer, &target)?;
     let mut output = target.open(&writer, args)?;

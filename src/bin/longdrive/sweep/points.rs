@@ -12,10 +12,9 @@ pub fn points(setup: &Setup<f64>, args: &Sweep) -> Result<Box<dyn Points>> {
     Ok(Box::new(Sequence::new(varied(setup, args)?, rows, args.seed)?))
 }
 
-/// The ranges that the points lie in; a table is read through for them, which is asked for where a tolerance is to hold in all of it.
+/// The ranges that the points lie in; a table is read through for them.
 pub fn ranges(setup: &Setup<f64>, args: &Sweep) -> Result<Vec<Vary>> {
     match (&args.points, args.sample) {
-        (Some(_), _) if args.question.tolerance.is_none() => Ok(vec![]),
         (Some(_), _) => of_table(points(setup, args)?.as_mut()),
         (None, Some(_)) => varied(setup, args),
         (None, None) => Ok(axes(setup, args)?.into_iter().map(|axis| axis.over).collect()),
