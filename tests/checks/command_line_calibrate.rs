@@ -60,6 +60,10 @@ fn rows_that_do_not_fly_are_no_answer_and_not_bad_input() {
         assert_eq!((code, answer["status"].as_str()), (1, Some(status)), "{answer}");
         assert!(answer["message"].as_str().unwrap().contains("rows 1 to 3"), "{answer}");
     }
+    // one row among others, by its number
+    let (_folder, path) = crate::sweep::table("one.csv", "carry [yd],swing.attack_angle [deg]\n200,2\n10,-60\n");
+    let said = longdrive(&["calibrate", path.to_str().unwrap(), "--fit", "aero.cd0"]);
+    assert!(said.status == 1 && said.err.contains("row 2: no flight"), "{}", said.err);
 }
 
 /// The wind and the size of the ball change the carries of three deliveries alike: a search stalls along the direction that is left.
