@@ -278,6 +278,14 @@ pub enum Error {
         /// Why, and what to do.
         reason: String,
     },
+    /// Rows of a sound calibration that have no answer: they do not fly.
+    #[error("calibration: {reason}")]
+    NoFit {
+        /// What the rows end as: the status that all of them have, or `no-answer`.
+        status: &'static str,
+        /// The rows, each with its reason, and what to do.
+        reason: String,
+    },
     /// An optimizer setting or problem that makes no sense.
     #[error("optimizer: {0}")]
     Optimizer(String),
@@ -323,14 +331,14 @@ impl Error {
         self.status() != "error"
     }
 
-    /// The error in a word, as JSON answers give it: `no-flight`, `diverged`, `undefined`, how a search ended (`infeasible`, …), or
-    /// `error` for bad input.
+    /// The error in a word, as JSON answers give it: `no-flight`, `diverged`, `undefined`, how a search ended (`infeasible`, …),
+    /// `no-answer` where the rows of a calibration end differently, or `error` for bad input.
     pub fn status(&self) -> &'static str {
         match self {
             Self::NoFlight { .. } => "no-flight",
             Self::Diverged { .. } => "diverged",
             Self::Undefined { .. } => "undefined",
-            Self::NotConverged { status, .. } => status,
+            Self::NotConverged { status, .. } | Self::NoFit { status, .. } => status,
             _ => "error",
         }
     }

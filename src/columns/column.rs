@@ -127,6 +127,16 @@ impl Column {
         self.holds == Holds::Written && self.head == STATUS
     }
 
+    /// Whether its cells may have a decimal comma.
+    pub fn has_decimal_comma(&self) -> bool {
+        self.format.has_decimal_comma
+    }
+
+    /// Whether its cells are read as numbers.
+    pub fn is_a_number(&self) -> bool {
+        self.quantity().is_some()
+    }
+
     /// Whether its unit is one of what it holds, and stated where it must be.
     pub fn check_unit(&self) -> Result<()> {
         match (&self.unit, self.quantity()) {

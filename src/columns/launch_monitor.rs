@@ -196,21 +196,22 @@ pub(super) fn number(cell: &str, has_decimal_comma: bool, has_side: bool) -> Opt
     };
     let cell = match has_decimal_comma {
         true if !cell.contains('.') => cell.replacen(',', ".", 1),
-        false if has_thousands(&cell) => cell.replace(',', ""),
+        false if has_thousands(&cell, ',') => cell.replace(',', ""),
         _ => cell,
     };
     cell.parse().ok().filter(|number: &f64| number.is_finite()).map(|number| sign * number)
 }
 
-/// Whether commas part the digits of a number into thousands: `2,686` or `1,234.5`, and not `3,2`.
-fn has_thousands(cell: &str) -> bool {
-    let whole = cell.trim_start_matches('-').split('.').next().unwrap_or_default();
-    let mut groups = whole.split(',');
+/// Whether a mark may part the digits of a number into thousands: the comma in `2,686` or `1,234.5`, and not in `3,2` or `0,250`.
+pub(super) fn has_thousands(cell: &str, mark: char) -> bool {
+    let decimal = if mark == ',' { '.' } else { ',' };
+    let whole = cell.trim_start_matches(['-', '\u{2212}']).split(decimal).next().unwrap_or_default();
+    let mut groups = whole.split(mark);
     let is_of = |group: &str, digits: std::ops::RangeInclusive<usize>| {
         digits.contains(&group.len()) && group.bytes().all(|byte| byte.is_ascii_digit())
     };
-    let begins = groups.next().is_some_and(|first| is_of(first, 1..=3));
-    whole.contains(',') && begins && groups.all(|group| is_of(group, 3..=3))
+    let begins = groups.next().is_some_and(|first| is_of(first, 1..=3) && !first.starts_with('0'));
+    whole.contains(mark) && begins && groups.all(|group| is_of(group, 3..=3))
 }
 
 /// The magnitude and the sign of `3.2 L` or `R 3.2`.
@@ -220,6 +221,12 @@ fn side(cell: &str) -> Option<(&str, f64)> {
         let rest = cell.strip_suffix(word).or_else(|| cell.strip_prefix(word))?;
         Some((rest.trim(), sign))
     })
+}
+
+/// A cell without the side that may stand in it.
+pub(super) fn without_side(cell: &str) -> &str {
+    let cell = cell.trim();
+    side(cell).map_or(cell, |(magnitude, _)| magnitude)
 }
 
 #[cfg(test)]

@@ -5,10 +5,12 @@ mod column;
 mod head;
 mod launch_monitor;
 mod left_out;
+mod marks;
 
 pub(crate) use column::{Column, Holds};
 pub(crate) use head::Head;
 pub(crate) use launch_monitor::{separated, summary};
+pub(crate) use marks::Marks;
 
 use crate::drive::Outcome;
 

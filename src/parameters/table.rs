@@ -184,8 +184,8 @@ parameter_groups! {
         gravity: T = "gravity", "g", ACCELERATION in "m/s^2", Range::above_to(0.0, 1000.0), "9.80665 m/s^2",
             "standard gravity";
         /// Time step of the integration.
-        step: f64 = "flight.step", "h", TIME in "s", Range::above_to(0.0, 5.0), "0.02 s",
-            "lengths of ordinary drives within 1e-7 m, docs/model.md";
+        step: f64 = "flight.step", "h", TIME in "s", Range::above_to(0.0, 5.0), "0.01 s",
+            "lengths of ordinary drives within 1e-6 m, also in a logarithmic wind, docs/model.md";
         /// Longest time of flight that is computed.
         time_limit: f64 = "flight.time_limit", "t_max", TIME in "s", Range::above_to(0.0, 1e6), "600 s",
             "a hundred times an ordinary drive";

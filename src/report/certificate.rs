@@ -1,10 +1,10 @@
 use super::lines::{broken, item};
 use super::table::table;
-use super::{Reply, json};
+use super::{Reply, json, shown};
 use crate::derivative::check::{Check, Point, Verdict};
 use crate::reproduce::LoopRow;
 use crate::study::certificate::{Certificate, Convergence, Row, StepError};
-use crate::units::{Message, System, significant};
+use crate::units::{Message, System, fixed, significant};
 use serde::Serialize;
 use serde_json::{Value, json};
 
@@ -235,17 +235,17 @@ pub fn certificate_text(certificate: &Certificate, loops: &[LoopRow], system: Sy
 fn rows_text(rows: &[Row]) -> String {
     let head = ["outcome", "by", "verdict", "exact (SI)", "error", "allowed", "Taylor slopes"];
     let rows = rows.iter().map(|row| {
-        let check = &row.first;
+        let (check, exact) = (&row.first, settled(row));
         let relative = |error: f64| {
-            let error = if check.exact == 0.0 { error } else { error / check.exact.abs() };
+            let error = if exact == 0.0 { error } else { error / exact.abs() };
             if error == 0.0 { "0".into() } else { format!("{error:.0e}") }
         };
-        let slopes = row.slopes.map(|slope| slope.map_or("–".into(), |slope| format!("{slope:.1}")));
+        let slopes = row.slopes.map(|slope| slope.map_or("–".into(), |slope| fixed(slope, 1)));
         vec![
             row.of.name().into(),
             row.parameter.name.into(),
             row.verdict().name().into(),
-            significant(check.exact, 8),
+            significant(exact, 8),
             relative(check.error),
             relative(check.bar),
             slopes.join(" "),
@@ -253,6 +253,11 @@ fn rows_text(rows: &[Row]) -> String {
     });
     let words = "errors are the differences from numerical derivatives, relative to the exact derivative; absolute where it is 0";
     table(&head, &[3, 4, 5], rows) + "\n" + &item(words)
+}
+
+/// The exact derivative of a row as texts show it.
+pub(super) fn settled(row: &Row) -> f64 {
+    shown::settled(row.first.exact, row.ladder.size, (row.of.quantity(), row.of.unit()), &[row.parameter])
 }
 
 fn landing_text(certificate: &Certificate) -> String {

@@ -79,10 +79,13 @@ fn total(totals: Option<&Totals>, parameter: &Parameter) -> Option<f64> {
 /// The effects on an outcome as text: those of uncertainties first, with what they neglect, then the other gradients.
 pub fn effects_text(effects: &Effects, totals: Option<&Totals>, system: System) -> String {
     let of = effects.of;
-    let rate = |slope: f64, parameter: &Parameter| shown::slope(of, parameter, slope, system, 5);
+    let rate = |slope: f64, parameter: &Parameter| shown::slope(of, effects.value, parameter, slope, system, 5);
     let slopes = |effect: &Effect| {
         let parameter = effect.parameter;
-        let elasticity = effect.elasticity.map_or(shown::NONE.into(), |elasticity| significant(elasticity, 4));
+        let is_rounding =
+            shown::settled(effect.gradient, effects.value, (of.quantity(), of.unit()), &[parameter]) == 0.0;
+        let elasticity = effect.elasticity.map(|elasticity| if is_rounding { 0.0 } else { elasticity });
+        let elasticity = elasticity.map_or(shown::NONE.into(), |elasticity| significant(elasticity, 4));
         let mut row = vec![parameter.name.into(), rate(effect.gradient, parameter), elasticity];
         let of_optimum = || total(totals, parameter).map_or(shown::NONE.into(), |slope| rate(slope, parameter));
         row.extend(totals.map(|_| of_optimum()));

@@ -92,11 +92,13 @@ impl OutcomeReport {
 /// An outcome with its gradient, and Hessian if there is one, as text; derivatives also in SI, to twelve digits.
 pub fn gradient_text(of: Outcome, wrt: &[&'static Parameter], taylor: &Taylor, system: System) -> String {
     let si = of.quantity().si;
+    let settled = |d: f64, by: &[&Parameter]| shown::settled(d, taylor.value, (of.quantity(), of.unit()), by);
     let rows = wrt.iter().zip(&taylor.gradient).map(|(parameter, slope)| {
+        let in_si = significant(settled(*slope, &[*parameter]), 12);
         vec![
             parameter.name.into(),
-            shown::slope(of, parameter, *slope, system, 6),
-            format!("{} {}", significant(*slope, 12), per(si, parameter.quantity.si)).trim_end().to_owned(),
+            shown::slope(of, taylor.value, parameter, *slope, system, 6),
+            format!("{in_si} {}", per(si, parameter.quantity.si)).trim_end().to_owned(),
         ]
     });
     let gradient = table(&["by", &format!("d {}", of.name()), "SI"], &[1, 2], rows);
@@ -108,7 +110,8 @@ pub fn gradient_text(of: Outcome, wrt: &[&'static Parameter], taylor: &Taylor, s
     let head: Vec<&str> = std::iter::once("Hessian, SI").chain(wrt.iter().map(|parameter| parameter.name)).collect();
     let right: Vec<usize> = (1..head.len()).collect();
     let rows = wrt.iter().zip(&taylor.hessian).map(|(parameter, row)| {
-        std::iter::once(parameter.name.to_owned()).chain(row.iter().map(|d| significant(*d, 10))).collect()
+        let seconds = row.iter().zip(wrt).map(|(d, by)| significant(settled(*d, &[*parameter, *by]), 10));
+        std::iter::once(parameter.name.to_owned()).chain(seconds).collect()
     });
     format!("{value}{gradient}\n{}", table(&head, &right, rows))
 }

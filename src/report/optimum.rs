@@ -7,7 +7,7 @@ use crate::error::Result;
 use crate::optimize::{Constrained, Effort, Iteration, Status};
 use crate::parameters::Preset;
 use crate::study::{Constraint, Optima, Optimum, Search, Sense};
-use crate::units::{Message, Quantity, System, counted};
+use crate::units::{Message, Quantity, System, counted, fixed};
 use serde::Serialize;
 use serde_json::{Map, Value};
 use std::collections::BTreeMap;
@@ -279,7 +279,8 @@ pub fn optima_text(optima: &Optima, system: System) -> String {
 pub(super) fn bound_in_words(optimum: &Optimum, i: usize, system: System) -> String {
     let (vary, of) = (optimum.search.vary[i], optimum.search.maximize);
     let (lower, upper) = (optimum.solution.lower_multipliers[i], optimum.solution.upper_multipliers[i]);
-    let price = |multiplier: f64| shown::slope(of, vary.parameter, multiplier, system, 3);
+    let value = optimum.value().unwrap_or_default();
+    let price = |multiplier: f64| shown::slope(of, value, vary.parameter, multiplier, system, 3);
     let (gain, loss) = if optimum.search.sense == Sense::Maximize { ("+", "-") } else { ("-", "+") };
     let is_corner = optimum.solution.kink.is_some_and(|kink| kink.variable == i);
     if vary.low == vary.high {
@@ -304,7 +305,7 @@ pub fn iteration_line(search: &Search, iteration: &Iteration, system: System) ->
     let of = search.maximize;
     let number = |quantity: Quantity, unit: &'static str, value: f64| {
         let unit = system.unit(unit);
-        format!("{:.6} {unit}", value / quantity.size_of(unit).unwrap_or(1.0)).trim_end().to_owned()
+        format!("{} {unit}", fixed(value / quantity.size_of(unit).unwrap_or(1.0), 6)).trim_end().to_owned()
     };
     let x = search.vary.iter().zip(&iteration.x).map(|(vary, x)| {
         format!("{} {}", vary.parameter.name, number(vary.parameter.quantity, vary.parameter.unit, *x))

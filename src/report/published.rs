@@ -1,7 +1,7 @@
 //! Numbers of a published study: computed ones in the units asked for, printed ones in the paper's own units too.
 
 use super::shown::ratio;
-use crate::units::{Quantity, System};
+use crate::units::{Quantity, System, fixed, signed};
 
 /// The units that a study is shown in.
 #[derive(Clone, Copy)]
@@ -40,9 +40,7 @@ impl Published {
 
     /// A computed number less the printed one, with its sign.
     pub fn difference(self, quantity: Quantity, unit: &'static str, difference: f64) -> String {
-        let text = self.computed(quantity, unit, difference);
-        let is_positive = text.bytes().any(|digit| (b'1'..=b'9').contains(&digit)) && difference > 0.0;
-        if is_positive { format!("+{text}") } else { text }
+        signed(difference, self.computed(quantity, unit, difference))
     }
 
     /// A slope of a length by an angle: "1.052 m per deg".
@@ -52,7 +50,7 @@ impl Published {
 
     /// A slope of a length by an angle in radians, with its sign: "-65.4 m/rad".
     pub fn per_radian(self, slope: f64) -> String {
-        format!("{:+.1} {}/rad", self.length_number(slope), self.length_unit())
+        signed(slope, format!("{} {}/rad", fixed(self.length_number(slope), 1), self.length_unit()))
     }
 
     /// A length that the paper prints.
@@ -71,8 +69,7 @@ impl Published {
 /// A number with two decimals, as the papers print them; zero has no sign.
 fn two_decimals(quantity: Quantity, unit: &str, value: f64) -> String {
     let number = value / quantity.size_of(unit).unwrap_or(f64::NAN);
-    let number = if number.abs() < 0.005 { 0.0 } else { number };
-    format!("{number:.2} {unit}").trim_end().to_owned()
+    format!("{} {unit}", fixed(number, 2)).trim_end().to_owned()
 }
 
 #[cfg(test)]

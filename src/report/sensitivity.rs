@@ -163,9 +163,6 @@ pub fn sensitivity_text(analysis: &Analysis<'_>, system: System) -> String {
     text
 }
 
-/// Slopes below this, in the units they are shown in, are the rounding of 0.
-const ROUNDING: f64 = 1e-11;
-
 fn sensitivities_text(
     best: &Optimum,
     sensitivities: &[(&'static Parameter, Result<Sensitivity>)],
@@ -190,17 +187,19 @@ fn sensitivities_text(
         .map(|(parameter, s)| {
             let by = system.unit(parameter.unit);
             let size = parameter.quantity.size_of(by).unwrap_or(1.0);
-            let per_unit = |slope: f64, quantity: Quantity, unit: &'static str| {
+            let per_unit = |slope: f64, value: f64, (quantity, unit): (Quantity, &'static str)| {
+                let slope = shown::settled(slope, value, (quantity, unit), &[*parameter]);
                 let unit = system.unit(unit);
                 let number = slope * size / quantity.size_of(unit).unwrap_or(1.0);
-                // what is left of a slope of 0 after rounding
-                let number = if number.abs() < ROUNDING { 0.0 } else { number };
                 format!("{} {unit}", significant(number, 4)).trim_end().to_owned()
             };
-            let moves = best.search.vary.iter().zip(&s.optimum).filter(|(vary, _)| vary.low < vary.high);
-            let moves = moves.map(|(vary, slope)| per_unit(*slope, vary.parameter.quantity, vary.parameter.unit));
+            let moves = best.search.vary.iter().zip(&best.solution.x).zip(&s.optimum);
+            let moves = moves.filter(|((vary, _), _)| vary.low < vary.high);
+            let moves =
+                moves.map(|((vary, x), slope)| per_unit(*slope, *x, (vary.parameter.quantity, vary.parameter.unit)));
             let name = format!("{} [{}]", parameter.name, if by.is_empty() { "1" } else { by });
-            [name, per_unit(s.value, of.quantity(), of.unit())].into_iter().chain(moves).collect()
+            let value = best.value().unwrap_or_default();
+            [name, per_unit(s.value, value, (of.quantity(), of.unit()))].into_iter().chain(moves).collect()
         })
         .collect();
     let right: Vec<usize> = (1..head.len()).collect();

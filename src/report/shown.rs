@@ -2,7 +2,7 @@
 
 use crate::drive::Outcome;
 use crate::parameters::Parameter;
-use crate::units::{Quantity, System, per, significant};
+use crate::units::{Quantity, System, per, signed, significant};
 
 /// What stands where there is no number.
 pub(super) const NONE: &str = "–";
@@ -66,8 +66,7 @@ pub(super) fn spread(of: Outcome, value: f64, system: System) -> String {
 
 /// A change of an outcome, with its sign.
 pub(super) fn change(of: Outcome, value: f64, system: System) -> String {
-    let text = spread(of, value, system);
-    if value > 0.0 { format!("+{text}") } else { text }
+    signed(value, spread(of, value, system))
 }
 
 /// A value of a parameter that was computed: an optimum, the end of a window.
@@ -94,9 +93,30 @@ pub fn stated(parameter: &Parameter, value: f64, system: System) -> String {
     format!("{} {unit}", significant(number, 5)).trim_end().to_owned()
 }
 
-/// A derivative of an outcome by a parameter, in the units of a system: "2.11 yd per deg".
-pub(super) fn slope(of: Outcome, by: &Parameter, value: f64, system: System, digits: usize) -> String {
-    ratio((of.quantity(), of.unit()), (by.quantity, by.unit), value, system, digits)
+/// What changes of this size or less are rounding, as a part of what is differentiated.
+const ROUNDING: f64 = 1e-12;
+
+/// A derivative as texts show it: 0 where it is nothing but the rounding of its computation. `value` is that of what is differentiated, in
+/// SI, and `of` its kind and unit.
+///
+/// A derivative is rounding where a change of each parameter in `by` by its own size (its default, or one of its unit where that is 0 or
+/// does not exist) makes less than 1e-12 of `value` (or of one of its unit, where that is more). So it depends neither on the units shown
+/// nor on a parameter that happens to be 0. Rounding leaves about 1e-16 for each of the thousand operations of a flight, so that a true
+/// derivative as small as that has no correct digit. JSON and CSV keep all digits.
+pub(super) fn settled(slope: f64, value: f64, of: (Quantity, &str), by: &[&Parameter]) -> f64 {
+    let one = |quantity: Quantity, unit: &str| quantity.size_of(unit).unwrap_or(1.0);
+    let own = |by: &&Parameter| {
+        let default = by.default_value().map(f64::abs).filter(|default| *default > 0.0 && default.is_finite());
+        default.unwrap_or_else(|| one(by.quantity, by.unit))
+    };
+    let change = slope.abs() * by.iter().map(own).product::<f64>();
+    if change < ROUNDING * value.abs().max(one(of.0, of.1)) { 0.0 } else { slope }
+}
+
+/// A derivative of an outcome of this value by a parameter, in the units of a system: "2.11 yd per deg".
+pub(super) fn slope(of: Outcome, value: f64, by: &Parameter, slope: f64, system: System, digits: usize) -> String {
+    let outcome = (of.quantity(), of.unit());
+    ratio(outcome, (by.quantity, by.unit), settled(slope, value, outcome, &[by]), system, digits)
 }
 
 /// A quotient of two quantities in the units of a system.
@@ -115,7 +135,8 @@ pub(super) fn ratio(
 
 #[cfg(test)]
 mod tests {
-    use super::{Outcome, System, both, change, outcome};
+    use super::{Outcome, System, both, change, outcome, slope};
+    use crate::Setup;
 
     #[test]
     fn exact_sides_and_both_systems() {
@@ -128,5 +149,31 @@ mod tests {
         assert_eq!(both(Outcome::Lateral, -9.144, System::Metric), "9.1 m L (10.0 yd L)");
         assert_eq!(change(Outcome::Carry, 0.9144, System::Us), "+1.00 yd");
         assert_eq!(change(Outcome::Carry, -0.9144, System::Us), "-1.00 yd");
+        assert_eq!([1e-15, -1e-15].map(|by| change(Outcome::Carry, by, System::Us)), ["0.00 yd", "0.00 yd"]);
+    }
+    #[test]
+    fn exact_rounding_is_shown_as_0_and_true_small_derivatives_are_not() {
+        let setup = Setup::<f64>::default();
+        let shown = |of: Outcome, value: f64, by: &str, d: f64, system: System| {
+            slope(of, value, setup.parameter(by).unwrap(), d, system, 4)
+        };
+        for system in System::ALL {
+            // the rounding of a ball speed by a radius, of a spin by an angle that is 0, of a carry at its maximum, of a lateral distance of 0
+            for (of, value, by, d) in [
+                (Outcome::BallSpeed, 70.0, "ball.radius", 6e-16),
+                (Outcome::Backspin, 250.0, "swing.attack_angle", 2.8e-14),
+                (Outcome::Carry, 250.0, "club.loft", -2e-12),
+                (Outcome::Lateral, 0.0, "swing.speed", 1e-15),
+            ] {
+                assert!(
+                    shown(of, value, by, d, system).starts_with("0 "),
+                    "{of:?} {by}: {}",
+                    shown(of, value, by, d, system)
+                );
+            }
+        }
+        // a nanometre of carry in a yard of ground height, and a change of inertia by one g cm²
+        assert_eq!(shown(Outcome::Carry, 250.0, "ground.height", 1e-9, System::Metric), "1e-9 m per m");
+        assert_eq!(shown(Outcome::Carry, 250.0, "club.inertia.yy", 1e-3, System::Metric), "1e-10 m per g cm^2");
     }
 }

@@ -114,13 +114,26 @@ impl Sample {
             Vary { parameter, low: value, high: value }
         };
         let still = [own(setup.variable("gravity")?)];
-        let ranges = if ranges.is_empty() { &still } else { ranges };
+        // of two ranges of one parameter the command itself complains
+        let ranges = ranges.iter().enumerate().filter(|(i, range)| ranges[..*i].iter().all(|r| r.parameter != range.parameter));
+        let ranges: Vec<Vary> = ranges.map(|(_, range)| *range).collect();
+        let ranges = if ranges.is_empty() { &still[..] } else { &ranges };
         let parameters: Vec<_> = ranges.iter().map(|range| range.parameter).collect();
         let points = points(setup, ranges);
-        let reference = integrated(setup, REFERENCE_STEP[usize::from(setup.wind.roughness.is_some())]);
-        let exact = Batch::new(&reference, &parameters, &lengths, &[])?.evaluate(0, points.clone());
+        let flown = |step| -> Result<Block> {
+            Ok(Batch::new(&integrated(setup, step), &parameters, &lengths, &[])?.evaluate(0, points.clone()))
+        };
+        // balls that never land would be followed for long in short steps
+        let may_land = |flown: &Block| {
+            (0..flown.rows()).any(|row| matches!(flown.status(row), Status::Landed | Status::Diverged))
+        };
+        let none = || Error::NoFlight { reason: "no drive that the step would be chosen for lands".into() };
+        if !may_land(&flown(LONGEST_STEP)?) {
+            return Err(none());
+        }
+        let exact = flown(REFERENCE_STEP[usize::from(setup.wind.roughness.is_some())])?;
         if exact.defects().next().is_none() {
-            return Err(Error::NoFlight { reason: "no drive that the step would be chosen for lands".into() });
+            return Err(none());
         }
         Ok(Self { parameters, points, lengths, exact })
     }

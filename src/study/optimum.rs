@@ -126,7 +126,10 @@ impl Optimum {
                 let (by, si) = (parameter.name, units::per(outcome.quantity().si, parameter.quantity.si));
                 let sign = self.search.sense.sign();
                 let slope = |slope: Option<f64>| {
-                    slope.map_or("not computed (out of range)".into(), |slope| format!("{:+.4} {si}", sign * slope))
+                    slope.map_or("not computed (out of range)".into(), |slope| {
+                        let slope = sign * slope;
+                        format!("{} {si}", units::signed(slope, units::fixed(slope, 4)))
+                    })
                 };
                 let at = self.solution.x[kink.variable];
                 Message::from(format!("{of} has a corner at {by} = "))

@@ -90,15 +90,24 @@ pub fn counted(count: u64, thing: &str) -> String {
 }
 
 /// A number with these decimals; zero has no sign.
-fn fixed(number: f64, decimals: usize) -> String {
+pub(crate) fn fixed(number: f64, decimals: usize) -> String {
     let text = format!("{number:.decimals$}");
-    let is_zero = text.bytes().all(|digit| matches!(digit, b'-' | b'.' | b'0'));
-    if is_zero { text.trim_start_matches('-').to_owned() } else { text }
+    if is_zero(&text) { text.trim_start_matches('-').to_owned() } else { text }
+}
+
+/// A number as it was written, perhaps with its unit, with a plus where it is above 0; what is written as zero has no sign.
+pub(crate) fn signed(number: f64, text: String) -> String {
+    if number > 0.0 && !is_zero(text.split(' ').next().unwrap_or_default()) { format!("+{text}") } else { text }
+}
+
+/// Whether nothing is left of a number in the digits that it is written with.
+fn is_zero(text: &str) -> bool {
+    text.bytes().all(|digit| matches!(digit, b'-' | b'.' | b'0'))
 }
 
 #[cfg(test)]
 mod tests {
-    use super::Quantity;
+    use super::{Quantity, fixed, signed};
 
     #[test]
     fn exact_digits_of_a_launch_monitor() {
@@ -121,6 +130,8 @@ mod tests {
         }
         assert_eq!(Quantity::ANGULAR_VELOCITY.read_off(-1e-14, "rpm"), "0 rpm");
         assert_eq!(Quantity::LENGTH.read_off_difference(-1e-9, "m"), "0.00 m");
+        let written = [0.004, -0.004, 0.006, -0.006].map(|number| signed(number, format!("{} yd", fixed(number, 2))));
+        assert_eq!(written, ["0.00 yd", "0.00 yd", "+0.01 yd", "-0.01 yd"]);
         assert_eq!(Quantity::LENGTH.read_off(1e300, "m"), "1e300 m");
         assert_eq!(Quantity::LENGTH.read_off(f64::INFINITY, "mm"), "inf mm");
     }

@@ -19,7 +19,7 @@ pub enum UnitError {
         /// The kind of quantity wanted.
         wanted: &'static str,
         /// Units that fit.
-        examples: &'static str,
+        examples: String,
     },
     /// A unit of another kind of quantity.
     #[error("\"{text}\" is not {wanted}; use one of {examples}")]
@@ -29,7 +29,7 @@ pub enum UnitError {
         /// The kind of quantity wanted.
         wanted: &'static str,
         /// Units that fit.
-        examples: &'static str,
+        examples: String,
     },
     /// A string without a unit where one is needed.
     #[error("\"{text}\" has no unit; {wanted} takes {examples}")]
@@ -39,6 +39,6 @@ pub enum UnitError {
         /// The kind of quantity wanted.
         wanted: &'static str,
         /// Units that fit.
-        examples: &'static str,
+        examples: String,
     },
 }

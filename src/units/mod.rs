@@ -12,6 +12,7 @@ mod symbols;
 mod system;
 
 pub use decimals::counted;
+pub(crate) use decimals::{fixed, signed};
 pub use error::UnitError;
 pub use message::{Digits, Message};
 pub use system::System;
@@ -19,6 +20,7 @@ pub use system::System;
 use dimension::Dimension;
 use expression::read_unit;
 use std::fmt;
+use symbols::SYMBOLS;
 
 /// A kind of quantity: what a parameter or an outcome is measured in.
 ///
@@ -34,16 +36,16 @@ pub struct Quantity {
     pub name: &'static str,
     /// Its SI unit: "rad".
     pub si: &'static str,
-    /// Units a person may write, for messages.
-    pub examples: &'static str,
+    /// The units that are usual, the first of them in examples.
+    usual: &'static str,
     dimension: Dimension,
 }
 
 macro_rules! quantities {
-    ($($(#[doc = $doc:literal])* $id:ident = $name:literal, $si:literal, [$l:literal, $m:literal, $t:literal, $a:literal], $examples:literal;)*) => {
+    ($($(#[doc = $doc:literal])* $id:ident = $name:literal, $si:literal, [$l:literal, $m:literal, $t:literal, $a:literal], $usual:literal;)*) => {
         impl Quantity {
             $($(#[doc = $doc])* pub const $id: Self =
-                Self { name: $name, si: $si, examples: $examples, dimension: Dimension([$l, $m, $t, $a]) };)*
+                Self { name: $name, si: $si, usual: $usual, dimension: Dimension([$l, $m, $t, $a]) };)*
         }
     };
 }
@@ -85,7 +87,7 @@ impl Quantity {
     pub fn read(self, text: &str) -> Result<f64, UnitError> {
         match self.split(text)? {
             (number, "") if number.is_finite() && self.dimension != Dimension::NONE => {
-                Err(UnitError::NoUnit { text: text.into(), wanted: self.name, examples: self.examples })
+                Err(UnitError::NoUnit { text: text.into(), wanted: self.name, examples: self.units() })
             }
             (number, "") => Ok(number),
             (number, unit) => self.scaled(number, unit, text),
@@ -110,7 +112,7 @@ impl Quantity {
     pub fn split(self, text: &str) -> Result<(f64, &str), UnitError> {
         split_number(text.trim()).ok_or_else(|| UnitError::NoNumber {
             text: text.into(),
-            unit: self.examples.split(',').next().unwrap_or_default(),
+            unit: self.usual.split(',').next().unwrap_or_default(),
         })
     }
 
@@ -137,6 +139,23 @@ impl Quantity {
         if unit.is_empty() { number } else { format!("{number} {unit}") }
     }
 
+    /// The units that a value may have, as messages list them: the usual ones, then the other symbols of its kind.
+    ///
+    /// ```
+    /// use longdrive::units::Quantity;
+    /// assert_eq!(Quantity::LENGTH.units(), "m, mm, yd, in, um, cm, km, ft, mi");
+    /// ```
+    pub fn units(self) -> String {
+        let mut units: Vec<&str> = self.usual.split(", ").collect();
+        let of_its_kind = SYMBOLS.iter().filter(|symbol| symbol.dimension == self.dimension && symbol.names[0] != "1");
+        for symbol in of_its_kind {
+            if !units.contains(&symbol.names[0]) {
+                units.push(symbol.names[0]);
+            }
+        }
+        units.join(", ")
+    }
+
     /// The head of a column of SI values: `club.loft [rad]`, as tables of points are read.
     ///
     /// ```
@@ -153,12 +172,12 @@ impl Quantity {
             text: text.into(),
             unit: unit.into(),
             wanted: self.name,
-            examples: self.examples,
+            examples: self.units(),
         })?;
         if dimension == self.dimension {
             Ok(size.of(number))
         } else {
-            Err(UnitError::WrongKind { text: text.into(), wanted: self.name, examples: self.examples })
+            Err(UnitError::WrongKind { text: text.into(), wanted: self.name, examples: self.units() })
         }
     }
 }
@@ -249,6 +268,23 @@ mod tests {
             assert_eq!(quantity.read(text), Ok(si), "to the last bit");
         }
         assert_eq!(Quantity::LENGTH.read("inf"), Ok(f64::INFINITY));
+    }
+
+    #[test]
+    fn messages_list_every_unit_of_a_kind_and_each_is_read() {
+        for (quantity, units) in [
+            (Quantity::LENGTH, "m, mm, yd, in, um, cm, km, ft, mi"),
+            (Quantity::SPEED, "mph, m/s, km/h, ft/s, kph, kn"),
+            (Quantity::MASS, "g, kg, oz, mg, lb"),
+            (Quantity::NUMBER, "none, %"),
+        ] {
+            assert_eq!(quantity.units(), units);
+            for unit in units.split(", ").filter(|unit| *unit != "none") {
+                assert!(quantity.size_of(unit).is_some(), "{unit}");
+            }
+            let said = quantity.read("1 fox").unwrap_err().to_string();
+            assert!(said.ends_with(units), "{said}");
+        }
     }
 
     #[test]

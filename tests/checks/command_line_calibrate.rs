@@ -1,4 +1,4 @@
-//! `calibrate` as a user meets it: its tolerance, and rows that do not fly.
+//! `calibrate` as a user meets it: its tolerance, rows that do not fly or decide alone, and options that are refused before the work.
 
 use crate::command_line::{json, longdrive};
 
@@ -8,7 +8,7 @@ const SHOTS: [&str; 4] = ["calibrate", "examples/shots.csv", "--fit", "aero.cd0"
 fn a_tolerance_is_honoured() {
     let with = |more: &[&str]| longdrive(&[&SHOTS[..], more].concat());
     let said = with(&["--tolerance=1m"]);
-    assert!(said.status == 0 && said.err.contains("method ") && said.err.contains("carry is within"), "{}", said.err);
+    assert!(said.status == 0 && said.err.contains("method ") && said.err.contains("lengths are within"), "{}", said.err);
     // the step that was chosen is the one that is flown: a metre shows in the carries that are left over
     assert_ne!(said.out, with(&[]).out);
     let (status, fine) = json(&[&SHOTS[..], &["--tolerance=1um"]].concat());
@@ -21,13 +21,13 @@ fn a_tolerance_is_honoured() {
     let deliveries = "club.loft [deg],swing.speed [mph],carry [yd]\n9,100,240\n11,110,270\n";
     let (_folder, path) = crate::sweep::table("deliveries.csv", deliveries);
     let said = longdrive(&["calibrate", path.to_str().unwrap(), "--fit", "aero.cd0", "--tolerance"]);
-    assert!(said.status == 0 && said.err.contains("carry is within"), "{}", said.err);
+    assert!(said.status == 0 && said.err.contains("lengths are within"), "{}", said.err);
 }
 
 #[test]
 fn rows_that_diverge_alike_are_told_once_with_the_advice_that_fits() {
     let said = longdrive(&[&SHOTS[..], &["--set", "flight.step=2s"]].concat());
-    assert_eq!(said.status, 2);
+    assert_eq!(said.status, 1);
     assert_eq!(said.err.matches("diverge").count(), 1, "{}", said.err);
     assert!(
         said.err.contains("rows 1 to 12: the flight diverges; the step is long; reduce flight.step"),
@@ -43,4 +43,84 @@ fn rows_that_diverge_alike_are_told_once_with_the_advice_that_fits() {
 fn a_range_of_one_value_is_refused() {
     let said = longdrive(&["calibrate", "examples/shots.csv", "--fit", "aero.cd0=0.2..0.2"]);
     assert!(said.status == 2 && said.err.contains("aero.cd0 is the single value 0.2"), "{}", said.err);
+}
+
+/// A table of deliveries with stated uncertainties, the last row's carry as given.
+fn deliveries(carry: &str) -> (tempfile::TempDir, std::path::PathBuf) {
+    let head = "swing.speed [mph],club.loft [deg],carry [yd],sigma carry [yd]";
+    crate::sweep::table("deliveries.csv", format!("{head}\n100,10.5,240,3\n105,10.5,251,3\n110,10.5,{carry},3\n"))
+}
+
+#[test]
+fn rows_that_do_not_fly_are_no_answer_and_not_bad_input() {
+    let (_folder, path) = deliveries("262");
+    let asked = ["calibrate", path.to_str().unwrap(), "--fit", "aero.cd0"];
+    for (set, status) in [("flight.step=2s", "diverged"), ("swing.attack_angle=-60deg", "no-flight")] {
+        let (code, answer) = json(&[&asked[..], &["--set", set]].concat());
+        assert_eq!((code, answer["status"].as_str()), (1, Some(status)), "{answer}");
+        assert!(answer["message"].as_str().unwrap().contains("rows 1 to 3"), "{answer}");
+    }
+    // one row among others, by its number
+    let (_folder, path) = crate::sweep::table("one.csv", "carry [yd],swing.attack_angle [deg]\n200,2\n10,-60\n");
+    let said = longdrive(&["calibrate", path.to_str().unwrap(), "--fit", "aero.cd0"]);
+    assert!(said.status == 1 && said.err.contains("row 2: no flight"), "{}", said.err);
+}
+
+/// The wind and the size of the ball change the carries of three deliveries alike: a search stalls along the direction that is left.
+#[test]
+fn a_search_that_stalls_where_the_data_determine_nothing_ends_undetermined() {
+    let (_folder, path) = deliveries("262");
+    let (status, answer) =
+        json(&["calibrate", path.to_str().unwrap(), "--fit", "wind.downrange", "--fit", "ball.radius"]);
+    assert_eq!((status, answer["status"].as_str()), (1, Some("undetermined")), "{}", answer["message"]);
+    let told = answer["message"].as_str().unwrap();
+    assert!(told.contains("the data do not determine wind.downrange and ball.radius apart"), "{told}");
+}
+
+#[test]
+fn a_row_that_decides_alone_outweighs_the_others() {
+    for (carry, huber, ends) in
+        [("1e9", false, "outweighed"), ("-1e9", false, "outweighed"), ("1e9", true, "converged")]
+    {
+        let (_folder, path) = deliveries(carry);
+        let loss = if huber { &["--huber"][..] } else { &[] };
+        let (_, answer) = json(&[&["calibrate", path.to_str().unwrap(), "--fit", "aero.cd0"], loss].concat());
+        assert_eq!(answer["status"], ends, "{carry} {huber}: {}", answer["message"]);
+        assert_eq!(answer["message"].as_str().unwrap().contains("row 3: carry_distance lies 3.3e8"), !huber);
+    }
+    // an ordinary outlier is seen in χ², and the others still count
+    let (_folder, path) = deliveries("300");
+    assert_eq!(json(&["calibrate", path.to_str().unwrap(), "--fit", "aero.cd0"]).1["status"], "converged");
+}
+
+#[test]
+fn options_of_the_cross_validation_are_refused_before_any_fit() {
+    let (_folder, path) = deliveries("262");
+    let few = ["calibrate", path.to_str().unwrap(), "--fit", "aero.cd0"];
+    for (asked, more, told) in [
+        (&SHOTS[..], &["--folds", "5", "--compare", "nosuch"][..], "unknown aerodynamic law 'nosuch'"),
+        (&SHOTS, &["--folds", "13"], "13 folds of 12 rows; the number of folds must be from 2 to 12"),
+        (&SHOTS, &["--folds", "1"], "1 fold of 12 rows"),
+        (&few, &["--compare", "smits-smith"], "--compare smits-smith: calibration: "),
+        (
+            &few,
+            &["--fit", "aero.cd1", "--fit", "aero.cd2", "--folds", "3"],
+            "fewer than the 3 parameters to fit; take more folds",
+        ),
+    ] {
+        let said = longdrive(&[asked, more].concat());
+        assert!(said.status == 2 && said.err.contains(told), "{more:?}: {}", said.err);
+        assert!(!said.err.contains("iteration"), "{more:?}: {}", said.err);
+    }
+}
+
+#[test]
+fn a_parameter_that_every_row_gives_is_not_set() {
+    let (_folder, path) = deliveries("262");
+    let asked = ["calibrate", path.to_str().unwrap(), "--fit", "aero.cd0"];
+    let said = longdrive(&[&asked[..], &["--set", "swing.speed=80mph"]].concat());
+    let told = "has a value of its own, so this one is not used";
+    assert!(said.status == 2 && said.err.contains("--set swing.speed: ") && said.err.contains(told), "{}", said.err);
+    // what is fitted begins there
+    assert_eq!(longdrive(&[&asked[..], &["--set", "aero.cd0=0.3"]].concat()).status, 0);
 }

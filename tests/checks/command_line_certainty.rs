@@ -150,3 +150,36 @@ fn mistakes_are_bad_input_and_say_what_to_write() {
         assert!(said.out.is_empty(), "{}", said.out);
     }
 }
+
+/// What rounding leaves of derivatives that are 0 is shown as 0, without a sign; JSON keeps its digits.
+#[test]
+fn rounding_is_shown_as_0_in_texts_and_kept_in_json() {
+    let of_zero = |word: &str| {
+        let digits = word.trim_start_matches(['+', '-']);
+        let is_zero = digits.contains('0') && digits.bytes().all(|byte| b"0.".contains(&byte));
+        is_zero && digits.len() < word.len()
+    };
+    let is_rounding = |word: &str| {
+        let power = word.rsplit_once("e-").filter(|_| word.starts_with(|c: char| c.is_ascii_digit() || c == '-'));
+        power.is_some_and(|(_, power)| power.parse().is_ok_and(|power: u32| power >= 13))
+    };
+    for args in [
+        vec!["sensitivity", "--of", "all"],
+        vec!["sensitivity", "--at-optimum"],
+        vec!["gradient", "--of", "all", "--wrt", "all"],
+        vec!["optimum-sensitivity"],
+    ] {
+        let said = longdrive(&args);
+        assert_eq!(said.status, 0, "{args:?} {}", said.err);
+        // how small the residual of the search is, is no derivative
+        let lines = said.out.lines().filter(|line| !line.contains("KKT residual"));
+        let words = lines.flat_map(str::split_whitespace);
+        let wrong: Vec<_> = words.filter(|word| of_zero(word) || is_rounding(word)).collect();
+        assert!(wrong.is_empty(), "{args:?}: {wrong:?}");
+    }
+    let text = longdrive(&["gradient", "--of", "backspin", "--wrt", "swing.attack_angle,club.loft"]).out;
+    assert!(text.contains("0 rpm per deg") && !text.contains("e-"), "{text}");
+    let (_, answer) = json(&["gradient", "--of", "backspin", "--wrt", "swing.attack_angle"]);
+    let kept = answer["outcomes"][0]["gradient"]["swing.attack_angle"].as_f64().unwrap();
+    assert!(kept != 0.0 && kept.abs() < 1e-9, "{kept}");
+}

@@ -183,3 +183,28 @@ fn a_file_through_a_link_is_replaced_and_keeps_its_permissions() {
     assert!(fs::read_to_string(&real).unwrap().starts_with("<svg"));
     assert_eq!(fs::metadata(&real).unwrap().permissions().mode() & 0o777, 0o640);
 }
+
+/// A misspelt path is told, and no folder is made on the way to an output, whatever the command.
+#[test]
+fn the_folder_that_an_output_is_in_must_exist() {
+    let (folder, name) = folder();
+    let before = files(folder.path());
+    let (shots, output) = (name("shots.csv"), name("missing/a.csv"));
+    for args in [
+        vec!["report", "-o", &output],
+        vec!["reproduce", "winfield-tan", "-o", &output],
+        vec!["calibrate", &shots, "--fit", "aero.cd0", "--plot", &output],
+        vec!["calibrate", &shots, "--fit", "aero.cd0", "-o", &output],
+        vec!["man", "-o", &output],
+        vec!["plot", "trajectory", "-o", &output],
+        vec!["optimize", "-o", &output],
+        vec!["sweep", "--over", "club.loft=5deg..15deg:3", "-o", &output],
+    ] {
+        let said = longdrive(&args);
+        let told = format!("there is no folder '{}'", name("missing"));
+        assert!(said.status == 2 && said.err.contains(&told), "{args:?}: {}", said.err);
+        assert_eq!(files(folder.path()), before, "{args:?}");
+    }
+    // the folder that is named is made
+    assert_eq!(longdrive(&["man", "-o", &name("pages")]).status, 0);
+}

@@ -71,7 +71,7 @@ fn infeasible_is_an_answer_with_status_1_and_says_by_what() {
 #[test]
 fn exact_sensitivity_and_windows_as_json() {
     let (status, found) =
-        json(&["optimum-sensitivity", "--wrt", "swing.speed,gravity", "--change", "swing.speed=+1mph"]);
+        json(&["optimum-sensitivity", "--own-step", "--wrt", "swing.speed,gravity", "--change", "swing.speed=+1mph"]);
     assert_eq!((status, &found["status"]), (0, &Value::from("converged")));
     let names: Vec<&String> = found["sensitivity"].as_object().unwrap().keys().collect();
     assert_eq!(names, ["swing.speed", "gravity"]);
@@ -209,7 +209,7 @@ fn exact_least_value_has_the_price_of_its_bound() {
 #[test]
 fn differences_of_least_values_are_their_sensitivities() {
     // the landing speed is least at a descent between flat and steep
-    let asked = ["--minimize", "landing_speed", "--vary", "club.loft=4deg..25deg"];
+    let asked = ["--minimize", "landing_speed", "--vary", "club.loft=4deg..25deg", "--own-step"];
     let (status, found) = json(&[&["optimum-sensitivity", "--wrt", "air.density"], &asked[..]].concat());
     assert_eq!(status, 0, "{found}");
     let best = |density: &str| {
@@ -309,4 +309,37 @@ fn a_setup_that_is_not_written_is_told_even_where_it_is_to_be_quiet() {
     let said = longdrive(&["optimize", "-q", "--max-iterations", "1", "-o", file.to_str().unwrap()]);
     assert!(said.status == 1 && said.err.contains("is not written: there is no optimum"), "{}", said.err);
     assert!(!file.exists());
+}
+
+/// A value that another option gives for every drive would not be used; one that is a start, a mean or needed at all is.
+#[test]
+fn a_setting_that_has_no_effect_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let plot = folder.path().join("a.svg").to_str().unwrap().to_owned();
+    let along = ["--along", "swing.speed=100mph..101mph"];
+    for (args, why) in [
+        ([&["chart", "--set", "swing.speed=90mph"], &along[..]].concat(), "--along gives its values"),
+        (
+            [&["plot", "chart", "-o", &plot, "--set", "swing.speed=90mph"], &along[..]].concat(),
+            "--along gives its values",
+        ),
+        (
+            vec!["uncertainty", "--set", "swing.speed=90mph", "--distribution", "swing.speed=normal(100mph,1mph)"],
+            "--distribution gives its values",
+        ),
+    ] {
+        let said = longdrive(&args);
+        let told = format!("--set swing.speed: {why}, so this one is not used; leave it out");
+        assert!(said.status == 2 && said.err.contains(&told), "{args:?}: {}", said.err);
+    }
+    // without the setting this preset has no friction to vary
+    let friction = ["--set", "impact.friction=0.3", "--along", "impact.friction=0.4..0.41"];
+    assert_eq!(longdrive(&[&["chart"], &friction[..]].concat()).status, 0);
+    let start = |loft: &str| {
+        let said = longdrive(&["optimize", "--set", loft, "--vary", "club.loft=4deg..20deg", "--max-iterations", "0"]);
+        said.err.lines().find(|line| line.starts_with("  0 ")).unwrap().to_owned()
+    };
+    assert!(start("club.loft=8deg").ends_with("club.loft 8.000000 deg"), "{}", start("club.loft=8deg"));
+    let asked = ["uncertainty", "--set", "swing.speed=90mph", "--sigma", "swing.speed=1mph", "--samples", "16"];
+    assert!(longdrive(&asked).out.contains("normal: 90 mph ± 1 mph"));
 }

@@ -113,3 +113,51 @@ fn a_parameter_of_every_drive_is_not_set_beside_them() {
         assert!(said.status == 2 && said.err.contains("of its own, so this one is not used"), "{case:?}: {}", said.err);
     }
 }
+
+/// A table whose cells may have a decimal comma: a point in `2.500` is one thing beside `160,5`, and another beside `160.5`.
+#[test]
+fn numbers_of_two_meanings_are_refused_with_both_cells() {
+    let table = |cells: [&str; 4]| {
+        let [speed, angle, spin, carry] = cells;
+        let head = "ball_speed [mph];launch_angle [deg];spin [rpm];carry [yd]";
+        crate::sweep::table("shots.csv", format!("{head}\n{speed};{angle};{spin};{carry}\n158;12;2600;245\n"))
+    };
+    for (cells, told) in [
+        (["160,5", "11", "2.500", "250"], Some(["'2.500' (row 1, column spin)", "'160,5' (row 1, column ball_speed)"])),
+        (["160.500", "11,2", "2500", "250"], Some(["'160.500' (row 1, column ball_speed)", "'11,2'"])),
+        (["160.5", "11", "2,500", "250"], Some(["'2,500' (row 1, column spin)", "'160.5'"])),
+        // one mark alone, and marks that cannot separate thousands
+        (["160.5", "11.2", "2500.125", "250"], None),
+        (["160,5", "11,2", "2500", "250,3"], None),
+        (["160,5", "11.25", "2500", "0.250"], None),
+    ] {
+        let (_folder, path) = table(cells);
+        let path = path.to_str().unwrap();
+        for asked in
+            [vec!["calibrate", path, "--fit", "aero.cd0"], vec!["sweep", "--points", path, "--outcomes", "carry"]]
+        {
+            let said = longdrive(&asked);
+            let err = said.err.replace("\n  ", " ");
+            match told {
+                Some(words) => {
+                    assert!(said.status == 2 && words.iter().all(|word| err.contains(word)), "{cells:?}: {err}");
+                    assert!(err.contains("may separate decimals or thousands"), "{err}");
+                }
+                None => assert!(!err.contains("thousands") && said.status != 2, "{cells:?}: {err}"),
+            }
+        }
+    }
+}
+
+#[test]
+fn columns_that_a_sweep_does_not_read_are_told_in_json_too() {
+    let (folder, path) = crate::sweep::table("points.csv", "club.loft [deg],carry [yd],note\n10,240,x\n");
+    let rows = folder.path().join("rows.csv");
+    let asked = ["sweep", "--points", path.to_str().unwrap(), "-o", rows.to_str().unwrap()];
+    let (status, answer) = json(&asked);
+    let told = "columns not read, since they are results or remarks and not parameters of the club: carry, note";
+    assert_eq!((status, &answer["remarks"]), (0, &serde_json::json!([told])));
+    let (_, answer) =
+        json(&["sweep", "--over", "club.loft=9deg..10deg:2", "-o", rows.to_str().unwrap(), "--overwrite"]);
+    assert_eq!(answer["remarks"], serde_json::json!([]));
+}

@@ -222,3 +222,15 @@ fn remarks_of_a_calibration_have_no_yards_where_metres_are_asked_for() {
         assert!(metric.contains(metric_says) && us.contains(us_says), "{metric_says}: {metric} {us}");
     }
 }
+
+#[test]
+fn a_wrong_unit_is_told_with_every_unit_that_is_read() {
+    for (value, told) in [("1kg", "use one of"), ("1", "a length takes"), ("1fox", "a length takes")] {
+        let said = longdrive(&["simulate", "--set", &format!("strike.high={value}")]);
+        let units = "m, mm, yd, in, um, cm, km, ft, mi";
+        assert!(said.status == 2 && said.err.contains(&format!("{told} {units}")), "{}", said.err);
+    }
+    for unit in ["m", "mm", "yd", "in", "um", "cm", "km", "ft", "mi"] {
+        assert_eq!(longdrive(&["simulate", "--set", &format!("ground.height=0{unit}")]).status, 0, "{unit}");
+    }
+}

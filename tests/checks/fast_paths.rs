@@ -255,6 +255,6 @@ fn exact_a_flight_that_no_parameter_changes_has_its_value_and_no_slopes() {
         |order| Evaluator::new(&setup, &[Outcome::Carry], &wrt, order).unwrap().launched(launch).at(&values).unwrap();
     let (alone, found) = (ask(Order::Value), ask(Order::First));
     assert!(alone[0].value > 100.0);
-    assert_eq!(found[0].value, alone[0].value);
+    close(found[0].value, alone[0].value, alone[0].value, 1e-15, "the value, rounded otherwise in registers");
     assert!(found[0].gradient.len() == wrt.len() && found[0].gradient.iter().all(|d| *d == 0.0));
 }

@@ -193,3 +193,39 @@ fn a_club_beside_a_launch_is_refused_by_name() {
     assert!(said.status == 0 && said.err.replace("\n  ", " ").contains(told), "{}", said.err);
     assert!(!longdrive(&["simulate", &mine]).err.contains("not used"));
 }
+
+/// A report tells of a launch what there is without a club, and of its optimum where something is to be varied.
+#[test]
+fn a_report_of_a_launch_says_what_it_leaves_out() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let launch = "ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm";
+    let report = |output: &str, more: &[&str]| {
+        let said = json(&[&["report", "--launch", launch, "-o", output], more].concat());
+        let files: Vec<_> = said.1["files"].as_array().into_iter().flatten().cloned().collect();
+        let text = std::fs::read_to_string(format!("{output}/index.html")).unwrap_or_default();
+        (said.0, files, said.1["warnings"].to_string(), text)
+    };
+    let (status, files, warnings, page) = report(&file("alone"), &[]);
+    assert_eq!(status, 0, "{warnings}");
+    for name in ["trajectory-side.csv", "tornado-carry.csv", "vcurve.csv"] {
+        assert!(files.contains(&name.into()), "{name}: {files:?}");
+    }
+    let told = "the optimum, its map and its chart are left out; to look for the best launch, give --vary";
+    assert!(warnings.contains(told) && page.contains(told), "{warnings}");
+    assert!(page.contains("d carry/d launch.backspin") && !page.contains("swing.speed"));
+
+    let vary = ["--vary", "launch.launch_angle=5deg..20deg", "--vary", "launch.backspin=1500rpm..4000rpm"];
+    let along = ["--along", "launch.ball_speed=160mph..162mph"];
+    let (status, files, warnings, page) = report(&file("varied"), &[&vary[..], &along].concat());
+    assert!(status == 0 && !warnings.contains("left out"), "{warnings}");
+    assert!(
+        files.contains(&"chart-carry-by-launch-ball_speed.csv".into()) && page.contains("The optimum"),
+        "{files:?}"
+    );
+
+    for more in [&["--subject-to", "apex_height <= 30 yd"][..], &along] {
+        let said = longdrive(&[&["report", "--launch", launch, "-o", &file("none")], more].concat());
+        assert!(said.status == 2 && said.err.contains(more[0]) && said.err.contains("give --vary"), "{}", said.err);
+    }
+}

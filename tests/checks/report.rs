@@ -324,7 +324,7 @@ fn the_page_is_complete_in_itself_and_says_what_it_holds() {
 #[test]
 fn a_report_without_an_optimum_says_why_and_ends_with_status_one() {
     let folder = tempfile::tempdir().unwrap();
-    let directory = folder.path().join("new").join("folder").display().to_string();
+    let directory = folder.path().join("new").display().to_string();
     let limits = ["--subject-to", "descent_angle >= 80 deg"];
     let said = longdrive(&[&["report", "-o", &directory], limits.as_slice()].concat());
     assert_eq!(said.status, 1, "{}", said.err);

@@ -1,6 +1,6 @@
 use super::{Columns, Fingerprint, refuse_columns, refused};
 use crate::batch::points::Points;
-use crate::columns::{Column, Head, separated, summary};
+use crate::columns::{Column, Head, Marks, separated, summary};
 use crate::error::{Error, Result};
 use crate::foreign::{of_csv, of_csv_row, of_io};
 use crate::parameters::{Parameter, Setup};
@@ -29,6 +29,7 @@ pub struct CsvTable {
     /// The number of the record in the file, and of those that are no drives.
     line: u64,
     summaries: Vec<String>,
+    marks: Marks,
     record: StringRecord,
 }
 
@@ -46,7 +47,7 @@ impl CsvTable {
     ///
     /// # Errors
     /// [`Error::Table`] for a file that cannot be read, without a row or without a column of a parameter, for a column that is unknown
-    /// or given twice, a unit of another kind, and a cell that is no number.
+    /// or given twice, a unit of another kind, and a cell that is no number or whose decimal mark is uncertain.
     pub fn open(setup: &Setup<f64>, path: &Path) -> Result<Self> {
         let mut layout = Layout::of(path)?;
         let mut reader = layout.begin(path)?;
@@ -78,6 +79,7 @@ impl CsvTable {
             next: 0,
             line: 0,
             summaries: vec![],
+            marks: Marks::default(),
             record: StringRecord::new(),
         };
         (table.rows, table.fingerprint) = Fingerprint::of(&mut table)?;
@@ -181,11 +183,13 @@ impl Points for CsvTable {
         while rows < most && self.next < self.rows && self.record()? {
             self.next += 1;
             for (at, column) in &self.read {
-                let value = column.value(self.record.get(*at).unwrap_or_default());
+                let cell = self.record.get(*at).unwrap_or_default();
+                let wrong =
+                    |reason| refused(&self.path, format!(", row {}, column {}", self.line, column.head), reason);
+                self.marks.look(self.line, column, cell).map_err(wrong)?;
+                let value = column.value(cell);
                 let value = value.and_then(|value| value.ok_or("the cell is empty; every row needs a value".into()));
-                values.push(value.map_err(|reason| {
-                    refused(&self.path, format!(", row {}, column {}", self.line, column.head), reason)
-                })?);
+                values.push(value.map_err(wrong)?);
             }
             rows += 1;
         }

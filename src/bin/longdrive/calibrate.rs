@@ -8,7 +8,7 @@ use longdrive::optimize::least_squares::{Follow, Loss};
 use longdrive::parameters::{Law, Vary};
 use longdrive::report::plot::Look;
 use longdrive::report::{CalibrationReport, calibration_document, calibration_reply, calibration_toml};
-use longdrive::study::calibrate::{HeldOut, Plan, ShotTable, beyond, calibrate, held_out, ranges};
+use longdrive::study::calibrate::{HeldOut, Plan, ShotTable, beyond, calibrate, check_folds, held_out, ranges};
 use longdrive::{Error, Result, Setup};
 use serde_json::json;
 use std::path::PathBuf;
@@ -31,12 +31,24 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
     if table.is_launched {
         args.question.refuse_club(&setup, &format!("the rows of {file} are launches"))?;
     }
+    let given: Vec<_> = setup.parameters().into_iter().filter(|parameter| table.gives(parameter)).collect();
+    args.question.refuse_twice(&setup, &given, &format!("every row of {file} has a value of its own"))?;
     let mut plan = Plan::read(&setup, &args.fit)?;
     let setup = args.question.for_many(setup, &ranges(&setup, &table, &plan.fit))?;
     plan.starts = args.starts as usize;
     plan.options.max_iterations = args.max_iterations;
     if args.huber {
         plan.options.loss = Loss::HUBER;
+    }
+    let folds = if args.folds > 0 { args.folds as usize } else { 5.min(table.shots.len()) };
+    let compared = args.compare.iter().map(|law| Compared::new(&setup, law, &plan)).collect::<Result<Vec<_>>>()?;
+    let is_cross_validated = args.folds > 0 || !args.compare.is_empty();
+    if is_cross_validated {
+        check_folds(&table, &plan, folds)?;
+    }
+    for Compared { law, plan, .. } in &compared {
+        check_folds(&table, plan, folds)
+            .map_err(|error| Error::Unreadable { name: format!("--compare {law}"), source: error.into() })?;
     }
     let follow = Follow { iteration: Some(Arc::new(shown)), interrupt: interrupt(BEST_SO_FAR) };
     let found = calibrate(&setup, &table, &plan, &follow)?;
@@ -47,15 +59,15 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
 
     let quiet = Follow { iteration: None, ..follow };
     let mut held = vec![];
-    if args.folds > 0 || !args.compare.is_empty() {
-        let folds = if args.folds > 0 { args.folds as usize } else { 5.min(table.shots.len()) };
+    if is_cross_validated {
         if !quiet.is_interrupted() {
             tell(&format!("cross-validation: fitting {folds} times, each time without a part of the rows"));
         }
         let name = format!("{}, fitted as above", setup.law.name());
         held.push((name, held_out(&setup, &table, &plan, folds, &quiet)?));
-        for law in &args.compare {
-            compare(&setup, law, &table, &plan, folds, &quiet, &mut held)?;
+        for Compared { law, as_it_stands, setup, plan } in &compared {
+            held.push((format!("{law}, {as_it_stands}"), HeldOut::as_it_stands(setup, &table)?));
+            held.push((format!("{law}, all coefficients fitted"), held_out(setup, &table, plan, folds, &quiet)?));
         }
     }
     let report = CalibrationReport { table: &table, found: &found, held_out: &held };
@@ -84,23 +96,22 @@ fn shown(iteration: u64, sum: f64) {
 }
 
 /// Another law on the same rows: as it is published, and with all its coefficients fitted.
-fn compare(
-    setup: &Setup<f64>,
-    law: &str,
-    table: &ShotTable,
-    plan: &Plan,
-    folds: usize,
-    follow: &Follow,
-    held: &mut Vec<(String, HeldOut)>,
-) -> Result<()> {
-    let mut other = *setup;
-    other.set_law(law)?;
-    let name = if law == setup.law.name() { "as the setup has it" } else { "as published" };
-    held.push((format!("{law}, {name}"), HeldOut::as_it_stands(&other, table)?));
-    let own = Law::all_rows().filter(|row| row.law == Some(other.law.name()));
-    let coefficients = own.map(|row| Vary { parameter: row, low: row.range.low, high: row.range.high });
-    let kept = plan.fit.iter().filter(|vary| vary.parameter.law.is_none()).copied();
-    let all = Plan { fit: kept.chain(coefficients).collect(), ..plan.clone() };
-    held.push((format!("{law}, all coefficients fitted"), held_out(&other, table, &all, folds, follow)?));
-    Ok(())
+struct Compared<'a> {
+    law: &'a str,
+    as_it_stands: &'static str,
+    setup: Setup<f64>,
+    plan: Plan,
+}
+
+impl<'a> Compared<'a> {
+    fn new(setup: &Setup<f64>, law: &'a str, plan: &Plan) -> Result<Self> {
+        let mut other = *setup;
+        other.set_law(law)?;
+        let as_it_stands = if law == setup.law.name() { "as the setup has it" } else { "as published" };
+        let own = Law::all_rows().filter(|row| row.law == Some(other.law.name()));
+        let coefficients = own.map(|row| Vary { parameter: row, low: row.range.low, high: row.range.high });
+        let kept = plan.fit.iter().filter(|vary| vary.parameter.law.is_none()).copied();
+        let plan = Plan { fit: kept.chain(coefficients).collect(), ..plan.clone() };
+        Ok(Self { law, as_it_stands, setup: other, plan })
+    }
 }

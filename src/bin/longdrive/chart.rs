@@ -14,6 +14,7 @@ pub fn run(args: &ChartArgs) -> Result<Answer> {
     let setup = args.question.setup()?;
     let search = args.search.search(&setup)?;
     let (along, at) = args.places(&setup)?;
+    args.question.refuse_unused(&setup, &[along.parameter], "--along gives its values")?;
     let ranges: Vec<_> = search.vary.iter().copied().chain([along]).collect();
     let setup = args.question.for_many(setup, &ranges)?;
     let mut warnings = setup.warnings();

@@ -54,10 +54,7 @@ impl Rule {
             return Err(refused(path, "it is a link to a file that does not exist; name that file itself"));
         }
         let Some(found) = found else {
-            let folder = folder_of(path);
-            if !folder.is_dir() {
-                return Err(refused(path, format!("it cannot be written: there is no folder '{}'", folder.display())));
-            }
+            in_a_folder(path)?;
             self.refuse_input(path, &located(path).unwrap_or_else(|| path.into()))?;
             return Ok(Destination { shown: path.into(), at: path.into(), is_file: true });
         };
@@ -81,7 +78,8 @@ impl Rule {
         Ok(())
     }
 
-    /// A folder to write several files into, some of whose names are known already. It is made where it does not exist.
+    /// A folder to write several files into, some of whose names are known already. It is made where it does not exist, but not the folder
+    /// that it is in: a misspelt path is told, as for a file.
     ///
     /// # Errors
     /// [`Error::Results`] for a file, a folder that cannot be made or written to, and a file in it that may not be replaced.
@@ -89,7 +87,10 @@ impl Rule {
         if fs::metadata(path).is_ok_and(|found| !found.is_dir()) {
             return Err(refused(path, "it cannot be written to: it is a file; name a folder"));
         }
-        fs::create_dir_all(path).map_err(|error| unwritable(path, &error))?;
+        if !path.is_dir() {
+            in_a_folder(path)?;
+            fs::create_dir(path).map_err(|error| unwritable(path, &error))?;
+        }
         let folder = Folder { path: path.into(), rule: self.clone() };
         for name in names {
             self.place(&path.join(name))?;
@@ -180,6 +181,15 @@ pub fn beside(path: &Path) -> io::Result<tempfile::NamedTempFile> {
     }
     // the name of this file is nobody's business
     builder.tempfile_in(folder_of(path)).map_err(|error| io::Error::from(error.kind()))
+}
+
+/// What is to be made must be in a folder that exists.
+fn in_a_folder(path: &Path) -> Result<()> {
+    let folder = folder_of(path);
+    match folder.is_dir() {
+        true => Ok(()),
+        false => Err(refused(path, format!("it cannot be written: there is no folder '{}'", folder.display()))),
+    }
 }
 
 fn folder_of(path: &Path) -> &Path {

@@ -1,10 +1,9 @@
 use crate::args::Gradient;
-use crate::names::{outcomes, variables};
+use crate::names::{outcomes, usual, variables};
 use crate::output::{Answer, bar, show, system, tell_error, warn};
 use longdrive::derivative::{Order, Taylor, evaluate_with};
-use longdrive::parameters::Parameter;
 use longdrive::report::{GradientReport, gradient_text};
-use longdrive::{Drive, Error, Result, Setup};
+use longdrive::{Drive, Error, Result};
 
 pub fn run(args: &Gradient) -> Result<Answer> {
     let setup = args.question.within_tolerance(args.question.setup()?)?;
@@ -49,13 +48,4 @@ fn one(
 ) -> Result<Taylor> {
     let taylors = evaluate_with(setup, &[of], wrt, order, |_, _| ())?;
     taylors.into_iter().next().ok_or(Error::Nothing { doing: "evaluate", what: "outcome" })
-}
-
-/// What a gradient is taken by where nothing is named.
-fn usual(setup: &Setup<f64>) -> Result<Vec<&'static Parameter>> {
-    if setup.launch.is_given() {
-        let conditions = setup.launch_conditions().into_iter().filter_map(|name| setup.launch_condition(name));
-        return Ok(conditions.filter(|condition| setup.value(condition).is_some()).collect());
-    }
-    ["club.loft", "swing.attack_angle"].into_iter().map(|name| setup.variable(name)).collect()
 }

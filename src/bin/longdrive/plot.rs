@@ -102,6 +102,7 @@ fn along(args: &PlotChart) -> Result<Answer> {
     let setup = args.question.setup()?;
     let search = args.search.search(&setup)?;
     let along = Vary::read(&setup, &args.along)?;
+    args.question.refuse_unused(&setup, &[along.parameter], "--along gives its values")?;
     let shown = match &args.show {
         Some(name) if name != search.maximize.name() => {
             let names = || search.vary.iter().map(|vary| vary.parameter.name).chain([search.maximize.name()]);

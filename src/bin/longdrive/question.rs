@@ -12,7 +12,14 @@ const MICROMETRE: f64 = 1e-6;
 impl Question {
     /// The setup asked about: a preset or a file, with the overrides applied, checked.
     pub fn setup(&self) -> Result<Setup<f64>> {
-        let mut setup = self.base()?;
+        let (mut setup, without_unit) = self.base()?;
+        if !without_unit.is_empty() {
+            let read = without_unit.iter().map(|parameter| {
+                let value = setup.value(parameter).unwrap_or_default();
+                format!("{} = {}", parameter.name, parameter.quantity.show(value, parameter.quantity.si))
+            });
+            tell(&format!("note: {}: read as SI, without a unit: {}", self.setup, read.collect::<Vec<_>>().join(", ")));
+        }
         let settings = self.set.iter().map(|text| split("--set", text)).collect::<Result<Vec<_>>>()?;
         setup.set_all(settings)?;
         for text in &self.launch {
@@ -51,19 +58,26 @@ impl Question {
         Ok(())
     }
 
-    /// A parameter that has a value in each drive may not be set beside: that value would not be used.
-    pub fn refuse_twice(&self, setup: &Setup<f64>, parameters: &[&'static Parameter]) -> Result<()> {
+    /// A parameter whose values come from elsewhere, for the reason `why`, may not be set beside: that value would not be used.
+    pub fn refuse_twice(&self, setup: &Setup<f64>, parameters: &[&'static Parameter], why: &str) -> Result<()> {
         let set = self.set.iter().map(|text| ("--set", text));
         for (option, text) in set.chain(self.launch.iter().map(|text| ("--launch", text))) {
             let (name, _) = split(option, text)?;
             let named = setup.launch_condition(name).map_or(name, |condition| condition.name);
             if parameters.iter().any(|parameter| parameter.name == named) {
-                let source =
-                    format!("every drive of the sweep has a {name} of its own, so this one is not used; leave it out");
+                let source = format!("{why}, so this one is not used; leave it out");
                 return Err(Error::Unreadable { name: format!("{option} {name}"), source: source.into() });
             }
         }
         Ok(())
+    }
+
+    /// As [`refuse_twice`](Self::refuse_twice), for parameters that must have a value in the setup before another option gives their values:
+    /// where they have none without the setting, and in a launch, the setting is needed.
+    pub fn refuse_unused(&self, setup: &Setup<f64>, parameters: &[&'static Parameter], why: &str) -> Result<()> {
+        let (base, _) = self.base()?;
+        let has_own = |parameter: &&&Parameter| !parameter.is_of_launch() && base.variable(parameter.name).is_ok();
+        self.refuse_twice(setup, &parameters.iter().filter(has_own).copied().collect::<Vec<_>>(), why)
     }
 
     /// Says what a setup file gives of a club that does not strike the ball.
@@ -149,25 +163,19 @@ impl Question {
         std::iter::once(Path::new(&self.setup)).filter(|_| Preset::named(&self.setup).is_none())
     }
 
-    fn base(&self) -> Result<Setup<f64>> {
+    /// The setup without the overrides, and the parameters that its file gives without a unit.
+    fn base(&self) -> Result<(Setup<f64>, Vec<&'static Parameter>)> {
         let path = Path::new(&self.setup);
         let looks_like_a_file = path.exists() || self.setup.contains(['/', '\\']) || path.extension().is_some();
         if Preset::named(&self.setup).is_some() || !looks_like_a_file {
-            return Setup::preset(&self.setup).map_err(|_| {
+            return Setup::preset(&self.setup).map(|setup| (setup, vec![])).map_err(|_| {
                 let names = PRESETS.iter().map(|preset| preset.name);
                 let advice = format!("a setup is a preset ({}) or a TOML file", Preset::names());
                 Error::unknown("setup", &self.setup, names, advice)
             });
         }
         let SetupFile { setup, without_unit, .. } = SetupFile::open(path)?;
-        if !without_unit.is_empty() {
-            let read = without_unit.iter().map(|parameter| {
-                let value = setup.value(parameter).unwrap_or_default();
-                format!("{} = {}", parameter.name, parameter.quantity.show(value, parameter.quantity.si))
-            });
-            tell(&format!("note: {}: read as SI, without a unit: {}", self.setup, read.collect::<Vec<_>>().join(", ")));
-        }
-        Ok(setup)
+        Ok((setup, without_unit))
     }
 }
 

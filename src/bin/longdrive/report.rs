@@ -1,5 +1,6 @@
 use crate::args::Report;
 use crate::files::Rule;
+use crate::names::usual;
 use crate::output::{Answer, bar, system, tell, warn};
 use crate::plot::limits;
 use longdrive::flight::Flight;
@@ -13,7 +14,7 @@ use longdrive::study::{
     Chart, Fineness, Search, Sigma, Vary, chart, effects, flatness, map, optimum, usual_loss, with_defaults,
 };
 use longdrive::units::Message;
-use longdrive::{Outcome, Result, Setup};
+use longdrive::{Error, Outcome, Result, Setup};
 use serde_json::json;
 
 /// Optima along the parameter are about this many: what the bar counts to.
@@ -21,9 +22,10 @@ const USUAL_POINTS: u64 = 24;
 
 pub fn run(args: &Report) -> Result<Answer> {
     let setup = args.question.setup()?;
-    let search = args.search.search(&setup)?;
-    let along = Vary::read(&setup, &args.along)?;
-    let ranges: Vec<_> = search.vary.iter().copied().chain([along]).collect();
+    let of = args.search.sought()?.0;
+    let sought = args.sought(&setup)?;
+    let ranges: Vec<_> =
+        sought.iter().flat_map(|(search, along)| search.vary.iter().copied().chain([*along])).collect();
     let setup = args.question.for_many(setup, &ranges)?;
     let preset = args.question.preset()?;
     let given = args.sigma.iter().map(|text| Sigma::read(&setup, text)).collect::<Result<Vec<_>>>()?;
@@ -37,12 +39,15 @@ pub fn run(args: &Report) -> Result<Answer> {
     let mut remarks = flown[0].drive.warnings(&setup);
     bar.inc(1);
 
-    let found = optimum(&setup, search.clone(), Watch::default())?;
-    let is_found = found.solution.status == Status::Converged;
-    if !is_found {
-        remarks.push(Message::from(format!("no optimum: {}: ", found.status())).message(found.message()));
+    let found = sought.as_ref().map(|(search, _)| optimum(&setup, search.clone(), Watch::default())).transpose()?;
+    let best = found.as_ref().filter(|found| found.solution.status == Status::Converged);
+    match (&found, best) {
+        (None, _) => remarks.push(NO_SEARCH.into()),
+        (Some(found), None) => {
+            remarks.push(Message::from(format!("no optimum: {}: ", found.status())).message(found.message()));
+        }
+        _ => {}
     }
-    let best = is_found.then_some(&found);
     if let Some(best) = best {
         let longest = Flown::new("optimum", &best.setup)?;
         let of_drive = longest.drive.warnings(&best.setup).into_iter().filter(|warning| !remarks.contains(warning));
@@ -54,33 +59,32 @@ pub fn run(args: &Report) -> Result<Answer> {
     bar.inc(1);
 
     let around = best.map_or(&setup, |best| &best.setup);
-    let map = match search.vary[..] {
-        [across, up, ..] => said(map(around, search.maximize, across, up, Fineness::default()), &mut remarks)?,
+    let search = sought.as_ref().map(|(search, _)| search);
+    let map = match search.map(|search| &search.vary[..]) {
+        Some([across, up, ..]) => said(map(around, of, *across, *up, Fineness::default()), &mut remarks)?,
         _ => None,
     };
-    let limits = said(limits(around, &search), &mut remarks)?.unwrap_or_default();
+    let limits = search.map(|search| said(limits(around, search), &mut remarks)).transpose()?.flatten();
+    let limits = limits.unwrap_or_default();
     bar.inc(1);
-    let is_varied = search.vary.iter().any(|vary| vary.parameter == along.parameter);
-    let chart = if is_found && !is_varied {
-        let watch = |_: &_| {
-            bar.inc(1);
-            true
-        };
-        said(chart(&setup, &search, along, watch), &mut remarks)?
-    } else {
-        None
+    let is_fixed = |(search, along): &&(Search, Vary)| search.vary.iter().all(|vary| vary.parameter != along.parameter);
+    let chart = match sought.as_ref().filter(is_fixed) {
+        Some((search, along)) if best.is_some() => {
+            let watch = |_: &_| {
+                bar.inc(1);
+                true
+            };
+            said(chart(&setup, search, *along, watch), &mut remarks)?
+        }
+        _ => None,
     };
 
     remarks.extend(chart.as_ref().map_or_else(Vec::new, Chart::warnings));
 
-    let of = if search.maximize == Outcome::Lateral {
-        vec![Outcome::Carry]
-    } else {
-        vec![search.maximize, Outcome::Lateral]
-    };
-    let effects = said(effects(&setup, &of, &sigmas, |_, _| ()), &mut remarks)?.unwrap_or_default();
+    let shown = if of == Outcome::Lateral { vec![Outcome::Carry] } else { vec![of, Outcome::Lateral] };
+    let effects = said(effects(&setup, &shown, &sigmas, |_, _| ()), &mut remarks)?.unwrap_or_default();
     bar.inc(1);
-    let rows = said(rows(&setup, &search), &mut remarks)?.unwrap_or_default();
+    let rows = said(rows(&setup, of, search), &mut remarks)?.unwrap_or_default();
     bar.inc(1);
 
     let findings = Findings {
@@ -106,28 +110,56 @@ pub fn run(args: &Report) -> Result<Answer> {
     let index = args.output.join("index.html");
     tell(&format!("{} ({} files)", index.display(), documents.len()));
     let names: Vec<&str> = documents.iter().map(|document| document.name.as_str()).collect();
+    let missing = found.as_ref().filter(|_| best.is_none());
     let answer = if args.question.json {
-        let (status, message) = match &flown[0].drive.flight {
-            Flight::None(why) => (why.status(), Some(why.to_string())),
-            Flight::Landed(_) if is_found => ("done", None),
-            Flight::Landed(_) => (found.status(), Some(found.message().to_string())),
+        let (status, message) = match (&flown[0].drive.flight, missing) {
+            (Flight::None(why), _) => (why.status(), Some(why.to_string())),
+            (Flight::Landed(_), None) => ("done", None),
+            (Flight::Landed(_), Some(found)) => (found.status(), Some(found.message().to_string())),
         };
         let body = json!({ "folder": args.output.display().to_string(), "files": names });
         Answer::json(&Reply::done("report", remarks.clone(), body).ended(status, message))
     } else {
         Answer::text(String::new())
     };
-    Ok(answer.found(is_found && flown[0].drive.landed().is_ok()))
+    Ok(answer.found(missing.is_none() && flown[0].drive.landed().is_ok()))
 }
 
-/// The derivatives of the outcome by what is varied, and by the speed of the swing, beside differences.
-fn rows(setup: &Setup<f64>, search: &Search) -> Result<Vec<Row>> {
-    let mut wrt: Vec<_> = search.vary.iter().map(|vary| vary.parameter).collect();
-    let speed = setup.variable("swing.speed")?;
+/// What the report of a launch says where nothing is to be varied.
+const NO_SEARCH: &str = "the drive is given by its launch, so there is no loft and no attack angle to vary: the optimum, its map and its chart \
+                         are left out; to look for the best launch, give --vary, for example launch.launch_angle=5deg..20deg";
+
+impl Report {
+    /// What is looked for, and the parameter that the optimum is followed along; nothing for a launch of which nothing is varied.
+    fn sought(&self, setup: &Setup<f64>) -> Result<Option<(Search, Vary)>> {
+        let is_launched = setup.launch.is_given();
+        if !is_launched || !self.search.vary.is_empty() {
+            let usual = if is_launched { "launch.ball_speed=120mph..190mph" } else { "swing.speed=80mph..130mph" };
+            let along = Vary::read(setup, self.along.as_deref().unwrap_or(usual))?;
+            return Ok(Some((self.search.search(setup)?, along)));
+        }
+        let of_search = self.search.given().into_iter().chain(self.along.as_ref().map(|_| "--along"));
+        match of_search.into_iter().find(|option| !["--maximize", "--minimize"].contains(option)) {
+            Some(option) => {
+                let source = "it is about the search for an optimum; give --vary too, for example launch.launch_angle=5deg..20deg, or leave \
+                              it out";
+                Err(Error::Unreadable { name: option.into(), source: source.into() })
+            }
+            None => Ok(None),
+        }
+    }
+}
+
+/// The derivatives of the outcome by what is varied, or by what is usual, and by the speed of swing or ball, beside differences.
+fn rows(setup: &Setup<f64>, of: Outcome, search: Option<&Search>) -> Result<Vec<Row>> {
+    let mut wrt = match search {
+        Some(search) => search.vary.iter().map(|vary| vary.parameter).collect(),
+        None => usual(setup)?,
+    };
+    let speed = setup.variable(if setup.launch.is_given() { "launch.ball_speed" } else { "swing.speed" })?;
     if !wrt.contains(&speed) {
         wrt.push(speed);
     }
-    let of = search.maximize;
     let mut rows = certify(setup, &[of], &wrt, |_, _| ())?.rows;
     // not those of the landing, which are looked at beside
     rows.retain(|row| row.of == of);

@@ -16,11 +16,7 @@ impl SearchArgs {
     pub fn search(&self, setup: &Setup<f64>) -> Result<Search> {
         let vary = self.vary.iter().map(|text| Vary::read(setup, text)).collect::<Result<Vec<_>>>()?;
         let default = Search::longest_drive(setup);
-        let (of, sense) = match (&self.maximize, &self.minimize) {
-            (_, Some(of)) => (Outcome::named(of)?, Sense::Minimize),
-            (Some(of), None) => (Outcome::named(of)?, Sense::Maximize),
-            (None, None) => (Outcome::Carry, Sense::Maximize),
-        };
+        let (of, sense) = self.sought()?;
         let options = Options::default();
         Ok(Search {
             maximize: of,
@@ -28,6 +24,15 @@ impl SearchArgs {
             vary: if vary.is_empty() { default?.vary } else { vary },
             subject_to: self.subject_to.iter().map(|text| Constraint::read(text)).collect::<Result<_>>()?,
             options: Options { max_iterations: self.max_iterations.unwrap_or(options.max_iterations), ..options },
+        })
+    }
+
+    /// The outcome that is looked at, and which value of it is sought.
+    pub fn sought(&self) -> Result<(Outcome, Sense)> {
+        Ok(match (&self.maximize, &self.minimize) {
+            (_, Some(of)) => (Outcome::named(of)?, Sense::Minimize),
+            (Some(of), None) => (Outcome::named(of)?, Sense::Maximize),
+            (None, None) => (Outcome::Carry, Sense::Maximize),
         })
     }
 

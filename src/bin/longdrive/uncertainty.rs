@@ -32,6 +32,8 @@ fn inputs(setup: &Setup<f64>, args: &UncertaintyArgs) -> Result<Vec<Uncertain>> 
     let sigmas = args.sigma.iter().map(|text| Sigma::read(setup, text)).collect::<Result<Vec<_>>>()?;
     let distributions =
         args.distribution.iter().map(|text| Uncertain::read(setup, text)).collect::<Result<Vec<_>>>()?;
+    let distributed: Vec<_> = distributions.iter().map(|input| input.parameter).collect();
+    args.question.refuse_unused(setup, &distributed, "--distribution gives its values")?;
     let is_given = !(sigmas.is_empty() && distributions.is_empty());
     let sigmas = if is_given { sigmas } else { with_defaults(setup, &[])? };
     for sigma in sigmas.iter() {

@@ -37,8 +37,8 @@ pub enum Status {
     /// The sum is at a minimum, but not at one point alone: along some direction the residuals do not change, or too little to
     /// tell. A fit does not look for that; whoever judges its Jacobian says so.
     Undetermined,
-    /// The sum is at a minimum as far as can be told, but one residual is so large that the others vanish beside it in the
-    /// sum's rounding. Said by whoever judges the residuals, as above.
+    /// The sum is at a minimum as far as can be told, but one residual is so large that the others have no say beside it. Said by
+    /// whoever judges the residuals, as above.
     Outweighed,
     /// No step makes the sum smaller, though the slope is not 0.
     Stalled,

@@ -11,7 +11,7 @@ use super::document::Document;
 use crate::optimize::least_squares::Status;
 use crate::report::shown;
 use crate::study::calibrate::{Calibration, Estimate, HeldOut, Remainder, ShotTable, Uncertainties, Undetermined};
-use crate::units::{Quantity, System, counted, significant};
+use crate::units::{Quantity, System, counted, fixed, signed, significant};
 
 /// All that a report of a calibration shows.
 #[derive(Clone, Copy, Debug)]
@@ -64,7 +64,9 @@ fn to_its_error(quantity: Quantity, unit: &str, value: f64, standard_error: Opti
     let size = quantity.size_of(unit).unwrap_or(1.0);
     let decimals = standard_error.filter(|error| *error > 0.0).map(|error| 1.0 - (error / size).log10().floor());
     match decimals {
-        Some(decimals @ 0.0..=9.0) => format!("{:.*} {unit}", decimals as usize, value / size).trim_end().to_owned(),
+        Some(decimals @ 0.0..=9.0) => {
+            format!("{} {unit}", fixed(value / size, decimals as usize)).trim_end().to_owned()
+        }
         _ => quantity.show(value, unit),
     }
 }
@@ -208,7 +210,7 @@ fn correlations(document: &mut Document, found: &Calibration) {
     let head: Vec<&str> = head.iter().map(String::as_str).collect();
     let cell = |a: usize, b: usize| match found.statistics.correlation(a, b) {
         _ if b > a => String::new(),
-        Some(r) => format!("{r:.2}"),
+        Some(r) => fixed(r, 2),
         None => "–".into(),
     };
     let rows = (0..n).map(|a| {
@@ -231,13 +233,12 @@ fn row(remainder: &Remainder, system: System) -> Vec<String> {
             short(*difference, outcome.quantity(), system.unit(outcome.unit())),
         ),
     };
-    vec![row.to_string(), measured, difference, format!("{residual:.2}"), what]
+    vec![row.to_string(), measured, difference, fixed(*residual, 2), what]
 }
 
 /// A difference, with its sign.
 fn short(difference: f64, quantity: Quantity, unit: &str) -> String {
-    let shown = quantity.read_off_difference(difference, unit);
-    if difference > 0.0 { format!("+{shown}") } else { shown }
+    signed(difference, quantity.read_off_difference(difference, unit))
 }
 
 /// Root mean squares of the held-out differences, outcome by outcome.

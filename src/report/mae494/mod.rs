@@ -11,7 +11,7 @@ pub use json::mae494_reply;
 use super::document::Document;
 use super::published::Published;
 use crate::reproduce::Mae494;
-use crate::units::System;
+use crate::units::{System, fixed};
 
 /// The report, reproduced, as a document: computed numbers in the units of `system`, printed ones as the report prints them, with those
 /// units beside.
@@ -37,5 +37,5 @@ pub fn mae494_document(found: &Mae494, system: System) -> Document {
 
 /// An angle in degrees, to four decimals as the report prints it.
 fn degrees(radians: f64) -> String {
-    format!("{:.4}°", radians.to_degrees())
+    format!("{}°", fixed(radians.to_degrees(), 4))
 }

@@ -5,7 +5,7 @@ use crate::report::document::Document;
 use crate::report::published::Published;
 use crate::report::shown::{ratio, stated};
 use crate::reproduce::{Launched, Mae494};
-use crate::units::Quantity;
+use crate::units::{Quantity, fixed, signed};
 
 pub(super) fn energy(document: &mut Document, found: &Mae494, shown: Published) {
     let energy = &found.energy;
@@ -63,7 +63,7 @@ pub(super) fn subsystems(document: &mut Document, found: &Mae494, shown: Publish
         shown.length(parts.flight.carry - parts.whole.carry),
     ));
     let through = |parts: &[f64; 3]| {
-        let for_a_degree = |part: f64| format!("{:+.4}", shown.length_number(part).to_radians());
+        let for_a_degree = |part: f64| with_sign(shown.length_number(part).to_radians());
         let [speed, angle, spin] = parts.map(for_a_degree);
         let sum: f64 = parts.iter().sum();
         vec![speed, angle, spin, for_a_degree(if sum.abs() < 1e-9 { 0.0 } else { sum })]
@@ -90,8 +90,8 @@ pub(super) fn parametric(document: &mut Document, found: &Mae494, shown: Publish
     let rows = study.sensitivities.iter().map(|constant| {
         let parameter = constant.sensitivity.parameter;
         vec![
-            format!("{:+.4} {}", shown.length_number(constant.carry_per_cent()) + 0.0, shown.length_unit()),
-            format!("{:+.4}°", constant.loft_per_cent().to_degrees() + 0.0),
+            format!("{} {}", with_sign(shown.length_number(constant.carry_per_cent())), shown.length_unit()),
+            format!("{}°", with_sign(constant.loft_per_cent().to_degrees())),
             stated(parameter, constant.value, shown.system),
             parameter.name.into(),
         ]
@@ -114,6 +114,11 @@ pub(super) fn parametric(document: &mut Document, found: &Mae494, shown: Publish
         ]
     });
     document.table(&["carry predicted", "carry", "loft predicted", "loft", "change"], rows);
+}
+
+/// A change with four decimals and its sign.
+fn with_sign(change: f64) -> String {
+    signed(change, fixed(change, 4))
 }
 
 /// A spin without the trace that a search leaves of none.

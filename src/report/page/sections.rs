@@ -6,6 +6,8 @@ use crate::drive::{Outcome, Part};
 use crate::error::Result;
 use crate::flight::Flight;
 use crate::optimize::Status;
+use crate::parameters::Parameter;
+use crate::report::certificate::settled;
 use crate::report::figures::{Flown, capital};
 use crate::report::optimum::{bound_in_words, constraint_price, constraints};
 use crate::report::presets::sources;
@@ -180,7 +182,7 @@ pub(super) fn verdicts(rows: &[Row]) -> Markup {
                 @for row in rows {
                     tr {
                         td { "d " (row.of.name()) "/d " (row.parameter.name) }
-                        td.number { (significant(row.first.exact, 10)) }
+                        td.number { (significant(settled(row), 10)) }
                         td.number { (row.first.best.map_or("–".into(), |best| significant(best.value, 10))) }
                         td.number { (format!("{:.1e}", row.first.error)) }
                         td { (row.verdict().name()) }
@@ -193,9 +195,14 @@ pub(super) fn verdicts(rows: &[Row]) -> Markup {
 
 /// Every number of the setup, with its source.
 pub(super) fn setup(findings: &Findings<'_>) -> Result<Markup> {
-    let rows = sources(findings.setup, findings.preset)?;
+    let is_launched = findings.setup.launch.is_given();
+    let is_used = |name: &str| !(is_launched && findings.setup.parameter(name).is_ok_and(Parameter::is_of_strike));
+    let rows = sources(findings.setup, findings.preset)?.into_iter().filter(|(name, ..)| is_used(name));
     Ok(html! {
-        p.faint { "All numbers of the setup and their sources; it is based on the preset " (findings.preset.name) "." }
+        p.faint {
+            "All numbers of the setup and their sources; it is based on the preset " (findings.preset.name) "."
+            @if is_launched { " Those of swing, club, strike and impact are left out: no club strikes the ball." }
+        }
         div.wide { table.told {
             thead { tr { th { "parameter" } th.number { "value" } th { "source" } } }
             tbody {

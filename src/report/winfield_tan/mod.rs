@@ -9,7 +9,7 @@ pub use json::winfield_tan_reply;
 use super::document::Document;
 use super::published::Published;
 use crate::reproduce::WinfieldTan;
-use crate::units::System;
+use crate::units::{System, fixed};
 
 /// The paper, reproduced, as a document: computed numbers in the units of `system`, printed ones as the paper prints them, with those
 /// units beside.
@@ -33,7 +33,7 @@ pub fn winfield_tan_document(found: &WinfieldTan, system: System) -> Document {
 
 /// An angle in degrees, to two decimals as the paper prints it.
 fn degrees(radians: f64) -> String {
-    format!("{:.2}°", radians.to_degrees())
+    format!("{}°", fixed(radians.to_degrees(), 2))
 }
 
 /// Root mean square and the largest size of some numbers.

@@ -5,7 +5,7 @@ use crate::report::document::Document;
 use crate::report::plot::{Axis, Figure, Layer, Measure};
 use crate::report::published::Published;
 use crate::reproduce::{Best, MISPRINTS, WinfieldTan};
-use crate::units::Quantity;
+use crate::units::{Quantity, fixed};
 
 pub(super) fn shot(document: &mut Document, found: &WinfieldTan, shown: Published) {
     let (ours, theirs) = (&found.shot.computed, &found.shot.printed);
@@ -48,7 +48,7 @@ pub(super) fn shot(document: &mut Document, found: &WinfieldTan, shown: Publishe
 
 pub(super) fn optimum(document: &mut Document, found: &WinfieldTan, shown: Published) {
     let Best { computed, printed, at_printed } = &found.optimum;
-    let less = |by: f64| format!("{:.3} {}", shown.length_number(by), shown.length_unit());
+    let less = |by: f64| format!("{} {}", fixed(shown.length_number(by), 3), shown.length_unit());
     document.heading("The optimum");
     document.table(
         &["loft", "attack angle", "carry", ""],

@@ -1,7 +1,7 @@
 use super::reading::Reading;
 use super::shot::Shot;
 use super::statistics::Uncertainties;
-use crate::columns::{Column, Head, Holds, separated, summary};
+use crate::columns::{Column, Head, Holds, Marks, separated, summary};
 use crate::error::{Error, Result};
 use crate::foreign::{of_csv, of_csv_row, of_io};
 use crate::parameters::{Parameter, Setup};
@@ -50,8 +50,9 @@ impl ShotTable {
     /// Reads a table in CSV.
     ///
     /// # Errors
-    /// [`Error::Table`] with row and column for a column that is unknown, given twice or in a wrong unit, a cell that is no
-    /// number, a sigma that is not positive, a value outside its range, a row without a measurement, and a table without rows. Of a
+    /// [`Error::Table`] with row and column for a column that is unknown, given twice or in a wrong unit, a cell that is no number or whose
+    /// decimal mark is uncertain, a sigma that is not positive, a value outside its range, a row without a measurement, and a table without
+    /// rows. Of a
     /// launch monitor's export, rows that sum up others and rows with an empty cell that every shot needs are left out, and named in the
     /// remarks.
     pub fn read(setup: &Setup<f64>, file: &str, source: impl Read) -> Result<Self> {
@@ -91,6 +92,7 @@ impl ShotTable {
             return Err(refused(String::new(), reason.into()));
         }
         let (mut shots, mut summaries, mut incomplete) = (vec![], vec![], vec![]);
+        let mut marks = Marks::default();
         for (at, record) in records.enumerate() {
             let row = at + 1;
             let record =
@@ -98,6 +100,10 @@ impl ShotTable {
             if let Some(word) = summary(record.iter()).filter(|_| is_export) {
                 summaries.push(format!("{row} ({word})"));
                 continue;
+            }
+            for (column, cell) in reading.columns.iter().zip(&record) {
+                let place = || format!(", row {row}, column {}", column.head);
+                marks.look(row as u64, column, cell).map_err(|reason| refused(place(), reason))?;
             }
             match reading.shot(row, &record) {
                 Ok(shot) => shots.push(shot),

@@ -1,5 +1,5 @@
 use super::data::ShotTable;
-use super::refusal::refusal;
+use super::refusal::no_answer;
 use super::residuals::ShotResiduals;
 use super::shot::Shot;
 use super::statistics::{Fitted, Statistics};
@@ -107,7 +107,7 @@ impl Plan {
         Ok(Self { fit, starts: 1, options: Options::default() })
     }
 
-    fn check(&self, table: &ShotTable) -> Result<()> {
+    pub(super) fn check(&self, table: &ShotTable) -> Result<()> {
         let refuse = |reason: String| Err(Error::Calibration { reason });
         for Vary { parameter, .. } in &self.fit {
             if table.is_launched && parameter.is_of_strike() {
@@ -147,8 +147,7 @@ impl Plan {
 /// held while the search runs, and renewed until it stays.
 ///
 /// # Errors
-/// [`Error::Calibration`] for a plan that does not fit the table; [`Error::NotConverged`] where rows do not fly at any start,
-/// with each of them.
+/// [`Error::Calibration`] for a plan that does not fit the table; [`Error::NoFit`] where rows do not fly at any start, with each of them.
 pub fn calibrate(setup: &Setup<f64>, table: &ShotTable, plan: &Plan, follow: &Follow) -> Result<Calibration> {
     /// Curvatures are renewed at most so often, until none changes by more than this part.
     const RENEWALS: usize = 8;
@@ -169,7 +168,7 @@ pub fn calibrate(setup: &Setup<f64>, table: &ShotTable, plan: &Plan, follow: &Fo
         let others = starts(&domain, &own, START_TRIALS)?;
         from = others.into_iter().filter(|start| problem.begin(start)).take(1).collect();
         if from.is_empty() {
-            return Err(nothing_flies(&problem, &own));
+            return Err(missing(NO_START, &problem, &own));
         }
     }
     let mut renewals = 0;
@@ -177,7 +176,7 @@ pub fn calibrate(setup: &Setup<f64>, table: &ShotTable, plan: &Plan, follow: &Fo
         let fits = fit_from(&problem, &domain, &from, &options, follow)?;
         let best = &fits[0];
         if best.rows.residuals.is_empty() {
-            return Err(nothing_flies(&problem, &own));
+            return Err(missing(NO_START, &problem, &own));
         }
         let renewed = problem.curvatures_at(&best.x)?;
         let pairs = renewed.iter().flatten().zip(problem.curvatures.iter().flatten());
@@ -197,15 +196,18 @@ pub fn calibrate(setup: &Setup<f64>, table: &ShotTable, plan: &Plan, follow: &Fo
     Ok(Calibration { starts: (plan.starts, same), renewals, ..found })
 }
 
-fn nothing_flies(problem: &ShotResiduals<'_>, start: &[f64]) -> Error {
-    let reason = match problem.each(start) {
+/// What a fit lacks that cannot begin.
+const NO_START: &str = "no start was found at which every row has an answer";
+
+/// The error for the rows that have no answer at a point.
+fn missing(what: &str, problem: &ShotResiduals<'_>, at: &[f64]) -> Error {
+    match problem.each(at) {
         Ok(each) => {
             let rows = problem.shots.iter().zip(each);
-            refusal(&rows.filter_map(|(shot, row)| row.err().map(|why| (shot.row, why))).collect::<Vec<_>>())
+            no_answer(what, &rows.filter_map(|(shot, row)| row.err().map(|why| (shot.row, why))).collect::<Vec<_>>())
         }
-        Err(error) => error.to_string(),
-    };
-    Error::Calibration { reason }
+        Err(error) => Error::Calibration { reason: error.to_string() },
+    }
 }
 
 fn finished(
@@ -264,7 +266,9 @@ pub(super) fn remainders(shots: &[Shot], residuals: &[f64]) -> Vec<Remainder> {
 /// The residuals of shots flown with a setup as it stands.
 pub(super) fn flown(setup: &Setup<f64>, shots: &[Shot]) -> Result<Vec<Remainder>> {
     let mut problem = ShotResiduals { setup: *setup, shots, fitted: vec![], curvatures: vec![] };
-    problem.curvatures = problem.curvatures_at(&[])?;
+    if !problem.begin(&[]) {
+        return Err(missing("rows to be predicted have no answer", &problem, &[]));
+    }
     let rows = problem.evaluate(&[]).map_err(|reason| Error::Calibration { reason })?;
     Ok(remainders(shots, &rows.residuals))
 }

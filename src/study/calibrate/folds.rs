@@ -5,6 +5,7 @@ use super::estimate::{Plan, Remainder, calibrate, flown};
 use crate::error::{Error, Result};
 use crate::optimize::least_squares::{Follow, Status};
 use crate::parameters::Setup;
+use crate::units::counted;
 
 /// Residuals of shots that each fit had not seen.
 #[derive(Clone, Debug)]
@@ -37,23 +38,50 @@ impl HeldOut {
     /// Shots flown with a setup as it stands: of shots it was not fitted to, that is their held-out error.
     ///
     /// # Errors
-    /// [`Error::Calibration`] with the row that has no answer.
+    /// [`Error::NoFit`] with the rows that have no answer.
     pub fn as_it_stands(setup: &Setup<f64>, table: &ShotTable) -> Result<Self> {
         Ok(Self { folds: 0, ended: vec![], remainders: flown(setup, &table.shots)? })
     }
+}
+
+/// Whether a plan can be cross-validated in so many parts: what [`held_out`] refuses, said before any fit.
+///
+/// # Errors
+/// [`Error::Calibration`] for less than 2 or more parts than rows, for a plan that does not fit the table, and where a fit would be left
+/// with fewer values than parameters.
+pub fn check_folds(table: &ShotTable, plan: &Plan, folds: usize) -> Result<()> {
+    let refuse = |reason: String| Err(Error::Calibration { reason });
+    let rows = table.shots.len();
+    if folds < 2 || folds > rows {
+        let range = match rows {
+            1 => "at least 2 rows are needed to hold one out".into(),
+            rows => format!("the number of folds must be from 2 to {rows}"),
+        };
+        return refuse(format!("{} of {}; {range}", counted(folds as u64, "fold"), counted(rows as u64, "row")));
+    }
+    plan.check(table)?;
+    let left = |fold: usize| -> usize {
+        let seen = table.shots.iter().enumerate().filter(|(at, _)| at % folds != fold);
+        seen.map(|(_, shot)| shot.residuals()).sum()
+    };
+    let (least, parameters) = ((0..folds).map(left).min().unwrap_or_default(), plan.fit.len());
+    if least < parameters {
+        return refuse(format!(
+            "a fit without a fold has {least} measured values of {}, fewer than the {parameters} parameters to fit; take more folds, \
+             measure more, or fit less",
+            table.file
+        ));
+    }
+    Ok(())
 }
 
 /// k-fold cross-validation (Stone 1974): every k-th row is held out in turn, and told by a fit to the others. Once it is
 /// interrupted, the fit under way and those to come are counted as such, and their rows left out.
 ///
 /// # Errors
-/// [`Error::Calibration`] for less than 2 or more parts than rows; as [`calibrate`].
+/// As [`check_folds`] and [`calibrate`].
 pub fn held_out(setup: &Setup<f64>, table: &ShotTable, plan: &Plan, folds: usize, follow: &Follow) -> Result<HeldOut> {
-    let rows = table.shots.len();
-    if folds < 2 || folds > rows {
-        let reason = format!("{folds} folds of {rows} rows; at least 2 and at most one for each row are possible");
-        return Err(Error::Calibration { reason });
-    }
+    check_folds(table, plan, folds)?;
     let (mut remainders, mut ended) = (vec![], vec![]);
     for fold in 0..folds {
         if follow.is_interrupted() {

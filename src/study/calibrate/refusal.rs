@@ -13,8 +13,20 @@ struct Group {
     is_of_the_setup: bool,
 }
 
-/// One sentence for the rows that failed, each with its number and error, and what to do.
-pub(super) fn refusal(failed: &[(usize, Error)]) -> String {
+/// The error for the rows that failed, each with its number and its own error: bad input where one of them is, else no answer. `what` says
+/// where they failed.
+pub(super) fn no_answer(what: &str, failed: &[(usize, Error)]) -> Error {
+    let reason = format!("{what}: {}", refusal(failed));
+    let Some((_, first)) = failed.first() else { return Error::Calibration { reason } };
+    if failed.iter().any(|(_, error)| !error.is_an_outcome()) {
+        return Error::Calibration { reason };
+    }
+    let is_same = failed.iter().all(|(_, error)| error.status() == first.status());
+    Error::NoFit { status: if is_same { first.status() } else { "no-answer" }, reason }
+}
+
+/// One sentence for the rows, and what to do.
+fn refusal(failed: &[(usize, Error)]) -> String {
     let mut groups: Vec<Group> = vec![];
     for (row, error) in failed {
         let reason = reason(error);
@@ -34,7 +46,7 @@ pub(super) fn refusal(failed: &[(usize, Error)]) -> String {
         true => "",
         false => "; correct these rows or take them out, or start the fit elsewhere (--set, or --fit NAME=LOW..HIGH)",
     };
-    format!("no start was found at which every row has an answer: {}{advice}", said.join("; "))
+    said.join("; ") + advice
 }
 
 impl Group {
@@ -80,7 +92,7 @@ fn numbered(rows: &[usize]) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{numbered, refusal};
+    use super::{no_answer, numbered, refusal};
     use crate::error::Error;
 
     #[test]
@@ -101,5 +113,21 @@ mod tests {
             "{told}"
         );
         assert!(told.contains("take them out"), "{told}");
+    }
+
+    #[test]
+    fn rows_that_do_not_fly_are_no_answer_and_bad_input_is_an_error() {
+        let diverged = || Error::Diverged { time: 1.0, step: 2.0, advice: "reduce flight.step".into() };
+        let no_flight = || Error::NoFlight { reason: "the ball leaves downwards".into() };
+        let wrong = || Error::Calibration { reason: "row 3 is not a number".into() };
+        for (errors, status) in [
+            (vec![diverged(), diverged()], "diverged"),
+            (vec![no_flight()], "no-flight"),
+            (vec![diverged(), no_flight()], "no-answer"),
+            (vec![diverged(), wrong()], "error"),
+        ] {
+            let failed: Vec<_> = errors.into_iter().enumerate().collect();
+            assert_eq!(no_answer("nothing flies", &failed).status(), status, "{failed:?}");
+        }
     }
 }

@@ -103,15 +103,25 @@ impl Columns {
     }
 
     /// A direction, where the data do not determine it: they do not notice it at all, or one standard error along it is more than a
-    /// parameter's whole range.
+    /// parameter's whole range, or it has the largest part in a standard error that is.
     fn undetermined(&self, k: usize, scale: Option<f64>, fitted: &[Fitted]) -> Option<Undetermined> {
         let parts = self.parts(k);
         if self.is_singular(k) {
             return Some(Undetermined { parts, standard_error: None });
         }
-        let error = scale? / self.values[k];
-        let is_beyond = parts.iter().any(|(at, part)| (part * error).abs() > fitted[*at].width);
-        is_beyond.then_some(Undetermined { parts, standard_error: Some(error) })
+        let scale = scale?;
+        let error = scale / self.values[k];
+        let is_beyond = |i: usize| {
+            let width = fitted[self.at[i]].width;
+            let along = |k: usize| (self.directions[(k, i)] / self.values[k]).abs();
+            let is_largest = (0..self.at.len()).all(|other| self.is_singular(other) || along(other) <= along(k));
+            let along = scale * along(k) / self.lengths[i];
+            along > width || is_largest && scale * self.covariance(i, i).sqrt() > width
+        };
+        let is_part = |i: usize| parts.iter().any(|(at, _)| *at == self.at[i]);
+        (0..self.at.len())
+            .any(|i| is_part(i) && is_beyond(i))
+            .then_some(Undetermined { parts, standard_error: Some(error) })
     }
 
     /// The covariance of two parameters, by their places here, of residuals with unit uncertainty.
@@ -279,6 +289,13 @@ mod tests {
         assert_eq!(narrow.undetermined.len(), 1);
         assert!(narrow.undetermined[0].standard_error.unwrap() > 1e3, "{narrow:?}");
         assert_eq!((narrow.standard_error(0), narrow.standard_error(1)), (None, None));
+
+        // correlated by 0.6: 1.12 and 0.56 along the two directions make a standard error of 1.25
+        let rows = Rows { residuals: vec![0.3, -0.3], jacobian: vec![vec![1.0, 0.6], vec![0.0, 0.8]] };
+        let wide = of(&rows, &[free(1.3), free(100.0)], Uncertainties::Stated);
+        assert!(wide.determines(0) && (wide.standard_error(0).unwrap() - 1.25).abs() < 1e-12, "{wide:?}");
+        let narrow = of(&rows, &[free(1.2), free(100.0)], Uncertainties::Stated);
+        assert!(!narrow.determines(0) && narrow.undetermined.len() == 1, "{narrow:?}");
 
         let held = Fitted { is_free: false, width: 1.0 };
         let blind = Rows { residuals: vec![0.5, -0.5], jacobian: vec![vec![1.0, 0.0], vec![1.0, 0.0]] };

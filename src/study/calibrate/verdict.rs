@@ -22,14 +22,15 @@ pub(super) fn of_searches(fits: &mut [Fit], is_settled: bool, is_interrupted: bo
 
 /// The verdict where the data do not determine the parameters, or where one row leaves the others no say.
 pub(super) fn of_data(found: &mut Calibration, loss: Loss) {
-    if found.fit.status != Status::Converged {
+    // a search also stalls where the data say too little for a step to show in the sum
+    if !matches!(found.fit.status, Status::Converged | Status::Stalled) {
         return;
     }
     if let Some(row) = outweighing(&found.remainders, loss) {
         found.fit.status = Status::Outweighed;
         found.fit.message = format!(
-            "row {}: {} lies {:.1e} of its standard uncertainties from any fit, and beside that all other rows vanish in the \
-             rounding of the sum; correct the row or its sigma, or take it out",
+            "row {}: {} lies {:.1e} of its standard uncertainties from the fit, so that the other rows are less than a millionth of the \
+             sum and have no say; correct the row or its sigma, or take it out",
             row.row,
             row.outcome.name(),
             row.residual.abs()
@@ -49,13 +50,21 @@ pub(super) fn of_data(found: &mut Calibration, loss: Loss) {
     }
 }
 
-/// The row whose cost is so large that the cost of all others is lost in its rounding.
+/// The row that pulls so hard that all others together have less than a millionth of its square. Its residual is then more than 1000
+/// standard uncertainties, which is no noise. With Huber's loss no row pulls harder than its limit.
 fn outweighing(remainders: &[Remainder], loss: Loss) -> Option<&Remainder> {
-    /// Part of a sum that its rounding hides.
+    /// The part of the sum that the others have at most.
+    const PART: f64 = 1e-6;
+    /// Part of a sum that its rounding hides, whatever the loss.
     const ROUNDING: f64 = 1e-15;
     let most = remainders.iter().max_by(|a, b| a.residual.abs().total_cmp(&b.residual.abs()))?;
-    let rest: f64 = remainders.iter().filter(|other| !std::ptr::eq(*other, most)).map(|r| loss.of(r.residual)).sum();
-    (loss.of(most.residual) * ROUNDING > rest.max(1.0)).then_some(most)
+    let outweighs = |part: f64, of: &dyn Fn(f64) -> f64| {
+        let others = remainders.iter().filter(|other| !std::ptr::eq(*other, most));
+        let rest: f64 = others.map(|other| of(other.residual)).sum();
+        of(most.residual) * part > rest.max(1.0)
+    };
+    let pull = |residual: f64| (loss.weight(residual) * residual).powi(2);
+    (outweighs(PART, &pull) || outweighs(ROUNDING, &|residual| loss.of(residual))).then_some(most)
 }
 
 fn names(found: &Calibration, direction: &Undetermined) -> String {

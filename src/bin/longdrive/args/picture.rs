@@ -170,12 +170,8 @@ pub struct Report {
     #[arg(long, value_name = "NAME=AMOUNT")]
     pub sigma: Vec<String>,
 
-    /// The parameter to follow the optimum along, with its range.
-    #[arg(
-        long,
-        value_name = "NAME=LOW..HIGH",
-        default_value = "swing.speed=80mph..130mph",
-        allow_hyphen_values = true
-    )]
-    pub along: String,
+    /// The parameter to follow the optimum along, with its range [default: swing.speed=80mph..130mph; with --launch,
+    /// launch.ball_speed=120mph..190mph].
+    #[arg(long, value_name = "NAME=LOW..HIGH", allow_hyphen_values = true)]
+    pub along: Option<String>,
 }

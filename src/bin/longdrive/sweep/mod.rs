@@ -15,7 +15,7 @@ use crate::search::interrupt;
 use longdrive::batch::{Batch, Run, Status, Tally};
 use longdrive::drive::{Looked, Part};
 use longdrive::report::Reply;
-use longdrive::units::counted;
+use longdrive::units::{Message, counted};
 use longdrive::{Error, Outcome, Result};
 use rows::{Rows, Writer};
 use serde::Serialize;
@@ -34,14 +34,15 @@ pub fn run(args: &Sweep) -> Result<Answer> {
     let setup = accuracy.map_or(setup, |found| found.applied_to(&setup));
     let target = Target::new(args)?;
     let mut points = points::points(&setup, args)?;
-    for note in points.notes() {
+    let notes = points.notes();
+    for note in &notes {
         tell(&format!("note: {}: {}", described(args), note.in_units(system())));
     }
     if let (Some(table), 0) = (&args.points, points.rows()) {
         let reason = "it has a head and no rows; give a row for each drive".into();
         return Err(Error::Table { file: table.display().to_string(), place: String::new(), reason });
     }
-    args.question.refuse_twice(&setup, points.parameters())?;
+    args.question.refuse_twice(&setup, points.parameters(), "every drive of the sweep has a value of its own")?;
     if !setup.launch.is_given() && points.parameters().iter().any(|parameter| parameter.is_of_launch()) {
         args.question.refuse_club(&setup, "the points are launches")?;
     }
@@ -86,7 +87,7 @@ pub fn run(args: &Sweep) -> Result<Answer> {
     output.close(is_complete)?;
     done?;
 
-    let summary = Summary::new(total, output.tally(), args);
+    let summary = Summary::new(total, output.tally(), notes, args);
     let beyond = output.tally().beyond();
     let beyond = beyond.warnings(&setup.law, ["drive that landed", "drives that landed"], Looked::AtLaunch);
     warn(&beyond);
@@ -154,13 +155,15 @@ struct Summary {
     written: u64,
     /// How many of them ended how.
     statuses: Map<String, Value>,
+    /// What deserves a word about where the points come from.
+    remarks: Vec<Message>,
 }
 
 impl Summary {
-    fn new(rows: u64, tally: Tally, args: &Sweep) -> Self {
+    fn new(rows: u64, tally: Tally, remarks: Vec<Message>, args: &Sweep) -> Self {
         let statuses = tally.counts().map(|(status, count)| (status.name().into(), count.into())).collect();
         let written = tally.counts().map(|(_, count)| count).sum();
-        Self { file: args.output.display().to_string(), rows, written, statuses }
+        Self { file: args.output.display().to_string(), rows, written, statuses, remarks }
     }
 
     fn text(&self, file: Option<&Path>) -> String {
