@@ -110,6 +110,11 @@ pub struct Block {
 }
 
 impl Block {
+    /// Takes away what a drive was found to have.
+    pub(super) fn clear(&mut self, row: usize) {
+        self.outcomes.iter_mut().chain(&mut self.derivatives).for_each(|column| column[row] = f64::NAN);
+    }
+
     /// The row of its first point, from 0.
     pub fn first_row(&self) -> u64 {
         self.first_row

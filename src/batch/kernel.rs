@@ -41,6 +41,7 @@ impl Kernel {
         let mut alone = if self.goes_abreast() { self.abreast(&mut block) } else { (0..rows).collect() };
         alone.extend((0..rows).filter(|&row| self.is_off(block.defect[row])));
         for row in alone {
+            block.clear(row);
             if let Ok(setup) = self.moved(block.point(row)) {
                 self.drive(setup, row, &mut block);
             }

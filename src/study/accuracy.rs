@@ -115,7 +115,8 @@ impl Sample {
         };
         let still = [own(setup.variable("gravity")?)];
         // of two ranges of one parameter the command itself complains
-        let ranges = ranges.iter().enumerate().filter(|(i, range)| ranges[..*i].iter().all(|r| r.parameter != range.parameter));
+        let ranges =
+            ranges.iter().enumerate().filter(|(i, range)| ranges[..*i].iter().all(|r| r.parameter != range.parameter));
         let ranges: Vec<Vary> = ranges.map(|(_, range)| *range).collect();
         let ranges = if ranges.is_empty() { &still[..] } else { &ranges };
         let parameters: Vec<_> = ranges.iter().map(|range| range.parameter).collect();
@@ -124,9 +125,8 @@ impl Sample {
             Ok(Batch::new(&integrated(setup, step), &parameters, &lengths, &[])?.evaluate(0, points.clone()))
         };
         // balls that never land would be followed for long in short steps
-        let may_land = |flown: &Block| {
-            (0..flown.rows()).any(|row| matches!(flown.status(row), Status::Landed | Status::Diverged))
-        };
+        let may_land =
+            |flown: &Block| (0..flown.rows()).any(|row| matches!(flown.status(row), Status::Landed | Status::Diverged));
         let none = || Error::NoFlight { reason: "no drive that the step would be chosen for lands".into() };
         if !may_land(&flown(LONGEST_STEP)?) {
             return Err(none());
@@ -185,7 +185,8 @@ fn integrated(setup: &Setup<f64>, step: f64) -> Setup<f64> {
 fn points(setup: &Setup<f64>, ranges: &[Vary]) -> Vec<f64> {
     // a launch that only the points have is taken in its middle
     let middle = |range: &Vary| 0.5 * (range.low + range.high);
-    let own: Vec<f64> = ranges.iter().map(|range| setup.value(range.parameter).unwrap_or_else(|| middle(range))).collect();
+    let own: Vec<f64> =
+        ranges.iter().map(|range| setup.value(range.parameter).unwrap_or_else(|| middle(range))).collect();
     let mut points = own.clone();
     for corner in 0..1_usize << ranges.len().min(MOST_COMBINED) {
         points.extend(ranges.iter().enumerate().map(|(i, range)| match corner >> i & 1 {

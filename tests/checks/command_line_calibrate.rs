@@ -8,12 +8,18 @@ const SHOTS: [&str; 4] = ["calibrate", "examples/shots.csv", "--fit", "aero.cd0"
 fn a_tolerance_is_honoured() {
     let with = |more: &[&str]| longdrive(&[&SHOTS[..], more].concat());
     let said = with(&["--tolerance=1m"]);
-    assert!(said.status == 0 && said.err.contains("method ") && said.err.contains("lengths are within"), "{}", said.err);
-    // the step that was chosen is the one that is flown: a metre shows in the carries that are left over
-    assert_ne!(said.out, with(&[]).out);
+    assert!(
+        said.status == 0 && said.err.contains("method ") && said.err.contains("lengths are within"),
+        "{}",
+        said.err
+    );
+    // without a tolerance it is a micrometre, and a metre shows in what is left over
+    let sum = |more: &[&str]| json(&[&SHOTS[..], more].concat()).1["chi_square"].clone();
+    assert_eq!(sum(&["--tolerance=1um"]), sum(&[]));
+    assert!(sum(&[]) != sum(&["--tolerance=1m"]) && sum(&[]) != sum(&["--own-step"]));
     let (status, fine) = json(&[&SHOTS[..], &["--tolerance=1um"]].concat());
     let setup = &fine["setup"];
-    assert!(status == 0 && setup["flight.step"].as_f64().unwrap() > 0.005, "{setup}");
+    assert!(status == 0 && setup["flight.method"] == "dp8", "{setup}");
     let said = with(&["--tolerance=0m"]);
     assert!(said.status == 2 && said.err.contains("the tolerance of 0 m"), "{}", said.err);
     // a range that was given to the fit is flown at its ends

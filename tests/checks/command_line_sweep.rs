@@ -266,7 +266,7 @@ fn exact_table_and_sample_on_the_command_line() {
     let file = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
     fs::write(file("points.csv"), "club.loft [deg],swing.speed [mph]\n10,110\n-20,100\n").unwrap();
     let out = file("out.jsonl");
-    let (status, summary) = json(&["sweep", "--points", &file("points.csv"), "-o", &out, "--gradient"]);
+    let (status, summary) = json(&["sweep", "--own-step", "--points", &file("points.csv"), "-o", &out, "--gradient"]);
     assert_eq!((status, &summary["rows"], &summary["written"]), (0, &2.into(), &2.into()));
     assert_eq!((&summary["statuses"]["landed"], &summary["statuses"]["no-flight"]), (&1.into(), &1.into()));
     let text = fs::read_to_string(&out).unwrap();
@@ -358,7 +358,7 @@ fn independent_rows_of_a_table_are_within_the_tolerance() {
     assert!(exact.len() == 6 && exact.iter().all(|carry| *carry > 100.0), "{exact:?}");
     for (text, tolerance) in [("1m", 1.0), ("1cm", 1e-2), ("1mm", 1e-3), ("1um", 1e-6)] {
         let (rows, told) = carries(&[&format!("--tolerance={text}")]);
-        assert!(told.contains("in the 49 drives"), "own, 16 corners, 32 within: {told}");
+        assert!(told.contains("in the 81"), "own, 16 corners, 64 within: {told}");
         for (carry, exact) in rows.iter().zip(&exact) {
             assert!((carry - exact).abs() <= tolerance, "{carry} beside {exact}, within {text}: {told}");
         }

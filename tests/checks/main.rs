@@ -32,6 +32,7 @@ mod smoothness;
 mod sweep;
 #[cfg(all(feature = "arrow", feature = "parquet"))]
 mod tables;
+mod tolerance;
 mod uncertainty;
 mod verify;
 mod warnings;

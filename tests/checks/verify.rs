@@ -187,6 +187,7 @@ fn independent_right_derivatives_that_were_called_wrong() {
     ];
     for (settings, by) in [(first, "aero.spin_decay"), (second, "wind.right")] {
         let mut setup = Setup::default();
+        setup.set("flight.step", "5 ms").unwrap();
         setup.set_all(settings).unwrap();
         let certificate = certificate(&setup, &of, &[setup.variable(by).unwrap()]);
         assert!(certificate.passed(), "{:?}", failures(&certificate));
