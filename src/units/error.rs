@@ -9,6 +9,14 @@ pub enum UnitError {
         /// A unit that would fit.
         unit: &'static str,
     },
+    /// The number NaN, which computers write where there is no number.
+    #[error("\"{text}\" is not a number; write for example \"10.5 {unit}\"")]
+    NotANumber {
+        /// The string.
+        text: String,
+        /// A unit that would fit.
+        unit: &'static str,
+    },
     /// A unit that is not known.
     #[error("\"{text}\" has the unknown unit '{unit}'; {wanted} takes {examples}")]
     UnknownUnit {

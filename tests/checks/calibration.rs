@@ -216,7 +216,7 @@ fn bad_tables_and_plans_are_refused_with_row_and_column() {
         ("cary [yd]\n200\n", &fit, vec!["column 1", "did you mean 'carry'"]),
         ("carry [kg]\n200\n", &fit, vec!["column 1", "carry", "200"].into_iter().take(2).collect()),
         ("carry [yd],carry [m]\n200,180\n", &fit, vec!["column 2", "two columns"]),
-        ("carry [yd]\n200\n", &fit, vec!["1 measured values, fewer than the 2 parameters"]),
+        ("carry [yd]\n200\n", &fit, vec!["1 measured value, fewer than the 2 parameters"]),
         ("carry [yd],club.loft [deg]\n200,10\n210,95\n", &fit, vec!["row 2", "column club.loft", "outside its range"]),
         ("carry [yd],club.loft [deg]\n200,10\n,11\n", &fit, vec!["row 2", "nothing is measured"]),
         ("carry [yd],club.loft [deg]\n200,10\n201,\n", &fit, vec!["row 2", "column club.loft", "empty"]),
@@ -261,7 +261,7 @@ fn exact_exports_leave_out_summaries_and_incomplete_rows_by_name_and_read_angles
     }
     // nothing but a summary is no table; and no other table has rows that are left out
     let error = read(&[head, below].concat()).unwrap_err().to_string();
-    assert!(error.contains("no shot is left of it (rows left out, since they sum up other rows: "), "{error}");
+    assert!(error.contains("no shot is left in it (rows left out, since they sum up other rows: "), "{error}");
     let error = read("ball_speed [mph],launch_angle [deg],backspin [rpm],carry [yd]\n,12,2500,262\n").unwrap_err();
     assert!(error.to_string().contains("row 1, column ball_speed: the cell is empty"), "{error}");
     let error =
@@ -355,7 +355,7 @@ fn exact_confounded_parameters_are_no_answer() {
         let (status, said, found) = asked(&text, &["--fit", "swing.shaft_lean", "--fit", "club.loft", "--set", &lean]);
         assert_eq!((status, found["status"].as_str()), (1, Some("undetermined")), "{said}");
         let message = found["message"].as_str().unwrap();
-        assert!(message.contains("the data do not determine swing.shaft_lean and club.loft apart"), "{message}");
+        assert!(message.contains("the data do not determine swing.shaft_lean and club.loft separately"), "{message}");
         for name in ["swing.shaft_lean", "club.loft"] {
             let estimate = &found["estimates"][name];
             assert!(estimate["standard_uncertainty"].is_null() && estimate["determined"] == false, "{estimate}");

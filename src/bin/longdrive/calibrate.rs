@@ -8,7 +8,7 @@ use longdrive::optimize::least_squares::{Follow, Loss};
 use longdrive::parameters::{Law, Vary};
 use longdrive::report::plot::Look;
 use longdrive::report::{CalibrationReport, calibration_document, calibration_reply, calibration_toml};
-use longdrive::study::calibrate::{HeldOut, Plan, ShotTable, beyond, calibrate, held_out, ranges};
+use longdrive::study::calibrate::{HeldOut, Plan, ShotTable, beyond, calibrate, check_folds, held_out, ranges};
 use longdrive::{Error, Result, Setup};
 use serde_json::json;
 use std::path::PathBuf;
@@ -22,7 +22,7 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
     let output = args.output.as_ref().map(|file| rule.file(file)).transpose()?;
     if setup.launch.is_given() {
         let source = "the rows say how each ball was struck or launched; leave it out".into();
-        return Err(Error::Unreadable { name: "--launch".into(), source });
+        return Err(Error::Unreadable { name: args.question.launch_from(), source });
     }
     let mut warnings = setup.warnings();
     warn(&warnings);
@@ -38,6 +38,11 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
     if args.huber {
         plan.options.loss = Loss::HUBER;
     }
+    let folds = if args.folds > 0 { args.folds as usize } else { 5.min(table.shots.len()) };
+    let is_held_out = args.folds > 0 || !args.compare.is_empty();
+    if is_held_out {
+        check_folds(&table, folds)?;
+    }
     let follow = Follow { iteration: Some(Arc::new(shown)), interrupt: interrupt(BEST_SO_FAR) };
     let found = calibrate(&setup, &table, &plan, &follow)?;
     let shots = beyond(&found.setup, &table.shots);
@@ -47,8 +52,7 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
 
     let quiet = Follow { iteration: None, ..follow };
     let mut held = vec![];
-    if args.folds > 0 || !args.compare.is_empty() {
-        let folds = if args.folds > 0 { args.folds as usize } else { 5.min(table.shots.len()) };
+    if is_held_out {
         if !quiet.is_interrupted() {
             tell(&format!("cross-validation: fitting {folds} times, each time without a part of the rows"));
         }

@@ -5,6 +5,7 @@ use super::estimate::{Plan, Remainder, calibrate, flown};
 use crate::error::{Error, Result};
 use crate::optimize::least_squares::{Follow, Status};
 use crate::parameters::Setup;
+use crate::units::counted;
 
 /// Residuals of shots that each fit had not seen.
 #[derive(Clone, Debug)]
@@ -43,17 +44,29 @@ impl HeldOut {
     }
 }
 
+/// Whether the rows can be held out in so many parts.
+///
+/// # Errors
+/// [`Error::Calibration`] for less than 2 or more parts than rows.
+pub fn check_folds(table: &ShotTable, folds: usize) -> Result<()> {
+    let rows = table.shots.len();
+    if folds < 2 || folds > rows {
+        let (folds, rows) = (counted(folds as u64, "fold"), counted(rows as u64, "row"));
+        let reason = format!(
+            "{folds} cannot be made of {rows}; cross-validation needs 2 folds or more, and at most one for each row"
+        );
+        return Err(Error::Calibration { reason });
+    }
+    Ok(())
+}
+
 /// k-fold cross-validation (Stone 1974): every k-th row is held out in turn, and told by a fit to the others. Once it is
 /// interrupted, the fit under way and those to come are counted as such, and their rows left out.
 ///
 /// # Errors
 /// [`Error::Calibration`] for less than 2 or more parts than rows; as [`calibrate`].
 pub fn held_out(setup: &Setup<f64>, table: &ShotTable, plan: &Plan, folds: usize, follow: &Follow) -> Result<HeldOut> {
-    let rows = table.shots.len();
-    if folds < 2 || folds > rows {
-        let reason = format!("{folds} folds of {rows} rows; at least 2 and at most one for each row are possible");
-        return Err(Error::Calibration { reason });
-    }
+    check_folds(table, folds)?;
     let (mut remainders, mut ended) = (vec![], vec![]);
     for fold in 0..folds {
         if follow.is_interrupted() {

@@ -17,7 +17,7 @@ mod verdict;
 pub use beyond::beyond;
 pub use data::ShotTable;
 pub use estimate::{Calibration, Estimate, Plan, Remainder, calibrate};
-pub use folds::{HeldOut, held_out};
+pub use folds::{HeldOut, check_folds, held_out};
 pub use instrument::{Instrument, instrument};
 pub use ranges::ranges;
 pub use shot::{Measurement, Shot, Stationary};
