@@ -74,7 +74,7 @@ quantities! {
     /// Per angular velocity, s/rad.
     PER_ANGULAR_VELOCITY = "a quantity per angular velocity", "s/rad", [0, 0, 1, -1], "s/rad, 1/rpm";
     /// A number without unit.
-    NUMBER = "a plain number", "", [0, 0, 0, 0], "none, %";
+    NUMBER = "a plain number", "", [0, 0, 0, 0], "no unit, or %";
 }
 
 impl Quantity {
@@ -108,7 +108,7 @@ impl Quantity {
     /// # Errors
     /// [`UnitError::NoNumber`], [`UnitError::NotANumber`].
     pub fn split(self, text: &str) -> Result<(f64, &str), UnitError> {
-        let unit = self.examples.split(',').next().unwrap_or_default();
+        let unit = if self == Self::NUMBER { "" } else { self.examples.split(',').next().unwrap_or_default() };
         match split_number(text.trim()) {
             Some((number, _)) if number.is_nan() => Err(UnitError::NotANumber { text: text.into(), unit }),
             Some(found) => Ok(found),

@@ -166,6 +166,18 @@ fn a_launch_on_the_command_line_replaces_that_of_the_setup_file() {
     }
 }
 
+#[test]
+fn a_plain_number_is_asked_for_without_a_unit() {
+    for (value, says) in [
+        ("abc", "\"abc\" does not start with a number; write for example \"0.5\""),
+        ("1 kg", "\"1 kg\" is not a plain number; a plain number takes no unit, or %"),
+        ("1 foo", "unknown unit 'foo'; a plain number takes no unit, or %"),
+    ] {
+        let (status, text) = said(&["simulate", "--set", &format!("impact.restitution={value}")]);
+        assert!(status == 2 && text.contains(says), "{value}: no '{says}': {text}");
+    }
+}
+
 /// Loft and shaft lean do the same to the face: no optimum in both is isolated.
 #[test]
 fn a_reason_is_given_once_with_the_parameters_that_it_holds_for() {
@@ -196,4 +208,12 @@ fn a_plot_names_a_launch_condition_without_saying_launch_twice() {
     let vary = ["--vary", "launch.launch_angle=5deg..20deg", "--vary", "launch.ball_speed=150mph..160mph"];
     let (_, text) = said(&[&["plot", "contour", "-o", &path, "--launch", launch], &vary[..]].concat());
     assert!(text.contains("Carry over launch angle and launch ball speed"), "{text}");
+}
+
+#[test]
+fn an_ellipse_that_reaches_to_infinity_is_not_shown() {
+    let vary = ["--vary", "air.density=0.98kg/m^3..1.47kg/m^3", "--vary", "swing.closure.x=-5e-4rad/s..-3.3e-4rad/s"];
+    let more = ["--wrt", "club.loft", "--loss", "1e300 m", "--set", "flight.step=48ms", "--max-iterations", "15"];
+    let (_, text) = said(&[&["optimum-sensitivity"], &vary[..], &more].concat());
+    assert!(text.contains("alone, for a loss of 1.0936e300 yd") && !text.contains("inf "), "{text}");
 }

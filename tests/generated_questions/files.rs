@@ -45,7 +45,7 @@ pub fn setup(chance: &mut Chance) -> Vec<u8> {
 pub fn points(chance: &mut Chance) -> Vec<u8> {
     let columns: Vec<_> =
         (0..1 + chance.below(3)).map(|_| if chance.is(0.9) { variable(chance) } else { parameter(chance) }).collect();
-    let units: Vec<&str> = columns.iter().map(|column| if chance.is(0.7) { column.unit } else { "" }).collect();
+    let units: Vec<&str> = columns.iter().map(|column| if chance.is(0.95) { column.unit } else { "" }).collect();
     let head = |at: usize, chance: &mut Chance| {
         let name = name_of(columns[at], chance);
         if units[at].is_empty() { name } else { format!("{name} [{}]", units[at]) }

@@ -351,7 +351,8 @@ impl Question {
         self.files.push(("shots.csv".into(), text));
         self.push(chance.of_or(&["shots.csv"], &["none.csv", "mine.txt", "."]));
         for _ in 0..1 + chance.below(2) {
-            let rows = ["air.density", "aero.spin_decay", "impact.restitution", "ball.mass", "swing.shaft_lean"];
+            // rows of launches have no club; most of these are of the flight
+            let rows = ["air.density", "aero.spin_decay", "gravity", "ball.mass", "swing.shaft_lean"];
             let of_law: Vec<_> = Law::all_rows().map(|row| row.name).collect();
             let name = match chance.below(3) {
                 0 | 1 => chance.of(&rows).to_owned(),
@@ -364,7 +365,8 @@ impl Question {
         self.option("--max-iterations", (1 + chance.below(20)).to_string());
         for (option, most) in [("--starts", 3), ("--folds", 5)] {
             if chance.is(0.1) {
-                self.option(option, chance.below(most).to_string());
+                let count = if chance.slips() { chance.below(most) } else { 2 + chance.below(most - 1) };
+                self.option(option, count.to_string());
             }
         }
         if chance.is(0.1) {
@@ -421,7 +423,7 @@ impl Question {
     fn sweep(&mut self, chance: &mut Chance) {
         match chance.below(3) {
             0 => {
-                let (name, text) = match chance.below(8) {
+                let (name, text) = match chance.below(12) {
                     0 => binary(chance),
                     1 => ("export.csv".into(), export(chance)),
                     _ => ("points.csv".into(), points(chance)),
