@@ -147,7 +147,7 @@ fn bad_files_say_what_is_wrong_with_them() {
         (b"ARROW1", "it has no footer"),
         (&whole[..whole.len() - 1], "it has no footer: it was cut short"),
         (without_end, "after row 11: it ends too early: it was cut short"),
-        (&[&stream[..], &stream].concat(), "1232 bytes follow after its end; put each stream into a file of its own"),
+        (&[&stream[..], &stream].concat(), "it has 1232 bytes after its end; put each stream into a file of its own"),
     ] {
         let (_folder, path) = table("a.arrow", bytes);
         let message = refusal(&path);

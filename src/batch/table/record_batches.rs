@@ -174,8 +174,8 @@ impl RecordBatches {
         if length == 0 {
             return match (&self.order, self.end - at) {
                 (Order::Following { .. }, more @ 1..) => Err(format!(
-                    "{} follow after its end; put each stream into a file of its own",
-                    counted(more, "more byte")
+                    "it has {} after its end; put each stream into a file of its own",
+                    counted(more, "byte")
                 )),
                 _ => Ok(None),
             };
