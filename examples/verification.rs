@@ -28,7 +28,7 @@ fn main() -> Result<()> {
     println!("|---|---|---|---|---|---|---|");
     certificates.iter().for_each(|(name, certificate)| println!("{}", row(name, certificate)));
     println!(
-        "\nErrors are relative to the derivative, over rows whose derivative is more than next to nothing; a bar is the error that a derivative may have.\n"
+        "\nErrors are relative to the derivative, over rows whose derivative is not nearly 0; a bar is the error that a derivative may have.\n"
     );
 
     let setup = Setup::preset("mae494")?;
@@ -70,7 +70,7 @@ fn row(name: &str, certificate: &Certificate) -> String {
 
 fn v_curve(carry: &Certificate) {
     println!(
-        "## The V-curve\n\nCarry of `mae494` by loft: the error of plain central differences, in parts of the derivative. The step in parts of the loft.\n"
+        "## The V-curve\n\nCarry of `mae494` by loft: the error of plain central differences relative to the derivative, by the step relative to the loft.\n"
     );
     println!("| step | error |\n|---|---|");
     for row in carry.rows.iter().filter(|row| row.of == Outcome::Carry) {
@@ -92,8 +92,8 @@ fn v_curve(carry: &Certificate) {
 fn the_loop(loops: &[LoopRow]) {
     for row in loops {
         println!(
-            "A while-loop that stops at the first step below the ground, as the MAE 494 report's does, is told {:.2} m/rad by a difference at a step of 1e-8. \
-             No step is right: large ones reach over its teeth and are wrong by the curvature, small ones lie in one tooth.\n",
+            "A while-loop that stops at the first step below the ground, as the MAE 494 report's does, gets {:.2} m/rad from a difference at a step of 1e-8. \
+             No step is right: large ones reach over several of its jumps and have an error from the curvature, small ones lie between two jumps.\n",
             row.small_difference().unwrap_or(f64::NAN)
         );
     }
@@ -102,7 +102,7 @@ fn the_loop(loops: &[LoopRow]) {
 
 fn smoothness(name: &str, certificate: &Certificate) {
     println!(
-        "## `{name}`: steps\n\n| outcome | jump where the number of steps changes: value, gradient, Hessian | order in the step: value, gradient | what the time step leaves: value, worst derivative |\n|---|---|---|---|"
+        "## `{name}`: steps\n\n| outcome | jump where the number of steps changes: value, gradient, Hessian | order in the step: value, gradient | error from the time step: value, worst derivative |\n|---|---|---|---|"
     );
     for found in &certificate.continuity {
         let orders = certificate.convergence.iter().find(|other| other.of == found.of).map(|other| other.orders);

@@ -24,7 +24,7 @@ pub enum Error {
         advice: String,
     },
     /// A coefficient of another aerodynamic law than the one the setup flies.
-    #[error("'{name}' is not a coefficient of the law '{law}' that this setup flies but of {owners}; set aero.law too")]
+    #[error("'{name}' is a coefficient of {owners}, but this setup uses the law '{law}'; set aero.law too")]
     OtherLaw {
         /// The parameter.
         name: String,
@@ -53,6 +53,14 @@ pub enum Error {
         /// What to do, or what may have been meant.
         advice: String,
     },
+    /// NaN as the value of a parameter.
+    #[error("{name} = NaN is not a number; give it a value in its range {range}")]
+    NotANumber {
+        /// The parameter.
+        name: String,
+        /// The range, with its unit.
+        range: String,
+    },
     /// An inertia tensor no body can have.
     #[error(
         "club.inertia is not positive definite: its smallest principal moment is {smallest:e} kg m^2; \
@@ -74,7 +82,7 @@ pub enum Error {
         reason: String,
     },
     /// A derivative or a search with respect to something that has no number of its own.
-    #[error("{name} cannot be varied or differentiated by: {reason}")]
+    #[error("{name} cannot be varied, and has no derivatives: {reason}")]
     NotVariable {
         /// The parameter.
         name: String,
@@ -184,9 +192,9 @@ pub enum Error {
         advice: String,
     },
     /// A drive that does not fly; see the model page, landing.
-    #[error("no flight: {reason}")]
+    #[error("{reason}")]
     NoFlight {
-        /// Why, with numbers.
+        /// That there is no flight or no landing, and why, with numbers.
         reason: Message,
     },
     /// An outcome, or its derivative, that does not exist for this drive.
@@ -316,7 +324,7 @@ impl Error {
     /// The error as a message, to be shown as part of another.
     pub fn message(&self) -> Message {
         match self {
-            Self::NoFlight { reason } => Message::from("no flight: ").message(reason.clone()),
+            Self::NoFlight { reason } => reason.clone(),
             Self::NotConverged { status, message } => {
                 Message::from(format!("no optimum was found: {status}: ")).message(message.clone())
             }

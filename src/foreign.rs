@@ -21,7 +21,7 @@ pub(crate) fn of_csv(error: &csv::Error) -> String {
 
 /// What to do about a file that is damaged.
 #[cfg(any(feature = "arrow", feature = "parquet"))]
-pub(crate) const DAMAGED: &str = "copy it again, or have the program that wrote it write it anew";
+pub(crate) const DAMAGED: &str = "copy it again, or write it again with the program that made it";
 
 /// What is wrong with a Parquet file, whose first and last bytes are those of one.
 #[cfg(feature = "parquet")]
@@ -68,7 +68,7 @@ pub(crate) fn of_toml(error: &toml::de::Error, text: &str, place: impl Fn(usize)
 
 /// The most common mistakes in TOML: how the reader's message begins, what is wrong, and what to do.
 const OF_TOML: [(&str, &str); 22] = [
-    ("duplicate key", "this key or table stands twice; keep one"),
+    ("duplicate key", "this key or table is given twice; keep one"),
     ("string values must be quoted", NOT_QUOTED),
     ("invalid float", NOT_QUOTED),
     ("invalid integer", NOT_QUOTED),

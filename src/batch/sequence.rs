@@ -23,7 +23,7 @@ impl Sequence {
         let parameters: Vec<_> = over.iter().map(|vary| vary.parameter).collect();
         refuse_repeated(&parameters)?;
         if over.len() > sobol::MOST_VARIABLES {
-            let reason = format!("a sample can have at most {} parameters", sobol::MOST_VARIABLES);
+            let reason = format!("a sample can have at most {}; take out some --over", sobol::MOST_VARIABLES);
             return Err(Error::SearchRange { name: format!("of {} parameters", over.len()), reason });
         }
         Ok(Self { over, parameters, rows, seed, next: 0 })

@@ -149,7 +149,7 @@ impl Column {
             (Some(unit), Some(quantity)) => {
                 quantity.read(&format!("1 {unit}")).map(drop).map_err(|e| self.unreadable(e))
             }
-            (Some(unit), None) => Err(self.unreadable(format!("it has no unit, and [{unit}] is one"))),
+            (Some(unit), None) => Err(self.unreadable(format!("it takes no unit; take [{unit}] out of the head"))),
         }
     }
 
@@ -216,8 +216,12 @@ impl Column {
             if cell.contains('\n') {
                 return Err("a quote (\") is opened and not closed in its line; close it, or take it out".into());
             }
+            let what = match cell.parse::<f64>() {
+                Ok(number) if number.is_infinite() => "not finite",
+                _ => "not a number",
+            };
             return Err(format!(
-                "'{cell}' is not a finite number; units stand in the head, as in '{} [{}]', and an empty cell is a missing value",
+                "'{cell}' is {what}; a unit is written in the head, as in '{} [{}]', and a missing value is an empty cell",
                 self.head,
                 self.unit()
             ));

@@ -256,7 +256,7 @@ mod tests {
         assert!(!is_export(["carry [yd]", "club.loft [deg]", "Carry"].into_iter()));
         let mut seen = HashSet::new();
         for (head, of) in super::HEADS {
-            assert!(seen.insert(head), "{head} stands twice");
+            assert!(seen.insert(head), "{head} is listed twice");
             if let Meaning::Input(name) = of {
                 assert!(Setup::<f64>::default().variable(name).is_ok(), "{name}");
             }

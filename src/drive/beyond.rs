@@ -4,7 +4,7 @@ use super::Drive;
 use crate::aerodynamics::{AerodynamicLaw, Fitted};
 use crate::flight::Inputs;
 use crate::parameters::{Law, Setup};
-use crate::units::{Digits, Message, Quantity};
+use crate::units::{Digits, Message, Quantity, counted_of};
 
 /// The largest head that conforms, m: 5 in from heel to toe, 2.8 in from sole to crown (R&A and USGA, Equipment Rules, part 2, 4b). No face is larger.
 const LARGEST_HEAD: [f64; 2] = [0.127, 0.07112];
@@ -82,12 +82,12 @@ impl BeyondCount {
 
     /// What deserves a word: a sentence for each kind of which there are any. `of` is what they are: "drive", "optimum".
     pub fn warnings(&self, law: &Law<f64>, of: [&str; 2], looked: Looked) -> Vec<Message> {
-        let some = |count: u64| format!("{count} of {} {}", self.all, of[usize::from(self.all != 1)]);
+        let some = |count: u64| counted_of(count, self.all, of);
         let mut warnings = vec![];
         if self.law > 0 {
             let fitted = AerodynamicLaw::<f64>::fitted(law);
             let (when, rest) = match looked {
-                Looked::AtLaunch => ("at launch", "; the rest of the flight was not looked at"),
+                Looked::AtLaunch => ("at launch", "; the rest of the flight was not checked"),
                 Looked::AtFlight => ("in 1 % of the flight or more", ""),
             };
             let which = some(self.law);

@@ -56,10 +56,10 @@ impl Diverging {
         }
         match &found[..] {
             [] => format!(
-                "launch, ball and air are ordinary, so check the coefficients of the law {law}: they may give a negative drag, or far \
-                 too large a force"
+                "launch, ball and air are as usual, so check the coefficients of the law {law}: they may give a negative drag, or a \
+                 force that is far too large"
             ),
-            found => format!("{}, which is out of the ordinary: check it", found.join(", and ")),
+            found => format!("{}, which is unusual; check it", found.join(", and ")),
         }
     }
 }

@@ -118,16 +118,21 @@ impl NoFlight {
             Self::LaunchedDown { launch_angle } => {
                 let degrees = launch_angle.to_degrees();
                 Message::from(format!(
-                    "the ball leaves at {degrees:.3}° to the horizontal and the ground is not below it; \
-                     more loft or attack angle lets it fly"
+                    "no flight: the ball leaves at {degrees:.3}°, which is not above the horizontal, and the ground is not below the ball; \
+                     increase the launch angle (by more loft or attack angle), or lower ground.height"
                 ))
             }
             Self::BelowGround { apex_height, ground_height } => {
-                let rises = height("the ball rises to ".into(), *apex_height);
-                height(rises.words(" only, below the ground's height of "), *ground_height)
+                let highest = height("no flight: the highest point of the ball is ".into(), *apex_height);
+                height(highest.words(", which is not above the ground at "), *ground_height)
+                    .words("; increase the speed or the launch angle, or lower ground.height")
             }
-            Self::Aloft { time, height: up } => height("the ball is still ".into(), *up)
-                .words(format!(" up after {time} s; raise flight.time_limit to follow it further")),
+            Self::Aloft { time, height: up } => {
+                let limit = format!(
+                    "no landing: the flight was stopped at flight.time_limit = {time} s with the ball at a height of "
+                );
+                height(limit.into(), *up).words("; increase flight.time_limit")
+            }
         }
     }
 }

@@ -70,7 +70,8 @@ impl<T: Number> Limited<T> {
         }
         if !self.separates() {
             return Err(jammed(&format!(
-                "with impact.friction = {} the ball slips but n·K(n + μ t) = {} /kg, which must be above 0",
+                "with impact.friction = {} the ball slips but n·K(n + μ t) = {} /kg, which must be above 0; check \
+                 impact.friction, strike.high, strike.toe and club.inertia",
                 friction.re(),
                 self.separating.re()
             )));

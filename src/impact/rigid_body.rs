@@ -191,10 +191,12 @@ impl<T: Number> Collision<T> {
     pub(super) fn checked_factors(&self) -> Result<Factors<T>> {
         let factors = self.factors();
         if !factors.inertia.is_positive() {
-            return Err(jammed("the head's inertia tensor is not positive definite"));
+            return Err(jammed("the head's inertia tensor is not positive definite; check club.inertia"));
         }
         if !factors.compliance.is_positive() {
-            return Err(jammed("the contact's 3 × 3 system is singular"));
+            return Err(jammed(
+                "the contact's 3 × 3 system is singular; check club.mass, club.inertia, ball.mass and ball.inertia",
+            ));
         }
         Ok(factors)
     }
@@ -205,7 +207,8 @@ impl<T: Number> Collision<T> {
         let push = rebound.impulse.dot(self.normal).re();
         if push <= 0.0 || push.is_nan() {
             return Err(jammed(&format!(
-                "the impulse along the face normal would be {push} N s, which must be above 0"
+                "the impulse along the face normal would be {push} N s, which must be above 0; check strike.high, strike.toe, \
+                 club.inertia and impact.tangential_restitution"
             )));
         }
         Ok(rebound)

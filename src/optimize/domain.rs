@@ -17,7 +17,7 @@ impl Bounds {
     pub fn new(low: Vec<f64>, high: Vec<f64>) -> Result<Self> {
         if low.len() != high.len() {
             return Err(Error::Optimizer(format!(
-                "{} lower and {} upper limits; give one of each for every number",
+                "the numbers of lower limits ({}) and of upper limits ({}) differ; give one of each for every number",
                 low.len(),
                 high.len()
             )));

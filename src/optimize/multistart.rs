@@ -9,6 +9,7 @@ use super::sobol;
 use super::solution::{Iteration, Solution};
 use super::status::Status;
 use crate::error::{Error, Result};
+use crate::units::counted;
 use rayon::prelude::*;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -51,8 +52,9 @@ pub fn starts(domain: &Domain, start: &[f64], count: usize) -> Result<Vec<Vec<f6
     let most = 1 << 16;
     if count > most || start.len() > sobol::MOST_VARIABLES {
         return Err(Error::Optimizer(format!(
-            "{count} starts in {} variables; at most {most} starts in {} variables can be spread",
-            start.len(),
+            "{} in {} cannot be spread; at most {most} starts in {} variables can",
+            counted(count as u64, "start"),
+            counted(start.len() as u64, "variable"),
             sobol::MOST_VARIABLES
         )));
     }

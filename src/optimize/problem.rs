@@ -1,4 +1,5 @@
 use crate::number::Taylor;
+use crate::units::counted;
 
 /// What is minimised, and what is held between limits: one method, giving every function with its derivatives.
 ///
@@ -31,16 +32,18 @@ impl Evaluation {
     /// The evaluation, if it is of `n` variables and `m` constraints and finite.
     pub(super) fn checked(self, n: usize, m: usize) -> std::result::Result<Self, String> {
         if self.constraints.len() != m {
-            return Err(format!("it has {} constraint functions; {m} limits are given", self.constraints.len()));
+            let functions = counted(self.constraints.len() as u64, "constraint function");
+            return Err(format!("it has {functions}, but limits for {m}; give a limit for each function"));
         }
         for function in self.functions() {
             let Taylor { gradient, hessian, .. } = function;
             let is_square = hessian.len() == n && hessian.iter().all(|row| row.len() == n);
             if gradient.len() != n || !(hessian.is_empty() || is_square) {
                 return Err(format!(
-                    "of {n} variables it has a gradient of {} and a Hessian of {} rows; both must have {n}",
+                    "it has {}, a gradient of length {} and a Hessian of {}; gradient and Hessian must have {n}",
+                    counted(n as u64, "variable"),
                     gradient.len(),
-                    hessian.len()
+                    counted(hessian.len() as u64, "row")
                 ));
             }
         }

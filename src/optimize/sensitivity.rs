@@ -174,7 +174,9 @@ fn solved(matrix: DMatrix<f64>, right: &DVector<f64>) -> Result<DVector<f64>> {
     let values = matrix.singular_values();
     if values.min() <= 1e-12 * values.max() {
         return Err(Error::Optimizer(
-            "the optimum is not isolated (its KKT system is singular), so that it has no sensitivity".into(),
+            "the optimum is not isolated (its KKT system is singular): other values of the variables are as good, so that it has no \
+             sensitivity; vary fewer parameters"
+                .into(),
         ));
     }
     let lu = matrix.clone().lu();

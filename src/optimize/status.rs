@@ -9,6 +9,7 @@
 
 use super::frame::{Outward, Residual};
 use super::kink::Kink;
+use crate::units::counted;
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
@@ -72,26 +73,31 @@ impl Verdict {
         Self::new(
             Status::IterationLimit,
             format!(
-                "stopped at the limit of {iterations} iterations with a KKT residual of {residual:.1e}; allow more iterations, or start nearer"
+                "stopped at the limit of {} with a KKT residual of {residual:.1e}; allow more iterations, or start nearer",
+                counted(iterations, "iteration")
             ),
         )
     }
 
     pub fn without_start(tried: u64) -> Self {
-        let message =
-            format!("stopped before a start was found: at none of the {tried} points tried the functions are defined");
+        let message = format!(
+            "stopped before a start was found: the functions are defined at none of the points tried so far ({tried})"
+        );
         Self::new(Status::Interrupted, message)
     }
 
     pub fn interrupted(iterations: u64, residual: f64) -> Self {
-        let message = format!("stopped after {iterations} iterations with a KKT residual of {residual:.1e}");
+        let after = counted(iterations, "iteration");
+        let message = format!("stopped after {after} with a KKT residual of {residual:.1e}");
         Self::new(Status::Interrupted, message)
     }
 
     pub fn undefined(trials: u32, why: &str) -> Self {
         Self::new(
             Status::Undefined,
-            format!("the functions are not defined at the start nor at {trials} other points of the box: {why}"),
+            format!(
+                "the functions are defined neither at the start nor at the other points of the box that were tried ({trials}): {why}"
+            ),
         )
     }
 
@@ -127,7 +133,7 @@ pub(super) fn rounding_test(residual: Residual, shrunk: f64, tolerance: f64) -> 
     let largest = residual.stationarity.max(residual.complementarity) / shrunk;
     (largest <= tolerance && residual.feasibility <= tolerance).then(|| {
         let message = format!(
-            "KKT residual {largest:.1e} <= {tolerance:.0e}, relative to the objective at the start: rounding lets it \
+            "KKT residual {largest:.1e} <= {tolerance:.0e}, relative to the objective at the start: because of rounding it can \
              fall no further"
         );
         Verdict::new(Status::Converged, message)
@@ -162,7 +168,7 @@ pub(super) fn unbounded_test(
     (residual.feasibility <= MET && (is_far || is_deep)).then(|| {
         let message = format!(
             "the objective falls without end: it is {value:.1e} with variable {} at {:.1e}, still falls there, and no bound \
-             or constraint lies ahead; bound that variable",
+             or constraint lies ahead; give that variable a bound",
             outward.variable, outward.at
         );
         Verdict { status: Status::Unbounded, message }
@@ -197,7 +203,7 @@ pub(super) fn corner_test(sides: usize, promised: f64, residual: f64) -> Option<
     const LEAST: f64 = 1e-13;
     (sides > 1 && promised <= LEAST).then(|| {
         let message = format!(
-            "{sides} sides of a corner hold the step and the model promises {promised:.1e} <= {LEAST:.0e} (relative); \
+            "the search is in a corner of {sides} sides, and the model predicts a gain of {promised:.1e} <= {LEAST:.0e} (relative); \
              KKT residual {residual:.1e}"
         );
         Verdict::new(Status::Stalled, message)
@@ -210,7 +216,7 @@ pub(super) fn progress_test(idle: u32, promised: f64, residual: f64) -> Option<V
     const PATIENCE: u32 = 4;
     (idle >= PATIENCE).then(|| {
         let message = format!(
-            "for {PATIENCE} iterations the model promised at most rounding (last {promised:.1e}, relative) and the KKT \
+            "for {PATIENCE} iterations the model predicted a gain no larger than rounding (last {promised:.1e}, relative) and the KKT \
              residual stays at {residual:.1e}"
         );
         Verdict::new(Status::Stalled, message)

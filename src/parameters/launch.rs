@@ -49,10 +49,21 @@ impl Setup<f64> {
             _ if !has("ball_speed") => refuse("ball_speed is missing"),
             _ if !has("launch_angle") => refuse("launch_angle is missing"),
             (false, false) => refuse("the spin is missing: give backspin, or spin"),
-            (true, true) => refuse("the spin is given twice: keep backspin, or spin"),
+            (true, true) => {
+                refuse("the spin is given twice: keep backspin, or spin, and unset the other (--set launch.spin=none)")
+            }
             (true, false) if has("spin_axis") => refuse("spin_axis needs spin; with backspin, give sidespin"),
             (false, true) if has("sidespin") => refuse("sidespin needs backspin; with spin, give spin_axis"),
             _ => Ok(()),
+        }
+    }
+
+    /// Where the spin is to be given in one form (backspin and sidespin, or spin and its axis), unsets the other form.
+    pub fn replace_spin(&mut self, given: &super::Parameter) {
+        match given.name {
+            "launch.backspin" => (self.launch.spin, self.launch.spin_axis) = (None, None),
+            "launch.spin" => (self.launch.backspin, self.launch.sidespin) = (None, None),
+            _ => {}
         }
     }
 

@@ -38,11 +38,15 @@ impl Parameter {
     }
 
     /// # Errors
-    /// [`Error::OutOfRange`].
+    /// [`Error::OutOfRange`], [`Error::NotANumber`].
     pub fn check(&self, value: f64) -> Result<()> {
         let Range { low, high, low_included, high_included } = self.range;
         if self.range.contains(value) {
             return Ok(());
+        }
+        let range = self.range.show(self.quantity, self.unit);
+        if value.is_nan() {
+            return Err(Error::NotANumber { name: self.name.into(), range });
         }
         let (sign, end) = if value <= low {
             (if low_included { "at least" } else { "more than" }, low)
@@ -54,7 +58,6 @@ impl Parameter {
         } else {
             "give a finite number".into()
         };
-        let range = self.range.show(self.quantity, self.unit);
         Err(Error::OutOfRange { name: self.name.into(), value: self.show_twice(value), range, advice })
     }
 
@@ -70,7 +73,7 @@ impl Parameter {
         let (number, unit) = self.quantity.split(text).ok()?;
         let meant = number * self.quantity.size_of(self.unit)?;
         let is_likely = unit.is_empty() && self.unit != self.quantity.si && self.range.contains(meant);
-        is_likely.then(|| format!("a number without a unit is SI, did you mean \"{number} {}\"?", self.unit))
+        is_likely.then(|| format!("a number without a unit is SI; did you mean \"{number} {}\"?", self.unit))
     }
 }
 
@@ -173,13 +176,13 @@ impl Setup<f64> {
     /// Sets a parameter to an SI value; `None` unsets an optional one.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`]; [`Error::NotVariable`] where a parameter that needs a value is to be unset.
+    /// [`Error::OutOfRange`]; [`Error::Unreadable`] where a parameter that needs a value is to be unset.
     pub fn set_value(&mut self, parameter: &Parameter, value: Option<f64>) -> Result<()> {
         if let Some(value) = value {
             parameter.check(value)?;
         } else if parameter.kind != Kind::Optional {
-            let reason = "it cannot be unset".into();
-            return Err(Error::NotVariable { name: parameter.name.into(), reason });
+            let source = "it cannot be unset; give it a value".into();
+            return Err(Error::Unreadable { name: parameter.name.into(), source });
         }
         match (self.slot(parameter), value) {
             (Some(Slot::Required(place) | Slot::Setting(place)), Some(value)) => *place = value,

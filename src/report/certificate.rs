@@ -1,10 +1,10 @@
-use super::lines::{broken, item};
+use super::lines::{broken, by_reason, item};
 use super::table::table;
 use super::{Reply, json, shown};
 use crate::derivative::check::{Check, Point, Verdict};
 use crate::reproduce::LoopRow;
 use crate::study::certificate::{Certificate, Convergence, Row, StepError};
-use crate::units::{Message, System, fixed, significant};
+use crate::units::{Message, System, counted, counted_of, fixed, significant};
 use serde::Serialize;
 use serde_json::{Value, json};
 
@@ -67,8 +67,9 @@ pub struct CertificateRow {
 impl CertificateReport {
     /// The answer of `verify`: `passed` or `failed`.
     pub fn reply(certificate: &Certificate, loops: &[LoopRow], warnings: Vec<Message>) -> Reply<Self> {
-        let missing = certificate.missing.iter().map(|(of, why)| format!("left out: {}: {why}", of.name()));
-        let message = missing.collect::<Vec<_>>().join("; ");
+        let missing = by_reason(certificate.missing.iter().map(|(of, why)| (of.name(), why.to_string())));
+        let missing: Vec<_> = missing.iter().map(|line| format!("left out: {line}")).collect();
+        let message = missing.join("; ");
         let message = (!message.is_empty()).then_some(message);
         let status = if certificate.passed() { "passed" } else { "failed" };
         Reply::done("verify", warnings, Self::new(certificate, loops)).ended(status, message)
@@ -216,15 +217,16 @@ pub fn certificate_text(certificate: &Certificate, loops: &[LoopRow], system: Sy
     for planted in &certificate.planted {
         let verdict = if planted.rows == 0 { "not checked" } else { verdict_of(planted.is_caught()) };
         let (name, caught, rows) = (planted.plant.name(), planted.caught, planted.rows);
-        text += &format!("  {verdict}: the planted error \"{name}\" is found in {caught} of {rows} rows\n");
+        let of_rows = counted_of(caught as u64, rows as u64, ["row", "rows"]);
+        text += &format!("  {verdict}: the planted error \"{name}\" is found in {of_rows}\n");
     }
     text += &step_text(&certificate.step);
-    for it in &certificate.not_examined {
-        text += &format!("  not checked: {}: {}\n", it.check, it.reason);
+    for line in by_reason(certificate.not_examined.iter().map(|it| (it.check.as_str(), it.reason.to_owned()))) {
+        text += &format!("  not checked: {line}\n");
     }
     text += &loops_text(loops);
-    for (of, why) in &certificate.missing {
-        text += &format!("  left out: {}: {}\n", of.name(), why.in_units(system));
+    for line in by_reason(certificate.missing.iter().map(|(of, why)| (of.name(), why.in_units(system)))) {
+        text += &format!("  left out: {line}\n");
     }
     let count = |verdict| certificate.rows.iter().filter(|row| row.verdict() == verdict).count();
     let counts =
@@ -271,8 +273,8 @@ fn landing_text(certificate: &Certificate) -> String {
     };
     let passed = landing.iter().filter(|row| row.check.verdict == Verdict::Pass).count();
     format!(
-        "  {}: {passed} of {} derivatives at the landing agree with differences at a fixed time, moved to the ground; the largest error, of \
-         d {}/d {}, is {:.0e} (allowed: {:.0e})\n",
+        "  {}: at the landing, derivatives compared with differences at a fixed time, moved to the ground: {passed} of {} pass; the largest \
+         error, of d {}/d {}, is {:.0e} (allowed: {:.0e})\n",
         verdict_of(passed == landing.len()),
         landing.len(),
         worst.of.name(),
@@ -290,8 +292,8 @@ fn loops_text(loops: &[LoopRow]) -> String {
     let passed = loops.iter().filter(|row| row.check.verdict == Verdict::Pass).count();
     format!(
         "  for comparison, a while-loop that stops at the first step below the ground (the MAE 494 report's): of the differences of its carry by \
-         {} parameters, {passed} would pass and {} have the wrong sign; the largest error is by {}: {} at a step of 1e-8 instead of {} (SI)\n",
-        loops.len(),
+         {}, {passed} would pass, and of {} the sign is wrong; the largest error is by {}: {} at a step of 1e-8 instead of {} (SI)\n",
+        counted(loops.len() as u64, "parameter"),
         loops.iter().filter(|row| row.has_wrong_sign()).count(),
         worst.parameter.name,
         worst.small_difference().map_or("–".into(), |it| significant(it, 4)),

@@ -94,7 +94,7 @@ pub fn drive_text(drive: &Drive<f64>, system: System) -> String {
     match &drive.flight {
         Flight::Landed(_) => format!("{launch}\n{bodies}\n{}", part("flight", Part::Flight)),
         Flight::None(why) => {
-            format!("{launch}\n{bodies}\n{}", paragraph(&format!("no flight: {}", why.message().in_units(system))))
+            format!("{launch}\n{bodies}\n{}", paragraph(&why.message().in_units(system)))
         }
     }
 }

@@ -1,4 +1,4 @@
-use super::lines::item;
+use super::lines::{by_reason, item};
 use super::table::table;
 use super::{OptimumReport, Reply, json, shown};
 use crate::drive::Outcome;
@@ -101,10 +101,9 @@ pub fn effects_text(effects: &Effects, totals: Option<&Totals>, system: System) 
             shown::spread(of, effects.standard_uncertainty(), system),
             shown::spread(of, effects.linearity(), system),
         ));
-        for bar in &bars {
-            if let Some(source) = bar.sigma.source {
-                text += &item(&format!("default of {}: {source}", bar.sigma.parameter.name));
-            }
+        let source = |bar: &Bar| Some((bar.sigma.parameter.name, bar.sigma.source?.to_owned()));
+        for line in by_reason(bars.iter().filter_map(source)) {
+            text += &item(&format!("default of {line}"));
         }
     }
     let head = ["by", "slope", "elasticity"].into_iter().chain(totals.map(|_| "slope of the optimum"));

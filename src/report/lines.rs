@@ -21,6 +21,18 @@ pub(super) fn note(text: &str) -> String {
     indented(text, 3 * INDENT, 3 * INDENT)
 }
 
+/// Why things are left out: those with the same reason in one line, in the order of the first: "gravity, air.density: the reason".
+pub fn by_reason<'a>(reasons: impl IntoIterator<Item = (&'a str, String)>) -> Vec<String> {
+    let mut all: Vec<(String, String)> = vec![];
+    for (name, reason) in reasons {
+        match all.iter_mut().find(|(_, other)| *other == reason) {
+            Some((names, _)) => *names += &format!(", {name}"),
+            None => all.push((name.into(), reason)),
+        }
+    }
+    all.into_iter().map(|(names, reason)| format!("{names}: {reason}")).collect()
+}
+
 /// A remark or warning for standard error: what does not fit its line is continued on indented lines. No line break at the end.
 pub fn remark(text: &str) -> String {
     let lines: Vec<_> =
@@ -69,7 +81,14 @@ fn indented(text: &str, first: usize, by: usize) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{WIDTH, item, paragraph, remark};
+    use super::{WIDTH, by_reason, item, paragraph, remark};
+
+    #[test]
+    fn exact_a_reason_is_given_once_with_all_that_it_holds_for() {
+        let reasons = [("a", "no number"), ("b", "no flight"), ("c", "no number")];
+        let told = by_reason(reasons.map(|(name, reason)| (name, reason.to_owned())));
+        assert_eq!(told, ["a, c: no number", "b: no flight"]);
+    }
 
     #[test]
     fn exact_no_line_is_wider_than_a_terminal_and_no_word_is_lost() {

@@ -34,7 +34,7 @@ pub use document::Document;
 pub use drive::{DriveReport, drive_text};
 pub use effects::{EffectsReport, OutcomeEffects, Totals, effects_text};
 pub use gradient::{GradientReport, HessianReport, OutcomeReport, gradient_text};
-pub use lines::remark;
+pub use lines::{by_reason, remark};
 pub use mae494::{mae494_document, mae494_reply};
 pub use optimum::{
     ConstraintReport, LocalReport, Multipliers, OptimumReport, iteration_line, optima_text, optimum_text, optimum_toml,

@@ -7,7 +7,7 @@ use crate::error::Result;
 use crate::optimize::{Constrained, Effort, Iteration, Status};
 use crate::parameters::Preset;
 use crate::study::{Constraint, Optima, Optimum, Search, Sense};
-use crate::units::{Message, Quantity, System, counted, fixed};
+use crate::units::{Message, Quantity, System, counted, counted_of, fixed};
 use serde::Serialize;
 use serde_json::{Map, Value};
 use std::collections::BTreeMap;
@@ -107,7 +107,8 @@ impl OptimumReport {
         Ok(match optima.stopped() {
             0 => reply.ended(best.status(), Some(best.message().to_string())),
             stopped => {
-                let message = format!("{stopped} of {} searches were stopped before their end", optima.starts);
+                let stopped = counted_of(stopped as u64, optima.starts as u64, ["search", "searches"]);
+                let message = format!("{stopped} stopped early");
                 reply.ended("interrupted", Some(message))
             }
         })

@@ -1,4 +1,4 @@
-use super::lines::item;
+use super::lines::{by_reason, item};
 use super::optimum::OptimumReport;
 use super::reply::{Reply, share};
 use super::table::table;
@@ -61,7 +61,7 @@ impl SensitivityReport {
         match share(found, all.len()) {
             // a parameter that has none says so itself
             "done" | "partial" => reply.ended(analysis.best.status(), Some(analysis.best.message().to_string())),
-            none => reply.ended(none, Some("no sensitivity that was asked for exists at this optimum".into())),
+            none => reply.ended(none, Some("this optimum has none of the sensitivities that were asked for".into())),
         }
     }
 
@@ -174,16 +174,13 @@ fn sensitivities_text(
     let moved: Vec<String> = free.iter().map(|vary| format!("best {}", vary.parameter.name)).collect();
     let head: Vec<&str> =
         ["per unit of", best_of.as_str()].into_iter().chain(moved.iter().map(String::as_str)).collect();
-    let mut left_out = vec![];
+    let why = |(parameter, sensitivity): &(&Parameter, Result<Sensitivity>)| {
+        Some((parameter.name, sensitivity.as_ref().err()?.in_units(system)))
+    };
+    let left_out: String = by_reason(sensitivities.iter().filter_map(why)).iter().map(|line| item(line)).collect();
     let rows: Vec<Vec<String>> = sensitivities
         .iter()
-        .filter_map(|(parameter, sensitivity)| match sensitivity {
-            Ok(s) => Some((parameter, s)),
-            Err(error) => {
-                left_out.push(item(&format!("{}: {}", parameter.name, error.in_units(system))));
-                None
-            }
-        })
+        .filter_map(|(parameter, sensitivity)| Some((parameter, sensitivity.as_ref().ok()?)))
         .map(|(parameter, s)| {
             let by = system.unit(parameter.unit);
             let size = parameter.quantity.size_of(by).unwrap_or(1.0);
@@ -203,8 +200,9 @@ fn sensitivities_text(
         })
         .collect();
     let right: Vec<usize> = (1..head.len()).collect();
-    let left_out = if left_out.is_empty() { String::new() } else { format!("\n{}", left_out.concat()) };
-    format!("\n{}{left_out}", table(&head, &right, rows))
+    let shown = if rows.is_empty() { String::new() } else { format!("\n{}", table(&head, &right, rows)) };
+    let left_out = if left_out.is_empty() { String::new() } else { format!("\n{left_out}") };
+    shown + &left_out
 }
 
 fn windows_text(best: &Optimum, flatness: &Flatness, system: System) -> String {

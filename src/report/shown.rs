@@ -7,9 +7,11 @@ use crate::units::{Quantity, System, per, signed, significant};
 /// What stands where there is no number.
 pub(super) const NONE: &str = "–";
 
-/// The name of an outcome or parameter in words: "ball speed".
+/// The name of an outcome or parameter in words: "ball speed", "swing speed"; a word of the group that the name repeats stands once:
+/// "launch angle" for `launch.launch_angle`.
 pub(super) fn words(name: &str) -> String {
-    name.replace('_', " ")
+    let own = name.split_once('.').filter(|(group, rest)| rest.split(['.', '_']).any(|word| word == *group));
+    own.map_or(name, |(_, rest)| rest).replace(['.', '_'], " ")
 }
 
 /// Whether an outcome is positive to the right.
@@ -135,8 +137,26 @@ pub(super) fn ratio(
 
 #[cfg(test)]
 mod tests {
-    use super::{Outcome, System, both, change, outcome, slope};
+    use super::{Outcome, System, both, change, outcome, slope, words};
     use crate::Setup;
+    use crate::parameters::Law;
+
+    #[test]
+    fn no_name_has_a_word_twice() {
+        let setup = Setup::default();
+        let parameters = setup.parameters().into_iter().chain(Law::all_rows()).map(|row| row.name);
+        for name in parameters.chain(Outcome::ALL.iter().map(|of| of.name())) {
+            let words = words(name);
+            let mut seen: Vec<&str> = words.split(' ').collect();
+            seen.sort_unstable();
+            assert!(seen.windows(2).all(|pair| pair[0] != pair[1]), "{words}");
+        }
+        assert_eq!(words("launch.launch_angle"), "launch angle");
+        assert_eq!(
+            (words("launch.ball_speed"), words("club.inertia.xx")),
+            ("launch ball speed".into(), "club inertia xx".into())
+        );
+    }
 
     #[test]
     fn exact_sides_and_both_systems() {

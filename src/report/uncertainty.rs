@@ -3,7 +3,7 @@ use super::reply::{Reply, share};
 use super::table::table;
 use super::{json, shown};
 use crate::study::uncertainty::{Distribution, Interval, Moments, OutcomeUncertainty, Uncertain, Uncertainty};
-use crate::units::{Message, Quantity, System, counted};
+use crate::units::{Message, Quantity, System, counted, counted_of};
 use serde::Serialize;
 use serde_json::{Value, json};
 
@@ -132,9 +132,9 @@ pub fn uncertainty_text(found: &Uncertainty, system: System) -> String {
         found.tally.counts().filter(|(_, count)| *count > 0).map(|(status, count)| format!("{count} {status}"));
     let counts: Vec<_> = counts.collect();
     text + &format!(
-        "\n{} ({} points, seed {}): {}\n",
+        "\n{} ({}, seed {}): {}\n",
         counted(all, "drive"),
-        found.plan.samples,
+        counted(found.plan.samples as u64, "point"),
         found.plan.seed,
         counts.join(", ")
     )
@@ -201,8 +201,8 @@ fn outcome_text(outcome: &OutcomeUncertainty, found: &Uncertainty, system: Syste
     text += &table(&head, &[1, 2, 3], rows);
     if sampled.left_out > 0 {
         text += &format!(
-            "  these shares leave out {} of {} points, at which a drive does not have this outcome\n",
-            sampled.left_out, found.plan.samples
+            "  these shares leave out {} at which a drive does not have this outcome\n",
+            counted_of(sampled.left_out as u64, found.plan.samples as u64, ["point", "points"])
         );
     }
     if let Some((parameter, left)) = outcome.measure_first(&found.inputs) {

@@ -158,7 +158,12 @@ pub fn chart_at(
 ) -> Result<Chart> {
     if let Some(outside) = at.iter().find(|at| !(along.low..=along.high).contains(*at)) {
         let show = |value: f64| along.parameter.show(Some(value));
-        let reason = format!("{} is outside {} .. {}", show(*outside), show(along.low), show(along.high));
+        let reason = format!(
+            "{} is outside {} .. {}; leave it out, or give a wider range",
+            show(*outside),
+            show(along.low),
+            show(along.high)
+        );
         return Err(Error::SearchRange { name: along.parameter.name.into(), reason });
     }
     if search.vary.iter().any(|vary| vary.parameter == along.parameter) {

@@ -241,6 +241,10 @@ impl Top<'_> {
             let reach = (2.0 * self.loss / block.eigenvalues[k]).sqrt();
             [0, 1].map(|row| reach * block.eigenvectors[(row, k)] * scale[pair[row]])
         });
+        // a loss so large, or a top so flat, has no ellipse
+        if !half_axes.as_flattened().iter().all(|part| part.is_finite()) {
+            return None;
+        }
         let around = (0..AROUND).filter_map(|step| {
             let (sin, cos) = (std::f64::consts::TAU * step as f64 / AROUND as f64).sin_cos();
             let mut x = solution.x.clone();

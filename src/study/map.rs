@@ -97,8 +97,11 @@ pub fn map(setup: &Setup<f64>, of: Outcome, across: Vary, up: Vary, fineness: Fi
     if values.iter().all(Option::is_none) {
         let reason = missing.unwrap_or_default();
         return Err(Error::NoFlight {
-            reason: Message::from(format!("no drive of the map has a {}; at its lower left corner: ", of.name()))
-                .message(reason),
+            reason: Message::from(format!(
+                "no flight: no drive of the map has a {}; at its lower left corner: ",
+                of.name()
+            ))
+            .message(reason),
         });
     }
     let slopes = (0..fineness.slopes * fineness.slopes).into_par_iter().filter_map(|i| {

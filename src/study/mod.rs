@@ -23,4 +23,4 @@ pub use flatness::{Direction, Ellipse, Flatness, Limit, Window, flatness, usual_
 pub use map::{Fineness, Map, Slope, map};
 pub use optimum::{Active, Optima, Optimum, Search, Sense, optima, optimum};
 pub use sensitivity::{Change, Changed, Sensitivity, change, refuse_varied, sensitivities, sensitivity};
-pub use sigma::{Sigma, with_defaults};
+pub use sigma::{Sigma, given_twice, with_defaults};

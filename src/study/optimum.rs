@@ -165,7 +165,8 @@ impl Optimum {
             (None, Status::Undefined) => {
                 let trials = self.search.options.start_trials;
                 Message::from(format!(
-                    "no drive of the search flies, neither the start nor {trials} other points of the ranges; at the start: "
+                    "no drive of the search flies, neither at the start nor at the other points of the ranges that were tried ({trials}); at \
+                     the start: "
                 ))
                 .message(self.undefined_at_start())
             }

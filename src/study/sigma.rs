@@ -23,7 +23,7 @@ impl Sigma {
     /// assert_eq!(Sigma::read(&setup, "swing.speed=10%").unwrap().value, 0.1 * setup.swing.speed);
     /// assert!(Sigma::read(&setup, "swing.speed=-1 m/s").is_err());
     /// // a part of 0 is nothing
-    /// assert!(Sigma::read(&setup, "swing.path=1%").unwrap_err().to_string().contains("for example 1 deg"));
+    /// assert!(Sigma::read(&setup, "swing.path=1%").unwrap_err().to_string().contains("for example swing.path=1 deg"));
     /// ```
     ///
     /// # Errors
@@ -35,15 +35,26 @@ impl Sigma {
             .ok_or_else(|| unreadable("write NAME=AMOUNT, for example swing.speed=1mph or air.density=0.5%".into()))?;
         let parameter = setup.variable(name.trim())?;
         let value = amount_of(setup, parameter, amount).map_err(unreadable)?;
-        if value == 0.0 && amount.trim().ends_with('%') {
-            let unit = parameter.unit;
-            return Err(unreadable(format!("a part of 0 is 0; give the amount itself, for example 1 {unit}").into()));
+        if value > 0.0 && value.is_finite() {
+            return Ok(Self { parameter, value, source: None });
         }
-        if !(value > 0.0 && value.is_finite()) {
-            return Err(unreadable("a standard deviation must be a finite number above 0".into()));
-        }
-        Ok(Self { parameter, value, source: None })
+        let (name, unit) = (parameter.name, parameter.unit);
+        let is_part = amount.trim().ends_with('%') && setup.value(parameter) == Some(0.0);
+        let why = if is_part { format!(", since {name} is 0") } else { String::new() };
+        let given = parameter.show(Some(value));
+        let example = format!("{name}=1 {unit}");
+        let reason = format!(
+            "the standard uncertainty of {name} would be {given}{why}, but it must be above 0 and finite; write for example {}",
+            example.trim_end()
+        );
+        Err(unreadable(reason.into()))
     }
+}
+
+/// The error for a parameter with two uncertainties.
+pub fn given_twice(parameter: &Parameter) -> Error {
+    let source = "it is given twice; keep one".into();
+    Error::Unreadable { name: format!("the uncertainty of {}", parameter.name), source }
 }
 
 /// An amount of a parameter, SI: with its unit, or a part of its own value in %.
@@ -56,6 +67,7 @@ pub(super) fn amount_of(
         Ok(value) => Ok(value),
         Err(error) => {
             let part = text.trim().strip_suffix('%').and_then(|part| part.trim().parse::<f64>().ok());
+            let part = part.filter(|part| !part.is_nan());
             let own = setup.value(parameter).unwrap_or_default().abs();
             part.map(|percent| percent / 100.0 * own).ok_or_else(|| error.into())
         }
@@ -105,12 +117,11 @@ const DEFAULTS: &[(&str, Amount, &str)] = &[
 /// The uncertainties given, then the defaults of other parameters of the setup.
 ///
 /// # Errors
-/// [`Error::SearchRange`] for a parameter that is given twice.
+/// [`Error::Unreadable`] for a parameter that is given twice.
 pub fn with_defaults(setup: &Setup<f64>, given: &[Sigma]) -> Result<Vec<Sigma>> {
     for (i, sigma) in given.iter().enumerate() {
         if given[..i].iter().any(|other| other.parameter == sigma.parameter) {
-            let reason = "its uncertainty is given twice; keep one".into();
-            return Err(Error::SearchRange { name: sigma.parameter.name.into(), reason });
+            return Err(given_twice(sigma.parameter));
         }
     }
     let mut all = given.to_vec();

@@ -89,6 +89,21 @@ pub fn counted(count: u64, thing: &str) -> String {
     format!("{count} {thing}{}", if count == 1 { "" } else { "s" })
 }
 
+/// Some of all things: "1 of 2 drives", and "the only drive" of one. Follow it with words that fit one thing and several.
+///
+/// ```
+/// use longdrive::units::counted_of;
+/// assert_eq!(counted_of(1, 2, ["search", "searches"]), "1 of 2 searches");
+/// assert_eq!(counted_of(1, 1, ["search", "searches"]), "the only search");
+/// ```
+pub fn counted_of(part: u64, all: u64, [one, several]: [&str; 2]) -> String {
+    match (part, all) {
+        (1, 1) => format!("the only {one}"),
+        (part, 1) => format!("{part} of 1 {one}"),
+        (part, all) => format!("{part} of {all} {several}"),
+    }
+}
+
 /// A number with these decimals; zero has no sign.
 pub(crate) fn fixed(number: f64, decimals: usize) -> String {
     let text = format!("{number:.decimals$}");

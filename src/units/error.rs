@@ -2,11 +2,19 @@
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum UnitError {
     /// No number at the start.
-    #[error("\"{text}\" does not start with a number; write for example \"10.5 {unit}\"")]
+    #[error("\"{text}\" does not start with a number; write for example \"{}\"", example(unit))]
     NoNumber {
         /// The string.
         text: String,
-        /// A unit that would fit.
+        /// A unit that would fit; empty for a plain number.
+        unit: &'static str,
+    },
+    /// The number NaN, which computers write where there is no number.
+    #[error("\"{text}\" is not a number; write for example \"{}\"", example(unit))]
+    NotANumber {
+        /// The string.
+        text: String,
+        /// A unit that would fit; empty for a plain number.
         unit: &'static str,
     },
     /// A unit that is not known.
@@ -22,7 +30,7 @@ pub enum UnitError {
         examples: String,
     },
     /// A unit of another kind of quantity.
-    #[error("\"{text}\" is not {wanted}; use one of {examples}")]
+    #[error("\"{text}\" is not {wanted}; {wanted} takes {examples}")]
     WrongKind {
         /// The string.
         text: String,
@@ -41,4 +49,9 @@ pub enum UnitError {
         /// Units that fit.
         examples: String,
     },
+}
+
+/// A text that would be right.
+fn example(unit: &str) -> String {
+    if unit.is_empty() { "0.5".into() } else { format!("10.5 {unit}") }
 }

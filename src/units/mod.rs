@@ -11,7 +11,7 @@ mod message;
 mod symbols;
 mod system;
 
-pub use decimals::counted;
+pub use decimals::{counted, counted_of};
 pub(crate) use decimals::{fixed, signed};
 pub use error::UnitError;
 pub use message::{Digits, Message};
@@ -76,7 +76,7 @@ quantities! {
     /// Per angular velocity, s/rad.
     PER_ANGULAR_VELOCITY = "a quantity per angular velocity", "s/rad", [0, 0, 1, -1], "s/rad, 1/rpm";
     /// A number without unit.
-    NUMBER = "a plain number", "", [0, 0, 0, 0], "none, %";
+    NUMBER = "a plain number", "", [0, 0, 0, 0], "no unit, or %";
 }
 
 impl Quantity {
@@ -108,12 +108,14 @@ impl Quantity {
     /// The number and the unit (perhaps empty) that a string is made of.
     ///
     /// # Errors
-    /// [`UnitError::NoNumber`].
+    /// [`UnitError::NoNumber`], [`UnitError::NotANumber`].
     pub fn split(self, text: &str) -> Result<(f64, &str), UnitError> {
-        split_number(text.trim()).ok_or_else(|| UnitError::NoNumber {
-            text: text.into(),
-            unit: self.usual.split(',').next().unwrap_or_default(),
-        })
+        let unit = if self == Self::NUMBER { "" } else { self.usual.split(',').next().unwrap_or_default() };
+        match split_number(text.trim()) {
+            Some((number, _)) if number.is_nan() => Err(UnitError::NotANumber { text: text.into(), unit }),
+            Some(found) => Ok(found),
+            None => Err(UnitError::NoNumber { text: text.into(), unit }),
+        }
     }
 
     /// How many SI units one `unit` is, where it is a unit of this kind.
@@ -293,6 +295,9 @@ mod tests {
         assert!(matches!(Quantity::ANGLE.read("10"), Err(UnitError::NoUnit { .. })));
         assert!(matches!(Quantity::ANGLE.read("10 dg"), Err(UnitError::UnknownUnit { .. })));
         assert!(matches!(Quantity::ANGLE.read("ten deg"), Err(UnitError::NoNumber { .. })));
+        for text in ["NaN", "nan deg", "-nandeg"] {
+            assert!(matches!(Quantity::ANGLE.read(text), Err(UnitError::NotANumber { .. })), "{text}");
+        }
         assert!(matches!(Quantity::ANGULAR_VELOCITY.read("10 1/s"), Err(UnitError::WrongKind { .. })));
         assert!(matches!(Quantity::SPEED.read("10 m/"), Err(UnitError::UnknownUnit { .. })));
         assert!(matches!(Quantity::SPEED.read("10 m//s"), Err(UnitError::UnknownUnit { .. })));

@@ -151,7 +151,7 @@ fn bad_input_gets_status_two_and_a_message_that_helps() {
         (vec!["simulate", "--set", "club.loft=10"], vec!["\"10\" has no unit; an angle takes deg, rad"]),
         (vec!["simulate", "--set", "swing.speed=100"], vec!["\"100\" has no unit; a speed takes mph"]),
         (vec!["simulate", "--set", "club.loft"], vec!["--set club.loft", "NAME=VALUE"]),
-        (vec!["simulate", "--set", "swing.speed=nan"], vec!["NaN", "finite"]),
+        (vec!["simulate", "--set", "swing.speed=nan"], vec!["nan", "is not a number"]),
         (vec!["simulate", "--set", "swing.speed=inf"], vec!["inf", "finite"]),
         (vec!["simulate", "--set", "club.mass=10 kg"], vec!["10 kg", "50 g ≤ … ≤ 2000 g", "at most 2000 g"]),
         (vec!["simulate", "--set", "swing.speed=none"], vec!["swing.speed", "does not start with a number"]),

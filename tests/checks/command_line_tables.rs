@@ -55,7 +55,7 @@ fn exact_same_points_however_the_head_is_written() {
     let (_folder, path) =
         table("a.csv", "Ball Speed [mph],Launch Angle [deg],Backspin [rpm]\nAverage,1,2\n150,x,2500\n");
     let message = open_table(&setup, &path).err().unwrap().to_string();
-    assert!(message.contains("row 2, column Launch Angle: 'x' is not a finite number"), "{message}");
+    assert!(message.contains("row 2, column Launch Angle: 'x' is not a number"), "{message}");
 }
 
 #[test]

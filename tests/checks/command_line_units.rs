@@ -81,17 +81,9 @@ fn exact_heights_of_messages_are_in_the_units_asked_for() {
     let higher = ["--set", "ground.height=200m"];
     let chart = ["chart", "--along", "ground.height=40m..61m"];
     for (args, in_us, in_metric) in [
-        (
-            [&["simulate"][..], &high].concat(),
-            "below the ground's height of 43.745 yd",
-            "below the ground's height of 40 m",
-        ),
-        (
-            [&["gradient"][..], &high].concat(),
-            "below the ground's height of 43.745 yd",
-            "below the ground's height of 40 m",
-        ),
-        ([&["optimize"][..], &higher].concat(), "height of 218.72 yd", "height of 200 m"),
+        ([&["simulate"][..], &high].concat(), "not above the ground at 43.745 yd", "not above the ground at 40 m"),
+        ([&["gradient"][..], &high].concat(), "not above the ground at 43.745 yd", "not above the ground at 40 m"),
+        ([&["optimize"][..], &higher].concat(), "the ground at 218.72 yd", "the ground at 200 m"),
         (chart.to_vec(), "no optimum was found beyond 65.3", "no optimum was found beyond 59.7"),
     ] {
         for (units, shown) in [("us", in_us), ("metric", in_metric)] {

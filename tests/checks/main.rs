@@ -21,6 +21,7 @@ mod impact;
 mod json_answers;
 mod launch;
 mod long_work;
+mod messages;
 mod optimizer;
 mod oracle;
 mod reference;

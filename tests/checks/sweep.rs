@@ -238,13 +238,13 @@ fn exact_csv_tables_carry_units_in_their_head() {
 fn bad_tables_are_told_by_row_and_column_before_any_work() {
     let setup = Setup::default();
     for (name, text, says) in [
-        ("a.csv", "club.loft [rad]\n0.1\nten\n", "a.csv, row 2, column club.loft: 'ten' is not a finite number"),
-        ("a.csv", "club.loft [rad]\n0.1\nnan\n", "row 2, column club.loft: 'nan' is not a finite number"),
-        ("a.csv", "club.loft [rad]\n0.1\n1e400\n", "row 2, column club.loft: '1e400' is not a finite number"),
-        ("a.csv", "gravity [m/s^2]\ninf\n", "row 1, column gravity: 'inf' is not a finite number"),
+        ("a.csv", "club.loft [rad]\n0.1\nten\n", "a.csv, row 2, column club.loft: 'ten' is not a number"),
+        ("a.csv", "club.loft [rad]\n0.1\nnan\n", "row 2, column club.loft: 'nan' is not a number"),
+        ("a.csv", "club.loft [rad]\n0.1\n1e400\n", "row 2, column club.loft: '1e400' is not finite"),
+        ("a.csv", "gravity [m/s^2]\ninf\n", "row 1, column gravity: 'inf' is not finite"),
         ("a.csv", "club.loft [rad],air.density [kg/m^3]\n0.1,\n", "row 1, column air.density: the cell is empty"),
         ("a.csv", "club.loft [rad],air.density [kg/m^3]\n0.1\n", "row 1"),
-        ("a.csv", "club.loft [rad]\n10 deg\n", "units stand in the head, as in 'club.loft [rad]'"),
+        ("a.csv", "club.loft [rad]\n10 deg\n", "a unit is written in the head, as in 'club.loft [rad]'"),
         ("a.csv", "club.lofft\n0.1\n", "column 1: unknown column 'club.lofft'; did you mean 'club.loft'?"),
         ("a.csv", "club.loft [kg]\n0.1\n", "column 1: the column 'club.loft': \"1 kg\" is not an angle"),
         ("a.csv", "club.loft [deg],club.loft [rad]\n0.1,0.1\n", "club.loft has two columns"),

@@ -113,7 +113,7 @@ fn independent_tables_without_rows_are_tables() {
 fn bad_columns_and_values_are_told_by_row_and_column() {
     for (name, says) in [
         ("null.arrow", "null.arrow, row 3, column air.density: a value is missing; every row needs one"),
-        ("nan.arrow", "nan.arrow, row 4, column air.density: NaN is not a finite number; every row needs one"),
+        ("nan.arrow", "nan.arrow, row 4, column air.density: NaN is not a number; every row needs a finite number"),
         ("text.arrow", "column air.density: its type is Utf8; a column must hold numbers"),
         ("dictionary.arrow", "column air.density: its type is Dictionary(Int32, Float64); a column must hold numbers"),
         ("nested.arrow", "column club.loft: its type is List"),
@@ -147,7 +147,7 @@ fn bad_files_say_what_is_wrong_with_them() {
         (b"ARROW1", "it has no footer"),
         (&whole[..whole.len() - 1], "it has no footer: it was cut short"),
         (without_end, "after row 11: it ends too early: it was cut short"),
-        (&[&stream[..], &stream].concat(), "1232 bytes follow after its end; put each stream into a file of its own"),
+        (&[&stream[..], &stream].concat(), "it has 1232 bytes after its end; put each stream into a file of its own"),
     ] {
         let (_folder, path) = table("a.arrow", bytes);
         let message = refusal(&path);

@@ -2,6 +2,8 @@
 
 use crate::chance::Chance;
 use crate::values::{name_of, near, parameter, preset, setting, value, variable, with_unit};
+use std::fs;
+use std::path::Path;
 
 /// A setup file.
 pub fn setup(chance: &mut Chance) -> Vec<u8> {
@@ -29,6 +31,10 @@ pub fn setup(chance: &mut Chance) -> Vec<u8> {
         };
         text += &format!("{name} = {shown}\n");
     }
+    if chance.is_launched {
+        text += "[launch]\nball_speed = \"150 mph\"\nlaunch_angle = \"12 deg\"\n";
+        text += chance.of(&["backspin = \"2500 rpm\"\n", "spin = \"2500 rpm\"\nspin_axis = \"-2 deg\"\n"]);
+    }
     if chance.is(0.2) {
         text += "[aero]\nlaw = \"robinson\"\ncd0 = 0.3\n";
     }
@@ -39,7 +45,7 @@ pub fn setup(chance: &mut Chance) -> Vec<u8> {
 pub fn points(chance: &mut Chance) -> Vec<u8> {
     let columns: Vec<_> =
         (0..1 + chance.below(3)).map(|_| if chance.is(0.9) { variable(chance) } else { parameter(chance) }).collect();
-    let units: Vec<&str> = columns.iter().map(|column| if chance.is(0.7) { column.unit } else { "" }).collect();
+    let units: Vec<&str> = columns.iter().map(|column| if chance.is(0.95) { column.unit } else { "" }).collect();
     let head = |at: usize, chance: &mut Chance| {
         let name = name_of(columns[at], chance);
         if units[at].is_empty() { name } else { format!("{name} [{}]", units[at]) }
@@ -72,6 +78,76 @@ pub fn points(chance: &mut Chance) -> Vec<u8> {
         text += &joined(cells, more.iter().map(|(_, cell)| *cell).collect());
     }
     spoilt(text, chance)
+}
+
+/// A table of points of another kind, or one that is damaged: its name, and what is in it.
+pub fn binary(chance: &mut Chance) -> (String, Vec<u8>) {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/tables");
+    let mut names: Vec<_> = fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().file_name()).collect();
+    names.retain(|name| Path::new(name).extension().is_some_and(|ending| ending != "py"));
+    names.sort();
+    let name = chance.of(&names).into_string().unwrap();
+    let mut bytes = fs::read(folder.join(&name)).unwrap();
+    if chance.is(0.3) && !bytes.is_empty() {
+        let at = chance.below(bytes.len());
+        match chance.below(3) {
+            0 => bytes.truncate(at),
+            1 => bytes[at] ^= 1 << chance.below(8),
+            _ => bytes.insert(at, 0xff),
+        }
+    }
+    (name, bytes)
+}
+
+/// An export of a launch monitor: its heads, its units in the heads or in a line of their own, sides by letters, and rows that sum up
+/// others.
+pub fn export(chance: &mut Chance) -> Vec<u8> {
+    let all = [
+        ("Club Speed", "mph", 105.0, 10.0),
+        ("Attack Angle", "deg", 0.0, 3.0),
+        ("Ball Speed", "mph", 155.0, 15.0),
+        ("Launch Angle", "deg", 12.0, 4.0),
+        ("Launch Direction", "deg", 0.0, 3.0),
+        ("Spin Rate", "rpm", 2700.0, 600.0),
+        ("Spin Axis", "deg", 0.0, 8.0),
+        ("Carry", "yds", 240.0, 20.0),
+        ("Side", "yds", 0.0, 15.0),
+        ("Max Height", "ft", 90.0, 20.0),
+        ("Landing Angle", "deg", 38.0, 5.0),
+        ("Hang Time", "s", 6.2, 0.4),
+    ];
+    // seldom one that a launch needs is missing
+    let columns: Vec<_> =
+        all.iter().filter(|(name, ..)| chance.is(if name.contains("ll S") { 0.97 } else { 0.85 })).collect();
+    let separator = chance.of(&[",", ";", "\t"]);
+    let has_comma = separator != "," && chance.is(0.3);
+    let units = chance.below(3);
+    let head = |(name, unit, ..): &&(&str, &str, f64, f64)| match units {
+        0 => format!("{name} [{unit}]"),
+        1 => format!("{name} ({unit})"),
+        _ => (*name).to_owned(),
+    };
+    let mut lines = vec![[vec!["Player".to_owned()], columns.iter().map(head).collect()].concat()];
+    if units == 2 {
+        lines.push([vec![String::new()], columns.iter().map(|(_, unit, ..)| format!("[{unit}]")).collect()].concat());
+    }
+    let rows = 2 + chance.below(7);
+    for row in 0..=rows {
+        let common = chance.between(-1.0, 1.0);
+        let cell = |(name, _, middle, spread): &&(&str, &str, f64, f64), chance: &mut Chance| {
+            let value = middle + spread * (0.8 * common + 0.2 * chance.between(-1.0, 1.0));
+            let shown = match (*middle == 0.0 && !name.starts_with("Attack"), chance.below(60)) {
+                (_, 0) => String::new(),
+                (_, 1) if chance.slips() => chance.of(&["-", "nan", "x", "1e400", "2,500", "3 L R"]).into(),
+                (true, _) => format!("{:.1} {}", value.abs(), if value < 0.0 { "L" } else { "R" }),
+                _ => format!("{value:.1}"),
+            };
+            if has_comma { shown.replace('.', ",") } else { shown }
+        };
+        let first = if row == rows { chance.of(&["Average", "Std. Dev.", "A"]) } else { "A" };
+        lines.push([vec![first.to_owned()], columns.iter().map(|column| cell(column, chance)).collect()].concat());
+    }
+    spoilt(lines.iter().map(|cells| cells.join(separator) + "\n").collect(), chance)
 }
 
 /// A table of measured shots: deliveries or launch conditions, with what was measured of them.

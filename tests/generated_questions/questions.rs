@@ -1,7 +1,7 @@
 //! Questions as people might ask them: a command line with the files it names.
 
 use crate::chance::Chance;
-use crate::files::{change, points, setup, shots};
+use crate::files::{binary, change, export, points, setup, shots};
 use crate::values::{
     constraint, distribution, list, name_of, near, outcome, preset, range, setting, sigma, variable, with_unit,
 };
@@ -21,7 +21,7 @@ pub struct Question {
 }
 
 /// The commands, each with how often it is asked: those that take long rarely.
-const COMMANDS: [(&str, f64); 15] = [
+const COMMANDS: [(&str, f64); 18] = [
     ("simulate", 22.0),
     ("gradient", 14.0),
     ("optimize", 9.0),
@@ -37,7 +37,13 @@ const COMMANDS: [(&str, f64); 15] = [
     ("uncertainty", 5.0),
     ("parameters", 3.0),
     ("presets", 3.0),
+    ("help", 0.4),
+    ("completions", 0.3),
+    ("man", 0.5),
 ];
+
+/// Those that know no setup and answer in text alone.
+const OF_THE_PROGRAM: [&str; 3] = ["help", "completions", "man"];
 
 impl Question {
     pub fn new(chance: &mut Chance) -> Self {
@@ -45,9 +51,21 @@ impl Question {
         let mut question = Self { args: vec![COMMANDS[at].0.into()], ..Self::default() };
         // a file that no one names
         question.files.push(("mine.txt".into(), b"left alone".to_vec()));
-        question.ask(COMMANDS[at].0, chance);
-        if chance.is(0.5) {
+        let command = COMMANDS[at].0;
+        chance.is_launched = command != "calibrate" && chance.is(if command == "simulate" { 0.15 } else { 0.1 });
+        question.ask(command, chance);
+        if chance.is(0.5) && !OF_THE_PROGRAM.contains(&command) {
             question.push("--json");
+        }
+        // these stand before the command as well
+        for (option, probability) in [("--units", 0.15), ("--quiet", 0.1)] {
+            if chance.is(probability) {
+                let at = if chance.is(0.3) { 0 } else { question.args.len() };
+                let system = chance.of_or(&["metric", "us"], &["si"]).to_owned();
+                question
+                    .args
+                    .splice(at..at, [option.to_owned(), system].into_iter().take(2 - usize::from(option == "--quiet")));
+            }
         }
         if chance.slips() {
             let odd = chance.of(&["--bla", "-x", "--", "extra", "--help", "", "--set", "--version"]);
@@ -79,6 +97,28 @@ impl Question {
                 }
                 return;
             }
+            "help" | "man" => {
+                let named = COMMANDS.map(|(name, _)| name);
+                match chance.below(4) {
+                    0 if command == "man" => {
+                        self.output("-o", &["pages"], chance);
+                        if chance.slips() {
+                            self.push("simulate");
+                        }
+                    }
+                    1 => {}
+                    2 => self.args.extend(["plot", "contour"].map(str::to_owned)),
+                    _ => {
+                        let name = chance.of_or(&named, &["optimise", "", "plot contours"]);
+                        self.push(name);
+                    }
+                }
+                return;
+            }
+            "completions" => {
+                self.push(chance.of_or(&["bash", "zsh", "fish", "powershell", "elvish"], &["nush", ""]));
+                return;
+            }
             "calibrate" => self.calibrate(chance),
             "plot" => self.plot(chance),
             "sweep" => self.sweep(chance),
@@ -90,13 +130,24 @@ impl Question {
             "optimum-sensitivity" => self.optimum_sensitivity(chance),
             "chart" => {
                 self.search(false, chance);
-                self.along(chance);
+                if chance.is(0.3) {
+                    self.at(chance);
+                } else {
+                    self.along(chance);
+                }
                 if chance.is(0.2) {
                     self.push("--csv");
                 }
             }
             "report" => {
                 self.along(chance);
+                if chance.is(0.5) {
+                    self.search(false, chance);
+                }
+                if chance.is(0.5) {
+                    let text = sigma(chance);
+                    self.option("--sigma", text);
+                }
                 self.output("-o", &["page"], chance);
             }
             "verify" => {
@@ -121,14 +172,27 @@ impl Question {
 
     /// The setup that is asked about, its changes, and how it is flown.
     fn setup(&mut self, command: &str, chance: &mut Chance) {
-        match chance.below(10) {
+        let place = chance.below(10);
+        match place {
             0..5 => self.push(preset(chance)),
             5 | 6 => {
                 let text = setup(chance);
                 self.files.push(("setup.toml".into(), text));
                 self.push("setup.toml");
             }
-            7 if chance.is(if command == "simulate" { 1.0 } else { 0.3 }) => {
+            8 if chance.slips() => self.push(chance.of(&["none.toml", "modern", "", ".", "mine.txt", "no/such.toml"])),
+            _ => {}
+        }
+        // where a file gives the launch, the option replaces some of it
+        let is_of_file = matches!(place, 5 | 6);
+        match chance.below(4) {
+            _ if !chance.is_launched => {}
+            0 if is_of_file => {
+                self.option("--launch", chance.of(&["ball_speed=70m/s", "backspin=3000rpm", "spin=300rad/s"]))
+            }
+            _ if is_of_file => {}
+            0 => self.option("--launch", "ball_speed=150mph,launch_angle=12deg,spin=2600rpm,spin_axis=-3deg"),
+            _ => {
                 let launch = [
                     "ball_speed=167mph",
                     "launch_angle=10.9deg",
@@ -140,8 +204,6 @@ impl Question {
                 let part = if chance.slips() { chance.below(3)..6 } else { 0..3 + chance.below(3) };
                 self.option("--launch", launch[part].join(","));
             }
-            8 if chance.slips() => self.push(chance.of(&["none.toml", "modern", "", ".", "mine.txt", "no/such.toml"])),
-            _ => {}
         }
         for _ in 0..chance.below(3) {
             let text = setting(chance);
@@ -180,7 +242,7 @@ impl Question {
             let of = outcome(chance);
             self.option(if chance.is(0.7) { "--maximize" } else { "--minimize" }, of);
         }
-        if chance.is(0.6) {
+        if chance.is_launched || chance.is(0.6) {
             for _ in 0..1 + chance.below(if is_wide { 3 } else { 2 }) {
                 let text = range(variable(chance), chance);
                 self.option("--vary", text);
@@ -238,6 +300,17 @@ impl Question {
         self.option("--along", text);
     }
 
+    /// The optimum at values of a parameter.
+    fn at(&mut self, chance: &mut Chance) {
+        let parameter = variable(chance);
+        let values = list(3, chance, |chance| {
+            let value = near(parameter, 0.05, chance);
+            with_unit(value, parameter, chance)
+        });
+        self.option("--along", parameter.name);
+        self.option("--at", values);
+    }
+
     fn sensitivity(&mut self, chance: &mut Chance) {
         if chance.is(0.5) {
             self.option("--of", list(2, chance, outcome));
@@ -274,11 +347,12 @@ impl Question {
     }
 
     fn calibrate(&mut self, chance: &mut Chance) {
-        let text = shots(chance);
+        let text = if chance.is(0.3) { export(chance) } else { shots(chance) };
         self.files.push(("shots.csv".into(), text));
         self.push(chance.of_or(&["shots.csv"], &["none.csv", "mine.txt", "."]));
         for _ in 0..1 + chance.below(2) {
-            let rows = ["air.density", "aero.spin_decay", "impact.restitution", "ball.mass", "swing.shaft_lean"];
+            // rows of launches have no club; most of these are of the flight
+            let rows = ["air.density", "aero.spin_decay", "gravity", "ball.mass", "swing.shaft_lean"];
             let of_law: Vec<_> = Law::all_rows().map(|row| row.name).collect();
             let name = match chance.below(3) {
                 0 | 1 => chance.of(&rows).to_owned(),
@@ -291,7 +365,8 @@ impl Question {
         self.option("--max-iterations", (1 + chance.below(20)).to_string());
         for (option, most) in [("--starts", 3), ("--folds", 5)] {
             if chance.is(0.1) {
-                self.option(option, chance.below(most).to_string());
+                let count = if chance.slips() { chance.below(most) } else { 2 + chance.below(most - 1) };
+                self.option(option, count.to_string());
             }
         }
         if chance.is(0.1) {
@@ -318,6 +393,10 @@ impl Question {
             2 => {
                 self.search(false, chance);
                 self.along(chance);
+                if chance.is(0.3) {
+                    let shown = chance.of(&["carry", "club.loft", "swing.attack_angle", "launch.launch_angle"]);
+                    self.option("--show", shown);
+                }
             }
             3 => {
                 let of = outcome(chance);
@@ -333,9 +412,6 @@ impl Question {
         }
         let names = if chance.slips() { ["a.jpg", "a", ".svg"] } else { ["a.svg", "a.csv", "a.png"] };
         self.output("-o", &names, chance);
-        if chance.is(0.3) {
-            self.option("--units", chance.of_or(&["metric", "us"], &["si"]));
-        }
         if chance.is(0.2) {
             self.push("--dark");
         }
@@ -347,14 +423,21 @@ impl Question {
     fn sweep(&mut self, chance: &mut Chance) {
         match chance.below(3) {
             0 => {
-                let text = points(chance);
-                self.files.push(("points.csv".into(), text));
-                self.option("--points", "points.csv");
+                let (name, text) = match chance.below(12) {
+                    0 => binary(chance),
+                    1 => ("export.csv".into(), export(chance)),
+                    _ => ("points.csv".into(), points(chance)),
+                };
+                self.files.push((name.clone(), text));
+                self.option("--points", name);
             }
             1 => {
                 let text = range(variable(chance), chance);
                 self.option("--over", text);
                 self.option("--sample", (if chance.slips() { 0 } else { 1 + chance.below(12) }).to_string());
+                if chance.is(0.2) {
+                    self.option("--seed", chance.of_or(&["0", "7", "4294967295"], &["-1", "4294967296"]));
+                }
             }
             _ => {
                 for _ in 0..1 + chance.below(2) {

@@ -43,12 +43,34 @@ pub fn parameter(chance: &mut Chance) -> &'static Parameter {
     if chance.slips() {
         return chance.of(&Law::all_rows().collect::<Vec<_>>());
     }
+    if chance.is_launched {
+        let mut all = launched().parameters();
+        all.retain(|row| !row.is_of_strike() && row.name != "launch.spin" && row.name != "launch.spin_axis");
+        return chance.of(&all);
+    }
     let all = Setup::preset(preset(chance)).unwrap().parameters();
     of_the_drive(&all, chance)
 }
 
+/// The default setup with a launch in place of the club.
+fn launched() -> Setup<f64> {
+    let mut setup = Setup::default();
+    let launch = [("ball_speed", "167 mph"), ("launch_angle", "10.9 deg"), ("backspin", "2686 rpm")];
+    for (name, value) in launch {
+        setup.set(&format!("launch.{name}"), value).unwrap();
+    }
+    setup
+}
+
 /// A parameter of the default setup that searches and derivatives can take.
 pub fn variable(chance: &mut Chance) -> &'static Parameter {
+    if chance.is_launched {
+        let mut all = launched().variables();
+        if chance.is(0.7) {
+            all.retain(|row| row.is_of_launch());
+        }
+        return chance.of(&all);
+    }
     let all = Setup::default().variables();
     // those that anyone asks about more often than the rest
     let usual = ["club.loft", "swing.attack_angle", "swing.speed", "swing.path", "swing.face_angle", "air.density"];
@@ -73,6 +95,9 @@ pub fn name_of(parameter: &Parameter, chance: &mut Chance) -> String {
 /// A value near a parameter's default, SI: about so far from it in parts of what is usual.
 pub fn near(parameter: &Parameter, spread: f64, chance: &mut Chance) -> f64 {
     let default = parameter.default_value().filter(|value| value.is_finite()).unwrap_or(match parameter.quantity.si {
+        "m/s" => 70.0,
+        "rad/s" => 280.0,
+        "rad" if parameter.name == "launch.launch_angle" => 0.2,
         "m" => 0.3,
         "rad" => 0.05,
         _ => 0.1,

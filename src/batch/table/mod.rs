@@ -107,7 +107,8 @@ fn wrong_value(parameter: &Parameter, value: Option<f64>) -> Option<String> {
     match value {
         None => Some("a value is missing; every row needs one".into()),
         Some(value) if !is_value(parameter, value) => {
-            Some(format!("{value} is not a finite number; every row needs one"))
+            let what = if value.is_nan() { "not a number" } else { "not finite" };
+            Some(format!("{value} is {what}; every row needs a finite number"))
         }
         Some(_) => None,
     }

@@ -1,4 +1,5 @@
 use crate::foreign::{DAMAGED, of_arrow, of_io};
+use crate::units::counted;
 use arrow_array::RecordBatch;
 use arrow_buffer::Buffer;
 use arrow_ipc::convert::try_fb_to_schema;
@@ -172,9 +173,10 @@ impl RecordBatches {
         let length = i32::from_le_bytes(length);
         if length == 0 {
             return match (&self.order, self.end - at) {
-                (Order::Following { .. }, more @ 1..) => {
-                    Err(format!("{more} bytes follow after its end; put each stream into a file of its own"))
-                }
+                (Order::Following { .. }, more @ 1..) => Err(format!(
+                    "it has {} after its end; put each stream into a file of its own",
+                    counted(more, "byte")
+                )),
                 _ => Ok(None),
             };
         }

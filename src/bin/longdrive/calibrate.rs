@@ -22,7 +22,7 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
     let output = args.output.as_ref().map(|file| rule.file(file)).transpose()?;
     if setup.launch.is_given() {
         let source = "the rows say how each ball was struck or launched; leave it out".into();
-        return Err(Error::Unreadable { name: "--launch".into(), source });
+        return Err(Error::Unreadable { name: args.question.launch_from(), source });
     }
     let mut warnings = setup.warnings();
     warn(&warnings);

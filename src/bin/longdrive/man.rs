@@ -2,6 +2,7 @@ use crate::args::{Args, Man};
 use crate::files::Rule;
 use crate::output::{Answer, tell};
 use clap::{Command, CommandFactory};
+use longdrive::units::counted;
 use longdrive::{Error, Result};
 
 pub fn run(args: &Man) -> Result<Answer> {
@@ -16,7 +17,7 @@ pub fn run(args: &Man) -> Result<Answer> {
     let names: Vec<&str> = pages.iter().map(|(name, _)| name.as_str()).collect();
     let folder = Rule::new([], args.overwrite).folder(folder, &names)?;
     let written = folder.write(pages.iter().map(|(name, page)| (name.as_str(), page.as_bytes())))?;
-    tell(&format!("wrote {written} pages into {}", folder.path().display()));
+    tell(&format!("wrote {} into {}", counted(written as u64, "page"), folder.path().display()));
     Ok(Answer::text(String::new()))
 }
 

@@ -4,7 +4,7 @@ use crate::output::{Answer, system, tell, warn};
 use longdrive::optimize::Status;
 use longdrive::report::{OptimumReport, optima_text, optimum_text, optimum_toml};
 use longdrive::study::Optimum;
-use longdrive::units::Message;
+use longdrive::units::{Message, counted_of};
 use longdrive::{Result, Setup};
 
 pub fn run(args: &Optimize) -> Result<Answer> {
@@ -26,10 +26,8 @@ pub fn run(args: &Optimize) -> Result<Answer> {
         // of one search alone the text below says so
         let stopped = match optima.stopped() {
             stopped if stopped > 0 && optima.starts > 1 => {
-                format!(
-                    "interrupted: {stopped} of {} searches were stopped before their end; the best so far:\n",
-                    optima.starts
-                )
+                let stopped = counted_of(stopped as u64, optima.starts as u64, ["search", "searches"]);
+                format!("interrupted: {stopped} stopped early; the best so far:\n")
             }
             _ => String::new(),
         };

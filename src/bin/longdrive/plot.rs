@@ -4,6 +4,7 @@ use crate::args::{
 use crate::files::{Destination, Rule};
 use crate::names::{outcomes, variables};
 use crate::output::{Answer, bar, show, spinner, system, tell, warn};
+use crate::verify::tell_left_out;
 #[cfg(not(feature = "png"))]
 use longdrive::features::how_to_get;
 use longdrive::optimize::Watch;
@@ -155,9 +156,7 @@ fn vcurve(args: &PlotVcurve) -> Result<Answer> {
     let certificate = certify(&setup, &of, &wrt, |done, all| show(&bar, done, all));
     bar.finish_and_clear();
     let certificate = certificate?;
-    for (of, why) in &certificate.missing {
-        tell(&format!("left out: {}: {}", of.name(), why.in_units(system())));
-    }
+    tell_left_out(&certificate);
     // in the order asked for, without what is looked at beside
     let asked = of.iter().flat_map(|of| wrt.iter().map(move |parameter| (*of, *parameter)));
     let row = |(of, parameter)| certificate.rows.iter().find(|row| row.of == of && row.parameter == parameter);

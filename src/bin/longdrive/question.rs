@@ -21,18 +21,12 @@ impl Question {
             tell(&format!("note: {}: read as SI, without a unit: {}", self.setup, read.collect::<Vec<_>>().join(", ")));
         }
         let settings = self.set.iter().map(|text| split("--set", text)).collect::<Result<Vec<_>>>()?;
+        let launch = self.conditions(&setup, &settings)?;
+        for (condition, _) in &launch {
+            setup.replace_spin(condition);
+        }
         setup.set_all(settings)?;
-        for text in &self.launch {
-            let (name, value) = split("--launch", text)?;
-            let condition = setup.launch_condition(name).ok_or_else(|| {
-                let names = setup.launch_conditions();
-                let advice = format!("a launch has {}", names.join(", "));
-                Error::unknown("launch condition", name, names, advice)
-            })?;
-            if setup.value(condition).is_some() {
-                let source = format!("{name} is given twice; keep one").into();
-                return Err(Error::Unreadable { name: "--launch".into(), source });
-            }
+        for (condition, value) in launch {
             setup.set(condition.name, value)?;
         }
         setup.validate()?;
@@ -41,6 +35,41 @@ impl Question {
             self.tell_unused()?;
         }
         Ok(setup)
+    }
+
+    /// The conditions of `--launch` with their values, each given once on the command line. They come in place of those of the setup.
+    fn conditions(&self, setup: &Setup<f64>, settings: &[(&str, &str)]) -> Result<Vec<(&'static Parameter, &str)>> {
+        let mut all: Vec<(&'static Parameter, &str)> = vec![];
+        for text in &self.launch {
+            let (name, value) = split("--launch", text)?;
+            let condition = setup.launch_condition(name).ok_or_else(|| {
+                let names = setup.launch_conditions();
+                let advice = format!("a launch has {}", names.join(", "));
+                Error::unknown("launch condition", name, names, advice)
+            })?;
+            let first = settings
+                .iter()
+                .find(|(set, _)| *set == condition.name)
+                .map(|(set, value)| format!("--set {set}={value}"));
+            let earlier =
+                all.iter().find(|(other, _)| *other == condition).map(|(_, value)| format!("--launch {name}={value}"));
+            if let Some(other) = first.or(earlier) {
+                let source = format!("{other} gives the {name} too; keep one of the two").into();
+                return Err(Error::Unreadable { name: format!("--launch {name}={value}"), source });
+            }
+            all.push((condition, value));
+        }
+        Ok(all)
+    }
+
+    /// The options and files that give this setup its launch: "--launch", "mine.toml".
+    pub fn launch_from(&self) -> String {
+        let is_set = self.set.iter().any(|text| text.trim_start().starts_with("launch."));
+        match (self.launch.is_empty(), is_set) {
+            (false, _) => "--launch".into(),
+            (true, true) => "--set launch.…".into(),
+            (true, false) => format!("the launch in {}", self.setup),
+        }
     }
 
     /// Where no club strikes the ball, nothing of a club may be set: it would change nothing.

@@ -13,7 +13,7 @@ use longdrive::study::certificate::{Row, certify};
 use longdrive::study::{
     Chart, Fineness, Search, Sigma, Vary, chart, effects, flatness, map, optimum, usual_loss, with_defaults,
 };
-use longdrive::units::Message;
+use longdrive::units::{Message, counted};
 use longdrive::{Error, Outcome, Result, Setup};
 use serde_json::json;
 
@@ -108,7 +108,7 @@ pub fn run(args: &Report) -> Result<Answer> {
     bar.finish_and_clear();
     warn(&remarks);
     let index = args.output.join("index.html");
-    tell(&format!("{} ({} files)", index.display(), documents.len()));
+    tell(&format!("{} ({})", index.display(), counted(documents.len() as u64, "file")));
     let names: Vec<&str> = documents.iter().map(|document| document.name.as_str()).collect();
     let missing = found.as_ref().filter(|_| best.is_none());
     let answer = if args.question.json {

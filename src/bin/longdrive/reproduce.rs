@@ -5,6 +5,7 @@ use longdrive::Result;
 use longdrive::report::plot::{Look, figure_csv, figure_svg};
 use longdrive::report::{Document, mae494_document, mae494_reply, winfield_tan_document, winfield_tan_reply};
 use longdrive::reproduce::{Mae494, WinfieldTan, mae494, winfield_tan};
+use longdrive::units::counted;
 
 /// Files that every document has.
 pub const DOCUMENT: [&str; 2] = ["report.md", "index.html"];
@@ -39,6 +40,6 @@ pub fn write(folder: &Folder, document: &Document, look: &Look) -> Result<()> {
         files.push((format!("{}.csv", figure.name), figure_csv(figure)?));
     }
     let count = folder.write(files.iter().map(|(name, text)| (name.as_str(), text.as_bytes())))?;
-    tell(&format!("wrote {count} files into {}", folder.path().display()));
+    tell(&format!("wrote {} into {}", counted(count as u64, "file"), folder.path().display()));
     Ok(())
 }

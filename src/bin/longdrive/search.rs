@@ -6,6 +6,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use longdrive::optimize::{Follow, Ledger, Options};
 use longdrive::report::{iteration_line, outcome_text};
 use longdrive::study::{Constraint, Optima, Search, Sense, Vary, optima};
+use longdrive::units::counted_of;
 use longdrive::{Outcome, Result, Setup};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -63,7 +64,8 @@ impl WorkArgs {
         if let Ok(optima) = &found
             && optima.stopped() > 0
         {
-            tell(&format!("{} of {} searches were stopped before they ended", optima.stopped(), optima.starts));
+            let stopped = counted_of(optima.stopped() as u64, optima.starts as u64, ["search", "searches"]);
+            tell(&format!("{stopped} stopped early"));
         }
         found
     }

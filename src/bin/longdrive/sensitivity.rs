@@ -2,8 +2,9 @@ use crate::args::SensitivityArgs;
 use crate::names::outcomes;
 use crate::output::{Answer, bar, show, system, tell, warn};
 use longdrive::optimize::{Status, Watch};
-use longdrive::report::{EffectsReport, OutcomeEffects, effects_text};
-use longdrive::study::{Sigma, effects, optimum, sensitivities, with_defaults};
+use longdrive::parameters::Parameter;
+use longdrive::report::{EffectsReport, OutcomeEffects, by_reason, effects_text};
+use longdrive::study::{Sensitivity, Sigma, effects, optimum, sensitivities, with_defaults};
 use longdrive::{Drive, Error, Outcome, Result};
 
 pub fn run(args: &SensitivityArgs) -> Result<Answer> {
@@ -28,7 +29,7 @@ pub fn run(args: &SensitivityArgs) -> Result<Answer> {
     }
     let sigmas = if args.no_defaults { given } else { with_defaults(&setup, &given)? };
     let drive = Drive::new(&setup)?;
-    let warnings = drive.warnings(&setup);
+    let mut warnings = drive.warnings(&setup);
     warn(&warnings);
     let bar = bar("uncertainties");
     let found = effects(&setup, &of, &sigmas, |done, all| show(&bar, done, all));
@@ -42,6 +43,12 @@ pub fn run(args: &SensitivityArgs) -> Result<Answer> {
         }
         None => None,
     };
+    // a dash in its column would not say why
+    let why = |(row, slope): &(&Parameter, Result<Sensitivity>)| Some((row.name, slope.as_ref().err()?.to_string()));
+    let missing = by_reason(totals.iter().flat_map(|(_, all)| all).filter_map(why));
+    let missing: Vec<_> = missing.iter().map(|line| format!("no slope of the optimum by {line}").into()).collect();
+    warn(&missing);
+    warnings.extend(missing);
     let totals_of =
         |of: Outcome| totals.as_ref().filter(|(maximized, _)| *maximized == of).map(|(_, all)| all.as_slice());
     let answer = if args.question.json {

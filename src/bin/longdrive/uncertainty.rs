@@ -3,8 +3,8 @@ use crate::names::outcomes;
 use crate::output::{Answer, bar, show, system, tell, warn};
 use longdrive::report::{UncertaintyReport, parameter_text, uncertainty_text};
 use longdrive::study::uncertainty::{Plan, Uncertain, uncertainty};
-use longdrive::study::{Sigma, with_defaults};
-use longdrive::{Drive, Error, Result, Setup};
+use longdrive::study::{Sigma, given_twice, with_defaults};
+use longdrive::{Drive, Result, Setup};
 
 pub fn run(args: &UncertaintyArgs) -> Result<Answer> {
     let setup = args.question.setup()?;
@@ -48,8 +48,7 @@ fn inputs(setup: &Setup<f64>, args: &UncertaintyArgs) -> Result<Vec<Uncertain>> 
     let inputs: Vec<_> = sigmas.iter().map(|sigma| Uncertain::normal(setup, sigma)).chain(distributions).collect();
     for (i, input) in inputs.iter().enumerate() {
         if inputs[..i].iter().any(|other| other.parameter == input.parameter) {
-            let reason = "its uncertainty is given twice; keep one".into();
-            return Err(Error::SearchRange { name: input.parameter.name.into(), reason });
+            return Err(given_twice(input.parameter));
         }
     }
     Ok(inputs)

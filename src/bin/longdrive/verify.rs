@@ -1,10 +1,18 @@
 use crate::args::Verify;
 use crate::names::{outcomes, variables};
 use crate::output::{Answer, bar, show, system, tell, warn};
-use longdrive::report::{CertificateReport, certificate_text};
+use longdrive::report::{CertificateReport, by_reason, certificate_text};
 use longdrive::reproduce::while_loop;
-use longdrive::study::certificate::{StepError, certify};
+use longdrive::study::certificate::{Certificate, StepError, certify};
 use longdrive::{Drive, Result};
+
+/// Says which outcomes were left out, and why.
+pub fn tell_left_out(certificate: &Certificate) {
+    let missing = certificate.missing.iter().map(|(of, why)| (of.name(), why.in_units(system())));
+    for line in by_reason(missing) {
+        tell(&format!("left out: {line}"));
+    }
+}
 
 pub fn run(args: &Verify) -> Result<Answer> {
     let setup = args.question.within_tolerance(args.question.setup()?)?;
@@ -18,9 +26,7 @@ pub fn run(args: &Verify) -> Result<Answer> {
     let of_drive = Drive::new(&setup).map_or_else(|_| setup.warnings(), |drive| drive.warnings(&setup));
     let warnings = [of_drive, of_step].concat();
     warn(&warnings);
-    for (of, why) in &certificate.missing {
-        tell(&format!("left out: {}: {}", of.name(), why.in_units(system())));
-    }
+    tell_left_out(&certificate);
     let loops = while_loop(&setup, &certificate.rows);
     let answer = if args.question.json {
         Answer::json(&CertificateReport::reply(&certificate, &loops, warnings))

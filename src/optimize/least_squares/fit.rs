@@ -228,7 +228,7 @@ impl Search {
         let tolerance = options.tolerance;
         let largest = self.at.rows.residuals.iter().fold(0.0, |most: f64, r| most.max(r.abs()));
         if largest <= options.rounding {
-            let message = format!("the largest residual, {largest:.1e}, is rounding: nothing is left over");
+            let message = format!("every residual is a rounding error: the largest is {largest:.1e}");
             return Some((Status::Converged, message));
         }
         if cosine <= tolerance {
@@ -281,12 +281,14 @@ impl Search {
                 if undamped <= 1e3 * NOISE * self.at.cost || self.damping <= FIRST_DAMPING {
                     let part = if self.at.cost > 0.0 { undamped / self.at.cost } else { 0.0 };
                     let message = format!(
-                        "the sum of squares is at its smallest: what a step could still lower it by ({part:.1e} of it) is lost in its \
-                         rounding"
+                        "the sum of squares is at its smallest: a step could lower it by {part:.1e} of its value at most, which is less than \
+                         its rounding error"
                     );
                     return Some((Status::Converged, message));
                 }
-                return self.rounding(domain).or_else(|| stalled("steps too short to tell"));
+                return self
+                    .rounding(domain)
+                    .or_else(|| stalled("the steps are too short to tell whether the sum still falls"));
             }
             self.evaluations += 1;
             match evaluate(to) {
@@ -322,8 +324,8 @@ impl Search {
         let way = length(&|i| x[i].abs().max((x[i] - self.begun_at[i]).abs()));
         (step <= SHORTEST * way).then(|| {
             let message = format!(
-                "no step makes the sum smaller, and one without damping would move the point by {:.1e} of itself: rounding \
-                 lets it fall no further",
+                "no step makes the sum smaller, and one without damping would move the point by {:.1e} of itself: because of \
+                 rounding the sum can fall no further",
                 if way > 0.0 { step / way } else { 0.0 }
             );
             (Status::Converged, message)

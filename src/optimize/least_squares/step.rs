@@ -20,7 +20,8 @@ impl Point {
     pub fn new(x: Vec<f64>, rows: Rows, loss: Loss) -> Result<Self, String> {
         let n = x.len();
         if rows.jacobian.len() != rows.residuals.len() || rows.jacobian.iter().any(|row| row.len() != n) {
-            return Err(format!("the Jacobian is not of {} rows of {n}", rows.residuals.len()));
+            let shape = format!("{} by {n}", rows.residuals.len());
+            return Err(format!("the Jacobian must be {shape} (residuals by variables), and is not"));
         }
         let all = rows.residuals.iter().chain(rows.jacobian.iter().flatten());
         if !all.copied().all(f64::is_finite) {

@@ -11,7 +11,7 @@ use super::document::Document;
 use crate::optimize::least_squares::Status;
 use crate::report::shown;
 use crate::study::calibrate::{Calibration, Estimate, HeldOut, Remainder, ShotTable, Uncertainties, Undetermined};
-use crate::units::{Quantity, System, counted, fixed, signed, significant};
+use crate::units::{Quantity, System, counted, counted_of, fixed, signed, significant};
 
 /// All that a report of a calibration shows.
 #[derive(Clone, Copy, Debug)]
@@ -41,13 +41,14 @@ impl CalibrationReport<'_> {
         let (stopped, all) = self.held_out.iter().fold((0, 0), |(stopped, all), (_, held)| {
             (stopped + held.count(Status::Interrupted), all + held.ended.len())
         });
+        let of_all = counted_of(stopped as u64, all as u64, ["fit", "fits"]);
         match stopped {
             0 => fit.message.clone(),
             _ if fit.status == Status::Interrupted => {
-                format!("{}; {stopped} of {all} fits for the held-out error were not made", fit.message)
+                format!("{}; not made for the held-out error: {of_all}", fit.message)
             }
             _ => format!(
-                "{stopped} of {all} fits for the held-out error were interrupted and are left out; the fit itself: {}, {}",
+                "interrupted and left out of the held-out error: {of_all}; the fit itself: {}, {}",
                 fit.status, fit.message
             ),
         }
@@ -114,11 +115,12 @@ pub fn calibration_document(report: &CalibrationReport<'_>, system: System) -> D
         document.paragraph(format!("{} of {} starts ended at this sum.", found.starts.1, found.starts.0));
     }
     if let (1.., Some(why)) = (fit.refused, &fit.why_refused) {
-        document.paragraph(format!("{} trial points were refused; the last because of {why}", fit.refused));
+        let refused = counted(fit.refused, "trial point");
+        document.paragraph(format!("Refused: {refused}. The reason for the last: {why}"));
     }
     document.heading("Estimates");
     if fit.status == Status::Interrupted {
-        document.paragraph("The fit was interrupted: these values are where it stood, not a minimum.");
+        document.paragraph("The fit was interrupted: these are its last values, not those of a minimum.");
     }
     document.table(
         &["parameter", "estimate", "standard error", "95 % interval"],
@@ -149,8 +151,7 @@ fn left_over(report: &CalibrationReport<'_>) -> String {
     let (chi, dof) = (significant(statistics.chi_square, 5), statistics.degrees_of_freedom);
     let freedom = match dof {
         0 => "no degree of freedom left, for there are as many parameters as values, or more".to_owned(),
-        1 => "1 degree of freedom".into(),
-        _ => format!("{dof} degrees of freedom"),
+        _ => counted(dof as u64, "degree") + " of freedom",
     };
     let errors = match (statistics.scale, stated) {
         (Some(scale), _) if statistics.is_scaled => format!(
@@ -159,8 +160,8 @@ fn left_over(report: &CalibrationReport<'_>) -> String {
         ),
         (Some(_), Uncertainties::Stated) => "Standard errors follow from the stated uncertainties".into(),
         (Some(_), _) => {
-            "Standard errors follow from the instruments' uncertainties as they stand, since nothing is left over to \
-                         scale them by"
+            "Standard errors follow from the instruments' uncertainties and are not scaled, since the residuals give no \
+                         scale"
                 .into()
         }
         (None, _) => {
@@ -169,9 +170,9 @@ fn left_over(report: &CalibrationReport<'_>) -> String {
         }
     };
     let exact = if statistics.is_exact { "; the data are met to rounding" } else { "" };
-    let probability = statistics.probability.map_or(String::new(), |p| {
-        format!(" A sum as large is to be expected with probability {}.", significant(p, 3))
-    });
+    let probability = statistics
+        .probability
+        .map_or(String::new(), |p| format!(" The probability of a sum as large as this is {}.", significant(p, 3)));
     format!("χ² = {chi} with {freedom}{exact}.{probability} {errors}.")
 }
 
@@ -268,7 +269,7 @@ fn held_row(name: &str, held: &HeldOut, system: System) -> Vec<String> {
         format!("{name} {}", quantity.read_off_difference(rms, system.unit(unit)))
     };
     let outcomes: Vec<_> = by_outcome(held).into_iter().map(one).collect();
-    let folds = if held.folds == 0 { "as it stands".into() } else { held.folds.to_string() };
+    let folds = if held.folds == 0 { "not fitted".into() } else { held.folds.to_string() };
     let rms = held.mean_square().map_or("–".into(), |mean| format!("{:.3}", mean.sqrt()));
     let interrupted = held.count(Status::Interrupted);
     let others = held.ended.len() - interrupted - held.count(Status::Converged);
@@ -278,7 +279,7 @@ fn held_row(name: &str, held: &HeldOut, system: System) -> Vec<String> {
         (stopped, all) => format!("{name}: interrupted, {stopped} of {all} fits left out"),
     };
     if others > 0 {
-        what += &format!("; {others} of {} fits did not converge", held.ended.len());
+        what += &format!("; not converged: {}", counted_of(others as u64, held.ended.len() as u64, ["fit", "fits"]));
     }
     vec![folds, rms, outcomes.join(", "), what]
 }

@@ -1,6 +1,6 @@
 use crate::report::plot::{Axis, Bar, Figure, Hue, Layer, Measure};
 use crate::study::{Effect, Effects, Sigma};
-use crate::units::{System, significant};
+use crate::units::{System, counted, significant};
 
 /// Most bars of a tornado: the largest; the others are counted in the note.
 const MOST: usize = 15;
@@ -74,7 +74,8 @@ fn note(
     );
     let straight = ranked.iter().filter(|ends| !ends.is_flown).count();
     if straight > 0 {
-        note += &format!(" {straight} do not fly at both ends and are drawn from the derivative.");
+        let bars = counted(straight as u64, "bar");
+        note += &format!(" Drawn from the derivative, since a drive at one end or both does not fly: {bars}.");
     }
     let linearity = effects.linearity();
     if linearity > 0.0 {
@@ -87,7 +88,7 @@ fn note(
         note += &format!(" Negligible: {}.", still.join(", "));
     }
     if left_out > 0 {
-        note += &format!(" {left_out} smaller ones are not shown.");
+        note += &format!(" Not shown: {}.", counted(left_out as u64, "smaller effect"));
     }
     note
 }

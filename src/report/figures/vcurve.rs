@@ -3,6 +3,7 @@ use crate::drive::Outcome;
 use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};
 use crate::reproduce::LoopRow;
 use crate::study::certificate::Row;
+use crate::units::counted;
 
 /// V-curves of plain central differences of values beside exact derivatives: truncation to the right, rounding to the left.
 /// Steps are parts of the parameter's size; errors, of the derivative, or of outcome over size where that is 0. Beside them the
@@ -39,7 +40,8 @@ pub fn vcurve_figure<'a>(rows: impl IntoIterator<Item = &'a Row>, loops: &[LoopR
     }
     if exact > 0 {
         note += &format!(
-            " {exact} differences equal the exact derivative to the last bit and cannot be drawn on a logarithmic axis."
+            " Not drawn, since a logarithmic axis has no 0: {}, equal to the exact derivative to the last bit.",
+            counted(exact as u64, "difference")
         );
     }
     figure.noted(note)

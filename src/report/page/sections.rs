@@ -69,7 +69,7 @@ pub(super) fn outcomes(flown: &[Flown]) -> Markup {
             }
         } }
         @for one in flown {
-            @if let Flight::None(why) = &one.drive.flight { p.warning { (one.name) ": no flight: " (why.to_string()) } }
+            @if let Flight::None(why) = &one.drive.flight { p.warning { (one.name) ": " (why.to_string()) } }
         }
     }
 }

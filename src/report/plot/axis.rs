@@ -1,5 +1,6 @@
 use crate::drive::Outcome;
 use crate::parameters::Parameter;
+use crate::report::shown::words;
 use crate::units::{Quantity, System, significant};
 
 /// What is measured along an axis or by a colour.
@@ -26,13 +27,12 @@ impl Measure {
 
     /// An outcome.
     pub fn outcome(outcome: Outcome) -> Self {
-        Self::new(outcome.name().replace('_', " "), outcome.quantity(), outcome.unit())
+        Self::new(words(outcome.name()), outcome.quantity(), outcome.unit())
     }
 
     /// A parameter: "swing speed".
     pub fn parameter(parameter: &Parameter) -> Self {
-        let label = parameter.name.replace(['.', '_'], " ");
-        Self::new(label, parameter.quantity, parameter.unit)
+        Self::new(words(parameter.name), parameter.quantity, parameter.unit)
     }
 
     /// An SI value in the unit of a system.

@@ -52,7 +52,7 @@ pub struct PlacedGroup(RowGroupMetaData);
 
 /// Nothing of ours is what Parquet cannot hold: only what a journal kept of a row group can be wrong.
 fn failed(_: ParquetError) -> Error {
-    let reason = "what is known of a row group of the Parquet file is damaged; begin the file anew";
+    let reason = "its record of a row group of the Parquet file is damaged; start the sweep again with --overwrite";
     Error::Output(std::io::Error::other(reason))
 }
 

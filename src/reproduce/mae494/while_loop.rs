@@ -31,7 +31,7 @@ pub(in super::super) fn fly_past_the_ground(setup: &Setup<f64>, step: f64) -> Re
     while here.x >= 0.0 {
         let time = step * f64::from(steps);
         if time > setup.flight.time_limit {
-            return Err(Error::NoFlight { reason: format!("the loop still runs after {time} s").into() });
+            return Err(Error::NoFlight { reason: format!("no landing: the loop still runs after {time} s").into() });
         }
         let spin = spin_at_launch * (-setup.aero.spin_decay * time).exp();
         let speed = velocity.norm();

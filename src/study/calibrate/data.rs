@@ -126,7 +126,7 @@ impl ShotTable {
         if shots.is_empty() {
             let reason = match left_out.is_empty() {
                 true => "it has no rows; give one for each shot".into(),
-                false => format!("no shot is left of it ({}); give a row for each shot", left_out.join("; ")),
+                false => format!("no shot is left in it ({}); give a row for each shot", left_out.join("; ")),
             };
             return Err(refused(String::new(), reason));
         }

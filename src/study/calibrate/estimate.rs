@@ -9,6 +9,7 @@ use crate::error::{Error, Result};
 use crate::optimize::least_squares::{Fit, Follow, Options, Residuals, fit_from};
 use crate::optimize::{Domain, starts};
 use crate::parameters::{Parameter, Setup, Vary};
+use crate::units::counted;
 
 /// What to fit, and how.
 #[derive(Clone, Debug)]
@@ -131,10 +132,10 @@ impl Plan {
         }
         if table.residuals() < self.fit.len() {
             return refuse(format!(
-                "{} has {} measured values, fewer than the {} parameters to fit; measure more or fit less",
+                "{} has {}, fewer than the {} to fit; add measured shots, or fit fewer parameters",
                 table.file,
-                table.residuals(),
-                self.fit.len()
+                counted(table.residuals() as u64, "measured value"),
+                counted(self.fit.len() as u64, "parameter")
             ));
         }
         Ok(())

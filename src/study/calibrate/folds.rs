@@ -53,11 +53,10 @@ pub fn check_folds(table: &ShotTable, plan: &Plan, folds: usize) -> Result<()> {
     let refuse = |reason: String| Err(Error::Calibration { reason });
     let rows = table.shots.len();
     if folds < 2 || folds > rows {
-        let range = match rows {
-            1 => "at least 2 rows are needed to hold one out".into(),
-            rows => format!("the number of folds must be from 2 to {rows}"),
-        };
-        return refuse(format!("{} of {}; {range}", counted(folds as u64, "fold"), counted(rows as u64, "row")));
+        let (folds, rows) = (counted(folds as u64, "fold"), counted(rows as u64, "row"));
+        return refuse(format!(
+            "{folds} cannot be made of {rows}; cross-validation needs 2 folds or more, and at most one for each row"
+        ));
     }
     plan.check(table)?;
     let left = |fold: usize| -> usize {
@@ -67,9 +66,10 @@ pub fn check_folds(table: &ShotTable, plan: &Plan, folds: usize) -> Result<()> {
     let (least, parameters) = ((0..folds).map(left).min().unwrap_or_default(), plan.fit.len());
     if least < parameters {
         return refuse(format!(
-            "a fit without a fold has {least} measured values of {}, fewer than the {parameters} parameters to fit; take more folds, \
-             measure more, or fit less",
-            table.file
+            "a fit without a fold has {} of {}, fewer than the {} to fit; take more folds, measure more, or fit less",
+            counted(least as u64, "measured value"),
+            table.file,
+            counted(parameters as u64, "parameter")
         ));
     }
     Ok(())

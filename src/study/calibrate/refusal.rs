@@ -106,7 +106,8 @@ mod tests {
         let diverged = |time| Error::Diverged { time, step: 2.0, advice: "reduce flight.step".into() };
         let told = refusal(&[(1, diverged(2.0)), (2, diverged(4.0)), (3, diverged(2.0))]);
         assert!(told.ends_with("rows 1 to 3: the flight diverges; reduce flight.step"), "{told}");
-        let no_flight = |angle: &str| Error::NoFlight { reason: format!("the ball leaves at {angle}").as_str().into() };
+        let no_flight =
+            |angle: &str| Error::NoFlight { reason: format!("no flight: the ball leaves at {angle}").as_str().into() };
         let told = refusal(&[(2, no_flight("-3.5 deg")), (5, no_flight("-1 deg")), (6, diverged(1.0))]);
         assert!(
             told.contains("rows 2, 5: as row 2, no flight: the ball leaves at -3.5 deg; row 6: the flight"),

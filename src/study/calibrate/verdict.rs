@@ -3,6 +3,7 @@
 use super::estimate::{Calibration, Remainder};
 use super::statistics::Undetermined;
 use crate::optimize::least_squares::{Fit, Loss, Status};
+use crate::units::counted_of;
 
 /// The verdict of the best of several searches, by what became of all of them: `is_settled` tells whether the curvatures of optima
 /// stayed where they were.
@@ -11,12 +12,12 @@ pub(super) fn of_searches(fits: &mut [Fit], is_settled: bool, is_interrupted: bo
     let Some(best) = fits.first_mut().filter(|best| best.status == Status::Converged) else { return };
     if is_interrupted && stopped > 0 {
         best.status = Status::Interrupted;
-        best.message =
-            format!("{stopped} of {all} searches were stopped before their end; the best so far: {}", best.message);
+        let stopped = counted_of(stopped as u64, all as u64, ["search", "searches"]);
+        best.message = format!("{stopped} stopped early; the best so far: {}", best.message);
     } else if !is_settled {
         best.status = if is_interrupted { Status::Interrupted } else { Status::Stalled };
         best.message =
-            format!("{}; but the curvatures of the optima, renewed there, are not the same yet", best.message);
+            format!("{}; but the curvatures of the optima, computed again there, still change", best.message);
     }
 }
 
@@ -29,8 +30,8 @@ pub(super) fn of_data(found: &mut Calibration, loss: Loss) {
     if let Some(row) = outweighing(&found.remainders, loss) {
         found.fit.status = Status::Outweighed;
         found.fit.message = format!(
-            "row {}: {} lies {:.1e} of its standard uncertainties from the fit, so that the other rows are less than a millionth of the \
-             sum and have no say; correct the row or its sigma, or take it out",
+            "row {}: {} differs by {:.1e} of its standard uncertainties from every fit. Compared with that, all other rows are less than a \
+             millionth of the sum; correct the row or its sigma, or take it out",
             row.row,
             row.outcome.name(),
             row.residual.abs()
@@ -71,7 +72,7 @@ fn names(found: &Calibration, direction: &Undetermined) -> String {
     let names: Vec<&str> = direction.parts.iter().map(|(at, _)| found.estimates[*at].parameter.name).collect();
     match &names[..] {
         [only] => (*only).to_owned(),
-        [rest @ .., last] => format!("{} and {last} apart", rest.join(", ")),
+        [rest @ .., last] => format!("{} and {last} separately", rest.join(", ")),
         [] => "any parameter".into(),
     }
 }

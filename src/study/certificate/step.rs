@@ -38,8 +38,8 @@ impl StepError {
         let (parameter, error) = self.derivative.filter(|(_, error)| *error > WORTH_A_WORD)?;
         let (of, by, step) = (self.of.name(), parameter.name, 1e3 * self.steps[0]);
         let warning = format!(
-            "the derivative of {of} by {by} is that of the flight in time steps of {step} ms, and {error:.0e} of it off that of a flight in short ones; \
-             a shorter flight.step brings it nearer"
+            "the derivative of {of} by {by} is computed with time steps of {step} ms, and with much shorter steps it would differ by {error:.0e} of \
+             its value; reduce flight.step if you need it more exactly"
         );
         Some(warning.into())
     }

@@ -35,7 +35,7 @@ pub struct SensitivityArgs {
     #[arg(long)]
     pub no_defaults: bool,
 
-    /// Compute them at the optimum of a search, and show the slopes of the optimum beside those of the drive.
+    /// Compute the slopes and effects at the optimum of a search, and show the slopes of the optimum beside those of the drive.
     #[arg(long)]
     pub at_optimum: bool,
 

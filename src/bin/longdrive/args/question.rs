@@ -13,7 +13,7 @@ pub struct Question {
 
     /// Compute the flight of a ball with these launch conditions, as a launch monitor reports them: ball_speed, launch_angle,
     /// launch_direction, and backspin with sidespin or spin with spin_axis; e.g.
-    /// ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm.
+    /// ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those of the setup file.
     #[arg(long, value_name = "NAME=VALUE,…", value_delimiter = ',')]
     pub launch: Vec<String>,
 

@@ -9,6 +9,7 @@ use longdrive::batch::Block;
 use longdrive::batch::Tally;
 #[cfg(feature = "parquet")]
 use longdrive::report::{ParquetGroup, PlacedGroup, SweepParquet};
+use longdrive::units::counted;
 use longdrive::{Error, Result};
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, Seek, SeekFrom, Write};
@@ -166,7 +167,7 @@ impl<'a> Kept<'a> {
             kept.groups.restore(table, &entries, table.head().len() as u64)?;
         }
         kept.cut().map_err(unusable)?;
-        tell(&format!("resuming after {} rows", kept.rows));
+        tell(&format!("resuming after {}", counted(kept.rows, "row")));
         if kept.rows == 0 { kept.begun() } else { Ok(kept) }
     }
 
@@ -248,10 +249,10 @@ impl<'a> Kept<'a> {
     }
 
     fn failed(&self, error: &io::Error) -> Error {
-        let (rows, part) = (self.rows, self.files.part.display());
+        let (rows, part) = (counted(self.rows, "complete row"), self.files.part.display());
         let reason = format!(
-            "it cannot be written further ({error}); its first {rows} rows are complete and stay in {part}; make room, then \
-             repeat the same command with --resume"
+            "it cannot be written further ({error}); {part} keeps its first {rows}; make room, then repeat the same command \
+             with --resume"
         );
         refused(&self.files.whole, reason)
     }

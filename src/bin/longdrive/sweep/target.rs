@@ -3,6 +3,7 @@ use super::rows::{Content, Rows, Writer};
 use crate::args::{Format, Sweep};
 use crate::files::{Rule, refused};
 use longdrive::batch::Tally;
+use longdrive::units::counted;
 use longdrive::{Error, Result};
 use std::fs::{File, OpenOptions};
 use std::io::{self, Write};
@@ -119,7 +120,7 @@ impl Stream {
                 return Error::Output(error);
             }
             let rows: u64 = self.tally.counts().map(|(_, count)| count).sum();
-            Error::Output(io::Error::new(error.kind(), format!("{error}; {rows} rows were written before")))
+            Error::Output(io::Error::new(error.kind(), format!("{error}; written before: {}", counted(rows, "row"))))
         })
     }
 }
