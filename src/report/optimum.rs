@@ -157,7 +157,7 @@ pub(super) fn constraints(optimum: &Optimum) -> Vec<ConstraintReport> {
         expression: constraint.expression.clone(),
         value: at.value,
         // what f falls by, the outcome gains
-        multiplier: if constraint.low == constraint.high { at.multiplier } else { at.multiplier.abs() },
+        multiplier: if constraint.is_equation() { at.multiplier } else { at.multiplier.abs() },
     };
     constraints.map(one).collect()
 }
@@ -218,10 +218,17 @@ fn constraints_text(optimum: &Optimum, system: System) -> String {
         // a constraint's price is a change of the outcome: a smaller one is a gain where the smallest is looked for
         let price = constraint_price(optimum, constraint, &report, system);
         let gain = if optimum.search.sense == Sense::Maximize { "+" } else { "-" };
+        let is_converged = optimum.solution.status == Status::Converged;
         let words = match report.multiplier {
-            _ if optimum.solution.status != Status::Converged => String::new(),
+            _ if constraint.is_equation() => {
+                let (quantity, unit) = (constraint.outcome.quantity(), system.unit(constraint.outcome.unit()));
+                let off = quantity.read_off_difference(report.value - constraint.low, unit);
+                // it holds an optimum whatever its price, and a price is one at an optimum only
+                let price = if is_converged { format!(", {price} of raising the value") } else { String::new() };
+                format!("equality: off by {off}{price}")
+            }
+            _ if !is_converged => String::new(),
             0.0 => "not active".into(),
-            _ if constraint.low == constraint.high => format!("active: {price} of raising the value"),
             _ => format!("active: {gain}{price} of relaxing the limit"),
         };
         vec![report.expression, shown::outcome(constraint.outcome, report.value, system), words]
@@ -232,7 +239,7 @@ fn constraints_text(optimum: &Optimum, system: System) -> String {
 /// What the outcome changes by per unit that a constraint's limit is moved: "0.52 yd per deg".
 pub(super) fn constraint_price(optimum: &Optimum, of: &Constraint, at: &ConstraintReport, system: System) -> String {
     let turn = match optimum.search.sense {
-        Sense::Minimize if of.low == of.high => -1.0,
+        Sense::Minimize if of.is_equation() => -1.0,
         _ => 1.0,
     };
     let (outcome, by) = (optimum.search.maximize, of.outcome);
