@@ -128,7 +128,7 @@ fn rows(setup: &Setup<f64>, search: &Search) -> Result<Vec<Row>> {
         wrt.push(speed);
     }
     let of = search.maximize;
-    let mut rows = certify(setup, &[of], &wrt, |_, _| ())?.rows;
+    let mut rows = certify(setup, &[of], &wrt, |_, _| true)?.rows;
     // not those of the landing, which are looked at beside
     rows.retain(|row| row.of == of);
     Ok(rows)
