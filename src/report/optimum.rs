@@ -104,12 +104,9 @@ impl OptimumReport {
     pub fn reply(optima: &Optima, warnings: Vec<Message>) -> Result<Reply<Self>> {
         let best = optima.best()?;
         let reply = Reply::done("optimize", warnings, Self::of_many(best, optima));
-        Ok(match optima.stopped() {
-            0 => reply.ended(best.status(), Some(best.message().to_string())),
-            stopped => {
-                let message = format!("{stopped} of {} searches were stopped before their end", optima.starts);
-                reply.ended("interrupted", Some(message))
-            }
+        Ok(match optima.interrupted() {
+            None => reply.ended(best.status(), Some(best.message().to_string())),
+            interrupted => reply.ended("interrupted", interrupted),
         })
     }
 
@@ -247,16 +244,18 @@ pub(super) fn constraint_price(optimum: &Optimum, of: &Constraint, at: &Constrai
     shown::ratio(units[0], units[1], turn * at.multiplier, system, 3)
 }
 
-/// The setup at an optimum as a setup file in TOML, to the last digit.
+/// The setup at the best of some optima as a setup file in TOML, to the last digit.
 ///
 /// # Errors
-/// As [`setup_toml`].
-pub fn optimum_toml(optimum: &Optimum, preset: &Preset) -> Result<String> {
+/// As [`setup_toml`]; as [`Optima::best`].
+pub fn optimum_toml(optima: &Optima, preset: &Preset) -> Result<String> {
+    let optimum = optima.best()?;
     let search = &optimum.search;
     let of = search.maximize;
     let value = optimum.value().map_or("–".into(), |value| shown::both(of, value, System::default()));
     let mut about = vec![format!("{}, {} {}: {value}", preset.name, search.sense.adjective(), of.name())];
     about.extend(search.subject_to.iter().map(|constraint| format!("subject to {}", constraint.expression)));
+    about.extend(optima.interrupted().map(|interrupted| format!("interrupted: {interrupted}; the best so far:")));
     about.push(format!("{}: {}", optimum.status(), optimum.message()));
     let remarks = search.vary.iter().zip(&optimum.solution.x).map(|(vary, x)| {
         let show = |value: f64| vary.parameter.show(Some(value));
