@@ -1,4 +1,4 @@
-use super::lines::{broken, by_reason, item};
+use super::lines::{broken, by_reason, item, paragraph};
 use super::table::table;
 use super::{Reply, json, shown};
 use crate::derivative::check::{Check, Point, Verdict};
@@ -50,8 +50,8 @@ pub struct CertificateRow {
     pub error: Value,
     /// How far they may be.
     pub tolerance: Value,
-    /// The slopes below and above a corner.
-    pub sides: Option<[f64; 2]>,
+    /// The slopes below and above a corner; `None` for a side that is out of the parameter's range.
+    pub sides: Option<[Option<f64>; 2]>,
     /// The step at which a plain central difference comes nearest.
     pub best_step: Value,
     /// How near.
@@ -65,13 +65,17 @@ pub struct CertificateRow {
 }
 
 impl CertificateReport {
-    /// The answer of `verify`: `passed` or `failed`.
+    /// The answer of `verify`: `passed`, `failed` or `interrupted`.
     pub fn reply(certificate: &Certificate, loops: &[LoopRow], warnings: Vec<Message>) -> Reply<Self> {
         let missing = by_reason(certificate.missing.iter().map(|(of, why)| (of.name(), why.to_string())));
-        let missing: Vec<_> = missing.iter().map(|line| format!("left out: {line}")).collect();
-        let message = missing.join("; ");
+        let missing = missing.iter().map(|line| format!("left out: {line}"));
+        let message = stopped(certificate).into_iter().chain(missing).collect::<Vec<_>>().join("; ");
         let message = (!message.is_empty()).then_some(message);
-        let status = if certificate.passed() { "passed" } else { "failed" };
+        let status = match (certificate.stopped, certificate.passed()) {
+            (Some(_), _) => "interrupted",
+            (None, true) => "passed",
+            (None, false) => "failed",
+        };
         Reply::done("verify", warnings, Self::new(certificate, loops)).ended(status, message)
     }
 
@@ -192,9 +196,7 @@ fn curve_json(curve: &[Point]) -> Value {
 pub fn certificate_text(certificate: &Certificate, loops: &[LoopRow], system: System) -> String {
     let mut text = rows_text(&certificate.rows) + "\n";
     for row in certificate.rows.iter().filter(|row| row.verdict() == Verdict::Corner) {
-        let [below, above] = row.first.sides.unwrap_or([row.first.exact; 2]).map(|slope| significant(slope, 7));
-        let (of, parameter) = (row.of.name(), row.parameter.name);
-        text += &format!("  {of} has a corner in {parameter}: its slope is {below} below and {above} above (SI)\n");
+        text += &corner_text(row);
     }
     text += &landing_text(certificate);
     for found in &certificate.continuity {
@@ -231,7 +233,34 @@ pub fn certificate_text(certificate: &Certificate, loops: &[LoopRow], system: Sy
     let count = |verdict| certificate.rows.iter().filter(|row| row.verdict() == verdict).count();
     let counts =
         [Verdict::Fail, Verdict::Corner, Verdict::Pass].map(|verdict| format!("{} {}", count(verdict), verdict.name()));
-    broken(&text) + &format!("\n{}: {}\n", if certificate.passed() { "passed" } else { "FAILED" }, counts.join(", "))
+    let counts = counts.join(", ");
+    let ending = match (stopped(certificate), certificate.passed()) {
+        (Some(stopped), _) => format!("interrupted: {stopped}: {counts}"),
+        (None, true) => format!("passed: {counts}"),
+        (None, false) => format!("FAILED: {counts}"),
+    };
+    format!("{}\n{}", broken(&text), paragraph(&ending))
+}
+
+/// How far a certificate came that was interrupted.
+fn stopped(certificate: &Certificate) -> Option<String> {
+    let [done, all] = certificate.stopped?;
+    Some(format!("the rows are complete for {done} of {}", counted(all as u64, "parameter")))
+}
+
+/// The slopes to the sides of a corner.
+fn corner_text(row: &Row) -> String {
+    let sides = row.first.sides.unwrap_or_default().map(|side| side.map(|slope| significant(slope, 7)));
+    let (of, parameter) = (row.of.name(), row.parameter.name);
+    let slopes = match sides {
+        [Some(below), Some(above)] => format!("its slope is {below} below and {above} above (SI)"),
+        [below, above] => {
+            let (slope, side) = if below.is_some() { (below, "below") } else { (above, "above") };
+            let slope = slope.unwrap_or_else(|| "–".into());
+            format!("its slope is {slope} {side} (SI); the other side is out of the range of {parameter}")
+        }
+    };
+    format!("  {of} has a corner in {parameter}: {slopes}\n")
 }
 
 fn rows_text(rows: &[Row]) -> String {
@@ -264,18 +293,23 @@ pub(super) fn settled(row: &Row) -> f64 {
 
 fn landing_text(certificate: &Certificate) -> String {
     let landing = &certificate.landing;
-    let Some(worst) = landing.iter().max_by(|a, b| {
+    let Some(worst) = landing.iter().filter(|row| row.check.verdict != Verdict::Corner).max_by(|a, b| {
         let [a, b] = [a, b]
             .map(|row| (row.check.verdict != Verdict::Pass, row.check.error / row.check.bar.max(f64::MIN_POSITIVE)));
         a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
     }) else {
         return String::new();
     };
-    let passed = landing.iter().filter(|row| row.check.verdict == Verdict::Pass).count();
+    let count = |verdict| landing.iter().filter(|row| row.check.verdict == verdict).count();
+    let corners = match count(Verdict::Corner) {
+        0 => String::new(),
+        corners => format!(", and {corners} have a corner"),
+    };
     format!(
-        "  {}: at the landing, derivatives compared with differences at a fixed time, moved to the ground: {passed} of {} pass; the largest \
-         error, of d {}/d {}, is {:.0e} (allowed: {:.0e})\n",
-        verdict_of(passed == landing.len()),
+        "  {}: {} of {} derivatives at the landing agree with differences at a fixed time, moved to the ground{corners}; the largest error, of \
+         d {}/d {}, is {:.0e} (allowed: {:.0e})\n",
+        verdict_of(count(Verdict::Fail) == 0),
+        count(Verdict::Pass),
         landing.len(),
         worst.of.name(),
         worst.parameter.name,

@@ -42,10 +42,11 @@ pub struct ChartPointReport {
 }
 
 impl ChartReport {
-    /// The answer of `chart`: `done`, `partial` where the optimum is missing for a part of the range, or `no-answer`.
+    /// The answer of `chart`: `done`, `interrupted`, `partial` where the optimum is missing for a part of the range, or `no-answer`.
     pub fn reply(chart: &Chart, search: &Search, warnings: Vec<Message>) -> Reply<Self> {
         let notes: Vec<String> = chart.begun.iter().chain(&chart.ended).map(Message::to_string).collect();
         let status = match (notes.is_empty(), chart.points.is_empty()) {
+            _ if chart.interrupted => "interrupted",
             (true, _) => "done",
             (false, true) => "no-answer",
             (false, false) => "partial",

@@ -7,7 +7,7 @@ use crate::error::Result;
 use crate::optimize::{Constrained, Effort, Iteration, Status};
 use crate::parameters::Preset;
 use crate::study::{Constraint, Optima, Optimum, Search, Sense};
-use crate::units::{Message, Quantity, System, counted, counted_of, fixed};
+use crate::units::{Message, Quantity, System, counted, fixed};
 use serde::Serialize;
 use serde_json::{Map, Value};
 use std::collections::BTreeMap;
@@ -104,13 +104,9 @@ impl OptimumReport {
     pub fn reply(optima: &Optima, warnings: Vec<Message>) -> Result<Reply<Self>> {
         let best = optima.best()?;
         let reply = Reply::done("optimize", warnings, Self::of_many(best, optima));
-        Ok(match optima.stopped() {
-            0 => reply.ended(best.status(), Some(best.message().to_string())),
-            stopped => {
-                let stopped = counted_of(stopped as u64, optima.starts as u64, ["search", "searches"]);
-                let message = format!("{stopped} stopped early");
-                reply.ended("interrupted", Some(message))
-            }
+        Ok(match optima.interrupted() {
+            None => reply.ended(best.status(), Some(best.message().to_string())),
+            interrupted => reply.ended("interrupted", interrupted),
         })
     }
 
@@ -158,7 +154,7 @@ pub(super) fn constraints(optimum: &Optimum) -> Vec<ConstraintReport> {
         expression: constraint.expression.clone(),
         value: at.value,
         // what f falls by, the outcome gains
-        multiplier: if constraint.low == constraint.high { at.multiplier } else { at.multiplier.abs() },
+        multiplier: if constraint.is_equation() { at.multiplier } else { at.multiplier.abs() },
     };
     constraints.map(one).collect()
 }
@@ -219,10 +215,17 @@ fn constraints_text(optimum: &Optimum, system: System) -> String {
         // a constraint's price is a change of the outcome: a smaller one is a gain where the smallest is looked for
         let price = constraint_price(optimum, constraint, &report, system);
         let gain = if optimum.search.sense == Sense::Maximize { "+" } else { "-" };
+        let is_converged = optimum.solution.status == Status::Converged;
         let words = match report.multiplier {
-            _ if optimum.solution.status != Status::Converged => String::new(),
+            _ if constraint.is_equation() => {
+                let (quantity, unit) = (constraint.outcome.quantity(), system.unit(constraint.outcome.unit()));
+                let off = quantity.read_off_difference(report.value - constraint.low, unit);
+                // it holds an optimum whatever its price, and a price is one at an optimum only
+                let price = if is_converged { format!(", {price} of raising the value") } else { String::new() };
+                format!("equality: off by {off}{price}")
+            }
+            _ if !is_converged => String::new(),
             0.0 => "not active".into(),
-            _ if constraint.low == constraint.high => format!("active: {price} of raising the value"),
             _ => format!("active: {gain}{price} of relaxing the limit"),
         };
         vec![report.expression, shown::outcome(constraint.outcome, report.value, system), words]
@@ -233,7 +236,7 @@ fn constraints_text(optimum: &Optimum, system: System) -> String {
 /// What the outcome changes by per unit that a constraint's limit is moved: "0.52 yd per deg".
 pub(super) fn constraint_price(optimum: &Optimum, of: &Constraint, at: &ConstraintReport, system: System) -> String {
     let turn = match optimum.search.sense {
-        Sense::Minimize if of.low == of.high => -1.0,
+        Sense::Minimize if of.is_equation() => -1.0,
         _ => 1.0,
     };
     let (outcome, by) = (optimum.search.maximize, of.outcome);
@@ -241,16 +244,18 @@ pub(super) fn constraint_price(optimum: &Optimum, of: &Constraint, at: &Constrai
     shown::ratio(units[0], units[1], turn * at.multiplier, system, 3)
 }
 
-/// The setup at an optimum as a setup file in TOML, to the last digit.
+/// The setup at the best of some optima as a setup file in TOML, to the last digit.
 ///
 /// # Errors
-/// As [`setup_toml`].
-pub fn optimum_toml(optimum: &Optimum, preset: &Preset) -> Result<String> {
+/// As [`setup_toml`]; as [`Optima::best`].
+pub fn optimum_toml(optima: &Optima, preset: &Preset) -> Result<String> {
+    let optimum = optima.best()?;
     let search = &optimum.search;
     let of = search.maximize;
     let value = optimum.value().map_or("–".into(), |value| shown::both(of, value, System::default()));
     let mut about = vec![format!("{}, {} {}: {value}", preset.name, search.sense.adjective(), of.name())];
     about.extend(search.subject_to.iter().map(|constraint| format!("subject to {}", constraint.expression)));
+    about.extend(optima.interrupted().map(|interrupted| format!("interrupted: {interrupted}; the best so far:")));
     about.push(format!("{}: {}", optimum.status(), optimum.message()));
     let remarks = search.vary.iter().zip(&optimum.solution.x).map(|(vary, x)| {
         let show = |value: f64| vary.parameter.show(Some(value));

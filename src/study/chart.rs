@@ -23,6 +23,8 @@ pub struct Chart {
     pub begun: Option<Message>,
     /// Why it ends before the range does, if it does.
     pub ended: Option<Message>,
+    /// Whether it was stopped from outside before its end.
+    pub interrupted: bool,
 }
 
 /// The optimum at one value of the parameter.
@@ -176,7 +178,7 @@ pub fn chart_at(
     }
     let follower = Follower { setup, search, along, follow };
     let (first, begun) = follower.first()?;
-    let mut chart = Chart { along, points: vec![], begun, ended: None };
+    let mut chart = Chart { along, points: vec![], begun, ended: None, interrupted: false };
     let width = along.high - along.low;
     let mut step = LONGEST * width;
     let mut goes_on = watch(&first);
@@ -185,7 +187,8 @@ pub fn chart_at(
         && here.at < along.high
     {
         if !goes_on || follow.is_interrupted() {
-            chart.ended = Some(along.parameter.place("stopped at ".into(), here.at));
+            chart.ended = Some(along.parameter.place("interrupted: the chart ends at ".into(), here.at));
+            chart.interrupted = true;
             break;
         }
         let to = if here.at + 1.001 * step >= along.high { along.high } else { here.at + step };

@@ -18,6 +18,11 @@ pub struct Constraint {
 const SIGNS: [&str; 5] = ["<=", ">=", "==", "≤", "≥"];
 
 impl Constraint {
+    /// Whether it is an equation, which holds wherever it is met.
+    pub fn is_equation(&self) -> bool {
+        self.low == self.high
+    }
+
     /// Reads `OUTCOME >= LIMIT`, `OUTCOME <= LIMIT`, `OUTCOME == VALUE` or `LOW <= OUTCOME <= HIGH`; a limit is a number
     /// with its unit.
     ///

@@ -264,6 +264,15 @@ impl Optima {
         self.locals.iter().filter(|(best, _)| is_stopped(best)).map(|(_, starts)| starts.len()).sum()
     }
 
+    /// How far the searches came, if any was stopped from outside before it ended.
+    pub fn interrupted(&self) -> Option<String> {
+        let (stopped, all) = (self.stopped(), self.starts);
+        (stopped > 0).then(|| match all {
+            1 => "the search was stopped before its end".into(),
+            _ => format!("{} of {all} searches ended, and {stopped} were stopped before their end", all - stopped),
+        })
+    }
+
     /// The best of them.
     ///
     /// # Errors

@@ -458,6 +458,28 @@ fn exact_interrupted_folds_are_left_out_and_counted() {
     assert_eq!(found.fit.status, Status::Interrupted, "{}", found.fit.message);
 }
 
+/// What ended at a minimum is not called the contrary because other searches were stopped, and these are not counted as ended.
+#[test]
+fn an_interrupted_calibration_from_many_starts_says_what_its_best_is() {
+    let setup = elsewhere();
+    let text = shots(&mut Noise(11), 1.0);
+    let table = ShotTable::read(&setup, "shots.csv", text.as_bytes()).unwrap();
+    let plan = Plan { starts: 60, ..Plan::read(&setup, &LAW.map(str::to_owned)).unwrap() };
+    let partly = (1..40).map(|k| calibrate(&setup, &table, &plan, &interrupting(25 * k)).unwrap());
+    let found = partly.into_iter().find(|found| found.is_minimum && found.stopped > 0).unwrap();
+    let ended = 60 - found.stopped;
+    assert_eq!(found.fit.status, Status::Interrupted);
+    assert!(found.starts.1 <= ended, "{:?} of {ended}", found.starts);
+    let report = CalibrationReport { table: &table, found: &found, held_out: &[] };
+    let text = calibration_document(&report, System::Us).text().split_whitespace().collect::<Vec<_>>().join(" ");
+    let says = format!("interrupted: {ended} of 60 searches ended, and {} were stopped", found.stopped);
+    assert!(text.contains(&says) && text.contains("these values are a minimum"), "{text}");
+    assert!(text.contains("came to their end ended at this sum") && !text.contains("not a minimum"), "{text}");
+    // and where it stood, where it was the best that was stopped
+    let at_once = calibrate(&setup, &table, &plan, &interrupting(1)).unwrap();
+    assert!(!at_once.is_minimum && at_once.fit.status == Status::Interrupted, "{}", at_once.fit.message);
+}
+
 #[test]
 fn an_interrupted_comparison_says_so_and_ends_with_status_1() {
     let setup = elsewhere();

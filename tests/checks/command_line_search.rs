@@ -33,6 +33,20 @@ fn exact_constraints_and_starts_as_json() {
     assert_eq!(serde_json::from_slice::<Value>(&one_thread.stdout).unwrap(), found, "whatever the number of threads");
 }
 
+/// An equation holds whatever its price: lateral is 0 for every straight drive.
+#[test]
+fn an_equation_is_told_with_what_it_is_off_by_and_never_as_not_active() {
+    let line = |limit: &str| {
+        let said = longdrive(&["optimize", "-q", "--subject-to", limit]);
+        let line = said.out.lines().find(|line| line.trim_start().starts_with(limit)).map(str::to_owned);
+        line.unwrap_or_else(|| panic!("{}", said.out))
+    };
+    assert!(line("lateral == 0 yd").ends_with("equality: off by 0.00 yd, 0 yd per yd of raising the value"));
+    let held = line("apex_height == 30 yd");
+    assert!(held.contains("equality: off by 0.00 yd, ") && held.ends_with("yd per yd of raising the value"), "{held}");
+    assert!(line("apex_height <= 60 yd").ends_with("not active"));
+}
+
 #[test]
 fn exact_equation_that_holds_already_converges_with_its_multiplier() {
     for of in ["carry", "flight_time", "apex_height", "landing_speed"] {

@@ -69,7 +69,7 @@ fn a_question_without_an_answer_gets_an_object_with_the_reason_and_status_1() {
         (with(&["chart", "--along", "swing.speed=100mph..104mph"], &contradiction), "no-answer"),
         (vec!["plot", "trajectory", "-o", &picture, down[0], down[1]], "no-flight"),
         (vec!["report", "-o", &page, down[0], down[1], "--vary", "swing.attack_angle=-40deg..-30deg"], "no-flight"),
-        (with(&["verify", "--of", "carry"], &down), "failed"),
+        (with(&["verify", "--of", "carry"], &down), "no-flight"),
         (with(&["sensitivity"], &down), "no-flight"),
         (with(&["sensitivity", "--at-optimum"], &contradiction), "infeasible"),
         (with(&["uncertainty", "--samples", "20", "--sigma", "club.loft=0.1deg"], &down), "no-answer"),

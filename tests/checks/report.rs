@@ -49,7 +49,7 @@ fn figures() -> Vec<Figure> {
     let sigmas = with_defaults(&setup, &[]).unwrap();
     let effects = effects(&setup, &[Outcome::Carry], &sigmas, |_, _| ()).unwrap();
     let loft = setup.variable("club.loft").unwrap();
-    let certificate = certify(&setup, &[Outcome::Carry], &[loft], |_, _| ()).unwrap();
+    let certificate = certify(&setup, &[Outcome::Carry], &[loft], |_, _| true).unwrap();
     vec![
         trajectory_figure(&flown, View::Side),
         trajectory_figure(&flown, View::Top),

@@ -1,8 +1,8 @@
 use crate::args::Calibrate;
 use crate::files::Rule;
+use crate::interrupt::{self, BEST_SO_FAR};
 use crate::output::{Answer, system, tell, warn};
 use crate::reproduce::{DOCUMENT, write};
-use crate::search::{BEST_SO_FAR, interrupt};
 use longdrive::drive::Looked;
 use longdrive::optimize::least_squares::{Follow, Loss};
 use longdrive::parameters::{Law, Vary};
@@ -50,7 +50,7 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
         check_folds(&table, plan, folds)
             .map_err(|error| Error::Unreadable { name: format!("--compare {law}"), source: error.into() })?;
     }
-    let follow = Follow { iteration: Some(Arc::new(shown)), interrupt: interrupt(BEST_SO_FAR) };
+    let follow = Follow { iteration: Some(Arc::new(shown)), interrupt: interrupt::stops(BEST_SO_FAR) };
     let found = calibrate(&setup, &table, &plan, &follow)?;
     let shots = beyond(&found.setup, &table.shots);
     let shots = shots.warnings(&setup.law, ["shot", "shots"], Looked::AtFlight);

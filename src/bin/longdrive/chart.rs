@@ -1,6 +1,6 @@
 use crate::args::ChartArgs;
+use crate::interrupt::{self, BEST_SO_FAR};
 use crate::output::{Answer, spinner, system, tell, tell_error, warn};
-use crate::search::{BEST_SO_FAR, interrupt};
 use indicatif::ProgressBar;
 use longdrive::optimize::Iteration;
 use longdrive::report::{ChartReport, chart_csv, chart_text, iteration_line, outcome_text, parameter_text};
@@ -8,6 +8,7 @@ use longdrive::study::{Chart, ChartWatch, Search, Vary, chart_at};
 use longdrive::{Result, Setup};
 use std::cell::Cell;
 use std::rc::Rc;
+use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
 pub fn run(args: &ChartArgs) -> Result<Answer> {
@@ -19,7 +20,7 @@ pub fn run(args: &ChartArgs) -> Result<Answer> {
     let setup = args.question.for_many(setup, &ranges)?;
     let mut warnings = setup.warnings();
     warn(&warnings);
-    let stop = interrupt(BEST_SO_FAR);
+    let stop = interrupt::stops(BEST_SO_FAR);
     let of = search.maximize;
     let spinner = spinner("following the optimum");
     let beginning = {
@@ -30,7 +31,7 @@ pub fn run(args: &ChartArgs) -> Result<Answer> {
         }
     };
     let follow = ChartWatch {
-        interrupt: stop,
+        interrupt: stop.clone(),
         beginning: Some(Rc::new(beginning)),
         iteration: Some(Rc::new(progress(&search, &spinner))),
     };
@@ -43,10 +44,12 @@ pub fn run(args: &ChartArgs) -> Result<Answer> {
         true
     });
     spinner.finish_and_clear();
+    interrupt::ends();
     let chart = match chart {
         Err(error) if error.is_an_outcome() => {
             tell_error(&error);
-            let none = Chart { along, points: vec![], begun: None, ended: Some(error.message()) };
+            let interrupted = stop.load(Ordering::Relaxed);
+            let none = Chart { along, points: vec![], begun: None, ended: Some(error.message()), interrupted };
             let answer = if args.question.json {
                 Answer::json(&ChartReport::reply(&none, &search, warnings))
             } else {
@@ -62,6 +65,9 @@ pub fn run(args: &ChartArgs) -> Result<Answer> {
     let answer = if args.question.json {
         Answer::json(&ChartReport::reply(&chart, &search, warnings))
     } else if args.csv {
+        for note in chart.begun.iter().chain(&chart.ended) {
+            tell(&note.in_units(system()));
+        }
         Answer::text(chart_csv(&chart)?)
     } else {
         Answer::text(chart_text(&chart, system()))

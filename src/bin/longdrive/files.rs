@@ -2,6 +2,7 @@
 //! output is an input of the same command, and a file is written beside its place and put there when it is whole. All of
 //! this is checked before the work begins.
 
+use crate::interrupt;
 use longdrive::{Error, Result};
 use std::fs;
 use std::io::{self, ErrorKind, Write};
@@ -78,8 +79,8 @@ impl Rule {
         Ok(())
     }
 
-    /// A folder to write several files into, some of whose names are known already. It is made where it does not exist, but not the folder
-    /// that it is in: a misspelt path is told, as for a file.
+    /// A folder to write several files into, some of whose names are known already. Where it does not exist it is made with the files, but
+    /// not the folder that it is in: a misspelt path is told, as for a file.
     ///
     /// # Errors
     /// [`Error::Results`] for a file, a folder that cannot be made or written to, and a file in it that may not be replaced.
@@ -87,6 +88,7 @@ impl Rule {
         if fs::metadata(path).is_ok_and(|found| !found.is_dir()) {
             return Err(refused(path, "it cannot be written to: it is a file; name a folder"));
         }
+        let is_new = !path.exists();
         if !path.is_dir() {
             in_a_folder(path)?;
             fs::create_dir(path).map_err(|error| unwritable(path, &error))?;
@@ -96,6 +98,10 @@ impl Rule {
             self.place(&path.join(name))?;
         }
         beside(&path.join("file")).map_err(|error| unwritable(path, &error))?;
+        if is_new {
+            // it was a trial: where the work ends without an answer there is no folder
+            fs::remove_dir(path).map_err(|error| unwritable(path, &error))?;
+        }
         Ok(folder)
     }
 }
@@ -127,6 +133,14 @@ impl Destination {
     /// # Errors
     /// [`Error::Results`]; what stood there before then still does.
     pub fn write(&self, bytes: &[u8]) -> Result<()> {
+        // a pipe without a reader may be waited for without end
+        if !self.is_file {
+            return self.put(bytes);
+        }
+        interrupt::undisturbed(&[&self.shown], || self.put(bytes))
+    }
+
+    fn put(&self, bytes: &[u8]) -> Result<()> {
         let written = || -> io::Result<()> {
             if !self.is_file {
                 return fs::OpenOptions::new().write(true).open(&self.at)?.write_all(bytes);
@@ -154,12 +168,15 @@ impl Folder {
     /// # Errors
     /// As [`Rule::file`] and [`Destination::write`].
     pub fn write<'a>(&self, files: impl IntoIterator<Item = (&'a str, &'a [u8])>) -> Result<usize> {
+        fs::create_dir_all(&self.path).map_err(|error| unwritable(&self.path, &error))?;
         let place = |(name, bytes)| Ok((self.rule.place(&self.path.join(name))?, bytes));
         let files = files.into_iter().map(place).collect::<Result<Vec<_>>>()?;
-        for (destination, bytes) in &files {
-            destination.write(bytes)?;
-        }
-        Ok(files.len())
+        interrupt::undisturbed(&[&self.path], || {
+            for (destination, bytes) in &files {
+                destination.put(bytes)?;
+            }
+            Ok(files.len())
+        })
     }
 
     /// Its name.

@@ -7,6 +7,7 @@ mod colour;
 mod completions;
 mod files;
 mod gradient;
+mod interrupt;
 mod man;
 mod names;
 mod optimize;
@@ -39,6 +40,7 @@ fn main() -> ExitCode {
         }
     };
     output::begin(args.shown);
+    interrupt::begin(args.command.name(), args.command.is_json());
     let answer = match &args.command {
         Command::Simulate(args) => simulate::run(args),
         Command::Gradient(args) => gradient::run(args),

@@ -3,8 +3,8 @@ use crate::files::{Destination, Rule};
 use crate::output::{Answer, system, tell, warn};
 use longdrive::optimize::Status;
 use longdrive::report::{OptimumReport, optima_text, optimum_text, optimum_toml};
-use longdrive::study::Optimum;
-use longdrive::units::{Message, counted_of};
+use longdrive::study::{Optima, Optimum};
+use longdrive::units::Message;
 use longdrive::{Result, Setup};
 
 pub fn run(args: &Optimize) -> Result<Answer> {
@@ -16,7 +16,7 @@ pub fn run(args: &Optimize) -> Result<Answer> {
     let best = optima.best()?;
     let warnings = remarks(&setup, best);
     warn(&warnings);
-    let written = output.as_ref().map(|output| args.write(output, best)).transpose()?.flatten();
+    let written = output.as_ref().map(|output| args.write(output, &optima)).transpose()?.flatten();
     let answer = if args.question.json {
         let mut reply = OptimumReport::reply(&optima, warnings)?;
         reply.body.file = written;
@@ -24,13 +24,8 @@ pub fn run(args: &Optimize) -> Result<Answer> {
     } else {
         let listed = if args.work.starts > 1 { optima_text(&optima, system()) } else { String::new() };
         // of one search alone the text below says so
-        let stopped = match optima.stopped() {
-            stopped if stopped > 0 && optima.starts > 1 => {
-                let stopped = counted_of(stopped as u64, optima.starts as u64, ["search", "searches"]);
-                format!("interrupted: {stopped} stopped early; the best so far:\n")
-            }
-            _ => String::new(),
-        };
+        let stopped = optima.interrupted().filter(|_| optima.starts > 1);
+        let stopped = stopped.map_or(String::new(), |stopped| format!("interrupted: {stopped}; the best so far:\n"));
         Answer::text(stopped + &optimum_text(best, system()) + &listed)
     };
     Ok(answer.found(best.solution.status == Status::Converged && optima.stopped() == 0))
@@ -45,13 +40,14 @@ impl Optimize {
     }
 
     /// Writes the setup at the optimum, into the file returned; where there is no optimum, nothing.
-    pub fn write(&self, output: &Destination, best: &Optimum) -> Result<Option<String>> {
+    pub fn write(&self, output: &Destination, optima: &Optima) -> Result<Option<String>> {
         let file = output.path().display();
+        let best = optima.best()?;
         if best.solution.status != Status::Converged {
             warn(&[Message::from(format!("{file} is not written: there is no optimum"))]);
             return Ok(None);
         }
-        output.write(optimum_toml(best, self.question.preset()?)?.as_bytes())?;
+        output.write(optimum_toml(optima, self.question.preset()?)?.as_bytes())?;
         tell(&format!("wrote the setup at the optimum into {file}"));
         Ok(Some(file.to_string()))
     }

@@ -26,7 +26,7 @@ pub fn run(args: &OptimumSensitivity) -> Result<Answer> {
     let output = args.optimize.destination()?;
     let optima = work.run(&setup, &search)?;
     let best = optima.best()?;
-    let written = output.as_ref().map(|output| args.optimize.write(output, best)).transpose()?.flatten();
+    let written = output.as_ref().map(|output| args.optimize.write(output, &optima)).transpose()?.flatten();
     let warnings = remarks(&setup, best);
     warn(&warnings);
     if optima.stopped() > 0 {

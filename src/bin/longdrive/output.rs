@@ -1,5 +1,6 @@
 use crate::args::Shown;
 use crate::colour;
+use crate::interrupt;
 use clap::error::{ContextKind, ContextValue};
 use indicatif::{ProgressBar, ProgressStyle};
 use longdrive::report::{Empty, Reply, remark};
@@ -54,6 +55,7 @@ impl Answer {
     }
 
     pub fn print(self) -> Result<ExitCode> {
+        interrupt::prints();
         match colour::print(&self.text) {
             // a reader that has gone away, as `head` does, is no failure of ours
             Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(Error::Output(error)),
@@ -123,8 +125,9 @@ fn in_own_words(error: &mut clap::Error) {
     error.insert(ContextKind::Suggested, ContextValue::StyledStrs(vec![tip.into()]));
 }
 
-fn say(reply: &Reply<Empty>) {
-    let _ = Answer::json(reply).print();
+/// An answer without anything found, on standard output, where the program ends with it.
+pub fn say(reply: &Reply<Empty>) {
+    let _ = colour::print(&Answer::json(reply).text);
 }
 
 /// Progress of long work, on standard error; nothing where that is not a terminal, or with --quiet.

@@ -153,7 +153,10 @@ fn vcurve(args: &PlotVcurve) -> Result<Answer> {
     let setup = args.question.within_tolerance(args.question.setup()?)?;
     let (of, wrt) = (outcomes(&args.of)?, variables(&setup, &args.wrt)?);
     let bar = bar("parameters");
-    let certificate = certify(&setup, &of, &wrt, |done, all| show(&bar, done, all));
+    let certificate = certify(&setup, &of, &wrt, |done, all| {
+        show(&bar, done, all);
+        true
+    });
     bar.finish_and_clear();
     let certificate = certificate?;
     tell_left_out(&certificate);

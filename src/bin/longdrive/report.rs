@@ -160,7 +160,7 @@ fn rows(setup: &Setup<f64>, of: Outcome, search: Option<&Search>) -> Result<Vec<
     if !wrt.contains(&speed) {
         wrt.push(speed);
     }
-    let mut rows = certify(setup, &[of], &wrt, |_, _| ())?.rows;
+    let mut rows = certify(setup, &[of], &wrt, |_, _| true)?.rows;
     // not those of the landing, which are looked at beside
     rows.retain(|row| row.of == of);
     Ok(rows)

@@ -1,16 +1,14 @@
-//! The search that several commands begin with: who follows it, stops it and keeps it.
+//! The search that several commands begin with: who follows it and keeps it.
 
 use crate::args::{SearchArgs, WorkArgs};
+use crate::interrupt::{self, BEST_SO_FAR};
 use crate::output::{system, tell};
 use indicatif::{ProgressBar, ProgressStyle};
 use longdrive::optimize::{Follow, Ledger, Options};
 use longdrive::report::{iteration_line, outcome_text};
 use longdrive::study::{Constraint, Optima, Search, Sense, Vary, optima};
-use longdrive::units::counted_of;
 use longdrive::{Outcome, Result, Setup};
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
-use std::time::{Duration, Instant};
 
 impl SearchArgs {
     /// What is looked for.
@@ -57,15 +55,15 @@ impl WorkArgs {
             Some(path) => Some(Arc::new(Ledger::open(path, &question(setup, search, self.starts))?)),
             None => None,
         };
-        let mut follow = Follow { interrupt: interrupt(BEST_SO_FAR), ledger, ..Follow::default() };
+        let mut follow = Follow { interrupt: interrupt::stops(BEST_SO_FAR), ledger, ..Follow::default() };
         let bar = if self.starts > 1 { self.many(search, &mut follow) } else { one(search, &mut follow) };
         let found = optima(setup, search, self.starts as usize, &follow);
         bar.finish_and_clear();
+        interrupt::ends();
         if let Ok(optima) = &found
-            && optima.stopped() > 0
+            && let Some(interrupted) = optima.interrupted()
         {
-            let stopped = counted_of(optima.stopped() as u64, optima.starts as u64, ["search", "searches"]);
-            tell(&format!("{stopped} stopped early"));
+            tell(&interrupted);
         }
         found
     }
@@ -101,30 +99,4 @@ fn one(search: &Search, follow: &mut Follow) -> ProgressBar {
     let shown = search.clone();
     follow.iteration = Some(Arc::new(move |_, iteration| tell(&iteration_line(&shown, iteration, system()))));
     ProgressBar::hidden()
-}
-
-/// Signals within this time are one: a program around this one (`timeout`) may send its own beside the terminal's.
-const ONE_PRESS: Duration = Duration::from_millis(300);
-
-/// What a search does on Ctrl-C.
-pub const BEST_SO_FAR: &str = "stopping with the best result so far";
-
-/// Becomes true on Ctrl-C, which is answered with a line of what happens then; a second one ends the program at once.
-pub fn interrupt(stopping: &'static str) -> Arc<AtomicBool> {
-    let flag = Arc::new(AtomicBool::new(false));
-    let shared = flag.clone();
-    let mut first = None;
-    // without a handler Ctrl-C ends the program as it ends any other
-    let _ = ctrlc::set_handler(move || {
-        shared.store(true, Ordering::Relaxed);
-        match first {
-            None => {
-                first = Some(Instant::now());
-                tell(&format!("{stopping}; press Ctrl-C again to end at once"));
-            }
-            Some(first) if first.elapsed() > ONE_PRESS => std::process::exit(130),
-            Some(_) => {}
-        }
-    });
-    flag
 }

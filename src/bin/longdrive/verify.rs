@@ -1,10 +1,12 @@
 use crate::args::Verify;
+use crate::interrupt;
 use crate::names::{outcomes, variables};
 use crate::output::{Answer, bar, show, system, tell, warn};
 use longdrive::report::{CertificateReport, by_reason, certificate_text};
 use longdrive::reproduce::while_loop;
 use longdrive::study::certificate::{Certificate, StepError, certify};
 use longdrive::{Drive, Result};
+use std::sync::atomic::Ordering;
 
 /// Says which outcomes were left out, and why.
 pub fn tell_left_out(certificate: &Certificate) {
@@ -19,7 +21,12 @@ pub fn run(args: &Verify) -> Result<Answer> {
     let of = outcomes(&args.of)?;
     let wrt = variables(&setup, &args.wrt)?;
     let bar = bar("parameters");
-    let certificate = certify(&setup, &of, &wrt, |done, all| show(&bar, done, all));
+    let stop = interrupt::stops("stopping after the parameters under way");
+    let certificate = certify(&setup, &of, &wrt, |done, all| {
+        show(&bar, done, all);
+        !stop.load(Ordering::Relaxed)
+    });
+    interrupt::ends();
     bar.finish_and_clear();
     let certificate = certificate?;
     let of_step = certificate.step.iter().filter_map(StepError::warning).collect();

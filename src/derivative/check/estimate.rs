@@ -17,6 +17,11 @@ impl Side {
     fn power(self) -> i32 {
         if self == Self::Both { 2 } else { 1 }
     }
+
+    /// Most differences that are combined: an error of h⁸ is left, of either kind.
+    fn most(self) -> usize {
+        if self == Self::Both { 4 } else { 8 }
+    }
 }
 
 /// A difference over a step.
@@ -46,16 +51,13 @@ impl Estimate {
     }
 }
 
-/// Most differences that are combined: an error of h⁸ for central ones.
-const MOST: usize = 4;
-
 /// The best estimate of all stretches of consecutive differences. A derivative is the limit of small steps: it goes from small steps to
 /// large ones, and ends where one is no further off than is enough, or where larger steps contradict smaller ones beyond what both may
 /// be off.
 pub(super) fn estimate(differences: &[Option<Difference>], side: Side, enough: f64) -> Option<Estimate> {
     let mut best: Option<Estimate> = None;
     for first in (0..differences.len()).rev() {
-        for count in 2..=MOST.min(differences.len() - first) {
+        for count in 2..=side.most().min(differences.len() - first) {
             let stretch = differences[first..first + count].iter().copied().collect::<Option<Vec<_>>>();
             let Some(found) = stretch.map(|stretch| extrapolated(&stretch, side)) else { continue };
             match best {

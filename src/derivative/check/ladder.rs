@@ -10,6 +10,10 @@ pub const FEW_STEPS: [i32; 12] = [2, 3, 4, 5, 6, 7, 8, 9, 10, 19, 20, 21];
 /// a millionth) counts as not rounded at all.
 const LEAST_STEP: f64 = 1e-6;
 
+/// A function that is less than this part of the numbers it is computed from is taken to be so large: with less, what must be seen of a
+/// derivative ([`Demand::FIRST`](super::Demand::FIRST)) would be less than what rounding leaves.
+const LEAST_LEFT: f64 = 1e-5;
+
 /// Steps at which second differences are nothing but rounding.
 const ROUNDING_ONLY: std::ops::Range<f64> = 1e-12..2e-9;
 
@@ -31,8 +35,10 @@ pub struct Ladder {
     pub scale: f64,
     /// f(x).
     pub centre: f64,
-    /// How large the numbers are that f is computed from: |f(x)|, or more.
+    /// How large f is taken to be: |f(x)|, or more.
     pub size: f64,
+    /// How large the numbers are that f is computed from, and that its rounding is a part of: [`size`](Self::size), or more.
+    pub rounded: f64,
     /// The samples, the largest step first.
     pub rungs: Vec<Rung>,
 }
@@ -47,7 +53,8 @@ impl Ladder {
         mut f: impl FnMut(f64) -> Vec<f64>,
     ) -> Vec<Self> {
         let centre = f(at);
-        let blank = |centre: &f64| Self { scale, centre: *centre, size: centre.abs(), rungs: vec![] };
+        let blank =
+            |centre: &f64| Self { scale, centre: *centre, size: centre.abs(), rounded: centre.abs(), rungs: vec![] };
         let mut ladders: Vec<Self> = centre.iter().map(blank).collect();
         for k in steps {
             // the step that is left after rounding
@@ -64,10 +71,17 @@ impl Ladder {
         ladders
     }
 
-    /// The same of a function that is computed from numbers of at least this size, whatever is left of them.
+    /// The same of a function that is taken to be at least so large, whatever its value here.
     #[must_use]
     pub fn made_of(self, size: f64) -> Self {
-        Self { size: self.size.max(size), ..self }
+        Self { size: self.size.max(size), ..self }.rounded_as(size)
+    }
+
+    /// The same of a function that is rounded as numbers of at least this size are, for it is what is left of them: zero spin is what is left of
+    /// spins that cancel. What is less than 1e-5 of them is not told from nothing.
+    #[must_use]
+    pub fn rounded_as(self, size: f64) -> Self {
+        Self { size: self.size.max(LEAST_LEFT * size), rounded: self.rounded.max(size), ..self }
     }
 
     /// How much of the value at the centre is rounding: the most that second differences amount to where the function itself

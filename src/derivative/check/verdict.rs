@@ -48,7 +48,7 @@ impl Demand {
     pub const SECOND: Self = Self { least_bar: 1e-7, seen: None };
 }
 
-/// Rounding of the exact derivative itself, in sizes of the function over the scale.
+/// Rounding of the exact derivative itself, in sizes of the numbers that the function is computed from over the scale.
 const OWN_ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// One step of a V-curve: the error of the plain central difference.
@@ -69,8 +69,8 @@ pub struct Check {
     pub exact: f64,
     /// The best that differences make of it; `None` where the function has values to neither side.
     pub best: Option<Estimate>,
-    /// The slopes below and above, where they differ.
-    pub sides: Option<[f64; 2]>,
+    /// The slopes below and above, where they differ; `None` for a side to which the function has no values.
+    pub sides: Option<[Option<f64>; 2]>,
     /// |exact − best|.
     pub error: f64,
     /// The error that it may have: [`BAR`] times the uncertainty of the differences, and no less than [`Demand::least_bar`] asks.
@@ -82,6 +82,11 @@ pub struct Check {
 }
 
 impl Check {
+    /// Whether differences do not show it to be the slope.
+    pub fn failed(&self) -> bool {
+        self.verdict == Verdict::Fail
+    }
+
     /// The step at which a plain central difference comes nearest, and how near.
     pub fn best_step(&self) -> Option<Point> {
         self.curve.iter().copied().min_by(|a, b| a.error.total_cmp(&b.error))
@@ -98,7 +103,7 @@ impl Ladder {
         let curve = self.rungs.iter().filter_map(plain).collect();
         let sides = self.corner();
         let worth = exact.abs().max(self.next_to_nothing());
-        let least = demand.least_bar * worth + OWN_ROUNDING * self.size / self.scale;
+        let least = demand.least_bar * worth + OWN_ROUNDING * self.rounded / self.scale;
         let bar_of = |best: &Estimate| least.max(BAR * best.uncertainty);
         let is_seen = |bar: f64| demand.seen.is_none_or(|seen| bar <= seen * worth);
         // differences to one side see what central ones do not: a slope whose own slope jumps here
@@ -119,17 +124,30 @@ impl Ladder {
         Check { exact, best, sides, error, bar, verdict, curve }
     }
 
+    /// The same of a function that is known to have a corner here. At the end of its range it has one of the two slopes, and a derivative that lies
+    /// between them is not held against that one.
+    pub fn judge_on_a_corner(&self, exact: f64, demand: Demand) -> Check {
+        let check = self.judge(exact, demand);
+        let sides = [Side::Below, Side::Above].map(|side| self.slope(side, 0.0).map(|slope| slope.value));
+        let has_one_side = sides.iter().flatten().count() == 1;
+        if check.verdict == Verdict::Fail && has_one_side {
+            Check { sides: Some(sides), verdict: Verdict::Corner, ..check }
+        } else {
+            check
+        }
+    }
+
     /// The size below which a derivative is next to nothing.
     pub fn next_to_nothing(&self) -> f64 {
         NEXT_TO_NOTHING * self.size / self.scale
     }
 
     /// The slopes to both sides, where they are not the same.
-    fn corner(&self) -> Option<[f64; 2]> {
+    fn corner(&self) -> Option<[Option<f64>; 2]> {
         let (below, above) = (self.slope(Side::Below, 0.0)?, self.slope(Side::Above, 0.0)?);
         let apart = (above.value - below.value).abs();
         let size = above.value.abs().max(below.value.abs());
         let is_corner = apart > 10.0 * (above.uncertainty + below.uncertainty) && apart > 1e-4 * size;
-        is_corner.then_some([below.value, above.value])
+        is_corner.then_some([Some(below.value), Some(above.value)])
     }
 }

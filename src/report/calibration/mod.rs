@@ -112,7 +112,11 @@ pub fn calibration_document(report: &CalibrationReport<'_>, system: System) -> D
         document.paragraph(remark.in_units(system));
     }
     if found.starts.0 > 1 {
-        document.paragraph(format!("{} of {} starts ended at this sum.", found.starts.1, found.starts.0));
+        let of = match found.stopped {
+            0 => counted(found.starts.0 as u64, "start"),
+            stopped => format!("the {} that came to their end", counted((found.starts.0 - stopped) as u64, "start")),
+        };
+        document.paragraph(format!("{} of {of} ended at this sum.", found.starts.1));
     }
     if let (1.., Some(why)) = (fit.refused, &fit.why_refused) {
         let refused = counted(fit.refused, "trial point");
@@ -120,7 +124,10 @@ pub fn calibration_document(report: &CalibrationReport<'_>, system: System) -> D
     }
     document.heading("Estimates");
     if fit.status == Status::Interrupted {
-        document.paragraph("The fit was interrupted: these are its last values, not those of a minimum.");
+        document.paragraph(match found.is_minimum {
+            true => "The fit was interrupted: these values are a minimum, and the searches that were stopped may have led to a lower one.",
+            false => "The fit was interrupted: these values are where it stood, not a minimum.",
+        });
     }
     document.table(
         &["parameter", "estimate", "standard error", "95 % interval"],

@@ -139,7 +139,10 @@ fn limits(best: &Optimum) -> Markup {
                         td { (&report.expression) }
                         td.number { (outcome(constraint.outcome, Some(report.value))) }
                         td {
-                            @if best.solution.status != Status::Converged {} @else if report.multiplier == 0.0 { "not active" } @else {
+                            @if constraint.is_equation() { "equality" }
+                            @if best.solution.status != Status::Converged {} @else if constraint.is_equation() {
+                                ": " (both(|system| constraint_price(best, constraint, &report, system))) " of raising the value"
+                            } @else if report.multiplier == 0.0 { "not active" } @else {
                                 (both(|system| constraint_price(best, constraint, &report, system))) " of moving the limit"
                             }
                         }

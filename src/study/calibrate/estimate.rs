@@ -6,7 +6,7 @@ use super::statistics::{Fitted, Statistics};
 use super::verdict;
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
-use crate::optimize::least_squares::{Fit, Follow, Options, Residuals, fit_from};
+use crate::optimize::least_squares::{Fit, Follow, Options, Residuals, Status, fit_from};
 use crate::optimize::{Domain, starts};
 use crate::parameters::{Parameter, Setup, Vary};
 use crate::units::counted;
@@ -63,6 +63,10 @@ pub struct Calibration {
     pub fit: Fit,
     /// Searches made, and how many of them ended at this sum (within 1e-6 of it).
     pub starts: (usize, usize),
+    /// Searches that were stopped from outside before their end.
+    pub stopped: usize,
+    /// Whether the search that is shown had ended at a minimum, whatever became of the others.
+    pub is_minimum: bool,
     /// The parameters.
     pub estimates: Vec<Estimate>,
     /// What the data say of them.
@@ -189,12 +193,12 @@ pub fn calibrate(setup: &Setup<f64>, table: &ShotTable, plan: &Plan, follow: &Fo
         from = if renewals == 1 { fits.iter().map(|fit| fit.x.clone()).collect() } else { vec![best.x.clone()] };
         problem.curvatures = renewed;
     };
-    let same =
-        fits.iter().filter(|fit| (fit.cost - fits[0].cost).abs() <= 1e-6 * fits[0].cost.abs().max(1e-12)).count();
-    verdict::of_searches(&mut fits, is_settled, follow.is_interrupted());
+    let is_same = |fit: &&Fit| (fit.cost - fits[0].cost).abs() <= 1e-6 * fits[0].cost.abs().max(1e-12);
+    let same = fits.iter().filter(|fit| fit.status != Status::Interrupted).filter(is_same).count();
+    let (stopped, is_minimum) = verdict::of_searches(&mut fits, is_settled, follow.is_interrupted());
     let mut found = finished(&problem, &domain, table, &own, fits, &options)?;
     verdict::of_data(&mut found, options.loss);
-    Ok(Calibration { starts: (plan.starts, same), renewals, ..found })
+    Ok(Calibration { starts: (plan.starts, same), stopped, is_minimum, renewals, ..found })
 }
 
 /// What a fit lacks that cannot begin.
@@ -241,7 +245,17 @@ fn finished(
     let estimates = estimates.collect();
     let remainders = remainders(&table.shots, &fit.rows.residuals);
     let setup = problem.moved(&fit.x)?;
-    Ok(Calibration { setup, fit, starts: (1, 1), estimates, statistics, remainders, renewals: 0 })
+    Ok(Calibration {
+        setup,
+        fit,
+        starts: (1, 1),
+        stopped: 0,
+        is_minimum: false,
+        estimates,
+        statistics,
+        remainders,
+        renewals: 0,
+    })
 }
 
 /// Residuals with what they are of.

@@ -3,22 +3,27 @@
 use super::estimate::{Calibration, Remainder};
 use super::statistics::Undetermined;
 use crate::optimize::least_squares::{Fit, Loss, Status};
-use crate::units::counted_of;
 
 /// The verdict of the best of several searches, by what became of all of them: `is_settled` tells whether the curvatures of optima
-/// stayed where they were.
-pub(super) fn of_searches(fits: &mut [Fit], is_settled: bool, is_interrupted: bool) {
+/// stayed where they were. How many searches were stopped before their end is returned, and whether the best of all had ended at a minimum.
+pub(super) fn of_searches(fits: &mut [Fit], is_settled: bool, is_interrupted: bool) -> (usize, bool) {
     let (all, stopped) = (fits.len(), fits.iter().filter(|fit| fit.status == Status::Interrupted).count());
-    let Some(best) = fits.first_mut().filter(|best| best.status == Status::Converged) else { return };
-    if is_interrupted && stopped > 0 {
+    let Some(best) = fits.first_mut() else { return (stopped, false) };
+    let (ended, is_minimum) = (best.status, best.status == Status::Converged && is_settled);
+    if stopped > 0 && ended != Status::Interrupted {
         best.status = Status::Interrupted;
-        let stopped = counted_of(stopped as u64, all as u64, ["search", "searches"]);
-        best.message = format!("{stopped} stopped early; the best so far: {}", best.message);
-    } else if !is_settled {
+        best.message = format!(
+            "{} of {all} searches ended, and {stopped} were stopped before their end; the best of those that ended is {ended}: {}",
+            all - stopped,
+            best.message
+        );
+    }
+    if !is_settled && ended == Status::Converged {
         best.status = if is_interrupted { Status::Interrupted } else { Status::Stalled };
         best.message =
             format!("{}; but the curvatures of the optima, computed again there, still change", best.message);
     }
+    (stopped, is_minimum)
 }
 
 /// The verdict where the data do not determine the parameters, or where one row leaves the others no say.

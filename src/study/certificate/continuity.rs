@@ -72,7 +72,7 @@ pub(super) fn continuity(setup: &Setup<f64>, of: &[Outcome], wrt: &[&'static Par
     let scales: Vec<f64> = wrt.iter().map(|parameter| scale(setup, parameter)).collect();
     let drive = Drive::new(setup)?;
     let continuity = |(i, of): (usize, &Outcome)| {
-        let size = size(*of, &drive);
+        let size = size(*of, setup, &drive);
         let pairs = [0, 1, 2].map(|order| {
             let entries = |side: &[Vec<Taylor>]| {
                 side.iter().map(|taylors| entries(&taylors[i], &scales, order)).collect::<Vec<_>>()

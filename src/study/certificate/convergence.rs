@@ -1,4 +1,4 @@
-use super::order::{Errors, measure};
+use super::order::{Errors, MEASURED, measure};
 use super::scale::{scale, size};
 use crate::derivative::check::NEXT_TO_NOTHING;
 use crate::derivative::{Taylor, jacobian};
@@ -56,7 +56,8 @@ impl Convergence {
 }
 
 /// How the outcomes of the flight, and their derivatives by `wrt`, converge with the step. A logarithmic wind is left out: it changes
-/// within centimetres of the ground, and no order shows at steps that are longer.
+/// within centimetres of the ground, and no order shows at steps that are longer. Steps within which the spin fades show none either; where too few
+/// are left, nothing is measured.
 ///
 /// # Errors
 /// As [`jacobian`].
@@ -76,12 +77,14 @@ pub(super) fn convergence_to(
     }
     let drive = Drive::new(setup)?;
     let time = drive.landed()?.flight_time;
+    let fading = fading(setup, &drive);
     let at = |steps: u32| {
         let mut setup = *setup;
         // a little more than a whole number of steps, so that none ends just before or just after the landing
         setup.flight.step = time / (f64::from(steps) - 0.5);
         // too coarse a step may not follow the flight: an error at that step there is none
-        let taylors = (setup.flight.step <= 1.0).then(|| jacobian(&setup, of, wrt).ok()).flatten();
+        let is_short = setup.flight.step <= 1.0 && setup.flight.step * fading <= 1.0;
+        let taylors = is_short.then(|| jacobian(&setup, of, wrt).ok()).flatten();
         taylors.map(|taylors| (setup.flight.step, taylors))
     };
     let (Some((_, reference)), Some((_, beside))) = (at(REFERENCE), at(BESIDE_THE_REFERENCE)) else {
@@ -92,11 +95,15 @@ pub(super) fn convergence_to(
         .flat_map(|(level, steps)| steps.map(|steps| (level, at(steps))))
         .filter_map(|(level, flown)| Some((level, flown?)))
         .collect();
+    let coarsest = flown.iter().map(|(level, _)| *level).min().unwrap_or(STEPS.len());
+    if coarsest + MEASURED > STEPS.len() {
+        return Ok(vec![]);
+    }
     let scales: Vec<f64> = wrt.iter().map(|parameter| scale(setup, parameter)).collect();
     let (short_of, floor) =
         if is_joined(setup) { (SHORT_OF_ACROSS_A_JOINT, SCATTER_ACROSS_A_JOINT) } else { (SHORT_OF, ROUNDING) };
     let convergence = |(i, of): (usize, &Outcome)| {
-        let size = size(*of, &drive);
+        let size = size(*of, setup, &drive);
         let sample = |(level, (step, taylors)): &(usize, (f64, Vec<Taylor>))| {
             let errors = errors(&taylors[i], &reference[i], size, &scales);
             errors.map(|errors| Errors { level: *level, step: *step, errors })
@@ -124,14 +131,24 @@ pub(super) fn convergence_to(
 }
 
 /// The orders of value and gradient: the method's, as far as the polynomial of degree 7 between the steps goes: h⁸ in a position and h⁷ in
-/// its derivatives, one less in a velocity and in the root of one. A law that is joined to its smoothing has but two continuous
+/// its derivatives, one less in a velocity and in the root of one. A step adds to the position what it adds to the velocity only up to h^(p+1), so that a
+/// velocity within it is off by h^p times a function of the place in the step; the apex moves through the step as a parameter changes, at a rate of
+/// 1/h, and its derivatives are off by h^(p−1). (The landing lies in the middle of a step here, where that function is flat.) A law that is joined to its smoothing has but two continuous
 /// derivatives: the step that crosses the joint is off by h⁴, and its derivative by h³.
 fn expected(setup: &Setup<f64>, of: Outcome) -> [u32; 2] {
     use Outcome::{ApexDownrange, ApexTime, DescentAngle, LandingSpeed};
     let is_of_a_velocity = matches!(of, DescentAngle | LandingSpeed | ApexTime | ApexDownrange);
     let interpolated = if is_of_a_velocity { [7, 6] } else { [8, 7] };
     let forced = if is_joined(setup) { [4, 3] } else { [u32::MAX; 2] };
-    [0, 1].map(|which: usize| setup.method.order().min(interpolated[which]).min(forced[which]))
+    let order = setup.method.order();
+    let of_method = if matches!(of, ApexTime | ApexDownrange) { [order, order - 1] } else { [order; 2] };
+    [0, 1].map(|which: usize| of_method[which].min(interpolated[which]).min(forced[which]))
+}
+
+/// How fast the spin fades as the ball leaves, 1/s: δ + κ |v|/R (docs/model.md, eq. 13).
+fn fading(setup: &Setup<f64>, drive: &Drive<f64>) -> f64 {
+    let by_way = setup.aero.spin_damping.unwrap_or_default() / setup.ball.radius;
+    setup.aero.spin_decay + by_way * drive.launch.ball_speed()
 }
 
 fn is_joined(setup: &Setup<f64>) -> bool {

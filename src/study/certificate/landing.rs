@@ -5,12 +5,13 @@
 //!   height(T + dt, p + dp) = ground   ⇒   dt = −(∂height/∂p − ∂ground/∂p) dp / ẋ,   d carry = ∂z/∂p dp + ż dt
 //! ```
 
-use super::scale::scale;
-use crate::derivative::check::{Check, Demand, FEW_STEPS, Ladder};
+use super::rows::in_few_steps;
+use super::scale::{scale, size};
+use crate::derivative::check::{Check, Demand, Ladder};
 use crate::derivative::jacobian;
 use crate::drive::{Drive, Outcome};
 use crate::error::Result;
-use crate::flight::trajectory;
+use crate::flight::{Landed, trajectory};
 use crate::impact::strike;
 use crate::launch::Launch;
 use crate::number::Vector;
@@ -44,13 +45,12 @@ pub(super) fn at_landing(setup: &Setup<f64>, wrt: &[&'static Parameter]) -> Resu
     if setup.wind.roughness.is_some() || setup.ground.height - WAY_DOWN < -1e4 {
         return Ok(vec![]);
     }
-    // a step that ends at the landing
-    let time = Drive::new(setup)?.landed()?.flight_time;
-    let steps = (time / setup.flight.step).ceil();
-    let mut setup = *setup;
-    setup.flight.step = time / steps;
-    let landed = *Drive::new(&setup)?.landed()?;
+    let (setup, landed) = ending_with_a_step(setup)?;
+    let time = landed.flight_time;
     let exact = jacobian(&setup, &AT_LANDING, wrt)?;
+    let drive = Drive::new(&setup)?;
+    let judged = if drive.corners(&setup).is_empty() { Ladder::judge } else { Ladder::judge_on_a_corner };
+    let sizes = AT_LANDING.map(|of| size(of, &setup, &drive));
     let mut all = vec![];
     for (k, parameter) in wrt.iter().enumerate() {
         let at = setup.value(parameter).unwrap_or_default();
@@ -68,20 +68,40 @@ pub(super) fn at_landing(setup: &Setup<f64>, wrt: &[&'static Parameter]) -> Resu
             let path = trajectory(&moved, &launch).ok()?;
             Some(to_ground(path.points.last()?.position, landed.velocity, ground, time))
         };
-        let ladders = Ladder::sample(at, scale(&setup, parameter), FEW_STEPS, |value| {
-            moved(value).map_or(vec![f64::NAN; 3], |outcomes| outcomes.to_vec())
-        });
+        let sample = |steps| {
+            Ladder::sample(at, scale(&setup, parameter), steps, |value| {
+                moved(value).map_or(vec![f64::NAN; 3], |outcomes| outcomes.to_vec())
+            })
+        };
+        let judge =
+            |(i, ladder): (usize, Ladder)| judged(&ladder.rounded_as(sizes[i]), exact[i].gradient[k], Demand::FIRST);
         let per_time = [landed.velocity.z, landed.velocity.y, 1.0];
-        for (i, ladder) in ladders.into_iter().enumerate() {
-            all.push(AtLanding {
-                of: AT_LANDING[i],
-                parameter,
-                check: ladder.judge(exact[i].gradient[k], Demand::FIRST),
-                landing_term: per_time[i] * exact[2].gradient[k],
-            });
+        for (i, check) in in_few_steps(sample, judge, Check::failed).into_iter().enumerate() {
+            let landing_term = per_time[i] * exact[2].gradient[k];
+            all.push(AtLanding { of: AT_LANDING[i], parameter, check, landing_term });
         }
     }
     Ok(all)
+}
+
+/// The setup with a step of which one ends at the landing, and that landing. Another step moves the landing by its own error of truncation: the
+/// step is made anew until it does so by no more than rounding, for away from the ground the differences are those of another place. The way
+/// there is short, since the landing changes by a part of h^p only.
+fn ending_with_a_step(setup: &Setup<f64>) -> Result<(Setup<f64>, Landed<f64>)> {
+    /// Steps that are tried.
+    const TRIALS: usize = 16;
+    let mut setup = *setup;
+    let mut landed = *Drive::new(&setup)?.landed()?;
+    let steps = (landed.flight_time / setup.flight.step).ceil();
+    for _ in 0..TRIALS {
+        let time = landed.flight_time;
+        setup.flight.step = time / steps;
+        landed = *Drive::new(&setup)?.landed()?;
+        if (landed.flight_time - time).abs() <= 2.0 * f64::EPSILON * time {
+            break;
+        }
+    }
+    Ok((setup, landed))
 }
 
 /// Carry, lateral and flight time of a ball that is here at a time, by the straight way to the ground.

@@ -25,7 +25,7 @@ use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup};
 use crate::units::Message;
 use rayon::prelude::*;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 /// An outcome without derivatives, and why.
 pub type Missing = (Outcome, Message);
@@ -60,12 +60,15 @@ pub struct Certificate {
     pub missing: Vec<Missing>,
     /// Corners that the drive lies on, in words.
     pub corners: Vec<String>,
+    /// Where it was stopped before its end: by how many parameters of how many there are rows.
+    pub stopped: Option<[usize; 2]>,
 }
 
 impl Certificate {
-    /// Whether there was something to certify, nothing failed, and every planted error was caught.
+    /// Whether there was something to certify, it was looked at to the end, nothing failed, and every planted error was caught.
     pub fn passed(&self) -> bool {
         !self.rows.is_empty()
+            && self.stopped.is_none()
             && self.rows.iter().all(|row| row.verdict() != Verdict::Fail)
             && self.landing.iter().all(|row| row.check.verdict != Verdict::Fail)
             && self.continuity.iter().all(Continuity::passed)
@@ -79,47 +82,61 @@ impl Certificate {
     }
 }
 
-/// Certifies the derivatives of some outcomes by some parameters, telling `progress` how many parameters of how many are done.
+/// Certifies the derivatives of some outcomes by some parameters, telling `progress` how many parameters of how many are done. It ends with what
+/// there is once `progress` says that it is not to go on.
 ///
 /// # Errors
-/// What [`evaluate`] refuses. Outcomes that the drive does not have are listed as missing.
+/// What [`evaluate`] refuses. Outcomes that the drive does not have are listed as missing; where it has none of them, the first says why.
 pub fn certify(
     setup: &Setup<f64>,
     of: &[Outcome],
     wrt: &[&'static Parameter],
-    progress: impl Fn(usize, usize) + Sync,
+    progress: impl Fn(usize, usize) -> bool + Sync,
 ) -> Result<Certificate> {
     if of.is_empty() {
         return Err(Error::Nothing { doing: "evaluate", what: "outcome" });
     }
     let (of, missing) = present(setup, of, wrt)?;
     let drive = Drive::new(setup)?;
-    let exact = if of.is_empty() { vec![] } else { evaluate(setup, &of, wrt, Order::First)? };
-    let done = AtomicUsize::new(0);
-    let asked = if of.is_empty() { &[] } else { wrt };
-    let by_parameter = asked.par_iter().enumerate().map(|(k, parameter)| {
+    let exact = evaluate(setup, &of, wrt, Order::First)?;
+    let (done, stopped) = (AtomicUsize::new(0), AtomicBool::new(false));
+    let is_stopped = |done: usize| {
+        // once it is to stop, it stays so
+        if !stopped.load(Ordering::Relaxed) && !progress(done, wrt.len()) {
+            stopped.store(true, Ordering::Relaxed);
+        }
+        stopped.load(Ordering::Relaxed)
+    };
+    let by_parameter = wrt.par_iter().enumerate().map(|(k, parameter)| {
         let slopes: Vec<f64> = exact.iter().map(|taylor| taylor.gradient[k]).collect();
-        let rows = rows::rows(setup, &of, parameter, &slopes);
-        progress(done.fetch_add(1, Ordering::Relaxed) + 1, wrt.len());
+        if is_stopped(done.load(Ordering::Relaxed)) {
+            return Ok(vec![]);
+        }
+        let rows = rows::rows(setup, &drive, &of, parameter, &slopes);
+        is_stopped(done.fetch_add(1, Ordering::Relaxed) + 1);
         rows
     });
     let mut rows = by_parameter.collect::<Result<Vec<_>>>()?.concat();
-    let planted = planted::planted(setup, &rows, LandingTerms::new(setup, asked).as_ref());
+    let planted = planted::planted(setup, &rows, LandingTerms::new(setup, wrt).as_ref());
     rows.sort_by(|a, b| a.verdict().cmp(&b.verdict()).then(b.severity().total_cmp(&a.severity())));
 
     let has_corner = rows.iter().any(|row| row.verdict() == Verdict::Corner);
     let flown: Vec<Outcome> = of.iter().copied().filter(|of| of.part() == Part::Flight).collect();
     // at a corner of the model nothing is smooth, and what is said of each parameter is said in its row
     let is_smooth = !flown.is_empty() && !has_corner;
+    let done = done.into_inner();
+    let goes_on = || is_smooth && !is_stopped(done);
     let pair = &wrt[..wrt.len().min(2)];
-    let landing = if is_smooth { landing::at_landing(setup, wrt)? } else { vec![] };
-    let continuity = if is_smooth { continuity::continuity(setup, &flown, pair)? } else { vec![] };
-    let convergence = if is_smooth { convergence::convergence(setup, &flown, pair)? } else { vec![] };
-    let has_log_wind = setup.wind.roughness.is_some();
-    let why = |otherwise: &'static str| match (has_corner, has_log_wind) {
-        (true, _) => "an outcome has a corner here",
-        (false, true) => "the logarithmic wind changes within centimetres of the ground",
-        (false, false) => otherwise,
+    let landing = if goes_on() { landing::at_landing(setup, wrt)? } else { vec![] };
+    let continuity = if goes_on() { continuity::continuity(setup, &flown, pair)? } else { vec![] };
+    let convergence = if goes_on() { convergence::convergence(setup, &flown, pair)? } else { vec![] };
+    let step = if flown.is_empty() || is_stopped(done) { vec![] } else { step::step_errors(setup, &flown, wrt)? };
+    let (is_interrupted, has_log_wind) = (stopped.load(Ordering::Relaxed), setup.wind.roughness.is_some());
+    let why = |otherwise: &'static str| match (is_interrupted, has_corner, has_log_wind) {
+        (true, ..) => "it was interrupted before",
+        (_, true, _) => "an outcome has a corner here",
+        (_, _, true) => "the logarithmic wind changes within centimetres of the ground",
+        _ => otherwise,
     };
     let mut not_examined = vec![];
     let mut skipped = |is_skipped: bool, check: String, reason: &'static str| {
@@ -128,16 +145,17 @@ pub fn certify(
         }
     };
     skipped(landing.is_empty(), "the landing as an implicit function".into(), why("the ground is too far down"));
-    let reason =
-        if has_corner { why("") } else { "the number does not change within a tenth of the first parameter's size" };
+    let unchanged = "the number does not change within a tenth of the first parameter's size";
+    let reason = if has_corner || is_interrupted { why("") } else { unchanged };
     skipped(continuity.is_empty(), "smoothness where the number of time steps changes".into(), reason);
     skipped(
         convergence.is_empty(),
         "convergence with the time step".into(),
-        why("the flight cannot be followed at such steps"),
+        why("the flight cannot be followed, or the spin fades, within the steps that an order shows at"),
     );
     Ok(Certificate {
-        step: if flown.is_empty() { vec![] } else { step::step_errors(setup, &flown, wrt)? },
+        stopped: is_interrupted.then_some([done, wrt.len()]),
+        step,
         not_examined,
         landing,
         continuity,
@@ -149,15 +167,21 @@ pub fn certify(
     })
 }
 
-/// The outcomes that the drive has derivatives of, and those that it has not.
+/// The outcomes that the drive has derivatives of, at least one, and those that it has not.
 fn present(setup: &Setup<f64>, of: &[Outcome], wrt: &[&'static Parameter]) -> Result<(Vec<Outcome>, Vec<Missing>)> {
-    let (mut present, mut missing) = (vec![], vec![]);
+    let (mut present, mut missing, mut first) = (vec![], vec![], None);
     for &one in of {
         match evaluate(setup, &[one], wrt, Order::First) {
             Ok(_) => present.push(one),
-            Err(error) if error.is_an_outcome() => missing.push((one, error.message())),
+            Err(error) if error.is_an_outcome() => {
+                missing.push((one, error.message()));
+                first = first.or(Some(error));
+            }
             Err(error) => return Err(error),
         }
     }
-    Ok((present, missing))
+    match first {
+        Some(error) if present.is_empty() => Err(error),
+        _ => Ok((present, missing)),
+    }
 }

@@ -1,12 +1,9 @@
-use super::scale::scale;
+use super::scale::{scale, size};
 use crate::derivative::check::{Check, Demand, FEW_STEPS, Ladder, STEPS, Verdict, taylor_slopes};
 use crate::derivative::{Evaluator, Order, Taylor, evaluate};
-use crate::drive::Outcome;
+use crate::drive::{Drive, Outcome};
 use crate::error::Result;
 use crate::parameters::{Parameter, Setup};
-
-/// The least size of the numbers that an outcome is made of, in the unit people read it in.
-const LEAST_SIZE: f64 = 1e-6;
 
 /// The derivatives of an outcome by a parameter, beside differences.
 #[derive(Clone, Debug)]
@@ -45,17 +42,19 @@ pub(super) fn demand(setup: &Setup<f64>) -> Demand {
     if setup.wind.roughness.is_some() { Demand { least_bar: 1e-7, ..Demand::FIRST } } else { Demand::FIRST }
 }
 
-/// The rows of some outcomes by one parameter. `exact` are the outcomes' derivatives by it, as they come of the question that is
+/// The rows of some outcomes of a drive by one parameter. `exact` are the outcomes' derivatives by it, as they come of the question that is
 /// certified.
 ///
 /// # Errors
 /// What [`Evaluator::new`] refuses. Where a drive around the setup has no outcome there is no sample.
 pub(super) fn rows(
     setup: &Setup<f64>,
+    drive: &Drive<f64>,
     of: &[Outcome],
     parameter: &'static Parameter,
     exact: &[f64],
 ) -> Result<Vec<Row>> {
+    let judge = if drive.corners(setup).is_empty() { Ladder::judge } else { Ladder::judge_on_a_corner };
     let (at, scale) = (setup.value(parameter).unwrap_or_default(), scale(setup, parameter));
     let evaluator = |order| Evaluator::new(setup, of, &[parameter], order);
     let (values, gradients) = (evaluator(Order::Value)?, evaluator(Order::First)?);
@@ -64,19 +63,35 @@ pub(super) fn rows(
         taylors.map_or(vec![f64::NAN; of.len()], |all| all.iter().map(f).collect())
     };
     let of_values = Ladder::sample(at, scale, STEPS, |x| told(values.at(&[x]), |taylor| taylor.value));
-    let of_gradients = Ladder::sample(at, scale, FEW_STEPS, |x| told(gradients.at(&[x]), |taylor| taylor.gradient[0]));
-    let row = |(i, (ladder, gradients)): (usize, (Ladder, Ladder))| {
-        // zero spin is what rounding leaves of spins that cancel
-        let ladder = ladder.made_of(LEAST_SIZE * of[i].quantity().size_of(of[i].unit()).unwrap_or(1.0));
-        let curvature = curvatures.as_ref().map(|taylors| taylors[i].hessian[0][0]);
-        Row {
-            of: of[i],
-            parameter,
-            first: ladder.judge(exact[i], demand(setup)),
-            second: curvature.map(|d| gradients.made_of(ladder.size / scale).judge(d, Demand::SECOND)),
-            slopes: taylor_slopes(&ladder, exact[i], curvature.unwrap_or_default()),
-            ladder,
-        }
+    let of_values: Vec<Ladder> =
+        of_values.into_iter().zip(of).map(|(ladder, of)| ladder.rounded_as(size(*of, setup, drive))).collect();
+    let curvature = |i: usize| curvatures.as_ref().map(|taylors| taylors[i].hessian[0][0]);
+    let seconds = in_few_steps(
+        |steps| Ladder::sample(at, scale, steps, |x| told(gradients.at(&[x]), |taylor| taylor.gradient[0])),
+        |(i, gradients)| {
+            let (size, rounded) = (of_values[i].size / scale, of_values[i].rounded / scale);
+            curvature(i).map(|d| gradients.made_of(size).rounded_as(rounded).judge(d, Demand::SECOND))
+        },
+        |second| second.as_ref().is_some_and(Check::failed),
+    );
+    let row = |(i, (ladder, second)): (usize, (Ladder, Option<Check>))| Row {
+        of: of[i],
+        parameter,
+        first: judge(&ladder, exact[i], demand(setup)),
+        second,
+        slopes: taylor_slopes(&ladder, exact[i], curvature(i).unwrap_or_default()),
+        ladder,
     };
-    Ok(of_values.into_iter().zip(of_gradients).enumerate().map(row).collect())
+    Ok(of_values.iter().cloned().zip(seconds).enumerate().map(row).collect())
+}
+
+/// What is judged by the few steps that mostly suffice; where any of it fails by these, by all steps: an outcome may turn within the least of the few.
+pub(super) fn in_few_steps<T>(
+    sample: impl Fn(Vec<i32>) -> Vec<Ladder>,
+    judge: impl Fn((usize, Ladder)) -> T,
+    fails: impl Fn(&T) -> bool,
+) -> Vec<T> {
+    let by = |steps: Vec<i32>| sample(steps).into_iter().enumerate().map(&judge).collect::<Vec<T>>();
+    let few = by(FEW_STEPS.to_vec());
+    if few.iter().any(fails) { by(STEPS.collect()) } else { few }
 }

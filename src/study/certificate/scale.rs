@@ -15,25 +15,33 @@ pub(super) fn scale(setup: &Setup<f64>, parameter: &Parameter) -> f64 {
 
 /// What is usual of parameters that are 0 by default, SI.
 fn usual(parameter: &Parameter) -> f64 {
-    let units = match parameter.unit {
-        "deg" => 5.0,
-        "mm" | "rad/s" => 10.0,
-        "g cm^2" => 1000.0,
-        "" => 0.1,
+    let units = match (parameter.name, parameter.unit) {
+        // what its row gives as published: a thousandth of it already changes a flight
+        ("aero.spin_damping", _) => 2e-5,
+        (_, "deg") => 5.0,
+        (_, "mm" | "rad/s") => 10.0,
+        (_, "g cm^2" | "rpm") => 1000.0,
+        (_, "") => 0.1,
         _ => 1.0,
     };
     units * parameter.quantity.size_of(parameter.unit).unwrap_or(1.0)
 }
 
 /// The size of the numbers that an outcome of a drive is made of, SI: its rounding is a part of them, not of what they leave. The lateral distance
-/// is made of numbers as large as the carry; an angle of directions, of size 1.
-pub(super) fn size(of: Outcome, drive: &Drive<f64>) -> f64 {
+/// is made of numbers as large as the carry; an angle of directions, of size 1; the spin that an impact leaves, where contributions cancel, of what
+/// an impulse that gives the ball its speed turns it by at the length of its radius.
+pub(super) fn size(of: Outcome, setup: &Setup<f64>, drive: &Drive<f64>) -> f64 {
     let launch = &drive.launch;
     let made_of = match (&drive.flight, of.quantity()) {
         (Flight::Landed(landed), Quantity::LENGTH) => landed.carry.hypot(landed.lateral),
         (Flight::Landed(landed), Quantity::TIME) => landed.flight_time,
         (_, Quantity::SPEED) => launch.ball_speed(),
-        (_, Quantity::ANGULAR_VELOCITY) => launch.total_spin(),
+        (_, Quantity::ANGULAR_VELOCITY) => {
+            let ball = &setup.ball;
+            let per_speed = ball.inertia.map_or(2.5 / ball.radius, |inertia| ball.mass * ball.radius / inertia);
+            let turned = if drive.impact.is_some() { launch.ball_speed() * per_speed } else { 0.0 };
+            launch.total_spin().max(turned)
+        }
         (_, Quantity::ANGLE | Quantity::NUMBER) => 1.0,
         _ => 0.0,
     };

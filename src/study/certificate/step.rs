@@ -58,7 +58,7 @@ pub(super) fn step_errors(setup: &Setup<f64>, of: &[Outcome], wrt: &[&'static Pa
     let drive = Drive::new(setup)?;
     let (found, exact) = (jacobian(setup, of, wrt)?, jacobian(&finer, of, wrt)?);
     let error = |(i, of): (usize, &Outcome)| {
-        let size = size(*of, &drive);
+        let size = size(*of, setup, &drive);
         let slopes = found[i].gradient.iter().zip(&exact[i].gradient).zip(wrt);
         let off = slopes.map(|((found, exact), parameter)| {
             let scale = scale(setup, parameter);

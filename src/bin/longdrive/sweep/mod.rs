@@ -9,9 +9,9 @@ mod target;
 
 use crate::args::Sweep;
 use crate::colour;
+use crate::interrupt;
 use crate::names::{outcomes, variables};
 use crate::output::{Answer, bar, system, tell, warn};
-use crate::search::interrupt;
 use longdrive::batch::{Batch, Run, Status, Tally};
 use longdrive::drive::{Looked, Part};
 use longdrive::report::Reply;
@@ -61,7 +61,7 @@ pub fn run(args: &Sweep) -> Result<Answer> {
     warn(&warnings);
 
     let total = points.rows();
-    let stop = interrupt("stopping after the drives under way");
+    let stop = interrupt::stops("stopping after the drives under way");
     let bar = bar("drives");
     bar.set_length(total);
     bar.set_position(output.rows());

@@ -1,0 +1,97 @@
+//! Ctrl-C, under one rule for every command.
+
+#![cfg(unix)]
+
+use crate::command_line::Said;
+use crate::schema::faults;
+use longdrive::optimize::Follow;
+use longdrive::parameters::Preset;
+use longdrive::report::optimum_toml;
+use longdrive::study::{Search, optima};
+use longdrive::{Result, Setup};
+use serde_json::Value;
+use std::process::{Command, Stdio};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::time::{Duration, Instant};
+
+/// What a command says that is interrupted after a while.
+fn interrupted(args: &[&str]) -> Said {
+    let mut program = Command::new(assert_cmd::cargo::cargo_bin!("longdrive"));
+    let child = program.args(args).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+    std::thread::sleep(Duration::from_millis(700));
+    let asked = Instant::now();
+    assert!(Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap().success());
+    let output = child.wait_with_output().unwrap();
+    assert!(asked.elapsed() < Duration::from_secs(20), "{args:?}: {:?}", asked.elapsed());
+    let text = |bytes| String::from_utf8(bytes).unwrap();
+    let (out, err) = (text(output.stdout), text(output.stderr));
+    Said { status: output.status.code().unwrap_or_else(|| panic!("{args:?} died: {err}")), out, err }
+}
+
+/// The same in JSON, as docs/schema describes it.
+fn interrupted_json(args: &[&str]) -> Value {
+    let said = interrupted(&[args, &["--json"]].concat());
+    let answer: Value = serde_json::from_str(&said.out).unwrap_or_else(|e| panic!("{e}: {} {}", said.out, said.err));
+    let faults = faults(args[0], &answer);
+    assert!(faults.is_empty(), "{args:?}: {faults:#?} in {answer:#}");
+    assert_eq!((said.status, answer["status"].as_str()), (1, Some("interrupted")), "{args:?}: {answer:#} {}", said.err);
+    answer
+}
+
+#[test]
+fn work_without_a_part_of_an_answer_ends_with_nothing_printed_or_written() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let (page, plot, study) = (path("page"), path("map.svg"), path("study"));
+    let slow = ["--set", "flight.step=0.02ms"];
+    for args in [
+        vec!["uncertainty", "--samples", "1000000"],
+        vec!["sensitivity", "--at-optimum", slow[0], slow[1]],
+        vec!["plot", "contour", "-o", &plot, slow[0], slow[1]],
+        vec!["report", "-o", &page, slow[0], slow[1]],
+        vec!["reproduce", "mae494", "-o", &study],
+    ] {
+        let message = interrupted_json(&args)["message"].as_str().unwrap().to_owned();
+        assert_eq!(message, "interrupted before there was an answer; nothing was printed or written", "{args:?}");
+        let left = std::fs::read_dir(folder.path()).unwrap().count();
+        assert_eq!(left, 0, "{args:?} left something behind");
+    }
+    let said = interrupted(&["uncertainty", "-q", "--samples", "1000000"]);
+    assert!(said.status == 1 && said.out.is_empty(), "{}", said.out);
+    assert!(said.err.contains("error: interrupted before there was an answer"), "{}", said.err);
+}
+
+#[test]
+fn what_is_done_of_a_certificate_and_of_a_chart_is_told_as_interrupted() {
+    let found = interrupted_json(&["verify", "--set", "flight.step=0.05ms"]);
+    let rows = found["rows"].as_array().unwrap().len();
+    let message = found["message"].as_str().unwrap();
+    assert!(message.starts_with(&format!("the rows are complete for {} of ", rows / 2)), "{message}, {rows} rows");
+    assert_eq!(found["passed"], false);
+    let chart = interrupted_json(&["chart", "--along", "swing.speed=60mph..140mph", "--set", "flight.step=0.1ms"]);
+    assert!(chart["ended"].as_str().is_some(), "{chart:#}");
+}
+
+/// The best of the searches that ended may have converged: that the others did not end is told beside it.
+#[test]
+fn a_setup_file_of_the_best_so_far_says_that_searches_were_stopped() -> Result<()> {
+    let setup = Setup::default();
+    let search = Search::longest_drive(&setup)?;
+    let (stop, ended) = (Arc::new(AtomicBool::new(false)), AtomicUsize::new(0));
+    let flag = stop.clone();
+    let end = move |_: usize, _: &_| flag.store(ended.fetch_add(1, Ordering::Relaxed) >= 3, Ordering::Relaxed);
+    let follow = Follow { interrupt: stop, end: Some(Arc::new(end)), ..Follow::default() };
+    let found = optima(&setup, &search, 400, &follow)?;
+    let (stopped, preset) = (found.stopped(), Preset::named("modern-driver").unwrap());
+    assert!(stopped > 0 && found.best()?.status() == "converged", "{stopped}");
+    let text = optimum_toml(&found, preset)?;
+    let ended = 400 - stopped;
+    let line = format!(
+        "\n# interrupted: {ended} of 400 searches ended, and {stopped} were stopped before their end; the best so far:\n# converged: "
+    );
+    assert!(text.contains(&line), "{text}");
+    let whole = optimum_toml(&optima(&setup, &search, 4, &Follow::default())?, preset)?;
+    assert!(!whole.contains("interrupted") && whole.contains("\n# converged: "), "{whole}");
+    Ok(())
+}
