@@ -7,18 +7,6 @@ type Weights = &'static [(usize, f64)];
 const RK4_A: &[Weights] = &[&[], &[(0, 0.5)], &[(1, 0.5)], &[(2, 1.0)]];
 const RK4_B: Weights = &[(0, 1.0 / 6.0), (1, 1.0 / 3.0), (2, 1.0 / 3.0), (3, 1.0 / 6.0)];
 
-/// Dormand & Prince (1980), J. Comp. Appl. Math. 6(1), table 2: the 6 stages of the fifth-order formula.
-const DP5_A: &[Weights] = &[
-    &[],
-    &[(0, 1.0 / 5.0)],
-    &[(0, 3.0 / 40.0), (1, 9.0 / 40.0)],
-    &[(0, 44.0 / 45.0), (1, -56.0 / 15.0), (2, 32.0 / 9.0)],
-    &[(0, 19372.0 / 6561.0), (1, -25360.0 / 2187.0), (2, 64448.0 / 6561.0), (3, -212.0 / 729.0)],
-    &[(0, 9017.0 / 3168.0), (1, -355.0 / 33.0), (2, 46732.0 / 5247.0), (3, 49.0 / 176.0), (4, -5103.0 / 18656.0)],
-];
-const DP5_B: Weights =
-    &[(0, 35.0 / 384.0), (2, 500.0 / 1113.0), (3, 125.0 / 192.0), (4, -2187.0 / 6784.0), (5, 11.0 / 84.0)];
-
 /// Hairer, Nørsett & Wanner (1993), Solving Ordinary Differential Equations I, DOP853: the 12 stages of the eighth-order
 /// formula.
 #[rustfmt::skip]
@@ -60,7 +48,6 @@ pub(super) struct Tableau {
 }
 
 static RK4: Tableau = Tableau::new(RK4_A, RK4_B, 0.5);
-static DP5: Tableau = Tableau::new(DP5_A, DP5_B, 0.5);
 static DP8: Tableau = Tableau::new(DP8_A, DP8_B, 1.0);
 
 impl Tableau {
@@ -68,7 +55,6 @@ impl Tableau {
     pub fn of(method: Method) -> &'static Self {
         match method {
             Method::Rk4 => &RK4,
-            Method::DormandPrince5 => &DP5,
             Method::DormandPrince8 => &DP8,
         }
     }
@@ -102,12 +88,12 @@ impl Tableau {
 
 #[cfg(test)]
 mod tests {
-    use super::{DP5, DP8, RK4};
+    use super::{DP8, RK4};
 
     /// The conditions Σ bᵢ cᵢᵏ⁻¹ = 1/k and Σ bᵢ aᵢⱼ cⱼᵏ⁻² = 1/(k (k − 1)) of order p, for k up to p (Hairer, Nørsett & Wanner 1993).
     #[test]
     fn exact_quadrature_conditions_of_each_order() {
-        for (order, tableau) in [(4, &RK4), (5, &DP5), (8, &DP8)] {
+        for (order, tableau) in [(4, &RK4), (8, &DP8)] {
             for k in 1..=order {
                 let power = |i: usize, n: i32| if n == 0 { 1.0 } else { tableau.time[i].powi(n) };
                 let velocity: f64 =

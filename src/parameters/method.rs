@@ -6,21 +6,18 @@ pub enum Method {
     /// The classical Runge–Kutta method, order 4 (Kutta 1901).
     #[default]
     Rk4,
-    /// Dormand & Prince (1980), order 5, 6 evaluations a step.
-    DormandPrince5,
     /// Dormand & Prince's method of order 8 with 12 evaluations a step (Hairer, Nørsett & Wanner 1993, DOP853).
     DormandPrince8,
 }
 
 impl Method {
     /// All methods, from the lowest order.
-    pub const ALL: &'static [Self] = &[Self::Rk4, Self::DormandPrince5, Self::DormandPrince8];
+    pub const ALL: &'static [Self] = &[Self::Rk4, Self::DormandPrince8];
 
     /// Its name in `flight.method`.
     pub fn name(self) -> &'static str {
         match self {
             Self::Rk4 => "rk4",
-            Self::DormandPrince5 => "dp5",
             Self::DormandPrince8 => "dp8",
         }
     }
@@ -29,7 +26,6 @@ impl Method {
     pub fn order(self) -> u32 {
         match self {
             Self::Rk4 => 4,
-            Self::DormandPrince5 => 5,
             Self::DormandPrince8 => 8,
         }
     }
@@ -38,7 +34,6 @@ impl Method {
     pub fn stages(self) -> u32 {
         match self {
             Self::Rk4 => 4,
-            Self::DormandPrince5 => 6,
             Self::DormandPrince8 => 12,
         }
     }

@@ -196,7 +196,7 @@ fn order_of_each_method_is_its_own_in_value_and_gradient() {
         fast(&setup, Outcome::FlightTime, &wrt, Order::First)
     };
     let exact = at(Method::DormandPrince8, 0.02);
-    for (method, step) in [(Method::Rk4, 0.1), (Method::DormandPrince5, 0.2), (Method::DormandPrince8, 0.8)] {
+    for (method, step) in [(Method::Rk4, 0.1), (Method::DormandPrince8, 0.8)] {
         // averaged over some halvings: where in its last step the ball lands changes the constant
         let error = |step: f64| {
             let all: Vec<f64> = (0..8)
@@ -209,9 +209,7 @@ fn order_of_each_method_is_its_own_in_value_and_gradient() {
             all.iter().sum::<f64>() / all.len() as f64
         };
         let measured = (error(step) / error(step / 2.0)).log2();
-        // the landing's quintic is of order 6: it bounds what the method of order 8 shows
-        let order = f64::from(method.order().min(6));
-        assert!(measured > order - 0.7, "{} shows order {measured}", method.name());
+        assert!(measured > f64::from(method.order()) - 0.7, "{} shows order {measured}", method.name());
     }
 }
 

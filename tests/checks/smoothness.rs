@@ -59,7 +59,7 @@ fn exact_continuity_of_every_outcome_at_landing_where_the_number_of_steps_change
         ("mae494", "rk4", 0.01),
         ("modern-driver", "rk4", 0.005),
         ("modern-driver", "rk4", 0.05),
-        ("modern-driver", "dp5", 0.1),
+        ("modern-driver", "dp8", 0.3),
         ("modern-driver", "dp8", 0.2),
         ("winfield-tan", "rk4", 0.2),
     ];

@@ -152,7 +152,7 @@ pub fn setting(chance: &mut Chance) -> String {
     }
     match chance.below(30) {
         0 => format!("aero.law={}", chance.of(Law::NAMES)),
-        1 => format!("flight.method={}", chance.of(&["rk4", "dp5", "dp8"])),
+        1 => format!("flight.method={}", chance.of(&["rk4", "dp8"])),
         _ => {
             let parameter = parameter(chance);
             format!("{}={}", name_of(parameter, chance), value(parameter, chance))

@@ -9,11 +9,10 @@ use serde_json::{Value, json};
 
 /// The drives whose errors are looked at, in degrees of loft and attack angle: the peers', and the optimum.
 const PLACES: [[f64; 2]; 2] = [[10.0, 0.0], [14.682_922_531_9, 10.0]];
-const METHODS: [&str; 3] = ["rk4", "dp5", "dp8"];
+const METHODS: [&str; 2] = ["rk4", "dp8"];
 /// Steps of the work–precision table, s, by method.
-const LADDERS: [[f64; 7]; 3] = [
+const LADDERS: [[f64; 7]; 2] = [
     [0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.3],
-    [0.01, 0.02, 0.05, 0.1, 0.2, 0.3, 0.5],
     [0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 0.8],
 ];
 /// The error of the rows 'at 1 µm', m.

@@ -26,6 +26,8 @@ use target::Target;
 
 pub fn run(args: &Sweep) -> Result<Answer> {
     let setup = args.question.setup()?;
+    // from here on: the step is chosen from all points, which takes a while where these are a long table
+    let stop = interrupt::stops("stopping after the drives under way");
     let of = outcomes(&args.outcomes)?;
     let accuracy = match args.question.tolerance.is_some() || args.question.chooses_step()? {
         true => args.question.accuracy(&setup, &points::ranges(&setup, args)?, &of)?,
@@ -61,7 +63,6 @@ pub fn run(args: &Sweep) -> Result<Answer> {
     warn(&warnings);
 
     let total = points.rows();
-    let stop = interrupt::stops("stopping after the drives under way");
     let bar = bar("drives");
     bar.set_length(total);
     bar.set_position(output.rows());
