@@ -4,7 +4,7 @@ use crate::error::{Error, Result};
 use crate::flight::{Discretization, Flight, Inputs};
 use crate::impact::strike;
 use crate::launch::Launch;
-use crate::number::{Lanes, Mask, Number};
+use crate::number::{Lanes, Level, Mask, Number};
 use crate::parameters::{Parameter, Setup};
 
 /// A question, at one place.
@@ -33,6 +33,15 @@ pub(super) enum Directions<'a> {
 }
 
 impl Directions<'_> {
+    /// The level for as many as there are.
+    pub fn level(&self) -> Level {
+        Level::of(match self {
+            Self::None => 1,
+            Self::Each(places) => places.len(),
+            Self::Pairs(pairs) => pairs.len(),
+        })
+    }
+
     /// The places in a lane.
     #[inline(always)]
     pub fn in_lane(&self, lane: usize, per_lane: usize) -> &[usize] {

@@ -1,5 +1,5 @@
 //! The chain rule between impact and flight. A flight depends on some twenty quantities, whatever number of parameters
-//! made them: derivatives of the flight are taken by the fewer of the two.
+//! made them: by many parameters, derivatives of the flight are taken by its inputs.
 
 use super::Taylor;
 use super::asked::{Asked, Directions};
@@ -7,75 +7,122 @@ use super::pass::{MOST_PER_LANE, most_in_a_pass, put, read_launches};
 use crate::drive::{self, Struck};
 use crate::error::Result;
 use crate::flight::Inputs;
-use crate::number::{Jet, Lanes, Level, Mask, Task};
+use crate::number::{Derivatives, Jet, Lanes, Level, Mask, Mixed, Number, Task};
+
+/// By fewer parameters a flight may have more pairs of inputs than there are of these.
+pub(super) const MOST_INPUTS: usize = 24;
 
 /// The flight's inputs, and how they change with the parameters.
 struct Changes {
     inputs: Inputs<f64>,
-    parameters: usize,
-    /// The gradients of the inputs, one after the other.
-    gradients: Vec<f64>,
+    /// Each input with its derivatives by the parameters.
+    by_parameters: Vec<Taylor>,
 }
 
-/// Gradients by many parameters: those of the impact, then those of the flight by its inputs or, where these are more, by the
-/// parameters. `progress` is told how many passes of how many are done.
-pub(super) fn gradients(asked: &Asked<'_>, mut progress: impl FnMut(usize, usize)) -> Result<Vec<Taylor>> {
+/// Values and gradients by many parameters. `progress` is told how many passes of how many are done.
+pub(super) fn gradients(asked: &Asked<'_>, progress: impl FnMut(usize, usize)) -> Result<Vec<Taylor>> {
+    let each = |count: usize| (0..count).collect::<Vec<_>>();
+    derivatives(
+        asked,
+        false,
+        &|n, pass| each(n).chunks(most_in_a_pass()).try_for_each(|d| pass(Directions::Each(d))),
+        progress,
+    )
+}
+
+/// The same with Hessians.
+pub(super) fn hessians(asked: &Asked<'_>, progress: impl FnMut(usize, usize)) -> Result<Vec<Taylor>> {
+    let pairs = |count: usize| (0..count).flat_map(|i| (0..=i).map(move |j| [i, j])).collect::<Vec<_>>();
+    derivatives(
+        asked,
+        true,
+        &|n, pass| pairs(n).chunks(Level::here().width()).try_for_each(|d| pass(Directions::Pairs(d))),
+        progress,
+    )
+}
+
+/// Makes a pass for each part of the directions in so many variables.
+type Passes<'a> = &'a dyn Fn(usize, &mut dyn FnMut(Directions<'_>) -> Result<()>) -> Result<()>;
+
+fn derivatives(
+    asked: &Asked<'_>,
+    to_second: bool,
+    passes: Passes<'_>,
+    mut progress: impl FnMut(usize, usize),
+) -> Result<Vec<Taylor>> {
     let n = asked.wrt.len();
-    let mut taylors = asked.blank(n, 0);
-    let places: Vec<usize> = (0..n).collect();
+    let rows = |n: usize| if to_second { n } else { 0 };
+    let mut taylors = asked.blank(n, rows(n));
     let mut changes = None;
-    for places in places.chunks(most_in_a_pass()) {
+    passes(n, &mut |directions| {
         let part = Part::Impact { changes: &mut changes, taylors: &mut taylors };
-        Level::of(places.len()).run(Pass { asked, places, part })?;
-    }
+        directions.level().run(Pass { asked, directions, part })
+    })?;
     let Some(changes) = changes.filter(|_| asked.flies) else {
         progress(1, 1);
         return Ok(taylors);
     };
-    let moves = |(input, gradient): (usize, &[f64])| gradient.iter().any(|d| *d != 0.0).then_some(input);
-    let moving: Vec<usize> = changes.gradients.chunks_exact(n).enumerate().filter_map(moves).collect();
-    let by_input = moving.len() < n;
-    let directions: Vec<usize> = (0..if by_input { moving.len() } else { n }).collect();
-    let mut slopes = asked.blank(directions.len(), 0);
-    // a flight that no parameter changes is flown too, for its value
-    let all = directions.len().div_ceil(most_in_a_pass()).max(1);
-    for done in 0..all {
-        let places = directions.chunks(most_in_a_pass()).nth(done).unwrap_or_default();
-        let moving = by_input.then_some(&moving[..]);
-        let part = Part::Flight { changes: &changes, moving, slopes: &mut slopes };
-        Level::of(places.len()).run(Pass { asked, places, part })?;
-        progress(done + 1, all);
+    let moves = |(input, by): (usize, &Taylor)| by.gradient.iter().any(|d| *d != 0.0).then_some(input);
+    let moving: Vec<usize> = changes.by_parameters.iter().enumerate().filter_map(moves).collect();
+    let mut slopes = asked.blank(moving.len(), rows(moving.len()));
+    let (mut done, mut all) = (0, 0);
+    passes(moving.len(), &mut |_| {
+        all += 1;
+        Ok(())
+    })?;
+    let mut fly = |directions: Directions<'_>| {
+        let part = Part::Flight { changes: &changes, moving: &moving, slopes: &mut slopes };
+        directions.level().run(Pass { asked, directions, part })?;
+        done += 1;
+        progress(done, all.max(1));
+        Ok(())
+    };
+    match all {
+        // a flight that no parameter changes is flown too, for its value
+        0 => fly(Directions::None)?,
+        _ => passes(moving.len(), &mut fly)?,
     }
+    let by_parameters: Vec<&Taylor> = moving.iter().map(|input| &changes.by_parameters[*input]).collect();
     for (outcome, (taylor, slopes)) in asked.of.iter().zip(taylors.iter_mut().zip(slopes)) {
-        if outcome.part() != drive::Part::Flight {
-            continue;
-        }
-        taylor.value = slopes.value;
-        if !by_input {
-            taylor.gradient = slopes.gradient;
-            continue;
-        }
-        for (input, slope) in moving.iter().zip(slopes.gradient) {
-            for (sum, d) in taylor.gradient.iter_mut().zip(&changes.gradients[input * n..]) {
-                *sum += slope * d;
-            }
+        if outcome.part() == drive::Part::Flight {
+            chain(taylor, &slopes, &by_parameters);
         }
     }
     Ok(taylors)
 }
 
-/// A pass by the parameters, or the flight's inputs, at some places.
+/// The derivatives by parameters of what has these by the inputs.
+fn chain(taylor: &mut Taylor, by_inputs: &Taylor, inputs: &[&Taylor]) {
+    taylor.value = by_inputs.value;
+    let add = |sums: &mut [f64], factor: f64, terms: &[f64]| {
+        sums.iter_mut().zip(terms).for_each(|(sum, term)| *sum += factor * term);
+    };
+    for (a, input) in inputs.iter().enumerate() {
+        add(&mut taylor.gradient, by_inputs.gradient[a], &input.gradient);
+        // how the slope by this input changes with the parameters
+        let mut bent = vec![0.0; taylor.gradient.len()];
+        for (b, other) in inputs.iter().enumerate().take(by_inputs.hessian.len()) {
+            add(&mut bent, by_inputs.hessian[a][b], &other.gradient);
+        }
+        for (i, row) in taylor.hessian.iter_mut().enumerate() {
+            add(row, by_inputs.gradient[a], &input.hessian[i]);
+            add(row, input.gradient[i], &bent);
+        }
+    }
+}
+
+/// A pass in some directions.
 struct Pass<'a> {
     asked: &'a Asked<'a>,
-    places: &'a [usize],
+    directions: Directions<'a>,
     part: Part<'a>,
 }
 
 enum Part<'a> {
     /// The impact by the parameters; outcomes of the launch are filled in.
     Impact { changes: &'a mut Option<Changes>, taylors: &'a mut [Taylor] },
-    /// The flight by its inputs that move or, where there are none given, through them by the parameters.
-    Flight { changes: &'a Changes, moving: Option<&'a [usize]>, slopes: &'a mut [Taylor] },
+    /// The flight by its inputs that move.
+    Flight { changes: &'a Changes, moving: &'a [usize], slopes: &'a mut [Taylor] },
 }
 
 impl Task for Pass<'_> {
@@ -83,36 +130,48 @@ impl Task for Pass<'_> {
 
     #[inline(always)]
     fn run<V: Lanes<Lane = f64>>(self) -> Result<()> {
-        match self.places.len().div_ceil(V::WIDTH) {
-            0 | 1 => self.over::<1, V>(),
-            2 => self.over::<2, V>(),
-            _ => self.over::<MOST_PER_LANE, V>(),
+        match self.directions {
+            Directions::Pairs(_) => self.over::<Mixed<V>>(2),
+            Directions::None => self.over::<Jet<1, V>>(1),
+            Directions::Each(places) => match places.len().div_ceil(V::WIDTH) {
+                0 | 1 => self.over::<Jet<1, V>>(1),
+                2 => self.over::<Jet<2, V>>(2),
+                _ => self.over::<Jet<MOST_PER_LANE, V>>(MOST_PER_LANE),
+            },
         }
     }
 }
 
 impl Pass<'_> {
     #[inline(always)]
-    fn over<const K: usize, V: Lanes<Lane = f64>>(self) -> Result<()> {
-        let Self { asked, places, part } = self;
-        let directions = Directions::Each(places);
-        let lanes = directions.lanes(K);
+    fn over<J: Lanes<Lane: Derivatives>>(self, per_lane: usize) -> Result<()> {
+        let Self { asked, directions, part } = self;
+        let lanes = directions.lanes(per_lane);
         match part {
             Part::Impact { changes, taylors } => {
-                let struck = Struck::new(&asked.lifted::<Jet<K, V>>(directions, K), asked.launch);
+                let struck = Struck::new(&asked.lifted::<J>(directions, per_lane), asked.launch);
                 if !struck.is_sound.holds(0) {
                     return Err(asked.refusal());
                 }
-                changes
-                    .get_or_insert_with(|| Changes::none(&struck.inputs, asked.wrt.len()))
-                    .take(&struck.inputs, places);
-                read_launches(asked, &struck, lanes, |lane, outcome, jet| {
-                    put(&mut taylors[outcome], directions.in_lane(lane, K), &jet);
+                let changes = changes.get_or_insert_with(|| Changes::blank(&struck.inputs, &taylors[0]));
+                let mut inputs = changes.by_parameters.iter_mut();
+                struck.inputs.map(|number| {
+                    if let Some(input) = inputs.next() {
+                        (0..lanes).for_each(|lane| put(input, directions.in_lane(lane, per_lane), &number.lane(lane)));
+                    }
+                });
+                read_launches(asked, &struck, lanes, |lane, outcome, number| {
+                    put(&mut taylors[outcome], directions.in_lane(lane, per_lane), &number);
                 })
             }
             Part::Flight { changes, moving, slopes } => {
-                asked.fly(&changes.seeded::<K, V>(moving, places), lanes, |lane, outcome, jet| {
-                    put(&mut slopes[outcome], directions.in_lane(lane, K), &jet);
+                let mut input = 0..;
+                let inputs = changes.inputs.map(|value| {
+                    let place = input.next().and_then(|input| moving.iter().position(|moves| *moves == input));
+                    place.map_or_else(|| J::constant(value), |place| directions.seeded(place, value, per_lane))
+                });
+                asked.fly(&inputs, lanes, |lane, outcome, number| {
+                    put(&mut slopes[outcome], directions.in_lane(lane, per_lane), &number);
                 })
             }
         }
@@ -120,48 +179,16 @@ impl Pass<'_> {
 }
 
 impl Changes {
-    /// The inputs with room for gradients by so many parameters.
-    fn none<const K: usize, V: Lanes<Lane = f64>>(inputs: &Inputs<Jet<K, V>>, parameters: usize) -> Self {
-        let mut count = 0;
-        let inputs = inputs.map(|jet| {
-            count += 1;
-            jet.re.lane(0)
+    /// The inputs with room for derivatives like these.
+    fn blank<J: Lanes>(inputs: &Inputs<J>, like: &Taylor) -> Self {
+        let mut by_parameters = vec![];
+        let inputs = inputs.map(|number| {
+            let value = number.lane(0).re();
+            let (columns, rows) = (like.gradient.len(), like.hessian.len());
+            let hessian = vec![vec![0.0; columns]; rows];
+            by_parameters.push(Taylor { value, gradient: vec![0.0; columns], hessian });
+            value
         });
-        Self { inputs, parameters, gradients: vec![0.0; count * parameters] }
-    }
-
-    /// Takes over the derivatives by the parameters at some places.
-    fn take<const K: usize, V: Lanes<Lane = f64>>(&mut self, inputs: &Inputs<Jet<K, V>>, places: &[usize]) {
-        let mut rows = self.gradients.chunks_mut(self.parameters);
-        inputs.map(|jet| {
-            if let Some(row) = rows.next() {
-                for (k, d) in jet.gradient.iter().enumerate() {
-                    for (lane, place) in places.iter().skip(k).step_by(K).enumerate() {
-                        row[*place] = d.lane(lane);
-                    }
-                }
-            }
-        });
-    }
-
-    /// The inputs, each with its change in the directions of a pass.
-    #[inline(always)]
-    fn seeded<const K: usize, V: Lanes<Lane = f64>>(
-        &self,
-        moving: Option<&[usize]>,
-        places: &[usize],
-    ) -> Inputs<Jet<K, V>> {
-        let mut input = 0;
-        self.inputs.map(|value| {
-            let change = |place: usize| match moving {
-                Some(moving) => f64::from(u8::from(moving[place] == input)),
-                None => self.gradients[input * self.parameters + place],
-            };
-            let gradient = std::array::from_fn(|k| {
-                V::from_lanes(|lane| places.get(lane * K + k).map_or(0.0, |place| change(*place)))
-            });
-            input += 1;
-            Jet { re: V::constant(value), gradient }
-        })
+        Self { inputs, by_parameters }
     }
 }

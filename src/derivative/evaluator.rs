@@ -131,6 +131,9 @@ impl Evaluator {
                 taylors
             }
             Order::First => chain::gradients(&asked, progress)?,
+            Order::Second if self.pairs == Pairs::All && self.wrt.len() > chain::MOST_INPUTS => {
+                chain::hessians(&asked, progress)?
+            }
             Order::Second => hessians(&asked, self.pairs, progress)?,
         };
         for (outcome, taylor) in self.of.iter().zip(&taylors) {

@@ -80,7 +80,8 @@ pub(super) fn put<J: Derivatives>(taylor: &mut Taylor, places: &[usize], number:
 /// Each outcome, alone.
 pub(super) fn values(asked: &Asked<'_>) -> Result<Vec<Taylor>> {
     let mut taylors = asked.blank(0, 0);
-    Level::of(1).run(Pass { asked, directions: Directions::None, taylors: &mut taylors })?;
+    let directions = Directions::None;
+    directions.level().run(Pass { asked, directions, taylors: &mut taylors })?;
     Ok(taylors)
 }
 
@@ -89,7 +90,8 @@ pub(super) fn gradients(asked: &Asked<'_>) -> Result<Vec<Taylor>> {
     let n = asked.wrt.len();
     let mut taylors = asked.blank(n, 0);
     let places: Vec<usize> = (0..n).collect();
-    Level::of(n).run(Pass { asked, directions: Directions::Each(&places), taylors: &mut taylors })?;
+    let directions = Directions::Each(&places);
+    directions.level().run(Pass { asked, directions, taylors: &mut taylors })?;
     Ok(taylors)
 }
 
