@@ -16,7 +16,7 @@ pub mod uncertainty;
 
 pub use crate::parameters::Vary;
 pub use accuracy::{Accuracy, accuracy};
-pub use chart::{Chart, ChartPoint, ChartWatch, chart, chart_at};
+pub use chart::{Chart, ChartObserver, ChartPoint, chart, chart_at};
 pub use constraint::Constraint;
 pub use effects::{Bar, Effect, Effects, effects};
 pub use flatness::{Direction, Ellipse, Flatness, Limit, Window, flatness, usual_loss};

@@ -4,7 +4,7 @@ use super::problem::DriveProblem;
 use crate::drive::{Drive, Outcome};
 use crate::error::{Error, Result};
 use crate::optimize::sensitivity::Held;
-use crate::optimize::{Follow, Local, Options, Solution, Status, Watch, minimize_from, minimize_watched, starts};
+use crate::optimize::{Follow, Local, Observer, Options, Solution, Status, minimize_from, minimize_observed, starts};
 use crate::parameters::Setup;
 use crate::units::{self, Digits, Message};
 use std::fmt;
@@ -49,7 +49,7 @@ impl Sense {
 #[derive(Clone, Debug)]
 pub struct Search {
     /// The outcome to make as large or as small as possible.
-    pub maximize: Outcome,
+    pub of: Outcome,
     /// Which of the two.
     pub sense: Sense,
     /// The parameters to vary.
@@ -64,7 +64,7 @@ impl Search {
     /// The largest value of an outcome, with nothing varied yet.
     pub fn largest(of: Outcome) -> Self {
         let (sense, options) = (Sense::Maximize, Options::default());
-        Self { maximize: of, sense, vary: vec![], subject_to: vec![], options }
+        Self { of, sense, vary: vec![], subject_to: vec![], options }
     }
 
     /// The longest carry over loft 4–20° and attack angle −5…+5°.
@@ -119,10 +119,10 @@ impl Optimum {
 
     /// How the search ended, in a sentence, in terms of the drive.
     pub fn message(&self) -> Message {
-        let of = self.search.maximize.name();
+        let of = self.search.of.name();
         match (&self.solution.kink, self.solution.status) {
             (Some(kink), _) => {
-                let (parameter, outcome) = (self.search.vary[kink.variable].parameter, self.search.maximize);
+                let (parameter, outcome) = (self.search.vary[kink.variable].parameter, self.search.of);
                 let (by, si) = (parameter.name, units::per(outcome.quantity().si, parameter.quantity.si));
                 let sign = self.search.sense.sign();
                 let slope = |slope: Option<f64>| {
@@ -177,7 +177,7 @@ impl Optimum {
     /// Why the outcome has no value at the start, where a search that found none stays. The optimizer kept only the words.
     fn undefined_at_start(&self) -> Message {
         let words = self.solution.undefined_at_start.as_deref().unwrap_or_default();
-        let again = Drive::new(&self.setup).and_then(|drive| self.search.maximize.of(&drive)).err();
+        let again = Drive::new(&self.setup).and_then(|drive| self.search.of.of(&drive)).err();
         let again = again.map(|error| error.message()).filter(|message| message.to_string() == words);
         again.unwrap_or_else(|| words.into())
     }
@@ -227,14 +227,14 @@ impl Optimum {
 /// Finds the parameters that make an outcome largest or smallest, from the setup's own values, moved into the ranges.
 ///
 /// ```
-/// use longdrive::{Setup, optimize::Watch, study::{Search, Vary, optimum}};
+/// use longdrive::{Setup, optimize::Observer, study::{Search, Vary, optimum}};
 /// let setup = Setup::preset("mae494").unwrap();
 /// let vary = ["club.loft=0deg..20deg", "swing.attack_angle=-10deg..10deg"];
 /// let search = Search {
 ///     vary: vary.map(|text| Vary::read(&setup, text).unwrap()).to_vec(),
 ///     ..Search::longest_drive(&setup).unwrap()
 /// };
-/// let best = optimum(&setup, search, Watch::default()).unwrap();
+/// let best = optimum(&setup, search, Observer::default()).unwrap();
 /// assert!((best.value().unwrap() - 153.333552731).abs() < 1e-8);
 /// assert!((best.solution.upper_multipliers[1] - 60.2924949).abs() < 1e-6); // m per radian of attack angle
 /// ```
@@ -242,9 +242,9 @@ impl Optimum {
 /// # Errors
 /// [`Error::Nothing`] without parameters to vary, or where every range is a single value; [`Error::SearchRange`] for one
 /// that is varied twice; what [`Setup::validate`] refuses.
-pub fn optimum(setup: &Setup<f64>, search: Search, watch: Watch) -> Result<Optimum> {
+pub fn optimum(setup: &Setup<f64>, search: Search, observer: Observer) -> Result<Optimum> {
     let problem = posed(setup, &search)?;
-    let solution = minimize_watched(&problem, &problem.domain, &problem.start(), &search.options, watch)?;
+    let solution = minimize_observed(&problem, &problem.domain, &problem.start(), &search.options, observer)?;
     found(&problem, search, solution)
 }
 

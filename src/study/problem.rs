@@ -27,7 +27,7 @@ impl DriveProblem {
         )?;
         let limited = search.subject_to.iter().map(|constraint| constraint.outcome);
         let vary: Vec<_> = search.vary.iter().map(|vary| vary.parameter).collect();
-        let of: Vec<_> = std::iter::once(search.maximize).chain(limited).collect();
+        let of: Vec<_> = std::iter::once(search.of).chain(limited).collect();
         let evaluator = |order| Evaluator::new(setup, &of, &vary, order);
         let (values, derivatives) = (evaluator(Order::Value)?, evaluator(Order::Second)?);
         Ok(Self { setup: *setup, vary, of, sense: search.sense, values, derivatives, domain })

@@ -77,7 +77,7 @@ pub(super) fn outcomes(flown: &[Flown]) -> Markup {
 /// Where the optimum is, which bounds it lies on, and what moving them would bring.
 pub(super) fn optimum(best: &Optimum, flatness: Option<&Flatness>) -> Markup {
     let (search, solution) = (&best.search, &best.solution);
-    let of = search.maximize;
+    let of = search.of;
     let window = |i: usize| flatness.map(|flatness| flatness.windows[i]);
     html! {
         p {
