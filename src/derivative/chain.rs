@@ -99,7 +99,7 @@ impl Pass<'_> {
         let lanes = directions.lanes(K);
         match part {
             Part::Impact { changes, taylors } => {
-                let struck = Struck::new(&asked.lifted::<Jet<K, V>>(directions, K), asked.launch);
+                let struck = Struck::new(&asked.lifted::<Jet<K, V>>(directions, K));
                 if !struck.is_sound.holds(0) {
                     return Err(asked.refusal());
                 }

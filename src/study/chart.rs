@@ -1,7 +1,8 @@
 //! The optimum as a function of a parameter, followed by continuation.
 
 use super::Vary;
-use super::optimum::{Active, Optimum, Search, optimum};
+use super::optimum::{Active, Optimum, optimum};
+use super::search::Search;
 use super::sensitivity::sensitivity;
 use crate::drive::{BeyondCount, Looked};
 use crate::error::{Error, Result};

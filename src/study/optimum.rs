@@ -1,79 +1,12 @@
-use super::Vary;
-use super::constraint::Constraint;
 use super::problem::DriveProblem;
-use crate::drive::{Drive, Outcome};
+use super::search::Search;
+use crate::drive::Drive;
 use crate::error::{Error, Result};
 use crate::optimize::sensitivity::Held;
-use crate::optimize::{Follow, Local, Observer, Options, Solution, Status, minimize_from, minimize_observed, starts};
+use crate::optimize::{Follow, Local, Observer, Solution, Status, minimize_from, minimize_observed, starts};
 use crate::parameters::Setup;
 use crate::units::{self, Digits, Message};
 use std::fmt;
-
-/// Whether the largest or the smallest value of an outcome is looked for.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Sense {
-    /// The largest.
-    #[default]
-    Maximize,
-    /// The smallest.
-    Minimize,
-}
-
-impl Sense {
-    /// What an outcome is multiplied by to be minimised: −1 or 1.
-    pub fn sign(self) -> f64 {
-        match self {
-            Self::Maximize => -1.0,
-            Self::Minimize => 1.0,
-        }
-    }
-
-    /// `maximize` or `minimize`, as on the command line and in JSON.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Maximize => "maximize",
-            Self::Minimize => "minimize",
-        }
-    }
-
-    /// `largest` or `smallest`.
-    pub fn adjective(self) -> &'static str {
-        match self {
-            Self::Maximize => "largest",
-            Self::Minimize => "smallest",
-        }
-    }
-}
-
-/// What to look for.
-#[derive(Clone, Debug)]
-pub struct Search {
-    /// The outcome to make as large or as small as possible.
-    pub of: Outcome,
-    /// Which of the two.
-    pub sense: Sense,
-    /// The parameters to vary.
-    pub vary: Vec<Vary>,
-    /// Outcomes to hold between limits.
-    pub subject_to: Vec<Constraint>,
-    /// The optimizer's settings.
-    pub options: Options,
-}
-
-impl Search {
-    /// The largest value of an outcome, with nothing varied yet.
-    pub fn largest(of: Outcome) -> Self {
-        let (sense, options) = (Sense::Maximize, Options::default());
-        Self { of, sense, vary: vec![], subject_to: vec![], options }
-    }
-
-    /// The longest carry over loft 4–20° and attack angle −5…+5°.
-    pub fn longest_drive(setup: &Setup<f64>) -> Result<Self> {
-        let vary = ["club.loft=4deg..20deg", "swing.attack_angle=-5deg..5deg"];
-        let vary = vary.iter().map(|text| Vary::read(setup, text)).collect::<Result<_>>()?;
-        Ok(Self { vary, ..Self::largest(Outcome::Carry) })
-    }
-}
 
 /// An active bound or constraint of an optimum. It reads `club.loft at its upper bound`, or as the constraint was given.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -98,7 +31,7 @@ impl fmt::Display for Active {
 pub struct Optimum {
     /// What was asked.
     pub search: Search,
-    /// How the search ended; its objective is the outcome times [`Sense::sign`].
+    /// How the search ended; its objective is the outcome times [`Sense::sign`](super::Sense::sign).
     pub solution: Solution,
     /// The setup at the optimum.
     pub setup: Setup<f64>,

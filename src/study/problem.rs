@@ -1,9 +1,9 @@
-use super::{Search, Sense};
+use super::search::{Search, Sense};
 use crate::derivative::{self, Evaluator, Order, Taylor};
 use crate::drive::Outcome;
 use crate::error::Result;
 use crate::optimize::{Domain, Evaluation, Problem};
-use crate::parameters::{Parameter, Setup};
+use crate::parameters::{Parameter, Setup, Vary};
 
 /// A search for the best drive as the optimizer sees it: the outcome, with the sign with which it is
 /// minimised, and the outcomes that are held between limits.
@@ -20,7 +20,7 @@ pub(super) struct DriveProblem {
 
 impl DriveProblem {
     pub fn new(setup: &Setup<f64>, search: &Search) -> Result<Self> {
-        let ends = |end: fn(&super::Vary) -> f64| search.vary.iter().map(end).collect::<Vec<_>>();
+        let ends = |end: fn(&Vary) -> f64| search.vary.iter().map(end).collect::<Vec<_>>();
         let domain = Domain::new(ends(|vary| vary.low), ends(|vary| vary.high))?.subject_to(
             search.subject_to.iter().map(|constraint| constraint.low).collect(),
             search.subject_to.iter().map(|constraint| constraint.high).collect(),

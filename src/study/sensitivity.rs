@@ -1,5 +1,6 @@
-use super::optimum::{Active, Optimum, Search, optimum, posed};
+use super::optimum::{Active, Optimum, optimum, posed};
 use super::problem::DriveProblem;
+use super::search::Search;
 use crate::error::{Error, Result};
 use crate::optimize::sensitivity::{Event, first_event, response};
 use crate::optimize::{Observer, Status};

@@ -1,6 +1,6 @@
 //! The parts of a page that are words and tables.
 
-use super::Findings;
+use super::findings::Findings;
 use super::numbers::{both, loss, outcome, parameter, stated};
 use crate::drive::{Outcome, Part};
 use crate::error::Result;
