@@ -77,12 +77,17 @@ impl<T: Number> Drive<T> {
 const ON_THE_SPIN_CORNER: f64 = 1e-3;
 
 impl Drive<f64> {
+    /// Whether the ball leaves without spin: |ω| itself has a corner there, whatever the law makes of it.
+    pub(crate) fn is_without_spin(&self) -> bool {
+        self.launch.total_spin() < ON_THE_SPIN_CORNER
+    }
+
     /// Corners of the model that this drive lies on, where derivatives to the two sides differ: zero spin, and
     /// the limit between sticking and slipping.
     pub fn corners(&self, setup: &Setup<f64>) -> Vec<String> {
         let mut corners = Vec::new();
         let spin = self.launch.total_spin();
-        if spin < ON_THE_SPIN_CORNER && setup.law.has_corner_at_zero_spin() && setup.air.density > 0.0 {
+        if self.is_without_spin() && setup.law.has_corner_at_zero_spin() && setup.air.density > 0.0 {
             corners.push(format!(
                 "the spin is {} rad/s: with the law {} outcomes have a corner at zero spin, and derivatives \
                  here lie between those of its two sides",

@@ -80,7 +80,7 @@ fn a_search_that_stalls_where_the_data_determine_nothing_ends_undetermined() {
         json(&["calibrate", path.to_str().unwrap(), "--fit", "wind.downrange", "--fit", "ball.radius"]);
     assert_eq!((status, answer["status"].as_str()), (1, Some("undetermined")), "{}", answer["message"]);
     let told = answer["message"].as_str().unwrap();
-    assert!(told.contains("the data do not determine wind.downrange and ball.radius apart"), "{told}");
+    assert!(told.contains("the data do not determine wind.downrange and ball.radius separately"), "{told}");
 }
 
 #[test]
@@ -92,7 +92,7 @@ fn a_row_that_decides_alone_outweighs_the_others() {
         let loss = if huber { &["--huber"][..] } else { &[] };
         let (_, answer) = json(&[&["calibrate", path.to_str().unwrap(), "--fit", "aero.cd0"], loss].concat());
         assert_eq!(answer["status"], ends, "{carry} {huber}: {}", answer["message"]);
-        assert_eq!(answer["message"].as_str().unwrap().contains("row 3: carry_distance lies 3.3e8"), !huber);
+        assert_eq!(answer["message"].as_str().unwrap().contains("row 3: carry_distance differs by 3.3e8"), !huber);
     }
     // an ordinary outlier is seen in χ², and the others still count
     let (_folder, path) = deliveries("300");
@@ -105,8 +105,8 @@ fn options_of_the_cross_validation_are_refused_before_any_fit() {
     let few = ["calibrate", path.to_str().unwrap(), "--fit", "aero.cd0"];
     for (asked, more, told) in [
         (&SHOTS[..], &["--folds", "5", "--compare", "nosuch"][..], "unknown aerodynamic law 'nosuch'"),
-        (&SHOTS, &["--folds", "13"], "13 folds of 12 rows; the number of folds must be from 2 to 12"),
-        (&SHOTS, &["--folds", "1"], "1 fold of 12 rows"),
+        (&SHOTS, &["--folds", "13"], "13 folds cannot be made of 12 rows; cross-validation needs 2 folds or more"),
+        (&SHOTS, &["--folds", "1"], "1 fold cannot be made of 12 rows"),
         (&few, &["--compare", "smits-smith"], "--compare smits-smith: calibration: "),
         (
             &few,

@@ -7,7 +7,7 @@ use longdrive::study::certificate::{Certificate, certify};
 use longdrive::{Drive, Error, Outcome, Setup};
 use rayon::prelude::*;
 
-const OF: [Outcome; 4] = [Outcome::Carry, Outcome::Lateral, Outcome::FlightTime, Outcome::Backspin];
+const OF: [Outcome; 5] = [Outcome::Carry, Outcome::Lateral, Outcome::FlightTime, Outcome::Backspin, Outcome::Spin];
 
 fn certificate(setup: &Setup<f64>, of: &[Outcome], by: &str) -> Certificate {
     certify(setup, of, &[setup.variable(by).unwrap()], |_, _| true).unwrap()
@@ -103,6 +103,17 @@ fn differences_to_one_side_show_a_small_derivative() {
     let found = certificate(&setup, &[Outcome::Lateral], "impact.tangential_restitution");
     assert!(found.passed() && !found.landing.is_empty(), "{}", faults(&found));
     assert!(found.rows[0].first.exact.abs() < 0.01 && found.rows[0].first.curve.is_empty());
+}
+
+/// The total spin has a corner where there is none, also with a law that makes none of it.
+#[test]
+fn exact_corner_of_the_spin_itself_is_no_failure() {
+    let mut setup = Setup::default();
+    setup.set_all([("aero.law", "linear"), ("impact.friction", "0")]).unwrap();
+    let found = certificate(&setup, &[Outcome::Carry, Outcome::Spin], "impact.friction");
+    let verdict = |of: Outcome| found.rows.iter().find(|row| row.of == of).unwrap().verdict();
+    assert!(found.passed(), "{}", faults(&found));
+    assert_eq!([Outcome::Carry, Outcome::Spin].map(verdict), [Verdict::Pass, Verdict::Corner]);
 }
 
 /// Without friction there is no spin but what rounding leaves of numbers that cancel.

@@ -54,7 +54,12 @@ pub(super) fn rows(
     parameter: &'static Parameter,
     exact: &[f64],
 ) -> Result<Vec<Row>> {
-    let judge = if drive.corners(setup).is_empty() { Ladder::judge } else { Ladder::judge_on_a_corner };
+    let (has_corners, is_without_spin) = (!drive.corners(setup).is_empty(), drive.is_without_spin());
+    let judge = |of: Outcome, ladder: &Ladder, exact: f64| {
+        let is_on_a_corner = has_corners || of == Outcome::Spin && is_without_spin;
+        let judge = if is_on_a_corner { Ladder::judge_on_a_corner } else { Ladder::judge };
+        judge(ladder, exact, demand(setup))
+    };
     let (at, scale) = (setup.value(parameter).unwrap_or_default(), scale(setup, parameter));
     let evaluator = |order| Evaluator::new(setup, of, &[parameter], order);
     let (values, gradients) = (evaluator(Order::Value)?, evaluator(Order::First)?);
@@ -77,7 +82,7 @@ pub(super) fn rows(
     let row = |(i, (ladder, second)): (usize, (Ladder, Option<Check>))| Row {
         of: of[i],
         parameter,
-        first: judge(&ladder, exact[i], demand(setup)),
+        first: judge(of[i], &ladder, exact[i]),
         second,
         slopes: taylor_slopes(&ladder, exact[i], curvature(i).unwrap_or_default()),
         ladder,
