@@ -6,7 +6,7 @@
 
 use criterion::Criterion;
 use longdrive::derivative::{Order, evaluate};
-use longdrive::optimize::Watch;
+use longdrive::optimize::Observer;
 use longdrive::parameters::Parameter;
 use longdrive::study::{Search, Vary, optimum};
 use longdrive::{Drive, Outcome, Setup};
@@ -92,7 +92,8 @@ fn main() {
         derivatives(&all, Order::First)
     });
     fastest.measure(&mut criterion, "Hessian, 2 parameters", || derivatives(&two, Order::Second));
-    fastest.measure(&mut criterion, "optimum from (10°, 0°)", || optimum(&setup, search.clone(), Watch::default()));
+    fastest
+        .measure(&mut criterion, "optimum from (10°, 0°)", || optimum(&setup, search.clone(), Observer::default()));
     criterion.final_summary();
     fastest.print_ratios();
 }

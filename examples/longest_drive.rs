@@ -3,7 +3,7 @@
 //!
 //! `cargo run --release --example longest_drive`
 
-use longdrive::optimize::Watch;
+use longdrive::optimize::Observer;
 use longdrive::study::{Search, Vary, optimum};
 use longdrive::{Outcome, Setup};
 
@@ -12,13 +12,13 @@ fn main() -> longdrive::Result<()> {
     setup.set("swing.speed", "85 mph")?;
     let vary = ["club.loft=6deg..18deg", "swing.attack_angle=-5deg..3deg"];
     let search = Search {
-        maximize: Outcome::Carry,
+        of: Outcome::Carry,
         vary: vary.iter().map(|text| Vary::read(&setup, text)).collect::<longdrive::Result<_>>()?,
         ..Search::longest_drive(&setup)?
     };
 
-    let watch = Watch::showing(|iteration| println!("iteration {}: {:.4} m", iteration.number, -iteration.value));
-    let best = optimum(&setup, search, watch)?;
+    let observer = Observer::showing(|iteration| println!("iteration {}: {:.4} m", iteration.number, -iteration.value));
+    let best = optimum(&setup, search, observer)?;
     println!("{}: {}", best.status(), best.message());
     for (i, vary) in best.search.vary.iter().enumerate() {
         let price = best.solution.upper_multipliers[i] - best.solution.lower_multipliers[i];

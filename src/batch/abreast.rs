@@ -1,7 +1,7 @@
 //! Drives side by side: one in each lane of the processor's vector unit.
 
 use super::block::{Block, Status};
-use super::kernel::Kernel;
+use super::question::Kernel;
 use crate::aerodynamics::AerodynamicLaw;
 use crate::drive::{Beyond, Part, Shown, Struck, is_beside_any_face};
 use crate::flight::{Discretization, Flight};
@@ -55,7 +55,7 @@ impl Abreast<'_> {
             let row_of = |lane: usize| rows[lane.min(rows.len() - 1)];
             let block = &*self.block;
             setup.put(&kernel.parameters, |k| V::from_lanes(|lane| block.point(row_of(lane))[k]));
-            let struck = Struck::new(&setup, None);
+            let struck = Struck::new(&setup);
             for (lane, &row) in rows.iter().enumerate() {
                 let (up, ground) = (struck.launch.velocity.x.lane(lane), setup.ground.height.lane(lane));
                 if !struck.is_sound.holds(lane) {
@@ -102,7 +102,7 @@ impl Abreast<'_> {
         setup.put(&kernel.parameters, |k| {
             J::seeded(&|lane| block.point(row_of(lane))[k], &|_, direction| directions[k] == Some(direction), 0)
         });
-        let struck = Struck::new(setup, None);
+        let struck = Struck::new(setup);
         let (stream, strike) = (struck.inputs.stream(), [setup.strike.toe, setup.strike.high]);
         let fitted = AerodynamicLaw::<f64>::fitted(&kernel.setup.law);
         let has_apex = kernel.of.iter().any(|outcome| outcome.is_of_the_apex());

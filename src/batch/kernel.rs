@@ -1,28 +1,17 @@
 use super::abreast::{Abreast, DIRECTIONS};
 use super::block::{Block, Status};
+use super::question::Kernel;
 use crate::derivative::{self, Order};
-use crate::drive::{Beyond, Drive, Looked, Outcome};
+use crate::drive::{Beyond, Drive, Looked};
 use crate::error::{Error, Result};
 use crate::flight::{Flight, NoFlight};
 use crate::number::Level;
-use crate::parameters::{Parameter, Setup};
-
-/// Computes chunks of drives: the only place in a batch where drives are hit and flown.
-#[derive(Clone, Debug)]
-pub(crate) struct Kernel {
-    pub setup: Setup<f64>,
-    /// The parameters that have a value in each point.
-    pub parameters: Vec<&'static Parameter>,
-    pub of: Vec<Outcome>,
-    /// What the outcomes are differentiated by; nothing for values alone.
-    pub wrt: Vec<&'static Parameter>,
-    /// Drives with a larger defect are flown again, in shorter steps; infinite where the setup's own step is kept.
-    pub largest_defect: f64,
-}
+use crate::parameters::Setup;
 
 /// Halvings of the step within which a drive has to get below the largest defect.
 const HALVINGS: usize = 12;
 
+/// The only place in a batch where drives are hit and flown.
 impl Kernel {
     /// The drives of some points, given one after the other.
     pub fn evaluate(&self, first_row: u64, points: Vec<f64>) -> Block {
@@ -69,11 +58,6 @@ impl Kernel {
         alone.sort_unstable();
         alone.dedup();
         alone
-    }
-
-    /// Whether each value of a point is one its parameter may have.
-    pub(super) fn is_in_range(&self, point: &[f64]) -> bool {
-        self.parameters.iter().zip(point).all(|(parameter, value)| parameter.range.contains(*value))
     }
 
     fn moved(&self, point: &[f64]) -> Result<Setup<f64>> {

@@ -34,6 +34,7 @@ mod block;
 mod grid;
 mod kernel;
 mod points;
+mod question;
 mod run;
 mod sequence;
 mod table;

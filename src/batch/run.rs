@@ -1,6 +1,6 @@
 use super::block::Block;
-use super::kernel::Kernel;
 use super::points::Points;
+use super::question::Kernel;
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::parameters::{NO_CLUB, Parameter, Setup};

@@ -10,8 +10,6 @@ use crate::parameters::{Parameter, Setup};
 /// A question, at one place.
 pub(super) struct Asked<'a> {
     pub setup: &'a Setup<f64>,
-    /// The ball as it leaves, where no club makes it.
-    pub launch: Option<&'a Launch<f64>>,
     pub of: &'a [Outcome],
     pub wrt: &'a [&'static Parameter],
     /// The parameters' values.

@@ -1,10 +1,10 @@
+use super::Taylor;
 use super::asked::Asked;
+use super::order::{Order, Pairs};
 use super::pass::{hessians, most_in_a_pass, values};
-use super::{Order, Pairs, Taylor};
 use super::{chain, pass};
 use crate::drive::{Outcome, Part};
 use crate::error::{Error, Result};
-use crate::launch::Launch;
 use crate::parameters::{Parameter, Setup};
 
 /// A question asked of many drives: outcomes, with derivatives by parameters, of one setup at changing values of these
@@ -23,7 +23,6 @@ use crate::parameters::{Parameter, Setup};
 #[derive(Clone, Debug)]
 pub struct Evaluator {
     setup: Setup<f64>,
-    launch: Option<Launch<f64>>,
     of: Vec<Outcome>,
     wrt: Vec<&'static Parameter>,
     order: Order,
@@ -52,27 +51,7 @@ impl Evaluator {
         let turns = wrt.iter().enumerate().filter(|(_, parameter)| parameter.is_of_inertia());
         let inertia = turns.map(|(place, parameter)| (place, setup.value(parameter))).collect();
         let (of, wrt) = (of.to_vec(), wrt.to_vec());
-        Ok(Self { setup: *setup, launch: None, of, wrt, order, pairs: Pairs::All, inertia })
-    }
-
-    /// The same question of a ball that leaves like this, whatever the club: a launch monitor's shot. Nothing then depends on
-    /// the parameters of the impact.
-    ///
-    /// ```
-    /// use longdrive::derivative::{Evaluator, Order};
-    /// use longdrive::launch::Launch;
-    /// use longdrive::{Outcome, Setup};
-    /// // without air, carry = v² sin 2θ/g
-    /// let mut setup = Setup::default();
-    /// setup.air.density = 0.0;
-    /// let gravity = setup.variable("gravity").unwrap();
-    /// let carry = Evaluator::new(&setup, &[Outcome::Carry], &[gravity], Order::First).unwrap();
-    /// let carry = carry.launched(Launch::with_conditions(60.0, 0.2, 0.0, 250.0, 0.0)).at(&[9.8]).unwrap();
-    /// assert!((carry[0].value - 3600.0 * 0.4_f64.sin() / 9.8).abs() < 1e-9);
-    /// assert!((carry[0].gradient[0] + carry[0].value / 9.8).abs() < 1e-9);
-    /// ```
-    pub fn launched(self, launch: Launch<f64>) -> Self {
-        Self { launch: Some(launch), ..self }
+        Ok(Self { setup: *setup, of, wrt, order, pairs: Pairs::All, inertia })
     }
 
     /// The same with those second derivatives alone.
@@ -116,7 +95,6 @@ impl Evaluator {
     fn unchecked(&self, x: &[f64], mut progress: impl FnMut(usize, usize)) -> Result<Vec<Taylor>> {
         let asked = Asked {
             setup: &self.setup,
-            launch: self.launch.as_ref(),
             of: &self.of,
             wrt: &self.wrt,
             x,

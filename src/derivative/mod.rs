@@ -5,34 +5,17 @@ mod asked;
 mod chain;
 pub mod check;
 mod evaluator;
+mod order;
 mod pass;
 
 pub use crate::number::Taylor;
 pub use evaluator::Evaluator;
+pub use order::Order;
 
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup};
-
-/// How far a differentiation goes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Order {
-    /// Values.
-    Value,
-    /// Values and gradients.
-    First,
-    /// Values, gradients and Hessians.
-    Second,
-}
-
-/// Which second derivatives are wanted.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Pairs {
-    /// All of them.
-    All,
-    /// Those that the last variable takes part in.
-    WithLast,
-}
+use order::Pairs;
 
 /// Value and gradient of an outcome.
 ///

@@ -1,5 +1,6 @@
+use super::Taylor;
 use super::asked::{Asked, Directions, read};
-use super::{Pairs, Taylor};
+use super::order::Pairs;
 use crate::drive::{Part, Struck};
 use crate::error::Result;
 use crate::number::{Derivatives, Jet, Lanes, Level, Mask, Mixed, Task};
@@ -35,7 +36,7 @@ impl Pass<'_> {
     #[inline(always)]
     fn over<J: Lanes<Lane: Derivatives>>(self, per_lane: usize) -> Result<()> {
         let Self { asked, directions, taylors } = self;
-        let struck = Struck::new(&asked.lifted::<J>(directions, per_lane), asked.launch);
+        let struck = Struck::new(&asked.lifted::<J>(directions, per_lane));
         if !struck.is_sound.holds(0) {
             return Err(asked.refusal());
         }

@@ -16,25 +16,19 @@ pub(crate) struct Struck<T: Numbers> {
 }
 
 impl<T: Numbers> Struck<T> {
-    /// The ball of a setup; where it is given how it leaves, by the setup or by `launch`, no club strikes it. Called and not
-    /// taken in: there is one copy for each number.
+    /// The ball of a setup; where that gives its launch, no club strikes it. Called and not taken in: there is one copy
+    /// for each number.
     #[inline(always)]
-    pub fn new(setup: &Setup<T>, launch: Option<&Launch<f64>>) -> Self {
+    pub fn new(setup: &Setup<T>) -> Self {
         T::outlined(
             #[inline(always)]
-            || Self::of(setup, launch),
+            || Self::of(setup),
         )
     }
 
     #[inline(always)]
-    fn of(setup: &Setup<T>, launch: Option<&Launch<f64>>) -> Self {
-        let given = match launch {
-            Some(launch) => {
-                Some(Launch { velocity: launch.velocity.map(T::constant), spin: launch.spin.map(T::constant) })
-            }
-            None => Launch::given(setup),
-        };
-        if let Some(launch) = given {
+    fn of(setup: &Setup<T>) -> Self {
+        if let Some(launch) = Launch::given(setup) {
             let inputs = Inputs::new(setup, &launch);
             return Self { launch, club_speed: None, inputs, is_sound: T::Mask::first(usize::MAX) };
         }

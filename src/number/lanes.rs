@@ -1,37 +1,4 @@
 use super::{Jet, Number, Numbers};
-use std::fmt::Debug;
-use std::ops::{BitAnd, BitOr, Not};
-
-/// The answers to a comparison of several numbers.
-pub trait Mask: Copy + Debug + 'static + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output = Self> {
-    /// Whether it holds for each.
-    fn all(self) -> bool;
-    /// Whether it holds for one at least.
-    fn any(self) -> bool;
-    /// Whether it holds for this one, counted from 0.
-    fn holds(self, lane: usize) -> bool;
-    /// The mask that holds for the first of several.
-    fn first(count: usize) -> Self;
-}
-
-impl Mask for bool {
-    #[inline(always)]
-    fn all(self) -> bool {
-        self
-    }
-    #[inline(always)]
-    fn any(self) -> bool {
-        self
-    }
-    #[inline(always)]
-    fn holds(self, _lane: usize) -> bool {
-        self
-    }
-    #[inline(always)]
-    fn first(count: usize) -> Self {
-        count > 0
-    }
-}
 
 /// Several numbers side by side: of drives next to each other, or of one drive, each with derivatives in directions of its own.
 pub(crate) trait Lanes: Numbers {

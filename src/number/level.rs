@@ -88,10 +88,3 @@ fn with_four<W: Task>(task: W) -> W::Output {
 fn with_eight<W: Task>(task: W) -> W::Output {
     task.run::<Pack8>()
 }
-
-/// A closure as it is. An attribute like `#[inline(always)]` may stand on an argument, not on the right of a `let`; a closure that
-/// is called twice and not taken in would be compiled for no vector unit at all.
-#[inline(always)]
-pub(crate) fn inlined<F>(closure: F) -> F {
-    closure
-}

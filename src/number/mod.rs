@@ -9,12 +9,15 @@
 #[cfg(target_arch = "x86_64")]
 mod bits;
 mod derivatives;
+mod dual;
 #[cfg(target_arch = "x86_64")]
 mod exponential;
+mod inlined;
 mod jet;
 mod lanes;
 mod level;
 mod linear;
+mod mask;
 mod outlined;
 #[cfg(target_arch = "x86_64")]
 mod pack;
@@ -23,17 +26,17 @@ mod taylor;
 mod vector;
 
 pub(crate) use derivatives::Derivatives;
+pub(crate) use inlined::inlined;
 pub use jet::{Jet, Mixed};
 pub(crate) use lanes::Lanes;
-pub use lanes::Mask;
-pub(crate) use level::{Level, Task, inlined};
+pub(crate) use level::{Level, Task};
 pub(crate) use linear::{SymmetricFactors, solve};
+pub use mask::Mask;
 #[cfg(target_arch = "x86_64")]
 pub(crate) use pack::{Pack4, Pack8};
 pub use taylor::Taylor;
 pub use vector::Vector;
 
-use num_dual::DualNum;
 use std::fmt::Debug;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -158,10 +161,7 @@ pub trait Numbers: Copy + Debug + 'static + Neg<Output = Self> + Arithmetic<Self
     }
 
     /// tanh x, finite for every x (sinh/cosh overflows).
-    #[inline(always)]
-    fn tanh(self) -> Self {
-        tanh::tanh(self)
-    }
+    fn tanh(self) -> Self;
 }
 
 /// A real number, possibly carrying derivatives, with one value to look at.
@@ -192,66 +192,6 @@ pub trait Number: Numbers<Mask = bool> {
         let along = x * cos + self * sin;
         let across = self * cos - x * sin;
         (across / along).atan() + angle
-    }
-}
-
-impl<D: DualNum<Primitive = f64> + Copy> Numbers for D {
-    type Mask = bool;
-
-    #[inline(always)]
-    fn constant(value: f64) -> Self {
-        D::from(value)
-    }
-    #[inline(always)]
-    fn recip(self) -> Self {
-        DualNum::recip(&self)
-    }
-    #[inline(always)]
-    fn sqrt(self) -> Self {
-        DualNum::sqrt(&self)
-    }
-    #[inline(always)]
-    fn exp(self) -> Self {
-        DualNum::exp(&self)
-    }
-    #[inline(always)]
-    fn exp_m1(self) -> Self {
-        DualNum::exp_m1(&self)
-    }
-    #[inline(always)]
-    fn ln(self) -> Self {
-        DualNum::ln(&self)
-    }
-    #[inline(always)]
-    fn ln_1p(self) -> Self {
-        DualNum::ln_1p(&self)
-    }
-    #[inline(always)]
-    fn sin_cos(self) -> (Self, Self) {
-        DualNum::sin_cos(&self)
-    }
-    #[inline(always)]
-    fn atan(self) -> Self {
-        DualNum::atan(&self)
-    }
-    #[inline(always)]
-    fn below(self, limit: f64) -> bool {
-        num_dual::DualStruct::re(&self) < limit
-    }
-    #[inline(always)]
-    fn blend(self, other: Self, mask: bool) -> Self {
-        if mask { self } else { other }
-    }
-    #[inline(always)]
-    fn is_finite(self) -> bool {
-        num_dual::DualStruct::re(&self).is_finite()
-    }
-}
-
-impl<D: DualNum<Primitive = f64> + Copy> Number for D {
-    #[inline(always)]
-    fn re(self) -> f64 {
-        num_dual::DualStruct::re(&self)
     }
 }
 

@@ -8,6 +8,7 @@ use super::Numbers;
 use super::bits::Bits;
 use super::exponential::{self, Powers};
 use super::lanes::Lanes;
+use super::tanh::tanh;
 use std::arch::x86_64::*;
 use std::fmt;
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -130,6 +131,10 @@ macro_rules! pack {
             #[inline(always)]
             fn atan(self) -> Self {
                 self.each(f64::atan)
+            }
+            #[inline(always)]
+            fn tanh(self) -> Self {
+                tanh(self)
             }
             #[inline(always)]
             fn below(self, limit: f64) -> Bits<$width> {

@@ -1,7 +1,7 @@
 //! Corners: recognising one, and saying what is known of it.
 
-use super::frame::{Frame, Point};
 use super::problem::Evaluation;
+use super::scaling::{Point, Scaling};
 use serde::{Deserialize, Serialize};
 
 /// A corner of the objective along one variable.
@@ -33,15 +33,15 @@ const REACH: f64 = 1e-6;
 /// Looks for a corner at a point: a variable whose slope jumps between two points 2·REACH apart by much more than
 /// the curvature on either side accounts for. `evaluate` gives `None` where the functions are not defined.
 pub(super) fn find<E>(
-    frame: &Frame,
+    scaling: &Scaling,
     at: &Point,
     mut evaluate: impl FnMut(&[f64]) -> Result<Option<Evaluation>, E>,
 ) -> Result<Option<Kink>, E> {
-    let bounds = &frame.domain.variables;
+    let bounds = &scaling.domain.variables;
     for i in (0..at.x.len()).filter(|&i| !bounds.is_fixed(i)) {
         let mut side = |towards: f64| {
             let mut moved = at.x.clone();
-            let to = at.x[i] + towards * REACH * frame.scale[i];
+            let to = at.x[i] + towards * REACH * scaling.scale[i];
             moved[i] = to.clamp(bounds.low[i], bounds.high[i]);
             let objective = evaluate(&moved)?.map(|f| f.objective);
             Ok(objective.map(|f| Side {
@@ -52,7 +52,7 @@ pub(super) fn find<E>(
             }))
         };
         let (Some(below), Some(above)) = (side(-1.0)?, side(1.0)?) else { return Ok(None) };
-        if is_corner(frame, at, i, &below, &above) {
+        if is_corner(scaling, at, i, &below, &above) {
             let slope = |side: &Side| side.is_inside.then_some(side.slope);
             return Ok(Some(Kink { variable: i, slope_below: slope(&below), slope_above: slope(&above) }));
         }
@@ -69,12 +69,12 @@ struct Side {
     is_inside: bool,
 }
 
-fn is_corner(frame: &Frame, at: &Point, i: usize, below: &Side, above: &Side) -> bool {
+fn is_corner(scaling: &Scaling, at: &Point, i: usize, below: &Side, above: &Side) -> bool {
     if below.hessian.is_empty() || above.hessian.is_empty() {
         return false;
     }
     let (apart, jump) = (above.x - below.x, above.slope - below.slope);
-    let matters = jump.abs() * frame.scale[i] > 1e-6 * frame.size(at);
+    let matters = jump.abs() * scaling.scale[i] > 1e-6 * scaling.size(at);
     // on a bound the one side is the rounded tip of the corner itself, whose curvature may account for anything
     let is_unexplained = |side: &Side| !side.is_inside || (side.hessian[i][i] * apart - jump).abs() > 0.5 * jump.abs();
     let is_seen = below.is_inside || above.is_inside;
@@ -83,8 +83,8 @@ fn is_corner(frame: &Frame, at: &Point, i: usize, below: &Side, above: &Side) ->
 
 /// Whether a converged point may in truth be a smoothed corner: a curvature so high that the slope changes by
 /// all of φ within a thousandth of the variable's scale.
-pub(super) fn is_suspected(frame: &Frame, at: &Point) -> bool {
+pub(super) fn is_suspected(scaling: &Scaling, at: &Point) -> bool {
     let hessian = &at.f.objective.hessian;
-    let curvature = |i: usize| hessian[i][i].abs() * frame.scale[i] * frame.scale[i];
-    (0..hessian.len()).any(|i| curvature(i) > 1e3 * frame.size(at))
+    let curvature = |i: usize| hessian[i][i].abs() * scaling.scale[i] * scaling.scale[i];
+    (0..hessian.len()).any(|i| curvature(i) > 1e3 * scaling.size(at))
 }

@@ -1,7 +1,8 @@
-//! A search from its start to its end, with those who watch it, stop it and keep it.
+//! A search from its start to its end, with its observer.
 
 use super::domain::Domain;
 use super::kink::Kink;
+use super::observer::{Keep, Observer, Snapshot};
 use super::options::Options;
 use super::problem::Problem;
 use super::solution::{Iteration, Solution};
@@ -11,71 +12,27 @@ use crate::error::{Error, Result};
 use argmin::core::checkpointing::{Checkpoint, CheckpointingFrequency};
 use argmin::core::observers::{Observe, ObserverMode};
 use argmin::core::{Executor, KV, State};
-use serde::{Deserialize, Serialize};
 use std::cell::RefCell;
 use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
 
 /// Minimises a function within a domain from a start, which is moved into the bounds first.
 ///
 /// # Errors
 /// [`Error::Optimizer`] for a start or options that make no sense. Not converging is a [`Status`], not an error.
 pub fn minimize(problem: &impl Problem, domain: &Domain, start: &[f64], options: &Options) -> Result<Solution> {
-    minimize_watched(problem, domain, start, options, Watch::default())
+    minimize_observed(problem, domain, start, options, Observer::default())
 }
 
-/// Those who follow a search.
-pub struct Watch {
-    /// Is shown every iteration.
-    pub iteration: Box<dyn FnMut(&Iteration)>,
-    /// Ends the search, with the best point so far, once it is true.
-    pub interrupt: Arc<AtomicBool>,
-    /// Is given the search after every iteration, to keep it.
-    pub keep: Option<Box<Keep>>,
-    /// A search that was kept, to go on with.
-    pub resume: Option<Snapshot>,
-}
-
-/// Keeps a search, or says why it cannot.
-pub type Keep = dyn FnMut(&Snapshot) -> Result<()>;
-
-impl Watch {
-    /// Shows every iteration.
-    pub fn showing(iteration: impl FnMut(&Iteration) + 'static) -> Self {
-        Self { iteration: Box::new(iteration), ..Self::default() }
-    }
-}
-
-impl Default for Watch {
-    fn default() -> Self {
-        Self { iteration: Box::new(|_| ()), interrupt: Arc::default(), keep: None, resume: None }
-    }
-}
-
-/// A search between two iterations: going on from it ends as the search itself would have, bit by bit.
-#[derive(Clone, Debug, Serialize, Deserialize)]
-pub struct Snapshot {
-    iterations: u64,
-    progress: Progress,
-}
-
-impl Snapshot {
-    /// Iterations done.
-    pub fn iterations(&self) -> u64 {
-        self.iterations
-    }
-}
-
-/// As [`minimize`], with those who follow the search.
+/// As [`minimize`], with an observer.
 ///
 /// # Errors
 /// As [`minimize`]; whatever keeping the search fails with.
-pub fn minimize_watched(
+pub fn minimize_observed(
     problem: &impl Problem,
     domain: &Domain,
     start: &[f64],
     options: &Options,
-    watch: Watch,
+    observer: Observer,
 ) -> Result<Solution> {
     options.validate()?;
     let n = domain.variables.dimension();
@@ -83,7 +40,7 @@ pub fn minimize_watched(
         return Err(Error::Optimizer(format!("the start {start:?} must be {n} finite numbers, one per variable")));
     }
     let failure = Arc::default();
-    let found = run(problem, domain, start, options, watch, &failure)?;
+    let found = run(problem, domain, start, options, observer, &failure)?;
     match found.kink.and_then(|kink| Some((kink, kink.slope_towards_bound()?))) {
         Some((kink, (price, is_lower))) if found.status == Status::StalledAtKink => {
             Ok(held_at_corner(problem, domain, options, found, kink, price, is_lower))
@@ -98,20 +55,21 @@ fn run(
     domain: &Domain,
     start: &[f64],
     options: &Options,
-    watch: Watch,
+    observer: Observer,
     failure: &Arc<std::sync::Mutex<Option<Error>>>,
 ) -> Result<Solution> {
     let progress = Progress::default();
-    let solver = Sqp { domain: domain.clone(), options: options.clone(), interrupt: watch.interrupt.clone(), progress };
+    let solver =
+        Sqp { domain: domain.clone(), options: options.clone(), interrupt: observer.interrupt.clone(), progress };
     let fresh = SqpState::new().param(start.to_vec()).max_iters(options.max_iterations);
     let keeper = Keeper {
-        keep: watch.keep.map(RefCell::new),
-        resumed: watch.resume.map(|snapshot| (resumed(&solver, snapshot.clone()), at_iteration(&fresh, &snapshot))),
+        keep: observer.keep.map(RefCell::new),
+        resumed: observer.resume.map(|snapshot| (resumed(&solver, snapshot.clone()), at_iteration(&fresh, &snapshot))),
         failure: failure.clone(),
     };
     let mut executor = Executor::new(ByReference(problem), solver)
         .configure(|_| fresh)
-        .add_observer(Watcher::new(watch.iteration), ObserverMode::Always)
+        .add_observer(IterationObserver::new(observer.iteration), ObserverMode::Always)
         .timer(false);
     if keeper.keep.is_some() || keeper.resumed.is_some() {
         executor = executor.checkpointing(keeper);
@@ -139,7 +97,9 @@ fn held_at_corner(
     let (i, mut held) = (kink.variable, domain.clone());
     let bound = if is_lower { domain.variables.low[i] } else { domain.variables.high[i] };
     (held.variables.low[i], held.variables.high[i]) = (bound, bound);
-    let Ok(mut end) = run(problem, &held, &found.x, options, Watch::default(), &Arc::default()) else { return found };
+    let Ok(mut end) = run(problem, &held, &found.x, options, Observer::default(), &Arc::default()) else {
+        return found;
+    };
     if end.status != Status::Converged {
         return found;
     }
@@ -164,7 +124,7 @@ impl<P: Problem> Problem for ByReference<'_, P> {
 fn resumed(solver: &Sqp, snapshot: Snapshot) -> Sqp {
     let mut solver = Sqp { progress: snapshot.progress, ..solver.clone() };
     if let Some(search) = &mut solver.progress.search {
-        search.frame.domain = solver.domain.clone();
+        search.scaling.domain = solver.domain.clone();
     }
     solver
 }
@@ -208,13 +168,13 @@ impl Checkpoint<Sqp, SqpState> for Keeper {
 }
 
 /// Passes argmin's observations on.
-struct Watcher {
+struct IterationObserver {
     show: Box<dyn FnMut(&Iteration)>,
     /// What was shown last; it is filled anew each time.
     shown: Iteration,
 }
 
-impl Watcher {
+impl IterationObserver {
     fn new(show: Box<dyn FnMut(&Iteration)>) -> Self {
         Self { show, shown: Iteration::default() }
     }
@@ -229,7 +189,7 @@ impl Watcher {
     }
 }
 
-impl Observe<SqpState> for Watcher {
+impl Observe<SqpState> for IterationObserver {
     fn observe_init(&mut self, _: &str, state: &SqpState, _: &KV) -> std::result::Result<(), argmin::core::Error> {
         self.show(0, state);
         Ok(())

@@ -1,13 +1,13 @@
+use super::bundle::Bundle;
 use super::convex::convexify;
-use super::frame::{Frame, Point, norm};
 use super::qp::{End, Method, Piece, QuadraticProgram, Row, Step, quadratic_form};
-use super::sides::Sides;
+use super::scaling::{Point, Scaling, norm};
 use nalgebra::{DMatrix, DVector};
 
 /// The quadratic model around a point: what a search knows there.
 pub(super) struct Model<'a> {
-    pub frame: &'a Frame,
-    pub sides: &'a Sides,
+    pub scaling: &'a Scaling,
+    pub bundle: &'a Bundle,
     pub at: &'a Point,
     pub multipliers: &'a [f64],
     /// The Hessian of the Lagrangian in scaled variables, exact or the search's own.
@@ -66,7 +66,7 @@ impl Model<'_> {
     pub fn corrected(&self, tried: &Point, program: &mut QuadraticProgram) -> Plan {
         let d = self.steps_to(&tried.x);
         let value = |j: usize| {
-            let slope = self.normal(j).dot(&d) * self.frame.gamma[j];
+            let slope = self.normal(j).dot(&d) * self.scaling.gamma[j];
             tried.f.constraints[j].value - slope
         };
         self.plan_from(value, program)
@@ -101,9 +101,9 @@ impl Model<'_> {
         Plan {
             length: step.d.amax(),
             descent: self.descent(program, &d),
-            violation: norm(self.frame.violations(&self.at.f)),
+            violation: norm(self.scaling.violations(&self.at.f)),
             violation_left: norm(left),
-            multipliers: step.multipliers.iter().zip(&self.frame.gamma).map(|(m, gamma)| m / gamma).collect(),
+            multipliers: step.multipliers.iter().zip(&self.scaling.gamma).map(|(m, gamma)| m / gamma).collect(),
             sides: step.weights.iter().filter(|weight| **weight > 1e-6).count(),
             by: step.by,
             is_relaxed,
@@ -114,22 +114,22 @@ impl Model<'_> {
     /// Poses the program in scaled variables: the point's own piece, those of other sides of corners nearby, and the
     /// constraints linearised around these values.
     fn pose(&self, value: impl Fn(usize) -> f64, program: &mut QuadraticProgram) {
-        let Self { frame, at, radius, .. } = *self;
+        let Self { scaling, at, radius, .. } = *self;
         program.resize(at.x.len(), at.f.constraints.len());
         convexify(self.hessian, || self.held(), &mut program.curvature);
 
         let own = &mut program.pieces[0].gradient;
-        own.iter_mut().enumerate().for_each(|(i, slope)| *slope = at.f.objective.gradient[i] * frame.scale[i]);
-        program.pieces.extend(self.sides.pieces(frame, at, self.hessian));
+        own.iter_mut().enumerate().for_each(|(i, slope)| *slope = at.f.objective.gradient[i] * scaling.scale[i]);
+        program.pieces.extend(self.bundle.pieces(scaling, at, self.hessian));
 
-        let bounds = &frame.domain.variables;
-        let limit = |i: usize, bound: f64| ((bound - at.x[i]) / frame.scale[i]).clamp(-radius, radius);
+        let bounds = &scaling.domain.variables;
+        let limit = |i: usize, bound: f64| ((bound - at.x[i]) / scaling.scale[i]).clamp(-radius, radius);
         for i in 0..at.x.len() {
             program.low[i] = limit(i, bounds.low[i]);
             program.high[i] = limit(i, bounds.high[i]);
         }
         for (j, row) in program.rows.iter_mut().enumerate() {
-            let (limits, gamma) = (&frame.domain.constraints, frame.gamma[j]);
+            let (limits, gamma) = (&scaling.domain.constraints, scaling.gamma[j]);
             let low = (limits.low[j] - value(j)) / gamma;
             let high = if limits.is_fixed(j) { low } else { (limits.high[j] - value(j)) / gamma };
             *row = Row { normal: self.normal(j), low, high };
@@ -170,7 +170,7 @@ impl Model<'_> {
         };
         let mut step = elastic.solve().unwrap_or_else(stay);
         let squares = |d: &DVector<f64>| 0.5 * d.rows(n, m).norm_squared();
-        let before = 0.5 * norm(self.frame.violations(&self.at.f)).powi(2);
+        let before = 0.5 * norm(self.scaling.violations(&self.at.f)).powi(2);
         if let Some(bend) = self.violation_bend()
             && squares(&step.d) + 0.5 * quadratic_form(&bend, &step.d.rows(0, n).into_owned()) > before
         {
@@ -191,16 +191,16 @@ impl Model<'_> {
     /// What the curvature of violated constraints adds to the Hessian of ½‖v‖² (in scaled variables), as far as it is positive;
     /// `None` where a constraint gives no Hessian, and where nothing is added.
     fn violation_bend(&self) -> Option<DMatrix<f64>> {
-        let Self { frame, at, .. } = *self;
+        let Self { scaling, at, .. } = *self;
         let n = at.x.len();
         let mut sum = DMatrix::zeros(n, n);
-        for (j, violation) in frame.violations(&at.f).enumerate().filter(|(_, violation)| *violation != 0.0) {
+        for (j, violation) in scaling.violations(&at.f).enumerate().filter(|(_, violation)| *violation != 0.0) {
             let hessian = &at.f.constraints[j].hessian;
             if hessian.is_empty() {
                 return None;
             }
-            let weight = violation / frame.gamma[j];
-            sum += DMatrix::from_fn(n, n, |i, k| weight * hessian[i][k] * frame.scale[i] * frame.scale[k]);
+            let weight = violation / scaling.gamma[j];
+            sum += DMatrix::from_fn(n, n, |i, k| weight * hessian[i][k] * scaling.scale[i] * scaling.scale[k]);
         }
         if sum.iter().all(|entry| *entry == 0.0) {
             return None;
@@ -213,18 +213,19 @@ impl Model<'_> {
     /// The gradient of a constraint, in scaled variables and units of γ.
     fn normal(&self, j: usize) -> DVector<f64> {
         let gradient = &self.at.f.constraints[j].gradient;
-        DVector::from_fn(gradient.len(), |i, _| gradient[i] * self.frame.scale[i] / self.frame.gamma[j])
+        DVector::from_fn(gradient.len(), |i, _| gradient[i] * self.scaling.scale[i] / self.scaling.gamma[j])
     }
 
     /// The normals of what holds the point: bounds that f falls towards the outside of, equations, and constraints
     /// with multipliers.
     fn held(&self) -> Vec<DVector<f64>> {
-        let Self { frame, at, .. } = *self;
+        let Self { scaling, at, .. } = *self;
         let n = at.x.len();
-        let is_held = |i: usize| frame.is_at_a_bound(at, i) && frame.projected_slope(at, self.multipliers, i) == 0.0;
+        let is_held =
+            |i: usize| scaling.is_at_a_bound(at, i) && scaling.projected_slope(at, self.multipliers, i) == 0.0;
         let bounds = (0..n).filter(|&i| is_held(i));
         let unit = |i: usize| DVector::from_fn(n, |k, _| f64::from(k == i));
-        let is_held = |j: &usize| self.multipliers[*j] != 0.0 || frame.domain.constraints.is_fixed(*j);
+        let is_held = |j: &usize| self.multipliers[*j] != 0.0 || scaling.domain.constraints.is_fixed(*j);
         let rows = (0..at.f.constraints.len()).filter(is_held).map(|j| {
             let normal = self.normal(j);
             let length = normal.norm();
@@ -235,13 +236,13 @@ impl Model<'_> {
 
     /// The point a step ends at.
     fn end_of(&self, step: &Step) -> Vec<f64> {
-        let Self { frame, at, radius, .. } = *self;
+        let Self { scaling, at, radius, .. } = *self;
         let coordinate = |i: usize| {
-            let (low, high) = (frame.domain.variables.low[i], frame.domain.variables.high[i]);
+            let (low, high) = (scaling.domain.variables.low[i], scaling.domain.variables.high[i]);
             match step.ends[i] {
-                End::Low if step.d[i] > -radius && step.d[i] * frame.scale[i] <= low - at.x[i] => low,
-                End::High if step.d[i] < radius && step.d[i] * frame.scale[i] >= high - at.x[i] => high,
-                _ => (at.x[i] + step.d[i] * frame.scale[i]).clamp(low, high),
+                End::Low if step.d[i] > -radius && step.d[i] * scaling.scale[i] <= low - at.x[i] => low,
+                End::High if step.d[i] < radius && step.d[i] * scaling.scale[i] >= high - at.x[i] => high,
+                _ => (at.x[i] + step.d[i] * scaling.scale[i]).clamp(low, high),
             }
         };
         (0..at.x.len()).map(coordinate).collect()
@@ -249,7 +250,7 @@ impl Model<'_> {
 
     /// The way to a point, in scaled variables.
     fn steps_to(&self, x: &[f64]) -> DVector<f64> {
-        DVector::from_fn(x.len(), |i, _| (x[i] - self.at.x[i]) / self.frame.scale[i])
+        DVector::from_fn(x.len(), |i, _| (x[i] - self.at.x[i]) / self.scaling.scale[i])
     }
 
     /// What the model says f falls by. With the true Hessian where there is one piece: it promises at least as much as
@@ -263,13 +264,13 @@ impl Model<'_> {
 }
 
 /// The Hessian of the Lagrangian in scaled variables, if every function gives its own.
-pub(super) fn lagrangian_hessian(frame: &Frame, at: &Point, multipliers: &[f64]) -> Option<DMatrix<f64>> {
+pub(super) fn lagrangian_hessian(scaling: &Scaling, at: &Point, multipliers: &[f64]) -> Option<DMatrix<f64>> {
     let mut sum = DMatrix::default();
-    sum_hessians(frame, at, multipliers, &mut sum).then_some(sum)
+    sum_hessians(scaling, at, multipliers, &mut sum).then_some(sum)
 }
 
 /// As [`lagrangian_hessian`], written over a matrix; whether there is one.
-pub(super) fn sum_hessians(frame: &Frame, at: &Point, multipliers: &[f64], sum: &mut DMatrix<f64>) -> bool {
+pub(super) fn sum_hessians(scaling: &Scaling, at: &Point, multipliers: &[f64], sum: &mut DMatrix<f64>) -> bool {
     let n = at.x.len();
     if sum.nrows() != n {
         *sum = DMatrix::zeros(n, n);
@@ -282,7 +283,7 @@ pub(super) fn sum_hessians(frame: &Frame, at: &Point, multipliers: &[f64], sum: 
             return false;
         }
         for (i, j) in (0..n).flat_map(|i| (0..n).map(move |j| (i, j))).filter(|_| weight != 0.0) {
-            sum[(i, j)] += weight * function.hessian[i][j] * frame.scale[i] * frame.scale[j];
+            sum[(i, j)] += weight * function.hessian[i][j] * scaling.scale[i] * scaling.scale[j];
         }
     }
     true

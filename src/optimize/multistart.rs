@@ -1,8 +1,9 @@
 //! Local searches from many starts: the local optima they end at, best first.
 
+use super::checkpoint::{Checkpoint, Run};
 use super::domain::Domain;
-use super::ledger::{Ledger, Run};
-use super::minimize::{Watch, minimize_watched};
+use super::minimize::minimize_observed;
+use super::observer::Observer;
 use super::options::Options;
 use super::problem::Problem;
 use super::sobol;
@@ -36,7 +37,7 @@ pub struct Follow {
     /// Ends all searches, with the best points so far, once it is true.
     pub interrupt: Arc<AtomicBool>,
     /// Keeps the searches, and knows those that were kept before.
-    pub ledger: Option<Arc<Ledger>>,
+    pub checkpoint: Option<Arc<Checkpoint>>,
 }
 
 /// Optima closer than this in every variable, in units of its scale, are one.
@@ -96,7 +97,7 @@ fn one(
     follow: &Follow,
     number: usize,
 ) -> Result<Solution> {
-    let kept = follow.ledger.as_ref().and_then(|ledger| ledger.run(number));
+    let kept = follow.checkpoint.as_ref().and_then(|checkpoint| checkpoint.run(number));
     let resume = match kept {
         Some(Run::Done(solution)) => {
             if let Some(end) = &follow.end {
@@ -110,18 +111,18 @@ fn one(
     if follow.interrupt.load(Ordering::Relaxed) {
         return Ok(Solution::not_begun(domain, start.to_vec()));
     }
-    let mut watch = Watch { interrupt: follow.interrupt.clone(), resume, ..Watch::default() };
+    let mut observer = Observer { interrupt: follow.interrupt.clone(), resume, ..Observer::default() };
     if let Some(show) = follow.iteration.clone() {
-        watch.iteration = Box::new(move |iteration| show(number, iteration));
+        observer.iteration = Box::new(move |iteration| show(number, iteration));
     }
-    if let Some(ledger) = follow.ledger.clone() {
-        watch.keep = Some(Box::new(move |snapshot| ledger.keep(number, Run::Going(Box::new(snapshot.clone())))));
+    if let Some(checkpoint) = follow.checkpoint.clone() {
+        observer.keep = Some(Box::new(move |snapshot| checkpoint.keep(number, Run::Going(Box::new(snapshot.clone())))));
     }
-    let solution = minimize_watched(problem, domain, start, options, watch)?;
-    if let Some(ledger) = &follow.ledger
+    let solution = minimize_observed(problem, domain, start, options, observer)?;
+    if let Some(checkpoint) = &follow.checkpoint
         && !matches!(solution.status, Status::Interrupted | Status::IterationLimit)
     {
-        ledger.keep(number, Run::Done(Box::new(solution.clone())))?;
+        checkpoint.keep(number, Run::Done(Box::new(solution.clone())))?;
     }
     if let Some(end) = &follow.end {
         end(number, &solution);

@@ -1,11 +1,11 @@
-use super::frame::{Frame, Point};
+use super::scaling::{Point, Scaling};
 use nalgebra::{DMatrix, DVector};
 
 /// The search's own Hessian of the Lagrangian, in scaled variables, after a step: the damped BFGS update (Powell 1978;
 /// Nocedal & Wright 2006, procedure 18.2). It stays positive definite.
 pub(super) fn updated(
     before: &DMatrix<f64>,
-    frame: &Frame,
+    scaling: &Scaling,
     from: &Point,
     to: &Point,
     multipliers: &[f64],
@@ -13,8 +13,8 @@ pub(super) fn updated(
 ) -> DMatrix<f64> {
     let n = from.x.len();
     let (start, end) = (from.lagrangian_gradient(multipliers), to.lagrangian_gradient(multipliers));
-    let step = DVector::from_fn(n, |i, _| (to.x[i] - from.x[i]) / frame.scale[i]);
-    let change = DVector::from_fn(n, |i, _| (end[i] - start[i]) * frame.scale[i]);
+    let step = DVector::from_fn(n, |i, _| (to.x[i] - from.x[i]) / scaling.scale[i]);
+    let change = DVector::from_fn(n, |i, _| (end[i] - start[i]) * scaling.scale[i]);
     let curvature = step.dot(&change);
     if step.norm() == 0.0 {
         return before.clone();
@@ -36,8 +36,8 @@ pub(super) fn updated(
 }
 
 /// The Hessian to begin with: f changes by its slope over the whole scale.
-pub(super) fn initial(frame: &Frame, at: &Point) -> DMatrix<f64> {
+pub(super) fn initial(scaling: &Scaling, at: &Point) -> DMatrix<f64> {
     let n = at.x.len();
-    let slope = frame.largest(at.f.objective.gradient.iter().copied()).max(f64::MIN_POSITIVE);
+    let slope = scaling.largest(at.f.objective.gradient.iter().copied()).max(f64::MIN_POSITIVE);
     DMatrix::identity(n, n) * slope
 }

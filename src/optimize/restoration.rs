@@ -4,9 +4,9 @@
 //! minimum of the violation, or a place where slope and curvature vanish together. Neither says that the constraints contradict each
 //! other: a minimum of the violation may be a local one. So the violation is minimised from other points too before that is said.
 
-use super::frame::{Point, norm};
 use super::least_squares::{self, Rows};
 use super::options::Options;
+use super::scaling::{Point, norm};
 use super::search::{Evaluate, Search};
 use super::start::spread;
 use std::cell::RefCell;
@@ -30,7 +30,7 @@ impl Search {
         self.restorations += 1;
         let mut best: Option<(f64, Vec<f64>)> = None;
         for trial in 0..TRIALS {
-            let start = spread(&self.frame.domain.variables, &self.at.x, trial);
+            let start = spread(&self.scaling.domain.variables, &self.at.x, trial);
             let Some((violation, x)) = self.least_violated(start, evaluate)? else { continue };
             if violation < best.as_ref().map_or(BETTER * self.violation(), |(least, _)| *least) {
                 best = Some((violation, x));
@@ -54,22 +54,22 @@ impl Search {
     ) -> Result<Option<(f64, Vec<f64>)>, argmin::core::Error> {
         let failure = RefCell::new(None);
         let evaluate = RefCell::new(evaluate);
-        let frame = &self.frame;
+        let scaling = &self.scaling;
         let violations = |x: &[f64]| {
             let f = (evaluate.borrow_mut())(x).unwrap_or_else(|error| {
                 *failure.borrow_mut() = Some(error);
                 Err("the evaluation failed".into())
             })?;
-            let residuals: Vec<f64> = frame.violations(&f).collect();
+            let residuals: Vec<f64> = scaling.violations(&f).collect();
             let row = |(j, violation): (usize, &f64)| match violation {
                 0.0 => vec![0.0; x.len()],
-                _ => f.constraints[j].gradient.iter().map(|slope| slope / frame.gamma[j]).collect(),
+                _ => f.constraints[j].gradient.iter().map(|slope| slope / scaling.gamma[j]).collect(),
             };
             let jacobian = residuals.iter().enumerate().map(row).collect();
             Ok(Rows { residuals, jacobian })
         };
         let options = least_squares::Options { max_iterations: ITERATIONS, ..least_squares::Options::default() };
-        let found = least_squares::fit(&violations, &frame.domain, &start, &options);
+        let found = least_squares::fit(&violations, &scaling.domain, &start, &options);
         if let Some(failure) = failure.into_inner() {
             return Err(failure);
         }

@@ -1,8 +1,8 @@
 //! The second-order test: a point where the gradient vanishes may be a saddle, or even a maximum.
 
-use super::frame::{Frame, Point, norm};
 use super::model::lagrangian_hessian;
 use super::null_space::free_moves;
+use super::scaling::{Point, Scaling, norm};
 use super::search::{Evaluate, Search};
 use nalgebra::{DMatrix, DVector};
 
@@ -34,7 +34,7 @@ impl Search {
             // along the tangents of what is active it is the Lagrangian that falls, and the merit only once the
             // constraints are met again
             Goal::Merit => search.lagrangian(at),
-            Goal::Feasibility => 0.5 * norm(search.frame.violations(&at.f)).powi(2),
+            Goal::Feasibility => 0.5 * norm(search.scaling.violations(&at.f)).powi(2),
         };
         let before = measure(self, &self.at);
         let mut reach = self.radius.clamp(1e-3, 0.25);
@@ -42,9 +42,9 @@ impl Search {
             let expected = -0.5 * curvature * reach * reach;
             let mut best: Option<(f64, Point)> = None;
             for sign in [1.0, -1.0] {
-                let coordinate = |i: usize| self.at.x[i] + sign * reach * direction[i] * self.frame.scale[i];
+                let coordinate = |i: usize| self.at.x[i] + sign * reach * direction[i] * self.scaling.scale[i];
                 let moved: Vec<f64> = (0..self.at.x.len()).map(coordinate).collect();
-                let x = self.frame.domain.variables.project(&moved);
+                let x = self.scaling.domain.variables.project(&moved);
                 self.effort.evaluations += 1;
                 if let Ok(f) = evaluate(&x)? {
                     let point = Point { x, f };
@@ -58,7 +58,7 @@ impl Search {
                 let multipliers = self.multipliers.clone();
                 self.move_to(best, multipliers);
                 self.radius = reach;
-                self.residual = self.frame.residual(&self.at, &self.multipliers);
+                self.residual = self.scaling.residual(&self.at, &self.multipliers);
                 return Ok(true);
             }
             reach *= 0.1;
@@ -68,17 +68,17 @@ impl Search {
 
     /// The direction of most negative curvature, with that curvature, in scaled variables; `None` where there is none.
     fn downward(&self, goal: Goal) -> Option<(DVector<f64>, f64)> {
-        let Self { frame, at, multipliers, .. } = self;
+        let Self { scaling, at, multipliers, .. } = self;
         let (hessian, free, size) = match goal {
             Goal::Merit => {
-                let hessian = lagrangian_hessian(frame, at, multipliers)?;
-                (hessian, tangents(frame, at, multipliers), frame.size(at))
+                let hessian = lagrangian_hessian(scaling, at, multipliers)?;
+                (hessian, tangents(scaling, at, multipliers), scaling.size(at))
             }
             Goal::Feasibility => {
-                let bounds = &frame.domain.variables;
+                let bounds = &scaling.domain.variables;
                 let free: Vec<usize> = (0..at.x.len()).filter(|&i| !bounds.is_fixed(i)).collect();
                 let basis = DMatrix::from_fn(at.x.len(), free.len(), |i, k| f64::from(free[k] == i));
-                (violation_hessian(frame, at)?, basis, 1.0)
+                (violation_hessian(scaling, at)?, basis, 1.0)
             }
         };
         if free.ncols() == 0 {
@@ -91,39 +91,39 @@ impl Search {
 }
 
 /// The Hessian of ½‖v‖² in scaled variables, if every constraint gives its own.
-fn violation_hessian(frame: &Frame, at: &Point) -> Option<DMatrix<f64>> {
+fn violation_hessian(scaling: &Scaling, at: &Point) -> Option<DMatrix<f64>> {
     let n = at.x.len();
     let mut sum = DMatrix::zeros(n, n);
-    for (j, violation) in frame.violations(&at.f).enumerate().filter(|(_, violation)| *violation != 0.0) {
-        let (constraint, gamma) = (&at.f.constraints[j], frame.gamma[j]);
+    for (j, violation) in scaling.violations(&at.f).enumerate().filter(|(_, violation)| *violation != 0.0) {
+        let (constraint, gamma) = (&at.f.constraints[j], scaling.gamma[j]);
         if constraint.hessian.is_empty() {
             return None;
         }
         sum += DMatrix::from_fn(n, n, |i, k| {
             let slopes = constraint.gradient[i] * constraint.gradient[k] / (gamma * gamma);
             let bend = violation * constraint.hessian[i][k] / gamma;
-            (slopes + bend) * frame.scale[i] * frame.scale[k]
+            (slopes + bend) * scaling.scale[i] * scaling.scale[k]
         });
     }
     Some(sum)
 }
 
 /// An orthonormal basis, in scaled variables, of the moves that keep every active bound and constraint active.
-pub(super) fn tangents(frame: &Frame, at: &Point, multipliers: &[f64]) -> DMatrix<f64> {
+pub(super) fn tangents(scaling: &Scaling, at: &Point, multipliers: &[f64]) -> DMatrix<f64> {
     let n = at.x.len();
-    let size = frame.size(at);
+    let size = scaling.size(at);
     let is_held = |i: usize| {
-        let presses = (at.lagrangian_slope(multipliers, i) * frame.scale[i]).abs() > IDLE * size;
-        frame.domain.variables.is_fixed(i) || frame.is_at_a_bound(at, i) && presses
+        let presses = (at.lagrangian_slope(multipliers, i) * scaling.scale[i]).abs() > IDLE * size;
+        scaling.domain.variables.is_fixed(i) || scaling.is_at_a_bound(at, i) && presses
     };
     let is_tight = |j: &usize| {
-        let presses = (multipliers[*j] * frame.gamma[*j]).abs() > IDLE * size;
-        presses || frame.domain.constraints.is_fixed(*j)
+        let presses = (multipliers[*j] * scaling.gamma[*j]).abs() > IDLE * size;
+        presses || scaling.domain.constraints.is_fixed(*j)
     };
     let free: Vec<usize> = (0..n).filter(|&i| !is_held(i)).collect();
     let tight: Vec<usize> = (0..at.f.constraints.len()).filter(is_tight).collect();
     let rows = DMatrix::from_fn(tight.len(), free.len(), |r, c| {
-        at.f.constraints[tight[r]].gradient[free[c]] * frame.scale[free[c]] / frame.gamma[tight[r]]
+        at.f.constraints[tight[r]].gradient[free[c]] * scaling.scale[free[c]] / scaling.gamma[tight[r]]
     });
     free_moves(n, &free, &rows)
 }

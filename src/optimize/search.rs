@@ -1,11 +1,11 @@
 //! What a search knows between two iterations, and what it does with a step.
 
-use super::frame::{Frame, Point, Residual, norm};
+use super::bundle::Bundle;
 use super::model::{Model, Plan, sum_hessians};
 use super::problem::Evaluation;
 use super::qp::{Method, QuadraticProgram};
 use super::quasi_newton;
-use super::sides::Sides;
+use super::scaling::{Point, Residual, Scaling, norm};
 use nalgebra::DMatrix;
 use serde::{Deserialize, Serialize};
 
@@ -52,13 +52,13 @@ pub struct Effort {
 /// The state of a search.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub(super) struct Search {
-    pub frame: Frame,
+    pub scaling: Scaling,
     pub at: Point,
     pub multipliers: Vec<f64>,
     /// ν of the merit f + ν ‖v‖₂.
     pub penalty: f64,
     pub radius: f64,
-    pub sides: Sides,
+    pub bundle: Bundle,
     pub residual: Residual,
     /// Iterations without progress.
     pub idle: u32,
@@ -111,14 +111,14 @@ impl Outcome {
 }
 
 impl Search {
-    pub fn new(frame: Frame, at: Point, radius: f64) -> Self {
+    pub fn new(scaling: Scaling, at: Point, radius: f64) -> Self {
         let multipliers = vec![0.0; at.f.constraints.len()];
-        let residual = frame.residual(&at, &multipliers);
+        let residual = scaling.residual(&at, &multipliers);
         Self {
             multipliers,
             penalty: 0.0,
             radius,
-            sides: Sides::default(),
+            bundle: Bundle::default(),
             residual,
             idle: 0,
             escapes: 0,
@@ -127,7 +127,7 @@ impl Search {
             edge: None,
             workspace: Workspace::default(),
             own_hessian: None,
-            frame,
+            scaling,
             at,
         }
     }
@@ -161,7 +161,7 @@ impl Search {
             tried => tried,
         };
         // another side of a corner is left behind by a step that crossed it, or met by one that failed at it
-        self.sides.keep(&self.frame, &self.at, other);
+        self.bundle.keep(&self.scaling, &self.at, other);
         Ok((plan, kept))
     }
 
@@ -170,8 +170,8 @@ impl Search {
     fn plan(&mut self) -> Plan {
         loop {
             let plan = self.planned(|model, program| model.plan(program));
-            let is_hopeless = self.promised(&plan) <= LITTLE * self.frame.size(&self.at);
-            if !(is_hopeless && self.sides.forget_one_too_far(&self.frame, &self.at)) {
+            let is_hopeless = self.promised(&plan) <= LITTLE * self.scaling.size(&self.at);
+            if !(is_hopeless && self.bundle.forget_one_too_far(&self.scaling, &self.at)) {
                 return plan;
             }
         }
@@ -181,11 +181,11 @@ impl Search {
     fn planned(&mut self, by: impl FnOnce(&Model, &mut QuadraticProgram) -> Plan) -> Plan {
         let mut workspace = std::mem::take(&mut self.workspace);
         let Workspace { hessian, program } = &mut workspace;
-        if !sum_hessians(&self.frame, &self.at, &self.multipliers, hessian) {
+        if !sum_hessians(&self.scaling, &self.at, &self.multipliers, hessian) {
             *hessian = self.own().0;
         }
-        let Self { frame, sides, at, multipliers, radius, .. } = &*self;
-        let plan = by(&Model { frame, sides, at, multipliers, hessian, radius: *radius }, program);
+        let Self { scaling, bundle, at, multipliers, radius, .. } = &*self;
+        let plan = by(&Model { scaling, bundle, at, multipliers, hessian, radius: *radius }, program);
         self.workspace = workspace;
         self.count(&plan);
         plan
@@ -193,7 +193,7 @@ impl Search {
 
     /// The plan made up for the constraints' curvature, where that may be what a step failed by.
     fn corrected(&mut self, plan: &Plan, tried: &Point) -> Option<Plan> {
-        let missed = norm(self.frame.violations(&tried.f)) - plan.violation_left;
+        let missed = norm(self.scaling.violations(&tried.f)) - plan.violation_left;
         if self.at.f.constraints.is_empty() || missed <= NOISE {
             return None;
         }
@@ -217,7 +217,7 @@ impl Search {
     fn raise_penalty(&mut self, plan: &Plan) {
         if !plan.is_relaxed {
             // an exact penalty is at least the multipliers' norm; one that was too large sinks towards it
-            let scaled = plan.multipliers.iter().zip(&self.frame.gamma).map(|(m, gamma)| m * gamma);
+            let scaled = plan.multipliers.iter().zip(&self.scaling.gamma).map(|(m, gamma)| m * gamma);
             let exact = norm(scaled);
             self.penalty = exact.max(0.5 * (self.penalty + exact));
         }
@@ -234,7 +234,7 @@ impl Search {
     /// penalty, and so are those that a step leaves behind: else they rise without end, and with them the Hessian of the Lagrangian.
     fn limit_multipliers(&self, plan: &mut Plan) {
         if plan.is_relaxed {
-            let size = norm(plan.multipliers.iter().zip(&self.frame.gamma).map(|(m, gamma)| m * gamma));
+            let size = norm(plan.multipliers.iter().zip(&self.scaling.gamma).map(|(m, gamma)| m * gamma));
             let part = if size > self.penalty { self.penalty / size } else { 1.0 };
             plan.multipliers.iter_mut().for_each(|multiplier| *multiplier *= part);
         }
@@ -243,10 +243,10 @@ impl Search {
     /// What became of a step that the model planned.
     fn outcome(&self, plan: &Plan, tried: Option<&Point>) -> Outcome {
         let fell = tried.map_or(f64::NEG_INFINITY, |tried| {
-            let violation = norm(self.frame.violations(&tried.f));
+            let violation = norm(self.scaling.violations(&tried.f));
             self.at.f.objective.value - tried.f.objective.value + self.penalty * (self.violation() - violation)
         });
-        let noise = NOISE * (self.frame.size(&self.at) + self.penalty);
+        let noise = NOISE * (self.scaling.size(&self.at) + self.penalty);
         Outcome { fell, promised: self.promised(plan), noise }
     }
 
@@ -254,8 +254,8 @@ impl Search {
     /// solution the gradient is known to more digits than the merit (Hager & Zhang 2005, SIAM J. Optim. 16, section 2).
     fn is_calmed(&self, plan: &Plan, tried: &Point, outcome: &Outcome) -> bool {
         const QUIET: f64 = 1e-10;
-        let most = QUIET * (self.frame.size(&self.at) + self.penalty);
-        let residual = self.frame.residual(tried, &plan.multipliers);
+        let most = QUIET * (self.scaling.size(&self.at) + self.penalty);
+        let residual = self.scaling.residual(tried, &plan.multipliers);
         outcome.promised <= most && outcome.fell.abs() <= most && residual.largest() <= 0.5 * self.residual.largest()
     }
 
@@ -273,7 +273,7 @@ impl Search {
         self.multipliers = multipliers;
         if to.f.objective.hessian.is_empty() {
             let (before, updates) = self.own();
-            let after = quasi_newton::updated(&before, &self.frame, &self.at, &to, &self.multipliers, updates == 0);
+            let after = quasi_newton::updated(&before, &self.scaling, &self.at, &to, &self.multipliers, updates == 0);
             self.own_hessian = Some((rows(&after), updates + 1));
         }
         std::mem::replace(&mut self.at, to)
@@ -283,8 +283,8 @@ impl Search {
     pub fn begin_at(&mut self, at: Point, radius: f64) {
         self.multipliers.fill(0.0);
         (self.penalty, self.radius, self.idle) = (0.0, radius, 0);
-        (self.sides, self.own_hessian) = (Sides::default(), None);
-        self.residual = self.frame.residual(&at, &self.multipliers);
+        (self.bundle, self.own_hessian) = (Bundle::default(), None);
+        self.residual = self.scaling.residual(&at, &self.multipliers);
         self.at = at;
     }
 
@@ -295,7 +295,7 @@ impl Search {
 
     /// ‖v‖₂, in units of γ.
     pub fn violation(&self) -> f64 {
-        norm(self.frame.violations(&self.at.f))
+        norm(self.scaling.violations(&self.at.f))
     }
 
     /// The Lagrangian of a point, with the multipliers of this one.
@@ -308,7 +308,7 @@ impl Search {
         let n = self.at.x.len();
         match &self.own_hessian {
             Some((rows, updates)) => (DMatrix::from_fn(n, n, |i, j| rows[i][j]), *updates),
-            None => (quasi_newton::initial(&self.frame, &self.at), 0),
+            None => (quasi_newton::initial(&self.scaling, &self.at), 0),
         }
     }
 

@@ -1,7 +1,7 @@
 use super::domain::Domain;
-use super::frame::{Point, Residual};
 use super::kink::Kink;
 use super::model::lagrangian_hessian;
+use super::scaling::{Point, Residual};
 use super::search::{Effort, Search};
 use super::sqp::Progress;
 use super::status::{Status, Verdict};
@@ -69,13 +69,13 @@ impl Solution {
         let Some(search) = search else {
             return Self::nowhere(domain, status, message, start, undefined_at_start);
         };
-        let Search { frame, at, multipliers, residual, effort, .. } = search;
+        let Search { scaling, at, multipliers, residual, effort, .. } = search;
         let slopes = at.lagrangian_gradient(&multipliers);
         let bounds = &domain.variables;
         let price = |i: usize, is_held: bool, outward: f64| if is_held { (slopes[i] * outward).max(0.0) } else { 0.0 };
         let n = at.x.len();
-        let hessian = lagrangian_hessian(&frame, &at, &multipliers).map_or(vec![], |scaled| {
-            let entry = |i: usize, j: usize| scaled[(i, j)] / (frame.scale[i] * frame.scale[j]);
+        let hessian = lagrangian_hessian(&scaling, &at, &multipliers).map_or(vec![], |scaled| {
+            let entry = |i: usize, j: usize| scaled[(i, j)] / (scaling.scale[i] * scaling.scale[j]);
             (0..n).map(|i| (0..n).map(|j| entry(i, j)).collect()).collect()
         });
         let constrained = |(j, multiplier): (usize, &f64)| {

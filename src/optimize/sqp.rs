@@ -1,14 +1,14 @@
 //! The loop: sequential quadratic programming as an argmin `Solver`.
 
+use super::bundle::Bundle;
 use super::domain::Domain;
-use super::frame::{Frame, Residual};
 use super::kink::{self, Kink};
 use super::model::Plan;
 use super::options::Options;
 use super::problem::{Evaluation, Problem};
 use super::saddle;
+use super::scaling::{Residual, Scaling};
 use super::search::{Evaluate, NOISE, Search};
-use super::sides::Sides;
 use super::start::first_point;
 use super::status::{
     Status, Verdict, corner_test, gradient_test, infeasible_test, is_running_off, progress_test, radius_test,
@@ -63,22 +63,22 @@ impl Sqp {
     /// one that is not for a corner.
     fn judge(&mut self, search: &mut Search, plan: Option<&Plan>, evaluate: &mut Evaluate<'_>) -> Result<(), Error> {
         let tolerance = self.options.kkt_tolerance;
-        let size = search.frame.size(&search.at);
+        let size = search.scaling.size(&search.at);
         let promised = plan.map_or(f64::INFINITY, |plan| search.promised(plan) / size);
-        let residual = search.frame.residual(&search.at, &search.multipliers);
+        let residual = search.scaling.residual(&search.at, &search.multipliers);
         let is_idle = promised <= NOISE && residual.largest() > 0.5 * search.residual.largest();
         search.residual = residual;
         search.idle = if is_idle { search.idle + 1 } else { 0 };
 
-        let (radius, largest, shrunk) = (search.radius, residual.largest(), search.frame.first_size / size);
+        let (radius, largest, shrunk) = (search.radius, residual.largest(), search.scaling.first_size / size);
         let is_infeasible = plan
             .filter(|plan| plan.is_relaxed)
             .and_then(|plan| infeasible_test(plan.violation, plan.violation_left, radius, tolerance));
         let stuck = radius_test(radius, largest).or_else(|| progress_test(search.idle, promised, largest));
-        let outward = search.frame.outward(&search.at, &search.multipliers);
+        let outward = search.scaling.outward(&search.at, &search.multipliers);
         let is_there = |tolerance: f64| !is_running_off(outward, tolerance);
         let value = search.at.f.objective.value;
-        let verdict = unbounded_test(outward, value, search.frame.first_size, residual, search.multipliers.len())
+        let verdict = unbounded_test(outward, value, search.scaling.first_size, residual, search.multipliers.len())
             .or_else(|| gradient_test(residual, tolerance).filter(|_| is_there(tolerance)))
             .or(is_infeasible)
             .or_else(|| {
@@ -105,7 +105,7 @@ impl Sqp {
         let verdict = self.examined(search, verdict, evaluate)?;
         if is_by_corner && verdict.status != Status::StalledAtKink {
             // what looked like a corner's sides is a bend: the search goes on without them
-            search.sides = Sides::default();
+            search.bundle = Bundle::default();
             return Ok(());
         }
         self.progress.verdict = Some(verdict);
@@ -120,13 +120,13 @@ impl Sqp {
         evaluate: &mut Evaluate<'_>,
     ) -> Result<Verdict, Error> {
         let is_worth_a_look = match verdict.status {
-            Status::Converged => kink::is_suspected(&search.frame, &search.at),
+            Status::Converged => kink::is_suspected(&search.scaling, &search.at),
             Status::Stalled => true,
             _ => false,
         };
         if is_worth_a_look {
-            let (frame, at, effort) = (&search.frame, &search.at, &mut search.effort);
-            self.progress.kink = kink::find(frame, at, |x| {
+            let (scaling, at, effort) = (&search.scaling, &search.at, &mut search.effort);
+            self.progress.kink = kink::find(scaling, at, |x| {
                 effort.evaluations += 1;
                 evaluate(x).map(Result::ok)
             })?;
@@ -165,8 +165,8 @@ impl<P: Problem> Solver<P, SqpState> for Sqp {
             return Ok((state.param(start), None));
         };
         self.progress.begun_at.clone_from(&at.x);
-        let frame = Frame::new(self.domain.clone(), self.domain.variables.scale(&start), &at);
-        let mut search = Search::new(frame, at, self.options.initial_radius);
+        let scaling = Scaling::new(self.domain.clone(), self.domain.variables.scale(&start), &at);
+        let mut search = Search::new(scaling, at, self.options.initial_radius);
         search.effort.evaluations = count;
         self.judge(&mut search, None, &mut |x| evaluate(problem, x, m))?;
         let state = stored(state, &search, true);

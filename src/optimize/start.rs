@@ -1,6 +1,6 @@
 use super::domain::Bounds;
-use super::frame::Point;
 use super::problem::Evaluation;
+use super::scaling::Point;
 
 /// Of the points tried where f is not defined at the start, the best of this many is taken; if none is defined,
 /// the first that is.

@@ -7,8 +7,8 @@
 //! a bound is active and f falls only towards the outside), of the constraints' violations over γ, and of the
 //! multipliers times the distance from their limits over φ.
 
-use super::frame::{Outward, Residual};
 use super::kink::Kink;
+use super::scaling::{Outward, Residual};
 use crate::units::counted;
 use serde::{Deserialize, Serialize};
 use std::fmt;

@@ -70,7 +70,7 @@ impl ChartReport {
         };
         Self {
             parameter: chart.along.parameter.name,
-            objective: search.maximize.name(),
+            objective: search.of.name(),
             sense: search.sense.name(),
             points: chart.points.iter().map(point).collect(),
             begun: chart.begun.as_ref().map(Message::to_string),
@@ -85,10 +85,7 @@ fn head(chart: &Chart) -> Vec<(&'static str, Quantity)> {
     let search = &first.best.search;
     let along = chart.along.parameter;
     let varied = search.vary.iter().map(|vary| (vary.parameter.name, vary.parameter.quantity));
-    [(along.name, along.quantity), (search.maximize.name(), search.maximize.quantity())]
-        .into_iter()
-        .chain(varied)
-        .collect()
+    [(along.name, along.quantity), (search.of.name(), search.of.quantity())].into_iter().chain(varied).collect()
 }
 
 /// A chart as a table.
@@ -98,7 +95,7 @@ pub fn chart_text(chart: &Chart, system: System) -> String {
     columns.push("active");
     let rows = chart.points.iter().map(|point| {
         let show = |(vary, x): (&Vary, &f64)| shown::parameter(vary.parameter, *x, system);
-        let value = shown::outcome_or_dash(point.best.search.maximize, point.best.value(), system);
+        let value = shown::outcome_or_dash(point.best.search.of, point.best.value(), system);
         let event = point.event.as_ref().map(|event| format!("<- {event}"));
         let words = if point.active.is_empty() { shown::NONE.into() } else { listed(point, ", ") };
         [shown::parameter(chart.along.parameter, point.at, system), value]

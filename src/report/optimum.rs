@@ -128,7 +128,7 @@ impl OptimumReport {
             (vary[i].parameter.name, Multipliers { lower, upper })
         };
         Self {
-            objective: optimum.search.maximize.name(),
+            objective: optimum.search.of.name(),
             sense: optimum.search.sense.name(),
             value: json::number(optimum.value()),
             optimum: by_name(&solution.x),
@@ -162,7 +162,7 @@ pub(super) fn constraints(optimum: &Optimum) -> Vec<ConstraintReport> {
 /// An optimum as a short text: where it is, which bounds it lies on and what moving them would bring, and the drive.
 pub fn optimum_text(optimum: &Optimum, system: System) -> String {
     let (search, solution) = (&optimum.search, &optimum.solution);
-    let of = search.maximize;
+    let of = search.of;
     let ending = paragraph(&format!(
         "{}: {} ({}, {})",
         optimum.status(),
@@ -239,7 +239,7 @@ pub(super) fn constraint_price(optimum: &Optimum, of: &Constraint, at: &Constrai
         Sense::Minimize if of.is_equation() => -1.0,
         _ => 1.0,
     };
-    let (outcome, by) = (optimum.search.maximize, of.outcome);
+    let (outcome, by) = (optimum.search.of, of.outcome);
     let units = [(outcome.quantity(), outcome.unit()), (by.quantity(), by.unit())];
     shown::ratio(units[0], units[1], turn * at.multiplier, system, 3)
 }
@@ -251,7 +251,7 @@ pub(super) fn constraint_price(optimum: &Optimum, of: &Constraint, at: &Constrai
 pub fn optimum_toml(optima: &Optima, preset: &Preset) -> Result<String> {
     let optimum = optima.best()?;
     let search = &optimum.search;
-    let of = search.maximize;
+    let of = search.of;
     let value = optimum.value().map_or("–".into(), |value| shown::both(of, value, System::default()));
     let mut about = vec![format!("{}, {} {}: {value}", preset.name, search.sense.adjective(), of.name())];
     about.extend(search.subject_to.iter().map(|constraint| format!("subject to {}", constraint.expression)));
@@ -269,9 +269,9 @@ pub fn optimum_toml(optima: &Optima, preset: &Preset) -> Result<String> {
 pub fn optima_text(optima: &Optima, system: System) -> String {
     let Some((first, _)) = optima.locals.first() else { return String::new() };
     let names = first.search.vary.iter().map(|vary| vary.parameter.name);
-    let head: Vec<&str> = [first.search.maximize.name()].into_iter().chain(names).chain(["starts", ""]).collect();
+    let head: Vec<&str> = [first.search.of.name()].into_iter().chain(names).chain(["starts", ""]).collect();
     let rows = optima.locals.iter().map(|(best, starts)| {
-        let value = shown::outcome_or_dash(best.search.maximize, best.value(), system);
+        let value = shown::outcome_or_dash(best.search.of, best.value(), system);
         let x = best.search.vary.iter().zip(&best.solution.x);
         let x = x.map(|(vary, x)| shown::parameter(vary.parameter, *x, system));
         let count = format!("{} of {}", starts.len(), optima.starts);
@@ -283,7 +283,7 @@ pub fn optima_text(optima: &Optima, system: System) -> String {
 
 /// "at its upper bound: +2.11 yd per deg beyond it".
 pub(super) fn bound_in_words(optimum: &Optimum, i: usize, system: System) -> String {
-    let (vary, of) = (optimum.search.vary[i], optimum.search.maximize);
+    let (vary, of) = (optimum.search.vary[i], optimum.search.of);
     let (lower, upper) = (optimum.solution.lower_multipliers[i], optimum.solution.upper_multipliers[i]);
     let value = optimum.value().unwrap_or_default();
     let price = |multiplier: f64| shown::slope(of, value, vary.parameter, multiplier, system, 3);
@@ -308,7 +308,7 @@ pub(super) fn bound_in_words(optimum: &Optimum, i: usize, system: System) -> Str
 
 /// One iteration as a line of progress.
 pub fn iteration_line(search: &Search, iteration: &Iteration, system: System) -> String {
-    let of = search.maximize;
+    let of = search.of;
     let number = |quantity: Quantity, unit: &'static str, value: f64| {
         let unit = system.unit(unit);
         format!("{} {unit}", fixed(value / quantity.size_of(unit).unwrap_or(1.0), 6)).trim_end().to_owned()

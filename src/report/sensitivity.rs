@@ -168,7 +168,7 @@ fn sensitivities_text(
     sensitivities: &[(&'static Parameter, Result<Sensitivity>)],
     system: System,
 ) -> String {
-    let of = best.search.maximize;
+    let of = best.search.of;
     let free: Vec<&Vary> = best.search.vary.iter().filter(|vary| vary.low < vary.high).collect();
     let best_of = format!("best {}", of.name());
     let moved: Vec<String> = free.iter().map(|vary| format!("best {}", vary.parameter.name)).collect();
@@ -206,7 +206,7 @@ fn sensitivities_text(
 }
 
 fn windows_text(best: &Optimum, flatness: &Flatness, system: System) -> String {
-    let loss = shown::spread(best.search.maximize, flatness.loss, system);
+    let loss = shown::spread(best.search.of, flatness.loss, system);
     let rows = best.search.vary.iter().zip(&flatness.windows).map(|(vary, window)| {
         let Window { low, low_limit, high, high_limit } = *window;
         let end = |value: f64, limit: Limit| {
@@ -243,7 +243,7 @@ fn ellipse_text(best: &Optimum, ellipse: &Ellipse, loss: &str, system: System) -
         let [first, second] = [0, 1].map(|row| step(pair[row], components[row], system));
         format!("({first}, {second})")
     };
-    let of = best.search.maximize;
+    let of = best.search.of;
     let flown = ellipse.losses.map_or("part of it lies out of range".into(), |(least, most)| {
         let [least, most] = [least, most].map(|loss| shown::spread(of, loss, system));
         format!("drives around it lose {least} to {most}")
@@ -261,7 +261,7 @@ fn direction_text(best: &Optimum, direction: &Direction, loss: &str, system: Sys
             format!("{} {}", vary.parameter.name, step(vary.parameter, along * direction.reach, system))
         })
         .collect();
-    let of = best.search.maximize;
+    let of = best.search.of;
     let flown: Vec<_> = direction.losses.iter().flatten().map(|lost| shown::spread(of, *lost, system)).collect();
     let flown = if flown.is_empty() {
         "both ends lie out of range".into()
@@ -272,7 +272,7 @@ fn direction_text(best: &Optimum, direction: &Direction, loss: &str, system: Sys
 }
 
 fn change_text(best: &Optimum, changed: &Changed, system: System) -> String {
-    let (of, parameter) = (best.search.maximize, changed.change.parameter);
+    let (of, parameter) = (best.search.of, changed.change.parameter);
     let row = |words: &str, value: Option<f64>, x: &[f64]| {
         let value = value.map_or(shown::NONE.into(), |value| shown::finely(of, value, system));
         let x = best.search.vary.iter().zip(x).map(|(vary, x)| shown::parameter(vary.parameter, *x, system));

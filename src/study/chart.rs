@@ -1,11 +1,12 @@
 //! The optimum as a function of a parameter, followed by continuation.
 
 use super::Vary;
-use super::optimum::{Active, Optimum, Search, optimum};
+use super::optimum::{Active, Optimum, optimum};
+use super::search::Search;
 use super::sensitivity::sensitivity;
 use crate::drive::{BeyondCount, Looked};
 use crate::error::{Error, Result};
-use crate::optimize::{Iteration, Options, Status, Watch};
+use crate::optimize::{Iteration, Observer, Options, Status};
 use crate::parameters::Setup;
 use crate::units::Message;
 use std::rc::Rc;
@@ -101,7 +102,7 @@ const RADIUS: f64 = 0.05;
 
 /// Follows the optimum along a parameter: from each optimum the next is predicted by d x*/dp and corrected by a search
 /// from there; steps adapt to how far the two lie apart, and changes of the active bounds and constraints are located.
-/// `watch` is shown every point as it is found.
+/// `on_point` is shown every point as it is found, and says whether the chart goes on.
 ///
 /// # Errors
 /// [`Error::NotConverged`] where no optimum is found to begin with; [`Error::Unreadable`] for a parameter that
@@ -110,17 +111,17 @@ pub fn chart(
     setup: &Setup<f64>,
     search: &Search,
     along: Vary,
-    watch: impl FnMut(&ChartPoint) -> bool,
+    on_point: impl FnMut(&ChartPoint) -> bool,
 ) -> Result<Chart> {
-    chart_at(setup, search, along, &[], &ChartWatch::default(), watch)
+    chart_at(setup, search, along, &[], &ChartObserver::default(), on_point)
 }
 
 /// Shows an iteration.
 type Show = Rc<dyn Fn(&Iteration)>;
 
-/// Those who follow the searches of a chart.
+/// Who is shown the searches of a chart, and stops them.
 #[derive(Clone, Default)]
-pub struct ChartWatch {
+pub struct ChartObserver {
     /// Ends the chart with the points so far once it is true, also within a search.
     pub interrupt: Arc<AtomicBool>,
     /// Is shown each value at which the first optimum is searched for: the low end of the range, and others where it has none.
@@ -129,15 +130,15 @@ pub struct ChartWatch {
     pub iteration: Option<Show>,
 }
 
-impl ChartWatch {
-    fn search(&self) -> Watch {
+impl ChartObserver {
+    fn search(&self) -> Observer {
         let shown = self.iteration.clone();
         let iteration = move |iteration: &Iteration| {
             if let Some(shown) = &shown {
                 shown(iteration);
             }
         };
-        Watch { interrupt: self.interrupt.clone(), ..Watch::showing(iteration) }
+        Observer { interrupt: self.interrupt.clone(), ..Observer::showing(iteration) }
     }
 
     fn is_interrupted(&self) -> bool {
@@ -146,7 +147,7 @@ impl ChartWatch {
 }
 
 /// As [`chart`], with a point at each of these values of the parameter (SI, within its range) and no others; with none, wherever the
-/// optimum was followed. `follow` stops it within a search.
+/// optimum was followed. `observer` can stop it within a search.
 ///
 /// # Errors
 /// As [`chart`]; [`Error::SearchRange`] for a value outside the range.
@@ -155,8 +156,8 @@ pub fn chart_at(
     search: &Search,
     along: Vary,
     at: &[f64],
-    follow: &ChartWatch,
-    mut watch: impl FnMut(&ChartPoint) -> bool,
+    observer: &ChartObserver,
+    mut on_point: impl FnMut(&ChartPoint) -> bool,
 ) -> Result<Chart> {
     if let Some(outside) = at.iter().find(|at| !(along.low..=along.high).contains(*at)) {
         let show = |value: f64| along.parameter.show(Some(value));
@@ -176,17 +177,17 @@ pub fn chart_at(
         );
         return Err(Error::Unreadable { name: format!("the chart along {name}"), source: source.into() });
     }
-    let follower = Follower { setup, search, along, follow };
+    let follower = Follower { setup, search, along, observer };
     let (first, begun) = follower.first()?;
     let mut chart = Chart { along, points: vec![], begun, ended: None, interrupted: false };
     let width = along.high - along.low;
     let mut step = LONGEST * width;
-    let mut goes_on = watch(&first);
+    let mut goes_on = on_point(&first);
     chart.points.push(first);
     while let Some(here) = chart.points.last()
         && here.at < along.high
     {
-        if !goes_on || follow.is_interrupted() {
+        if !goes_on || observer.is_interrupted() {
             chart.ended = Some(along.parameter.place("interrupted: the chart ends at ".into(), here.at));
             chart.interrupted = true;
             break;
@@ -203,7 +204,7 @@ pub fn chart_at(
                 continue;
             }
             // an interrupted search is no reason for shorter steps
-            Err(_) if follow.is_interrupted() => continue,
+            Err(_) if observer.is_interrupted() => continue,
             Err(_) if step > SHORTEST * width => {
                 step *= 0.5;
                 continue;
@@ -225,7 +226,7 @@ pub fn chart_at(
         if apart < NEAR {
             step = (2.0 * step).min(LONGEST * width);
         }
-        goes_on = watch(&next);
+        goes_on = on_point(&next);
         chart.points.push(next);
     }
     if !at.is_empty() {
@@ -239,7 +240,7 @@ struct Follower<'a> {
     setup: &'a Setup<f64>,
     search: &'a Search,
     along: Vary,
-    follow: &'a ChartWatch,
+    observer: &'a ChartObserver,
 }
 
 impl Follower<'_> {
@@ -251,10 +252,10 @@ impl Follower<'_> {
             let at = low + f64::from(place) * LONGEST * (high - low);
             let mut setup = *self.setup;
             setup.set_value(parameter, Some(at))?;
-            if let Some(beginning) = &self.follow.beginning {
+            if let Some(beginning) = &self.observer.beginning {
                 beginning(at);
             }
-            let found = optimum(&setup, self.search.clone(), self.follow.search()).and_then(|best| point(at, best));
+            let found = optimum(&setup, self.search.clone(), self.observer.search()).and_then(|best| point(at, best));
             match found {
                 Ok(point) => {
                     let begun = why.map(|why: Error| {
@@ -264,7 +265,7 @@ impl Follower<'_> {
                     });
                     return Ok((point, begun));
                 }
-                Err(error) if self.follow.is_interrupted() => return Err(error),
+                Err(error) if self.observer.is_interrupted() => return Err(error),
                 Err(error) if error.is_an_outcome() => why = why.or(Some(error)),
                 Err(error) => return Err(error),
             }
@@ -288,7 +289,7 @@ impl Follower<'_> {
             setup.set_value(vary.parameter, Some(*x))?;
         }
         let options = Options { initial_radius: RADIUS, ..self.search.options.clone() };
-        let found = point(to, optimum(&setup, Search { options, ..self.search.clone() }, self.follow.search())?)?;
+        let found = point(to, optimum(&setup, Search { options, ..self.search.clone() }, self.observer.search())?)?;
         let widths = self.search.vary.iter().map(|vary| vary.high - vary.low);
         let apart = found.best.solution.x.iter().zip(&predicted).zip(widths);
         let apart = apart.map(|((x, predicted), width)| if width > 0.0 { (x - predicted).abs() / width } else { 0.0 });

@@ -75,7 +75,7 @@ pub struct Ellipse {
 
 /// The loss that is asked about where no one states another: 1 yd of a distance, 1 % of anything else. SI.
 pub fn usual_loss(best: &Optimum) -> f64 {
-    match best.search.maximize.quantity() {
+    match best.search.of.quantity() {
         Quantity::LENGTH => Quantity::LENGTH.size_of("yd").unwrap_or(1.0),
         _ => 0.01 * best.value().unwrap_or_default().abs().max(f64::MIN_POSITIVE),
     }

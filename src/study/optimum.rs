@@ -1,79 +1,12 @@
-use super::Vary;
-use super::constraint::Constraint;
 use super::problem::DriveProblem;
-use crate::drive::{Drive, Outcome};
+use super::search::Search;
+use crate::drive::Drive;
 use crate::error::{Error, Result};
 use crate::optimize::sensitivity::Held;
-use crate::optimize::{Follow, Local, Options, Solution, Status, Watch, minimize_from, minimize_watched, starts};
+use crate::optimize::{Follow, Local, Observer, Solution, Status, minimize_from, minimize_observed, starts};
 use crate::parameters::Setup;
 use crate::units::{self, Digits, Message};
 use std::fmt;
-
-/// Whether the largest or the smallest value of an outcome is looked for.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Sense {
-    /// The largest.
-    #[default]
-    Maximize,
-    /// The smallest.
-    Minimize,
-}
-
-impl Sense {
-    /// What an outcome is multiplied by to be minimised: −1 or 1.
-    pub fn sign(self) -> f64 {
-        match self {
-            Self::Maximize => -1.0,
-            Self::Minimize => 1.0,
-        }
-    }
-
-    /// `maximize` or `minimize`, as on the command line and in JSON.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Maximize => "maximize",
-            Self::Minimize => "minimize",
-        }
-    }
-
-    /// `largest` or `smallest`.
-    pub fn adjective(self) -> &'static str {
-        match self {
-            Self::Maximize => "largest",
-            Self::Minimize => "smallest",
-        }
-    }
-}
-
-/// What to look for.
-#[derive(Clone, Debug)]
-pub struct Search {
-    /// The outcome to make as large or as small as possible.
-    pub maximize: Outcome,
-    /// Which of the two.
-    pub sense: Sense,
-    /// The parameters to vary.
-    pub vary: Vec<Vary>,
-    /// Outcomes to hold between limits.
-    pub subject_to: Vec<Constraint>,
-    /// The optimizer's settings.
-    pub options: Options,
-}
-
-impl Search {
-    /// The largest value of an outcome, with nothing varied yet.
-    pub fn largest(of: Outcome) -> Self {
-        let (sense, options) = (Sense::Maximize, Options::default());
-        Self { maximize: of, sense, vary: vec![], subject_to: vec![], options }
-    }
-
-    /// The longest carry over loft 4–20° and attack angle −5…+5°.
-    pub fn longest_drive(setup: &Setup<f64>) -> Result<Self> {
-        let vary = ["club.loft=4deg..20deg", "swing.attack_angle=-5deg..5deg"];
-        let vary = vary.iter().map(|text| Vary::read(setup, text)).collect::<Result<_>>()?;
-        Ok(Self { vary, ..Self::largest(Outcome::Carry) })
-    }
-}
 
 /// An active bound or constraint of an optimum. It reads `club.loft at its upper bound`, or as the constraint was given.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -98,7 +31,7 @@ impl fmt::Display for Active {
 pub struct Optimum {
     /// What was asked.
     pub search: Search,
-    /// How the search ended; its objective is the outcome times [`Sense::sign`].
+    /// How the search ended; its objective is the outcome times [`Sense::sign`](super::Sense::sign).
     pub solution: Solution,
     /// The setup at the optimum.
     pub setup: Setup<f64>,
@@ -119,10 +52,10 @@ impl Optimum {
 
     /// How the search ended, in a sentence, in terms of the drive.
     pub fn message(&self) -> Message {
-        let of = self.search.maximize.name();
+        let of = self.search.of.name();
         match (&self.solution.kink, self.solution.status) {
             (Some(kink), _) => {
-                let (parameter, outcome) = (self.search.vary[kink.variable].parameter, self.search.maximize);
+                let (parameter, outcome) = (self.search.vary[kink.variable].parameter, self.search.of);
                 let (by, si) = (parameter.name, units::per(outcome.quantity().si, parameter.quantity.si));
                 let sign = self.search.sense.sign();
                 let slope = |slope: Option<f64>| {
@@ -177,7 +110,7 @@ impl Optimum {
     /// Why the outcome has no value at the start, where a search that found none stays. The optimizer kept only the words.
     fn undefined_at_start(&self) -> Message {
         let words = self.solution.undefined_at_start.as_deref().unwrap_or_default();
-        let again = Drive::new(&self.setup).and_then(|drive| self.search.maximize.of(&drive)).err();
+        let again = Drive::new(&self.setup).and_then(|drive| self.search.of.of(&drive)).err();
         let again = again.map(|error| error.message()).filter(|message| message.to_string() == words);
         again.unwrap_or_else(|| words.into())
     }
@@ -227,14 +160,14 @@ impl Optimum {
 /// Finds the parameters that make an outcome largest or smallest, from the setup's own values, moved into the ranges.
 ///
 /// ```
-/// use longdrive::{Setup, optimize::Watch, study::{Search, Vary, optimum}};
+/// use longdrive::{Setup, optimize::Observer, study::{Search, Vary, optimum}};
 /// let setup = Setup::preset("mae494").unwrap();
 /// let vary = ["club.loft=0deg..20deg", "swing.attack_angle=-10deg..10deg"];
 /// let search = Search {
 ///     vary: vary.map(|text| Vary::read(&setup, text).unwrap()).to_vec(),
 ///     ..Search::longest_drive(&setup).unwrap()
 /// };
-/// let best = optimum(&setup, search, Watch::default()).unwrap();
+/// let best = optimum(&setup, search, Observer::default()).unwrap();
 /// assert!((best.value().unwrap() - 153.333552731).abs() < 1e-8);
 /// assert!((best.solution.upper_multipliers[1] - 60.2924949).abs() < 1e-6); // m per radian of attack angle
 /// ```
@@ -242,9 +175,9 @@ impl Optimum {
 /// # Errors
 /// [`Error::Nothing`] without parameters to vary, or where every range is a single value; [`Error::SearchRange`] for one
 /// that is varied twice; what [`Setup::validate`] refuses.
-pub fn optimum(setup: &Setup<f64>, search: Search, watch: Watch) -> Result<Optimum> {
+pub fn optimum(setup: &Setup<f64>, search: Search, observer: Observer) -> Result<Optimum> {
     let problem = posed(setup, &search)?;
-    let solution = minimize_watched(&problem, &problem.domain, &problem.start(), &search.options, watch)?;
+    let solution = minimize_observed(&problem, &problem.domain, &problem.start(), &search.options, observer)?;
     found(&problem, search, solution)
 }
 

@@ -1,9 +1,9 @@
-use super::{Search, Sense};
+use super::search::{Search, Sense};
 use crate::derivative::{self, Evaluator, Order, Taylor};
 use crate::drive::Outcome;
 use crate::error::Result;
 use crate::optimize::{Domain, Evaluation, Problem};
-use crate::parameters::{Parameter, Setup};
+use crate::parameters::{Parameter, Setup, Vary};
 
 /// A search for the best drive as the optimizer sees it: the outcome, with the sign with which it is
 /// minimised, and the outcomes that are held between limits.
@@ -20,14 +20,14 @@ pub(super) struct DriveProblem {
 
 impl DriveProblem {
     pub fn new(setup: &Setup<f64>, search: &Search) -> Result<Self> {
-        let ends = |end: fn(&super::Vary) -> f64| search.vary.iter().map(end).collect::<Vec<_>>();
+        let ends = |end: fn(&Vary) -> f64| search.vary.iter().map(end).collect::<Vec<_>>();
         let domain = Domain::new(ends(|vary| vary.low), ends(|vary| vary.high))?.subject_to(
             search.subject_to.iter().map(|constraint| constraint.low).collect(),
             search.subject_to.iter().map(|constraint| constraint.high).collect(),
         )?;
         let limited = search.subject_to.iter().map(|constraint| constraint.outcome);
         let vary: Vec<_> = search.vary.iter().map(|vary| vary.parameter).collect();
-        let of: Vec<_> = std::iter::once(search.maximize).chain(limited).collect();
+        let of: Vec<_> = std::iter::once(search.of).chain(limited).collect();
         let evaluator = |order| Evaluator::new(setup, &of, &vary, order);
         let (values, derivatives) = (evaluator(Order::Value)?, evaluator(Order::Second)?);
         Ok(Self { setup: *setup, vary, of, sense: search.sense, values, derivatives, domain })

@@ -1,8 +1,9 @@
-use super::optimum::{Active, Optimum, Search, optimum, posed};
+use super::optimum::{Active, Optimum, optimum, posed};
 use super::problem::DriveProblem;
+use super::search::Search;
 use crate::error::{Error, Result};
 use crate::optimize::sensitivity::{Event, first_event, response};
-use crate::optimize::{Status, Watch};
+use crate::optimize::{Observer, Status};
 use crate::parameters::{Parameter, Setup};
 use crate::units::Message;
 
@@ -135,7 +136,7 @@ pub fn change(best: &Optimum, change: Change) -> Result<Changed> {
     let mut setup = best.setup;
     let value = setup.value(change.parameter).unwrap_or_default();
     setup.set_value(change.parameter, Some(value + delta))?;
-    let resolved = optimum(&setup, best.search.clone(), Watch::default())?;
+    let resolved = optimum(&setup, best.search.clone(), Observer::default())?;
 
     let before = best.value().unwrap_or_default();
     let sign = best.search.sense.sign();

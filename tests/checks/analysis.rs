@@ -1,7 +1,7 @@
 //! Constraints, many starts, what an optimum answers to, how flat it is, and charts of it.
 
 use crate::common::close;
-use longdrive::optimize::{Bounds, Follow, Status, Watch};
+use longdrive::optimize::{Bounds, Follow, Observer, Status};
 use longdrive::study::{
     Change, Constraint, Optimum, Search, Vary, change, chart, flatness, optima, optimum, sensitivities, sensitivity,
 };
@@ -16,7 +16,7 @@ fn search(setup: &Setup<f64>, vary: &[&str], subject_to: &[&str]) -> Search {
 }
 
 fn best(setup: &Setup<f64>, search: &Search) -> Optimum {
-    let best = optimum(setup, search.clone(), Watch::default()).unwrap();
+    let best = optimum(setup, search.clone(), Observer::default()).unwrap();
     assert_eq!(best.solution.status, Status::Converged, "{}", best.message());
     best
 }
@@ -64,7 +64,7 @@ fn differences_agree(setup: &Setup<f64>, search: &Search) {
             setup.set_value(parameter, Some(value + delta)).ok()?;
             let mut tight = search.clone();
             tight.options.kkt_tolerance = 1e-13;
-            let best = optimum(&setup, tight, Watch::default()).unwrap();
+            let best = optimum(&setup, tight, Observer::default()).unwrap();
             assert!(best.solution.kkt_residual < 1e-9, "{}: {}", parameter.name, best.message());
             Some((best.value().unwrap(), best.solution.x))
         };
@@ -134,7 +134,7 @@ fn contradictory_constraints_end_as_infeasible_with_the_smallest_violation() {
         &["club.loft=4deg..20deg", "swing.attack_angle=-5deg..5deg"],
         &["apex_height <= 30 m", "apex_height >= 31 m"],
     );
-    let none = optimum(&setup, search.clone(), Watch::default()).unwrap();
+    let none = optimum(&setup, search.clone(), Observer::default()).unwrap();
     assert_eq!((none.solution.status, none.status()), (Status::Infeasible, "infeasible"), "{}", none.message());
     let message = none.message().to_string();
     assert!(message.contains("apex_height <= 30 m") && message.contains("apex_height >= 31 m"), "{message}");
@@ -307,7 +307,7 @@ fn independent_optima_lie_on_the_chart_and_its_events_are_where_the_active_set_c
 fn a_saddle_is_left_for_a_maximum() {
     // by symmetry the landing speed is stationary without cross wind, and lowest there
     let setup = Setup::default();
-    let search = Search { maximize: Outcome::LandingSpeed, ..search(&setup, &["wind.right=-20m/s..20m/s"], &[]) };
+    let search = Search { of: Outcome::LandingSpeed, ..search(&setup, &["wind.right=-20m/s..20m/s"], &[]) };
     let best = best(&setup, &search);
     assert_eq!(best.solution.x[0].abs(), 20.0);
     let bounds = Bounds::new(vec![0.0], vec![1.0]).unwrap();

@@ -2,9 +2,9 @@
 
 use longdrive::number::Number;
 use longdrive::optimize::{
-    Domain, Exact, Follow, Functions, Ledger, Options, Run, Snapshot, Solution, Status, Values, Watch,
+    Checkpoint, Domain, Exact, Follow, Functions, Observer, Options, Run, Snapshot, Solution, Status, Values,
 };
-use longdrive::optimize::{minimize_from, minimize_watched, starts};
+use longdrive::optimize::{minimize_from, minimize_observed, starts};
 use longdrive::{Error, Setup};
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -28,7 +28,7 @@ fn disc() -> Domain {
 const START: [f64; 2] = [-1.2, 1.0];
 
 fn whole() -> Solution {
-    let whole = minimize_watched(&Exact(Valley), &disc(), &START, &Options::default(), Watch::default()).unwrap();
+    let whole = minimize_observed(&Exact(Valley), &disc(), &START, &Options::default(), Observer::default()).unwrap();
     assert_eq!(whole.status, Status::Converged);
     whole
 }
@@ -38,7 +38,7 @@ fn stopped_after(most: u64) -> (Solution, Option<Snapshot>) {
     let kept = Rc::new(RefCell::new(None));
     let (keeper, flag) = (Rc::clone(&kept), Arc::new(AtomicBool::new(most == 0)));
     let stop = flag.clone();
-    let watch = Watch {
+    let observer = Observer {
         interrupt: flag,
         iteration: Box::new(move |iteration| stop.store(iteration.number >= most, Ordering::Relaxed)),
         keep: Some(Box::new(move |snapshot| {
@@ -49,7 +49,7 @@ fn stopped_after(most: u64) -> (Solution, Option<Snapshot>) {
         })),
         resume: None,
     };
-    let solution = minimize_watched(&Exact(Valley), &disc(), &START, &Options::default(), watch).unwrap();
+    let solution = minimize_observed(&Exact(Valley), &disc(), &START, &Options::default(), observer).unwrap();
     let snapshot = kept.borrow_mut().take();
     (solution, snapshot)
 }
@@ -62,8 +62,8 @@ fn exact_same_end_whenever_a_search_is_stopped_and_resumed() {
         let (stopped, snapshot) = stopped_after(most);
         assert_eq!((stopped.status, stopped.iterations), (Status::Interrupted, most));
         assert!(stopped.value.is_some() && stopped.message.contains("stopped after"));
-        let watch = Watch { resume: snapshot, ..Watch::default() };
-        let resumed = minimize_watched(&Exact(Valley), &disc(), &START, &Options::default(), watch).unwrap();
+        let observer = Observer { resume: snapshot, ..Observer::default() };
+        let resumed = minimize_observed(&Exact(Valley), &disc(), &START, &Options::default(), observer).unwrap();
         assert_eq!(resumed, whole, "resumed after {most} iterations");
     }
 }
@@ -75,22 +75,23 @@ fn exact_same_optima_when_some_of_many_searches_were_kept_before() {
     let fresh = minimize_from(&Exact(Valley), &domain, &starts, &options, &Follow::default()).unwrap();
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("kept.json");
-    let follow = || Follow { ledger: Some(Arc::new(Ledger::open(&path, "valley").unwrap())), ..Follow::default() };
+    let follow =
+        || Follow { checkpoint: Some(Arc::new(Checkpoint::open(&path, "valley").unwrap())), ..Follow::default() };
     minimize_from(&Exact(Valley), &domain, &starts[..3], &options, &follow()).unwrap();
-    let ledger = Ledger::open(&path, "valley").unwrap();
-    assert_eq!(ledger.done(), 3);
-    let Some(Run::Done(first)) = ledger.run(0) else { panic!("the first search has ended") };
+    let checkpoint = Checkpoint::open(&path, "valley").unwrap();
+    assert_eq!(checkpoint.done(), 3);
+    let Some(Run::Done(first)) = checkpoint.run(0) else { panic!("the first search has ended") };
     assert_eq!(*first, whole());
     let resumed = minimize_from(&Exact(Valley), &domain, &starts, &options, &follow()).unwrap();
     assert_eq!(resumed.len(), fresh.len());
     for (resumed, fresh) in resumed.iter().zip(&fresh) {
         assert_eq!((&resumed.solution, &resumed.starts), (&fresh.solution, &fresh.starts));
     }
-    let other = Ledger::open(&path, "another question").unwrap_err();
+    let other = Checkpoint::open(&path, "another question").unwrap_err();
     assert!(matches!(&other, Error::Checkpoint { reason, .. } if reason.contains("another question")), "{other}");
     std::fs::write(&path, "{").unwrap();
-    assert!(Ledger::open(&path, "valley").unwrap_err().to_string().contains("is not a checkpoint"));
-    assert!(Ledger::open(folder.path(), "valley").is_err());
+    assert!(Checkpoint::open(&path, "valley").unwrap_err().to_string().contains("is not a checkpoint"));
+    assert!(Checkpoint::open(folder.path(), "valley").is_err());
 }
 
 #[test]
@@ -128,14 +129,14 @@ fn exact_same_answer_of_the_program_when_it_is_killed_again_and_again() {
 #[test]
 fn what_cannot_be_kept_is_an_error_before_the_search() {
     let path = std::path::Path::new("/nowhere/at/all.json");
-    let error = Ledger::open(path, "anything").unwrap_err();
+    let error = Checkpoint::open(path, "anything").unwrap_err();
     assert!(matches!(&error, Error::Checkpoint { reason, .. } if reason.contains("cannot be written")), "{error}");
     // and a keeper that fails ends the search with its own error
     let setup = Setup::default();
     let search = longdrive::study::Search::longest_drive(&setup).unwrap();
-    let watch =
-        Watch { keep: Some(Box::new(|_| Err(Error::Optimizer("the disk is full".into())))), ..Watch::default() };
-    let error = longdrive::study::optimum(&setup, search, watch).unwrap_err();
+    let observer =
+        Observer { keep: Some(Box::new(|_| Err(Error::Optimizer("the disk is full".into())))), ..Observer::default() };
+    let error = longdrive::study::optimum(&setup, search, observer).unwrap_err();
     assert!(error.to_string().contains("the disk is full"), "{error}");
 }
 

@@ -1,7 +1,9 @@
 //! The optimizer on drives with known optima and on functions that are hard in a known way.
 
 use crate::common::{close, data, number, setup_of};
-use longdrive::optimize::{Domain, Evaluation, Options, Solution, Status, Taylor, Watch, minimize, minimize_watched};
+use longdrive::optimize::{
+    Domain, Evaluation, Observer, Options, Solution, Status, Taylor, minimize, minimize_observed,
+};
 use longdrive::study::{Search, Vary, optimum};
 use longdrive::{Drive, Error, Setup, study::Optimum};
 use std::cell::RefCell;
@@ -24,7 +26,7 @@ fn mae494(attack: f64, loft: f64, ranges: [&str; 2]) -> Optimum {
     (setup.swing.attack_angle, setup.club.loft) = (attack.to_radians(), loft.to_radians());
     let vary = ranges.map(|text| Vary::read(&setup, text).unwrap()).to_vec();
     let search = Search { vary, ..Search::longest_drive(&setup).unwrap() };
-    optimum(&setup, search, Watch::default()).unwrap()
+    optimum(&setup, search, Observer::default()).unwrap()
 }
 
 /// An even spread of starts over a box.
@@ -45,7 +47,7 @@ fn independent_optima_from_the_reference_file() {
             Vary::new(parameter, number(&reference["bounds"][i][0]), number(&reference["bounds"][i][1])).unwrap()
         };
         let search = Search { vary: vec![vary(0), vary(1)], ..Search::longest_drive(&setup).unwrap() };
-        let best = optimum(&setup, search, Watch::default()).unwrap();
+        let best = optimum(&setup, search, Observer::default()).unwrap();
         assert_eq!(best.solution.status, Status::Converged);
         close(best.value().unwrap(), number(&reference["carry"]), 1.0, 1e-8, "carry");
         for i in 0..2 {
@@ -138,16 +140,16 @@ fn a_setup_cannot_be_searched_over_nothing_or_twice_over_the_same() {
     let setup = Setup::default();
     let fixed = Vary::read(&setup, "club.loft=5deg..5deg").unwrap();
     let search = Search { vary: vec![fixed], ..Search::longest_drive(&setup).unwrap() };
-    assert!(matches!(optimum(&setup, search, Watch::default()), Err(Error::Nothing { .. })));
+    assert!(matches!(optimum(&setup, search, Observer::default()), Err(Error::Nothing { .. })));
     let loft = Vary::read(&setup, "club.loft=5deg..10deg").unwrap();
     let search = Search { vary: vec![loft, loft], ..Search::longest_drive(&setup).unwrap() };
-    assert!(matches!(optimum(&setup, search, Watch::default()), Err(Error::SearchRange { .. })));
+    assert!(matches!(optimum(&setup, search, Observer::default()), Err(Error::SearchRange { .. })));
 }
 
 #[test]
 fn exact_values_of_the_default_search_hold_at_its_optimum() {
     let setup = Setup::default();
-    let best = optimum(&setup, Search::longest_drive(&setup).unwrap(), Watch::default()).unwrap();
+    let best = optimum(&setup, Search::longest_drive(&setup).unwrap(), Observer::default()).unwrap();
     assert_eq!(best.solution.status, Status::Converged);
     let carry = |loft: f64, attack: f64| {
         let mut moved = best.setup;
@@ -290,8 +292,8 @@ fn iterations_are_shown_in_order_and_never_get_worse() {
     let seen = Rc::new(RefCell::new(vec![]));
     let shown = Rc::clone(&seen);
     let bounds = Domain::new(vec![-5.0; 2], vec![5.0; 2]).unwrap();
-    let watch = Watch::showing(move |i| shown.borrow_mut().push(i.clone()));
-    let s = minimize_watched(&rosenbrock, &bounds, &[-1.2, 1.0], &Options::default(), watch).unwrap();
+    let observer = Observer::showing(move |i| shown.borrow_mut().push(i.clone()));
+    let s = minimize_observed(&rosenbrock, &bounds, &[-1.2, 1.0], &Options::default(), observer).unwrap();
     let seen = seen.borrow();
     assert_eq!(seen.len() as u64, s.iterations + 1);
     assert!(seen.iter().enumerate().all(|(k, i)| i.number == k as u64));

@@ -3,7 +3,7 @@
 use crate::command_line::{json, longdrive};
 use longdrive::atmosphere::WindField;
 use longdrive::batch::{Batch, Status, Tally};
-use longdrive::optimize::Watch;
+use longdrive::optimize::Observer;
 use longdrive::parameters::PRESETS;
 use longdrive::study::{Search, optimum};
 use longdrive::{Drive, Outcome, Setup};
@@ -19,7 +19,7 @@ fn nothing_is_said_about_the_presets_and_their_longest_drives() {
     for preset in PRESETS {
         let setup = Setup::preset(preset.name).unwrap();
         assert_eq!(warnings(preset.name, &[]), Vec::<String>::new(), "{}", preset.name);
-        let best = optimum(&setup, Search::longest_drive(&setup).unwrap(), Watch::default()).unwrap();
+        let best = optimum(&setup, Search::longest_drive(&setup).unwrap(), Observer::default()).unwrap();
         let warnings = best.drive.unwrap().warnings(&best.setup);
         assert_eq!(warnings, [], "{}", preset.name);
     }

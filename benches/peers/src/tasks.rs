@@ -1,7 +1,7 @@
 //! The tasks of a single drive.
 
 use longdrive::derivative::{Evaluator, Order, Taylor};
-use longdrive::optimize::{Status, Watch};
+use longdrive::optimize::{Status, Observer};
 use longdrive::parameters::Parameter;
 use longdrive::study::{Optimum, Search, Vary, accuracy, optimum};
 use longdrive::{Error, Outcome, Result, Setup};
@@ -89,7 +89,7 @@ fn winfield_tan(within: Option<f64>) -> Result<Box<dyn Fn() -> Result<Answer>>> 
     let [of_loft, of_attack_angle] = [0, 1].map(|i| Search { vary: vec![vary[i]], ..of_both.clone() });
     let of_both = Search { vary, ..of_both };
     let converged = |setup: &Setup<f64>, search: &Search| {
-        let found = optimum(black_box(setup), search.clone(), Watch::default())?;
+        let found = optimum(black_box(setup), search.clone(), Observer::default())?;
         match found.solution.status {
             Status::Converged => Ok(found),
             _ => Err(Error::NotConverged { status: found.status(), message: found.message() }),
@@ -156,7 +156,7 @@ pub fn ready(task: &str, by: &Discretisation) -> Result<Option<Box<dyn Fn() -> R
             let vary = ranges.iter().map(|text| Vary::read(&setup, text)).collect::<Result<_>>()?;
             let search = Search { vary, ..Search::longest_drive(&setup)? };
             return Ok(Some(Box::new(move || {
-                let best = optimum(black_box(&setup), search.clone(), Watch::default())?;
+                let best = optimum(black_box(&setup), search.clone(), Observer::default())?;
                 Ok(Answer::Optimum(Box::new(best)))
             })));
         }

@@ -1,5 +1,6 @@
+use super::columns::{Columns, columns_in_si, refused, wrong_value};
+use super::fingerprint::Fingerprint;
 use super::record_batches::RecordBatches;
-use super::{Columns, Fingerprint, columns_in_si, refused, wrong_value};
 use crate::batch::points::Points;
 use crate::error::Result;
 use crate::parameters::{Parameter, Setup};

@@ -1,4 +1,5 @@
-use super::{Columns, Fingerprint, refuse_columns, refused};
+use super::columns::{Columns, refuse_columns, refused};
+use super::fingerprint::Fingerprint;
 use crate::batch::points::Points;
 use crate::columns::{Column, Head, Marks, separated, summary};
 use crate::error::{Error, Result};

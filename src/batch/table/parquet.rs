@@ -1,4 +1,5 @@
-use super::{Columns, Fingerprint, columns_in_si, refused, wrong_value};
+use super::columns::{Columns, columns_in_si, refused, wrong_value};
+use super::fingerprint::Fingerprint;
 use crate::batch::points::Points;
 use crate::error::Result;
 use crate::foreign::{of_io, of_parquet};

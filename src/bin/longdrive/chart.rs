@@ -4,7 +4,7 @@ use crate::output::{Answer, spinner, system, tell, tell_error, warn};
 use indicatif::ProgressBar;
 use longdrive::optimize::Iteration;
 use longdrive::report::{ChartReport, chart_csv, chart_text, iteration_line, outcome_text, parameter_text};
-use longdrive::study::{Chart, ChartWatch, Search, Vary, chart_at};
+use longdrive::study::{Chart, ChartObserver, Search, Vary, chart_at};
 use longdrive::{Result, Setup};
 use std::cell::Cell;
 use std::rc::Rc;
@@ -21,7 +21,7 @@ pub fn run(args: &ChartArgs) -> Result<Answer> {
     let mut warnings = setup.warnings();
     warn(&warnings);
     let stop = interrupt::stops(BEST_SO_FAR);
-    let of = search.maximize;
+    let of = search.of;
     let spinner = spinner("following the optimum");
     let beginning = {
         let spinner = spinner.clone();
@@ -30,12 +30,12 @@ pub fn run(args: &ChartArgs) -> Result<Answer> {
             spinner.suspend(|| tell(&format!("searching for an optimum at {} {place}", along.parameter.name)));
         }
     };
-    let follow = ChartWatch {
+    let observer = ChartObserver {
         interrupt: stop.clone(),
         beginning: Some(Rc::new(beginning)),
         iteration: Some(Rc::new(progress(&search, &spinner))),
     };
-    let chart = chart_at(&setup, &search, along, &at, &follow, |point| {
+    let chart = chart_at(&setup, &search, along, &at, &observer, |point| {
         if at.is_empty() || at.contains(&point.at) {
             let value = point.best.value().map_or("–".into(), |value| outcome_text(of, value, system()));
             let place = parameter_text(along.parameter, point.at, system());

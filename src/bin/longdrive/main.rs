@@ -28,7 +28,6 @@ mod verify;
 
 use args::{Args, Command};
 use clap::Parser;
-use output::Answer;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
@@ -60,7 +59,11 @@ fn main() -> ExitCode {
         Command::Completions(args) => completions::run(args),
         Command::Man(args) => man::run(args),
     };
-    match answer.and_then(Answer::print) {
+    let printed = answer.and_then(|answer| {
+        interrupt::prints();
+        answer.print()
+    });
+    match printed {
         Ok(code) => code,
         Err(error) => output::complain(&error, args.command.name(), args.command.is_json()),
     }

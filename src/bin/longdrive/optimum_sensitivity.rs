@@ -21,7 +21,7 @@ pub fn run(args: &OptimumSensitivity) -> Result<Answer> {
     for parameter in asked.chain(changes.iter().map(|change| change.parameter)) {
         refuse_varied(&search, parameter)?;
     }
-    let loss = args.loss.as_deref().map(|text| loss(search.maximize, text)).transpose()?;
+    let loss = args.loss.as_deref().map(|text| loss(search.of, text)).transpose()?;
 
     let output = args.optimize.destination()?;
     let optima = work.run(&setup, &search)?;

@@ -1,6 +1,5 @@
 use crate::args::Shown;
 use crate::colour;
-use crate::interrupt;
 use clap::error::{ContextKind, ContextValue};
 use indicatif::{ProgressBar, ProgressStyle};
 use longdrive::report::{Empty, Reply, remark};
@@ -55,7 +54,6 @@ impl Answer {
     }
 
     pub fn print(self) -> Result<ExitCode> {
-        interrupt::prints();
         match colour::print(&self.text) {
             // a reader that has gone away, as `head` does, is no failure of ours
             Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(Error::Output(error)),

@@ -7,7 +7,7 @@ use crate::output::{Answer, bar, show, spinner, system, tell, warn};
 use crate::verify::tell_left_out;
 #[cfg(not(feature = "png"))]
 use longdrive::features::how_to_get;
-use longdrive::optimize::Watch;
+use longdrive::optimize::Observer;
 use longdrive::report::Reply;
 use longdrive::report::figures::{
     Flown, View, chart_figures, map_figure, tornado_figure, trajectory_figure, vcurve_figure,
@@ -79,13 +79,13 @@ fn mapped(setup: &Setup<f64>, search: &Search) -> Result<(Option<Optimum>, Map)>
         let (name, reason) = ("--vary".into(), "a map needs two parameters; give --vary twice".into());
         return Err(Error::SearchRange { name, reason });
     };
-    let best = optimum(setup, search.clone(), Watch::default())?;
+    let best = optimum(setup, search.clone(), Observer::default())?;
     let is_found = best.solution.status == longdrive::optimize::Status::Converged;
     if !is_found {
         tell(&format!("no optimum is drawn: {}: {}", best.status(), best.message().in_units(system())));
     }
     let around = if is_found { &best.setup } else { setup };
-    let map = map(around, search.maximize, across, up, Fineness::default())?;
+    let map = map(around, search.of, across, up, Fineness::default())?;
     Ok((is_found.then_some(best), map))
 }
 
@@ -105,8 +105,8 @@ fn along(args: &PlotChart) -> Result<Answer> {
     let along = Vary::read(&setup, &args.along)?;
     args.question.refuse_unused(&setup, &[along.parameter], "--along gives its values")?;
     let shown = match &args.show {
-        Some(name) if name != search.maximize.name() => {
-            let names = || search.vary.iter().map(|vary| vary.parameter.name).chain([search.maximize.name()]);
+        Some(name) if name != search.of.name() => {
+            let names = || search.vary.iter().map(|vary| vary.parameter.name).chain([search.of.name()]);
             let advice = || format!("a chart shows {}", names().collect::<Vec<_>>().join(", "));
             let at = search.vary.iter().position(|vary| vary.parameter.name == name);
             1 + at.ok_or_else(|| Error::unknown("curve", name, names(), advice()))?

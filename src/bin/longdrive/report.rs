@@ -4,7 +4,7 @@ use crate::names::usual;
 use crate::output::{Answer, bar, system, tell, warn};
 use crate::plot::limits;
 use longdrive::flight::Flight;
-use longdrive::optimize::{Status, Watch};
+use longdrive::optimize::{Observer, Status};
 use longdrive::report::Reply;
 use longdrive::report::figures::Flown;
 use longdrive::report::page::{Document, Findings, report_documents};
@@ -39,7 +39,7 @@ pub fn run(args: &Report) -> Result<Answer> {
     let mut remarks = flown[0].drive.warnings(&setup);
     bar.inc(1);
 
-    let found = sought.as_ref().map(|(search, _)| optimum(&setup, search.clone(), Watch::default())).transpose()?;
+    let found = sought.as_ref().map(|(search, _)| optimum(&setup, search.clone(), Observer::default())).transpose()?;
     let best = found.as_ref().filter(|found| found.solution.status == Status::Converged);
     match (&found, best) {
         (None, _) => remarks.push(NO_SEARCH.into()),
@@ -70,11 +70,11 @@ pub fn run(args: &Report) -> Result<Answer> {
     let is_fixed = |(search, along): &&(Search, Vary)| search.vary.iter().all(|vary| vary.parameter != along.parameter);
     let chart = match sought.as_ref().filter(is_fixed) {
         Some((search, along)) if best.is_some() => {
-            let watch = |_: &_| {
+            let on_point = |_: &_| {
                 bar.inc(1);
                 true
             };
-            said(chart(&setup, search, *along, watch), &mut remarks)?
+            said(chart(&setup, search, *along, on_point), &mut remarks)?
         }
         _ => None,
     };

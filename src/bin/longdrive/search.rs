@@ -4,7 +4,7 @@ use crate::args::{SearchArgs, WorkArgs};
 use crate::interrupt::{self, BEST_SO_FAR};
 use crate::output::{system, tell};
 use indicatif::{ProgressBar, ProgressStyle};
-use longdrive::optimize::{Follow, Ledger, Options};
+use longdrive::optimize::{Checkpoint, Follow, Options};
 use longdrive::report::{iteration_line, outcome_text};
 use longdrive::study::{Constraint, Optima, Search, Sense, Vary, optima};
 use longdrive::{Outcome, Result, Setup};
@@ -18,7 +18,7 @@ impl SearchArgs {
         let (of, sense) = self.sought()?;
         let options = Options::default();
         Ok(Search {
-            maximize: of,
+            of,
             sense,
             vary: if vary.is_empty() { default?.vary } else { vary },
             subject_to: self.subject_to.iter().map(|text| Constraint::read(text)).collect::<Result<_>>()?,
@@ -51,11 +51,11 @@ impl SearchArgs {
 impl WorkArgs {
     /// Searches, with its progress on standard error.
     pub fn run(&self, setup: &Setup<f64>, search: &Search) -> Result<Optima> {
-        let ledger = match &self.checkpoint {
-            Some(path) => Some(Arc::new(Ledger::open(path, &question(setup, search, self.starts))?)),
+        let checkpoint = match &self.checkpoint {
+            Some(path) => Some(Arc::new(Checkpoint::open(path, &question(setup, search, self.starts))?)),
             None => None,
         };
-        let mut follow = Follow { interrupt: interrupt::stops(BEST_SO_FAR), ledger, ..Follow::default() };
+        let mut follow = Follow { interrupt: interrupt::stops(BEST_SO_FAR), checkpoint, ..Follow::default() };
         let bar = if self.starts > 1 { self.many(search, &mut follow) } else { one(search, &mut follow) };
         let found = optima(setup, search, self.starts as usize, &follow);
         bar.finish_and_clear();
@@ -74,7 +74,7 @@ impl WorkArgs {
         let bar =
             ProgressBar::new(u64::from(self.starts)).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
         let best: Mutex<Option<f64>> = Mutex::new(None);
-        let (shown, of, sense) = (bar.clone(), search.maximize, search.sense);
+        let (shown, of, sense) = (bar.clone(), search.of, search.sense);
         follow.end = Some(Arc::new(move |_, solution| {
             let mut best = best.lock().unwrap_or_else(PoisonError::into_inner);
             let is_feasible = solution.residual.feasibility <= 1e-6;

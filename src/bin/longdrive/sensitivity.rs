@@ -1,7 +1,7 @@
 use crate::args::SensitivityArgs;
 use crate::names::outcomes;
 use crate::output::{Answer, bar, show, system, tell, warn};
-use longdrive::optimize::{Status, Watch};
+use longdrive::optimize::{Observer, Status};
 use longdrive::parameters::Parameter;
 use longdrive::report::{EffectsReport, OutcomeEffects, by_reason, effects_text};
 use longdrive::study::{Sensitivity, Sigma, effects, optimum, sensitivities, with_defaults};
@@ -19,7 +19,7 @@ pub fn run(args: &SensitivityArgs) -> Result<Answer> {
     if args.at_optimum {
         let search = args.search.search(&setup)?;
         setup = args.question.for_many(setup, &search.vary)?;
-        let found = optimum(&setup, search, Watch::default())?;
+        let found = optimum(&setup, search, Observer::default())?;
         if found.solution.status != Status::Converged {
             return Err(Error::NotConverged { status: found.status(), message: found.message() });
         }
@@ -39,7 +39,7 @@ pub fn run(args: &SensitivityArgs) -> Result<Answer> {
         Some(best) => {
             let varied = |row: &&_| !best.search.vary.iter().any(|vary| vary.parameter == *row);
             let wrt: Vec<_> = setup.variables().into_iter().filter(varied).collect();
-            Some((best.search.maximize, sensitivities(best, &wrt, |_, _| ())?))
+            Some((best.search.of, sensitivities(best, &wrt, |_, _| ())?))
         }
         None => None,
     };

@@ -115,7 +115,7 @@ impl Follow {
 /// # Errors
 /// [`Error::Optimizer`] for a start of the wrong length or that is not finite, and for a tolerance or loss that makes no sense.
 pub fn fit(residuals: &impl Residuals, domain: &Domain, start: &[f64], options: &Options) -> Result<Fit> {
-    fit_watched(residuals, domain, start, options, &Follow::default())
+    fit_observed(residuals, domain, start, options, &Follow::default())
 }
 
 /// Fits from every start, side by side; what was found, the smallest sum first. The order does not depend on the number of
@@ -133,7 +133,7 @@ pub fn fit_from(
     if starts.is_empty() {
         return Err(Error::Optimizer("there are no starts to fit from".into()));
     }
-    let one = |start: &Vec<f64>| fit_watched(residuals, domain, start, options, follow);
+    let one = |start: &Vec<f64>| fit_observed(residuals, domain, start, options, follow);
     let mut fits = starts.par_iter().map(one).collect::<Result<Vec<_>>>()?;
     let rank = |fit: &Fit| if fit.rows.residuals.is_empty() { f64::INFINITY } else { fit.cost };
     fits.sort_by(|a, b| rank(a).total_cmp(&rank(b)));
@@ -144,7 +144,7 @@ pub fn fit_from(
 ///
 /// # Errors
 /// As [`fit`].
-pub fn fit_watched(
+pub fn fit_observed(
     residuals: &impl Residuals,
     domain: &Domain,
     start: &[f64],

@@ -27,7 +27,7 @@ mod fit;
 mod loss;
 mod step;
 
-pub use fit::{Fit, Follow, Status, fit, fit_from, fit_watched};
+pub use fit::{Fit, Follow, Status, fit, fit_from, fit_observed};
 pub use loss::Loss;
 
 /// Residuals and their Jacobian at a point.

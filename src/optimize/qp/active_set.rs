@@ -1,4 +1,4 @@
-use super::{End, QuadraticProgram};
+use super::program::{End, QuadraticProgram};
 
 /// Which ends, rows and pieces hold a step.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -3,7 +3,7 @@
 //! needs no tolerance to tell active from inactive, and it proves infeasibility.
 
 use super::active_set::{ActiveSet, Holder};
-use super::{End, QuadraticProgram};
+use super::program::{End, QuadraticProgram};
 use nalgebra::{DMatrix, DVector};
 
 /// normal · z ≥ limit.

@@ -1,6 +1,6 @@
 //! A program of bounds alone, from face to face of its box: what a search without constraints asks for at every step.
 
-use super::{End, Method, Piece, QuadraticProgram, Step};
+use super::program::{End, Method, Piece, QuadraticProgram, Step};
 use nalgebra::{Cholesky, DMatrix, DVector};
 
 /// Faces looked at before the program is left to Clarabel; a few are enough wherever the walk ends at all.

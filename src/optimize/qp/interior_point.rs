@@ -1,5 +1,5 @@
 use super::active_set::{ActiveSet, Holder};
-use super::{End, QuadraticProgram};
+use super::program::{End, QuadraticProgram};
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{DefaultSettings, DefaultSolver, IPSolver, SolverStatus, SupportedConeT};
 

@@ -1,7 +1,7 @@
 //! From an active set to the exact solution it implies, and from there to a better active set.
 
 use super::active_set::ActiveSet;
-use super::{End, Method, Piece, QuadraticProgram, Row, Step};
+use super::program::{End, Method, Piece, QuadraticProgram, Row, Step};
 use nalgebra::{DMatrix, DVector};
 
 /// What an active set implies, perhaps outside the ends.

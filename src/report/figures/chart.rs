@@ -11,11 +11,11 @@ pub fn chart_figures(chart: &Chart, system: System) -> Vec<Figure> {
     let along = Measure::parameter(chart.along.parameter);
     let tag = chart.along.parameter.name.replace('.', "-");
     let x = || Axis::linear(along.clone());
-    let of = Measure::outcome(search.maximize);
+    let of = Measure::outcome(search.of);
     let title = format!("Best {} against {}", of.label, along.label);
     let line = |points: Vec<[f64; 2]>| Layer::line("optimum", 0, points);
     let value = chart.points.iter().filter_map(|point| Some([point.at, point.best.value()?])).collect();
-    let name = format!("chart-{}-by-{tag}", search.maximize.name());
+    let name = format!("chart-{}-by-{tag}", search.of.name());
     let best = Figure::new(name, title, x(), Axis::linear(of)).with(line(value));
     let best = marked(best, chart, system, |point| point.best.value());
 

@@ -46,7 +46,7 @@ pub fn map_figure(
             for (ends, name) in cross.into_iter().zip(["window", ""]) {
                 figure.layers.push(Layer::Line { name: name.into(), hue, is_dashed: false, points: ends.to_vec() });
             }
-            let loss = Measure::outcome(best.search.maximize).show_both(flatness.loss, system);
+            let loss = Measure::outcome(best.search.of).show_both(flatness.loss, system);
             notes.push(format!("The window shows how far each parameter may deviate alone for a loss of {loss}."));
             if let Some(ellipse) = ellipse(best, flatness, [i, j]) {
                 figure.layers.push(ellipse);

@@ -1,5 +1,6 @@
 //! The MAE 494 report, reproduced, as a document and as JSON.
 
+mod angle;
 mod json;
 mod noise;
 mod physics;
@@ -11,7 +12,7 @@ pub use json::mae494_reply;
 use super::document::Document;
 use super::published::Published;
 use crate::reproduce::Mae494;
-use crate::units::{System, fixed};
+use crate::units::System;
 
 /// The report, reproduced, as a document: computed numbers in the units of `system`, printed ones as the report prints them, with those
 /// units beside.
@@ -33,9 +34,4 @@ pub fn mae494_document(found: &Mae494, system: System) -> Document {
     noise::noise(&mut document, &found.noise, shown);
     searches::searches(&mut document, found, shown);
     document
-}
-
-/// An angle in degrees, to four decimals as the report prints it.
-fn degrees(radians: f64) -> String {
-    format!("{}°", fixed(radians.to_degrees(), 4))
 }

@@ -1,6 +1,6 @@
 //! What the report prints of optima, beside the exact ones.
 
-use super::degrees;
+use super::angle::degrees;
 use crate::report::document::Document;
 use crate::report::plot::{Axis, Figure, Layer, Measure};
 use crate::report::published::Published;

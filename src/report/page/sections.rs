@@ -1,6 +1,6 @@
 //! The parts of a page that are words and tables.
 
-use super::Findings;
+use super::findings::Findings;
 use super::numbers::{both, loss, outcome, parameter, stated};
 use crate::drive::{Outcome, Part};
 use crate::error::Result;
@@ -77,7 +77,7 @@ pub(super) fn outcomes(flown: &[Flown]) -> Markup {
 /// Where the optimum is, which bounds it lies on, and what moving them would bring.
 pub(super) fn optimum(best: &Optimum, flatness: Option<&Flatness>) -> Markup {
     let (search, solution) = (&best.search, &best.solution);
-    let of = search.maximize;
+    let of = search.of;
     let window = |i: usize| flatness.map(|flatness| flatness.windows[i]);
     html! {
         p {

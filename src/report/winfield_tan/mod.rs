@@ -2,6 +2,7 @@
 
 mod json;
 mod law;
+mod numbers;
 mod tables;
 
 pub use json::winfield_tan_reply;
@@ -9,7 +10,7 @@ pub use json::winfield_tan_reply;
 use super::document::Document;
 use super::published::Published;
 use crate::reproduce::WinfieldTan;
-use crate::units::{System, fixed};
+use crate::units::System;
 
 /// The paper, reproduced, as a document: computed numbers in the units of `system`, printed ones as the paper prints them, with those
 /// units beside.
@@ -29,16 +30,4 @@ pub fn winfield_tan_document(found: &WinfieldTan, system: System) -> Document {
     law::law(&mut document, found, shown);
     law::decay(&mut document, found);
     document
-}
-
-/// An angle in degrees, to two decimals as the paper prints it.
-fn degrees(radians: f64) -> String {
-    format!("{}°", fixed(radians.to_degrees(), 2))
-}
-
-/// Root mean square and the largest size of some numbers.
-fn spread(numbers: impl Iterator<Item = f64> + Clone) -> (f64, f64) {
-    let n = numbers.clone().count() as f64;
-    let square: f64 = numbers.clone().map(|number| number * number).sum();
-    ((square / n).sqrt(), numbers.map(f64::abs).fold(0.0, f64::max))
 }

@@ -1,6 +1,6 @@
 //! What the paper prints, beside what comes out.
 
-use super::{degrees, spread};
+use super::numbers::{degrees, spread};
 use crate::report::document::Document;
 use crate::report::plot::{Axis, Figure, Layer, Measure};
 use crate::report::published::Published;

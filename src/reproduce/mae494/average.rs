@@ -1,4 +1,5 @@
-use super::{ATTACK_ANGLE, LOFT, printed};
+use super::delivery::{ATTACK_ANGLE, LOFT};
+use super::printed;
 use crate::derivative::{Evaluator, Order};
 use crate::drive::Outcome;
 use crate::error::{Error, Result};

@@ -1,4 +1,5 @@
-use super::{ATTACK_ANGLE, Delivery, LOFT, Row, tables};
+use super::delivery::{ATTACK_ANGLE, Delivery, LOFT};
+use super::{Row, tables};
 use crate::derivative::{self, Evaluator, Order};
 use crate::drive::Outcome;
 use crate::error::{Error, Result};

@@ -1,4 +1,4 @@
-use super::searches::Sought;
+use super::sought::Sought;
 use argmin::core::{CostFunction, Error, Executor, Gradient};
 use argmin::solver::linesearch::MoreThuenteLineSearch;
 use argmin::solver::quasinewton::LBFGS;

@@ -4,6 +4,7 @@
 //! constants stand in Winfield & Tan's equations (the preset `mae494`), and every optimum it prints is held against the exact one.
 
 mod average;
+mod delivery;
 mod launches;
 mod lbfgs;
 mod noise;
@@ -11,49 +12,24 @@ mod parametric;
 mod printed;
 mod regression;
 mod searches;
+mod sought;
 mod tables;
 mod while_loop;
 
 pub use average::Average;
+pub use delivery::Delivery;
 pub use launches::{Energy, Launched, Subsystems};
 pub use noise::{Landings, Noise, Slopes, Teeth};
 pub use parametric::{Constant, Parametric};
 pub use regression::{Peak, Regression};
-pub use searches::{End, Landing, Method, Searches};
+pub use searches::{End, Searches};
+pub use sought::{Landing, Method};
 pub use tables::Row;
 pub(super) use while_loop::fly_past_the_ground;
 
 use crate::error::Result;
 use crate::parameters::Setup;
 use crate::units::System;
-
-/// The parameters that the report varies.
-const LOFT: &str = "club.loft";
-const ATTACK_ANGLE: &str = "swing.attack_angle";
-
-/// How the ball is struck, and how far it carries.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Delivery {
-    /// Loft, rad.
-    pub loft: f64,
-    /// Attack angle, the report's swing elevation, rad.
-    pub attack_angle: f64,
-    /// Carry, m.
-    pub carry: f64,
-}
-
-impl Delivery {
-    fn in_degrees(loft: f64, attack_angle: f64, carry: f64) -> Self {
-        Self { loft: loft.to_radians(), attack_angle: attack_angle.to_radians(), carry }
-    }
-
-    /// A setup struck like this.
-    fn set(&self, setup: &Setup<f64>) -> Setup<f64> {
-        let mut setup = *setup;
-        (setup.club.loft, setup.swing.attack_angle) = (self.loft, self.attack_angle);
-        setup
-    }
-}
 
 /// The report, reproduced.
 #[derive(Clone, Debug)]

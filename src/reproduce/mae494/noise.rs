@@ -1,5 +1,6 @@
+use super::delivery::{Delivery, LOFT};
+use super::tables;
 use super::while_loop::{Stop, fly_past_the_ground};
-use super::{Delivery, LOFT, tables};
 use crate::derivative;
 use crate::drive::Outcome;
 use crate::error::Result;

@@ -1,4 +1,5 @@
-use super::{ATTACK_ANGLE, Delivery, LOFT, printed};
+use super::delivery::{ATTACK_ANGLE, Delivery, LOFT};
+use super::printed;
 use crate::drive::{Drive, Outcome};
 use crate::error::{Error, Result};
 use crate::optimize::Follow;

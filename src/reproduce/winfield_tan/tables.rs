@@ -3,7 +3,7 @@
 use super::printed;
 use crate::drive::{Drive, Outcome};
 use crate::error::{Error, Result};
-use crate::optimize::{Status, Watch};
+use crate::optimize::{Observer, Status};
 use crate::parameters::{Setup, Vary};
 use crate::study::{Search, optimum as search};
 use crate::units::Quantity;
@@ -92,7 +92,7 @@ fn searched(setup: &Setup<f64>, from: Point, names: &[&str]) -> Result<Point> {
     };
     let vary = names.iter().map(range).collect::<Result<Vec<_>>>()?;
     let asked = Search { vary, ..Search::largest(Outcome::Carry) };
-    let found = search(&at(setup, from), asked, Watch::default())?;
+    let found = search(&at(setup, from), asked, Observer::default())?;
     match found.value() {
         Some(carry) if found.solution.status == Status::Converged => {
             let (loft, attack_angle) = (found.setup.club.loft, found.setup.swing.attack_angle);

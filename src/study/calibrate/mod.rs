@@ -2,6 +2,7 @@
 //! them and what they do not.
 
 mod beyond;
+mod calibration;
 mod data;
 mod estimate;
 mod folds;
@@ -15,8 +16,9 @@ mod statistics;
 mod verdict;
 
 pub use beyond::beyond;
+pub use calibration::{Calibration, Estimate, Remainder};
 pub use data::ShotTable;
-pub use estimate::{Calibration, Estimate, Plan, Remainder, calibrate};
+pub use estimate::{Plan, calibrate};
 pub use folds::{HeldOut, check_folds, held_out};
 pub use instrument::{Instrument, instrument};
 pub use ranges::ranges;

@@ -1,11 +1,11 @@
 //! The ranges that a fit flies in: what a tolerance is to hold in.
 
 use super::data::ShotTable;
-use crate::parameters::{Setup, Vary};
+use crate::parameters::Vary;
 
-/// The ranges of the shots' inputs or launches, and those that were given to the parameters fitted. One that is fitted without a range
+/// The ranges of the shots' inputs, and those that were given to the parameters fitted. One that is fitted without a range
 /// of its own is taken where the setup has it.
-pub fn ranges(setup: &Setup<f64>, table: &ShotTable, fit: &[Vary]) -> Vec<Vary> {
+pub fn ranges(table: &ShotTable, fit: &[Vary]) -> Vec<Vary> {
     let mut ranges: Vec<Vary> = vec![];
     let mut widen = |parameter, value: f64| match ranges.iter_mut().find(|range| range.parameter == parameter) {
         Some(range) => (range.low, range.high) = (range.low.min(value), range.high.max(value)),
@@ -14,20 +14,6 @@ pub fn ranges(setup: &Setup<f64>, table: &ShotTable, fit: &[Vary]) -> Vec<Vary> 
     for shot in &table.shots {
         for (parameter, value) in &shot.inputs {
             widen(*parameter, *value);
-        }
-        if let Some(launch) = &shot.launch {
-            let conditions = [
-                ("ball_speed", launch.ball_speed()),
-                ("launch_angle", launch.launch_angle()),
-                ("launch_direction", launch.launch_direction()),
-                ("backspin", launch.backspin()),
-                ("sidespin", launch.sidespin()),
-            ];
-            for (name, value) in conditions {
-                if let Some(parameter) = setup.launch_condition(name) {
-                    widen(parameter, value);
-                }
-            }
         }
     }
     let is_given = |vary: &&Vary| {

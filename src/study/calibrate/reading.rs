@@ -5,7 +5,7 @@ use super::shot::{Measurement, Shot, Stationary};
 use super::statistics::Uncertainties;
 use crate::columns::{CONDITIONS, Column, Holds};
 use crate::drive::{Outcome, Part};
-use crate::launch::Launch;
+use crate::error::Error;
 use crate::parameters::Setup;
 use crate::units::{Digits, Message, Quantity};
 use csv::StringRecord;
@@ -97,13 +97,20 @@ impl Reading<'_> {
                 _ => {}
             }
         }
-        at_shot.validate().map_err(|error| Wrong::from((None, error.to_string())))?;
-        let launch = if self.is_launched { Some(self.launch(record)?) } else { None };
+        let wrong = |error: Error| Wrong::from((None, error.to_string()));
+        if self.is_launched {
+            for (name, value) in self.launch(record)? {
+                let parameter = self.setup.parameter(name).map_err(wrong)?;
+                at_shot.set_value(parameter, Some(value)).map_err(wrong)?;
+                inputs.push((parameter, value));
+            }
+        }
+        at_shot.validate().map_err(wrong)?;
         let stationary = self.stationary(record, &at_shot)?;
         if measured.is_empty() && stationary.is_empty() {
             return Err(Wrong::incomplete(None, "nothing is measured in it; give an outcome, or take the row out"));
         }
-        Ok(Shot { row, inputs, launch, measured, stationary })
+        Ok(Shot { row, inputs, measured, stationary })
     }
 
     fn has(&self, outcome: Outcome) -> bool {
@@ -116,7 +123,8 @@ impl Reading<'_> {
         column.map_or(of.name(), |column| column.head.as_str()).to_owned()
     }
 
-    fn launch(&self, record: &StringRecord) -> Result<Launch<f64>, Wrong> {
+    /// The launch conditions of a row, by the parameters that they are.
+    fn launch(&self, record: &StringRecord) -> Result<[(&'static str, f64); 5], Wrong> {
         let [speed, angle, direction, spin, backspin, sidespin, axis] =
             CONDITIONS.map(|outcome| self.cell(record, Holds::Outcome(outcome)));
         let wanted = |cell: Option<f64>, what: Outcome| {
@@ -149,7 +157,14 @@ impl Reading<'_> {
                 );
             }
         };
-        Ok(Launch::with_conditions(speed, angle, direction?.unwrap_or(0.0), back, side))
+        let direction = direction?.unwrap_or(0.0);
+        Ok([
+            ("launch.ball_speed", speed),
+            ("launch.launch_angle", angle),
+            ("launch.launch_direction", direction),
+            ("launch.backspin", back),
+            ("launch.sidespin", side),
+        ])
     }
 
     fn stationary(&self, record: &StringRecord, at_shot: &Setup<f64>) -> Result<Vec<Stationary>, Wrong> {
@@ -159,10 +174,10 @@ impl Reading<'_> {
         let here = || Some("stationary".to_owned());
         let mut all = vec![];
         for name in record.get(at).unwrap_or_default().split_whitespace() {
-            let parameter = at_shot.variable(name).map_err(|error| Wrong::from((here(), error.to_string())))?;
             if self.is_launched {
                 return Err((here(), "rows of launch conditions have no parameter to be best in").into());
             }
+            let parameter = at_shot.variable(name).map_err(|error| Wrong::from((here(), error.to_string())))?;
             let one = Quantity::ANGLE.size_of("deg").unwrap_or(1.0);
             if parameter.quantity != Quantity::ANGLE {
                 return Err((here(), format!("{name} is no angle; optima are read in angles")).into());

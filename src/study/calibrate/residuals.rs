@@ -77,10 +77,6 @@ impl ShotResiduals<'_> {
             let values: Vec<_> = self.fitted.iter().filter_map(|parameter| setup.value(parameter)).collect();
             let order = if self.fitted.is_empty() { Order::Value } else { Order::First };
             let asked = Evaluator::new(&setup, &of, &self.fitted, order)?;
-            let asked = match shot.launch {
-                Some(launch) => asked.launched(launch),
-                None => asked,
-            };
             for (taylor, measurement) in asked.at(&values)?.into_iter().zip(&shot.measured) {
                 let residual = (taylor.value - measurement.value) / measurement.sigma;
                 if residual.abs() > TOO_FAR {

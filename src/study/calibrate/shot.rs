@@ -1,5 +1,4 @@
 use crate::drive::Outcome;
-use crate::launch::Launch;
 use crate::parameters::Parameter;
 
 /// One measured shot: how it was made, and what came of it.
@@ -7,10 +6,8 @@ use crate::parameters::Parameter;
 pub struct Shot {
     /// The row of the table it stands in, from 1.
     pub row: usize,
-    /// Parameters of this shot, SI; all others are the setup's.
+    /// Parameters of this shot, SI, of its launch where the row gives that and no club; all others are the setup's.
     pub inputs: Vec<(&'static Parameter, f64)>,
-    /// The ball as it left, where the row says so and not the club.
-    pub launch: Option<Launch<f64>>,
     /// What was measured.
     pub measured: Vec<Measurement>,
     /// Parameters in which carry is at its largest here.

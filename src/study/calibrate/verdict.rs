@@ -1,6 +1,6 @@
 //! What a fit's end is called once the data have been looked at: a search that has converged may still have no answer.
 
-use super::estimate::{Calibration, Remainder};
+use super::calibration::{Calibration, Remainder};
 use super::statistics::Undetermined;
 use crate::optimize::least_squares::{Fit, Loss, Status};
 

@@ -1,6 +1,6 @@
 //! Long work kept in a file: what searches have found, and how far the others have come.
 
-use super::minimize::Snapshot;
+use super::observer::Snapshot;
 use super::solution::Solution;
 use crate::error::{Error, Result};
 use serde::{Deserialize, Serialize};
@@ -22,7 +22,7 @@ pub enum Run {
 /// Searches of one question, kept in a file that is whole at every moment: each state is written beside it and put in
 /// its place at once.
 #[derive(Debug)]
-pub struct Ledger {
+pub struct Checkpoint {
     path: PathBuf,
     content: Mutex<Content>,
 }
@@ -34,8 +34,8 @@ struct Content {
     runs: BTreeMap<usize, Run>,
 }
 
-impl Ledger {
-    /// The ledger in a file, with what it holds; a new one where there is no such file.
+impl Checkpoint {
+    /// The checkpoint in a file, with what it holds; a new one where there is no such file.
     ///
     /// # Errors
     /// [`Error::Checkpoint`] for a file that cannot be read, is none of this kind, or belongs to another question.
@@ -59,10 +59,10 @@ impl Ledger {
                           remove it to start again";
             return Err(refuse(reason.into()));
         }
-        let ledger = Self { path: path.into(), content: Mutex::new(content) };
+        let checkpoint = Self { path: path.into(), content: Mutex::new(content) };
         // what cannot be written is told now, not after hours
-        ledger.write(&ledger.lock())?;
-        Ok(ledger)
+        checkpoint.write(&checkpoint.lock())?;
+        Ok(checkpoint)
     }
 
     /// The search of this number, if it was kept.

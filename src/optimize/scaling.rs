@@ -26,7 +26,7 @@ impl Point {
 /// What a search measures with: the domain, what a sensible change of each variable is, and what sensible sizes of
 /// the functions are.
 #[derive(Clone, Debug, Serialize, Deserialize)]
-pub(super) struct Frame {
+pub(super) struct Scaling {
     #[serde(skip)]
     pub domain: Domain,
     /// sᵢ.
@@ -71,8 +71,8 @@ pub(super) struct Outward {
     pub is_open: bool,
 }
 
-impl Frame {
-    /// The frame of a search that begins at `first`.
+impl Scaling {
+    /// The scaling of a search that begins at `first`.
     pub fn new(domain: Domain, scale: Vec<f64>, first: &Point) -> Self {
         let largest = |gradient: &[f64]| gradient.iter().zip(&scale).map(|(g, s)| (g * s).abs()).fold(0.0, f64::max);
         let first_size = first.f.objective.value.abs().max(largest(&first.f.objective.gradient));

@@ -1,0 +1,69 @@
+//! The numbers of num-dual: `f64`, and its dual numbers.
+
+use super::tanh::tanh;
+use super::{Number, Numbers};
+use num_dual::DualNum;
+
+impl<D: DualNum<Primitive = f64> + Copy> Numbers for D {
+    type Mask = bool;
+
+    #[inline(always)]
+    fn constant(value: f64) -> Self {
+        D::from(value)
+    }
+    #[inline(always)]
+    fn recip(self) -> Self {
+        DualNum::recip(&self)
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        DualNum::sqrt(&self)
+    }
+    #[inline(always)]
+    fn exp(self) -> Self {
+        DualNum::exp(&self)
+    }
+    #[inline(always)]
+    fn exp_m1(self) -> Self {
+        DualNum::exp_m1(&self)
+    }
+    #[inline(always)]
+    fn ln(self) -> Self {
+        DualNum::ln(&self)
+    }
+    #[inline(always)]
+    fn ln_1p(self) -> Self {
+        DualNum::ln_1p(&self)
+    }
+    #[inline(always)]
+    fn sin_cos(self) -> (Self, Self) {
+        DualNum::sin_cos(&self)
+    }
+    #[inline(always)]
+    fn atan(self) -> Self {
+        DualNum::atan(&self)
+    }
+    #[inline(always)]
+    fn below(self, limit: f64) -> bool {
+        num_dual::DualStruct::re(&self) < limit
+    }
+    #[inline(always)]
+    fn blend(self, other: Self, mask: bool) -> Self {
+        if mask { self } else { other }
+    }
+    #[inline(always)]
+    fn is_finite(self) -> bool {
+        num_dual::DualStruct::re(&self).is_finite()
+    }
+    #[inline(always)]
+    fn tanh(self) -> Self {
+        tanh(self)
+    }
+}
+
+impl<D: DualNum<Primitive = f64> + Copy> Number for D {
+    #[inline(always)]
+    fn re(self) -> f64 {
+        num_dual::DualStruct::re(&self)
+    }
+}

@@ -1,0 +1,114 @@
+//! What searches look for on the report's problem, and how.
+
+use super::delivery::{ATTACK_ANGLE, Delivery, LOFT};
+use super::printed;
+use super::tables::carried;
+use super::while_loop::fly_past_the_ground;
+use crate::derivative::{Evaluator, Order};
+use crate::drive::Outcome;
+use crate::error::Result;
+use crate::optimize::{Domain, Taylor};
+use crate::parameters::Setup;
+use std::cell::Cell;
+
+/// Where the ball is taken to land.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Landing {
+    /// Where the report's loop stops, below the ground.
+    Overshot,
+    /// Interpolated between the last two steps of that loop.
+    Interpolated,
+    /// The smooth landing.
+    Smooth,
+}
+
+impl Landing {
+    /// Its name in JSON.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Overshot => "loop",
+            Self::Interpolated => "interpolated",
+            Self::Smooth => "smooth",
+        }
+    }
+}
+
+/// How the best drive is searched for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    /// argmin's L-BFGS with the line search of Moré and Thuente; gradients by forward differences.
+    LimitedMemory,
+    /// The same with exact gradients.
+    LimitedMemoryExact,
+    /// This library's optimizer with a Hessian of its own making (BFGS); gradients by forward differences.
+    QuasiNewton,
+    /// This library's optimizer with exact gradients and Hessians.
+    Exact,
+}
+
+impl Method {
+    /// Its name in JSON.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::LimitedMemory => "lbfgs-differences",
+            Self::LimitedMemoryExact => "lbfgs-exact-gradients",
+            Self::QuasiNewton => "longdrive-differences",
+            Self::Exact => "longdrive-exact",
+        }
+    }
+}
+
+/// The report's ranges of loft and attack angle.
+pub(super) fn domain() -> Result<Domain> {
+    let [loft, attack] = [printed::LOFT, printed::ATTACK].map(|ends| ends.map(f64::to_radians));
+    Domain::new(vec![loft[0], attack[0]], vec![loft[1], attack[1]])
+}
+
+/// −carry over loft and attack angle, counting the flights.
+pub(super) struct Sought<'a> {
+    pub setup: &'a Setup<f64>,
+    landing: Landing,
+    pub method: Method,
+    pub domain: Domain,
+    exact: Evaluator,
+    pub flights: Cell<u64>,
+}
+
+impl<'a> Sought<'a> {
+    pub fn new(setup: &'a Setup<f64>, landing: Landing, method: Method) -> Result<Self> {
+        let wrt = [setup.variable(LOFT)?, setup.variable(ATTACK_ANGLE)?];
+        let order = if method == Method::Exact { Order::Second } else { Order::First };
+        let exact = Evaluator::new(setup, &[Outcome::Carry], &wrt, order)?;
+        Ok(Self { setup, landing, method, domain: domain()?, exact, flights: Cell::new(0) })
+    }
+
+    /// −carry.
+    pub fn value(&self, x: &[f64]) -> Result<f64> {
+        self.flights.set(self.flights.get() + 1);
+        let at = Delivery { loft: x[0], attack_angle: x[1], carry: 0.0 }.set(self.setup);
+        Ok(-match self.landing {
+            Landing::Overshot => fly_past_the_ground(&at, at.flight.step)?.overshot,
+            Landing::Interpolated => fly_past_the_ground(&at, at.flight.step)?.interpolated,
+            Landing::Smooth => carried(&at)?,
+        })
+    }
+
+    /// −carry with the derivatives that the method asks for.
+    pub fn taylor(&self, x: &[f64]) -> Result<Taylor> {
+        if matches!(self.method, Method::Exact | Method::LimitedMemoryExact) {
+            self.flights.set(self.flights.get() + 1);
+            let mut carry = self.exact.at(x)?;
+            return Ok(carry.swap_remove(0).negated());
+        }
+        let value = self.value(x)?;
+        let slope = |i: usize| {
+            // forward as fmincon's, backward where that would leave the range
+            let step = f64::EPSILON.sqrt();
+            let step = if x[i] + step <= self.domain.variables.high[i] { step } else { -step };
+            let mut moved = x.to_vec();
+            moved[i] += step;
+            Ok((self.value(&moved)? - value) / step)
+        };
+        Ok(Taylor { value, gradient: (0..x.len()).map(slope).collect::<Result<_>>()?, hessian: vec![] })
+    }
+}
