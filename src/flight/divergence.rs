@@ -19,7 +19,7 @@ pub(crate) struct Diverging {
     pub law: &'static str,
 }
 
-/// Steps up to this follow any golf ball, s; the default is 5 ms.
+/// Steps up to this follow any golf ball, s; the default is 10 ms.
 const FINE: f64 = 0.05;
 /// No golf ball leaves faster: the record is below 110 m/s.
 const FAST: f64 = 150.0;
@@ -35,7 +35,7 @@ impl Diverging {
     pub fn advice(&self) -> String {
         let Self { step, speed, spin, force_per_mass, wind, law } = *self;
         if step > FINE {
-            return "the step is long; reduce flight.step (the default is 5 ms)".into();
+            return "the step is long; reduce flight.step (the default is 10 ms)".into();
         }
         let shown = |value: f64| significant(value, 3);
         // also what is no number at all
@@ -59,7 +59,10 @@ impl Diverging {
                 "launch, ball and air are as usual, so check the coefficients of the law {law}: they may give a negative drag, or a \
                  force that is far too large"
             ),
-            found => format!("{}, which is unusual; check it", found.join(", and ")),
+            found => format!(
+                "{}, which is unusual; check it, or let --tolerance choose a step that follows it",
+                found.join(", and ")
+            ),
         }
     }
 }

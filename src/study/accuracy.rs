@@ -35,9 +35,10 @@ const METHOD: Method = Method::DormandPrince8;
 const SAFETY: f64 = 0.25;
 /// Steps tried, s, each 2^(−1/4) of the one before.
 const LONGEST_STEP: f64 = 1.6;
-const STEPS: i32 = 40;
-/// Step of the reference flights, s, in a uniform wind and in one that grows with height: their own error is below 1e-11 m and 1e-9 m.
-const REFERENCE_STEP: [f64; 2] = [0.05, 0.01];
+const STEPS: i32 = 36;
+/// Steps of the reference flights are at most this part of those that are judged, and no shorter than so many seconds.
+const REFERENCE: f64 = 1.0 / 8.0;
+const SHORTEST_REFERENCE: f64 = 1e-3;
 /// Points within the ranges that are looked at.
 const INSIDE: u64 = 64;
 /// Ends of ranges are combined for so many parameters; of further ones the setup's own value is taken.
@@ -59,17 +60,18 @@ const ROUNDING: f64 = 1e-12;
 /// ```
 ///
 /// # Errors
-/// [`Error::Tolerance`] for a tolerance that is none, or that none of the steps down to 2 ms reaches, with the drive that is off most;
+/// [`Error::Tolerance`] for a tolerance that is none, or that none of the steps down to 4 ms reaches, with the drive that is off most;
 /// [`Error::NoFlight`] where none of the drives lands; what [`Batch::new`] refuses.
 pub fn accuracy(setup: &Setup<f64>, ranges: &[Vary], of: &[Outcome], tolerance: f64) -> Result<Accuracy> {
     if !(tolerance > 0.0 && tolerance.is_finite()) {
         return Err(Error::Tolerance { tolerance, reason: "give a length above 0, for example 1 um".into() });
     }
-    let sample = Sample::new(setup, ranges, of)?;
+    let mut sample = Sample::new(setup, ranges, of)?;
     let mut step = LONGEST_STEP;
     let mut worst = None;
     for _ in 0..STEPS {
-        match sample.largest_error(setup, step, SAFETY * tolerance)? {
+        sample.refine(step)?;
+        match sample.largest_error(step, SAFETY * tolerance)? {
             Ok(Found { error, largest_defect }) => {
                 let drives = sample.exact.defects().count();
                 return Ok(Accuracy { method: METHOD, step, error, drives, largest_defect });
@@ -79,7 +81,7 @@ pub fn accuracy(setup: &Setup<f64>, ranges: &[Vary], of: &[Outcome], tolerance: 
         step *= 0.5_f64.powf(0.25);
     }
     let drive = worst.map_or_else(String::new, |missed| sample.told(missed));
-    let reason = format!("{drive} with method {} in steps of 2 ms; set flight.method and flight.step", METHOD.name());
+    let reason = format!("{drive} with method {} in steps of 4 ms; set flight.method and flight.step", METHOD.name());
     Err(Error::Tolerance { tolerance, reason })
 }
 
@@ -94,10 +96,12 @@ type Missed = (usize, Option<(Outcome, f64)>);
 
 /// The drives looked at.
 struct Sample {
+    setup: Setup<f64>,
     parameters: Vec<&'static Parameter>,
     points: Vec<f64>,
     lengths: Vec<Outcome>,
-    /// As the reference has them.
+    /// The step of the reference, s, and the drives as it has them.
+    reference: f64,
     exact: Block,
 }
 
@@ -121,29 +125,42 @@ impl Sample {
         let ranges = if ranges.is_empty() { &still[..] } else { &ranges };
         let parameters: Vec<_> = ranges.iter().map(|range| range.parameter).collect();
         let points = points(setup, ranges);
-        let flown = |step| -> Result<Block> {
-            Ok(Batch::new(&integrated(setup, step), &parameters, &lengths, &[])?.evaluate(0, points.clone()))
-        };
-        // balls that never land would be followed for long in short steps
-        let may_land =
-            |flown: &Block| (0..flown.rows()).any(|row| matches!(flown.status(row), Status::Landed | Status::Diverged));
-        let none = || Error::NoFlight { reason: "no drive that the step would be chosen for lands".into() };
-        if !may_land(&flown(LONGEST_STEP)?) {
-            return Err(none());
+        let reference = REFERENCE * LONGEST_STEP;
+        let exact = flown(setup, reference, &parameters, &lengths, points.clone())?;
+        Ok(Self { setup: *setup, parameters, points, lengths, reference, exact })
+    }
+
+    fn flown(&self, step: f64) -> Result<Block> {
+        flown(&self.setup, step, &self.parameters, &self.lengths, self.points.clone())
+    }
+
+    /// Makes the reference fine enough to judge a step by.
+    fn refine(&mut self, step: f64) -> Result<()> {
+        if self.reference > (REFERENCE * step).max(SHORTEST_REFERENCE) {
+            // for the next steps too
+            self.reference = (0.5 * REFERENCE * step).max(SHORTEST_REFERENCE);
+            self.exact = self.flown(self.reference)?;
         }
-        let exact = flown(REFERENCE_STEP[usize::from(setup.wind.roughness.is_some())])?;
-        if exact.defects().next().is_none() {
-            return Err(none());
-        }
-        Ok(Self { parameters, points, lengths, exact })
+        Ok(())
     }
 
     /// The largest error of a step, or the drive by which it misses the limit.
-    fn largest_error(&self, setup: &Setup<f64>, step: f64, limit: f64) -> Result<std::result::Result<Found, Missed>> {
+    ///
+    /// # Errors
+    /// [`Error::NoFlight`] where none of the drives lands.
+    fn largest_error(&self, step: f64, limit: f64) -> Result<std::result::Result<Found, Missed>> {
+        let with = |status| (0..self.exact.rows()).find(|&row| self.exact.status(row) == status);
+        match (with(Status::Landed), with(Status::Diverged)) {
+            (None, None) => {
+                return Err(Error::NoFlight { reason: "no drive that the step would be chosen for lands".into() });
+            }
+            // perhaps in shorter steps
+            (None, Some(row)) => return Ok(Err((row, None))),
+            _ => {}
+        }
         let mut found = Found { error: 0.0, largest_defect: ROUNDING };
         for phase in 0..PHASES {
-            let setup = integrated(setup, step * (1.0 - 0.035 * f64::from(phase)));
-            let flown = Batch::new(&setup, &self.parameters, &self.lengths, &[])?.evaluate(0, self.points.clone());
+            let flown = self.flown(step * (1.0 - 0.035 * f64::from(phase)))?;
             for row in (0..flown.rows()).filter(|&row| self.exact.status(row) == Status::Landed) {
                 for (i, of) in self.lengths.iter().enumerate() {
                     let Some((exact, flown)) = self.exact.outcome(row, i).zip(flown.outcome(row, i)) else {
@@ -173,6 +190,16 @@ impl Sample {
             None => format!("{drive} diverges"),
         }
     }
+}
+
+fn flown(
+    setup: &Setup<f64>,
+    step: f64,
+    parameters: &[&'static Parameter],
+    of: &[Outcome],
+    points: Vec<f64>,
+) -> Result<Block> {
+    Ok(Batch::new(&integrated(setup, step), parameters, of, &[])?.evaluate(0, points))
 }
 
 fn integrated(setup: &Setup<f64>, step: f64) -> Setup<f64> {

@@ -6,9 +6,10 @@ use longdrive::report::{Empty, Reply, remark};
 use longdrive::units::{Message, System};
 use longdrive::{Error, Result};
 use serde::Serialize;
+use serde_json::Value;
 use std::io::{self, Write};
 use std::process::ExitCode;
-use std::sync::OnceLock;
+use std::sync::{Mutex, OnceLock, PoisonError};
 
 /// The options of every command about what is printed; set once, before anything is.
 static SHOWN: OnceLock<Shown> = OnceLock::new();
@@ -32,6 +33,15 @@ fn is_quiet() -> bool {
     SHOWN.get().is_some_and(|shown| shown.quiet)
 }
 
+/// Warnings about what was read and chosen before a command's own work; its answer has them too.
+static EARLY: Mutex<Vec<Message>> = Mutex::new(vec![]);
+
+/// Warns of what the work of the command begins with.
+pub fn warn_early(warning: Message) {
+    warn(std::slice::from_ref(&warning));
+    EARLY.lock().unwrap_or_else(PoisonError::into_inner).push(warning);
+}
+
 /// What a command has to say on standard output, and whether it found what it was asked for.
 pub struct Answer {
     text: String,
@@ -45,7 +55,12 @@ impl Answer {
 
     pub fn json(value: &impl Serialize) -> Self {
         // names are strings and numbers finite: nothing of ours fails to serialise
-        Self::text(serde_json::to_string_pretty(value).unwrap_or_default() + "\n")
+        let mut value = serde_json::to_value(value).unwrap_or_default();
+        let early = EARLY.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(warnings) = value.get_mut("warnings").and_then(Value::as_array_mut) {
+            warnings.splice(0..0, early.iter().map(|warning| warning.to_string().into()));
+        }
+        Self::text(serde_json::to_string_pretty(&value).unwrap_or_default() + "\n")
     }
 
     /// The same answer, with exit status 1 where it says that there is none.

@@ -1,8 +1,8 @@
 use crate::args::Question;
-use crate::output::tell;
+use crate::output::{tell, warn_early};
 use longdrive::parameters::{METHOD, PRESETS, Parameter, Preset, SetupFile, Vary};
 use longdrive::study::{Accuracy, accuracy};
-use longdrive::units::{Quantity, counted};
+use longdrive::units::{Message, Quantity, counted};
 use longdrive::{Error, Outcome, Result, Setup};
 use std::path::Path;
 
@@ -143,11 +143,11 @@ impl Question {
         }
         match accuracy(setup, ranges, of, MICROMETRE) {
             Err(Error::Tolerance { reason, .. }) => {
-                tell(&format!(
-                    "note: flown with flight.method = {} and flight.step = {} s of the setup, since no step is within 1 um: {reason}",
+                warn_early(Message::from(format!(
+                    "flown with flight.method = {} and flight.step = {} s of the setup, since no step is within 1 um: {reason}",
                     setup.method.name(),
                     setup.flight.step
-                ));
+                )));
                 Ok(None)
             }
             found => landing(found),
