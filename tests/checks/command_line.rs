@@ -357,7 +357,7 @@ fn a_flight_that_diverges_ends_with_status_one_everywhere() {
         assert!(said.err.contains(says) && !said.err.contains(says_not), "{set:?}: {}", said.err);
         let (status, answer) = json(&[&["simulate"], &set[..]].concat());
         assert_eq!((status, answer["status"].as_str()), (1, Some("diverged")));
-        let sweep = longdrive(&[&["sweep", "--over", "gravity=9m/s^2..10m/s^2:2"], &set[..]].concat());
+        let sweep = longdrive(&[&["sweep", "--own-step", "--over", "gravity=9m/s^2..10m/s^2:2"], &set[..]].concat());
         assert!(sweep.status == 1 && sweep.err.contains("2 diverged"), "{set:?}: {}", sweep.err);
         let (status, answer) = json(&[&["gradient"], &set[..]].concat());
         assert_eq!((status, answer["status"].as_str()), (1, Some("diverged")));

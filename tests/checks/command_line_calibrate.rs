@@ -41,7 +41,7 @@ fn rows_that_diverge_alike_are_told_once_with_the_advice_that_fits() {
         said.err
     );
     assert!(!said.err.contains("out"), "no row is to blame: {}", said.err);
-    let said = longdrive(&[&SHOTS[..], &["--set", "air.density=900kg/m^3"]].concat());
+    let said = longdrive(&[&SHOTS[..], &["--own-step", "--set", "air.density=900kg/m^3"]].concat());
     assert!(said.err.contains("air.density") && !said.err.contains("flight.step"), "{}", said.err);
 }
 
