@@ -62,15 +62,21 @@ impl Directions<'_> {
     /// The number of a place, in each lane the independent variable of the direction that it has there.
     #[inline(always)]
     pub fn seeded<J: Lanes>(&self, place: usize, value: f64, per_lane: usize) -> J {
-        J::seeded(
-            &|_| value,
-            &|lane, direction| match self {
-                Self::None => false,
-                Self::Each(places) => direction < per_lane && places.get(lane * per_lane + direction) == Some(&place),
-                Self::Pairs(pairs) => pairs.get(lane).is_some_and(|pair| pair[direction] == place),
+        match self {
+            Self::None => J::constant(value),
+            Self::Each(places) => match places.iter().position(|at| *at == place) {
+                None => J::constant(value),
+                Some(at) => {
+                    let (in_lane, in_direction) = (at / per_lane, at % per_lane);
+                    J::seeded(&|_| value, &|lane, direction| lane == in_lane && direction == in_direction, 0)
+                }
             },
-            0,
-        )
+            Self::Pairs(pairs) => {
+                let is_at =
+                    |lane: usize, direction: usize| pairs.get(lane).is_some_and(|pair| pair[direction] == place);
+                J::seeded(&|_| value, &is_at, 0)
+            }
+        }
     }
 }
 

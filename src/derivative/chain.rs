@@ -7,7 +7,7 @@ use super::pass::{MOST_PER_LANE, most_in_a_pass, put, read_launches};
 use crate::drive::{self, Struck};
 use crate::error::Result;
 use crate::flight::Inputs;
-use crate::number::{Derivatives, Jet, Lanes, Level, Mask, Mixed, Number, Task};
+use crate::number::{Derivatives, Jet, Lanes, Level, MOST_LANES, Mask, Mixed, Number, Task};
 
 /// By fewer parameters a flight may have more pairs of inputs than there are of these.
 pub(super) const MOST_INPUTS: usize = 24;
@@ -99,6 +99,9 @@ fn chain(taylor: &mut Taylor, by_inputs: &Taylor, inputs: &[&Taylor]) {
     };
     for (a, input) in inputs.iter().enumerate() {
         add(&mut taylor.gradient, by_inputs.gradient[a], &input.gradient);
+        if taylor.hessian.is_empty() {
+            continue;
+        }
         // how the slope by this input changes with the parameters
         let mut bent = vec![0.0; taylor.gradient.len()];
         for (b, other) in inputs.iter().enumerate().take(by_inputs.hessian.len()) {
@@ -155,9 +158,10 @@ impl Pass<'_> {
                 }
                 let changes = changes.get_or_insert_with(|| Changes::blank(&struck.inputs, &taylors[0]));
                 let mut inputs = changes.by_parameters.iter_mut();
+                let places: [&[usize]; MOST_LANES] = std::array::from_fn(|lane| directions.in_lane(lane, per_lane));
                 struck.inputs.map(|number| {
                     if let Some(input) = inputs.next() {
-                        (0..lanes).for_each(|lane| put(input, directions.in_lane(lane, per_lane), &number.lane(lane)));
+                        places.iter().take(lanes).enumerate().for_each(|(lane, at)| put(input, at, &number.lane(lane)));
                     }
                 });
                 read_launches(asked, &struck, lanes, |lane, outcome, number| {

@@ -45,7 +45,8 @@ impl<const K: usize, B: Lanes> Lanes for Jet<K, B> {
     }
     #[inline(always)]
     fn from_lanes(mut f: impl FnMut(usize) -> Self::Lane) -> Self {
-        let lanes: [Self::Lane; MOST] = std::array::from_fn(|i| if i < B::WIDTH { f(i) } else { Self::Lane::zero() });
+        let lanes: [Self::Lane; MOST_LANES] =
+            std::array::from_fn(|i| if i < B::WIDTH { f(i) } else { Self::Lane::zero() });
         Jet {
             re: B::from_lanes(|i| lanes[i].re),
             gradient: std::array::from_fn(|k| B::from_lanes(|i| lanes[i].gradient[k])),
@@ -60,4 +61,4 @@ impl<const K: usize, B: Lanes> Lanes for Jet<K, B> {
 }
 
 /// Lanes of the widest registers.
-const MOST: usize = 8;
+pub(crate) const MOST_LANES: usize = 8;

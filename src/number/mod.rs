@@ -28,7 +28,7 @@ mod vector;
 pub(crate) use derivatives::Derivatives;
 pub(crate) use inlined::inlined;
 pub use jet::{Jet, Mixed};
-pub(crate) use lanes::Lanes;
+pub(crate) use lanes::{Lanes, MOST_LANES};
 pub(crate) use level::{Level, Task};
 pub(crate) use linear::{SymmetricFactors, solve};
 pub use mask::Mask;
