@@ -173,6 +173,25 @@ impl Outcome {
         self.of(drive).ok().filter(|value| value.is_finite())
     }
 
+    /// Whether it is a direction all round: one that jumps from 180° to −180°.
+    fn is_a_direction(self) -> bool {
+        matches!(self, Self::LaunchDirection | Self::SpinAxis)
+    }
+
+    /// A value as it is compared with another, or averaged: a direction within half a turn of `reference`, so that differences and means
+    /// do not cross the jump from 180° to −180°. Every other outcome as it is.
+    ///
+    /// ```
+    /// use longdrive::Outcome;
+    /// let (value, reference) = (-179_f64.to_radians(), 179_f64.to_radians());
+    /// assert!((Outcome::SpinAxis.beside(value, reference).to_degrees() - 181.0).abs() < 1e-12);
+    /// assert_eq!(Outcome::Carry.beside(-3.0, 3.0), -3.0);
+    /// ```
+    pub fn beside(self, value: f64, reference: f64) -> f64 {
+        let turns = ((reference - value) / std::f64::consts::TAU).round();
+        if self.is_a_direction() && turns.is_finite() { value + turns * std::f64::consts::TAU } else { value }
+    }
+
     /// A value as a person reads it.
     pub fn show(self, value: f64) -> String {
         self.quantity().show(value, self.unit())

@@ -119,7 +119,7 @@ impl NoFlight {
                 let degrees = launch_angle.to_degrees();
                 Message::from(format!(
                     "no flight: the ball leaves at {degrees:.3}°, which is not above the horizontal, and the ground is not below the ball; \
-                     increase the launch angle (by more loft or attack angle), or lower ground.height"
+                     increase the launch angle (with a club: by more loft or attack angle), or lower ground.height"
                 ))
             }
             Self::BelowGround { apex_height, ground_height } => {

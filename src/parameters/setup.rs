@@ -250,7 +250,11 @@ impl Setup<f64> {
         match self.value(parameter) {
             Some(value) if value.is_finite() => Ok(parameter),
             Some(_) => refuse("it is infinite (a flat face) here; give it a finite value with --set".into()),
-            None => refuse(format!("it is unset here ({}); give it a value with --set", parameter.doc)),
+            None => {
+                let meaning = parameter.doc.split_once("unset: ").map_or(parameter.doc, |(_, meaning)| meaning);
+                let meaning = meaning.trim_end_matches('.');
+                refuse(format!("it is unset here, which means: {meaning}; give it a value with --set"))
+            }
         }
     }
 

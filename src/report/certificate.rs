@@ -2,6 +2,7 @@ use super::lines::{broken, by_reason, item, paragraph};
 use super::table::table;
 use super::{Reply, json, shown};
 use crate::derivative::check::{Check, Point, Verdict};
+use crate::drive::Outcome;
 use crate::reproduce::LoopRow;
 use crate::study::certificate::{Certificate, Convergence, Row, StepError};
 use crate::units::{Message, System, counted, counted_of, fixed, significant};
@@ -69,7 +70,9 @@ impl CertificateReport {
     pub fn reply(certificate: &Certificate, loops: &[LoopRow], warnings: Vec<Message>) -> Reply<Self> {
         let missing = by_reason(certificate.missing.iter().map(|(of, why)| (of.name(), why.to_string())));
         let missing = missing.iter().map(|line| format!("left out: {line}"));
-        let message = stopped(certificate).into_iter().chain(missing).collect::<Vec<_>>().join("; ");
+        let failed = certificate.failures();
+        let failed = (!failed.is_empty()).then(|| format!("failed: {}", failed.join("; ")));
+        let message = stopped(certificate).into_iter().chain(failed).chain(missing).collect::<Vec<_>>().join("; ");
         let message = (!message.is_empty()).then_some(message);
         let status = match (certificate.stopped, certificate.passed()) {
             (Some(_), _) => "interrupted",
@@ -198,6 +201,9 @@ pub fn certificate_text(certificate: &Certificate, loops: &[LoopRow], system: Sy
     for row in certificate.rows.iter().filter(|row| row.verdict() == Verdict::Corner) {
         text += &corner_text(row);
     }
+    for row in &certificate.rows {
+        text += &second_text(row);
+    }
     text += &landing_text(certificate);
     for found in &certificate.continuity {
         let show = |values: [f64; 3]| values.map(|value| format!("{value:.0e}")).join(", ");
@@ -217,10 +223,14 @@ pub fn certificate_text(certificate: &Certificate, loops: &[LoopRow], system: Sy
         text += &convergence_text(found);
     }
     for planted in &certificate.planted {
-        let verdict = if planted.rows == 0 { "not checked" } else { verdict_of(planted.is_caught()) };
         let (name, caught, rows) = (planted.plant.name(), planted.caught, planted.rows);
         let of_rows = counted_of(caught as u64, rows as u64, ["row", "rows"]);
-        text += &format!("  {verdict}: the planted error \"{name}\" is found in {of_rows}\n");
+        text += &match rows {
+            0 => format!(
+                "  not checked: the planted error \"{name}\": there is no row that passed and that it changes\n"
+            ),
+            _ => format!("  {}: the planted error \"{name}\" is found in {of_rows}\n", verdict_of(planted.is_caught())),
+        };
     }
     text += &step_text(&certificate.step);
     for line in by_reason(certificate.not_examined.iter().map(|it| (it.check.as_str(), it.reason.to_owned()))) {
@@ -237,7 +247,8 @@ pub fn certificate_text(certificate: &Certificate, loops: &[LoopRow], system: Sy
     let ending = match (stopped(certificate), certificate.passed()) {
         (Some(stopped), _) => format!("interrupted: {stopped}: {counts}"),
         (None, true) => format!("passed: {counts}"),
-        (None, false) => format!("FAILED: {counts}"),
+        (None, false) if certificate.rows.is_empty() => "FAILED: there is no derivative to verify".into(),
+        (None, false) => format!("FAILED: {}; derivatives: {counts}", certificate.failures().join("; ")),
     };
     format!("{}\n{}", broken(&text), paragraph(&ending))
 }
@@ -263,6 +274,22 @@ fn corner_text(row: &Row) -> String {
     format!("  {of} has a corner in {parameter}: {slopes}\n")
 }
 
+/// What a second derivative fails by where the first passes, which is what the table shows.
+fn second_text(row: &Row) -> String {
+    let Some(second) = row.second.as_ref().filter(|it| it.verdict == Verdict::Fail) else { return String::new() };
+    if row.first.verdict != Verdict::Pass {
+        return String::new();
+    }
+    format!(
+        "  fail: the second derivative of {} by {} is {} (SI); its difference from the numerical derivative is {:.0e} (allowed: {:.0e}). The first passes.\n",
+        row.of.name(),
+        row.parameter.name,
+        significant(second.exact, 8),
+        second.error,
+        second.bar,
+    )
+}
+
 fn rows_text(rows: &[Row]) -> String {
     let head = ["outcome", "by", "verdict", "exact (SI)", "error", "allowed", "Taylor slopes"];
     let rows = rows.iter().map(|row| {
@@ -275,7 +302,10 @@ fn rows_text(rows: &[Row]) -> String {
         vec![
             row.of.name().into(),
             row.parameter.name.into(),
-            row.verdict().name().into(),
+            match (row.verdict(), check.verdict) {
+                (Verdict::Fail, Verdict::Pass) => "fail (second)".into(),
+                (verdict, _) => verdict.name().into(),
+            },
             significant(exact, 8),
             relative(check.error),
             relative(check.bar),
@@ -321,7 +351,9 @@ fn landing_text(certificate: &Certificate) -> String {
 fn loops_text(loops: &[LoopRow]) -> String {
     let off =
         |row: &&LoopRow| row.small_difference().map_or(0.0, |it| (it - row.check.exact).abs() / row.check.exact.abs());
-    let telling = loops.iter().filter(|row| row.check.exact != 0.0);
+    let carry = (Outcome::Carry.quantity(), Outcome::Carry.unit());
+    let is_rounding = |row: &LoopRow| shown::settled(row.check.exact, 0.0, carry, &[row.parameter]) == 0.0;
+    let telling = loops.iter().filter(|row| !is_rounding(row) && row.small_difference().is_some());
     let Some(worst) = telling.max_by(|a, b| off(a).total_cmp(&off(b))) else { return String::new() };
     let passed = loops.iter().filter(|row| row.check.verdict == Verdict::Pass).count();
     format!(

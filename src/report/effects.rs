@@ -101,6 +101,11 @@ pub fn effects_text(effects: &Effects, totals: Option<&Totals>, system: System) 
             shown::spread(of, effects.standard_uncertainty(), system),
             shown::spread(of, effects.linearity(), system),
         ));
+        let without: Vec<&str> =
+            effects.effects.iter().filter(|effect| is_without(effects, effect)).map(|e| e.parameter.name).collect();
+        if !without.is_empty() {
+            text += &item(&format!("{} does not depend on {} here", of.name(), without.join(", ")));
+        }
         let source = |bar: &Bar| Some((bar.sigma.parameter.name, bar.sigma.source?.to_owned()));
         for line in by_reason(bars.iter().filter_map(source)) {
             text += &item(&format!("default of {line}"));
@@ -110,6 +115,17 @@ pub fn effects_text(effects: &Effects, totals: Option<&Totals>, system: System) 
     let head: Vec<&str> = head.collect();
     let right: Vec<usize> = (1..head.len()).collect();
     text + &format!("\n{}", table(&head, &right, effects.effects.iter().map(slopes)))
+}
+
+/// Whether an outcome does not depend on a parameter with an uncertainty: neither by its derivatives nor in the drives flown.
+fn is_without(effects: &Effects, effect: &Effect) -> bool {
+    let Some(Bar { sigma, second_order: Some(second), flown: [Some(below), Some(above)], .. }) = effect.bar else {
+        return false;
+    };
+    let curvature = 2.0 * second / (sigma.value * sigma.value);
+    let (of, value) = (effects.of, effects.value);
+    let is_moved = [below, above].into_iter().any(|by| !shown::is_rounding(of, value, by));
+    !is_moved && !shown::depends(of, value, effect.parameter, effect.gradient, curvature)
 }
 
 fn bar_cells(bar: &Bar, of: Outcome, system: System) -> Vec<String> {

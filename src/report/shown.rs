@@ -115,6 +115,17 @@ pub(super) fn settled(slope: f64, value: f64, of: (Quantity, &str), by: &[&Param
     if change < ROUNDING * value.abs().max(one(of.0, of.1)) { 0.0 } else { slope }
 }
 
+/// Whether a change of an outcome of this value is rounding.
+pub(super) fn is_rounding(of: Outcome, value: f64, change: f64) -> bool {
+    settled(change, value, (of.quantity(), of.unit()), &[]) == 0.0
+}
+
+/// Whether an outcome depends on a parameter where it has this value, slope and second derivative: one of the two is more than rounding.
+pub(super) fn depends(of: Outcome, value: f64, by: &Parameter, slope: f64, curvature: f64) -> bool {
+    let outcome = (of.quantity(), of.unit());
+    settled(slope, value, outcome, &[by]) != 0.0 || settled(curvature, value, outcome, &[by, by]) != 0.0
+}
+
 /// A derivative of an outcome of this value by a parameter, in the units of a system: "2.11 yd per deg".
 pub(super) fn slope(of: Outcome, value: f64, by: &Parameter, slope: f64, system: System, digits: usize) -> String {
     let outcome = (of.quantity(), of.unit());

@@ -170,7 +170,12 @@ fn outcome_text(outcome: &OutcomeUncertainty, found: &Uncertainty, system: Syste
     if !outcome.varies() {
         let given = if found.inputs.len() == 1 { "the uncertain parameter" } else { "any of the uncertain parameters" };
         let mean = value(sampled.mean.value);
-        return format!("\n{} is {mean} in every drive: it does not depend on {given}\n", of.name());
+        let why = if depends(outcome, found) {
+            "it varies by less than rounding, since the uncertainty is so small".to_owned()
+        } else {
+            format!("it does not depend on {given}")
+        };
+        return format!("\n{} is {mean} in every drive: {why}\n", of.name());
     }
     rows.push(vec![
         "by the sample (95 % interval)".into(),
@@ -213,6 +218,14 @@ fn outcome_text(outcome: &OutcomeUncertainty, found: &Uncertainty, system: Syste
         ));
     }
     text
+}
+
+/// Whether the outcome depends on any of the uncertain parameters at their means; also where it is not known not to.
+fn depends(outcome: &OutcomeUncertainty, found: &Uncertainty) -> bool {
+    let Some(at) = &outcome.at_means else { return true };
+    let curvature = |k: usize| at.hessian.get(k).map_or(0.0, |row| row[k]);
+    let mut inputs = found.inputs.iter().enumerate();
+    inputs.any(|(k, input)| shown::depends(outcome.of, at.value, input.parameter, at.gradient[k], curvature(k)))
 }
 
 fn ellipses_text(found: &Uncertainty, system: System) -> String {

@@ -88,7 +88,9 @@ pub fn effects(
                     .as_ref()
                     .map(|all| 0.5 * all[i].hessian[0][0] * sigma.value * sigma.value)
                     .filter(|moved| moved.is_finite()),
-                flown: flown.each_ref().map(|values| values.as_ref().map(|values| values[i] - taylors[i].value)),
+                flown: flown
+                    .each_ref()
+                    .map(|values| values.as_ref().map(|values| change(of[i], taylors[i].value, values[i]))),
             });
         }
         progress(done + 1, sigmas.len());
@@ -110,6 +112,11 @@ pub fn effects(
         Effects { of: *of, value, effects }
     };
     Ok(of.iter().enumerate().map(effects).collect())
+}
+
+/// From one value of an outcome to another.
+fn change(of: Outcome, from: f64, to: f64) -> f64 {
+    of.beside(to, from) - from
 }
 
 /// What effects are ranked by: a bar before none, then the size.

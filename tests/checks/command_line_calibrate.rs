@@ -130,3 +130,26 @@ fn a_parameter_that_every_row_gives_is_not_set() {
     // what is fitted begins there
     assert_eq!(longdrive(&[&asked[..], &["--set", "aero.cd0=0.3"]].concat()).status, 0);
 }
+
+#[test]
+fn the_ends_of_an_interval_are_shown_apart_however_small_it_is() {
+    let head = "ball_speed [m/s],launch_angle [rad],backspin [rad/s],carry [m]";
+    let text = format!("{head}\n70,0.17,260,234.2245103735799\n60,0.2,300,191.61067820714257\n");
+    let (_folder, path) = crate::sweep::table("exact.csv", text);
+    let said = longdrive(&["calibrate", path.to_str().unwrap(), "--fit", "air.viscosity"]);
+    let row = said.out.lines().find(|line| line.contains("air.viscosity  ")).unwrap();
+    let (before, after) = row.split_once(" .. ").unwrap();
+    let low = before.rsplit("  ").next().unwrap();
+    assert!(said.status == 0 && low.trim() != after.trim(), "{row}");
+}
+
+#[test]
+fn rows_that_do_not_fly_are_told_by_an_example_and_without_a_club_that_is_not_there() {
+    let head = "ball_speed [mph],launch_angle [deg],backspin [rpm],carry [yd]";
+    let text = format!("{head}\n160,10,2500,250\n150,11,2500,240\n160,-3,2500,250\n150,-4,2500,240\n");
+    let (_folder, path) = crate::sweep::table("down.csv", text);
+    let said = longdrive(&["calibrate", path.to_str().unwrap(), "--fit", "aero.cd0"]);
+    let words = said.err.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(words.contains("rows 3, 4, for example row 3: no flight"), "{words}");
+    assert!(words.contains("increase the launch angle (with a club: by more loft or attack angle)"), "{words}");
+}

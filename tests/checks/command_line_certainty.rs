@@ -183,3 +183,68 @@ fn rounding_is_shown_as_0_in_texts_and_kept_in_json() {
     let kept = answer["outcomes"][0]["gradient"]["swing.attack_angle"].as_f64().unwrap();
     assert!(kept != 0.0 && kept.abs() < 1e-9, "{kept}");
 }
+
+#[test]
+fn a_certificate_that_fails_names_what_failed() {
+    let ground = ["--set", "ground.height=-10000m", "--wrt", "ground.height", "--of", "landing_speed"];
+    let wind = ["verify", "--set", "aero.law=ferguson", "--set", "wind.roughness=10000mm"];
+    let said = longdrive(&[&wind[..], &ground].concat());
+    let words = said.out.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert_eq!(said.status, 1);
+    assert!(words.contains("fail (second)"), "{words}");
+    assert!(words.contains("fail: the second derivative of landing_speed by ground.height is "), "{words}");
+    let ending = "FAILED: second derivatives (landing_speed by ground.height); derivatives: 1 fail, 0 corner, 0 pass";
+    assert!(words.ends_with(ending), "{words}");
+    assert!(words.contains("not checked: the planted error \"sign\": there is no row"), "{words}");
+}
+
+#[test]
+fn the_order_of_convergence_does_not_depend_on_the_step_of_the_setup() {
+    let asked = ["verify", "--set", "aero.law=linear", "--of", "landing_speed", "--wrt", "club.loft,swing.speed"];
+    for step in ["flight.step=0.5s", "flight.step=10ms"] {
+        let (status, found) = json(&[&asked[..], &["--set", step]].concat());
+        let [value, gradient] = [0, 1].map(|which| number(&found["convergence"][0]["orders"][which]));
+        assert!(status == 0 && value > 3.25 && gradient > 3.25, "{step}: {value} {gradient}");
+    }
+}
+
+#[test]
+fn an_uncertainty_without_effect_is_told_apart_from_one_that_is_too_small() {
+    let without = ["sensitivity", "--of", "ball_speed", "--sigma", "air.density=1%", "--no-defaults"];
+    let said = longdrive(&without);
+    assert!(said.status == 0 && said.out.contains("ball_speed does not depend on air.density here"), "{}", said.out);
+    let small = ["--of", "carry", "--sigma", "swing.speed=1e-13mph"];
+    let said = longdrive(&[&["sensitivity", "--no-defaults"], &small[..]].concat());
+    assert!(said.status == 0 && !said.out.contains("does not depend"), "{}", said.out);
+    let said = longdrive(&[&["uncertainty", "--samples", "50"], &small[..]].concat());
+    assert!(said.status == 0 && said.out.contains("it varies by less than rounding"), "{}", said.out);
+    assert!(!said.out.contains("does not depend"), "{}", said.out);
+}
+
+#[test]
+fn a_parameter_that_is_unset_is_named_with_what_that_means() {
+    let launch = ["--launch", "ball_speed=160mph,launch_angle=10deg,backspin=2500rpm"];
+    let said = longdrive(&[&["verify", "--wrt", "launch.sidespin"], &launch[..]].concat());
+    assert!(said.status == 2 && said.err.contains("unset here, which means: 0; give it a value"), "{}", said.err);
+}
+
+#[test]
+fn the_while_loop_is_compared_only_where_it_has_a_difference() {
+    let launch = ["--launch", "ball_speed=160mph,launch_angle=10deg,spin=0rpm"];
+    for wrt in ["launch.spin", "launch.spin,aero.s_cap,launch.ball_speed"] {
+        let said = longdrive(&[&["verify", "--wrt", wrt], &launch[..]].concat());
+        let words = said.out.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(!words.contains("– at a step of") && !words.contains("is by aero.s_cap"), "{words}");
+        assert_eq!(words.contains("the largest error is by launch.ball_speed"), wrt.contains("ball_speed"), "{words}");
+    }
+}
+
+#[test]
+fn a_number_without_a_unit_is_not_told_where_the_command_line_replaces_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("mine.toml");
+    std::fs::write(&path, "[launch]\nball_speed = 70\nlaunch_angle = 0.2\nbackspin = 250\n").unwrap();
+    let said = longdrive(&["simulate", path.to_str().unwrap(), "--launch", "ball_speed=160mph,spin=2500rpm"]);
+    assert!(said.status == 0 && said.err.contains("launch.launch_angle = 0.2 rad"), "{}", said.err);
+    assert!(!said.err.contains("launch.ball_speed") && !said.err.contains("launch.backspin"), "{}", said.err);
+}

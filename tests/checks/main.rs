@@ -14,6 +14,7 @@ mod command_line_text;
 mod command_line_units;
 mod common;
 mod derivatives;
+mod directions;
 mod documents;
 mod fast_paths;
 mod flight;

@@ -13,28 +13,38 @@ impl Question {
     /// The setup asked about: a preset or a file, with the overrides applied, checked.
     pub fn setup(&self) -> Result<Setup<f64>> {
         let (mut setup, without_unit) = self.base()?;
-        if !without_unit.is_empty() {
-            let read = without_unit.iter().map(|parameter| {
-                let value = setup.value(parameter).unwrap_or_default();
-                format!("{} = {}", parameter.name, parameter.quantity.show(value, parameter.quantity.si))
-            });
-            tell(&format!("note: {}: read as SI, without a unit: {}", self.setup, read.collect::<Vec<_>>().join(", ")));
-        }
         let settings = self.set.iter().map(|text| split("--set", text)).collect::<Result<Vec<_>>>()?;
         let launch = self.conditions(&setup, &settings)?;
         for (condition, _) in &launch {
             setup.replace_spin(condition);
         }
+        let is_replaced = |name: &str| {
+            settings.iter().any(|(set, _)| *set == name) || launch.iter().any(|(condition, _)| condition.name == name)
+        };
+        let read: Vec<_> = without_unit.into_iter().filter(|parameter| !is_replaced(parameter.name)).collect();
         setup.set_all(settings)?;
         for (condition, value) in launch {
             setup.set(condition.name, value)?;
         }
+        self.tell_read_as_si(&setup, &read);
         setup.validate()?;
         if setup.launch.is_given() {
             self.refuse_club(&setup, "the drive is given by its launch")?;
             self.tell_unused()?;
         }
         Ok(setup)
+    }
+
+    /// Says what of a setup file stands without a unit, as far as the drive is given by it.
+    fn tell_read_as_si(&self, setup: &Setup<f64>, without_unit: &[&'static Parameter]) {
+        let read = without_unit.iter().filter_map(|parameter| {
+            let value = setup.value(parameter)?;
+            Some(format!("{} = {}", parameter.name, parameter.quantity.show(value, parameter.quantity.si)))
+        });
+        let read: Vec<_> = read.collect();
+        if !read.is_empty() {
+            tell(&format!("note: {}: read as SI, without a unit: {}", self.setup, read.join(", ")));
+        }
     }
 
     /// The conditions of `--launch` with their values, each given once on the command line. They come in place of those of the setup.

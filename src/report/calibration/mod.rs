@@ -48,7 +48,7 @@ impl CalibrationReport<'_> {
                 format!("{}; not made for the held-out error: {of_all}", fit.message)
             }
             _ => format!(
-                "interrupted and left out of the held-out error: {of_all}; the fit itself: {}, {}",
+                "the held-out error leaves out the fits that were stopped: {of_all}; the fit itself: {}, {}",
                 fit.status, fit.message
             ),
         }
@@ -67,6 +67,11 @@ fn to_its_error(quantity: Quantity, unit: &str, value: f64, standard_error: Opti
     match decimals {
         Some(decimals @ 0.0..=9.0) => {
             format!("{} {unit}", fixed(value / size, decimals as usize)).trim_end().to_owned()
+        }
+        // a number far from 1: the same digits, with a power of ten
+        Some(decimals) if value != 0.0 => {
+            let digits = (value / size).abs().log10().floor() + decimals + 1.0;
+            format!("{} {unit}", significant(value / size, digits.clamp(4.0, 17.0) as usize)).trim_end().to_owned()
         }
         _ => quantity.show(value, unit),
     }

@@ -54,7 +54,7 @@ impl Group {
         let Self { rows, reason, is_same, .. } = self;
         let first = rows.first().copied().unwrap_or_default();
         let rows = numbered(rows);
-        if *is_same { format!("{rows}: {reason}") } else { format!("{rows}: as row {first}, {reason}") }
+        if *is_same { format!("{rows}: {reason}") } else { format!("{rows}, for example row {first}: {reason}") }
     }
 }
 
@@ -110,7 +110,7 @@ mod tests {
             |angle: &str| Error::NoFlight { reason: format!("no flight: the ball leaves at {angle}").as_str().into() };
         let told = refusal(&[(2, no_flight("-3.5 deg")), (5, no_flight("-1 deg")), (6, diverged(1.0))]);
         assert!(
-            told.contains("rows 2, 5: as row 2, no flight: the ball leaves at -3.5 deg; row 6: the flight"),
+            told.contains("rows 2, 5, for example row 2: no flight: the ball leaves at -3.5 deg; row 6: the flight"),
             "{told}"
         );
         assert!(told.contains("take them out"), "{told}");

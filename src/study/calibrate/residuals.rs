@@ -78,9 +78,10 @@ impl ShotResiduals<'_> {
             let order = if self.fitted.is_empty() { Order::Value } else { Order::First };
             let asked = Evaluator::new(&setup, &of, &self.fitted, order)?;
             for (taylor, measurement) in asked.at(&values)?.into_iter().zip(&shot.measured) {
-                let residual = (taylor.value - measurement.value) / measurement.sigma;
+                let computed = measurement.outcome.beside(taylor.value, measurement.value);
+                let residual = (computed - measurement.value) / measurement.sigma;
                 if residual.abs() > TOO_FAR {
-                    return Err(too_far(measurement, taylor.value));
+                    return Err(too_far(measurement, computed));
                 }
                 rows.push((residual, taylor.gradient.iter().map(|d| d / measurement.sigma).collect()));
             }

@@ -76,7 +76,7 @@ pub(super) fn convergence_to(
         return Ok(vec![]);
     }
     let drive = Drive::new(setup)?;
-    let time = drive.landed()?.flight_time;
+    let Some(time) = fine_flight_time(setup, drive.landed()?.flight_time) else { return Ok(vec![]) };
     let fading = fading(setup, &drive);
     let at = |steps: u32| {
         let mut setup = *setup;
@@ -128,6 +128,14 @@ pub(super) fn convergence_to(
         }
     };
     Ok(of.iter().enumerate().map(convergence).collect())
+}
+
+/// The flight time in steps as short as the reference's. That of a long step of the setup may be off by a part of the steps compared here, which then
+/// end just before or after the landing.
+fn fine_flight_time(setup: &Setup<f64>, about: f64) -> Option<f64> {
+    let mut setup = *setup;
+    setup.flight.step = about / f64::from(REFERENCE);
+    Some(Drive::new(&setup).ok()?.landed().ok()?.flight_time)
 }
 
 /// The orders of value and gradient: the method's, as far as the polynomial of degree 7 between the steps goes: h⁸ in a position and h⁷ in

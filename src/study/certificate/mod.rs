@@ -27,6 +27,9 @@ use crate::units::Message;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
+/// So many of what failed in a part are named.
+const NAMED: usize = 3;
+
 /// An outcome without derivatives, and why.
 pub type Missing = (Outcome, Message);
 
@@ -67,13 +70,45 @@ pub struct Certificate {
 impl Certificate {
     /// Whether there was something to certify, it was looked at to the end, nothing failed, and every planted error was caught.
     pub fn passed(&self) -> bool {
-        !self.rows.is_empty()
-            && self.stopped.is_none()
-            && self.rows.iter().all(|row| row.verdict() != Verdict::Fail)
-            && self.landing.iter().all(|row| row.check.verdict != Verdict::Fail)
-            && self.continuity.iter().all(Continuity::passed)
-            && self.convergence.iter().all(Convergence::passed)
-            && self.caught()
+        !self.rows.is_empty() && self.stopped.is_none() && self.failures().is_empty()
+    }
+
+    /// The parts that failed, in words: "convergence with the time step (landing_speed)"; empty where none did.
+    pub fn failures(&self) -> Vec<String> {
+        fn part(name: &str, failed: impl Iterator<Item = String>) -> Option<String> {
+            let all: Vec<String> = failed.collect();
+            let shown = all[..all.len().min(NAMED)].join(", ");
+            let others = all.len().saturating_sub(NAMED);
+            let others = if others > 0 { format!(" and {others} more") } else { String::new() };
+            (!all.is_empty()).then(|| format!("{name} ({shown}{others})"))
+        }
+        let of = |of: Outcome| of.name().to_owned();
+        let second = |row: &&Row| row.verdict() == Verdict::Fail && row.first.verdict == Verdict::Pass;
+        let by = |row: &Row| format!("{} by {}", row.of.name(), row.parameter.name);
+        let parts = [
+            part("first derivatives", self.rows.iter().filter(|row| row.first.verdict == Verdict::Fail).map(by)),
+            part("second derivatives", self.rows.iter().filter(second).map(by)),
+            part(
+                "the landing as an implicit function",
+                self.landing
+                    .iter()
+                    .filter(|row| row.check.verdict == Verdict::Fail)
+                    .map(|row| format!("{} by {}", row.of.name(), row.parameter.name)),
+            ),
+            part(
+                "smoothness where the number of time steps changes",
+                self.continuity.iter().filter(|found| !found.passed()).map(|found| of(found.of)),
+            ),
+            part(
+                "convergence with the time step",
+                self.convergence.iter().filter(|found| !found.passed()).map(|found| of(found.of)),
+            ),
+            part(
+                "planted errors that were not found",
+                self.planted.iter().filter(|it| !it.is_caught()).map(|it| format!("\"{}\"", it.plant.name())),
+            ),
+        ];
+        parts.into_iter().flatten().collect()
     }
 
     /// Whether every planted error was caught wherever it was planted.

@@ -64,15 +64,17 @@ pub(super) fn rows(
     let evaluator = |order| Evaluator::new(setup, of, &[parameter], order);
     let (values, gradients) = (evaluator(Order::Value)?, evaluator(Order::First)?);
     let curvatures = evaluate(setup, of, &[parameter], Order::Second).ok();
-    let told = |taylors: Result<Vec<Taylor>>, f: fn(&Taylor) -> f64| {
-        taylors.map_or(vec![f64::NAN; of.len()], |all| all.iter().map(f).collect())
+    let own: Vec<f64> = of.iter().map(|of| of.value(drive).unwrap_or_default()).collect();
+    let told = |taylors: Result<Vec<Taylor>>, f: &dyn Fn(usize, &Taylor) -> f64| {
+        taylors.map_or(vec![f64::NAN; of.len()], |all| all.iter().enumerate().map(|(i, taylor)| f(i, taylor)).collect())
     };
-    let of_values = Ladder::sample(at, scale, STEPS, |x| told(values.at(&[x]), |taylor| taylor.value));
+    let beside = |i: usize, taylor: &Taylor| of[i].beside(taylor.value, own[i]);
+    let of_values = Ladder::sample(at, scale, STEPS, |x| told(values.at(&[x]), &beside));
     let of_values: Vec<Ladder> =
         of_values.into_iter().zip(of).map(|(ladder, of)| ladder.rounded_as(size(*of, setup, drive))).collect();
     let curvature = |i: usize| curvatures.as_ref().map(|taylors| taylors[i].hessian[0][0]);
     let seconds = in_few_steps(
-        |steps| Ladder::sample(at, scale, steps, |x| told(gradients.at(&[x]), |taylor| taylor.gradient[0])),
+        |steps| Ladder::sample(at, scale, steps, |x| told(gradients.at(&[x]), &|_, taylor| taylor.gradient[0])),
         |(i, gradients)| {
             let (size, rounded) = (of_values[i].size / scale, of_values[i].rounded / scale);
             curvature(i).map(|d| gradients.made_of(size).rounded_as(rounded).judge(d, Demand::SECOND))

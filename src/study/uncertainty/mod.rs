@@ -47,6 +47,8 @@ pub struct Uncertainty {
 pub struct OutcomeUncertainty {
     /// The outcome.
     pub of: Outcome,
+    /// Its value, gradient and Hessian by the uncertain parameters at their means; `None` where the drive there has none.
+    pub at_means: Option<Taylor>,
     /// By the gradient, and by gradient and Hessian, at the means; `None` where the drive there has none.
     pub delta: Option<(Moments, Option<Moments>)>,
     /// By flying; `None` where no drive of the sample has the outcome.
@@ -76,7 +78,7 @@ pub struct SampledEllipse {
 }
 
 impl OutcomeUncertainty {
-    /// Whether the outcome varies with what is uncertain; where it does not, it is the same in every drive of the sample.
+    /// Whether the outcome varies by more than rounding; where it does not, it is the same in every drive of the sample.
     pub fn varies(&self) -> bool {
         self.sampled.as_ref().is_none_or(|sampled| sampled.deviation.value > 0.0)
     }
@@ -139,9 +141,15 @@ pub fn uncertainty(
     let at_means = at_means(setup, of, inputs);
     let column =
         |blocks: &[crate::batch::Block], i: usize| blocks.iter().flat_map(|block| block.result(i)).collect::<Vec<_>>();
+    // directions within half a turn of the one at the means or, where there is none, of the first of the sample
+    let column_of = |blocks: &[crate::batch::Block], i: usize| {
+        let first = || column(&sets[0], i).into_iter().flatten().next();
+        let reference = at_means[i].as_ref().map(|taylor| taylor.value).or_else(first).unwrap_or_default();
+        column(blocks, i).into_iter().map(|value| Some(of[i].beside(value?, reference))).collect::<Vec<_>>()
+    };
     let of_len = of.len();
     let outcome = |(i, of): (usize, &Outcome)| {
-        let sampled = design.statistics(&sets.iter().map(|blocks| column(blocks, i)).collect::<Vec<_>>());
+        let sampled = design.statistics(&sets.iter().map(|blocks| column_of(blocks, i)).collect::<Vec<_>>());
         let slopes = inputs.iter().enumerate().map(|(k, input)| {
             // the outcomes' columns, then those of their derivatives
             let derivatives = column(&sets[0], of_len + i * inputs.len() + k);
@@ -150,6 +158,7 @@ pub fn uncertainty(
         });
         OutcomeUncertainty {
             of: *of,
+            at_means: at_means[i].clone(),
             delta: at_means[i].as_ref().map(|taylor| delta_method(taylor, &distributions)).and_then(existing),
             slopes: slopes.collect(),
             sampled,
