@@ -137,7 +137,7 @@ fn a_launch_on_the_command_line_and_in_a_table_is_the_same() {
         (vec!["simulate", "--launch", "ball_speed=167"], "has no unit"),
         (vec!["simulate", "--launch", "ball_speed"], "write NAME=VALUE"),
         (vec!["simulate", "--launch", "ball_speed=60m/s,ball_speed=70m/s"], "keep one of the two"),
-        (vec!["optimize", "--launch", launch], "no club strikes the ball"),
+        (vec!["optimize", "--launch", launch], "--vary launch.launch_angle=5deg..20deg"),
         (vec!["calibrate", "examples/shots.csv", "--fit", "aero.cd0", "--launch", launch], "from columns of the table"),
     ] {
         let said = longdrive(&args);
