@@ -228,7 +228,7 @@ fn a_place_that_cannot_be_written_is_told_in_own_words() {
         (vec!["calibrate", &shots, "--fit", "aero.cd0", "-o", "-"], "does not write to standard output; name a file"),
         (vec!["report", "-o", "-"], "does not write to standard output; name a folder"),
         ([&sweep[..], &["-o", "/dev/stdout"]].concat(), "it is standard output; write -o -"),
-        ([&sweep[..], &["--overwrite"]].concat(), "--overwrite replaces a file, and standard output is none"),
+        ([&sweep[..], &["--overwrite"]].concat(), "--overwrite replaces a file, and the rows go to standard output"),
         (vec!["calibrate", &shots, "--fit", "aero.cd0", "--overwrite"], "--output <FILE>|--plot <DIR>"),
     ] {
         let before = files(folder.path());

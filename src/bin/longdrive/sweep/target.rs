@@ -27,7 +27,7 @@ impl Target {
         }
         if target.is_standard_output() && args.overwrite {
             return refuse(
-                "--overwrite replaces a file, and standard output is none; name a file with -o, or leave --overwrite out",
+                "--overwrite replaces a file, and the rows go to standard output; name a file with -o, or leave --overwrite out",
             );
         }
         let ending = target.path.extension().and_then(|ending| ending.to_str()).unwrap_or_default().to_lowercase();
