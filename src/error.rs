@@ -1,6 +1,6 @@
 //! What can be wrong with a question, and what can keep a drive from having an answer.
 
-use crate::foreign::of_io;
+use crate::foreign::{of_io, of_write};
 use crate::units::{Digits, Message, Quantity, System, significant};
 
 /// `Result` with longdrive's [`enum@Error`].
@@ -236,7 +236,7 @@ pub enum Error {
         reason: String,
     },
     /// An answer that could not be written.
-    #[error("cannot write the answer: {0}")]
+    #[error("cannot write the answer: {}", of_write(.0))]
     Output(std::io::Error),
     /// A plot that cannot be drawn.
     #[error("the plot '{name}': {reason}")]
@@ -314,6 +314,11 @@ impl Error {
             .max_by(|a, b| a.0.total_cmp(&b.0))
             .map(|(_, known)| known.to_owned());
         Self::Unknown { what, name: name.into(), suggestion, advice: advice.into() }
+    }
+
+    /// Why a file cannot be written, in words: "the disk is full".
+    pub fn why_unwritten(error: &std::io::Error) -> String {
+        of_write(error)
     }
 
     /// The error with computed quantities in the units of a system; what was given is named as it was given.

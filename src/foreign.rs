@@ -112,6 +112,23 @@ pub(crate) fn of_io(error: &std::io::Error) -> String {
     format!("it cannot be read ({why})")
 }
 
+/// Why a file cannot be written. What this program says itself stays as it is.
+pub(crate) fn of_write(error: &std::io::Error) -> String {
+    use std::io::ErrorKind;
+    let why = match error.kind() {
+        _ if error.raw_os_error().is_none() && error.get_ref().is_some() => return error.to_string(),
+        ErrorKind::NotFound => "no file can be made there",
+        ErrorKind::PermissionDenied => "the permissions do not allow it",
+        ErrorKind::ReadOnlyFilesystem => "the disk is read-only",
+        ErrorKind::StorageFull => "the disk is full",
+        ErrorKind::QuotaExceeded => "your share of the disk is used up",
+        ErrorKind::IsADirectory => "it is a folder",
+        ErrorKind::FileTooLarge => "it is larger than the disk or the system allows",
+        _ => return format!("the system says: {error}"),
+    };
+    why.into()
+}
+
 /// The number of the first line in which a quote is opened and not closed.
 pub(crate) fn unclosed_quote(text: impl std::io::BufRead) -> Option<usize> {
     let is_odd = |line: &Vec<u8>| line.iter().filter(|byte| **byte == b'"').count() % 2 == 1;

@@ -3,6 +3,7 @@
 use super::observer::Snapshot;
 use super::solution::Solution;
 use crate::error::{Error, Result};
+use crate::foreign::{of_io, of_write};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::io::Write;
@@ -47,12 +48,13 @@ impl Checkpoint {
             ));
         }
         let content = match std::fs::read_to_string(path) {
-            Ok(text) => serde_json::from_str(&text)
-                .map_err(|e| refuse(format!("it is not a checkpoint of a search ({e}); name another file")))?,
+            Ok(text) => serde_json::from_str(&text).map_err(|_| {
+                refuse("it is not a checkpoint of a search, or it is damaged; name another file".into())
+            })?,
             Err(error) if error.kind() == std::io::ErrorKind::NotFound => {
                 Content { question: question.into(), runs: BTreeMap::new() }
             }
-            Err(error) => return Err(refuse(format!("it cannot be read ({error})"))),
+            Err(error) => return Err(refuse(of_io(&error))),
         };
         if content.question != question {
             let reason = "it belongs to another question (setup, search or options differ); name another file, or \
@@ -88,14 +90,19 @@ impl Checkpoint {
     fn write(&self, content: &Content) -> Result<()> {
         let folder = self.path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
         let written = || -> std::io::Result<()> {
-            let mut beside = tempfile::NamedTempFile::new_in(folder)?;
+            // the name of this file is nobody's business
+            let beside = tempfile::NamedTempFile::new_in(folder);
+            let mut beside = beside.map_err(|error| std::io::Error::from(error.kind()))?;
             beside.write_all(&serde_json::to_vec(content)?)?;
             beside.persist(&self.path)?;
             Ok(())
         };
         written().map_err(|error| Error::Checkpoint {
             file: self.path.display().to_string(),
-            reason: format!("it cannot be written ({error})"),
+            reason: match folder.is_dir() {
+                true => format!("it cannot be written ({}); name another place", of_write(&error)),
+                false => format!("it cannot be written: there is no folder '{}'", folder.display()),
+            },
         })
     }
 

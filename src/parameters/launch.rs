@@ -67,6 +67,13 @@ impl Setup<f64> {
         }
     }
 
+    /// The launch conditions that have a value.
+    pub fn given_launch_conditions(&self) -> Vec<&'static super::Parameter> {
+        let mut given = self.parameters();
+        given.retain(|parameter| parameter.is_of_launch() && self.value(parameter).is_some());
+        given
+    }
+
     /// The names of the launch conditions, without their group.
     pub fn launch_conditions(&self) -> Vec<&'static str> {
         self.parameters().iter().filter_map(|parameter| parameter.name.strip_prefix(GROUP)).collect()

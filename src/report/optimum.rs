@@ -7,7 +7,7 @@ use crate::error::Result;
 use crate::optimize::{Constrained, Effort, Iteration, Status};
 use crate::parameters::Preset;
 use crate::study::{Constraint, Optima, Optimum, Search, Sense};
-use crate::units::{Message, Quantity, System, counted, fixed};
+use crate::units::{Message, Quantity, System, counted, counted_of, fixed};
 use serde::Serialize;
 use serde_json::{Map, Value};
 use std::collections::BTreeMap;
@@ -74,7 +74,7 @@ pub struct LocalReport {
 }
 
 impl LocalReport {
-    /// The reports of local optima.
+    /// The reports of local optima: of searches that came to an end.
     pub fn all(optima: &Optima) -> Vec<Self> {
         let one = |(best, starts): &(Optimum, Vec<usize>)| {
             let names = best.search.vary.iter().map(|vary| vary.parameter.name);
@@ -85,7 +85,7 @@ impl LocalReport {
                 starts: starts.len(),
             }
         };
-        optima.locals.iter().map(one).collect()
+        optima.ended().map(one).collect()
     }
 }
 
@@ -265,12 +265,12 @@ pub fn optimum_toml(optima: &Optima, preset: &Preset) -> Result<String> {
     setup_toml(&optimum.setup, preset, &about, &remarks.collect::<Vec<_>>())
 }
 
-/// Local optima as a table, best first.
+/// The ends of the searches as a table, best first, and how many searches were stopped before theirs.
 pub fn optima_text(optima: &Optima, system: System) -> String {
     let Some((first, _)) = optima.locals.first() else { return String::new() };
     let names = first.search.vary.iter().map(|vary| vary.parameter.name);
     let head: Vec<&str> = [first.search.of.name()].into_iter().chain(names).chain(["starts", ""]).collect();
-    let rows = optima.locals.iter().map(|(best, starts)| {
+    let rows = optima.ended().map(|(best, starts)| {
         let value = shown::outcome_or_dash(best.search.of, best.value(), system);
         let x = best.search.vary.iter().zip(&best.solution.x);
         let x = x.map(|(vary, x)| shown::parameter(vary.parameter, *x, system));
@@ -278,7 +278,16 @@ pub fn optima_text(optima: &Optima, system: System) -> String {
         std::iter::once(value).chain(x).chain([count, best.status().into()]).collect()
     });
     let right: Vec<usize> = (0..head.len() - 1).collect();
-    format!("\n{}", table(&head, &right, rows))
+    let rows: Vec<Vec<String>> = rows.collect();
+    let listed = if rows.is_empty() { String::new() } else { format!("\n{}", table(&head, &right, rows)) };
+    let stopped = match optima.stopped() {
+        0 => String::new(),
+        stopped => format!(
+            "\nnot listed: {} stopped before the end\n",
+            counted_of(stopped as u64, optima.starts as u64, ["search", "searches"])
+        ),
+    };
+    listed + &stopped
 }
 
 /// "at its upper bound: +2.11 yd per deg beyond it".

@@ -191,10 +191,14 @@ pub struct Optima {
 }
 
 impl Optima {
+    /// The ends of the searches that came to one, best first, each with the numbers of its starts.
+    pub fn ended(&self) -> impl Iterator<Item = &(Optimum, Vec<usize>)> {
+        self.locals.iter().filter(|(best, _)| best.solution.status != Status::Interrupted)
+    }
+
     /// How many searches were stopped from outside before they ended.
     pub fn stopped(&self) -> usize {
-        let is_stopped = |best: &Optimum| best.solution.status == Status::Interrupted;
-        self.locals.iter().filter(|(best, _)| is_stopped(best)).map(|(_, starts)| starts.len()).sum()
+        self.starts - self.ended().map(|(_, starts)| starts.len()).sum::<usize>()
     }
 
     /// How far the searches came, if any was stopped from outside before it ended.

@@ -1,7 +1,8 @@
 //! What the program does to files: nothing that exists is replaced unless asked for, no input is an output, and what is
 //! written is whole.
 
-use crate::command_line::longdrive;
+use crate::command_line::{json, longdrive};
+use serde_json::Value;
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
@@ -207,4 +208,51 @@ fn the_folder_that_an_output_is_in_must_exist() {
     }
     // the folder that is named is made
     assert_eq!(longdrive(&["man", "-o", &name("pages")]).status, 0);
+}
+
+#[test]
+fn a_place_that_cannot_be_written_is_told_in_own_words() {
+    let (folder, name) = folder();
+    let (shots, mine) = (name("shots.csv"), name("mine.toml"));
+    let nowhere = "it cannot be written: there is no folder '/nowhere'";
+    let sweep = ["sweep", "--over", "club.loft=5deg..15deg:3", "--format", "csv"];
+    for (args, words) in [
+        (vec!["optimize", "--checkpoint", "/nowhere/c.json"], nowhere),
+        #[cfg(target_os = "linux")]
+        (vec!["optimize", "--checkpoint", "/proc/c.json"], "it cannot be written (no file can be made there)"),
+        #[cfg(target_os = "linux")]
+        (vec!["plot", "trajectory", "-o", "/proc/x.svg"], "it cannot be written (no file can be made there)"),
+        (vec!["optimize", &mine, "--checkpoint", &mine], "it is not a checkpoint of a search"),
+        (vec!["optimize", "--checkpoint", &shots], "it is not a checkpoint of a search"),
+        (vec!["optimize", "-o", "-"], "does not write to standard output; name a file, as in -o mine.toml"),
+        (vec!["calibrate", &shots, "--fit", "aero.cd0", "-o", "-"], "does not write to standard output; name a file"),
+        (vec!["report", "-o", "-"], "does not write to standard output; name a folder"),
+        ([&sweep[..], &["-o", "/dev/stdout"]].concat(), "it is standard output; write -o -"),
+        ([&sweep[..], &["--overwrite"]].concat(), "--overwrite replaces a file, and the rows go to standard output"),
+        (vec!["calibrate", &shots, "--fit", "aero.cd0", "--overwrite"], "--output <FILE>|--plot <DIR>"),
+    ] {
+        let before = files(folder.path());
+        let said = longdrive(&args);
+        assert_eq!((said.status, said.out.as_str()), (2, ""), "{args:?}: {}", said.err);
+        assert!(said.err.contains(words), "{args:?}: {}", said.err);
+        for foreign in ["os error", "entity not found", "expected value", "at path"] {
+            assert!(!said.err.contains(foreign), "{args:?}: {}", said.err);
+        }
+        assert_eq!(files(folder.path()), before, "{args:?}");
+    }
+    assert!(!Path::new("-").exists());
+}
+
+#[test]
+fn values_that_no_fit_came_to_are_not_written_as_fitted() {
+    let (_folder, name) = folder();
+    let (shots, fitted) = (name("shots.csv"), name("fitted.toml"));
+    let args = ["calibrate", &shots, "--fit", "aero.cd0", "-o", &fitted];
+    let (status, stopped) = json(&[&args[..], &["--max-iterations", "0"]].concat());
+    assert_eq!((status, &stopped["status"], &stopped["file"]), (1, &"iteration-limit".into(), &Value::Null));
+    let warnings = stopped["warnings"].to_string();
+    assert!(warnings.contains("fitted.toml is not written: the fit ended before it came to a minimum"), "{warnings}");
+    assert!(!Path::new(&fitted).exists());
+    assert_eq!(json(&args).1["file"], Value::from(fitted.as_str()));
+    assert!(Path::new(&fitted).exists());
 }

@@ -6,8 +6,9 @@ use crate::command_line::Said;
 use crate::schema::faults;
 use longdrive::optimize::Follow;
 use longdrive::parameters::Preset;
-use longdrive::report::optimum_toml;
+use longdrive::report::{optima_text, optimum_toml};
 use longdrive::study::{Search, optima};
+use longdrive::units::System;
 use longdrive::{Result, Setup};
 use serde_json::Value;
 use std::process::{Command, Stdio};
@@ -73,6 +74,25 @@ fn what_is_done_of_a_certificate_and_of_a_chart_is_told_as_interrupted() {
     assert!(chart["ended"].as_str().is_some(), "{chart:#}");
 }
 
+#[test]
+fn exact_what_was_stopped_writes_no_fit_lists_no_optimum_and_names_the_file_of_its_rows() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let (fitted, rows) = (path("fitted.toml"), path("rows.csv"));
+    let shots = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/shots.csv");
+    let slow = ["--set", "flight.step=0.01ms"];
+    let step = "flight.step=0.05ms";
+    let found = interrupted_json(&["calibrate", shots, "--fit", "aero.cd0", "-o", &fitted, "--set", step]);
+    assert!(found["file"].is_null() && found["warnings"].to_string().contains("is not written"), "{found:#}");
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
+    let found = interrupted_json(&["sweep", "--over", "club.loft=5deg..15deg:3000000", "-o", &rows]);
+    assert_eq!(found["file"].as_str(), Some(&format!("{rows}.part")[..]));
+    assert!(std::path::Path::new(found["file"].as_str().unwrap()).exists());
+    let said = interrupted(&["optimize", "--starts", "5000", slow[0], slow[1]]);
+    assert!(said.out.contains("\nnot listed: 5000 of 5000 searches stopped before the end\n"), "{}", said.out);
+    assert!(!said.out.contains(" of 5000  interrupted"), "{}", said.out);
+}
+
 /// The best of the searches that ended may have converged: that the others did not end is told beside it.
 #[test]
 fn a_setup_file_of_the_best_so_far_says_that_searches_were_stopped() -> Result<()> {
@@ -85,6 +105,9 @@ fn a_setup_file_of_the_best_so_far_says_that_searches_were_stopped() -> Result<(
     let found = optima(&setup, &search, 400, &follow)?;
     let (stopped, preset) = (found.stopped(), Preset::named("modern-driver").unwrap());
     assert!(stopped > 0 && found.best()?.status() == "converged", "{stopped}");
+    let listed = optima_text(&found, System::Metric);
+    assert!(listed.contains(&format!("\nnot listed: {stopped} of 400 searches stopped before the end\n")), "{listed}");
+    assert!(!listed.contains("interrupted") && listed.contains("converged"), "{listed}");
     let text = optimum_toml(&found, preset)?;
     let ended = 400 - stopped;
     let line = format!(

@@ -137,8 +137,8 @@ fn a_launch_on_the_command_line_and_in_a_table_is_the_same() {
         (vec!["simulate", "--launch", "ball_speed=167"], "has no unit"),
         (vec!["simulate", "--launch", "ball_speed"], "write NAME=VALUE"),
         (vec!["simulate", "--launch", "ball_speed=60m/s,ball_speed=70m/s"], "keep one of the two"),
-        (vec!["optimize", "--launch", launch], "no club strikes the ball"),
-        (vec!["calibrate", "examples/shots.csv", "--fit", "aero.cd0", "--launch", launch], "the rows say"),
+        (vec!["optimize", "--launch", launch], "--vary launch.launch_angle=5deg..20deg"),
+        (vec!["calibrate", "examples/shots.csv", "--fit", "aero.cd0", "--launch", launch], "from columns of the table"),
     ] {
         let said = longdrive(&args);
         assert_eq!(said.status, 2, "{args:?} {}", said.err);
@@ -227,5 +227,80 @@ fn a_report_of_a_launch_says_what_it_leaves_out() {
     for more in [&["--subject-to", "apex_height <= 30 yd"][..], &along] {
         let said = longdrive(&[&["report", "--launch", launch, "-o", &file("none")], more].concat());
         assert!(said.status == 2 && said.err.contains(more[0]) && said.err.contains("give --vary"), "{}", said.err);
+    }
+}
+
+/// The launch of [`TOUR`] as an option.
+const CONDITIONS: [&str; 2] = ["--launch", "ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm"];
+
+#[test]
+fn what_another_form_of_the_spin_takes_the_place_of_is_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("ax.toml").display().to_string();
+    let launch = "ball_speed = '160 mph'\nlaunch_angle = '11 deg'\nspin = '2600 rpm'\nspin_axis = '5 deg'\n";
+    std::fs::write(&file, format!("[launch]\n{launch}")).unwrap();
+    let told = |more: &[&str]| {
+        let said = longdrive(&[&["simulate", &file], more].concat());
+        assert_eq!(said.status, 0, "{}", said.err);
+        said.err.split_whitespace().collect::<Vec<_>>().join(" ")
+    };
+    let err = told(&["--launch", "backspin=2400rpm"]);
+    assert!(
+        err.contains("ax.toml are replaced by --launch backspin=2400rpm") && err.contains("spin and spin_axis of ")
+    );
+    assert!(!told(&["--launch", "spin=2400rpm"]).contains("replaced"));
+    assert!(!told(&[]).contains("replaced"));
+    // every condition that is given, the tilt of the axis too
+    let by = json(&["gradient", &file]).1.to_string();
+    for name in ["ball_speed", "launch_angle", "spin", "spin_axis"] {
+        assert!(by.contains(&format!("launch.{name}\"")), "{name}: {by}");
+    }
+}
+
+#[test]
+fn without_a_club_the_defaults_are_those_of_the_launch_or_the_message_says_what_to_vary() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = |name: &str| folder.path().join(name).display().to_string();
+    let (curves, map, chart) = (file("v.csv"), file("map.svg"), file("chart.svg"));
+    let said = longdrive(&[&["plot", "vcurve", "-o", &curves], &CONDITIONS[..]].concat());
+    assert_eq!(said.status, 0, "{}", said.err);
+    let curves = std::fs::read_to_string(&curves).unwrap();
+    assert!(curves.contains("launch.launch_angle") && curves.contains("launch.backspin"), "{curves}");
+    let along = ["--along", "launch.ball_speed=150mph..170mph"];
+    for args in [
+        vec!["optimize"],
+        vec!["optimum-sensitivity"],
+        vec!["sensitivity", "--at-optimum"],
+        vec!["chart", along[0], along[1]],
+        vec!["plot", "contour", "-o", &map],
+        vec!["plot", "chart", along[0], along[1], "-o", &chart],
+    ] {
+        let said = longdrive(&[&args[..], &CONDITIONS[..]].concat());
+        let err = said.err.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert_eq!((said.status, said.out.as_str()), (2, ""), "{args:?}: {err}");
+        for words in ["the drive is given by its launch", "--vary launch.launch_angle=5deg..20deg"] {
+            assert!(err.contains(words), "{args:?}: {err}");
+        }
+        assert!(!err.contains("club.loft"), "{args:?}: {err}");
+    }
+    // calibrate takes launches from the table
+    let said = longdrive(&[&["calibrate", "shots.csv", "--fit", "aero.cd0"], &CONDITIONS[..]].concat());
+    for words in ["from columns of the table", "add the columns to shots.csv", "ball_speed, launch_angle"] {
+        assert!(said.status == 2 && said.err.contains(words), "{}", said.err);
+    }
+    // and the page is not about the club of the preset
+    let page = file("page");
+    let said = longdrive(&[&["report", "-o", &page], &CONDITIONS[..]].concat());
+    assert_eq!(said.status, 0, "{}", said.err);
+    let page = std::fs::read_to_string(folder.path().join("page/index.html")).unwrap();
+    assert!(page.contains("The ball leaves as its launch says, without a club") && !page.contains("at 110 mph"));
+}
+
+#[test]
+fn a_parameter_that_is_set_twice_is_refused() {
+    for [first, second] in [["club.loft=10deg", "club.loft=11deg"], ["aero.law=linear", "aero.law = robinson"]] {
+        let said = longdrive(&["simulate", "--set", first, "--set", second]);
+        assert_eq!((said.status, said.out.as_str()), (2, ""), "{}", said.err);
+        assert!(said.err.contains(&format!("--set {first} gives ")) && said.err.contains("keep one of the two"));
     }
 }

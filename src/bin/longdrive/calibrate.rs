@@ -4,11 +4,14 @@ use crate::interrupt::{self, BEST_SO_FAR};
 use crate::output::{Answer, system, tell, warn};
 use crate::reproduce::{DOCUMENT, write};
 use longdrive::drive::Looked;
-use longdrive::optimize::least_squares::{Follow, Loss};
+use longdrive::optimize::least_squares::{Follow, Loss, Status};
 use longdrive::parameters::{Law, Vary};
 use longdrive::report::plot::Look;
 use longdrive::report::{CalibrationReport, calibration_document, calibration_reply, calibration_toml};
-use longdrive::study::calibrate::{HeldOut, Plan, ShotTable, beyond, calibrate, check_folds, held_out, ranges};
+use longdrive::study::calibrate::{
+    Calibration, HeldOut, Plan, ShotTable, beyond, calibrate, check_folds, held_out, ranges,
+};
+use longdrive::units::Message;
 use longdrive::{Error, Result, Setup};
 use serde_json::json;
 use std::path::PathBuf;
@@ -21,8 +24,12 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
     let rule = rule.and_not(args.plot.as_deref());
     let output = args.output.as_ref().map(|file| rule.file(file)).transpose()?;
     if setup.launch.is_given() {
-        let source = "the rows say how each ball was struck or launched; leave it out".into();
-        return Err(Error::Unreadable { name: args.question.launch_from(), source });
+        let source = format!(
+            "calibrate reads the launch of each ball from columns of the table; leave this out, and add the columns to {} if it has none: \
+             ball_speed, launch_angle, and backspin or spin, with their units, as in \"ball_speed [mph]\"",
+            args.data.display()
+        );
+        return Err(Error::Unreadable { name: args.question.launch_from(), source: source.into() });
     }
     let mut warnings = setup.warnings();
     warn(&warnings);
@@ -72,6 +79,16 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
     }
     let report = CalibrationReport { table: &table, found: &found, held_out: &held };
     let document = calibration_document(&report, system());
+    let output = output.filter(|output| {
+        let is_fitted = is_fitted(&found);
+        if !is_fitted {
+            let why = "the fit ended before it came to a minimum";
+            let unwritten = [Message::from(format!("{} is not written: {why}", output.path().display()))];
+            warn(&unwritten);
+            warnings.extend(unwritten);
+        }
+        is_fitted
+    });
     if let Some(output) = &output {
         output.write(calibration_toml(&found, args.question.preset()?, &file)?.as_bytes())?;
         tell(&format!("wrote the fitted setup into {}", output.path().display()));
@@ -82,13 +99,18 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
     let answer = if args.question.json {
         let mut reply = calibration_reply(&report, warnings);
         let named = |path: &Option<PathBuf>| json!(path.as_ref().map(|path| path.display().to_string()));
-        reply.body["file"] = named(&args.output);
+        reply.body["file"] = named(&args.output.clone().filter(|_| output.is_some()));
         reply.body["folder"] = named(&args.plot);
         Answer::json(&reply)
     } else {
         Answer::text(document.text())
     };
     Ok(answer.found(report.is_found()))
+}
+
+/// Whether the values are those of a fit: one that was stopped on its way has those that it had come to.
+fn is_fitted(found: &Calibration) -> bool {
+    found.is_minimum || !matches!(found.fit.status, Status::Interrupted | Status::IterationLimit)
 }
 
 fn shown(iteration: u64, sum: f64) {

@@ -33,6 +33,7 @@ impl Rule {
     /// # Errors
     /// [`Error::Results`] for a folder, an input, a file that exists, and a place that cannot be written to.
     pub fn file(&self, path: &Path) -> Result<Destination> {
+        refuse_standard_output(path, "file, as in -o mine.toml")?;
         let destination = self.place(path)?;
         if destination.is_file {
             // what cannot be written there is said now, not after the work
@@ -63,7 +64,10 @@ impl Rule {
             return Err(refused(path, "it is a folder; name a file"));
         }
         // through links, so that the file itself is compared and replaced, and not a link to it
-        let at = fs::canonicalize(path).map_err(|error| unwritable(path, &error))?;
+        let at = fs::canonicalize(path).map_err(|error| match found.is_file() {
+            true => unwritable(path, &error),
+            false => refused(path, "it cannot be written: it is a pipe without a name in any folder; name a file"),
+        })?;
         self.refuse_input(path, &at)?;
         if found.is_file() && !self.overwrite {
             return Err(refused(path, "it already exists; use --overwrite to replace it"));
@@ -85,6 +89,7 @@ impl Rule {
     /// # Errors
     /// [`Error::Results`] for a file, a folder that cannot be made or written to, and a file in it that may not be replaced.
     pub fn folder(&self, path: &Path, names: &[&str]) -> Result<Folder> {
+        refuse_standard_output(path, "folder")?;
         if fs::metadata(path).is_ok_and(|found| !found.is_dir()) {
             return Err(refused(path, "it cannot be written to: it is a file; name a folder"));
         }
@@ -200,6 +205,14 @@ pub fn beside(path: &Path) -> io::Result<tempfile::NamedTempFile> {
     builder.tempfile_in(folder_of(path)).map_err(|error| io::Error::from(error.kind()))
 }
 
+/// What is written into files that need names.
+fn refuse_standard_output(path: &Path, what: &str) -> Result<()> {
+    match path == Path::new("-") {
+        true => Err(refused(path, format!("this command does not write to standard output; name a {what}"))),
+        false => Ok(()),
+    }
+}
+
 /// What is to be made must be in a folder that exists.
 fn in_a_folder(path: &Path) -> Result<()> {
     let folder = folder_of(path);
@@ -223,5 +236,5 @@ pub fn refused(path: &Path, reason: impl Into<String>) -> Error {
 }
 
 pub fn unwritable(path: &Path, error: &io::Error) -> Error {
-    refused(path, format!("it cannot be written ({error}); name another place"))
+    refused(path, format!("it cannot be written ({}); name another place", Error::why_unwritten(error)))
 }

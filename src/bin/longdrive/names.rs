@@ -38,8 +38,7 @@ pub fn variables(setup: &Setup<f64>, names: &[String]) -> Result<Vec<&'static Pa
 /// What derivatives are taken by where nothing is named: loft and attack angle, or the launch conditions where these are given.
 pub fn usual(setup: &Setup<f64>) -> Result<Vec<&'static Parameter>> {
     if setup.launch.is_given() {
-        let conditions = setup.launch_conditions().into_iter().filter_map(|name| setup.launch_condition(name));
-        return Ok(conditions.filter(|condition| setup.value(condition).is_some()).collect());
+        return Ok(setup.given_launch_conditions());
     }
     ["club.loft", "swing.attack_angle"].into_iter().map(|name| setup.variable(name)).collect()
 }

@@ -2,7 +2,7 @@ use crate::args::{
     Drawing, Plot, PlotChart, PlotContour, PlotKind, PlotTornado, PlotTrajectory, PlotVcurve, Question, Seen,
 };
 use crate::files::{Destination, Rule};
-use crate::names::{outcomes, variables};
+use crate::names::{outcomes, usual, variables};
 use crate::output::{Answer, bar, show, spinner, system, tell, warn};
 use crate::verify::tell_left_out;
 #[cfg(not(feature = "png"))]
@@ -151,7 +151,8 @@ fn tornado(args: &PlotTornado) -> Result<Answer> {
 fn vcurve(args: &PlotVcurve) -> Result<Answer> {
     let target = Target::new(&args.question, &args.drawing)?;
     let setup = args.question.within_tolerance(args.question.setup()?)?;
-    let (of, wrt) = (outcomes(&args.of)?, variables(&setup, &args.wrt)?);
+    let of = outcomes(&args.of)?;
+    let wrt = if args.wrt.is_empty() { usual(&setup)? } else { variables(&setup, &args.wrt)? };
     let bar = bar("parameters");
     let certificate = certify(&setup, &of, &wrt, |done, all| {
         show(&bar, done, all);

@@ -13,10 +13,12 @@ impl Question {
     /// The setup asked about: a preset or a file, with the overrides applied, checked.
     pub fn setup(&self) -> Result<Setup<f64>> {
         let (mut setup, without_unit) = self.base()?;
-        let settings = self.set.iter().map(|text| split("--set", text)).collect::<Result<Vec<_>>>()?;
+        let settings = self.settings()?;
         let launch = self.conditions(&setup, &settings)?;
-        for (condition, _) in &launch {
+        for (condition, value) in &launch {
+            let before = setup.given_launch_conditions();
             setup.replace_spin(condition);
+            self.tell_replaced(&setup, &before, &format!("{}={value}", short(condition)));
         }
         let is_replaced = |name: &str| {
             settings.iter().any(|(set, _)| *set == name) || launch.iter().any(|(condition, _)| condition.name == name)
@@ -47,6 +49,19 @@ impl Question {
         }
     }
 
+    /// The names of `--set` with their values, each given once on the command line.
+    fn settings(&self) -> Result<Vec<(&str, &str)>> {
+        let mut all: Vec<(&str, &str)> = vec![];
+        for text in &self.set {
+            let (name, value) = split("--set", text)?;
+            if let Some((_, earlier)) = all.iter().find(|(other, _)| *other == name) {
+                return Err(given_twice(&format!("--set {name}={value}"), &format!("--set {name}={earlier}"), name));
+            }
+            all.push((name, value));
+        }
+        Ok(all)
+    }
+
     /// The conditions of `--launch` with their values, each given once on the command line. They come in place of those of the setup.
     fn conditions(&self, setup: &Setup<f64>, settings: &[(&str, &str)]) -> Result<Vec<(&'static Parameter, &str)>> {
         let mut all: Vec<(&'static Parameter, &str)> = vec![];
@@ -64,8 +79,7 @@ impl Question {
             let earlier =
                 all.iter().find(|(other, _)| *other == condition).map(|(_, value)| format!("--launch {name}={value}"));
             if let Some(other) = first.or(earlier) {
-                let source = format!("{other} gives the {name} too; keep one of the two").into();
-                return Err(Error::Unreadable { name: format!("--launch {name}={value}"), source });
+                return Err(given_twice(&format!("--launch {name}={value}"), &other, &format!("the {name}")));
             }
             all.push((condition, value));
         }
@@ -117,6 +131,16 @@ impl Question {
         let (base, _) = self.base()?;
         let has_own = |parameter: &&&Parameter| !parameter.is_of_launch() && base.variable(parameter.name).is_ok();
         self.refuse_twice(setup, &parameters.iter().filter(has_own).copied().collect::<Vec<_>>(), why)
+    }
+
+    /// Says which conditions of the setup's launch have gone with the form of the spin that another takes the place of.
+    fn tell_replaced(&self, setup: &Setup<f64>, before: &[&'static Parameter], by: &str) {
+        let after = setup.given_launch_conditions();
+        let gone: Vec<_> = before.iter().filter(|old| !after.contains(old)).map(|old| short(old)).collect();
+        if !gone.is_empty() {
+            let are = if gone.len() == 1 { "is" } else { "are" };
+            tell(&format!("note: {} of {} {are} replaced by --launch {by}", gone.join(" and "), self.setup));
+        }
     }
 
     /// Says what a setup file gives of a club that does not strike the ball.
@@ -224,6 +248,17 @@ fn landing(found: Result<Accuracy>) -> Result<Option<Accuracy>> {
         Err(Error::NoFlight { .. }) => Ok(None),
         found => found.map(Some),
     }
+}
+
+/// A launch condition as `--launch` names it.
+fn short(condition: &Parameter) -> &'static str {
+    condition.name.rsplit('.').next().unwrap_or(condition.name)
+}
+
+/// Two options that give the same thing, as they were given.
+fn given_twice(option: &str, other: &str, what: &str) -> Error {
+    let source = format!("{other} gives {what} too; keep one of the two").into();
+    Error::Unreadable { name: option.into(), source }
 }
 
 /// NAME=VALUE.

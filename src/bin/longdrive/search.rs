@@ -7,20 +7,27 @@ use indicatif::{ProgressBar, ProgressStyle};
 use longdrive::optimize::{Checkpoint, Follow, Options};
 use longdrive::report::{iteration_line, outcome_text};
 use longdrive::study::{Constraint, Optima, Search, Sense, Vary, optima};
-use longdrive::{Outcome, Result, Setup};
+use longdrive::{Error, Outcome, Result, Setup};
 use std::sync::{Arc, Mutex, PoisonError};
 
 impl SearchArgs {
     /// What is looked for.
     pub fn search(&self, setup: &Setup<f64>) -> Result<Search> {
-        let vary = self.vary.iter().map(|text| Vary::read(setup, text)).collect::<Result<Vec<_>>>()?;
-        let default = Search::longest_drive(setup);
+        let vary = match self.vary.as_slice() {
+            [] if setup.launch.is_given() => {
+                let source = "the drive is given by its launch, so there is no loft and no attack angle to vary; give what to vary of the \
+                              launch, for example --vary launch.launch_angle=5deg..20deg";
+                return Err(Error::Unreadable { name: "--vary".into(), source: source.into() });
+            }
+            [] => Search::longest_drive(setup)?.vary,
+            given => given.iter().map(|text| Vary::read(setup, text)).collect::<Result<_>>()?,
+        };
         let (of, sense) = self.sought()?;
         let options = Options::default();
         Ok(Search {
             of,
             sense,
-            vary: if vary.is_empty() { default?.vary } else { vary },
+            vary,
             subject_to: self.subject_to.iter().map(|text| Constraint::read(text)).collect::<Result<_>>()?,
             options: Options { max_iterations: self.max_iterations.unwrap_or(options.max_iterations), ..options },
         })

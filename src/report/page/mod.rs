@@ -130,7 +130,7 @@ fn page(findings: &Findings<'_>, plots: &Plots) -> Result<Markup> {
                     aria-label="metric units";
                 header {
                     h1 { "Drive: " (findings.name) }
-                    p.faint { (findings.preset.about) }
+                    p.faint { (about(findings)) }
                     div.switch { label for="units-us" { "yd, mph" } label for="units-metric" { "m, m/s" } }
                 }
                 main {
@@ -160,6 +160,17 @@ fn page(findings: &Findings<'_>, plots: &Plots) -> Result<Markup> {
             }
         }
     })
+}
+
+/// What is drawn, in a sentence. That of a preset is about its club, which strikes nothing where the launch is given.
+fn about(findings: &Findings<'_>) -> String {
+    if findings.setup.launch.is_given() {
+        return format!(
+            "The ball leaves as its launch says, without a club; its flight is based on the preset {}.",
+            findings.preset.name
+        );
+    }
+    findings.preset.about.into()
 }
 
 /// Plots side by side, each in both systems of units, of which the page shows one.

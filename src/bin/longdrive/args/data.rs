@@ -5,6 +5,7 @@ use super::number::{U32, whole};
 use std::path::PathBuf;
 
 #[derive(clap::Args)]
+#[command(group = clap::ArgGroup::new("written").args(["output", "plot"]).multiple(true))]
 pub struct Calibrate {
     /// Measured shots as CSV, one row per shot; the head of each column names a parameter or an outcome and its unit, as in
     /// "carry [yd]"; see docs/calibration.md.
@@ -47,7 +48,7 @@ pub struct Calibrate {
     pub plot: Option<PathBuf>,
 
     /// Replace files that exist.
-    #[arg(long)]
+    #[arg(long, requires = "written")]
     pub overwrite: bool,
 }
 

@@ -143,8 +143,8 @@ pub struct PlotVcurve {
     #[arg(long, value_name = "OUTCOME,…", value_delimiter = ',', default_value = "carry")]
     pub of: Vec<String>,
 
-    /// The parameters, separated by commas.
-    #[arg(long, value_name = "NAME,…", value_delimiter = ',', default_value = "club.loft,swing.attack_angle")]
+    /// The parameters, separated by commas. Without: loft and attack angle, or the launch conditions where these are given.
+    #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
     pub wrt: Vec<String>,
 }
 

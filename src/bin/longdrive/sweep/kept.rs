@@ -2,7 +2,7 @@ use super::journal::{Entry, Journal};
 #[cfg(feature = "parquet")]
 use super::rows::Table;
 use super::rows::{Content, Rows, Writer};
-use crate::files::refused;
+use crate::files::{refused, unwritable};
 use crate::output::tell;
 #[cfg(feature = "parquet")]
 use longdrive::batch::Block;
@@ -107,7 +107,7 @@ impl<'a> Kept<'a> {
         if files.can_be_resumed(resume) {
             return Self::go_on(files, writer);
         }
-        let unwritable = |error: io::Error| refused(&files.whole, format!("it cannot be written ({error})"));
+        let unwritable = |error: io::Error| unwritable(&files.whole, &error);
         // the journal first: rows without one are nobody's
         let journal = Journal::begin(&files.whole, &writer.question).map_err(unwritable)?;
         let rows = OpenOptions::new().write(true).create(true).truncate(true).open(&files.part);
@@ -250,8 +250,9 @@ impl<'a> Kept<'a> {
 
     fn failed(&self, error: &io::Error) -> Error {
         let (rows, part) = (counted(self.rows, "complete row"), self.files.part.display());
+        let why = Error::why_unwritten(error);
         let reason = format!(
-            "it cannot be written further ({error}); {part} keeps its first {rows}; make room, then repeat the same command \
+            "it cannot be written further ({why}); {part} keeps its first {rows}; make room, then repeat the same command \
              with --resume"
         );
         refused(&self.files.whole, reason)

@@ -88,7 +88,9 @@ pub fn run(args: &Sweep) -> Result<Answer> {
     output.close(is_complete)?;
     done?;
 
-    let summary = Summary::new(total, output.tally(), notes, args);
+    // until all rows are there they are in a file beside it
+    let file = target.part().filter(|_| !is_complete).unwrap_or(&args.output);
+    let summary = Summary::new(total, output.tally(), notes, file);
     let beyond = output.tally().beyond();
     let beyond = beyond.warnings(&setup.law, ["drive that landed", "drives that landed"], Looked::AtLaunch);
     warn(&beyond);
@@ -149,6 +151,7 @@ fn has_answers(tally: Tally, of: &[Outcome]) -> bool {
 /// What a sweep did, as JSON.
 #[derive(Serialize)]
 struct Summary {
+    /// Where the rows are.
     file: String,
     /// Rows of the whole sweep.
     rows: u64,
@@ -161,10 +164,10 @@ struct Summary {
 }
 
 impl Summary {
-    fn new(rows: u64, tally: Tally, remarks: Vec<Message>, args: &Sweep) -> Self {
+    fn new(rows: u64, tally: Tally, remarks: Vec<Message>, file: &Path) -> Self {
         let statuses = tally.counts().map(|(status, count)| (status.name().into(), count.into())).collect();
         let written = tally.counts().map(|(_, count)| count).sum();
-        Self { file: args.output.display().to_string(), rows, written, statuses, remarks }
+        Self { file: file.display().to_string(), rows, written, statuses, remarks }
     }
 
     fn text(&self, file: Option<&Path>) -> String {

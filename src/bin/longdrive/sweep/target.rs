@@ -1,7 +1,7 @@
 use super::kept::{Files, Kept};
 use super::rows::{Content, Rows, Writer};
 use crate::args::{Format, Sweep};
-use crate::files::{Rule, refused};
+use crate::files::{Rule, refused, unwritable};
 use longdrive::batch::Tally;
 use longdrive::units::counted;
 use longdrive::{Error, Result};
@@ -22,6 +22,14 @@ impl Target {
     pub fn new(args: &Sweep) -> Result<Self> {
         let target = Self { path: args.output.clone(), files: None, format: Format::Csv };
         let refuse = |reason: &str| Err(refused(&target.path, reason));
+        if ["/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"].iter().any(|name| target.path == Path::new(name)) {
+            return refuse("it is standard output; write -o - with --format csv or jsonl");
+        }
+        if target.is_standard_output() && args.overwrite {
+            return refuse(
+                "--overwrite replaces a file, and the rows go to standard output; name a file with -o, or leave --overwrite out",
+            );
+        }
         let ending = target.path.extension().and_then(|ending| ending.to_str()).unwrap_or_default().to_lowercase();
         let format = match (args.format, ending.as_str()) {
             (Some(format), _) => format,
@@ -85,7 +93,7 @@ impl Target {
             Stream { to: To::Standard(io::stdout()), tally: Tally::default() }
         } else {
             let file = OpenOptions::new().write(true).open(&self.path);
-            let file = file.map_err(|error| refused(&self.path, format!("it cannot be written ({error})")))?;
+            let file = file.map_err(|error| unwritable(&self.path, &error))?;
             Stream { to: To::Device(file), tally: Tally::default() }
         };
         stream.write(&writer.head())?;
@@ -120,7 +128,10 @@ impl Stream {
                 return Error::Output(error);
             }
             let rows: u64 = self.tally.counts().map(|(_, count)| count).sum();
-            Error::Output(io::Error::new(error.kind(), format!("{error}; written before: {}", counted(rows, "row"))))
+            Error::Output(io::Error::new(
+                error.kind(),
+                format!("{}; written before: {}", Error::why_unwritten(&error), counted(rows, "row")),
+            ))
         })
     }
 }
