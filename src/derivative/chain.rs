@@ -15,8 +15,11 @@ pub(super) const MOST_INPUTS: usize = 24;
 /// The flight's inputs, and how they change with the parameters.
 struct Changes {
     inputs: Inputs<f64>,
-    /// Each input with its derivatives by the parameters.
-    by_parameters: Vec<Taylor>,
+    parameters: usize,
+    /// The gradients of the inputs, one after the other.
+    gradients: Vec<f64>,
+    /// Their Hessians likewise, row by row, where these are asked for.
+    hessians: Vec<f64>,
 }
 
 /// Values and gradients by many parameters. `progress` is told how many passes of how many are done.
@@ -62,8 +65,8 @@ fn derivatives(
         progress(1, 1);
         return Ok(taylors);
     };
-    let moves = |(input, by): (usize, &Taylor)| by.gradient.iter().any(|d| *d != 0.0).then_some(input);
-    let moving: Vec<usize> = changes.by_parameters.iter().enumerate().filter_map(moves).collect();
+    let moves = |(input, gradient): (usize, &[f64])| gradient.iter().any(|d| *d != 0.0).then_some(input);
+    let moving: Vec<usize> = changes.gradients.chunks_exact(n).enumerate().filter_map(moves).collect();
     let mut slopes = asked.blank(moving.len(), rows(moving.len()));
     let (mut done, mut all) = (0, 0);
     passes(moving.len(), &mut |_| {
@@ -82,36 +85,12 @@ fn derivatives(
         0 => fly(Directions::None)?,
         _ => passes(moving.len(), &mut fly)?,
     }
-    let by_parameters: Vec<&Taylor> = moving.iter().map(|input| &changes.by_parameters[*input]).collect();
     for (outcome, (taylor, slopes)) in asked.of.iter().zip(taylors.iter_mut().zip(slopes)) {
         if outcome.part() == drive::Part::Flight {
-            chain(taylor, &slopes, &by_parameters);
+            changes.chain(taylor, &slopes, &moving);
         }
     }
     Ok(taylors)
-}
-
-/// The derivatives by parameters of what has these by the inputs.
-fn chain(taylor: &mut Taylor, by_inputs: &Taylor, inputs: &[&Taylor]) {
-    taylor.value = by_inputs.value;
-    let add = |sums: &mut [f64], factor: f64, terms: &[f64]| {
-        sums.iter_mut().zip(terms).for_each(|(sum, term)| *sum += factor * term);
-    };
-    for (a, input) in inputs.iter().enumerate() {
-        add(&mut taylor.gradient, by_inputs.gradient[a], &input.gradient);
-        if taylor.hessian.is_empty() {
-            continue;
-        }
-        // how the slope by this input changes with the parameters
-        let mut bent = vec![0.0; taylor.gradient.len()];
-        for (b, other) in inputs.iter().enumerate().take(by_inputs.hessian.len()) {
-            add(&mut bent, by_inputs.hessian[a][b], &other.gradient);
-        }
-        for (i, row) in taylor.hessian.iter_mut().enumerate() {
-            add(row, by_inputs.gradient[a], &input.hessian[i]);
-            add(row, input.gradient[i], &bent);
-        }
-    }
 }
 
 /// A pass in some directions.
@@ -156,14 +135,12 @@ impl Pass<'_> {
                 if !struck.is_sound.holds(0) {
                     return Err(asked.refusal());
                 }
-                let changes = changes.get_or_insert_with(|| Changes::blank(&struck.inputs, &taylors[0]));
-                let mut inputs = changes.by_parameters.iter_mut();
-                let places: [&[usize]; MOST_LANES] = std::array::from_fn(|lane| directions.in_lane(lane, per_lane));
-                struck.inputs.map(|number| {
-                    if let Some(input) = inputs.next() {
-                        places.iter().take(lanes).enumerate().for_each(|(lane, at)| put(input, at, &number.lane(lane)));
-                    }
-                });
+                let to_second = !taylors[0].hessian.is_empty();
+                changes.get_or_insert_with(|| Changes::blank(&struck.inputs, asked.wrt.len(), to_second)).take(
+                    &struck.inputs,
+                    directions,
+                    per_lane,
+                );
                 read_launches(asked, &struck, lanes, |lane, outcome, number| {
                     put(&mut taylors[outcome], directions.in_lane(lane, per_lane), &number);
                 })
@@ -183,16 +160,59 @@ impl Pass<'_> {
 }
 
 impl Changes {
-    /// The inputs with room for derivatives like these.
-    fn blank<J: Lanes>(inputs: &Inputs<J>, like: &Taylor) -> Self {
-        let mut by_parameters = vec![];
+    /// The inputs with room for gradients by so many parameters, and for Hessians.
+    fn blank<J: Lanes>(inputs: &Inputs<J>, parameters: usize, to_second: bool) -> Self {
+        let mut count = 0;
         let inputs = inputs.map(|number| {
-            let value = number.lane(0).re();
-            let (columns, rows) = (like.gradient.len(), like.hessian.len());
-            let hessian = vec![vec![0.0; columns]; rows];
-            by_parameters.push(Taylor { value, gradient: vec![0.0; columns], hessian });
-            value
+            count += 1;
+            number.lane(0).re()
         });
-        Self { inputs, by_parameters }
+        let hessians = if to_second { count * parameters * parameters } else { 0 };
+        Self { inputs, parameters, gradients: vec![0.0; count * parameters], hessians: vec![0.0; hessians] }
+    }
+
+    /// Takes over the derivatives by the parameters in some directions.
+    fn take<J: Lanes<Lane: Derivatives>>(&mut self, inputs: &Inputs<J>, directions: Directions<'_>, per_lane: usize) {
+        let (n, lanes) = (self.parameters, directions.lanes(per_lane));
+        let places: [&[usize]; MOST_LANES] = std::array::from_fn(|lane| directions.in_lane(lane, per_lane));
+        let mut gradients = self.gradients.chunks_exact_mut(n);
+        let mut hessians = self.hessians.chunks_exact_mut(n * n);
+        inputs.map(|number| {
+            let (Some(gradient), mut hessian) = (gradients.next(), hessians.next()) else { return };
+            for (lane, places) in places.iter().take(lanes).enumerate() {
+                let number = number.lane(lane);
+                for (i, &place) in places.iter().enumerate() {
+                    gradient[place] = number.first(i);
+                }
+                if let (&&[i, j], Some(second), Some(hessian)) = (places, number.second(), hessian.as_mut()) {
+                    (hessian[i * n + j], hessian[j * n + i]) = (second, second);
+                }
+            }
+        });
+    }
+
+    /// The derivatives by parameters of what has these by the inputs that move.
+    fn chain(&self, taylor: &mut Taylor, by_inputs: &Taylor, moving: &[usize]) {
+        let n = self.parameters;
+        let gradient = |input: usize| &self.gradients[input * n..][..n];
+        let add = |sums: &mut [f64], factor: f64, terms: &[f64]| {
+            sums.iter_mut().zip(terms).for_each(|(sum, term)| *sum += factor * term);
+        };
+        taylor.value = by_inputs.value;
+        for (a, &input) in moving.iter().enumerate() {
+            add(&mut taylor.gradient, by_inputs.gradient[a], gradient(input));
+            if taylor.hessian.is_empty() {
+                continue;
+            }
+            // how the slope by this input changes with the parameters
+            let mut bent = vec![0.0; n];
+            for (b, &other) in moving.iter().enumerate() {
+                add(&mut bent, by_inputs.hessian[a][b], gradient(other));
+            }
+            for (i, row) in taylor.hessian.iter_mut().enumerate() {
+                add(row, by_inputs.gradient[a], &self.hessians[(input * n + i) * n..][..n]);
+                add(row, gradient(input)[i], &bent);
+            }
+        }
     }
 }

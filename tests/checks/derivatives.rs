@@ -130,6 +130,29 @@ fn differences_of_gradients_agree_with_a_hessian_of_many_parameters() {
     }
 }
 
+/// By many parameters a Hessian is chained from those of the impact and of the flight; by few it is one of both together.
+#[test]
+fn exact_a_hessian_by_all_parameters_holds_that_by_a_few() {
+    let mut setup = Setup::default();
+    setup.set_all([("strike.toe", "9 mm"), ("wind.right", "3 m/s"), ("swing.attack_angle", "4 deg")]).unwrap();
+    let all = setup.variables();
+    let names = ["club.loft", "swing.path", "strike.toe", "air.density", "aero.cl_max", "wind.right", "ball.radius"];
+    let few = names.map(|name| setup.variable(name).unwrap());
+    assert!(all.len() > 30, "{}", all.len());
+    for of in [Outcome::Carry, Outcome::Lateral, Outcome::DescentAngle, Outcome::Spin] {
+        let (many, few_of) = (hessian(&setup, of, &all).unwrap(), hessian(&setup, of, &few).unwrap());
+        close(many.value, few_of.value, many.value.abs(), 1e-13, "value");
+        let place = few.map(|parameter| all.iter().position(|row| *row == parameter).unwrap());
+        let most = few_of.hessian.iter().flatten().fold(1.0, |most: f64, h| most.max(h.abs()));
+        for (i, row) in few_of.hessian.iter().enumerate() {
+            close(many.gradient[place[i]], few_of.gradient[i], few_of.gradient[i].abs().max(1e-9), 1e-10, names[i]);
+            for (j, theirs) in row.iter().enumerate() {
+                close(many.hessian[place[i]][place[j]], *theirs, most, 1e-11, &format!("{} {}", names[i], names[j]));
+            }
+        }
+    }
+}
+
 #[test]
 fn derivatives_do_not_depend_on_what_else_is_asked_for() {
     let mut setup = Setup::preset("mae494").unwrap();
