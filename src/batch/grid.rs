@@ -26,10 +26,10 @@ impl Axis {
         let refuse = |reason: String| Error::SearchRange { name: text.trim().into(), reason };
         let Some((range, count)) = text.rsplit_once(':') else {
             // a range that is none is the greater mistake
-            Vary::read(setup, text)?;
+            Vary::read_column(setup, text)?;
             return Err(refuse(format!("the number of values is missing; write for example {}:101", text.trim())));
         };
-        let over = Vary::read(setup, range)?;
+        let over = Vary::read_column(setup, range)?;
         match count.trim().parse() {
             Ok(0) => Err(refuse(
                 "the number of values must be at least 1; write for example :101, or :1 for the lower end alone".into(),

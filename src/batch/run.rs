@@ -44,7 +44,7 @@ impl Batch {
         of: &[Outcome],
         wrt: &[&'static Parameter],
     ) -> Result<Self> {
-        setup.validate()?;
+        setup.validate_but_launch()?;
         if of.is_empty() {
             return Err(Error::Nothing { doing: "evaluate", what: "outcome" });
         }

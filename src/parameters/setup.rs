@@ -197,13 +197,21 @@ impl Setup<f64> {
     /// # Errors
     /// [`Error::OutOfRange`], also for a step so short that no one would wait for the flight; [`Error::Inertia`].
     pub fn validate(&self) -> Result<()> {
+        self.validate_but_launch()?;
+        self.check_launch(&[])
+    }
+
+    /// The same, but for whether the launch is whole: the rest of it may be in the columns of a table.
+    ///
+    /// # Errors
+    /// As [`validate`](Self::validate).
+    pub fn validate_but_launch(&self) -> Result<()> {
         for parameter in self.parameters() {
             if let Some(value) = self.value(parameter) {
                 parameter.check(value)?;
             }
         }
         self.check_step_count()?;
-        self.check_launch(&[])?;
         self.club.check_inertia()
     }
 

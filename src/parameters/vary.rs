@@ -28,11 +28,23 @@ impl Vary {
     /// # Errors
     /// [`Error::SearchRange`] for a range that is none; as [`Setup::variable`] and [`Parameter::read`].
     pub fn read(setup: &Setup<f64>, text: &str) -> Result<Self> {
+        Self::read_of(text, |name| setup.variable(name))
+    }
+
+    /// The same of a parameter that has a value in each drive, and needs none in the setup.
+    ///
+    /// # Errors
+    /// As [`read`](Self::read), and [`Setup::column`].
+    pub fn read_column(setup: &Setup<f64>, text: &str) -> Result<Self> {
+        Self::read_of(text, |name| setup.column(name))
+    }
+
+    fn read_of(text: &str, find: impl Fn(&str) -> Result<&'static Parameter>) -> Result<Self> {
         let refuse = |reason: String| Error::SearchRange { name: text.trim().into(), reason };
         let (name, range) = text
             .split_once('=')
             .ok_or_else(|| refuse("write NAME=LOW..HIGH, for example club.loft=4deg..20deg".into()))?;
-        let parameter = setup.variable(name.trim())?;
+        let parameter = find(name.trim())?;
         let (low, high) = range
             .split_once("..")
             .ok_or_else(|| refuse(format!("'{range}' is not LOW..HIGH; write for example {name}=4deg..20deg")))?;

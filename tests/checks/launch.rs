@@ -304,3 +304,34 @@ fn a_parameter_that_is_set_twice_is_refused() {
         assert!(said.err.contains(&format!("--set {first} gives ")) && said.err.contains("keep one of the two"));
     }
 }
+
+/// One condition of a launch over a range, the others on the command line or in a file: each row is the launch with this value.
+#[test]
+fn exact_a_condition_of_a_launch_is_swept_beside_the_others() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("angles.csv").display().to_string();
+    std::fs::write(&file, "launch_angle [deg]\n8\n12\n").unwrap();
+    let launch = ["--launch", "ball_speed=160mph,backspin=2500rpm", "--outcomes", "carry", "--own-step"];
+    let carries = |points: &[&str]| -> Vec<f64> {
+        let said = longdrive(&[&["sweep"], points, &launch].concat());
+        assert_eq!(said.status, 0, "{points:?}: {}", said.err);
+        said.out.lines().skip(1).map(|row| row.rsplit(',').next().unwrap().parse().unwrap()).collect()
+    };
+    let exact = ["8deg", "12deg"].map(|angle| {
+        let whole = format!("ball_speed=160mph,backspin=2500rpm,launch_angle={angle}");
+        json(&["simulate", "--launch", &whole]).1["flight"]["carry"].as_f64().unwrap()
+    });
+    for points in [&["--over", "launch.launch_angle=8deg..12deg:2"][..], &["--points", &file]] {
+        for (ours, theirs) in carries(points).iter().zip(exact) {
+            close(*ours, theirs, theirs, 1e-12, "carry");
+        }
+    }
+    // what is still missing is told, and what is given twice
+    for (args, says) in [
+        (["--over", "launch.spin_axis=0deg..5deg:2"], "launch_angle is missing"),
+        (["--over", "launch.ball_speed=60m/s..70m/s:2"], "a value of its own"),
+    ] {
+        let said = longdrive(&[&["sweep"], &args[..], &launch].concat());
+        assert!(said.status == 2 && said.err.contains(says), "{args:?}: {}", said.err);
+    }
+}

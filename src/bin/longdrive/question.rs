@@ -12,6 +12,13 @@ const MICROMETRE: f64 = 1e-6;
 impl Question {
     /// The setup asked about: a preset or a file, with the overrides applied, checked.
     pub fn setup(&self) -> Result<Setup<f64>> {
+        let setup = self.setup_of_points()?;
+        setup.validate()?;
+        Ok(setup)
+    }
+
+    /// The same where the points may have the rest of a launch.
+    pub fn setup_of_points(&self) -> Result<Setup<f64>> {
         let (mut setup, without_unit) = self.base()?;
         let settings = self.settings()?;
         let launch = self.conditions(&setup, &settings)?;
@@ -29,7 +36,7 @@ impl Question {
             setup.set(condition.name, value)?;
         }
         self.tell_read_as_si(&setup, &read);
-        setup.validate()?;
+        setup.validate_but_launch()?;
         if setup.launch.is_given() {
             self.refuse_club(&setup, "the drive is given by its launch")?;
             self.tell_unused()?;

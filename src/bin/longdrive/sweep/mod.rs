@@ -25,7 +25,7 @@ use std::path::Path;
 use target::Target;
 
 pub fn run(args: &Sweep) -> Result<Answer> {
-    let setup = args.question.setup()?;
+    let setup = args.question.setup_of_points()?;
     // from here on: the step is chosen from all points, which takes a while where these are a long table
     let stop = interrupt::stops("stopping after the drives under way");
     let of = outcomes(&args.outcomes)?;

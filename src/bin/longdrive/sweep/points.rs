@@ -50,7 +50,7 @@ fn varied(setup: &Setup<f64>, args: &Sweep) -> Result<Vec<Vary>> {
             name: text.clone(),
             reason: format!("--sample says how many points there are; write {range}, without a count"),
         }),
-        None => Vary::read(setup, text),
+        None => Vary::read_column(setup, text),
     });
     over.collect()
 }
