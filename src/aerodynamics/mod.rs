@@ -55,14 +55,11 @@ pub trait AerodynamicLaw<T: Numbers> {
     }
 }
 
-/// Whichever law it is: asked by a call, since there are many and they are asked for in many places.
+/// Whichever law it is.
 impl<T: Numbers> AerodynamicLaw<T> for Law<T> {
     #[inline(always)]
     fn coefficients(&self, stream: &Stream<T>) -> Coefficients<T> {
-        T::outlined(
-            #[inline(always)]
-            || with_law!(self, |law| law.coefficients(stream)),
-        )
+        with_law!(self, |law| law.coefficients(stream))
     }
 
     fn has_corner_at_zero_spin(&self) -> bool {

@@ -5,7 +5,7 @@ use super::question::Kernel;
 use crate::aerodynamics::AerodynamicLaw;
 use crate::drive::{Beyond, Part, Shown, Struck, is_beside_any_face};
 use crate::flight::{Discretization, Flight};
-use crate::number::{Derivatives, Jet, Lanes, Mask, Number, Task};
+use crate::number::{Derivatives, Jet, Lanes, Mask, Number, Task, inlined};
 use crate::parameters::{Parameter, Setup};
 
 /// Parameters differentiated by in one pass.
@@ -54,7 +54,7 @@ impl Abreast<'_> {
             // the last group is filled up with copies of its last row
             let row_of = |lane: usize| rows[lane.min(rows.len() - 1)];
             let block = &*self.block;
-            setup.put(&kernel.parameters, |k| V::from_lanes(|lane| block.point(row_of(lane))[k]));
+            setup.put(&kernel.parameters, |k| V::with_values(|lane| block.point(row_of(lane))[k]));
             let struck = Struck::new(&setup);
             for (lane, &row) in rows.iter().enumerate() {
                 let (up, ground) = (struck.launch.velocity.x.lane(lane), setup.ground.height.lane(lane));
@@ -77,10 +77,14 @@ impl Abreast<'_> {
     fn fly<J: Lanes<Lane: Derivatives>>(&mut self, rows: &[(f64, usize)], alone: &mut Vec<usize>) {
         // the setup with what is the same in every row: the swept parameters are still to be put in
         let mut setup = self.kernel.setup.constant::<J>();
-        setup.put(self.wrt, |k| {
-            let value = self.kernel.setup.value(self.wrt[k]).unwrap_or(f64::NAN);
-            J::seeded(&|_| value, &|_, direction| direction == k, 0)
-        });
+        setup.put(
+            self.wrt,
+            #[inline(always)]
+            |k| {
+                let value = self.kernel.setup.value(self.wrt[k]).unwrap_or(f64::NAN);
+                changing(J::constant(value), Some(k))
+            },
+        );
         let directions: Vec<Option<usize>> =
             self.kernel.parameters.iter().map(|parameter| self.wrt.iter().position(|row| row == parameter)).collect();
         for group in rows.chunks(J::WIDTH) {
@@ -99,9 +103,11 @@ impl Abreast<'_> {
         let kernel = self.kernel;
         let row_of = |lane: usize| group[lane.min(group.len() - 1)].1;
         let block = &*self.block;
-        setup.put(&kernel.parameters, |k| {
-            J::seeded(&|lane| block.point(row_of(lane))[k], &|_, direction| directions[k] == Some(direction), 0)
-        });
+        setup.put(
+            &kernel.parameters,
+            #[inline(always)]
+            |k| changing(J::with_values(|lane| block.point(row_of(lane))[k]), directions[k]),
+        );
         let struck = Struck::new(setup);
         let (stream, strike) = (struck.inputs.stream(), [setup.strike.toe, setup.strike.high]);
         let fitted = AerodynamicLaw::<f64>::fitted(&kernel.setup.law);
@@ -139,4 +145,14 @@ impl Abreast<'_> {
             self.block.derivatives[column][row] = number.first(k);
         }
     }
+}
+
+/// Numbers that change in a direction, in each lane.
+#[inline(always)]
+fn changing<J: Lanes>(values: J, direction: Option<usize>) -> J {
+    let changes_in = inlined(
+        #[inline(always)]
+        |k: usize| J::Mask::first(if direction == Some(k) { J::WIDTH } else { 0 }),
+    );
+    values.seeded(&changes_in, 0)
 }

@@ -4,7 +4,7 @@ use crate::error::{Error, Result};
 use crate::flight::{Discretization, Flight, Inputs};
 use crate::impact::strike;
 use crate::launch::Launch;
-use crate::number::{Lanes, Level, Mask, Number};
+use crate::number::{Lanes, Level, MOST_LANES, Mask, Number, inlined};
 use crate::parameters::{Parameter, Setup};
 
 /// A question, at one place.
@@ -61,20 +61,34 @@ impl Directions<'_> {
 
     /// The number of a place, in each lane the independent variable of the direction that it has there.
     #[inline(always)]
-    pub fn seeded<J: Lanes>(&self, place: usize, value: f64, per_lane: usize) -> J {
+    pub fn seeded<J: Lanes>(&self, place: usize, value: J, per_lane: usize) -> J {
         match self {
-            Self::None => J::constant(value),
+            Self::None => value,
             Self::Each(places) => match places.iter().position(|at| *at == place) {
-                None => J::constant(value),
+                None => value,
                 Some(at) => {
                     let (in_lane, in_direction) = (at / per_lane, at % per_lane);
-                    J::seeded(&|_| value, &|lane, direction| lane == in_lane && direction == in_direction, 0)
+                    let changes_in = inlined(
+                        #[inline(always)]
+                        |direction: usize| J::Mask::only(if direction == in_direction { in_lane } else { MOST_LANES }),
+                    );
+                    J::seeded(value, &changes_in, 0)
                 }
             },
             Self::Pairs(pairs) => {
-                let is_at =
-                    |lane: usize, direction: usize| pairs.get(lane).is_some_and(|pair| pair[direction] == place);
-                J::seeded(&|_| value, &is_at, 0)
+                let changes_in = inlined(
+                    #[inline(always)]
+                    |direction: usize| {
+                        let mut lanes = J::Mask::first(0);
+                        for (lane, pair) in pairs.iter().enumerate() {
+                            if pair[direction] == place {
+                                lanes = lanes | J::Mask::only(lane);
+                            }
+                        }
+                        lanes
+                    },
+                );
+                J::seeded(value, &changes_in, 0)
             }
         }
     }
@@ -85,7 +99,11 @@ impl Asked<'_> {
     #[inline(always)]
     pub fn lifted<J: Lanes>(&self, directions: Directions<'_>, per_lane: usize) -> Setup<J> {
         let mut setup = self.setup.constant();
-        setup.put(self.wrt, |place| directions.seeded(place, self.x[place], per_lane));
+        setup.put(
+            self.wrt,
+            #[inline(always)]
+            |place| directions.seeded(place, J::constant(self.x[place]), per_lane),
+        );
         setup
     }
 

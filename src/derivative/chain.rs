@@ -114,12 +114,7 @@ impl Task for Pass<'_> {
     fn run<V: Lanes<Lane = f64>>(self) -> Result<()> {
         match self.directions {
             Directions::Pairs(_) => self.over::<Mixed<V>>(2),
-            Directions::None => self.over::<Jet<1, V>>(1),
-            Directions::Each(places) => match places.len().div_ceil(V::WIDTH) {
-                0 | 1 => self.over::<Jet<1, V>>(1),
-                2 => self.over::<Jet<2, V>>(2),
-                _ => self.over::<Jet<MOST_PER_LANE, V>>(MOST_PER_LANE),
-            },
+            _ => self.over::<Jet<MOST_PER_LANE, V>>(MOST_PER_LANE),
         }
     }
 }
@@ -146,11 +141,19 @@ impl Pass<'_> {
                 })
             }
             Part::Flight { changes, moving, slopes } => {
+                // made in one place, and then laid out
+                let mut values = vec![];
+                changes.inputs.map(|value| values.push(value));
+                let mut numbers = Vec::with_capacity(values.len());
+                for (input, value) in values.into_iter().enumerate() {
+                    let value = J::constant(value);
+                    numbers.push(match moving.iter().position(|moves| *moves == input) {
+                        Some(place) => directions.seeded(place, value, per_lane),
+                        None => value,
+                    });
+                }
                 let mut input = 0..;
-                let inputs = changes.inputs.map(|value| {
-                    let place = input.next().and_then(|input| moving.iter().position(|moves| *moves == input));
-                    place.map_or_else(|| J::constant(value), |place| directions.seeded(place, value, per_lane))
-                });
+                let inputs = changes.inputs.map(|_| numbers[input.next().unwrap_or_default()]);
                 asked.fly(&inputs, lanes, |lane, outcome, number| {
                     put(&mut slopes[outcome], directions.in_lane(lane, per_lane), &number);
                 })

@@ -22,11 +22,8 @@ impl Task for Pass<'_> {
     fn run<V: Lanes<Lane = f64>>(self) -> Result<()> {
         match self.directions {
             Directions::None => self.over::<V>(1),
-            Directions::Each(places) => match places.len().div_ceil(V::WIDTH) {
-                0 | 1 => self.over::<Jet<1, V>>(1),
-                2 => self.over::<Jet<2, V>>(2),
-                _ => self.over::<Jet<MOST_PER_LANE, V>>(MOST_PER_LANE),
-            },
+            Directions::Each(places) if places.len() <= V::WIDTH => self.over::<Jet<1, V>>(1),
+            Directions::Each(_) => self.over::<Jet<MOST_PER_LANE, V>>(MOST_PER_LANE),
             Directions::Pairs(_) => self.over::<Mixed<V>>(2),
         }
     }

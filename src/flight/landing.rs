@@ -82,7 +82,7 @@ impl<T: Numbers> Inputs<T> {
         let (tableau, h, ground) = (Tableau::of(how.method), how.step, self.ground);
         let none = T::constant(1.0).below(0.0);
         let start = State { position: Vector::zero(), velocity: self.velocity, spin: self.spin };
-        let stepper = Stepper::new(self, tableau, h);
+        let mut stepper = Stepper::new(self, tableau, h);
         let mut here = self.node(start);
         let mut has_been_above = ground.below(0.0);
         let mut flying = lanes & (has_been_above | is_rising(&here));

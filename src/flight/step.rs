@@ -11,6 +11,8 @@ pub(super) struct Stepper<'a, T> {
     h: f64,
     /// exp(−δ cᵢ h): what is left of a spin at each stage, apart from damping.
     fading: [T; MOST_STAGES + 1],
+    /// The rates at the stages of a step.
+    rates: [Rate<T>; MOST_STAGES],
 }
 
 /// A step of the integration.
@@ -41,40 +43,40 @@ impl<'a, T: Numbers> Stepper<'a, T> {
         for (left, time) in fading.iter_mut().zip(tableau.time).take(tableau.stages + 1).skip(1) {
             *left = (inputs.decay * (-time * h)).exp();
         }
-        Self { inputs, tableau, h, fading }
+        let none = Rate { acceleration: Vector::zero(), speed: T::zero() };
+        Self { inputs, tableau, h, fading, rates: [none; MOST_STAGES] }
     }
 
     /// The step from a node.
     #[inline(always)]
-    pub fn step(&self, from: &Node<T>) -> Step<T> {
+    pub fn step(&mut self, from: &Node<T>) -> Step<T> {
         let (inputs, tableau, h) = (self.inputs, self.tableau, self.h);
         let State { position: x, velocity: v, spin } = from.state;
-        let mut rates = [from.rate; MOST_STAGES];
+        self.rates[0] = from.rate;
         for i in 1..tableau.stages {
-            let velocity = sum(&rates[..i], &tableau.velocity[i], h, v);
+            let velocity = self.sum(i, &tableau.velocity[i], h, v);
             let mut height = v.x.scale_add(h * tableau.time[i], x.x);
             if inputs.wind.depends_on_height() {
-                for (rate, weight) in rates.iter().zip(&tableau.position[i]).take(i) {
+                for (rate, weight) in self.rates.iter().zip(&tableau.position[i]).take(i) {
                     height = rate.acceleration.x.scale_add(h * h * weight, height);
                 }
             }
-            rates[i] = inputs.rate(velocity, self.spin(spin, i, &rates[..i]), height);
+            self.rates[i] = inputs.rate(velocity, self.spin(spin, i), height);
         }
-        let (end, rates) = (tableau.stages, &rates[..tableau.stages]);
-        let gained = sum(rates, &tableau.velocity[end], h, Vector::zero());
-        let bent = sum(rates, &tableau.position[end], h * h, Vector::zero());
-        let state =
-            State { position: v.scale_add(h, x + bent), velocity: v + gained, spin: self.spin(spin, end, rates) };
+        let end = tableau.stages;
+        let gained = self.sum(end, &tableau.velocity[end], h, Vector::zero());
+        let bent = self.sum(end, &tableau.position[end], h * h, Vector::zero());
+        let state = State { position: v.scale_add(h, x + bent), velocity: v + gained, spin: self.spin(spin, end) };
         Step { from: *from, to: inputs.node(state), bent, gained }
     }
 
     /// The spin at a stage, of what it was at the start of the step: ω exp(−δ t − κ ℓ/R), ℓ the way through the air since.
     #[inline(always)]
-    fn spin(&self, spin: T, stage: usize, rates: &[Rate<T>]) -> T {
+    fn spin(&self, spin: T, stage: usize) -> T {
         let faded = spin * self.fading[stage];
         let Some(damping) = self.inputs.damping else { return faded };
         let mut way = T::zero();
-        for (rate, weight) in rates.iter().zip(&self.tableau.velocity[stage]) {
+        for (rate, weight) in self.rates.iter().zip(&self.tableau.velocity[stage]).take(stage) {
             way = rate.speed.scale_add(self.h * weight, way);
         }
         T::outlined(
@@ -82,16 +84,16 @@ impl<'a, T: Numbers> Stepper<'a, T> {
             || faded * (-(damping * way)).exp(),
         )
     }
-}
 
-/// scale Σ wⱼ aⱼ, and what it is added to.
-#[inline(always)]
-fn sum<T: Numbers>(rates: &[Rate<T>], weights: &[f64], scale: f64, start: Vector<T>) -> Vector<T> {
-    let mut sum = start;
-    for (rate, weight) in rates.iter().zip(weights) {
-        if *weight != 0.0 {
-            sum = rate.acceleration.scale_add(scale * weight, sum);
+    /// scale Σ wⱼ aⱼ over the stages so far, and what it is added to.
+    #[inline(always)]
+    fn sum(&self, stages: usize, weights: &[f64], scale: f64, start: Vector<T>) -> Vector<T> {
+        let mut sum = start;
+        for (rate, weight) in self.rates.iter().zip(weights).take(stages) {
+            if *weight != 0.0 {
+                sum = rate.acceleration.scale_add(scale * weight, sum);
+            }
         }
+        sum
     }
-    sum
 }

@@ -1,6 +1,6 @@
-use super::rigid_body::{Collision, Factors, Rebound, jammed};
+use super::rigid_body::{Collision, ContactSystem, jammed};
 use crate::error::Result;
-use crate::number::{Mask, Number, Numbers};
+use crate::number::{Mask, Number, Numbers, Vector};
 
 /// Where a contact stands against the limit of friction.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -13,9 +13,9 @@ pub enum Grip {
     Slips(f64),
 }
 
-/// A rebound under a limit of friction.
+/// An impulse under a limit of friction.
 pub(super) struct Limited<T: Numbers> {
-    pub rebound: Rebound<T>,
+    pub impulse: Vector<T>,
     /// |J_t|² of the sticking contact, and μ J_n.
     needed_squared: T,
     limit: T,
@@ -24,29 +24,29 @@ pub(super) struct Limited<T: Numbers> {
     separating: T,
 }
 
-/// The rebound under Coulomb friction (docs/model.md, eq. 11): where the sticking impulse lies outside the friction cone,
-/// J = j (n + μ t̂) with t̂ the direction of the sticking J_t. It joins the sticking rebound continuously; its slope does not.
+/// The impulse under Coulomb friction (docs/model.md, eq. 11): where the sticking impulse lies outside the friction cone,
+/// J = j (n + μ t̂) with t̂ the direction of the sticking J_t. It joins the sticking impulse continuously; its slope does not.
 #[inline(always)]
 pub(super) fn limited<T: Numbers>(
     collision: &Collision<T>,
-    factors: &Factors<T>,
-    sticking: Rebound<T>,
+    system: &ContactSystem<T>,
+    sticking: Vector<T>,
     friction: T,
 ) -> Limited<T> {
     let normal = collision.normal;
-    let push = sticking.impulse.dot(normal);
-    let tangential = sticking.impulse - normal * push;
+    let push = sticking.dot(normal);
+    let tangential = sticking - normal * push;
     let (needed_squared, limit) = (tangential.dot(tangential), friction * push);
     let slips = (limit * limit - needed_squared).below(0.0);
     if !slips.any() {
-        return Limited { rebound: sticking, needed_squared, limit, slips, separating: T::constant(1.0) };
+        return Limited { impulse: sticking, needed_squared, limit, slips, separating: T::constant(1.0) };
     }
     let direction = normal + tangential * (friction / needed_squared.sqrt());
-    let [x, y, z] = collision.columns(&factors.inertia);
+    let [x, y, z] = system.columns;
     let separating = normal.dot(x * direction.x + y * direction.y + z * direction.z);
     let size = collision.approach().dot(normal) * (collision.restitution + 1.0) / separating;
-    let slipping = collision.after(direction * size, factors);
-    Limited { rebound: slipping.blend(&sticking, slips), needed_squared, limit, slips, separating }
+    let impulse = (direction * size).blend(sticking, slips);
+    Limited { impulse, needed_squared, limit, slips, separating }
 }
 
 impl<T: Numbers> Limited<T> {
@@ -58,15 +58,15 @@ impl<T: Numbers> Limited<T> {
 }
 
 impl<T: Number> Limited<T> {
-    /// The rebound, and where it stands against the limit.
+    /// The impulse, and where it stands against the limit.
     ///
     /// # Errors
     /// [`Error::Jammed`](crate::error::Error::Jammed) where such an impulse cannot separate the bodies.
-    pub fn checked(self, collision: &Collision<T>, friction: T) -> Result<(Rebound<T>, Grip)> {
+    pub fn checked(self, collision: &Collision<T>, friction: T) -> Result<(Vector<T>, Grip)> {
         let needed = self.needed_squared.re().sqrt();
         let used = if needed == 0.0 { 0.0 } else { needed / self.limit.re() };
         if !self.slips {
-            return Ok((self.rebound, Grip::Sticks(used)));
+            return Ok((self.impulse, Grip::Sticks(used)));
         }
         if !self.separates() {
             return Err(jammed(&format!(
@@ -76,6 +76,6 @@ impl<T: Number> Limited<T> {
                 self.separating.re()
             )));
         }
-        Ok((collision.checked(self.rebound)?, Grip::Slips(used)))
+        Ok((collision.pushing(self.impulse)?, Grip::Slips(used)))
     }
 }

@@ -49,12 +49,13 @@ pub fn strike<T: Number>(setup: &Setup<T>) -> Result<Impact<T>> {
     if approach <= 0.0 || approach.is_nan() {
         return Err(Error::NoStrike { approach });
     }
-    let factors = collision.checked_factors()?;
-    let rolling = collision.checked(collision.rolling(&factors))?;
-    let (rebound, grip) = match setup.impact.friction {
-        None => (rolling, Grip::Unlimited),
-        Some(friction) => friction::limited(&collision, &factors, rolling, friction).checked(&collision, friction)?,
+    let system = collision.checked_system()?;
+    let sticking = collision.pushing(collision.sticking(&system))?;
+    let (impulse, grip) = match setup.impact.friction {
+        None => (sticking, Grip::Unlimited),
+        Some(friction) => friction::limited(&collision, &system, sticking, friction).checked(&collision, friction)?,
     };
+    let rebound = collision.after(impulse, &system);
     let ground = inlined(
         #[inline(always)]
         |v| delivery.to_ground(v),
@@ -83,25 +84,26 @@ impl<T: Numbers> Unchecked<T> {
         let delivery = Delivery::new(&setup.swing);
         let (face, q) = FacePoint::unchecked(&setup.club, &setup.strike);
         let collision = Collision::at(setup, &delivery, &face);
-        let factors = collision.factors();
-        let sticking = collision.rolling(&factors);
+        let system = collision.contact_system();
+        let sticking = collision.sticking(&system);
         let above_zero = inlined(
             #[inline(always)]
             |x: T| (-x).below(0.0),
         );
         let mut is_sound = q.below(1.0)
             & above_zero(collision.approach().dot(collision.normal))
-            & factors.inertia.is_positive()
-            & factors.compliance.is_positive()
-            & above_zero(sticking.impulse.dot(collision.normal));
-        let rebound = match setup.impact.friction {
+            & system.inertia.is_positive()
+            & system.compliance.is_positive()
+            & above_zero(sticking.dot(collision.normal));
+        let impulse = match setup.impact.friction {
             None => sticking,
             Some(friction) => {
-                let limited = friction::limited(&collision, &factors, sticking, friction);
-                is_sound = is_sound & limited.separates() & above_zero(limited.rebound.impulse.dot(collision.normal));
-                limited.rebound
+                let limited = friction::limited(&collision, &system, sticking, friction);
+                is_sound = is_sound & limited.separates() & above_zero(limited.impulse.dot(collision.normal));
+                limited.impulse
             }
         };
+        let rebound = collision.after(impulse, &system);
         let (velocity, spin) = (delivery.to_ground(rebound.ball_velocity), delivery.to_ground(rebound.ball_spin));
         // NaN is below nothing: what is not a number does not hold
         let size = velocity.dot(velocity) + spin.dot(spin);

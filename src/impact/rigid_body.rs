@@ -1,7 +1,7 @@
 use super::delivery::Delivery;
 use super::face::FacePoint;
 use crate::error::{Error, Result};
-use crate::number::{Number, Numbers, SymmetricFactors, Vector, inlined, solve};
+use crate::number::{Number, Numbers, SymmetricFactors, Vector, solve};
 use crate::parameters::Setup;
 
 /// Two rigid bodies about to collide, in the head frame: a head that moves, and a ball at rest.
@@ -46,20 +46,6 @@ pub struct Rebound<T> {
     pub club_spin: Vector<T>,
 }
 
-impl<T: Numbers> Rebound<T> {
-    /// `self` where the mask holds, `other` where it does not.
-    #[inline(always)]
-    pub(super) fn blend(&self, other: &Self, mask: T::Mask) -> Self {
-        Self {
-            impulse: self.impulse.blend(other.impulse, mask),
-            ball_velocity: self.ball_velocity.blend(other.ball_velocity, mask),
-            ball_spin: self.ball_spin.blend(other.ball_spin, mask),
-            club_velocity: self.club_velocity.blend(other.club_velocity, mask),
-            club_spin: self.club_spin.blend(other.club_spin, mask),
-        }
-    }
-}
-
 impl<T: Numbers> Collision<T> {
     /// The collision of a head that strikes the ball at a point of its face.
     #[inline(always)]
@@ -89,29 +75,30 @@ impl<T: Numbers> Collision<T> {
         self.club_velocity + self.club_spin.cross(self.contact)
     }
 
-    /// The factors of K and of I_c.
+    /// K, and the factors of K and of I_c.
     #[inline(always)]
-    pub(super) fn factors(&self) -> Factors<T> {
+    pub(super) fn contact_system(&self) -> ContactSystem<T> {
         let [[xx, ..], [xy, yy, _], [xz, yz, zz]] = self.club_inertia;
         let inertia = SymmetricFactors::new([xx, xy, yy, xz, yz, zz]);
-        let [x, y, z] = self.columns(&inertia);
-        Factors { inertia, compliance: SymmetricFactors::new([x.x, x.y, y.y, x.z, y.z, z.z]) }
+        let columns = self.columns(&inertia);
+        let [x, y, z] = columns;
+        ContactSystem { inertia, columns, compliance: SymmetricFactors::new([x.x, x.y, y.y, x.z, y.z, z.z]) }
     }
 
-    /// The rebound whose impulse solves the 3 equations (docs/model.md, eqs. 8–10):
+    /// The impulse on a ball that sticks to the face, which solves the 3 equations (docs/model.md, eqs. 8–10):
     /// K J = u⁻ + e (n·u⁻) n + e_t (u⁻ − (n·u⁻) n).
     #[inline(always)]
-    pub(super) fn rolling(&self, factors: &Factors<T>) -> Rebound<T> {
+    pub(super) fn sticking(&self, system: &ContactSystem<T>) -> Vector<T> {
         let approach = self.approach();
         let closing = self.normal * approach.dot(self.normal);
         let wanted = approach + closing * self.restitution + (approach - closing) * self.tangential_restitution;
-        self.after(Vector::from_array(factors.compliance.solve(wanted.to_array())), factors)
+        Vector::from_array(system.compliance.solve(wanted.to_array()))
     }
 
     /// The bodies after the impulse J on the ball.
     #[inline(always)]
-    pub(super) fn after(&self, impulse: Vector<T>, factors: &Factors<T>) -> Rebound<T> {
-        let turned = Vector::from_array(factors.inertia.solve(self.contact.cross(impulse).to_array()));
+    pub(super) fn after(&self, impulse: Vector<T>, system: &ContactSystem<T>) -> Rebound<T> {
+        let turned = Vector::from_array(system.inertia.solve(self.contact.cross(impulse).to_array()));
         Rebound {
             impulse,
             ball_velocity: impulse * self.ball_mass.recip(),
@@ -124,25 +111,19 @@ impl<T: Numbers> Collision<T> {
     /// K by columns: K e = (1/M + 1/m) e − r_P × I_c⁻¹ (r_P × e) − (R²/I_b) n × (n × e), the change of the
     /// contact points' relative velocity that an impulse e takes away.
     #[inline(always)]
-    pub(super) fn columns(&self, inertia: &SymmetricFactors<T>) -> [Vector<T>; 3] {
+    fn columns(&self, inertia: &SymmetricFactors<T>) -> [Vector<T>; 3] {
         let inverse_mass = self.club_mass.recip() + self.ball_mass.recip();
         let rolling = self.ball_radius * self.ball_radius / self.ball_inertia;
-        let (arm, n) = (self.contact, self.normal);
+        let (arm, n, zero) = (self.contact, self.normal, T::zero());
         // of a unit vector e the product a × e has two of a's components: r_P × e and n × (n × e) = n (n·e) − (n·n) e
+        let turning = [[zero, arm.z, -arm.y], [-arm.z, zero, arm.x], [arm.y, -arm.x, zero]];
+        let mut columns = [n; 3];
+        // one after the other, in one place
+        for (column, (arm_cross_e, along)) in columns.iter_mut().zip(turning.into_iter().zip(n.to_array())) {
+            let turned = Vector::from_array(inertia.solve(arm_cross_e));
+            *column = turned.cross(arm) - n * (along * rolling);
+        }
         let squared = n.dot(n) * rolling + inverse_mass;
-        let column = inlined(
-            #[inline(always)]
-            |arm_cross_e: [T; 3], along: T| {
-                let turned = Vector::from_array(inertia.solve(arm_cross_e));
-                -arm.cross(turned) - n * (along * rolling)
-            },
-        );
-        let zero = T::zero();
-        let mut columns = [
-            column([zero, arm.z, -arm.y], n.x),
-            column([-arm.z, zero, arm.x], n.y),
-            column([arm.y, -arm.x, zero], n.z),
-        ];
         columns[0].x = columns[0].x + squared;
         columns[1].y = columns[1].y + squared;
         columns[2].z = columns[2].z + squared;
@@ -151,9 +132,11 @@ impl<T: Numbers> Collision<T> {
 }
 
 /// The two symmetric matrices of a collision, factored.
-pub(super) struct Factors<T> {
+pub(super) struct ContactSystem<T> {
     /// I_c.
     pub inertia: SymmetricFactors<T>,
+    /// K by columns.
+    pub columns: [Vector<T>; 3],
     /// K.
     pub compliance: SymmetricFactors<T>,
 }
@@ -174,8 +157,8 @@ impl<T: Number> Collision<T> {
     /// [`Error::Jammed`] where the impulse would have to pull.
     #[inline]
     pub fn by_impulse(&self) -> Result<Rebound<T>> {
-        let factors = self.checked_factors()?;
-        self.checked(self.rolling(&factors))
+        let system = self.checked_system()?;
+        Ok(self.after(self.pushing(self.sticking(&system))?, &system))
     }
 
     /// K by columns (docs/model.md, eq. 9).
@@ -183,35 +166,35 @@ impl<T: Number> Collision<T> {
     /// # Errors
     /// [`Error::Jammed`] where the head's inertia tensor is none.
     pub fn compliance(&self) -> Result<[Vector<T>; 3]> {
-        Ok(self.columns(&self.checked_factors()?.inertia))
+        Ok(self.checked_system()?.columns)
     }
 
-    /// The factors, where the head's inertia tensor is one.
+    /// The system, where the head's inertia tensor is one.
     #[inline]
-    pub(super) fn checked_factors(&self) -> Result<Factors<T>> {
-        let factors = self.factors();
-        if !factors.inertia.is_positive() {
+    pub(super) fn checked_system(&self) -> Result<ContactSystem<T>> {
+        let system = self.contact_system();
+        if !system.inertia.is_positive() {
             return Err(jammed("the head's inertia tensor is not positive definite; check club.inertia"));
         }
-        if !factors.compliance.is_positive() {
+        if !system.compliance.is_positive() {
             return Err(jammed(
                 "the contact's 3 × 3 system is singular; check club.mass, club.inertia, ball.mass and ball.inertia",
             ));
         }
-        Ok(factors)
+        Ok(system)
     }
 
-    /// A rebound whose impulse pushes.
+    /// An impulse that pushes.
     #[inline]
-    pub(super) fn checked(&self, rebound: Rebound<T>) -> Result<Rebound<T>> {
-        let push = rebound.impulse.dot(self.normal).re();
+    pub(super) fn pushing(&self, impulse: Vector<T>) -> Result<Vector<T>> {
+        let push = impulse.dot(self.normal).re();
         if push <= 0.0 || push.is_nan() {
             return Err(jammed(&format!(
                 "the impulse along the face normal would be {push} N s, which must be above 0; check strike.high, strike.toe, \
                  club.inertia and impact.tangential_restitution"
             )));
         }
-        Ok(rebound)
+        Ok(impulse)
     }
 
     /// The same collision from Winfield & Tan's 15 equations in 15 unknowns: 12 generalized speeds and 3

@@ -51,4 +51,8 @@ impl<const W: usize> Mask for Bits<W> {
     fn first(count: usize) -> Self {
         Self(((1_u16 << count.min(W)) - 1) as u8)
     }
+    #[inline(always)]
+    fn only(lane: usize) -> Self {
+        Self((1_u16 << lane) as u8) & Self::ALL
+    }
 }

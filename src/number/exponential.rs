@@ -15,8 +15,8 @@ const LEAST: f64 = -708.0;
 const GREATEST: f64 = 709.0;
 
 /// 1/n!.
-const TAYLOR: [f64; 14] = {
-    let (mut inverse, mut factorial, mut n) = ([1.0; 14], 1.0, 1);
+pub(super) const TAYLOR: [f64; 18] = {
+    let (mut inverse, mut factorial, mut n) = ([1.0; 18], 1.0, 1);
     while n < inverse.len() {
         factorial *= n as f64;
         inverse[n] = 1.0 / factorial;

@@ -9,11 +9,11 @@ pub(crate) trait Lanes: Numbers {
 
     /// The number in a lane.
     fn lane(self, i: usize) -> Self::Lane;
-    /// The numbers in lanes 0, 1, 2 …; `f` is asked for each of them.
-    fn from_lanes(f: impl FnMut(usize) -> Self::Lane) -> Self;
-    /// The numbers with a value for each lane, which change in those directions of a lane that are so told. Directions are counted
-    /// from `first` on, those of a jet before those of the jets it is made of.
-    fn seeded(value: &impl Fn(usize) -> f64, changes_in: &impl Fn(usize, usize) -> bool, first: usize) -> Self;
+    /// Numbers with these values in lanes 0, 1, 2 … and without derivatives; `f` is asked for each of them.
+    fn with_values(f: impl FnMut(usize) -> f64) -> Self;
+    /// These values, which change in a direction in those lanes that are so told. Directions are counted from `first` on, those of
+    /// a jet before those of the jets it is made of.
+    fn seeded(self, changes_in: &impl Fn(usize) -> Self::Mask, first: usize) -> Self;
 }
 
 /// A number alone.
@@ -26,12 +26,12 @@ impl Lanes for f64 {
         self
     }
     #[inline(always)]
-    fn from_lanes(mut f: impl FnMut(usize) -> f64) -> f64 {
+    fn with_values(mut f: impl FnMut(usize) -> f64) -> f64 {
         f(0)
     }
     #[inline(always)]
-    fn seeded(value: &impl Fn(usize) -> f64, _: &impl Fn(usize, usize) -> bool, _: usize) -> f64 {
-        value(0)
+    fn seeded(self, _: &impl Fn(usize) -> bool, _: usize) -> f64 {
+        self
     }
 }
 
@@ -44,19 +44,16 @@ impl<const K: usize, B: Lanes> Lanes for Jet<K, B> {
         Jet { re: self.re.lane(i), gradient: self.gradient.map(|d| d.lane(i)) }
     }
     #[inline(always)]
-    fn from_lanes(mut f: impl FnMut(usize) -> Self::Lane) -> Self {
-        let lanes: [Self::Lane; MOST_LANES] =
-            std::array::from_fn(|i| if i < B::WIDTH { f(i) } else { Self::Lane::zero() });
-        Jet {
-            re: B::from_lanes(|i| lanes[i].re),
-            gradient: std::array::from_fn(|k| B::from_lanes(|i| lanes[i].gradient[k])),
-        }
+    fn with_values(f: impl FnMut(usize) -> f64) -> Self {
+        Self { re: B::with_values(f), gradient: [B::zero(); K] }
     }
     #[inline(always)]
-    fn seeded(value: &impl Fn(usize) -> f64, changes_in: &impl Fn(usize, usize) -> bool, first: usize) -> Self {
-        let change =
-            |k: usize| B::from_lanes(|lane| B::Lane::constant(f64::from(u8::from(changes_in(lane, first + k)))));
-        Jet { re: B::seeded(value, changes_in, first + K), gradient: std::array::from_fn(change) }
+    fn seeded(self, changes_in: &impl Fn(usize) -> B::Mask, first: usize) -> Self {
+        let mut jet = Self { re: self.re.seeded(changes_in, first + K), gradient: self.gradient };
+        for (k, change) in jet.gradient.iter_mut().enumerate() {
+            *change = B::constant(1.0).blend(B::zero(), changes_in(first + k));
+        }
+        jet
     }
 }
 

@@ -1,4 +1,4 @@
-use super::{Number, Numbers};
+use super::{Number, Numbers, inlined};
 
 /// Solves A x = b by Gaussian elimination with partial pivoting. `None` where A is exactly singular or holds a number that is not finite.
 ///
@@ -72,11 +72,12 @@ impl<T: Numbers> SymmetricFactors<T> {
     /// Whether each pivot is positive and finite, as those of a positive definite matrix are.
     #[inline(always)]
     pub fn is_positive(&self) -> T::Mask {
-        let [first, second, third] = self.inverse_pivots.map(
+        let [first, second, third] = self.inverse_pivots;
+        let is_positive = inlined(
             #[inline(always)]
-            |pivot| (-pivot).below(0.0) & pivot.below(f64::INFINITY),
+            |pivot: T| (-pivot).below(0.0) & pivot.below(f64::INFINITY),
         );
-        first & second & third
+        is_positive(first) & is_positive(second) & is_positive(third)
     }
 }
 

@@ -11,6 +11,8 @@ pub trait Mask: Copy + Debug + 'static + BitAnd<Output = Self> + BitOr<Output = 
     fn holds(self, lane: usize) -> bool;
     /// The mask that holds for the first of several.
     fn first(count: usize) -> Self;
+    /// The mask that holds for one, counted from 0, and for none where there are not so many.
+    fn only(lane: usize) -> Self;
 }
 
 impl Mask for bool {
@@ -29,5 +31,9 @@ impl Mask for bool {
     #[inline(always)]
     fn first(count: usize) -> Self {
         count > 0
+    }
+    #[inline(always)]
+    fn only(lane: usize) -> Self {
+        lane == 0
     }
 }

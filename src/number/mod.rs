@@ -21,6 +21,8 @@ mod mask;
 mod outlined;
 #[cfg(target_arch = "x86_64")]
 mod pack;
+#[cfg(target_arch = "x86_64")]
+mod sine;
 mod tanh;
 mod taylor;
 mod vector;

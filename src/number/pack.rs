@@ -8,6 +8,7 @@ use super::Numbers;
 use super::bits::Bits;
 use super::exponential::{self, Powers};
 use super::lanes::Lanes;
+use super::sine;
 use super::tanh::tanh;
 use std::arch::x86_64::*;
 use std::fmt;
@@ -126,7 +127,11 @@ macro_rules! pack {
             }
             #[inline(always)]
             fn sin_cos(self) -> (Self, Self) {
-                (self.each(f64::sin), self.each(f64::cos))
+                sine::sin_cos(
+                    self,
+                    #[inline(always)]
+                    |x| (x.each(f64::sin), x.each(f64::cos)),
+                )
             }
             #[inline(always)]
             fn atan(self) -> Self {
@@ -174,12 +179,12 @@ macro_rules! pack {
                 self.to_array()[i]
             }
             #[inline(always)]
-            fn from_lanes(f: impl FnMut(usize) -> f64) -> Self {
+            fn with_values(f: impl FnMut(usize) -> f64) -> Self {
                 Self::from_array(std::array::from_fn(f))
             }
             #[inline(always)]
-            fn seeded(value: &impl Fn(usize) -> f64, _: &impl Fn(usize, usize) -> bool, _: usize) -> Self {
-                Self::from_lanes(value)
+            fn seeded(self, _: &impl Fn(usize) -> Self::Mask, _: usize) -> Self {
+                self
             }
         }
 
@@ -265,7 +270,7 @@ mod tests {
             for i in 0..40_000 {
                 // 1e-12 to 1e12, each lane another
                 let x: P =
-                    P::from_lanes(|lane| 10_f64.powf(-12.0 + 24.0 * f64::from(i) / 4e4) * (1.0 + 0.37 * lane as f64));
+                    P::with_values(|lane| 10_f64.powf(-12.0 + 24.0 * f64::from(i) / 4e4) * (1.0 + 0.37 * lane as f64));
                 let (root, inverse) = x.sqrt_recip();
                 let exponent = (root * 1e-6).exp();
                 for lane in 0..P::WIDTH {

@@ -49,9 +49,9 @@ impl<T: Numbers> Vector<T> {
     #[inline(always)]
     pub fn cross(self, other: Self) -> Self {
         Self::new(
-            self.y * other.z - self.z * other.y,
-            self.z * other.x - self.x * other.z,
-            self.x * other.y - self.y * other.x,
+            (-self.z).mul_add(other.y, self.y * other.z),
+            (-self.x).mul_add(other.z, self.z * other.x),
+            (-self.y).mul_add(other.x, self.x * other.y),
         )
     }
 

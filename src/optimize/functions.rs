@@ -1,5 +1,5 @@
 use super::problem::{Evaluation, Problem};
-use crate::number::{Derivatives, Lanes, Mixed, Number, Taylor};
+use crate::number::{Derivatives, Lanes, Mixed, Number, Numbers, Taylor};
 use num_dual::Dual64;
 
 /// The functions of a problem, written once over the number: their derivatives are then exact by themselves.
@@ -51,7 +51,7 @@ impl<F: Functions> Problem for Exact<F> {
         let mut evaluation = None;
         for (i, j) in (0..n).flat_map(|i| (0..=i).map(move |j| (i, j))) {
             let lifted: Vec<Mixed> =
-                (0..n).map(|k| Lanes::seeded(&|_| x[k], &|_, direction| k == [i, j][direction], 0)).collect();
+                (0..n).map(|k| Mixed::constant(x[k]).seeded(&|direction| k == [i, j][direction], 0)).collect();
             put(&mut evaluation, self.0.evaluate(&lifted)?, n, n, |taylor, number| {
                 (taylor.value, taylor.gradient[i]) = (number.re(), number.first(0));
                 let second = number.second().unwrap_or_default();

@@ -93,9 +93,10 @@ impl<T: Copy> Setup<T> {
     #[inline(always)]
     pub(crate) fn put(&mut self, parameters: &[&'static Parameter], mut value: impl FnMut(usize) -> T) {
         for (i, parameter) in parameters.iter().enumerate() {
+            let value = value(i);
             match self.slot(parameter) {
-                Some(Slot::Required(place)) => *place = value(i),
-                Some(Slot::Optional(place)) => *place = Some(value(i)),
+                Some(Slot::Required(place)) => *place = value,
+                Some(Slot::Optional(place)) => *place = Some(value),
                 Some(Slot::Setting(_)) | None => {}
             }
         }
