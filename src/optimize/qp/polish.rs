@@ -11,7 +11,7 @@ pub(super) struct Candidate {
     weights: Vec<f64>,
     multipliers: Vec<f64>,
     /// The pieces' common value.
-    level: f64,
+    pub level: f64,
 }
 
 /// Rounding allowed where a row is compared with its ends.

@@ -3,12 +3,12 @@
 use super::active_set::ActiveSet;
 use super::linear::solved_uniquely;
 use super::polish::{Candidate, ROUNDING};
-use super::program::{End, Method, QuadraticProgram, Row, Step};
+use super::program::{End, Method, Piece, QuadraticProgram, Row, Step};
 
 impl QuadraticProgram {
     /// The exact solution from a guess of its active set, corrected until the KKT conditions hold: proof enough, for the
     /// program is strictly convex. `None` where that does not end, where active equations depend on each other, and where
-    /// an end or row is met that does not hold the step: there the multipliers may not be the only ones.
+    /// an end, row or piece is met that does not hold the step: there the multipliers may not be the only ones.
     pub(super) fn warm_started(&self, mut active: ActiveSet) -> Option<Step> {
         for _ in 0..self.most_corrections() {
             let candidate = self.equality_step(&active, solved_uniquely)?;
@@ -22,17 +22,22 @@ impl QuadraticProgram {
         None
     }
 
-    /// Whether every end and row that is not active lies farther away than rounding.
+    /// Whether every end, row and piece that is not active lies farther away than rounding.
     fn is_held_by_active_alone(&self, active: &ActiveSet, candidate: &Candidate) -> bool {
-        let d = &candidate.d;
-        let is_apart = |value: f64, low: f64, high: f64, size: f64| (value - low).min(high - value) > ROUNDING * size;
-        let variables = (0..self.dimension()).filter(|&i| active.ends[i] == End::Free);
-        let rows = self.rows.iter().zip(&active.rows).filter(|(_, end)| **end == End::Free);
-        variables.map(|i| (d[i], self.low[i], self.high[i])).all(|(d, low, high)| is_apart(d, low, high, high - low))
-            && rows.map(|(row, _)| row).all(|row| {
-                let Row { normal, low, high } = row;
-                is_apart(normal.dot(d), *low, *high, 1.0 + normal.amax() * d.amax())
-            })
+        let Candidate { d, level, .. } = candidate;
+        let is_within = |value: f64, low: f64, high: f64, size: f64| (value - low).min(high - value) > ROUNDING * size;
+        let is_variable_apart = |i: usize| is_within(d[i], self.low[i], self.high[i], self.high[i] - self.low[i]);
+        let is_row_apart = |j: usize| {
+            let Row { normal, low, high } = &self.rows[j];
+            is_within(normal.dot(d), *low, *high, 1.0 + normal.amax() * d.amax())
+        };
+        let is_piece_apart = |k: usize| {
+            let Piece { offset, gradient } = &self.pieces[k];
+            level - (offset + gradient.dot(d)) > ROUNDING * (1.0 + level.abs())
+        };
+        (0..self.dimension()).all(|i| active.ends[i] != End::Free || is_variable_apart(i))
+            && (0..self.rows.len()).all(|j| active.rows[j] != End::Free || is_row_apart(j))
+            && (0..self.pieces.len()).all(|k| active.pieces[k] || is_piece_apart(k))
     }
 }
 
@@ -105,5 +110,24 @@ mod tests {
         let step = twice.solve().unwrap();
         assert!((&step.d - dvector![0.5, 0.5]).amax() < 1e-12, "{step:?}");
         assert_eq!(step.by, Method::Clarabel);
+    }
+
+    #[test]
+    fn exact_step_into_a_kink_of_more_sides_than_hold_it_is_left_to_clarabel() {
+        let side = |slope: f64| Piece { offset: 0.0, gradient: dvector![slope] };
+        let mut kink = QuadraticProgram {
+            curvature: DMatrix::identity(1, 1),
+            pieces: vec![side(1.0), side(-1.0)],
+            low: dvector![-4.0],
+            high: dvector![4.0],
+            rows: vec![],
+        };
+        let both = || (0..2).map(Holder::Piece);
+        assert_eq!(kink.solve_from(both()).unwrap().by, Method::WarmStart);
+        kink.pieces.push(side(0.5));
+        let step = kink.solve_from(both()).unwrap();
+        assert_ne!(step.by, Method::WarmStart);
+        assert!(step.d[0].abs() < 1e-12, "{step:?}");
+        assert_eq!(step.weights, kink.solve().unwrap().weights);
     }
 }
