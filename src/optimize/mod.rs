@@ -6,8 +6,8 @@
 //!
 //! by sequential quadratic programming: at each iterate the quadratic model of the Lagrangian is minimised over the
 //! bounds, the linearised constraints and a box-shaped trust region ([`qp`]: bounds alone from face to face of the box,
-//! all else by Clarabel, polished so that active bounds are exact), the step is kept if the merit falls as the model
-//! promises, and the search ends where the KKT conditions hold ([`status`]). The loop ([`sqp`]) is an argmin `Solver`,
+//! all else from the active set of the step before, or by Clarabel, polished so that active bounds are exact), the step is
+//! kept if the merit falls as the model promises, and the search ends where the KKT conditions hold ([`status`]). The loop ([`sqp`]) is an argmin `Solver`,
 //! run by argmin's `Executor`.
 //!
 //! A problem is a set of [`Functions`] written over any number, whose derivatives are then exact by themselves, or

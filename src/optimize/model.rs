@@ -1,6 +1,6 @@
 use super::bundle::Bundle;
 use super::convex::convexify;
-use super::qp::{End, Method, Piece, QuadraticProgram, Row, Step, quadratic_form};
+use super::qp::{End, Holder, Method, Piece, QuadraticProgram, Row, Step, quadratic_form};
 use super::scaling::{Point, Scaling, norm};
 use nalgebra::{DMatrix, DVector};
 
@@ -75,7 +75,7 @@ impl Model<'_> {
     /// The plan with the constraints linearised around these values; `program` is written over.
     fn plan_from(&self, value: impl Fn(usize) -> f64, program: &mut QuadraticProgram) -> Plan {
         self.pose(value, program);
-        let (step, is_relaxed) = match program.solve() {
+        let (step, is_relaxed) = match program.solve_from(self.holders()) {
             Some(step) => (step, false),
             None => {
                 let (nearest, left) = self.least_violation(program);
@@ -89,7 +89,7 @@ impl Model<'_> {
                         row.high += (-left).max(0.0) + ROUNDING;
                     }
                 }
-                (relaxed.solve().unwrap_or(nearest), true)
+                (relaxed.solve_from(self.holders()).unwrap_or(nearest), true)
             }
         };
         let x = self.end_of(&step);
@@ -216,22 +216,40 @@ impl Model<'_> {
         DVector::from_fn(gradient.len(), |i, _| gradient[i] * self.scaling.scale[i] / self.scaling.gamma[j])
     }
 
-    /// The normals of what holds the point: bounds that f falls towards the outside of, equations, and constraints
-    /// with multipliers.
-    fn held(&self) -> Vec<DVector<f64>> {
-        let Self { scaling, at, .. } = *self;
-        let n = at.x.len();
+    /// Variables held by a bound that f falls towards the outside of.
+    fn held_variables(&self) -> impl Iterator<Item = usize> {
+        let Self { scaling, at, multipliers, .. } = *self;
         let is_held =
-            |i: usize| scaling.is_at_a_bound(at, i) && scaling.projected_slope(at, self.multipliers, i) == 0.0;
-        let bounds = (0..n).filter(|&i| is_held(i));
+            move |i: &usize| scaling.is_at_a_bound(at, *i) && scaling.projected_slope(at, multipliers, *i) == 0.0;
+        (0..at.x.len()).filter(is_held)
+    }
+
+    /// Equations, and constraints with multipliers.
+    fn held_rows(&self) -> impl Iterator<Item = usize> {
+        let Self { scaling, multipliers, .. } = *self;
+        let is_held = move |j: &usize| multipliers[*j] != 0.0 || scaling.domain.constraints.is_fixed(*j);
+        (0..multipliers.len()).filter(is_held)
+    }
+
+    /// What holds the point: a guess at what holds the step.
+    fn holders(&self) -> impl Iterator<Item = Holder> {
+        let Self { scaling, at, multipliers, .. } = *self;
+        let end = |is_high: bool| if is_high { End::High } else { End::Low };
+        let is_high = move |i: usize| at.x[i] >= scaling.domain.variables.high[i];
+        let variables = self.held_variables().map(move |i| Holder::Variable(i, end(is_high(i))));
+        variables.chain(self.held_rows().map(move |j| Holder::Row(j, end(multipliers[j] > 0.0))))
+    }
+
+    /// The normals of what holds the point.
+    fn held(&self) -> Vec<DVector<f64>> {
+        let n = self.at.x.len();
         let unit = |i: usize| DVector::from_fn(n, |k, _| f64::from(k == i));
-        let is_held = |j: &usize| self.multipliers[*j] != 0.0 || scaling.domain.constraints.is_fixed(*j);
-        let rows = (0..at.f.constraints.len()).filter(is_held).map(|j| {
+        let rows = self.held_rows().map(|j| {
             let normal = self.normal(j);
             let length = normal.norm();
             if length > 0.0 { normal / length } else { normal }
         });
-        bounds.map(unit).chain(rows).collect()
+        self.held_variables().map(unit).chain(rows).collect()
     }
 
     /// The point a step ends at.

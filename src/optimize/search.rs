@@ -35,6 +35,8 @@ pub struct Effort {
     pub evaluations: u64,
     /// Quadratic programs of bounds alone, solved from face to face of their box.
     pub faces: u64,
+    /// Those with constraints or corners that a warm start solved, from the active set of the step before.
+    pub warm_start: u64,
     /// Quadratic programs that Clarabel solved.
     pub clarabel: u64,
     /// Those it solved only after their rows were rescaled.
@@ -315,6 +317,7 @@ impl Search {
     fn count(&mut self, plan: &Plan) {
         let counted = match plan.by {
             Method::Faces => &mut self.effort.faces,
+            Method::WarmStart => &mut self.effort.warm_start,
             Method::Clarabel => &mut self.effort.clarabel,
             Method::Rescaled => &mut self.effort.rescaled,
             Method::Dual => &mut self.effort.dual,

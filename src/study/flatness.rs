@@ -1,7 +1,7 @@
 //! How flat the top is: how far each varied parameter may stray for a stated loss.
 
 use super::optimum::{Optimum, posed};
-use super::problem::DriveProblem;
+use crate::derivative::Evaluator;
 use crate::error::{Error, Result};
 use crate::optimize::sensitivity::{Held, reduced_hessian};
 use crate::optimize::{Domain, Status};
@@ -96,27 +96,24 @@ pub fn flatness(best: &Optimum, loss: f64) -> Result<Flatness> {
         return Err(Error::NotConverged { status: best.status(), message: best.message() });
     }
     let problem = posed(&best.setup, &best.search)?;
-    let top = Top { problem: &problem, best, loss };
+    let top = Top { domain: &problem.domain, values: problem.values()?, best, loss };
     let windows = (0..best.search.vary.len()).map(|i| top.window(i)).collect::<Result<_>>()?;
     Ok(Flatness { loss, windows, directions: top.directions(), ellipses: top.ellipses() })
 }
 
 /// The surroundings of an optimum.
 struct Top<'a> {
-    problem: &'a DriveProblem,
+    domain: &'a Domain,
+    values: Evaluator,
     best: &'a Optimum,
     loss: f64,
 }
 
 impl Top<'_> {
-    fn domain(&self) -> &Domain {
-        &self.problem.domain
-    }
-
     /// What is lost at a point, or the constraint that it breaks; `None` where nothing flies.
     fn lost_at(&self, x: &[f64]) -> Option<Result<f64, usize>> {
-        let values = self.problem.evaluate_values(x).ok()?;
-        let limits = &self.domain().constraints;
+        let values: Vec<f64> = self.values.at(x).ok()?.into_iter().map(|taylor| taylor.value).collect();
+        let limits = &self.domain.constraints;
         let excess = |j: usize| limits.excess(j, values[j + 1]).abs();
         // what holds the optimum is met there to rounding
         let rounding = |j: usize| 1e-9 * (1.0 + self.best.solution.constraints[j].value.abs());
@@ -134,7 +131,7 @@ impl Top<'_> {
     }
 
     fn window(&self, i: usize) -> Result<Window> {
-        let bounds = &self.domain().variables;
+        let bounds = &self.domain.variables;
         let (low, low_limit) = self.end(i, bounds.low[i])?;
         let (high, high_limit) = self.end(i, bounds.high[i])?;
         Ok(Window { low, low_limit, high, high_limit })
@@ -191,8 +188,8 @@ impl Top<'_> {
 
     fn directions(&self) -> Vec<Direction> {
         let solution = &self.best.solution;
-        let scale = self.domain().variables.scale(&solution.x);
-        let (basis, reduced) = reduced_hessian(solution, self.domain());
+        let scale = self.domain.variables.scale(&solution.x);
+        let (basis, reduced) = reduced_hessian(solution, self.domain);
         if basis.ncols() == 0 {
             return vec![];
         }
@@ -215,13 +212,13 @@ impl Top<'_> {
 
     /// The loss at a point, if it lies within ranges and constraints and flies.
     fn lost_within(&self, x: &[f64]) -> Option<f64> {
-        let bounds = &self.domain().variables;
+        let bounds = &self.domain.variables;
         let is_within = x.iter().enumerate().all(|(i, x)| x.is_finite() && bounds.excess(i, *x) == 0.0);
         if is_within { self.lost_at(x)?.ok() } else { None }
     }
 
     fn ellipses(&self) -> Vec<Ellipse> {
-        let free = Held::new(&self.best.solution, self.domain()).free();
+        let free = Held::new(&self.best.solution, self.domain).free();
         let pairs = (0..free.len()).flat_map(|b| (0..b).map(move |a| (a, b)));
         pairs.filter_map(|(a, b)| self.ellipse([free[a], free[b]])).collect()
     }
@@ -229,7 +226,7 @@ impl Top<'_> {
     /// The ellipse of a pair, where the outcome falls in every direction of its plane.
     fn ellipse(&self, pair: [usize; 2]) -> Option<Ellipse> {
         let solution = &self.best.solution;
-        let scale = self.domain().variables.scale(&solution.x);
+        let scale = self.domain.variables.scale(&solution.x);
         let block = DMatrix::from_fn(2, 2, |r, c| solution.hessian[pair[r]][pair[c]] * scale[pair[r]] * scale[pair[c]]);
         let block = block.symmetric_eigen();
         let mut order = [0, 1];

@@ -13,7 +13,6 @@ pub(super) struct DriveProblem {
     /// The outcome that is looked for, then those of the constraints.
     of: Vec<Outcome>,
     sense: Sense,
-    values: Evaluator,
     derivatives: Evaluator,
     pub domain: Domain,
 }
@@ -28,9 +27,8 @@ impl DriveProblem {
         let limited = search.subject_to.iter().map(|constraint| constraint.outcome);
         let vary: Vec<_> = search.vary.iter().map(|vary| vary.parameter).collect();
         let of: Vec<_> = std::iter::once(search.of).chain(limited).collect();
-        let evaluator = |order| Evaluator::new(setup, &of, &vary, order);
-        let (values, derivatives) = (evaluator(Order::Value)?, evaluator(Order::Second)?);
-        Ok(Self { setup: *setup, vary, of, sense: search.sense, values, derivatives, domain })
+        let derivatives = Evaluator::new(setup, &of, &vary, Order::Second)?;
+        Ok(Self { setup: *setup, vary, of, sense: search.sense, derivatives, domain })
     }
 
     /// The setup's own values of what is varied.
@@ -47,10 +45,9 @@ impl DriveProblem {
         Ok(moved)
     }
 
-    /// The outcome looked for at `x`, then those of the constraints.
-    pub fn evaluate_values(&self, x: &[f64]) -> Result<Vec<f64>> {
-        let taylors = self.values.at(x)?;
-        Ok(taylors.into_iter().map(|taylor| taylor.value).collect())
+    /// The outcome looked for, then those of the constraints, without derivatives.
+    pub fn values(&self) -> Result<Evaluator> {
+        Evaluator::new(&self.setup, &self.of, &self.vary, Order::Value)
     }
 
     /// The functions at `x` with derivatives by the varied parameters, and by one more.

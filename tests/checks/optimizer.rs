@@ -4,7 +4,7 @@ use crate::common::{close, data, number, setup_of};
 use longdrive::optimize::{
     Domain, Evaluation, Observer, Options, Solution, Status, Taylor, minimize, minimize_observed,
 };
-use longdrive::study::{Search, Vary, optimum};
+use longdrive::study::{Constraint, Search, Vary, optimum};
 use longdrive::{Drive, Error, Setup, study::Optimum};
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -62,6 +62,19 @@ fn independent_optima_from_the_reference_file() {
             assert_eq!(best.solution.x[i], bound, "an active bound is exact");
         }
     }
+}
+
+#[test]
+fn exact_steps_of_a_constrained_optimum_are_found_by_warm_starts() {
+    let mut setup = Setup::preset("modern-driver").unwrap();
+    setup.set_all([("swing.path", "2 deg"), ("swing.face_angle", "1 deg"), ("strike.toe", "8 mm")]).unwrap();
+    let ranges = ["club.loft=4deg..20deg", "swing.attack_angle=-5deg..5deg", "swing.face_angle=-3deg..3deg"];
+    let vary = ranges.map(|text| Vary::read(&setup, text).unwrap()).to_vec();
+    let subject_to = vec![Constraint::read("-2 m <= lateral <= 2 m").unwrap()];
+    let search = Search { vary, subject_to, ..Search::longest_drive(&setup).unwrap() };
+    let Solution { status, iterations, effort, .. } = optimum(&setup, search, Observer::default()).unwrap().solution;
+    assert_eq!(status, Status::Converged);
+    assert_eq!((effort.warm_start, effort.clarabel), (iterations + effort.corrections, 0), "{effort:?}");
 }
 
 #[test]

@@ -1,14 +1,18 @@
-//! The quadratic program of a step. Of bounds alone, a walk over the faces of the box solves it; in general Clarabel
-//! finds the active set, a polish makes it exact, and a dual active-set method takes over where Clarabel does not answer.
+//! The quadratic program of a step. Of bounds alone, a walk over the faces of the box solves it; in general the active set of
+//! the step before is tried first (a warm start), and where that proves nothing Clarabel finds the active set, a polish makes it
+//! exact, and a dual active-set method takes over where Clarabel does not answer.
 
 mod active_set;
 mod dual;
 mod faces;
 mod interior_point;
+mod linear;
 mod polish;
 mod program;
 mod solve;
+mod warm_start;
 
+pub(super) use active_set::Holder;
 pub(super) use program::quadratic_form;
 pub use program::{End, Method, Piece, QuadraticProgram, Row, Step};
 
@@ -88,16 +92,14 @@ mod tests {
         assert!((step.weights[0] - 0.7).abs() < 1e-14 && (step.weights[1] - 0.3).abs() < 1e-14);
     }
 
-    /// Random convex programs with rows, each also by the dual method alone: both exact, so they agree.
-    #[test]
-    fn independent_methods_agree_on_random_programs_with_rows() {
+    /// Random convex programs with rows, of which some cannot be met; the first row of most is an equation.
+    pub(super) fn random_programs_with_rows(count: usize) -> impl Iterator<Item = QuadraticProgram> {
         let mut state = 0.3_f64;
-        let mut random = || {
+        let mut random = move || {
             state = (state * 97.409_1 + 0.137).fract();
             2.0 * state - 1.0
         };
-        let (mut infeasible, mut compared) = (0, 0);
-        for case in 0..400 {
+        (0..count).map(move |case| {
             let (n, m) = (1 + case % 5, 1 + case % 4);
             let a = DMatrix::from_fn(n, n, |_, _| random());
             let curvature = &a * a.transpose() + DMatrix::identity(n, n) * 1e-2;
@@ -110,7 +112,16 @@ mod tests {
             let rows = (0..m).map(|j| row(&mut random, j == 0 && n > 1)).collect();
             let low = DVector::from_fn(n, |_, _| -random().abs());
             let high = DVector::from_fn(n, |_, _| random().abs());
-            let qp = QuadraticProgram { curvature, pieces, low, high, rows };
+            QuadraticProgram { curvature, pieces, low, high, rows }
+        })
+    }
+
+    /// Each also by the dual method alone: both exact, so they agree.
+    #[test]
+    fn independent_methods_agree_on_random_programs_with_rows() {
+        let (mut infeasible, mut compared) = (0, 0);
+        for (case, qp) in random_programs_with_rows(400).enumerate() {
+            let n = qp.low.len();
             let dual = qp.dual_active_set().map(|active| qp.polished(active, super::Method::Dual).unwrap());
             match (qp.solve(), dual) {
                 (Some(step), Some(dual)) => {

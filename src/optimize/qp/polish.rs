@@ -1,28 +1,29 @@
 //! From an active set to the exact solution it implies, and from there to a better active set.
 
 use super::active_set::ActiveSet;
+use super::linear::solved;
 use super::program::{End, Method, Piece, QuadraticProgram, Row, Step};
 use nalgebra::{DMatrix, DVector};
 
 /// What an active set implies, perhaps outside the ends.
-struct Candidate {
-    d: DVector<f64>,
+pub(super) struct Candidate {
+    pub d: DVector<f64>,
     weights: Vec<f64>,
     multipliers: Vec<f64>,
     /// The pieces' common value.
-    level: f64,
+    pub level: f64,
 }
 
 /// Rounding allowed where a row is compared with its ends.
-const ROUNDING: f64 = 1e-11;
+pub(super) const ROUNDING: f64 = 1e-11;
 
 impl QuadraticProgram {
     /// The exact solution from an active set to begin with. `Err` where none is consistent: the best step met on the
     /// way, if one is worth taking.
     pub(super) fn polished(&self, mut active: ActiveSet, by: Method) -> Result<Step, Option<Step>> {
         let mut best: Option<(f64, Step)> = None;
-        for _ in 0..2 * (self.dimension() + self.rows.len() + self.pieces.len()) + 4 {
-            let Some(candidate) = self.equality_step(&active) else { break };
+        for _ in 0..self.most_corrections() {
+            let Some(candidate) = self.equality_step(&active, solved) else { break };
             let corrected = self.corrected(&active, &candidate);
             let step = self.taken(&candidate, &active, by);
             if corrected == active {
@@ -35,6 +36,11 @@ impl QuadraticProgram {
             active = corrected;
         }
         Err(best.map(|(_, step)| step))
+    }
+
+    /// Corrections of an active set after which it is given up.
+    pub(super) fn most_corrections(&self) -> usize {
+        2 * (self.dimension() + self.rows.len() + self.pieces.len()) + 4
     }
 
     /// Whether a step meets the rows and, where staying would meet them too, is better than that.
@@ -50,7 +56,11 @@ impl QuadraticProgram {
 
     /// Solves the program with the active ends, rows and pieces as equations:
     /// B d + Σ αₖ gradientₖ + Σ μⱼ normalⱼ = 0 on the free variables, Σ αₖ = 1, offsetₖ + gradientₖ · d = t.
-    fn equality_step(&self, active: &ActiveSet) -> Option<Candidate> {
+    pub(super) fn equality_step(
+        &self,
+        active: &ActiveSet,
+        solved: impl FnOnce(DMatrix<f64>, DVector<f64>) -> Option<DVector<f64>>,
+    ) -> Option<Candidate> {
         let free: Vec<usize> = (0..self.dimension()).filter(|&i| active.ends[i] == End::Free).collect();
         let held: Vec<usize> = (0..self.pieces.len()).filter(|&k| active.pieces[k]).collect();
         let tight: Vec<usize> = (0..self.rows.len()).filter(|&j| active.rows[j] != End::Free).collect();
@@ -91,7 +101,7 @@ impl QuadraticProgram {
             right[after_pieces + at] = if active.rows[j] == End::Low { *low } else { *high } - normal.dot(&d);
         }
 
-        let solution = solved(matrix, &right)?;
+        let solution = solved(matrix, right)?;
         for (row, &i) in free.iter().enumerate() {
             d[i] = solution[row];
         }
@@ -112,7 +122,7 @@ impl QuadraticProgram {
 
     /// The active set with what a candidate contradicts put right: free variables and rows beyond an end are held,
     /// held ones that pull inward are freed, and likewise for the pieces.
-    fn corrected(&self, active: &ActiveSet, candidate: &Candidate) -> ActiveSet {
+    pub(super) fn corrected(&self, active: &ActiveSet, candidate: &Candidate) -> ActiveSet {
         let Candidate { d, weights, multipliers, level } = candidate;
         let mut pull = &self.curvature * d;
         for (piece, weight) in self.pieces.iter().zip(weights) {
@@ -158,7 +168,7 @@ impl QuadraticProgram {
     }
 
     /// The candidate as a step, inside the ends.
-    fn taken(&self, candidate: &Candidate, active: &ActiveSet, by: Method) -> Step {
+    pub(super) fn taken(&self, candidate: &Candidate, active: &ActiveSet, by: Method) -> Step {
         let Candidate { d, weights, multipliers, .. } = candidate;
         let mut step = Step {
             d: d.clone(),
@@ -183,51 +193,4 @@ impl QuadraticProgram {
             step.d[i] = step.d[i].clamp(low, high);
         }
     }
-}
-
-/// Solves a symmetric system, balanced so that curvatures and normals of very different sizes do not hide each other.
-/// Where its equations depend on each other, the shortest solution of those that do not contradict; `None` where some
-/// do.
-fn solved(matrix: DMatrix<f64>, right: &DVector<f64>) -> Option<DVector<f64>> {
-    if !matrix.iter().chain(right.iter()).all(|x| x.is_finite()) {
-        return None;
-    }
-    let lengths = balance(&matrix);
-    let n = matrix.nrows();
-    let matrix = DMatrix::from_fn(n, n, |i, j| matrix[(i, j)] * lengths[i] * lengths[j]);
-    let right = right.component_mul(&lengths);
-    let left_over = |x: &DVector<f64>| &right - &matrix * x;
-    let lu = matrix.clone().lu();
-    let pivots = lu.u().diagonal().map(f64::abs);
-    let is_regular = pivots.min() > DEPENDENT * pivots.max();
-    if is_regular && let Some(first) = lu.solve(&right) {
-        let refined = lu.solve(&left_over(&first)).map_or(first.clone(), |change| &first + change);
-        let best = if left_over(&refined).norm() < left_over(&first).norm() { refined } else { first };
-        return best.iter().all(|x| x.is_finite()).then(|| best.component_mul(&lengths));
-    }
-    let shortest = matrix.clone().try_svd(true, true, f64::EPSILON, 1000)?.solve(&right, RANK).ok()?;
-    let is_met = left_over(&shortest).amax() <= CONTRADICTS * right.amax().max(f64::MIN_POSITIVE);
-    (is_met && shortest.iter().all(|x| x.is_finite())).then(|| shortest.component_mul(&lengths))
-}
-
-/// Pivots below this part of the largest, after balancing, show equations that depend on each other.
-const DEPENDENT: f64 = 1e-14;
-/// Singular values below this, after balancing, are none.
-const RANK: f64 = 1e-13;
-/// What dependent equations may miss, of the largest right-hand side.
-const CONTRADICTS: f64 = 1e-9;
-
-/// Factors for rows and columns that make the largest entry of each about 1 (Ruiz 2001).
-fn balance(matrix: &DMatrix<f64>) -> DVector<f64> {
-    let n = matrix.nrows();
-    let mut lengths = DVector::from_element(n, 1.0);
-    for _ in 0..4 {
-        let largest = |i: usize| (0..n).map(|j| (matrix[(i, j)] * lengths[i] * lengths[j]).abs()).fold(0.0, f64::max);
-        let factors = DVector::from_fn(n, |i, _| match largest(i) {
-            0.0 => 1.0,
-            entry => entry.sqrt().recip(),
-        });
-        lengths.component_mul_assign(&factors);
-    }
-    lengths
 }

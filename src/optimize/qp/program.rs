@@ -70,6 +70,8 @@ pub struct Step {
 pub enum Method {
     /// The walk over the faces of the box.
     Faces,
+    /// A warm start from the active set of the step before.
+    WarmStart,
     /// Clarabel.
     Clarabel,
     /// Clarabel, after the rows were rescaled.

@@ -1,17 +1,23 @@
-use super::active_set::ActiveSet;
+use super::active_set::{ActiveSet, Holder};
 use super::program::{End, Method, QuadraticProgram, Row, Step};
 
 impl QuadraticProgram {
     /// Solves the program; `None` where the rows cannot be met within the ends.
+    pub fn solve(&self) -> Option<Step> {
+        self.solve_from([])
+    }
+
+    /// As [`solve`](Self::solve), with a guess at what holds the step; right or wrong, it changes the time alone.
     ///
-    /// The faces of the box come first: where their walk ends its answer is proven, exact, and found in a fraction of
-    /// the time that Clarabel takes. For all else, Clarabel's answer is good to about 1e-8 and may lie that far outside;
+    /// The faces of the box come first, then the guess: where one of them ends its answer is proven, exact, and found in
+    /// a fraction of the time that Clarabel takes. For all else, Clarabel's answer is good to about 1e-8 and may lie that far outside;
     /// it tells which ends, rows and pieces are active. The polish then solves the remaining equations to rounding, and
     /// corrects the active set where they disagree with it. Where Clarabel answers anything but "solved", or what it
     /// says cannot be polished, it is asked again with every row at length 1; then the dual active-set method decides.
-    pub fn solve(&self) -> Option<Step> {
-        if let Some(step) = self.by_faces() {
-            return Some(step);
+    pub(in crate::optimize) fn solve_from(&self, guess: impl IntoIterator<Item = Holder>) -> Option<Step> {
+        let quickly = self.by_faces().or_else(|| self.warm_started(self.held_by(guess)));
+        if quickly.is_some() {
+            return quickly;
         }
         let mut second_best = None;
         let mut exact = |active: Option<ActiveSet>, method: Method| match self.polished(active?, method) {

@@ -1,0 +1,90 @@
+//! Small symmetric systems of equations, balanced so that curvatures and normals of very different sizes do not hide each
+//! other.
+
+use nalgebra::{DMatrix, DVector};
+
+/// Pivots below this part of the largest, after balancing, show equations that depend on each other.
+const DEPENDENT: f64 = 1e-14;
+/// Singular values below this, after balancing, are none.
+const RANK: f64 = 1e-13;
+/// What dependent equations may miss, of the largest right-hand side.
+const CONTRADICTS: f64 = 1e-9;
+
+/// Solves a system; `None` where its equations depend on each other.
+pub(super) fn solved_uniquely(matrix: DMatrix<f64>, right: DVector<f64>) -> Option<DVector<f64>> {
+    Balanced::new(matrix, right)?.only_solution()
+}
+
+/// Solves a system. Where its equations depend on each other, the shortest solution of those that do not contradict;
+/// `None` where some do.
+pub(super) fn solved(matrix: DMatrix<f64>, right: DVector<f64>) -> Option<DVector<f64>> {
+    let system = Balanced::new(matrix, right)?;
+    system.only_solution().or_else(|| system.shortest_solution())
+}
+
+/// A system whose rows and columns were multiplied by `lengths`.
+struct Balanced {
+    matrix: DMatrix<f64>,
+    right: DVector<f64>,
+    lengths: DVector<f64>,
+}
+
+impl Balanced {
+    /// `None` where an entry is not finite.
+    fn new(mut matrix: DMatrix<f64>, mut right: DVector<f64>) -> Option<Self> {
+        if !matrix.iter().chain(right.iter()).all(|x| x.is_finite()) {
+            return None;
+        }
+        let lengths = balance(&matrix);
+        for (mut column, own) in matrix.column_iter_mut().zip(&lengths) {
+            column.iter_mut().zip(&lengths).for_each(|(entry, length)| *entry = *entry * length * own);
+        }
+        right.component_mul_assign(&lengths);
+        Some(Self { matrix, right, lengths })
+    }
+
+    fn only_solution(&self) -> Option<DVector<f64>> {
+        let lu = self.matrix.clone().lu();
+        let pivots = lu.u().diagonal().map(f64::abs);
+        if pivots.min() <= DEPENDENT * pivots.max() {
+            return None;
+        }
+        let first = lu.solve(&self.right)?;
+        let rest = self.left_over(&first);
+        let refined = lu.solve(&rest).map_or(first.clone(), |change| &first + change);
+        let best = if self.left_over(&refined).norm() < rest.norm() { refined } else { first };
+        self.whole(best)
+    }
+
+    fn shortest_solution(&self) -> Option<DVector<f64>> {
+        let shortest = self.matrix.clone().try_svd(true, true, f64::EPSILON, 1000)?.solve(&self.right, RANK).ok()?;
+        let is_met = self.left_over(&shortest).amax() <= CONTRADICTS * self.right.amax().max(f64::MIN_POSITIVE);
+        self.whole(shortest).filter(|_| is_met)
+    }
+
+    fn left_over(&self, x: &DVector<f64>) -> DVector<f64> {
+        &self.right - &self.matrix * x
+    }
+
+    /// A solution in the units of the system before it was balanced, if it is finite.
+    fn whole(&self, mut x: DVector<f64>) -> Option<DVector<f64>> {
+        let is_finite = x.iter().all(|x| x.is_finite());
+        x.component_mul_assign(&self.lengths);
+        is_finite.then_some(x)
+    }
+}
+
+/// Factors for rows and columns that make the largest entry of each about 1 (Ruiz 2001).
+fn balance(matrix: &DMatrix<f64>) -> DVector<f64> {
+    let n = matrix.nrows();
+    let mut lengths = DVector::from_element(n, 1.0);
+    let mut factors = lengths.clone();
+    for _ in 0..4 {
+        for (i, factor) in factors.iter_mut().enumerate() {
+            let largest = (0..n).map(|j| (matrix[(i, j)] * lengths[i] * lengths[j]).abs()).fold(0.0, f64::max);
+            *factor = if largest == 0.0 { 1.0 } else { largest.sqrt().recip() };
+        }
+        lengths.component_mul_assign(&factors);
+    }
+    lengths
+}
