@@ -19,7 +19,7 @@ use std::sync::Arc;
 ///
 /// # Errors
 /// [`Error::Optimizer`] for a start or options that make no sense. Not converging is a [`Status`], not an error.
-pub fn minimize(problem: &impl Problem, domain: &Domain, start: &[f64], options: &Options) -> Result<Solution> {
+pub fn minimize(problem: &dyn Problem, domain: &Domain, start: &[f64], options: &Options) -> Result<Solution> {
     minimize_observed(problem, domain, start, options, Observer::default())
 }
 
@@ -28,7 +28,7 @@ pub fn minimize(problem: &impl Problem, domain: &Domain, start: &[f64], options:
 /// # Errors
 /// As [`minimize`]; whatever keeping the search fails with.
 pub fn minimize_observed(
-    problem: &impl Problem,
+    problem: &dyn Problem,
     domain: &Domain,
     start: &[f64],
     options: &Options,
@@ -51,7 +51,7 @@ pub fn minimize_observed(
 
 /// One run of argmin's executor.
 fn run(
-    problem: &impl Problem,
+    problem: &dyn Problem,
     domain: &Domain,
     start: &[f64],
     options: &Options,
@@ -86,7 +86,7 @@ fn run(
 /// Where a corner of the objective lies on a bound that it falls towards, that variable stays on the bound, at the price
 /// of the slope inside, and the others are searched on.
 fn held_at_corner(
-    problem: &impl Problem,
+    problem: &dyn Problem,
     domain: &Domain,
     options: &Options,
     found: Solution,
@@ -113,9 +113,9 @@ fn held_at_corner(
 }
 
 /// argmin owns its problem; several runs share one.
-struct ByReference<'a, P>(&'a P);
+struct ByReference<'a>(&'a dyn Problem);
 
-impl<P: Problem> Problem for ByReference<'_, P> {
+impl Problem for ByReference<'_> {
     fn evaluate(&self, x: &[f64]) -> std::result::Result<super::Evaluation, String> {
         self.0.evaluate(x)
     }

@@ -74,7 +74,7 @@ pub fn starts(domain: &Domain, start: &[f64], count: usize) -> Result<Vec<Vec<f6
 /// # Errors
 /// As [`minimize`](super::minimize); [`Error::Optimizer`] without starts.
 pub fn minimize_from(
-    problem: &(impl Problem + Sync),
+    problem: &(dyn Problem + Sync),
     domain: &Domain,
     starts: &[Vec<f64>],
     options: &Options,
@@ -90,7 +90,7 @@ pub fn minimize_from(
 }
 
 fn one(
-    problem: &impl Problem,
+    problem: &dyn Problem,
     domain: &Domain,
     start: &[f64],
     options: &Options,
