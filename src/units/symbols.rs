@@ -1,7 +1,6 @@
 use super::dimension::Dimension;
+use std::f64::consts::TAU;
 use std::sync::LazyLock;
-use uom::si::f64::{Angle, Force, Length, Mass, Pressure, Ratio, Time, Velocity, Volume};
-use uom::si::{angle, force, length, mass, pressure, ratio, time, velocity, volume};
 
 /// A unit symbol.
 pub(super) struct Symbol {
@@ -21,47 +20,103 @@ pub(super) fn symbol_size(symbol: &str) -> Option<(f64, Dimension)> {
     Some((known.size, known.dimension))
 }
 
+/// The sizes are definitions (SI brochure, 9th edition; the yard and the pound of 1959, from which inch, foot, mile and ounce follow), so that
+/// nothing is rounded but the last bit.
 fn symbols() -> Vec<Symbol> {
     use Dimension as D;
     let symbol = |names, size, dimension| Symbol { names, size, dimension };
-    // uom rounds the pound and the ounce to seven digits; its grain is exact, and both are whole numbers of it
-    let grain = || Mass::new::<mass::grain>(1.0).value;
-    let turn = Angle::new::<angle::revolution>(1.0).value;
     let speed = D::LENGTH.times(D::TIME, -1);
     let force = speed.times(D::MASS, 1).times(D::TIME, -1);
+    let viscosity = D::MASS.times(D::LENGTH, -1).times(D::TIME, -1);
     vec![
         symbol(&["1"], 1.0, D::NONE),
-        symbol(&["%"], Ratio::new::<ratio::percent>(1.0).value, D::NONE),
+        symbol(&["%"], 1e-2, D::NONE),
         symbol(&["m", "metre", "metres", "meter", "meters"], 1.0, D::LENGTH),
-        symbol(&["um", "µm", "μm"], Length::new::<length::micrometer>(1.0).value, D::LENGTH),
-        symbol(&["mm"], Length::new::<length::millimeter>(1.0).value, D::LENGTH),
-        symbol(&["cm"], Length::new::<length::centimeter>(1.0).value, D::LENGTH),
-        symbol(&["km"], Length::new::<length::kilometer>(1.0).value, D::LENGTH),
-        symbol(&["in", "inch", "inches"], Length::new::<length::inch>(1.0).value, D::LENGTH),
-        symbol(&["ft", "foot", "feet"], Length::new::<length::foot>(1.0).value, D::LENGTH),
-        symbol(&["yd", "yard", "yards"], Length::new::<length::yard>(1.0).value, D::LENGTH),
-        symbol(&["mi", "mile", "miles"], Length::new::<length::mile>(1.0).value, D::LENGTH),
-        symbol(&["L", "l"], Volume::new::<volume::liter>(1.0).value, D::NONE.times(D::LENGTH, 3)),
+        symbol(&["um", "µm", "μm"], 1e-6, D::LENGTH),
+        symbol(&["mm"], 1e-3, D::LENGTH),
+        symbol(&["cm"], 1e-2, D::LENGTH),
+        symbol(&["km"], 1e3, D::LENGTH),
+        symbol(&["in", "inch", "inches"], 0.0254, D::LENGTH),
+        symbol(&["ft", "foot", "feet"], 0.3048, D::LENGTH),
+        symbol(&["yd", "yard", "yards"], 0.9144, D::LENGTH),
+        symbol(&["mi", "mile", "miles"], 1609.344, D::LENGTH),
+        symbol(&["L", "l"], 1e-3, D::NONE.times(D::LENGTH, 3)),
         symbol(&["kg"], 1.0, D::MASS),
-        symbol(&["g", "gram", "grams"], Mass::new::<mass::gram>(1.0).value, D::MASS),
-        symbol(&["mg"], Mass::new::<mass::milligram>(1.0).value, D::MASS),
-        symbol(&["oz"], 437.5 * grain(), D::MASS),
-        symbol(&["lb", "lbs"], 7000.0 * grain(), D::MASS),
+        symbol(&["g", "gram", "grams"], 1e-3, D::MASS),
+        symbol(&["mg"], 1e-6, D::MASS),
+        symbol(&["oz"], 0.028_349_523_125, D::MASS),
+        symbol(&["lb", "lbs"], 0.453_592_37, D::MASS),
         symbol(&["s", "sec", "second", "seconds"], 1.0, D::TIME),
-        symbol(&["ms"], Time::new::<time::millisecond>(1.0).value, D::TIME),
-        symbol(&["min", "minute", "minutes"], Time::new::<time::minute>(1.0).value, D::TIME),
-        symbol(&["h", "hour", "hours"], Time::new::<time::hour>(1.0).value, D::TIME),
+        symbol(&["ms"], 1e-3, D::TIME),
+        symbol(&["min", "minute", "minutes"], 60.0, D::TIME),
+        symbol(&["h", "hour", "hours"], 3600.0, D::TIME),
         symbol(&["rad", "radian", "radians"], 1.0, D::ANGLE),
         symbol(&["mrad"], 1e-3, D::ANGLE),
-        symbol(&["deg", "°", "degree", "degrees"], Angle::new::<angle::degree>(1.0).value, D::ANGLE),
-        symbol(&["rev"], Angle::new::<angle::revolution>(1.0).value, D::ANGLE),
-        symbol(&["rpm"], turn / 60.0, D::ANGLE.times(D::TIME, -1)),
-        symbol(&["mph"], Velocity::new::<velocity::mile_per_hour>(1.0).value, speed),
-        symbol(&["kph", "kmh"], Velocity::new::<velocity::kilometer_per_hour>(1.0).value, speed),
-        symbol(&["kn", "knot", "knots"], Velocity::new::<velocity::knot>(1.0).value, speed),
-        symbol(&["N"], Force::new::<force::newton>(1.0).value, force),
-        symbol(&["Pa"], Pressure::new::<pressure::pascal>(1.0).value, force.times(D::LENGTH, -2)),
-        symbol(&["P"], 0.1, D::MASS.times(D::LENGTH, -1).times(D::TIME, -1)),
-        symbol(&["cP"], 1e-3, D::MASS.times(D::LENGTH, -1).times(D::TIME, -1)),
+        symbol(&["deg", "°", "degree", "degrees"], TAU / 360.0, D::ANGLE),
+        symbol(&["rev"], TAU, D::ANGLE),
+        symbol(&["rpm"], TAU / 60.0, D::ANGLE.times(D::TIME, -1)),
+        symbol(&["mph"], 0.44704, speed),
+        symbol(&["kph", "kmh"], 1.0 / 3.6, speed),
+        symbol(&["kn", "knot", "knots"], 1852.0 / 3600.0, speed),
+        symbol(&["N"], 1.0, force),
+        symbol(&["Pa"], 1.0, force.times(D::LENGTH, -2)),
+        symbol(&["P"], 0.1, viscosity),
+        symbol(&["cP"], 1e-3, viscosity),
     ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{SYMBOLS, symbol_size};
+    use uom::si::f64::{
+        Angle, AngularVelocity, DynamicViscosity, Force, Length, Mass, Pressure, Ratio, Time, Velocity, Volume,
+    };
+    use uom::si::{
+        angle, angular_velocity, dynamic_viscosity, force, length, mass, pressure, ratio, time, velocity, volume,
+    };
+
+    #[test]
+    fn independent_sizes_are_those_of_uom() {
+        let sizes = [
+            ("1", Ratio::new::<ratio::ratio>(1.0).value),
+            ("%", Ratio::new::<ratio::percent>(1.0).value),
+            ("m", Length::new::<length::meter>(1.0).value),
+            ("um", Length::new::<length::micrometer>(1.0).value),
+            ("mm", Length::new::<length::millimeter>(1.0).value),
+            ("cm", Length::new::<length::centimeter>(1.0).value),
+            ("km", Length::new::<length::kilometer>(1.0).value),
+            ("in", Length::new::<length::inch>(1.0).value),
+            ("ft", Length::new::<length::foot>(1.0).value),
+            ("yd", Length::new::<length::yard>(1.0).value),
+            ("mi", Length::new::<length::mile>(1.0).value),
+            ("L", Volume::new::<volume::liter>(1.0).value),
+            ("kg", Mass::new::<mass::kilogram>(1.0).value),
+            ("g", Mass::new::<mass::gram>(1.0).value),
+            ("mg", Mass::new::<mass::milligram>(1.0).value),
+            // uom rounds the pound and the ounce to seven digits; its grain is exact, and both are whole numbers of it
+            ("oz", 437.5 * Mass::new::<mass::grain>(1.0).value),
+            ("lb", 7000.0 * Mass::new::<mass::grain>(1.0).value),
+            ("s", Time::new::<time::second>(1.0).value),
+            ("ms", Time::new::<time::millisecond>(1.0).value),
+            ("min", Time::new::<time::minute>(1.0).value),
+            ("h", Time::new::<time::hour>(1.0).value),
+            ("rad", Angle::new::<angle::radian>(1.0).value),
+            ("mrad", Angle::new::<angle::radian>(1e-3).value),
+            ("deg", Angle::new::<angle::degree>(1.0).value),
+            ("rev", Angle::new::<angle::revolution>(1.0).value),
+            ("rpm", AngularVelocity::new::<angular_velocity::revolution_per_minute>(1.0).value),
+            ("mph", Velocity::new::<velocity::mile_per_hour>(1.0).value),
+            ("kph", Velocity::new::<velocity::kilometer_per_hour>(1.0).value),
+            ("kn", Velocity::new::<velocity::knot>(1.0).value),
+            ("N", Force::new::<force::newton>(1.0).value),
+            ("Pa", Pressure::new::<pressure::pascal>(1.0).value),
+            ("P", DynamicViscosity::new::<dynamic_viscosity::poise>(1.0).value),
+            ("cP", DynamicViscosity::new::<dynamic_viscosity::centipoise>(1.0).value),
+        ];
+        assert_eq!(sizes.len(), SYMBOLS.len(), "every symbol is here");
+        for (name, theirs) in sizes {
+            let (ours, _) = symbol_size(name).unwrap();
+            assert!((ours - theirs).abs() <= f64::EPSILON * theirs, "{name}: {ours:e} against {theirs:e}");
+        }
+    }
 }

@@ -1,9 +1,8 @@
 //! The units that were asked for, in every text: studies, messages, warnings and notes; and remarks that fit a terminal.
 
 use crate::command_line::longdrive;
-use crate::reproduce::FOUND;
+use crate::reproduce::{FOUND, PAPER, PAPER_SAID};
 use longdrive::report::{mae494_document, winfield_tan_document};
-use longdrive::reproduce::winfield_tan;
 use longdrive::units::System;
 
 /// The words of a text, however it is broken into lines.
@@ -49,11 +48,10 @@ fn paper_numbers_of_mae494_stay_as_printed_and_computed_ones_are_in_the_units_as
 
 #[test]
 fn paper_numbers_of_winfield_and_tan_stay_as_printed_and_computed_ones_are_in_the_units_asked_for() {
-    let found = winfield_tan(|_| ()).unwrap();
-    let [metric, us] = System::ALL.map(|system| winfield_tan_document(&found, system).text());
+    let [metric, us] = System::ALL.map(|system| winfield_tan_document(&PAPER, system).text());
     assert!(widest(&metric) <= 100 && widest(&us) <= 100, "{metric}\n{us}");
     let (in_metres, in_yards) = (words(&metric), words(&us));
-    let carry = found.shot.computed.carry;
+    let carry = PAPER.shot.computed.carry;
     // printed: 197.31 yd, 139.16 mph
     assert!(in_yards.contains(&format!("197.31 yd {:.2} yd", carry / 0.9144)), "{us}");
     assert!(in_metres.contains(&format!("197.31 yd (180.42 m) {carry:.2} m")), "{metric}");
@@ -66,10 +64,10 @@ fn paper_numbers_of_winfield_and_tan_stay_as_printed_and_computed_ones_are_in_th
 
 #[test]
 fn a_study_is_printed_in_its_own_units_where_none_are_asked_for() {
-    let out = |more: &[&str]| longdrive(&[&["reproduce", "winfield-tan", "-q"], more].concat()).out;
-    let own = out(&[]);
-    assert!(own.contains("250.09 yd") && own == out(&["--units", "us"]), "{own}");
-    assert!(out(&["--units", "metric"]).contains("250.09 yd (228.68 m)"));
+    let [metric, us] = System::ALL.map(|system| winfield_tan_document(&PAPER, system).text());
+    assert!(us.contains("250.09 yd") && PAPER_SAID.out == us, "{}", PAPER_SAID.out);
+    let said = longdrive(&["reproduce", "winfield-tan", "-q", "--units", "metric"]);
+    assert!(metric.contains("250.09 yd (228.68 m)") && said.out == metric, "{}", said.out);
     let help = longdrive(&["reproduce", "--help"]).out;
     assert!(words(&help).contains("reproduce: those of the study"), "{help}");
 }

@@ -71,10 +71,13 @@ pub fn close(ours: f64, theirs: f64, scale: f64, tolerance: f64, what: &str) {
 
 /// Runs a check on so many random setups, the same ones every time.
 pub fn for_random_setups(cases: u32, check: impl Fn(Setup<f64>)) {
+    random_setups(cases).for_each(check);
+}
+
+/// So many random setups, the same ones every time.
+pub fn random_setups(cases: u32) -> impl Iterator<Item = Setup<f64>> {
     let mut runner = TestRunner::deterministic();
-    for _ in 0..cases {
-        check(any_setup().new_tree(&mut runner).unwrap().current());
-    }
+    (0..cases).map(move |_| any_setup().new_tree(&mut runner).unwrap().current())
 }
 
 /// Three-dimensional drives from easy to hard: light and heavy heads, every law, off-centre strikes on curved

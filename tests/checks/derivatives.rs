@@ -13,14 +13,15 @@ fn lands(setup: &Setup<f64>) -> bool {
     Drive::new(setup).is_ok_and(|drive| drive.landed().is_ok())
 }
 
-/// An outcome of a setup seen over another number, with loft and attack angle as its variables.
-fn over<D: Number>(setup: &Setup<f64>, of: Outcome, variable: impl Fn(f64, usize) -> D) -> D {
+/// Outcomes of a setup seen over another number, with loft and attack angle as its variables.
+fn over<D: Number, const N: usize>(setup: &Setup<f64>, of: [Outcome; N], variable: impl Fn(f64, usize) -> D) -> [D; N] {
     let lifted = setup.map(|row, value| match row.name {
         "club.loft" => variable(value, 0),
         "swing.attack_angle" => variable(value, 1),
         _ => D::constant(value),
     });
-    of.of(&Drive::new(&lifted).unwrap()).unwrap()
+    let drive = Drive::new(&lifted).unwrap();
+    of.map(|of| of.of(&drive).unwrap())
 }
 
 #[test]
@@ -29,18 +30,19 @@ fn independent_number_types_of_num_dual_agree_with_ours() {
         if !lands(&setup) {
             return;
         }
-        for of in [Outcome::Carry, Outcome::Lateral, Outcome::DescentAngle] {
-            let first = over(&setup, of, Jet::<2>::variable);
-            let dual = over(&setup, of, |value, k| {
-                DualSVec64::<2>::new(value, Derivative::derivative_generic(Const::<2>, U1, k))
-            });
-            let second = |i: usize, j: usize| over(&setup, of, |value, k| mixed(value, k == i, k == j));
-            let both = second(0, 1);
-            let dual2 = over(&setup, of, |value, k| {
-                Dual2SVec64::<2>::new(value, Derivative::derivative_generic(U1, Const::<2>, k), Derivative::none())
-            });
-            let hyper = over(&setup, of, |value, k| HyperDual64::new(value, f64::from(k == 0), f64::from(k == 1), 0.0));
-            let (eps, v1, v2) = (dual.eps.0.unwrap(), dual2.v1.0.unwrap(), dual2.v2.0.unwrap());
+        let of = [Outcome::Carry, Outcome::Lateral, Outcome::DescentAngle];
+        let first = over(&setup, of, Jet::<2>::variable);
+        let dual =
+            over(&setup, of, |value, k| DualSVec64::<2>::new(value, Derivative::derivative_generic(Const::<2>, U1, k)));
+        let pairs = [(0, 0), (1, 0), (1, 1), (0, 1)];
+        let seconds = pairs.map(|(i, j)| over(&setup, of, |value, k| mixed(value, k == i, k == j)));
+        let dual2 = over(&setup, of, |value, k| {
+            Dual2SVec64::<2>::new(value, Derivative::derivative_generic(U1, Const::<2>, k), Derivative::none())
+        });
+        let hyper = over(&setup, of, |value, k| HyperDual64::new(value, f64::from(k == 0), f64::from(k == 1), 0.0));
+        for n in 0..of.len() {
+            let (both, hyper, first) = (seconds[3][n], hyper[n], first[n]);
+            let (eps, v1, v2) = (dual[n].eps.0.unwrap(), dual2[n].v1.0.unwrap(), dual2[n].v2.0.unwrap());
             let scale = first.gradient.iter().fold(1.0, |most: f64, d| most.max(d.abs()));
             for k in 0..2 {
                 for other in [eps[k], [both.re.gradient[0], both.gradient[0].re][k], v1[k], [hyper.eps1, hyper.eps2][k]]
@@ -49,8 +51,8 @@ fn independent_number_types_of_num_dual_agree_with_ours() {
                 }
             }
             let scale = v2.amax().max(1.0);
-            for (i, j) in [(0, 0), (1, 0), (1, 1)] {
-                close(second(i, j).gradient[0].gradient[0], v2[(i, j)], scale, 1e-9, "second derivative");
+            for (pair, second) in pairs.into_iter().zip(&seconds).take(3) {
+                close(second[n].gradient[0].gradient[0], v2[pair], scale, 1e-9, "second derivative");
             }
             close(both.gradient[0].gradient[0], hyper.eps1eps2, scale, 1e-9, "mixed derivative");
         }

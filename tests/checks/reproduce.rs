@@ -1,13 +1,16 @@
 //! Published studies, reproduced.
 
-use crate::command_line::{json, longdrive, number};
+use crate::command_line::{Said, json, longdrive, number};
 use crate::common::close;
-use longdrive::reproduce::{Landing, Mae494, Method, Row, mae494};
+use longdrive::reproduce::{Landing, Mae494, Method, Row, WinfieldTan, mae494, winfield_tan};
 use longdrive::{Drive, Outcome, Setup, derivative};
 use serde_json::Value;
 use std::sync::LazyLock;
 
 pub static FOUND: LazyLock<Mae494> = LazyLock::new(|| mae494(|_| ()).unwrap());
+pub static PAPER: LazyLock<WinfieldTan> = LazyLock::new(|| winfield_tan(|_| ()).unwrap());
+/// What the program says of the paper, which takes it seconds.
+pub static PAPER_SAID: LazyLock<Said> = LazyLock::new(|| longdrive(&["reproduce", "winfield-tan"]));
 
 fn carry(loft: f64, attack: f64) -> f64 {
     let mut setup = Setup::preset("mae494").unwrap();

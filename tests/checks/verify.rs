@@ -1,6 +1,6 @@
 //! Certificates of derivatives: right ones pass, wrong ones are caught, corners are named.
 
-use crate::common::{close, for_random_setups};
+use crate::common::{close, random_setups};
 use longdrive::derivative::check::{Verdict, check};
 use longdrive::derivative::{Taylor, gradient};
 use longdrive::impact::{Grip, strike};
@@ -11,7 +11,6 @@ use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::TestRunner;
 use rayon::prelude::*;
-use std::cell::Cell;
 
 fn certificate(setup: &Setup<f64>, of: &[Outcome], wrt: &[&'static Parameter]) -> Certificate {
     certify(setup, of, wrt, |_, _| true).unwrap()
@@ -78,19 +77,16 @@ fn differences_certify_a_launch_without_a_club() {
 fn differences_certify_two_hundred_random_drives() {
     // so many parameters of each drive, others for the next; all of them were looked at once (docs/verification.md)
     const AT_A_TIME: usize = 4;
-    let (drives, rows) = (Cell::new(0), Cell::new(0));
-    for_random_setups(220, |setup| {
-        if drives.get() == 200 || !Drive::new(&setup).is_ok_and(|drive| drive.landed().is_ok()) {
-            return;
-        }
+    let flies = |setup: &Setup<f64>| Drive::new(setup).is_ok_and(|drive| drive.landed().is_ok());
+    let setups: Vec<_> = random_setups(220).filter(flies).take(200).collect();
+    let rows = setups.par_iter().enumerate().map(|(drive, setup)| {
         let all = setup.variables();
-        let wrt: Vec<_> = (0..AT_A_TIME).map(|k| all[(AT_A_TIME * drives.get() + k) % all.len()]).collect();
-        let certificate = certificate(&setup, &[Outcome::Carry, Outcome::Lateral], &wrt);
-        assert!(certificate.passed(), "drive {}: {:?}", drives.get(), failures(&certificate));
-        drives.set(drives.get() + 1);
-        rows.set(rows.get() + certificate.rows.len());
+        let wrt: Vec<_> = (0..AT_A_TIME).map(|k| all[(AT_A_TIME * drive + k) % all.len()]).collect();
+        let certificate = certificate(setup, &[Outcome::Carry, Outcome::Lateral], &wrt);
+        assert!(certificate.passed(), "drive {drive}: {:?}", failures(&certificate));
+        certificate.rows.len()
     });
-    assert!(drives.get() == 200 && rows.get() == 200 * 2 * AT_A_TIME, "{} drives, {} rows", drives.get(), rows.get());
+    assert_eq!((rows.sum::<usize>(), setups.len()), (200 * 2 * AT_A_TIME, 200));
 }
 
 /// Questions as a user may ask them: usual drives with every law, some in wind, some where a parameter is at the end of its range, by one
