@@ -31,9 +31,9 @@ impl Fitted {
 
     /// Whether a spin ratio, Reynolds number and speed through the air lie within all ranges that are known. In no air (a Reynolds
     /// number of 0) there is no law to leave.
-    pub fn holds(&self, stream: [f64; 3]) -> bool {
-        let known = self.ranges().into_iter().zip(stream);
-        let mut known = known.filter_map(|((.., range), value)| Some((range?, value)));
-        stream[1] == 0.0 || known.all(|([low, high], value)| (low..=high).contains(&value))
+    pub fn holds(&self, [spin_ratio, reynolds, speed]: [f64; 3]) -> bool {
+        let is_in = |range: Option<[f64; 2]>, value: f64| range.is_none_or(|[low, high]| (low..=high).contains(&value));
+        reynolds == 0.0
+            || is_in(self.spin_ratio, spin_ratio) && is_in(self.reynolds, reynolds) && is_in(self.speed, speed)
     }
 }

@@ -109,7 +109,8 @@ impl Abreast<'_> {
             |k| changing(J::with_values(|lane| block.point(row_of(lane))[k]), directions[k]),
         );
         let struck = Struck::new(setup);
-        let (stream, strike) = (struck.inputs.stream(), [setup.strike.toe, setup.strike.high]);
+        let [spin_ratio, reynolds, air_speed] = struck.inputs.stream();
+        let (toe, high) = (setup.strike.toe, setup.strike.high);
         let fitted = AerodynamicLaw::<f64>::fitted(&kernel.setup.law);
         let has_apex = kernel.of.iter().any(|outcome| outcome.is_of_the_apex());
         let how = Discretization::of(&kernel.setup);
@@ -125,10 +126,10 @@ impl Abreast<'_> {
             let shown = Shown { launch: &launch, club_speed, landed: Some(&landed) };
             self.block.status[row] = Status::Landed;
             self.block.defect[row] = landed.defect.re();
-            let [toe, high] = strike.map(|place| place.lane(lane).re());
+            let value = |number: J| number.lane(lane).re();
             self.block.beyond[row] = Beyond {
-                law: !fitted.holds(stream.map(|value| value.lane(lane).re())),
-                face: club_speed.is_some() && is_beside_any_face(toe, high),
+                law: !fitted.holds([value(spin_ratio), value(reynolds), value(air_speed)]),
+                face: club_speed.is_some() && is_beside_any_face(value(toe), value(high)),
             };
             for (i, outcome) in kernel.of.iter().enumerate() {
                 self.write(row, i, outcome.shown(&shown));

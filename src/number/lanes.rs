@@ -41,7 +41,7 @@ impl<const K: usize, B: Lanes> Lanes for Jet<K, B> {
 
     #[inline(always)]
     fn lane(self, i: usize) -> Self::Lane {
-        Jet { re: self.re.lane(i), gradient: self.gradient.map(|d| d.lane(i)) }
+        Jet { re: self.re.lane(i), gradient: std::array::from_fn(|k| self.gradient[k].lane(i)) }
     }
     #[inline(always)]
     fn with_values(f: impl FnMut(usize) -> f64) -> Self {
