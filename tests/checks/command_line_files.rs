@@ -230,8 +230,8 @@ fn a_place_that_cannot_be_written_is_told_in_own_words() {
         ([&sweep[..], &["-o", "/dev/stdout"]].concat(), "it is standard output; write -o -"),
         ([&sweep[..], &["--overwrite"]].concat(), "--overwrite replaces a file, and the rows go to standard output"),
         (vec!["calibrate", &shots, "--fit", "aero.cd0", "--overwrite"], "--output <FILE>|--plot <DIR>"),
-        (vec!["man", "optimize", "--overwrite"], "'--overwrite' cannot be used with"),
-        (vec!["sweep", "--points", &points, "--seed", "7"], "'--points <FILE>' cannot be used with: --seed"),
+        (vec!["man", "optimize", "--overwrite"], "cannot be used with '--overwrite'"),
+        (vec!["sweep", "--points", &points, "--seed", "7"], "'--points <FILE>' cannot be used with '--seed <SEED>'"),
     ] {
         let before = files(folder.path());
         let said = longdrive(&args);
