@@ -116,17 +116,20 @@ impl Abreast<'_> {
         let how = Discretization::of(&kernel.setup);
         let ended = struck.inputs.follow(&how, J::Mask::first(group.len()), has_apex, &mut |_, _| ());
         for (lane, &(_, row)) in group.iter().enumerate() {
-            let Ok(Flight::Landed(landed)) = ended.flight(&how, &struck.inputs, lane, |number| number.lane(lane))
-            else {
+            let in_lane = inlined(
+                #[inline(always)]
+                |number: J| number.lane(lane),
+            );
+            let Ok(Flight::Landed(landed)) = ended.flight(&how, &struck.inputs, lane, in_lane) else {
                 alone.push(row);
                 continue;
             };
-            let launch = struck.launch.map(|number| number.lane(lane));
-            let club_speed = struck.club_speed.map(|speed| speed.lane(lane));
+            let launch = struck.launch.map(in_lane);
+            let club_speed = struck.club_speed.map(in_lane);
             let shown = Shown { launch: &launch, club_speed, landed: Some(&landed) };
             self.block.status[row] = Status::Landed;
             self.block.defect[row] = landed.defect.re();
-            let value = |number: J| number.lane(lane).re();
+            let value = |number: J| in_lane(number).re();
             self.block.beyond[row] = Beyond {
                 law: !fitted.holds([value(spin_ratio), value(reynolds), value(air_speed)]),
                 face: club_speed.is_some() && is_beside_any_face(value(toe), value(high)),

@@ -86,16 +86,15 @@ impl Grid {
         })?;
         Ok(Self { axes, parameters, rows, next: 0 })
     }
-
-    /// The axes, outermost first.
-    pub fn axes(&self) -> &[Axis] {
-        &self.axes
-    }
 }
 
 impl Points for Grid {
     fn parameters(&self) -> &[&'static Parameter] {
         &self.parameters
+    }
+
+    fn ranges(&self) -> Vec<Vary> {
+        self.axes.iter().map(|axis| axis.over).collect()
     }
 
     fn rows(&self) -> u64 {

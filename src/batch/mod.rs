@@ -44,8 +44,4 @@ pub use grid::{Axis, Grid};
 pub use points::Points;
 pub use run::{Batch, CHUNK, Run, gradient_batch, simulate_batch};
 pub use sequence::Sequence;
-#[cfg(feature = "arrow")]
-pub use table::ArrowTable;
-#[cfg(feature = "parquet")]
-pub use table::ParquetTable;
-pub use table::{CsvTable, open_table};
+pub use table::open_table;

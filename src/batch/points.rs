@@ -1,5 +1,5 @@
 use crate::error::{Error, Result};
-use crate::parameters::Parameter;
+use crate::parameters::{Parameter, Vary};
 use crate::units::Message;
 
 /// Where the points of a batch come from: the values of some parameters, a row for each drive, in an order that is the
@@ -7,6 +7,9 @@ use crate::units::Message;
 pub trait Points {
     /// The parameters that have a value in each row.
     fn parameters(&self) -> &[&'static Parameter];
+
+    /// The ranges that the values lie in. Values that no drive can have do not count; a parameter that has no others is left out.
+    fn ranges(&self) -> Vec<Vary>;
 
     /// How many rows there are.
     fn rows(&self) -> u64;

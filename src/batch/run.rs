@@ -170,8 +170,7 @@ pub fn simulate_batch(
     run: &Run<'_>,
     mut sink: impl FnMut(&Block) -> Result<()>,
 ) -> Result<u64> {
-    let batch = Batch::new(setup, points.parameters(), of, &[])?;
-    batch.run(points, run, |block| block, |block| sink(&block))
+    Batch::new(setup, points.parameters(), of, &[])?.run(points, run, |block| block, |block| sink(&block))
 }
 
 /// As [`simulate_batch`], with the exact derivatives of every outcome by each parameter of `wrt`.
@@ -189,6 +188,5 @@ pub fn gradient_batch(
     if wrt.is_empty() {
         return Err(Error::Nothing { doing: "differentiate by", what: "parameter" });
     }
-    let batch = Batch::new(setup, points.parameters(), of, wrt)?;
-    batch.run(points, run, |block| block, |block| sink(&block))
+    Batch::new(setup, points.parameters(), of, wrt)?.run(points, run, |block| block, |block| sink(&block))
 }

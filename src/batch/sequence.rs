@@ -35,6 +35,10 @@ impl Points for Sequence {
         &self.parameters
     }
 
+    fn ranges(&self) -> Vec<Vary> {
+        self.over.clone()
+    }
+
     fn rows(&self) -> u64 {
         self.rows
     }

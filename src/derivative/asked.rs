@@ -118,8 +118,12 @@ impl Asked<'_> {
         let how = Discretization::of(self.setup);
         let ended = inputs.follow(&how, J::Mask::first(lanes), self.has_apex, &mut |_, _| ());
         for lane in 0..lanes {
-            let flight = ended.flight(&how, inputs, lane, |number| number.lane(lane))?;
-            let velocity = inputs.velocity.map(|v| v.lane(lane));
+            let in_lane = inlined(
+                #[inline(always)]
+                |number: J| number.lane(lane),
+            );
+            let flight = ended.flight(&how, inputs, lane, in_lane)?;
+            let velocity = inputs.velocity.map(in_lane);
             let launch = Launch { velocity, spin: velocity };
             for (i, outcome) in self.of.iter().enumerate().filter(|(_, outcome)| outcome.part() == Part::Flight) {
                 take(lane, i, read(*outcome, &launch, None, Some(&flight))?);

@@ -3,7 +3,7 @@ use super::asked::{Asked, Directions, read};
 use super::order::Pairs;
 use crate::drive::{Part, Struck};
 use crate::error::Result;
-use crate::number::{Derivatives, Jet, Lanes, Level, Mask, Mixed, Task};
+use crate::number::{Derivatives, Jet, Lanes, Level, Mask, Mixed, Task, inlined};
 
 /// The most directions in a lane.
 pub(super) const MOST_PER_LANE: usize = 3;
@@ -55,8 +55,12 @@ pub(super) fn read_launches<J: Lanes>(
     mut take: impl FnMut(usize, usize, J::Lane),
 ) -> Result<()> {
     for lane in 0..lanes {
-        let launch = struck.launch.map(|number| number.lane(lane));
-        let club_speed = struck.club_speed.map(|speed| speed.lane(lane));
+        let in_lane = inlined(
+            #[inline(always)]
+            |number: J| number.lane(lane),
+        );
+        let launch = struck.launch.map(in_lane);
+        let club_speed = struck.club_speed.map(in_lane);
         for (i, outcome) in asked.of.iter().enumerate().filter(|(_, outcome)| outcome.part() == Part::Launch) {
             take(lane, i, read(*outcome, &launch, club_speed, None)?);
         }

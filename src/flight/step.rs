@@ -88,11 +88,12 @@ impl<'a, T: Numbers> Stepper<'a, T> {
     /// scale Σ wⱼ aⱼ over the stages so far, and what it is added to.
     #[inline(always)]
     fn sum(&self, stages: usize, weights: &[f64], scale: f64, start: Vector<T>) -> Vector<T> {
-        let mut sum = start;
-        for (rate, weight) in self.rates.iter().zip(weights).take(stages) {
-            if *weight != 0.0 {
-                sum = rate.acceleration.scale_add(scale * weight, sum);
+        let (mut sum, mut stage) = (start, 0);
+        while stage < stages {
+            if weights[stage] != 0.0 {
+                sum = self.rates[stage].acceleration.scale_add(scale * weights[stage], sum);
             }
+            stage += 1;
         }
         sum
     }

@@ -41,7 +41,13 @@ impl<const K: usize, B: Lanes> Lanes for Jet<K, B> {
 
     #[inline(always)]
     fn lane(self, i: usize) -> Self::Lane {
-        Jet { re: self.re.lane(i), gradient: std::array::from_fn(|k| self.gradient[k].lane(i)) }
+        let mut gradient = [B::Lane::zero(); K];
+        let mut k = 0;
+        while k < K {
+            gradient[k] = self.gradient[k].lane(i);
+            k += 1;
+        }
+        Jet { re: self.re.lane(i), gradient }
     }
     #[inline(always)]
     fn with_values(f: impl FnMut(usize) -> f64) -> Self {

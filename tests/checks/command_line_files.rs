@@ -213,7 +213,7 @@ fn the_folder_that_an_output_is_in_must_exist() {
 #[test]
 fn a_place_that_cannot_be_written_is_told_in_own_words() {
     let (folder, name) = folder();
-    let (shots, mine) = (name("shots.csv"), name("mine.toml"));
+    let (shots, points, mine) = (name("shots.csv"), name("points.csv"), name("mine.toml"));
     let nowhere = "it cannot be written: there is no folder '/nowhere'";
     let sweep = ["sweep", "--over", "club.loft=5deg..15deg:3", "--format", "csv"];
     for (args, words) in [
@@ -230,6 +230,8 @@ fn a_place_that_cannot_be_written_is_told_in_own_words() {
         ([&sweep[..], &["-o", "/dev/stdout"]].concat(), "it is standard output; write -o -"),
         ([&sweep[..], &["--overwrite"]].concat(), "--overwrite replaces a file, and the rows go to standard output"),
         (vec!["calibrate", &shots, "--fit", "aero.cd0", "--overwrite"], "--output <FILE>|--plot <DIR>"),
+        (vec!["man", "optimize", "--overwrite"], "cannot be used with '--overwrite'"),
+        (vec!["sweep", "--points", &points, "--seed", "7"], "'--points <FILE>' cannot be used with '--seed <SEED>'"),
     ] {
         let before = files(folder.path());
         let said = longdrive(&args);

@@ -346,7 +346,7 @@ fn a_report_without_an_optimum_says_why_and_ends_with_status_one() {
 #[test]
 fn bad_plots_and_folders_get_messages_that_help() {
     let folder = tempfile::tempdir().unwrap();
-    let (svg, file) = (path(&folder, "x.svg"), path(&folder, "file"));
+    let (svg, csv, file) = (path(&folder, "x.svg"), path(&folder, "x.csv"), path(&folder, "file"));
     std::fs::write(&file, "").unwrap();
     let missing = path(&folder, "no/such/x.svg");
     let beneath = format!("{file}/report");
@@ -355,6 +355,8 @@ fn bad_plots_and_folders_get_messages_that_help() {
         (vec!["plot", "trajectory", "-o", "x"], 2, vec!["'x'", "ending"]),
         (vec!["plot", "trajectory", "-o", &missing], 2, vec![&missing, "there is no folder"]),
         (vec!["plot", "trajectory", "-o", &svg, "--width", "10"], 2, vec!["240"]),
+        (vec!["plot", "trajectory", "-o", &csv, "--dark"], 2, vec!["--dark", "it is about pictures"]),
+        (vec!["plot", "tornado", "-o", &csv, "--width", "300"], 2, vec!["--width", "it is about pictures"]),
         (vec!["plot", "trajectory", "-o", &svg, "--set", "swing.attack_angle=-20deg"], 1, vec!["no flight"]),
         (vec!["plot", "contour", "-o", &svg, "--vary", "club.loft=4deg..20deg"], 2, vec!["two parameters", "--vary"]),
         (
@@ -371,7 +373,7 @@ fn bad_plots_and_folders_get_messages_that_help() {
         for words in says {
             assert!(said.err.contains(words), "{args:?}: no '{words}' in {}", said.err);
         }
-        assert!(!Path::new(&svg).exists(), "{args:?}: nothing is written");
+        assert!(!Path::new(&svg).exists() && !Path::new(&csv).exists(), "{args:?}: nothing is written");
     }
 }
 

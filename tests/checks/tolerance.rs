@@ -18,61 +18,112 @@ fn rows(batch: &Batch, ranges: &[Vary], count: u64) -> Block {
     batch.evaluate(0, points)
 }
 
-/// A sweep within a micrometre: the largest error of a length, m, and how many rows have landed. Nothing where no step is found.
-fn sweep(setup: &Setup<f64>, ranges: &[Vary], of: &[Outcome], count: u64) -> Option<(f64, usize)> {
+/// The errors of the rows of a sweep that land.
+#[derive(Clone, Copy, Debug, Default)]
+struct Errors {
+    landed: usize,
+    /// Rows that are flown again, in shorter steps than the sweep's.
+    again: usize,
+    /// Rows of which a length is off by more than a micrometre, and the largest error, m: in the steps of the sweep alone, and as the sweep
+    /// gives them.
+    unchecked: (usize, f64),
+    checked: (usize, f64),
+}
+
+impl Errors {
+    fn add(&mut self, other: Self) {
+        let both = |a: (usize, f64), b: (usize, f64)| (a.0 + b.0, a.1.max(b.1));
+        *self = Self {
+            landed: self.landed + other.landed,
+            again: self.again + other.again,
+            unchecked: both(self.unchecked, other.unchecked),
+            checked: both(self.checked, other.checked),
+        };
+    }
+}
+
+/// The errors of a sweep within a micrometre. Nothing where no step is found.
+fn sweep(setup: &Setup<f64>, ranges: &[Vary], of: &[Outcome], count: u64) -> Option<Errors> {
     let found = match accuracy(setup, ranges, of, MICROMETRE) {
         Ok(found) => found,
         Err(Error::NoFlight { .. } | Error::Tolerance { .. }) => return None,
         Err(error) => panic!("{error}"),
     };
-    let batch = batch(&found.applied_to(setup), ranges, of).with_largest_defect(found.largest_defect);
-    Some(error(setup, &batch, ranges, of, count))
-}
-
-/// These outcomes of drives that differ in what is varied.
-fn batch(setup: &Setup<f64>, ranges: &[Vary], of: &[Outcome]) -> Batch {
     let parameters: Vec<&'static Parameter> = ranges.iter().map(|range| range.parameter).collect();
-    Batch::new(setup, &parameters, of, &[]).unwrap()
+    let batch = Batch::new(&found.applied_to(setup), &parameters, of, &[]).unwrap();
+    Some(errors(setup, batch, found.largest_defect, ranges, of, count))
 }
 
-/// The largest difference from flights in much shorter steps, m, and how many of these have landed.
-fn error(setup: &Setup<f64>, flown: &Batch, ranges: &[Vary], of: &[Outcome], count: u64) -> (f64, usize) {
+fn errors(setup: &Setup<f64>, batch: Batch, defect: f64, ranges: &[Vary], of: &[Outcome], count: u64) -> Errors {
     let mut fine = Setup { method: Method::DormandPrince8, ..*setup };
-    fine.flight.step = if setup.wind.roughness.is_some() { 0.005 } else { 0.04 };
-    let (exact, flown) = (rows(&batch(&fine, ranges, of), ranges, count), rows(flown, ranges, count));
-    let landed = || (0..exact.rows()).filter(|&row| exact.status(row) == Status::Landed);
-    let errors = landed().flat_map(|row| (0..of.len()).map(move |i| (row, i))).map(|(row, i)| {
-        flown.outcome(row, i).map_or(f64::INFINITY, |flown| (flown - exact.outcome(row, i).unwrap()).abs())
-    });
-    (errors.fold(0.0, f64::max), landed().count())
+    let step: f64 = if setup.wind.roughness.is_some() { 0.005 } else { 0.04 };
+    fine.flight.step = step.min(0.25 * batch.setup().flight.step);
+    let exact = rows(&Batch::new(&fine, batch.parameters(), of, &[]).unwrap(), ranges, count);
+    let unchecked = rows(&batch, ranges, count);
+    let checked = rows(&batch.with_largest_defect(defect), ranges, count);
+    let mut errors = Errors::default();
+    for row in (0..exact.rows()).filter(|&row| exact.status(row) == Status::Landed) {
+        let error = |flown: &Block| {
+            let off = exact
+                .outcomes(row)
+                .zip(flown.outcomes(row))
+                .map(|(exact, flown)| flown.map_or(f64::INFINITY, |flown| (flown - exact.unwrap()).abs()));
+            let worst = off.fold(0.0, f64::max);
+            (usize::from(worst > MICROMETRE), worst)
+        };
+        let again = usize::from(!unchecked.outcomes(row).eq(checked.outcomes(row)));
+        errors.add(Errors { landed: 1, again, unchecked: error(&unchecked), checked: error(&checked) });
+    }
+    errors
 }
 
 fn range(setup: &Setup<f64>, name: &str, low: f64, high: f64) -> Vary {
     Vary::new(setup.variable(name).unwrap(), low, high).unwrap()
 }
 
-/// Random setups in space, of all laws, some in a wind that grows with height; each swept over two parameters. `LONGDRIVE_SWEEPS` is how
-/// many (1000 take a minute and a half).
+/// Random setups in space, of all laws, some in a wind that grows with height; each swept over one to four parameters, by a fifth or a half of
+/// their values to both sides. `LONGDRIVE_SWEEPS` is how many. What is found is printed, and stands in docs/model.md, 16a.
 #[test]
 fn independent_lengths_of_random_sweeps_are_within_a_micrometre() {
     let names =
         ["club.loft", "swing.attack_angle", "swing.speed", "air.density", "ball.mass", "wind.downrange", "gravity"];
-    let sweeps = std::env::var("LONGDRIVE_SWEEPS").map_or(150, |text| text.parse().unwrap());
+    let sweeps = std::env::var("LONGDRIVE_SWEEPS").map_or(100, |text| text.parse().unwrap());
     let setups: Vec<_> = random_setups(sweeps).collect();
     let look = |(n, setup): (usize, &Setup<f64>)| {
-        let by = [names[n % names.len()], names[(n + 1 + n / names.len() % (names.len() - 1)) % names.len()]];
-        let ranges = by.map(|name| {
-            let value = setup.value(setup.variable(name).unwrap()).unwrap();
-            let width = if name.ends_with("angle") || name.ends_with("downrange") { 0.1 } else { 0.2 * value };
-            range(setup, name, value - width, value + width)
-        });
-        let (error, rows) = sweep(setup, &ranges, &LENGTHS, 32)?;
-        assert!(error <= MICROMETRE, "case {n}, by {by:?}: {error:e} m");
-        Some(rows)
+        // a stride of 1 to 6 meets none of seven twice
+        let by: Vec<_> = (0..=n % 4).map(|i| names[(n / 4 + i * (1 + n / 28 % 6)) % 7]).collect();
+        let part = [0.2, 0.5][n / 4 % 2];
+        let width_of = |name: &str, value: f64| match name {
+            "swing.attack_angle" => 0.5 * part,
+            "wind.downrange" => 20.0 * part,
+            _ => value * part,
+        };
+        let ranges: Vec<_> = by
+            .iter()
+            .map(|name| {
+                let value = setup.value(setup.variable(name).unwrap()).unwrap();
+                let width = width_of(name, value);
+                range(setup, name, value - width, value + width)
+            })
+            .collect();
+        let found = sweep(setup, &ranges, &LENGTHS, 100)?;
+        if found.checked.0 > 0 {
+            println!("case {n}, by {by:?}: {found:?}");
+        }
+        Some(found)
     };
-    let landed: Vec<usize> = setups.par_iter().enumerate().filter_map(look).collect();
-    let (swept, rows) = (landed.len(), landed.iter().sum::<usize>());
-    assert!(swept > setups.len() / 10 * 9 && rows > 25 * swept, "{rows} rows of {swept}");
+    let found: Vec<Errors> = setups.par_iter().enumerate().filter_map(look).collect();
+    let swept = found.len();
+    let mut all = Errors::default();
+    found.into_iter().for_each(|errors| all.add(errors));
+    let Errors { landed, again, unchecked, checked } = all;
+    println!("{landed} drives of {swept} sweeps ({sweeps} asked for): {again} flown again");
+    for (what, (off, largest)) in [("by the step alone", unchecked), ("as the sweep gives them", checked)] {
+        println!("{what}: {off} off by more than 1 um; the largest error is {:.3} um", largest / MICROMETRE);
+    }
+    assert!(swept > setups.len() / 10 * 9 && landed > 80 * swept, "{landed} rows of {swept}");
+    // a defect is no bound of the error: of very many drives it misses one
+    assert!(checked.0 <= landed / 20_000, "{checked:?}");
 }
 
 /// Two of the drives of which the step alone, chosen by others, was off by up to 266 times the tolerance: far out, and next to no flight.
@@ -89,15 +140,15 @@ fn independent_rows_that_a_step_chosen_by_others_misses_are_flown_again() {
     let low = Setup::default();
     let low_ranges = [range(&low, "club.loft", 0.02, 0.3), range(&low, "swing.attack_angle", -0.15, 0.1)];
     for (setup, ranges) in [(&far, &far_ranges[..]), (&low, &low_ranges)] {
-        let (error, rows) = sweep(setup, ranges, &[Outcome::Carry, Outcome::Lateral], 1024).unwrap();
-        assert!(error <= MICROMETRE && rows > 500, "{error:e} m of {rows} rows");
+        let found = sweep(setup, ranges, &[Outcome::Carry, Outcome::Lateral], 1024).unwrap();
+        assert!(found.checked.0 == 0 && found.landed > 500, "{found:?}");
     }
     // a step for one loft, and rows of all
     let found = accuracy(&low, &[range(&low, "club.loft", 0.17, 0.18)], &LENGTHS, MICROMETRE).unwrap();
-    let chosen = || batch(&found.applied_to(&low), &low_ranges, &LENGTHS);
-    let of = |batch: Batch| error(&low, &batch, &low_ranges, &LENGTHS, 1024).0;
-    let (unchecked, checked) = (of(chosen()), of(chosen().with_largest_defect(found.largest_defect)));
-    assert!(checked <= MICROMETRE && unchecked > 2.0 * MICROMETRE, "{checked:e} m, {unchecked:e} m");
+    let parameters: Vec<&'static Parameter> = low_ranges.iter().map(|range| range.parameter).collect();
+    let batch = Batch::new(&found.applied_to(&low), &parameters, &LENGTHS, &[]).unwrap();
+    let found = errors(&low, batch, found.largest_defect, &low_ranges, &LENGTHS, 1024);
+    assert!(found.checked.0 == 0 && found.again > 0 && found.unchecked.1 > 2.0 * MICROMETRE, "{found:?}");
 }
 
 /// A row that no step follows as closely as is asked has no outcomes.

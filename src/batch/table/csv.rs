@@ -1,32 +1,27 @@
-use super::columns::{Columns, refuse_columns, refused};
-use super::fingerprint::Fingerprint;
-use crate::batch::points::Points;
+use super::columns::{Columns, refused, refused_column};
+use super::rows::Rows;
 use crate::columns::{Column, Head, Marks, separated, summary};
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::foreign::{of_csv, of_csv_row, of_io};
-use crate::parameters::{Parameter, Setup};
+use crate::parameters::Setup;
 use crate::units::Message;
-use csv::{Reader, ReaderBuilder, StringRecord, Trim};
+use csv::{Position, Reader, ReaderBuilder, StringRecord, Trim};
 use std::fs::File;
 use std::io::{BufRead, BufReader, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
 
-/// Points in a CSV file. Its head names the parameters with their units, `club.loft [deg]`, `impact.restitution`, or is that of a
+/// The rows of a CSV file. Its head names the parameters with their units, `club.loft [deg]`, `impact.restitution`, or is that of a
 /// launch monitor's export, `Ball Speed [mph]`; cells are separated by commas, semicolons or tabs.
-#[derive(Debug)]
-pub struct CsvTable {
+pub(super) struct CsvRows {
     path: PathBuf,
-    layout: Layout,
     reader: Reader<File>,
+    /// Where the first row begins.
+    first: Position,
     columns: Columns,
     /// The columns that are read, with their places.
     read: Vec<(usize, Column)>,
     /// Whether the table is a launch monitor's, of which rows that sum up others are passed over.
     is_export: bool,
-    notes: Vec<Message>,
-    rows: u64,
-    fingerprint: Fingerprint,
-    next: u64,
     /// The number of the record in the file, and of those that are no drives.
     line: u64,
     summaries: Vec<String>,
@@ -34,155 +29,94 @@ pub struct CsvTable {
     record: StringRecord,
 }
 
-/// Where the cells of a file are.
-#[derive(Clone, Copy, Debug)]
-struct Layout {
-    separator: u8,
-    /// The byte at which the head begins.
-    begin: u64,
-    has_units_row: bool,
-}
-
-impl CsvTable {
-    /// The table in a file. All of it is read once, so that a cell that is no number is told before any work.
-    ///
+impl CsvRows {
     /// # Errors
-    /// [`Error::Table`] for a file that cannot be read, without a row or without a column of a parameter, for a column that is unknown
-    /// or given twice, a unit of another kind, and a cell that is no number or whose decimal mark is uncertain.
+    /// [`Error::Table`](crate::Error::Table) for a file that cannot be read or without a column of a parameter, for a column that is unknown
+    /// or given twice, and a unit of another kind. Of its rows: a cell that is no number or whose decimal mark is uncertain.
     pub fn open(setup: &Setup<f64>, path: &Path) -> Result<Self> {
-        let mut layout = Layout::of(path)?;
-        let mut reader = layout.begin(path)?;
+        let unreadable = |error: std::io::Error| refused(path, String::new(), of_io(&error));
+        let mut file = File::open(path).map_err(unreadable)?;
+        let (separator, begin) = layout(&file).map_err(unreadable)?;
+        file.seek(SeekFrom::Start(begin)).map_err(unreadable)?;
+        let mut reader =
+            ReaderBuilder::new().trim(Trim::All).comment(Some(b'#')).delimiter(separator).from_reader(file);
         let heads = reader.headers().map_err(|error| refused(path, String::new(), of_csv(&error)))?.clone();
-        let mut first = StringRecord::new();
-        // a row that cannot be read is told with its number below
-        let has_first = reader.read_record(&mut first).unwrap_or(false);
-        let below = has_first.then(|| first.iter());
-        let at_column = |(at, error): (usize, Error)| refused(path, format!(", column {}", at + 1), error.to_string());
-        let head = Head::read(setup, heads.iter(), below, layout.separator).map_err(at_column)?;
-        layout.has_units_row = head.has_units_row;
+        let mut first = reader.position().clone();
+        let mut record = StringRecord::new();
+        // a row that cannot be read is told with its number later
+        let has_first = reader.read_record(&mut record).unwrap_or(false);
+        let below = has_first.then(|| record.iter());
+        let head = Head::read(setup, heads.iter(), below, separator).map_err(|wrong| refused_column(path, wrong))?;
+        if head.has_units_row {
+            first = reader.position().clone();
+        }
+        // the reader counts from the head
+        first.set_byte(begin + first.byte());
         let columns = Columns::new(setup, path, &head)?;
         let read = columns.at.iter().map(|at| (*at, head.columns[*at].clone())).collect::<Vec<_>>();
         for (at, column) in &read {
-            column.check_unit().map_err(|error| at_column((*at, error)))?;
+            column.check_unit().map_err(|error| refused_column(path, (*at, error)))?;
         }
-        refuse_columns(path, &columns.parameters)?;
-        let notes = head.remarks.iter().cloned().chain(columns.not_read(&head)).collect();
-        let mut table = Self {
-            path: path.to_owned(),
-            layout,
-            reader: layout.begin(path)?,
-            columns,
-            read,
-            is_export: head.format.is_export,
-            notes,
-            rows: u64::MAX,
-            fingerprint: Fingerprint::new(),
-            next: 0,
-            line: 0,
-            summaries: vec![],
-            marks: Marks::default(),
-            record: StringRecord::new(),
-        };
-        (table.rows, table.fingerprint) = Fingerprint::of(&mut table)?;
-        let summaries = std::mem::take(&mut table.summaries);
-        if !summaries.is_empty() {
-            table.notes.push(format!("rows left out, since they sum up other rows: {}", summaries.join(", ")).into());
-        }
-        table.seek(0)?;
-        Ok(table)
+        let (path, is_export) = (path.to_owned(), head.format.is_export);
+        let (summaries, marks) = (vec![], Marks::default());
+        Ok(Self { path, reader, first, columns, read, is_export, line: 0, summaries, marks, record })
     }
 
     /// The next row that is a drive.
     fn record(&mut self) -> Result<bool> {
         loop {
-            let place = |line: u64| format!(", row {}", line + 1);
-            let is_there = self.reader.read_record(&mut self.record).map_err(|error| match File::open(&self.path) {
-                Ok(again) => refused(&self.path, place(self.line), of_csv_row(&error, BufReader::new(again))),
-                Err(_) => refused(&self.path, place(self.line), of_csv(&error)),
+            let is_there = self.reader.read_record(&mut self.record).map_err(|error| {
+                let again = File::open(&self.path).map(BufReader::new);
+                let reason = again.map_or_else(|_| of_csv(&error), |again| of_csv_row(&error, again));
+                refused(&self.path, format!(", row {}", self.line + 1), reason)
             })?;
-            self.line += u64::from(is_there);
-            match summary(self.record.iter()).filter(|_| is_there && self.is_export) {
-                Some(word) => {
-                    if self.rows == u64::MAX {
-                        self.summaries.push(format!("{} ({word})", self.line));
-                    }
-                }
-                None => return Ok(is_there),
+            if !is_there {
+                return Ok(false);
+            }
+            self.line += 1;
+            match summary(self.record.iter()).filter(|_| self.is_export) {
+                Some(word) => self.summaries.push(format!("{} ({word})", self.line)),
+                None => return Ok(true),
             }
         }
-    }
-
-    fn restart(&mut self) -> Result<()> {
-        self.reader = self.layout.begin(&self.path)?;
-        (self.next, self.line) = (0, 0);
-        Ok(())
     }
 }
 
-impl Layout {
-    /// How the file separates its cells: what its head says, and a line `sep=;` before it.
-    fn of(path: &Path) -> Result<Self> {
-        let unreadable = |error: std::io::Error| refused(path, String::new(), of_io(&error));
-        let mut file = BufReader::new(File::open(path).map_err(unreadable)?);
-        let mut bytes = vec![];
-        loop {
-            let from = bytes.len();
-            if file.read_until(b'\n', &mut bytes).map_err(unreadable)? == 0 {
-                break;
-            }
-            let line = String::from_utf8_lossy(&bytes[from..]);
-            let line = line.trim_start_matches('\u{feff}').trim();
-            if !(line.is_empty() || line.starts_with(['#']) || line.starts_with("sep=")) {
-                break;
-            }
+/// What separates the cells of a file, as its head says, and a line `sep=;` before it; and the byte at which the head begins.
+fn layout(file: &File) -> std::io::Result<(u8, u64)> {
+    let mut file = BufReader::new(file);
+    let mut bytes = vec![];
+    loop {
+        let from = bytes.len();
+        if file.read_until(b'\n', &mut bytes)? == 0 {
+            break;
         }
-        let text = String::from_utf8_lossy(&bytes);
-        let (separator, rest) = separated(&text);
-        Ok(Self { separator, begin: (text.len() - rest.len()) as u64, has_units_row: false })
-    }
-
-    /// Reads the file from its head.
-    fn begin(&self, path: &Path) -> Result<Reader<File>> {
-        let unreadable = |error: std::io::Error| refused(path, String::new(), of_io(&error));
-        let mut file = File::open(path).map_err(unreadable)?;
-        file.seek(SeekFrom::Start(self.begin)).map_err(unreadable)?;
-        let mut reader =
-            ReaderBuilder::new().trim(Trim::All).comment(Some(b'#')).delimiter(self.separator).from_reader(file);
-        if self.has_units_row {
-            let passed = reader.read_record(&mut StringRecord::new());
-            passed.map_err(|error| refused(path, String::new(), of_csv(&error)))?;
+        let line = String::from_utf8_lossy(&bytes[from..]);
+        let line = line.trim_start_matches('\u{feff}').trim();
+        if !(line.is_empty() || line.starts_with(['#']) || line.starts_with("sep=")) {
+            break;
         }
-        Ok(reader)
     }
+    let text = String::from_utf8_lossy(&bytes);
+    let (separator, rest) = separated(&text);
+    Ok((separator, (text.len() - rest.len()) as u64))
 }
 
-impl Points for CsvTable {
-    fn parameters(&self) -> &[&'static Parameter] {
-        &self.columns.parameters
+impl Rows for CsvRows {
+    fn columns(&self) -> &Columns {
+        &self.columns
     }
 
-    fn rows(&self) -> u64 {
-        self.rows
-    }
-
-    fn notes(&self) -> Vec<Message> {
-        self.notes.clone()
-    }
-
-    fn seek(&mut self, row: u64) -> Result<()> {
-        if row < self.next || self.reader.is_done() {
-            self.restart()?;
-        }
-        while self.next < row && self.record()? {
-            self.next += 1;
-        }
-        Ok(())
+    fn rewind(&mut self) -> Result<()> {
+        (self.line, self.summaries) = (0, vec![]);
+        let to = SeekFrom::Start(self.first.byte());
+        let found = self.reader.seek_raw(to, self.first.clone());
+        found.map_err(|error| refused(&self.path, String::new(), of_csv(&error)))
     }
 
     fn read(&mut self, most: usize, values: &mut Vec<f64>) -> Result<usize> {
         let mut rows = 0;
-        while rows < most && self.next < self.rows && self.record()? {
-            self.next += 1;
+        while rows < most && self.record()? {
             for (at, column) in &self.read {
                 let cell = self.record.get(*at).unwrap_or_default();
                 let wrong =
@@ -197,7 +131,11 @@ impl Points for CsvTable {
         Ok(rows)
     }
 
-    fn identity(&self) -> String {
-        self.fingerprint.identity(self)
+    fn notes(&self) -> Vec<Message> {
+        let mut notes = self.columns.notes.clone();
+        if !self.summaries.is_empty() {
+            notes.push(format!("rows left out, since they sum up other rows: {}", self.summaries.join(", ")).into());
+        }
+        notes
     }
 }

@@ -7,14 +7,11 @@ mod csv;
 mod fingerprint;
 #[cfg(feature = "parquet")]
 mod parquet;
+#[cfg(any(feature = "arrow", feature = "parquet"))]
+mod pieces;
 #[cfg(feature = "arrow")]
 mod record_batches;
-
-#[cfg(feature = "arrow")]
-pub use arrow::ArrowTable;
-pub use csv::CsvTable;
-#[cfg(feature = "parquet")]
-pub use parquet::ParquetTable;
+mod rows;
 
 use super::points::Points;
 use crate::error::Result;
@@ -22,21 +19,30 @@ use crate::error::Result;
 use crate::features::how_to_get;
 use crate::parameters::Setup;
 use columns::refused;
+#[cfg(any(feature = "arrow", feature = "parquet"))]
+use pieces::PieceRows;
+use rows::Table;
 use std::path::Path;
 
-/// The table in a file, by the ending of its name: CSV (`.csv`), Parquet (`.parquet`), or Arrow IPC (`.arrow`, `.arrows`,
-/// `.feather`; a file or a stream, whichever its first bytes say).
+/// The table in a file, by the ending of its name: CSV (`.csv`; a launch monitor's export too, with cells separated by commas, semicolons or
+/// tabs), Parquet (`.parquet`), or Arrow IPC (`.arrow`, `.arrows`, `.feather`; a file or a stream, whichever its first bytes say). Columns
+/// are named by parameters, with their units in CSV, and are in SI in the others. All of it is read once here, so that a value
+/// that is missing is told before any work.
 ///
 /// # Errors
-/// [`Error::Table`](crate::Error::Table) for a file that cannot be read, a name without a known ending, and everything the tables refuse.
+/// [`Error::Table`](crate::Error::Table) for a name without a known ending; a file that cannot be read, is damaged or cut short, or has no
+/// column of a parameter; a column that is unknown, given twice or not of numbers; a unit of another kind; and a value that is
+/// missing, no number, not finite where it must be, or whose decimal mark is uncertain.
 pub fn open_table(setup: &Setup<f64>, path: &Path) -> Result<Box<dyn Points>> {
     let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default().to_lowercase();
     match ending.as_str() {
-        "csv" => Ok(Box::new(CsvTable::open(setup, path)?)),
+        "csv" => Ok(Box::new(Table::new(csv::CsvRows::open(setup, path)?)?)),
         #[cfg(feature = "parquet")]
-        "parquet" => Ok(Box::new(ParquetTable::open(setup, path)?)),
+        "parquet" => Ok(Box::new(Table::new(PieceRows::<parquet::ParquetPieces>::open(setup, path)?)?)),
         #[cfg(feature = "arrow")]
-        "arrow" | "arrows" | "feather" => Ok(Box::new(ArrowTable::open(setup, path)?)),
+        "arrow" | "arrows" | "feather" => {
+            Ok(Box::new(Table::new(PieceRows::<arrow::ArrowPieces>::open(setup, path)?)?))
+        }
         #[cfg(not(feature = "parquet"))]
         "parquet" => Err(refused(path, String::new(), how_to_get("parquet"))),
         #[cfg(not(feature = "arrow"))]

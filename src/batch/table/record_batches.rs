@@ -39,11 +39,9 @@ enum Order {
 }
 
 /// The head of a message, and where its body stands.
-pub(super) struct Head {
+struct Head {
     metadata: Vec<u8>,
     body: Range<u64>,
-    /// How many rows a record batch has; 0 for a schema.
-    pub(super) rows: u64,
 }
 
 impl RecordBatches {
@@ -106,8 +104,8 @@ impl RecordBatches {
         }
     }
 
-    /// The head of the next record batch; none after the last.
-    pub(super) fn next(&mut self) -> Result<Option<Head>, String> {
+    /// The next record batch; none after the last.
+    pub(super) fn next(&mut self) -> Result<Option<RecordBatch>, String> {
         let at = match &self.order {
             Order::Listed { starts, next } => match starts.get(*next) {
                 Some(start) => *start,
@@ -115,26 +113,26 @@ impl RecordBatches {
             },
             Order::Following { next, .. } => *next,
         };
-        let Some(mut head) = self.head(at)? else {
+        let Some(head) = self.head(at)? else {
             return match &self.order {
                 Order::Listed { .. } => Err("its footer is damaged (there is no record batch where it says)".into()),
                 Order::Following { .. } => Ok(None),
             };
         };
-        let message = head.message(MessageHeader::RecordBatch)?;
-        let rows = message.header_as_record_batch().map_or(-1, |batch| batch.length());
-        head.rows = u64::try_from(rows).map_err(|_| format!("a record batch claims {rows} rows"))?;
         match &mut self.order {
             Order::Listed { next, .. } => *next += 1,
             Order::Following { next, .. } => *next = head.body.end,
         }
-        Ok(Some(head))
+        self.read(&head).map(Some)
     }
 
     /// The record batch with this head.
-    pub(super) fn read(&mut self, head: &Head) -> Result<RecordBatch, String> {
+    fn read(&mut self, head: &Head) -> Result<RecordBatch, String> {
         let message = head.message(MessageHeader::RecordBatch)?;
         let batch = message.header_as_record_batch().ok_or("a record batch is damaged")?;
+        if batch.length() < 0 {
+            return Err(format!("a record batch claims {} rows", batch.length()));
+        }
         let is_compressed = batch.compression().is_some();
         let body = Buffer::from_vec(bytes(&mut self.file, head.body.clone())?);
         for buffer in batch.buffers().into_iter().flatten() {
@@ -187,7 +185,7 @@ impl RecordBatches {
         let length = u64::try_from(message.bodyLength()).ok();
         let end = length.and_then(|length| body.checked_add(length)).filter(|end| *end <= self.end);
         let body = body..end.ok_or_else(cut_short)?;
-        Ok(Some(Head { metadata, body, rows: 0 }))
+        Ok(Some(Head { metadata, body }))
     }
 }
 

@@ -173,6 +173,9 @@ fn vcurve(args: &PlotVcurve) -> Result<Answer> {
     )
 }
 
+/// The width of a picture, pixels.
+const WIDTH: u32 = 480;
+
 /// What a plot is written as.
 #[derive(Clone, Copy)]
 enum Format {
@@ -212,6 +215,11 @@ impl Target {
     /// What was asked for, if it may be written.
     fn new(question: &Question, drawing: &Drawing) -> Result<Self> {
         let format = Format::of(&drawing.output)?;
+        if let (Format::Csv, [option, ..]) = (format, drawing.look().as_slice()) {
+            let source =
+                "it is about pictures, and a .csv file has only the data; leave it out, or write a .svg or .png file";
+            return Err(Error::Unreadable { name: (*option).into(), source: source.into() });
+        }
         let rule = Rule::new(question.inputs(), drawing.overwrite);
         Ok(Self { format, destination: rule.file(&drawing.output)? })
     }
@@ -229,7 +237,7 @@ impl Target {
         warnings.extend(of_optima);
         warn(&warnings);
         let shades = if drawing.dark { Shades::Dark } else { Shades::Light };
-        let look = Look { system: system(), shades, width: drawing.width };
+        let look = Look { system: system(), shades, width: drawing.width.unwrap_or(WIDTH) };
         let bytes = match self.format {
             Format::Svg => figure_svg(figure, &look)?.into_bytes(),
             #[cfg(feature = "png")]

@@ -211,7 +211,7 @@ impl Question {
     }
 
     /// Whether method and step are chosen where no tolerance is asked for: not where someone has said what they are.
-    pub fn chooses_step(&self) -> Result<bool> {
+    fn chooses_step(&self) -> Result<bool> {
         let is_of_step = |name: &str| matches!(name, METHOD | "flight.step");
         if self.own_step || self.set.iter().any(|text| split("--set", text).is_ok_and(|(name, _)| is_of_step(name))) {
             return Ok(false);

@@ -40,8 +40,6 @@ pub struct Estimate {
     pub value: f64,
     /// How far off it may be, by truncation and rounding.
     pub uncertainty: f64,
-    /// The largest step that it was made of.
-    pub step: f64,
 }
 
 impl Estimate {
@@ -79,7 +77,7 @@ fn extrapolated(differences: &[Difference], side: Side) -> Estimate {
     let (without_largest, _) = at_zero(&differences[1..], side);
     let (without_smallest, _) = at_zero(&differences[..differences.len() - 1], side);
     let truncation = (value - without_largest).abs().max((value - without_smallest).abs());
-    Estimate { value, uncertainty: truncation + rounding, step: differences[0].step }
+    Estimate { value, uncertainty: truncation + rounding }
 }
 
 /// The value at 0 of the polynomial in hᵖ through the differences, after Lagrange, and what their rounding makes of it.

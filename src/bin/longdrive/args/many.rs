@@ -24,7 +24,7 @@ pub struct Sweep {
 
     /// Take the points from a table (.csv, .parquet, or Arrow IPC: .arrow, .arrows, .feather): a column for each
     /// parameter; in CSV in the unit that its head names, as in "club.loft [deg]", in the others in SI.
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["over", "sample"])]
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["over", "sample", "seed"])]
     pub points: Option<PathBuf>,
 
     /// The outcomes, separated by commas; "all" for every one.

@@ -54,9 +54,17 @@ pub struct Drawing {
     #[arg(long)]
     pub dark: bool,
 
-    /// The width of the picture in pixels; a PNG has twice the resolution. The size of the text does not change.
-    #[arg(long, value_name = "PIXELS", default_value_t = 480, value_parser = whole::<u32>(240..=4000, "--width 800"), allow_negative_numbers = true)]
-    pub width: u32,
+    /// The width of the picture in pixels; a PNG has twice the resolution. The size of the text does not change [default: 480].
+    #[arg(long, value_name = "PIXELS", value_parser = whole::<u32>(240..=4000, "--width 800"), allow_negative_numbers = true)]
+    pub width: Option<u32>,
+}
+
+impl Drawing {
+    /// The options given about how a picture looks.
+    pub fn look(&self) -> Vec<&'static str> {
+        let given = [("--dark", self.dark), ("--width", self.width.is_some())];
+        given.into_iter().filter(|(_, is_given)| *is_given).map(|(option, _)| option).collect()
+    }
 }
 
 /// Where a trajectory is seen from.

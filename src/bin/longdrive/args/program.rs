@@ -54,6 +54,6 @@ pub struct Man {
     pub output: Option<PathBuf>,
 
     /// Replace files that exist.
-    #[arg(long, requires = "output")]
+    #[arg(long, requires = "output", conflicts_with = "command")]
     pub overwrite: bool,
 }

@@ -26,14 +26,9 @@ use target::Target;
 
 pub fn run(args: &Sweep) -> Result<Answer> {
     let setup = args.question.setup_of_points()?;
-    // from here on: the step is chosen from all points, which takes a while where these are a long table
+    // from here on: all of a table is read before the first drive, which takes a while where it is long
     let stop = interrupt::stops("stopping after the drives under way");
     let of = outcomes(&args.outcomes)?;
-    let accuracy = match args.question.tolerance.is_some() || args.question.chooses_step()? {
-        true => args.question.accuracy(&setup, &points::ranges(&setup, args)?, &of)?,
-        false => None,
-    };
-    let setup = accuracy.map_or(setup, |found| found.applied_to(&setup));
     let target = Target::new(args)?;
     let mut points = points::points(&setup, args)?;
     let notes = points.notes();
@@ -48,6 +43,8 @@ pub fn run(args: &Sweep) -> Result<Answer> {
     if !setup.launch.is_given() && points.parameters().iter().any(|parameter| parameter.is_of_launch()) {
         args.question.refuse_club(&setup, "the points are launches")?;
     }
+    let accuracy = args.question.accuracy(&setup, &points.ranges(), &of)?;
+    let setup = accuracy.map_or(setup, |found| found.applied_to(&setup));
     let wrt = match args.wrt.as_slice() {
         [] if args.gradient => points.parameters().to_vec(),
         names => variables(&setup, names)?,

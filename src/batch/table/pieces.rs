@@ -1,0 +1,111 @@
+use super::columns::{Columns, refused, refused_column};
+use super::rows::Rows;
+use crate::columns::Head;
+use crate::error::Result;
+use crate::parameters::{Parameter, Setup};
+use std::path::{Path, PathBuf};
+
+/// A file of columns of numbers, SI, named by parameters, which stand in it a piece of rows after the other.
+pub(super) trait Pieces: Sized {
+    /// The file, or what is wrong with it.
+    fn open(path: &Path) -> Result<Self, String>;
+
+    /// The names of its columns.
+    fn names(&self) -> Vec<String>;
+
+    /// Why a column is not one of numbers that can be read.
+    fn refusal(&self, column: usize) -> Option<String>;
+
+    fn rewind(&mut self);
+
+    /// How many rows are left of the piece that is being read; where none are, of the next one; 0 at the end.
+    fn left(&mut self) -> Result<usize, String>;
+
+    /// The next values of a column, at most as many as rows are left.
+    fn values(&mut self, column: usize, rows: usize) -> Result<Vec<Option<f64>>, String>;
+
+    /// Goes past rows of which all values have been read.
+    fn pass(&mut self, rows: usize);
+}
+
+/// The rows of such a file.
+pub(super) struct PieceRows<P> {
+    path: PathBuf,
+    columns: Columns,
+    pieces: P,
+    next: u64,
+}
+
+impl<P: Pieces> PieceRows<P> {
+    /// # Errors
+    /// [`Error::Table`](crate::Error::Table) for a file that cannot be read, is cut short, a column that is no parameter, given twice or not
+    /// of numbers. Of its rows: a missing value, NaN, and an infinite one of a parameter that must be finite.
+    pub fn open(setup: &Setup<f64>, path: &Path) -> Result<Self> {
+        let pieces = P::open(path).map_err(|reason| refused(path, String::new(), reason))?;
+        let names = pieces.names();
+        let head = Head::in_si(setup, &names).map_err(|wrong| refused_column(path, wrong))?;
+        let columns = Columns::new(setup, path, &head)?;
+        let refusal = columns.at.iter().find_map(|at| Some((&names[*at], pieces.refusal(*at)?)));
+        match refusal {
+            Some((name, reason)) => Err(refused(path, format!(", column {name}"), reason)),
+            None => Ok(Self { path: path.to_owned(), columns, pieces, next: 0 }),
+        }
+    }
+}
+
+impl<P: Pieces> Rows for PieceRows<P> {
+    fn columns(&self) -> &Columns {
+        &self.columns
+    }
+
+    fn rewind(&mut self) -> Result<()> {
+        self.pieces.rewind();
+        self.next = 0;
+        Ok(())
+    }
+
+    fn read(&mut self, most: usize, into: &mut Vec<f64>) -> Result<usize> {
+        let Columns { at, parameters, .. } = &self.columns;
+        let refused = |place: String, reason: String| refused(&self.path, place, reason);
+        let mut rows = 0;
+        // a chunk may reach over the end of a piece
+        while rows < most {
+            let place = || if self.next == 0 { String::new() } else { format!(", after row {}", self.next) };
+            let left = self.pieces.left().map_err(|reason| refused(place(), reason))?;
+            if left == 0 {
+                break;
+            }
+            let wanted = left.min(most - rows);
+            let first = into.len();
+            into.resize(first + wanted * at.len(), 0.0);
+            for (i, (at, parameter)) in at.iter().zip(parameters).enumerate() {
+                let values = self.pieces.values(*at, wanted).map_err(|reason| {
+                    let rows = format!(", rows {} to {}", self.next + 1, self.next + wanted as u64);
+                    refused(format!("{rows}, column {}", parameter.name), reason)
+                })?;
+                // what a damaged file leaves out is missing too
+                let values = values.into_iter().chain(std::iter::repeat(None));
+                for (row, value) in values.take(wanted).enumerate() {
+                    into[first + row * parameters.len() + i] = sound(parameter, value).map_err(|reason| {
+                        let row = self.next + row as u64 + 1;
+                        refused(format!(", row {row}, column {}", parameter.name), reason)
+                    })?;
+                }
+            }
+            self.pieces.pass(wanted);
+            self.next += wanted as u64;
+            rows += wanted;
+        }
+        Ok(rows)
+    }
+}
+
+/// A value that may stand in a column: NaN never, an infinite one only where the parameter may be that (a flat face).
+fn sound(parameter: &Parameter, value: Option<f64>) -> Result<f64, String> {
+    let value = value.ok_or("a value is missing; every row needs one")?;
+    if value.is_finite() || parameter.range.contains(value) {
+        return Ok(value);
+    }
+    let what = if value.is_nan() { "not a number" } else { "not finite" };
+    Err(format!("{value} is {what}; every row needs a finite number"))
+}

@@ -1,0 +1,111 @@
+use super::columns::Columns;
+use super::fingerprint::Fingerprint;
+use crate::batch::CHUNK;
+use crate::batch::points::Points;
+use crate::error::Result;
+use crate::parameters::{Parameter, Vary};
+use crate::units::Message;
+
+/// The rows of a table in some format, from the first to the last.
+pub(super) trait Rows {
+    fn columns(&self) -> &Columns;
+
+    /// Goes back to the first row.
+    fn rewind(&mut self) -> Result<()>;
+
+    /// As [`Points::read`].
+    fn read(&mut self, most: usize, values: &mut Vec<f64>) -> Result<usize>;
+
+    /// What deserves a word, once all rows have been read.
+    fn notes(&self) -> Vec<Message> {
+        self.columns().notes.clone()
+    }
+}
+
+/// A table of points. All of it is read once when it is opened, so that a value that is missing is told before any work.
+pub(super) struct Table<R> {
+    rows: R,
+    count: u64,
+    ranges: Vec<Vary>,
+    fingerprint: Fingerprint,
+    notes: Vec<Message>,
+    next: u64,
+}
+
+impl<R: Rows> Table<R> {
+    /// # Errors
+    /// For what cannot be read.
+    pub fn new(mut rows: R) -> Result<Self> {
+        let none = |parameter: &&'static Parameter| Vary { parameter, low: f64::INFINITY, high: f64::NEG_INFINITY };
+        let mut ranges: Vec<Vary> = rows.columns().parameters.iter().map(none).collect();
+        let (mut count, mut fingerprint, mut values) = (0, Fingerprint::new(), vec![]);
+        rows.rewind()?;
+        loop {
+            match rows.read(CHUNK, &mut values)? {
+                0 => break,
+                more => count += more as u64,
+            }
+            for row in values.chunks(ranges.len()) {
+                for (range, value) in ranges.iter_mut().zip(row) {
+                    fingerprint.add(*value);
+                    if range.parameter.range.contains(*value) {
+                        (range.low, range.high) = (range.low.min(*value), range.high.max(*value));
+                    }
+                }
+            }
+            values.clear();
+        }
+        ranges.retain(|range| range.low <= range.high);
+        let notes = rows.notes();
+        rows.rewind()?;
+        Ok(Self { rows, count, ranges, fingerprint, notes, next: 0 })
+    }
+}
+
+impl<R: Rows> Points for Table<R> {
+    fn parameters(&self) -> &[&'static Parameter] {
+        &self.rows.columns().parameters
+    }
+
+    fn ranges(&self) -> Vec<Vary> {
+        self.ranges.clone()
+    }
+
+    fn rows(&self) -> u64 {
+        self.count
+    }
+
+    fn seek(&mut self, row: u64) -> Result<()> {
+        if row < self.next {
+            self.rows.rewind()?;
+            self.next = 0;
+        }
+        let mut passed = vec![];
+        while self.next < row {
+            let most = usize::try_from(row - self.next).unwrap_or(CHUNK).min(CHUNK);
+            passed.clear();
+            if self.read(most, &mut passed)? == 0 {
+                break;
+            }
+        }
+        Ok(())
+    }
+
+    fn read(&mut self, most: usize, values: &mut Vec<f64>) -> Result<usize> {
+        // rows that someone adds meanwhile are none of these
+        let left = usize::try_from(self.count - self.next).unwrap_or(most);
+        let rows = self.rows.read(most.min(left), values)?;
+        self.next += rows as u64;
+        Ok(rows)
+    }
+
+    fn notes(&self) -> Vec<Message> {
+        self.notes.clone()
+    }
+
+    /// The same words for the same rows, whatever format they are in.
+    fn identity(&self) -> String {
+        let names: Vec<_> = self.parameters().iter().map(|parameter| parameter.name).collect();
+        format!("table of {} rows of {}, fingerprint {:016x}", self.count, names.join(" "), self.fingerprint.0)
+    }
+}
