@@ -129,7 +129,10 @@ impl Abreast<'_> {
             let shown = Shown { launch: &launch, club_speed, landed: Some(&landed) };
             self.block.status[row] = Status::Landed;
             self.block.defect[row] = landed.defect.re();
-            let value = |number: J| in_lane(number).re();
+            let value = inlined(
+                #[inline(always)]
+                |number: J| in_lane(number).re(),
+            );
             self.block.beyond[row] = Beyond {
                 law: !fitted.holds([value(spin_ratio), value(reynolds), value(air_speed)]),
                 face: club_speed.is_some() && is_beside_any_face(value(toe), value(high)),
