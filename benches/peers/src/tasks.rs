@@ -43,7 +43,7 @@ impl Discretisation {
             setup.set("flight.method", method)?;
         }
         if let Some(step) = &self.step {
-            setup.set("flight.step", step)?;
+            setup.set("flight.step", &format!("{step} s"))?;
         }
         Ok(setup)
     }
