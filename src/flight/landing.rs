@@ -1,7 +1,7 @@
 use super::divergence::Diverging;
 use super::ending::{Apex, Flight, Landed, NoFlight};
 use super::inputs::Inputs;
-use super::motion::{LEAST_SPEED, Node, State};
+use super::motion::{Node, State};
 use super::septic::Path;
 use super::step::{Step, Stepper};
 use super::tableau::Tableau;
@@ -109,8 +109,7 @@ impl<T: Numbers> Inputs<T> {
             let step = stepper.step(&here);
             observe(ended.time, &step);
             // a comparison with NaN does not hold: what is lost is not followed
-            let is_followed =
-                self.coarseness(&here, h).below(tableau.reach * tableau.reach) & step.to.state.position.x.is_finite();
+            let is_followed = self.is_fine(&here, h, tableau.reach) & step.to.state.position.x.is_finite();
             ended.diverges = ended.diverges | flying & !is_followed;
             flying = flying & is_followed;
 
@@ -173,13 +172,12 @@ impl<T: Numbers> Inputs<T> {
         ended
     }
 
-    /// The square of the part of itself by which drag and lift change the airspeed within a step.
+    /// Where drag and lift change the airspeed within a step by less than this part of itself.
     #[inline(always)]
-    fn coarseness(&self, node: &Node<T>, h: f64) -> T {
-        let air = node.state.velocity - self.wind.at(node.state.position.x);
-        let a = node.rate.acceleration;
+    fn is_fine(&self, node: &Node<T>, h: f64, reach: f64) -> T::Mask {
+        let (a, reached) = (node.rate.acceleration, node.rate.speed * reach);
         let pull = Vector::new(a.x + self.gravity, a.y, a.z);
-        pull.dot(pull) * (h * h) / (air.dot(air) + LEAST_SPEED * LEAST_SPEED)
+        (pull.dot(pull) * (h * h) - reached * reached).below(0.0)
     }
 }
 

@@ -3,7 +3,7 @@ use crate::aerodynamics::{AerodynamicLaw, Stream};
 use crate::number::{Numbers, Vector};
 
 /// m/s: keeps |v_r| and its derivatives finite where the ball hangs still in the air.
-pub(super) const LEAST_SPEED: f64 = 1e-6;
+const LEAST_SPEED: f64 = 1e-6;
 
 /// The ball at one time: where it is, how it moves and how fast it spins (about an axis that it keeps).
 #[derive(Clone, Copy, Debug)]

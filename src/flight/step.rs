@@ -1,6 +1,6 @@
 use super::inputs::Inputs;
 use super::motion::{Node, Rate, State};
-use super::tableau::{MOST_STAGES, Tableau};
+use super::tableau::{MOST_STAGES, Tableau, Weights};
 use crate::number::{Numbers, Vector};
 
 /// A method with a fixed step, for one flight.
@@ -54,7 +54,7 @@ impl<'a, T: Numbers> Stepper<'a, T> {
         let State { position: x, velocity: v, spin } = from.state;
         self.rates[0] = from.rate;
         for i in 1..tableau.stages {
-            let velocity = self.sum(i, &tableau.velocity[i], h, v);
+            let velocity = self.sum(tableau.velocity[i], h, v);
             let mut height = v.x.scale_add(h * tableau.time[i], x.x);
             if inputs.wind.depends_on_height() {
                 for (rate, weight) in self.rates.iter().zip(&tableau.position[i]).take(i) {
@@ -64,8 +64,11 @@ impl<'a, T: Numbers> Stepper<'a, T> {
             self.rates[i] = inputs.rate(velocity, self.spin(spin, i), height);
         }
         let end = tableau.stages;
-        let gained = self.sum(end, &tableau.velocity[end], h, Vector::zero());
-        let bent = self.sum(end, &tableau.position[end], h * h, Vector::zero());
+        let gained = self.sum(tableau.velocity[end], h, Vector::zero());
+        let mut bent = Vector::zero();
+        for (rate, weight) in self.rates.iter().zip(&tableau.position[end]).take(end) {
+            bent = rate.acceleration.scale_add(h * h * weight, bent);
+        }
         let state = State { position: v.scale_add(h, x + bent), velocity: v + gained, spin: self.spin(spin, end) };
         Step { from: *from, to: inputs.node(state), bent, gained }
     }
@@ -76,8 +79,8 @@ impl<'a, T: Numbers> Stepper<'a, T> {
         let faded = spin * self.fading[stage];
         let Some(damping) = self.inputs.damping else { return faded };
         let mut way = T::zero();
-        for (rate, weight) in self.rates.iter().zip(&self.tableau.velocity[stage]).take(stage) {
-            way = rate.speed.scale_add(self.h * weight, way);
+        for (of, weight) in self.tableau.velocity[stage] {
+            way = self.rates[*of].speed.scale_add(self.h * weight, way);
         }
         T::outlined(
             #[inline(always)]
@@ -85,15 +88,12 @@ impl<'a, T: Numbers> Stepper<'a, T> {
         )
     }
 
-    /// scale Σ wⱼ aⱼ over the stages so far, and what it is added to.
+    /// h Σ wⱼ aⱼ, and what it is added to.
     #[inline(always)]
-    fn sum(&self, stages: usize, weights: &[f64], scale: f64, start: Vector<T>) -> Vector<T> {
-        let (mut sum, mut stage) = (start, 0);
-        while stage < stages {
-            if weights[stage] != 0.0 {
-                sum = self.rates[stage].acceleration.scale_add(scale * weights[stage], sum);
-            }
-            stage += 1;
+    fn sum(&self, weights: Weights, h: f64, start: Vector<T>) -> Vector<T> {
+        let mut sum = start;
+        for &(stage, weight) in weights {
+            sum = self.rates[stage].acceleration.scale_add(h * weight, sum);
         }
         sum
     }

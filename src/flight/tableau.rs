@@ -1,7 +1,7 @@
 use crate::parameters::Method;
 
 /// What is summed with which weight.
-type Weights = &'static [(usize, f64)];
+pub(super) type Weights = &'static [(usize, f64)];
 
 /// Kutta (1901): the classical method.
 const RK4_A: &[Weights] = &[&[], &[(0, 0.5)], &[(1, 0.5)], &[(2, 1.0)]];
@@ -39,8 +39,8 @@ pub(super) struct Tableau {
     pub reach: f64,
     /// How many stages there are; the end of the step is like one more, its weights bⱼ.
     pub stages: usize,
-    /// aᵢⱼ: how much of the acceleration in stage j goes into the velocity of stage i.
-    pub velocity: [[f64; MOST_STAGES]; MOST_STAGES + 1],
+    /// aᵢⱼ: how much of the acceleration in stage j goes into the velocity of stage i, without zeros.
+    pub velocity: [Weights; MOST_STAGES + 1],
     /// Σₖ aᵢₖ aₖⱼ: how much of it goes into the position of stage i.
     pub position: [[f64; MOST_STAGES]; MOST_STAGES + 1],
     /// cᵢ = Σ aᵢⱼ: when stage i is.
@@ -62,21 +62,21 @@ impl Tableau {
     // loops over indices: iterators are not for constants
     const fn new(a: &[Weights], b: Weights, reach: f64) -> Self {
         let stages = a.len();
-        let mut velocity = [[0.0; MOST_STAGES]; MOST_STAGES + 1];
-        let mut position = velocity;
+        let mut velocity: [Weights; MOST_STAGES + 1] = [&[]; MOST_STAGES + 1];
+        let mut position = [[0.0; MOST_STAGES]; MOST_STAGES + 1];
         let mut time = [0.0; MOST_STAGES + 1];
         let mut i = 0;
         while i <= stages {
-            let row = if i < stages { a[i] } else { b };
+            velocity[i] = if i < stages { a[i] } else { b };
             let mut term = 0;
-            while term < row.len() {
-                let (k, weight) = row[term];
-                velocity[i][k] = weight;
+            while term < velocity[i].len() {
+                let (k, weight) = velocity[i][term];
                 time[i] += weight;
-                let mut j = 0;
-                while j < k {
-                    position[i][j] += weight * velocity[k][j];
-                    j += 1;
+                let mut inner = 0;
+                while inner < velocity[k].len() {
+                    let (j, within) = velocity[k][inner];
+                    position[i][j] += weight * within;
+                    inner += 1;
                 }
                 term += 1;
             }
@@ -97,7 +97,7 @@ mod tests {
             for k in 1..=order {
                 let power = |i: usize, n: i32| if n == 0 { 1.0 } else { tableau.time[i].powi(n) };
                 let velocity: f64 =
-                    (0..tableau.stages).map(|i| tableau.velocity[tableau.stages][i] * power(i, k - 1)).sum();
+                    tableau.velocity[tableau.stages].iter().map(|&(i, weight)| weight * power(i, k - 1)).sum();
                 assert!((velocity - 1.0 / f64::from(k)).abs() < 1e-14, "order {k}: {velocity}");
                 if k >= 2 {
                     let position: f64 =
