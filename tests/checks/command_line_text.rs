@@ -39,7 +39,7 @@ fn every_command_answers_in_the_system_asked_for() {
         (vec!["optimize", "-q"], "carry   279.2 yd (255.3 m)", "carry   255.3 m (279.2 yd)"),
         (vec!["gradient"], "carry = 251.1 yd (229.6 m)", "carry = 229.6 m (251.1 yd)"),
         (vec!["gradient"], " yd per deg", " m per deg"),
-        (vec!["compare", "--set-b", "swing.speed=112mph"], "110 mph  112 mph", "49.174 m/s  50.069 m/s"),
+        (vec!["compare", "--set-b", "swing.speed=112mph"], "110 mph  112 mph", "49.174 m/s  50.068 m/s"),
         (vec!["sensitivity"], " yd per mph", " m per m/s"),
         (vec!["optimum-sensitivity", "-q", "--wrt", "swing.speed"], "swing.speed [mph]", "swing.speed [m/s]"),
         (vec!["uncertainty", "-q", "--samples", "16"], "normal: 110 mph ± 0.5 mph", "normal: 49.174 m/s ± 0.22352 m/s"),
