@@ -8,8 +8,7 @@ pub struct Pair {
     #[command(flatten)]
     pub question: Question,
 
-    /// The second drive, b: a preset's name or a TOML file. SETUP is the first, a [default: the setup of a, changed by --set-b or
-    /// --launch-b; or a itself changed by --set-a or --launch-a].
+    /// The second drive, b: a preset's name or a TOML file; SETUP is the first drive, a [default: the setup of a].
     #[arg(value_name = "SETUP_B")]
     pub other: Option<String>,
 
