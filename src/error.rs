@@ -197,6 +197,14 @@ pub enum Error {
         /// That there is no flight or no landing, and why, with numbers.
         reason: Message,
     },
+    /// What is wrong with one of several drives.
+    #[error("{drive}: {source}")]
+    OfDrive {
+        /// The drive: "drive a".
+        drive: &'static str,
+        /// What is wrong with it.
+        source: Box<Error>,
+    },
     /// An outcome, or its derivative, that does not exist for this drive.
     #[error("{what} is not defined for this drive: {reason}")]
     Undefined {
@@ -316,6 +324,12 @@ impl Error {
         Self::Unknown { what, name: name.into(), suggestion, advice: advice.into() }
     }
 
+    /// The error as that of one of several drives: "drive a".
+    #[must_use]
+    pub fn of_drive(self, drive: &'static str) -> Self {
+        Self::OfDrive { drive, source: Box::new(self) }
+    }
+
     /// Why a file cannot be written, in words: "the disk is full".
     pub fn why_unwritten(error: &std::io::Error) -> String {
         of_write(error)
@@ -334,6 +348,7 @@ impl Error {
                 Message::from(format!("no optimum was found: {status}: ")).message(message.clone())
             }
             Self::NoStrike { approach } => no_strike(*approach),
+            Self::OfDrive { drive, source } => Message::from(format!("{drive}: ")).message(source.message()),
             other => other.to_string().into(),
         }
     }
@@ -351,6 +366,7 @@ impl Error {
             Self::NoFlight { .. } => "no-flight",
             Self::Diverged { .. } => "diverged",
             Self::Undefined { .. } => "undefined",
+            Self::OfDrive { source, .. } => source.status(),
             Self::NotConverged { status, .. } | Self::NoFit { status, .. } => status,
             _ => "error",
         }

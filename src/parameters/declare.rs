@@ -51,6 +51,11 @@ impl Parameter {
         Some(self.quantity.read(self.default).unwrap_or(f64::NAN))
     }
 
+    /// The value that an optional parameter has where it is unset, if its documentation says that this is 0.
+    pub(crate) fn value_unset(&self) -> Option<f64> {
+        (self.kind == Kind::Optional && self.doc.ends_with("unset: 0.")).then_some(0.0)
+    }
+
     /// A message with a value of this parameter after it.
     pub(crate) fn place(&self, message: Message, value: f64) -> Message {
         message.quantity(self.quantity, self.unit, value, Digits::Significant(5))

@@ -4,6 +4,7 @@
 mod calibration;
 mod certificate;
 mod chart;
+mod compare;
 mod document;
 mod drive;
 mod effects;
@@ -30,6 +31,7 @@ mod winfield_tan;
 pub use calibration::{CalibrationReport, calibration_document, calibration_reply, calibration_toml};
 pub use certificate::{CertificateReport, CertificateRow, certificate_text};
 pub use chart::{ChartPointReport, ChartReport, chart_csv, chart_text};
+pub use compare::{ComparisonReport, DifferenceReport, comparison_text, difference_text};
 pub use document::Document;
 pub use drive::{DriveReport, drive_text};
 pub use effects::{EffectsReport, OutcomeEffects, Totals, effects_text};

@@ -13,6 +13,7 @@ mod command_line_tables;
 mod command_line_text;
 mod command_line_units;
 mod common;
+mod compare;
 mod derivatives;
 mod directions;
 mod documents;

@@ -227,6 +227,7 @@ fn the_ending_of_the_file_says_what_a_plot_is_written_as() {
         ("contour", vec![]),
         ("chart", vec!["--along", "swing.speed=90..110 mph"]),
         ("tornado", vec!["--of", "lateral", "--sigma", "swing.path=1deg"]),
+        ("compare", vec!["mae494", "--set-b", "club.loft=12deg", "--set-b", "aero.law=linear"]),
         ("vcurve", vec!["--wrt", "swing.speed"]),
     ] {
         for file in [&svg, &csv] {

@@ -21,9 +21,10 @@ pub struct Question {
 }
 
 /// The commands, each with how often it is asked: those that take long rarely.
-const COMMANDS: [(&str, f64); 18] = [
+const COMMANDS: [(&str, f64); 19] = [
     ("simulate", 22.0),
     ("gradient", 14.0),
+    ("compare", 6.0),
     ("optimize", 9.0),
     ("optimum-sensitivity", 3.0),
     ("calibrate", 9.0),
@@ -123,6 +124,7 @@ impl Question {
             "plot" => self.plot(chance),
             "sweep" => self.sweep(chance),
             "gradient" => self.gradient(chance),
+            "compare" => self.compare(chance),
             "optimize" => {
                 self.search(true, chance);
                 self.work(chance);
@@ -159,6 +161,12 @@ impl Question {
             _ => {}
         }
         self.setup(command, chance);
+        // after the first setup
+        if command == "compare" && chance.is(0.3) {
+            let text = setup(chance);
+            self.files.push(("other.toml".into(), text));
+            self.push(chance.of(&["other.toml", "mae494", "winfield-tan"]));
+        }
     }
 
     fn push(&mut self, word: impl Into<String>) {
@@ -234,6 +242,21 @@ impl Question {
         }
         if chance.is(0.3) {
             self.push("--hessian");
+        }
+    }
+
+    fn compare(&mut self, chance: &mut Chance) {
+        if chance.is(0.5) {
+            self.option("--of", list(2, chance, outcome));
+        }
+        for option in ["--set-a", "--set-b", "--set-b"] {
+            if chance.is(0.5) {
+                let text = setting(chance);
+                self.option(option, text);
+            }
+        }
+        if chance.is(0.1) {
+            self.option("--launch-b", "ball_speed=150mph,launch_angle=12deg,spin=2600rpm,spin_axis=-3deg");
         }
     }
 
@@ -385,8 +408,8 @@ impl Question {
     }
 
     fn plot(&mut self, chance: &mut Chance) {
-        let kind = if chance.slips() { 5 } else { chance.weighted(&[10.0, 0.3, 0.5, 4.0, 1.0]) };
-        self.push(["trajectory", "contour", "chart", "tornado", "vcurve", "pie"][kind]);
+        let kind = if chance.slips() { 6 } else { chance.weighted(&[10.0, 0.3, 0.5, 4.0, 1.0, 2.0]) };
+        self.push(["trajectory", "contour", "chart", "tornado", "vcurve", "compare", "pie"][kind]);
         match kind {
             0 if chance.is(0.5) => self.option("--view", chance.of_or(&["side", "top"], &["back"])),
             1 => self.search(false, chance),
@@ -403,6 +426,11 @@ impl Question {
                 self.option("--of", of);
                 let text = sigma(chance);
                 self.option("--sigma", text);
+            }
+            5 => {
+                let (of, text) = (outcome(chance), setting(chance));
+                self.option("--of", of);
+                self.option("--set-b", text);
             }
             4 => {
                 self.option("--of", list(2, chance, outcome));

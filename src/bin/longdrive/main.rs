@@ -4,6 +4,7 @@ mod args;
 mod calibrate;
 mod chart;
 mod colour;
+mod compare;
 mod completions;
 mod files;
 mod gradient;
@@ -43,6 +44,7 @@ fn main() -> ExitCode {
     let answer = match &args.command {
         Command::Simulate(args) => simulate::run(args),
         Command::Gradient(args) => gradient::run(args),
+        Command::Compare(args) => compare::run(args),
         Command::Optimize(args) => optimize::run(args),
         Command::OptimumSensitivity(args) => optimum_sensitivity::run(args),
         Command::Calibrate(args) => calibrate::run(args),

@@ -1,6 +1,8 @@
 use crate::args::{
-    Drawing, Plot, PlotChart, PlotContour, PlotKind, PlotTornado, PlotTrajectory, PlotVcurve, Question, Seen,
+    Drawing, Plot, PlotChart, PlotCompare, PlotContour, PlotKind, PlotTornado, PlotTrajectory, PlotVcurve, Question,
+    Seen,
 };
+use crate::compare::warnings;
 use crate::files::{Destination, Rule};
 use crate::names::{outcomes, usual, variables};
 use crate::output::{Answer, bar, show, spinner, system, tell, warn};
@@ -10,7 +12,7 @@ use longdrive::features::how_to_get;
 use longdrive::optimize::Observer;
 use longdrive::report::Reply;
 use longdrive::report::figures::{
-    Flown, View, chart_figures, map_figure, tornado_figure, trajectory_figure, vcurve_figure,
+    Flown, View, chart_figures, difference_figure, map_figure, tornado_figure, trajectory_figure, vcurve_figure,
 };
 use longdrive::report::plot::{Figure, Look, Shades, figure_csv, figure_svg};
 use longdrive::reproduce::while_loop;
@@ -30,6 +32,7 @@ pub fn run(args: &Plot) -> Result<Answer> {
         PlotKind::Contour(args) => contour(args),
         PlotKind::Chart(args) => along(args),
         PlotKind::Tornado(args) => tornado(args),
+        PlotKind::Compare(args) => difference(args),
         PlotKind::Vcurve(args) => vcurve(args),
     }
 }
@@ -148,6 +151,20 @@ fn tornado(args: &PlotTornado) -> Result<Answer> {
     }
 }
 
+fn difference(args: &PlotCompare) -> Result<Answer> {
+    let [a, b] = args.pair.questions();
+    let target = Target::beside(a.inputs().chain(b.inputs()), &args.drawing)?;
+    let of = Outcome::named(&args.of)?;
+    let comparison = args.pair.comparison()?;
+    if !comparison.differs() {
+        let reason = "nothing differs between drives a and b, so that there is nothing to draw".into();
+        return Err(Error::Plot { name: args.drawing.output.display().to_string(), reason });
+    }
+    let warnings = warnings(&comparison);
+    let figure = difference_figure(&comparison.of(of)?, system());
+    target.put(a.json, &args.drawing, &figure, warnings)
+}
+
 fn vcurve(args: &PlotVcurve) -> Result<Answer> {
     let target = Target::new(&args.question, &args.drawing)?;
     let setup = args.question.within_tolerance(args.question.setup()?)?;
@@ -214,13 +231,18 @@ struct Target {
 impl Target {
     /// What was asked for, if it may be written.
     fn new(question: &Question, drawing: &Drawing) -> Result<Self> {
+        Self::beside(question.inputs(), drawing)
+    }
+
+    /// The same for a plot that reads these files.
+    fn beside<'a>(inputs: impl Iterator<Item = &'a Path>, drawing: &Drawing) -> Result<Self> {
         let format = Format::of(&drawing.output)?;
         if let (Format::Csv, [option, ..]) = (format, drawing.look().as_slice()) {
             let source =
                 "it is about pictures, and a .csv file has only the data; leave it out, or write a .svg or .png file";
             return Err(Error::Unreadable { name: (*option).into(), source: source.into() });
         }
-        let rule = Rule::new(question.inputs(), drawing.overwrite);
+        let rule = Rule::new(inputs, drawing.overwrite);
         Ok(Self { format, destination: rule.file(&drawing.output)? })
     }
 
@@ -235,6 +257,11 @@ impl Target {
     ) -> Result<Answer> {
         let mut warnings = Drive::new(setup).map_or_else(|_| setup.warnings(), |drive| drive.warnings(setup));
         warnings.extend(of_optima);
+        self.put(question.json, drawing, figure, warnings)
+    }
+
+    /// Writes the plot, with what is to be said about its drives.
+    fn put(&self, is_json: bool, drawing: &Drawing, figure: &Figure, warnings: Vec<Message>) -> Result<Answer> {
         warn(&warnings);
         let shades = if drawing.dark { Shades::Dark } else { Shades::Light };
         let look = Look { system: system(), shades, width: drawing.width.unwrap_or(WIDTH) };
@@ -250,7 +277,7 @@ impl Target {
         if !figure.note.is_empty() {
             tell(&figure.note);
         }
-        Ok(if question.json {
+        Ok(if is_json {
             let (name, title, note) = (&figure.name, &figure.title, &figure.note);
             let body = json!({ "name": name, "file": file, "title": title, "note": note, "bytes": bytes.len() });
             Answer::json(&Reply::done("plot", warnings, body))

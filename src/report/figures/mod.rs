@@ -1,12 +1,14 @@
 //! What studies find, as plots.
 
 mod chart;
+mod difference;
 mod map;
 mod tornado;
 mod trajectory;
 mod vcurve;
 
 pub use chart::chart_figures;
+pub use difference::difference_figure;
 pub(super) use map::capital;
 pub use map::map_figure;
 pub use tornado::tornado_figure;

@@ -1,6 +1,7 @@
 //! What can be asked on the command line.
 
 mod certainty;
+mod compare;
 mod data;
 mod many;
 mod number;
@@ -10,10 +11,11 @@ mod question;
 mod search;
 
 pub use certainty::{SensitivityArgs, UncertaintyArgs, Verify};
+pub use compare::{Compare, Pair};
 pub use data::{Calibrate, Published, Reproduce};
 pub use many::{Format, Sweep};
 pub use picture::{
-    Drawing, Plot, PlotChart, PlotContour, PlotKind, PlotTornado, PlotTrajectory, PlotVcurve, Report, Seen,
+    Drawing, Plot, PlotChart, PlotCompare, PlotContour, PlotKind, PlotTornado, PlotTrajectory, PlotVcurve, Report, Seen,
 };
 pub use program::{Completions, Man, Shown};
 pub use question::{Gradient, Parameters, Presets, Question, Simulate};
@@ -43,6 +45,8 @@ pub enum Command {
     Simulate(Simulate),
     /// Exact derivatives of outcomes with respect to parameters.
     Gradient(Gradient),
+    /// Compare two drives: their outcomes, and which part of the difference is due to which parameter and launch condition.
+    Compare(Compare),
     /// Find the parameters that maximize or minimize an outcome: by default, the loft and attack angle of the longest carry.
     Optimize(Optimize),
     /// How the optimum depends on every other parameter, what its bounds and constraints cost, and how flat it is.
@@ -77,9 +81,10 @@ pub enum Command {
 
 impl Command {
     /// The commands that answer in JSON where it is asked for.
-    const NAMES: [&str; 15] = [
+    const NAMES: [&str; 16] = [
         "simulate",
         "gradient",
+        "compare",
         "optimize",
         "optimum-sensitivity",
         "calibrate",
@@ -105,6 +110,7 @@ impl Command {
         match self {
             Self::Simulate(args) => ("simulate", args.question.json),
             Self::Gradient(args) => ("gradient", args.question.json),
+            Self::Compare(args) => ("compare", args.pair.question.json),
             Self::Optimize(args) => ("optimize", args.question.json),
             Self::OptimumSensitivity(args) => ("optimum-sensitivity", args.optimize.question.json),
             Self::Calibrate(args) => ("calibrate", args.question.json),

@@ -1,8 +1,8 @@
 //! Plots and the page.
 
-use super::Question;
 use super::SearchArgs;
 use super::number::whole;
+use super::{Pair, Question};
 use clap::Subcommand;
 use std::path::PathBuf;
 
@@ -22,6 +22,8 @@ pub enum PlotKind {
     Chart(PlotChart),
     /// The effects of the uncertainties of parameters on an outcome.
     Tornado(PlotTornado),
+    /// The difference between two drives, split into the parameters and launch conditions that differ.
+    Compare(PlotCompare),
     /// The error of central differences against exact derivatives, by step.
     Vcurve(PlotVcurve),
 }
@@ -34,6 +36,7 @@ impl PlotKind {
             Self::Contour(args) => &args.question,
             Self::Chart(args) => &args.question,
             Self::Tornado(args) => &args.question,
+            Self::Compare(args) => &args.pair.question,
             Self::Vcurve(args) => &args.question,
         }
     }
@@ -137,6 +140,19 @@ pub struct PlotTornado {
     /// the default uncertainties of "longdrive sensitivity".
     #[arg(long, value_name = "NAME=AMOUNT")]
     pub sigma: Vec<String>,
+}
+
+#[derive(clap::Args)]
+pub struct PlotCompare {
+    #[command(flatten)]
+    pub pair: Pair,
+
+    #[command(flatten)]
+    pub drawing: Drawing,
+
+    /// The outcome.
+    #[arg(long, value_name = "OUTCOME", default_value = "carry")]
+    pub of: String,
 }
 
 #[derive(clap::Args)]

@@ -1,0 +1,56 @@
+use crate::report::plot::{Axis, Bar, Figure, Hue, Layer, Measure};
+use crate::report::shown::{self, words};
+use crate::study::{Difference, Share, Shares};
+use crate::units::{System, counted};
+
+/// Most bars of each split: the largest; the others are counted in the note.
+const MOST: usize = 12;
+
+/// The difference of an outcome between two drives as bars, a share each, the largest on top: of the parameters that differ, and below them
+/// of the launch conditions and what else the flight depends on. What is first in the note is in the units of `system`.
+pub fn difference_figure(difference: &Difference, system: System) -> Figure {
+    let of = difference.of;
+    let measure = Measure::outcome(of);
+    let mut names: Vec<String> = vec![];
+    let mut left_out = 0;
+    let mut bars = |split: &Shares| -> Vec<Bar> {
+        let is_rounding = |share: &&Share| shown::is_rounding(of, difference.values[0], share.amount);
+        let mut shares: Vec<&Share> = split.shares.iter().filter(|share| !is_rounding(share)).collect();
+        shares.sort_by(|a, b| b.amount.abs().total_cmp(&a.amount.abs()));
+        left_out += shares.len().saturating_sub(MOST);
+        shares.truncate(MOST);
+        let bar = |share: &Share| {
+            names.push(words(share.cause.name()));
+            Bar { place: names.len() - 1, from: 0.0, to: share.amount }
+        };
+        shares.into_iter().map(bar).collect()
+    };
+    let by_parameter = bars(&difference.by_parameter);
+    let by_launch = difference.by_launch.as_ref().map(bars);
+    let layer = |name: &str, hue: usize, bars: Vec<Bar>| Layer::Bars { name: name.into(), hue: Hue::Series(hue), bars };
+    let rows = names.len();
+    let x = Axis::linear(Measure { label: format!("share of the difference of {}", measure.label), ..measure.clone() });
+    let title = format!("Difference of {} between two drives", measure.label);
+    let mut figure = Figure::new(format!("difference-{}", of.name()), title, x, Axis::names(names)).with(layer(
+        "by parameter",
+        0,
+        by_parameter,
+    ));
+    if let Some(bars) = by_launch {
+        figure = figure.with(layer("by launch and air", 1, bars));
+    }
+    // as tall as its bars take
+    figure.aspect = 0.16 + 0.11 * rows as f64;
+    let [a, b] = difference.values;
+    let mut note = format!(
+        "{} of b less that of a: {}, from {} to {}. The bars of a colour add up to it.",
+        super::capital(&measure.label),
+        measure.show_both(difference.amount(), system),
+        measure.show_both(a, system),
+        measure.show_both(b, system),
+    );
+    if left_out > 0 {
+        note += &format!(" Not shown: {}.", counted(left_out as u64, "smaller share"));
+    }
+    figure.noted(note)
+}

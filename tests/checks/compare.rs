@@ -1,0 +1,263 @@
+//! Two drives beside each other, and what their difference is made of.
+
+use crate::command_line::{json, longdrive, number};
+use crate::common::{close, random_setups};
+use longdrive::parameters::Method;
+use longdrive::study::{Comparison, Difference, Shares};
+use longdrive::{Drive, Outcome, Setup};
+
+fn changed(from: &Setup<f64>, settings: &[(&str, &str)]) -> Setup<f64> {
+    let mut setup = *from;
+    setup.set_all(settings.iter().copied()).unwrap();
+    setup
+}
+
+fn difference(a: &Setup<f64>, b: &Setup<f64>, of: Outcome) -> Difference {
+    Comparison::new(a, b).unwrap().of(of).unwrap()
+}
+
+fn carry(setup: &Setup<f64>) -> f64 {
+    Outcome::Carry.value(&Drive::new(setup).unwrap()).unwrap()
+}
+
+fn share(split: &Shares, name: &str) -> f64 {
+    let found = split.shares.iter().find(|share| share.cause.name() == name);
+    found.unwrap_or_else(|| panic!("no {name} in {:?}", split.shares)).amount
+}
+
+const LAUNCH: [(&str, &str); 3] =
+    [("launch.ball_speed", "160 mph"), ("launch.launch_angle", "11 deg"), ("launch.backspin", "2600 rpm")];
+
+#[test]
+fn exact_shares_of_random_drives_add_up_and_change_sign_on_the_way_back() {
+    let flies = |setup: &Setup<f64>| Drive::new(setup).is_ok_and(|drive| Outcome::Carry.value(&drive).is_some());
+    let setups: Vec<_> = random_setups(14)
+        .map(|setup| changed(&setup, &[("flight.method", "dp8"), ("flight.step", "50 ms")]))
+        .filter(flies)
+        .collect();
+    let mut compared = 0;
+    for pair in setups.windows(2) {
+        // a drive between two random ones may not fly
+        let Ok(there) = Comparison::new(&pair[0], &pair[1]).unwrap().of(Outcome::Carry) else { continue };
+        let back = difference(&pair[1], &pair[0], Outcome::Carry);
+        let splits =
+            [&there, &back].map(|found| [Some(&found.by_parameter), found.by_launch.as_ref()].map(Option::unwrap));
+        for (there, back) in splits[0].iter().zip(splits[1]) {
+            assert_eq!(there.shares.len(), back.shares.len());
+            let most = there
+                .shares
+                .iter()
+                .fold(pair.iter().map(carry).fold(0.0, f64::max), |most, share| most.max(share.amount.abs()));
+            for split in [there, &back] {
+                assert!(split.remainder.abs() < 1e-9 * most, "{} of {most}: {:?}", split.remainder, split.shares);
+            }
+            for share in &there.shares {
+                let other = back.shares.iter().find(|other| other.cause == share.cause).unwrap();
+                close(share.amount, -other.amount, most, 1e-9, share.cause.name());
+            }
+        }
+        close(there.amount(), carry(&pair[1]) - carry(&pair[0]), 100.0, 1e-6, "difference");
+        compared += 1;
+    }
+    assert!(compared >= 5, "{compared} pairs");
+}
+
+#[test]
+fn exact_difference_in_one_parameter_is_all_its_own() {
+    let a = Setup::default();
+    for (name, text) in [
+        ("swing.speed", "118 mph"),
+        ("club.loft", "13 deg"),
+        ("air.density", "1 kg/m^3"),
+        ("aero.spin_damping", "2e-5"),
+        // changed at once
+        ("impact.friction", "0.1"),
+        ("club.bulge_radius", "inf"),
+        ("aero.law", "robinson"),
+    ] {
+        let b = changed(&a, &[(name, text)]);
+        let found = difference(&a, &b, Outcome::Carry);
+        assert_eq!(found.by_parameter.shares.len(), 1, "{name}");
+        close(share(&found.by_parameter, name), carry(&b) - carry(&a), carry(&a), 1e-11, name);
+        assert_eq!(
+            found.by_parameter.shares[0].cause.is_at_once(),
+            !["swing.speed", "club.loft", "air.density", "aero.spin_damping"].contains(&name)
+        );
+    }
+}
+
+#[test]
+fn exact_shares_of_a_linear_outcome_and_of_one_with_a_closed_form() {
+    let a = changed(&Setup::default(), &LAUNCH);
+    let b = changed(&a, &[("launch.ball_speed", "150 mph"), ("launch.launch_angle", "14 deg"), ("gravity", "8 m/s^2")]);
+    let found = difference(&a, &b, Outcome::BallSpeed);
+    close(share(&found.by_parameter, "launch.ball_speed"), -10.0 * 0.44704, 1.0, 1e-12, "all of it");
+    assert_eq!(share(&found.by_parameter, "gravity"), 0.0);
+    assert!(found.by_launch.is_none());
+
+    // without air the flight takes 2 v sin θ/g: the share of v is 2 sin θ Δv ∫ dt/g = 2 sin θ Δv ln(g₁/g₀)/Δg
+    let [a, b] = [a, b].map(|setup| changed(&setup, &[("air.density", "0 kg/m^3"), ("launch.launch_angle", "11 deg")]));
+    let found = difference(&a, &b, Outcome::FlightTime);
+    let (g0, g1) = (a.flight.gravity, b.flight.gravity);
+    let exact = 2.0 * 11_f64.to_radians().sin() * (-10.0 * 0.44704) * (g1 / g0).ln() / (g1 - g0);
+    close(share(&found.by_parameter, "launch.ball_speed"), exact, 1.0, 1e-11, "closed form");
+    close(share(&found.by_parameter, "gravity"), found.amount() - exact, 1.0, 1e-11, "the rest");
+}
+
+#[test]
+fn differences_of_flights_with_one_launch_condition_changed_agree_with_its_share() {
+    let a = changed(&Setup::default(), &[("swing.path", "2 deg"), ("wind.right", "3 m/s")]);
+    let small = [
+        ("club.loft", "9.85 deg"),
+        ("swing.speed", "110.1 mph"),
+        ("swing.path", "2.05 deg"),
+        ("air.density", "1.183 kg/m^3"),
+    ];
+    let b = changed(&a, &small);
+    for of in [Outcome::Carry, Outcome::Lateral, Outcome::ApexHeight] {
+        let split = difference(&a, &b, of).by_launch.unwrap();
+        let names: Vec<_> = split.shares.iter().map(|share| share.cause.name()).collect();
+        let conditions = ["ball_speed", "launch_angle", "launch_direction", "spin", "spin_axis"];
+        assert_eq!(names, [&conditions.map(|name| format!("launch.{name}"))[..], &["air.density".to_owned()]].concat());
+        let value = |setup: &Setup<f64>| of.value(&Drive::new(setup).unwrap()).unwrap();
+        let scale = split.shares.iter().map(|share| share.amount.abs()).fold(0.0, f64::max);
+        for name in names {
+            let parameter = a.parameter(name).unwrap();
+            // from a on, and back from b: the mean is right to third order
+            let flown = [(0, 1), (1, 0)].map(|(here, there)| {
+                let mut setup = split.setups[here];
+                setup.set_value(parameter, split.setups[there].value(parameter)).unwrap();
+                value(&setup) - value(&split.setups[here])
+            });
+            close(share(&split, name), 0.5 * (flown[0] - flown[1]), scale, 1e-4, name);
+        }
+    }
+}
+
+#[test]
+fn exact_shares_where_a_club_is_compared_with_a_launch_and_spins_in_two_forms() {
+    let club = Setup::default();
+    let given = changed(&club, &LAUNCH);
+    let found = difference(&club, &given, Outcome::Carry);
+    assert_eq!(found.by_parameter.shares.len(), 1);
+    close(share(&found.by_parameter, "launch"), carry(&given) - carry(&club), 200.0, 1e-12, "all at once");
+    let launch = found.by_launch.unwrap();
+    assert_eq!(launch.shares.len(), 3, "{:?}", launch.shares);
+    assert!(launch.remainder.abs() < 1e-9, "{}", launch.remainder);
+
+    let mut other = changed(&club, &LAUNCH[..2]);
+    other.set("launch.spin", "2800 rpm").unwrap();
+    other.set("launch.spin_axis", "5 deg").unwrap();
+    let found = difference(&given, &other, Outcome::Lateral);
+    assert!(found.by_launch.is_none() && found.by_parameter.remainder.abs() < 1e-9);
+    assert!(
+        share(&found.by_parameter, "launch.spin_axis") > 1.0 && share(&found.by_parameter, "launch.spin").abs() < 5.0
+    );
+
+    // topspin: the axis would turn by half a turn, so that backspin and sidespin go straight
+    let top = changed(&given, &[("launch.backspin", "-300 rpm"), ("swing.speed", "100 mph")]);
+    let still = changed(&given, &[("launch.backspin", "0 rpm")]);
+    for b in [top, still] {
+        let found = difference(&club, &b, Outcome::Carry).by_launch.unwrap();
+        assert!(share(&found, "launch.backspin") < -20.0 && found.remainder.abs() < 1e-6, "{found:?}");
+    }
+}
+
+#[test]
+fn exact_both_drives_are_flown_with_the_finer_method_and_step() {
+    let a = changed(&Setup::default(), &[("flight.step", "10 ms")]);
+    let b = changed(
+        &Setup::default(),
+        &[("flight.step", "50 ms"), ("flight.method", "dp8"), ("flight.time_limit", "900 s")],
+    );
+    let both = Comparison::new(&a, &b).unwrap();
+    assert!(both.is_refined && !both.differs());
+    for setup in both.setups {
+        assert_eq!((setup.method, setup.flight.step, setup.flight.time_limit), (Method::DormandPrince8, 0.01, 900.0));
+    }
+    assert_eq!(both.of(Outcome::Carry).unwrap().amount(), 0.0);
+}
+
+#[test]
+fn two_drives_as_text_and_json() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("b.toml");
+    std::fs::write(&file, "[club]\nloft = \"11 deg\"\n[swing]\nspeed = \"112 mph\"\n").unwrap();
+    let file = file.to_str().unwrap();
+    let said = longdrive(&["compare", "modern-driver", file]);
+    assert_eq!(said.status, 0, "{}", said.err);
+    let lines: Vec<String> =
+        said.out.lines().map(|line| line.split_whitespace().collect::<Vec<_>>().join(" ")).collect();
+    let line = |start: &str| {
+        lines.iter().find(|line| line.starts_with(start)).unwrap_or_else(|| panic!("no {start}: {}", said.out))
+    };
+    assert!(
+        line("swing.speed 110 mph 112 mph +").ends_with(" yd") && line("club.loft 9.8 deg 11 deg +").ends_with(" yd")
+    );
+    assert!(line("launch.ball_speed ").contains(" mph +") && line("launch.spin ").contains(" rpm "), "{}", said.out);
+    assert!(line("carry: +").contains(", from 251.1 yd to "));
+
+    let (status, found) = json(&["compare", "modern-driver", file, "--of", "carry,backspin"]);
+    let (carry, spin) = (&found["outcomes"][0], &found["outcomes"][1]);
+    assert_eq!((status, carry["of"].as_str(), spin["by_launch"].is_null()), (0, Some("carry"), true));
+    for split in [&carry["by_parameter"], &carry["by_launch"], &spin["by_parameter"]] {
+        let sum: f64 = split["shares"].as_array().unwrap().iter().map(|share| number(&share["share"])).sum();
+        let whole = if split == &spin["by_parameter"] { &spin["difference"] } else { &carry["difference"] };
+        close(sum + number(&split["remainder"]), number(whole), 1.0, 1e-12, "sum");
+        assert!(number(&split["remainder"]).abs() < 1e-9, "{split}");
+    }
+    close(
+        number(&found["b"]["flight"]["carry"]) - number(&found["a"]["flight"]["carry"]),
+        number(&carry["difference"]),
+        1.0,
+        1e-10,
+        "drives",
+    );
+    // the same by options
+    let (_, same) =
+        json(&["compare", "--set-b", "club.loft=11deg", "--set-b", "swing.speed=112mph", "--of", "carry,backspin"]);
+    assert_eq!(same["outcomes"], found["outcomes"]);
+}
+
+#[test]
+fn no_difference_is_said_and_bad_input_names_the_drive() {
+    let said = longdrive(&["compare", "modern-driver", "modern-driver"]);
+    assert!(said.status == 0 && said.out.contains("nothing differs: a and b are the same drive"), "{}", said.out);
+    let (status, found) = json(&["compare", "--set-b", "club.loft=9.8deg"]);
+    assert_eq!((status, found["status"].as_str(), number(&found["outcomes"][0]["difference"])), (0, Some("done"), 0.0));
+    assert!(found["message"].as_str().unwrap().contains("nothing differs"));
+
+    let still = [
+        "mae494",
+        "--set",
+        "club.loft=0deg",
+        "--set",
+        "swing.attack_angle=20deg",
+        "--set-b",
+        "gravity=9 m/s^2",
+        "--of",
+        "spin_axis",
+    ];
+    for (args, status, says) in [
+        (vec![], 2, "there is one drive; name a second setup, or say in what drive b differs"),
+        (vec!["mae494"], 2, "there is one drive"),
+        (vec!["mae494", "nowhere.toml"], 2, "drive b: the setup file 'nowhere.toml'"),
+        (vec!["mae495", "mae494"], 2, "drive a: unknown setup 'mae495'; did you mean 'mae494'?"),
+        (vec!["--set-a", "club.lofft=1deg"], 2, "drive a: unknown parameter 'club.lofft'"),
+        (vec!["--set-b", "club.loft=100deg"], 2, "drive b: club.loft = "),
+        (vec!["--set-b", "club.loft=-30deg"], 1, "drive b: no flight: the ball leaves at "),
+        (
+            vec!["--set-b", "swing.face_angle=80deg", "--set-b", "swing.path=-80deg"],
+            2,
+            "drive b: the club does not strike",
+        ),
+        (vec!["--set-b", "club.loft=11deg", "--of", "cary"], 2, "did you mean 'carry'?"),
+        (vec!["--launch-b", "ball_speed=160mph"], 2, "drive b: the launch (ball_speed): launch_angle is missing"),
+        (vec!["--set", "club.loft=9deg", "--set-b", "club.loft=11deg"], 2, "drive b: --set club.loft=11deg: "),
+        (still.to_vec(), 1, "drive a: spin_axis is not defined for this drive"),
+    ] {
+        let said = longdrive(&[&["compare"], &args[..]].concat());
+        let text = said.err.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(said.status == status && text.contains(says), "{args:?}: {} {text}", said.status);
+    }
+}
