@@ -81,6 +81,14 @@ pub enum Error {
         /// What is missing or given twice.
         reason: String,
     },
+    /// Parameters that do not go together, or one that needs another beside it.
+    #[error("{given}: {reason}")]
+    Together {
+        /// What is given, or missing.
+        given: String,
+        /// Why that is wrong, and what to do.
+        reason: String,
+    },
     /// A derivative or a search with respect to something that has no number of its own.
     #[error("{name} cannot be varied, and has no derivatives: {reason}")]
     NotVariable {

@@ -30,7 +30,8 @@ impl<T: Numbers> WindField<T> {
             ground: ground.height,
             scale: logarithm(wind.reference_height, roughness).recip(),
         });
-        Self { reference: Vector::new(wind.up, wind.right, wind.downrange), profile }
+        let [right, downrange] = along_the_ground(wind);
+        Self { reference: Vector::new(wind.up, right, downrange), profile }
     }
 
     /// The same over another number.
@@ -59,6 +60,23 @@ impl<T: Numbers> WindField<T> {
             Some(profile) => self.reference * (logarithm(height - profile.ground, profile.roughness) * profile.scale),
         }
     }
+}
+
+/// The wind's components to the right and downrange, given as such or by its speed and where it comes from.
+#[inline(always)]
+pub(super) fn along_the_ground<T: Numbers>(wind: &Wind<T>) -> [T; 2] {
+    let Some(speed) = wind.speed else { return [wind.right, wind.downrange] };
+    let from = match wind.from {
+        Some(from) => from,
+        None => T::zero(),
+    };
+    T::outlined(
+        #[inline(always)]
+        || {
+            let (sin, cos) = from.sin_cos();
+            [-(speed * sin), -(speed * cos)]
+        },
+    )
 }
 
 /// L(z) = ln(1 + ζ/z₀) with ζ = (z + √(z² + ℓ²))/2: the logarithmic profile for z ≫ ℓ, smooth through the

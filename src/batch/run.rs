@@ -55,7 +55,9 @@ impl Batch {
         for parameter in wrt.iter().filter(|parameter| !parameters.contains(parameter)) {
             setup.variable(parameter.name)?;
         }
-        setup.check_launch(&parameters.iter().map(|parameter| parameter.name).collect::<Vec<_>>())?;
+        let names: Vec<_> = parameters.iter().map(|parameter| parameter.name).collect();
+        setup.check_launch(&names)?;
+        setup.check_air(&names)?;
         let is_launched = setup.launch.is_given() || parameters.iter().any(|parameter| parameter.is_of_launch());
         if let Some(of_club) = parameters.iter().chain(wrt).find(|parameter| is_launched && parameter.is_of_strike()) {
             return Err(Error::NotVariable { name: of_club.name.into(), reason: NO_CLUB.into() });

@@ -13,6 +13,7 @@ pub use outcome::{Outcome, Part};
 pub(crate) use struck::Struck;
 
 use crate::aerodynamics::AerodynamicLaw;
+use crate::atmosphere::AirState;
 use crate::error::{Error, Result};
 use crate::flight::{Flight, Landed, fly};
 use crate::impact::{Grip, Impact, strike};
@@ -87,7 +88,8 @@ impl Drive<f64> {
     pub fn corners(&self, setup: &Setup<f64>) -> Vec<String> {
         let mut corners = Vec::new();
         let spin = self.launch.total_spin();
-        if self.is_without_spin() && setup.law.has_corner_at_zero_spin() && setup.air.density > 0.0 {
+        let has_air = AirState::of(&setup.air).density > 0.0;
+        if self.is_without_spin() && setup.law.has_corner_at_zero_spin() && has_air {
             corners.push(format!(
                 "the spin is {} rad/s: with the law {} outcomes have a corner at zero spin, and derivatives \
                  here lie between those of its two sides",

@@ -3,7 +3,7 @@
 use super::Drive;
 use super::beyond::{any_face, is_beside_any_face};
 use crate::aerodynamics::{AerodynamicLaw, FittedRange};
-use crate::atmosphere::WindField;
+use crate::atmosphere::{AirState, WindField};
 use crate::flight::trajectory;
 use crate::parameters::Setup;
 use crate::units::{Digits, Message, Quantity};
@@ -39,7 +39,7 @@ impl Drive<f64> {
 
     /// What the law of drag and lift was not fitted to, and for how much of the flight.
     pub(super) fn outside_of_the_law(&self, setup: &Setup<f64>) -> Vec<Message> {
-        if setup.air.density == 0.0 {
+        if AirState::of(&setup.air).density == 0.0 {
             return vec![];
         }
         let fitted = AerodynamicLaw::<f64>::fitted(&setup.law);
@@ -74,7 +74,8 @@ impl Drive<f64> {
     fn stream(&self, setup: &Setup<f64>) -> Vec<(f64, [f64; 3])> {
         let Ok(path) = trajectory(setup, &self.launch) else { return vec![] };
         let (wind, radius) = (WindField::new(&setup.wind, &setup.ground), setup.ball.radius);
-        let per_speed = setup.air.density * 2.0 * radius / setup.air.viscosity;
+        let air = AirState::of(&setup.air);
+        let per_speed = air.density * 2.0 * radius / air.viscosity;
         let (mut way, mut before) = (0.0, None);
         let mut point = |point: &crate::flight::TrajectoryPoint| {
             let speed = (point.velocity - wind.at(point.position.x)).norm();

@@ -1,4 +1,4 @@
-use crate::atmosphere::WindField;
+use crate::atmosphere::{AirState, WindField};
 use crate::launch::{LEAST_SPIN, Launch};
 use crate::number::{Numbers, Vector};
 use crate::parameters::{Law, Setup};
@@ -39,7 +39,7 @@ impl<T: Numbers> Inputs<T> {
     #[inline(always)]
     pub fn new(setup: &Setup<T>, launch: &Launch<T>) -> Self {
         let radius = setup.ball.radius;
-        let density = setup.air.density;
+        let AirState { density, viscosity } = AirState::of(&setup.air);
         let (spin, per_spin) = (launch.spin.dot(launch.spin) + LEAST_SPIN * LEAST_SPIN).sqrt_recip();
         Self {
             velocity: launch.velocity,
@@ -48,7 +48,7 @@ impl<T: Numbers> Inputs<T> {
             force_per_mass: density * radius * radius * (0.5 * PI) / setup.ball.mass,
             gravity: setup.flight.gravity,
             radius,
-            reynolds_per_speed: density * radius * 2.0 / setup.air.viscosity,
+            reynolds_per_speed: density * radius * 2.0 / viscosity,
             decay: setup.aero.spin_decay,
             damping: setup.aero.spin_damping.map(
                 #[inline(always)]

@@ -77,6 +77,9 @@ impl SetupFile {
         for item in &items {
             setup.apply(item).map_err(|(at, source)| in_file(text, file, at, source))?;
         }
+        for item in &items {
+            setup.refuse_replaced(&[&item.key]).map_err(|source| in_file(text, file, item.key_at, source))?;
+        }
         let named = items.iter().find(|item| item.key == PRESET).and_then(|item| item.value.as_str());
         let given = items.iter().filter_map(|item| setup.parameter(&item.key).ok()).collect();
         let bare = items.iter().filter(|item| matches!(item.value, DeValue::Integer(_) | DeValue::Float(_)));

@@ -1,6 +1,7 @@
 //! What a drive depends on: [`Setup`], one table that declares every parameter once, presets with their
 //! sources, and setup files.
 
+mod air;
 #[macro_use]
 mod declare;
 mod file;
@@ -13,6 +14,7 @@ mod setup;
 mod table;
 mod vary;
 
+pub(crate) use air::refuse_replaced;
 pub use declare::{Kind, Parameter, UNSET};
 pub use file::SetupFile;
 pub use method::{METHOD, Method};

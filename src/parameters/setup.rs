@@ -130,8 +130,14 @@ impl Setup<f64> {
     /// [`set_value`](Self::set_value) takes a number in SI.
     ///
     /// # Errors
-    /// [`Error::Unknown`], [`Error::OtherLaw`], [`Error::Unreadable`], [`Error::OutOfRange`].
+    /// [`Error::Unknown`], [`Error::OtherLaw`], [`Error::Unreadable`], [`Error::OutOfRange`]; [`Error::Together`] for what follows
+    /// from other parameters that are set.
     pub fn set(&mut self, name: &str, text: &str) -> Result<()> {
+        self.refuse_replaced(&[name])?;
+        self.apply_text(name, text)
+    }
+
+    fn apply_text(&mut self, name: &str, text: &str) -> Result<()> {
         if name == LAW {
             return self.set_law(text);
         }
@@ -150,12 +156,13 @@ impl Setup<f64> {
     /// As [`set`](Self::set).
     pub fn set_all<'a>(&mut self, settings: impl IntoIterator<Item = (&'a str, &'a str)> + Clone) -> Result<()> {
         for (name, text) in settings.clone().into_iter().filter(|(name, _)| *name == LAW) {
-            self.set(name, text)?;
+            self.apply_text(name, text)?;
         }
-        for (name, text) in settings.into_iter().filter(|(name, _)| *name != LAW) {
-            self.set(name, text)?;
+        for (name, text) in settings.clone().into_iter().filter(|(name, _)| *name != LAW) {
+            self.apply_text(name, text)?;
         }
-        Ok(())
+        let given: Vec<&str> = settings.into_iter().map(|(name, _)| name).filter(|name| self.is_set(name)).collect();
+        self.refuse_replaced(&given)
     }
 
     /// Changes the aerodynamic law; its coefficients are then the published ones, unless it is the law already.
@@ -193,16 +200,18 @@ impl Setup<f64> {
         Ok(())
     }
 
-    /// Checks every value against its range, and the inertia tensor.
+    /// Checks every value against its range, the inertia tensor, and what must be given together.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`], also for a step so short that no one would wait for the flight; [`Error::Inertia`].
+    /// [`Error::OutOfRange`], also for a step so short that no one would wait for the flight; [`Error::Inertia`]; [`Error::Launch`];
+    /// [`Error::Together`].
     pub fn validate(&self) -> Result<()> {
         self.validate_but_launch()?;
-        self.check_launch(&[])
+        self.check_launch(&[])?;
+        self.check_air(&[])
     }
 
-    /// The same, but for whether the launch is whole: the rest of it may be in the columns of a table.
+    /// The same, but for whether launch, weather and wind are whole: the rest of them may be in the columns of a table.
     ///
     /// # Errors
     /// As [`validate`](Self::validate).
@@ -256,6 +265,9 @@ impl Setup<f64> {
         if self.launch.is_given() && parameter.is_of_strike() {
             return refuse(NO_CLUB.into());
         }
+        if let Some(why) = self.why_replaced(parameter) {
+            return refuse(why);
+        }
         match self.value(parameter) {
             Some(value) if value.is_finite() => Ok(parameter),
             Some(_) => refuse("it is infinite (a flat face) here; give it a finite value with --set".into()),
@@ -270,10 +282,11 @@ impl Setup<f64> {
     /// The parameter of this name, if drives may differ in it: one that is unset or infinite here may have a value in each.
     ///
     /// # Errors
-    /// As [`parameter`](Self::parameter), and [`Error::NotVariable`] for a setting and the law.
+    /// As [`parameter`](Self::parameter), and [`Error::NotVariable`] for a setting, the law, and what follows from other parameters
+    /// that are set.
     pub fn column(&self, name: &str) -> Result<&'static Parameter> {
         match self.parameter(name) {
-            Ok(parameter) if parameter.kind != Kind::Setting => Ok(parameter),
+            Ok(parameter) if parameter.kind != Kind::Setting && self.why_replaced(parameter).is_none() => Ok(parameter),
             _ => self.variable(name),
         }
     }

@@ -138,12 +138,24 @@ parameter_groups! {
 
     /// The air.
     air: Air {
-        /// Density; 0 is a vacuum.
+        /// Density; 0 is a vacuum. Where temperature, pressure, altitude or humidity is set, it follows from them.
         density: T = "air.density", "ρ", DENSITY in "kg/m^3", Range::from_to(0.0, 1000.0), "1.184 kg/m^3",
             "25 °C at sea level, TrackMan's normalised air";
-        /// Dynamic viscosity.
+        /// Dynamic viscosity. Where temperature, pressure, altitude or humidity is set, it follows from the temperature.
         viscosity: T = "air.viscosity", "μ", VISCOSITY in "Pa s", Range::above_to(0.0, 1.0), "1.837e-5 Pa s",
             "Sutherland's formula at 25 °C, docs/sources.md";
+        /// Temperature; unset: 25 °C where other weather is set.
+        temperature: Option<T> = "air.temperature", "T", TEMPERATURE in "K", Range::from_to(183.15, 333.15), "none",
+            "density and viscosity are given; the range is −90 to 60 °C";
+        /// Pressure on the course, as a barometer shows it there and not as reduced to sea level; unset: that of the altitude where other weather is set.
+        pressure: Option<T> = "air.pressure", "p", PRESSURE in "hPa", Range::from_to(22_000.0, 115_000.0), "none",
+            "density and viscosity are given; the range is that of the altitudes";
+        /// Altitude above sea level, of which the pressure is that of the standard atmosphere; unset: 0 m where other weather is set.
+        altitude: Option<T> = "air.altitude", "H", LENGTH in "m", Range::from_to(-1000.0, 11_000.0), "none",
+            "density and viscosity are given; the troposphere of ISO 2533 ends at 11 km";
+        /// Relative humidity; unset: dry air where other weather is set.
+        humidity: Option<T> = "air.humidity", "h_r", NUMBER in "", Range::from_to(0.0, 1.0), "none",
+            "density and viscosity are given";
     }
 
     /// How the spin decays in the air; the law of drag and lift stands apart.
@@ -164,6 +176,12 @@ parameter_groups! {
         right: T = "wind.right", "w_y", SPEED in "m/s", Range::from_to(-150.0, 150.0), "0 m/s", "calm";
         /// Downrange component: + tail wind, − head wind.
         downrange: T = "wind.downrange", "w_z", SPEED in "m/s", Range::from_to(-150.0, 150.0), "0 m/s", "calm";
+        /// Speed along the ground, in place of the components to the right and downrange; unset: these components.
+        speed: Option<T> = "wind.speed", "w_h", SPEED in "m/s", Range::from_to(0.0, 150.0), "none",
+            "the components are given";
+        /// Direction that the wind comes from, clockwise from the target line: 0° is a head wind, 90° from the right, 180° a tail wind; unset: the components are given.
+        from: Option<T> = "wind.from", "β", ANGLE in "deg", Range::from_to((-360.0_f64).to_radians(), 360.0_f64.to_radians()), "none",
+            "the components are given";
         /// Roughness length of the ground under a logarithmic wind profile; unset: uniform wind.
         roughness: Option<T> = "wind.roughness", "z₀", LENGTH in "mm", Range::above_to(0.0, 10.0), "none",
             "2.4 mm mown grass to 30 mm open course, docs/sources.md";

@@ -1,3 +1,4 @@
+use crate::atmosphere::in_effect;
 use crate::number::Vector;
 use crate::parameters::{LAW, METHOD, Setup};
 use serde_json::{Map, Value, json};
@@ -23,8 +24,9 @@ pub(super) fn named<'a>(pairs: impl IntoIterator<Item = (&'a str, Option<f64>)>)
     pairs.into_iter().map(|(name, value)| (name.to_owned(), number(value))).collect()
 }
 
-/// Every parameter of a setup by its dotted name, and the law.
+/// Every parameter of a setup by its dotted name, as the drive has it, and the law.
 pub(super) fn setup(setup: &Setup<f64>) -> Map<String, Value> {
+    let setup = &in_effect(setup);
     let mut all = Map::new();
     for parameter in setup.parameters() {
         if parameter.law.is_some() && !all.contains_key(LAW) {

@@ -1,11 +1,13 @@
 use super::lines::{item, note};
 use super::{Reply, json};
+use crate::atmosphere::in_effect;
 use crate::parameters::{Kind, LAW, Law, METHOD, Method, Parameter, Setup, UNSET};
 use crate::units::{Message, System};
 use serde_json::{Value, json};
 
-/// The rows of a setup, and then those of the laws it does not fly.
+/// The rows of a setup with the values that the drive has, and then those of the laws it does not fly.
 fn rows(setup: &Setup<f64>) -> Vec<(&'static Parameter, Option<f64>)> {
+    let setup = &in_effect(setup);
     let own = setup.parameters().into_iter().map(|parameter| (parameter, setup.value(parameter)));
     let others = Law::all_rows().filter(|row| row.law != Some(setup.law.name()));
     own.chain(others.map(|parameter| (parameter, parameter.default_value()))).collect()

@@ -42,6 +42,8 @@ pub fn sources(setup: &Setup<f64>, preset: &Preset) -> Result<Vec<(&'static str,
     let mut rows: Vec<_> = setup
         .parameters()
         .into_iter()
+        // what follows from other parameters is not given beside them
+        .filter(|row| setup.why_replaced(row).is_none())
         .map(|row| {
             let value = setup.value(row);
             // a coefficient of another law than the preset's has its own source

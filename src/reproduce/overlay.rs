@@ -1,4 +1,5 @@
 use super::mae494::fly_past_the_ground;
+use crate::atmosphere::in_effect;
 use crate::derivative::check::{Check, Demand, Ladder, STEPS};
 use crate::drive::Outcome;
 use crate::parameters::{Parameter, Setup};
@@ -33,7 +34,7 @@ impl LoopRow {
 /// those of the loop. Nothing where there is what the loop does not know: wind, damping of the spin by the air, a ground that is not at
 /// the tee.
 pub fn while_loop(setup: &Setup<f64>, rows: &[Row]) -> Vec<LoopRow> {
-    let wind = &setup.wind;
+    let wind = in_effect(setup).wind;
     let is_calm = [wind.up, wind.right, wind.downrange] == [0.0; 3];
     if !is_calm || setup.aero.spin_damping.is_some() || setup.ground.height != 0.0 {
         return vec![];

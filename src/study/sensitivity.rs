@@ -93,7 +93,7 @@ impl Change {
             .ok_or_else(|| unreadable("write NAME=AMOUNT, for example swing.speed=+5mph".into()))?;
         let parameter = setup.variable(name.trim())?;
         let amount = amount.trim();
-        let delta = parameter.quantity.read(amount.strip_prefix('+').unwrap_or(amount));
+        let delta = parameter.quantity.read_difference(amount.strip_prefix('+').unwrap_or(amount));
         let delta = delta.map_err(|e| unreadable(Box::new(e)))?;
         if !delta.is_finite() {
             return Err(unreadable("the amount must be a finite number".into()));

@@ -1,5 +1,6 @@
 use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup};
+use crate::units::{Quantity, UnitError};
 
 /// A standard uncertainty of a parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,7 +35,7 @@ impl Sigma {
             .split_once('=')
             .ok_or_else(|| unreadable("write NAME=AMOUNT, for example swing.speed=1mph or air.density=0.5%".into()))?;
         let parameter = setup.variable(name.trim())?;
-        let value = amount_of(setup, parameter, amount).map_err(unreadable)?;
+        let value = amount_of(setup, parameter, amount, Quantity::read_difference).map_err(unreadable)?;
         if value > 0.0 && value.is_finite() {
             return Ok(Self { parameter, value, source: None });
         }
@@ -57,13 +58,14 @@ pub fn given_twice(parameter: &Parameter) -> Error {
     Error::Unreadable { name: format!("the uncertainty of {}", parameter.name), source }
 }
 
-/// An amount of a parameter, SI: with its unit, or a part of its own value in %.
+/// An amount of a parameter, SI: with its unit, which `read` reads as a value or as a difference, or a part of its own value in %.
 pub(super) fn amount_of(
     setup: &Setup<f64>,
     parameter: &Parameter,
     text: &str,
+    read: impl Fn(Quantity, &str) -> std::result::Result<f64, UnitError>,
 ) -> std::result::Result<f64, Box<dyn std::error::Error + Send + Sync>> {
-    match parameter.quantity.read(text.trim()) {
+    match read(parameter.quantity, text.trim()) {
         Ok(value) => Ok(value),
         Err(error) => {
             let part = text.trim().strip_suffix('%').and_then(|part| part.trim().parse::<f64>().ok());
@@ -86,6 +88,10 @@ const STRIKE: &str = "assumed: a mark on the face, read to a millimetre";
 const LAW_DRAG: &str = "docs/sources.md: credible laws differ by 0.015 in C_D";
 const LAW_LIFT: &str = "docs/sources.md: credible laws differ by 0.02 in C_L, a tenth of it";
 const AIR: &str = "assumed: temperature within 1.5 K";
+const PRESSURE: &str = "assumed: pressure within 3 hPa";
+const ALTITUDE: &str = "assumed: pressure within 3 hPa of that of the altitude";
+const HUMIDITY: &str = "assumed: humidity within 10 %";
+const BEARING: &str = "assumed: wind direction within 10 deg";
 const WIND: &str = "assumed: wind within 1 m/s";
 
 /// The uncertainties taken where none is given: of one drive as it is measured on a calm range.
@@ -106,8 +112,14 @@ const DEFAULTS: &[(&str, Amount, &str)] = &[
     ("launch.spin_axis", Amount::Of(2.0, "deg"), BALL),
     ("impact.tangential_restitution", Amount::Of(0.05, ""), "docs/sources.md: −0.15 ± 0.05"),
     ("air.density", Amount::Part(0.005), AIR),
+    ("air.temperature", Amount::Of(1.5, "K"), AIR),
+    ("air.pressure", Amount::Of(3.0, "hPa"), PRESSURE),
+    ("air.altitude", Amount::Of(25.0, "m"), ALTITUDE),
+    ("air.humidity", Amount::Of(0.1, ""), HUMIDITY),
     ("wind.right", Amount::Of(1.0, "m/s"), WIND),
     ("wind.downrange", Amount::Of(1.0, "m/s"), WIND),
+    ("wind.speed", Amount::Of(1.0, "m/s"), WIND),
+    ("wind.from", Amount::Of(10.0, "deg"), BEARING),
     ("aero.cd", Amount::Of(0.015, ""), LAW_DRAG),
     ("aero.cd0", Amount::Of(0.015, ""), LAW_DRAG),
     ("aero.cl_max", Amount::Part(0.1), LAW_LIFT),

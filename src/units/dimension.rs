@@ -1,14 +1,15 @@
-/// Powers of length, mass, time and angle. An angle is a dimension of its own here, so that 10 rpm cannot
+/// Powers of length, mass, time, angle and temperature. An angle is a dimension of its own here, so that 10 rpm cannot
 /// be taken for 10 per minute.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Dimension(pub [i8; 4]);
+pub(super) struct Dimension(pub [i8; 5]);
 
 impl Dimension {
-    pub const NONE: Self = Self([0, 0, 0, 0]);
-    pub const LENGTH: Self = Self([1, 0, 0, 0]);
-    pub const MASS: Self = Self([0, 1, 0, 0]);
-    pub const TIME: Self = Self([0, 0, 1, 0]);
-    pub const ANGLE: Self = Self([0, 0, 0, 1]);
+    pub const NONE: Self = Self([0, 0, 0, 0, 0]);
+    pub const LENGTH: Self = Self([1, 0, 0, 0, 0]);
+    pub const MASS: Self = Self([0, 1, 0, 0, 0]);
+    pub const TIME: Self = Self([0, 0, 1, 0, 0]);
+    pub const ANGLE: Self = Self([0, 0, 0, 1, 0]);
+    pub const TEMPERATURE: Self = Self([0, 0, 0, 0, 1]);
 
     pub fn times(self, other: Self, power: i8) -> Self {
         let Self(mut exponents) = self;

@@ -1,7 +1,7 @@
-//! The grammar of units: products of symbols with powers, as a size and a dimension.
+//! The grammar of units: products of symbols with powers, as a size, a dimension and perhaps a zero.
 
 use super::dimension::Dimension;
-use super::symbols::symbol_size;
+use super::symbols::symbol;
 
 /// The SI size of a unit as a fraction, so that decimal units (g, cm², %) divide by whole numbers: 5679 g cm² is
 /// 5679/10⁷ kg m² to the last bit.
@@ -36,11 +36,34 @@ impl Size {
     }
 }
 
-/// The SI size and the dimension of a product of units: factors separated by spaces, `*`, `·`, `.` or `/` (which
-/// divides by the one factor that follows), each perhaps with a power: `kg/m^3`, `g cm²`, `m s^-2`, `Pa.s`.
-pub(super) fn read_unit(text: &str) -> Option<(Size, Dimension)> {
+/// A unit: how numbers in it become SI.
+pub(super) struct Unit {
+    size: Size,
+    pub dimension: Dimension,
+    /// Where its zero lies, SI, for a scale of temperature that begins elsewhere.
+    zero: Option<f64>,
+}
+
+impl Unit {
+    /// So many of it, as a quantity: 25 degC is 298.15 K.
+    pub fn value(&self, number: f64) -> f64 {
+        let above = self.difference(number);
+        self.zero.map_or(above, |zero| zero + above)
+    }
+
+    /// So many of it, as a difference of two quantities: 25 degC is 25 K.
+    pub fn difference(&self, number: f64) -> f64 {
+        self.size.of(number)
+    }
+}
+
+/// The unit that a product of units is: factors separated by spaces, `*`, `·`, `.` or `/` (which
+/// divides by the one factor that follows), each perhaps with a power: `kg/m^3`, `g cm²`, `m s^-2`, `Pa.s`. A scale with a zero of its own
+/// stands alone.
+pub(super) fn read_unit(text: &str) -> Option<Unit> {
     let spaced = text.replace('/', " / ").replace(['*', '·', '⋅', '.'], " ");
-    let (mut size, mut dimension) = (Size::ONE, Dimension::NONE);
+    let (mut size, mut dimension, mut zero) = (Size::ONE, Dimension::NONE, None);
+    let is_alone = spaced.split_whitespace().count() == 1;
     let mut divide = false;
     for factor in spaced.split_whitespace() {
         if factor == "/" {
@@ -50,17 +73,21 @@ pub(super) fn read_unit(text: &str) -> Option<(Size, Dimension)> {
             divide = true;
             continue;
         }
-        let (symbol, power) = split_power(factor)?;
-        let (one, kind) = symbol_size(symbol)?;
+        let (name, power) = split_power(factor)?;
+        let known = symbol(name)?;
         let power = if divide { -power } else { power };
-        let one = if power > 0 { Size::new(one) } else { Size::new(one).inverse() };
+        if known.zero.is_some() && !(is_alone && power == 1) {
+            return None;
+        }
+        zero = known.zero;
+        let one = if power > 0 { Size::new(known.size) } else { Size::new(known.size).inverse() };
         for _ in 0..power.unsigned_abs() {
             size = size.times(one);
         }
-        dimension = dimension.times(kind, power);
+        dimension = dimension.times(known.dimension, power);
         divide = false;
     }
-    (!divide && !spaced.trim().is_empty()).then_some((size, dimension))
+    (!divide && !spaced.trim().is_empty()).then_some(Unit { size, dimension, zero })
 }
 
 fn split_power(factor: &str) -> Option<(&str, i8)> {

@@ -18,7 +18,7 @@ pub use message::{Digits, Message};
 pub use system::System;
 
 use dimension::Dimension;
-use expression::read_unit;
+use expression::{Unit, read_unit};
 use std::fmt;
 use symbols::SYMBOLS;
 
@@ -42,41 +42,45 @@ pub struct Quantity {
 }
 
 macro_rules! quantities {
-    ($($(#[doc = $doc:literal])* $id:ident = $name:literal, $si:literal, [$l:literal, $m:literal, $t:literal, $a:literal], $usual:literal;)*) => {
+    ($($(#[doc = $doc:literal])* $id:ident = $name:literal, $si:literal, [$l:literal, $m:literal, $t:literal, $a:literal, $k:literal], $usual:literal;)*) => {
         impl Quantity {
             $($(#[doc = $doc])* pub const $id: Self =
-                Self { name: $name, si: $si, usual: $usual, dimension: Dimension([$l, $m, $t, $a]) };)*
+                Self { name: $name, si: $si, usual: $usual, dimension: Dimension([$l, $m, $t, $a, $k]) };)*
         }
     };
 }
 
 quantities! {
     /// Speed, m/s.
-    SPEED = "a speed", "m/s", [1, 0, -1, 0], "mph, m/s, km/h, ft/s";
+    SPEED = "a speed", "m/s", [1, 0, -1, 0, 0], "mph, m/s, km/h, ft/s";
     /// Angle, rad.
-    ANGLE = "an angle", "rad", [0, 0, 0, 1], "deg, rad";
+    ANGLE = "an angle", "rad", [0, 0, 0, 1, 0], "deg, rad";
     /// Angular velocity, rad/s.
-    ANGULAR_VELOCITY = "an angular velocity", "rad/s", [0, 0, -1, 1], "rpm, rad/s, deg/s";
+    ANGULAR_VELOCITY = "an angular velocity", "rad/s", [0, 0, -1, 1, 0], "rpm, rad/s, deg/s";
     /// Length, m.
-    LENGTH = "a length", "m", [1, 0, 0, 0], "m, mm, yd, in";
+    LENGTH = "a length", "m", [1, 0, 0, 0, 0], "m, mm, yd, in";
     /// Mass, kg.
-    MASS = "a mass", "kg", [0, 1, 0, 0], "g, kg, oz";
+    MASS = "a mass", "kg", [0, 1, 0, 0, 0], "g, kg, oz";
     /// Moment of inertia, kg m².
-    INERTIA = "a moment of inertia", "kg m^2", [2, 1, 0, 0], "g cm^2, kg m^2";
+    INERTIA = "a moment of inertia", "kg m^2", [2, 1, 0, 0, 0], "g cm^2, kg m^2";
     /// Density, kg/m³.
-    DENSITY = "a density", "kg/m^3", [-3, 1, 0, 0], "kg/m^3, g/L, lb/ft^3";
+    DENSITY = "a density", "kg/m^3", [-3, 1, 0, 0, 0], "kg/m^3, g/L, lb/ft^3";
     /// Dynamic viscosity, Pa s.
-    VISCOSITY = "a dynamic viscosity", "Pa s", [-1, 1, -1, 0], "Pa s, cP";
+    VISCOSITY = "a dynamic viscosity", "Pa s", [-1, 1, -1, 0, 0], "Pa s, cP";
+    /// Temperature, K.
+    TEMPERATURE = "a temperature", "K", [0, 0, 0, 0, 1], "degC, degF, K";
+    /// Pressure, Pa.
+    PRESSURE = "a pressure", "Pa", [-1, 1, -2, 0, 0], "hPa, kPa, mbar, inHg, mmHg";
     /// Acceleration, m/s².
-    ACCELERATION = "an acceleration", "m/s^2", [1, 0, -2, 0], "m/s^2, ft/s^2";
+    ACCELERATION = "an acceleration", "m/s^2", [1, 0, -2, 0, 0], "m/s^2, ft/s^2";
     /// Time, s.
-    TIME = "a time", "s", [0, 0, 1, 0], "s, ms, min";
+    TIME = "a time", "s", [0, 0, 1, 0, 0], "s, ms, min";
     /// Rate of decay, 1/s.
-    RATE = "a rate", "1/s", [0, 0, -1, 0], "1/s, %/s";
+    RATE = "a rate", "1/s", [0, 0, -1, 0, 0], "1/s, %/s";
     /// Per angular velocity, s/rad.
-    PER_ANGULAR_VELOCITY = "a quantity per angular velocity", "s/rad", [0, 0, 1, -1], "s/rad, 1/rpm";
+    PER_ANGULAR_VELOCITY = "a quantity per angular velocity", "s/rad", [0, 0, 1, -1, 0], "s/rad, 1/rpm";
     /// A number without unit.
-    NUMBER = "a plain number", "", [0, 0, 0, 0], "no unit, or %";
+    NUMBER = "a plain number", "", [0, 0, 0, 0, 0], "no unit, or %";
 }
 
 impl Quantity {
@@ -85,12 +89,30 @@ impl Quantity {
     /// # Errors
     /// [`UnitError`]: no number, a missing or unknown unit, or a unit of another kind.
     pub fn read(self, text: &str) -> Result<f64, UnitError> {
+        self.read_as(text, Unit::value)
+    }
+
+    /// The same of a difference of two such quantities, such as an uncertainty: it differs where a scale has a zero of its own.
+    ///
+    /// ```
+    /// use longdrive::units::Quantity;
+    /// assert_eq!(Quantity::TEMPERATURE.read("2 degC").unwrap(), 275.15);
+    /// assert_eq!(Quantity::TEMPERATURE.read_difference("2 degC").unwrap(), 2.0);
+    /// ```
+    ///
+    /// # Errors
+    /// As [`read`](Self::read).
+    pub fn read_difference(self, text: &str) -> Result<f64, UnitError> {
+        self.read_as(text, Unit::difference)
+    }
+
+    fn read_as(self, text: &str, of: fn(&Unit, f64) -> f64) -> Result<f64, UnitError> {
         match self.split(text)? {
             (number, "") if number.is_finite() && self.dimension != Dimension::NONE => {
                 Err(UnitError::NoUnit { text: text.into(), wanted: self.name, examples: self.units() })
             }
             (number, "") => Ok(number),
-            (number, unit) => self.scaled(number, unit, text),
+            (number, unit) => self.unit(unit, text).map(|unit| of(&unit, number)),
         }
     }
 
@@ -101,7 +123,7 @@ impl Quantity {
     pub fn read_bare(self, text: &str) -> Result<f64, UnitError> {
         match self.split(text)? {
             (number, "") => Ok(number),
-            (number, unit) => self.scaled(number, unit, text),
+            (number, unit) => self.unit(unit, text).map(|unit| unit.value(number)),
         }
     }
 
@@ -118,7 +140,7 @@ impl Quantity {
         }
     }
 
-    /// How many SI units one `unit` is, where it is a unit of this kind.
+    /// How many SI units one `unit` is as a difference, where it is a unit of this kind.
     ///
     /// ```
     /// use longdrive::units::Quantity;
@@ -126,8 +148,8 @@ impl Quantity {
     /// assert_eq!(Quantity::LENGTH.size_of("kg"), None);
     /// ```
     pub fn size_of(self, unit: &str) -> Option<f64> {
-        let (size, dimension) = read_unit(unit)?;
-        (dimension == self.dimension).then(|| size.of(1.0))
+        let unit = read_unit(unit)?;
+        (unit.dimension == self.dimension).then(|| unit.difference(1.0))
     }
 
     /// An SI value as a person reads it, in `unit`.
@@ -169,15 +191,16 @@ impl Quantity {
         if self.si.is_empty() { name.into() } else { format!("{name} [{}]", self.si) }
     }
 
-    fn scaled(self, number: f64, unit: &str, text: &str) -> Result<f64, UnitError> {
-        let (size, dimension) = read_unit(unit).ok_or_else(|| UnitError::UnknownUnit {
+    /// The unit of a text, where it is one of this kind.
+    fn unit(self, unit: &str, text: &str) -> Result<Unit, UnitError> {
+        let found = read_unit(unit).ok_or_else(|| UnitError::UnknownUnit {
             text: text.into(),
             unit: unit.into(),
             wanted: self.name,
             examples: self.units(),
         })?;
-        if dimension == self.dimension {
-            Ok(size.of(number))
+        if found.dimension == self.dimension {
+            Ok(found)
         } else {
             Err(UnitError::WrongKind { text: text.into(), wanted: self.name, examples: self.units() })
         }
@@ -256,6 +279,11 @@ mod tests {
             (Quantity::VISCOSITY, "1.8e-5 Pa·s", 1.8e-5),
             (Quantity::VISCOSITY, "1.8e-5 Pa s", 1.8e-5),
             (Quantity::NUMBER, "0.83", 0.83),
+            (Quantity::PRESSURE, "1013.25 mbar", 101_325.0),
+            (Quantity::PRESSURE, "101.325 kPa", 101_325.0),
+            (Quantity::TEMPERATURE, "25 degC", 298.15),
+            (Quantity::TEMPERATURE, "-40 °C", 233.15),
+            (Quantity::TEMPERATURE, "300 K", 300.0),
         ] {
             let value = quantity.read(text).unwrap();
             assert!((value - si).abs() <= 2e-16 * si.abs(), "{text}: {value} != {si}");
@@ -270,6 +298,23 @@ mod tests {
             assert_eq!(quantity.read(text), Ok(si), "to the last bit");
         }
         assert_eq!(Quantity::LENGTH.read("inf"), Ok(f64::INFINITY));
+    }
+
+    #[test]
+    fn exact_temperatures_have_a_zero_and_their_differences_have_none() {
+        for (text, kelvin) in [("-40 degF", 233.15), ("32 °F", 273.15), ("212 °F", 373.15), ("-459.67 degF", 0.0)] {
+            assert!((Quantity::TEMPERATURE.read(text).unwrap() - kelvin).abs() < 1e-12, "{text}");
+        }
+        for (text, kelvin) in [("2 degC", 2.0), ("-9 degF", -5.0), ("3 K", 3.0)] {
+            assert!((Quantity::TEMPERATURE.read_difference(text).unwrap() - kelvin).abs() < 1e-15, "{text}");
+        }
+        assert_eq!(Quantity::SPEED.read_difference("110 mph"), Quantity::SPEED.read("110 mph"));
+        // a scale with a zero of its own is no factor of a product
+        for text in ["2 degC^1 1", "2 1/degC", "2 degF^2", "2 K degC/K"] {
+            assert!(matches!(Quantity::TEMPERATURE.read(text), Err(UnitError::UnknownUnit { .. })), "{text}");
+        }
+        let missing = Quantity::TEMPERATURE.read("20").unwrap_err().to_string();
+        assert!(missing.contains("\"20\" has no unit; a temperature takes degC, degF, K"), "{missing}");
     }
 
     #[test]

@@ -7,26 +7,29 @@ pub(super) struct Symbol {
     /// How it is written; the first is the usual one.
     pub names: &'static [&'static str],
     /// Its SI size.
-    size: f64,
+    pub size: f64,
     pub dimension: Dimension,
+    /// Where its zero lies, SI, if that is not zero.
+    pub zero: Option<f64>,
 }
 
 /// Every unit symbol.
 pub(super) static SYMBOLS: LazyLock<Vec<Symbol>> = LazyLock::new(symbols);
 
-/// The SI size and the dimension of one unit symbol.
-pub(super) fn symbol_size(symbol: &str) -> Option<(f64, Dimension)> {
-    let known = SYMBOLS.iter().find(|known| known.names.contains(&symbol))?;
-    Some((known.size, known.dimension))
+/// The unit symbol of this name.
+pub(super) fn symbol(name: &str) -> Option<&'static Symbol> {
+    SYMBOLS.iter().find(|known| known.names.contains(&name))
 }
 
-/// The sizes are definitions (SI brochure, 9th edition; the yard and the pound of 1959, from which inch, foot, mile and ounce follow), so that
-/// nothing is rounded but the last bit.
+/// The sizes are definitions (SI brochure, 9th edition; the yard and the pound of 1959, from which inch, foot, mile and ounce follow; mercury of
+/// 13 595.1 kg/m³ at standard gravity), so that nothing is rounded but the last bit.
 fn symbols() -> Vec<Symbol> {
     use Dimension as D;
-    let symbol = |names, size, dimension| Symbol { names, size, dimension };
+    let symbol = |names, size, dimension| Symbol { names, size, dimension, zero: None };
+    let scale = |names, size, zero| Symbol { names, size, dimension: D::TEMPERATURE, zero: Some(zero) };
     let speed = D::LENGTH.times(D::TIME, -1);
     let force = speed.times(D::MASS, 1).times(D::TIME, -1);
+    let pressure = force.times(D::LENGTH, -2);
     let viscosity = D::MASS.times(D::LENGTH, -1).times(D::TIME, -1);
     vec![
         symbol(&["1"], 1.0, D::NONE),
@@ -59,7 +62,16 @@ fn symbols() -> Vec<Symbol> {
         symbol(&["kph", "kmh"], 1.0 / 3.6, speed),
         symbol(&["kn", "knot", "knots"], 1852.0 / 3600.0, speed),
         symbol(&["N"], 1.0, force),
-        symbol(&["Pa"], 1.0, force.times(D::LENGTH, -2)),
+        symbol(&["Pa"], 1.0, pressure),
+        symbol(&["hPa"], 100.0, pressure),
+        symbol(&["kPa"], 1000.0, pressure),
+        symbol(&["bar"], 1e5, pressure),
+        symbol(&["mbar", "mb"], 100.0, pressure),
+        symbol(&["mmHg"], 133.322_387_415, pressure),
+        symbol(&["inHg"], 3_386.388_640_341, pressure),
+        symbol(&["K", "kelvin"], 1.0, D::TEMPERATURE),
+        scale(&["degC", "°C", "celsius"], 1.0, 273.15),
+        scale(&["degF", "°F", "fahrenheit"], 5.0 / 9.0, 459.67 * 5.0 / 9.0),
         symbol(&["P"], 0.1, viscosity),
         symbol(&["cP"], 1e-3, viscosity),
     ]
@@ -67,12 +79,14 @@ fn symbols() -> Vec<Symbol> {
 
 #[cfg(test)]
 mod tests {
-    use super::{SYMBOLS, symbol_size};
+    use super::{SYMBOLS, symbol};
     use uom::si::f64::{
-        Angle, AngularVelocity, DynamicViscosity, Force, Length, Mass, Pressure, Ratio, Time, Velocity, Volume,
+        Angle, AngularVelocity, DynamicViscosity, Force, Length, Mass, Pressure, Ratio, TemperatureInterval,
+        ThermodynamicTemperature, Time, Velocity, Volume,
     };
     use uom::si::{
-        angle, angular_velocity, dynamic_viscosity, force, length, mass, pressure, ratio, time, velocity, volume,
+        angle, angular_velocity, dynamic_viscosity, force, length, mass, pressure, ratio, temperature_interval,
+        thermodynamic_temperature, time, velocity, volume,
     };
 
     #[test]
@@ -110,13 +124,36 @@ mod tests {
             ("kn", Velocity::new::<velocity::knot>(1.0).value),
             ("N", Force::new::<force::newton>(1.0).value),
             ("Pa", Pressure::new::<pressure::pascal>(1.0).value),
+            ("hPa", Pressure::new::<pressure::hectopascal>(1.0).value),
+            ("kPa", Pressure::new::<pressure::kilopascal>(1.0).value),
+            ("bar", Pressure::new::<pressure::bar>(1.0).value),
+            ("mbar", Pressure::new::<pressure::millibar>(1.0).value),
+            // uom rounds these to seven digits
+            ("mmHg", 13_595.1 * 9.80665 * Length::new::<length::millimeter>(1.0).value),
+            ("inHg", 13_595.1 * 9.80665 * Length::new::<length::inch>(1.0).value),
+            ("K", TemperatureInterval::new::<temperature_interval::kelvin>(1.0).value),
+            ("degC", TemperatureInterval::new::<temperature_interval::degree_celsius>(1.0).value),
+            ("degF", TemperatureInterval::new::<temperature_interval::degree_fahrenheit>(1.0).value),
             ("P", DynamicViscosity::new::<dynamic_viscosity::poise>(1.0).value),
             ("cP", DynamicViscosity::new::<dynamic_viscosity::centipoise>(1.0).value),
         ];
         assert_eq!(sizes.len(), SYMBOLS.len(), "every symbol is here");
         for (name, theirs) in sizes {
-            let (ours, _) = symbol_size(name).unwrap();
+            let ours = symbol(name).unwrap().size;
             assert!((ours - theirs).abs() <= f64::EPSILON * theirs, "{name}: {ours:e} against {theirs:e}");
         }
+    }
+
+    #[test]
+    fn independent_zeros_are_those_of_uom() {
+        let zeros = [
+            ("degC", ThermodynamicTemperature::new::<thermodynamic_temperature::degree_celsius>(0.0).value),
+            ("degF", ThermodynamicTemperature::new::<thermodynamic_temperature::degree_fahrenheit>(0.0).value),
+        ];
+        for (name, theirs) in zeros {
+            let ours = symbol(name).unwrap().zero.unwrap();
+            assert!((ours - theirs).abs() <= f64::EPSILON * theirs, "{name}: {ours:e} against {theirs:e}");
+        }
+        assert_eq!(SYMBOLS.iter().filter(|symbol| symbol.zero.is_some()).count(), zeros.len());
     }
 }

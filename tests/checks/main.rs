@@ -41,4 +41,5 @@ mod uncertainty;
 mod verify;
 mod verify_ranges;
 mod warnings;
+mod weather;
 mod weight;

@@ -77,9 +77,13 @@ pub fn variable(chance: &mut Chance) -> &'static Parameter {
     if chance.is(0.6) { Setup::default().variable(chance.of(&usual)).unwrap() } else { of_the_drive(&all, chance) }
 }
 
-/// One of some parameters, seldom one of a launch: these must be given together.
+/// One of some parameters, seldom one of a launch or of the wind's speed and direction: these must be given together.
 fn of_the_drive(all: &[&'static Parameter], chance: &mut Chance) -> &'static Parameter {
-    let struck: Vec<_> = all.iter().copied().filter(|row| !row.name.starts_with("launch.")).collect();
+    let struck: Vec<_> = all
+        .iter()
+        .copied()
+        .filter(|row| !row.name.starts_with("launch.") && !["wind.speed", "wind.from"].contains(&row.name))
+        .collect();
     if chance.slips() { chance.of(all) } else { chance.of(&struck) }
 }
 
@@ -100,6 +104,8 @@ pub fn near(parameter: &Parameter, spread: f64, chance: &mut Chance) -> f64 {
         "rad" if parameter.name == "launch.launch_angle" => 0.2,
         "m" => 0.3,
         "rad" => 0.05,
+        "K" => 293.15,
+        "Pa" => 1e5,
         _ => 0.1,
     });
     let size = match (default, parameter.quantity.si) {

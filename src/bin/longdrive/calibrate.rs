@@ -40,6 +40,7 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
     }
     let given: Vec<_> = setup.parameters().into_iter().filter(|parameter| table.gives(parameter)).collect();
     args.question.refuse_twice(&setup, &given, &format!("every row of {file} has a value of its own"))?;
+    args.question.refuse_replaced(&setup, &given)?;
     let mut plan = Plan::read(&setup, &args.fit)?;
     let setup = args.question.for_many(setup, &ranges(&table, &plan.fit))?;
     plan.starts = args.starts as usize;

@@ -36,6 +36,7 @@ impl Question {
             setup.set(condition.name, value)?;
         }
         self.tell_read_as_si(&setup, &read);
+        self.refuse_replaced(&setup, &[])?;
         setup.validate_but_launch()?;
         if setup.launch.is_given() {
             self.refuse_club(&setup, "the drive is given by its launch")?;
@@ -130,6 +131,17 @@ impl Question {
             }
         }
         Ok(())
+    }
+
+    /// What the setup file or `--set` gives may not be replaced by other parameters that are given, here or by `more`.
+    pub fn refuse_replaced(&self, setup: &Setup<f64>, more: &[&'static Parameter]) -> Result<()> {
+        let mut given: Vec<&'static Parameter> = vec![];
+        for path in self.inputs() {
+            given.extend(SetupFile::open(path)?.given);
+        }
+        given.extend(self.settings()?.into_iter().filter_map(|(name, _)| setup.parameter(name).ok()));
+        given.retain(|parameter| setup.value(parameter).is_some());
+        setup.refuse_replaced(&given.iter().chain(more).map(|parameter| parameter.name).collect::<Vec<_>>())
     }
 
     /// As [`refuse_twice`](Self::refuse_twice), for parameters that must have a value in the setup before another option gives their values:

@@ -2,6 +2,7 @@
 //! comes from it.
 
 use crate::aerodynamics::{AerodynamicLaw, Stream};
+use crate::atmosphere::AirState;
 use crate::error::{Error, Result};
 use crate::impact::strike;
 use crate::number::Vector;
@@ -24,6 +25,7 @@ pub(in super::super) struct Stop {
 /// As [`strike`]; [`Error::NoFlight`] where the ball is still in the air at the time limit.
 pub(in super::super) fn fly_past_the_ground(setup: &Setup<f64>, step: f64) -> Result<Stop> {
     let launch = strike(setup)?.launch;
+    let air = AirState::of(&setup.air);
     let area = PI * setup.ball.radius * setup.ball.radius;
     let (spin_at_launch, mut velocity) = (launch.total_spin(), launch.velocity);
     let axis = if spin_at_launch > 0.0 { launch.spin * (1.0 / spin_at_launch) } else { launch.spin };
@@ -39,9 +41,9 @@ pub(in super::super) fn fly_past_the_ground(setup: &Setup<f64>, step: f64) -> Re
             spin,
             spin_ratio: spin * setup.ball.radius / speed,
             speed,
-            reynolds: 2.0 * setup.air.density * setup.ball.radius * speed / setup.air.viscosity,
+            reynolds: 2.0 * air.density * setup.ball.radius * speed / air.viscosity,
         });
-        let pressure = 0.5 * setup.air.density * area * speed / setup.ball.mass;
+        let pressure = 0.5 * air.density * area * speed / setup.ball.mass;
         let pull = axis.cross(velocity) * coefficients.lift - velocity * coefficients.drag;
         let weight = Vector::new(setup.flight.gravity, 0.0, 0.0);
         velocity = velocity + (pull * pressure - weight) * step;

@@ -85,6 +85,13 @@ impl ShotTable {
         let written = head.named(|column| column.holds == Holds::Written);
         remarks.extend(written.told("columns that a sweep writes beside what is measured are not read"));
         let (is_export, is_launched) = (head.format.is_export, head.is_launched());
+        let inputs = head.columns.iter().filter_map(|column| match column.holds {
+            Holds::Input(parameter) => Some(parameter.name),
+            _ => None,
+        });
+        setup
+            .refuse_replaced(&inputs.collect::<Vec<_>>())
+            .map_err(|error| refused(String::new(), error.to_string()))?;
         let reading = Reading { setup, is_launched, columns: head.columns };
         if is_export && !reading.is_launched && !reading.columns.iter().any(Column::is_of_the_strike) {
             let reason = "it has neither a whole launch (ball speed, launch angle and spin) nor a column of the club, such as club \

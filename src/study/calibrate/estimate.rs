@@ -9,7 +9,7 @@ use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::optimize::least_squares::{Fit, Follow, Options, Residuals, Status, fit_from};
 use crate::optimize::{Domain, starts};
-use crate::parameters::{Setup, Vary};
+use crate::parameters::{Setup, Vary, refuse_replaced};
 use crate::units::counted;
 
 /// What to fit, and how.
@@ -80,6 +80,9 @@ impl Plan {
                 return refuse(format!("{} cannot be fitted to rows that are optima in it", parameter.name));
             }
         }
+        let inputs = table.shots.iter().take(1).flat_map(|shot| &shot.inputs).map(|(parameter, _)| parameter.name);
+        let names: Vec<_> = inputs.chain(self.fit.iter().map(|vary| vary.parameter.name)).collect();
+        refuse_replaced(&names, |_| false)?;
         if table.residuals() < self.fit.len() {
             return refuse(format!(
                 "{} has {}, fewer than the {} to fit; add measured shots, or fit fewer parameters",

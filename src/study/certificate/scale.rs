@@ -18,6 +18,7 @@ fn usual(parameter: &Parameter) -> f64 {
     let units = match (parameter.name, parameter.unit) {
         // what its row gives as published: a thousandth of it already changes a flight
         ("aero.spin_damping", _) => 2e-5,
+        ("air.altitude", _) => 1000.0,
         (_, "deg") => 5.0,
         (_, "mm" | "rad/s") => 10.0,
         (_, "g cm^2" | "rpm") => 1000.0,

@@ -2,6 +2,7 @@ use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup, Vary};
 use crate::study::Sigma;
 use crate::study::sigma::amount_of;
+use crate::units::Quantity;
 use statrs::distribution::{ContinuousCDF, Normal, Triangular, Uniform};
 
 /// How an uncertain number is distributed.
@@ -132,7 +133,12 @@ impl Uncertain {
         let parameter = setup.variable(name.trim())?;
         let (kind, rest) = rest.split_once('(').ok_or_else(|| unreadable(how.into()))?;
         let inside = rest.trim().strip_suffix(')').ok_or_else(|| unreadable("the closing ) is missing".into()))?;
-        let amounts = inside.split(',').map(|part| amount_of(setup, parameter, part));
+        // the second number of a normal distribution is a difference
+        let is_difference = |at: usize| kind.trim() == "normal" && at == 1;
+        let amounts = inside.split(',').enumerate().map(|(at, part)| {
+            let read = if is_difference(at) { Quantity::read_difference } else { Quantity::read };
+            amount_of(setup, parameter, part, read)
+        });
         let amounts = amounts.collect::<std::result::Result<Vec<_>, _>>().map_err(unreadable)?;
         let distribution = match (kind.trim(), amounts.as_slice()) {
             ("normal", &[mean, deviation]) if deviation > 0.0 && deviation.is_finite() => {

@@ -40,6 +40,7 @@ pub fn run(args: &Sweep) -> Result<Answer> {
         return Err(Error::Table { file: table.display().to_string(), place: String::new(), reason });
     }
     args.question.refuse_twice(&setup, points.parameters(), "every drive of the sweep has a value of its own")?;
+    args.question.refuse_replaced(&setup, points.parameters())?;
     if !setup.launch.is_given() && points.parameters().iter().any(|parameter| parameter.is_of_launch()) {
         args.question.refuse_club(&setup, "the points are launches")?;
     }

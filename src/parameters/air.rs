@@ -1,0 +1,109 @@
+//! Which ways to give the air and the wind go together.
+
+use super::declare::Parameter;
+use super::table::{Air, Setup};
+use crate::error::{Error, Result};
+
+/// Parameters that may be given in two ways: where one of `by` is given, those of `replaced` follow from them.
+struct Ways {
+    by: &'static [&'static str],
+    replaced: &'static [&'static str],
+    rule: &'static str,
+}
+
+static WAYS: [Ways; 2] = [
+    Ways {
+        by: &["air.temperature", "air.pressure", "air.altitude", "air.humidity"],
+        replaced: &["air.density", "air.viscosity"],
+        rule: "density and viscosity follow from the weather (air.temperature, air.pressure, air.altitude, air.humidity)",
+    },
+    Ways {
+        by: &["wind.speed", "wind.from"],
+        replaced: &["wind.right", "wind.downrange"],
+        rule: "wind.right and wind.downrange follow from wind.speed and wind.from",
+    },
+];
+
+impl<T> Air<T> {
+    /// Whether the weather is given, from which density and viscosity follow.
+    #[inline(always)]
+    pub fn has_weather(&self) -> bool {
+        self.temperature.is_some() || self.pressure.is_some() || self.altitude.is_some() || self.humidity.is_some()
+    }
+}
+
+/// Whether nothing of these names is replaced by something else of them, or by what is set.
+///
+/// # Errors
+/// [`Error::Together`].
+pub(crate) fn refuse_replaced(names: &[&str], is_set: impl Fn(&str) -> bool) -> Result<()> {
+    for Ways { by, replaced, rule } in &WAYS {
+        let Some(given) = replaced.iter().find(|name| names.contains(name)) else { continue };
+        if let Some(by) = by.iter().find(|name| names.contains(name) || is_set(name)) {
+            let reason = format!("{rule}; keep one of the two (--set {by}=none unsets {by})");
+            return Err(Error::Together { given: format!("{given} and {by} are both given"), reason });
+        }
+    }
+    Ok(())
+}
+
+impl Setup<f64> {
+    /// Whether nothing of these names, which are given, is replaced by something else that is given: density and viscosity follow
+    /// from the weather where any of it is set, and the components of the wind from its speed and direction.
+    ///
+    /// ```
+    /// let mut setup = longdrive::Setup::default();
+    /// setup.set("air.temperature", "30 degC").unwrap();
+    /// assert!(setup.refuse_replaced(&["club.loft"]).is_ok());
+    /// assert!(setup.refuse_replaced(&["air.density"]).is_err());
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Together`].
+    pub fn refuse_replaced(&self, names: &[&str]) -> Result<()> {
+        refuse_replaced(names, |name| self.is_set(name))
+    }
+
+    /// Whether an optional parameter is set.
+    pub(super) fn is_set(&self, name: &str) -> bool {
+        self.parameter(name).is_ok_and(|parameter| self.value(parameter).is_some())
+    }
+
+    /// Why the value of a parameter is not used, if something that is set replaces it.
+    pub(crate) fn why_replaced(&self, parameter: &Parameter) -> Option<String> {
+        let ways = WAYS.iter().find(|ways| ways.replaced.contains(&parameter.name))?;
+        let by = ways.by.iter().find(|name| self.is_set(name))?;
+        Some(format!("{by} is given, and {}; name one of these", ways.rule))
+    }
+
+    /// Whether the weather and the wind that are set, and those of these names, are each given once and wholly.
+    ///
+    /// # Errors
+    /// [`Error::Together`].
+    pub(crate) fn check_air(&self, names: &[&str]) -> Result<()> {
+        let (air, wind) = (&self.air, &self.wind);
+        let has = |name: &str, value: Option<f64>| value.is_some() || names.contains(&name);
+        let refuse = |given: &str, reason: &str| Err(Error::Together { given: given.into(), reason: reason.into() });
+        if has("air.pressure", air.pressure) && has("air.altitude", air.altitude) {
+            return refuse(
+                "air.pressure and air.altitude are both given",
+                "the altitude gives a pressure too, that of the standard atmosphere; keep one of the two \
+                 (--set air.altitude=none unsets air.altitude)",
+            );
+        }
+        match [has("wind.speed", wind.speed), has("wind.from", wind.from)] {
+            [true, false] => refuse(
+                "wind.speed is given without wind.from",
+                "say where the wind comes from, clockwise from the target line: 0 deg is a head wind, 90 deg is from the right, \
+                 180 deg is a tail wind",
+            ),
+            [false, true] => refuse("wind.from is given without wind.speed", "give the speed of the wind too"),
+            [true, true] if wind.right != 0.0 || wind.downrange != 0.0 => refuse(
+                "wind.speed and a component of the wind along the ground are both given",
+                "wind.right and wind.downrange follow from wind.speed and wind.from; keep one of the two (0 m/s for the \
+                 components, none for wind.speed and wind.from)",
+            ),
+            _ => self.refuse_replaced(names),
+        }
+    }
+}
