@@ -23,6 +23,6 @@ pub(crate) use setup::NO_CLUB;
 pub(crate) use table::with_law;
 pub use table::{
     Aero, Air, Ball, Club, Contact, Ferguson, FlightConditions, Ground, LaunchConditions, LaunchMonitor, Law, Linear,
-    Robinson, Setup, SmitsSmith, Strike, Swing, Wind, WinfieldTan,
+    Lyu, MacdonaldHanzely, NaruoMizota, Robinson, Setup, SmitsSmith, Strike, Swing, UsgaItr, Wind, WinfieldTan,
 };
 pub use vary::Vary;

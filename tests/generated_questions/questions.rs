@@ -21,7 +21,7 @@ pub struct Question {
 }
 
 /// The commands, each with how often it is asked: those that take long rarely.
-const COMMANDS: [(&str, f64); 18] = [
+const COMMANDS: [(&str, f64); 19] = [
     ("simulate", 22.0),
     ("gradient", 14.0),
     ("optimize", 9.0),
@@ -37,6 +37,7 @@ const COMMANDS: [(&str, f64); 18] = [
     ("uncertainty", 5.0),
     ("parameters", 3.0),
     ("presets", 3.0),
+    ("laws", 0.5),
     ("help", 0.4),
     ("completions", 0.3),
     ("man", 0.5),
@@ -83,6 +84,7 @@ impl Question {
 
     fn ask(&mut self, command: &str, chance: &mut Chance) {
         match command {
+            "laws" => return,
             "presets" => {
                 if chance.is(0.6) {
                     let name = preset(chance);

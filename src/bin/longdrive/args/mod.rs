@@ -16,7 +16,7 @@ pub use picture::{
     Drawing, Plot, PlotChart, PlotContour, PlotKind, PlotTornado, PlotTrajectory, PlotVcurve, Report, Seen,
 };
 pub use program::{Completions, Man, Shown};
-pub use question::{Gradient, Parameters, Presets, Question, Simulate};
+pub use question::{Gradient, Laws, Parameters, Presets, Question, Simulate};
 pub use search::{ChartArgs, Optimize, OptimumSensitivity, SearchArgs, WorkArgs};
 
 use clap::{Parser, Subcommand};
@@ -69,6 +69,8 @@ pub enum Command {
     Parameters(Parameters),
     /// List the presets, or print one as a setup file with the source of each number.
     Presets(Presets),
+    /// List the laws of drag and lift: authors, formula, ball, source, and what each was fitted to.
+    Laws(Laws),
     /// Print a script that completes commands and options in a shell.
     Completions(Completions),
     /// Print a manual page, or write the pages of all commands.
@@ -77,7 +79,7 @@ pub enum Command {
 
 impl Command {
     /// The commands that answer in JSON where it is asked for.
-    const NAMES: [&str; 15] = [
+    const NAMES: [&str; 16] = [
         "simulate",
         "gradient",
         "optimize",
@@ -93,6 +95,7 @@ impl Command {
         "uncertainty",
         "parameters",
         "presets",
+        "laws",
     ];
 
     /// The command among arguments that could not be read.
@@ -118,6 +121,7 @@ impl Command {
             Self::Uncertainty(args) => ("uncertainty", args.question.json),
             Self::Parameters(args) => ("parameters", args.question.json),
             Self::Presets(args) => ("presets", args.json),
+            Self::Laws(args) => ("laws", args.json),
             Self::Completions(_) => ("completions", false),
             Self::Man(_) => ("man", false),
         }
