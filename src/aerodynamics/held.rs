@@ -14,7 +14,7 @@ pub(super) fn held_above<T: Numbers>(x: T, end: f64, over: f64) -> T {
             let u = beyond.blend(T::constant(1.0), beyond.below(1.0));
             let square = u * u;
             // its slope is (1 − u)² (1 + 2u): 1 and without bend at u = 0, 0 and without bend at u = 1
-            (square.scale_add(0.5, -(u * square)) + u) * over + end
+            (square * square).scale_add(0.5, u - u * square) * over + end
         },
     )
 }

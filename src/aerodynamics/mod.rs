@@ -3,6 +3,7 @@
 //!
 //! Forces are in the ½ convention: F_D = ½ρA C_D |v|², F_L = ½ρA C_L |v|².
 
+mod bearman_harvey;
 mod ferguson;
 mod fitted;
 mod held;
@@ -49,6 +50,8 @@ pub struct Coefficients<T> {
 /// A law of drag and lift. Two methods are required.
 pub trait AerodynamicLaw<T: Numbers> {
     /// C_D and C_L in this stream. C_L must vanish with the spin: the lift's direction does.
+    ///
+    /// All laws stand in one function, the equation of motion. What is long goes through [`Numbers::outlined`]: called, it costs the others nothing.
     fn coefficients(&self, stream: &Stream<T>) -> Coefficients<T>;
 
     /// Whether C_D grows with |ω| from zero spin on, so that outcomes have a corner there.

@@ -374,6 +374,15 @@ law_coefficients! { $
         /// Lift coefficient, with 1/(Re/10⁵)².
         cl_re: T = "aero.cl_re", "cl_re", NUMBER in "", Range::FINITE, "-0.0122", "US patent 6186002, test ball, docs/sources.md";
     }
+
+    /// Splines through a grid of speeds and spins, in proportion to which C_D = cd_factor D(v, |ω|) and C_L = cl_factor L(v, |ω|) (13.7 to 88.1 m/s,
+    /// 2000 to 6000 rpm, held beyond; lift falls to 0 below 2000 rpm).
+    "bearman-harvey": BearmanHarvey {
+        /// Factor of the drag coefficient of the grid.
+        cd_factor: T = "aero.cd_factor", "cd_factor", NUMBER in "", Range::from_to(0.0, 100.0), "1", "Bearman & Harvey (1976), docs/sources.md";
+        /// Factor of the lift coefficient of the grid.
+        cl_factor: T = "aero.cl_factor", "cl_factor", NUMBER in "", Range::FINITE, "1", "Bearman & Harvey (1976), docs/sources.md";
+    }
 }
 
 impl Default for Law<f64> {

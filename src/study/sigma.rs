@@ -110,7 +110,9 @@ const DEFAULTS: &[(&str, Amount, &str)] = &[
     ("wind.downrange", Amount::Of(1.0, "m/s"), WIND),
     ("aero.cd", Amount::Of(0.015, ""), LAW_DRAG),
     ("aero.cd0", Amount::Of(0.015, ""), LAW_DRAG),
+    ("aero.cd_factor", Amount::Part(0.06), LAW_DRAG),
     ("aero.cl_max", Amount::Part(0.1), LAW_LIFT),
+    ("aero.cl_factor", Amount::Part(0.1), LAW_LIFT),
     ("aero.cl_slope", Amount::Part(0.1), LAW_LIFT),
 ];
 

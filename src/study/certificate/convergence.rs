@@ -168,6 +168,7 @@ fn is_joined(setup: &Setup<f64>) -> bool {
             | Law::NaruoMizota(_)
             | Law::Lyu(_)
             | Law::UsgaItr(_)
+            | Law::BearmanHarvey(_)
     )
 }
 
