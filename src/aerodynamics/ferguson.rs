@@ -1,5 +1,5 @@
 use super::origin::CubicOrigin;
-use super::{AerodynamicLaw, Coefficients, Fitted, Stream};
+use super::{AerodynamicLaw, Coefficients, Fitted, Published, Stream};
 use crate::number::{Numbers, inlined};
 use crate::parameters::Ferguson;
 
@@ -42,6 +42,15 @@ impl<T: Numbers> AerodynamicLaw<T> for Ferguson<T> {
             reynolds: None,
             speed: None,
             to: "1040 radar flights, Ferguson, McNally & McPhee 2022",
+        }
+    }
+
+    fn published(&self) -> Published {
+        Published {
+            authors: "Ferguson, McNally & McPhee",
+            year: Some(2022),
+            ball: Some("Pro V1 (2021)"),
+            source: "ISEA 2022, doi 10.5703/1288284317493",
         }
     }
 }

@@ -1,7 +1,16 @@
-use crate::units::Quantity;
+use crate::units::{Digits, Message, Quantity};
 
 /// The name of what a law was fitted over, its quantity and unit, and the range.
 pub type FittedRange = (&'static str, (Quantity, &'static str), Option<[f64; 2]>);
+
+/// A range in words after others: "70000 to 230000", or "at least 71000" where it has no upper end.
+pub fn range_in_words(before: Message, (quantity, unit): (Quantity, &'static str), [low, high]: [f64; 2]) -> Message {
+    let digits = Digits::Significant(3);
+    if high.is_infinite() {
+        return before.words("at least ").quantity(quantity, unit, low, digits);
+    }
+    before.quantity(quantity, unit, low, digits).words(" to ").quantity(quantity, unit, high, digits)
+}
 
 /// What the measurements cover that a law was fitted to. Outside of it the law's formula goes on as it stands, and nothing tells how well.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,6 +36,15 @@ impl Fitted {
             ("Reynolds number", (Quantity::NUMBER, ""), self.reynolds),
             ("speed through the air", (Quantity::SPEED, "m/s"), self.speed),
         ]
+    }
+
+    /// The ranges that are known, in words after others: "spin ratio 0.06 to 0.33, Reynolds number 70000 to 230000".
+    pub fn in_words(&self, before: Message) -> Message {
+        let known = self.ranges().into_iter().filter_map(|(name, unit, range)| Some((name, unit, range?)));
+        known.enumerate().fold(before, |message, (i, (name, unit, range))| {
+            let comma = if i == 0 { "" } else { ", " };
+            range_in_words(message.words(format!("{comma}{name} ")), unit, range)
+        })
     }
 
     /// Whether a spin ratio, Reynolds number and speed through the air lie within all ranges that are known. In no air (a Reynolds

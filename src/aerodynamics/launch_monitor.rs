@@ -1,4 +1,4 @@
-use super::{AerodynamicLaw, Coefficients, Fitted, Stream};
+use super::{AerodynamicLaw, Coefficients, Fitted, Published, Stream};
 use crate::number::Numbers;
 use crate::parameters::LaunchMonitor;
 
@@ -24,6 +24,15 @@ impl<T: Numbers> AerodynamicLaw<T> for LaunchMonitor<T> {
             reynolds: Some([7e4, 2.3e5]),
             speed: None,
             to: "what a launch monitor predicts of 400 shots",
+        }
+    }
+
+    fn published(&self) -> Published {
+        Published {
+            authors: "longdrive",
+            year: None,
+            ball: None,
+            source: "fit to 400 shots of TrackMan's indoor flight model, docs/sources.md",
         }
     }
 }

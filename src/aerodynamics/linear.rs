@@ -1,4 +1,4 @@
-use super::{AerodynamicLaw, Coefficients, Stream};
+use super::{AerodynamicLaw, Coefficients, Published, Stream};
 use crate::number::Numbers;
 use crate::parameters::Linear;
 
@@ -11,5 +11,14 @@ impl<T: Numbers> AerodynamicLaw<T> for Linear<T> {
 
     fn has_corner_at_zero_spin(&self) -> bool {
         false
+    }
+
+    fn published(&self) -> Published {
+        Published {
+            authors: "longdrive",
+            year: None,
+            ball: None,
+            source: "round figures for teaching, fitted to nothing",
+        }
     }
 }

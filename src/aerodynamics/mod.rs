@@ -3,16 +3,24 @@
 //!
 //! Forces are in the ½ convention: F_D = ½ρA C_D |v|², F_L = ½ρA C_L |v|².
 
+mod bearman_harvey;
 mod ferguson;
 mod fitted;
+mod held;
 mod launch_monitor;
 mod linear;
+mod lyu;
+mod macdonald_hanzely;
+mod naruo_mizota;
 mod origin;
+mod published;
 mod robinson;
 mod smits_smith;
+mod usga_itr;
 mod winfield_tan;
 
-pub use fitted::{Fitted, FittedRange};
+pub use fitted::{Fitted, FittedRange, range_in_words};
+pub use published::Published;
 
 use crate::number::Numbers;
 use crate::parameters::{Law, with_law};
@@ -39,9 +47,11 @@ pub struct Coefficients<T> {
     pub lift: T,
 }
 
-/// A law of drag and lift. One method is required.
+/// A law of drag and lift. Two methods are required.
 pub trait AerodynamicLaw<T: Numbers> {
     /// C_D and C_L in this stream. C_L must vanish with the spin: the lift's direction does.
+    ///
+    /// All laws stand in one function, the equation of motion. What is long goes through [`Numbers::outlined`]: called, it costs the others nothing.
     fn coefficients(&self, stream: &Stream<T>) -> Coefficients<T>;
 
     /// Whether C_D grows with |ω| from zero spin on, so that outcomes have a corner there.
@@ -53,6 +63,9 @@ pub trait AerodynamicLaw<T: Numbers> {
     fn fitted(&self) -> Fitted {
         Fitted::UNKNOWN
     }
+
+    /// Where the law comes from.
+    fn published(&self) -> Published;
 }
 
 /// Whichever law it is.
@@ -68,6 +81,10 @@ impl<T: Numbers> AerodynamicLaw<T> for Law<T> {
 
     fn fitted(&self) -> Fitted {
         with_law!(self, |law| AerodynamicLaw::<T>::fitted(law))
+    }
+
+    fn published(&self) -> Published {
+        with_law!(self, |law| AerodynamicLaw::<T>::published(law))
     }
 }
 

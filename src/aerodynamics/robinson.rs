@@ -1,4 +1,4 @@
-use super::{AerodynamicLaw, Coefficients, Stream};
+use super::{AerodynamicLaw, Coefficients, Published, Stream};
 use crate::number::Numbers;
 use crate::parameters::Robinson;
 
@@ -9,5 +9,14 @@ impl<T: Numbers> AerodynamicLaw<T> for Robinson<T> {
     fn coefficients(&self, stream: &Stream<T>) -> Coefficients<T> {
         let missing = (-(self.cl_rate * stream.spin)).exp_m1();
         Coefficients { drag: self.cd1.mul_add(stream.spin, self.cd0), lift: -(self.cl_max * missing) }
+    }
+
+    fn published(&self) -> Published {
+        Published {
+            authors: "Robinson & Robinson",
+            year: Some(2013),
+            ball: None,
+            source: "as the student report MAE 494 uses it",
+        }
     }
 }

@@ -1,5 +1,5 @@
 use super::origin::CubicOrigin;
-use super::{AerodynamicLaw, Coefficients, Fitted, Stream};
+use super::{AerodynamicLaw, Coefficients, Fitted, Published, Stream};
 use crate::number::{Numbers, inlined};
 use crate::parameters::SmitsSmith;
 use std::f64::consts::PI;
@@ -41,5 +41,9 @@ impl<T: Numbers> AerodynamicLaw<T> for SmitsSmith<T> {
             speed: None,
             to: "a wind tunnel, Smits & Smith 1994",
         }
+    }
+
+    fn published(&self) -> Published {
+        Published { authors: "Smits & Smith", year: Some(1994), ball: None, source: "wind tunnel; docs/sources.md" }
     }
 }

@@ -1,4 +1,4 @@
-use super::{AerodynamicLaw, Coefficients, Fitted, Stream};
+use super::{AerodynamicLaw, Coefficients, Fitted, Published, Stream};
 use crate::number::Numbers;
 use crate::parameters::WinfieldTan;
 
@@ -29,6 +29,15 @@ impl<T: Numbers> AerodynamicLaw<T> for WinfieldTan<T> {
             reynolds: None,
             speed: Some([25.0, 68.0]),
             to: "the tables of Winfield & Tan 1994",
+        }
+    }
+
+    fn published(&self) -> Published {
+        Published {
+            authors: "Winfield & Tan, of curves by Aoyama (1990)",
+            year: Some(1994),
+            ball: None,
+            source: "longdrive: recovered from the paper's tables, docs/validation.md",
         }
     }
 }

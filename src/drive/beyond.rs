@@ -1,10 +1,10 @@
 //! Where drives lie beyond what their law was fitted to, or beside any face: one by one, and how many of many.
 
 use super::Drive;
-use crate::aerodynamics::{AerodynamicLaw, Fitted};
+use crate::aerodynamics::AerodynamicLaw;
 use crate::flight::Inputs;
 use crate::parameters::{Law, Setup};
-use crate::units::{Digits, Message, Quantity, counted_of};
+use crate::units::{Message, Quantity, counted_of};
 
 /// The largest head that conforms, m: 5 in from heel to toe, 2.8 in from sole to crown (R&A and USGA, Equipment Rules, part 2, 4b). No face is larger.
 const LARGEST_HEAD: [f64; 2] = [0.127, 0.07112];
@@ -93,7 +93,7 @@ impl BeyondCount {
             let which = some(self.law);
             let name = law.name();
             let before = Message::from(format!("{which}: {when} outside of what the law {name} was fitted to ("));
-            warnings.push(in_words(&fitted, before).words(format!("; {}), where it is extrapolated{rest}", fitted.to)));
+            warnings.push(fitted.in_words(before).words(format!("; {}), where it is extrapolated{rest}", fitted.to)));
         }
         if self.face > 0 {
             let which = some(self.face);
@@ -103,15 +103,4 @@ impl BeyondCount {
         }
         warnings
     }
-}
-
-/// The ranges of a fit in words: "spin ratio 0.06 to 0.33, Reynolds number 70000 to 230000".
-fn in_words(fitted: &Fitted, before: Message) -> Message {
-    let known = fitted.ranges().into_iter().filter_map(|(name, unit, range)| Some((name, unit, range?)));
-    known.enumerate().fold(before, |message, (i, (name, (quantity, unit), [low, high]))| {
-        let comma = if i == 0 { "" } else { ", " };
-        let digits = Digits::Significant(3);
-        let low = message.words(format!("{comma}{name} ")).quantity(quantity, unit, low, digits);
-        low.words(" to ").quantity(quantity, unit, high, digits)
-    })
 }

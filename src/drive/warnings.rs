@@ -2,11 +2,11 @@
 
 use super::Drive;
 use super::beyond::{any_face, is_beside_any_face};
-use crate::aerodynamics::{AerodynamicLaw, FittedRange};
+use crate::aerodynamics::{AerodynamicLaw, FittedRange, range_in_words};
 use crate::atmosphere::{AirState, WindField};
 use crate::flight::trajectory;
 use crate::parameters::Setup;
-use crate::units::{Digits, Message, Quantity};
+use crate::units::{Message, Quantity};
 
 /// Less than this part of the time of flight outside of what a law was fitted to is not worth a word: the laws are uncertain by more within it.
 const WORTH_A_WORD: f64 = 0.01;
@@ -48,7 +48,7 @@ impl Drive<f64> {
             return vec![];
         }
         let flown = self.stream(setup);
-        let told = |(k, (name, (quantity, unit), range)): (usize, FittedRange)| {
+        let told = |(k, (name, unit, range)): (usize, FittedRange)| {
             let [low, high] = range?;
             let values = flown.iter().map(|(time, values)| (*time, values[k]));
             let outside = share(values.clone(), |value| !(low..=high).contains(&value));
@@ -56,14 +56,10 @@ impl Drive<f64> {
                 [least.min(value), most.max(value)]
             });
             (outside >= WORTH_A_WORD).then(|| {
-                let digits = Digits::Significant(3);
-                let from_to = |message: Message, [low, high]: [f64; 2]| {
-                    message.quantity(quantity, unit, low, digits).words(" to ").quantity(quantity, unit, high, digits)
-                };
                 let fitted_to = Message::from(format!("the law {} was fitted to a {name} of ", setup.law.name()));
-                let flown =
-                    from_to(fitted_to, [low, high]).words(format!(" ({}); in this flight it goes from ", fitted.to));
-                from_to(flown, ends)
+                let flown = range_in_words(fitted_to, unit, [low, high])
+                    .words(format!(" ({}); in this flight it goes from ", fitted.to));
+                range_in_words(flown, unit, ends)
                     .words(format!(", {:.0} % of the time outside, where the law is extrapolated", 100.0 * outside))
             })
         };

@@ -216,6 +216,17 @@ impl<const K: usize, B: Numbers> Numbers for Jet<K, B> {
         self.re.is_finite()
     }
     #[inline(always)]
+    fn looked_up<const N: usize>(self, other: Self, place: impl Fn(f64, f64) -> &'static [f64; N]) -> [Self; N] {
+        let found = self.re.looked_up(other.re, place);
+        let mut all = [Self::zero(); N];
+        let mut i = 0;
+        while i < N {
+            all[i].re = found[i];
+            i += 1;
+        }
+        all
+    }
+    #[inline(always)]
     fn outlined<R>(work: impl FnMut() -> R) -> R {
         B::outlined(work)
     }

@@ -83,6 +83,8 @@ pub trait Numbers: Copy + Debug + 'static + Neg<Output = Self> + Arithmetic<Self
     fn blend(self, other: Self, mask: Self::Mask) -> Self;
     /// Whether the value, and that of each of several, is finite.
     fn is_finite(self) -> Self::Mask;
+    /// What a table holds for a pair of values, `self` and `other`, without derivatives: of several, for each its own.
+    fn looked_up<const N: usize>(self, other: Self, place: impl Fn(f64, f64) -> &'static [f64; N]) -> [Self; N];
 
     /// Zero.
     #[inline(always)]

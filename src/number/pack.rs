@@ -157,6 +157,26 @@ macro_rules! pack {
                 (self - self).below(1.0)
             }
             #[inline(always)]
+            fn looked_up<const N: usize>(self, other: Self, place: impl Fn(f64, f64) -> &'static [f64; N]) -> [Self; N] {
+                let (x, y) = (self.to_array(), other.to_array());
+                let mut lanes = [[0.0; $width]; N];
+                let mut lane = 0;
+                while lane < $width {
+                    let (found, mut i) = (place(x[lane], y[lane]), 0);
+                    while i < N {
+                        lanes[i][lane] = found[i];
+                        i += 1;
+                    }
+                    lane += 1;
+                }
+                let (mut all, mut i) = ([Self::spread(0.0); N], 0);
+                while i < N {
+                    all[i] = Self::from_array(lanes[i]);
+                    i += 1;
+                }
+                all
+            }
+            #[inline(always)]
             fn outlined<R>(work: impl FnMut() -> R) -> R {
                 unsafe { super::outlined::$outlined::outlined(work) }
             }

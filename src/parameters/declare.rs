@@ -283,6 +283,11 @@ macro_rules! law_coefficients {
                 match self { $( Self::$Law(_) => $name, )+ }
             }
 
+            /// What it says of drag and lift.
+            pub fn formula(&self) -> &'static str {
+                match self { $( Self::$Law(_) => concat!($($doc),*).trim_ascii(), )+ }
+            }
+
             #[inline(always)]
             pub(crate) fn map<U>(&self, f: &mut impl FnMut(&'static Parameter, T) -> U) -> Law<U> {
                 match self { $( Self::$Law(law) => Law::$Law(law.map(f)), )+ }

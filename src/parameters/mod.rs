@@ -24,7 +24,8 @@ pub use setup::LAW;
 pub(crate) use setup::NO_CLUB;
 pub(crate) use table::with_law;
 pub use table::{
-    Aero, Air, Ball, Club, Contact, Ferguson, FlightConditions, Ground, LaunchConditions, LaunchMonitor, Law, Linear,
-    Robinson, Setup, SmitsSmith, Strike, Swing, Wind, WinfieldTan,
+    Aero, Air, Ball, BearmanHarvey, Club, Contact, Ferguson, FlightConditions, Ground, LaunchConditions, LaunchMonitor,
+    Law, Linear, Lyu, MacdonaldHanzely, NaruoMizota, Robinson, Setup, SmitsSmith, Strike, Swing, UsgaItr, Wind,
+    WinfieldTan,
 };
 pub use vary::Vary;

@@ -317,6 +317,90 @@ law_coefficients! { $
         /// How far from that speed it has fallen to half.
         cl_width: T = "aero.cl_width", "cl_width", SPEED in "m/s", Range::above_to(0.0, 1000.0), "27.33617 m/s", "longdrive: fit, docs/validation.md";
     }
+
+    /// Forces in proportion to the speed v, whatever the spin: C_D = cd_speed/v, C_L = cl_speed/v (smoothed below s = 0.02).
+    "macdonald-hanzely": MacdonaldHanzely {
+        /// Speed at which the drag coefficient is 1.
+        cd_speed: T = "aero.cd_speed", "cd_speed", SPEED in "m/s", Range::from_to(0.0, 1000.0), "46 ft/s", "MacDonald & Hanzely (1991), docs/sources.md";
+        /// Speed at which the lift coefficient is 1.
+        cl_speed: T = "aero.cl_speed", "cl_speed", SPEED in "m/s", Range::from_to(-1000.0, 1000.0), "33.4 ft/s", "MacDonald & Hanzely (1991), docs/sources.md";
+    }
+
+    /// Fourth-order polynomials in the spin ratio: C_D = cd0 + cd1 s + … + cd4 s⁴, C_L = cl0 + cl1 s + … + cl4 s⁴ (smoothed below
+    /// s = 0.03; s held above 1.13).
+    "naruo-mizota": NaruoMizota {
+        /// Drag coefficient without spin.
+        cd0: T = "aero.cd0", "cd0", NUMBER in "", Range::from_to(0.0, 100.0), "0.2049", "Naruo, Mizota & Shimozono (2004), docs/sources.md";
+        /// Drag coefficient, linear in the spin ratio.
+        cd1: T = "aero.cd1", "cd1", NUMBER in "", Range::FINITE, "0.2148", "Naruo, Mizota & Shimozono (2004), docs/sources.md";
+        /// Drag coefficient, quadratic in the spin ratio.
+        cd2: T = "aero.cd2", "cd2", NUMBER in "", Range::FINITE, "1.098", "Naruo, Mizota & Shimozono (2004), docs/sources.md";
+        /// Drag coefficient, cubic in the spin ratio.
+        cd3: T = "aero.cd3", "cd3", NUMBER in "", Range::FINITE, "-1.760", "Naruo, Mizota & Shimozono (2004), docs/sources.md";
+        /// Drag coefficient, with the fourth power of the spin ratio.
+        cd4: T = "aero.cd4", "cd4", NUMBER in "", Range::FINITE, "0.7510", "Naruo, Mizota & Shimozono (2004), docs/sources.md";
+        /// Lift coefficient extrapolated to no spin.
+        cl0: T = "aero.cl0", "cl0", NUMBER in "", Range::FINITE, "0.0616", "Naruo, Mizota & Shimozono (2004), docs/sources.md";
+        /// Lift coefficient, linear in the spin ratio.
+        cl1: T = "aero.cl1", "cl1", NUMBER in "", Range::FINITE, "1.250", "Naruo, Mizota & Shimozono (2004), docs/sources.md";
+        /// Lift coefficient, quadratic in the spin ratio.
+        cl2: T = "aero.cl2", "cl2", NUMBER in "", Range::FINITE, "-1.644", "Naruo, Mizota & Shimozono (2004), docs/sources.md";
+        /// Lift coefficient, cubic in the spin ratio.
+        cl3: T = "aero.cl3", "cl3", NUMBER in "", Range::FINITE, "1.006", "Naruo, Mizota & Shimozono (2004), docs/sources.md";
+        /// Lift coefficient, with the fourth power of the spin ratio.
+        cl4: T = "aero.cl4", "cl4", NUMBER in "", Range::FINITE, "-0.2158", "Naruo, Mizota & Shimozono (2004), docs/sources.md";
+    }
+
+    /// With r = Re/10⁵, C_D goes smoothly from cd_low0 + cd_low1 r + cd_low2 r² to cd_high0 + cd_high1 r + cd_high2 r² about r = 0.875;
+    /// C_L = cl1 s + cl2 s² (s held above 0.32).
+    "lyu": Lyu {
+        /// Drag coefficient below r = 0.875, the part that does not change with the Reynolds number.
+        cd_low0: T = "aero.cd_low0", "cd_low0", NUMBER in "", Range::FINITE, "1.50", "Lyu, Kensrud, Smith & Tosaya (2018), docs/sources.md";
+        /// Drag coefficient below r = 0.875, linear in Re/10⁵.
+        cd_low1: T = "aero.cd_low1", "cd_low1", NUMBER in "", Range::FINITE, "-2.59", "Lyu, Kensrud, Smith & Tosaya (2018), docs/sources.md";
+        /// Drag coefficient below r = 0.875, quadratic in Re/10⁵.
+        cd_low2: T = "aero.cd_low2", "cd_low2", NUMBER in "", Range::FINITE, "1.29", "Lyu, Kensrud, Smith & Tosaya (2018), docs/sources.md";
+        /// Drag coefficient above r = 0.875, the part that does not change with the Reynolds number.
+        cd_high0: T = "aero.cd_high0", "cd_high0", NUMBER in "", Range::FINITE, "0.56", "Lyu, Kensrud, Smith & Tosaya (2018), docs/sources.md";
+        /// Drag coefficient above r = 0.875, linear in Re/10⁵.
+        cd_high1: T = "aero.cd_high1", "cd_high1", NUMBER in "", Range::FINITE, "-0.540", "Lyu, Kensrud, Smith & Tosaya (2018), docs/sources.md";
+        /// Drag coefficient above r = 0.875, quadratic in Re/10⁵.
+        cd_high2: T = "aero.cd_high2", "cd_high2", NUMBER in "", Range::FINITE, "0.191", "Lyu, Kensrud, Smith & Tosaya (2018), docs/sources.md";
+        /// Lift coefficient, linear in the spin ratio.
+        cl1: T = "aero.cl1", "cl1", NUMBER in "", Range::FINITE, "1.99", "Lyu, Kensrud, Smith & Tosaya (2018), docs/sources.md";
+        /// Lift coefficient, quadratic in the spin ratio.
+        cl2: T = "aero.cl2", "cl2", NUMBER in "", Range::FINITE, "-3.25", "Lyu, Kensrud, Smith & Tosaya (2018), docs/sources.md";
+    }
+
+    /// With r = Re/10⁵, C_D = cd0 + cd1 s + cd2 s² + cd_re r, C_L = cl0 + cl1 s + cl2 s² + cl_re/r² (smoothed below s = 0.042; s held above
+    /// 0.3, r held below 0.6).
+    "usga-itr": UsgaItr {
+        /// Drag coefficient without spin, extrapolated to Re = 0.
+        cd0: T = "aero.cd0", "cd0", NUMBER in "", Range::from_to(0.0, 100.0), "0.2028", "US patent 6186002, test ball, docs/sources.md";
+        /// Drag coefficient, linear in the spin ratio.
+        cd1: T = "aero.cd1", "cd1", NUMBER in "", Range::FINITE, "-0.2159", "US patent 6186002, test ball, docs/sources.md";
+        /// Drag coefficient, quadratic in the spin ratio.
+        cd2: T = "aero.cd2", "cd2", NUMBER in "", Range::FINITE, "2.8466", "US patent 6186002, test ball, docs/sources.md";
+        /// Drag coefficient, linear in Re/10⁵.
+        cd_re: T = "aero.cd_re", "cd_re", NUMBER in "", Range::FINITE, "0.0165", "US patent 6186002, test ball, docs/sources.md";
+        /// Lift coefficient extrapolated to no spin.
+        cl0: T = "aero.cl0", "cl0", NUMBER in "", Range::FINITE, "0.0860", "US patent 6186002, test ball, docs/sources.md";
+        /// Lift coefficient, linear in the spin ratio.
+        cl1: T = "aero.cl1", "cl1", NUMBER in "", Range::FINITE, "0.6463", "US patent 6186002, test ball, docs/sources.md";
+        /// Lift coefficient, quadratic in the spin ratio.
+        cl2: T = "aero.cl2", "cl2", NUMBER in "", Range::FINITE, "1.4789", "US patent 6186002, test ball, docs/sources.md";
+        /// Lift coefficient, with 1/(Re/10⁵)².
+        cl_re: T = "aero.cl_re", "cl_re", NUMBER in "", Range::FINITE, "-0.0122", "US patent 6186002, test ball, docs/sources.md";
+    }
+
+    /// Splines through a grid of speeds and spins, in proportion to which C_D = cd_factor D(v, |ω|) and C_L = cl_factor L(v, |ω|) (13.7 to 88.1 m/s,
+    /// 2000 to 6000 rpm, held beyond; lift falls to 0 below 2000 rpm).
+    "bearman-harvey": BearmanHarvey {
+        /// Factor of the drag coefficient of the grid.
+        cd_factor: T = "aero.cd_factor", "cd_factor", NUMBER in "", Range::from_to(0.0, 100.0), "1", "Bearman & Harvey (1976), docs/sources.md";
+        /// Factor of the lift coefficient of the grid.
+        cl_factor: T = "aero.cl_factor", "cl_factor", NUMBER in "", Range::FINITE, "1", "Bearman & Harvey (1976), docs/sources.md";
+    }
 }
 
 impl Default for Law<f64> {

@@ -11,6 +11,7 @@ mod effects;
 pub mod figures;
 mod gradient;
 mod json;
+mod laws;
 mod lines;
 mod mae494;
 mod optimum;
@@ -36,6 +37,7 @@ pub use document::Document;
 pub use drive::{DriveReport, drive_text};
 pub use effects::{EffectsReport, OutcomeEffects, Totals, effects_text};
 pub use gradient::{GradientReport, HessianReport, OutcomeReport, gradient_text};
+pub use laws::{laws_reply, laws_text};
 pub use lines::{by_reason, remark};
 pub use mae494::{mae494_document, mae494_reply};
 pub use optimum::{

@@ -122,7 +122,9 @@ const DEFAULTS: &[(&str, Amount, &str)] = &[
     ("wind.from", Amount::Of(10.0, "deg"), BEARING),
     ("aero.cd", Amount::Of(0.015, ""), LAW_DRAG),
     ("aero.cd0", Amount::Of(0.015, ""), LAW_DRAG),
+    ("aero.cd_factor", Amount::Part(0.06), LAW_DRAG),
     ("aero.cl_max", Amount::Part(0.1), LAW_LIFT),
+    ("aero.cl_factor", Amount::Part(0.1), LAW_LIFT),
     ("aero.cl_slope", Amount::Part(0.1), LAW_LIFT),
 ];
 

@@ -81,8 +81,10 @@ fn no_line_of_an_answer_is_wider_than_a_terminal() {
             }
         }
     }
-    for line in longdrive(&["presets"]).out.lines() {
-        assert!(line.chars().count() <= 100, "{line}");
+    for listing in ["presets", "laws"] {
+        for line in longdrive(&[listing]).out.lines() {
+            assert!(line.chars().count() <= 100, "{line}");
+        }
     }
 }
 

@@ -91,9 +91,11 @@ fn order_of_value_and_gradient_in_the_step_is_four() {
             [(taylor.value - exact.value).abs(), (taylor.gradient[0] - exact.gradient[0]).abs()]
         };
         let (coarse, fine) = (error(0.08), error(0.02));
-        for (coarse, fine) in coarse.into_iter().zip(fine) {
+        // the flight crosses lines of a grid where the law has but two continuous derivatives, and the gradient one less
+        let of_gradient = if *law == "bearman-harvey" { 3.0 } else { 4.0 };
+        for ((coarse, fine), exact) in coarse.into_iter().zip(fine).zip([4.0, of_gradient]) {
             let order = (coarse / fine).log(4.0);
-            assert!((3.5..4.8).contains(&order), "{law}: order {order} ({coarse:e}, {fine:e})");
+            assert!((exact - 0.5..exact + 0.8).contains(&order), "{law}: order {order} ({coarse:e}, {fine:e})");
         }
     }
 }

@@ -42,6 +42,7 @@ fn every_command_answers_with_one_object_that_its_schema_describes() {
         (vec!["parameters"], "done"),
         (vec!["presets"], "done"),
         (vec!["presets", "mae494"], "done"),
+        (vec!["laws"], "done"),
     ] {
         let (status, answer) = json(&args);
         assert_eq!((status, answer["status"].as_str()), (0, Some(ends)), "{args:?}: {}", answer["message"]);
@@ -108,6 +109,7 @@ fn bad_input_gets_an_object_with_the_message_of_standard_error_and_status_2() {
         (vec!["uncertainty", "--samples", "1"], "uncertainty"),
         (vec!["parameters", "mae49"], "parameters"),
         (vec!["presets", "mae49"], "presets"),
+        (vec!["laws", "lyu"], "laws"),
     ] {
         let (status, answer) = json(&args);
         assert_eq!((status, &answer["status"], &answer["command"]), (2, &"error".into(), &command.into()), "{args:?}");

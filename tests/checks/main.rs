@@ -23,6 +23,7 @@ mod impact;
 mod interrupts;
 mod json_answers;
 mod launch;
+mod laws;
 mod long_work;
 mod messages;
 mod optimizer;

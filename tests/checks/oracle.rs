@@ -1,5 +1,5 @@
 //! Every outcome, its derivative by every parameter and Hessians over six, against `data/independent_drives.json`:
-//! 34 drives computed in quadruple precision by `oracle/oracle.cpp`, a program that shares nothing with this
+//! 40 drives computed in quadruple precision by `oracle/oracle.cpp`, a program that shares nothing with this
 //! one. Laws, decay laws, log wind, slip, light and heavy heads, hills, near-zero spin.
 
 use crate::common::{close, drives, number, outcome_of, setup_of};

@@ -38,6 +38,7 @@ const COMMANDS: [(&str, f64); 19] = [
     ("uncertainty", 5.0),
     ("parameters", 3.0),
     ("presets", 3.0),
+    ("laws", 0.5),
     ("help", 0.4),
     ("completions", 0.3),
     ("man", 0.5),
@@ -84,6 +85,7 @@ impl Question {
 
     fn ask(&mut self, command: &str, chance: &mut Chance) {
         match command {
+            "laws" => return,
             "presets" => {
                 if chance.is(0.6) {
                     let name = preset(chance);

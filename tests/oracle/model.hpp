@@ -245,8 +245,8 @@ struct Cubic {
 };
 
 struct Aero {
-    enum Law { Robinson, Linear, SmitsSmith, Ferguson, LaunchMonitor } law;
-    Q k[8] = {};
+    enum Law { Robinson, Linear, SmitsSmith, Ferguson, LaunchMonitor, MacdonaldHanzely, NaruoMizota, Lyu, UsgaItr } law;
+    Q k[10] = {};
     Q s0 = 0;      ///< below it C_L is the cubic (0: never)
     Cubic low;
     mutable bool below = false;  ///< which branch to use; the flight switches it exactly at s = s0
@@ -268,10 +268,34 @@ struct Aero {
             s0 = 0.02Q;
             low = Cubic(k[3] + s0 * (k[4] + s0 * k[5]), s0 * (k[4] + 2 * s0 * k[5]), 2 * s0 * s0 * k[5]);
         } else if (s.law == "launch-monitor") { law = LaunchMonitor; load({"cd0", "cd1", "cd2", "cd_re", "s_cap", "cl_max", "cl_rate"}); }
+        else if (s.law == "macdonald-hanzely") {
+            law = MacdonaldHanzely; load({"cd_speed", "cl_speed"});
+            s0 = 0.02Q;
+        } else if (s.law == "naruo-mizota") {
+            law = NaruoMizota; load({"cd0", "cd1", "cd2", "cd3", "cd4", "cl0", "cl1", "cl2", "cl3", "cl4"});
+            s0 = 0.03Q;
+            Q f[3] = {};
+            for (int i = 4; i >= 0; --i) {
+                const Q term = k[5 + i] * powq(s0, i);
+                f[0] += term; f[1] += i * term; f[2] += i * (i - 1) * term;
+            }
+            low = Cubic(f[0], f[1], f[2]);
+        } else if (s.law == "lyu") {
+            law = Lyu; load({"cd_low0", "cd_low1", "cd_low2", "cd_high0", "cd_high1", "cd_high2", "cl1", "cl2"});
+        } else if (s.law == "usga-itr") {
+            law = UsgaItr; load({"cd0", "cd1", "cd2", "cd_re", "cl0", "cl1", "cl2", "cl_re"});
+            s0 = 0.042Q;
+        }
         else throw std::runtime_error("unknown law " + s.law);
     }
 
-    void operator()(Q w, Q sr, Q re, Q& cd, Q& cl) const {
+    /// Drives of this program stay where no variable of a law is held.
+    static void within(Q x, Q lowest, Q highest, const char* what) {
+        if (x < lowest || x > highest) throw std::runtime_error(std::string("held: ") + what);
+    }
+
+    void operator()(Q w, Q sr, Q re, Q v, Q& cd, Q& cl) const {
+        const Q r = re / 1e5Q;
         switch (law) {
         case Robinson: cd = k[0] + k[1] * w; cl = k[2] * (1 - expq(-k[3] * w)); break;
         case Linear: cd = k[0]; cl = k[1] * sr; break;
@@ -287,6 +311,33 @@ struct Aero {
             const Q sc = k[4] * tanhq(sr / k[4]);
             cd = k[0] + sc * (k[1] + sc * k[2]) + k[3] * (re / 1e5Q - 1.5Q);
             cl = k[5] * k[6] * sr / (1 + k[6] * sr);
+            break;
+        }
+        case MacdonaldHanzely: {
+            const Q full = k[1] / v;
+            cd = k[0] / v;
+            cl = below ? Cubic(full, 0, 0)(sr / s0) : full;
+            break;
+        }
+        case NaruoMizota:
+            within(sr, 0, 1.13Q, "spin ratio");
+            cd = cl = 0;
+            for (int i = 4; i >= 0; --i) { cd = cd * sr + k[i]; cl = cl * sr + k[5 + i]; }
+            if (below) cl = low(sr / s0);
+            break;
+        case Lyu: {
+            within(sr, 0, 0.32Q, "spin ratio");
+            const Q part = (1 + tanhq((r - 0.875Q) / 0.06Q)) / 2;
+            cd = (1 - part) * (k[0] + r * (k[1] + r * k[2])) + part * (k[3] + r * (k[4] + r * k[5]));
+            cl = sr * (k[6] + sr * k[7]);
+            break;
+        }
+        case UsgaItr: {
+            within(sr, 0, 0.3Q, "spin ratio");
+            within(r, 0.6Q, 1e9Q, "Reynolds number");
+            const Q base = k[4] + k[7] / (r * r), a = k[5] * s0, b = k[6] * s0 * s0;
+            cd = k[0] + sr * (k[1] + sr * k[2]) + k[3] * r;
+            cl = below ? Cubic(base + a + b, a + 2 * b, 2 * b)(sr / s0) : base + sr * (k[5] + sr * k[6]);
             break;
         }
         }
@@ -333,7 +384,7 @@ struct Flight {
         const Q om = sqrtq(dot(w, w) + eta2);
         const Q sr = R * om / speed, re = rho * speed * 2 * R / mu;
         Q cd = 0, cl = 0;
-        aero(om, sr, re, cd, cl);
+        aero(om, sr, re, speed, cd, cl);
         const Q f = rho * A * speed / (2 * m);
         const V3 a = (-f * cd) * vr + (f * cl / om) * cross(w, vr);
         return {v.x, v.y, v.z, a.x - g, a.y, a.z, -(delta + kappa * speed / R)};

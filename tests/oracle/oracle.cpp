@@ -5,6 +5,7 @@
 // build:  g++ -O2 -std=gnu++17 -o oracle oracle.cpp -lquadmath
 // run:    ./oracle check reference_drives.json      compare with another computation, values to Hessians
 //         ./oracle write independent_drives.json    compute the drives below and write them
+//         ./oracle write some.json e_t           the same of those alone whose names contain "e_t"
 //         ./oracle list                             values only: one line for each drive
 //
 // Values: impact from the 3x3 impulse system (checked against Winfield & Tan's full 15x15 system), flight by
@@ -165,6 +166,19 @@ static void set_law(Setup& s, const std::string& law, Rng& r, double jitter) {
     else if (law == "linear") { put("cd", .25); put("cl_slope", 1.2); }
     else if (law == "smits-smith") { put("cd1", .24); put("cd2", .18); put("cd3", .06); put("re1", 9e4); put("re2", 2e5); put("cl1", .54); put("cl_exp", .4); }
     else if (law == "ferguson") { put("cd0", .1304); put("cd1", .9287); put("cd2", -.8259); put("cl0", .0504); put("cl1", 1.2031); put("cl2", -1.1490); }
+    else if (law == "macdonald-hanzely") { put("cd_speed", 14.0208); put("cl_speed", 10.18032); }
+    else if (law == "naruo-mizota") {
+        put("cd0", .2049); put("cd1", .2148); put("cd2", 1.098); put("cd3", -1.760); put("cd4", .7510);
+        put("cl0", .0616); put("cl1", 1.250); put("cl2", -1.644); put("cl3", 1.006); put("cl4", -.2158);
+    }
+    else if (law == "lyu") {
+        put("cd_low0", 1.50); put("cd_low1", -2.59); put("cd_low2", 1.29); put("cd_high0", .56); put("cd_high1", -.540); put("cd_high2", .191);
+        put("cl1", 1.99); put("cl2", -3.25);
+    }
+    else if (law == "usga-itr") {
+        put("cd0", .2028); put("cd1", -.2159); put("cd2", 2.8466); put("cd_re", .0165);
+        put("cl0", .0860); put("cl1", .6463); put("cl2", 1.4789); put("cl_re", -.0122);
+    }
     else { put("cd0", .14972); put("cd1", .79237); put("cd2", -.18328); put("cd_re", -.00201); put("s_cap", .6); put("cl_max", .56282); put("cl_rate", 4.52866); }
 }
 
@@ -375,6 +389,16 @@ static std::vector<Named> drives() {
         s.set("impact.restitution", .05);
         add("restitution 0.05", s);
     }
+    for (auto law : {"macdonald-hanzely", "naruo-mizota", "lyu", "usga-itr"}) {
+        Rng r = rng(); Setup s = random_setup(r, law, 8, 10, 0);
+        s.set("impact.tangential_restitution", r.in(-.20, -.10));
+        add(std::string("3-D ") + law + ", e_t < 0", s);
+    }
+    for (auto law : {"naruo-mizota", "usga-itr"}) {
+        Rng r = rng(); Setup s = random_setup(r, law, 8, 10, .01);
+        s.set("aero.spin_decay", .6);
+        add(std::string(law) + ", s falls through its smoothing", s);
+    }
     return out;
 }
 
@@ -407,7 +431,8 @@ static int list() {
     return 0;
 }
 
-static int write(const char* path) {
+/// Writes all drives, or those alone whose names contain a text.
+static int write(const char* path, const std::string& part = "") {
     FILE* f = fopen(path, "w");
     if (!f) { perror(path); return 1; }
     fprintf(f, "{\n \"about\": \"Independent computation in quad precision (113 bits): SI and radians, tensor entries for inertia. Parameters are the doubles "
@@ -422,6 +447,7 @@ static int write(const char* path) {
         return v;
     };
     for (auto& d : drives()) {
+        if (d.name.find(part) == std::string::npos) continue;
         const Drive o = drive(d.s, num), o2 = drive(d.s, other);
         Q dv = 0, dg = 0, dh = 0, dgn = 0, dhn = 0, d15 = 0;
         for (int k = 0; k < N_SCALARS; ++k) dv = fmaxq(dv, relative(o2.x[k], o.x[k], 1e-6Q));
@@ -579,8 +605,9 @@ static int check(const char* path) {
 int main(int argc, char** argv) try {
     if (argc == 3 && !strcmp(argv[1], "check")) return check(argv[2]);
     if (argc == 3 && !strcmp(argv[1], "write")) return write(argv[2]);
+    if (argc == 4 && !strcmp(argv[1], "write")) return write(argv[2], argv[3]);
     if (argc == 2 && !strcmp(argv[1], "list")) return list();
-    fprintf(stderr, "usage: oracle check <reference.json> | write <out.json> | list\n");
+    fprintf(stderr, "usage: oracle check <reference.json> | write <out.json> [part of a name] | list\n");
     return 2;
 } catch (const std::exception& e) {
     fprintf(stderr, "error: %s\n", e.what());

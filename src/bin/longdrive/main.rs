@@ -9,6 +9,7 @@ mod completions;
 mod files;
 mod gradient;
 mod interrupt;
+mod laws;
 mod man;
 mod names;
 mod optimize;
@@ -58,6 +59,7 @@ fn main() -> ExitCode {
         Command::Uncertainty(args) => uncertainty::run(args),
         Command::Parameters(args) => parameters::run(args),
         Command::Presets(args) => presets::run(args),
+        Command::Laws(args) => Ok(laws::run(args)),
         Command::Completions(args) => completions::run(args),
         Command::Man(args) => man::run(args),
     };

@@ -160,7 +160,16 @@ fn fading(setup: &Setup<f64>, drive: &Drive<f64>) -> f64 {
 }
 
 fn is_joined(setup: &Setup<f64>) -> bool {
-    matches!(setup.law, Law::Ferguson(_) | Law::SmitsSmith(_))
+    matches!(
+        setup.law,
+        Law::Ferguson(_)
+            | Law::SmitsSmith(_)
+            | Law::MacdonaldHanzely(_)
+            | Law::NaruoMizota(_)
+            | Law::Lyu(_)
+            | Law::UsgaItr(_)
+            | Law::BearmanHarvey(_)
+    )
 }
 
 /// The errors of the value and of each entry of the gradient, relative to the size of the outcome; those of a gradient that is more than next

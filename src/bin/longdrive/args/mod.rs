@@ -18,7 +18,7 @@ pub use picture::{
     Drawing, Plot, PlotChart, PlotCompare, PlotContour, PlotKind, PlotTornado, PlotTrajectory, PlotVcurve, Report, Seen,
 };
 pub use program::{Completions, Man, Shown};
-pub use question::{Gradient, Parameters, Presets, Question, Simulate};
+pub use question::{Gradient, Laws, Parameters, Presets, Question, Simulate};
 pub use search::{ChartArgs, Optimize, OptimumSensitivity, SearchArgs, WorkArgs};
 
 use clap::{Parser, Subcommand};
@@ -73,6 +73,8 @@ pub enum Command {
     Parameters(Parameters),
     /// List the presets, or print one as a setup file with the source of each number.
     Presets(Presets),
+    /// List the laws of drag and lift: authors, formula, ball, source, and what each was fitted to.
+    Laws(Laws),
     /// Print a script that completes commands and options in a shell.
     Completions(Completions),
     /// Print a manual page, or write the pages of all commands.
@@ -98,6 +100,7 @@ impl Command {
         "uncertainty",
         "parameters",
         "presets",
+        "laws",
     ];
 
     /// The command among arguments that could not be read.
@@ -124,6 +127,7 @@ impl Command {
             Self::Uncertainty(args) => ("uncertainty", args.question.json),
             Self::Parameters(args) => ("parameters", args.question.json),
             Self::Presets(args) => ("presets", args.json),
+            Self::Laws(args) => ("laws", args.json),
             Self::Completions(_) => ("completions", false),
             Self::Man(_) => ("man", false),
         }

@@ -74,3 +74,10 @@ pub struct Presets {
     #[arg(long)]
     pub json: bool,
 }
+
+#[derive(clap::Args)]
+pub struct Laws {
+    /// Print the laws as JSON.
+    #[arg(long)]
+    pub json: bool,
+}

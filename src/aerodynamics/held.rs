@@ -1,0 +1,51 @@
+use crate::number::Numbers;
+
+/// Beyond what a formula is good for its variable is held: `x` up to `end`, then a way with two continuous derivatives to
+/// `end + over/2`, which it reaches at `end + over` and keeps.
+#[inline(always)]
+pub(super) fn held_above<T: Numbers>(x: T, end: f64, over: f64) -> T {
+    T::choose(
+        x.below(end),
+        #[inline(always)]
+        || x,
+        #[inline(always)]
+        || {
+            let beyond = (x - end) * (1.0 / over);
+            let u = beyond.blend(T::constant(1.0), beyond.below(1.0));
+            let square = u * u;
+            // its slope is (1 − u)² (1 + 2u): 1 and without bend at u = 0, 0 and without bend at u = 1
+            (square * square).scale_add(0.5, u - u * square) * over + end
+        },
+    )
+}
+
+/// The same below: `x` down to `end`, `end − over/2` from `end − over` on.
+#[inline(always)]
+pub(super) fn held_below<T: Numbers>(x: T, end: f64, over: f64) -> T {
+    -held_above(-x, -end, over)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{held_above, held_below};
+    use num_dual::Dual2_64;
+
+    #[test]
+    fn exact_c2_at_both_ends_of_the_way_and_constant_beyond() {
+        let above = |x: f64| held_above(Dual2_64::from(x).derivative(), 0.3, 0.2);
+        let below = |x: f64| held_below(Dual2_64::from(x).derivative(), -0.3, 0.2);
+        assert_eq!((above(0.25).re, above(0.25).v1, above(0.25).v2), (0.25, 1.0, 0.0));
+        for end in [0.3, 0.5] {
+            let [a, b] = [end * (1.0 - 1e-12), end * (1.0 + 1e-12)].map(above);
+            assert!((a.re - b.re).abs() < 1e-11 && (a.v1 - b.v1).abs() < 1e-10 && (a.v2 - b.v2).abs() < 1e-9);
+        }
+        for x in [0.5, 0.7, 1e9] {
+            let there = above(x);
+            assert!((there.re - 0.4).abs() < 1e-15 && there.v1 == 0.0 && there.v2 == 0.0, "{there:?}");
+        }
+        for x in [0.1, 0.33, 0.42, 0.8] {
+            let (a, b) = (above(x), below(-x));
+            assert_eq!((a.re, a.v1, a.v2), (-b.re, b.v1, -b.v2));
+        }
+    }
+}

@@ -1,0 +1,43 @@
+use super::origin::CubicOrigin;
+use super::{AerodynamicLaw, Coefficients, Published, Stream};
+use crate::number::{Numbers, inlined};
+use crate::parameters::MacdonaldHanzely;
+
+/// Below this spin ratio, slower spin than any drive has, the lift is replaced: the law has lift without spin, in no direction.
+const SMOOTH_BELOW: f64 = 0.02;
+
+/// C_D = cd_speed/v, C_L = cl_speed/v: forces in proportion to the speed, whatever the spin (MacDonald & Hanzely 1991).
+impl<T: Numbers> AerodynamicLaw<T> for MacdonaldHanzely<T> {
+    #[inline(always)]
+    fn coefficients(&self, stream: &Stream<T>) -> Coefficients<T> {
+        let (s, per_speed) = (stream.spin_ratio, stream.speed.recip());
+        let full = self.cl_speed * per_speed;
+        let smooth = inlined(
+            #[inline(always)]
+            || {
+                let origin = CubicOrigin { join: SMOOTH_BELOW, value: full, slope: T::zero(), curvature: T::zero() };
+                origin.lift(s)
+            },
+        );
+        let lift = T::choose(
+            s.below(SMOOTH_BELOW),
+            smooth,
+            #[inline(always)]
+            || full,
+        );
+        Coefficients { drag: self.cd_speed * per_speed, lift }
+    }
+
+    fn has_corner_at_zero_spin(&self) -> bool {
+        false
+    }
+
+    fn published(&self) -> Published {
+        Published {
+            authors: "MacDonald & Hanzely",
+            year: Some(1991),
+            ball: None,
+            source: "The physics of the drive in golf, Am. J. Phys. 59; as golfmodel (golf_ballstics.py) quotes it",
+        }
+    }
+}

@@ -1,0 +1,65 @@
+use super::held::{held_above, held_below};
+use super::origin::CubicOrigin;
+use super::{AerodynamicLaw, Coefficients, Fitted, Published, Stream};
+use crate::number::{Numbers, inlined};
+use crate::parameters::UsgaItr;
+
+/// Below this spin ratio, the lowest of the measured shots, the lift is replaced: the formula would leave lift without spin, in no
+/// direction.
+const SMOOTH_BELOW: f64 = 0.042;
+/// The formula is for s < 0.3. Above, the spin ratio is held over a width: the square in the drag would grow without end.
+const LARGEST: f64 = 0.3;
+const HELD_OVER: f64 = 0.1;
+/// Re/10⁵ is held below: 1/r² would take all lift away, and more. (Shots were measured from 0.8 on.)
+const SMALLEST: f64 = 0.6;
+const HELD_UNDER: f64 = 0.2;
+
+/// With r = Re/10⁵: C_D = cd0 + cd1 s + cd2 s² + cd_re r, C_L = cl0 + cl1 s + cl2 s² + cl_re/r²: the form that the USGA fits to shots of a ball
+/// in its Indoor Test Range (US patent 6186002, the test ball).
+impl<T: Numbers> AerodynamicLaw<T> for UsgaItr<T> {
+    #[inline(always)]
+    fn coefficients(&self, stream: &Stream<T>) -> Coefficients<T> {
+        let s = held_above(stream.spin_ratio, LARGEST, HELD_OVER);
+        let r = held_below(stream.reynolds * 1e-5, SMALLEST, HELD_UNDER);
+        let drag = self.cd2.mul_add(s, self.cd1).mul_add(s, self.cd_re.mul_add(r, self.cd0));
+        let without_spin = self.cl_re.mul_add((r * r).recip(), self.cl0);
+        let smooth = inlined(
+            #[inline(always)]
+            || {
+                let (linear, quadratic) = (self.cl1 * SMOOTH_BELOW, self.cl2 * (SMOOTH_BELOW * SMOOTH_BELOW));
+                let origin = CubicOrigin {
+                    join: SMOOTH_BELOW,
+                    value: without_spin + linear + quadratic,
+                    slope: linear + quadratic * 2.0,
+                    curvature: quadratic * 2.0,
+                };
+                origin.lift(s)
+            },
+        );
+        let lift = T::choose(
+            s.below(SMOOTH_BELOW),
+            smooth,
+            #[inline(always)]
+            || self.cl2.mul_add(s, self.cl1).mul_add(s, without_spin),
+        );
+        Coefficients { drag, lift }
+    }
+
+    fn fitted(&self) -> Fitted {
+        Fitted {
+            spin_ratio: Some([0.042, 0.22]),
+            reynolds: Some([8e4, 2e5]),
+            speed: None,
+            to: "42 shots in the USGA's Indoor Test Range",
+        }
+    }
+
+    fn published(&self) -> Published {
+        Published {
+            authors: "USGA, Indoor Test Range",
+            year: Some(2001),
+            ball: Some("the test ball of the patent"),
+            source: "US patent 6186002; fit to its table as others transcribe it, docs/sources.md",
+        }
+    }
+}

@@ -1,0 +1,200 @@
+//! The laws of drag and lift: values from their sources, joins, and what `laws` says of them.
+
+use crate::command_line::{json, longdrive, number};
+use longdrive::Setup;
+use longdrive::aerodynamics::{AerodynamicLaw, Coefficients, Stream};
+use longdrive::number::Number;
+use longdrive::parameters::Law;
+use num_dual::Dual2_64;
+
+/// C_D and C_L of a law as published, at a spin ratio, Reynolds number and speed.
+fn at<D: Number>(law: &str, [s, reynolds, speed]: [D; 3]) -> Coefficients<D> {
+    let setup = Setup { law: Law::named(law).unwrap(), ..Setup::default() };
+    let law = setup.map(|_, value| D::constant(value)).law;
+    law.coefficients(&Stream { spin: s * speed / 0.02134, spin_ratio: s, speed, reynolds })
+}
+
+/// The rows of a table of numbers under a head, cells beyond the fourth left out.
+fn rows(table: &str) -> Vec<[f64; 4]> {
+    let row = |line: &str| {
+        let cells: Vec<f64> = line.split(',').map(|cell| cell.parse().unwrap()).collect();
+        [cells[0], cells[1], cells[2], cells[3]]
+    };
+    table.lines().skip(1).map(row).collect()
+}
+
+/// 46 and 33.4 feet a second over the speed, whatever the spin.
+#[test]
+fn exact_forces_of_macdonald_and_hanzely_grow_with_the_speed() {
+    for speed in [20.0, 50.0, 80.0] {
+        for s in [0.05, 0.3] {
+            let c: Coefficients<f64> = at("macdonald-hanzely", [s, 1e5, speed]);
+            assert!((c.drag * speed - 46.0 * 0.3048).abs() < 1e-12 && (c.lift * speed - 33.4 * 0.3048).abs() < 1e-12);
+        }
+    }
+}
+
+/// The table of the curves that Naruo, Mizota & Shimozono (2004) fitted: s, C_D, C_L, to half of the last digit.
+#[test]
+fn paper_values_of_naruo_mizota() {
+    for [s, drag, lift, _] in rows(include_str!("../data/naruo_2004.csv")) {
+        let c = at("naruo-mizota", [s, 1e5, 40.0]);
+        assert!((c.drag - drag).abs() < 5e-5 && (c.lift - lift).abs() < 5e-5, "s = {s}: {c:?}");
+    }
+}
+
+/// Both parabolas as printed where they stand alone; between them C_D lies between them. The drag measured on the ball, and the mean lift of 13
+/// balls within their spread.
+#[test]
+fn paper_values_of_lyu() {
+    let low = |re: f64| 1.29e-10 * re * re - 2.59e-5 * re + 1.50;
+    let high = |re: f64| 1.91e-11 * re * re - 5.40e-6 * re + 0.56;
+    let drag = |re: f64| at("lyu", [0.1, re, 40.0]).drag;
+    for (re, measured) in
+        [(51e3, 0.525), (63e3, 0.41), (76e3, 0.263), (99e3, 0.203), (124e3, 0.18), (146e3, 0.187), (168e3, 0.196)]
+    {
+        assert!((drag(re) - measured).abs() < 0.03, "Re = {re}: {}", drag(re));
+    }
+    for re in [51e3, 63e3] {
+        assert!((drag(re) - low(re)).abs() < 1e-4, "Re = {re}");
+    }
+    for re in [124e3, 146e3, 168e3, 2e5] {
+        assert!((drag(re) - high(re)).abs() < 1e-5, "Re = {re}");
+    }
+    for re in (75..100).map(|k| 1e3 * f64::from(k)) {
+        let [least, most] = [low(re).min(high(re)), low(re).max(high(re))];
+        assert!((least..=most).contains(&drag(re)), "Re = {re}");
+    }
+    for (s, lift, spread) in
+        [(0.045, 0.1, 0.02), (0.075, 0.13, 0.03), (0.105, 0.17, 0.03), (0.185, 0.25, 0.02), (0.32, 0.315, 0.02)]
+    {
+        let found: f64 = at("lyu", [s, 1e5, 40.0]).lift;
+        assert!((found - lift).abs() < spread, "s = {s}: {found}");
+        assert!((found - (1.99 * s - 3.25 * s * s)).abs() < 1e-15);
+    }
+}
+
+/// The 42 shots of the patent's table: Re, s, C_D, C_L. The formula is a fit of them: it lies amid them.
+#[test]
+fn paper_shots_of_the_usga_lie_about_its_law() {
+    let off = rows(include_str!("../data/usga_itr_test_ball.csv")).into_iter().map(|[re, s, drag, lift]| {
+        let c = at("usga-itr", [s, re, 40.0]);
+        [c.drag - drag, c.lift - lift]
+    });
+    let off: Vec<[f64; 2]> = off.collect();
+    assert_eq!(off.len(), 42);
+    for which in [0, 1] {
+        let mean = off.iter().map(|off| off[which]).sum::<f64>() / 42.0;
+        let square = off.iter().map(|off| off[which] * off[which]).sum::<f64>() / 42.0;
+        assert!(mean.abs() < 1e-4 && square.sqrt() < 0.0037, "{mean}, {}", square.sqrt());
+    }
+}
+
+/// The 210 points of the grid: speed, spin, C_D, C_L.
+#[test]
+fn paper_values_of_bearman_and_harvey() {
+    let points = rows(include_str!("../data/bearman_harvey_1976.csv"));
+    assert_eq!(points.len(), 210);
+    for [speed, rpm, drag, lift] in points {
+        let s = rpm * std::f64::consts::PI / 30.0 * 0.02134 / speed;
+        let c = at("bearman-harvey", [s, 1e5, speed]);
+        assert!((c.drag - drag).abs() < 1e-14 && (c.lift - lift).abs() < 1e-14, "{speed} m/s, {rpm} rpm: {c:?}");
+    }
+}
+
+/// On both sides of every line of the grid, of its edges, and of where speed and spin begin to stay as they are.
+#[test]
+fn exact_c2_of_the_spline_across_every_line_of_the_grid() {
+    let speeds = [12.7, 13.7, 21.6, 29.9, 38.4, 46.9, 55.2, 63.1, 71.9, 80.2, 88.1, 92.1];
+    let spins = (0..21).map(|k| 2000.0 + 200.0 * f64::from(k)).chain([1900.0, 6100.0]);
+    let by_spin = spins.map(|rpm| (1, rpm * std::f64::consts::PI / 30.0, 41.3));
+    for (variable, line, other) in speeds.map(|speed| (0, speed, 297.0)).into_iter().chain(by_spin) {
+        let sides = [1.0 - 1e-12, 1.0 + 1e-12].map(|part| {
+            let moving = Dual2_64::from(line * part).derivative();
+            let [speed, spin] = if variable == 0 { [moving, other.into()] } else { [other.into(), moving] };
+            let c = at("bearman-harvey", [spin * 0.02134 / speed, 1e5.into(), speed]);
+            [c.drag, c.lift].map(|c| [c.re, c.v1 * line, c.v2 * line * line])
+        });
+        for (a, b) in sides[0].iter().flatten().zip(sides[1].iter().flatten()) {
+            assert!((a - b).abs() < 1e-7, "{variable} at {line}: {sides:?}");
+        }
+        // natural at the edges of the grid
+        let is_edge = [13.7, 88.1].contains(&line)
+            || [2000.0, 6000.0].iter().any(|rpm| (rpm * std::f64::consts::PI / 30.0 - line).abs() < 1e-9);
+        assert!(!is_edge || sides[0].iter().all(|[.., bend]| bend.abs() < 1e-7), "{variable} at {line}: {sides:?}");
+    }
+}
+
+/// What is joined in the spin ratio (0), Reynolds number (1) or speed (2), and where.
+const JOINS: [(&str, usize, f64); 11] = [
+    ("macdonald-hanzely", 0, 0.02),
+    ("naruo-mizota", 0, 0.03),
+    ("naruo-mizota", 0, 1.13),
+    ("naruo-mizota", 0, 1.33),
+    ("lyu", 0, 0.32),
+    ("lyu", 0, 0.36),
+    ("usga-itr", 0, 0.042),
+    ("usga-itr", 0, 0.3),
+    ("usga-itr", 0, 0.4),
+    ("usga-itr", 1, 0.6e5),
+    ("usga-itr", 1, 0.4e5),
+];
+
+#[test]
+fn exact_c2_at_every_join_of_a_law() {
+    for (law, variable, join) in JOINS {
+        let sides = [1.0 - 1e-13, 1.0 + 1e-13].map(|part| {
+            let mut stream = [0.15, 1e5, 40.0].map(Dual2_64::from);
+            stream[variable] = Dual2_64::from(join * part).derivative();
+            let c = at(law, stream);
+            [c.drag, c.lift].map(|c| [c.re, c.v1 * join, c.v2 * join * join])
+        });
+        for (a, b) in sides[0].iter().flatten().zip(sides[1].iter().flatten()) {
+            assert!((a - b).abs() < 1e-9, "{law}, {variable} at {join}: {sides:?}");
+        }
+    }
+}
+
+#[test]
+fn exact_no_law_has_lift_without_spin_nor_forces_without_end() {
+    for law in Law::NAMES {
+        for (reynolds, speed) in [(0.0, 40.0), (3e4, 10.0), (8e4, 30.0), (2e5, 70.0)] {
+            let none = at(law, [Dual2_64::from(0.0).derivative(), reynolds.into(), speed.into()]).lift;
+            assert!(none.re == 0.0 && none.v1 > 0.0 && none.v1.is_finite() && none.v2.is_finite(), "{law}: {none:?}");
+        }
+        // a ball that nearly stands still in the air: the forces, v² C, are finite
+        let slow: Coefficients<f64> = at(law, [1e6, 1e-1, 1e-4]);
+        assert!((slow.drag * 1e-8).abs() < 1e6 && (slow.lift * 1e-8).abs() < 1e6, "{law}: {slow:?}");
+    }
+}
+
+#[test]
+fn each_law_is_listed_with_authors_ball_range_and_source() {
+    let (_, answer) = json(&["laws"]);
+    let laws = answer["laws"].as_array().unwrap();
+    let names: Vec<_> = laws.iter().map(|law| law["name"].as_str().unwrap()).collect();
+    assert_eq!(names, Law::NAMES);
+    assert_eq!(laws.iter().filter(|law| law["is_default"] == true).count(), 1);
+    let naruo = laws.iter().find(|law| law["name"] == "naruo-mizota").unwrap();
+    let fitted = &naruo["fitted"];
+    assert_eq!((&naruo["year"], &naruo["ball"]), (&2004.into(), &"Bridgestone Skyway SD432".into()));
+    assert_eq!([&fitted["spin_ratio"]["low"], &fitted["spin_ratio"]["high"]].map(number), [0.03, 1.13]);
+    assert_eq!((&fitted["reynolds"]["high"], &fitted["speed"]), (&"inf".into(), &serde_json::Value::Null));
+    let words = |out: String| out.split_whitespace().collect::<Vec<_>>().join(" ");
+    let text = words(longdrive(&["laws"]).out);
+    for words in ["naruo-mizota: Naruo, Mizota & Shimozono 2004", "Reynolds number at least 71000", "ball: not stated"]
+    {
+        assert!(text.contains(words), "{words}: {text}");
+    }
+    let metric = words(longdrive(&["laws", "--units", "metric"]).out);
+    assert!(metric.contains("speed through the air 25 m/s to 68 m/s"), "{metric}");
+}
+
+/// A law whose range has no upper end says so.
+#[test]
+fn a_range_without_an_upper_end_is_told_as_at_least() {
+    let slow = ["simulate", "--set", "aero.law=naruo-mizota", "--set", "swing.speed=30mph", "--set", "club.loft=14deg"];
+    let (_, answer) = json(&slow);
+    let told = answer["warnings"].to_string();
+    assert!(told.contains("a Reynolds number of at least 71000 (a wind tunnel"), "{told}");
+}
