@@ -17,12 +17,17 @@ const WIDTH: f64 = 0.06;
 impl<T: Numbers> AerodynamicLaw<T> for Lyu<T> {
     #[inline(always)]
     fn coefficients(&self, stream: &Stream<T>) -> Coefficients<T> {
-        let r = stream.reynolds * 1e-5;
-        let low = self.cd_low2.mul_add(r, self.cd_low1).mul_add(r, self.cd_low0);
-        let high = self.cd_high2.mul_add(r, self.cd_high1).mul_add(r, self.cd_high0);
-        let part = ((r - BETWEEN) * (1.0 / WIDTH)).tanh() * 0.5 + 0.5;
-        let s = held_above(stream.spin_ratio, MEASURED[1], HELD_OVER);
-        Coefficients { drag: part.mul_add(high - low, low), lift: self.cl2.mul_add(s, self.cl1) * s }
+        T::outlined(
+            #[inline(always)]
+            || {
+                let r = stream.reynolds * 1e-5;
+                let low = self.cd_low2.mul_add(r, self.cd_low1).mul_add(r, self.cd_low0);
+                let high = self.cd_high2.mul_add(r, self.cd_high1).mul_add(r, self.cd_high0);
+                let part = ((r - BETWEEN) * (1.0 / WIDTH)).tanh() * 0.5 + 0.5;
+                let s = held_above(stream.spin_ratio, MEASURED[1], HELD_OVER);
+                Coefficients { drag: part.mul_add(high - low, low), lift: self.cl2.mul_add(s, self.cl1) * s }
+            },
+        )
     }
 
     fn has_corner_at_zero_spin(&self) -> bool {

@@ -1,5 +1,8 @@
 //! C_D and C_L of Bearman & Harvey (1976), a row for each spin, a column for each speed.
 
+// 0.3180 is measured, and not 1/π
+#![allow(clippy::approx_constant)]
+
 /// m/s.
 pub(super) const SPEEDS: [f64; 10] = [13.7, 21.6, 29.9, 38.4, 46.9, 55.2, 63.1, 71.9, 80.2, 88.1];
 
