@@ -83,7 +83,7 @@ pub enum Command {
 
 impl Command {
     /// The commands that answer in JSON where it is asked for.
-    const NAMES: [&str; 16] = [
+    const NAMES: [&str; 17] = [
         "simulate",
         "gradient",
         "compare",
