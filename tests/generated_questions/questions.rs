@@ -21,7 +21,7 @@ pub struct Question {
 }
 
 /// The commands, each with how often it is asked: those that take long rarely.
-const COMMANDS: [(&str, f64); 19] = [
+const COMMANDS: [(&str, f64); 20] = [
     ("simulate", 22.0),
     ("gradient", 14.0),
     ("compare", 6.0),
