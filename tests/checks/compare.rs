@@ -31,9 +31,10 @@ const LAUNCH: [(&str, &str); 3] =
 #[test]
 fn exact_shares_of_random_drives_add_up_and_change_sign_on_the_way_back() {
     let flies = |setup: &Setup<f64>| Drive::new(setup).is_ok_and(|drive| Outcome::Carry.value(&drive).is_some());
-    let setups: Vec<_> = random_setups(16)
-        // the pieces of a spline leave a remainder, which is stated
-        .filter(|setup| setup.law.name() != "bearman-harvey")
+    // of laws that are C² in pieces where golf balls fly, quadrature leaves a remainder above rounding, which is stated
+    let smooth = ["ferguson", "launch-monitor", "linear", "robinson", "smits-smith", "winfield-tan"];
+    let setups: Vec<_> = random_setups(26)
+        .filter(|setup| smooth.contains(&setup.law.name()))
         .map(|setup| changed(&setup, &[("flight.method", "dp8"), ("flight.step", "50 ms")]))
         .filter(flies)
         .collect();
