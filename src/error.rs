@@ -302,6 +302,12 @@ pub enum Error {
         /// Why, and what to do.
         reason: String,
     },
+    /// A delivery that cannot be looked for.
+    #[error("delivery: {reason}")]
+    Delivery {
+        /// Why, and what to do.
+        reason: String,
+    },
     /// Rows of a sound calibration that have no answer: they do not fly.
     #[error("calibration: {reason}")]
     NoFit {

@@ -1,5 +1,6 @@
 use super::column::{Column, Format, Holds};
 use super::launch_monitor::{is_export, units_row};
+use super::left_out::Club;
 use super::{CONDITIONS, left_out};
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
@@ -24,6 +25,7 @@ pub(crate) struct Names<'a>(pub Vec<&'a str>);
 
 impl Head {
     /// Reads the heads of a CSV table and the first row below them, which may state units; `separator` is what stands between cells.
+    /// `club` is what becomes of the club beside a measured launch.
     ///
     /// # Errors
     /// The number of the column, from 0, and what is wrong with it.
@@ -32,6 +34,7 @@ impl Head {
         heads: impl Iterator<Item = &'a str> + Clone,
         first: Option<impl Iterator<Item = &'a str>>,
         separator: u8,
+        club: Club,
     ) -> Result<Self, (usize, Error)> {
         let format = Format { is_export: is_export(heads.clone()), has_decimal_comma: separator != b',' };
         let units = first.and_then(units_row);
@@ -40,7 +43,7 @@ impl Head {
             Column::read(setup, head, below, format).map_err(|error| (at, error))
         };
         let mut columns = heads.enumerate().map(column).collect::<Result<Vec<_>, _>>()?;
-        let remarks = if format.is_export { left_out::remarks(&mut columns) } else { vec![] };
+        let remarks = if format.is_export { left_out::remarks(&mut columns, club) } else { vec![] };
         told_apart(&mut columns);
         Ok(Self { columns, format, has_units_row: units.is_some(), remarks })
     }

@@ -4,9 +4,18 @@ use super::column::{Column, Holds};
 use crate::drive::Outcome;
 use crate::units::Message;
 
+/// What becomes of the columns of the club where the launch was measured.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Club {
+    /// They are left out: the ball flies from its launch.
+    LeftOut,
+    /// They are read: the delivery is sought that explains the launch.
+    Kept,
+}
+
 /// What deserves a word about an export, whose columns that are not used are then notes.
-pub(super) fn remarks(columns: &mut [Column]) -> Vec<Message> {
-    let mut remarks = left_out(columns);
+pub(super) fn remarks(columns: &mut [Column], club: Club) -> Vec<Message> {
+    let mut remarks = left_out(columns, club);
     remarks.extend(in_degrees(columns).map(Message::from));
     remarks
 }
@@ -23,7 +32,7 @@ fn in_degrees(columns: &[Column]) -> Option<String> {
 
 /// Leaves out what a launch monitor's table has and the fit cannot use, and says so: columns without a name here; where the launch
 /// was measured, those of the club; of backspin, sidespin and the spin axis what repeats the spin.
-fn left_out(columns: &mut [Column]) -> Vec<Message> {
+fn left_out(columns: &mut [Column], club: Club) -> Vec<Message> {
     let named = |columns: &[Column], is: &dyn Fn(&Column) -> bool| -> Vec<String> {
         columns
             .iter()
@@ -40,14 +49,20 @@ fn left_out(columns: &mut [Column]) -> Vec<Message> {
     let has = |columns: &[Column], outcome| columns.iter().any(|column| column.holds == Holds::Outcome(outcome));
     let has_spin = has(columns, Outcome::Spin) || has(columns, Outcome::Backspin);
     if has(columns, Outcome::BallSpeed) && has(columns, Outcome::LaunchAngle) && has_spin {
-        let is_club =
-            |column: &Column| column.is_of_the_strike() || column.holds == Holds::Outcome(Outcome::SmashFactor);
-        let club = named(columns, &is_club);
-        if !club.is_empty() {
+        let is_club = |column: &Column| {
+            let is_of_the_strike = club == Club::LeftOut && column.is_of_the_strike();
+            is_of_the_strike || column.holds == Holds::Outcome(Outcome::SmashFactor)
+        };
+        let left = named(columns, &is_club);
+        if !left.is_empty() {
             remarks.push(
                 format!(
-                    "the ball flies from its measured launch; columns of the club are left out: {}",
-                    club.join(", ")
+                    "{}: {}",
+                    match club {
+                        Club::LeftOut => "the ball flies from its measured launch; columns of the club are left out",
+                        Club::Kept => "the speeds of ball and club are read, and not their ratio; left out",
+                    },
+                    left.join(", ")
                 )
                 .into(),
             );

@@ -10,6 +10,7 @@ mod marks;
 pub(crate) use column::{Column, Holds};
 pub(crate) use head::Head;
 pub(crate) use launch_monitor::{separated, summary};
+pub(crate) use left_out::Club;
 pub(crate) use marks::Marks;
 
 use crate::drive::Outcome;

@@ -5,6 +5,7 @@ mod calibration;
 mod certificate;
 mod chart;
 mod compare;
+mod delivery;
 mod document;
 mod drive;
 mod effects;
@@ -33,6 +34,7 @@ pub use calibration::{CalibrationReport, calibration_document, calibration_reply
 pub use certificate::{CertificateReport, CertificateRow, certificate_text};
 pub use chart::{ChartPointReport, ChartReport, chart_csv, chart_text};
 pub use compare::{ComparisonReport, DifferenceReport, comparison_text, difference_text};
+pub use delivery::{delivered_text, deliveries_text, delivery_reply, delivery_toml};
 pub use document::Document;
 pub use drive::{DriveReport, drive_text};
 pub use effects::{EffectsReport, OutcomeEffects, Totals, effects_text};

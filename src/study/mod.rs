@@ -6,6 +6,7 @@ pub mod certificate;
 mod chart;
 mod compare;
 mod constraint;
+pub mod delivery;
 mod effects;
 mod flatness;
 mod map;

@@ -14,6 +14,7 @@ mod command_line_text;
 mod command_line_units;
 mod common;
 mod compare;
+mod delivery;
 mod derivatives;
 mod directions;
 mod documents;

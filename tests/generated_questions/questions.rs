@@ -21,13 +21,14 @@ pub struct Question {
 }
 
 /// The commands, each with how often it is asked: those that take long rarely.
-const COMMANDS: [(&str, f64); 20] = [
+const COMMANDS: [(&str, f64); 21] = [
     ("simulate", 22.0),
     ("gradient", 14.0),
     ("compare", 6.0),
     ("optimize", 9.0),
     ("optimum-sensitivity", 3.0),
     ("calibrate", 9.0),
+    ("delivery", 5.0),
     ("chart", 1.5),
     ("plot", 7.0),
     ("report", 0.1),
@@ -123,6 +124,7 @@ impl Question {
                 return;
             }
             "calibrate" => self.calibrate(chance),
+            "delivery" => self.delivery(chance),
             "plot" => self.plot(chance),
             "sweep" => self.sweep(chance),
             "gradient" => self.gradient(chance),
@@ -230,6 +232,39 @@ impl Question {
             ])),
             1 if is_cheap => {}
             _ => self.option("--set", format!("flight.step={}ms", 10 + chance.below(40))),
+        }
+    }
+
+    fn delivery(&mut self, chance: &mut Chance) {
+        if chance.is(0.3) {
+            let text = if chance.is(0.5) { export(chance) } else { shots(chance) };
+            self.files.push(("shots.csv".into(), text));
+            self.option("--shots", "shots.csv");
+        }
+        if chance.is(0.6) {
+            for (option, of, amiss) in [
+                ("--ball-speed", "150mph", "150"),
+                ("--launch-angle", "12deg", "95deg"),
+                ("--spin", "2600rpm", "-1rpm"),
+            ] {
+                self.option(option, chance.of_or(&[of], &[amiss]));
+            }
+            if chance.is(0.3) {
+                self.option("--spin-axis", "-4deg");
+            }
+        }
+        if chance.is(0.3) {
+            for _ in 0..1 + chance.below(3) {
+                let text = range(variable(chance), chance);
+                self.option("--vary", text);
+            }
+        }
+        if chance.is(0.2) {
+            let text = sigma(chance);
+            self.option("--sigma", text);
+        }
+        if chance.is(0.2) {
+            self.output("-o", &["golfer.toml"], chance);
         }
     }
 

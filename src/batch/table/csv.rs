@@ -1,6 +1,6 @@
 use super::columns::{Columns, refused, refused_column};
 use super::rows::Rows;
-use crate::columns::{Column, Head, Marks, separated, summary};
+use crate::columns::{Club, Column, Head, Marks, separated, summary};
 use crate::error::Result;
 use crate::foreign::{of_csv, of_csv_row, of_io};
 use crate::parameters::Setup;
@@ -46,7 +46,8 @@ impl CsvRows {
         // a row that cannot be read is told with its number later
         let has_first = reader.read_record(&mut record).unwrap_or(false);
         let below = has_first.then(|| record.iter());
-        let head = Head::read(setup, heads.iter(), below, separator).map_err(|wrong| refused_column(path, wrong))?;
+        let head = Head::read(setup, heads.iter(), below, separator, Club::LeftOut)
+            .map_err(|wrong| refused_column(path, wrong))?;
         if head.has_units_row {
             first = reader.position().clone();
         }

@@ -6,6 +6,7 @@ mod chart;
 mod colour;
 mod compare;
 mod completions;
+mod delivery;
 mod files;
 mod gradient;
 mod interrupt;
@@ -49,6 +50,7 @@ fn main() -> ExitCode {
         Command::Optimize(args) => optimize::run(args),
         Command::OptimumSensitivity(args) => optimum_sensitivity::run(args),
         Command::Calibrate(args) => calibrate::run(args),
+        Command::Delivery(args) => delivery::run(args),
         Command::Chart(args) => chart::run(args),
         Command::Plot(args) => plot::run(args),
         Command::Report(args) => report::run(args),

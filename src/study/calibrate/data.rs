@@ -1,7 +1,7 @@
 use super::reading::Reading;
 use super::shot::Shot;
 use super::statistics::Uncertainties;
-use crate::columns::{Column, Head, Holds, Marks, separated, summary};
+use crate::columns::{Club, Column, Head, Holds, Marks, separated, summary};
 use crate::error::{Error, Result};
 use crate::foreign::{of_csv, of_csv_row, of_io};
 use crate::parameters::{Parameter, Setup};
@@ -38,13 +38,26 @@ impl ShotTable {
     /// # Errors
     /// As [`read`](Self::read).
     pub fn open(setup: &Setup<f64>, path: &Path) -> Result<Self> {
+        Self::opened(setup, path, Club::LeftOut)
+    }
+
+    /// Reads a table in a CSV file whose rows may be launches alone, of which nothing more is measured. What it states of the club beside
+    /// them is read too.
+    ///
+    /// # Errors
+    /// As [`read`](Self::read).
+    pub fn open_launches(setup: &Setup<f64>, path: &Path) -> Result<Self> {
+        Self::opened(setup, path, Club::Kept)
+    }
+
+    fn opened(setup: &Setup<f64>, path: &Path, club: Club) -> Result<Self> {
         let file = path.display().to_string();
         let source = File::open(path).map_err(|error| Error::Table {
             file: file.clone(),
             place: String::new(),
             reason: of_io(&error),
         })?;
-        Self::read(setup, &file, source)
+        Self::read_rows(setup, &file, source, club)
     }
 
     /// Reads a table in CSV.
@@ -56,6 +69,11 @@ impl ShotTable {
     /// launch monitor's export, rows that sum up others and rows with an empty cell that every shot needs are left out, and named in the
     /// remarks.
     pub fn read(setup: &Setup<f64>, file: &str, source: impl Read) -> Result<Self> {
+        Self::read_rows(setup, file, source, Club::LeftOut)
+    }
+
+    /// The same; where the club beside a measured launch is read too, a row needs no measurement beside its launch.
+    fn read_rows(setup: &Setup<f64>, file: &str, source: impl Read, club: Club) -> Result<Self> {
         let refused = |place: String, reason: String| Error::Table { file: file.into(), place, reason };
         let mut text = String::new();
         let mut source = source;
@@ -67,7 +85,7 @@ impl ShotTable {
         let mut records = reader.records().peekable();
         let first = records.peek().and_then(|first| first.as_ref().ok()).map(|first| first.iter());
         let at_column = |(at, error): (usize, Error)| refused(format!(", column {}", at + 1), error.to_string());
-        let head = Head::read(setup, heads.iter(), first, separator).map_err(at_column)?;
+        let head = Head::read(setup, heads.iter(), first, separator, club).map_err(at_column)?;
         if head.has_units_row {
             records.next();
         }
@@ -92,7 +110,7 @@ impl ShotTable {
         setup
             .refuse_replaced(&inputs.collect::<Vec<_>>())
             .map_err(|error| refused(String::new(), error.to_string()))?;
-        let reading = Reading { setup, is_launched, columns: head.columns };
+        let reading = Reading { setup, is_launched, needs_more: club == Club::LeftOut, columns: head.columns };
         if is_export && !reading.is_launched && !reading.columns.iter().any(Column::is_of_the_strike) {
             let reason = "it has neither a whole launch (ball speed, launch angle and spin) nor a column of the club, such as club \
                           speed; add the missing columns";

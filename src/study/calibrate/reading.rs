@@ -18,6 +18,8 @@ pub(super) struct Reading<'a> {
     pub setup: &'a Setup<f64>,
     pub columns: Vec<Column>,
     pub is_launched: bool,
+    /// Whether a launch needs a measurement beside it.
+    pub needs_more: bool,
 }
 
 /// What is wrong with a row.
@@ -107,7 +109,8 @@ impl Reading<'_> {
         }
         at_shot.validate().map_err(wrong)?;
         let stationary = self.stationary(record, &at_shot)?;
-        if measured.is_empty() && stationary.is_empty() {
+        let is_whole = self.is_launched && !self.needs_more;
+        if measured.is_empty() && stationary.is_empty() && !is_whole {
             return Err(Wrong::incomplete(None, "nothing is measured in it; give an outcome, or take the row out"));
         }
         Ok(Shot { row, inputs, measured, stationary })

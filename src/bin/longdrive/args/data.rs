@@ -53,6 +53,63 @@ pub struct Calibrate {
 }
 
 #[derive(clap::Args)]
+pub struct DeliveryArgs {
+    #[command(flatten)]
+    pub question: Question,
+
+    /// The measured speed of the ball, e.g. 167mph.
+    #[arg(long, value_name = "SPEED", allow_hyphen_values = true)]
+    pub ball_speed: Option<String>,
+
+    /// The measured angle of the launch above horizontal, e.g. 10.9deg.
+    #[arg(long, value_name = "ANGLE", allow_hyphen_values = true)]
+    pub launch_angle: Option<String>,
+
+    /// The measured direction of the launch, + right of the target line [default: not measured].
+    #[arg(long, value_name = "ANGLE", allow_hyphen_values = true)]
+    pub launch_direction: Option<String>,
+
+    /// The measured spin in all, e.g. 2686rpm; with --spin-axis.
+    #[arg(long, value_name = "SPIN", allow_hyphen_values = true)]
+    pub spin: Option<String>,
+
+    /// The measured tilt of the spin axis, + for a ball that curves to the right [default: not measured].
+    #[arg(long, value_name = "ANGLE", allow_hyphen_values = true)]
+    pub spin_axis: Option<String>,
+
+    /// The measured backspin, in place of --spin; with --sidespin.
+    #[arg(long, value_name = "SPIN", allow_hyphen_values = true)]
+    pub backspin: Option<String>,
+
+    /// The measured sidespin, + for a ball that curves to the right [default: not measured].
+    #[arg(long, value_name = "SPIN", allow_hyphen_values = true)]
+    pub sidespin: Option<String>,
+
+    /// Measured shots as CSV, one row per shot, as a launch monitor exports them or as calibrate reads them. What a row states of the
+    /// club is taken as measured too.
+    #[arg(long, value_name = "FILE")]
+    pub shots: Option<PathBuf>,
+
+    /// A parameter to find and its range, e.g. club.loft=4deg..20deg. Repeatable [default: the speed, attack angle, shaft lean, path
+    /// and face angle of the swing, and where the face strikes the ball].
+    #[arg(long, value_name = "NAME=LOW..HIGH", allow_hyphen_values = true)]
+    pub vary: Vec<String>,
+
+    /// How well a parameter is known before the shot: the standard uncertainty of its value in the setup, e.g.
+    /// swing.attack_angle=1deg. Repeatable.
+    #[arg(long, value_name = "NAME=AMOUNT")]
+    pub sigma: Vec<String>,
+
+    /// Write the setup with the delivery found into this file; of several shots, with their mean.
+    #[arg(long, short, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+
+    /// Replace files that exist.
+    #[arg(long, requires = "output")]
+    pub overwrite: bool,
+}
+
+#[derive(clap::Args)]
 pub struct Reproduce {
     /// The study.
     #[arg(value_enum, value_name = "STUDY")]

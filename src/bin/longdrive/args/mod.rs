@@ -12,7 +12,7 @@ mod search;
 
 pub use certainty::{SensitivityArgs, UncertaintyArgs, Verify};
 pub use compare::{Compare, Pair};
-pub use data::{Calibrate, Published, Reproduce};
+pub use data::{Calibrate, DeliveryArgs, Published, Reproduce};
 pub use many::{Format, Sweep};
 pub use picture::{
     Drawing, Plot, PlotChart, PlotCompare, PlotContour, PlotKind, PlotTornado, PlotTrajectory, PlotVcurve, Report, Seen,
@@ -53,6 +53,8 @@ pub enum Command {
     OptimumSensitivity(OptimumSensitivity),
     /// Fit parameters to measured shots, with their uncertainties and what the data do not determine.
     Calibrate(Calibrate),
+    /// Find the delivery and strike that explain a measured launch, and what the launch does not tell of them.
+    Delivery(DeliveryArgs),
     /// Compute the optimum as a function of a parameter.
     Chart(ChartArgs),
     /// Draw a plot as SVG or PNG, or write its data as CSV.
@@ -83,13 +85,14 @@ pub enum Command {
 
 impl Command {
     /// The commands that answer in JSON where it is asked for.
-    const NAMES: [&str; 17] = [
+    const NAMES: [&str; 18] = [
         "simulate",
         "gradient",
         "compare",
         "optimize",
         "optimum-sensitivity",
         "calibrate",
+        "delivery",
         "chart",
         "plot",
         "report",
@@ -117,6 +120,7 @@ impl Command {
             Self::Optimize(args) => ("optimize", args.question.json),
             Self::OptimumSensitivity(args) => ("optimum-sensitivity", args.optimize.question.json),
             Self::Calibrate(args) => ("calibrate", args.question.json),
+            Self::Delivery(args) => ("delivery", args.question.json),
             Self::Chart(args) => ("chart", args.question.json),
             Self::Plot(args) => ("plot", args.kind.question().json),
             Self::Report(args) => ("report", args.question.json),

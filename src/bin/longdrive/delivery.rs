@@ -1,0 +1,134 @@
+use crate::args::{DeliveryArgs, Question};
+use crate::files::Rule;
+use crate::interrupt::{self, BEST_SO_FAR};
+use crate::output::{Answer, system, tell, warn};
+use longdrive::parameters::Vary;
+use longdrive::report::{delivered_text, deliveries_text, delivery_reply, delivery_toml, parameter_text};
+use longdrive::study::Sigma;
+use longdrive::study::calibrate::ShotTable;
+use longdrive::study::delivery::{Delivery, Unknown, deliveries, delivery, launches, unknowns};
+use longdrive::units::{Message, counted};
+use longdrive::{Error, Result, Setup};
+
+pub fn run(args: &DeliveryArgs) -> Result<Answer> {
+    refuse_step(&args.question)?;
+    let inputs = args.question.inputs().chain(args.shots.as_deref());
+    let output = args.output.as_ref().map(|file| Rule::new(inputs, args.overwrite).file(file)).transpose()?;
+    let (setup, launched) = setups(args)?;
+    let mut warnings = setup.warnings();
+    warn(&warnings);
+    let vary = args.vary.iter().map(|text| Vary::read(&setup, text)).collect::<Result<Vec<_>>>()?;
+    let sigmas = args.sigma.iter().map(|text| Sigma::read(&setup, text)).collect::<Result<Vec<_>>>()?;
+    let unknowns = unknowns(&setup, &vary, &sigmas)?;
+    let (all, from, left_out) = match &args.shots {
+        None => {
+            tell_assumed(&unknowns);
+            let found = delivery(&setup, &launches(&launched), &unknowns)?;
+            (vec![Delivery { row: 1, found: Ok(found) }], "a measured launch".to_owned(), 0)
+        }
+        Some(file) => {
+            let table = ShotTable::open_launches(&setup, file)?;
+            let given: Vec<_> = setup.parameters().into_iter().filter(|parameter| table.gives(parameter)).collect();
+            args.question.refuse_twice(
+                &setup,
+                &given,
+                &format!("every row of {} has a value of its own", table.file),
+            )?;
+            table.remarks.iter().for_each(|remark| tell(&remark.in_units(system())));
+            tell_assumed(&unknowns);
+            let all = deliveries(&setup, &table, &unknowns, &interrupt::stops(BEST_SO_FAR));
+            let left_out = table.shots.len() - all.len();
+            (all, table.file, left_out)
+        }
+    };
+    if left_out > 0 {
+        let unreached = [format!("interrupted: {} were not looked at", counted(left_out as u64, "row")).into()];
+        warn(&unreached);
+        warnings.extend(unreached);
+    }
+    let found = all.iter().filter_map(Delivery::converged).count();
+    if let Some(output) = &output {
+        let file = output.path().display();
+        if found > 0 && left_out == 0 {
+            output.write(delivery_toml(&setup, &all, args.question.preset()?, &from)?.as_bytes())?;
+            tell(&format!(
+                "wrote the setup with this delivery into {file}; 'longdrive optimize {file} --vary club.loft=4deg..20deg' finds \
+                 the loft of the longest carry for it"
+            ));
+        } else {
+            let why = if found == 0 { "no delivery was found" } else { "the work was interrupted" };
+            let unwritten = [Message::from(format!("{file} is not written: {why}"))];
+            warn(&unwritten);
+            warnings.extend(unwritten);
+        }
+    }
+    let answer = if args.question.json {
+        Answer::json(&delivery_reply(&all, left_out, warnings))
+    } else {
+        Answer::text(match (&args.shots, all.first().and_then(|delivery| delivery.found.as_ref().ok())) {
+            (None, Some(delivered)) => delivered_text(delivered, system()),
+            _ => deliveries_text(&all, system()),
+        })
+    };
+    Ok(answer.found(found == all.len() && left_out == 0))
+}
+
+/// What is taken for the uncertainty of each parameter before the shot, where none was given.
+fn tell_assumed(unknowns: &[Unknown]) {
+    for unknown in unknowns {
+        if let Some(source) = unknown.source {
+            let shown = |value: f64| parameter_text(unknown.parameter, value, system());
+            let (name, value, sigma) = (unknown.parameter.name, shown(unknown.before), shown(unknown.sigma));
+            tell(&format!("known before: {name} = {value} ± {sigma} (one standard deviation); {source}"));
+        }
+    }
+}
+
+/// The setup of the club, and the same with the launch that was measured.
+fn setups(args: &DeliveryArgs) -> Result<(Setup<f64>, Setup<f64>)> {
+    let options = [
+        ("ball_speed", &args.ball_speed),
+        ("launch_angle", &args.launch_angle),
+        ("launch_direction", &args.launch_direction),
+        ("backspin", &args.backspin),
+        ("sidespin", &args.sidespin),
+        ("spin", &args.spin),
+        ("spin_axis", &args.spin_axis),
+    ];
+    let options = options.into_iter().filter_map(|(name, text)| Some(format!("{name}={}", text.as_ref()?)));
+    let launch: Vec<String> = args.question.launch.iter().cloned().chain(options).collect();
+    let is_launch = |text: &&String| text.trim_start().starts_with("launch.");
+    let (of_launch, of_club): (Vec<_>, Vec<_>) = args.question.set.iter().partition(is_launch);
+    let part = |set: Vec<&String>, launch: Vec<String>| Question {
+        set: set.into_iter().cloned().collect(),
+        launch,
+        ..args.question.clone()
+    };
+    let (club, own) = (part(of_club, vec![]), part(of_launch, launch));
+    let mut setup = club.setup()?;
+    if args.shots.is_some() && !own.launch.is_empty() {
+        let source = "the shots have launches of their own; give one of the two".into();
+        return Err(Error::Unreadable { name: format!("--shots with the launch {}", own.launch.join(", ")), source });
+    }
+    let launched = own.setup()?;
+    for condition in setup.given_launch_conditions() {
+        setup.set_value(condition, None)?;
+    }
+    if args.shots.is_none() && !launched.launch.is_given() {
+        let source =
+            "no launch is given; add --ball-speed, --launch-angle and --spin (or --backspin), or --shots FILE".into();
+        return Err(Error::Unreadable { name: "delivery".into(), source });
+    }
+    Ok((setup, launched))
+}
+
+/// Nothing is flown: an accuracy of the flight has no effect.
+fn refuse_step(question: &Question) -> Result<()> {
+    let given = if question.tolerance.is_some() { "--tolerance" } else { "--own-step" };
+    if question.tolerance.is_none() && !question.own_step {
+        return Ok(());
+    }
+    let source =
+        "delivery looks at the impact alone and flies nothing, so that this has no effect; leave it out".into();
+    Err(Error::Unreadable { name: given.into(), source })
+}

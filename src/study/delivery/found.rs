@@ -1,0 +1,53 @@
+use super::unknown::Unknown;
+use super::untold::Untold;
+use crate::optimize::least_squares::Status;
+use crate::parameters::Setup;
+use crate::study::calibrate::Measurement;
+
+/// What is known of a parameter after the shot, SI.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Known {
+    /// What was known before.
+    pub unknown: Unknown,
+    /// The most probable value.
+    pub value: f64,
+    /// Its standard uncertainty; `None` where a bound holds it.
+    pub sigma: Option<f64>,
+    /// What part of the variance before the shot has removed, 0 to 1: 1 where the launch tells all, 0 where it tells nothing.
+    /// `None` where a bound holds it.
+    pub told: Option<f64>,
+}
+
+/// A measured outcome beside the one computed of the delivery, SI.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Explained {
+    /// What was measured.
+    pub measured: Measurement,
+    /// What the delivery gives.
+    pub computed: f64,
+}
+
+impl Explained {
+    /// Computed − measured, in units of the standard uncertainty of the measurement.
+    pub fn residual(&self) -> f64 {
+        let Measurement { outcome, value, sigma } = self.measured;
+        (outcome.beside(self.computed, value) - value) / sigma
+    }
+}
+
+/// The delivery that explains a launch.
+#[derive(Clone, Debug)]
+pub struct Delivered {
+    /// The setup with it.
+    pub setup: Setup<f64>,
+    /// How the search ended.
+    pub status: Status,
+    /// The same in a sentence.
+    pub message: String,
+    /// Each parameter that was sought.
+    pub known: Vec<Known>,
+    /// Each measured outcome.
+    pub explained: Vec<Explained>,
+    /// Changes of several parameters together that the launch does not tell, the least told first.
+    pub untold: Vec<Untold>,
+}
