@@ -138,6 +138,17 @@ fn exact_a_change_that_is_not_told_leaves_the_launch_as_it_is() {
 }
 
 #[test]
+fn exact_a_parameter_that_its_bound_holds_has_no_uncertainty_and_is_not_told() {
+    let setup = struck(&[]);
+    let faster = struck(&[("swing.speed", "125 mph")]);
+    let vary = [Vary::read(&setup, "swing.speed=100mph..112mph").unwrap()];
+    let found = delivery(&setup, &launch_of(&faster), &unknowns(&setup, &vary, &[]).unwrap()).unwrap();
+    let known = &found.known[0];
+    assert_eq!((known.value, known.sigma, known.told), (vary[0].high, None, None));
+    assert!(found.untold.is_empty());
+}
+
+#[test]
 fn a_launch_on_the_command_line_becomes_a_setup_whose_best_loft_can_be_looked_for() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("golfer.toml");

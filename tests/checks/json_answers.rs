@@ -33,7 +33,7 @@ fn every_command_answers_with_one_object_that_its_schema_describes() {
         (vec!["optimum-sensitivity", "--wrt", "gravity", "--change", "swing.speed=+5mph"], "converged"),
         (vec!["calibrate", &shots, "--fit", "aero.spin_decay", "--folds", "3"], "converged"),
         (vec!["delivery", "--launch", "ball_speed=160mph,launch_angle=11deg,spin=2600rpm,spin_axis=3deg"], "done"),
-        (vec!["delivery", "--shots", &shots], "done"),
+        (vec!["delivery", "--shots", concat!(env!("CARGO_MANIFEST_DIR"), "/examples/shots.csv")], "done"),
         (vec!["chart", "--along", "swing.speed=100mph..104mph"], "done"),
         (vec!["plot", "trajectory", "-o", &picture], "done"),
         (vec!["report", "-o", &page, "--along", "swing.speed=100mph..104mph"], "done"),

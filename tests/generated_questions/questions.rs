@@ -221,7 +221,7 @@ impl Question {
             let text = setting(chance);
             self.option("--set", text);
         }
-        let is_cheap = matches!(command, "simulate" | "gradient" | "parameters");
+        let is_cheap = matches!(command, "simulate" | "gradient" | "parameters" | "delivery");
         match chance.below(20) {
             0 => self.push(chance.of(&[
                 "--tolerance",
@@ -236,12 +236,13 @@ impl Question {
     }
 
     fn delivery(&mut self, chance: &mut Chance) {
-        if chance.is(0.3) {
-            let text = if chance.is(0.5) { export(chance) } else { shots(chance) };
+        let has_shots = !chance.is_launched && chance.is(0.3);
+        if has_shots {
+            let text = if chance.is(0.8) { export(chance) } else { shots(chance) };
             self.files.push(("shots.csv".into(), text));
             self.option("--shots", "shots.csv");
         }
-        if chance.is(0.6) {
+        if !chance.is_launched && (!has_shots || chance.slips()) {
             for (option, of, amiss) in [
                 ("--ball-speed", "150mph", "150"),
                 ("--launch-angle", "12deg", "95deg"),
@@ -253,15 +254,18 @@ impl Question {
                 self.option("--spin-axis", "-4deg");
             }
         }
-        if chance.is(0.3) {
-            for _ in 0..1 + chance.below(3) {
+        match chance.below(10) {
+            0 => {
                 let text = range(variable(chance), chance);
                 self.option("--vary", text);
             }
-        }
-        if chance.is(0.2) {
-            let text = sigma(chance);
-            self.option("--sigma", text);
+            1 => self.option("--vary", "club.loft=-10deg..60deg"),
+            2 => self.option("--sigma", "swing.attack_angle=0.5deg"),
+            3 if chance.slips() => {
+                let text = sigma(chance);
+                self.option("--sigma", text);
+            }
+            _ => {}
         }
         if chance.is(0.2) {
             self.output("-o", &["golfer.toml"], chance);

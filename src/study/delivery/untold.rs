@@ -18,6 +18,10 @@ pub struct Untold {
 /// The directions that a launch does not tell, by the eigenvectors of what it tells, each parameter in units of its uncertainty before.
 /// `jacobian` are the slopes of the residuals by parameters in these units.
 pub(super) fn untold(jacobian: &DMatrix<f64>, sought: &[(&'static Parameter, f64)]) -> Vec<Untold> {
+    // where bounds hold every parameter, nothing is left to tell apart
+    if sought.is_empty() {
+        return vec![];
+    }
     let SymmetricEigen { eigenvalues, eigenvectors } = (jacobian.transpose() * jacobian).symmetric_eigen();
     let mut all: Vec<Untold> = (0..sought.len())
         .map(|k| {
