@@ -88,7 +88,7 @@ fn numbers(question: &Question, out: &str) -> Option<String> {
         line.split(|c: char| !(c.is_alphanumeric() || c == '_')).map(str::to_lowercase).collect()
     };
     // a flat face, and the ranges of parameters, are infinite; names of files and texts that are quoted say what they will
-    let has_infinities = matches!(question.command(), "parameters" | "presets" | "laws")
+    let has_infinities = matches!(question.command(), "parameters" | "presets" | "laws" | "compare")
         || question
             .args
             .iter()
