@@ -56,10 +56,10 @@ pub static PRESETS: &[Preset] = &[
             entry("swing.shaft_growth", "2", GROWTH),
             entry(
                 "strike.high",
-                "3.3 mm",
+                "3 mm",
                 "chosen to agree with the spin; the face centre of the measured driver lies 4.3 mm above its sweet spot",
             ),
-            entry("club.loft", "9.4 deg", LOFT_SOLD),
+            entry("club.loft", "9.5 deg", LOFT_SOLD),
             entry(
                 "impact.restitution",
                 "0.859",

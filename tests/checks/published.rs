@@ -70,7 +70,7 @@ fn published_launch_of_the_average_amateur_is_met_by_its_preset() {
 }
 
 #[test]
-fn published_edition_of_2019_is_met_in_ball_speed_carry_apex_and_descent_and_not_in_launch() {
+fn published_edition_of_2019_is_met_but_for_the_launch_angle() {
     let mut setup = Setup::preset("tour-average").unwrap();
     setup.set_all([("swing.speed", "113 mph"), ("swing.attack_angle", "-1.3 deg")]).unwrap();
     let drive = Drive::new(&setup).unwrap();
@@ -79,7 +79,7 @@ fn published_edition_of_2019_is_met_in_ball_speed_carry_apex_and_descent_and_not
     assert!((of(Outcome::CarryDistance, YARD) - 275.0).abs() <= 5.5);
     assert!((of(Outcome::ApexHeight, YARD) - 32.0).abs() <= 2.0);
     assert!((of(Outcome::DescentAngle, DEGREE) - 38.0).abs() <= 2.0);
-    // what docs/sources.md says of the rest: 10.2° for 10.9°, 2527 rpm for 2686 rpm
+    assert!((of(Outcome::Spin, RPM) - 2686.0).abs() <= 0.05 * 2686.0);
+    // what docs/sources.md says of the rest: 10.2° for 10.9°
     assert_eq!(format!("{:.1}", of(Outcome::LaunchAngle, DEGREE)), "10.2");
-    assert_eq!(format!("{:.0}", of(Outcome::Spin, RPM)), "2527");
 }
