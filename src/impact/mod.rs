@@ -95,6 +95,9 @@ impl<T: Numbers> Unchecked<T> {
             & system.inertia.is_positive()
             & system.compliance.is_positive()
             & above_zero(sticking.dot(collision.normal));
+        if setup.impact.restitution_slope.is_some() {
+            is_sound = is_sound & collision.has_restitution();
+        }
         let impulse = match setup.impact.friction {
             None => sticking,
             Some(friction) => {

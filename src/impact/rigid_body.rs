@@ -31,6 +31,10 @@ pub struct Collision<T> {
     pub tangential_restitution: T,
 }
 
+/// The closing speed at which the restitution is stated where it depends on the speed: 160 ft/s, that of the USGA's test of
+/// clubs, m/s.
+const SPEED_OF_RESTITUTION: f64 = 48.768;
+
 /// The bodies after the collision.
 #[derive(Clone, Copy, Debug)]
 pub struct Rebound<T> {
@@ -51,7 +55,7 @@ impl<T: Numbers> Collision<T> {
     #[inline(always)]
     pub(super) fn at(setup: &Setup<T>, delivery: &Delivery<T>, face: &FacePoint<T>) -> Self {
         let ball = &setup.ball;
-        Self {
+        let mut collision = Self {
             club_mass: setup.club.mass,
             club_inertia: setup.club.inertia(),
             club_velocity: delivery.to_head(delivery.velocity),
@@ -66,7 +70,18 @@ impl<T: Numbers> Collision<T> {
             normal: face.normal,
             restitution: setup.impact.restitution,
             tangential_restitution: setup.impact.tangential_restitution,
+        };
+        if let Some(slope) = setup.impact.restitution_slope {
+            let closing = collision.approach().dot(collision.normal);
+            collision.restitution = collision.restitution + (closing - SPEED_OF_RESTITUTION) * slope;
         }
+        collision
+    }
+
+    /// Whether the restitution at this speed is one, between 0 and 1.
+    #[inline(always)]
+    pub(super) fn has_restitution(&self) -> T::Mask {
+        !self.restitution.below(0.0) & !(-self.restitution).below(-1.0)
     }
 
     /// u⁻: the velocity of the club's contact point relative to the ball's before impact, m/s.
@@ -145,10 +160,19 @@ impl<T: Number> Collision<T> {
     /// The collision that a setup's delivery leads to.
     ///
     /// # Errors
-    /// [`Error::OffFace`].
+    /// [`Error::OffFace`]; [`Error::Jammed`] where the restitution at this speed is not between 0 and 1.
     #[inline]
     pub fn new(setup: &Setup<T>, delivery: &Delivery<T>) -> Result<Self> {
-        Ok(Self::at(setup, delivery, &FacePoint::new(&setup.club, &setup.strike)?))
+        let collision = Self::at(setup, delivery, &FacePoint::new(&setup.club, &setup.strike)?);
+        if setup.impact.restitution_slope.is_some() && !collision.has_restitution() {
+            return Err(jammed(&format!(
+                "the restitution at the closing speed of {:.3} m/s would be {:.5}, which must be between 0 and 1; check \
+                 impact.restitution, impact.restitution_slope and swing.speed",
+                collision.approach().dot(collision.normal).re(),
+                collision.restitution.re()
+            )));
+        }
+        Ok(collision)
     }
 
     /// The impulse from 3 equations (docs/model.md, eqs. 8–10).

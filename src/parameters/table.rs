@@ -25,6 +25,15 @@ parameter_groups! {
         /// Forward lean of the shaft, which reduces the loft.
         shaft_lean: T = "swing.shaft_lean", "σ", ANGLE in "deg", Range::within_degrees(90.0), "0 deg",
             "Winfield & Tan (1994): none";
+        /// Forward bend of the shaft at impact, at a head speed of 100 mph: it adds to the loft; unset: 0.
+        shaft_bend: Option<T> = "swing.shaft_bend", "β", ANGLE in "deg", Range::within_degrees(45.0), "none",
+            "a rigid shaft; drivers are taken to bend by 2 to 5 deg, docs/sources.md";
+        /// Droop of the shaft at impact, at a head speed of 100 mph: it turns the toe down; unset: 0.
+        shaft_droop: Option<T> = "swing.shaft_droop", "δ_s", ANGLE in "deg", Range::within_degrees(45.0), "none",
+            "a rigid shaft; drivers are taken to droop by 1 to 4 deg, docs/sources.md";
+        /// Growth of bend and droop with the head speed V: they are in proportion to V to this power; unset: 0.
+        shaft_growth: Option<T> = "swing.shaft_growth", "p_s", NUMBER in "", Range::from_to(0.0, 4.0), "none",
+            "the same bend at every head speed; 2 for a load in proportion to V² on a shaft whose stiffness stays";
         /// Head's angular velocity before impact, about the vertical; + closes a right-hander's face.
         closure_x: T = "swing.closure.x", "ω_cx", ANGULAR_VELOCITY in "rad/s", Range::from_to(-1e4, 1e4), "0 rad/s",
             "Winfield & Tan (1994): none";
@@ -102,6 +111,10 @@ parameter_groups! {
         /// Coefficient of restitution along the face normal.
         restitution: T = "impact.restitution", "e", NUMBER in "", Range::from_to(0.0, 1.0), "0.83",
             "USGA limit 0.822 + 0.008, which modern drivers reach";
+        /// Growth of the restitution with the speed at which face and ball close along the normal; the restitution is then that at
+        /// 160 ft/s, the speed of the USGA's test; unset: 0.
+        restitution_slope: Option<T> = "impact.restitution_slope", "e_v", PER_SPEED in "s/m", Range::from_to(-0.1, 0.1), "none",
+            "the same restitution at every speed; −0.0029 s/m for a solid plate in Penner (2001), after Lieberman & Johnson";
         /// Tangential coefficient of restitution: 0 no slip at exit, −1 a frictionless face, 1 elastic.
         tangential_restitution: T = "impact.tangential_restitution", "e_t", NUMBER in "", Range::from_to(-1.0, 1.0), "-0.15",
             "measured drivers spin less than rolling predicts: −0.15 ± 0.05, docs/sources.md";

@@ -79,6 +79,8 @@ quantities! {
     RATE = "a rate", "1/s", [0, 0, -1, 0, 0], "1/s, %/s";
     /// Per angular velocity, s/rad.
     PER_ANGULAR_VELOCITY = "a quantity per angular velocity", "s/rad", [0, 0, 1, -1, 0], "s/rad, 1/rpm";
+    /// Per speed, s/m.
+    PER_SPEED = "a quantity per speed", "s/m", [-1, 0, 1, 0, 0], "s/m, 1/mph";
     /// A number without unit.
     NUMBER = "a plain number", "", [0, 0, 0, 0, 0], "no unit, or %";
 }

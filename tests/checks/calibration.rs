@@ -315,7 +315,7 @@ fn with_unit(outcome: Outcome) -> String {
 /// The program's answer in text and JSON.
 fn asked(text: &str, arguments: &[&str]) -> (i32, String, serde_json::Value) {
     let file = table(text);
-    let question = [&["calibrate", file.path().to_str().unwrap()], arguments].concat();
+    let question = [&["calibrate", file.path().to_str().unwrap(), "modern-driver"], arguments].concat();
     let (status, found) = json(&question);
     let said = longdrive(&question);
     assert_eq!(said.status, status, "{}", said.err);

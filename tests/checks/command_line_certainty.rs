@@ -103,6 +103,7 @@ fn exact_uncertainty_as_json_is_the_same_for_the_same_seed() {
 fn drives_that_do_not_fly_are_reported_and_none_at_all_is_no_answer() {
     let partly = [
         "uncertainty",
+        "modern-driver",
         "--set",
         "swing.attack_angle=0deg",
         "--distribution",
@@ -118,6 +119,7 @@ fn drives_that_do_not_fly_are_reported_and_none_at_all_is_no_answer() {
     );
     let never = [
         "uncertainty",
+        "modern-driver",
         "--set",
         "swing.attack_angle=-30deg",
         "--sigma",
@@ -187,7 +189,7 @@ fn rounding_is_shown_as_0_in_texts_and_kept_in_json() {
 #[test]
 fn a_certificate_that_fails_names_what_failed() {
     let ground = ["--set", "ground.height=-10000m", "--wrt", "ground.height", "--of", "landing_speed"];
-    let wind = ["verify", "--set", "aero.law=ferguson", "--set", "wind.roughness=10000mm"];
+    let wind = ["verify", "modern-driver", "--set", "aero.law=ferguson", "--set", "wind.roughness=10000mm"];
     let said = longdrive(&[&wind[..], &ground].concat());
     let words = said.out.split_whitespace().collect::<Vec<_>>().join(" ");
     assert_eq!(said.status, 1);

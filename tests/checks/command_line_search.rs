@@ -84,13 +84,20 @@ fn infeasible_is_an_answer_with_status_1_and_says_by_what() {
 
 #[test]
 fn exact_sensitivity_and_windows_as_json() {
-    let (status, found) =
-        json(&["optimum-sensitivity", "--own-step", "--wrt", "swing.speed,gravity", "--change", "swing.speed=+1mph"]);
+    let (status, found) = json(&[
+        "optimum-sensitivity",
+        "modern-driver",
+        "--own-step",
+        "--wrt",
+        "swing.speed,gravity",
+        "--change",
+        "swing.speed=+1mph",
+    ]);
     assert_eq!((status, &found["status"]), (0, &Value::from("converged")));
     let names: Vec<&String> = found["sensitivity"].as_object().unwrap().keys().collect();
     assert_eq!(names, ["swing.speed", "gravity"]);
     let speed = &found["sensitivity"]["swing.speed"];
-    let best = |speed: &str| number(&json(&["optimize", "--set", speed]).1["value"]);
+    let best = |speed: &str| number(&json(&["optimize", "modern-driver", "--set", speed]).1["value"]);
     let slope = (best("swing.speed=49.2744m/s") - best("swing.speed=49.0744m/s")) / 0.2;
     close(number(&speed["value"]), slope, 1.0, 1e-4, "d f*/d speed");
     assert_eq!(number(&speed["optimum"]["swing.attack_angle"]), 0.0);
@@ -99,7 +106,7 @@ fn exact_sensitivity_and_windows_as_json() {
     assert!(number(&window["low"]) < x && x < number(&window["high"]));
     for end in ["low", "high"] {
         let loft = format!("club.loft={:?}rad", number(&window[end]));
-        let drive = json(&["simulate", "--set", &loft, "--set", "swing.attack_angle=5deg"]).1;
+        let drive = json(&["simulate", "modern-driver", "--set", &loft, "--set", "swing.attack_angle=5deg"]).1;
         close(number(&found["value"]) - number(&drive["flight"]["carry"]), 0.9144, 1.0, 1e-9, "a yard");
     }
     assert_eq!(found["window"]["swing.attack_angle"]["high_limit"], "bound");
@@ -175,15 +182,24 @@ fn bad_input_to_a_search_is_status_2_and_says_what_to_write() {
 
 #[test]
 fn each_outcome_of_a_gradient_answers_for_itself() {
-    let (status, rows) = json(&["gradient", "--of", "launch_angle,carry", "--set", "club.loft=-20deg"]);
+    let (status, rows) =
+        json(&["gradient", "modern-driver", "--of", "launch_angle,carry", "--set", "club.loft=-20deg"]);
     assert_eq!(status, 1);
     close(number(&rows["outcomes"][0]["value"]).to_degrees(), -17.87, 1.0, 1e-2, "launch angle");
     assert!(
         rows["outcomes"][1]["value"].is_null()
             && rows["outcomes"][1]["message"].as_str().unwrap().contains("no flight")
     );
-    let (status, rows) =
-        json(&["gradient", "--of", "spin_axis,carry,carry", "--set", "club.loft=0rad", "--wrt", "all,gravity"]);
+    let (status, rows) = json(&[
+        "gradient",
+        "modern-driver",
+        "--of",
+        "spin_axis,carry,carry",
+        "--set",
+        "club.loft=0rad",
+        "--wrt",
+        "all,gravity",
+    ]);
     assert_eq!((status, rows["outcomes"].as_array().unwrap().len()), (1, 2));
     assert!(rows["outcomes"][0]["value"].is_null() && rows["outcomes"][1]["value"].is_null());
 }
@@ -202,7 +218,7 @@ fn a_full_disk_is_an_error() {
 fn exact_least_value_has_the_price_of_its_bound() {
     // ball speed falls with loft all the way: the least is at the upper bound, and its price is the slope there
     let vary = ["--vary", "club.loft=4deg..20deg"];
-    let (status, found) = json(&[&["optimize", "--minimize", "ball_speed"], &vary[..]].concat());
+    let (status, found) = json(&[&["optimize", "modern-driver", "--minimize", "ball_speed"], &vary[..]].concat());
     assert_eq!((status, found["status"].as_str()), (0, Some("converged")), "{found}");
     assert_eq!(number(&found["optimum"]["club.loft"]), 20.0_f64.to_radians());
     let at = ["--of", "ball_speed", "--wrt", "club.loft", "--set", "club.loft=20deg"];
@@ -214,7 +230,7 @@ fn exact_least_value_has_the_price_of_its_bound() {
     close(number(&found["value"]), slope.value, slope.value, 1e-14, "value");
     close(number(&found["gradient"]["club.loft"]), slope.gradient[0], 1.0, 1e-9, "gradient");
     close(number(&found["multipliers"]["club.loft"]["upper"]), -slope.gradient[0], 1.0, 1e-9, "price");
-    let said = longdrive(&[&["optimize", "--minimize", "ball_speed"], &vary[..]].concat());
+    let said = longdrive(&[&["optimize", "modern-driver", "--minimize", "ball_speed"], &vary[..]].concat());
     assert!(said.out.contains("at its upper bound: -"), "{}", said.out);
     let both = longdrive(&["optimize", "--minimize", "carry", "--maximize", "carry"]);
     assert_eq!(both.status, 2, "{}", both.err);
@@ -224,10 +240,11 @@ fn exact_least_value_has_the_price_of_its_bound() {
 fn differences_of_least_values_are_their_sensitivities() {
     // the landing speed is least at a descent between flat and steep
     let asked = ["--minimize", "landing_speed", "--vary", "club.loft=4deg..25deg", "--own-step"];
-    let (status, found) = json(&[&["optimum-sensitivity", "--wrt", "air.density"], &asked[..]].concat());
+    let (status, found) =
+        json(&[&["optimum-sensitivity", "modern-driver", "--wrt", "air.density"], &asked[..]].concat());
     assert_eq!(status, 0, "{found}");
     let best = |density: &str| {
-        let (_, found) = json(&[&["optimize", "--set", density], &asked[..]].concat());
+        let (_, found) = json(&[&["optimize", "modern-driver", "--set", density], &asked[..]].concat());
         number(&found["value"])
     };
     let slope = (best("air.density=1.185 kg/m^3") - best("air.density=1.183 kg/m^3")) / 0.002;
@@ -235,7 +252,7 @@ fn differences_of_least_values_are_their_sensitivities() {
     close(slope, exact, exact.abs(), 1e-5, "d f*/d density");
     let loss = |end: &str| {
         let loft = format!("club.loft={:?}rad", number(&found["window"]["club.loft"][end]));
-        let (_, drive) = json(&["simulate", "--set", &loft]);
+        let (_, drive) = json(&["simulate", "modern-driver", "--set", &loft]);
         number(&drive["flight"]["landing_speed"]) - number(&found["value"])
     };
     // the optimum stands at the upper bound: there nothing is lost but rounding
@@ -247,7 +264,7 @@ fn differences_of_least_values_are_their_sensitivities() {
 fn exact_setup_at_an_optimum_reads_back_and_gives_the_same_drive() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("best.toml").display().to_string();
-    let (status, found) = json(&["optimize", "--set", "swing.speed=100mph", "-o", &file]);
+    let (status, found) = json(&["optimize", "modern-driver", "--set", "swing.speed=100mph", "-o", &file]);
     assert_eq!(status, 0);
     let text = std::fs::read_to_string(&file).unwrap();
     for words in
@@ -285,13 +302,13 @@ fn numbers_without_a_unit_in_a_setup_file_are_said_to_be_read_as_si() {
 
 #[test]
 fn exact_optima_at_the_points_one_chooses() {
-    let (status, chart) = json(&["chart", "--along", "swing.speed", "--at", "110mph,90mph,100mph"]);
+    let (status, chart) = json(&["chart", "modern-driver", "--along", "swing.speed", "--at", "110mph,90mph,100mph"]);
     assert_eq!(status, 0, "{chart}");
     let points = chart["points"].as_array().unwrap();
     let speeds: Vec<f64> = points.iter().map(|point| number(&point["at"])).collect();
     assert_eq!(speeds, [90.0 * 0.44704, 100.0 * 0.44704, 110.0 * 0.44704]);
     for (point, speed) in points.iter().zip(["90mph", "100mph", "110mph"]) {
-        let (_, alone) = json(&["optimize", "--set", &format!("swing.speed={speed}")]);
+        let (_, alone) = json(&["optimize", "modern-driver", "--set", &format!("swing.speed={speed}")]);
         close(number(&point["value"]), number(&alone["value"]), 1.0, 1e-9, speed);
     }
     for (args, says) in [

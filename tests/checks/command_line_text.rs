@@ -15,7 +15,7 @@ fn line(out: &str, name: &str) -> String {
 
 #[test]
 fn a_drive_is_shown_as_launch_monitors_do_in_either_system() {
-    let args = ["simulate", "--set", "swing.path=-2deg"];
+    let args = ["simulate", "modern-driver", "--set", "swing.path=-2deg"];
     let us = longdrive(&args).out;
     let metric = longdrive(&[args.as_slice(), &["--units", "metric"]].concat()).out;
     for (name, in_us, in_metric) in [
@@ -36,15 +36,23 @@ fn a_drive_is_shown_as_launch_monitors_do_in_either_system() {
 #[test]
 fn every_command_answers_in_the_system_asked_for() {
     for (args, in_us, in_metric) in [
-        (vec!["optimize", "-q"], "carry   279.2 yd (255.3 m)", "carry   255.3 m (279.2 yd)"),
-        (vec!["gradient"], "carry = 251.1 yd (229.6 m)", "carry = 229.6 m (251.1 yd)"),
-        (vec!["gradient"], " yd per deg", " m per deg"),
-        (vec!["compare", "--set-b", "swing.speed=112mph"], "110 mph  112 mph", "49.174 m/s  50.068 m/s"),
+        (vec!["optimize", "modern-driver", "-q"], "carry   279.2 yd (255.3 m)", "carry   255.3 m (279.2 yd)"),
+        (vec!["gradient", "modern-driver"], "carry = 251.1 yd (229.6 m)", "carry = 229.6 m (251.1 yd)"),
+        (vec!["gradient", "modern-driver"], " yd per deg", " m per deg"),
+        (
+            vec!["compare", "modern-driver", "--set-b", "swing.speed=112mph"],
+            "110 mph  112 mph",
+            "49.174 m/s  50.068 m/s",
+        ),
         (vec!["sensitivity"], " yd per mph", " m per m/s"),
         (vec!["optimum-sensitivity", "-q", "--wrt", "swing.speed"], "swing.speed [mph]", "swing.speed [m/s]"),
-        (vec!["uncertainty", "-q", "--samples", "16"], "normal: 110 mph ± 0.5 mph", "normal: 49.174 m/s ± 0.22352 m/s"),
+        (
+            vec!["uncertainty", "modern-driver", "-q", "--samples", "16"],
+            "normal: 110 mph ± 0.5 mph",
+            "normal: 49.174 m/s ± 0.22352 m/s",
+        ),
         (vec!["chart", "-q", "--along", "swing.speed=100mph..101mph"], "100.00 mph", "44.70 m/s"),
-        (vec!["parameters"], "110 mph", "49.1744 m/s"),
+        (vec!["parameters", "modern-driver"], "110 mph", "49.1744 m/s"),
     ] {
         let out = |extra: &[&str]| longdrive(&[args.as_slice(), extra].concat()).out;
         for (out, words, others) in [
@@ -92,7 +100,7 @@ fn no_line_of_an_answer_is_wider_than_a_terminal() {
 fn quiet_leaves_warnings_and_errors_alone_on_standard_error() {
     assert!(!longdrive(&["optimize"]).err.is_empty());
     assert_eq!(longdrive(&["optimize", "--quiet"]).err, "");
-    let warned = longdrive(&["simulate", "-q", "--set", "club.inertia.yy=20000 g cm^2"]);
+    let warned = longdrive(&["simulate", "modern-driver", "-q", "--set", "club.inertia.yy=20000 g cm^2"]);
     assert!(
         warned.err.starts_with("warning: club.inertia")
             && warned.err.lines().skip(1).all(|line| line.starts_with("  ")),

@@ -77,7 +77,7 @@ fn exact_heights_of_messages_are_in_the_units_asked_for() {
     // 40 m = 43.745 yd, 200 m = 218.72 yd
     let high = ["--set", "ground.height=40m"];
     let higher = ["--set", "ground.height=200m"];
-    let chart = ["chart", "--along", "ground.height=40m..61m"];
+    let chart = ["chart", "modern-driver", "--along", "ground.height=40m..61m"];
     for (args, in_us, in_metric) in [
         ([&["simulate"][..], &high].concat(), "not above the ground at 43.745 yd", "not above the ground at 40 m"),
         ([&["gradient"][..], &high].concat(), "not above the ground at 43.745 yd", "not above the ground at 40 m"),
@@ -99,9 +99,9 @@ fn exact_speeds_and_limits_of_messages_are_in_the_units_asked_for() {
     let slow = ["simulate", "--set", "aero.law=winfield-tan", "--set", "swing.speed=30mph", "--set", "club.loft=14deg"];
     let limits = ["--subject-to", "apex_height <= 5 yd", "--subject-to", "apex_height >= 60 yd"];
     let impossible = [&["optimize"], &limits[..]].concat();
-    let verify = ["verify", "--of", "carry", "--wrt", "swing.speed"];
+    let verify = ["verify", "modern-driver", "--of", "carry", "--wrt", "swing.speed"];
     let sample = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/shots.csv");
-    let calibrate = ["calibrate", sample, "--fit", "aero.cd0"];
+    let calibrate = ["calibrate", sample, "modern-driver", "--fit", "aero.cd0"];
     for (args, in_us, in_metric) in [
         // 25 m/s = 55.9 mph, 68 m/s = 152 mph
         (&slow[..], "speed through the air of 55.9 mph to 152 mph", "speed through the air of 25 m/s to 68 m/s"),
@@ -123,7 +123,8 @@ fn exact_speeds_and_limits_of_messages_are_in_the_units_asked_for() {
 fn notes_of_plots_put_the_chosen_system_first() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("a.svg").display().to_string();
-    let along = ["chart", "--along", "swing.speed=90mph..100mph", "--subject-to", "apex_height <= 30 yd"];
+    let along =
+        ["chart", "modern-driver", "--along", "swing.speed=90mph..100mph", "--subject-to", "apex_height <= 30 yd"];
     for (plot, us, metric) in [
         (&["contour"][..], "for a loss of 1 yd (0.9144 m)", "for a loss of 0.9144 m (1 yd)"),
         (&["tornado"], " yd (", " m ("),

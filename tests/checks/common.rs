@@ -113,6 +113,12 @@ fn any_setup() -> impl Strategy<Value = Setup<f64>> {
         (s.air.density, s.aero.spin_decay, s.aero.spin_damping, _, s.wind.roughness) = air;
         [s.wind.up, s.wind.right, s.wind.downrange] = air.3;
         s.wind.up *= 0.1;
+        // a shaft that bends and droops, and a restitution that falls with the speed, in half of the drives
+        if s.club.face_semi_axis.is_some() {
+            (s.swing.shaft_bend, s.swing.shaft_droop) = (Some(0.5 * s.swing.shaft_lean), Some(s.swing.path));
+            s.swing.shaft_growth = s.ball.inertia.map(|_| 1.5);
+            s.impact.restitution_slope = Some(-5e-4 * (1.0 - s.impact.restitution));
+        }
         s.validate().unwrap();
         s
     })

@@ -224,8 +224,16 @@ fn two_drives_as_text_and_json() {
         "drives",
     );
     // the same by options
-    let (_, same) =
-        json(&["compare", "--set-b", "club.loft=11deg", "--set-b", "swing.speed=112mph", "--of", "carry,backspin"]);
+    let (_, same) = json(&[
+        "compare",
+        "modern-driver",
+        "--set-b",
+        "club.loft=11deg",
+        "--set-b",
+        "swing.speed=112mph",
+        "--of",
+        "carry,backspin",
+    ]);
     assert_eq!(same["outcomes"], found["outcomes"]);
 }
 
@@ -233,7 +241,7 @@ fn two_drives_as_text_and_json() {
 fn no_difference_is_said_and_bad_input_names_the_drive() {
     let said = longdrive(&["compare", "modern-driver", "modern-driver"]);
     assert!(said.status == 0 && said.out.contains("nothing differs: a and b are the same drive"), "{}", said.out);
-    let (status, found) = json(&["compare", "--set-b", "club.loft=9.8deg"]);
+    let (status, found) = json(&["compare", "modern-driver", "--set-b", "club.loft=9.8deg"]);
     assert_eq!((status, found["status"].as_str(), number(&found["outcomes"][0]["difference"])), (0, Some("done"), 0.0));
     assert!(found["message"].as_str().unwrap().contains("nothing differs"));
 

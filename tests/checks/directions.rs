@@ -33,7 +33,7 @@ fn changes_of_a_direction_are_taken_the_short_way_round() {
 #[test]
 fn a_mean_of_a_direction_is_taken_around_its_value_at_the_means() {
     let asked = ["--of", "spin_axis", "--sigma", "swing.path=0.5deg", "--samples", "400"];
-    let (status, found) = json(&[&["uncertainty"], &TOPPED[..], &asked].concat());
+    let (status, found) = json(&[&["uncertainty", "modern-driver"], &TOPPED[..], &asked].concat());
     let outcome = &found["outcomes"][0];
     let sampled = |what: &str| number(&outcome["monte_carlo"][what]["value"]).to_degrees();
     let by_gradient = number(&outcome["delta"]["standard_uncertainty"]).to_degrees();
@@ -49,7 +49,7 @@ fn a_measured_direction_is_compared_the_short_way_round() {
                 ball_speed [mph],sigma ball_speed [mph]";
     // the spin axis is computed as −177.2°: 3.8° from 179°
     let (_folder, path) = crate::sweep::table("directions.csv", format!("{head}\n-2,12,0.1,179,1,160,1\n"));
-    let (status, found) = json(&["calibrate", path.to_str().unwrap(), "--fit", "impact.restitution"]);
+    let (status, found) = json(&["calibrate", path.to_str().unwrap(), "modern-driver", "--fit", "impact.restitution"]);
     let off = number(&found["residuals"][0]["residual"]);
     assert!(status == 0 && (off - 3.84).abs() < 0.01, "{status} {found}");
 }

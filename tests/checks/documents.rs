@@ -156,7 +156,7 @@ fn commands_on_the_samples_run_as_they_are_written() {
 fn the_sample_of_launches_is_what_the_program_makes_of_the_deliveries() {
     let of = |sample: &str| format!("{}/examples/{sample}", env!("CARGO_MANIFEST_DIR"));
     let outcomes = "ball_speed,launch_angle,launch_direction,backspin,sidespin";
-    let said = longdrive(&["sweep", "--points", &of("deliveries.csv"), "--outcomes", outcomes]);
+    let said = longdrive(&["sweep", "modern-driver", "--points", &of("deliveries.csv"), "--outcomes", outcomes]);
     let launches = document("examples/launches.csv");
     let (degree, rpm) = (1.0_f64.to_radians(), std::f64::consts::TAU / 60.0);
     let sizes = [0.44704, degree, degree, rpm, rpm];

@@ -114,6 +114,7 @@ fn exact_loss_of_energy_where_both_restitutions_are_equal() {
     for_random_setups(1000, |mut setup| {
         for e in [0.0, 0.4, 1.0] {
             (setup.impact.restitution, setup.impact.tangential_restitution) = (e, e);
+            setup.impact.restitution_slope = None;
             let c = collision(&setup);
             let after = c.by_impulse().unwrap();
             let zero = Vector::zero();
@@ -129,6 +130,7 @@ fn exact_mirror_symmetry() {
     let mirrored = [
         "swing.path",
         "swing.face_angle",
+        "swing.shaft_droop",
         "swing.closure.x",
         "swing.closure.z",
         "strike.toe",
@@ -213,4 +215,102 @@ fn exact_default_moment_of_inertia_follows_mass_and_radius() {
     let parts = derivative::gradient(&explicit, of, &names).unwrap().gradient;
     let total = parts[0] + parts[1] * 0.8 * setup.ball.mass * setup.ball.radius;
     close(slope, total, total.abs(), 1e-12, "d spin/d ball.radius");
+}
+
+#[test]
+fn exact_bend_of_the_shaft_is_a_lean_backwards_that_grows_with_the_head_speed() {
+    let power = 1.7;
+    for speed in [30.0, 44.704, 60.0] {
+        let (mut bent, mut leaned) = (Setup::default(), Setup::default());
+        (bent.swing.speed, leaned.swing.speed) = (speed, speed);
+        bent.swing.shaft_bend = Some(0.06);
+        bent.swing.shaft_growth = Some(power);
+        leaned.swing.shaft_lean = -0.06 * (speed / 44.704_f64).powf(power);
+        let (bent, leaned) = (strike(&bent).unwrap().launch, strike(&leaned).unwrap().launch);
+        same(bent.velocity, leaned.velocity, norm(leaned.velocity), "velocity");
+        same(bent.spin, leaned.spin, norm(leaned.spin), "spin");
+    }
+    // without growth it is the same at every speed, and the growth alone is nothing
+    let mut setup = Setup::default();
+    setup.swing.shaft_growth = Some(power);
+    let unbent = strike(&setup).unwrap().launch.velocity;
+    assert_eq!(unbent.to_array(), strike(&Setup::default()).unwrap().launch.velocity.to_array());
+}
+
+#[test]
+fn exact_droop_of_the_shaft_turns_the_toe_down_and_the_loft_towards_it() {
+    let (droop, loft) = (0.05_f64, 0.2_f64);
+    let mut setup = Setup::default();
+    (setup.swing.attack_angle, setup.club.loft, setup.swing.shaft_droop) = (0.0, loft, Some(droop));
+    let [_, toe, forward] = Delivery::new(&setup.swing).axes;
+    close(toe.x, -droop.sin(), 1.0, 1e-15, "the toe");
+    close(forward.z, 1.0, 1.0, 1e-15, "forward");
+    let impact = strike(&setup).unwrap();
+    let normal = impact.face_normal;
+    close(normal.y.atan2(normal.z), (loft.tan() * droop.sin()).atan(), 1.0, 1e-15, "direction of the face");
+    assert!(impact.launch.velocity.y > 0.0, "the ball starts to the right");
+    // the head frame stays one
+    setup.swing.face_angle = 0.1;
+    setup.swing.attack_angle = -0.05;
+    let [x, y, z] = Delivery::new(&setup.swing).axes;
+    same(x.cross(y), z, 1.0, "right-handed");
+    for axis in [x, y, z] {
+        close(norm(axis), 1.0, 1.0, 1e-15, "unit length");
+    }
+}
+
+#[test]
+fn published_plate_of_penner_loses_restitution_with_speed() {
+    // Penner (2001): e = 0.86 − 0.0029 V cos θ, v_n = (1 + e) V cos θ/(1 + m/M) of a face behind whose contact lies the centre of mass
+    let mut setup = Setup::default();
+    setup.club.cg_depth = 0.0;
+    setup.swing.attack_angle = 0.0;
+    setup.impact.restitution = 0.86 - 0.0029 * 48.768;
+    setup.impact.restitution_slope = Some(-0.0029);
+    for speed in [20.0, 37.0, 50.0] {
+        setup.swing.speed = speed;
+        let impact = strike(&setup).unwrap();
+        let closing = speed * setup.club.loft.cos();
+        let e = 0.86 - 0.0029 * closing;
+        let expected = (1.0 + e) * closing / (1.0 + setup.ball.mass / setup.club.mass);
+        close(impact.launch.velocity.dot(impact.face_normal), expected, expected, 1e-14, "along the normal");
+    }
+}
+
+#[test]
+fn restitution_that_would_leave_its_range_is_an_error_and_no_drive_of_a_sweep() {
+    let mut setup = Setup::default();
+    setup.impact.restitution_slope = Some(0.1);
+    setup.swing.speed = 60.0;
+    let error = strike(&setup).unwrap_err();
+    assert!(matches!(error, Error::Jammed { .. }), "{error}");
+    for part in ["must be between 0 and 1", "impact.restitution_slope", "swing.speed"] {
+        assert!(error.to_string().contains(part), "{error}");
+    }
+    setup.swing.speed = 20.0;
+    assert!(strike(&setup).is_err());
+}
+
+#[test]
+fn exact_derivatives_by_bend_droop_growth_and_slope_are_those_of_lean_and_restitution() {
+    let mut setup = Setup::preset("tour-average").unwrap();
+    setup.impact.restitution_slope = Some(-1e-3);
+    let names = [
+        "swing.shaft_lean",
+        "swing.shaft_bend",
+        "swing.shaft_growth",
+        "impact.restitution",
+        "impact.restitution_slope",
+    ];
+    let wrt = names.map(|name| setup.variable(name).unwrap());
+    let growth = (setup.swing.speed / 44.704).powi(2);
+    let closing = {
+        let c = collision(&setup);
+        c.approach().dot(c.normal)
+    };
+    let slopes = derivative::gradient(&setup, Outcome::Carry, &wrt).unwrap().gradient;
+    close(slopes[1], -growth * slopes[0], slopes[0].abs(), 1e-11, "bend");
+    let bend = setup.swing.shaft_bend.unwrap();
+    close(slopes[2], slopes[1] * bend * (setup.swing.speed / 44.704).ln(), slopes[1].abs(), 1e-11, "growth");
+    close(slopes[4], slopes[3] * (closing - 48.768), slopes[3].abs(), 1e-10, "slope of the restitution");
 }

@@ -148,7 +148,7 @@ fn a_chart_is_interrupted_in_its_first_search() {
     use std::time::{Duration, Instant};
     for command in [&["chart", "--along", "swing.speed=80mph..130mph"][..], &["optimize"]] {
         let mut program = Command::new(assert_cmd::cargo::cargo_bin!("longdrive"));
-        program.args(command).args(["--set", "gravity=1e-6m/s^2", "--own-step", "--json"]);
+        program.args(command).args(["modern-driver", "--set", "gravity=1e-6m/s^2", "--own-step", "--json"]);
         let child = program.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
         std::thread::sleep(Duration::from_millis(700));
         let asked = Instant::now();

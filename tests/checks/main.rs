@@ -1,5 +1,5 @@
 //! What longdrive promises, held against papers, closed forms, independent computations and measured orders.
-//! A test's name says which: `paper_`, `exact_`, `independent_`, `order_`, `differences_`, `measured_`, and `regress_` for what may not grow.
+//! A test's name says which: `paper_`, `exact_`, `independent_`, `order_`, `differences_`, `measured_`, `published_`, and `regress_` for what may not grow.
 
 mod analysis;
 mod calibration;
@@ -29,6 +29,7 @@ mod long_work;
 mod messages;
 mod optimizer;
 mod oracle;
+mod published;
 mod reference;
 mod report;
 mod reproduce;

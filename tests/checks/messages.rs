@@ -126,7 +126,7 @@ fn a_drive_without_a_landing_says_what_ended_it() {
         ),
     ] {
         for command in ["simulate", "gradient"] {
-            let (status, text) = said(&[command, "--set", set]);
+            let (status, text) = said(&[command, "modern-driver", "--set", set]);
             assert!(status == 1 && text.contains(says), "{command} {set}: no '{says}': {text}");
         }
     }

@@ -174,8 +174,9 @@ fn independent_tornado_bars_are_drives_flown_and_v_curves_fall_and_rise() {
     let csv = figure_csv(&all[3]).unwrap();
     let bar = csv.lines().find(|line| line.starts_with("bar,swing speed ± 0.5 mph,0.0,-")).unwrap();
     let lower: f64 = bar.rsplit(',').next().unwrap().parse().unwrap();
-    let carry =
-        |speed: &str| number(&json(&["simulate", "--set", &format!("swing.speed={speed}")]).1["flight"]["carry"]);
+    let carry = |speed: &str| {
+        number(&json(&["simulate", "modern-driver", "--set", &format!("swing.speed={speed}")]).1["flight"]["carry"])
+    };
     close(lower, carry("109.5 mph") - carry("110 mph"), 1.0, 1e-9, "the bar of a slower swing");
 
     // the error falls as the square of the step, then rises as one over it
@@ -198,7 +199,7 @@ fn independent_maps_hold_the_drives_and_gradients_of_other_commands() {
     );
     // the node in the third column of the top row: loft 12°, attack 5°
     let set = ["--set", "club.loft=12deg", "--set", "swing.attack_angle=5deg"];
-    let (_, drive) = json(&[&["simulate"], set.as_slice()].concat());
+    let (_, drive) = json(&[&["simulate", "modern-driver"], set.as_slice()].concat());
     close(found.values[22].unwrap(), number(&drive["flight"]["carry"]), 250.0, 1e-13, "carry");
     let slope = found.slopes.last().unwrap();
     let mut there = setup;

@@ -18,10 +18,13 @@ fn warnings(preset: &str, settings: &[(&str, &str)]) -> Vec<String> {
 fn nothing_is_said_about_the_presets_and_their_longest_drives() {
     for preset in PRESETS {
         let setup = Setup::preset(preset.name).unwrap();
-        assert_eq!(warnings(preset.name, &[]), Vec::<String>::new(), "{}", preset.name);
         let best = optimum(&setup, Search::longest_drive(&setup).unwrap(), Observer::default()).unwrap();
-        let warnings = best.drive.unwrap().warnings(&best.setup);
-        assert_eq!(warnings, [], "{}", preset.name);
+        let at_best = best.drive.unwrap().warnings(&best.setup).iter().map(ToString::to_string).collect();
+        for said in [warnings(preset.name, &[]), at_best] {
+            // an amateur's ball is slower than those that the law was fitted to
+            let of_the_law = said.len() == 1 && said[0].contains("fitted to a Reynolds number of 70000");
+            assert!(said.is_empty() || preset.name == "amateur-average" && of_the_law, "{}: {said:?}", preset.name);
+        }
     }
 }
 
@@ -73,13 +76,14 @@ fn each_law_names_what_it_was_fitted_to() {
 fn a_strike_beside_the_face_is_told_on_standard_error_and_in_json() {
     let on_the_face = [("strike.toe", "30 mm"), ("strike.high", "-20 mm")];
     assert!(warnings("modern-driver", &on_the_face).iter().all(|it| !it.contains("strike.toe")));
-    let command = ["simulate", "--set", "strike.toe=70mm"];
+    let command = ["simulate", "modern-driver", "--set", "strike.toe=70mm"];
     let text = longdrive(&command);
     let told = "strike.toe = 70 mm and strike.high = 0 mm lie outside the face";
     assert!(text.status == 0 && text.err.contains(told), "{}", text.err);
-    for command in
-        [command.to_vec(), vec!["gradient", "--set", "strike.toe=70mm", "--of", "carry", "--wrt", "club.loft"]]
-    {
+    for command in [
+        command.to_vec(),
+        vec!["gradient", "modern-driver", "--set", "strike.toe=70mm", "--of", "carry", "--wrt", "club.loft"],
+    ] {
         let (_, answer) = json(&command);
         let warnings = answer["warnings"].as_array().unwrap();
         assert!(warnings.iter().any(|it| it.as_str().unwrap().contains(told)), "{answer}");

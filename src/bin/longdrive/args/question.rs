@@ -3,8 +3,8 @@
 /// What every question starts from.
 #[derive(Clone, clap::Args)]
 pub struct Question {
-    /// A preset's name or a TOML file.
-    #[arg(value_name = "SETUP", default_value = "modern-driver")]
+    /// A preset's name or a TOML file. A file that names no preset starts from modern-driver.
+    #[arg(value_name = "SETUP", default_value = "tour-average")]
     pub setup: String,
 
     /// Set a parameter, in place of the value of the setup, e.g. club.loft=10.5deg; a quantity with a dimension needs its unit. Repeatable.
