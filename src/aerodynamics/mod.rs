@@ -12,6 +12,7 @@ mod linear;
 mod lyu;
 mod macdonald_hanzely;
 mod naruo_mizota;
+mod nathan;
 mod origin;
 mod published;
 mod robinson;

@@ -1,4 +1,4 @@
-use crate::number::Numbers;
+use crate::number::{Numbers, inlined};
 
 /// A lift coefficient that is replaced near zero spin, where its formula has no lift-free limit or
 /// an infinite slope: for s < s₀ it is the cubic C_L = a u + b u² + c u³ in u = s/s₀ that joins the formula at s₀
@@ -25,4 +25,27 @@ impl<T: Numbers> CubicOrigin<T> {
         let a = self.value - b - c;
         (a + (b + c * u) * u) * u
     }
+}
+
+/// The spin ratio below which a power of it is replaced: its slope grows without end towards 0.
+const SMOOTH_BELOW: f64 = 0.001;
+
+/// C_L = factor s^exponent, replaced by the cubic for s < 0.001.
+#[inline(always)]
+pub(super) fn power<T: Numbers>(factor: T, exponent: T, s: T) -> T {
+    let smooth = inlined(
+        #[inline(always)]
+        || {
+            let value = factor * (exponent * SMOOTH_BELOW.ln()).exp();
+            let slope = value * exponent;
+            let origin = CubicOrigin { join: SMOOTH_BELOW, value, slope, curvature: slope * (exponent - 1.0) };
+            origin.lift(s)
+        },
+    );
+    T::choose(
+        s.below(SMOOTH_BELOW),
+        smooth,
+        #[inline(always)]
+        || factor * (exponent * s.ln()).exp(),
+    )
 }

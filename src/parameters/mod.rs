@@ -25,7 +25,7 @@ pub(crate) use setup::NO_CLUB;
 pub(crate) use table::with_law;
 pub use table::{
     Aero, Air, Ball, BearmanHarvey, Club, Contact, Ferguson, FlightConditions, Ground, LaunchConditions, LaunchMonitor,
-    Law, Linear, Lyu, MacdonaldHanzely, NaruoMizota, Robinson, Setup, SmitsSmith, Strike, Swing, UsgaItr, Wind,
+    Law, Linear, Lyu, MacdonaldHanzely, NaruoMizota, Nathan, Robinson, Setup, SmitsSmith, Strike, Swing, UsgaItr, Wind,
     WinfieldTan,
 };
 pub use vary::Vary;

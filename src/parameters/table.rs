@@ -364,6 +364,21 @@ law_coefficients! { $
         cl4: T = "aero.cl4", "cl4", NUMBER in "", Range::FINITE, "-0.2158", "Naruo, Mizota & Shimozono (2004), docs/sources.md";
     }
 
+    /// With r = Re/10⁵, C_D = cd_s s + cd_low for r < 0.5, cd_s s + cd_high for r > 1, and on a line between (corners rounded over 0.05);
+    /// C_L = cl_amp s^cl_exp (smoothed below s = 0.001).
+    "nathan": Nathan {
+        /// Drag coefficient without spin for Re < 5e4.
+        cd_low: T = "aero.cd_low", "cd_low", NUMBER in "", Range::from_to(0.0, 100.0), "1.9451114", "Nathan (2023), docs/sources.md";
+        /// Drag coefficient without spin for Re > 1e5.
+        cd_high: T = "aero.cd_high", "cd_high", NUMBER in "", Range::from_to(0.0, 100.0), "0.13248", "Nathan (2023), docs/sources.md";
+        /// Growth of the drag coefficient with the spin ratio.
+        cd_s: T = "aero.cd_s", "cd_s", NUMBER in "", Range::FINITE, "0.2087217", "Nathan (2023), docs/sources.md";
+        /// Lift coefficient at a spin ratio of 1.
+        cl_amp: T = "aero.cl_amp", "cl_amp", NUMBER in "", Range::FINITE, "0.2294096", "Nathan (2023), docs/sources.md";
+        /// Exponent of the spin ratio in the lift coefficient.
+        cl_exp: T = "aero.cl_exp", "cl_exp", NUMBER in "", Range::from_to(0.0, 10.0), "0.4", "Nathan (2023), docs/sources.md";
+    }
+
     /// With r = Re/10⁵, C_D goes smoothly from cd_low0 + cd_low1 r + cd_low2 r² to cd_high0 + cd_high1 r + cd_high2 r² about r = 0.875;
     /// C_L = cl1 s + cl2 s² (s held above 0.32).
     "lyu": Lyu {

@@ -166,6 +166,7 @@ fn is_joined(setup: &Setup<f64>) -> bool {
             | Law::SmitsSmith(_)
             | Law::MacdonaldHanzely(_)
             | Law::NaruoMizota(_)
+            | Law::Nathan(_)
             | Law::Lyu(_)
             | Law::UsgaItr(_)
             | Law::BearmanHarvey(_)

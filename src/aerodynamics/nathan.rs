@@ -1,0 +1,49 @@
+use super::held::{held_above, held_below};
+use super::origin::power;
+use super::{AerodynamicLaw, Coefficients, Fitted, Published, Stream};
+use crate::number::Numbers;
+use crate::parameters::Nathan;
+
+/// Re/10⁵ between which the drag without spin falls, from cd_low to cd_high.
+const FALLS: [f64; 2] = [0.5, 1.0];
+/// Re/10⁵: over this width about both ends the corner is rounded.
+const ROUNDED: f64 = 0.05;
+
+/// With r = Re/10⁵, C_D = cd_s s + cd_low for r < 0.5, cd_high for r > 1 and on a line between, with its corners rounded over 0.05 in r; C_L =
+/// cl_amp s^cl_exp. Nathan's calculator of golf trajectories, fitted to the averages of seven clubs.
+impl<T: Numbers> AerodynamicLaw<T> for Nathan<T> {
+    #[inline(always)]
+    fn coefficients(&self, stream: &Stream<T>) -> Coefficients<T> {
+        T::outlined(
+            #[inline(always)]
+            || {
+                let [low, high] = FALLS;
+                let half = 0.5 * ROUNDED;
+                let r = held_above(held_below(stream.reynolds * 1e-5, low + half, ROUNDED), high - half, ROUNDED);
+                let fallen = (r - low) * (1.0 / (high - low));
+                let without_spin = fallen.mul_add(self.cd_high - self.cd_low, self.cd_low);
+                let s = stream.spin_ratio;
+                Coefficients { drag: self.cd_s.mul_add(s, without_spin), lift: power(self.cl_amp, self.cl_exp, s) }
+            },
+        )
+    }
+
+    fn fitted(&self) -> Fitted {
+        // from a driver to a 5-iron as they leave
+        Fitted {
+            spin_ratio: Some([0.07, 0.2]),
+            reynolds: None,
+            speed: None,
+            to: "the averages of seven clubs, driver to 5-iron",
+        }
+    }
+
+    fn published(&self) -> Published {
+        Published {
+            authors: "Nathan",
+            year: Some(2023),
+            ball: Some("an average of several"),
+            source: "TrajectoryCalculatorGolf-v2, a worksheet; as others transcribe it, docs/sources.md",
+        }
+    }
+}
