@@ -28,6 +28,7 @@ mod shown;
 mod sweep;
 mod table;
 mod uncertainty;
+mod validation;
 mod winfield_tan;
 
 pub use calibration::{CalibrationReport, calibration_document, calibration_reply, calibration_toml};
@@ -55,4 +56,5 @@ pub use shown::{outcome as outcome_text, stated as parameter_text};
 pub use sweep::{ParquetGroup, PlacedGroup, SweepParquet};
 pub use sweep::{SweepCsv, SweepJsonLines};
 pub use uncertainty::{UncertaintyReport, uncertainty_text};
+pub use validation::{validation_csv, validation_document, validation_reply};
 pub use winfield_tan::{winfield_tan_document, winfield_tan_reply};

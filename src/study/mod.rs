@@ -16,6 +16,7 @@ mod search;
 mod sensitivity;
 mod sigma;
 pub mod uncertainty;
+pub mod validation;
 
 pub use crate::parameters::Vary;
 pub use accuracy::{Accuracy, accuracy};

@@ -41,6 +41,7 @@ mod sweep;
 mod tables;
 mod tolerance;
 mod uncertainty;
+mod validation;
 mod verify;
 mod verify_ranges;
 mod warnings;

@@ -21,7 +21,7 @@ pub struct Question {
 }
 
 /// The commands, each with how often it is asked: those that take long rarely.
-const COMMANDS: [(&str, f64); 21] = [
+const COMMANDS: [(&str, f64); 22] = [
     ("simulate", 22.0),
     ("gradient", 14.0),
     ("compare", 6.0),
@@ -34,6 +34,7 @@ const COMMANDS: [(&str, f64); 21] = [
     ("report", 0.1),
     ("sweep", 16.0),
     ("reproduce", 0.01),
+    ("validate", 0.1),
     ("verify", 0.7),
     ("sensitivity", 5.0),
     ("uncertainty", 5.0),
@@ -91,6 +92,15 @@ impl Question {
                 if chance.is(0.6) {
                     let name = preset(chance);
                     self.push(chance.of_or(&[name], &["mae49"]));
+                }
+                return;
+            }
+            "validate" => {
+                if chance.is(0.3) {
+                    self.push("--csv");
+                }
+                if chance.is(0.3) {
+                    self.output("-o", &["study"], chance);
                 }
                 return;
             }

@@ -27,6 +27,7 @@ mod sensitivity;
 mod simulate;
 mod sweep;
 mod uncertainty;
+mod validate;
 mod verify;
 
 use args::{Args, Command};
@@ -56,6 +57,7 @@ fn main() -> ExitCode {
         Command::Report(args) => report::run(args),
         Command::Sweep(args) => sweep::run(args),
         Command::Reproduce(args) => reproduce::run(args),
+        Command::Validate(args) => validate::run(args),
         Command::Verify(args) => verify::run(args),
         Command::Sensitivity(args) => sensitivity::run(args),
         Command::Uncertainty(args) => uncertainty::run(args),

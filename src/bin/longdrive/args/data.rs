@@ -128,6 +128,25 @@ pub struct Reproduce {
     pub overwrite: bool,
 }
 
+#[derive(clap::Args)]
+pub struct Validate {
+    /// Print the answer as JSON (SI units and radians), and nothing else, to standard output.
+    #[arg(long)]
+    pub json: bool,
+
+    /// Print every law on every drive as CSV (SI units and radians) to standard output.
+    #[arg(long, conflicts_with = "json")]
+    pub csv: bool,
+
+    /// Write the comparison into this folder too: a page (index.html) and Markdown.
+    #[arg(long, short, value_name = "DIR")]
+    pub output: Option<PathBuf>,
+
+    /// Replace files that exist.
+    #[arg(long, requires = "output")]
+    pub overwrite: bool,
+}
+
 /// A study that can be reproduced.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub enum Published {

@@ -12,7 +12,7 @@ mod search;
 
 pub use certainty::{SensitivityArgs, UncertaintyArgs, Verify};
 pub use compare::{Compare, Pair};
-pub use data::{Calibrate, DeliveryArgs, Published, Reproduce};
+pub use data::{Calibrate, DeliveryArgs, Published, Reproduce, Validate};
 pub use many::{Format, Sweep};
 pub use picture::{
     Drawing, Plot, PlotChart, PlotCompare, PlotContour, PlotKind, PlotTornado, PlotTrajectory, PlotVcurve, Report, Seen,
@@ -65,6 +65,8 @@ pub enum Command {
     Sweep(Sweep),
     /// Reproduce a published study: each printed number beside the computed one.
     Reproduce(Reproduce),
+    /// Compare every law of drag and lift with published drives: bias and mean absolute error of carry, apex and descent.
+    Validate(Validate),
     /// Compare every exact derivative with numerical differences, and check what both rest on; exit status 1 if a check fails.
     Verify(Verify),
     /// How outcomes depend on parameters: slopes, elasticities, and the effect of the uncertainty of each parameter.
@@ -85,7 +87,7 @@ pub enum Command {
 
 impl Command {
     /// The commands that answer in JSON where it is asked for.
-    const NAMES: [&str; 18] = [
+    const NAMES: [&str; 19] = [
         "simulate",
         "gradient",
         "compare",
@@ -98,6 +100,7 @@ impl Command {
         "report",
         "sweep",
         "reproduce",
+        "validate",
         "verify",
         "sensitivity",
         "uncertainty",
@@ -126,6 +129,7 @@ impl Command {
             Self::Report(args) => ("report", args.question.json),
             Self::Sweep(args) => ("sweep", args.question.json),
             Self::Reproduce(args) => ("reproduce", args.json),
+            Self::Validate(args) => ("validate", args.json),
             Self::Verify(args) => ("verify", args.question.json),
             Self::Sensitivity(args) => ("sensitivity", args.question.json),
             Self::Uncertainty(args) => ("uncertainty", args.question.json),

@@ -1,0 +1,85 @@
+use super::compared::Compared;
+use crate::error::{Error, Result};
+use crate::units::Quantity;
+
+/// The published drives, each with its source. Heads name the units; an empty cell is not stated.
+const CASES: &str = include_str!("cases.csv");
+
+/// A published drive: what is stated of it, in SI.
+#[derive(Clone, Debug)]
+pub struct Case {
+    /// Which of the set.
+    pub name: String,
+    /// Where it is published.
+    pub source: String,
+    /// The preset whose club strikes the ball.
+    pub preset: Option<String>,
+    /// Speed of the club, m/s.
+    pub club_speed: Option<f64>,
+    /// Attack angle, rad.
+    pub attack_angle: Option<f64>,
+    /// Direction of the face less that of the swing, rad.
+    pub face_to_path: Option<f64>,
+    /// Ball speed at launch, m/s.
+    pub ball_speed: Option<f64>,
+    /// Launch angle, rad.
+    pub launch_angle: Option<f64>,
+    /// Spin at launch, rad/s.
+    pub spin: Option<f64>,
+    /// Density of the air, kg/m³.
+    pub density: Option<f64>,
+    /// What may be compared.
+    published: [Option<f64>; Compared::ALL.len()],
+}
+
+impl Case {
+    /// What is published of a quantity, SI.
+    pub fn published(&self, of: Compared) -> Option<f64> {
+        Compared::ALL.iter().zip(self.published).find_map(|(known, value)| value.filter(|_| *known == of))
+    }
+}
+
+/// The cases of a set, in the order of the data.
+pub(super) fn cases(set: &str) -> Result<Vec<Case>> {
+    let unreadable = |source: Box<dyn std::error::Error + Send + Sync>| Error::Unreadable {
+        name: format!("the published drives of {set}"),
+        source,
+    };
+    let mut reader = csv::Reader::from_reader(CASES.as_bytes());
+    let heads = reader.headers().map_err(|error| unreadable(error.into()))?.clone();
+    let mut cases = vec![];
+    for record in reader.records() {
+        let record = record.map_err(|error| unreadable(error.into()))?;
+        let text = |name: &str| {
+            let at = heads.iter().position(|head| head.split(" [").next() == Some(name));
+            at.and_then(|at| Some((heads.get(at)?, record.get(at)?))).filter(|(_, cell)| !cell.is_empty())
+        };
+        let words = |name: &str| text(name).map(|(_, cell)| cell.to_owned());
+        if words("set").as_deref() != Some(set) {
+            continue;
+        }
+        let number = |name: &str, quantity: Quantity| {
+            let Some((head, cell)) = text(name) else { return Ok(None) };
+            let unit = head.split_once('[').map_or("", |(_, unit)| unit.trim_end_matches(']'));
+            quantity.read(&format!("{cell} {unit}")).map(Some).map_err(|error| unreadable(error.into()))
+        };
+        let mut published = [None; Compared::ALL.len()];
+        for (of, value) in Compared::ALL.into_iter().zip(&mut published) {
+            *value = number(of.name(), of.unit().0)?;
+        }
+        cases.push(Case {
+            name: words("case").unwrap_or_default(),
+            source: words("source").unwrap_or_default(),
+            preset: words("preset"),
+            club_speed: number("club_speed", Quantity::SPEED)?,
+            attack_angle: number("attack_angle", Quantity::ANGLE)?,
+            face_to_path: number("face_to_path", Quantity::ANGLE)?,
+            ball_speed: number("ball_speed", Quantity::SPEED)?,
+            launch_angle: number("launch_angle", Quantity::ANGLE)?,
+            spin: number("spin", Quantity::ANGULAR_VELOCITY)?,
+            density: number("density", Quantity::DENSITY)?,
+            published,
+        });
+    }
+    Ok(cases)
+}

@@ -1,0 +1,138 @@
+//! Every law of drag and lift beside published drives: how far off each is, in bias and mean absolute error.
+
+mod cases;
+mod compared;
+mod predicted;
+mod sets;
+
+pub use cases::Case;
+pub use compared::Compared;
+pub use predicted::SCATTER;
+pub use sets::{SETS, Set, Way};
+
+use crate::error::Result;
+use crate::parameters::Law;
+
+/// The temperatures between which the air of a drive is varied where it is not stated, K: 15 and 35 °C.
+pub const SWEPT: [f64; 2] = [288.15, 308.15];
+
+/// A computed quantity beside the published one, SI.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Residual {
+    /// Which case of its set.
+    pub case: usize,
+    /// As computed.
+    pub predicted: f64,
+    /// As published.
+    pub published: f64,
+}
+
+impl Residual {
+    /// Computed less published.
+    pub fn difference(&self) -> f64 {
+        self.predicted - self.published
+    }
+}
+
+/// How a law does on one quantity of a set.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Score {
+    /// The quantity.
+    pub of: Compared,
+    /// The cases of which it is published and computed.
+    pub residuals: Vec<Residual>,
+}
+
+impl Score {
+    /// Mean of computed less published; `None` without a case.
+    pub fn bias(&self) -> Option<f64> {
+        self.mean(|residual| residual.difference())
+    }
+
+    /// Mean of its size.
+    pub fn mean_absolute(&self) -> Option<f64> {
+        self.mean(|residual| residual.difference().abs())
+    }
+
+    fn mean(&self, of: impl Fn(&Residual) -> f64) -> Option<f64> {
+        let sum: f64 = self.residuals.iter().map(of).sum();
+        (!self.residuals.is_empty()).then(|| sum / self.residuals.len() as f64)
+    }
+}
+
+/// How a law does on a set.
+#[derive(Clone, Debug)]
+pub struct LawScores {
+    /// The law.
+    pub law: &'static str,
+    /// Each quantity that the set states, the most important first.
+    pub scores: Vec<Score>,
+    /// The bias of the first quantity at the temperatures of [`SWEPT`]; `None` where the air is stated, and for optima.
+    pub swept: Option<[Option<f64>; 2]>,
+    /// The bias of carry with the mean of drives that scatter by [`SCATTER`] in place of the drive of the average launch; `None` where the
+    /// cases are no averages.
+    pub averaged: Option<f64>,
+}
+
+/// A set with what each law makes of it.
+#[derive(Clone, Debug)]
+pub struct SetScores {
+    /// The set.
+    pub set: &'static Set,
+    /// Its cases.
+    pub cases: Vec<Case>,
+    /// The laws, in the order of [`Law::NAMES`].
+    pub laws: Vec<LawScores>,
+}
+
+/// Every law on every set.
+///
+/// ```
+/// let found = longdrive::study::validation::validation().unwrap();
+/// let drivers = &found[0];
+/// assert_eq!((drivers.set.name, drivers.cases.len()), ("pga-driver", 3));
+/// assert!(drivers.laws.iter().all(|law| law.scores[0].bias().is_some()));
+/// ```
+///
+/// # Errors
+/// [`Error::Unreadable`](crate::Error::Unreadable) where the data cannot be read.
+pub fn validation() -> Result<Vec<SetScores>> {
+    SETS.iter().map(scores).collect()
+}
+
+fn scores(set: &'static Set) -> Result<SetScores> {
+    let mut cases = cases::cases(set.rows)?;
+    let base = set.way.has_base().then(|| cases.remove(0));
+    let is_stated = cases.iter().all(|case| case.density.is_some());
+    let laws = Law::NAMES.iter().filter_map(|name| Law::named(name)).map(|law| {
+        let at = |temperature| -> Result<Vec<Score>> {
+            let computed = cases.iter().map(|case| predicted::predicted(set, case, base.as_ref(), law, temperature));
+            let computed = computed.collect::<Result<Vec<_>>>()?;
+            let score = |of: &Compared| {
+                let residual = |(case, found): (usize, &predicted::Predicted)| {
+                    let (predicted, published) = (found.of(*of)?, cases[case].published(*of)?);
+                    Some(Residual { case, predicted, published })
+                };
+                Score { of: *of, residuals: computed.iter().enumerate().filter_map(residual).collect() }
+            };
+            let is_published = |of: &&Compared| cases.iter().any(|case| case.published(**of).is_some());
+            Ok(set.way.compared().iter().filter(is_published).map(score).collect())
+        };
+        let scores = at(None)?;
+        let averaged = || {
+            let bias = scores.first().and_then(Score::bias)?;
+            let less = cases.iter().map(|case| predicted::of_averaging(case, law)).collect::<Option<Vec<_>>>()?;
+            Some(bias + less.iter().sum::<f64>() / less.len() as f64)
+        };
+        let averaged = if set.is_averaged { averaged() } else { None };
+        let swept = if is_stated || set.way == Way::Optimum {
+            None
+        } else {
+            let [cold, warm] = SWEPT.map(|temperature| at(Some(temperature)));
+            Some([cold?, warm?].map(|scores| scores.first().and_then(Score::bias)))
+        };
+        Ok(LawScores { law: law.name(), scores, swept, averaged })
+    });
+    let laws = laws.collect::<Result<_>>()?;
+    Ok(SetScores { set, laws, cases })
+}

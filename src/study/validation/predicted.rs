@@ -1,0 +1,127 @@
+use super::cases::Case;
+use super::compared::Compared;
+use super::sets::{Set, Way};
+use crate::derivative;
+use crate::drive::{Drive, Outcome};
+use crate::error::Result;
+use crate::optimize::{Observer, Status};
+use crate::parameters::{Law, Method, Setup, Vary};
+use crate::study::{Search, optimum};
+
+/// What is computed of a case, SI.
+pub(super) struct Predicted(Vec<(Compared, f64)>);
+
+impl Predicted {
+    /// A quantity; `None` where there is none, as where nothing flies or no optimum was found.
+    pub fn of(&self, of: Compared) -> Option<f64> {
+        self.0.iter().find_map(|(known, value)| (*known == of).then_some(*value))
+    }
+}
+
+/// A case as a law has it, in the air stated or at a temperature, at sea level; at 25 °C where neither is given.
+pub(super) fn predicted(
+    set: &Set,
+    case: &Case,
+    base: Option<&Case>,
+    law: Law<f64>,
+    temperature: Option<f64>,
+) -> Result<Predicted> {
+    let mut setup = match set.preset.or(case.preset.as_deref()) {
+        Some(preset) => Setup::preset(preset)?,
+        None => Setup::default(),
+    };
+    // the published coefficients, also where the preset has others
+    setup.law = law;
+    // within a micrometre
+    (setup.method, setup.flight.step) = (Method::DormandPrince8, 0.1);
+    let setup = in_air_of(case, setup, temperature);
+    let found = match set.way {
+        Way::Launch => flown(&setup, case).map_or(vec![], |drive| {
+            let of = [(Compared::Carry, Outcome::CarryDistance), (Compared::Apex, Outcome::ApexHeight)];
+            read(&drive, of.into_iter().chain([(Compared::Descent, Outcome::DescentAngle)]))
+        }),
+        Way::Altitude | Way::AltitudeAlone => base.map_or(vec![], |base| {
+            let launched = if set.way == Way::Altitude { case } else { base };
+            let below = in_air_of(base, setup, temperature);
+            let carry = |setup, case| Outcome::CarryDistance.value(&flown(setup, case)?);
+            let gain = carry(&setup, launched).zip(carry(&below, base)).map(|(there, here)| there - here);
+            gain.map(|gain| (Compared::Gain, gain)).into_iter().collect()
+        }),
+        Way::FaceToPath => curve(setup, case).map(|curve| (Compared::Curve, curve)).into_iter().collect(),
+        Way::Optimum => best(setup, case)?,
+    };
+    Ok(Predicted(found))
+}
+
+fn in_air_of(case: &Case, mut setup: Setup<f64>, temperature: Option<f64>) -> Setup<f64> {
+    match case.density {
+        Some(density) => setup.air.density = density,
+        None => setup.air.temperature = temperature,
+    }
+    setup
+}
+
+/// The drive from the published launch.
+fn flown(setup: &Setup<f64>, case: &Case) -> Option<Drive<f64>> {
+    Drive::new(&launched(*setup, case)).ok()
+}
+
+fn launched(mut setup: Setup<f64>, case: &Case) -> Setup<f64> {
+    (setup.launch.ball_speed, setup.launch.launch_angle, setup.launch.spin) =
+        (case.ball_speed, case.launch_angle, case.spin);
+    setup
+}
+
+/// How drives of an average are taken to scatter, as standard deviations, SI: ball speed by 5.5 mph, launch angle by 2°, spin by 400 rpm, its axis
+/// by 9°, and wind of 4 m/s from any direction. Assumed.
+pub const SCATTER: [(&str, f64); 6] = [
+    ("launch.ball_speed", 5.5 * 0.44704),
+    ("launch.launch_angle", 2.0 * DEGREE),
+    ("launch.spin", 400.0 * std::f64::consts::TAU / 60.0),
+    ("launch.spin_axis", 9.0 * DEGREE),
+    ("wind.right", 4.0 * std::f64::consts::FRAC_1_SQRT_2),
+    ("wind.downrange", 4.0 * std::f64::consts::FRAC_1_SQRT_2),
+];
+
+const DEGREE: f64 = std::f64::consts::PI / 180.0;
+
+/// Mean carry of drives that scatter by [`SCATTER`] less that of the drive of the average launch, to second order: half the second derivatives times
+/// the variances.
+pub(super) fn of_averaging(case: &Case, law: Law<f64>) -> Option<f64> {
+    let mut setup = launched(Setup { law, ..Setup::default() }, case);
+    setup.launch.spin_axis = Some(0.0);
+    let wrt: Option<Vec<_>> = SCATTER.iter().map(|(name, _)| setup.variable(name).ok()).collect();
+    let carry = derivative::hessian(&setup, Outcome::CarryDistance, &wrt?).ok()?;
+    Some(SCATTER.iter().enumerate().map(|(i, (_, sigma))| 0.5 * carry.hessian[i][i] * sigma * sigma).sum())
+}
+
+/// Distance at landing from the line along which the ball started.
+fn curve(mut setup: Setup<f64>, case: &Case) -> Option<f64> {
+    setup.swing.face_angle = case.face_to_path?;
+    let drive = Drive::new(&setup).ok()?;
+    let [carry, lateral, direction] =
+        [Outcome::Carry, Outcome::Lateral, Outcome::LaunchDirection].map(|of| of.value(&drive));
+    let (sin, cos) = direction?.sin_cos();
+    Some(lateral? * cos - carry? * sin)
+}
+
+/// The longest carry by loft, and its launch.
+fn best(mut setup: Setup<f64>, case: &Case) -> Result<Vec<(Compared, f64)>> {
+    if let (Some(speed), Some(attack)) = (case.club_speed, case.attack_angle) {
+        (setup.swing.speed, setup.swing.attack_angle) = (speed, attack);
+    }
+    let vary = vec![Vary::read(&setup, "club.loft=0deg..30deg")?];
+    let search = Search { vary, ..Search::largest(Outcome::CarryDistance) };
+    let found = optimum(&setup, search, Observer::default())?;
+    let drive = found.drive.filter(|_| found.solution.status == Status::Converged);
+    let of = [
+        (Compared::Carry, Outcome::CarryDistance),
+        (Compared::LaunchAngle, Outcome::LaunchAngle),
+        (Compared::Spin, Outcome::Spin),
+    ];
+    Ok(drive.map_or(vec![], |drive| read(&drive, of)))
+}
+
+fn read(drive: &Drive<f64>, of: impl IntoIterator<Item = (Compared, Outcome)>) -> Vec<(Compared, f64)> {
+    of.into_iter().filter_map(|(compared, outcome)| Some((compared, outcome.value(drive)?))).collect()
+}

@@ -1,0 +1,226 @@
+use super::compared::Compared;
+
+/// How the drives of a set are computed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Way {
+    /// From the published launch.
+    Launch,
+    /// From the published launch, in the air of each case, beside the first case.
+    Altitude,
+    /// From the launch of the first case, in the air of each case, beside the first case.
+    AltitudeAlone,
+    /// With the club of a preset whose face is open by the face-to-path angle.
+    FaceToPath,
+    /// With the club of a preset, at the loft of the longest carry.
+    Optimum,
+}
+
+impl Way {
+    /// What is compared, the most important first.
+    pub fn compared(self) -> &'static [Compared] {
+        match self {
+            Self::Launch => &[Compared::Carry, Compared::Apex, Compared::Descent],
+            Self::Altitude | Self::AltitudeAlone => &[Compared::Gain],
+            Self::FaceToPath => &[Compared::Curve],
+            Self::Optimum => &[Compared::Carry, Compared::LaunchAngle, Compared::Spin],
+        }
+    }
+
+    /// Whether the first case is what the others are compared with.
+    pub(super) fn has_base(self) -> bool {
+        matches!(self, Self::Altitude | Self::AltitudeAlone)
+    }
+}
+
+/// Published drives of one kind.
+#[derive(Debug)]
+pub struct Set {
+    /// Its name.
+    pub name: &'static str,
+    /// What it is.
+    pub title: &'static str,
+    /// How it was measured, and how it is computed.
+    pub about: &'static str,
+    /// The air of the published drives.
+    pub air: &'static str,
+    /// What no law can meet, or what is not known.
+    pub misses: &'static str,
+    /// How it is computed.
+    pub way: Way,
+    /// Whether its cases are averages of many drives.
+    pub is_averaged: bool,
+    /// The preset whose club strikes the ball, where it is the same for all cases.
+    pub preset: Option<&'static str>,
+    /// The name of its rows in the data.
+    pub(super) rows: &'static str,
+}
+
+const NOT_STATED: &str = "not stated";
+const AVERAGES: &str = "Means over players, ranges and events, rounded to a yard. The drive of the average launch is flown: an average of scattered drives \
+                        carries some 5 yd less (docs/sources.md).";
+const STEEPER: &str = "Irons land 4 to 9° steeper than with any law: measured trajectories lose lift and drag late in the flight, which no law in spin \
+                       ratio and Reynolds number has. Spin ratios of short irons are beyond what most laws were fitted to.";
+
+const CHART: &str = "Output of a vendor's model of 2010; its club is not stated. With launch-monitor no club here meets launch angle and spin together: one with more friction spins \
+                     more, but launches lower. Launch angle and spin at the best loft are known less well than its carry, which changes little about it.";
+
+/// The sets, the most telling first.
+pub static SETS: [Set; 14] = [
+    Set {
+        name: "pga-driver",
+        title: "PGA TOUR averages, driver",
+        about: "TrackMan's averages of 2023 and 2019, and those of 2010, flown from their launch.",
+        air: NOT_STATED,
+        misses: AVERAGES,
+        way: Way::Launch,
+        is_averaged: true,
+        preset: None,
+        rows: "pga-driver",
+    },
+    Set {
+        name: "lpga-driver",
+        title: "LPGA Tour averages, driver",
+        about: "TrackMan's averages of 2023 and 2019, flown from their launch.",
+        air: NOT_STATED,
+        misses: AVERAGES,
+        way: Way::Launch,
+        is_averaged: true,
+        preset: None,
+        rows: "lpga-driver",
+    },
+    Set {
+        name: "pga-radar",
+        title: "PGA TOUR radar, five seasons",
+        about: "Tracked tee shots, 10 000 to 114 000 a season, flown from the season's average launch.",
+        air: "that of the events: in 2022-23 its density was 0.992 of that at 25 °C and sea level",
+        misses: "Elevation and wind are not taken out. The time of flight is not compared: the published 6.2 to 6.4 s is 0.4 to 0.8 s less than with any \
+                 law that meets the apex, and how it is defined is not known.",
+        way: Way::Launch,
+        is_averaged: true,
+        preset: None,
+        rows: "pga-radar",
+    },
+    Set {
+        name: "pga-clubs",
+        title: "PGA TOUR averages, other clubs",
+        about: "TrackMan's averages of 2023 and 2019, 3-wood to pitching wedge, flown from their launch.",
+        air: NOT_STATED,
+        misses: STEEPER,
+        way: Way::Launch,
+        is_averaged: false,
+        preset: None,
+        rows: "pga-clubs",
+    },
+    Set {
+        name: "lpga-clubs",
+        title: "LPGA Tour averages, other clubs",
+        about: "TrackMan's averages of 2023 and 2019, 3-wood to pitching wedge, flown from their launch.",
+        air: NOT_STATED,
+        misses: STEEPER,
+        way: Way::Launch,
+        is_averaged: false,
+        preset: None,
+        rows: "lpga-clubs",
+    },
+    Set {
+        name: "robots",
+        title: "Robots",
+        about: "Iron Byron of Winfield & Tan (mean of 20 drives, 200.3 ± 3.6 yd) and four drivers of a robot at 95 mph.",
+        air: NOT_STATED,
+        misses: "Iron Byron's launch is computed by Winfield & Tan's model, for a ball of 1994. The robot's four do not agree with each other: 136.8 mph, \
+                 11.2°, 2468 rpm carries 220.9 yd, and 137.8 mph, 9.9°, 3182 rpm carries 213.9 yd; its launch monitor is not named.",
+        way: Way::Launch,
+        is_averaged: false,
+        preset: None,
+        rows: "robots",
+    },
+    Set {
+        name: "altitude",
+        title: "Gain of carry on high courses",
+        about: "Seven events of the PGA TOUR, the same players there and elsewhere; the launch is that of each event.",
+        air: "stated, as a part of the density at 25 °C and sea level",
+        misses: "The launch at sea level is taken as the season's average. At altitude players launch up to 3° higher, and with that launch laws gain \
+                 more than is measured.",
+        way: Way::Altitude,
+        is_averaged: false,
+        preset: None,
+        rows: "altitude",
+    },
+    Set {
+        name: "altitude-alone",
+        title: "Gain of carry on high courses, by the air alone",
+        about: "The same events with the launch of sea level.",
+        air: "stated, as a part of the density at 25 °C and sea level",
+        misses: "The measured gain contains that of the higher launch.",
+        way: Way::AltitudeAlone,
+        is_averaged: false,
+        preset: None,
+        rows: "altitude",
+    },
+    Set {
+        name: "face-to-path",
+        title: "Curve by face-to-path",
+        about: "TrackMan's curve of four centred drives; the club is that of tour-average and lpga-average, its face open by the angle.",
+        air: NOT_STATED,
+        misses: "Output of a vendor's model.",
+        way: Way::FaceToPath,
+        is_averaged: false,
+        preset: None,
+        rows: "face-to-path",
+    },
+    Set {
+        name: "chart-launches",
+        title: "TrackMan's driver chart, its launches",
+        about: "The 60 launches of TrackMan's fitting chart of 2010, 75 to 120 mph, flown as they are.",
+        air: NOT_STATED,
+        misses: "Output of a vendor's model.",
+        way: Way::Launch,
+        is_averaged: false,
+        preset: None,
+        rows: "chart-launches",
+    },
+    Set {
+        name: "chart-optima",
+        title: "TrackMan's driver chart, its optima",
+        about: "For the 30 rows of longest carry: the loft of the longest carry is sought at the same club speed and attack angle, with the club of tour-average, the default, and its launch is compared.",
+        air: NOT_STATED,
+        misses: CHART,
+        way: Way::Optimum,
+        is_averaged: false,
+        preset: Some("tour-average"),
+        rows: "chart-optima",
+    },
+    Set {
+        name: "chart-optima-centred",
+        title: "TrackMan's driver chart, its optima with a centred strike",
+        about: "The same with the club of modern-driver, which is struck on the sweet spot.",
+        air: NOT_STATED,
+        misses: CHART,
+        way: Way::Optimum,
+        is_averaged: false,
+        preset: Some("modern-driver"),
+        rows: "chart-optima",
+    },
+    Set {
+        name: "chart-optima-rolling",
+        title: "TrackMan's driver chart, its optima with a ball that rolls at exit",
+        about: "The same with the club of lpga-average, on which the ball rolls at exit.",
+        air: NOT_STATED,
+        misses: CHART,
+        way: Way::Optimum,
+        is_averaged: false,
+        preset: Some("lpga-average"),
+        rows: "chart-optima",
+    },
+    Set {
+        name: "simulations",
+        title: "Published simulations",
+        about: "Eight drives that others computed: Winfield & Tan, Stengel, TrackMan's 6 irons, a patent, Nathan's calculator.",
+        air: "stated for two, which are flown in it; not stated for the others",
+        misses: "Models, each with a law of its own; the ball is that of modern-driver for all.",
+        way: Way::Launch,
+        is_averaged: false,
+        preset: None,
+        rows: "simulations",
+    },
+];
