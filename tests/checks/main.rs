@@ -28,6 +28,7 @@ mod long_work;
 mod messages;
 mod optimizer;
 mod oracle;
+mod own_table;
 mod reference;
 mod report;
 mod reproduce;

@@ -169,6 +169,7 @@ fn is_joined(setup: &Setup<f64>) -> bool {
             | Law::Lyu(_)
             | Law::UsgaItr(_)
             | Law::BearmanHarvey(_)
+            | Law::Table(_)
     )
 }
 
