@@ -47,6 +47,7 @@
 pub mod aerodynamics;
 pub mod atmosphere;
 pub mod batch;
+mod cells;
 mod columns;
 pub mod derivative;
 pub mod drive;

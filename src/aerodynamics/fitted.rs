@@ -17,6 +17,8 @@ pub fn range_in_words(before: Message, (quantity, unit): (Quantity, &'static str
 pub struct Fitted {
     /// Spin ratios s = R|ω|/|v|.
     pub spin_ratio: Option<[f64; 2]>,
+    /// Spins |ω|, rad/s.
+    pub spin: Option<[f64; 2]>,
     /// Reynolds numbers.
     pub reynolds: Option<[f64; 2]>,
     /// Speeds through the air, m/s.
@@ -27,12 +29,13 @@ pub struct Fitted {
 
 impl Fitted {
     /// Of a law that is fitted to nothing, or whose source does not say to what.
-    pub const UNKNOWN: Self = Self { spin_ratio: None, reynolds: None, speed: None, to: "" };
+    pub const UNKNOWN: Self = Self { spin_ratio: None, spin: None, reynolds: None, speed: None, to: "" };
 
-    /// The ranges, in the order of a stream: spin ratio, Reynolds number, speed through the air; each with its name, quantity and unit.
-    pub fn ranges(&self) -> [FittedRange; 3] {
+    /// The ranges, in the order of a stream: spin ratio, spin, Reynolds number, speed through the air; each with its name, quantity and unit.
+    pub fn ranges(&self) -> [FittedRange; 4] {
         [
             ("spin ratio", (Quantity::NUMBER, ""), self.spin_ratio),
+            ("spin", (Quantity::ANGULAR_VELOCITY, "rpm"), self.spin),
             ("Reynolds number", (Quantity::NUMBER, ""), self.reynolds),
             ("speed through the air", (Quantity::SPEED, "m/s"), self.speed),
         ]
@@ -47,11 +50,14 @@ impl Fitted {
         })
     }
 
-    /// Whether a spin ratio, Reynolds number and speed through the air lie within all ranges that are known. In no air (a Reynolds
+    /// Whether a spin ratio, spin, Reynolds number and speed through the air lie within all ranges that are known. In no air (a Reynolds
     /// number of 0) there is no law to leave.
-    pub fn holds(&self, [spin_ratio, reynolds, speed]: [f64; 3]) -> bool {
+    pub fn holds(&self, [spin_ratio, spin, reynolds, speed]: [f64; 4]) -> bool {
         let is_in = |range: Option<[f64; 2]>, value: f64| range.is_none_or(|[low, high]| (low..=high).contains(&value));
         reynolds == 0.0
-            || is_in(self.spin_ratio, spin_ratio) && is_in(self.reynolds, reynolds) && is_in(self.speed, speed)
+            || is_in(self.spin_ratio, spin_ratio)
+                && is_in(self.spin, spin)
+                && is_in(self.reynolds, reynolds)
+                && is_in(self.speed, speed)
     }
 }

@@ -6,6 +6,7 @@
 mod bearman_harvey;
 mod ferguson;
 mod fitted;
+mod gridded;
 mod held;
 mod launch_monitor;
 mod linear;
@@ -17,6 +18,7 @@ mod origin;
 mod published;
 mod robinson;
 mod smits_smith;
+mod table;
 mod usga_itr;
 mod winfield_tan;
 

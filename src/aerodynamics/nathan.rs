@@ -32,6 +32,7 @@ impl<T: Numbers> AerodynamicLaw<T> for Nathan<T> {
         // from a driver to a 5-iron as they leave
         Fitted {
             spin_ratio: Some([0.07, 0.2]),
+            spin: None,
             reynolds: None,
             speed: None,
             to: "the averages of seven clubs, driver to 5-iron",

@@ -109,7 +109,7 @@ impl Abreast<'_> {
             |k| changing(J::with_values(|lane| block.point(row_of(lane))[k]), directions[k]),
         );
         let struck = Struck::new(setup);
-        let [spin_ratio, reynolds, air_speed] = struck.inputs.stream();
+        let at_launch = struck.inputs.stream();
         let (toe, high) = (setup.strike.toe, setup.strike.high);
         let fitted = AerodynamicLaw::<f64>::fitted(&kernel.setup.law);
         let has_apex = kernel.of.iter().any(|outcome| outcome.is_of_the_apex());
@@ -134,7 +134,7 @@ impl Abreast<'_> {
                 |number: J| in_lane(number).re(),
             );
             self.block.beyond[row] = Beyond {
-                law: !fitted.holds([value(spin_ratio), value(reynolds), value(air_speed)]),
+                law: !fitted.holds(at_launch.map(value)),
                 face: club_speed.is_some() && is_beside_any_face(value(toe), value(high)),
             };
             for (i, outcome) in kernel.of.iter().enumerate() {

@@ -168,23 +168,6 @@ pub(crate) fn summary<'a>(cells: impl Iterator<Item = &'a str>) -> Option<&'a st
     })
 }
 
-/// What separates the cells of a table: the most frequent of tab, semicolon and comma in its head; and the text without a line
-/// `sep=;` that says so.
-pub(crate) fn separated(text: &str) -> (u8, &str) {
-    let text = text.trim_start_matches('\u{feff}');
-    if let Some(rest) = text.strip_prefix("sep=") {
-        let (stated, rest) = rest.split_once('\n').unwrap_or((rest, ""));
-        if let Some(separator) = stated.trim_end_matches('\r').bytes().next() {
-            return (separator, rest);
-        }
-    }
-    let head = text.lines().find(|line| !line.starts_with('#') && !line.trim().is_empty()).unwrap_or_default();
-    let count = |separator: &u8| head.bytes().filter(|byte| byte == separator).count();
-    // of equally many the last; a head of one column has none
-    let separator = [b'\t', b';', b','].into_iter().max_by_key(count).unwrap_or(b',');
-    (separator, text)
-}
-
 /// A number as these tables write it: with a decimal comma where that separates no cells, and with its side where it has one,
 /// `3.2 L`, `3.2R`, right of the target +.
 pub(super) fn number(cell: &str, has_decimal_comma: bool, has_side: bool) -> Option<f64> {
@@ -231,7 +214,7 @@ pub(super) fn without_side(cell: &str) -> &str {
 
 #[cfg(test)]
 mod tests {
-    use super::{Meaning, is_export, meaning, meaning_with, number, separated, split_unit, unit, units_row};
+    use super::{Meaning, is_export, meaning, meaning_with, number, split_unit, unit, units_row};
     use crate::Outcome;
     use crate::parameters::Setup;
     use std::collections::HashSet;
@@ -269,10 +252,6 @@ mod tests {
         let units = units_row([" ", "[mph]", "(deg)", "rpm"].into_iter()).unwrap();
         assert_eq!(units, [None, Some("mph".into()), Some("deg".into()), Some("rpm".into())]);
         assert_eq!((units_row(["1", "[mph]"].into_iter()), units_row(["", ""].into_iter())), (None, None));
-        assert_eq!(separated("# a, b; c\na;b;c\n").0, b';');
-        assert_eq!(separated("\u{feff}a\tb, c\td\n").0, b'\t');
-        assert_eq!(separated("a,b\n").0, b',');
-        assert_eq!(separated("sep=;\r\na;b\n"), (b';', "a;b\n"));
         assert_eq!(number("3.2 L", false, true), Some(-3.2));
         assert_eq!(number("3,2R", true, true), Some(3.2));
         assert_eq!(number("Left 3", false, true), Some(-3.0));

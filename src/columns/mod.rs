@@ -7,9 +7,10 @@ mod launch_monitor;
 mod left_out;
 mod marks;
 
+pub(crate) use crate::cells::separated;
 pub(crate) use column::{Column, Holds};
 pub(crate) use head::Head;
-pub(crate) use launch_monitor::{separated, summary};
+pub(crate) use launch_monitor::summary;
 pub(crate) use left_out::Club;
 pub(crate) use marks::Marks;
 

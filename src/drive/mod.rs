@@ -7,6 +7,7 @@ mod warnings;
 
 pub(crate) use beyond::is_beside_any_face;
 pub use beyond::{Beyond, BeyondCount, Looked};
+pub use warnings::Within;
 
 pub(crate) use outcome::Shown;
 pub use outcome::{Outcome, Part};

@@ -11,6 +11,15 @@ use crate::units::{Message, Quantity};
 /// Less than this part of the time of flight outside of what a law was fitted to is not worth a word: the laws are uncertain by more within it.
 const WORTH_A_WORD: f64 = 0.01;
 
+/// How far a flight goes along what its law was fitted to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Within {
+    /// The least and the greatest value in the flight, SI.
+    pub flown: [f64; 2],
+    /// The share of the time of flight with values outside of the range, 0 to 1.
+    pub outside: f64,
+}
+
 impl Drive<f64> {
     /// All that deserves a word about a setup and its drive: what the setup warns of, corners of the model that the drive lies on, a strike beside
     /// any face, and drag and lift where the law was not fitted. It flies the drive once more; a search asks only about its result.
@@ -39,35 +48,39 @@ impl Drive<f64> {
 
     /// What the law of drag and lift was not fitted to, and for how much of the flight.
     pub(super) fn outside_of_the_law(&self, setup: &Setup<f64>) -> Vec<Message> {
-        if AirState::of(&setup.air).density == 0.0 {
-            return vec![];
-        }
         let fitted = AerodynamicLaw::<f64>::fitted(&setup.law);
-        let ranges = fitted.ranges();
-        if ranges.iter().all(|(.., range)| range.is_none()) {
-            return vec![];
-        }
-        let flown = self.stream(setup);
-        let told = |(k, (name, unit, range)): (usize, FittedRange)| {
-            let [low, high] = range?;
-            let values = flown.iter().map(|(time, values)| (*time, values[k]));
-            let outside = share(values.clone(), |value| !(low..=high).contains(&value));
-            let ends = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], (_, value)| {
-                [least.min(value), most.max(value)]
-            });
-            (outside >= WORTH_A_WORD).then(|| {
-                let fitted_to = Message::from(format!("the law {} was fitted to a {name} of ", setup.law.name()));
-                let flown = range_in_words(fitted_to, unit, [low, high])
-                    .words(format!(" ({}); in this flight it goes from ", fitted.to));
-                range_in_words(flown, unit, ends)
-                    .words(format!(", {:.0} % of the time outside, where the law is extrapolated", 100.0 * outside))
-            })
+        let told = |((name, unit, range), within): (FittedRange, Option<Within>)| {
+            let Within { flown, outside } = within.filter(|within| within.outside >= WORTH_A_WORD)?;
+            let fitted_to = Message::from(format!("the law {} was fitted to a {name} of ", setup.law.name()));
+            let before = range_in_words(fitted_to, unit, range?)
+                .words(format!(" ({}); in this flight it goes from ", fitted.to));
+            let after = format!(", {:.0} % of the time outside, where the law is extrapolated", 100.0 * outside);
+            Some(range_in_words(before, unit, flown).words(after))
         };
-        ranges.into_iter().enumerate().filter_map(told).collect()
+        fitted.ranges().into_iter().zip(self.within_the_law(setup)).filter_map(told).collect()
     }
 
-    /// Spin ratio, Reynolds number and speed through the air along the flight, with their times.
-    fn stream(&self, setup: &Setup<f64>) -> Vec<(f64, [f64; 3])> {
+    /// How far the flight goes along each of the ranges that the law was fitted to, in the order of [`Fitted::ranges`](crate::aerodynamics::Fitted::ranges),
+    /// and which share of it is outside; `None` where no range is known, and without air or a flight.
+    pub fn within_the_law(&self, setup: &Setup<f64>) -> [Option<Within>; 4] {
+        let ranges = AerodynamicLaw::<f64>::fitted(&setup.law).ranges().map(|(.., range)| range);
+        if AirState::of(&setup.air).density == 0.0 || ranges == [None; 4] {
+            return [None; 4];
+        }
+        let path = self.stream(setup);
+        std::array::from_fn(|k| {
+            let [low, high] = ranges[k].filter(|_| !path.is_empty())?;
+            let values = path.iter().map(|(time, values)| (*time, values[k]));
+            let outside = share(values.clone(), |value| !(low..=high).contains(&value));
+            let flown = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], (_, value)| {
+                [least.min(value), most.max(value)]
+            });
+            Some(Within { flown, outside })
+        })
+    }
+
+    /// Spin ratio, spin, Reynolds number and speed through the air along the flight, with their times.
+    fn stream(&self, setup: &Setup<f64>) -> Vec<(f64, [f64; 4])> {
         let Ok(path) = trajectory(setup, &self.launch) else { return vec![] };
         let (wind, radius) = (WindField::new(&setup.wind, &setup.ground), setup.ball.radius);
         let air = AirState::of(&setup.air);
@@ -81,7 +94,7 @@ impl Drive<f64> {
             // docs/model.md, eq. 13
             let faded = setup.aero.spin_decay * point.time + setup.aero.spin_damping.unwrap_or_default() * way / radius;
             let spin = self.launch.total_spin() * (-faded).exp();
-            (speed > 0.0).then(|| (point.time, [spin * radius / speed, per_speed * speed, speed]))
+            (speed > 0.0).then(|| (point.time, [spin * radius / speed, spin, per_speed * speed, speed]))
         };
         path.points.iter().filter_map(&mut point).collect()
     }

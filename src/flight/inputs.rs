@@ -60,11 +60,11 @@ impl<T: Numbers> Inputs<T> {
         }
     }
 
-    /// Spin ratio, Reynolds number and speed through the air as the ball leaves.
+    /// Spin ratio, spin, Reynolds number and speed through the air as the ball leaves.
     #[inline(always)]
-    pub fn stream(&self) -> [T; 3] {
+    pub fn stream(&self) -> [T; 4] {
         let speed = (self.velocity - self.wind.at(T::zero())).norm();
-        [self.spin * self.radius / speed, self.reynolds_per_speed * speed, speed]
+        [self.spin * self.radius / speed, self.spin, self.reynolds_per_speed * speed, speed]
     }
 
     /// The same over another number: `f` makes it from each quantity, always in the same order.

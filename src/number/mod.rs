@@ -12,6 +12,7 @@ mod derivatives;
 mod dual;
 #[cfg(target_arch = "x86_64")]
 mod exponential;
+mod fingerprint;
 mod inlined;
 mod jet;
 mod lanes;
@@ -23,11 +24,13 @@ mod outlined;
 mod pack;
 #[cfg(target_arch = "x86_64")]
 mod sine;
+mod surface;
 mod tanh;
 mod taylor;
 mod vector;
 
 pub(crate) use derivatives::Derivatives;
+pub(crate) use fingerprint::Fingerprint;
 pub(crate) use inlined::inlined;
 pub use jet::{Jet, Mixed};
 pub(crate) use lanes::{Lanes, MOST_LANES};
@@ -36,6 +39,7 @@ pub(crate) use linear::{SymmetricFactors, solve};
 pub use mask::Mask;
 #[cfg(target_arch = "x86_64")]
 pub(crate) use pack::{Pack4, Pack8};
+pub(crate) use surface::{Cell, Surface};
 pub use taylor::Taylor;
 pub use vector::Vector;
 

@@ -257,13 +257,15 @@ macro_rules! law_coefficients {
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub enum Law<T> {
             $( $(#[doc = $doc])* $Law($Law<T>), )+
+            /// Splines through your own table (`aero.table`): C_D = cd_factor D and C_L = cl_factor L, held beyond its edges, no lift without spin.
+            Table(Table<T>),
         }
 
         impl Law<f64> {
-            /// The names of the laws, as `aero.law` takes them.
+            /// The names of the published laws, as `aero.law` takes them.
             pub const NAMES: &'static [&'static str] = &[$($name),+];
 
-            /// The law of this name with its published coefficients.
+            /// The published law of this name with its coefficients.
             pub fn named(name: &str) -> Option<Self> {
                 match name {
                     $( $name => Some(Self::$Law($Law::defaults())), )+
@@ -273,39 +275,42 @@ macro_rules! law_coefficients {
 
             /// The rows of every law, one law after the other.
             pub fn all_rows() -> impl Iterator<Item = &'static Parameter> {
-                [$( $Law::rows().as_slice() ),+].into_iter().flatten()
+                [$( $Law::rows().as_slice(), )+ Table::rows()].into_iter().flatten()
             }
         }
 
         impl<T: Copy> Law<T> {
             /// The law's name.
             pub fn name(&self) -> &'static str {
-                match self { $( Self::$Law(_) => $name, )+ }
+                match self { $( Self::$Law(_) => $name, )+ Self::Table(_) => TABLE_LAW }
             }
 
             /// What it says of drag and lift.
             pub fn formula(&self) -> &'static str {
-                match self { $( Self::$Law(_) => concat!($($doc),*).trim_ascii(), )+ }
+                match self { $( Self::$Law(_) => concat!($($doc),*).trim_ascii(), )+ Self::Table(_) => Table::FORMULA }
             }
 
             #[inline(always)]
             pub(crate) fn map<U>(&self, f: &mut impl FnMut(&'static Parameter, T) -> U) -> Law<U> {
-                match self { $( Self::$Law(law) => Law::$Law(law.map(f)), )+ }
+                match self { $( Self::$Law(law) => Law::$Law(law.map(f)), )+ Self::Table(law) => Law::Table(law.map(f)) }
             }
 
             fn rows(&self) -> &'static [Parameter] {
-                match self { $( Self::$Law(_) => $Law::rows(), )+ }
+                match self { $( Self::$Law(_) => $Law::rows(), )+ Self::Table(_) => Table::rows() }
             }
 
             fn slot(&mut self, parameter: &Parameter) -> Option<Slot<'_, T>> {
-                match self { $( Self::$Law(law) => law.slot(parameter), )+ }
+                match self { $( Self::$Law(law) => law.slot(parameter), )+ Self::Table(law) => law.factors.slot(parameter) }
             }
         }
 
         /// Does the same with whichever law it is: `with_law!(law, |l| expression)`.
         macro_rules! with_law {
             ($d law:expr, |$d l:ident| $d body:expr) => {
-                match $d law { $( $crate::parameters::Law::$Law($d l) => $d body, )+ }
+                match $d law {
+                    $( $crate::parameters::Law::$Law($d l) => $d body, )+
+                    $crate::parameters::Law::Table($d l) => $d body,
+                }
             };
         }
         pub(crate) use with_law;

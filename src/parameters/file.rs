@@ -2,10 +2,11 @@
 //! is SI; every mistake is reported with its line and column.
 
 use super::declare::{Parameter, UNSET};
+use super::law_table::{TABLE, TABLE_LAW};
 use super::method::{METHOD, Method};
 use super::presets::{PRESETS, Preset};
-use super::setup::LAW;
-use super::table::Setup;
+use super::setup::{LAW, table_beside};
+use super::table::{Law, Setup};
 use crate::error::{Error, Result};
 use crate::foreign::of_toml;
 use std::path::Path;
@@ -59,10 +60,12 @@ impl SetupFile {
         let rank = |key: &str| {
             if key == PRESET {
                 0
-            } else if key == LAW {
+            } else if key == TABLE {
                 1
-            } else {
+            } else if key == LAW {
                 2
+            } else {
+                3
             }
         };
         items.sort_by_key(|item| (rank(&item.key), item.key_at));
@@ -74,8 +77,10 @@ impl SetupFile {
             }
         }
         let mut setup = Setup::default();
+        // other files are named from where this one is
+        let folder = Path::new(file).parent().unwrap_or(Path::new(""));
         for item in &items {
-            setup.apply(item).map_err(|(at, source)| in_file(text, file, at, source))?;
+            setup.apply(item, folder).map_err(|(at, source)| in_file(text, file, at, source))?;
         }
         for item in &items {
             setup.refuse_replaced(&[&item.key]).map_err(|source| in_file(text, file, item.key_at, source))?;
@@ -119,14 +124,25 @@ impl Setup<f64> {
         SetupFile::read(text, file).map(|file| file.setup)
     }
 
-    fn apply(&mut self, item: &Item<'_>) -> Result<(), (usize, Error)> {
+    fn apply(&mut self, item: &Item<'_>, folder: &Path) -> Result<(), (usize, Error)> {
         let at_value = |e| (item.value_at, e);
         if item.key == PRESET {
             *self = Self::preset(string(item).map_err(at_value)?).map_err(at_value)?;
             return Ok(());
         }
+        if item.key == TABLE {
+            let name = item
+                .value
+                .as_str()
+                .ok_or_else(|| at_value(wrong_type(item, item.value, "the name of a file in quotes".into())))?;
+            return self.set_table(&folder.join(name)).map_err(at_value);
+        }
         if item.key == LAW {
-            return self.set_law(string(item).map_err(at_value)?).map_err(at_value);
+            let name = string(item).map_err(at_value)?;
+            if matches!(self.law, Law::Table(_)) && name.trim() != TABLE_LAW {
+                return Err(at_value(table_beside(name)));
+            }
+            return self.set_law(name).map_err(at_value);
         }
         if item.key == METHOD {
             self.method = Method::named(string(item).map_err(at_value)?).map_err(at_value)?;

@@ -7,6 +7,7 @@ mod declare;
 mod file;
 mod inertia;
 mod launch;
+mod law_table;
 mod method;
 mod presets;
 mod range;
@@ -17,6 +18,8 @@ mod vary;
 pub(crate) use air::refuse_replaced;
 pub use declare::{Kind, Parameter, UNSET};
 pub use file::SetupFile;
+pub(crate) use law_table::Grid;
+pub use law_table::{Along, Axis, LawTable, TABLE, TABLE_LAW};
 pub use method::{METHOD, Method};
 pub use presets::{PRESETS, Preset, PresetEntry};
 pub use range::Range;
@@ -25,7 +28,7 @@ pub(crate) use setup::NO_CLUB;
 pub(crate) use table::with_law;
 pub use table::{
     Aero, Air, Ball, BearmanHarvey, Club, Contact, Ferguson, FlightConditions, Ground, LaunchConditions, LaunchMonitor,
-    Law, Linear, Lyu, MacdonaldHanzely, NaruoMizota, Nathan, Robinson, Setup, SmitsSmith, Strike, Swing, UsgaItr, Wind,
-    WinfieldTan,
+    Law, Linear, Lyu, MacdonaldHanzely, NaruoMizota, Nathan, Robinson, Setup, SmitsSmith, Strike, Swing, Table,
+    TableFactors, UsgaItr, Wind, WinfieldTan,
 };
 pub use vary::Vary;

@@ -1,10 +1,12 @@
 use super::declare::{Kind, Parameter, Slot, UNSET};
+use super::law_table::{LawTable, TABLE, TABLE_LAW};
 use super::method::{METHOD, Method};
 use super::range::Range;
 use super::table::{Law, Setup};
 use crate::error::{Error, Result};
 use crate::number::Numbers;
 use crate::units::Message;
+use std::path::Path;
 
 /// The name by which the aerodynamic law is chosen: `aero.law = "robinson"`.
 pub const LAW: &str = "aero.law";
@@ -117,7 +119,7 @@ impl Setup<f64> {
         if !owners.is_empty() {
             return Err(Error::OtherLaw { name: name.into(), law: self.law.name(), owners: owners.join(", ") });
         }
-        Err(Error::unknown("parameter", name, rows.iter().map(|row| row.name).chain([LAW, METHOD]), LISTING))
+        Err(Error::unknown("parameter", name, rows.iter().map(|row| row.name).chain([LAW, TABLE, METHOD]), LISTING))
     }
 
     /// The value of a parameter, `None` where it is unset or belongs to another law.
@@ -141,6 +143,9 @@ impl Setup<f64> {
         if name == LAW {
             return self.set_law(text);
         }
+        if name == TABLE {
+            return self.set_table(Path::new(text.trim()));
+        }
         if name == METHOD {
             self.method = Method::named(text)?;
             return Ok(());
@@ -155,10 +160,17 @@ impl Setup<f64> {
     /// # Errors
     /// As [`set`](Self::set).
     pub fn set_all<'a>(&mut self, settings: impl IntoIterator<Item = (&'a str, &'a str)> + Clone) -> Result<()> {
-        for (name, text) in settings.clone().into_iter().filter(|(name, _)| *name == LAW) {
+        let of = |wanted: &'static str| settings.clone().into_iter().filter(move |(name, _)| *name == wanted);
+        for (name, text) in of(TABLE) {
+            if let Some((_, law)) = of(LAW).find(|(_, law)| law.trim() != TABLE_LAW) {
+                return Err(table_beside(law.trim()));
+            }
             self.apply_text(name, text)?;
         }
-        for (name, text) in settings.clone().into_iter().filter(|(name, _)| *name != LAW) {
+        for (name, text) in of(LAW) {
+            self.apply_text(name, text)?;
+        }
+        for (name, text) in settings.clone().into_iter().filter(|(name, _)| ![LAW, TABLE].contains(name)) {
             self.apply_text(name, text)?;
         }
         let given: Vec<&str> = settings.into_iter().map(|(name, _)| name).filter(|name| self.is_set(name)).collect();
@@ -168,15 +180,38 @@ impl Setup<f64> {
     /// Changes the aerodynamic law; its coefficients are then the published ones, unless it is the law already.
     ///
     /// # Errors
-    /// [`Error::Unknown`] with the nearest name.
+    /// [`Error::Unknown`] with the nearest name; [`Error::Together`] for the law of a table that is not given.
     pub fn set_law(&mut self, name: &str) -> Result<()> {
         let name = name.trim();
+        if name == TABLE_LAW {
+            if matches!(self.law, Law::Table(_)) {
+                return Ok(());
+            }
+            let reason = format!(
+                "name the file of your table, {TABLE} = \"mine.csv\" in a setup file or --set {TABLE}=mine.csv"
+            );
+            return Err(Error::Together { given: format!("{LAW} = {TABLE_LAW} is given without {TABLE}"), reason });
+        }
         let law = Law::named(name).ok_or_else(|| {
-            let names = Law::NAMES.iter().copied();
-            Error::unknown("aerodynamic law", name, names, format!("the laws are {}", Law::NAMES.join(", ")))
+            let names = Law::NAMES.iter().copied().chain([TABLE_LAW]);
+            let advice = format!("the laws are {}, and {TABLE_LAW} with your own {TABLE}", Law::NAMES.join(", "));
+            Error::unknown("aerodynamic law", name, names, advice)
         })?;
         if law.name() != self.law.name() {
             self.law = law;
+        }
+        Ok(())
+    }
+
+    /// Takes the law of a user's own table from a CSV file, with the factors as they are if the law is a table already.
+    ///
+    /// # Errors
+    /// As [`LawTable::open`].
+    pub fn set_table(&mut self, path: &Path) -> Result<()> {
+        let read = LawTable::open(path)?;
+        match &mut self.law {
+            Law::Table(law) => law.table = read,
+            law => *law = Law::of_table(read),
         }
         Ok(())
     }
@@ -252,8 +287,8 @@ impl Setup<f64> {
     /// parameter or an infinite radius.
     pub fn variable(&self, name: &str) -> Result<&'static Parameter> {
         let refuse = |reason: String| Err(Error::NotVariable { name: name.into(), reason });
-        if name == LAW {
-            return refuse("it is a choice, not a number; compare two runs with --set aero.law=…".into());
+        if [LAW, TABLE].contains(&name) {
+            return refuse(format!("it is a choice, not a number; compare two runs with --set {name}=…"));
         }
         if name == METHOD {
             return refuse("it is a setting of the computation, not of the drive".into());
@@ -297,6 +332,12 @@ impl Setup<f64> {
         rows.retain(|row| self.variable(row.name).is_ok());
         rows
     }
+}
+
+/// A table and a law that is none.
+pub(super) fn table_beside(law: &str) -> Error {
+    let reason = format!("a table is a law of its own, {LAW} = {TABLE_LAW}; keep one of the two");
+    Error::Together { given: format!("{TABLE} and {LAW} = {law} are both given"), reason }
 }
 
 #[cfg(test)]

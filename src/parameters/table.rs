@@ -4,6 +4,7 @@
 //! computation. The defaults are the preset `modern-driver`; ranges are what is physically possible.
 
 use super::declare::{Kind, Parameter, Slot};
+use super::law_table::{LawTable, TABLE_LAW};
 use super::method::Method;
 use super::range::Range;
 use crate::units::Quantity;
@@ -428,6 +429,65 @@ law_coefficients! { $
         cd_factor: T = "aero.cd_factor", "cd_factor", NUMBER in "", Range::from_to(0.0, 100.0), "1", "Bearman & Harvey (1976), docs/sources.md";
         /// Factor of the lift coefficient of the grid.
         cl_factor: T = "aero.cl_factor", "cl_factor", NUMBER in "", Range::FINITE, "1", "Bearman & Harvey (1976), docs/sources.md";
+    }
+}
+
+parameter_struct! {
+    /// The factors of a user's own table.
+    TableFactors, Some(TABLE_LAW), {
+        /// Factor of the drag coefficient of the table.
+        cd_factor: T = "aero.cd_factor", "cd_factor", NUMBER in "", Range::from_to(0.0, 100.0), "1", "your own table, unchanged";
+        /// Factor of the lift coefficient of the table.
+        cl_factor: T = "aero.cl_factor", "cl_factor", NUMBER in "", Range::FINITE, "1", "your own table, unchanged";
+    }
+}
+
+/// The law of a user's own table (`aero.table`).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Table<T> {
+    /// The factors of what the table says.
+    pub factors: TableFactors<T>,
+    /// The table.
+    pub table: &'static LawTable,
+}
+
+impl Table<f64> {
+    const FORMULA: &'static str = "Splines through your own table (aero.table), in proportion to which C_D = cd_factor D and C_L = cl_factor L \
+                                   (held beyond its edges; lift falls to 0 below its least spin).";
+
+    fn rows() -> &'static [Parameter] {
+        TableFactors::rows()
+    }
+}
+
+impl<T: Copy> Table<T> {
+    #[inline(always)]
+    fn map<U>(&self, f: &mut impl FnMut(&'static Parameter, T) -> U) -> Table<U> {
+        Table { factors: self.factors.map(f), table: self.table }
+    }
+}
+
+impl Law<f64> {
+    /// The law of a table, its coefficients unchanged.
+    pub fn of_table(table: &'static LawTable) -> Self {
+        Self::Table(Table { factors: TableFactors::defaults(), table })
+    }
+}
+
+impl<T> Law<T> {
+    /// The user's own table, where the law is one.
+    pub fn table(&self) -> Option<&'static LawTable> {
+        match self {
+            Self::Table(law) => Some(law.table),
+            _ => None,
+        }
+    }
+}
+
+impl Law<f64> {
+    /// Whether it is the same law as another, whatever their coefficients.
+    pub fn is_same(&self, other: &Self) -> bool {
+        self.name() == other.name() && self.table() == other.table()
     }
 }
 

@@ -109,7 +109,7 @@ fn shares(split: &Shares) -> Map<String, Value> {
 /// What a setup has of a choice.
 fn choice(cause: Cause, setup: &Setup<f64>) -> &'static str {
     match cause {
-        Cause::Law => setup.law.name(),
+        Cause::Law => setup.law.table().map_or(setup.law.name(), |table| table.file()),
         _ if setup.launch.is_given() => "given",
         _ => "struck by a club",
     }

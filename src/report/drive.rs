@@ -1,4 +1,6 @@
 use super::{Reply, json, lines::paragraph, shown, table::table};
+use crate::aerodynamics::AerodynamicLaw;
+use crate::atmosphere::AirState;
 use crate::drive::{Drive, Outcome, Part};
 use crate::flight::Flight;
 use crate::impact::{Grip, Impact};
@@ -6,7 +8,7 @@ use crate::number::Vector;
 use crate::parameters::Setup;
 use crate::units::{Message, Quantity, System};
 use serde::Serialize;
-use serde_json::{Map, Value};
+use serde_json::{Map, Value, json};
 
 /// A drive as JSON, SI and radians.
 #[derive(Clone, Debug, Serialize)]
@@ -21,6 +23,8 @@ pub struct DriveReport {
     pub slipped: Option<bool>,
     /// The outcomes of the flight.
     pub flight: Option<Map<String, Value>>,
+    /// What the law was fitted to, and how much of the flight is outside; `null` without air or a flight.
+    pub law_range: Option<Map<String, Value>>,
 }
 
 impl DriveReport {
@@ -43,8 +47,25 @@ impl DriveReport {
             }),
             slipped: drive.impact.as_ref().map(|impact| matches!(impact.grip, Grip::Slips(_))),
             flight: flight(drive),
+            law_range: law_range(setup, drive),
         }
     }
+}
+
+/// For each quantity that a law may be fitted to: the range, how far the flight goes, and the share of the time outside; `null` where no range
+/// is known.
+pub(super) fn law_range(setup: &Setup<f64>, drive: &Drive<f64>) -> Option<Map<String, Value>> {
+    let range = |ends: [f64; 2]| json!({ "low": json::number(Some(ends[0])), "high": json::number(Some(ends[1])) });
+    let fitted = AerodynamicLaw::<f64>::fitted(&setup.law);
+    let within = drive.within_the_law(setup);
+    let each = fitted.ranges().into_iter().zip(within).map(|((name, _, known), within)| {
+        let told = known.zip(within).map(|(known, within)| {
+            json!({ "fitted": range(known), "flown": range(within.flown), "share_outside": json::number(Some(within.outside)) })
+        });
+        (json::range_key(name).to_owned(), told.unwrap_or_default())
+    });
+    let found: Map<String, Value> = each.collect();
+    (AirState::of(&setup.air).density > 0.0 && matches!(drive.flight, Flight::Landed(_))).then_some(found)
 }
 
 /// The outcomes of the launch, with the vectors `velocity` and `spin_vector`.

@@ -1,6 +1,6 @@
 use crate::atmosphere::in_effect;
 use crate::number::Vector;
-use crate::parameters::{LAW, METHOD, Setup};
+use crate::parameters::{LAW, METHOD, Setup, TABLE};
 use serde_json::{Map, Value, json};
 
 /// A number, `null` for one that does not exist. JSON has no infinity: a flat face's radius is `"inf"`, as
@@ -31,6 +31,7 @@ pub(super) fn setup(setup: &Setup<f64>) -> Map<String, Value> {
     for parameter in setup.parameters() {
         if parameter.law.is_some() && !all.contains_key(LAW) {
             all.insert(LAW.into(), json!(setup.law.name()));
+            all.extend(setup.law.table().map(|table| (TABLE.to_owned(), json!(table.file()))));
         }
         all.insert(parameter.name.into(), number(setup.value(parameter)));
         if parameter.name == "flight.step" {
@@ -38,4 +39,14 @@ pub(super) fn setup(setup: &Setup<f64>) -> Map<String, Value> {
         }
     }
     all
+}
+
+/// The key of a range that a law was fitted to: `spin_ratio`, `spin`, `reynolds`, `speed`.
+pub(super) fn range_key(name: &str) -> &str {
+    match name {
+        "spin ratio" => "spin_ratio",
+        "Reynolds number" => "reynolds",
+        "speed through the air" => "speed",
+        other => other,
+    }
 }

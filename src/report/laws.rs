@@ -28,6 +28,7 @@ pub fn laws_reply() -> Reply<Value> {
             "fitted": {
                 "to": Some(fitted.to).filter(|to| !to.is_empty()),
                 "spin_ratio": range(fitted.spin_ratio),
+                "spin": range(fitted.spin),
                 "reynolds": range(fitted.reynolds),
                 "speed": range(fitted.speed),
             },
@@ -53,5 +54,7 @@ pub fn laws_text(system: System) -> String {
             + &note(&format!("source: {}", published.source))
     };
     let laws: Vec<String> = all().map(one).collect();
-    laws.join("\n") + "\n  choose one with '--set aero.law=NAME'; 'longdrive parameters' lists the coefficients\n"
+    laws.join("\n")
+        + "\n  choose one with '--set aero.law=NAME'; 'longdrive parameters' lists the coefficients\n  \
+           or your own table with '--set aero.table=mine.csv'; 'longdrive plot laws -o laws.svg' draws them\n"
 }

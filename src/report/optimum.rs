@@ -1,4 +1,4 @@
-use super::drive::{flight, launch};
+use super::drive::{flight, launch, law_range};
 use super::lines::paragraph;
 use super::table::table;
 use super::{Reply, json, setup_toml, shown};
@@ -45,6 +45,8 @@ pub struct OptimumReport {
     pub launch: Option<Map<String, Value>>,
     /// Its flight.
     pub flight: Option<Map<String, Value>>,
+    /// What the law was fitted to, and how much of the best drive's flight is outside.
+    pub law_range: Option<Map<String, Value>>,
     /// The setup file that was written; `null` where none was.
     pub file: Option<String>,
 }
@@ -143,6 +145,7 @@ impl OptimumReport {
             setup: optimum.drive.as_ref().map(|_| json::setup(&optimum.setup)),
             launch: optimum.drive.as_ref().map(launch),
             flight: optimum.drive.as_ref().and_then(flight),
+            law_range: optimum.drive.as_ref().and_then(|drive| law_range(&optimum.setup, drive)),
             file: None,
         }
     }

@@ -1,7 +1,7 @@
 use super::lines::{item, note};
 use super::{Reply, json};
 use crate::atmosphere::in_effect;
-use crate::parameters::{Kind, LAW, Law, METHOD, Method, Parameter, Setup, UNSET};
+use crate::parameters::{Kind, LAW, Law, METHOD, Method, Parameter, Setup, TABLE, TABLE_LAW, UNSET};
 use crate::units::{Message, System};
 use serde_json::{Value, json};
 
@@ -59,10 +59,11 @@ pub fn parameters_text(setup: &Setup<f64>, system: System) -> String {
         ))
     );
     text += &format!("\n  {LAW} = {} here; the coefficients of the other laws:\n", setup.law.name());
-    for law in Law::NAMES {
+    for law in Law::NAMES.iter().copied().chain([TABLE_LAW]) {
         let of_law: Vec<_> = others.iter().copied().filter(|(row, _)| row.law == Some(law)).collect();
         if !of_law.is_empty() {
-            text += &format!("\n{}", listing(law, &of_law, system));
+            let title = if law == TABLE_LAW { format!("{TABLE_LAW}, your own {TABLE}") } else { law.into() };
+            text += &format!("\n{}", listing(&title, &of_law, system));
         }
     }
     text

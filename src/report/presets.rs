@@ -1,6 +1,6 @@
 use super::{Reply, json, table::table};
 use crate::error::Result;
-use crate::parameters::{LAW, METHOD, PRESETS, Preset, Setup};
+use crate::parameters::{LAW, METHOD, PRESETS, Preset, Setup, TABLE};
 use serde_json::{Value, json};
 
 /// The source of a parameter's value in a preset: its own, or the table's where the preset does not change it.
@@ -56,6 +56,9 @@ pub fn sources(setup: &Setup<f64>, preset: &Preset) -> Result<Vec<(&'static str,
         })
         .collect();
     let law_at = rows.iter().position(|(name, ..)| name.starts_with("aero.")).unwrap_or(rows.len());
+    if let Some(table) = setup.law.table() {
+        rows.insert(law_at, (TABLE, table.file().into(), source(TABLE, false)));
+    }
     rows.insert(law_at, (LAW, setup.law.name().into(), source(LAW, base.law.name() == setup.law.name())));
     let method_at = rows.iter().position(|(name, ..)| *name == "flight.step").unwrap_or(rows.len());
     rows.insert(method_at, (METHOD, setup.method.name().into(), source(METHOD, base.method == setup.method)));

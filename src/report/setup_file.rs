@@ -78,10 +78,20 @@ fn toml(preset: &Preset, about: &[String], rows: Vec<(&'static str, String, Stri
         }
         for (name, value, source) in rows.iter().filter(|(name, ..)| table_of(name) == table) {
             let key = name.split_once('.').map_or(*name, |(_, key)| key);
-            text += &format!("{key} = \"{value}\" # {}\n", remark(source));
+            text += &format!("{key} = {} # {}\n", quoted(value), remark(source));
         }
     }
     text
+}
+
+/// A text as TOML quotes it: the name of a file may hold anything.
+fn quoted(text: &str) -> String {
+    let escaped = |c: char| match c {
+        '"' | '\\' => format!("\\{c}"),
+        c if c.is_control() => format!("\\u{:04X}", u32::from(c)),
+        c => c.to_string(),
+    };
+    format!("\"{}\"", text.chars().map(escaped).collect::<String>())
 }
 
 #[cfg(test)]

@@ -1,5 +1,6 @@
+use crate::atmosphere::in_effect;
 use crate::error::{Error, Result};
-use crate::parameters::{Parameter, Setup};
+use crate::parameters::{Parameter, Setup, Wind};
 use crate::units::{Quantity, UnitError};
 
 /// A standard uncertainty of a parameter.
@@ -80,6 +81,27 @@ pub(super) fn amount_of(
 enum Amount {
     Of(f64, &'static str),
     Part(f64),
+    /// What is not known of the mean wind, m/s, and its gusts.
+    Wind(f64),
+}
+
+/// The least roughness length that gusts are computed for where the setup has a uniform wind, m: open country with low vegetation (EN 1991-1-4,
+/// terrain category II).
+const OPEN_COUNTRY: f64 = 0.05;
+
+/// σ_v/σ_u: gusts across the wind are this part of those along it (Panofsky & Dutton 1984: 1.92/2.39).
+const ACROSS: f64 = 0.8;
+
+/// The standard deviations of the wind's components to the right and downrange, and of its speed, from one drive to another: the intensity
+/// of turbulence at the reference height is 1/ln(z_ref/z₀).
+fn gusts(setup: &Setup<f64>) -> [f64; 3] {
+    let wind = &setup.wind;
+    let Wind { right, downrange, .. } = in_effect(setup).wind;
+    let heights = wind.reference_height / wind.roughness.unwrap_or(OPEN_COUNTRY);
+    // among what makes the ground rough there is no such profile; gusts are there as large as the wind
+    let intensity = heights.max(std::f64::consts::E).ln().recip();
+    let component = |own: f64, other: f64| intensity * own.hypot(ACROSS * other);
+    [component(right, downrange), component(downrange, right), intensity * right.hypot(downrange)]
 }
 
 const MONITOR: &str = "assumed: what launch monitors state of a ball (0.5 mph, 0.3 deg), taken for the club";
@@ -92,7 +114,7 @@ const PRESSURE: &str = "assumed: pressure within 3 hPa";
 const ALTITUDE: &str = "assumed: pressure within 3 hPa of that of the altitude";
 const HUMIDITY: &str = "assumed: humidity within 10 %";
 const BEARING: &str = "assumed: wind direction within 10 deg";
-const WIND: &str = "assumed: wind within 1 m/s";
+const WIND: &str = "assumed: mean wind within 1 m/s; and its gusts, σ_u/u = 1/ln(z_ref/z₀), docs/sources.md";
 
 /// The uncertainties taken where none is given: of one drive as it is measured on a calm range.
 const DEFAULTS: &[(&str, Amount, &str)] = &[
@@ -116,9 +138,9 @@ const DEFAULTS: &[(&str, Amount, &str)] = &[
     ("air.pressure", Amount::Of(3.0, "hPa"), PRESSURE),
     ("air.altitude", Amount::Of(25.0, "m"), ALTITUDE),
     ("air.humidity", Amount::Of(0.1, ""), HUMIDITY),
-    ("wind.right", Amount::Of(1.0, "m/s"), WIND),
-    ("wind.downrange", Amount::Of(1.0, "m/s"), WIND),
-    ("wind.speed", Amount::Of(1.0, "m/s"), WIND),
+    ("wind.right", Amount::Wind(1.0), WIND),
+    ("wind.downrange", Amount::Wind(1.0), WIND),
+    ("wind.speed", Amount::Wind(1.0), WIND),
     ("wind.from", Amount::Of(10.0, "deg"), BEARING),
     ("aero.cd", Amount::Of(0.015, ""), LAW_DRAG),
     ("aero.cd0", Amount::Of(0.015, ""), LAW_DRAG),
@@ -147,6 +169,14 @@ pub fn with_defaults(setup: &Setup<f64>, given: &[Sigma]) -> Result<Vec<Sigma>> 
         let value = match amount {
             Amount::Of(number, unit) => number * parameter.quantity.size_of(unit).unwrap_or(1.0),
             Amount::Part(part) => part * setup.value(parameter).unwrap_or_default().abs(),
+            Amount::Wind(mean) => {
+                let [right, downrange, speed] = gusts(setup);
+                mean.hypot(match *name {
+                    "wind.right" => right,
+                    "wind.downrange" => downrange,
+                    _ => speed,
+                })
+            }
         };
         if value > 0.0 {
             all.push(Sigma { parameter, value, source: Some(source) });

@@ -240,3 +240,89 @@ fn a_range_without_an_upper_end_is_told_as_at_least() {
     let told = answer["warnings"].to_string();
     assert!(told.contains("a Reynolds number of at least 71000 (a wind tunnel"), "{told}");
 }
+
+/// The rows of a plot's data: kind, name, x, y.
+fn drawn(more: &[&str]) -> (Vec<(String, String, f64, f64)>, serde_json::Value) {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("laws.csv").to_str().unwrap().to_owned();
+    let (status, answer) = json(&[&["plot", "laws", "-o", &file], more].concat());
+    assert_eq!(status, 0, "{answer}");
+    let text = std::fs::read_to_string(&file).unwrap();
+    let row = |line: &str| {
+        // a name may hold a comma
+        let cells: Vec<&str> = line.rsplitn(3, ',').collect();
+        let (kind, name) = cells[2].split_once(',').unwrap();
+        let number = |cell: &str| cell.parse().unwrap_or(f64::NAN);
+        (kind.to_owned(), name.trim_matches('"').to_owned(), number(cells[1]), number(cells[0]))
+    };
+    (text.lines().skip(1).map(row).collect(), answer)
+}
+
+/// Every curve is its law, solid within what it was fitted to and dashed beyond; points are the table of the source.
+#[test]
+fn exact_curves_and_points_of_a_plot_of_laws() {
+    let (rows, _) = drawn(&["--laws", "ferguson,naruo-mizota,linear", "--show", "cl"]);
+    for (kind, name, s, lift) in rows.iter().filter(|(kind, .., y)| kind == "line" && y.is_finite()) {
+        let law = name.split(' ').next().unwrap();
+        let found: Coefficients<f64> = at(law, [*s, 1.5e5, 50.0]);
+        assert!((found.lift - lift).abs() < 1e-12, "{kind} {name} at {s}: {lift}");
+        let is_in = |[low, high]: [f64; 2]| (low..=high).contains(s);
+        match name.as_str() {
+            "ferguson" => assert!(is_in([0.02, 0.75]), "{s}"),
+            "ferguson (extrapolated)" => assert!(is_in([0.0, 0.021]), "{s}"),
+            "naruo-mizota" => assert!(is_in([0.03, 1.13]), "{s}"),
+            _ => {}
+        }
+    }
+    let names = |kind: &str| rows.iter().filter(|row| row.0 == kind).map(|row| row.1.as_str()).collect::<Vec<_>>();
+    for name in ["ferguson", "ferguson (extrapolated)", "naruo-mizota", "linear"] {
+        assert!(names("line").contains(&name), "{name}");
+    }
+    let table = rows_of_naruo().into_iter().filter(|[s, ..]| *s <= 0.4).count();
+    // three colours are three names
+    assert_eq!((names("dots").len(), names("mark").len()), (table, 0));
+    // the drag of Lyu over the Reynolds number, whatever the spin
+    let (rows, answer) = drawn(&["--laws", "lyu", "--over", "reynolds", "--spin-ratio", "0.2"]);
+    for (_, _, reynolds, drag) in rows.iter().filter(|(kind, .., drag)| kind == "line" && drag.is_finite()) {
+        let found: Coefficients<f64> = at("lyu", [0.2, *reynolds, 50.0]);
+        assert!((found.drag - drag).abs() < 1e-12, "{reynolds}: {drag}");
+    }
+    assert!(answer["note"].as_str().unwrap().starts_with("Solid within what a law was fitted to"), "{answer}");
+}
+
+fn rows_of_naruo() -> Vec<[f64; 4]> {
+    rows(include_str!("../data/naruo_2004.csv"))
+}
+
+/// All published laws and one's own table, as a picture too; what is not used or unknown is refused.
+#[test]
+fn a_plot_of_laws_draws_all_of_them_and_refuses_what_it_cannot_use() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    std::fs::write(file("mine.csv"), "s,cd,cl\n0,0.2,0\n0.1,0.25,0.15\n0.5,0.3,0.3\n").unwrap();
+    let own = format!("aero.table={}", file("mine.csv"));
+    let (rows, _) = drawn(&["--set", &own]);
+    for name in Law::NAMES.iter().copied().chain(["table"]) {
+        assert_eq!(rows.iter().filter(|row| row.0 == "mark" && row.1 == name).count(), 1, "{name}");
+    }
+    let mine: Vec<_> = rows.iter().filter(|row| row.1 == "table (measured)").map(|row| (row.2, row.3)).collect();
+    assert_eq!(mine, [(0.0, 0.2), (0.1, 0.25)]);
+    let said = longdrive(&["plot", "laws", "--show", "cl", "-o", &file("laws.svg")]);
+    let svg = std::fs::read_to_string(file("laws.svg")).unwrap();
+    assert!(said.status == 0 && svg.contains("naruo-mizota") && !svg.contains("(extrapolated)"), "{}", said.err);
+    for (more, words) in [
+        (&["--laws", "fergusen"][..], "did you mean 'ferguson'?"),
+        (&["--laws", "lyu,lyu"], "named twice"),
+        (&["--laws", "table"], "without aero.table"),
+        (&["--over", "reynolds", "--reynolds", "1e5"], "this is not used"),
+        (&["--spin-ratio", "0.1"], "this is not used"),
+        (&["--reynolds", "-5"], "from 1 to 10000000"),
+        (&["--reynolds", "much"], "--reynolds"),
+        (&["--set", "air.density=0 kg/m^3"], "there is no air"),
+    ] {
+        let said = longdrive(&[&["plot", "laws", "-o", &file("no.svg")], more].concat());
+        assert!(said.status == 2 && said.err.contains(words), "{more:?}: {}", said.err);
+    }
+    assert!(!folder.path().join("no.svg").exists());
+    assert!(longdrive(&["laws"]).out.contains("longdrive plot laws"), "the list says how to draw them");
+}

@@ -29,6 +29,7 @@ mod long_work;
 mod messages;
 mod optimizer;
 mod oracle;
+mod own_table;
 mod published;
 mod reference;
 mod report;

@@ -308,3 +308,26 @@ fn exact_uncertainties_beyond_all_measure_leave_no_infinity() {
     close(found.standard_uncertainty(), bar.first_order, bar.first_order, 1e-15, "of one bar");
     assert_eq!(found.linearity(), 0.0);
 }
+
+/// σ_u/u = 1/ln(z/z₀) beside 1 m/s of the mean wind; across the wind 0.8 times that.
+#[test]
+fn exact_gusts_are_part_of_the_uncertainty_of_the_wind() {
+    let sigma = |settings: &[(&str, &str)], name: &str| {
+        let mut setup = Setup::default();
+        setup.set_all(settings.iter().copied()).unwrap();
+        let all = longdrive::study::with_defaults(&setup, &[]).unwrap();
+        all.into_iter().find(|sigma| sigma.parameter.name == name).unwrap().value
+    };
+    let polar = [("wind.speed", "8 m/s"), ("wind.from", "30 deg")];
+    let open = 8.0 / 200.0_f64.ln();
+    assert!((sigma(&polar, "wind.speed") - 1.0_f64.hypot(open)).abs() < 1e-14);
+    let mown = [polar[0], polar[1], ("wind.roughness", "2.4 mm")];
+    assert!((sigma(&mown, "wind.speed") - 1.0_f64.hypot(8.0 / (10.0_f64 / 0.0024).ln())).abs() < 1e-14);
+    let head = [("wind.downrange", "-8 m/s")];
+    assert!((sigma(&head, "wind.downrange") - 1.0_f64.hypot(open)).abs() < 1e-14);
+    assert!((sigma(&head, "wind.right") - 1.0_f64.hypot(0.8 * open)).abs() < 1e-14);
+    // calm, and over ground as rough as the wind is high
+    assert_eq!(sigma(&[], "wind.downrange"), 1.0);
+    let rough = [polar[0], polar[1], ("wind.roughness", "10 m"), ("wind.reference_height", "1 m")];
+    assert_eq!(sigma(&rough, "wind.speed"), 1.0_f64.hypot(8.0));
+}

@@ -213,3 +213,25 @@ fn plots_and_reports_of_optima_warn_once_for_each_kind() {
     let warnings = map["warnings"].as_array().unwrap();
     assert!(warnings.iter().any(|it| it.as_str().unwrap().starts_with("at the optimum: the law")), "{map}");
 }
+
+/// What a warning tells is in the answer as numbers: the range, how far the flight goes, and the share outside, of an optimum too.
+#[test]
+fn exact_share_outside_of_a_law_is_in_the_answer() {
+    let slow = ["--set", "swing.speed=30mph", "--set", "club.loft=14deg"];
+    let (_, answer) = json(&[&["simulate"], &slow[..]].concat());
+    let reynolds = &answer["law_range"]["reynolds"];
+    assert_eq!(reynolds["fitted"], serde_json::json!({ "low": 7e4, "high": 2.3e5 }));
+    let share = reynolds["share_outside"].as_f64().unwrap();
+    assert!(
+        answer["warnings"].to_string().contains(&format!("{:.0} % of the time outside", 100.0 * share)),
+        "{answer}"
+    );
+    assert!(answer["law_range"]["speed"].is_null() && answer["law_range"]["spin"].is_null());
+    let usual = json(&["simulate"]).1;
+    assert_eq!(usual["law_range"]["spin_ratio"]["share_outside"], 0.0);
+    let best = json(&[&["optimize"], &slow[..2], &["--vary", "club.loft=8deg..20deg"]].concat()).1;
+    assert!(best["law_range"]["reynolds"]["share_outside"].as_f64().unwrap() > 0.5, "{best}");
+    for none in [&["--set", "air.density=0 kg/m^3"][..], &["--set", "swing.attack_angle=-20deg"]] {
+        assert!(json(&[&["simulate"], none].concat()).1["law_range"].is_null(), "{none:?}");
+    }
+}

@@ -459,8 +459,8 @@ impl Question {
     }
 
     fn plot(&mut self, chance: &mut Chance) {
-        let kind = if chance.slips() { 6 } else { chance.weighted(&[10.0, 0.3, 0.5, 4.0, 1.0, 2.0]) };
-        self.push(["trajectory", "contour", "chart", "tornado", "vcurve", "compare", "pie"][kind]);
+        let kind = if chance.slips() { 7 } else { chance.weighted(&[10.0, 0.3, 0.5, 4.0, 1.0, 2.0, 2.0]) };
+        self.push(["trajectory", "contour", "chart", "tornado", "vcurve", "compare", "laws", "pie"][kind]);
         match kind {
             0 if chance.is(0.5) => self.option("--view", chance.of_or(&["side", "top"], &["back"])),
             1 => self.search(false, chance),
@@ -482,6 +482,14 @@ impl Question {
                 let (of, text) = (outcome(chance), setting(chance));
                 self.option("--of", of);
                 self.option("--set-b", text);
+            }
+            6 => {
+                self.option("--show", chance.of_or(&["cd", "cl"], &["drag"]));
+                match chance.below(3) {
+                    0 => self.option("--laws", chance.of_or(&["lyu,ferguson", "linear"], &["lyu,lyu", "table"])),
+                    1 => self.option("--over", chance.of_or(&["reynolds", "spin-ratio"], &["speed"])),
+                    _ => self.option("--reynolds", chance.of_or(&["1e5", "200000"], &["0", "1e5 m", "nan"])),
+                }
             }
             4 => {
                 self.option("--of", list(2, chance, outcome));

@@ -153,7 +153,18 @@ pub fn value(parameter: &Parameter, chance: &mut Chance) -> String {
 pub fn setting(chance: &mut Chance) -> String {
     if chance.slips() {
         return chance
-            .of(&["club.loft", "=", "=1", "a=b=c", "aero.law=", "club.loft==1deg", "flight.method=euler"])
+            .of(&[
+                "club.loft",
+                "=",
+                "=1",
+                "a=b=c",
+                "aero.law=",
+                "club.loft==1deg",
+                "flight.method=euler",
+                "aero.table=",
+                "aero.table=none.csv",
+                "aero.law=table",
+            ])
             .into();
     }
     match chance.below(30) {

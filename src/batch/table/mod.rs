@@ -4,7 +4,6 @@
 mod arrow;
 mod columns;
 mod csv;
-mod fingerprint;
 #[cfg(feature = "parquet")]
 mod parquet;
 #[cfg(any(feature = "arrow", feature = "parquet"))]

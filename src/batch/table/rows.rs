@@ -1,8 +1,8 @@
 use super::columns::Columns;
-use super::fingerprint::Fingerprint;
 use crate::batch::CHUNK;
 use crate::batch::points::Points;
 use crate::error::Result;
+use crate::number::Fingerprint;
 use crate::parameters::{Parameter, Vary};
 use crate::units::Message;
 

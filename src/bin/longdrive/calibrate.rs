@@ -19,7 +19,7 @@ use std::sync::Arc;
 
 pub fn run(args: &Calibrate) -> Result<Answer> {
     let setup = args.question.setup()?;
-    let rule = Rule::new(args.question.inputs().chain([args.data.as_path()]), args.overwrite);
+    let rule = Rule::new(args.question.inputs().chain([args.data.clone()]), args.overwrite);
     let folder = args.plot.as_ref().map(|folder| rule.folder(folder, &DOCUMENT)).transpose()?;
     let rule = rule.and_not(args.plot.as_deref());
     let output = args.output.as_ref().map(|file| rule.file(file)).transpose()?;

@@ -12,7 +12,7 @@ use longdrive::{Error, Result, Setup};
 
 pub fn run(args: &DeliveryArgs) -> Result<Answer> {
     refuse_step(&args.question)?;
-    let inputs = args.question.inputs().chain(args.shots.as_deref());
+    let inputs = args.question.inputs().chain(args.shots.clone());
     let output = args.output.as_ref().map(|file| Rule::new(inputs, args.overwrite).file(file)).transpose()?;
     let (setup, launched) = setups(args)?;
     let mut warnings = setup.warnings();

@@ -17,8 +17,8 @@ pub struct Rule {
 
 impl Rule {
     /// The rule of a command that reads these files, or keeps its work in them.
-    pub fn new<'a>(inputs: impl IntoIterator<Item = &'a Path>, overwrite: bool) -> Self {
-        Self { inputs: inputs.into_iter().filter_map(located).collect(), overwrite }
+    pub fn new(inputs: impl IntoIterator<Item = PathBuf>, overwrite: bool) -> Self {
+        Self { inputs: inputs.into_iter().filter_map(|path| located(&path)).collect(), overwrite }
     }
 
     /// The same rule, with another output of the command to keep clear of.

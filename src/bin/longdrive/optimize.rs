@@ -34,7 +34,7 @@ pub fn run(args: &Optimize) -> Result<Answer> {
 impl Optimize {
     /// Where the setup at the optimum goes, if it may be written there.
     pub fn destination(&self) -> Result<Option<Destination>> {
-        let inputs = self.question.inputs().chain(self.work.checkpoint.as_deref());
+        let inputs = self.question.inputs().chain(self.work.checkpoint.clone());
         let rule = Rule::new(inputs, self.overwrite);
         self.output.as_ref().map(|file| rule.file(file)).transpose()
     }

@@ -1,18 +1,21 @@
 use crate::args::{
-    Drawing, Plot, PlotChart, PlotCompare, PlotContour, PlotKind, PlotTornado, PlotTrajectory, PlotVcurve, Question,
-    Seen,
+    Drawing, Drawn, LawsOver, Plot, PlotChart, PlotCompare, PlotContour, PlotKind, PlotLaws, PlotTornado,
+    PlotTrajectory, PlotVcurve, Question, Seen,
 };
 use crate::compare::warnings;
 use crate::files::{Destination, Rule};
 use crate::names::{outcomes, usual, variables};
 use crate::output::{Answer, bar, show, spinner, system, tell, warn};
 use crate::verify::tell_left_out;
+use longdrive::atmosphere::AirState;
 #[cfg(not(feature = "png"))]
 use longdrive::features::how_to_get;
 use longdrive::optimize::Observer;
+use longdrive::parameters::Law;
 use longdrive::report::Reply;
 use longdrive::report::figures::{
-    Flown, View, chart_figures, difference_figure, map_figure, tornado_figure, trajectory_figure, vcurve_figure,
+    Coefficient, Flown, Over, View, chart_figures, difference_figure, laws_figure, map_figure, tornado_figure,
+    trajectory_figure, vcurve_figure,
 };
 use longdrive::report::plot::{Figure, Look, Shades, figure_csv, figure_svg};
 use longdrive::reproduce::while_loop;
@@ -21,10 +24,10 @@ use longdrive::study::{
     Constraint, Fineness, Map, Optimum, Search, Sigma, Vary, chart, effects, flatness, map, optimum, usual_loss,
     with_defaults,
 };
-use longdrive::units::Message;
+use longdrive::units::{Message, Quantity};
 use longdrive::{Drive, Error, Outcome, Result, Setup};
 use serde_json::json;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 pub fn run(args: &Plot) -> Result<Answer> {
     match &args.kind {
@@ -34,6 +37,7 @@ pub fn run(args: &Plot) -> Result<Answer> {
         PlotKind::Tornado(args) => tornado(args),
         PlotKind::Compare(args) => difference(args),
         PlotKind::Vcurve(args) => vcurve(args),
+        PlotKind::Laws(args) => laws(args),
     }
 }
 
@@ -190,6 +194,68 @@ fn vcurve(args: &PlotVcurve) -> Result<Answer> {
     )
 }
 
+fn laws(args: &PlotLaws) -> Result<Answer> {
+    let target = Target::new(&args.question, &args.drawing)?;
+    let setup = args.question.setup()?;
+    let over = args.over()?;
+    if AirState::of(&setup.air).density == 0.0 {
+        let reason = "there is no air, and so no drag and no lift; set air.density above 0".into();
+        return Err(Error::Plot { name: args.drawing.output.display().to_string(), reason });
+    }
+    let own = setup.law.table().map(|_| setup.law.name());
+    let all = || Law::NAMES.iter().copied().chain(own);
+    // the law of the setup with its coefficients, and the others as published
+    let named = |name: &str| {
+        let mut other = setup;
+        other.set_law(name).map(|()| other.law)
+    };
+    let asked: Vec<&str> = args.laws.iter().map(|name| name.trim()).collect();
+    if let Some((i, name)) = asked.iter().enumerate().find(|(i, name)| asked[..*i].contains(name)) {
+        let source = format!("'{name}' is named twice, as number {} too; keep one", i + 1).into();
+        return Err(Error::Unreadable { name: "--laws".into(), source });
+    }
+    let laws = if asked.is_empty() {
+        all().map(named).collect::<Result<Vec<_>>>()
+    } else {
+        asked.into_iter().map(named).collect()
+    }?;
+    let of = match args.show {
+        Drawn::Cd => Coefficient::Drag,
+        Drawn::Cl => Coefficient::Lift,
+    };
+    target.put(args.question.json, &args.drawing, &laws_figure(&laws, &setup, over, of), vec![])
+}
+
+impl PlotLaws {
+    /// What is drawn over, and at which value of the other.
+    fn over(&self) -> Result<Over> {
+        let unused = |name: &str, over: &str| {
+            let source = format!(
+                "the laws are drawn over the {over} itself, so this is not used; leave it out, or take another --over"
+            );
+            Err(Error::Unreadable { name: name.into(), source: source.into() })
+        };
+        match self.over {
+            LawsOver::SpinRatio if self.spin_ratio.is_some() => unused("--spin-ratio", "spin ratio"),
+            LawsOver::Reynolds if self.reynolds.is_some() => unused("--reynolds", "Reynolds number"),
+            LawsOver::SpinRatio => Ok(Over::SpinRatio(held("--reynolds", &self.reynolds, 1.5e5, [1.0, 1e7])?)),
+            LawsOver::Reynolds => Ok(Over::Reynolds(held("--spin-ratio", &self.spin_ratio, 0.1, [0.0, 10.0])?)),
+        }
+    }
+}
+
+/// A plain number of an option, within a range.
+fn held(name: &str, text: &Option<String>, default: f64, [least, most]: [f64; 2]) -> Result<f64> {
+    let Some(text) = text else { return Ok(default) };
+    let unreadable = |e| Error::Unreadable { name: name.into(), source: Box::new(e) };
+    let value = Quantity::NUMBER.read(text).map_err(unreadable)?;
+    if (least..=most).contains(&value) {
+        return Ok(value);
+    }
+    let advice = format!("it must be from {least} to {most}");
+    Err(Error::OutOfRange { name: name.into(), value: value.to_string(), range: format!("{least} .. {most}"), advice })
+}
+
 /// The width of a picture, pixels.
 const WIDTH: u32 = 480;
 
@@ -235,7 +301,7 @@ impl Target {
     }
 
     /// The same for a plot that reads these files.
-    fn beside<'a>(inputs: impl Iterator<Item = &'a Path>, drawing: &Drawing) -> Result<Self> {
+    fn beside(inputs: impl Iterator<Item = PathBuf>, drawing: &Drawing) -> Result<Self> {
         let format = Format::of(&drawing.output)?;
         if let (Format::Csv, [option, ..]) = (format, drawing.look().as_slice()) {
             let source =

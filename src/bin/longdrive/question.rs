@@ -1,10 +1,10 @@
 use crate::args::Question;
 use crate::output::{tell, warn_early};
-use longdrive::parameters::{METHOD, PRESETS, Parameter, Preset, SetupFile, Vary};
+use longdrive::parameters::{METHOD, PRESETS, Parameter, Preset, SetupFile, TABLE, Vary};
 use longdrive::study::{Accuracy, accuracy};
 use longdrive::units::{Message, Quantity, counted};
 use longdrive::{Error, Outcome, Result, Setup};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// The tolerance of commands that fly many drives, m.
 const MICROMETRE: f64 = 1e-6;
@@ -136,7 +136,7 @@ impl Question {
     /// What the setup file or `--set` gives may not be replaced by other parameters that are given, here or by `more`.
     pub fn refuse_replaced(&self, setup: &Setup<f64>, more: &[&'static Parameter]) -> Result<()> {
         let mut given: Vec<&'static Parameter> = vec![];
-        for path in self.inputs() {
+        for path in self.setup_file() {
             given.extend(SetupFile::open(path)?.given);
         }
         given.extend(self.settings()?.into_iter().filter_map(|(name, _)| setup.parameter(name).ok()));
@@ -164,7 +164,7 @@ impl Question {
 
     /// Says what a setup file gives of a club that does not strike the ball.
     fn tell_unused(&self) -> Result<()> {
-        for path in self.inputs() {
+        for path in self.setup_file() {
             let of_club = SetupFile::open(path)?.given.into_iter().filter(|parameter| parameter.is_of_strike());
             let names: Vec<_> = of_club.map(|parameter| parameter.name).collect();
             if !names.is_empty() {
@@ -232,7 +232,7 @@ impl Question {
             return Ok(false);
         }
         let is_given = |path| SetupFile::open(path).map(|file| file.gives_step);
-        Ok(!self.inputs().map(is_given).collect::<Result<Vec<_>>>()?.contains(&true))
+        Ok(!self.setup_file().map(is_given).collect::<Result<Vec<_>>>()?.contains(&true))
     }
 
     /// The preset that the setup started from.
@@ -240,9 +240,17 @@ impl Question {
         Preset::named(&self.setup).map_or_else(|| Ok(SetupFile::open(Path::new(&self.setup))?.preset), Ok)
     }
 
-    /// The files that it reads.
-    pub fn inputs(&self) -> impl Iterator<Item = &Path> {
+    /// The setup file, if it is one.
+    fn setup_file(&self) -> impl Iterator<Item = &Path> {
         std::iter::once(Path::new(&self.setup)).filter(|_| Preset::named(&self.setup).is_none())
+    }
+
+    /// The files that it reads: its setup file, and tables of drag and lift that this and --set name.
+    pub fn inputs(&self) -> impl Iterator<Item = PathBuf> {
+        let files = self.setup_file().map(Path::to_owned);
+        let of_setup = self.setup_file().filter_map(|path| SetupFile::open(path).ok()?.setup.law.table());
+        let set = self.set.iter().filter_map(|text| split("--set", text).ok()).filter(|(name, _)| *name == TABLE);
+        files.chain(of_setup.map(|table| PathBuf::from(table.file()))).chain(set.map(|(_, file)| PathBuf::from(file)))
     }
 
     /// The setup without the overrides, and the parameters that its file gives without a unit.

@@ -2,6 +2,7 @@
 
 mod chart;
 mod difference;
+mod laws;
 mod map;
 mod tornado;
 mod trajectory;
@@ -9,6 +10,7 @@ mod vcurve;
 
 pub use chart::chart_figures;
 pub use difference::difference_figure;
+pub use laws::{Coefficient, Over, laws_figure};
 pub(super) use map::capital;
 pub use map::map_figure;
 pub use tornado::tornado_figure;

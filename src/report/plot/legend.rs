@@ -15,7 +15,7 @@ const SIGN: f64 = 24.0;
 pub(super) fn laid_out(figure: &Figure, width: f64) -> (Vec<(&Layer, [f64; 2])>, f64) {
     let is_named = |layer: &&Layer| {
         let (name, hue) = layer.named();
-        !name.is_empty() && hue.is_some() && !matches!(layer, Layer::Mark { .. })
+        !name.is_empty() && hue.is_some() && !matches!(layer, Layer::Mark { .. }) && !is_part_of_another(figure, name)
     };
     let layers: Vec<&Layer> = figure.layers.iter().filter(is_named).collect();
     if layers.is_empty() || (layers.len() == 1 && figure.layers.len() == 1) {
@@ -32,6 +32,14 @@ pub(super) fn laid_out(figure: &Figure, width: f64) -> (Vec<(&Layer, [f64; 2])>,
         at[0] += wide + 14.0;
     }
     (placed, at[1] + 0.5 * LINE + 3.0)
+}
+
+/// Whether a layer goes with another, named as that one with a remark behind: "ferguson (extrapolated)".
+fn is_part_of_another(figure: &Figure, name: &str) -> bool {
+    let whole = name.rsplit_once(" (").map(|(whole, _)| whole);
+    whole.is_some_and(|whole| {
+        figure.layers.iter().any(|layer| layer.named().0 == whole && !matches!(layer, Layer::Mark { .. }))
+    })
 }
 
 /// Draws a layer's sign and name.

@@ -170,6 +170,7 @@ fn is_joined(setup: &Setup<f64>) -> bool {
             | Law::Lyu(_)
             | Law::UsgaItr(_)
             | Law::BearmanHarvey(_)
+            | Law::Table(_)
     )
 }
 

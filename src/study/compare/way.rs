@@ -59,7 +59,7 @@ impl Way {
         if differ_in_launch {
             at_once.push(Cause::Launch);
         }
-        let differ_in_law = ends[0].law.name() != ends[1].law.name();
+        let differ_in_law = !ends[0].law.is_same(&ends[1].law);
         if differ_in_law {
             at_once.push(Cause::Law);
         }

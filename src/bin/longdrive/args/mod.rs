@@ -15,7 +15,8 @@ pub use compare::{Compare, Pair};
 pub use data::{Calibrate, DeliveryArgs, Published, Reproduce, Validate};
 pub use many::{Format, Sweep};
 pub use picture::{
-    Drawing, Plot, PlotChart, PlotCompare, PlotContour, PlotKind, PlotTornado, PlotTrajectory, PlotVcurve, Report, Seen,
+    Drawing, Drawn, LawsOver, Plot, PlotChart, PlotCompare, PlotContour, PlotKind, PlotLaws, PlotTornado,
+    PlotTrajectory, PlotVcurve, Report, Seen,
 };
 pub use program::{Completions, Man, Shown};
 pub use question::{Gradient, Laws, Parameters, Presets, Question, Simulate};

@@ -26,6 +26,8 @@ pub enum PlotKind {
     Compare(PlotCompare),
     /// The error of central differences against exact derivatives, by step.
     Vcurve(PlotVcurve),
+    /// Laws of drag and lift over the spin ratio or the Reynolds number, with measured points.
+    Laws(PlotLaws),
 }
 
 impl PlotKind {
@@ -38,6 +40,7 @@ impl PlotKind {
             Self::Tornado(args) => &args.question,
             Self::Compare(args) => &args.pair.question,
             Self::Vcurve(args) => &args.question,
+            Self::Laws(args) => &args.question,
         }
     }
 }
@@ -77,6 +80,53 @@ pub enum Seen {
     Side,
     /// From above.
     Top,
+}
+
+/// What laws are drawn over.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub enum LawsOver {
+    /// Over the spin ratio.
+    SpinRatio,
+    /// Over the Reynolds number.
+    Reynolds,
+}
+
+/// The coefficient that is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub enum Drawn {
+    /// The drag coefficient.
+    Cd,
+    /// The lift coefficient.
+    Cl,
+}
+
+#[derive(clap::Args)]
+pub struct PlotLaws {
+    #[command(flatten)]
+    pub question: Question,
+
+    #[command(flatten)]
+    pub drawing: Drawing,
+
+    /// The laws, separated by commas; "table" for your own of --set aero.table. Without: all of them.
+    #[arg(long, value_name = "LAW,…", value_delimiter = ',')]
+    pub laws: Vec<String>,
+
+    /// The coefficient to draw.
+    #[arg(long, value_enum, default_value_t = Drawn::Cd)]
+    pub show: Drawn,
+
+    /// What to draw it over.
+    #[arg(long, value_enum, default_value_t = LawsOver::SpinRatio)]
+    pub over: LawsOver,
+
+    /// The Reynolds number, over the spin ratio [default: 1.5e5].
+    #[arg(long, value_name = "NUMBER", allow_negative_numbers = true)]
+    pub reynolds: Option<String>,
+
+    /// The spin ratio, over the Reynolds number [default: 0.1].
+    #[arg(long, value_name = "NUMBER", allow_negative_numbers = true)]
+    pub spin_ratio: Option<String>,
 }
 
 #[derive(clap::Args)]

@@ -55,7 +55,7 @@ impl Target {
         if target.is_standard_output() {
             return Ok(Self { format, ..target });
         }
-        let inputs = args.question.inputs().chain(args.points.as_deref());
+        let inputs = args.question.inputs().chain(args.points.clone());
         // whether there is something to resume is looked at below
         let destination = Rule::new(inputs, args.overwrite || args.resume).file(&target.path)?;
         let files = destination.is_file().then(|| Files::of(destination.path()));

@@ -1,7 +1,7 @@
 /// A fingerprint of numbers that come one by one (FNV-1a, 64 bits, of their bytes): tells a table from another, not from a forgery. It is the
 /// same on every machine and for every compiler, as the journal of a sweep needs it.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Fingerprint(pub u64);
+pub(crate) struct Fingerprint(pub u64);
 
 impl Fingerprint {
     pub const fn new() -> Self {

@@ -1,0 +1,31 @@
+//! How tables of text are written.
+
+/// What separates the cells of a table: the most frequent of tab, semicolon and comma in its head; and the text without a line
+/// `sep=;` that says so.
+pub(crate) fn separated(text: &str) -> (u8, &str) {
+    let text = text.trim_start_matches('\u{feff}');
+    if let Some(rest) = text.strip_prefix("sep=") {
+        let (stated, rest) = rest.split_once('\n').unwrap_or((rest, ""));
+        if let Some(separator) = stated.trim_end_matches('\r').bytes().next() {
+            return (separator, rest);
+        }
+    }
+    let head = text.lines().find(|line| !line.starts_with('#') && !line.trim().is_empty()).unwrap_or_default();
+    let count = |separator: &u8| head.bytes().filter(|byte| byte == separator).count();
+    // of equally many the last; a head of one column has none
+    let separator = [b'\t', b';', b','].into_iter().max_by_key(count).unwrap_or(b',');
+    (separator, text)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::separated;
+
+    #[test]
+    fn the_separator_is_that_of_the_head_or_of_a_line_that_says_so() {
+        assert_eq!(separated("# a, b; c\na;b;c\n").0, b';');
+        assert_eq!(separated("\u{feff}a\tb, c\td\n").0, b'\t');
+        assert_eq!(separated("a,b\n").0, b',');
+        assert_eq!(separated("sep=;\r\na;b\n"), (b';', "a;b\n"));
+    }
+}
