@@ -118,7 +118,11 @@ fn published_optima_of_trackmans_chart_are_met_in_launch_and_carry_and_missed_in
     let law = of.laws.iter().find(|law| law.law == "ferguson").unwrap();
     let [carry, launch, spin] = [0, 1, 2].map(|at| law.scores[at].mean_absolute().unwrap());
     let carries = of.cases.iter().map(|case| case.published(Compared::Carry).unwrap());
-    assert!(carry < 0.02 * carries.sum::<f64>() / 30.0 && launch.to_degrees() < 1.0 && spin * 60.0 < 250.0 * 6.2831);
+    assert!(
+        carry < 0.02 * carries.sum::<f64>() / 30.0
+            && launch.to_degrees() < 1.0
+            && spin < 250.0 * std::f64::consts::TAU / 60.0
+    );
 }
 
 #[test]
