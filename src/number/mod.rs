@@ -39,7 +39,7 @@ pub(crate) use linear::{SymmetricFactors, solve};
 pub use mask::Mask;
 #[cfg(target_arch = "x86_64")]
 pub(crate) use pack::{Pack4, Pack8};
-pub(crate) use surface::{Cell, Surface};
+pub(crate) use surface::{Cell, Surface, cells_of};
 pub use taylor::Taylor;
 pub use vector::Vector;
 

@@ -4,19 +4,19 @@
 /// in it, 0 to 1 in both directions, four of y for each of x.
 pub(crate) type Cell = [f64; 36];
 
-/// The surfaces through two numbers at each node of a grid.
+/// The surfaces through two numbers at each node of a grid. They are kept until the program ends, and asking them takes no memory.
 #[derive(Debug)]
 pub(crate) struct Surface {
     x: Knots,
     y: Knots,
     /// Row by row: for each step of y, all of x.
-    cells: Vec<Cell>,
+    cells: &'static [Cell],
 }
 
 /// Where the lines of the grid are, rising.
 #[derive(Debug)]
 struct Knots {
-    at: Vec<f64>,
+    at: &'static [f64],
     /// The number of the last step.
     last: usize,
     /// Where they are evenly spaced: how many there are to a unit.
@@ -27,41 +27,42 @@ impl Surface {
     /// The surfaces over the lines `x` and `y`, each rising, through two tables of numbers, row by row. Along a direction with one line
     /// nothing changes.
     pub fn new(x: Vec<f64>, y: Vec<f64>, tables: [&[f64]; 2]) -> Self {
-        let patches = tables.map(|table| patches(&x, &y, table));
-        let columns = steps(&x);
-        let mut cells = Vec::with_capacity(columns * steps(&y));
-        for (place, (first, second)) in patches[0].iter().zip(&patches[1]).enumerate() {
-            let ((corner, wide), (low, high)) = (step(&x, place % columns), step(&y, place / columns));
-            let place = [corner, 1.0 / wide, low, 1.0 / high];
-            let mut cell = [0.0; 36];
-            for (number, part) in
-                cell.iter_mut().zip(place.iter().chain(first.iter().flatten()).chain(second.iter().flatten()))
-            {
-                *number = *part;
-            }
-            cells.push(cell);
-        }
+        let mut cells = vec![[0.0; 36]; steps(&x) * steps(&y)];
+        let mut work = [(); 4].map(|()| vec![0.0; tables[0].len()]);
+        fill(&x, &y, tables, work.each_mut().map(Vec::as_mut_slice), &mut cells);
+        Self::of(x.leak(), y.leak(), cells.leak())
+    }
+
+    /// The surfaces with the cells that [`cells_of`] gives.
+    pub fn of(x: &'static [f64], y: &'static [f64], cells: &'static [Cell]) -> Self {
         Self { x: Knots::new(x), y: Knots::new(y), cells }
     }
 
     /// The cell where a place lies; outside of the grid the next one.
-    pub fn cell(&self, x: f64, y: f64) -> &Cell {
+    pub fn cell(&self, x: f64, y: f64) -> &'static Cell {
         &self.cells[self.y.step(y) * (self.x.last + 1) + self.x.step(x)]
     }
 
     /// All cells.
-    pub fn cells(&self) -> &[Cell] {
-        &self.cells
+    pub fn cells(&self) -> &'static [Cell] {
+        self.cells
     }
 }
 
+/// The cells of the surfaces through two tables of N numbers, without any memory of the heap.
+pub(crate) fn cells_of<const N: usize, const CELLS: usize>(x: &[f64], y: &[f64], tables: [&[f64]; 2]) -> [Cell; CELLS] {
+    let (mut cells, mut work) = ([[0.0; 36]; CELLS], [[0.0; N]; 4]);
+    fill(x, y, tables, work.each_mut().map(|work| work.as_mut_slice()), &mut cells);
+    cells
+}
+
 impl Knots {
-    fn new(at: Vec<f64>) -> Self {
+    fn new(at: &'static [f64]) -> Self {
         let (first, last) = (at[0], at[at.len() - 1]);
-        let even = (last - first) / steps(&at) as f64;
+        let even = (last - first) / steps(at) as f64;
         let is_even = |(i, knot): (usize, &f64)| (first + even * i as f64 - knot).abs() <= 1e-12 * (last - first);
         let per_unit = (at.len() > 1 && at.iter().enumerate().all(is_even)).then_some(1.0 / even);
-        Self { last: steps(&at) - 1, at, per_unit }
+        Self { last: steps(at) - 1, at, per_unit }
     }
 
     /// The number of the step that a value lies in, or next to.
@@ -97,42 +98,41 @@ fn step(knots: &[f64], i: usize) -> (f64, f64) {
     (knots[i], knots.get(i + 1).map_or(f64::INFINITY, |next| next - knots[i]))
 }
 
-/// The coefficients of the surface through a table, cell by cell, by powers of x and y.
-fn patches(x: &[f64], y: &[f64], table: &[f64]) -> Vec<[[f64; 4]; 4]> {
+/// Writes the cells of the surfaces through two tables; `work` has four times the room of a table.
+fn fill(x: &[f64], y: &[f64], tables: [&[f64]; 2], work: [&mut [f64]; 4], cells: &mut [Cell]) {
     let columns = x.len();
     // slopes by x, by y, and by both
-    let by_x: Vec<f64> = table.chunks(columns).flat_map(|row| slopes(x, row)).collect();
-    let by_y = |table: &[f64]| -> Vec<f64> {
-        let mut all = vec![0.0; table.len()];
-        for column in 0..columns {
-            let values: Vec<f64> = table.iter().skip(column).step_by(columns).copied().collect();
-            for (row, slope) in slopes(y, &values).into_iter().enumerate() {
-                all[row * columns + column] = slope;
-            }
+    let [by_x, up, twisted, diagonal] = work;
+    for (which, table) in tables.into_iter().enumerate() {
+        for row in 0..y.len() {
+            slopes(x, table, by_x, diagonal, |i| row * columns + i);
         }
-        all
-    };
-    let (up, twisted) = (by_y(table), by_y(&by_x));
-    let mut patches = Vec::with_capacity(steps(x) * steps(y));
-    for row in 0..steps(y) {
-        for column in 0..steps(x) {
+        for column in 0..columns {
+            slopes(y, table, up, diagonal, |i| i * columns + column);
+            slopes(y, by_x, twisted, diagonal, |i| i * columns + column);
+        }
+        for (place, cell) in cells.iter_mut().enumerate() {
+            let (row, column) = (place / steps(x), place % steps(x));
+            let ((corner, wide), (low, high)) = (step(x, column), step(y, row));
             // the same line twice where there is but one
             let ends = |first: usize, count: usize| [first, (first + 1).min(count - 1)];
-            let part = |slope: f64, (_, width): (f64, f64)| if width.is_finite() { slope * width } else { 0.0 };
+            let part = |slope: f64, width: f64| if width.is_finite() { slope * width } else { 0.0 };
             // along x at both rows: the values, and their slopes by y
             let along = |values: &[f64], slopes: &[f64], row: usize| {
                 let places = ends(column, columns).map(|column| row * columns + column);
-                cubic(places.map(|at| values[at]), places.map(|at| part(slopes[at], step(x, column))))
+                cubic(places.map(|at| values[at]), places.map(|at| part(slopes[at], wide)))
             };
             let rows = ends(row, y.len());
-            let values = rows.map(|row| along(table, &by_x, row));
-            let slopes = rows.map(|row| along(&up, &twisted, row));
-            patches.push(std::array::from_fn(|power| {
-                cubic(values.map(|v| v[power]), slopes.map(|s| part(s[power], step(y, row))))
-            }));
+            let values = rows.map(|row| along(table, by_x, row));
+            let slopes = rows.map(|row| along(up, twisted, row));
+            [cell[0], cell[1], cell[2], cell[3]] = [corner, 1.0 / wide, low, 1.0 / high];
+            for power in 0..4 {
+                let first = 4 + 16 * which + 4 * power;
+                let found = cubic(values.map(|v| v[power]), slopes.map(|s| part(s[power], high)));
+                cell[first..first + 4].copy_from_slice(&found);
+            }
         }
     }
-    patches
 }
 
 /// The coefficients, by powers from 0 on, of the cubic between 0 and 1 that has these values and slopes there.
@@ -141,33 +141,34 @@ fn cubic([here, there]: [f64; 2], [slope, end]: [f64; 2]) -> [f64; 4] {
     [here, slope, 3.0 * rise - 2.0 * slope - end, slope + end - 2.0 * rise]
 }
 
-/// The slopes at the knots of the cubic spline through some values, without curvature at both ends.
-fn slopes(knots: &[f64], values: &[f64]) -> Vec<f64> {
+/// Writes the slopes at the knots of the cubic spline through some values, without curvature at both ends; `place` says where in a table each value
+/// is and its slope goes, `diagonal` is room for a number at each knot.
+fn slopes(knots: &[f64], values: &[f64], slopes: &mut [f64], diagonal: &mut [f64], place: impl Fn(usize) -> usize) {
     let count = knots.len();
+    for i in 0..count {
+        (diagonal[i], slopes[place(i)]) = (0.0, 0.0);
+    }
     if count < 2 {
-        return vec![0.0; count];
+        return;
     }
     let per = |i: usize| 1.0 / (knots[i + 1] - knots[i]);
-    let pull = |i: usize| 3.0 * (values[i + 1] - values[i]) * per(i) * per(i);
+    let pull = |i: usize| 3.0 * (values[place(i + 1)] - values[place(i)]) * per(i) * per(i);
     // row i: per(i−1) m(i−1) + 2 (per(i−1) + per(i)) m(i) + per(i) m(i+1) = pull(i−1) + pull(i), where there are such neighbours
-    let (mut diagonal, mut right) = (vec![0.0; count], vec![0.0; count]);
     for i in 0..count - 1 {
         for at in [i, i + 1] {
             diagonal[at] += 2.0 * per(i);
-            right[at] += pull(i);
+            slopes[place(at)] += pull(i);
         }
     }
     for i in 1..count {
         let part = per(i - 1) / diagonal[i - 1];
         diagonal[i] -= part * per(i - 1);
-        right[i] -= part * right[i - 1];
+        slopes[place(i)] -= part * slopes[place(i - 1)];
     }
-    let mut slopes = vec![0.0; count];
     for i in (0..count).rev() {
-        let next = if i + 1 < count { per(i) * slopes[i + 1] } else { 0.0 };
-        slopes[i] = (right[i] - next) / diagonal[i];
+        let next = if i + 1 < count { per(i) * slopes[place(i + 1)] } else { 0.0 };
+        slopes[place(i)] = (slopes[place(i)] - next) / diagonal[i];
     }
-    slopes
 }
 
 #[cfg(test)]
@@ -176,6 +177,11 @@ mod tests {
 
     #[test]
     fn exact_slopes_of_a_line_and_of_a_spline_by_hand() {
+        let slopes = |knots: &[f64], values: &[f64]| {
+            let (mut found, mut room) = (vec![0.0; knots.len()], vec![0.0; knots.len()]);
+            slopes(knots, values, &mut found, &mut room, |i| i);
+            found
+        };
         let line = slopes(&[0.0, 1.0, 3.0, 4.5], &[1.0, 3.0, 7.0, 10.0]);
         assert!(line.iter().all(|slope| (slope - 2.0).abs() < 1e-14), "{line:?}");
         // through (−1, 0), (0, 1), (1, 0): 1 − 3/2 x² ± x³/2, with slope 3/2, 0, −3/2

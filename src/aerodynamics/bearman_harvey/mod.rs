@@ -2,7 +2,7 @@ mod grid;
 
 use super::gridded::gridded;
 use super::{AerodynamicLaw, Coefficients, Fitted, Published, Stream};
-use crate::number::{Numbers, Surface};
+use crate::number::{Cell, Numbers, Surface, cells_of};
 use crate::parameters::{Along, Axis, BearmanHarvey, Grid};
 use grid::{DRAG, LIFT, SPEEDS, SPINS};
 use std::f64::consts::PI;
@@ -19,16 +19,28 @@ const SPIN_OVER: f64 = 100.0;
 /// m/s: what was measured. The last column of the grid repeats the drag of the last but one.
 const MEASURED: [f64; 2] = [13.7, 80.2];
 
+const ROWS: usize = DRAG.len();
+const COLUMNS: usize = SPEEDS.len();
+
+/// The spins of the rows, rad/s.
+static SPIN_OF_ROW: LazyLock<[f64; ROWS]> = LazyLock::new(|| {
+    let [least, most] = SPINS.map(|rpm| rpm * RPM);
+    std::array::from_fn(|row| least + (most - least) / (ROWS - 1) as f64 * row as f64)
+});
+
+static CELLS: LazyLock<[Cell; (ROWS - 1) * (COLUMNS - 1)]> = LazyLock::new(|| {
+    let tables = [&DRAG, &LIFT].map(|table| table.as_flattened());
+    cells_of::<{ ROWS * COLUMNS }, _>(&SPEEDS, SPIN_OF_ROW.as_slice(), tables)
+});
+
 static GRID: LazyLock<Grid> = LazyLock::new(|| {
     let [least, most] = SPINS.map(|rpm| rpm * RPM);
-    let row = (most - least) / (DRAG.len() - 1) as f64;
-    let spins = (0..DRAG.len()).map(|i| least + row * i as f64).collect();
     let [slowest, .., fastest] = SPEEDS;
     Grid {
         spin: Some(Axis { along: Along::Spin, ends: [least, most], over: [SPIN_OVER * RPM; 2] }),
         speed: Some(Axis { along: Along::Speed, ends: [slowest, fastest], over: SPEED_OVER }),
         begins: Some((Along::Spin, 1.0 / least)),
-        surface: Surface::new(SPEEDS.to_vec(), spins, [&DRAG, &LIFT].map(|table| table.as_flattened())),
+        surface: Surface::of(&SPEEDS, SPIN_OF_ROW.as_slice(), CELLS.as_slice()),
     }
 });
 

@@ -53,11 +53,9 @@ fn lines(values: impl Iterator<Item = f64>, along: Option<Along>) -> Result<Vec<
     let most = lines.last().copied().unwrap_or_default();
     let close = lines.windows(2).find(|pair| pair[1] - pair[0] <= SAME * most);
     if let (Some(pair), Some(along)) = (close, along) {
-        let reason = format!(
-            "{} and {} are nearly the same; write one number for both",
-            told(along, pair[0]),
-            told(along, pair[1])
-        );
+        let (name, si) = (along.names()[0], along.quantity().0.si);
+        let both = format!("{name} {:?} and {:?} {si}", pair[0], pair[1]);
+        let reason = format!("{} are nearly the same; write one number for both", both.trim_end());
         return Err((String::new(), reason));
     }
     Ok(lines)

@@ -55,7 +55,7 @@ pub(super) fn nodes(text: &str) -> Result<Nodes, Wrong> {
         ReaderBuilder::new().trim(Trim::All).comment(Some(b'#')).delimiter(separator).from_reader(rest.as_bytes());
     let line = |record: Option<&csv::Position>| record.map_or(0, csv::Position::line) + skipped;
     let unreadable =
-        |error: &csv::Error| (format!(", line {}", line(error.position())), of_csv_row(error, rest.as_bytes()));
+        |error: &csv::Error| (format!(", line {}", line(error.position())), of_csv_row(error, text.as_bytes()));
     let heads = reader.headers().map_err(|error| unreadable(&error))?.clone();
     let columns = columns(&heads)?;
     let axis = |of_spin: bool| {
