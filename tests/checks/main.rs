@@ -24,6 +24,7 @@ mod interrupts;
 mod json_answers;
 mod launch;
 mod laws;
+mod listening;
 mod long_work;
 mod messages;
 mod optimizer;
@@ -33,6 +34,7 @@ mod report;
 mod reproduce;
 #[path = "../schema/mod.rs"]
 mod schema;
+mod shots;
 mod smoothness;
 mod sweep;
 #[cfg(all(feature = "arrow", feature = "parquet"))]

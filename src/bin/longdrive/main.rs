@@ -7,6 +7,7 @@ mod colour;
 mod compare;
 mod completions;
 mod files;
+mod fly;
 mod gradient;
 mod interrupt;
 mod laws;
@@ -53,6 +54,7 @@ fn main() -> ExitCode {
         Command::Plot(args) => plot::run(args),
         Command::Report(args) => report::run(args),
         Command::Sweep(args) => sweep::run(args),
+        Command::Fly(args) => fly::run(args),
         Command::Reproduce(args) => reproduce::run(args),
         Command::Verify(args) => verify::run(args),
         Command::Sensitivity(args) => sensitivity::run(args),

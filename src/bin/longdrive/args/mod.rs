@@ -3,6 +3,7 @@
 mod certainty;
 mod compare;
 mod data;
+mod fly;
 mod many;
 mod number;
 mod picture;
@@ -13,6 +14,7 @@ mod search;
 pub use certainty::{SensitivityArgs, UncertaintyArgs, Verify};
 pub use compare::{Compare, Pair};
 pub use data::{Calibrate, Published, Reproduce};
+pub use fly::{Fly, FlyFormat};
 pub use many::{Format, Sweep};
 pub use picture::{
     Drawing, Plot, PlotChart, PlotCompare, PlotContour, PlotKind, PlotTornado, PlotTrajectory, PlotVcurve, Report, Seen,
@@ -61,6 +63,8 @@ pub enum Command {
     Report(Report),
     /// Compute very many drives: the points of a grid, a quasi-random sequence or a table, to CSV, JSON lines or Parquet.
     Sweep(Sweep),
+    /// Fly the shots of a launch monitor (a CSV export, or GSPro Open Connect): predicted flights beside the measured ones.
+    Fly(Fly),
     /// Reproduce a published study: each printed number beside the computed one.
     Reproduce(Reproduce),
     /// Compare every exact derivative with numerical differences, and check what both rest on; exit status 1 if a check fails.
@@ -83,7 +87,7 @@ pub enum Command {
 
 impl Command {
     /// The commands that answer in JSON where it is asked for.
-    const NAMES: [&str; 17] = [
+    const NAMES: [&str; 18] = [
         "simulate",
         "gradient",
         "compare",
@@ -94,6 +98,7 @@ impl Command {
         "plot",
         "report",
         "sweep",
+        "fly",
         "reproduce",
         "verify",
         "sensitivity",
@@ -121,6 +126,7 @@ impl Command {
             Self::Plot(args) => ("plot", args.kind.question().json),
             Self::Report(args) => ("report", args.question.json),
             Self::Sweep(args) => ("sweep", args.question.json),
+            Self::Fly(args) => ("fly", args.question.json),
             Self::Reproduce(args) => ("reproduce", args.json),
             Self::Verify(args) => ("verify", args.question.json),
             Self::Sensitivity(args) => ("sensitivity", args.question.json),

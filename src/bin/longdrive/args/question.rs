@@ -1,7 +1,7 @@
 //! What every question starts from, and the questions about one drive.
 
 /// What every question starts from.
-#[derive(clap::Args)]
+#[derive(Clone, clap::Args)]
 pub struct Question {
     /// A preset's name or a TOML file.
     #[arg(value_name = "SETUP", default_value = "modern-driver")]
