@@ -329,12 +329,8 @@ impl Error {
         names: impl IntoIterator<Item = &'a str>,
         advice: impl Into<String>,
     ) -> Self {
-        let suggestion = names
-            .into_iter()
-            .map(|known| (similarity(name, known), known))
-            .filter(|(likeness, _)| *likeness > 0.7)
-            .max_by(|a, b| a.0.total_cmp(&b.0))
-            .map(|(_, known)| known.to_owned());
+        let nearest = nearest(name, names).filter(|(likeness, _)| *likeness > 0.7);
+        let suggestion = nearest.map(|(_, known)| known.to_owned());
         Self::Unknown { what, name: name.into(), suggestion, advice: advice.into() }
     }
 
@@ -401,6 +397,11 @@ fn how_to(doing: &str) -> &'static str {
         "sweep" => ", as in --over club.loft=5deg..15deg:101",
         _ => "",
     }
+}
+
+/// The name that is most like a given one, and how alike they are, 0 to 1.
+pub(crate) fn nearest<'a>(name: &str, names: impl IntoIterator<Item = &'a str>) -> Option<(f64, &'a str)> {
+    names.into_iter().map(|known| (similarity(name, known), known)).max_by(|a, b| a.0.total_cmp(&b.0))
 }
 
 /// How alike two names are, 0 to 1; a name without its group ("loft") is held against the last part too.

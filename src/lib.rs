@@ -34,7 +34,7 @@
 //! |---|---|
 //! | results to bytes | [`report`] |
 //! | published studies, computed anew | [`reproduce`] |
-//! | questions asked of a drive; of very many drives | [`study`], [`batch`] |
+//! | questions asked of a drive; of very many drives; of measured shots | [`study`], [`batch`], [`shots`] |
 //! | a bound-constrained minimiser that knows no golf; derivatives by name | [`optimize`], [`derivative`] |
 //! | setup → impact → flight → outcomes | [`drive`] |
 //! | rigid bodies; equation of motion and landing | [`impact`], [`flight`] |
@@ -62,6 +62,7 @@ pub mod optimize;
 pub mod parameters;
 pub mod report;
 pub mod reproduce;
+pub mod shots;
 pub mod study;
 pub mod units;
 

@@ -32,6 +32,7 @@
 mod abreast;
 mod block;
 mod grid;
+mod in_order;
 mod kernel;
 mod points;
 mod question;
@@ -41,6 +42,7 @@ mod table;
 
 pub use block::{Block, Status, Tally};
 pub use grid::{Axis, Grid};
+pub(crate) use in_order::in_order;
 pub use points::Points;
 pub use run::{Batch, CHUNK, Run, gradient_batch, simulate_batch};
 pub use sequence::Sequence;

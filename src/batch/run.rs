@@ -1,19 +1,14 @@
 use super::block::Block;
+use super::in_order::in_order;
 use super::points::Points;
 use super::question::Kernel;
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::parameters::{NO_CLUB, Parameter, Setup};
-use std::collections::BTreeMap;
-use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::mpsc;
 
 /// Rows of a chunk: the piece of a batch that one thread computes at a time.
 pub const CHUNK: usize = 1024;
-
-/// Chunks under way at a time, for each thread: enough that none waits for the order to be restored.
-const UNDER_WAY: u64 = 4;
 
 /// How a batch is run.
 #[derive(Clone, Copy, Debug, Default)]
@@ -116,47 +111,26 @@ impl Batch {
         // no more threads than there are chunks to compute
         let chunks = points.rows().saturating_sub(run.first_row).div_ceil(CHUNK as u64).max(1);
         let threads = run.threads.min(usize::try_from(chunks).unwrap_or(usize::MAX));
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
-        let pool = pool.map_err(|error| Error::Output(std::io::Error::other(error)))?;
-        let most = UNDER_WAY * pool.current_num_threads() as u64;
         let is_stopped = || run.stop.is_some_and(|stop| stop.load(Ordering::Relaxed));
-        pool.in_place_scope(|scope| {
-            let (finished, results) = mpsc::channel();
-            let mut waiting = BTreeMap::new();
-            let (mut begun, mut next) = (0, 0);
-            let (mut row, mut done) = (run.first_row, run.first_row);
-            let mut end = None;
-            loop {
-                while end.is_none() && begun - next < most {
-                    let mut values = Vec::with_capacity(CHUNK * self.kernel.parameters.len());
-                    let read = if is_stopped() { Ok(0) } else { points.read(CHUNK, &mut values) };
-                    match read {
-                        Ok(0) => end = Some(Ok(())),
-                        Err(error) => end = Some(Err(error)),
-                        Ok(rows) => {
-                            let (first_row, finished, work) = (row, finished.clone(), &work);
-                            row += rows as u64;
-                            scope.spawn(move |_| {
-                                let compute = || work(self.kernel.evaluate(first_row, values));
-                                // nobody listens once the sink has refused
-                                let _ = finished.send((begun, rows as u64, catch_unwind(AssertUnwindSafe(compute))));
-                            });
-                            begun += 1;
-                        }
-                    }
-                }
-                if next == begun {
-                    return end.unwrap_or(Ok(())).map(|()| done);
-                }
-                let Ok((chunk, rows, result)) = results.recv() else { return Ok(done) };
-                waiting.insert(chunk, (rows, result.unwrap_or_else(|panic| resume_unwind(panic))));
-                while let Some((rows, result)) = waiting.remove(&next) {
-                    sink(result)?;
-                    next += 1;
-                    done += rows;
-                }
-            }
-        })
+        let (mut row, mut done) = (run.first_row, run.first_row);
+        let next = || {
+            let mut values = Vec::with_capacity(CHUNK * self.kernel.parameters.len());
+            let rows = if is_stopped() { 0 } else { points.read(CHUNK, &mut values)? as u64 };
+            let first_row = row;
+            row += rows;
+            Ok((rows > 0).then_some((first_row, rows, values)))
+        };
+        in_order(
+            threads,
+            next,
+            |(first_row, rows, values)| (rows, work(self.kernel.evaluate(first_row, values))),
+            |(rows, result)| {
+                sink(result)?;
+                done += rows;
+                Ok(())
+            },
+        )?;
+        Ok(done)
     }
 }
 

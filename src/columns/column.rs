@@ -1,10 +1,11 @@
 //! What the head of a table says of a column.
 
-use super::launch_monitor::{self, Meaning};
+use super::heads::Meaning;
+use super::launch_monitor;
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup};
-use crate::units::Quantity;
+use crate::units::{Quantity, Unit};
 
 /// What a column holds.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,6 +32,8 @@ pub(crate) struct Column {
     pub holds: Holds,
     pub head: String,
     unit: Option<String>,
+    /// The unit, where it is one of what the column holds.
+    size: Option<Unit>,
     format: Format,
     /// Whether it is an angle of a launch monitor that states no unit.
     is_in_degrees_untold: bool,
@@ -53,6 +56,10 @@ const STATIONARY: &str = "stationary";
 const NOTE: &str = "note";
 /// A column of sweeps that says how a drive ended.
 const STATUS: &str = "status";
+/// Columns that flown shots have beside their own.
+const OF_FLOWN: [&str; 4] = ["Line", "Flight", "Reason", "Notes"];
+/// What stands before an outcome there.
+const FLOWN: [&str; 2] = ["Predicted ", "Residual "];
 /// The group of the launch conditions.
 const LAUNCH: &str = "launch.";
 
@@ -69,6 +76,7 @@ impl Column {
             match (name.strip_prefix("sigma ").map(str::trim), launch_monitor::meaning_with(name, unit.as_deref())) {
                 (None, Some(Meaning::Outcome(outcome))) => Holds::Outcome(outcome),
                 (None, Some(Meaning::Input(parameter))) => Holds::Input(setup.column(parameter)?),
+                (None, None) if is_of_flown(name) => Holds::Written,
                 (None, None) if is_foreign(name, format) => Holds::Note,
                 _ => named(setup, name)?,
             };
@@ -77,7 +85,7 @@ impl Column {
         if is_of_an_export && column.unit.is_none() && column.quantity() == Some(Quantity::ANGLE) {
             (column.unit, column.is_in_degrees_untold) = (Some("deg".into()), true);
         }
-        Ok(column)
+        Ok(column.sized())
     }
 
     /// The column of this name in a table that is in SI throughout.
@@ -99,7 +107,15 @@ impl Column {
     fn of(holds: Holds, head: &str) -> Self {
         let format = Format { is_export: false, has_decimal_comma: false };
         let is_dotted_condition = head.starts_with(LAUNCH) && matches!(holds, Holds::Outcome(_));
-        Self { holds, head: head.into(), unit: None, format, is_in_degrees_untold: false, is_dotted_condition }
+        Self {
+            holds,
+            head: head.into(),
+            unit: None,
+            size: None,
+            format,
+            is_in_degrees_untold: false,
+            is_dotted_condition,
+        }
     }
 
     /// Whether it is left out because this program has no name for it.
@@ -151,6 +167,35 @@ impl Column {
             }
             (Some(unit), None) => Err(self.unreadable(format!("it takes no unit; take [{unit}] out of the head"))),
         }
+    }
+
+    /// Whether its numbers have a unit and the table does not state it.
+    pub fn lacks_unit(&self) -> bool {
+        self.unit.is_none() && self.quantity().is_some_and(|quantity| !quantity.si.is_empty())
+    }
+
+    /// The same, read in this unit where the table states none.
+    #[must_use]
+    pub fn in_unit(self, unit: &str) -> Self {
+        if self.lacks_unit() { Self { unit: Some(unit.into()), ..self }.sized() } else { self }
+    }
+
+    /// The same, with the size of its unit.
+    fn sized(self) -> Self {
+        let size = self.unit.as_ref().and_then(|unit| self.quantity()?.unit_named(unit));
+        Self { size, ..self }
+    }
+
+    /// The same, with or without decimal commas.
+    #[must_use]
+    pub fn with_decimal_comma(mut self, has_decimal_comma: bool) -> Self {
+        self.format.has_decimal_comma = has_decimal_comma;
+        self
+    }
+
+    /// The kind of its numbers.
+    pub fn kind(&self) -> Option<Quantity> {
+        self.quantity()
     }
 
     fn unreadable(&self, why: impl Into<Box<dyn std::error::Error + Send + Sync>>) -> Error {
@@ -206,7 +251,7 @@ impl Column {
     /// # Errors
     /// A sentence for a cell that is no finite number.
     pub fn value(&self, cell: &str) -> std::result::Result<Option<f64>, String> {
-        if cell.is_empty() {
+        if cell.is_empty() || self.format.is_export && is_missing(cell) {
             return Ok(None);
         }
         // a flat face has an infinite radius
@@ -226,8 +271,9 @@ impl Column {
                 self.unit()
             ));
         };
-        match (&self.unit, self.quantity()) {
-            (Some(unit), Some(quantity)) => {
+        match (&self.size, &self.unit, self.quantity()) {
+            (Some(size), ..) => Ok(Some(size.value(number))),
+            (None, Some(unit), Some(quantity)) => {
                 quantity.read(&format!("{number} {unit}")).map(Some).map_err(|error| error.to_string())
             }
             _ => Ok(Some(number)),
@@ -235,16 +281,31 @@ impl Column {
     }
 }
 
+/// Whether a cell of a launch monitor says that there is no value: a dash, `N/A`, or the largest number of 32 bits.
+fn is_missing(cell: &str) -> bool {
+    const LARGEST: f64 = 3.4e38;
+    let is_a_word = ["-", "--", "–", "—", "n/a", "na", "null"].iter().any(|word| cell.eq_ignore_ascii_case(word));
+    is_a_word || cell.len() > 8 && cell.parse().is_ok_and(|number: f64| number.is_finite() && number.abs() >= LARGEST)
+}
+
 /// What a measured outcome is: launch monitors, and people, mean the distance to the landing point by carry.
 fn measured(outcome: Outcome) -> Outcome {
     if outcome == Outcome::Carry { Outcome::CarryDistance } else { outcome }
 }
 
+/// Whether a column is one that flown shots have beside their own.
+fn is_of_flown(name: &str) -> bool {
+    OF_FLOWN.contains(&name) || FLOWN.iter().any(|before| name.starts_with(before))
+}
+
 /// Whether a head is none of this program's: a launch monitor's own, and not spelled as names are here.
 fn is_foreign(name: &str, format: Format) -> bool {
-    format.is_export && !name.contains(['_', '.']) && name.chars().any(char::is_uppercase)
-        || format.is_export && name.is_empty()
-        || format.is_export && name.contains(". ")
+    let is_written_otherwise = name.is_empty() || name.contains(". ");
+    let has_own_marks = name.contains(['_', '.']);
+    // a name of this program with a slip of the pen is told, `cary`; `club` and `date` are a launch monitor's
+    let is_a_slip = || Outcome::ALL.iter().any(|of| strsim::levenshtein(name, of.name()) <= 2);
+    let is_its_own = !has_own_marks && (name.chars().any(char::is_uppercase) || !is_a_slip());
+    format.is_export && (is_written_otherwise || is_its_own)
 }
 
 /// What a column of this program's own name holds.

@@ -1,107 +1,56 @@
-//! Tables as launch monitors write them: heads, units, separators and sides of TrackMan, Foresight, FlightScope and Garmin.
+//! Tables as launch monitors write them: heads, units, separators and sides.
 
+use super::heads::{HEADS, Meaning};
 use crate::drive::Outcome;
 use crate::units::Quantity;
-
-/// What a head means.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Meaning {
-    /// An outcome.
-    Outcome(Outcome),
-    /// A parameter of the delivery, by its dotted name.
-    Input(&'static str),
-}
-
-/// Heads, in small letters and without marks, and what they mean.
-const HEADS: &[(&str, Meaning)] = &[
-    ("club speed", Meaning::Input("swing.speed")),
-    ("club head speed", Meaning::Input("swing.speed")),
-    ("clubhead speed", Meaning::Input("swing.speed")),
-    ("attack angle", Meaning::Input("swing.attack_angle")),
-    ("angle of attack", Meaning::Input("swing.attack_angle")),
-    ("aoa", Meaning::Input("swing.attack_angle")),
-    ("club path", Meaning::Input("swing.path")),
-    ("swing path", Meaning::Input("swing.path")),
-    ("face angle", Meaning::Input("swing.face_angle")),
-    ("club face", Meaning::Input("swing.face_angle")),
-    ("face to target", Meaning::Input("swing.face_angle")),
-    ("ball speed", Meaning::Outcome(Outcome::BallSpeed)),
-    ("smash factor", Meaning::Outcome(Outcome::SmashFactor)),
-    ("smash", Meaning::Outcome(Outcome::SmashFactor)),
-    ("launch angle", Meaning::Outcome(Outcome::LaunchAngle)),
-    ("launch v", Meaning::Outcome(Outcome::LaunchAngle)),
-    ("vertical launch", Meaning::Outcome(Outcome::LaunchAngle)),
-    ("launch direction", Meaning::Outcome(Outcome::LaunchDirection)),
-    ("launch h", Meaning::Outcome(Outcome::LaunchDirection)),
-    ("horizontal launch", Meaning::Outcome(Outcome::LaunchDirection)),
-    ("side angle", Meaning::Outcome(Outcome::LaunchDirection)),
-    ("azimuth", Meaning::Outcome(Outcome::LaunchDirection)),
-    ("spin rate", Meaning::Outcome(Outcome::Spin)),
-    ("total spin", Meaning::Outcome(Outcome::Spin)),
-    ("spin", Meaning::Outcome(Outcome::Spin)),
-    ("backspin", Meaning::Outcome(Outcome::Backspin)),
-    ("back spin", Meaning::Outcome(Outcome::Backspin)),
-    ("sidespin", Meaning::Outcome(Outcome::Sidespin)),
-    ("side spin", Meaning::Outcome(Outcome::Sidespin)),
-    ("spin axis", Meaning::Outcome(Outcome::SpinAxis)),
-    ("carry", Meaning::Outcome(Outcome::CarryDistance)),
-    ("carry distance", Meaning::Outcome(Outcome::CarryDistance)),
-    ("carry flat length", Meaning::Outcome(Outcome::CarryDistance)),
-    ("carry length", Meaning::Outcome(Outcome::CarryDistance)),
-    ("side", Meaning::Outcome(Outcome::Lateral)),
-    ("carry side", Meaning::Outcome(Outcome::Lateral)),
-    ("carry flat side", Meaning::Outcome(Outcome::Lateral)),
-    ("carry deviation distance", Meaning::Outcome(Outcome::Lateral)),
-    ("offline", Meaning::Outcome(Outcome::Lateral)),
-    ("lateral", Meaning::Outcome(Outcome::Lateral)),
-    ("apex", Meaning::Outcome(Outcome::ApexHeight)),
-    ("apex height", Meaning::Outcome(Outcome::ApexHeight)),
-    ("max height", Meaning::Outcome(Outcome::ApexHeight)),
-    ("max height height", Meaning::Outcome(Outcome::ApexHeight)),
-    ("peak height", Meaning::Outcome(Outcome::ApexHeight)),
-    ("height", Meaning::Outcome(Outcome::ApexHeight)),
-    ("landing angle", Meaning::Outcome(Outcome::DescentAngle)),
-    ("land angle", Meaning::Outcome(Outcome::DescentAngle)),
-    ("carry flat land angle", Meaning::Outcome(Outcome::DescentAngle)),
-    ("descent angle", Meaning::Outcome(Outcome::DescentAngle)),
-    ("descent v", Meaning::Outcome(Outcome::DescentAngle)),
-    ("hang time", Meaning::Outcome(Outcome::FlightTime)),
-    ("flight time", Meaning::Outcome(Outcome::FlightTime)),
-    ("carry flat time", Meaning::Outcome(Outcome::FlightTime)),
-];
 
 /// The meaning of a head without its unit; `None` for one of this program's own names, and for what it has no name for.
 pub(super) fn meaning(name: &str) -> Option<Meaning> {
     if name == name.to_lowercase() && !name.contains(' ') {
         return None;
     }
+    let words = words(name);
+    HEADS.iter().find(|(head, _)| *head == words).map(|(_, meaning)| *meaning)
+}
+
+/// A head in small letters, without marks.
+pub(crate) fn words(name: &str) -> String {
     let plain = |c: char| if c.is_alphanumeric() { c.to_ascii_lowercase() } else { ' ' };
     let words: String = name.chars().map(plain).collect();
-    let words = words.split_whitespace().collect::<Vec<_>>().join(" ");
-    HEADS.iter().find(|(head, _)| *head == words).map(|(_, meaning)| *meaning)
+    words.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+/// The known head that one without a meaning differs from by a letter or two: "ball speed" for `Ball Sped [mph]`.
+pub(crate) fn nearest_head(head: &str) -> Option<&'static str> {
+    let words = words(split_unit(head).0);
+    let near = HEADS.iter().map(|(known, _)| (strsim::levenshtein(&words, known), *known)).min()?;
+    (words.len() > 4 && (1..=2).contains(&near.0)).then_some(near.1)
 }
 
 /// The meaning of a head with its unit: `Ball (km/h)` is a speed, while `Ball` by itself may be a kind of ball.
 pub(super) fn meaning_with(name: &str, unit: Option<&str>) -> Option<Meaning> {
     let is_speed = unit.is_some_and(|unit| Quantity::SPEED.size_of(unit).is_some());
-    let speed = match name {
+    let is_time = unit.is_some_and(|unit| Quantity::TIME.size_of(unit).is_some());
+    let by_unit = match name {
         "Ball" if is_speed => Some(Meaning::Outcome(Outcome::BallSpeed)),
         "Club" if is_speed => Some(Meaning::Input("swing.speed")),
+        // without a unit it is that of the day
+        "Time" if is_time => Some(Meaning::Outcome(Outcome::FlightTime)),
         _ => None,
     };
-    speed.or_else(|| meaning(name))
+    by_unit.or_else(|| meaning(name))
 }
 
 /// Whether a table is one of a launch monitor: two heads or more are written as these write them.
-pub(super) fn is_export<'a>(heads: impl Iterator<Item = &'a str>) -> bool {
+pub(crate) fn is_export<'a>(heads: impl Iterator<Item = &'a str>) -> bool {
     heads.filter(|head| meaning(split_unit(head).0).is_some()).count() >= 2
 }
 
 /// A head's name, and its unit: `Club Speed [mph]`, `Carry (yds)`, `Ball Speed MPH`.
-pub(super) fn split_unit(head: &str) -> (&str, Option<String>) {
+pub(crate) fn split_unit(head: &str) -> (&str, Option<String>) {
     let head = head.trim();
     for (open, close) in [('[', ']'), ('(', ')')] {
-        if let Some((name, unit)) = head.split_once(open) {
+        if let Some((name, unit)) = head.split_once(open).filter(|(_, unit)| !is_simulated(unit)) {
             return (name.trim(), Some(unit.trim_end().trim_end_matches(close).trim().to_owned()));
         }
     }
@@ -109,6 +58,11 @@ pub(super) fn split_unit(head: &str) -> (&str, Option<String>) {
         Some((name, word)) if meaning(name.trim()).is_some() && is_unit(word) => (name.trim(), Some(word.to_owned())),
         _ => (head, None),
     }
+}
+
+/// Whether what stands in brackets is TrackMan's word for values of another flight model, `Carry (Sim)`, and not a unit.
+fn is_simulated(word: &str) -> bool {
+    word.trim_end_matches([')', ']']).trim().eq_ignore_ascii_case("sim")
 }
 
 fn is_unit(word: &str) -> bool {
@@ -121,6 +75,8 @@ fn is_unit(word: &str) -> bool {
 /// A unit as this program writes it: `MPH` and `Yards` are mph and yards, `yds` yd.
 pub(super) fn unit(written: &str) -> String {
     let written = written.trim();
+    // `deg L-/R+`: what the signs mean
+    let written = written.split_once(' ').filter(|(_, signs)| signs.contains("-/")).map_or(written, |(unit, _)| unit);
     match written.to_lowercase().as_str() {
         "yds" => "yd".into(),
         "mps" => "m/s".into(),
@@ -133,22 +89,26 @@ pub(super) fn unit(written: &str) -> String {
     }
 }
 
-/// The units of a second line under the head, `[mph]` each or nothing; `None` where the line is none of units.
+/// The units of a second line under the head, `[mph]` each or nothing, perhaps of quantities that are not read, `[g/L]`; `None` where the line is none of units.
 pub(super) fn units_row<'a>(cells: impl Iterator<Item = &'a str>) -> Option<Vec<Option<String>>> {
     let read = |cell: &str| {
-        let bare = cell.trim().trim_matches(['[', ']', '(', ')']).trim().to_owned();
+        let cell = cell.trim();
+        let bare = cell.trim_matches(['[', ']', '(', ')']).trim().to_owned();
+        // units of other kinds, `[g/L]`, `[%]`
+        let is_in_brackets = cell.starts_with(['[', '(']) && cell.ends_with([']', ')']);
         match bare.is_empty() {
             true => Some(None),
-            false => is_unit(&bare).then_some(Some(bare)),
+            false => (is_in_brackets || is_unit(&bare)).then_some(Some(bare)),
         }
     };
     let units = cells.map(read).collect::<Option<Vec<_>>>()?;
-    units.iter().any(Option::is_some).then_some(units)
+    units.iter().flatten().any(|unit| is_unit(unit)).then_some(units)
 }
 
 /// What a row is that sums up others: the word for it, as it is written. Shots have none of these words in any cell.
 pub(crate) fn summary<'a>(cells: impl Iterator<Item = &'a str>) -> Option<&'a str> {
-    const WORDS: [&str; 11] = [
+    const WORDS: [&str; 12] = [
+        "dev",
         "average",
         "averages",
         "avg",
@@ -186,7 +146,7 @@ pub(super) fn number(cell: &str, has_decimal_comma: bool, has_side: bool) -> Opt
 }
 
 /// Whether a mark may part the digits of a number into thousands: the comma in `2,686` or `1,234.5`, and not in `3,2` or `0,250`.
-pub(super) fn has_thousands(cell: &str, mark: char) -> bool {
+pub(crate) fn has_thousands(cell: &str, mark: char) -> bool {
     let decimal = if mark == ',' { '.' } else { ',' };
     let whole = cell.trim_start_matches(['-', '\u{2212}']).split(decimal).next().unwrap_or_default();
     let mut groups = whole.split(mark);
@@ -207,7 +167,7 @@ fn side(cell: &str) -> Option<(&str, f64)> {
 }
 
 /// A cell without the side that may stand in it.
-pub(super) fn without_side(cell: &str) -> &str {
+pub(crate) fn without_side(cell: &str) -> &str {
     let cell = cell.trim();
     side(cell).map_or(cell, |(magnitude, _)| magnitude)
 }
@@ -238,7 +198,7 @@ mod tests {
         assert!(is_export(["Ball Speed", "Launch Angle", "Player"].into_iter()));
         assert!(!is_export(["carry [yd]", "club.loft [deg]", "Carry"].into_iter()));
         let mut seen = HashSet::new();
-        for (head, of) in super::HEADS {
+        for (head, of) in super::HEADS.iter() {
             assert!(seen.insert(head), "{head} is listed twice");
             if let Meaning::Input(name) = of {
                 assert!(Setup::<f64>::default().variable(name).is_ok(), "{name}");

@@ -1,16 +1,21 @@
-//! The columns of tables that people, launch monitors and this program write: shots to calibrate with, points to sweep over. Both read
-//! the same heads.
+//! The columns of tables that people, launch monitors and this program write: shots to calibrate with or to fly, points to sweep over. All
+//! read the same heads.
 
 mod column;
+mod conditions;
+mod encoding;
 mod head;
+mod heads;
 mod launch_monitor;
 mod left_out;
 mod marks;
 
 pub(crate) use crate::cells::separated;
-pub(crate) use column::{Column, Holds};
+pub(crate) use column::{Column, Format, Holds};
+pub(crate) use conditions::{Fault, conditions};
+pub(crate) use encoding::decoded;
 pub(crate) use head::Head;
-pub(crate) use launch_monitor::summary;
+pub(crate) use launch_monitor::{has_thousands, is_export, nearest_head, split_unit, summary, without_side, words};
 pub(crate) use left_out::Club;
 pub(crate) use marks::Marks;
 

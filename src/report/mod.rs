@@ -24,6 +24,7 @@ mod published;
 mod reply;
 mod sensitivity;
 mod setup_file;
+mod shots;
 mod shown;
 mod sweep;
 mod table;
@@ -51,6 +52,7 @@ pub use presets::{presets_reply, presets_text};
 pub use reply::{Empty, Reply};
 pub use sensitivity::{Analysis, AnalysisReport, SensitivityReport, sensitivity_text};
 pub use setup_file::{preset_toml, setup_toml};
+pub use shots::{ShotFormat, ShotWriter, ShotsReport, open_connect_answer, shots_text};
 pub use shown::{outcome as outcome_text, stated as parameter_text};
 #[cfg(feature = "parquet")]
 pub use sweep::{ParquetGroup, PlacedGroup, SweepParquet};

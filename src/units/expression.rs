@@ -5,7 +5,7 @@ use super::symbols::symbol;
 
 /// The SI size of a unit as a fraction, so that decimal units (g, cm², %) divide by whole numbers: 5679 g cm² is
 /// 5679/10⁷ kg m² to the last bit.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub(super) struct Size {
     times: f64,
     over: f64,
@@ -37,9 +37,10 @@ impl Size {
 }
 
 /// A unit: how numbers in it become SI.
-pub(super) struct Unit {
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Unit {
     size: Size,
-    pub dimension: Dimension,
+    pub(super) dimension: Dimension,
     /// Where its zero lies, SI, for a scale of temperature that begins elsewhere.
     zero: Option<f64>,
 }

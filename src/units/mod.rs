@@ -14,11 +14,12 @@ mod system;
 pub use decimals::{counted, counted_of};
 pub(crate) use decimals::{fixed, signed};
 pub use error::UnitError;
+pub(crate) use expression::Unit;
 pub use message::{Digits, Message};
 pub use system::System;
 
 use dimension::Dimension;
-use expression::{Unit, read_unit};
+use expression::read_unit;
 use std::fmt;
 use symbols::SYMBOLS;
 
@@ -152,6 +153,11 @@ impl Quantity {
     pub fn size_of(self, unit: &str) -> Option<f64> {
         let unit = read_unit(unit)?;
         (unit.dimension == self.dimension).then(|| unit.difference(1.0))
+    }
+
+    /// The unit of this name, where it is one of this kind: for many numbers in the same unit.
+    pub(crate) fn unit_named(self, unit: &str) -> Option<Unit> {
+        read_unit(unit).filter(|unit| unit.dimension == self.dimension)
     }
 
     /// An SI value as a person reads it, in `unit`.

@@ -118,3 +118,18 @@ fn a_setup_file_of_the_best_so_far_says_that_searches_were_stopped() -> Result<(
     assert!(!whole.contains("interrupted") && whole.contains("\n# converged: "), "{whole}");
     Ok(())
 }
+
+#[test]
+fn shots_that_are_flown_before_are_counted_and_no_file_is_written() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let row = |at: usize| format!("{},12,{}\n", 140 + at % 40, 2000 + at % 1000);
+    let rows: String = (0..200_000).map(row).collect();
+    std::fs::write(path("shots.csv"), format!("ball_speed [mph],launch_angle [deg],backspin [rpm]\n{rows}")).unwrap();
+    let found = interrupted_json(&["fly", &path("shots.csv"), "-o", &path("flown.csv"), "--set", "flight.step=2ms"]);
+    let flown = found["rows"].as_u64().unwrap();
+    assert!((1..200_000).contains(&flown), "{flown}");
+    assert_eq!(found["message"], format!("stopped after {flown} rows; {} is not written", path("flown.csv")));
+    let left: Vec<_> = std::fs::read_dir(folder.path()).unwrap().map(|entry| entry.unwrap().file_name()).collect();
+    assert_eq!(left, ["shots.csv"]);
+}

@@ -24,6 +24,7 @@ fn every_command_answers_with_one_object_that_its_schema_describes() {
     let file = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
     fs::write(file("shots.csv"), shots()).unwrap();
     let (shots, picture, page, rows) = (file("shots.csv"), file("a.svg"), file("page"), file("rows.jsonl"));
+    let flown = file("flown.jsonl");
     // `json` itself holds each answer against its schema; `reproduce`, which takes long, has its own tests
     for (args, ends) in [
         (vec!["simulate"], "landed"),
@@ -39,6 +40,7 @@ fn every_command_answers_with_one_object_that_its_schema_describes() {
         (vec!["report", "-o", &page, "--along", "swing.speed=100mph..104mph"], "done"),
         (vec!["sweep", "--over", "club.loft=-30deg..12deg:3", "-o", &rows, "--gradient"], "done"),
         (vec!["validate"], "done"),
+        (vec!["fly", "tests/data/shots/trackman.csv", "-o", &flown], "done"),
         (vec!["verify", "--of", "carry", "--wrt", "club.loft"], "passed"),
         (vec!["sensitivity", "--at-optimum", "--of", "carry,backspin"], "done"),
         (vec!["uncertainty", "--samples", "20"], "done"),
@@ -51,9 +53,10 @@ fn every_command_answers_with_one_object_that_its_schema_describes() {
         assert_eq!((status, answer["status"].as_str()), (0, Some(ends)), "{args:?}: {}", answer["message"]);
         assert_eq!(answer["command"], args[0]);
     }
-    let rows = fs::read_to_string(rows).unwrap();
-    for row in rows.lines() {
-        assert_eq!(faults("sweep-row", &serde_json::from_str(row).unwrap()), [""; 0], "{row}");
+    for (file, schema) in [(rows, "sweep-row"), (flown, "fly-row")] {
+        for row in fs::read_to_string(file).unwrap().lines() {
+            assert_eq!(faults(schema, &serde_json::from_str(row).unwrap()), [""; 0], "{row}");
+        }
     }
 }
 
@@ -107,6 +110,8 @@ fn bad_input_gets_an_object_with_the_message_of_standard_error_and_status_2() {
         (vec!["report"], "report"),
         (vec!["sweep"], "sweep"),
         (vec!["sweep", "--over", "club.loft=5deg..15deg:3"], "sweep"),
+        (vec!["fly"], "fly"),
+        (vec!["fly", "nowhere.csv"], "fly"),
         (vec!["reproduce", "mae495"], "reproduce"),
         (vec!["validate", "lyu"], "validate"),
         (vec!["verify", "--of", "cary"], "verify"),
@@ -123,7 +128,7 @@ fn bad_input_gets_an_object_with_the_message_of_standard_error_and_status_2() {
         assert!(said.err.contains(message) && !message.starts_with("error"), "{args:?}: {message} in {}", said.err);
         assert_eq!(answer.as_object().unwrap().len(), 4);
     }
-    let said = longdrive(&["fly", "--json"]);
+    let said = longdrive(&["soar", "--json"]);
     let answer: Value = serde_json::from_str(&said.out).unwrap();
     assert_eq!((said.status, &answer["command"]), (2, &Value::Null));
     assert!(answer["message"].as_str().unwrap().contains("unrecognized subcommand"), "{answer}");
@@ -172,6 +177,8 @@ fn every_example_of_the_documentation_is_what_the_program_prints() {
         let (question, answer) = block.split_once('\n').unwrap();
         let args: Vec<&str> = question.split_whitespace().collect();
         let folder = tempfile::tempdir().unwrap();
+        let shots = format!("{}/tests/data/shots/trackman.csv", env!("CARGO_MANIFEST_DIR"));
+        fs::copy(shots, folder.path().join("shots.csv")).unwrap();
         let mut program = assert_cmd::Command::cargo_bin("longdrive").unwrap();
         let output = program.current_dir(folder.path()).args(&args).output().unwrap();
         let printed: Value = serde_json::from_slice(&output.stdout).unwrap();

@@ -25,6 +25,7 @@ mod interrupts;
 mod json_answers;
 mod launch;
 mod laws;
+mod listening;
 mod long_work;
 mod messages;
 mod optimizer;
@@ -36,6 +37,7 @@ mod report;
 mod reproduce;
 #[path = "../schema/mod.rs"]
 mod schema;
+mod shots;
 mod smoothness;
 mod sweep;
 #[cfg(all(feature = "arrow", feature = "parquet"))]

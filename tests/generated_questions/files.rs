@@ -150,6 +150,33 @@ pub fn export(chance: &mut Chance) -> Vec<u8> {
     spoilt(lines.iter().map(|cells| cells.join(separator) + "\n").collect(), chance)
 }
 
+/// Messages of GSPro Open Connect, one a line or in an array.
+pub fn messages(chance: &mut Chance) -> Vec<u8> {
+    let mut all = vec![];
+    for number in 0..1 + chance.below(6) {
+        let mut numbers = vec![];
+        for (key, middle, spread) in [
+            ("Speed", 155.0, 15.0),
+            ("VLA", 12.0, 4.0),
+            ("HLA", 0.0, 3.0),
+            ("TotalSpin", 2700.0, 600.0),
+            ("SpinAxis", 0.0, 8.0),
+        ] {
+            if chance.is(0.97) {
+                numbers.push(format!("\"{key}\": {:.2}", middle + spread * chance.between(-1.0, 1.0)));
+            }
+        }
+        let units = chance.of_or(&["Yards"], &["Furlongs", "Meters"]);
+        let is_shot = chance.is(0.9);
+        all.push(format!(
+            "{{\"Units\": \"{units}\", \"ShotNumber\": {number}, \"BallData\": {{{}}}, \"ShotDataOptions\": {{\"ContainsBallData\": {is_shot}}}}}",
+            numbers.join(", ")
+        ));
+    }
+    let text = if chance.is(0.5) { all.join("\n") } else { format!("[{}]", all.join(",\n")) };
+    spoilt(text, chance)
+}
+
 /// A table of measured shots: deliveries or launch conditions, with what was measured of them.
 pub fn shots(chance: &mut Chance) -> Vec<u8> {
     let given: &[(&str, f64, f64)] = if chance.is(0.5) {

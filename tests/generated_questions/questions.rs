@@ -1,7 +1,7 @@
 //! Questions as people might ask them: a command line with the files it names.
 
 use crate::chance::Chance;
-use crate::files::{binary, change, export, points, setup, shots};
+use crate::files::{binary, change, export, messages, points, setup, shots};
 use crate::values::{
     constraint, distribution, list, name_of, near, outcome, preset, range, setting, sigma, variable, with_unit,
 };
@@ -21,7 +21,7 @@ pub struct Question {
 }
 
 /// The commands, each with how often it is asked: those that take long rarely.
-const COMMANDS: [(&str, f64); 22] = [
+const COMMANDS: [(&str, f64); 23] = [
     ("simulate", 22.0),
     ("gradient", 14.0),
     ("compare", 6.0),
@@ -33,6 +33,7 @@ const COMMANDS: [(&str, f64); 22] = [
     ("plot", 7.0),
     ("report", 0.1),
     ("sweep", 16.0),
+    ("fly", 8.0),
     ("reproduce", 0.01),
     ("validate", 0.1),
     ("verify", 0.7),
@@ -56,7 +57,8 @@ impl Question {
         // a file that no one names
         question.files.push(("mine.txt".into(), b"left alone".to_vec()));
         let command = COMMANDS[at].0;
-        chance.is_launched = command != "calibrate" && chance.is(if command == "simulate" { 0.15 } else { 0.1 });
+        chance.is_launched =
+            !["calibrate", "fly"].contains(&command) && chance.is(if command == "simulate" { 0.15 } else { 0.1 });
         question.ask(command, chance);
         if chance.is(0.5) && !OF_THE_PROGRAM.contains(&command) {
             question.push("--json");
@@ -137,6 +139,7 @@ impl Question {
             "delivery" => self.delivery(chance),
             "plot" => self.plot(chance),
             "sweep" => self.sweep(chance),
+            "fly" => self.fly(chance),
             "gradient" => self.gradient(chance),
             "compare" => self.compare(chance),
             "optimize" => {
@@ -417,6 +420,28 @@ impl Question {
         self.option("--samples", (if chance.slips() { chance.below(2) } else { 2 + chance.below(20) }).to_string());
         if chance.is(0.2) {
             self.option("--seed", chance.below(9).to_string());
+        }
+    }
+
+    fn fly(&mut self, chance: &mut Chance) {
+        match chance.below(3) {
+            0 => self.files.push(("shots.json".into(), messages(chance))),
+            1 => self.files.push(("shots.csv".into(), shots(chance))),
+            _ => self.files.push(("shots.csv".into(), export(chance))),
+        }
+        let name = self.files.last().map_or_else(String::new, |(name, _)| name.clone());
+        self.push(chance.of_or(&[name.as_str()], &["none.csv", "mine.txt", ".", "-"]));
+        if chance.is(0.4) {
+            self.option("--of", list(3, chance, outcome));
+        }
+        if chance.is(0.4) {
+            self.option("--format", chance.of_or(&["csv", "launch-monitor", "jsonl", "open-connect"], &["xml"]));
+        }
+        if chance.is(0.5) {
+            self.output("-o", &["flown.csv", "flown.jsonl", "flown.json"], chance);
+        }
+        if chance.is(0.2) {
+            self.option("--threads", chance.of_or(&["1", "2"], &["-1", "x"]));
         }
     }
 

@@ -145,6 +145,18 @@ impl Destination {
         interrupt::undisturbed(&[&self.shown], || self.put(bytes))
     }
 
+    /// Begins a file that is written piece by piece, and put in its place once it is whole.
+    ///
+    /// # Errors
+    /// [`Error::Results`] where it cannot be written.
+    pub fn begin(&self) -> Result<Pieces> {
+        let to = match self.is_file {
+            true => beside(&self.at).map(To::Beside),
+            false => fs::OpenOptions::new().write(true).open(&self.at).map(To::Device),
+        };
+        Ok(Pieces { to: to.map_err(|error| unwritable(&self.shown, &error))?, destination: self.clone() })
+    }
+
     fn put(&self, bytes: &[u8]) -> Result<()> {
         let written = || -> io::Result<()> {
             if !self.is_file {
@@ -157,6 +169,45 @@ impl Destination {
             Ok(())
         };
         written().map_err(|error| unwritable(&self.shown, &error))
+    }
+}
+
+/// A file that is written piece by piece.
+pub struct Pieces {
+    to: To,
+    destination: Destination,
+}
+
+enum To {
+    /// Beside its place, where it is gone again unless it is put there.
+    Beside(tempfile::NamedTempFile),
+    Device(fs::File),
+}
+
+impl Pieces {
+    /// Writes the next piece.
+    ///
+    /// # Errors
+    /// [`Error::Results`], with why.
+    pub fn write(&mut self, bytes: &[u8]) -> Result<()> {
+        let written = match &mut self.to {
+            To::Beside(file) => file.write_all(bytes),
+            To::Device(file) => file.write_all(bytes),
+        };
+        written.map_err(|error| unwritable(&self.destination.shown, &error))
+    }
+
+    /// Puts the whole file in its place.
+    ///
+    /// # Errors
+    /// [`Error::Results`]; what stood there before then still does.
+    pub fn finish(self) -> Result<()> {
+        let To::Beside(file) = self.to else { return Ok(()) };
+        let Destination { shown, at, .. } = &self.destination;
+        interrupt::undisturbed(&[shown], || {
+            let in_place = file.as_file().sync_all().and_then(|()| file.persist(at).map_err(io::Error::from));
+            in_place.map(drop).map_err(|error| unwritable(shown, &error))
+        })
     }
 }
 

@@ -8,6 +8,7 @@ mod compare;
 mod completions;
 mod delivery;
 mod files;
+mod fly;
 mod gradient;
 mod interrupt;
 mod laws;
@@ -56,6 +57,7 @@ fn main() -> ExitCode {
         Command::Plot(args) => plot::run(args),
         Command::Report(args) => report::run(args),
         Command::Sweep(args) => sweep::run(args),
+        Command::Fly(args) => fly::run(args),
         Command::Reproduce(args) => reproduce::run(args),
         Command::Validate(args) => validate::run(args),
         Command::Verify(args) => verify::run(args),

@@ -31,7 +31,7 @@ fn result_names(batch: &Batch) -> Vec<String> {
 }
 
 /// Appends a number in the shortest form that reads back equal.
-fn push_number(bytes: &mut Vec<u8>, number: f64) {
+pub(super) fn push_number(bytes: &mut Vec<u8>, number: f64) {
     // writing to memory does not fail
     let _ = serde_json::to_writer(bytes, &(number + 0.0));
 }

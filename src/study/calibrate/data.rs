@@ -1,7 +1,7 @@
 use super::reading::Reading;
 use super::shot::Shot;
 use super::statistics::Uncertainties;
-use crate::columns::{Club, Column, Head, Holds, Marks, separated, summary};
+use crate::columns::{Club, Column, Head, Holds, Marks, decoded, separated, summary};
 use crate::error::{Error, Result};
 use crate::foreign::{of_csv, of_csv_row, of_io};
 use crate::parameters::{Parameter, Setup};
@@ -76,8 +76,8 @@ impl ShotTable {
     fn read_rows(setup: &Setup<f64>, file: &str, source: impl Read, club: Club) -> Result<Self> {
         let refused = |place: String, reason: String| Error::Table { file: file.into(), place, reason };
         let mut text = String::new();
-        let mut source = source;
-        source.read_to_string(&mut text).map_err(|error| refused(String::new(), of_io(&error)))?;
+        let read = decoded(source).and_then(|mut source| source.read_to_string(&mut text));
+        read.map_err(|error| refused(String::new(), of_io(&error)))?;
         let (separator, text) = separated(&text);
         let mut reader =
             ReaderBuilder::new().trim(Trim::All).comment(Some(b'#')).delimiter(separator).from_reader(text.as_bytes());

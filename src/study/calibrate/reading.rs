@@ -3,7 +3,7 @@
 use super::instrument::instrument;
 use super::shot::{Measurement, Shot, Stationary};
 use super::statistics::Uncertainties;
-use crate::columns::{CONDITIONS, Column, Holds};
+use crate::columns::{CONDITIONS, Column, Fault, Holds, conditions};
 use crate::drive::{Outcome, Part};
 use crate::error::Error;
 use crate::parameters::Setup;
@@ -128,46 +128,15 @@ impl Reading<'_> {
 
     /// The launch conditions of a row, by the parameters that they are.
     fn launch(&self, record: &StringRecord) -> Result<[(&'static str, f64); 5], Wrong> {
-        let [speed, angle, direction, spin, backspin, sidespin, axis] =
-            CONDITIONS.map(|outcome| self.cell(record, Holds::Outcome(outcome)));
-        let wanted = |cell: Option<f64>, what: Outcome| {
-            cell.ok_or_else(|| Wrong::incomplete(Some(self.head(what)), "the cell is empty; every launch needs one"))
-        };
-        let (speed, angle) = (wanted(speed?, Outcome::BallSpeed)?, wanted(angle?, Outcome::LaunchAngle)?);
-        let wrong = |what: Outcome, why: &str| Err((Some(self.head(what)), why).into());
-        if speed <= 0.0 {
-            return wrong(Outcome::BallSpeed, "the ball's speed must be above 0");
+        let mut values = [None; CONDITIONS.len()];
+        for (value, outcome) in values.iter_mut().zip(CONDITIONS) {
+            *value = self.cell(record, Holds::Outcome(outcome))?;
         }
-        if angle.abs() >= std::f64::consts::FRAC_PI_2 {
-            return wrong(Outcome::LaunchAngle, "the launch must be between −90° and 90°");
-        }
-        let spin_is_empty = "the cells of the spin are empty; every launch needs one";
-        let (back, side) = match (spin?, backspin?, sidespin?, axis?) {
-            (None, None, _, _) => {
-                let column = if self.has(Outcome::Spin) { Outcome::Spin } else { Outcome::Backspin };
-                return Err(Wrong::incomplete(Some(self.head(column)), spin_is_empty));
-            }
-            (None, Some(back), side, None) => (back, side.unwrap_or(0.0)),
-            (Some(spin), None, None, axis) => {
-                let (sin, cos) = axis.unwrap_or(0.0).sin_cos();
-                (spin * cos, spin * sin)
-            }
-            (Some(spin), None, Some(side), None) if side.abs() <= spin => ((spin * spin - side * side).sqrt(), side),
-            _ => {
-                return wrong(
-                    Outcome::Spin,
-                    "give the spin once: backspin with sidespin, or spin with spin_axis or with a sidespin no larger",
-                );
-            }
-        };
-        let direction = direction?.unwrap_or(0.0);
-        Ok([
-            ("launch.ball_speed", speed),
-            ("launch.launch_angle", angle),
-            ("launch.launch_direction", direction),
-            ("launch.backspin", back),
-            ("launch.sidespin", side),
-        ])
+        conditions(values, |of| self.has(of)).map_err(|Fault { of, why, is_missing }| Wrong {
+            column: Some(self.head(of)),
+            why: why.into(),
+            is_incomplete: is_missing,
+        })
     }
 
     fn stationary(&self, record: &StringRecord, at_shot: &Setup<f64>) -> Result<Vec<Stationary>, Wrong> {

@@ -3,6 +3,7 @@
 mod certainty;
 mod compare;
 mod data;
+mod fly;
 mod many;
 mod number;
 mod picture;
@@ -13,6 +14,7 @@ mod search;
 pub use certainty::{SensitivityArgs, UncertaintyArgs, Verify};
 pub use compare::{Compare, Pair};
 pub use data::{Calibrate, DeliveryArgs, Published, Reproduce, Validate};
+pub use fly::{Fly, FlyFormat};
 pub use many::{Format, Sweep};
 pub use picture::{
     Drawing, Drawn, LawsOver, Plot, PlotChart, PlotCompare, PlotContour, PlotKind, PlotLaws, PlotTornado,
@@ -64,6 +66,8 @@ pub enum Command {
     Report(Report),
     /// Compute very many drives: the points of a grid, a quasi-random sequence or a table, to CSV, JSON lines or Parquet.
     Sweep(Sweep),
+    /// Fly the shots of a launch monitor (a CSV export, or GSPro Open Connect): predicted flights beside the measured ones.
+    Fly(Fly),
     /// Reproduce a published study: each printed number beside the computed one.
     Reproduce(Reproduce),
     /// Compare every law of drag and lift with published drives: bias and mean absolute error of carry, apex and descent.
@@ -88,7 +92,7 @@ pub enum Command {
 
 impl Command {
     /// The commands that answer in JSON where it is asked for.
-    const NAMES: [&str; 19] = [
+    const NAMES: [&str; 20] = [
         "simulate",
         "gradient",
         "compare",
@@ -100,6 +104,7 @@ impl Command {
         "plot",
         "report",
         "sweep",
+        "fly",
         "reproduce",
         "validate",
         "verify",
@@ -129,6 +134,7 @@ impl Command {
             Self::Plot(args) => ("plot", args.kind.question().json),
             Self::Report(args) => ("report", args.question.json),
             Self::Sweep(args) => ("sweep", args.question.json),
+            Self::Fly(args) => ("fly", args.question.json),
             Self::Reproduce(args) => ("reproduce", args.json),
             Self::Validate(args) => ("validate", args.json),
             Self::Verify(args) => ("verify", args.question.json),

@@ -1,0 +1,145 @@
+//! The shots of a launch monitor, flown.
+
+mod listen;
+mod target;
+
+use crate::args::{Fly, Question};
+use crate::interrupt;
+use crate::names::outcomes;
+use crate::output::{Answer, system, tell, warn};
+use longdrive::batch::Run;
+use longdrive::drive::{Looked, Part};
+use longdrive::report::{Reply, ShotWriter, ShotsReport, shots_text};
+use longdrive::shots::{Flying, Shots, Tally};
+use longdrive::units::{Message, counted};
+use longdrive::{Error, Outcome, Result, Setup};
+use std::io::ErrorKind;
+use target::Target;
+
+pub fn run(args: &Fly) -> Result<Answer> {
+    match args.listen {
+        Some(port) => listen::run(args, port),
+        None => fly(args),
+    }
+}
+
+/// The outcomes asked for.
+fn asked(args: &Fly) -> Result<Vec<Outcome>> {
+    let is_all = args.of.iter().any(|name| name.trim() == "all");
+    let of = outcomes(&args.of)?;
+    Ok(if is_all { of.into_iter().filter(|of| of.part() == Part::Flight).collect() } else { of })
+}
+
+/// The setup: its ball, air and law are those of the flights, and the rows have the launches.
+fn setup(question: &Question, rows: &str) -> Result<Setup<f64>> {
+    let setup = question.setup_of_points()?;
+    if setup.launch.is_given() {
+        let source = format!("{rows} give the launch of each ball; leave this out").into();
+        return Err(Error::Unreadable { name: question.launch_from(), source });
+    }
+    question.refuse_club(&setup, &format!("{rows} are launches"))?;
+    Ok(setup)
+}
+
+/// Shots as these are flown, integrated as many drives are.
+fn followed(
+    question: &Question,
+    setup: &Setup<f64>,
+    of: &[Outcome],
+    new: impl Fn(&Setup<f64>) -> Result<Flying>,
+) -> Result<Flying> {
+    // what is wrong with the question is said before anything is flown
+    new(setup)?;
+    match question.accuracy(setup, &Flying::usual(setup)?, of)? {
+        Some(found) => Ok(new(&found.applied_to(setup))?.with_largest_defect(found.largest_defect)),
+        None => new(setup),
+    }
+}
+
+fn fly(args: &Fly) -> Result<Answer> {
+    let Some(file) = &args.shots else { return listen::run(args, 0) };
+    let of = asked(args)?;
+    let setup = setup(&args.question, &format!("the rows of {}", file.display()))?;
+    let target = Target::new(args, file)?;
+    let stop = interrupt::stops("stopping after the rows under way");
+    let mut shots = Shots::open(&setup, file)?;
+    args.question.refuse_twice(&setup, shots.further(), "every row has a value of its own")?;
+    args.question.refuse_replaced(&setup, shots.further())?;
+    let flying = followed(&args.question, &setup, &of, |setup| Flying::new(setup, &shots, &of))?;
+    let mut warnings = setup.warnings();
+    warn(&warnings);
+    let remarks: Vec<Message> = shots.remarks().to_vec();
+    for remark in &remarks {
+        tell(&format!("note: {}: {}", file.display(), remark.in_units(system())));
+    }
+    let source = shots.maker();
+    let writer = ShotWriter::new(target.format, &shots, &of, system());
+    let mut output = target.open(&writer.head())?;
+    let run = Run { threads: args.threads, stop: Some(&stop), ..Run::default() };
+    let tally = flying.fly(&mut shots, &run, |flown| writer.rows(&flown), |bytes| output.write(&bytes));
+    let tally = match tally {
+        // a reader that has gone away, as `head` does, is no failure of ours
+        Err(Error::Output(error)) if error.kind() == ErrorKind::BrokenPipe => return Ok(Answer::text(String::new())),
+        tally => tally?,
+    };
+    let is_stopped = stop.load(std::sync::atomic::Ordering::Relaxed);
+    if tally.rows == 0 && !is_stopped {
+        let reason = "it has no rows; give a row for each shot".into();
+        return Err(Error::Table { file: file.display().to_string(), place: String::new(), reason });
+    }
+    if !is_stopped {
+        output.finish()?;
+    }
+    let beyond = tally.beyond.warnings(&setup.law, ["shot that landed", "shots that landed"], Looked::AtLaunch);
+    warn(&beyond);
+    warnings.extend(beyond);
+    Ok(answer(args, &target, &tally, source, warnings, &remarks, is_stopped))
+}
+
+fn answer(
+    args: &Fly,
+    target: &Target,
+    tally: &Tally,
+    source: Option<&'static str>,
+    warnings: Vec<Message>,
+    remarks: &[Message],
+    is_stopped: bool,
+) -> Answer {
+    let stopped = is_stopped.then(|| {
+        let rows = counted(tally.rows, "row");
+        match target.file() {
+            Some(file) => format!("stopped after {rows}; {} is not written", file.display()),
+            None => format!("stopped after {rows}"),
+        }
+    });
+    let nothing = (tally.flown == 0).then(|| {
+        let first = tally.refused.values().min_by_key(|refused| refused.line);
+        let first = first.map_or(String::new(), |first| format!("; line {}: {}", first.line, first.reason));
+        format!("none of {} could be flown{first}", counted(tally.rows, "row"))
+    });
+    let text = shots_text(tally, source, system());
+    let is_answered = stopped.is_none() && nothing.is_none();
+    if args.question.json {
+        let file = target.file().filter(|_| !is_stopped).map(|file| file.display().to_string());
+        let reply = Reply::done("fly", warnings, ShotsReport::new(tally, source, file, remarks));
+        let reply = match (stopped, nothing) {
+            (Some(stopped), _) => reply.ended("interrupted", Some(stopped)),
+            (None, Some(nothing)) => reply.ended("no-answer", Some(nothing)),
+            (None, None) => reply,
+        };
+        return Answer::json(&reply).found(is_answered);
+    }
+    for message in stopped.iter().chain(&nothing) {
+        crate::colour::say("error", message);
+    }
+    let answer = match target.file() {
+        Some(file) if is_answered => Answer::text(format!("{text}wrote {}\n", file.display())),
+        // the rows are on standard output
+        None if !target.is_silent() => {
+            tell(&text);
+            Answer::text(String::new())
+        }
+        _ => Answer::text(text),
+    };
+    answer.found(is_answered)
+}

@@ -1,0 +1,134 @@
+//! Texts as programs save them: in UTF-8 or in UTF-16, behind one byte-order mark or more.
+
+use std::io::{self, Read};
+
+/// The byte-order mark in UTF-8.
+const MARK: [u8; 3] = [0xef, 0xbb, 0xbf];
+
+/// Bytes read at a time.
+const PIECE: usize = 1 << 14;
+
+/// A text in UTF-8, without byte-order marks. What is no text in UTF-16 becomes the replacement character.
+pub(crate) struct Decoded<R> {
+    source: R,
+    /// How two bytes make a number, where the text is in UTF-16.
+    pairs: Option<fn([u8; 2]) -> u16>,
+    /// Bytes that are not decoded yet: half a character.
+    raw: Vec<u8>,
+    /// What is decoded, and how much of it has been handed on.
+    text: Vec<u8>,
+    at: usize,
+}
+
+/// A text in UTF-8, or in UTF-16 with a byte-order mark.
+///
+/// # Errors
+/// What the source returns.
+pub(crate) fn decoded<R: Read>(mut source: R) -> io::Result<Decoded<R>> {
+    let mut raw = vec![];
+    // twice the mark, and a byte that is none
+    (&mut source).take(2 * MARK.len() as u64 + 1).read_to_end(&mut raw)?;
+    let pairs: Option<fn([u8; 2]) -> u16> = match raw.get(..2) {
+        Some([0xff, 0xfe]) => Some(u16::from_le_bytes),
+        Some([0xfe, 0xff]) => Some(u16::from_be_bytes),
+        _ => None,
+    };
+    let mut decoded = Decoded { source, pairs, raw, text: vec![], at: 0 };
+    if pairs.is_some() {
+        decoded.raw.drain(..2);
+        decoded.decode(false);
+    } else {
+        decoded.text = std::mem::take(&mut decoded.raw);
+    }
+    while decoded.text[decoded.at..].starts_with(&MARK) {
+        decoded.at += MARK.len();
+    }
+    Ok(decoded)
+}
+
+impl<R> Decoded<R> {
+    /// Decodes the whole characters among the bytes that wait.
+    fn decode(&mut self, is_end: bool) {
+        let Some(pairs) = self.pairs else { return };
+        let mut units: Vec<u16> = self.raw.chunks_exact(2).map(|pair| pairs([pair[0], pair[1]])).collect();
+        // the first half of a character waits for its second
+        let waits = !is_end && units.last().is_some_and(|unit| (0xd800..0xdc00).contains(unit));
+        units.truncate(units.len() - usize::from(waits));
+        self.raw.drain(..2 * units.len());
+        let characters = char::decode_utf16(units).map(|found| found.unwrap_or(char::REPLACEMENT_CHARACTER));
+        self.text.extend(characters.collect::<String>().into_bytes());
+    }
+}
+
+impl<R: Read> Read for Decoded<R> {
+    fn read(&mut self, into: &mut [u8]) -> io::Result<usize> {
+        while self.at == self.text.len() {
+            (self.text, self.at) = (vec![], 0);
+            if self.pairs.is_none() {
+                return self.source.read(into);
+            }
+            let before = self.raw.len();
+            self.raw.resize(before + PIECE, 0);
+            let read = self.source.read(&mut self.raw[before..]);
+            self.raw.truncate(before + *read.as_ref().unwrap_or(&0));
+            let is_end = read? == 0;
+            self.decode(is_end);
+            if is_end && self.text.is_empty() {
+                return Ok(0);
+            }
+        }
+        let count = into.len().min(self.text.len() - self.at);
+        into[..count].copy_from_slice(&self.text[self.at..self.at + count]);
+        self.at += count;
+        Ok(count)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::decoded;
+    use std::io::{self, Read};
+
+    fn read(bytes: &[u8]) -> String {
+        let mut text = String::new();
+        decoded(bytes).unwrap().read_to_string(&mut text).unwrap();
+        text
+    }
+
+    /// A source that hands on a byte at a time.
+    struct Slow<'a>(&'a [u8]);
+
+    impl Read for Slow<'_> {
+        fn read(&mut self, into: &mut [u8]) -> io::Result<usize> {
+            let count = usize::from(!self.0.is_empty() && !into.is_empty());
+            into[..count].copy_from_slice(&self.0[..count]);
+            self.0 = &self.0[count..];
+            Ok(count)
+        }
+    }
+
+    #[test]
+    fn exact_texts_are_the_same_in_every_encoding_and_behind_every_mark() {
+        let text = "Ball Speed [mph],Spin Axis [°]\n167,3 𝄞\n".repeat(900);
+        let mark = "\u{feff}";
+        let with = |marks: usize| mark.repeat(marks) + &text;
+        let wide = |text: &str, of: fn(u16) -> [u8; 2]| text.encode_utf16().flat_map(of).collect::<Vec<u8>>();
+        for bytes in [
+            with(0).into_bytes(),
+            with(1).into_bytes(),
+            with(2).into_bytes(),
+            wide(&with(1), u16::to_le_bytes),
+            wide(&with(2), u16::to_le_bytes),
+            wide(&with(1), u16::to_be_bytes),
+        ] {
+            assert!(read(&bytes) == text);
+            let mut slowly = String::new();
+            decoded(Slow(&bytes)).unwrap().read_to_string(&mut slowly).unwrap();
+            assert!(slowly == text);
+        }
+        for short in ["", "a", "ab"] {
+            assert_eq!(read(short.as_bytes()), short);
+        }
+        assert_eq!(read(&[0xff, 0xfe, b'a', 0, b'b']), "a", "half a character at the end");
+    }
+}

@@ -1,0 +1,79 @@
+//! Shots in the columns of a launch monitor, whatever they were read from.
+
+use super::csv::Added;
+use crate::drive::Outcome;
+use crate::shots::{Flown, Shot, size};
+use crate::units::Quantity;
+
+/// The launch: the spin with its axis.
+const LAUNCH: [(&str, Outcome); 5] = [
+    ("Ball Speed", Outcome::BallSpeed),
+    ("Launch Angle", Outcome::LaunchAngle),
+    ("Launch Direction", Outcome::LaunchDirection),
+    ("Spin Rate", Outcome::Spin),
+    ("Spin Axis", Outcome::SpinAxis),
+];
+
+/// The club.
+const CLUB: [(&str, Outcome); 4] = [
+    ("Club Speed", Outcome::BallSpeed),
+    ("Attack Angle", Outcome::LaunchAngle),
+    ("Club Path", Outcome::LaunchAngle),
+    ("Face Angle", Outcome::LaunchAngle),
+];
+
+/// What was measured of the flight.
+const MEASURED: [(&str, Outcome); 6] = [
+    ("Carry", Outcome::CarryDistance),
+    ("Carry Side", Outcome::Lateral),
+    ("Max Height", Outcome::ApexHeight),
+    ("Hang Time", Outcome::FlightTime),
+    ("Landing Angle", Outcome::DescentAngle),
+    ("Carry Flat - Ball Speed", Outcome::LandingSpeed),
+];
+
+/// The line of heads.
+pub(super) fn head(added: &Added) -> Vec<u8> {
+    let own = LAUNCH.iter().chain(&CLUB).chain(&MEASURED).map(|(head, of)| ((*head).to_owned(), added.unit(*of)));
+    let own = own.chain([("Spin Rate Type".to_owned(), "")]);
+    let heads = own.chain(added.heads());
+    let heads = heads.map(|(head, unit)| if unit.is_empty() { head } else { format!("{head} [{unit}]") });
+    (heads.collect::<Vec<_>>().join(",") + "\n").into_bytes()
+}
+
+/// The launch of a shot, SI: of one that is flown with its spin and axis, else what is stated.
+pub(super) fn launch(shot: &Shot) -> [Option<f64>; 5] {
+    match shot.launch() {
+        Some(&[speed, angle, direction, back, side]) => {
+            [speed, angle, direction, back.hypot(side), side.atan2(back)].map(Some)
+        }
+        _ => LAUNCH.map(|(_, of)| shot.value(of).map(|value| value.value)),
+    }
+}
+
+/// Appends the cells of a row.
+pub(super) fn row(added: &Added, flown: &Flown, row: usize, bytes: &mut Vec<u8>) {
+    let shot = &flown.shots()[row];
+    let club = [shot.club.speed, shot.club.attack_angle, shot.club.path, shot.club.face_angle];
+    let measured = MEASURED.map(|(_, of)| shot.value(of).map(|value| value.value));
+    let values = launch(shot).into_iter().chain(club).chain(measured);
+    for ((_, of), value) in LAUNCH.iter().chain(&CLUB).chain(&MEASURED).zip(values) {
+        added.push(bytes, value, added.unit(*of), *of);
+        bytes.push(added.separator);
+    }
+    let spin = shot.value(Outcome::Spin).or_else(|| shot.value(Outcome::Backspin));
+    let name = match spin.and_then(|spin| spin.origin) {
+        Some(origin) => origin.name(),
+        None => "",
+    };
+    added.push_text(bytes, name);
+    bytes.push(added.separator);
+    added.row(flown, row, bytes);
+}
+
+/// A value in a unit, to eight digits: what conversion adds beyond them is rounding.
+pub(super) fn in_unit(value: f64, quantity: Quantity, unit: &str) -> f64 {
+    let number = value / size(quantity, unit);
+    let digits = 1e6;
+    (number * digits).round() / digits
+}

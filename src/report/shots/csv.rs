@@ -1,0 +1,139 @@
+//! What is predicted of shots, in columns beside those of the export.
+
+use crate::drive::Outcome;
+use crate::shots::{Export, Flown, quoted, size};
+use crate::units::System;
+
+/// Digits of a number in a table: four decimals, 0.1 mm of a length.
+const DECIMALS: f64 = 1e4;
+
+/// The columns that are added: the line, how the flight ended, why it did not, notes; what is predicted, and the residuals.
+#[derive(Clone, Debug)]
+pub(super) struct Added {
+    pub of: Vec<Outcome>,
+    pub system: System,
+    pub separator: u8,
+    has_decimal_comma: bool,
+}
+
+impl Added {
+    pub fn new(of: &[Outcome], system: System, separator: u8, has_decimal_comma: bool) -> Self {
+        Self { of: of.to_vec(), system, separator, has_decimal_comma }
+    }
+
+    /// The unit of an outcome.
+    pub fn unit(&self, of: Outcome) -> &'static str {
+        self.system.unit(of.unit())
+    }
+
+    /// The heads, each with its unit.
+    pub fn heads(&self) -> Vec<(String, &'static str)> {
+        let words = ["Line", "Flight", "Reason", "Notes"].map(|word| (word.to_owned(), ""));
+        let of =
+            |before: &'static str| self.of.iter().map(move |of| (format!("{before} {}", of.name()), self.unit(*of)));
+        words.into_iter().chain(of("Predicted")).chain(of("Residual")).collect()
+    }
+
+    /// Appends a number in a unit; nothing where there is none.
+    pub fn push(&self, bytes: &mut Vec<u8>, value: Option<f64>, unit: &'static str, of: Outcome) {
+        let Some(value) = value else { return };
+        self.push_number(bytes, (value / size(of.quantity(), unit) * DECIMALS).round() / DECIMALS);
+    }
+
+    fn push_number(&self, bytes: &mut Vec<u8>, number: f64) {
+        let from = bytes.len();
+        super::super::sweep::push_number(bytes, number);
+        if self.has_decimal_comma {
+            bytes[from..].iter_mut().filter(|byte| **byte == b'.').for_each(|byte| *byte = b',');
+        }
+    }
+
+    /// Appends a text.
+    pub fn push_text(&self, bytes: &mut Vec<u8>, text: &str) {
+        bytes.extend_from_slice(quoted(text, self.separator).as_bytes());
+    }
+
+    /// Appends the added cells of a row, without a separator before the first.
+    pub fn row(&self, flown: &Flown, row: usize, bytes: &mut Vec<u8>) {
+        let shot = &flown.shots()[row];
+        bytes.extend_from_slice(shot.line.to_string().as_bytes());
+        for text in [flown.flight(row), flown.reason(row).unwrap_or_default()] {
+            bytes.push(self.separator);
+            self.push_text(bytes, text);
+        }
+        bytes.push(self.separator);
+        if !shot.notes.is_empty() {
+            self.push_text(bytes, &shot.notes.join("; "));
+        }
+        for (outcome, of) in self.of.iter().enumerate() {
+            bytes.push(self.separator);
+            self.push(bytes, flown.predicted(row, outcome), self.unit(*of), *of);
+        }
+        for (outcome, of) in self.of.iter().enumerate() {
+            bytes.push(self.separator);
+            self.push(bytes, flown.residual(row, outcome), self.unit(*of), *of);
+        }
+    }
+}
+
+/// The rows of an export as they are, with the added columns.
+#[derive(Clone, Debug)]
+pub(super) struct Copied {
+    export: Export,
+    added: Added,
+}
+
+impl Copied {
+    pub fn new(export: &Export, of: &[Outcome], system: System) -> Self {
+        Self { export: export.clone(), added: Added::new(of, system, export.separator(), export.has_decimal_comma()) }
+    }
+
+    pub fn head(&self) -> Vec<u8> {
+        let separator = char::from(self.added.separator).to_string();
+        let line = |own: &[String], added: Vec<String>| {
+            // a row of units may be shorter
+            let missing = self.export.heads().len().saturating_sub(own.len());
+            let own = own.iter().cloned().chain(std::iter::repeat_n(String::new(), missing));
+            let cells = own.chain(added).map(|cell| quoted(&cell, self.added.separator).into_owned());
+            cells.collect::<Vec<_>>().join(&separator) + "\n"
+        };
+        let heads = self.added.heads();
+        let in_brackets = |unit: &str| if unit.is_empty() { String::new() } else { format!("[{unit}]") };
+        let text = match self.export.units() {
+            Some(units) => {
+                let (names, below) = heads.into_iter().map(|(name, unit)| (name, in_brackets(unit))).unzip();
+                line(self.export.heads(), names) + &line(units, below)
+            }
+            None => {
+                let names =
+                    heads.into_iter().map(|(name, unit)| format!("{name} {}", in_brackets(unit)).trim_end().to_owned());
+                line(self.export.heads(), names.collect())
+            }
+        };
+        text.into_bytes()
+    }
+
+    pub fn row(&self, flown: &Flown, row: usize, bytes: &mut Vec<u8>) {
+        let shot = &flown.shots()[row];
+        let columns = self.export.heads().len();
+        let cells = self.export.cells(&shot.text);
+        let separator = self.added.separator;
+        if shot.refusal().is_some_and(|refusal| refusal.is_unreadable()) {
+            // as one cell, so that nothing is read under a wrong head
+            bytes.extend_from_slice(format!("\"{}\"", shot.text.replace('"', "\"\"")).as_bytes());
+            bytes.extend(std::iter::repeat_n(separator, columns - 1));
+        } else if cells.len() == columns {
+            bytes.extend_from_slice(shot.text.as_bytes());
+        } else {
+            // more cells, all of them empty
+            for (at, cell) in cells.iter().take(columns).enumerate() {
+                if at > 0 {
+                    bytes.push(separator);
+                }
+                self.added.push_text(bytes, cell);
+            }
+        }
+        bytes.push(separator);
+        self.added.row(flown, row, bytes);
+    }
+}

@@ -1,0 +1,114 @@
+//! Flown shots as JSON lines, in SI.
+
+use super::super::sweep::push_number;
+use crate::drive::Outcome;
+use crate::shots::{Export, Flown, Layout};
+
+/// The names of the launch, in the order of [`crate::shots::Shot::launch`].
+const LAUNCH: [&str; 5] = ["ball_speed", "launch_angle", "launch_direction", "backspin", "sidespin"];
+
+/// The keys of a line.
+#[derive(Clone, Debug)]
+pub(super) struct Keys {
+    of: Vec<Outcome>,
+    /// The export, and `"head":` of each of its columns.
+    cells: Option<(Export, Vec<String>)>,
+}
+
+fn text(bytes: &mut Vec<u8>, text: &str) {
+    // writing to memory does not fail
+    let _ = serde_json::to_writer(bytes, text);
+}
+
+fn number(bytes: &mut Vec<u8>, value: Option<f64>) {
+    match value.filter(|value| value.is_finite()) {
+        Some(value) => push_number(bytes, value),
+        None => bytes.extend_from_slice(b"null"),
+    }
+}
+
+/// An object of numbers.
+fn numbers<'a>(bytes: &mut Vec<u8>, of: impl Iterator<Item = (&'a str, Option<f64>)>) {
+    bytes.push(b'{');
+    for (at, (name, value)) in of.enumerate() {
+        if at > 0 {
+            bytes.push(b',');
+        }
+        text(bytes, name);
+        bytes.push(b':');
+        number(bytes, value);
+    }
+    bytes.push(b'}');
+}
+
+impl Keys {
+    pub fn new(layout: &Layout, of: &[Outcome]) -> Self {
+        let cells = match layout {
+            Layout::Export(export) => {
+                let heads = export.heads();
+                // heads that are alike get a number
+                let key = |(at, head): (usize, &String)| {
+                    let before = heads[..at].iter().filter(|other| *other == head).count();
+                    let name = if before == 0 { head.clone() } else { format!("{head} ({})", before + 1) };
+                    serde_json::Value::from(name).to_string() + ":"
+                };
+                Some((export.clone(), heads.iter().enumerate().map(key).collect()))
+            }
+            Layout::OpenConnect => None,
+        };
+        Self { of: of.to_vec(), cells }
+    }
+
+    pub fn row(&self, flown: &Flown, row: usize, bytes: &mut Vec<u8>) {
+        let shot = &flown.shots()[row];
+        bytes.extend_from_slice(
+            format!("{{\"line\":{},\"flight\":\"{}\",\"reason\":", shot.line, flown.flight(row)).as_bytes(),
+        );
+        match flown.reason(row) {
+            Some(reason) => text(bytes, reason),
+            None => bytes.extend_from_slice(b"null"),
+        }
+        bytes.extend_from_slice(b",\"notes\":");
+        let _ = serde_json::to_writer(&mut *bytes, &shot.notes);
+        let normalized = if shot.is_normalized == Some(true) { "true" } else { "null" };
+        bytes.extend_from_slice(format!(",\"normalized\":{normalized},\"launch\":").as_bytes());
+        match shot.launch() {
+            Some(launch) => numbers(bytes, LAUNCH.into_iter().zip(launch.iter().map(|value| Some(*value)))),
+            None => bytes.extend_from_slice(b"null"),
+        }
+        bytes.extend_from_slice(b",\"stated\":");
+        numbers(bytes, shot.values.iter().map(|value| (value.of.name(), Some(value.value))));
+        bytes.extend_from_slice(b",\"origins\":{");
+        let origins = shot.values.iter().filter_map(|value| Some((value.of.name(), value.origin?.name())));
+        for (at, (name, origin)) in origins.enumerate() {
+            bytes.extend_from_slice(format!("{}\"{name}\":\"{origin}\"", if at > 0 { "," } else { "" }).as_bytes());
+        }
+        bytes.extend_from_slice(b"},\"predicted\":");
+        numbers(bytes, self.of.iter().enumerate().map(|(at, of)| (of.name(), flown.predicted(row, at))));
+        bytes.extend_from_slice(b",\"residual\":");
+        numbers(bytes, self.of.iter().enumerate().map(|(at, of)| (of.name(), flown.residual(row, at))));
+        bytes.extend_from_slice(b",\"row\":");
+        self.own(shot.text.as_str(), shot.refusal().is_some_and(|refusal| refusal.is_unreadable()), bytes);
+        bytes.push(b'}');
+    }
+
+    /// The row as it was read.
+    fn own(&self, row: &str, is_unreadable: bool, bytes: &mut Vec<u8>) {
+        match &self.cells {
+            _ if is_unreadable => text(bytes, row),
+            // a text in JSON has no line break
+            None => bytes.extend(row.bytes().map(|byte| if matches!(byte, b'\n' | b'\r') { b' ' } else { byte })),
+            Some((export, keys)) => {
+                bytes.push(b'{');
+                for (at, (key, cell)) in keys.iter().zip(export.cells(row)).enumerate() {
+                    if at > 0 {
+                        bytes.push(b',');
+                    }
+                    bytes.extend_from_slice(key.as_bytes());
+                    text(bytes, &cell);
+                }
+                bytes.push(b'}');
+            }
+        }
+    }
+}

@@ -1,0 +1,81 @@
+//! Flown shots as bytes: the rows of an export with what is predicted of them, the same in the columns of a launch monitor, JSON lines, and
+//! messages of GSPro Open Connect; and what was found of all of them, as text and as JSON.
+
+mod columns;
+mod csv;
+mod json_lines;
+mod open_connect;
+mod summary;
+
+pub use open_connect::open_connect_answer;
+pub use summary::{ShotsReport, shots_text};
+
+use crate::drive::Outcome;
+use crate::shots::{Flown, Layout, Shots};
+use crate::units::System;
+use csv::{Added, Copied};
+
+/// How flown shots are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ShotFormat {
+    /// The rows of the export as they are, with what is predicted in further columns; messages in the columns of
+    /// [`LaunchMonitor`](Self::LaunchMonitor).
+    Csv,
+    /// The columns of a launch monitor, whatever the rows were read from, with what is predicted in further columns.
+    LaunchMonitor,
+    /// A JSON object per row, in SI.
+    JsonLines,
+    /// A message of GSPro Open Connect per row.
+    OpenConnect,
+}
+
+/// Makes bytes of flown shots.
+#[derive(Clone, Debug)]
+pub struct ShotWriter {
+    table: Table,
+}
+
+#[derive(Clone, Debug)]
+enum Table {
+    Copied(Copied),
+    Columns(Added),
+    JsonLines(json_lines::Keys),
+    OpenConnect,
+}
+
+impl ShotWriter {
+    /// The rows of these shots in a format; CSV in the units of a system.
+    pub fn new(format: ShotFormat, shots: &Shots, of: &[Outcome], system: System) -> Self {
+        let table = match (format, shots.layout()) {
+            (ShotFormat::Csv, Layout::Export(export)) => Table::Copied(Copied::new(export, of, system)),
+            (ShotFormat::Csv | ShotFormat::LaunchMonitor, _) => Table::Columns(Added::new(of, system, b',', false)),
+            (ShotFormat::JsonLines, layout) => Table::JsonLines(json_lines::Keys::new(layout, of)),
+            (ShotFormat::OpenConnect, _) => Table::OpenConnect,
+        };
+        Self { table }
+    }
+
+    /// The first bytes of a file.
+    pub fn head(&self) -> Vec<u8> {
+        match &self.table {
+            Table::Copied(copied) => copied.head(),
+            Table::Columns(added) => columns::head(added),
+            Table::JsonLines(_) | Table::OpenConnect => vec![],
+        }
+    }
+
+    /// A line for each row.
+    pub fn rows(&self, flown: &Flown) -> Vec<u8> {
+        let mut bytes = Vec::with_capacity(flown.rows() * 400);
+        for row in 0..flown.rows() {
+            match &self.table {
+                Table::Copied(copied) => copied.row(flown, row, &mut bytes),
+                Table::Columns(added) => columns::row(added, flown, row, &mut bytes),
+                Table::JsonLines(keys) => keys.row(flown, row, &mut bytes),
+                Table::OpenConnect => open_connect::row(flown, row, &mut bytes),
+            }
+            bytes.push(b'\n');
+        }
+        bytes
+    }
+}

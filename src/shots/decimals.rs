@@ -1,0 +1,50 @@
+//! The mark of decimals in the numbers of a table.
+
+use super::cells::cells;
+use crate::columns::{has_thousands, without_side};
+
+/// The mark of decimals in a table.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Decimals {
+    Point,
+    Comma,
+    /// No number at the beginning tells.
+    Unknown,
+}
+
+impl Decimals {
+    /// The mark in the numbers at the beginning of a text.
+    pub fn found(separator: u8, read: impl Iterator<Item = usize> + Clone, beginning: &str) -> Self {
+        if separator == b',' {
+            return Self::Point;
+        }
+        let (mut commas, mut points) = (false, false);
+        for line in beginning.lines().take(200) {
+            let cells = cells(line, separator);
+            for cell in read.clone().filter_map(|at| cells.get(at)) {
+                let number = without_side(cell);
+                let is_number = number.bytes().all(|byte| byte.is_ascii_digit() || b"-.,".contains(&byte));
+                let has =
+                    |mark, other| number.contains(mark) && !number.contains(other) && !has_thousands(number, mark);
+                commas |= is_number && has(',', '.');
+                points |= is_number && has('.', ',');
+            }
+        }
+        match (commas, points) {
+            (true, false) => Self::Comma,
+            (false, true) => Self::Point,
+            _ => Self::Unknown,
+        }
+    }
+
+    /// Whether a number has two meanings, thousands or decimals.
+    pub fn is_ambiguous(self, cell: &str) -> bool {
+        let number = without_side(cell);
+        let of = |mark, other| has_thousands(number, mark) && !number.contains(other);
+        match self {
+            Self::Point => false,
+            Self::Comma => of('.', ','),
+            Self::Unknown => of('.', ',') || of(',', '.'),
+        }
+    }
+}

@@ -1,0 +1,151 @@
+//! A launch monitor's export: its rows as shots.
+
+use super::cells::cells;
+use super::head::ExportHead;
+use super::lines::Record;
+use super::plausible::{implausible, refusal};
+use super::shot::{Club, Origin, Refusal, Shot, Value, of_conditions};
+use crate::columns::{CONDITIONS, conditions, summary};
+use crate::drive::Outcome;
+
+/// Conditions of which the spin's origin is told in a column of its own.
+const OF_SPIN: [Outcome; 4] = [Outcome::Spin, Outcome::Backspin, Outcome::Sidespin, Outcome::SpinAxis];
+
+impl ExportHead {
+    /// The shot of a record.
+    pub fn shot(&self, record: Record) -> Shot {
+        let Record { line, text, is_open } = record;
+        let row = cells(&text, self.separator);
+        let refused = |kind, reason: String| Refusal::new(kind, reason);
+        let filled = row.iter().rposition(|cell| !cell.is_empty()).map_or(0, |at| at + 1);
+        let wrong = if is_open {
+            Some(refused(Refusal::QUOTE, "a quote (\") is opened and not closed; close it, or take it out".into()))
+        } else if let Some(word) = summary(row.iter().map(AsRef::as_ref)).filter(|_| self.is_export) {
+            Some(refused(Refusal::SUMMARY, format!("the row sums up other rows ({word})")))
+        } else if row.len() < self.heads.len() || filled > self.heads.len() {
+            let counted = |count: usize| if count == 1 { "1 cell".into() } else { format!("{count} cells") };
+            let (row, head) = (counted(row.len()), counted(self.heads.len()));
+            let reason = format!("the row has {row}, but the head has {head}; give every row a cell for each column");
+            Some(refused(Refusal::CELLS, reason))
+        } else {
+            None
+        };
+        if let Some(refusal) = wrong {
+            return Shot::refused(line, text.clone(), refusal);
+        }
+        let mut shot = self.of_cells(&row);
+        (shot.line, shot.text) = (line, text);
+        shot
+    }
+
+    fn of_cells<S: AsRef<str>>(&self, row: &[S]) -> Shot {
+        let cell = |at: usize| row[at].as_ref();
+        let spin = self.spin_type.and_then(|at| Origin::read(cell(at)));
+        let mut shot = Shot::refused(0, String::new(), Refusal::new(Refusal::MISSING, ""));
+        let mut wrong = None;
+        for read in &self.read {
+            let (of, name) = (read.of, &read.column.head);
+            let is_condition = CONDITIONS.contains(&of);
+            let text = cell(read.at);
+            let value = match self.decimals.is_ambiguous(text) {
+                true => Err(format!(
+                    "'{text}' may have decimals or thousands; write a number without a mark between thousands"
+                )),
+                false => read.column.value(text),
+            };
+            match value {
+                Ok(None) => {}
+                Ok(Some(value)) => {
+                    let range = (!is_condition).then(|| implausible(of, value, || name.clone())).flatten();
+                    match range {
+                        Some(reason) => shot.notes.push(format!("not compared: {reason}")),
+                        None => {
+                            let origin = if OF_SPIN.contains(&of) { read.origin.or(spin) } else { read.origin };
+                            shot.values.push(Value { of, value, origin });
+                        }
+                    }
+                }
+                Err(why) if is_condition => {
+                    wrong.get_or_insert(Refusal::new(Refusal::UNREADABLE, format!("{name}: {why}")));
+                }
+                Err(why) => shot.notes.push(format!("not compared: {name}: {why}")),
+            }
+        }
+        let club = |at: usize| {
+            let (at, column) = self.club[at].as_ref()?;
+            column.value(cell(*at)).ok().flatten()
+        };
+        shot.club = Club { speed: club(0), attack_angle: club(1), path: club(2), face_angle: club(3) };
+        let condition = self.condition.map(|at| cell(at).to_lowercase());
+        shot.is_normalized = condition.filter(|text| text.contains("normali")).map(|_| true);
+        shot.point = wrong.map_or_else(|| self.point(&shot.values, row), Err);
+        shot.is_straight_by_assumption = is_straight_by_assumption(&shot);
+        if shot.point.is_ok() {
+            assumed(&mut shot);
+        }
+        shot
+    }
+
+    /// What is flown of a row.
+    fn point<S: AsRef<str>>(&self, values: &[Value], row: &[S]) -> Result<Vec<f64>, Refusal> {
+        let values = of_conditions(|of| values.iter().find(|value| value.of == of).map(|value| value.value));
+        let mut point = launch(&values, |of| self.name_of(of), |of| self.read.iter().any(|read| read.of == of))?;
+        for (further, column) in self.further.iter().zip(&self.further_columns) {
+            let name = &column.head;
+            let value = column.value(row[further.at].as_ref());
+            let value = value.map_err(|why| Refusal::new(Refusal::UNREADABLE, format!("{name}: {why}")))?;
+            let Some(value) = value else {
+                let reason = format!("{name}: the cell is empty; every row of this column needs a value");
+                return Err(Refusal::new(Refusal::MISSING, reason));
+            };
+            if !further.parameter.range.contains(value) {
+                let shown = further.parameter.show(Some(value));
+                let reason = format!(
+                    "{name}: {shown} is outside of its range {}",
+                    further.parameter.range.show(further.parameter.quantity, further.parameter.unit)
+                );
+                return Err(Refusal::new(Refusal::RANGE, reason));
+            }
+            point.push(value);
+        }
+        Ok(point)
+    }
+}
+
+/// The launch that these conditions make.
+pub(super) fn launch(
+    values: &[Option<f64>; CONDITIONS.len()],
+    name: impl Fn(Outcome) -> String,
+    has: impl Fn(Outcome) -> bool,
+) -> Result<Vec<f64>, Refusal> {
+    if let Some(refusal) = refusal(values, &name) {
+        return Err(refusal);
+    }
+    match conditions(*values, has) {
+        Ok(launch) => Ok(launch.iter().map(|(_, value)| *value).collect()),
+        Err(fault) => {
+            let kind = match fault.is_missing {
+                true => Refusal::MISSING,
+                false if fault.of == Outcome::Spin => Refusal::SPIN,
+                false => Refusal::RANGE,
+            };
+            Err(Refusal::new(kind, format!("{}: {}", name(fault.of), fault.why)))
+        }
+    }
+}
+
+/// Whether the direction or the tilt of the spin is not stated.
+pub(super) fn is_straight_by_assumption(shot: &Shot) -> bool {
+    let has = |of| shot.value(of).is_some();
+    !(has(Outcome::LaunchDirection) && (has(Outcome::SpinAxis) || has(Outcome::Sidespin)))
+}
+
+/// Says what is assumed to be 0.
+pub(super) fn assumed(shot: &mut Shot) {
+    if shot.value(Outcome::LaunchDirection).is_none() {
+        shot.notes.push("launch direction is missing: 0 deg is assumed".into());
+    }
+    if shot.value(Outcome::SpinAxis).is_none() && shot.value(Outcome::Sidespin).is_none() {
+        shot.notes.push("spin axis is missing: 0 deg is assumed".into());
+    }
+}

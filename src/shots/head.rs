@@ -1,0 +1,297 @@
+//! The head of an export: where it stands, and what its columns hold.
+
+use super::cells::cells;
+use super::decimals::Decimals;
+use super::lines::Lines;
+use super::maker::maker;
+use super::shot::{Further, LAUNCH, Origin};
+use super::table::Table;
+use crate::columns::{Club, Column, Format, Head, Holds, is_export, nearest_head, separated, split_unit, words};
+use crate::drive::Outcome;
+use crate::error::{Error, Result};
+use crate::parameters::Setup;
+use crate::units::{Message, Quantity};
+
+/// The head stands among so many lines at the beginning of a file.
+const MOST_LINES: usize = 25;
+
+/// A column that is read.
+#[derive(Clone, Debug)]
+pub(super) struct Read {
+    pub at: usize,
+    pub of: Outcome,
+    pub column: Column,
+    /// How its values came about, where the head says so.
+    pub origin: Option<Origin>,
+}
+
+/// What the head of an export says.
+#[derive(Clone, Debug)]
+pub(super) struct ExportHead {
+    pub separator: u8,
+    pub heads: Vec<String>,
+    /// The units of a line below the head, where there is one.
+    pub units: Option<Vec<String>>,
+    pub maker: Option<&'static str>,
+    pub read: Vec<Read>,
+    /// Columns of the club: speed, attack angle, path, face angle.
+    pub club: [Option<(usize, Column)>; 4],
+    pub further: Vec<Further>,
+    pub further_columns: Vec<Column>,
+    /// The column that says how the spin came about, and the one about the conditions of the values.
+    pub spin_type: Option<usize>,
+    pub condition: Option<usize>,
+    pub is_export: bool,
+    pub decimals: Decimals,
+    pub remarks: Vec<Message>,
+}
+
+/// The columns of the club, in the order of [`ExportHead::club`].
+const CLUB: [&str; 4] = ["swing.speed", "swing.attack_angle", "swing.path", "swing.face_angle"];
+/// The units of heads that state none, of an export: those of the makers' applications in the US.
+const UNSTATED: [(Quantity, &str); 4] =
+    [(Quantity::SPEED, "mph"), (Quantity::LENGTH, "yd"), (Quantity::ANGULAR_VELOCITY, "rpm"), (Quantity::TIME, "s")];
+
+/// The separator and the number of the line that the head is, in the beginning of a text.
+fn found(beginning: &str) -> Option<(u8, usize)> {
+    let mut stated = None;
+    let mut first = None;
+    let lines = beginning.split(['\n', '\r']).filter(|line| !line.is_empty());
+    for (at, line) in lines.enumerate().take(MOST_LINES) {
+        let line = line.trim_start_matches('\u{feff}');
+        if line.starts_with("sep=") {
+            stated = Some(separated(&format!("{line}\n")).0);
+            continue;
+        }
+        if line.trim().is_empty() || line.starts_with('#') {
+            continue;
+        }
+        let separator = stated.unwrap_or_else(|| separated(line).0);
+        let heads = cells(line, separator);
+        if is_export(heads.iter().map(AsRef::as_ref)) {
+            return Some((separator, at));
+        }
+        first.get_or_insert((separator, at));
+    }
+    first
+}
+
+impl ExportHead {
+    /// Reads the head; the lines go on with the first row.
+    ///
+    /// # Errors
+    /// [`Error::Table`] for a table without a head, without a column that a launch needs, with an unknown column, or with a unit of another
+    /// kind.
+    pub fn read(setup: &Setup<f64>, lines: &mut Lines, beginning: &str, table: &Table) -> Result<Self> {
+        let (separator, at) = found(beginning)
+            .ok_or_else(|| table.refused(String::new(), "it is empty; give a head and a row for each shot"))?;
+        let mut head = String::new();
+        let mut passed = vec![];
+        // as they were counted: empty lines are none
+        while passed.len() <= at {
+            let Some((_, line)) = table.io(lines.line())? else { break };
+            if !line.is_empty() {
+                passed.push(line);
+            }
+        }
+        if let Some(line) = passed.pop() {
+            head = line;
+        }
+        let heads: Vec<String> =
+            cells(head.trim_start_matches('\u{feff}'), separator).into_iter().map(Into::into).collect();
+        let below = table.io(lines.line())?;
+        let first: Option<Vec<String>> =
+            below.as_ref().map(|(_, line)| cells(line, separator).into_iter().map(Into::into).collect());
+        let of_heads = heads.iter().map(String::as_str);
+        let at_column = |(at, error): (usize, Error)| table.refused(format!(", column {}", at + 1), error.to_string());
+        let read = Head::read(
+            setup,
+            of_heads,
+            first.as_ref().map(|cells| cells.iter().map(String::as_str)),
+            separator,
+            Club::LeftOut,
+        )
+        .map_err(at_column)?;
+        let units = first.filter(|_| read.has_units_row);
+        if units.is_none()
+            && let Some(line) = below
+        {
+            lines.give_back(line);
+        }
+        let is_export = read.format.is_export;
+        let mut columns: Vec<Column> = read.columns;
+        let (mut unstated, mut in_degrees) = (vec![], vec![]);
+        if is_export {
+            for column in &mut columns {
+                let unit =
+                    UNSTATED.iter().find(|(quantity, _)| column.kind() == Some(*quantity)).map(|(_, unit)| *unit);
+                if let Some(unit) = unit.filter(|_| column.lacks_unit()) {
+                    let is_height = matches!(column.holds, Holds::Outcome(Outcome::ApexHeight));
+                    let unit = if is_height { "ft" } else { unit };
+                    unstated.push(format!("{} in {unit}", column.head));
+                    *column = column.clone().in_unit(unit);
+                }
+                if column.is_in_degrees_untold() {
+                    in_degrees.push(column.head.clone());
+                }
+            }
+        }
+        let mut found = Self {
+            separator,
+            maker: None,
+            read: vec![],
+            club: Default::default(),
+            further: vec![],
+            further_columns: vec![],
+            spin_type: None,
+            condition: None,
+            is_export,
+            decimals: Decimals::Point,
+            remarks: vec![],
+            units,
+            heads,
+        };
+        for (at, column) in columns.iter().enumerate() {
+            found.take(setup, at, column).map_err(|error| at_column((at, error)))?;
+        }
+        found.needs_a_launch(&columns).map_err(|reason| table.refused(String::new(), reason))?;
+        let plain: Vec<String> = found.heads.iter().map(|head| words(split_unit(head).0)).collect();
+        found.maker = maker(&plain).filter(|_| is_export);
+        let named = |names: &[&str]| plain.iter().position(|head| names.contains(&head.as_str()));
+        found.spin_type = named(&["spin rate type", "spin type", "spin reading", "spin source"]);
+        found.condition = named(&["condition", "conditions"]);
+        found.decimals = Decimals::found(separator, found.read.iter().map(|read| read.at), beginning);
+        let has_comma = separator != b',' && found.decimals != Decimals::Point;
+        for read in &mut found.read {
+            read.column = read.column.clone().with_decimal_comma(has_comma);
+        }
+        found.tell(&columns, &unstated, &in_degrees);
+        Ok(found)
+    }
+
+    /// Takes a column that is read.
+    fn take(&mut self, setup: &Setup<f64>, at: usize, column: &Column) -> Result<()> {
+        match column.holds {
+            Holds::Outcome(of) if self.read.iter().all(|read| read.of != of) => {
+                column.check_unit()?;
+                self.read.push(Read { at, of, column: column.clone(), origin: origin(&self.heads[at]) });
+            }
+            Holds::Input(parameter) if !parameter.is_of_strike() && !parameter.is_of_launch() => {
+                column.check_unit()?;
+                self.further.push(Further { at, parameter });
+                self.further_columns.push(column.clone());
+            }
+            // beside a launch the club is left out of a table
+            Holds::Note | Holds::Input(_) => {
+                let below = self
+                    .units
+                    .as_ref()
+                    .and_then(|units| units.get(at))
+                    .map(|unit| unit.trim_matches(['[', ']', '(', ')']));
+                let below = below.filter(|unit| !unit.is_empty());
+                let format = Format { is_export: self.is_export, has_decimal_comma: self.separator != b',' };
+                let Ok(again) = Column::read(setup, &self.heads[at], below, format) else { return Ok(()) };
+                if let Holds::Input(parameter) = again.holds
+                    && let Some(club) = CLUB.iter().position(|name| *name == parameter.name)
+                    && self.club[club].is_none()
+                    && (again.in_unit("mph").check_unit().is_ok())
+                {
+                    let again = Column::read(setup, &self.heads[at], below, format)?.in_unit("mph");
+                    self.club[club] = Some((at, again));
+                }
+            }
+            _ => {}
+        }
+        Ok(())
+    }
+
+    fn has(&self, of: Outcome) -> bool {
+        self.read.iter().any(|read| read.of == of)
+    }
+
+    /// What a launch lacks.
+    fn needs_a_launch(&self, columns: &[Column]) -> Result<(), String> {
+        let mut missing = vec![];
+        for (of, words) in [(Outcome::BallSpeed, "the ball speed"), (Outcome::LaunchAngle, "the launch angle")] {
+            if !self.has(of) {
+                missing.push(words);
+            }
+        }
+        if !(self.has(Outcome::Spin) || self.has(Outcome::Backspin)) {
+            missing.push("the spin (spin rate, total spin or backspin)");
+        }
+        if missing.is_empty() {
+            return Ok(());
+        }
+        let near = columns.iter().filter(|column| column.is_unknown());
+        let near = near
+            .filter_map(|column| Some(format!("'{}' (did you mean '{}'?)", column.head, nearest_head(&column.head)?)));
+        let near: Vec<String> = near.collect();
+        let near = if near.is_empty() { String::new() } else { format!("; near a known head: {}", near.join(", ")) };
+        let heads =
+            self.heads.iter().filter(|head| !head.is_empty()).map(String::as_str).collect::<Vec<_>>().join(", ");
+        Err(format!(
+            "no column has {}{near}; give each a head that is known, as in 'Ball Speed [mph]', 'Launch Angle [deg]', 'Spin Rate [rpm]' \
+             (the heads are: {heads})",
+            missing.join(" or "),
+        ))
+    }
+
+    /// What its reader should know of the columns.
+    fn tell(&mut self, columns: &[Column], unstated: &[String], in_degrees: &[String]) {
+        let is_read = |at: usize| {
+            self.read.iter().any(|read| read.at == at)
+                || self.further.iter().any(|further| further.at == at)
+                || self.club.iter().flatten().any(|(club, _)| *club == at)
+                || [self.spin_type, self.condition].contains(&Some(at))
+        };
+        let not_read = columns
+            .iter()
+            .enumerate()
+            .filter(|(at, column)| !is_read(*at) && !column.head.is_empty() && column.holds != Holds::Written);
+        let not_read = not_read.map(|(_, column)| {
+            match nearest_head(&column.head).filter(|_| column.is_unknown() && origin(&column.head).is_none()) {
+                Some(known) => format!("{} (did you mean '{known}'?)", column.head),
+                None => column.head.clone(),
+            }
+        });
+        let not_read: Vec<String> = not_read.collect();
+        let mut remarks = vec![];
+        if !unstated.is_empty() {
+            remarks.push(format!(
+                "heads without a unit are read as {}; write other units into the heads",
+                unstated.join(", ")
+            ));
+        }
+        if !in_degrees.is_empty() {
+            remarks.push(format!("angles without a unit are read in degrees: {}", in_degrees.join(", ")));
+        }
+        if !not_read.is_empty() {
+            remarks.push(format!("columns that are copied and not used: {}", not_read.join(", ")));
+        }
+        self.remarks = remarks.into_iter().map(Message::from).collect();
+    }
+
+    /// The parameters that every row has a value of.
+    pub fn parameters(&self, setup: &Setup<f64>) -> Result<Vec<&'static crate::parameters::Parameter>> {
+        let launch = LAUNCH.iter().map(|name| setup.parameter(name)).collect::<Result<Vec<_>>>()?;
+        Ok(launch.into_iter().chain(self.further.iter().map(|further| further.parameter)).collect())
+    }
+
+    /// The head of the column of a launch condition, for messages.
+    pub fn name_of(&self, of: Outcome) -> String {
+        self.read.iter().find(|read| read.of == of).map_or(of.name().into(), |read| read.column.head.clone())
+    }
+}
+
+/// How the values of a column came about, where its head says so: `Est. Total Flat`, `Carry (Sim)`.
+fn origin(head: &str) -> Option<Origin> {
+    let words = words(head);
+    let has = |word: &str| words.split(' ').any(|other| other == word);
+    match () {
+        () if has("est") || has("estimated") => Some(Origin::Estimated),
+        () if has("sim") || has("modelled") || has("modeled") => Some(Origin::Modelled),
+        () if has("measured") => Some(Origin::Measured),
+        () => None,
+    }
+}

@@ -1,0 +1,56 @@
+//! Shots of launch monitors: read from their exports or from GSPro Open Connect, flown with a setup's ball and air, and what was
+//! measured of them beside what is predicted.
+//!
+//! ```text
+//!   file ──records──▶ shots ──side by side──▶ flown shots ──in order──▶ whoever takes them
+//! ```
+//!
+//! Rows come in the order of the file, in chunks; memory does not grow with their number. No row is dropped: one that cannot be flown
+//! has a [`Refusal`].
+//!
+//! ```
+//! use longdrive::shots::{Flying, Shots};
+//! use longdrive::{Outcome, Setup};
+//!
+//! let text = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Carry [yds]\n167,10.9,2686,275\n,11,2500,\n";
+//! let setup = Setup::default();
+//! let mut shots = Shots::read(&setup, "shots.csv", text.as_bytes()).unwrap();
+//! let flying = Flying::new(&setup, &shots, &[Outcome::CarryDistance]).unwrap();
+//! let (mut carries, mut refused) = (vec![], vec![]);
+//! let tally = flying
+//!     .fly(&mut shots, &Default::default(), |flown| flown, |flown| {
+//!         carries.extend((0..flown.rows()).map(|row| flown.predicted(row, 0)));
+//!         refused.extend(flown.shots().iter().filter_map(|shot| Some((shot.line, shot.refusal()?.reason.clone()))));
+//!         Ok(())
+//!     })
+//!     .unwrap();
+//! assert!((carries[0].unwrap() / 0.9144 - 275.0).abs() < 8.0 && carries[1].is_none());
+//! assert_eq!(refused, [(3, "Ball Speed: the cell is empty; every launch needs one".to_owned())]);
+//! assert_eq!((tally.rows, tally.flown), (2, 1));
+//! ```
+
+mod cells;
+mod decimals;
+mod export;
+mod flown;
+mod fly;
+mod head;
+mod lines;
+mod maker;
+mod objects;
+mod open_connect;
+mod plausible;
+mod shot;
+mod sizes;
+mod source;
+mod table;
+mod tally;
+
+pub(crate) use cells::quoted;
+pub use flown::Flown;
+pub use fly::Flying;
+pub use objects::{Objects, Piece};
+pub use shot::{Club, Origin, Refusal, Shot, Value};
+pub(crate) use sizes::size;
+pub use source::{Export, Layout, Shots};
+pub use tally::{BANDS, Band, FLOOR, Refused, Sums, Tally};

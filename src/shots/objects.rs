@@ -1,0 +1,199 @@
+//! The JSON objects in a stream of bytes: one a line, one after the other, or in an array.
+
+use std::collections::VecDeque;
+
+/// The longest object, in bytes.
+const LONGEST: usize = 1 << 16;
+
+/// An object, or what stands in the place of one.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Piece {
+    /// The line that it begins in, from 1.
+    pub line: u64,
+    /// Its text.
+    pub text: String,
+    /// Whether its braces are closed.
+    pub is_whole: bool,
+}
+
+/// Where in a stream one is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum State {
+    Between,
+    /// In an object: how many braces and brackets are open.
+    Inside(usize),
+    /// In a string of an object, perhaps after a backslash.
+    Text(usize, bool),
+    /// In what is no object, to the end of the line.
+    Astray,
+    /// In the rest of an object that is too long.
+    TooLong,
+}
+
+/// Finds the objects in bytes as they come. What is cut short or no object is a piece too, and ends with its line where the next one begins
+/// with a brace: nothing after it is lost.
+#[derive(Clone, Debug)]
+pub struct Objects {
+    state: State,
+    line: u64,
+    is_line_start: bool,
+    begun: u64,
+    bytes: Vec<u8>,
+    found: VecDeque<Piece>,
+}
+
+impl Default for Objects {
+    fn default() -> Self {
+        let state = State::Between;
+        Self { state, line: 1, is_line_start: true, begun: 1, bytes: vec![], found: VecDeque::new() }
+    }
+}
+
+impl Objects {
+    /// Takes the next bytes.
+    pub fn push(&mut self, bytes: &[u8]) {
+        for &byte in bytes {
+            self.take(byte);
+            self.is_line_start = byte == b'\n';
+            self.line += u64::from(byte == b'\n');
+        }
+    }
+
+    /// The next object that is complete.
+    pub fn next_piece(&mut self) -> Option<Piece> {
+        self.found.pop_front()
+    }
+
+    /// Whether an object has begun and not ended.
+    pub fn is_under_way(&self) -> bool {
+        self.state != State::Between
+    }
+
+    /// Ends what is under way: no more bytes belong to it.
+    pub fn finish(&mut self) {
+        if self.is_under_way() {
+            self.end(false);
+        }
+    }
+
+    fn begin(&mut self, state: State, byte: u8) {
+        (self.state, self.begun) = (state, self.line);
+        self.bytes = vec![byte];
+    }
+
+    fn end(&mut self, is_whole: bool) {
+        let text = String::from_utf8_lossy(&std::mem::take(&mut self.bytes)).trim_end().to_owned();
+        self.found.push_back(Piece { line: self.begun, text, is_whole });
+        self.state = State::Between;
+    }
+
+    fn take(&mut self, byte: u8) {
+        match self.state {
+            State::Between => match byte {
+                b'{' => self.begin(State::Inside(1), byte),
+                // of arrays, between messages, and of a byte-order mark
+                b'[' | b']' | b',' | 0 | 0xef | 0xbb | 0xbf => {}
+                _ if byte.is_ascii_whitespace() => {}
+                _ => self.begin(State::Astray, byte),
+            },
+            State::Astray => match byte {
+                b'\n' => self.end(false),
+                b'{' => {
+                    self.end(false);
+                    self.begin(State::Inside(1), byte);
+                }
+                _ => self.add(byte),
+            },
+            State::TooLong => {
+                if byte == b'\n' {
+                    self.state = State::Between;
+                } else if byte == b'{' && self.is_line_start {
+                    self.begin(State::Inside(1), byte);
+                }
+            }
+            State::Inside(_) if byte == b'{' && self.is_line_start => {
+                self.end(false);
+                self.begin(State::Inside(1), byte);
+            }
+            State::Inside(depth) => {
+                self.add(byte);
+                if self.state == State::TooLong {
+                    return;
+                }
+                match byte {
+                    b'"' => self.state = State::Text(depth, false),
+                    b'{' | b'[' => self.state = State::Inside(depth + 1),
+                    b'}' | b']' if depth == 1 => self.end(true),
+                    b'}' | b']' => self.state = State::Inside(depth - 1),
+                    _ => {}
+                }
+            }
+            // no text in JSON goes on in the next line
+            State::Text(..) if byte == b'\n' => self.end(false),
+            State::Text(depth, is_escaped) => {
+                self.add(byte);
+                if self.state == State::TooLong {
+                    return;
+                }
+                self.state = match byte {
+                    b'"' if !is_escaped => State::Inside(depth),
+                    _ => State::Text(depth, byte == b'\\' && !is_escaped),
+                };
+            }
+        }
+    }
+
+    fn add(&mut self, byte: u8) {
+        self.bytes.push(byte);
+        if self.bytes.len() > LONGEST {
+            self.end(false);
+            self.state = State::TooLong;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{LONGEST, Objects};
+
+    fn pieces(text: &str) -> Vec<(u64, String, bool)> {
+        let mut objects = Objects::default();
+        // in pieces of any length
+        for bytes in text.as_bytes().chunks(3) {
+            objects.push(bytes);
+        }
+        objects.finish();
+        std::iter::from_fn(|| objects.next_piece()).map(|piece| (piece.line, piece.text, piece.is_whole)).collect()
+    }
+
+    #[test]
+    fn exact_objects_are_found_in_lines_arrays_and_one_after_the_other() {
+        let (a, b) = (r#"{"a": {"b": "}\"{"}, "c": [1, 2]}"#, r#"{"d": 2}"#);
+        let whole = |line, text: &str| (line, text.to_owned(), true);
+        for text in [format!("{a}{b}"), format!("[{a}, {b}]"), format!("\u{feff}{a}\0 {b}")] {
+            assert_eq!(pieces(&text), [whole(1, a), whole(1, b)], "{text}");
+        }
+        assert_eq!(pieces(&format!("[\n  {a},\r\n  {b}\n]\n")), [whole(2, a), whole(3, b)]);
+        let pretty = "{\n  \"a\": {\n    \"b\": 1\n  }\n}";
+        assert_eq!(pieces(&format!("{pretty}\n{b}")), [whole(1, pretty), whole(6, b)]);
+    }
+
+    #[test]
+    fn exact_what_is_cut_short_or_no_object_takes_no_other_with_it() {
+        let broken = |line, text: &str| (line, text.to_owned(), false);
+        let whole = |line, text: &str| (line, text.to_owned(), true);
+        for (text, expected) in [
+            ("{\"a\": {\n{\"b\": 1}\n", vec![broken(1, "{\"a\": {"), whole(2, "{\"b\": 1}")]),
+            ("{\"a\": \"x\n{\"b\": 1}", vec![broken(1, "{\"a\": \"x"), whole(2, "{\"b\": 1}")]),
+            ("hello\n{\"b\": 1}", vec![broken(1, "hello"), whole(2, "{\"b\": 1}")]),
+            ("x{\"b\": 1}", vec![broken(1, "x"), whole(1, "{\"b\": 1}")]),
+            ("{\"b\": 1", vec![broken(1, "{\"b\": 1")]),
+            ("  \n", vec![]),
+        ] {
+            assert_eq!(pieces(text), expected, "{text}");
+        }
+        let long = format!("{{\"a\": \"{}\"}}\n{{\"b\": 1}}", "x".repeat(LONGEST));
+        let found = pieces(&long);
+        assert_eq!((found.len(), found[0].2, &found[1]), (2, false, &whole(2, "{\"b\": 1}")));
+    }
+}

@@ -1,0 +1,184 @@
+//! A message of GSPro Open Connect as a shot.
+
+use super::export::{assumed, is_straight_by_assumption, launch};
+use super::objects::Piece;
+use super::plausible::implausible;
+use super::shot::{Club, Refusal, Shot, Value, of_conditions};
+use super::sizes::size;
+use crate::drive::Outcome;
+use crate::error::nearest;
+use crate::units::Quantity;
+use serde_json::{Map, Value as Json};
+
+/// The numbers of `BallData`, and what they are.
+const BALL: [(&str, Outcome); 8] = [
+    ("Speed", Outcome::BallSpeed),
+    ("VLA", Outcome::LaunchAngle),
+    ("HLA", Outcome::LaunchDirection),
+    ("TotalSpin", Outcome::Spin),
+    ("SpinAxis", Outcome::SpinAxis),
+    ("BackSpin", Outcome::Backspin),
+    ("SideSpin", Outcome::Sidespin),
+    ("CarryDistance", Outcome::CarryDistance),
+];
+
+/// The units of a message, by its `Units`: of speeds, of lengths.
+fn units(message: &Map<String, Json>) -> Result<(&'static str, &'static str), Refusal> {
+    match message.get("Units") {
+        None | Some(Json::Null) => Ok(("mph", "yd")),
+        Some(Json::String(units)) => match units.to_lowercase().as_str() {
+            "yards" | "yard" | "yd" | "imperial" => Ok(("mph", "yd")),
+            "meters" | "metres" | "meter" | "metre" | "m" | "metric" => Ok(("m/s", "m")),
+            _ => Err(Refusal::new(
+                Refusal::UNREADABLE,
+                format!("Units: '{units}' is unknown; write \"Yards\" or \"Meters\""),
+            )),
+        },
+        Some(other) => {
+            Err(Refusal::new(Refusal::UNREADABLE, format!("Units: {other} is no text; write \"Yards\" or \"Meters\"")))
+        }
+    }
+}
+
+/// The number of a key, where there is one.
+fn number(of: &Map<String, Json>, group: &str, key: &str) -> Result<Option<f64>, Refusal> {
+    match of.get(key) {
+        None | Some(Json::Null) => Ok(None),
+        Some(value) => match value.as_f64() {
+            Some(number) => Ok(Some(number)),
+            None => Err(Refusal::new(Refusal::UNREADABLE, format!("{group}.{key}: {value} is not a number"))),
+        },
+    }
+}
+
+/// A key of the ball that is spelled almost like one that is missing.
+fn near(ball: &Map<String, Json>, key: &str) -> String {
+    let unknown = ball.keys().filter(|other| BALL.iter().all(|(known, _)| known != other));
+    let near = unknown.filter(|other| {
+        nearest(&other.to_lowercase(), [key.to_lowercase().as_str()]).is_some_and(|(likeness, _)| likeness > 0.85)
+    });
+    near.map(|other| format!(" (did you mean '{key}' where it has '{other}'?)")).next().unwrap_or_default()
+}
+
+/// The shot of a message. One without ball data, such as a heartbeat, cannot be flown.
+pub(super) fn shot(piece: Piece) -> Shot {
+    let Piece { line, text, is_whole } = piece;
+    let parsed =
+        if is_whole { serde_json::from_str::<Json>(&text).map_err(|error| told(&error)) } else { Err(broken(&text)) };
+    let message = match parsed {
+        Ok(Json::Object(message)) => message,
+        Ok(_) => return Shot::refused(line, text, Refusal::new(Refusal::JSON, "it is not a JSON object")),
+        Err(reason) => return Shot::refused(line, text, Refusal::new(Refusal::JSON, reason)),
+    };
+    let mut shot = Shot::refused(line, text, Refusal::new(Refusal::NO_BALL, ""));
+    if let Err(refusal) = fill(&mut shot, &message) {
+        shot.point = Err(refusal);
+    }
+    shot
+}
+
+/// Why a text is no object of JSON.
+fn broken(text: &str) -> String {
+    match text.starts_with('{') {
+        true => "the JSON object does not end; close its braces and quotes".into(),
+        false => "it is not a JSON object; a message begins with {".into(),
+    }
+}
+
+/// What the reader of JSON says, with the place in the object.
+fn told(error: &serde_json::Error) -> String {
+    let said = error.to_string();
+    let what = said.split(" at line").next().unwrap_or_default();
+    format!("it is not valid JSON (line {}, column {} of the object: {what})", error.line(), error.column())
+}
+
+fn fill(shot: &mut Shot, message: &Map<String, Json>) -> Result<(), Refusal> {
+    let is = |key: &str| message.get("ShotDataOptions").and_then(|options| options.get(key)).and_then(Json::as_bool);
+    let none = |why: &str| Err(Refusal::new(Refusal::NO_BALL, why));
+    if is("IsHeartBeat") == Some(true) {
+        return none("a heartbeat (ShotDataOptions.IsHeartBeat), not a shot");
+    }
+    if is("ContainsBallData") == Some(false) {
+        return none("it has no ball data (ShotDataOptions.ContainsBallData is false)");
+    }
+    let ball = match message.get("BallData") {
+        Some(Json::Object(ball)) => ball,
+        None | Some(Json::Null) => {
+            let reason = "it has no BallData; a shot needs BallData with Speed, VLA and TotalSpin or BackSpin";
+            return Err(Refusal::new(Refusal::MISSING, reason));
+        }
+        Some(_) => {
+            return Err(Refusal::new(Refusal::JSON, "BallData is not an object; write \"BallData\": {\"Speed\": …}"));
+        }
+    };
+    let (speed_unit, length_unit) = units(message)?;
+    for (key, of) in BALL {
+        let unit = match of {
+            Outcome::BallSpeed => speed_unit,
+            Outcome::CarryDistance => length_unit,
+            of => of.unit(),
+        };
+        match number(ball, "BallData", key) {
+            Ok(Some(number)) => {
+                let value = number * size(of.quantity(), unit);
+                match implausible(of, value, || format!("BallData.{key}")).filter(|_| of == Outcome::CarryDistance) {
+                    // 0 where it is not sent
+                    Some(_) if number == 0.0 => {}
+                    Some(reason) => shot.notes.push(format!("not compared: {reason}")),
+                    None => shot.values.push(Value { of, value, origin: None }),
+                }
+            }
+            Ok(None) => {}
+            Err(refusal) if of == Outcome::CarryDistance => {
+                shot.notes.push(format!("not compared: {}", refusal.reason))
+            }
+            Err(refusal) => return Err(refusal),
+        }
+    }
+    if let Some(Json::Object(club)) = message.get("ClubData")
+        && is("ContainsClubData") != Some(false)
+    {
+        let angle = |key| number(club, "ClubData", key).ok().flatten().map(|angle| angle.to_radians());
+        let speed = number(club, "ClubData", "Speed").ok().flatten().filter(|speed| *speed > 0.0);
+        shot.club = Club {
+            speed: speed.map(|speed| speed * size(Quantity::SPEED, speed_unit)),
+            attack_angle: angle("AngleOfAttack"),
+            path: angle("Path"),
+            face_angle: angle("FaceToTarget"),
+        };
+    }
+    once(&mut shot.values);
+    let stated = of_conditions(|of| shot.value(of).map(|value| value.value));
+    let name = |of: Outcome| {
+        let key = BALL.iter().find(|(_, known)| *known == of).map_or("", |(key, _)| *key);
+        format!("BallData.{key}{}", if ball.contains_key(key) { String::new() } else { near(ball, key) })
+    };
+    shot.point = launch(&stated, name, |of| of != Outcome::Spin || !ball.contains_key("BackSpin"));
+    shot.is_straight_by_assumption = is_straight_by_assumption(shot);
+    if shot.point.is_ok() {
+        assumed(shot);
+    }
+    Ok(())
+}
+
+/// Keeps the spin once: the total with its axis, or where that is not sent (or 0) backspin and sidespin.
+fn once(values: &mut Vec<Value>) {
+    let has =
+        |values: &[Value], of| values.iter().any(|value| value.of == of && (value.value != 0.0 || of != Outcome::Spin));
+    let is_total = has(values, Outcome::Spin);
+    let has_back = values.iter().any(|value| value.of == Outcome::Backspin && value.value != 0.0);
+    let has_axis = has(values, Outcome::SpinAxis);
+    values.retain(|value| match value.of {
+        Outcome::Backspin => !is_total && has_back,
+        // with the total and no axis, the sidespin tells the axis
+        Outcome::Sidespin => {
+            if is_total {
+                !has_axis
+            } else {
+                has_back
+            }
+        }
+        Outcome::Spin | Outcome::SpinAxis => is_total || !has_back,
+        _ => true,
+    });
+}

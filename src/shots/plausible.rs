@@ -1,0 +1,64 @@
+//! What a drive may be: values beyond are mistakes of the table, such as a wrong unit.
+
+use super::shot::Refusal;
+use crate::columns::CONDITIONS;
+use crate::drive::Outcome;
+use std::sync::LazyLock;
+
+/// The range of a value, in its unit. The fastest ball on record left at 241.7 mph (108 m/s).
+const RANGES: [(Outcome, f64, f64, &str); 13] = [
+    (Outcome::BallSpeed, 0.0, 270.0, "mph"),
+    (Outcome::LaunchAngle, -90.0, 90.0, "deg"),
+    (Outcome::LaunchDirection, -90.0, 90.0, "deg"),
+    (Outcome::Spin, 0.0, 20_000.0, "rpm"),
+    (Outcome::Backspin, -20_000.0, 20_000.0, "rpm"),
+    (Outcome::Sidespin, -20_000.0, 20_000.0, "rpm"),
+    (Outcome::SpinAxis, -180.0, 180.0, "deg"),
+    (Outcome::CarryDistance, 0.0, 600.0, "yd"),
+    (Outcome::Lateral, -600.0, 600.0, "yd"),
+    (Outcome::ApexHeight, 0.0, 150.0, "yd"),
+    (Outcome::FlightTime, 0.0, 20.0, "s"),
+    (Outcome::DescentAngle, 0.0, 90.0, "deg"),
+    (Outcome::LandingSpeed, 0.0, 270.0, "mph"),
+];
+
+/// Values that are above the lower end of their range: a 0 says that nothing was measured.
+const ABOVE: [Outcome; 6] = [
+    Outcome::BallSpeed,
+    Outcome::Spin,
+    Outcome::CarryDistance,
+    Outcome::ApexHeight,
+    Outcome::FlightTime,
+    Outcome::DescentAngle,
+];
+
+/// The ranges in SI; the end of one that does not contain it is moved by nothing, any other by the rounding of a unit.
+static IN_SI: LazyLock<Vec<(Outcome, f64, f64)>> = LazyLock::new(|| {
+    let range = |(of, low, high, unit): &(Outcome, f64, f64, &str)| {
+        let size = of.quantity().size_of(unit).unwrap_or(1.0);
+        let slack = 1e-9 * high;
+        let low = if ABOVE.contains(of) { f64::MIN_POSITIVE } else { low - slack };
+        (*of, low * size, (high + slack) * size)
+    };
+    RANGES.iter().map(range).collect()
+});
+
+/// Why a value is none of a drive, in words; `name` is that of its column.
+pub(super) fn implausible(of: Outcome, value: f64, name: impl FnOnce() -> String) -> Option<String> {
+    let (at, (_, lowest, highest)) = IN_SI.iter().enumerate().find(|(_, (outcome, ..))| *outcome == of)?;
+    if (*lowest..=*highest).contains(&value) {
+        return None;
+    }
+    let (_, low, high, unit) = RANGES[at];
+    let (name, shown) = (name(), of.quantity().show(value, unit));
+    let from = if ABOVE.contains(&of) { "above " } else { "" };
+    Some(format!(
+        "{name}: {shown} is outside of what a drive has, {from}{low} to {high} {unit}; check the value and its unit"
+    ))
+}
+
+/// Why a launch is none, of the values that a row states.
+pub(super) fn refusal(values: &[Option<f64>; CONDITIONS.len()], name: impl Fn(Outcome) -> String) -> Option<Refusal> {
+    let wrong = |(of, value): (&Outcome, &Option<f64>)| implausible(*of, (*value)?, || name(*of));
+    CONDITIONS.iter().zip(values).find_map(wrong).map(|reason| Refusal::new(Refusal::RANGE, reason))
+}

@@ -1,0 +1,172 @@
+//! A shot as a launch monitor states it.
+
+use crate::columns::CONDITIONS;
+use crate::drive::Outcome;
+use crate::parameters::Parameter;
+
+/// How a value came about, where the export says so.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Origin {
+    /// Measured by the instrument.
+    Measured,
+    /// Estimated by the instrument from what it measured.
+    Estimated,
+    /// Computed by a model.
+    Modelled,
+}
+
+impl Origin {
+    /// Its name in files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Measured => "measured",
+            Self::Estimated => "estimated",
+            Self::Modelled => "modelled",
+        }
+    }
+
+    /// The origin that a cell names: `Measured`, `Estimate`.
+    pub(super) fn read(cell: &str) -> Option<Self> {
+        match cell.to_lowercase().as_str() {
+            "measured" | "actual" => Some(Self::Measured),
+            "estimated" | "estimate" | "est" | "est." | "calculated" => Some(Self::Estimated),
+            "modelled" | "modeled" | "model" => Some(Self::Modelled),
+            _ => None,
+        }
+    }
+}
+
+/// A value that a row states.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Value {
+    /// What it is of.
+    pub of: Outcome,
+    /// SI.
+    pub value: f64,
+    /// How it came about; `None` where the export does not say so.
+    pub origin: Option<Origin>,
+}
+
+/// What a row states of the club, SI.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Club {
+    /// Club speed.
+    pub speed: Option<f64>,
+    /// Attack angle.
+    pub attack_angle: Option<f64>,
+    /// Club path, + right.
+    pub path: Option<f64>,
+    /// Face angle to the target, + right.
+    pub face_angle: Option<f64>,
+}
+
+/// Why a row is not flown.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Refusal {
+    /// The kind of reason, by which rows are counted: "missing value".
+    pub kind: &'static str,
+    /// The reason, with the column and the value.
+    pub reason: String,
+}
+
+impl Refusal {
+    pub(super) const MISSING: &'static str = "missing value";
+    pub(super) const UNREADABLE: &'static str = "not a number";
+    pub(super) const RANGE: &'static str = "out of range";
+    pub(super) const SPIN: &'static str = "contradictory spin";
+    pub(super) const SUMMARY: &'static str = "sums up other rows";
+    pub(super) const CELLS: &'static str = "number of cells";
+    pub(super) const QUOTE: &'static str = "quote not closed";
+    pub(super) const JSON: &'static str = "not JSON";
+    pub(super) const NO_BALL: &'static str = "no ball data";
+
+    /// Whether the row is a message that is no shot, such as a heartbeat.
+    pub fn is_no_shot(&self) -> bool {
+        self.kind == Self::NO_BALL
+    }
+
+    /// Whether nothing at all can be read from the row.
+    pub fn is_unreadable(&self) -> bool {
+        [Self::JSON, Self::QUOTE, Self::CELLS].contains(&self.kind)
+    }
+
+    pub(super) fn new(kind: &'static str, reason: impl Into<String>) -> Self {
+        Self { kind, reason: reason.into() }
+    }
+}
+
+/// What is flown of a row: the launch (ball speed, launch angle, launch direction, backspin, sidespin), then the values of further
+/// parameters that the table has, SI.
+pub(super) type Point = Vec<f64>;
+
+/// A row.
+#[derive(Clone, Debug)]
+pub struct Shot {
+    /// The line of the file that it begins in, from 1.
+    pub line: u64,
+    /// The row as it was read.
+    pub text: String,
+    /// What it states of the ball, the launch among it.
+    pub values: Vec<Value>,
+    /// What it states of the club.
+    pub club: Club,
+    /// Whether the export says that its values are normalized to other conditions; `None` where it says nothing.
+    pub is_normalized: Option<bool>,
+    /// What its reader should know: values that are assumed, or not used.
+    pub notes: Vec<String>,
+    /// Whether its direction or the tilt of its spin is assumed, so that nothing sideways can be compared.
+    pub is_straight_by_assumption: bool,
+    pub(super) point: Result<Point, Refusal>,
+}
+
+impl Shot {
+    /// A row of which nothing can be read.
+    pub(super) fn refused(line: u64, text: String, refusal: Refusal) -> Self {
+        Self {
+            line,
+            text,
+            values: vec![],
+            club: Club::default(),
+            is_normalized: None,
+            notes: vec![],
+            is_straight_by_assumption: false,
+            point: Err(refusal),
+        }
+    }
+
+    /// The launch: ball speed, launch angle, launch direction, backspin and sidespin, SI.
+    pub fn launch(&self) -> Option<&[f64]> {
+        self.point.as_ref().ok().map(|point| &point[..LAUNCH.len()])
+    }
+
+    /// Why it cannot be flown.
+    pub fn refusal(&self) -> Option<&Refusal> {
+        self.point.as_ref().err()
+    }
+
+    /// What it states of an outcome.
+    pub fn value(&self, of: Outcome) -> Option<Value> {
+        self.values.iter().find(|value| value.of == of).copied()
+    }
+
+    /// What was measured of the flight.
+    pub fn measured(&self) -> impl Iterator<Item = &Value> {
+        self.values.iter().filter(|value| !CONDITIONS.contains(&value.of))
+    }
+}
+
+/// The parameters of a launch, in the order of a [`Shot::launch`].
+pub(super) const LAUNCH: [&str; 5] =
+    ["launch.ball_speed", "launch.launch_angle", "launch.launch_direction", "launch.backspin", "launch.sidespin"];
+
+/// A further parameter that a table has, with the place of its column.
+#[derive(Clone, Debug)]
+pub(super) struct Further {
+    pub at: usize,
+    pub parameter: &'static Parameter,
+}
+
+/// The conditions of a row in the order of [`CONDITIONS`], of what it states.
+pub(super) fn of_conditions(value: impl Fn(Outcome) -> Option<f64>) -> [Option<f64>; CONDITIONS.len()] {
+    CONDITIONS.map(value)
+}

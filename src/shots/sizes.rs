@@ -1,0 +1,24 @@
+//! The sizes of the units that shots are read and written in.
+
+use crate::units::Quantity;
+use std::sync::LazyLock;
+
+/// The units, with their sizes.
+static SIZES: LazyLock<Vec<(&str, f64)>> = LazyLock::new(|| {
+    let of =
+        |quantity: Quantity, units: [&'static str; 2]| units.map(|unit| (unit, quantity.size_of(unit).unwrap_or(1.0)));
+    [
+        of(Quantity::SPEED, ["mph", "m/s"]),
+        of(Quantity::LENGTH, ["yd", "m"]),
+        of(Quantity::ANGLE, ["deg", "rad"]),
+        of(Quantity::ANGULAR_VELOCITY, ["rpm", "rad/s"]),
+        of(Quantity::TIME, ["s", "ms"]),
+    ]
+    .concat()
+});
+
+/// How many SI units one unit of a quantity is.
+pub(crate) fn size(quantity: Quantity, unit: &str) -> f64 {
+    let known = SIZES.iter().find(|(name, _)| *name == unit).map(|(_, size)| *size);
+    known.or_else(|| quantity.size_of(unit)).unwrap_or(1.0)
+}

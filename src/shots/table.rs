@@ -1,0 +1,22 @@
+//! The file that shots are read from, for messages.
+
+use crate::error::{Error, Result};
+use crate::foreign::of_io;
+use std::io;
+
+/// The name of the file, for messages.
+#[derive(Clone, Debug)]
+pub(super) struct Table(pub String);
+
+impl Table {
+    pub fn refused(&self, place: String, reason: impl Into<String>) -> Error {
+        Error::Table { file: self.0.clone(), place, reason: reason.into() }
+    }
+
+    pub fn io<T>(&self, result: io::Result<T>) -> Result<T> {
+        result.map_err(|error| match error.get_ref() {
+            Some(own) if error.kind() == io::ErrorKind::Other => self.refused(String::new(), own.to_string()),
+            _ => self.refused(String::new(), of_io(&error)),
+        })
+    }
+}

@@ -1,0 +1,183 @@
+//! How well shots are predicted: bias and mean absolute error by ball speed, and the rows that could not be flown.
+
+use super::flown::Flown;
+use super::shot::{Origin, Refusal};
+use crate::batch::Status;
+use crate::drive::{Beyond, BeyondCount, Outcome};
+use std::collections::BTreeMap;
+
+/// The ends of the bands of ball speed, mph.
+pub const BANDS: [f64; 6] = [80.0, 100.0, 120.0, 140.0, 160.0, 180.0];
+
+/// One mile per hour, m/s.
+const MPH: f64 = 0.44704;
+
+/// What two instruments differ by on the same drives: the standard deviation of the differences of a TrackMan 4 and a FlightScope Mevo+ on 58
+/// drives (Bliss & Langdown 2026), in the unit.
+pub const FLOOR: [(Outcome, f64, &str); 4] = [
+    (Outcome::CarryDistance, 6.72, "yd"),
+    (Outcome::Lateral, 10.7, "yd"),
+    (Outcome::ApexHeight, 12.3, "ft"),
+    (Outcome::DescentAngle, 3.9, "deg"),
+];
+
+/// Sums of residuals, SI.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Sums {
+    /// How many.
+    pub count: u64,
+    sum: f64,
+    absolute: f64,
+    squares: f64,
+}
+
+impl Sums {
+    fn add(&mut self, residual: f64) {
+        self.count += 1;
+        self.sum += residual;
+        self.absolute += residual.abs();
+        self.squares += residual * residual;
+    }
+
+    fn merge(&mut self, other: Self) {
+        self.count += other.count;
+        self.sum += other.sum;
+        self.absolute += other.absolute;
+        self.squares += other.squares;
+    }
+
+    /// Their mean; `None` of none.
+    pub fn bias(&self) -> Option<f64> {
+        (self.count > 0).then(|| self.sum / self.count as f64)
+    }
+
+    /// The mean of their sizes.
+    pub fn mean_absolute(&self) -> Option<f64> {
+        (self.count > 0).then(|| self.absolute / self.count as f64)
+    }
+
+    /// Their standard deviation; `None` of fewer than two.
+    pub fn deviation(&self) -> Option<f64> {
+        let count = self.count as f64;
+        let mean = self.bias()?;
+        (self.count > 1).then(|| ((self.squares - count * mean * mean).max(0.0) / (count - 1.0)).sqrt())
+    }
+}
+
+/// A band of ball speed, with the sums of each outcome.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Band {
+    /// Its lower end, m/s; `None` where it has none.
+    pub from: Option<f64>,
+    /// Its upper end, m/s.
+    pub to: Option<f64>,
+    /// The sums, in the order of the outcomes.
+    pub sums: Vec<Sums>,
+}
+
+/// Rows that were refused for one kind of reason.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Refused {
+    /// How many.
+    pub count: u64,
+    /// The line of the first.
+    pub line: u64,
+    /// The reason of the first.
+    pub reason: String,
+}
+
+/// What was found of shots.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Tally {
+    /// The outcomes.
+    pub of: Vec<Outcome>,
+    /// All rows.
+    pub rows: u64,
+    /// Those whose ball landed.
+    pub flown: u64,
+    /// The others, by the kind of reason.
+    pub refused: BTreeMap<&'static str, Refused>,
+    /// The residuals by ball speed.
+    pub bands: Vec<Band>,
+    /// Those of all rows.
+    pub all: Vec<Sums>,
+    /// Rows whose spin is estimated or modelled, as the export says.
+    pub spin_not_measured: u64,
+    /// Rows whose values are normalized, as the export says.
+    pub normalized: u64,
+    /// Rows with something assumed or not compared.
+    pub noted: u64,
+    /// Those that landed beyond what the law was fitted to.
+    pub beyond: BeyondCount,
+}
+
+impl Tally {
+    /// Of no shots.
+    pub fn new(of: &[Outcome]) -> Self {
+        let ends = |at: usize| BANDS.get(at).map(|mph| mph * MPH);
+        let none = vec![Sums::default(); of.len()];
+        let band = |at: usize| Band { from: at.checked_sub(1).and_then(ends), to: ends(at), sums: none.clone() };
+        Self {
+            of: of.to_vec(),
+            rows: 0,
+            flown: 0,
+            refused: BTreeMap::new(),
+            bands: (0..=BANDS.len()).map(band).collect(),
+            all: none.clone(),
+            spin_not_measured: 0,
+            normalized: 0,
+            noted: 0,
+            beyond: BeyondCount::default(),
+        }
+    }
+
+    /// Adds flown shots.
+    pub fn add(&mut self, flown: &Flown) {
+        for (row, shot) in flown.shots().iter().enumerate() {
+            self.rows += 1;
+            self.normalized += u64::from(shot.is_normalized == Some(true));
+            self.noted += u64::from(!shot.notes.is_empty());
+            let of_spin = shot.value(Outcome::Spin).or_else(|| shot.value(Outcome::Backspin));
+            let is_measured = of_spin.and_then(|spin| spin.origin).is_none_or(|origin| origin == Origin::Measured);
+            self.spin_not_measured += u64::from(!is_measured);
+            if let Some(reason) = flown.reason(row) {
+                let kind = shot.refusal().map_or_else(|| flown.flight(row), |refusal: &Refusal| refusal.kind);
+                let new = || Refused { count: 0, line: shot.line, reason: reason.into() };
+                self.refused.entry(kind).or_insert_with(new).count += 1;
+            }
+            if flown.status(row) == Some(Status::Landed) {
+                self.flown += 1;
+                self.beyond.add(Beyond { law: flown.is_beyond_law(row), face: false });
+            }
+            let Some(speed) = shot.launch().map(|launch| launch[0]) else { continue };
+            let band = BANDS.iter().filter(|end| speed >= **end * MPH).count();
+            for outcome in 0..self.of.len() {
+                if let Some(residual) = flown.residual(row, outcome) {
+                    self.bands[band].sums[outcome].add(residual);
+                    self.all[outcome].add(residual);
+                }
+            }
+        }
+    }
+
+    /// Adds what was found of later shots.
+    pub fn merge(&mut self, other: Self) {
+        self.rows += other.rows;
+        self.flown += other.flown;
+        self.spin_not_measured += other.spin_not_measured;
+        self.normalized += other.normalized;
+        self.noted += other.noted;
+        self.beyond.merge(other.beyond);
+        for (kind, refused) in other.refused {
+            match self.refused.get_mut(kind) {
+                Some(found) => found.count += refused.count,
+                None => {
+                    self.refused.insert(kind, refused);
+                }
+            }
+        }
+        let bands = self.bands.iter_mut().flat_map(|band| &mut band.sums);
+        let others = other.bands.into_iter().flat_map(|band| band.sums).chain(other.all);
+        bands.chain(&mut self.all).zip(others).for_each(|(ours, theirs)| ours.merge(theirs));
+    }
+}
