@@ -19,5 +19,5 @@ const SIGNATURES: [(&str, &[&str]); 12] = [
 /// The maker whose heads these are, in small letters and without their units.
 pub(super) fn maker(heads: &[String]) -> Option<&'static str> {
     let has = |head: &&str| heads.iter().any(|other| other == head);
-    SIGNATURES.iter().find(|(_, all)| all.iter().all(|head| has(head))).map(|(maker, _)| *maker)
+    SIGNATURES.iter().find(|(_, all)| all.iter().all(has)).map(|(maker, _)| *maker)
 }

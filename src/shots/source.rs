@@ -24,7 +24,7 @@ const PIECE: usize = 1 << 16;
 #[derive(Clone, Debug)]
 pub enum Layout {
     /// An export in comma-separated values.
-    Export(Export),
+    Export(Box<Export>),
     /// Messages of GSPro Open Connect.
     OpenConnect,
 }
@@ -124,7 +124,7 @@ impl Shots {
         let mut lines = Lines::new(Box::new(BufReader::with_capacity(PIECE, source)), &text);
         let head = ExportHead::read(setup, &mut lines, &text, &table)?;
         let parameters = head.parameters(setup)?;
-        Ok(Self { layout: Layout::Export(Export { head }), rows: Rows::Lines(lines, table), parameters })
+        Ok(Self { layout: Layout::Export(Box::new(Export { head })), rows: Rows::Lines(lines, table), parameters })
     }
 
     /// How its rows are written.

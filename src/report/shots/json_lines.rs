@@ -52,7 +52,7 @@ impl Keys {
                     let name = if before == 0 { head.clone() } else { format!("{head} ({})", before + 1) };
                     serde_json::Value::from(name).to_string() + ":"
                 };
-                Some((export.clone(), heads.iter().enumerate().map(key).collect()))
+                Some(((**export).clone(), heads.iter().enumerate().map(key).collect()))
             }
             Layout::OpenConnect => None,
         };
