@@ -6,7 +6,6 @@
 mod bearman_harvey;
 mod ferguson;
 mod fitted;
-mod held;
 mod launch_monitor;
 mod linear;
 mod lyu;

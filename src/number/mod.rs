@@ -12,6 +12,7 @@ mod derivatives;
 mod dual;
 #[cfg(target_arch = "x86_64")]
 mod exponential;
+mod held;
 mod inlined;
 mod jet;
 mod lanes;
@@ -28,6 +29,7 @@ mod taylor;
 mod vector;
 
 pub(crate) use derivatives::Derivatives;
+pub(crate) use held::{held_above, held_below, risen};
 pub(crate) use inlined::inlined;
 pub use jet::{Jet, Mixed};
 pub(crate) use lanes::{Lanes, MOST_LANES};

@@ -4,7 +4,7 @@
 use super::declare::{Parameter, UNSET};
 use super::method::{METHOD, Method};
 use super::presets::{PRESETS, Preset};
-use super::setup::LAW;
+use super::setup::{LAW, TURF};
 use super::table::Setup;
 use crate::error::{Error, Result};
 use crate::foreign::of_toml;
@@ -59,7 +59,7 @@ impl SetupFile {
         let rank = |key: &str| {
             if key == PRESET {
                 0
-            } else if key == LAW {
+            } else if matches!(key, LAW | TURF) {
                 1
             } else {
                 2
@@ -127,6 +127,9 @@ impl Setup<f64> {
         }
         if item.key == LAW {
             return self.set_law(string(item).map_err(at_value)?).map_err(at_value);
+        }
+        if item.key == TURF {
+            return self.set_turf(string(item).map_err(at_value)?).map_err(at_value);
         }
         if item.key == METHOD {
             self.method = Method::named(string(item).map_err(at_value)?).map_err(at_value)?;

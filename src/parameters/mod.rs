@@ -12,6 +12,7 @@ mod presets;
 mod range;
 mod setup;
 mod table;
+mod turf;
 mod vary;
 
 pub(crate) use air::refuse_replaced;
@@ -20,12 +21,13 @@ pub use file::SetupFile;
 pub use method::{METHOD, Method};
 pub use presets::{PRESETS, Preset, PresetEntry};
 pub use range::Range;
-pub use setup::LAW;
 pub(crate) use setup::NO_CLUB;
+pub use setup::{LAW, TURF};
 pub(crate) use table::with_law;
 pub use table::{
     Aero, Air, Ball, BearmanHarvey, Club, Contact, Ferguson, FlightConditions, Ground, LaunchConditions, LaunchMonitor,
     Law, Linear, Lyu, MacdonaldHanzely, NaruoMizota, Robinson, Setup, SmitsSmith, Strike, Swing, UsgaItr, Wind,
     WinfieldTan,
 };
+pub use turf::TURFS;
 pub use vary::Vary;

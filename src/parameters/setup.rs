@@ -9,6 +9,9 @@ use crate::units::Message;
 /// The name by which the aerodynamic law is chosen: `aero.law = "robinson"`.
 pub const LAW: &str = "aero.law";
 
+/// The name by which a kind of ground is chosen: `ground.turf = "firm"`.
+pub const TURF: &str = "ground.turf";
+
 /// Why a parameter of the club has no effect.
 pub(crate) const NO_CLUB: &str =
     "no club strikes the ball, since its launch is given; name launch.launch_angle and the like";
@@ -117,7 +120,7 @@ impl Setup<f64> {
         if !owners.is_empty() {
             return Err(Error::OtherLaw { name: name.into(), law: self.law.name(), owners: owners.join(", ") });
         }
-        Err(Error::unknown("parameter", name, rows.iter().map(|row| row.name).chain([LAW, METHOD]), LISTING))
+        Err(Error::unknown("parameter", name, rows.iter().map(|row| row.name).chain([LAW, METHOD, TURF]), LISTING))
     }
 
     /// The value of a parameter, `None` where it is unset or belongs to another law.
@@ -141,6 +144,9 @@ impl Setup<f64> {
         if name == LAW {
             return self.set_law(text);
         }
+        if name == TURF {
+            return self.set_turf(text);
+        }
         if name == METHOD {
             self.method = Method::named(text)?;
             return Ok(());
@@ -150,15 +156,16 @@ impl Setup<f64> {
         self.set_value(parameter, value)
     }
 
-    /// Applies settings in order, the choice of the law before its coefficients.
+    /// Applies settings in order, the choices of the law and of the ground before their numbers.
     ///
     /// # Errors
     /// As [`set`](Self::set).
     pub fn set_all<'a>(&mut self, settings: impl IntoIterator<Item = (&'a str, &'a str)> + Clone) -> Result<()> {
-        for (name, text) in settings.clone().into_iter().filter(|(name, _)| *name == LAW) {
+        let is_choice = |name: &str| matches!(name, LAW | TURF);
+        for (name, text) in settings.clone().into_iter().filter(|(name, _)| is_choice(name)) {
             self.apply_text(name, text)?;
         }
-        for (name, text) in settings.clone().into_iter().filter(|(name, _)| *name != LAW) {
+        for (name, text) in settings.clone().into_iter().filter(|(name, _)| !is_choice(name)) {
             self.apply_text(name, text)?;
         }
         let given: Vec<&str> = settings.into_iter().map(|(name, _)| name).filter(|name| self.is_set(name)).collect();
@@ -254,6 +261,9 @@ impl Setup<f64> {
         let refuse = |reason: String| Err(Error::NotVariable { name: name.into(), reason });
         if name == LAW {
             return refuse("it is a choice, not a number; compare two runs with --set aero.law=…".into());
+        }
+        if name == TURF {
+            return refuse("it is a choice, not a number; vary ground.compliance, ground.rolling and the like".into());
         }
         if name == METHOD {
             return refuse("it is a setting of the computation, not of the drive".into());

@@ -1,9 +1,8 @@
 mod grid;
 mod spline;
 
-use super::held::{held_above, held_below};
 use super::{AerodynamicLaw, Coefficients, Fitted, Published, Stream};
-use crate::number::Numbers;
+use crate::number::{Numbers, held_above, held_below};
 use crate::parameters::BearmanHarvey;
 use grid::{SPEEDS, SPINS};
 use spline::cell;
