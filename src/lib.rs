@@ -38,6 +38,7 @@
 //! | a bound-constrained minimiser that knows no golf; derivatives by name | [`optimize`], [`derivative`] |
 //! | setup → impact → flight → outcomes | [`drive`] |
 //! | rigid bodies; equation of motion and landing | [`impact`], [`flight`] |
+//! | bounces and rolling | [`ground`] |
 //! | the ball as it leaves; laws of drag and lift; wind | [`launch`], [`aerodynamics`], [`atmosphere`] |
 //! | every parameter, declared once | [`parameters`] |
 //! | numbers, quantity strings, errors | [`number`], [`units`], [`error`] |
@@ -55,6 +56,7 @@ pub mod error;
 pub mod features;
 pub mod flight;
 mod foreign;
+pub mod ground;
 pub mod impact;
 pub mod launch;
 pub mod number;

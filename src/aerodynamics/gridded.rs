@@ -1,8 +1,7 @@
 //! Laws that are splines through a grid: of a publication, or of a user's own table.
 
-use super::held::{held_above, held_below};
 use super::{Coefficients, Stream};
-use crate::number::Numbers;
+use crate::number::{Numbers, held_above, held_below};
 use crate::parameters::{Along, Axis, Grid};
 
 /// C_D and C_L of a grid at its place for this stream, times their factors. Beyond its edges speed and spin are held; with less spin than its

@@ -1,6 +1,5 @@
-use super::held::held_above;
 use super::{AerodynamicLaw, Coefficients, Fitted, Published, Stream};
-use crate::number::Numbers;
+use crate::number::{Numbers, held_above};
 use crate::parameters::Lyu;
 
 /// The spin ratios of the measurements. Above, the spin ratio is held over a width: the parabola would fall below no lift at s = 0.61.

@@ -7,7 +7,6 @@ mod bearman_harvey;
 mod ferguson;
 mod fitted;
 mod gridded;
-mod held;
 mod launch_monitor;
 mod linear;
 mod lyu;

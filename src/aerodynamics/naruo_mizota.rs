@@ -1,7 +1,6 @@
-use super::held::held_above;
 use super::origin::CubicOrigin;
 use super::{AerodynamicLaw, Coefficients, Fitted, Published, Stream};
-use crate::number::{Numbers, inlined};
+use crate::number::{Numbers, held_above, inlined};
 use crate::parameters::NaruoMizota;
 
 /// The spin ratios of the measurements. Below, the lift is replaced: the formula would leave lift without spin, in no direction.

@@ -1,7 +1,6 @@
-use super::held::{held_above, held_below};
 use super::origin::power;
 use super::{AerodynamicLaw, Coefficients, Fitted, Published, Stream};
-use crate::number::Numbers;
+use crate::number::{Numbers, held_above, held_below};
 use crate::parameters::Nathan;
 
 /// Re/10⁵ between which the drag without spin falls, from cd_low to cd_high.

@@ -1,7 +1,6 @@
-use super::held::{held_above, held_below};
 use super::origin::CubicOrigin;
 use super::{AerodynamicLaw, Coefficients, Fitted, Published, Stream};
-use crate::number::{Numbers, inlined};
+use crate::number::{Numbers, held_above, held_below, inlined};
 use crate::parameters::UsgaItr;
 
 /// Below this spin ratio, the lowest of the measured shots, the lift is replaced: the formula would leave lift without spin, in no

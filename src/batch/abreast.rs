@@ -55,7 +55,7 @@ impl Abreast<'_> {
             let row_of = |lane: usize| rows[lane.min(rows.len() - 1)];
             let block = &*self.block;
             setup.put(&kernel.parameters, |k| V::with_values(|lane| block.point(row_of(lane))[k]));
-            let struck = Struck::new(&setup);
+            let struck = Struck::new(&setup, false);
             for (lane, &row) in rows.iter().enumerate() {
                 let (up, ground) = (struck.launch.velocity.x.lane(lane), setup.ground.height.lane(lane));
                 if !struck.is_sound.holds(lane) {
@@ -108,7 +108,8 @@ impl Abreast<'_> {
             #[inline(always)]
             |k| changing(J::with_values(|lane| block.point(row_of(lane))[k]), directions[k]),
         );
-        let struck = Struck::new(setup);
+        let runs = kernel.of.iter().any(|outcome| outcome.is_of_the_run());
+        let struck = Struck::new(setup, runs);
         let at_launch = struck.inputs.stream();
         let (toe, high) = (setup.strike.toe, setup.strike.high);
         let fitted = AerodynamicLaw::<f64>::fitted(&kernel.setup.law);

@@ -14,9 +14,10 @@ pub(super) struct Asked<'a> {
     pub wrt: &'a [&'static Parameter],
     /// The parameters' values.
     pub x: &'a [f64],
-    /// Whether an outcome is of the flight, and whether one is of its apex.
+    /// Whether an outcome is of the flight, whether one is of its apex, and whether one is of the run after it.
     pub flies: bool,
     pub has_apex: bool,
+    pub runs: bool,
 }
 
 /// By which places a pass differentiates: the lanes all hold the same drive, each with directions of its own.

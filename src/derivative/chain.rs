@@ -126,7 +126,7 @@ impl Pass<'_> {
         let lanes = directions.lanes(per_lane);
         match part {
             Part::Impact { changes, taylors } => {
-                let struck = Struck::new(&asked.lifted::<J>(directions, per_lane));
+                let struck = Struck::new(&asked.lifted::<J>(directions, per_lane), asked.runs);
                 if !struck.is_sound.holds(0) {
                     return Err(asked.refusal());
                 }

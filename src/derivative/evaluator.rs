@@ -100,6 +100,7 @@ impl Evaluator {
             x,
             flies: self.of.iter().any(|outcome| outcome.part() == Part::Flight),
             has_apex: self.of.iter().any(|outcome| outcome.is_of_the_apex()),
+            runs: self.of.iter().any(|outcome| outcome.is_of_the_run()),
         };
         let taylors = match self.order {
             Order::Value => values(&asked)?,
@@ -125,10 +126,7 @@ impl Evaluator {
 fn check(taylor: &Taylor, outcome: Outcome, wrt: &[&'static Parameter]) -> Result<()> {
     let undefined = |what: String, reason: &str| Err(Error::Undefined { what, reason: reason.into() });
     if !taylor.value.is_finite() {
-        return undefined(
-            outcome.name().into(),
-            "the direction it measures does not exist (vertical, or without spin)",
-        );
+        return undefined(outcome.name().into(), outcome.why_undefined());
     }
     let edge = "the drive lies on the edge of where this outcome is smooth (a vertical launch, no spin, a landing at the apex)";
     for (i, parameter) in wrt.iter().enumerate() {

@@ -33,7 +33,7 @@ impl Pass<'_> {
     #[inline(always)]
     fn over<J: Lanes<Lane: Derivatives>>(self, per_lane: usize) -> Result<()> {
         let Self { asked, directions, taylors } = self;
-        let struck = Struck::new(&asked.lifted::<J>(directions, per_lane));
+        let struck = Struck::new(&asked.lifted::<J>(directions, per_lane), asked.runs);
         if !struck.is_sound.holds(0) {
             return Err(asked.refusal());
         }

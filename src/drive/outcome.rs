@@ -123,6 +123,15 @@ outcomes! {
     };
     /// Speed at landing.
     Flight LandingSpeed = "landing_speed", "|v_L|", SPEED in "mph", |drive| drive.landed?.velocity.norm();
+    /// Distance downrange where the ball rests, along the target line as carry is; to 10 yd at best, by a ground that is not calibrated.
+    Flight Total = "total", "z_R", LENGTH in "yd", |drive| drive.landed?.rest.as_ref()?.downrange;
+    /// What bounces and rolling add to carry, along the target line; to 10 yd at best, by a ground that is not calibrated.
+    Flight Run = "run", "z_R − z_L", LENGTH in "yd", |drive| {
+        let landed = drive.landed?;
+        landed.rest.as_ref()?.downrange - landed.carry
+    };
+    /// Distance right of the target line where the ball rests; by a ground that is not calibrated.
+    Flight LateralTotal = "lateral_total", "y_R", LENGTH in "yd", |drive| drive.landed?.rest.as_ref()?.right;
     /// Speed of the ball at launch.
     Launch BallSpeed = "ball_speed", "|v_0|", SPEED in "mph", |drive| drive.launch.ball_speed();
     /// Ball speed over club speed.
@@ -150,6 +159,21 @@ impl Outcome {
     /// Whether it is read off the apex.
     pub(crate) fn is_of_the_apex(self) -> bool {
         matches!(self, Self::ApexHeight | Self::ApexTime | Self::ApexDownrange)
+    }
+
+    /// Whether it is of the run of the ball on the ground, after the flight.
+    pub fn is_of_the_run(self) -> bool {
+        matches!(self, Self::Total | Self::Run | Self::LateralTotal)
+    }
+
+    /// Why a drive that has it gives no finite value.
+    pub(crate) fn why_undefined(self) -> &'static str {
+        if self.is_of_the_run() {
+            "the ball does not come to rest: the landing area is too steep (ground.slope, ground.side_slope) for ground.rolling and \
+             ground.friction, or falls away more steeply than the ball comes down"
+        } else {
+            "the direction it measures does not exist (vertical, or without spin)"
+        }
     }
 
     /// The outcome of this name.

@@ -16,13 +16,16 @@ pub(crate) struct Struck<T: Numbers> {
 }
 
 impl<T: Numbers> Struck<T> {
-    /// The ball of a setup; where that gives its launch, no club strikes it. Called and not taken in: there is one copy
+    /// The ball of a setup, with what its run depends on where it `runs`; where the setup gives the launch, no club strikes the ball. Called and not taken in: there is one copy
     /// for each number.
     #[inline(always)]
-    pub fn new(setup: &Setup<T>) -> Self {
+    pub fn new(setup: &Setup<T>, runs: bool) -> Self {
         T::outlined(
             #[inline(always)]
-            || Self::of(setup),
+            || {
+                let struck = Self::of(setup);
+                if runs { Self { inputs: struck.inputs.with_run(setup), ..struck } } else { struck }
+            },
         )
     }
 

@@ -1,4 +1,5 @@
 use crate::error::{Error, Result};
+use crate::ground::Rest;
 use crate::number::{Number, Vector};
 use crate::units::{Digits, Message, Quantity};
 use std::fmt;
@@ -25,6 +26,8 @@ pub struct Landed<T> {
     pub velocity: Vector<T>,
     /// The highest point of the flight; `None` where it was not asked for.
     pub apex: Option<Apex<T>>,
+    /// Where the ball rests; `None` where it was not asked for.
+    pub rest: Option<Rest<T>>,
     /// What tells of the error of the integration: the defects of the steps, over the sine of the descent angle, m.
     pub(crate) defect: T,
     /// Steps of the integration, the last one cut by the landing.
@@ -58,6 +61,7 @@ impl<T: Copy> Landed<T> {
                 time: f(apex.time),
                 downrange: f(apex.downrange),
             }),
+            rest: self.rest.as_ref().map(|rest| rest.map(&mut f)),
             defect: f(self.defect),
             steps: self.steps,
         }

@@ -1,4 +1,5 @@
 use crate::atmosphere::{AirState, WindField};
+use crate::ground::Turf;
 use crate::launch::{LEAST_SPIN, Launch};
 use crate::number::{Numbers, Vector};
 use crate::parameters::{Law, Setup};
@@ -32,10 +33,12 @@ pub(crate) struct Inputs<T> {
     pub ground: T,
     /// Drag and lift.
     pub law: Law<T>,
+    /// What the ball lands on, where its run is asked for.
+    pub turf: Option<Turf<T>>,
 }
 
 impl<T: Numbers> Inputs<T> {
-    /// What the flight of a ball depends on that leaves like this, in the air of a setup.
+    /// What the flight of a ball depends on that leaves like this, in the air of a setup; not what its run does.
     #[inline(always)]
     pub fn new(setup: &Setup<T>, launch: &Launch<T>) -> Self {
         let radius = setup.ball.radius;
@@ -57,7 +60,15 @@ impl<T: Numbers> Inputs<T> {
             wind: WindField::new(&setup.wind, &setup.ground),
             ground: setup.ground.height,
             law: setup.law,
+            turf: None,
         }
+    }
+
+    /// The same with the run on the ground of a setup.
+    #[inline(always)]
+    pub fn with_run(mut self, setup: &Setup<T>) -> Self {
+        self.turf = Some(Turf::new(setup));
+        self
     }
 
     /// Spin ratio, spin, Reynolds number and speed through the air as the ball leaves.
@@ -84,6 +95,7 @@ impl<T: Numbers> Inputs<T> {
             wind: self.wind.map(f),
             ground: f(self.ground),
             law: self.law.map(&mut |_, value| f(value)),
+            turf: self.turf.as_ref().map(|turf| turf.map(f)),
         }
     }
 }

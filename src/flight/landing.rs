@@ -6,6 +6,7 @@ use super::septic::Path;
 use super::step::{Step, Stepper};
 use super::tableau::Tableau;
 use crate::error::{Error, Result};
+use crate::ground::Landing;
 use crate::launch::Launch;
 use crate::number::{Mask, Number, Numbers, Vector};
 use crate::parameters::{Method, Setup};
@@ -51,7 +52,7 @@ pub(crate) struct Ended<T: Numbers> {
 /// # Errors
 /// [`Error::Diverged`] where the numbers overflow.
 pub fn fly<T: Number>(setup: &Setup<T>, launch: &Launch<T>) -> Result<Flight<T>> {
-    Inputs::new(setup, launch).fly(&Discretization::of(setup), true, &mut |_, _| ())
+    Inputs::new(setup, launch).with_run(setup).fly(&Discretization::of(setup), true, &mut |_, _| ())
 }
 
 impl<T: Numbers> Inputs<T> {
@@ -93,6 +94,7 @@ impl<T: Numbers> Inputs<T> {
             flight_time: T::zero(),
             velocity: Vector::zero(),
             apex: has_apex.then_some(apex),
+            rest: None,
             defect: T::zero(),
             steps: 0,
         };
@@ -105,6 +107,7 @@ impl<T: Numbers> Inputs<T> {
             height: T::zero(),
             time: 0.0,
         };
+        let mut spin = T::zero();
         while flying.any() && ended.time < how.time_limit {
             let step = stepper.step(&here);
             observe(ended.time, &step);
@@ -156,6 +159,9 @@ impl<T: Numbers> Inputs<T> {
                     // an error of the height is one of the landing place, the larger the flatter the ball comes down
                     let (speed, _) = v.dot(v).sqrt_recip();
                     old.defect = (old.defect * speed / -v.x).blend(old.defect, lands);
+                    if self.turf.is_some() {
+                        spin = self.spin_within(&step, s, h).blend(spin, lands);
+                    }
                     ended.has_landed = ended.has_landed | lands;
                     flying = flying & !lands;
                 }
@@ -168,6 +174,12 @@ impl<T: Numbers> Inputs<T> {
         if flying.any() {
             ended.is_aloft = flying;
             ended.height = here.state.position.x.blend(ended.height, flying);
+        }
+        if let Some(turf) = &self.turf {
+            let Landed { carry: downrange, lateral: right, velocity, .. } = ended.landed;
+            let (radius, gravity, force_per_mass) = (self.radius, self.gravity, self.force_per_mass);
+            let ball = Landing { downrange, right, velocity, spin: self.axis * spin, radius, gravity, force_per_mass };
+            ended.landed.rest = Some(turf.rest(&ball, ended.has_landed));
         }
         ended
     }

@@ -2,6 +2,7 @@
 
 mod divergence;
 mod ending;
+mod fading;
 mod inputs;
 mod landing;
 mod motion;

@@ -4,6 +4,8 @@ use crate::number::{Numbers, Vector};
 
 /// m/s: keeps |v_r| and its derivatives finite where the ball hangs still in the air.
 const LEAST_SPEED: f64 = 1e-6;
+/// s: half of how far the rates beside a node are apart. Their difference is off by 2e-9 of how the jerk bends, and by 1e-11 m/s³ of rounding.
+const APART: f64 = 1e-4;
 
 /// The ball at one time: where it is, how it moves and how fast it spins (about an axis that it keeps).
 #[derive(Clone, Copy, Debug)]
@@ -77,8 +79,22 @@ impl<T: Numbers> Inputs<T> {
     /// alone, so that the paths of neighbouring steps join; over a dual number in time it would be twice the code of a flight.
     #[inline(always)]
     pub(super) fn jerk(&self, node: &Node<T>) -> Vector<T> {
-        // s: the difference is off by 2e-9 of how the jerk bends, and by 1e-11 m/s³ of rounding
-        const APART: f64 = 1e-4;
+        let [before, after] = self.beside(node);
+        (after.acceleration - before.acceleration).map(
+            #[inline(always)]
+            |change| self.per_time(change),
+        )
+    }
+
+    /// A difference between the rates beside a node, as a derivative by the time.
+    #[inline(always)]
+    pub(super) fn per_time(&self, change: T) -> T {
+        change * (0.5 / APART)
+    }
+
+    /// How the state changes a little before and a little after a node.
+    #[inline(always)]
+    pub(super) fn beside(&self, node: &Node<T>) -> [Rate<T>; 2] {
         let Node { state: State { position, velocity, spin }, rate: Rate { acceleration, speed } } = *node;
         let fading = match self.damping {
             None => self.decay,
@@ -86,16 +102,11 @@ impl<T: Numbers> Inputs<T> {
         };
         let faded = -(fading * spin);
         // one after the other, in one place
-        let mut beside = [velocity; 2];
+        let mut beside = [node.rate; 2];
         for (there, time) in beside.iter_mut().zip([-APART, APART]) {
             let height = velocity.x.scale_add(time, position.x);
-            let rate = self.rate(acceleration.scale_add(time, velocity), faded.scale_add(time, spin), height);
-            *there = rate.acceleration;
+            *there = self.rate(acceleration.scale_add(time, velocity), faded.scale_add(time, spin), height);
         }
-        let [before, after] = beside;
-        (after - before).map(
-            #[inline(always)]
-            |change| change * (0.5 / APART),
-        )
+        beside
     }
 }

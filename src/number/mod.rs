@@ -13,6 +13,7 @@ mod dual;
 #[cfg(target_arch = "x86_64")]
 mod exponential;
 mod fingerprint;
+mod held;
 mod inlined;
 mod jet;
 mod lanes;
@@ -31,6 +32,7 @@ mod vector;
 
 pub(crate) use derivatives::Derivatives;
 pub(crate) use fingerprint::Fingerprint;
+pub(crate) use held::{held_above, held_below, risen};
 pub(crate) use inlined::inlined;
 pub use jet::{Jet, Mixed};
 pub(crate) use lanes::{Lanes, MOST_LANES};

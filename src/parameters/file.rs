@@ -5,7 +5,7 @@ use super::declare::{Parameter, UNSET};
 use super::law_table::{TABLE, TABLE_LAW};
 use super::method::{METHOD, Method};
 use super::presets::{PRESETS, Preset};
-use super::setup::{LAW, table_beside};
+use super::setup::{LAW, TURF, table_beside};
 use super::table::{Law, Setup};
 use crate::error::{Error, Result};
 use crate::foreign::of_toml;
@@ -60,7 +60,7 @@ impl SetupFile {
         let rank = |key: &str| {
             if key == PRESET {
                 0
-            } else if key == TABLE {
+            } else if matches!(key, TABLE | TURF) {
                 1
             } else if key == LAW {
                 2
@@ -143,6 +143,9 @@ impl Setup<f64> {
                 return Err(at_value(table_beside(name)));
             }
             return self.set_law(name).map_err(at_value);
+        }
+        if item.key == TURF {
+            return self.set_turf(string(item).map_err(at_value)?).map_err(at_value);
         }
         if item.key == METHOD {
             self.method = Method::named(string(item).map_err(at_value)?).map_err(at_value)?;

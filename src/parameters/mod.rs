@@ -13,6 +13,7 @@ mod presets;
 mod range;
 mod setup;
 mod table;
+mod turf;
 mod vary;
 
 pub(crate) use air::refuse_replaced;
@@ -23,12 +24,13 @@ pub use law_table::{Along, Axis, LawTable, TABLE, TABLE_LAW};
 pub use method::{METHOD, Method};
 pub use presets::{PRESETS, Preset, PresetEntry};
 pub use range::Range;
-pub use setup::LAW;
 pub(crate) use setup::NO_CLUB;
+pub use setup::{LAW, TURF};
 pub(crate) use table::with_law;
 pub use table::{
     Aero, Air, Ball, BearmanHarvey, Club, Contact, Ferguson, FlightConditions, Ground, LaunchConditions, LaunchMonitor,
     Law, Linear, Lyu, MacdonaldHanzely, NaruoMizota, Nathan, Robinson, Setup, SmitsSmith, Strike, Swing, Table,
     TableFactors, UsgaItr, Wind, WinfieldTan,
 };
+pub use turf::TURFS;
 pub use vary::Vary;

@@ -164,6 +164,7 @@ pub static PRESETS: &[Preset] = &[
                 "0.045 1/s",
                 "within what the paper's tables allow, docs/validation.md; the printed 0.6–0.7 has no unit",
             ),
+            entry("ground.restitution", "none", "Winfield & Tan (1994): the ball embeds where it lands"),
             entry("flight.step", "5 ms", "not stated; the error is below 1e-9 m"),
             entry(
                 LAW,
@@ -196,6 +197,7 @@ pub static PRESETS: &[Preset] = &[
             entry("air.viscosity", "1.81e-5 Pa s", NOT_IN_REPORT),
             entry("gravity", "9.81 m/s^2", REPORT),
             entry("aero.spin_decay", "0.7 1/s", "MAE 494 report, from Winfield & Tan's 0.6–0.7"),
+            entry("ground.restitution", "none", "MAE 494 report: the distance is the carry"),
             entry("flight.step", "0.01 s", "MAE 494 report, listing: h = 0.01"),
             entry(LAW, "robinson", "MAE 494 report, listing: 0.3, 2.58e-4, 0.319, 2.48e-3"),
         ],

@@ -11,6 +11,9 @@ use std::path::Path;
 /// The name by which the aerodynamic law is chosen: `aero.law = "robinson"`.
 pub const LAW: &str = "aero.law";
 
+/// The name by which a kind of ground is chosen: `ground.turf = "firm"`.
+pub const TURF: &str = "ground.turf";
+
 /// Why a parameter of the club has no effect.
 pub(crate) const NO_CLUB: &str =
     "no club strikes the ball, since its launch is given; name launch.launch_angle and the like";
@@ -119,7 +122,12 @@ impl Setup<f64> {
         if !owners.is_empty() {
             return Err(Error::OtherLaw { name: name.into(), law: self.law.name(), owners: owners.join(", ") });
         }
-        Err(Error::unknown("parameter", name, rows.iter().map(|row| row.name).chain([LAW, TABLE, METHOD]), LISTING))
+        Err(Error::unknown(
+            "parameter",
+            name,
+            rows.iter().map(|row| row.name).chain([LAW, TABLE, METHOD, TURF]),
+            LISTING,
+        ))
     }
 
     /// The value of a parameter, `None` where it is unset or belongs to another law.
@@ -146,6 +154,9 @@ impl Setup<f64> {
         if name == TABLE {
             return self.set_table(Path::new(text.trim()));
         }
+        if name == TURF {
+            return self.set_turf(text);
+        }
         if name == METHOD {
             self.method = Method::named(text)?;
             return Ok(());
@@ -155,7 +166,7 @@ impl Setup<f64> {
         self.set_value(parameter, value)
     }
 
-    /// Applies settings in order, the choice of the law before its coefficients.
+    /// Applies settings in order, the choices of the law and of the ground before their numbers.
     ///
     /// # Errors
     /// As [`set`](Self::set).
@@ -167,10 +178,10 @@ impl Setup<f64> {
             }
             self.apply_text(name, text)?;
         }
-        for (name, text) in of(LAW) {
+        for (name, text) in of(LAW).chain(of(TURF)) {
             self.apply_text(name, text)?;
         }
-        for (name, text) in settings.clone().into_iter().filter(|(name, _)| ![LAW, TABLE].contains(name)) {
+        for (name, text) in settings.clone().into_iter().filter(|(name, _)| ![LAW, TABLE, TURF].contains(name)) {
             self.apply_text(name, text)?;
         }
         let given: Vec<&str> = settings.into_iter().map(|(name, _)| name).filter(|name| self.is_set(name)).collect();
@@ -289,6 +300,9 @@ impl Setup<f64> {
         let refuse = |reason: String| Err(Error::NotVariable { name: name.into(), reason });
         if [LAW, TABLE].contains(&name) {
             return refuse(format!("it is a choice, not a number; compare two runs with --set {name}=…"));
+        }
+        if name == TURF {
+            return refuse("it is a choice, not a number; vary ground.compliance, ground.rolling and the like".into());
         }
         if name == METHOD {
             return refuse("it is a setting of the computation, not of the drive".into());

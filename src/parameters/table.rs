@@ -208,6 +208,22 @@ parameter_groups! {
     ground: Ground {
         /// Height of the landing area above the tee.
         height: T = "ground.height", "h_g", LENGTH in "m", Range::from_to(-10000.0, 10000.0), "0 m", "level ground";
+        /// Restitution of the turf for a slow impact, of which a fast one has less; unset: the ball embeds where it lands and does not run.
+        restitution: Option<T> = "ground.restitution", "e_g", NUMBER in "", Range::from_to(0.0, 1.0), "0.51",
+            "Penner (2002)";
+        /// Coefficient of friction between the ball and the turf.
+        friction: T = "ground.friction", "μ_g", NUMBER in "", Range::above_to(0.0, 10.0), "0.4",
+            "Penner (2002)";
+        /// Compliance of the turf: Penner's tilt of the crater that a ball digs at 18.6 m/s and 44.4° from the vertical, of which less is left the flatter it comes in.
+        compliance: T = "ground.compliance", "θ_g", ANGLE in "deg", Range::from_to(0.0, 60.0_f64.to_radians()), "15.4 deg",
+            "Penner (2002), from what Haake (1987) measured on greens";
+        /// Deceleration of a rolling ball on level ground, over that of gravity.
+        rolling: T = "ground.rolling", "ρ_g", NUMBER in "", Range::above_to(0.0, 10.0), "1",
+            "Penner (2001), of drives on a fairway; on a green 0.094 (Penner 2002)";
+        /// Slope of the landing area downrange, + uphill, about where the ball lands.
+        slope: T = "ground.slope", "β_z", ANGLE in "deg", Range::within_degrees(45.0), "0 deg", "level ground";
+        /// Slope of the landing area to the right, + rising, about where the ball lands.
+        side_slope: T = "ground.side_slope", "β_y", ANGLE in "deg", Range::within_degrees(45.0), "0 deg", "level ground";
     }
 
     /// Gravity, and how the flight is computed.

@@ -1,14 +1,18 @@
-use super::{Reply, json, lines::paragraph, shown, table::table};
+use super::{Reply, json, lines::note, lines::paragraph, shown, table::table};
 use crate::aerodynamics::AerodynamicLaw;
 use crate::atmosphere::AirState;
 use crate::drive::{Drive, Outcome, Part};
 use crate::flight::Flight;
+use crate::ground::Rest;
 use crate::impact::{Grip, Impact};
 use crate::number::Vector;
 use crate::parameters::Setup;
-use crate::units::{Message, Quantity, System};
+use crate::units::{Digits, Message, Quantity, System};
 use serde::Serialize;
 use serde_json::{Map, Value, json};
+
+/// What a total is known within at best, m: grounds differ by as much (docs/limitations.md).
+const RUN_WITHIN: f64 = 10.0 * 0.9144;
 
 /// A drive as JSON, SI and radians.
 #[derive(Clone, Debug, Serialize)]
@@ -113,11 +117,33 @@ pub fn drive_text(drive: &Drive<f64>, system: System) -> String {
         }
     }
     match &drive.flight {
-        Flight::Landed(_) => format!("{launch}\n{bodies}\n{}", part("flight", Part::Flight)),
+        Flight::Landed(landed) => {
+            let run = note(&on_the_run(landed.rest.as_ref()).in_units(system));
+            format!("{launch}\n{bodies}\n{}\n{run}", part("flight", Part::Flight))
+        }
         Flight::None(why) => {
             format!("{launch}\n{bodies}\n{}", paragraph(&why.message().in_units(system)))
         }
     }
+}
+
+/// What a run is made of, and what it is worth.
+fn on_the_run(rest: Option<&Rest<f64>>) -> Message {
+    let told = match rest {
+        Some(rest) if rest.downrange.is_nan() => {
+            return Message::from(format!("run: {}", Outcome::Run.why_undefined()));
+        }
+        Some(Rest { bounces: 1.., .. }) => "run: bounces, then rolling; ",
+        _ => "run: none, the ball embeds; ",
+    };
+    Message::from(told).message(known_within())
+}
+
+/// How well a total is known, in words.
+pub fn known_within() -> Message {
+    Message::from("total, run and lateral total are known within ")
+        .quantity(Quantity::LENGTH, "yd", RUN_WITHIN, Digits::Significant(2))
+        .words(" at best, since no one has calibrated a ground (docs/limitations.md)")
 }
 
 /// A velocity: "139.20 mph downrange, 19.85 up, 0.00 right".

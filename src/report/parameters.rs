@@ -1,7 +1,7 @@
 use super::lines::{item, note};
 use super::{Reply, json};
 use crate::atmosphere::in_effect;
-use crate::parameters::{Kind, LAW, Law, METHOD, Method, Parameter, Setup, TABLE, TABLE_LAW, UNSET};
+use crate::parameters::{Kind, LAW, Law, METHOD, Method, Parameter, Setup, TABLE, TABLE_LAW, TURF, TURFS, UNSET};
 use crate::units::{Message, System};
 use serde_json::{Value, json};
 
@@ -58,6 +58,12 @@ pub fn parameters_text(setup: &Setup<f64>, system: System) -> String {
             methods.collect::<Vec<_>>().join(", ")
         ))
     );
+    let turfs = TURFS.iter().map(|turf| format!("{} ({})", turf.name, turf.about)).collect::<Vec<_>>().join("; ");
+    let here = setup.turf().map_or("none of them", |turf| turf.name);
+    let told = format!(
+        "{TURF} sets ground.restitution, ground.friction, ground.compliance and ground.rolling at once ({here} here): {turfs}"
+    );
+    text += &format!("\n{}", item(&told));
     text += &format!("\n  {LAW} = {} here; the coefficients of the other laws:\n", setup.law.name());
     for law in Law::NAMES.iter().copied().chain([TABLE_LAW]) {
         let of_law: Vec<_> = others.iter().copied().filter(|(row, _)| row.law == Some(law)).collect();

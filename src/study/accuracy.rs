@@ -163,8 +163,11 @@ impl Sample {
             let flown = self.flown(step * (1.0 - 0.035 * f64::from(phase)))?;
             for row in (0..flown.rows()).filter(|&row| self.exact.status(row) == Status::Landed) {
                 for (i, of) in self.lengths.iter().enumerate() {
-                    let Some((exact, flown)) = self.exact.outcome(row, i).zip(flown.outcome(row, i)) else {
-                        return Ok(Err((row, None)));
+                    let (exact, flown) = match (self.exact.outcome(row, i), flown.outcome(row, i)) {
+                        (Some(exact), Some(flown)) => (exact, flown),
+                        // a ball that lands and does not come to rest
+                        (None, None) if of.is_of_the_run() => continue,
+                        _ => return Ok(Err((row, None))),
                     };
                     let error = (flown - exact).abs();
                     if error > limit {

@@ -72,7 +72,10 @@ pub fn effects(
     sigmas: &[Sigma],
     mut progress: impl FnMut(usize, usize),
 ) -> Result<Vec<Effects>> {
-    let parameters = setup.variables();
+    let mut parameters = setup.variables();
+    // what only the run depends on, where none is asked for
+    let runs = of.iter().any(|of| of.is_of_the_run());
+    parameters.retain(|parameter| runs || !parameter.is_of_the_run());
     let taylors = evaluate(setup, of, &parameters, Order::First)?;
     let mut bars: Vec<Vec<Bar>> = vec![vec![]; of.len()];
     for (done, sigma) in sigmas.iter().enumerate() {

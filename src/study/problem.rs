@@ -24,9 +24,8 @@ impl DriveProblem {
             search.subject_to.iter().map(|constraint| constraint.low).collect(),
             search.subject_to.iter().map(|constraint| constraint.high).collect(),
         )?;
-        let limited = search.subject_to.iter().map(|constraint| constraint.outcome);
         let vary: Vec<_> = search.vary.iter().map(|vary| vary.parameter).collect();
-        let of: Vec<_> = std::iter::once(search.of).chain(limited).collect();
+        let of = search.outcomes();
         let derivatives = Evaluator::new(setup, &of, &vary, Order::Second)?;
         Ok(Self { setup: *setup, vary, of, sense: search.sense, derivatives, domain })
     }

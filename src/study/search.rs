@@ -64,6 +64,11 @@ impl Search {
         Self { of, sense, vary: vec![], subject_to: vec![], options }
     }
 
+    /// The outcomes that it asks for: the one sought, then those that are held within limits.
+    pub fn outcomes(&self) -> Vec<Outcome> {
+        std::iter::once(self.of).chain(self.subject_to.iter().map(|constraint| constraint.outcome)).collect()
+    }
+
     /// The longest carry over loft 4–20° and attack angle −5…+5°.
     pub fn longest_drive(setup: &Setup<f64>) -> Result<Self> {
         let vary = ["club.loft=4deg..20deg", "swing.attack_angle=-5deg..5deg"];

@@ -1,4 +1,5 @@
 use crate::atmosphere::in_effect;
+use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup, Wind};
 use crate::units::{Quantity, UnitError};
@@ -115,6 +116,8 @@ const ALTITUDE: &str = "assumed: pressure within 3 hPa of that of the altitude";
 const HUMIDITY: &str = "assumed: humidity within 10 %";
 const BEARING: &str = "assumed: wind direction within 10 deg";
 const WIND: &str = "assumed: mean wind within 1 m/s; and its gusts, σ_u/u = 1/ln(z_ref/z₀), docs/sources.md";
+const TURF: &str =
+    "assumed: fairways differ, and no one has calibrated them; a tour drive's total is then within about 10 yd";
 
 /// The uncertainties taken where none is given: of one drive as it is measured on a calm range.
 const DEFAULTS: &[(&str, Amount, &str)] = &[
@@ -142,6 +145,9 @@ const DEFAULTS: &[(&str, Amount, &str)] = &[
     ("wind.downrange", Amount::Wind(1.0), WIND),
     ("wind.speed", Amount::Wind(1.0), WIND),
     ("wind.from", Amount::Of(10.0, "deg"), BEARING),
+    ("ground.restitution", Amount::Of(0.1, ""), TURF),
+    ("ground.compliance", Amount::Of(5.0, "deg"), TURF),
+    ("ground.rolling", Amount::Part(0.3), TURF),
     ("aero.cd", Amount::Of(0.015, ""), LAW_DRAG),
     ("aero.cd0", Amount::Of(0.015, ""), LAW_DRAG),
     ("aero.cd_factor", Amount::Part(0.06), LAW_DRAG),
@@ -150,20 +156,22 @@ const DEFAULTS: &[(&str, Amount, &str)] = &[
     ("aero.cl_slope", Amount::Part(0.1), LAW_LIFT),
 ];
 
-/// The uncertainties given, then the defaults of other parameters of the setup.
+/// The uncertainties given, then the defaults of other parameters of the setup; those of the ground where one of the outcomes is of the run.
 ///
 /// # Errors
 /// [`Error::Unreadable`] for a parameter that is given twice.
-pub fn with_defaults(setup: &Setup<f64>, given: &[Sigma]) -> Result<Vec<Sigma>> {
+pub fn with_defaults(setup: &Setup<f64>, given: &[Sigma], of: &[Outcome]) -> Result<Vec<Sigma>> {
     for (i, sigma) in given.iter().enumerate() {
         if given[..i].iter().any(|other| other.parameter == sigma.parameter) {
             return Err(given_twice(sigma.parameter));
         }
     }
     let mut all = given.to_vec();
+    let runs = of.iter().any(|of| of.is_of_the_run());
     for (name, amount, source) in DEFAULTS {
         let Ok(parameter) = setup.variable(name) else { continue };
-        if given.iter().any(|sigma| sigma.parameter == parameter) {
+        let has_no_effect = parameter.is_of_the_run() && !runs;
+        if has_no_effect || given.iter().any(|sigma| sigma.parameter == parameter) {
             continue;
         }
         let value = match amount {

@@ -54,10 +54,13 @@ pub fn number(value: &Value) -> f64 {
     value.as_f64().unwrap()
 }
 
-/// An outcome of a JSON drive; of the distance to the landing the files have the two components.
+/// An outcome of a JSON drive; of the distance to the landing the files have the two components, and in their drives the ball embeds.
 pub fn outcome_of(outcomes: &Value, of: Outcome) -> f64 {
     match of {
         Outcome::CarryDistance => number(&outcomes["carry"]).hypot(number(&outcomes["lateral"])),
+        Outcome::Total => number(&outcomes["carry"]),
+        Outcome::Run => 0.0,
+        Outcome::LateralTotal => number(&outcomes["lateral"]),
         _ => number(&outcomes[of.name()]),
     }
 }

@@ -51,7 +51,7 @@ fn for_every_way(check: impl Fn(&Setup<f64>)) {
 /// Asserts that the fast ways agree with the general one.
 fn agrees(setup: &Setup<f64>) {
     let wrt = variables(setup, &TWO);
-    for of in [Outcome::Carry, Outcome::Lateral, Outcome::ApexHeight, Outcome::DescentAngle] {
+    for of in [Outcome::Carry, Outcome::Lateral, Outcome::ApexHeight, Outcome::DescentAngle, Outcome::Total] {
         let jet = general(setup, of, Jet::<2>::variable);
         let (value, first, second) = (
             fast(setup, of, &wrt, Order::Value),
@@ -113,7 +113,7 @@ fn exact_chain_rule_between_impact_and_flight() {
             return;
         }
         let all = setup.variables();
-        for of in [Outcome::Carry, Outcome::ApexTime, Outcome::SmashFactor] {
+        for of in [Outcome::Carry, Outcome::ApexTime, Outcome::SmashFactor, Outcome::Total, Outcome::LateralTotal] {
             let chained = fast(&setup, of, &all, Order::First);
             let steep = chained.gradient.iter().fold(1e-6, |most: f64, d| most.max(d.abs()));
             for (pair, gradient) in all.chunks(2).zip(chained.gradient.chunks(2)) {
@@ -133,7 +133,7 @@ fn exact_agreement_of_drives_side_by_side_with_drives_alone() {
     for_every_way(|setup| {
         let vary: Vec<Vary> = ranges.iter().map(|text| Vary::read(setup, text).unwrap()).collect();
         let wrt: Vec<_> = vary.iter().map(|vary| vary.parameter).collect();
-        let of = [Outcome::Carry, Outcome::Lateral, Outcome::ApexHeight, Outcome::BallSpeed];
+        let of = [Outcome::Carry, Outcome::Lateral, Outcome::ApexHeight, Outcome::BallSpeed, Outcome::Total];
         let alone = Evaluator::new(setup, &of, &wrt, Order::First).unwrap();
         let mut points = Sequence::new(vary, 150, 7).unwrap();
         let landed = Cell::new(0);

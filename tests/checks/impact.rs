@@ -144,7 +144,11 @@ fn exact_mirror_symmetry() {
         for outcome in Outcome::ALL {
             let (Some(ours), Some(theirs)) = (outcome.value(&a), outcome.value(&b)) else { continue };
             let sign = match outcome {
-                Outcome::Lateral | Outcome::LaunchDirection | Outcome::Sidespin | Outcome::SpinAxis => -1.0,
+                Outcome::Lateral
+                | Outcome::LateralTotal
+                | Outcome::LaunchDirection
+                | Outcome::Sidespin
+                | Outcome::SpinAxis => -1.0,
                 _ => 1.0,
             };
             close(theirs, sign * ours, ours.abs().max(1.0), 1e-11, outcome.name());

@@ -20,6 +20,7 @@ mod directions;
 mod documents;
 mod fast_paths;
 mod flight;
+mod ground;
 mod impact;
 mod interrupts;
 mod json_answers;

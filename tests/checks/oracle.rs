@@ -48,8 +48,13 @@ fn gradient_of(drive: &Value, of: Outcome) -> BTreeMap<String, f64> {
         let gradient = drive["gradient"][of.name()].as_object().unwrap();
         gradient.iter().map(|(name, slope)| (name.clone(), number(slope))).collect()
     };
-    if of != Outcome::CarryDistance {
-        return printed(of);
+    match of {
+        Outcome::CarryDistance => {}
+        // in these drives the ball embeds
+        Outcome::Total => return printed(Outcome::Carry),
+        Outcome::LateralTotal => return printed(Outcome::Lateral),
+        Outcome::Run => return printed(Outcome::Carry).into_keys().map(|name| (name, 0.0)).collect(),
+        _ => return printed(of),
     }
     let [z, y, d] = [Outcome::Carry, Outcome::Lateral, of].map(|of| outcome_of(&drive["outcomes"], of));
     let (carry, lateral) = (printed(Outcome::Carry), printed(Outcome::Lateral));

@@ -46,7 +46,7 @@ fn figures() -> Vec<Figure> {
     let fineness = Fineness { nodes: 21, slopes: 4 };
     let landscape = map(&setup, Outcome::Carry, ranges[0], ranges[1], fineness).unwrap();
     let flown = [Flown::new("as <set> & \"up\"", &setup).unwrap()];
-    let sigmas = with_defaults(&setup, &[]).unwrap();
+    let sigmas = with_defaults(&setup, &[], &[Outcome::Carry]).unwrap();
     let effects = effects(&setup, &[Outcome::Carry], &sigmas, |_, _| ()).unwrap();
     let loft = setup.variable("club.loft").unwrap();
     let certificate = certify(&setup, &[Outcome::Carry], &[loft], |_, _| true).unwrap();

@@ -171,7 +171,7 @@ fn exact_drives_that_do_not_fly_are_counted() {
 fn exact_effects_are_slopes_times_uncertainties_ranked_by_size() {
     let setup = Setup::default();
     let given = [Sigma::read(&setup, "swing.speed=2 mph").unwrap(), Sigma::read(&setup, "ball.mass=1%").unwrap()];
-    let sigmas = with_defaults(&setup, &given).unwrap();
+    let sigmas = with_defaults(&setup, &given, &[Outcome::Carry]).unwrap();
     assert!(sigmas.len() > 8 && sigmas.iter().skip(2).all(|sigma| sigma.source.is_some()));
     let found = effects(&setup, &[Outcome::Carry], &sigmas, |_, _| ()).unwrap().remove(0);
     let carry = Outcome::Carry.of(&Drive::new(&setup).unwrap()).unwrap();
@@ -315,7 +315,7 @@ fn exact_gusts_are_part_of_the_uncertainty_of_the_wind() {
     let sigma = |settings: &[(&str, &str)], name: &str| {
         let mut setup = Setup::default();
         setup.set_all(settings.iter().copied()).unwrap();
-        let all = longdrive::study::with_defaults(&setup, &[]).unwrap();
+        let all = longdrive::study::with_defaults(&setup, &[], &[longdrive::Outcome::Carry]).unwrap();
         all.into_iter().find(|sigma| sigma.parameter.name == name).unwrap().value
     };
     let polar = [("wind.speed", "8 m/s"), ("wind.from", "30 deg")];

@@ -8,7 +8,7 @@ use longdrive::{Drive, Error, Result};
 pub fn run(args: &Gradient) -> Result<Answer> {
     let setup = args.question.within_tolerance(args.question.setup()?)?;
     let of = outcomes(&args.of)?;
-    let wrt = if args.wrt.is_empty() { usual(&setup)? } else { variables(&setup, &args.wrt)? };
+    let wrt = if args.wrt.is_empty() { usual(&setup)? } else { variables(&setup, &args.wrt, &of)? };
     let drive = Drive::new(&setup)?;
     let warnings = drive.warnings(&setup);
     warn(&warnings);

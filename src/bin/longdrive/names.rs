@@ -1,7 +1,8 @@
 //! Lists of names on the command line. Naming a thing twice asks for it once.
 
-use crate::output::tell;
+use crate::output::{system, tell};
 use longdrive::parameters::Parameter;
+use longdrive::report::known_within;
 use longdrive::{Outcome, Result, Setup};
 
 fn given(names: &[String]) -> impl Iterator<Item = &str> {
@@ -15,11 +16,23 @@ pub fn outcomes(names: &[String]) -> Result<Vec<Outcome>> {
         let named = if name == "all" { Outcome::ALL.to_vec() } else { vec![Outcome::named(name)?] };
         of.extend(named);
     }
-    Ok(once(of))
+    let of = once(of);
+    tell_of_the_run(&of);
+    Ok(of)
+}
+
+/// Says how well a run is known, where one is asked for.
+pub fn tell_of_the_run(of: &[Outcome]) {
+    if of.iter().any(|of| of.is_of_the_run()) {
+        tell(&known_within().in_units(system()));
+    }
 }
 
 /// The parameters named, to differentiate by; "all" for every one that has a number here.
-pub fn variables(setup: &Setup<f64>, names: &[String]) -> Result<Vec<&'static Parameter>> {
+///
+/// Of all, those that only the run depends on are left out where no outcome is of it.
+pub fn variables(setup: &Setup<f64>, names: &[String], of: &[Outcome]) -> Result<Vec<&'static Parameter>> {
+    let runs = of.iter().any(|of| of.is_of_the_run());
     let mut rows = Vec::new();
     for name in given(names) {
         if name != "all" {
@@ -30,6 +43,11 @@ pub fn variables(setup: &Setup<f64>, names: &[String]) -> Result<Vec<&'static Pa
         let left_out = setup.parameters().into_iter().filter(|row| !all.contains(row));
         let left_out: Vec<_> = left_out.map(|row| row.name).collect();
         tell(&format!("left out, without a value to differentiate by in this setup: {}", left_out.join(", ")));
+        let (idle, all): (Vec<_>, Vec<_>) = all.into_iter().partition(|row| !runs && row.is_of_the_run());
+        if !idle.is_empty() {
+            let idle: Vec<_> = idle.iter().map(|row| row.name).collect();
+            tell(&format!("left out, without effect on what is asked for: {}", idle.join(", ")));
+        }
         rows.extend(all);
     }
     Ok(once(rows))

@@ -14,7 +14,7 @@ pub fn run(args: &OptimumSensitivity) -> Result<Answer> {
     let setup = question.setup()?;
     let search = search.search(&setup)?;
     let setup = question.for_many(setup, &search.vary)?;
-    let wrt = variables(&setup, &args.wrt)?;
+    let wrt = variables(&setup, &args.wrt, &search.outcomes())?;
     let changes = args.change.iter().map(|text| Change::read(&setup, text)).collect::<Result<Vec<_>>>()?;
     let is_named = |parameter: &Parameter| args.wrt.iter().any(|name| name.trim() == parameter.name);
     let asked = wrt.iter().copied().filter(|parameter| is_named(parameter));

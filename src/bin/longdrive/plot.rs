@@ -144,7 +144,7 @@ fn tornado(args: &PlotTornado) -> Result<Answer> {
     let of = Outcome::named(&args.of)?;
     let given = args.sigma.iter().map(|text| Sigma::read(&setup, text)).collect::<Result<Vec<_>>>()?;
     let bar = bar("uncertainties");
-    let found = effects(&setup, &[of], &with_defaults(&setup, &given)?, |done, all| show(&bar, done, all));
+    let found = effects(&setup, &[of], &with_defaults(&setup, &given, &[of])?, |done, all| show(&bar, done, all));
     bar.finish_and_clear();
     let found = found?;
     match found.first() {
@@ -173,7 +173,7 @@ fn vcurve(args: &PlotVcurve) -> Result<Answer> {
     let target = Target::new(&args.question, &args.drawing)?;
     let setup = args.question.within_tolerance(args.question.setup()?)?;
     let of = outcomes(&args.of)?;
-    let wrt = if args.wrt.is_empty() { usual(&setup)? } else { variables(&setup, &args.wrt)? };
+    let wrt = if args.wrt.is_empty() { usual(&setup)? } else { variables(&setup, &args.wrt, &of)? };
     let bar = bar("parameters");
     let certificate = certify(&setup, &of, &wrt, |done, all| {
         show(&bar, done, all);

@@ -180,12 +180,12 @@ impl Question {
 
     /// The setup, integrated within the tolerance asked for.
     pub fn within_tolerance(&self, setup: Setup<f64>) -> Result<Setup<f64>> {
-        Ok(self.asked_accuracy(&setup, &[], Outcome::ALL)?.map_or(setup, |found| found.applied_to(&setup)))
+        Ok(self.asked_accuracy(&setup, &[], &of_the_flight())?.map_or(setup, |found| found.applied_to(&setup)))
     }
 
     /// The setup, integrated as many drives of it are wherever its parameters lie in these ranges.
     pub fn for_many(&self, setup: Setup<f64>, ranges: &[Vary]) -> Result<Setup<f64>> {
-        Ok(self.accuracy(&setup, ranges, Outcome::ALL)?.map_or(setup, |found| found.applied_to(&setup)))
+        Ok(self.accuracy(&setup, ranges, &of_the_flight())?.map_or(setup, |found| found.applied_to(&setup)))
     }
 
     /// How many drives are integrated: within the tolerance asked for or, where none is, a micrometre; `None` where it is by
@@ -267,6 +267,11 @@ impl Question {
         let SetupFile { setup, without_unit, .. } = SetupFile::open(path)?;
         Ok((setup, without_unit))
     }
+}
+
+/// All outcomes but those of the run, which no one knows within a step's error.
+fn of_the_flight() -> Vec<Outcome> {
+    Outcome::ALL.iter().copied().filter(|of| !of.is_of_the_run()).collect()
 }
 
 /// What was found, or nothing where no drive lands: then there is nothing to be exact about.

@@ -29,7 +29,7 @@ pub fn run(args: &Report) -> Result<Answer> {
     let setup = args.question.for_many(setup, &ranges)?;
     let preset = args.question.preset()?;
     let given = args.sigma.iter().map(|text| Sigma::read(&setup, text)).collect::<Result<Vec<_>>>()?;
-    let sigmas = with_defaults(&setup, &given)?;
+    let sigmas = with_defaults(&setup, &given, &[of])?;
     // before the work, not after it
     let folder = Rule::new(args.question.inputs(), args.overwrite).folder(&args.output, &["index.html"])?;
 

@@ -2,6 +2,7 @@
 
 use crate::args::{SearchArgs, WorkArgs};
 use crate::interrupt::{self, BEST_SO_FAR};
+use crate::names::tell_of_the_run;
 use crate::output::{system, tell};
 use indicatif::{ProgressBar, ProgressStyle};
 use longdrive::optimize::{Checkpoint, Follow, Options};
@@ -24,13 +25,15 @@ impl SearchArgs {
         };
         let (of, sense) = self.sought()?;
         let options = Options::default();
-        Ok(Search {
+        let search = Search {
             of,
             sense,
             vary,
             subject_to: self.subject_to.iter().map(|text| Constraint::read(text)).collect::<Result<_>>()?,
             options: Options { max_iterations: self.max_iterations.unwrap_or(options.max_iterations), ..options },
-        })
+        };
+        tell_of_the_run(&search.outcomes());
+        Ok(search)
     }
 
     /// The outcome that is looked at, and which value of it is sought.

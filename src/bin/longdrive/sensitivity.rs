@@ -27,7 +27,7 @@ pub fn run(args: &SensitivityArgs) -> Result<Answer> {
         setup = found.setup;
         best = Some(found);
     }
-    let sigmas = if args.no_defaults { given } else { with_defaults(&setup, &given)? };
+    let sigmas = if args.no_defaults { given } else { with_defaults(&setup, &given, &of)? };
     let drive = Drive::new(&setup)?;
     let mut warnings = drive.warnings(&setup);
     warn(&warnings);
@@ -38,7 +38,9 @@ pub fn run(args: &SensitivityArgs) -> Result<Answer> {
     let totals = match &best {
         Some(best) => {
             let varied = |row: &&_| !best.search.vary.iter().any(|vary| vary.parameter == *row);
-            let wrt: Vec<_> = setup.variables().into_iter().filter(varied).collect();
+            let runs = best.search.outcomes().iter().any(|of| of.is_of_the_run());
+            let counts = |row: &&Parameter| runs || !row.is_of_the_run();
+            let wrt: Vec<_> = setup.variables().into_iter().filter(varied).filter(counts).collect();
             Some((best.search.of, sensitivities(best, &wrt, |_, _| ())?))
         }
         None => None,

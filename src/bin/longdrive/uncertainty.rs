@@ -4,12 +4,12 @@ use crate::output::{Answer, bar, show, system, tell, warn};
 use longdrive::report::{UncertaintyReport, parameter_text, uncertainty_text};
 use longdrive::study::uncertainty::{Plan, Uncertain, uncertainty};
 use longdrive::study::{Sigma, given_twice, with_defaults};
-use longdrive::{Drive, Result, Setup};
+use longdrive::{Drive, Outcome, Result, Setup};
 
 pub fn run(args: &UncertaintyArgs) -> Result<Answer> {
     let setup = args.question.setup()?;
     let of = outcomes(&args.of)?;
-    let inputs = inputs(&setup, args)?;
+    let inputs = inputs(&setup, args, &of)?;
     let setup = args.question.for_many(setup, &inputs.iter().map(Uncertain::range).collect::<Vec<_>>())?;
     let warnings = Drive::new(&setup).map_or_else(|_| setup.warnings(), |drive| drive.warnings(&setup));
     warn(&warnings);
@@ -28,14 +28,14 @@ pub fn run(args: &UncertaintyArgs) -> Result<Answer> {
 }
 
 /// What is said to be uncertain; where nothing is, what is by default.
-fn inputs(setup: &Setup<f64>, args: &UncertaintyArgs) -> Result<Vec<Uncertain>> {
+fn inputs(setup: &Setup<f64>, args: &UncertaintyArgs, of: &[Outcome]) -> Result<Vec<Uncertain>> {
     let sigmas = args.sigma.iter().map(|text| Sigma::read(setup, text)).collect::<Result<Vec<_>>>()?;
     let distributions =
         args.distribution.iter().map(|text| Uncertain::read(setup, text)).collect::<Result<Vec<_>>>()?;
     let distributed: Vec<_> = distributions.iter().map(|input| input.parameter).collect();
     args.question.refuse_unused(setup, &distributed, "--distribution gives its values")?;
     let is_given = !(sigmas.is_empty() && distributions.is_empty());
-    let sigmas = if is_given { sigmas } else { with_defaults(setup, &[])? };
+    let sigmas = if is_given { sigmas } else { with_defaults(setup, &[], of)? };
     for sigma in sigmas.iter() {
         if let Some(source) = sigma.source {
             let shown = parameter_text(sigma.parameter, sigma.value, system());

@@ -19,7 +19,7 @@ pub fn tell_left_out(certificate: &Certificate) {
 pub fn run(args: &Verify) -> Result<Answer> {
     let setup = args.question.within_tolerance(args.question.setup()?)?;
     let of = outcomes(&args.of)?;
-    let wrt = variables(&setup, &args.wrt)?;
+    let wrt = variables(&setup, &args.wrt, &of)?;
     let bar = bar("parameters");
     let stop = interrupt::stops("stopping after the parameters under way");
     let certificate = certify(&setup, &of, &wrt, |done, all| {

@@ -1,5 +1,5 @@
-use super::Ladder;
 use super::ladder::rounding_of;
+use super::{Ladder, Rung};
 
 /// Remainders this many times above the rounding of the function are more than rounding.
 const ABOVE_ROUNDING: f64 = 100.0;
@@ -18,13 +18,17 @@ pub fn taylor_slopes(ladder: &Ladder, first: f64, second: f64) -> [Option<f64>; 
 fn slope(ladder: &Ladder, polynomial: impl Fn(f64) -> f64) -> Option<f64> {
     let (size, rounding) = (ladder.scale, ladder.rounding());
     let logarithms = |sign: f64| {
-        let points = ladder.rungs.iter().map_while(|rung| {
+        let above_rounding = |rung: &Rung| {
             let value = if sign > 0.0 { rung.above? } else { rung.below? };
             let remainder = (value - ladder.centre - polynomial(sign * rung.step)).abs();
             (remainder > ABOVE_ROUNDING * rounding.max(rounding_of(value)))
                 .then(|| ((rung.step / size).log10(), remainder.log10()))
-        });
-        points.collect::<Vec<_>>()
+        };
+        // from the smallest step on that is left; a remainder that passes through 0 in a larger step ends there
+        let left = ladder.rungs.iter().rev().map(above_rounding).skip_while(Option::is_none);
+        let mut points: Vec<_> = left.map_while(|point| point).collect();
+        points.reverse();
+        points
     };
     let [above, below] = [1.0, -1.0].map(logarithms);
     let points = if above.len() >= below.len() { above } else { below };

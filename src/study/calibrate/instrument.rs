@@ -43,12 +43,14 @@ const TENTHS: &str = "assumed: three of the tenths of a degree that exports prin
 const OF_SPIN: &str = "assumed: 4 % of a driver's 2500 rpm";
 /// Distances: how far monitors are apart from each other on the same launches.
 const APART: &str = "launch monitors predict the same launch within about {3 yd} of each other (docs/sources.md)";
+/// Totals: of two monitors on the same shots (Bliss & Langdown 2026), whose grounds differ.
+const RUNS: &str = "the totals of two monitors on the same shots differ by {11.5 yd} (one standard deviation): {8 yd} each, docs/sources.md";
 /// Chart rounding: published averages are whole yards and degrees.
 const ROUNDED: &str =
     "assumed: tables print whole units of length and whole degrees, and indoors these are computed from the launch";
 
 /// All that is known or assumed.
-const INSTRUMENTS: [Instrument; 17] = [
+const INSTRUMENTS: [Instrument; 20] = [
     Instrument { outcome: Outcome::BallSpeed, sigma: "1 mph", source: AGREE },
     Instrument { outcome: Outcome::LaunchAngle, sigma: "0.3 deg", source: TENTHS },
     Instrument { outcome: Outcome::LaunchDirection, sigma: "0.3 deg", source: TENTHS },
@@ -78,6 +80,9 @@ const INSTRUMENTS: [Instrument; 17] = [
     },
     Instrument { outcome: Outcome::DescentAngle, sigma: "1 deg", source: ROUNDED },
     Instrument { outcome: Outcome::LandingSpeed, sigma: "1 mph", source: "assumed: as for ball_speed" },
+    Instrument { outcome: Outcome::Total, sigma: "8 yd", source: RUNS },
+    Instrument { outcome: Outcome::Run, sigma: "8 yd", source: RUNS },
+    Instrument { outcome: Outcome::LateralTotal, sigma: "8 yd", source: "assumed: as for total" },
 ];
 
 /// How well an outcome is measured, and its standard uncertainty in SI; `None` where nothing is known.

@@ -48,7 +48,7 @@ pub fn run(args: &Sweep) -> Result<Answer> {
     let setup = accuracy.map_or(setup, |found| found.applied_to(&setup));
     let wrt = match args.wrt.as_slice() {
         [] if args.gradient => points.parameters().to_vec(),
-        names => variables(&setup, names)?,
+        names => variables(&setup, names, &of)?,
     };
     let mut batch = Batch::new(&setup, points.parameters(), &of, &wrt)?;
     if let Some(found) = accuracy {

@@ -1,9 +1,9 @@
-use crate::number::Numbers;
+use super::Numbers;
 
 /// Beyond what a formula is good for its variable is held: `x` up to `end`, then a way with two continuous derivatives to
 /// `end + over/2`, which it reaches at `end + over` and keeps.
 #[inline(always)]
-pub(super) fn held_above<T: Numbers>(x: T, end: f64, over: f64) -> T {
+pub(crate) fn held_above<T: Numbers>(x: T, end: f64, over: f64) -> T {
     T::choose(
         x.below(end),
         #[inline(always)]
@@ -21,13 +21,22 @@ pub(super) fn held_above<T: Numbers>(x: T, end: f64, over: f64) -> T {
 
 /// The same below: `x` down to `end`, `end − over/2` from `end − over` on.
 #[inline(always)]
-pub(super) fn held_below<T: Numbers>(x: T, end: f64, over: f64) -> T {
+pub(crate) fn held_below<T: Numbers>(x: T, end: f64, over: f64) -> T {
     -held_above(-x, -end, over)
+}
+
+/// 0 up to `start`, 1 from `start + over` on, and between them a way with two continuous derivatives.
+#[inline(always)]
+pub(crate) fn risen<T: Numbers>(x: T, start: f64, over: f64) -> T {
+    let u = (x - start) * (1.0 / over);
+    let u = u.blend(T::zero(), (-u).below(0.0));
+    let u = u.blend(T::constant(1.0), u.below(1.0));
+    (u * u * u) * (u * u).scale_add(6.0, u.scale_add(-15.0, T::constant(10.0)))
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{held_above, held_below};
+    use super::{held_above, held_below, risen};
     use num_dual::Dual2_64;
 
     #[test]
@@ -47,5 +56,16 @@ mod tests {
             let (a, b) = (above(x), below(-x));
             assert_eq!((a.re, a.v1, a.v2), (-b.re, b.v1, -b.v2));
         }
+    }
+
+    #[test]
+    fn exact_c2_at_both_ends_of_a_rise() {
+        let at = |x: f64| risen(Dual2_64::from(x).derivative(), 0.2, 0.4);
+        for (end, value) in [(0.2, 0.0), (0.6, 1.0)] {
+            for x in [end * (1.0 - 1e-9), end * (1.0 + 1e-9)].map(at) {
+                assert!((x.re - value).abs() < 1e-12 && x.v1.abs() < 1e-7 && x.v2.abs() < 1e-6, "{x:?}");
+            }
+        }
+        assert_eq!((at(-1.0).re, at(0.4).re, at(7.0).re), (0.0, 0.5, 1.0));
     }
 }
