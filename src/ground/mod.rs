@@ -91,14 +91,14 @@ impl<T: Numbers> Turf<T> {
             bouncing = bouncing & hops;
             bounces += 1;
         }
-        way = way + self.to_rest(&moving, &slope, ball.radius);
+        way = way + self.way_to_rest(&moving, &slope, ball.radius);
         let or_nan = |there: T, more: T| (there + more).blend(T::constant(f64::NAN), comes_down);
         Rest { downrange: or_nan(ball.downrange, way.z), right: or_nan(ball.right, way.y), bounces }
     }
 
     /// The way of a ball that stays on the ground: it slides until it rolls, and rolls until it rests.
     #[inline(always)]
-    fn to_rest(&self, ball: &Moving<T>, slope: &Slope<T>, radius: T) -> Vector<T> {
+    fn way_to_rest(&self, ball: &Moving<T>, slope: &Slope<T>, radius: T) -> Vector<T> {
         let (normal, pull, stuck) = (slope.normal, slope.pull, self.stuck());
         let velocity = ball.velocity - normal * normal.dot(ball.velocity);
         let slip = ball.slip(velocity, normal, radius);
