@@ -56,6 +56,9 @@ pub(crate) fn cells_of<const N: usize, const CELLS: usize>(x: &[f64], y: &[f64],
     cells
 }
 
+/// Most steps that are counted, and not halved.
+const FEW: usize = 16;
+
 impl Knots {
     fn new(at: &'static [f64]) -> Self {
         let (first, last) = (at[0], at[at.len() - 1]);
@@ -73,18 +76,11 @@ impl Knots {
             let place = ((value - self.at[0]) * per_unit) as usize;
             return if place < self.last { place } else { self.last };
         }
-        // the inner knots that are not above the value, by halves
-        let (mut first, mut count) = (0, self.last);
-        while count > 0 {
-            let half = count / 2;
-            if self.at[first + half + 1] <= value {
-                first += half + 1;
-                count -= half + 1;
-            } else {
-                count = half;
-            }
+        // the inner knots that are not above the value: of few all are asked, which needs no branch
+        if self.last <= FEW {
+            return self.at[1..=self.last].iter().map(|knot| usize::from(*knot <= value)).sum();
         }
-        first
+        self.at[1..=self.last].partition_point(|knot| *knot <= value)
     }
 }
 
