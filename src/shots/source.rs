@@ -99,7 +99,7 @@ impl Shots {
     /// The shots of a text: comma-separated values with a head, or JSON. It may be in UTF-8 or UTF-16, behind byte-order marks.
     ///
     /// # Errors
-    /// [`Error::Table`] for a text that cannot be read, is empty, or has a head without a column that a launch needs, with an unknown
+    /// [`Error::Table`](crate::Error::Table) for a text that cannot be read, is empty, or has a head without a column that a launch needs, with an unknown
     /// column, or with a unit of another kind.
     pub fn read(setup: &Setup<f64>, name: &str, source: impl Read + Send + 'static) -> Result<Self> {
         let table = Table(name.into());

@@ -184,7 +184,7 @@ fn bad_input_gets_status_two_and_a_message_that_helps() {
         (vec!["optimize", "--vary", "club.loft=4deg..9deg", "--vary", "club.loft=4deg..9deg"], vec!["varied twice"]),
         (vec!["optimize", "--maximize", "distance"], vec!["unknown outcome 'distance'"]),
         (vec!["presets", "mae44"], vec!["did you mean 'mae494'?"]),
-        (vec!["fly"], vec!["unrecognized subcommand"]),
+        (vec!["soar"], vec!["unrecognized subcommand"]),
     ] {
         let said = longdrive(&args);
         assert_eq!(said.status, 2, "{args:?}: {}", said.err);
