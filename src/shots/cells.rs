@@ -47,14 +47,16 @@ pub(super) fn is_open(text: &str, separator: u8) -> bool {
     if !text.contains('"') {
         return false;
     }
-    let (mut is_quoted, mut begins) = (false, true);
+    let (mut is_quoted, mut begins, mut has_closed) = (false, true, false);
     for byte in text.bytes() {
-        match byte {
-            b'"' if is_quoted || begins => (is_quoted, begins) = (!is_quoted, false),
-            // the second of two quotes within a cell opens again
-            b'"' => {}
-            b' ' => {}
-            byte => begins = !is_quoted && byte == separator,
+        if byte == b'"' {
+            // two quotes in a quoted cell stand for one: the cell goes on
+            let opens = begins || has_closed;
+            (has_closed, is_quoted) = (is_quoted, !is_quoted && opens);
+            begins = false;
+        } else if byte != b' ' || has_closed {
+            has_closed = false;
+            begins = !is_quoted && byte == separator;
         }
     }
     is_quoted
