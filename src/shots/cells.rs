@@ -47,14 +47,15 @@ pub(super) fn is_open(text: &str, separator: u8) -> bool {
     if !text.contains('"') {
         return false;
     }
-    let (mut is_quoted, mut begins) = (false, true);
+    let (mut is_quoted, mut begins, mut has_closed) = (false, true, false);
     for byte in text.bytes() {
         match byte {
-            b'"' if is_quoted || begins => (is_quoted, begins) = (!is_quoted, false),
             // the second of two quotes within a cell opens again
-            b'"' => {}
-            b' ' => {}
-            byte => begins = !is_quoted && byte == separator,
+            b'"' if is_quoted || begins || has_closed => {
+                (is_quoted, begins, has_closed) = (!is_quoted, false, is_quoted);
+            }
+            b' ' if begins => {}
+            byte => (begins, has_closed) = (!is_quoted && byte == separator, false),
         }
     }
     is_quoted
