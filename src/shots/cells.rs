@@ -49,14 +49,13 @@ pub(super) fn is_open(text: &str, separator: u8) -> bool {
     }
     let (mut is_quoted, mut begins, mut has_closed) = (false, true, false);
     for byte in text.bytes() {
-        if byte == b'"' {
-            // two quotes in a quoted cell stand for one: the cell goes on
-            let opens = begins || has_closed;
-            (has_closed, is_quoted) = (is_quoted, !is_quoted && opens);
-            begins = false;
-        } else if byte != b' ' || has_closed {
-            has_closed = false;
-            begins = !is_quoted && byte == separator;
+        match byte {
+            // the second of two quotes within a cell opens again
+            b'"' if is_quoted || begins || has_closed => {
+                (is_quoted, begins, has_closed) = (!is_quoted, false, is_quoted);
+            }
+            b' ' if begins => {}
+            byte => (begins, has_closed) = (!is_quoted && byte == separator, false),
         }
     }
     is_quoted
