@@ -14,7 +14,7 @@ pub fn taylor_slopes(ladder: &Ladder, first: f64, second: f64) -> [Option<f64>; 
     [slope(ladder, |_| 0.0), slope(ladder, |h| h * first), slope(ladder, |h| h * (first + 0.5 * h * second))]
 }
 
-/// The slope of the remainder of a polynomial over the smallest steps at which it stands out of the rounding.
+/// The slope of the remainder of a polynomial over the smallest steps at which it stands out of the rounding: the steeper of both sides.
 fn slope(ladder: &Ladder, polynomial: impl Fn(f64) -> f64) -> Option<f64> {
     let (size, rounding) = (ladder.scale, ladder.rounding());
     let logarithms = |sign: f64| {
@@ -30,10 +30,14 @@ fn slope(ladder: &Ladder, polynomial: impl Fn(f64) -> f64) -> Option<f64> {
         points.reverse();
         points
     };
-    let [above, below] = [1.0, -1.0].map(logarithms);
-    let points = if above.len() >= below.len() { above } else { below };
+    // where two terms of the remainder cancel on one side, they add up on the other
+    let both = [1.0, -1.0].into_iter().filter_map(|sign| fitted(&logarithms(sign)));
+    both.max_by(f64::total_cmp)
+}
+
+/// The slope of a line through the last points, by least squares.
+fn fitted(points: &[(f64, f64)]) -> Option<f64> {
     let points = points.get(points.len().checked_sub(STEPS)?..)?;
-    // least squares
     let mean = |f: fn(&(f64, f64)) -> f64| points.iter().map(f).sum::<f64>() / points.len() as f64;
     let (x, y) = (mean(|p| p.0), mean(|p| p.1));
     let covariance: f64 = points.iter().map(|p| (p.0 - x) * (p.1 - y)).sum();
