@@ -52,6 +52,7 @@ impl Fitted {
 
     /// Whether a spin ratio, spin, Reynolds number and speed through the air lie within all ranges that are known. In no air (a Reynolds
     /// number of 0) there is no law to leave.
+    #[inline]
     pub fn holds(&self, [spin_ratio, spin, reynolds, speed]: [f64; 4]) -> bool {
         let is_in = |range: Option<[f64; 2]>, value: f64| range.is_none_or(|[low, high]| (low..=high).contains(&value));
         reynolds == 0.0

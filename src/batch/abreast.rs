@@ -110,7 +110,7 @@ impl Abreast<'_> {
         );
         let runs = kernel.of.iter().any(|outcome| outcome.is_of_the_run());
         let struck = Struck::new(setup, runs);
-        let at_launch = struck.inputs.stream();
+        let [spin_ratio, spin, reynolds, air_speed] = struck.inputs.stream();
         let (toe, high) = (setup.strike.toe, setup.strike.high);
         let fitted = AerodynamicLaw::<f64>::fitted(&kernel.setup.law);
         let has_apex = kernel.of.iter().any(|outcome| outcome.is_of_the_apex());
@@ -135,7 +135,7 @@ impl Abreast<'_> {
                 |number: J| in_lane(number).re(),
             );
             self.block.beyond[row] = Beyond {
-                law: !fitted.holds(at_launch.map(value)),
+                law: !fitted.holds([value(spin_ratio), value(spin), value(reynolds), value(air_speed)]),
                 face: club_speed.is_some() && is_beside_any_face(value(toe), value(high)),
             };
             for (i, outcome) in kernel.of.iter().enumerate() {

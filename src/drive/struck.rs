@@ -1,4 +1,5 @@
 use crate::flight::Inputs;
+use crate::ground::Turf;
 use crate::impact::Unchecked;
 use crate::launch::Launch;
 use crate::number::{Mask, Numbers};
@@ -23,8 +24,11 @@ impl<T: Numbers> Struck<T> {
         T::outlined(
             #[inline(always)]
             || {
-                let struck = Self::of(setup);
-                if runs { Self { inputs: struck.inputs.with_run(setup), ..struck } } else { struck }
+                let mut struck = Self::of(setup);
+                if runs {
+                    struck.inputs.turf = Some(Turf::new(setup));
+                }
+                struck
             },
         )
     }

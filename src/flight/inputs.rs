@@ -66,9 +66,8 @@ impl<T: Numbers> Inputs<T> {
 
     /// The same with the run on the ground of a setup.
     #[inline(always)]
-    pub fn with_run(mut self, setup: &Setup<T>) -> Self {
-        self.turf = Some(Turf::new(setup));
-        self
+    pub fn with_run(self, setup: &Setup<T>) -> Self {
+        Self { turf: Some(Turf::new(setup)), ..self }
     }
 
     /// Spin ratio, spin, Reynolds number and speed through the air as the ball leaves.

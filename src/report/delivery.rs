@@ -15,10 +15,9 @@ use serde_json::{Value, json};
 /// The answer of `delivery` as one JSON object, SI and radians: `rows` has one entry for a single shot.
 /// With `left_out` rows the work was interrupted before them.
 pub fn delivery_reply(all: &[Delivery], left_out: usize, warnings: Vec<Message>) -> Reply<Value> {
-    let found = all.iter().filter(|delivery| delivery.converged().is_some()).count();
+    let found = all.iter().filter(|delivery| delivery.explained().is_some()).count();
     let why = all.iter().find_map(|delivery| match &delivery.found {
-        Ok(delivered) if delivered.status != Status::Converged => Some(delivered.message.clone()),
-        Ok(_) => None,
+        Ok(delivered) => verdict(delivered).1,
         Err(error) => Some(error.to_string()),
     });
     let spread = Spread::of(all).into_iter().map(
@@ -41,6 +40,7 @@ fn row(delivery: &Delivery) -> Value {
             return json!({ "row": delivery.row, "status": status, "message": message, "known": [], "explained": [], "untold": [] });
         }
     };
+    let (status, message) = verdict(delivered);
     let known = delivered.known.iter().map(|known| {
         json!({
             "parameter": known.unknown.parameter.name,
@@ -68,12 +68,30 @@ fn row(delivery: &Delivery) -> Value {
     });
     json!({
         "row": delivery.row,
-        "status": delivered.status.name(),
-        "message": delivered.message,
+        "status": status,
+        "message": message.unwrap_or_else(|| delivered.message.clone()),
         "known": known.collect::<Vec<_>>(),
         "explained": explained.collect::<Vec<_>>(),
         "untold": untold.collect::<Vec<_>>(),
     })
+}
+
+/// How the search for a delivery ended in a word, and a sentence where it did not find one.
+fn verdict(delivered: &Delivered) -> (&'static str, Option<String>) {
+    if delivered.status != Status::Converged {
+        return (delivered.status.name(), Some(delivered.message.clone()));
+    }
+    let Some(worst) = delivered.unexplained() else { return (delivered.status.name(), None) };
+    let of = worst.measured.outcome;
+    let message = format!(
+        "no delivery within the ranges explains this launch: {} was measured as {} and is {} at the nearest, {} standard uncertainties \
+         away; check the value, the club (--set) and the ranges (--vary)",
+        of.name(),
+        of.show(worst.measured.value),
+        of.show(worst.computed),
+        fixed(worst.residual().abs(), 1)
+    );
+    ("unexplained", Some(message))
 }
 
 /// The delivery of one shot as text.
@@ -102,8 +120,8 @@ pub fn delivered_text(delivered: &Delivered, system: System) -> String {
         );
         text += &delivered.untold.iter().map(|untold| item(&untold_text(untold, system))).collect::<String>();
     }
-    if delivered.status != Status::Converged {
-        text += &format!("\n{}", paragraph(&format!("{}: {}", delivered.status, delivered.message)));
+    if let (status, Some(message)) = verdict(delivered) {
+        text += &format!("\n{}", paragraph(&format!("{status}: {message}")));
     }
     text
 }
@@ -147,10 +165,18 @@ pub fn deliveries_text(all: &[Delivery], system: System) -> String {
         Some(std::iter::once(delivery.row.to_string()).chain(values).chain([fixed(worst, 2)]).collect())
     });
     let mut text = if spread.is_empty() { String::new() } else { table(&head, &right, rows) };
-    let wrong = all.iter().filter_map(|delivery| Some((delivery.row, delivery.found.as_ref().err()?)));
-    let wrong: Vec<_> = wrong.map(|(row, error)| item(&format!("row {row}: {}", error.in_units(system)))).collect();
+    let why = |delivery: &Delivery| match &delivery.found {
+        Ok(delivered) => verdict(delivered).1,
+        Err(error) => Some(error.in_units(system)),
+    };
+    let wrong = all.iter().filter_map(|delivery| Some(item(&format!("row {}: {}", delivery.row, why(delivery)?))));
+    let wrong: Vec<_> = wrong.collect();
     if !wrong.is_empty() {
-        text += &format!("\nno delivery was found for {}:\n{}", counted(wrong.len() as u64, "row"), wrong.concat());
+        text += &format!(
+            "\nno delivery was found for {}, left out of the means below:\n{}",
+            counted(wrong.len() as u64, "row"),
+            wrong.concat()
+        );
     }
     if spread.is_empty() {
         return text;
@@ -168,7 +194,7 @@ pub fn deliveries_text(all: &[Delivery], system: System) -> String {
 
 /// What part of the variance before the shots tell of a parameter, in the middle of all.
 fn told_of(all: &[Delivery], parameter: &Parameter) -> String {
-    let known = all.iter().filter_map(|delivery| delivery.found.as_ref().ok()).flat_map(|delivered| &delivered.known);
+    let known = all.iter().filter_map(Delivery::explained).flat_map(|delivered| &delivered.known);
     let mut told: Vec<f64> =
         known.filter(|known| known.unknown.parameter == parameter).filter_map(|known| known.told).collect();
     told.sort_by(f64::total_cmp);
@@ -183,7 +209,7 @@ pub fn delivery_toml(setup: &Setup<f64>, all: &[Delivery], preset: &Preset, from
     let spread = Spread::of(all);
     let mut golfer = *setup;
     let mut remarks = vec![];
-    let shots = counted(all.iter().filter_map(Delivery::converged).count() as u64, "shot");
+    let shots = counted(all.iter().filter_map(Delivery::explained).count() as u64, "shot");
     for Spread { parameter, mean, deviation } in spread {
         golfer.set_value(parameter, Some(mean))?;
         let scatter = deviation.map_or(String::new(), |deviation| {

@@ -16,7 +16,10 @@ pub(super) fn words(name: &str) -> String {
 
 /// Whether an outcome is positive to the right.
 fn is_sideways(of: Outcome) -> bool {
-    matches!(of, Outcome::Lateral | Outcome::LaunchDirection | Outcome::Sidespin | Outcome::SpinAxis)
+    matches!(
+        of,
+        Outcome::Lateral | Outcome::LateralTotal | Outcome::LaunchDirection | Outcome::Sidespin | Outcome::SpinAxis
+    )
 }
 
 /// The value of an outcome: "162.0 mph", "3.2 yd R".

@@ -147,7 +147,7 @@ const DEFAULTS: &[(&str, Amount, &str)] = &[
     ("wind.from", Amount::Of(10.0, "deg"), BEARING),
     ("ground.restitution", Amount::Of(0.1, ""), TURF),
     ("ground.compliance", Amount::Of(5.0, "deg"), TURF),
-    ("ground.rolling", Amount::Part(0.3), TURF),
+    ("ground.rolling", Amount::Part(0.25), TURF),
     ("aero.cd", Amount::Of(0.015, ""), LAW_DRAG),
     ("aero.cd0", Amount::Of(0.015, ""), LAW_DRAG),
     ("aero.cd_factor", Amount::Part(0.06), LAW_DRAG),

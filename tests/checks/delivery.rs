@@ -195,6 +195,46 @@ fn shots_of_a_launch_monitor_have_their_deliveries_with_what_is_measured_of_the_
 }
 
 #[test]
+fn what_a_table_does_not_state_is_not_measured() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("shots.csv");
+    let table =
+        "Ball Speed [mph],Launch Angle [deg],Launch Direction [deg],Spin Rate [rpm],Carry [yd]\n171,10.4,,2545,400\n";
+    std::fs::write(&file, table).unwrap();
+    let (status, answer) = json(&["delivery", "--shots", file.to_str().unwrap()]);
+    let (_, alone) = json(&["delivery", "--launch", "ball_speed=171mph,launch_angle=10.4deg,spin=2545rpm"]);
+    assert_eq!(status, 0);
+    let of: Vec<_> = answer["rows"][0]["explained"].as_array().unwrap().iter().map(|one| &one["of"]).collect();
+    assert_eq!(of, ["ball_speed", "launch_angle", "spin"]);
+    for (here, there) in
+        answer["rows"][0]["known"].as_array().unwrap().iter().zip(alone["rows"][0]["known"].as_array().unwrap())
+    {
+        close(number(&here["value"]), number(&there["value"]), 1.0, 1e-9, "as on the command line");
+        if here["parameter"] == "swing.path" {
+            assert_eq!(number(&here["told"]), 0.0);
+        }
+    }
+}
+
+#[test]
+fn a_launch_that_no_delivery_gives_is_unexplained_and_written_nowhere() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("golfer.toml");
+    let launch = "ball_speed=300mph,launch_angle=12deg,spin=2600rpm";
+    let (status, answer) = json(&["delivery", "--launch", launch, "-o", file.to_str().unwrap()]);
+    assert_eq!(
+        (status, &answer["status"], &answer["rows"][0]["status"]),
+        (1, &"no-answer".into(), &"unexplained".into())
+    );
+    assert!(
+        answer["message"].as_str().unwrap().contains("ball_speed was measured as 300 mph"),
+        "{}",
+        answer["message"]
+    );
+    assert!(!file.exists() && answer["spread"].as_array().unwrap().is_empty());
+}
+
+#[test]
 fn bad_questions_about_a_delivery_are_refused_with_what_to_do() {
     let launch = ["--ball-speed", "150mph", "--launch-angle", "12deg", "--spin", "2600rpm"];
     let given =

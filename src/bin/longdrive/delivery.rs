@@ -35,7 +35,10 @@ pub fn run(args: &DeliveryArgs) -> Result<Answer> {
                 &format!("every row of {} has a value of its own", table.file),
             )?;
             table.remarks.iter().for_each(|remark| tell(&remark.in_units(system())));
-            tell_assumed(&unknowns);
+            tell(&format!("{}: of each row the launch is used, and not the flight", table.file));
+            let is_assumed = |unknown: &&Unknown| !table.gives(unknown.parameter);
+            tell_assumed(&unknowns.iter().copied().filter(|unknown| is_assumed(&unknown)).collect::<Vec<_>>());
+            tell_measured(&setup, &table, &unknowns);
             let all = deliveries(&setup, &table, &unknowns, &interrupt::stops(BEST_SO_FAR));
             let left_out = table.shots.len() - all.len();
             (all, table.file, left_out)
@@ -46,7 +49,7 @@ pub fn run(args: &DeliveryArgs) -> Result<Answer> {
         warn(&unreached);
         warnings.extend(unreached);
     }
-    let found = all.iter().filter_map(Delivery::converged).count();
+    let found = all.iter().filter_map(Delivery::explained).count();
     if let Some(output) = &output {
         let file = output.path().display();
         if found > 0 && left_out == 0 {
@@ -81,6 +84,17 @@ fn tell_assumed(unknowns: &[Unknown]) {
             let (name, value, sigma) = (unknown.parameter.name, shown(unknown.before), shown(unknown.sigma));
             tell(&format!("known before: {name} = {value} ± {sigma} (one standard deviation); {source}"));
         }
+    }
+}
+
+/// How well the columns of the club are known, where these are sought.
+fn tell_measured(setup: &Setup<f64>, table: &ShotTable, unknowns: &[Unknown]) {
+    for unknown in unknowns.iter().filter(|unknown| table.gives(unknown.parameter)) {
+        let name = unknown.parameter.name;
+        let measured = unknown.measured_as(setup.value(unknown.parameter).unwrap_or_default());
+        let sigma = parameter_text(unknown.parameter, measured.sigma, system());
+        let source = measured.source.unwrap_or("as given");
+        tell(&format!("known before: {name} as each row has it ± {sigma} (one standard deviation); {source}"));
     }
 }
 

@@ -102,7 +102,8 @@ impl ShotTable {
         let mut remarks = head.remarks.clone();
         let written = head.named(|column| column.holds == Holds::Written);
         remarks.extend(written.told("columns that a sweep writes beside what is measured are not read"));
-        let (is_export, is_launched) = (head.format.is_export, head.is_launched());
+        // where a delivery is sought, the launch is what was measured, and not given
+        let (is_export, is_launched) = (head.format.is_export, head.is_launched() && club == Club::LeftOut);
         let inputs = head.columns.iter().filter_map(|column| match column.holds {
             Holds::Input(parameter) => Some(parameter.name),
             _ => None,
@@ -110,8 +111,12 @@ impl ShotTable {
         setup
             .refuse_replaced(&inputs.collect::<Vec<_>>())
             .map_err(|error| refused(String::new(), error.to_string()))?;
-        let reading = Reading { setup, is_launched, needs_more: club == Club::LeftOut, columns: head.columns };
-        if is_export && !reading.is_launched && !reading.columns.iter().any(Column::is_of_the_strike) {
+        let reading = Reading { setup, is_launched, club, columns: head.columns };
+        if is_export
+            && club == Club::LeftOut
+            && !reading.is_launched
+            && !reading.columns.iter().any(Column::is_of_the_strike)
+        {
             let reason = "it has neither a whole launch (ball speed, launch angle and spin) nor a column of the club, such as club \
                           speed; add the missing columns";
             return Err(refused(String::new(), reason.into()));

@@ -3,7 +3,7 @@
 use super::instrument::instrument;
 use super::shot::{Measurement, Shot, Stationary};
 use super::statistics::Uncertainties;
-use crate::columns::{CONDITIONS, Column, Fault, Holds, conditions};
+use crate::columns::{CONDITIONS, Club, Column, Fault, Holds, conditions};
 use crate::drive::{Outcome, Part};
 use crate::error::Error;
 use crate::parameters::Setup;
@@ -18,8 +18,8 @@ pub(super) struct Reading<'a> {
     pub setup: &'a Setup<f64>,
     pub columns: Vec<Column>,
     pub is_launched: bool,
-    /// Whether a launch needs a measurement beside it.
-    pub needs_more: bool,
+    /// Whether the launches of clubs are looked at, of which the flight is not used.
+    pub club: Club,
 }
 
 /// What is wrong with a row.
@@ -64,6 +64,14 @@ impl Reading<'_> {
         }
     }
 
+    /// Whether an outcome is used as measured: not what gives the launch, and of the launch of a club nothing else.
+    fn is_used(&self, outcome: Outcome) -> bool {
+        match self.club {
+            Club::LeftOut => !(self.is_launched && CONDITIONS.contains(&outcome)),
+            Club::Kept => outcome.part() == Part::Launch,
+        }
+    }
+
     /// The shot of a row.
     pub fn shot(&self, row: usize, record: &StringRecord) -> Result<Shot, Wrong> {
         let (mut inputs, mut measured) = (vec![], vec![]);
@@ -81,7 +89,7 @@ impl Reading<'_> {
                         .map_err(|error| Wrong::from((here(), error.to_string())))?;
                     inputs.push((parameter, value));
                 }
-                Holds::Outcome(outcome) if !(self.is_launched && CONDITIONS.contains(&outcome)) => {
+                Holds::Outcome(outcome) if self.is_used(outcome) => {
                     if let Some(value) = self.cell(record, column.holds)? {
                         if self.is_launched && outcome.part() == Part::Launch {
                             return Err((here(), "rows of launch conditions have no club").into());
@@ -109,8 +117,7 @@ impl Reading<'_> {
         }
         at_shot.validate().map_err(wrong)?;
         let stationary = self.stationary(record, &at_shot)?;
-        let is_whole = self.is_launched && !self.needs_more;
-        if measured.is_empty() && stationary.is_empty() && !is_whole {
+        if measured.is_empty() && stationary.is_empty() {
             return Err(Wrong::incomplete(None, "nothing is measured in it; give an outcome, or take the row out"));
         }
         Ok(Shot { row, inputs, measured, stationary })
@@ -166,7 +173,7 @@ impl Reading<'_> {
         let mut remarks = vec![];
         for column in &self.columns {
             match column.holds {
-                Holds::Outcome(outcome) if self.is_launched && CONDITIONS.contains(&outcome) => {}
+                Holds::Outcome(outcome) if !self.is_used(outcome) => {}
                 Holds::Outcome(outcome) if !has(Holds::Sigma(outcome)) => match instrument(outcome) {
                     Some((instrument, sigma)) => {
                         let without = format!("{} has no column 'sigma {}': ", column.head, outcome.name());

@@ -35,6 +35,9 @@ impl Explained {
     }
 }
 
+/// A measured outcome that is off by more than this, in units of its standard uncertainty, is not explained.
+const EXPLAINED_WITHIN: f64 = 3.0;
+
 /// The delivery that explains a launch.
 #[derive(Clone, Debug)]
 pub struct Delivered {
@@ -50,4 +53,17 @@ pub struct Delivered {
     pub explained: Vec<Explained>,
     /// Changes of several parameters together that the launch does not tell, the least told first.
     pub untold: Vec<Untold>,
+}
+
+impl Delivered {
+    /// The measured outcome that is off by most, where that is too much: no delivery within the ranges gives this launch.
+    pub fn unexplained(&self) -> Option<&Explained> {
+        let worst = self.explained.iter().max_by(|a, b| a.residual().abs().total_cmp(&b.residual().abs()));
+        worst.filter(|worst| worst.residual().abs() > EXPLAINED_WITHIN)
+    }
+
+    /// Whether a search that converged explains the launch.
+    pub fn is_found(&self) -> bool {
+        self.status == Status::Converged && self.unexplained().is_none()
+    }
 }

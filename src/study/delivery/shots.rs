@@ -3,7 +3,6 @@ use super::solve::delivery;
 use super::unknown::Unknown;
 use crate::drive::{Outcome, Part};
 use crate::error::{Error, Result};
-use crate::optimize::least_squares::Status;
 use crate::parameters::{Parameter, Setup};
 use crate::study::calibrate::{Measurement, Shot, ShotTable, instrument};
 use rayon::prelude::*;
@@ -19,9 +18,9 @@ pub struct Delivery {
 }
 
 impl Delivery {
-    /// What was found, where the search converged.
-    pub fn converged(&self) -> Option<&Delivered> {
-        self.found.as_ref().ok().filter(|delivered| delivered.status == Status::Converged)
+    /// What was found, where the search converged and explains the launch.
+    pub fn explained(&self) -> Option<&Delivered> {
+        self.found.as_ref().ok().filter(|delivered| delivered.is_found())
     }
 }
 
@@ -89,7 +88,7 @@ fn of_shot(setup: &Setup<f64>, shot: &Shot, unknowns: &[Unknown]) -> Result<Deli
 impl Spread {
     /// Each parameter sought over the shots whose delivery was found.
     pub fn of(all: &[Delivery]) -> Vec<Self> {
-        let found: Vec<&Delivered> = all.iter().filter_map(Delivery::converged).collect();
+        let found: Vec<&Delivered> = all.iter().filter_map(Delivery::explained).collect();
         let Some(first) = found.first() else { return vec![] };
         let count = found.len() as f64;
         let one = |i: usize| {

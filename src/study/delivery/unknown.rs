@@ -48,7 +48,7 @@ const REACH: f64 = 4.0;
 
 impl Unknown {
     /// The same parameter where a launch monitor has measured it, with the monitor's uncertainty; one that was given stays.
-    pub(super) fn measured_as(self, value: f64) -> Self {
+    pub fn measured_as(self, value: f64) -> Self {
         let Self { parameter, sigma, source, low, high, .. } = self;
         let monitor = MEASURED.iter().find(|(name, _)| *name == parameter.name);
         let stated = monitor.and_then(|(_, sigma)| parameter.quantity.read_difference(sigma).ok());

@@ -21,7 +21,7 @@ pub struct Fly {
         long,
         value_name = "OUTCOME,…",
         value_delimiter = ',',
-        default_value = "carry_distance,lateral,apex_height,flight_time,descent_angle"
+        default_value = "carry_distance,lateral,apex_height,flight_time,descent_angle,total"
     )]
     pub of: Vec<String>,
 
