@@ -5,7 +5,10 @@ use super::table::{Air, Setup};
 use crate::error::{Error, Result};
 
 /// Parameters that may be given in two ways: where one of `by` is given, those of `replaced` follow from them.
-struct Ways {
+#[derive(Debug, PartialEq)]
+pub struct Ways {
+    /// What they are together: `air`, `wind`.
+    pub name: &'static str,
     by: &'static [&'static str],
     replaced: &'static [&'static str],
     rule: &'static str,
@@ -13,16 +16,40 @@ struct Ways {
 
 static WAYS: [Ways; 2] = [
     Ways {
+        name: "air",
         by: &["air.temperature", "air.pressure", "air.altitude", "air.humidity"],
         replaced: &["air.density", "air.viscosity"],
         rule: "density and viscosity follow from the weather (air.temperature, air.pressure, air.altitude, air.humidity)",
     },
     Ways {
+        name: "wind",
         by: &["wind.speed", "wind.from"],
         replaced: &["wind.right", "wind.downrange"],
         rule: "wind.right and wind.downrange follow from wind.speed and wind.from",
     },
 ];
+
+impl Ways {
+    /// Whether a parameter is one of them.
+    pub(crate) fn has(&self, parameter: &Parameter) -> bool {
+        [self.by, self.replaced].iter().any(|names| names.contains(&parameter.name))
+    }
+
+    /// Those by which a setup gives it: what is set of `by`, or `replaced` where nothing is.
+    pub(crate) fn given_in(&self, setup: &Setup<f64>) -> Vec<&'static Parameter> {
+        let set = |names: &[&str]| -> Vec<&'static Parameter> {
+            let rows = names.iter().filter_map(|name| setup.parameter(name).ok());
+            rows.filter(|row| setup.value(row).is_some()).collect()
+        };
+        let by = set(self.by);
+        if by.is_empty() { set(self.replaced) } else { by }
+    }
+}
+
+/// What two setups give by different parameters.
+pub(crate) fn given_otherwise([a, b]: &[Setup<f64>; 2]) -> Vec<&'static Ways> {
+    WAYS.iter().filter(|ways| ways.given_in(a) != ways.given_in(b)).collect()
+}
 
 impl<T> Air<T> {
     /// Whether the weather is given, from which density and viscosity follow.
@@ -37,7 +64,7 @@ impl<T> Air<T> {
 /// # Errors
 /// [`Error::Together`].
 pub(crate) fn refuse_replaced(names: &[&str], is_set: impl Fn(&str) -> bool) -> Result<()> {
-    for Ways { by, replaced, rule } in &WAYS {
+    for Ways { by, replaced, rule, .. } in &WAYS {
         let Some(given) = replaced.iter().find(|name| names.contains(name)) else { continue };
         if let Some(by) = by.iter().find(|name| names.contains(name) || is_set(name)) {
             let reason = format!("{rule}; keep one of the two (--set {by}=none unsets {by})");

@@ -16,7 +16,8 @@ mod table;
 mod turf;
 mod vary;
 
-pub(crate) use air::refuse_replaced;
+pub use air::Ways;
+pub(crate) use air::{given_otherwise, refuse_replaced};
 pub use declare::{Kind, Parameter, UNSET};
 pub use file::SetupFile;
 pub(crate) use law_table::Grid;

@@ -4,7 +4,7 @@ use super::table::table;
 use super::{drive, json, shown};
 use crate::drive::Outcome;
 use crate::error::Result;
-use crate::parameters::{Setup, UNSET};
+use crate::parameters::{Parameter, Setup, UNSET};
 use crate::study::{Cause, Comparison, Difference, Share, Shares};
 use crate::units::{Message, System};
 use serde::Serialize;
@@ -93,6 +93,10 @@ fn shares(split: &Shares) -> Map<String, Value> {
     let value = |cause: Cause, setup: &Setup<f64>| match cause {
         Cause::Number(parameter) | Cause::AtOnce(parameter) => json::number(setup.value(parameter)),
         Cause::Law | Cause::Launch => json!(choice(cause, setup)),
+        Cause::Ways(ways) => {
+            let given = ways.given_in(setup).into_iter();
+            given.map(|parameter| (parameter.name, json::number(setup.value(parameter)))).collect()
+        }
     };
     let each = split.shares.iter().map(|Share { cause, amount }| {
         json!({
@@ -187,10 +191,18 @@ fn shares_text(title: &str, difference: &Difference, split: &Shares, system: Sys
 /// What a cause is in one of the drives.
 fn cell(cause: Cause, setup: &Setup<f64>, system: System) -> String {
     match cause {
-        Cause::Number(parameter) | Cause::AtOnce(parameter) => match setup.value(parameter) {
-            None => UNSET.into(),
-            Some(value) => shown::stated(parameter, value, system),
-        },
+        Cause::Number(parameter) | Cause::AtOnce(parameter) => stated(parameter, setup, system),
         Cause::Law | Cause::Launch => choice(cause, setup).into(),
+        Cause::Ways(ways) => {
+            let line = |parameter: &&'static Parameter| {
+                let name = parameter.name.rsplit('.').next().unwrap_or(parameter.name);
+                format!("{name} {}", stated(parameter, setup, system))
+            };
+            ways.given_in(setup).iter().map(line).collect::<Vec<_>>().join("\n")
+        }
     }
+}
+
+fn stated(parameter: &Parameter, setup: &Setup<f64>, system: System) -> String {
+    setup.value(parameter).map_or_else(|| UNSET.into(), |value| shown::stated(parameter, value, system))
 }

@@ -279,3 +279,108 @@ fn no_difference_is_said_and_bad_input_names_the_drive() {
         assert!(said.status == status && text.contains(says), "{args:?}: {} {text}", said.status);
     }
 }
+
+#[test]
+fn air_and_wind_given_by_different_parameters_are_one_cause_each() {
+    let wind = ["--set-b", "wind.speed=10mph", "--set-b", "wind.from=45deg"];
+    let components = ["--set-a", "wind.right=3m/s"];
+    for (args, cause, given) in [
+        (wind.to_vec(), "wind", [vec!["wind.right", "wind.downrange"], vec!["wind.speed", "wind.from"]]),
+        (
+            [&components[..], &wind].concat(),
+            "wind",
+            [vec!["wind.right", "wind.downrange"], vec!["wind.speed", "wind.from"]],
+        ),
+        (
+            vec!["winfield-tan", "tour-average", "--set-b", "air.altitude=1mi"],
+            "air",
+            [vec!["air.density", "air.viscosity"], vec!["air.altitude"]],
+        ),
+        (
+            vec!["--set-a", "air.pressure=900hPa", "--set-b", "air.altitude=1mi"],
+            "air",
+            [vec!["air.pressure"], vec!["air.altitude"]],
+        ),
+        (
+            vec!["--set-a", "air.density=1.2kg/m^3", "--set-b", "air.temperature=10degC"],
+            "air",
+            [vec!["air.density", "air.viscosity"], vec!["air.temperature"]],
+        ),
+    ] {
+        let (status, found) = json(&[&["compare"], &args[..]].concat());
+        assert_eq!(status, 0, "{args:?}: {found}");
+        let carry = &found["outcomes"][0];
+        for split in [&carry["by_parameter"], &carry["by_launch"]] {
+            let shares = split["shares"].as_array().unwrap();
+            let sum: f64 = shares.iter().map(|share| number(&share["share"])).sum();
+            close(sum, number(&carry["difference"]), 300.0, 1e-9, "sum");
+            let of =
+                |name: &str| shares.iter().filter(|share| share["cause"].as_str().unwrap().starts_with(name)).count();
+            assert_eq!((of("air"), of("wind")), (usize::from(cause == "air"), usize::from(cause == "wind")), "{split}");
+            let share = shares.iter().find(|share| share["cause"] == cause).unwrap();
+            assert_eq!(share["at_once"], true);
+            for (side, names) in given.iter().enumerate() {
+                let values = share["values"][side].as_object().unwrap();
+                assert_eq!(values.len(), names.len(), "{share}");
+                for name in names {
+                    assert_eq!(values[*name], found[["a", "b"][side]]["setup"][*name], "{name}");
+                }
+            }
+        }
+        let said = longdrive(&[&["compare"], &args[..]].concat());
+        let row = format!("  {cause} ");
+        assert!(said.status == 0 && said.out.lines().any(|line| line.starts_with(&row)), "{}", said.out);
+        let folder = tempfile::tempdir().unwrap();
+        let picture = folder.path().join("difference.csv");
+        let said = longdrive(&[&["plot", "compare"], &args[..], &["-o", picture.to_str().unwrap()]].concat());
+        assert_eq!(said.status, 0, "{}", said.err);
+        assert!(std::fs::read_to_string(picture).unwrap().contains(&format!("bar,{cause},")), "{args:?}");
+    }
+    let said = longdrive(&[&["compare", "--units", "us"], &components[..], &wind].concat());
+    let lines: Vec<String> =
+        said.out.lines().map(|line| line.split_whitespace().collect::<Vec<_>>().join(" ")).collect();
+    let at = lines.iter().position(|line| line.starts_with("wind right 6.7108 mph speed 10 mph -")).expect(&said.out);
+    assert_eq!(lines[at + 1], "downrange 0 mph from 45 deg", "{}", said.out);
+}
+
+#[test]
+fn exact_air_and_wind_given_by_the_same_parameters_are_split_into_them() {
+    let settings = [("air.altitude", "1 mi"), ("wind.speed", "10 mph"), ("wind.from", "45 deg")];
+    // the densities of the two presets differ, and are replaced in both
+    let [a, b] = ["winfield-tan", "tour-average"].map(|name| changed(&Setup::preset(name).unwrap(), &settings));
+    assert!(a.air.density != b.air.density);
+    let b = changed(&b, &[("air.altitude", "0 m"), ("wind.from", "90 deg")]);
+    let found = difference(&a, &b, Outcome::Carry);
+    for split in [&found.by_parameter, found.by_launch.as_ref().unwrap()] {
+        let names: Vec<_> = split.shares.iter().map(|share| share.cause.name()).collect();
+        let of: Vec<_> = names.iter().filter(|name| name.starts_with("air") || name.starts_with("wind")).collect();
+        assert_eq!(of, [&"air.altitude", &"wind.from"]);
+        assert!(split.remainder.abs() < 1e-9, "{split:?}");
+    }
+}
+
+#[test]
+fn exact_shares_of_air_and_wind_changed_at_once_change_sign_on_the_way_back() {
+    let a = changed(&Setup::default(), &[("air.density", "1.2 kg/m^3"), ("wind.right", "3 m/s")]);
+    let other = [
+        ("air.temperature", "10 degC"),
+        ("wind.speed", "10 mph"),
+        ("wind.from", "45 deg"),
+        ("swing.speed", "118 mph"),
+        ("aero.law", "robinson"),
+    ];
+    let b = changed(&Setup::default(), &other);
+    for of in [Outcome::Carry, Outcome::Lateral] {
+        let [there, back] = [difference(&a, &b, of), difference(&b, &a, of)].map(|found| found.by_parameter);
+        let names: Vec<_> = there.shares.iter().map(|share| share.cause.name()).collect();
+        assert_eq!(names, ["swing.speed", "aero.law", "air", "wind"]);
+        assert!(there.remainder.abs() < 1e-7, "{there:?}");
+        for name in names {
+            close(share(&there, name), -share(&back, name), 100.0, 1e-9, name);
+        }
+    }
+    // the rest being the same, all of the difference is that of the wind
+    let b = changed(&Setup::default(), &[("air.density", "1.2 kg/m^3"), other[1], other[2]]);
+    let found = difference(&a, &b, Outcome::Carry);
+    close(share(&found.by_parameter, "wind"), carry(&b) - carry(&a), carry(&a), 1e-12, "wind");
+}

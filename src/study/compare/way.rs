@@ -2,7 +2,7 @@ use super::quadrature::integrals;
 use crate::derivative::{Evaluator, Order, evaluate};
 use crate::drive::Outcome;
 use crate::error::Result;
-use crate::parameters::{Kind, LAW, Parameter, Setup};
+use crate::parameters::{Kind, LAW, Parameter, Setup, Ways, given_otherwise};
 
 /// In what two drives differ.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -15,15 +15,18 @@ pub enum Cause {
     Law,
     /// Whether a club strikes the ball or its launch is given, with all of the strike and of the launch, changed at once.
     Launch,
+    /// The air or the wind, which the two give by different parameters: all of these, changed at once.
+    Ways(&'static Ways),
 }
 
 impl Cause {
-    /// The name of the parameter; `aero.law`; `launch`.
+    /// The name of the parameter; `aero.law`; `launch`; `air`; `wind`.
     pub fn name(self) -> &'static str {
         match self {
             Self::Number(parameter) | Self::AtOnce(parameter) => parameter.name,
             Self::Law => LAW,
             Self::Launch => "launch",
+            Self::Ways(ways) => ways.name,
         }
     }
 
@@ -63,12 +66,17 @@ impl Way {
         if differ_in_law {
             at_once.push(Cause::Law);
         }
+        let otherwise = given_otherwise(&ends);
+        at_once.extend(otherwise.iter().map(|ways| Cause::Ways(ways)));
         let mut numbers = vec![];
         for parameter in ends[0].parameters() {
             let is_of_the_whole = (parameter.is_of_strike() && are_given.contains(&true))
                 || (parameter.is_of_launch() && differ_in_launch)
-                || (parameter.law.is_some() && differ_in_law);
-            if is_of_the_whole || parameter.kind == Kind::Setting {
+                || (parameter.law.is_some() && differ_in_law)
+                || otherwise.iter().any(|ways| ways.has(parameter));
+            // what is replaced in one is replaced in the other too, by the same parameters
+            let is_replaced = ends[0].why_replaced(parameter).is_some();
+            if is_of_the_whole || is_replaced || parameter.kind == Kind::Setting {
                 continue;
             }
             match ends.each_ref().map(|setup| setup.value(parameter).or(parameter.value_unset())) {
@@ -151,9 +159,10 @@ impl Way {
                 (setup.launch, setup.swing, setup.strike) = (to.launch, to.swing, to.strike);
                 (setup.club, setup.impact) = (to.club, to.impact);
             }
-            // both values have been read within the range
-            Cause::Number(parameter) | Cause::AtOnce(parameter) => {
-                let _ = setup.set_value(parameter, to.value(parameter));
+            Cause::Number(parameter) | Cause::AtOnce(parameter) => take(setup, to, parameter),
+            Cause::Ways(ways) => {
+                let of = setup.parameters().into_iter().filter(|parameter| ways.has(parameter));
+                of.for_each(|parameter| take(setup, to, parameter));
             }
         }
     }
@@ -167,6 +176,11 @@ impl Way {
         };
         self.numbers.iter().map(between).collect()
     }
+}
+
+/// Takes the value of a parameter from another setup; both have been read within the range.
+fn take(setup: &mut Setup<f64>, from: &Setup<f64>, parameter: &Parameter) {
+    let _ = setup.set_value(parameter, from.value(parameter));
 }
 
 /// The value of an outcome.
