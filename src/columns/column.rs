@@ -271,6 +271,9 @@ impl Column {
                 self.unit()
             ));
         };
+        if self.format.is_export && number.abs() >= MISSING {
+            return Ok(None);
+        }
         match (&self.size, &self.unit, self.quantity()) {
             (Some(size), ..) => Ok(Some(size.value(number))),
             (None, Some(unit), Some(quantity)) => {
@@ -281,11 +284,12 @@ impl Column {
     }
 }
 
-/// Whether a cell of a launch monitor says that there is no value: a dash, `N/A`, or the largest number of 32 bits.
+/// Numbers of a launch monitor from here on say that there is no value: the largest of 32 bits, 3.4e38, or one near it.
+const MISSING: f64 = 1e38;
+
+/// Whether a cell of a launch monitor says that there is no value: a dash, or `N/A`.
 fn is_missing(cell: &str) -> bool {
-    const LARGEST: f64 = 3.4e38;
-    let is_a_word = ["-", "--", "–", "—", "n/a", "na", "null"].iter().any(|word| cell.eq_ignore_ascii_case(word));
-    is_a_word || cell.len() > 8 && cell.parse().is_ok_and(|number: f64| number.is_finite() && number.abs() >= LARGEST)
+    ["-", "--", "–", "—", "n/a", "na", "null"].iter().any(|word| cell.eq_ignore_ascii_case(word))
 }
 
 /// What a measured outcome is: launch monitors, and people, mean the distance to the landing point by carry.

@@ -13,16 +13,81 @@ pub(crate) struct Fault {
     pub is_missing: bool,
 }
 
+/// The values of [`CONDITIONS`] in a row.
+pub(crate) type Stated = [Option<f64>; CONDITIONS.len()];
+
+/// The largest axis beside a backspin: the tangent of 90° is no number.
+const MOST_AXIS: f64 = std::f64::consts::FRAC_PI_2 - 1e-9;
+
+/// Stated spins that differ by less than this part of the spin differ by rounding: an axis in whole degrees by 0.9 %.
+const ROUNDING: f64 = 0.02;
+
+/// The same without what repeats the spin. Taken is the first of these that the row has: the spin with its axis, backspin with
+/// sidespin, the spin with sidespin, backspin with the axis, the spin, backspin.
+pub(crate) fn taken(values: Stated) -> Stated {
+    let [speed, angle, direction, spin, backspin, sidespin, axis] = values;
+    let [spin, backspin, sidespin, axis] = match (spin, backspin, sidespin, axis) {
+        (Some(_), _, _, Some(_)) => [spin, None, None, axis],
+        (_, Some(_), Some(_), _) => [None, backspin, sidespin, None],
+        (Some(_), _, _, None) => [spin, None, sidespin, None],
+        (None, ..) => [None, backspin, sidespin, axis],
+    };
+    [speed, angle, direction, spin, backspin, sidespin, axis]
+}
+
+/// Whether the direction or the tilt of the spin is not stated, so that nothing sideways can be compared.
+pub(crate) fn is_straight_by_assumption(values: &Stated) -> bool {
+    let [_, _, direction, _, _, sidespin, axis] = values;
+    direction.is_none() || sidespin.is_none() && axis.is_none()
+}
+
+/// Whether an outcome is compared only where the direction and the tilt of the spin are stated.
+pub(crate) fn is_sideways(of: Outcome) -> bool {
+    matches!(of, Outcome::Lateral | Outcome::LateralTotal)
+}
+
+/// What is used and what is not, where a row states spins that contradict each other; `back` and `side` are what is taken of them.
+pub(crate) fn contradiction(
+    values: Stated,
+    [back, side]: [f64; 2],
+    name: impl Fn(Outcome) -> String,
+) -> Option<String> {
+    let used = taken(values);
+    let (spin, axis) = (back.hypot(side), side.atan2(back));
+    // without a tilt the backspin may be any part of the spin
+    let is_tilted = used[5].is_some() || used[6].is_some();
+    let is_off = |of: Outcome, value: f64| {
+        let off = match of {
+            Outcome::Spin => (value - spin).abs(),
+            Outcome::Backspin if is_tilted => (value - back).abs(),
+            Outcome::Backspin => value.abs() - spin,
+            Outcome::Sidespin => (value - side).abs(),
+            Outcome::SpinAxis => spin * (value - axis).sin().atan2((value - axis).cos()).abs(),
+            _ => 0.0,
+        };
+        off > ROUNDING * spin
+    };
+    let not_used = CONDITIONS.iter().zip(values.iter().zip(used)).filter_map(|(of, (stated, used))| {
+        let value = (*stated).filter(|value| used.is_none() && is_off(*of, *value))?;
+        Some(format!("{} ({})", name(*of), of.show(value)))
+    });
+    let not_used: Vec<String> = not_used.collect();
+    if not_used.is_empty() {
+        return None;
+    }
+    let of_spin = CONDITIONS.iter().zip(used).skip(3).filter(|(_, value)| value.is_some());
+    let of_spin: Vec<String> = of_spin.map(|(of, _)| name(*of)).collect();
+    let is = if of_spin.len() == 1 { "is" } else { "are" };
+    Some(format!("the spins contradict each other: {} {is} used, not {}", of_spin.join(" and "), not_used.join(", ")))
+}
+
 /// The launch of a row, by the parameters that it is, from the values of [`CONDITIONS`]. A direction or a tilt of the spin that is missing
-/// is 0; `has` tells which conditions have a column.
+/// is 0; of a spin that is stated in several ways one is [`taken`]. `has` tells which conditions have a column.
 ///
 /// # Errors
-/// What is missing, stated twice, or is no launch.
-pub(crate) fn conditions(
-    values: [Option<f64>; CONDITIONS.len()],
-    has: impl Fn(Outcome) -> bool,
-) -> Result<[(&'static str, f64); 5], Fault> {
-    let [speed, angle, direction, spin, backspin, sidespin, axis] = values;
+/// What is missing, contradicts another value, or is no launch.
+pub(crate) fn conditions(values: Stated, has: impl Fn(Outcome) -> bool) -> Result<[(&'static str, f64); 5], Fault> {
+    let [speed, angle, direction, spin, backspin, sidespin, axis] = taken(values);
     let missing = |of: Outcome, why| Fault { of, why, is_missing: true };
     let wrong = |of: Outcome, why| Err(Fault { of, why, is_missing: false });
     let is_empty = "the cell is empty; every launch needs one";
@@ -39,17 +104,22 @@ pub(crate) fn conditions(
             let of = if has(Outcome::Spin) { Outcome::Spin } else { Outcome::Backspin };
             return Err(missing(of, "the cells of the spin are empty; every launch needs one"));
         }
-        (None, Some(back), side, None) => (back, side.unwrap_or(0.0)),
-        (Some(spin), None, None, axis) => {
+        (None, Some(back), side @ Some(_), _) | (None, Some(back), side, None) => (back, side.unwrap_or(0.0)),
+        (None, Some(back), None, Some(axis)) if axis.abs() <= MOST_AXIS => (back, back * axis.tan()),
+        (None, Some(_), None, Some(_)) => {
+            return wrong(
+                Outcome::SpinAxis,
+                "beside a backspin the axis must be between −90° and 90°, since sidespin = backspin · tan(axis); correct it, or give the \
+                 sidespin",
+            );
+        }
+        (Some(spin), _, Some(side), None) if side.abs() <= spin => ((spin * spin - side * side).sqrt(), side),
+        (Some(_), _, Some(_), None) => {
+            return wrong(Outcome::Spin, "the sidespin is larger than the spin; correct one of them");
+        }
+        (Some(spin), _, _, axis) => {
             let (sin, cos) = axis.unwrap_or(0.0).sin_cos();
             (spin * cos, spin * sin)
-        }
-        (Some(spin), None, Some(side), None) if side.abs() <= spin => ((spin * spin - side * side).sqrt(), side),
-        _ => {
-            return wrong(
-                Outcome::Spin,
-                "give the spin once: backspin with sidespin, or spin with spin_axis or with a sidespin no larger",
-            );
         }
     };
     Ok([

@@ -1,6 +1,6 @@
 use super::column::{Column, Format, Holds};
 use super::launch_monitor::{is_export, units_row};
-use super::left_out::Club;
+use super::left_out::{Club, Spin};
 use super::{CONDITIONS, left_out};
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
@@ -25,7 +25,7 @@ pub(crate) struct Names<'a>(pub Vec<&'a str>);
 
 impl Head {
     /// Reads the heads of a CSV table and the first row below them, which may state units; `separator` is what stands between cells.
-    /// `club` is what becomes of the club beside a measured launch.
+    /// `club` is what becomes of the club beside a measured launch, and `spin` where a spin is taken from that is stated twice.
     ///
     /// # Errors
     /// The number of the column, from 0, and what is wrong with it.
@@ -35,6 +35,7 @@ impl Head {
         first: Option<impl Iterator<Item = &'a str>>,
         separator: u8,
         club: Club,
+        spin: Spin,
     ) -> Result<Self, (usize, Error)> {
         let format = Format { is_export: is_export(heads.clone()), has_decimal_comma: separator != b',' };
         let units = first.and_then(units_row);
@@ -43,7 +44,7 @@ impl Head {
             Column::read(setup, head, below, format).map_err(|error| (at, error))
         };
         let mut columns = heads.enumerate().map(column).collect::<Result<Vec<_>, _>>()?;
-        let remarks = if format.is_export { left_out::remarks(&mut columns, club) } else { vec![] };
+        let remarks = if format.is_export { left_out::remarks(&mut columns, club, spin) } else { vec![] };
         told_apart(&mut columns);
         Ok(Self { columns, format, has_units_row: units.is_some(), remarks })
     }

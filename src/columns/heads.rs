@@ -90,3 +90,27 @@ pub(super) const HEADS: &[(&str, Meaning)] = &[
     ("carry flat ball speed", Meaning::Outcome(Outcome::LandingSpeed)),
     ("max height dist", Meaning::Outcome(Outcome::ApexDownrange)),
 ];
+
+/// Heads of launch monitors that are known and not used: none of them is a slip of the pen.
+pub(super) const NOT_USED: &[&str] = &[
+    "ball type",
+    "club brand",
+    "club lie",
+    "club model",
+    "club name",
+    "club type",
+    "dyn loft",
+    "dynamic lie",
+    "dynamic loft",
+    "face to path",
+    "lie angle",
+    "loft angle",
+    "low point",
+    "side distance",
+    "side total",
+    "spin loft",
+    "swing direction",
+    "swing plane",
+    "total distance",
+    "total side",
+];

@@ -1,6 +1,6 @@
 //! Tables as launch monitors write them: heads, units, separators and sides.
 
-use super::heads::{HEADS, Meaning};
+use super::heads::{HEADS, Meaning, NOT_USED};
 use crate::drive::Outcome;
 use crate::units::Quantity;
 
@@ -24,7 +24,8 @@ pub(crate) fn words(name: &str) -> String {
 pub(crate) fn nearest_head(head: &str) -> Option<&'static str> {
     let words = words(split_unit(head).0);
     let near = HEADS.iter().map(|(known, _)| (strsim::levenshtein(&words, known), *known)).min()?;
-    (words.len() > 4 && (1..=2).contains(&near.0)).then_some(near.1)
+    let is_known = NOT_USED.contains(&words.as_str());
+    (words.len() > 4 && !is_known && (1..=2).contains(&near.0)).then_some(near.1)
 }
 
 /// The meaning of a head with its unit: `Ball (km/h)` is a speed, while `Ball` by itself may be a kind of ball.

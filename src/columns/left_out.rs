@@ -13,9 +13,18 @@ pub(crate) enum Club {
     Kept,
 }
 
+/// Where the spin is taken from that is stated in several ways.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Spin {
+    /// From columns that are chosen for the whole table.
+    OfTable,
+    /// From what each row has, where rows are launches: [`taken`](super::taken).
+    OfRow,
+}
+
 /// What deserves a word about an export, whose columns that are not used are then notes.
-pub(super) fn remarks(columns: &mut [Column], club: Club) -> Vec<Message> {
-    let mut remarks = left_out(columns, club);
+pub(super) fn remarks(columns: &mut [Column], club: Club, spin: Spin) -> Vec<Message> {
+    let mut remarks = left_out(columns, club, spin);
     remarks.extend(in_degrees(columns).map(Message::from));
     remarks
 }
@@ -31,8 +40,8 @@ fn in_degrees(columns: &[Column]) -> Option<String> {
 }
 
 /// Leaves out what a launch monitor's table has and the fit cannot use, and says so: columns without a name here; where the launch
-/// was measured, those of the club; of backspin, sidespin and the spin axis what repeats the spin.
-fn left_out(columns: &mut [Column], club: Club) -> Vec<Message> {
+/// was measured, those of the club; of backspin, sidespin and the spin axis what repeats the spin, unless each row chooses.
+fn left_out(columns: &mut [Column], club: Club, spin: Spin) -> Vec<Message> {
     let named = |columns: &[Column], is: &dyn Fn(&Column) -> bool| -> Vec<String> {
         columns
             .iter()
@@ -76,10 +85,15 @@ fn left_out(columns: &mut [Column], club: Club) -> Vec<Message> {
         };
         let repeats = |column: &Column| repeated.iter().any(|outcome| column.holds == Holds::Outcome(*outcome));
         let again = named(columns, &repeats);
+        let is_of_row = spin == Spin::OfRow && (club == Club::LeftOut || !columns.iter().any(Column::is_of_the_strike));
         if !again.is_empty() {
-            remarks.push(format!("the spin is stated twice; left out: {}", again.join(", ")).into());
+            let told = match is_of_row {
+                true => "the spin is stated twice; used only in rows without the other columns of the spin",
+                false => "the spin is stated twice; left out",
+            };
+            remarks.push(format!("{told}: {}", again.join(", ")).into());
         }
-        for column in columns.iter_mut().filter(|column| is_club(column) || repeats(column)) {
+        for column in columns.iter_mut().filter(|column| is_club(column) || !is_of_row && repeats(column)) {
             column.holds = Holds::Note;
         }
     }

@@ -12,11 +12,11 @@ mod marks;
 
 pub(crate) use crate::cells::separated;
 pub(crate) use column::{Column, Format, Holds};
-pub(crate) use conditions::{Fault, conditions};
+pub(crate) use conditions::{Fault, Stated, conditions, contradiction, is_sideways, is_straight_by_assumption, taken};
 pub(crate) use encoding::decoded;
 pub(crate) use head::Head;
 pub(crate) use launch_monitor::{has_thousands, is_export, nearest_head, split_unit, summary, without_side, words};
-pub(crate) use left_out::Club;
+pub(crate) use left_out::{Club, Spin};
 pub(crate) use marks::Marks;
 
 use crate::drive::Outcome;

@@ -5,7 +5,7 @@ use super::head::ExportHead;
 use super::lines::Record;
 use super::plausible::{implausible, refusal};
 use super::shot::{Club, Origin, Refusal, Shot, Value, of_conditions};
-use crate::columns::{CONDITIONS, conditions, summary};
+use crate::columns::{CONDITIONS, Stated, conditions, contradiction, is_straight_by_assumption, summary, taken};
 use crate::drive::Outcome;
 
 /// Conditions of which the spin's origin is told in a column of its own.
@@ -76,20 +76,18 @@ impl ExportHead {
             column.value(cell(*at)).ok().flatten()
         };
         shot.club = Club { speed: club(0), attack_angle: club(1), path: club(2), face_angle: club(3) };
-        let condition = self.condition.map(|at| cell(at).to_lowercase());
-        shot.is_normalized = condition.filter(|text| text.contains("normali")).map(|_| true);
-        shot.point = wrong.map_or_else(|| self.point(&shot.values, row), Err);
-        shot.is_straight_by_assumption = is_straight_by_assumption(&shot);
-        if shot.point.is_ok() {
-            assumed(&mut shot);
-        }
+        shot.condition = self.condition.map(|at| cell(at).to_owned()).filter(|text| !text.is_empty());
+        shot.is_normalized =
+            shot.condition.as_ref().filter(|text| text.to_lowercase().contains("normali")).map(|_| true);
+        let stated = of_conditions(|of| shot.value(of).map(|value| value.value));
+        shot.point = wrong.map_or_else(|| self.point(&stated, row), Err);
+        tell(&mut shot, &stated, |of| self.name_of(of));
         shot
     }
 
     /// What is flown of a row.
-    fn point<S: AsRef<str>>(&self, values: &[Value], row: &[S]) -> Result<Vec<f64>, Refusal> {
-        let values = of_conditions(|of| values.iter().find(|value| value.of == of).map(|value| value.value));
-        let mut point = launch(&values, |of| self.name_of(of), |of| self.read.iter().any(|read| read.of == of))?;
+    fn point<S: AsRef<str>>(&self, stated: &Stated, row: &[S]) -> Result<Vec<f64>, Refusal> {
+        let mut point = launch(stated, |of| self.name_of(of), |of| self.read.iter().any(|read| read.of == of))?;
         for (further, column) in self.further.iter().zip(&self.further_columns) {
             let name = &column.head;
             let value = column.value(row[further.at].as_ref());
@@ -114,15 +112,23 @@ impl ExportHead {
 
 /// The launch that these conditions make.
 pub(super) fn launch(
-    values: &[Option<f64>; CONDITIONS.len()],
+    values: &Stated,
     name: impl Fn(Outcome) -> String,
     has: impl Fn(Outcome) -> bool,
 ) -> Result<Vec<f64>, Refusal> {
-    if let Some(refusal) = refusal(values, &name) {
+    if let Some(refusal) = refusal(&taken(*values), &name) {
         return Err(refusal);
     }
     match conditions(*values, has) {
-        Ok(launch) => Ok(launch.iter().map(|(_, value)| *value).collect()),
+        Ok(launch) => {
+            let launch: Vec<f64> = launch.iter().map(|(_, value)| *value).collect();
+            // the tangent of an axis near 90° is large
+            let sidespin = || format!("{} (sidespin = backspin · tan(axis))", name(Outcome::SpinAxis));
+            match implausible(Outcome::Sidespin, launch[4], sidespin) {
+                Some(reason) => Err(Refusal::new(Refusal::RANGE, reason)),
+                None => Ok(launch),
+            }
+        }
         Err(fault) => {
             let kind = match fault.is_missing {
                 true => Refusal::MISSING,
@@ -134,18 +140,15 @@ pub(super) fn launch(
     }
 }
 
-/// Whether the direction or the tilt of the spin is not stated.
-pub(super) fn is_straight_by_assumption(shot: &Shot) -> bool {
-    let has = |of| shot.value(of).is_some();
-    !(has(Outcome::LaunchDirection) && (has(Outcome::SpinAxis) || has(Outcome::Sidespin)))
-}
-
-/// Says what is assumed to be 0.
-pub(super) fn assumed(shot: &mut Shot) {
+/// Says of a launch that is flown what is assumed to be 0, and which spins contradict each other.
+pub(super) fn tell(shot: &mut Shot, stated: &Stated, name: impl Fn(Outcome) -> String) {
+    shot.is_straight_by_assumption = is_straight_by_assumption(stated);
+    let Some(&[_, _, _, back, side]) = shot.launch() else { return };
     if shot.value(Outcome::LaunchDirection).is_none() {
         shot.notes.push("launch direction is missing: 0 deg is assumed".into());
     }
     if shot.value(Outcome::SpinAxis).is_none() && shot.value(Outcome::Sidespin).is_none() {
         shot.notes.push("spin axis is missing: 0 deg is assumed".into());
     }
+    shot.notes.extend(contradiction(*stated, [back, side], name));
 }

@@ -2,6 +2,7 @@
 
 use super::shot::Shot;
 use crate::batch::{Block, Status};
+use crate::columns::is_sideways;
 use crate::drive::Outcome;
 
 /// Shots that were flown, or that could not be.
@@ -71,7 +72,7 @@ impl Flown {
     /// assumed.
     pub fn residual(&self, row: usize, outcome: usize) -> Option<f64> {
         let (of, shot) = (self.of[outcome], &self.shots[row]);
-        if of == Outcome::Lateral && shot.is_straight_by_assumption {
+        if is_sideways(of) && shot.is_straight_by_assumption {
             return None;
         }
         Some(self.predicted(row, outcome)? - shot.value(of)?.value)

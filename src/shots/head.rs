@@ -6,7 +6,7 @@ use super::lines::Lines;
 use super::maker::maker;
 use super::shot::{Further, LAUNCH, Origin};
 use super::table::Table;
-use crate::columns::{Club, Column, Format, Head, Holds, is_export, nearest_head, separated, split_unit, words};
+use crate::columns::{Club, Column, Format, Head, Holds, Spin, is_export, nearest_head, separated, split_unit, words};
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::parameters::Setup;
@@ -110,6 +110,7 @@ impl ExportHead {
             first.as_ref().map(|cells| cells.iter().map(String::as_str)),
             separator,
             Club::LeftOut,
+            Spin::OfRow,
         )
         .map_err(at_column)?;
         let units = first.filter(|_| read.has_units_row);

@@ -1,6 +1,6 @@
 //! A message of GSPro Open Connect as a shot.
 
-use super::export::{assumed, is_straight_by_assumption, launch};
+use super::export::{launch, tell};
 use super::objects::Piece;
 use super::plausible::implausible;
 use super::shot::{Club, Refusal, Shot, Value, of_conditions};
@@ -103,6 +103,11 @@ fn fill(shot: &mut Shot, message: &Map<String, Json>) -> Result<(), Refusal> {
     }
     let ball = match message.get("BallData") {
         Some(Json::Object(ball)) => ball,
+        None | Some(Json::Null) if ["stated", "predicted"].iter().all(|key| message.contains_key(*key)) => {
+            let reason = "it is a line that 'fly' wrote as JSON lines, which it does not read again; fly the file that it was made of, or \
+                          write --format launch-monitor or open-connect";
+            return Err(Refusal::new(Refusal::JSON, reason));
+        }
         None | Some(Json::Null) => {
             let reason = "it has no BallData; a shot needs BallData with Speed, VLA and TotalSpin or BackSpin";
             return Err(Refusal::new(Refusal::MISSING, reason));
@@ -147,38 +152,28 @@ fn fill(shot: &mut Shot, message: &Map<String, Json>) -> Result<(), Refusal> {
             face_angle: angle("FaceToTarget"),
         };
     }
-    once(&mut shot.values);
+    sent(&mut shot.values);
     let stated = of_conditions(|of| shot.value(of).map(|value| value.value));
     let name = |of: Outcome| {
         let key = BALL.iter().find(|(_, known)| *known == of).map_or("", |(key, _)| *key);
         format!("BallData.{key}{}", if ball.contains_key(key) { String::new() } else { near(ball, key) })
     };
     shot.point = launch(&stated, name, |of| of != Outcome::Spin || !ball.contains_key("BackSpin"));
-    shot.is_straight_by_assumption = is_straight_by_assumption(shot);
-    if shot.point.is_ok() {
-        assumed(shot);
-    }
+    tell(shot, &stated, name);
     Ok(())
 }
 
-/// Keeps the spin once: the total with its axis, or where that is not sent (or 0) backspin and sidespin.
-fn once(values: &mut Vec<Value>) {
-    let has =
-        |values: &[Value], of| values.iter().any(|value| value.of == of && (value.value != 0.0 || of != Outcome::Spin));
-    let is_total = has(values, Outcome::Spin);
-    let has_back = values.iter().any(|value| value.of == Outcome::Backspin && value.value != 0.0);
-    let has_axis = has(values, Outcome::SpinAxis);
+/// Takes out what is not sent: zeros that stand for no value beside another form of the spin.
+fn sent(values: &mut Vec<Value>) {
+    let has = |of| values.iter().any(|value| value.of == of && value.value != 0.0);
+    let has_axis = values.iter().any(|value| value.of == Outcome::SpinAxis);
+    let (has_total, has_back, has_side) = (has(Outcome::Spin), has(Outcome::Backspin), has(Outcome::Sidespin));
     values.retain(|value| match value.of {
-        Outcome::Backspin => !is_total && has_back,
+        Outcome::Spin => has_total || !has_back,
+        Outcome::Backspin => has_back,
         // with the total and no axis, the sidespin tells the axis
-        Outcome::Sidespin => {
-            if is_total {
-                !has_axis
-            } else {
-                has_back
-            }
-        }
-        Outcome::Spin | Outcome::SpinAxis => is_total || !has_back,
+        Outcome::Sidespin => has_side || has_back || has_total && !has_axis,
+        Outcome::SpinAxis => has_total || value.value != 0.0 || !has_side,
         _ => true,
     });
 }

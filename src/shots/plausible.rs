@@ -1,7 +1,7 @@
 //! What a drive may be: values beyond are mistakes of the table, such as a wrong unit.
 
 use super::shot::Refusal;
-use crate::columns::CONDITIONS;
+use crate::columns::{CONDITIONS, Stated};
 use crate::drive::Outcome;
 use std::sync::LazyLock;
 
@@ -58,7 +58,7 @@ pub(super) fn implausible(of: Outcome, value: f64, name: impl FnOnce() -> String
 }
 
 /// Why a launch is none, of the values that a row states.
-pub(super) fn refusal(values: &[Option<f64>; CONDITIONS.len()], name: impl Fn(Outcome) -> String) -> Option<Refusal> {
+pub(super) fn refusal(values: &Stated, name: impl Fn(Outcome) -> String) -> Option<Refusal> {
     let wrong = |(of, value): (&Outcome, &Option<f64>)| implausible(*of, (*value)?, || name(*of));
     CONDITIONS.iter().zip(values).find_map(wrong).map(|reason| Refusal::new(Refusal::RANGE, reason))
 }

@@ -1,6 +1,6 @@
 //! A shot as a launch monitor states it.
 
-use crate::columns::CONDITIONS;
+use crate::columns::{CONDITIONS, Stated};
 use crate::drive::Outcome;
 use crate::parameters::Parameter;
 
@@ -110,6 +110,8 @@ pub struct Shot {
     pub values: Vec<Value>,
     /// What it states of the club.
     pub club: Club,
+    /// What the export says of the conditions of its values, to the letter.
+    pub condition: Option<String>,
     /// Whether the export says that its values are normalized to other conditions; `None` where it says nothing.
     pub is_normalized: Option<bool>,
     /// What its reader should know: values that are assumed, or not used.
@@ -127,6 +129,7 @@ impl Shot {
             text,
             values: vec![],
             club: Club::default(),
+            condition: None,
             is_normalized: None,
             notes: vec![],
             is_straight_by_assumption: false,
@@ -167,6 +170,6 @@ pub(super) struct Further {
 }
 
 /// The conditions of a row in the order of [`CONDITIONS`], of what it states.
-pub(super) fn of_conditions(value: impl Fn(Outcome) -> Option<f64>) -> [Option<f64>; CONDITIONS.len()] {
+pub(super) fn of_conditions(value: impl Fn(Outcome) -> Option<f64>) -> Stated {
     CONDITIONS.map(value)
 }

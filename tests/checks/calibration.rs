@@ -258,8 +258,8 @@ fn exact_exports_leave_out_summaries_and_incomplete_rows_by_name_and_read_angles
         assert!((angle - degrees * degree).abs() < 1e-12, "{angle} {degrees}");
     }
     for told in [
-        "rows left out, since they sum up other rows: 5 (Average), 6 (Std. Dev.)",
-        "rows left out, since they lack a value that every shot needs: 2 (Ball Speed), 4 (nothing is measured)",
+        "rows left out, since they sum up other rows: row 5 (Average), row 6 (Std. Dev.)",
+        "rows left out, since they lack a value that every shot needs: row 2 (Ball Speed), row 4 (nothing is measured)",
         "Launch Angle, Side Angle, Spin Axis are read in degrees",
     ] {
         assert!(table.remarks.iter().any(|remark| remark.to_string().contains(told)), "{told}: {:?}", table.remarks);

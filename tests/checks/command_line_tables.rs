@@ -48,7 +48,7 @@ fn exact_same_points_however_the_head_is_written() {
                   A,110,160.5,11.25,2686,270\nA,108,150,12,2500,265\nAverage,109,155,11.6,2600,267\n";
     let found = values(export);
     assert_eq!((&found.0, &found.1), (&plain.0, &plain.1));
-    for says in ["Player", "Club Speed", "Carry", "rows left out, since they sum up other rows: 3 (Average)"] {
+    for says in ["Player", "Club Speed", "Carry", "rows left out, since they sum up other rows: row 3 (Average)"] {
         assert!(found.2.contains(says), "{says}: {}", found.2);
     }
     // the rows of an export are those of the file

@@ -25,7 +25,7 @@ fn path(name: &str) -> PathBuf {
 }
 
 /// All that was flown of a text.
-fn flown(text: impl Read + Send + 'static) -> (Shots, Vec<Flown>, Tally) {
+pub fn flown(text: impl Read + Send + 'static) -> (Shots, Vec<Flown>, Tally) {
     let setup = Setup::default();
     let mut shots = Shots::read(&setup, "shots.csv", text).unwrap();
     let flying = Flying::new(&setup, &shots, &OF).unwrap();

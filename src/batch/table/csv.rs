@@ -1,6 +1,6 @@
 use super::columns::{Columns, refused, refused_column};
 use super::rows::Rows;
-use crate::columns::{Club, Column, Head, Marks, separated, summary};
+use crate::columns::{Club, Column, Head, Marks, Spin, separated, summary};
 use crate::error::Result;
 use crate::foreign::{of_csv, of_csv_row, of_io};
 use crate::parameters::Setup;
@@ -46,7 +46,7 @@ impl CsvRows {
         // a row that cannot be read is told with its number later
         let has_first = reader.read_record(&mut record).unwrap_or(false);
         let below = has_first.then(|| record.iter());
-        let head = Head::read(setup, heads.iter(), below, separator, Club::LeftOut)
+        let head = Head::read(setup, heads.iter(), below, separator, Club::LeftOut, Spin::OfTable)
             .map_err(|wrong| refused_column(path, wrong))?;
         if head.has_units_row {
             first = reader.position().clone();
@@ -76,7 +76,7 @@ impl CsvRows {
             }
             self.line += 1;
             match summary(self.record.iter()).filter(|_| self.is_export) {
-                Some(word) => self.summaries.push(format!("{} ({word})", self.line)),
+                Some(word) => self.summaries.push(format!("row {} ({word})", self.line)),
                 None => return Ok(true),
             }
         }

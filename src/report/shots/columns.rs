@@ -32,10 +32,13 @@ const MEASURED: [(&str, Outcome); 6] = [
     ("Carry Flat - Ball Speed", Outcome::LandingSpeed),
 ];
 
+/// What the export says of how the spin came about, and of the conditions of its values.
+const TEXTS: [&str; 2] = ["Spin Rate Type", "Condition"];
+
 /// The line of heads.
 pub(super) fn head(added: &Added) -> Vec<u8> {
     let own = LAUNCH.iter().chain(&CLUB).chain(&MEASURED).map(|(head, of)| ((*head).to_owned(), added.unit(*of)));
-    let own = own.chain([("Spin Rate Type".to_owned(), "")]);
+    let own = own.chain(TEXTS.map(|head| (head.to_owned(), "")));
     let heads = own.chain(added.heads());
     let heads = heads.map(|(head, unit)| if unit.is_empty() { head } else { format!("{head} [{unit}]") });
     (heads.collect::<Vec<_>>().join(",") + "\n").into_bytes()
@@ -66,8 +69,10 @@ pub(super) fn row(added: &Added, flown: &Flown, row: usize, bytes: &mut Vec<u8>)
         Some(origin) => origin.name(),
         None => "",
     };
-    added.push_text(bytes, name);
-    bytes.push(added.separator);
+    for text in [name, shot.condition.as_deref().unwrap_or_default()] {
+        added.push_text(bytes, text);
+        bytes.push(added.separator);
+    }
     added.row(flown, row, bytes);
 }
 

@@ -1,12 +1,13 @@
-use super::reading::Reading;
+use super::reading::{Reading, Row};
 use super::shot::Shot;
 use super::statistics::Uncertainties;
-use crate::columns::{Club, Column, Head, Holds, Marks, decoded, separated, summary};
+use crate::columns::{Club, Column, Head, Holds, Marks, Spin, decoded, separated, summary};
 use crate::error::{Error, Result};
 use crate::foreign::{of_csv, of_csv_row, of_io};
 use crate::parameters::{Parameter, Setup};
 use crate::units::Message;
 use csv::{ReaderBuilder, Trim};
+use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::Read;
 use std::path::Path;
@@ -85,7 +86,7 @@ impl ShotTable {
         let mut records = reader.records().peekable();
         let first = records.peek().and_then(|first| first.as_ref().ok()).map(|first| first.iter());
         let at_column = |(at, error): (usize, Error)| refused(format!(", column {}", at + 1), error.to_string());
-        let head = Head::read(setup, heads.iter(), first, separator, club).map_err(at_column)?;
+        let head = Head::read(setup, heads.iter(), first, separator, club, Spin::OfRow).map_err(at_column)?;
         if head.has_units_row {
             records.next();
         }
@@ -122,13 +123,14 @@ impl ShotTable {
             return Err(refused(String::new(), reason.into()));
         }
         let (mut shots, mut summaries, mut incomplete) = (vec![], vec![], vec![]);
+        let (mut sideways, mut contradictions) = (BTreeMap::<String, Vec<String>>::new(), vec![]);
         let mut marks = Marks::default();
         for (at, record) in records.enumerate() {
             let row = at + 1;
             let record =
                 record.map_err(|error| refused(format!(", row {row}"), of_csv_row(&error, text.as_bytes())))?;
             if let Some(word) = summary(record.iter()).filter(|_| is_export) {
-                summaries.push(format!("{row} ({word})"));
+                summaries.push(format!("row {row} ({word})"));
                 continue;
             }
             for (column, cell) in reading.columns.iter().zip(&record) {
@@ -136,10 +138,16 @@ impl ShotTable {
                 marks.look(row as u64, column, cell).map_err(|reason| refused(place(), reason))?;
             }
             match reading.shot(row, &record) {
-                Ok(shot) => shots.push(shot),
+                Ok(Row { shot, not_compared, contradiction }) => {
+                    if let Some(head) = not_compared.filter(|_| reading.club == Club::LeftOut) {
+                        sideways.entry(head).or_default().push(format!("row {row}"));
+                    }
+                    contradictions.extend(contradiction.map(|told| format!("row {row}: {told}")));
+                    shots.push(shot);
+                }
                 Err(wrong) if is_export && wrong.is_incomplete => {
                     let column = wrong.column.unwrap_or_else(|| "nothing is measured".into());
-                    incomplete.push(format!("{row} ({column})"));
+                    incomplete.push(format!("row {row} ({column})"));
                 }
                 Err(wrong) => {
                     let column = wrong.column.map_or(String::new(), |name| format!(", column {name}"));
@@ -161,7 +169,12 @@ impl ShotTable {
             return Err(refused(String::new(), reason));
         }
         remarks.extend(left_out.into_iter().map(Message::from));
-        let (assumed, uncertainties) = reading.assumed();
+        remarks.extend(sideways.into_iter().map(|(head, rows)| {
+            let why = "in rows without a measured launch direction or spin axis (or sidespin)";
+            format!("{head} is not compared {why}: {}", rows.join(", ")).into()
+        }));
+        remarks.extend(contradictions.into_iter().map(Message::from));
+        let (assumed, uncertainties) = reading.assumed(&shots);
         remarks.extend(assumed);
         let Reading { is_launched, .. } = reading;
         Ok(Self { file: file.into(), shots, is_launched, remarks, uncertainties })

@@ -3,7 +3,9 @@
 use super::instrument::instrument;
 use super::shot::{Measurement, Shot, Stationary};
 use super::statistics::Uncertainties;
-use crate::columns::{CONDITIONS, Club, Column, Fault, Holds, conditions};
+use crate::columns::{
+    CONDITIONS, Club, Column, Fault, Holds, Stated, conditions, contradiction, is_sideways, is_straight_by_assumption,
+};
 use crate::drive::{Outcome, Part};
 use crate::error::Error;
 use crate::parameters::Setup;
@@ -20,6 +22,15 @@ pub(super) struct Reading<'a> {
     pub is_launched: bool,
     /// Whether the launches of clubs are looked at, of which the flight is not used.
     pub club: Club,
+}
+
+/// A row that is read.
+pub(super) struct Row {
+    pub shot: Shot,
+    /// The column of what is not compared, since the direction or the tilt of the spin is assumed.
+    pub not_compared: Option<String>,
+    /// What is used of spins that contradict each other.
+    pub contradiction: Option<String>,
 }
 
 /// What is wrong with a row.
@@ -73,8 +84,10 @@ impl Reading<'_> {
     }
 
     /// The shot of a row.
-    pub fn shot(&self, row: usize, record: &StringRecord) -> Result<Shot, Wrong> {
-        let (mut inputs, mut measured) = (vec![], vec![]);
+    pub fn shot(&self, row: usize, record: &StringRecord) -> Result<Row, Wrong> {
+        let (mut inputs, mut measured, mut not_compared, mut contradicts) = (vec![], vec![], None, None);
+        let stated = if self.is_launched { Some(self.stated(record)?) } else { None };
+        let is_straight = stated.as_ref().is_some_and(is_straight_by_assumption);
         let mut at_shot = *self.setup;
         for column in &self.columns {
             let here = || Some(column.head.clone());
@@ -99,6 +112,10 @@ impl Reading<'_> {
                             let why = format!("{shown} is outside its range −{most} .. {most}; correct the cell");
                             return Err((here(), why).into());
                         }
+                        if is_straight && is_sideways(outcome) {
+                            not_compared = here();
+                            continue;
+                        }
                         let assumed = instrument(outcome).map_or(column.one(), |(_, sigma)| sigma);
                         let sigma = self.sigma(record, Holds::Sigma(outcome), assumed)?;
                         measured.push(Measurement { outcome, value, sigma });
@@ -108,8 +125,10 @@ impl Reading<'_> {
             }
         }
         let wrong = |error: Error| Wrong::from((None, error.to_string()));
-        if self.is_launched {
-            for (name, value) in self.launch(record)? {
+        if let Some(stated) = stated {
+            let launch = self.launch(stated)?;
+            contradicts = contradiction(stated, [launch[3].1, launch[4].1], |of| self.head(of));
+            for (name, value) in launch {
                 let parameter = self.setup.parameter(name).map_err(wrong)?;
                 at_shot.set_value(parameter, Some(value)).map_err(wrong)?;
                 inputs.push((parameter, value));
@@ -118,9 +137,16 @@ impl Reading<'_> {
         at_shot.validate().map_err(wrong)?;
         let stationary = self.stationary(record, &at_shot)?;
         if measured.is_empty() && stationary.is_empty() {
-            return Err(Wrong::incomplete(None, "nothing is measured in it; give an outcome, or take the row out"));
+            let why = match &not_compared {
+                None => "nothing is measured in it; give an outcome, or take the row out".into(),
+                Some(head) => format!(
+                    "nothing but {head} is measured in it, which is not compared without launch direction and spin axis (or sidespin); \
+                     give them, or take the row out"
+                ),
+            };
+            return Err(Wrong::incomplete(None, why));
         }
-        Ok(Shot { row, inputs, measured, stationary })
+        Ok(Row { shot: Shot { row, inputs, measured, stationary }, not_compared, contradiction: contradicts })
     }
 
     fn has(&self, outcome: Outcome) -> bool {
@@ -133,13 +159,18 @@ impl Reading<'_> {
         column.map_or(of.name(), |column| column.head.as_str()).to_owned()
     }
 
-    /// The launch conditions of a row, by the parameters that they are.
-    fn launch(&self, record: &StringRecord) -> Result<[(&'static str, f64); 5], Wrong> {
+    /// The launch conditions that a row states.
+    fn stated(&self, record: &StringRecord) -> Result<Stated, Wrong> {
         let mut values = [None; CONDITIONS.len()];
         for (value, outcome) in values.iter_mut().zip(CONDITIONS) {
             *value = self.cell(record, Holds::Outcome(outcome))?;
         }
-        conditions(values, |of| self.has(of)).map_err(|Fault { of, why, is_missing }| Wrong {
+        Ok(values)
+    }
+
+    /// The launch that they make, by the parameters that it is.
+    fn launch(&self, stated: Stated) -> Result<[(&'static str, f64); 5], Wrong> {
+        conditions(stated, |of| self.has(of)).map_err(|Fault { of, why, is_missing }| Wrong {
             column: Some(self.head(of)),
             why: why.into(),
             is_incomplete: is_missing,
@@ -167,13 +198,17 @@ impl Reading<'_> {
     }
 
     /// What is taken where no standard uncertainty stands beside a measured column, and what they are worth in all.
-    pub fn assumed(&self) -> (Vec<Message>, Uncertainties) {
+    pub fn assumed(&self, shots: &[Shot]) -> (Vec<Message>, Uncertainties) {
         let has = |holds: Holds| self.columns.iter().any(|column| column.holds == holds);
+        let measured = || shots.iter().flat_map(|shot| &shot.measured);
+        let is_measured = |outcome| measured().any(|measured| measured.outcome == outcome);
         let mut worth = Uncertainties::Stated;
         let mut remarks = vec![];
         for column in &self.columns {
             match column.holds {
                 Holds::Outcome(outcome) if !self.is_used(outcome) => {}
+                // in no row compared
+                Holds::Outcome(outcome) if !is_measured(outcome) => {}
                 Holds::Outcome(outcome) if !has(Holds::Sigma(outcome)) => match instrument(outcome) {
                     Some((instrument, sigma)) => {
                         let without = format!("{} has no column 'sigma {}': ", column.head, outcome.name());
