@@ -190,10 +190,10 @@ parameter_groups! {
         right: T = "wind.right", "w_y", SPEED in "m/s", Range::from_to(-150.0, 150.0), "0 m/s", "calm";
         /// Downrange component: + tail wind, − head wind.
         downrange: T = "wind.downrange", "w_z", SPEED in "m/s", Range::from_to(-150.0, 150.0), "0 m/s", "calm";
-        /// Speed along the ground, in place of the components to the right and downrange; unset: these components.
+        /// Speed along the ground, in place of wind.right and wind.downrange, below 0 the other way; unset: the wind is given by wind.right and wind.downrange.
         speed: Option<T> = "wind.speed", "w_h", SPEED in "m/s", Range::from_to(-150.0, 150.0), "none",
             "the components are given";
-        /// Direction that the wind comes from, clockwise from the target line: 0° is a head wind, 90° from the right, 180° a tail wind; unset: the components are given.
+        /// Direction that the wind comes from, clockwise from the target line: 0° is a head wind, 90° from the right, 180° a tail wind; unset: the wind is given by wind.right and wind.downrange.
         from: Option<T> = "wind.from", "β", ANGLE in "deg", Range::from_to((-360.0_f64).to_radians(), 360.0_f64.to_radians()), "none",
             "the components are given";
         /// Roughness length of the ground under a logarithmic wind profile; unset: uniform wind.

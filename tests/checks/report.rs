@@ -120,6 +120,60 @@ fn exact_places_on_the_picture_are_those_of_the_data() {
     assert!(words(&ticks).contains(&"100") && words(&ticks).contains(&"carry [yd]"), "100 yd are 91.44 m");
 }
 
+/// A digit of the widest usual font (DejaVu Sans, Verdana) is 0.636 of its size wide.
+#[test]
+fn a_label_at_the_end_of_an_axis_lies_within_the_picture() {
+    for (low, high) in [(4e4, 2.4e5), (0.0, 12.0), (1e6, 3e6), (0.0, 0.0004)] {
+        let axis = || Axis::linear(Measure::plain("n"));
+        let figure = Figure::new("n", "t", axis(), axis()).with(Layer::line("", 0, vec![[low, 1.0], [high, 2.0]]));
+        for width in [240, 480, 900, 1300] {
+            let svg = figure_svg(&figure, &Look { width, ..Look::default() }).unwrap();
+            let picture = whole(&svg);
+            let texts = picture.descendants().filter(|node| node.has_tag_name("text"));
+            let mut ticks = 0;
+            for text in texts.filter(|text| text.attribute("text-anchor") == Some("middle")) {
+                let number = |name: &str| text.attribute(name).unwrap().parse::<f64>().unwrap() / 10.0;
+                let digits = text.text().unwrap().trim().chars().count() as f64;
+                let half = 0.5 * 0.636 * number("font-size") * digits;
+                let [from, to] = [number("x") - half, number("x") + half];
+                assert!(from >= 0.0 && to <= f64::from(width), "{:?}: {from} to {to} of {width}", text.text());
+                ticks += 1;
+            }
+            assert!(ticks >= 2, "{svg}");
+        }
+    }
+}
+
+#[test]
+fn every_series_differs_from_every_other_one() {
+    let axis = || Axis::linear(Measure::plain("n")).exactly(0.0, 1.0);
+    let line = |hue: usize, is_dashed: bool| {
+        let of = if is_dashed { Layer::dashed } else { Layer::line };
+        of("one", hue, vec![[0.0, 0.0], [0.5, 0.8], [1.0, 1.0]])
+    };
+    let picture = |layer: Layer| {
+        let figure = Figure::new("n", "t", axis(), axis()).with(layer);
+        figure_svg(&figure, &Look::default()).unwrap()
+    };
+    let kinds: [&dyn Fn(usize) -> Layer; 3] =
+        [&|hue| line(hue, false), &|hue| line(hue, true), &|hue| Layer::dots("one", hue, vec![[0.5, 0.5]])];
+    for kind in kinds {
+        let pictures: Vec<String> = (0..20).map(|hue| picture(kind(hue))).collect();
+        for (i, picture) in pictures.iter().enumerate() {
+            whole(picture);
+            assert!(!pictures[..i].contains(picture), "series {i} looks like another one");
+        }
+    }
+    // the sign in the legend, which is drawn before the axes, has its bar too
+    let figure = |hue: usize| Figure::new("n", "t", axis(), axis()).with(line(hue, false)).with(line(0, false));
+    let lines = |hue: usize| {
+        let svg = figure_svg(&figure(hue), &Look::default()).unwrap();
+        polylines(&whole(&svg)).iter().filter(|points| points.iter().all(|[_, y]| *y < 450.0)).count()
+    };
+    assert_eq!(lines(6), lines(0) + 1, "one bar");
+    assert_eq!(lines(12), lines(0) + 2, "two bars");
+}
+
 #[test]
 fn pictures_are_whole_in_both_systems_light_and_dark() {
     for figure in figures() {

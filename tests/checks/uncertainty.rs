@@ -331,3 +331,13 @@ fn exact_gusts_are_part_of_the_uncertainty_of_the_wind() {
     let rough = [polar[0], polar[1], ("wind.roughness", "10 m"), ("wind.reference_height", "1 m")];
     assert_eq!(sigma(&rough, "wind.speed"), 1.0_f64.hypot(8.0));
 }
+
+#[test]
+fn an_unset_wind_is_refused_with_what_gives_it() {
+    for name in ["wind.speed", "wind.from"] {
+        let error = longdrive::Setup::default().variable(name).unwrap_err().to_string();
+        let words =
+            "it is unset here, which means: the wind is given by wind.right and wind.downrange; give it a value";
+        assert!(error.contains(words), "{error}");
+    }
+}

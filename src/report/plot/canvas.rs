@@ -18,6 +18,9 @@ pub(super) const TEXT: f64 = 13.5;
 /// The width of a character, about, pixels: the library cannot know the reader's font.
 pub(super) const CHARACTER: f64 = 7.3;
 
+/// Width of a sign in the legend, pixels.
+pub(super) const SIGN: f64 = 24.0;
+
 /// The height of a line of text, pixels.
 pub(super) const LINE: f64 = 19.0;
 
@@ -70,9 +73,14 @@ pub(super) struct Labels<'a, 'b> {
 }
 
 impl Labels<'_, '_> {
+    /// Half the width of so many characters, pixels, in a wide font.
+    pub fn half_width(characters: usize) -> f64 {
+        0.58 * CHARACTER * characters as f64
+    }
+
     /// The place that words would take around a point, pixels.
     pub fn extent(text: &str, middle: [f64; 2]) -> [[f64; 2]; 2] {
-        let half = [0.58 * CHARACTER * text.chars().count() as f64 + 4.0, 0.5 * LINE];
+        let half = [Self::half_width(text.chars().count()) + 4.0, 0.5 * LINE];
         [[middle[0] - half[0], middle[1] - half[1]], [middle[0] + half[0], middle[1] + half[1]]]
     }
 

@@ -47,13 +47,21 @@ pub enum Hue {
     Ink,
     /// What stands back.
     Faint,
-    /// A series, by number; they begin again after [`Hue::SERIES`].
+    /// A series, by number. Colours begin again after [`Hue::SERIES`], with one more bar across its lines and points each time.
     Series(usize),
 }
 
 impl Hue {
     /// How many colours there are for series.
     pub const SERIES: usize = 6;
+
+    /// How many short bars cross its lines and points, which tell it from series of the same colour.
+    pub fn bars(self) -> usize {
+        match self {
+            Self::Series(i) => i / Self::SERIES,
+            Self::Ink | Self::Faint => 0,
+        }
+    }
 }
 
 /// Something drawn. A name, where it is not empty, stands in the legend and in the table of the data.

@@ -1,14 +1,18 @@
 //! Each kind of layer as it is drawn, in pixels of the plot.
 
-use super::canvas::{Area, FINE, LINE, Labels, block, failed, fine, path, stroke};
+use super::canvas::{Area, FINE, LINE, Labels, SIGN, block, failed, fine, path, stroke};
 use super::contour::{Ground, grounds};
-use super::figure::{Field, Figure, Layer};
+use super::figure::{Field, Figure, Hue, Layer};
 use super::palette::Palette;
 use super::ticks::Drawn;
 use crate::error::Result;
 use crate::units::{System, significant};
 use plotters::element::{Circle, DashedPathElement, PathElement, Polygon};
 use plotters::style::{Color, RGBColor};
+
+/// Where the first bars of a series stand along its line, amid its sign in the legend, and how far apart the next, pixels.
+const FIRST_BARS: f64 = 0.5 * SIGN;
+const BARS_APART: f64 = 32.0;
 
 /// The plane of the axes on the sheet.
 pub(super) struct Plane<'a> {
@@ -42,12 +46,13 @@ impl Plane<'_> {
 
 /// Draws one layer; its words wait for the labels.
 pub(super) fn draw(area: &Area<'_>, plane: &Plane<'_>, palette: &Palette, system: System, layer: &Layer) -> Result<()> {
-    let color = layer.named().1.map_or(palette.ink, |hue| palette.of(hue));
+    let hue = layer.named().1.unwrap_or(Hue::Ink);
+    let color = palette.of(hue);
     match layer {
         Layer::Line { is_dashed, points, .. } => {
-            plane.pieces(points).iter().try_for_each(|piece| line(area, piece, color, *is_dashed))
+            plane.pieces(points).iter().try_for_each(|piece| series(area, piece, palette, hue, *is_dashed))
         }
-        Layer::Dots { points, .. } => plane.all(points).into_iter().try_for_each(|at| dot(area, at, color)),
+        Layer::Dots { points, .. } => plane.all(points).into_iter().try_for_each(|at| point(area, at, palette, hue)),
         Layer::Band { points, .. } => {
             let low = points.iter().map(|[x, low, _]| [*x, *low]);
             let high = points.iter().rev().map(|[x, _, high]| [*x, *high]);
@@ -164,7 +169,46 @@ pub(super) fn line(area: &Area<'_>, points: &[[f64; 2]], color: RGBColor, is_das
     area.draw(&DashedPathElement::new(points, 6 * FINE, 4 * FINE, style)).map_err(failed)
 }
 
-pub(super) fn dot(area: &Area<'_>, [x, y]: [f64; 2], color: RGBColor) -> Result<()> {
+/// A line of a series, with its bars across every so often.
+pub(super) fn series(area: &Area<'_>, points: &[[f64; 2]], palette: &Palette, hue: Hue, is_dashed: bool) -> Result<()> {
+    let color = palette.of(hue);
+    line(area, points, color, is_dashed)?;
+    let (mut gone, mut next) = (0.0, FIRST_BARS);
+    for pair in points.windows(2) {
+        let [dx, dy] = [pair[1][0] - pair[0][0], pair[1][1] - pair[0][1]];
+        let length = dx.hypot(dy);
+        while length > 0.0 && gone + length >= next {
+            let part = (next - gone) / length;
+            bars(
+                area,
+                [pair[0][0] + part * dx, pair[0][1] + part * dy],
+                [dx / length, dy / length],
+                color,
+                hue.bars(),
+            )?;
+            next += BARS_APART;
+        }
+        gone += length;
+    }
+    Ok(())
+}
+
+/// A point of a series, with its bars across, aslant: an upright bar would look like an error.
+pub(super) fn point(area: &Area<'_>, at: [f64; 2], palette: &Palette, hue: Hue) -> Result<()> {
+    dot(area, at, palette.of(hue))?;
+    bars(area, at, [0.5_f64.sqrt(); 2], palette.of(hue), hue.bars())
+}
+
+/// Short bars across a direction, beside each other around a place.
+fn bars(area: &Area<'_>, [x, y]: [f64; 2], [dx, dy]: [f64; 2], color: RGBColor, count: usize) -> Result<()> {
+    (0..count).try_for_each(|i| {
+        let along = 3.5 * (i as f64 - 0.5 * (count - 1) as f64);
+        let end = |side: f64| [x + along * dx - side * dy, y + along * dy + side * dx];
+        path(area, &[end(-5.5), end(5.5)], stroke(color, 1.5))
+    })
+}
+
+fn dot(area: &Area<'_>, [x, y]: [f64; 2], color: RGBColor) -> Result<()> {
     area.draw(&Circle::new((fine(x), fine(y)), 3 * FINE, color.filled())).map_err(failed)
 }
 

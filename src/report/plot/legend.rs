@@ -1,14 +1,11 @@
 //! What the layers are called, in lines above the plot.
 
-use super::canvas::{Area, CHARACTER, LINE, TEXT, block, font, words};
-use super::figure::{Figure, Layer};
-use super::layers::{arrow, dot, line};
+use super::canvas::{Area, CHARACTER, LINE, SIGN, TEXT, block, font, words};
+use super::figure::{Figure, Hue, Layer};
+use super::layers::{arrow, line, point, series};
 use super::palette::Palette;
 use crate::error::Result;
 use plotters::style::text_anchor::HPos;
-
-/// Width of a sign, pixels.
-const SIGN: f64 = 24.0;
 
 /// The layers that a legend names, each with its place, pixels from the legend's top left, and the height of it all. One
 /// layer alone needs no legend: the title names it.
@@ -45,12 +42,13 @@ fn is_part_of_another(figure: &Figure, name: &str) -> bool {
 /// Draws a layer's sign and name.
 pub(super) fn entry(area: &Area<'_>, palette: &Palette, layer: &Layer, [x, y]: [f64; 2]) -> Result<()> {
     let (name, hue) = layer.named();
-    let color = hue.map_or(palette.ink, |hue| palette.of(hue));
+    let hue = hue.unwrap_or(Hue::Ink);
+    let color = palette.of(hue);
     let ends = [[x, y], [x + SIGN, y]];
     match layer {
-        Layer::Line { is_dashed, .. } => line(area, &ends, color, *is_dashed)?,
+        Layer::Line { is_dashed, .. } => series(area, &ends, palette, hue, *is_dashed)?,
         Layer::Frame { .. } => line(area, &ends, color, true)?,
-        Layer::Dots { .. } => dot(area, [x + 0.5 * SIGN, y], color)?,
+        Layer::Dots { .. } => point(area, [x + 0.5 * SIGN, y], palette, hue)?,
         Layer::Band { .. } => block(area, [x, y - 6.0], [x + SIGN, y + 6.0], color, 0.22)?,
         Layer::Bars { .. } => block(area, [x, y - 6.0], [x + SIGN, y + 6.0], color, 0.85)?,
         Layer::Arrows { .. } => arrow(area, ends[0], ends[1], color)?,

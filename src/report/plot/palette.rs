@@ -2,7 +2,7 @@ use super::figure::Hue;
 use plotters::style::RGBColor;
 
 /// The colours of a picture. Series are told apart by the colour-blind too (hues after Okabe & Ito, 2008, darkened or
-/// lightened until each stands out 3 : 1 from the ground), and colour is never the only sign.
+/// lightened until each stands out 3 : 1 from the ground). Where there are more series than colours, bars across tell them apart.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Palette {
     /// The page.
@@ -33,7 +33,7 @@ pub const LIGHT: Palette = Palette {
         RGBColor(0, 122, 90),
         RGBColor(160, 70, 128),
         RGBColor(134, 104, 0),
-        RGBColor(25, 125, 160),
+        RGBColor(0, 155, 180),
     ],
     heights: [RGBColor(246, 249, 237), RGBColor(170, 214, 190), RGBColor(72, 158, 166)],
 };
@@ -51,7 +51,7 @@ pub const DARK: Palette = Palette {
         RGBColor(64, 200, 160),
         RGBColor(228, 152, 202),
         RGBColor(226, 200, 84),
-        RGBColor(130, 215, 236),
+        RGBColor(130, 225, 236),
     ],
     heights: [RGBColor(26, 33, 42), RGBColor(27, 70, 84), RGBColor(34, 106, 106)],
 };

@@ -72,8 +72,11 @@ pub fn figure_svg(figure: &Figure, look: &Look) -> Result<String> {
     // as many numbers as find room beside each other
     let count = ((width - left) / 60.0).max(2.0) as usize;
     let x = Drawn::new(&figure.x, xs, look.system, count).ok_or_else(|| nothing("horizontal"))?;
-    let frame = [left, heads * LINE + legend_height + 20.0];
-    let frame = [frame[0], frame[1], width - 16.0, frame[1] + figure.aspect * (width - 16.0 - left)];
+    let top = heads * LINE + legend_height + 20.0;
+    // the text of a tick stands under it, half of it to each side, also at the ends of the axis
+    let half = Labels::half_width(x.longest());
+    let (left, right) = (left.max(half), width - half.max(16.0));
+    let frame = [left, top, right, top + figure.aspect * (right - left)];
     let height = (frame[3] + 2.0 * LINE + 10.0).ceil();
 
     let mut svg = String::new();
