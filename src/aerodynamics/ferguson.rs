@@ -39,10 +39,8 @@ impl<T: Numbers> AerodynamicLaw<T> for Ferguson<T> {
     fn fitted(&self) -> Fitted {
         Fitted {
             spin_ratio: Some([0.02, 0.75]),
-            spin: None,
-            reynolds: None,
-            speed: None,
             to: "1040 radar flights, Ferguson, McNally & McPhee 2022",
+            ..Fitted::UNKNOWN
         }
     }
 

@@ -12,7 +12,7 @@ pub fn range_in_words(before: Message, (quantity, unit): (Quantity, &'static str
     before.quantity(quantity, unit, low, digits).words(" to ").quantity(quantity, unit, high, digits)
 }
 
-/// What the measurements cover that a law was fitted to. Outside of it the law's formula goes on as it stands, and nothing tells how well.
+/// What the measurements cover that a law was fitted to. Outside of it the law's formula goes on as it stands, or a variable is held; nothing tells how well.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fitted {
     /// Spin ratios s = R|ω|/|v|.
@@ -25,11 +25,14 @@ pub struct Fitted {
     pub speed: Option<[f64; 2]>,
     /// What it was fitted to.
     pub to: &'static str,
+    /// For each of [`ranges`](Self::ranges), whether the variable is held from about that end on: below, above. Elsewhere the law is extrapolated.
+    pub held: [[bool; 2]; 4],
 }
 
 impl Fitted {
     /// Of a law that is fitted to nothing, or whose source does not say to what.
-    pub const UNKNOWN: Self = Self { spin_ratio: None, spin: None, reynolds: None, speed: None, to: "" };
+    pub const UNKNOWN: Self =
+        Self { spin_ratio: None, spin: None, reynolds: None, speed: None, to: "", held: [[false; 2]; 4] };
 
     /// The ranges, in the order of a stream: spin ratio, spin, Reynolds number, speed through the air; each with its name, quantity and unit.
     pub fn ranges(&self) -> [FittedRange; 4] {
@@ -48,6 +51,27 @@ impl Fitted {
             let comma = if i == 0 { "" } else { ", " };
             range_in_words(message.words(format!("{comma}{name} ")), unit, range)
         })
+    }
+
+    /// What becomes of the law beyond these ends of its ranges, below and above: "extrapolated", "held", or the one here and the other there.
+    pub(crate) fn beyond(&self, ends: [[bool; 2]; 4]) -> &'static str {
+        let ends = ends.as_flattened().iter().zip(self.held.as_flattened()).filter(|(is_left, _)| **is_left);
+        let (mut held, mut all) = (0, 0);
+        for (_, is_held) in ends {
+            all += 1;
+            held += usize::from(*is_held);
+        }
+        match held {
+            0 => "extrapolated",
+            _ if held == all => "held",
+            _ => "extrapolated or held",
+        }
+    }
+
+    /// The ends of its ranges that values lie beyond, below and above, from the least and the greatest of each.
+    pub(crate) fn left(&self, flown: [[f64; 2]; 4]) -> [[bool; 2]; 4] {
+        let ranges = self.ranges().map(|(.., range)| range.unwrap_or([f64::NEG_INFINITY, f64::INFINITY]));
+        std::array::from_fn(|k| [flown[k][0] < ranges[k][0], flown[k][1] > ranges[k][1]])
     }
 
     /// Whether a spin ratio, spin, Reynolds number and speed through the air lie within all ranges that are known. In no air (a Reynolds

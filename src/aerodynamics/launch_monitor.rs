@@ -21,10 +21,9 @@ impl<T: Numbers> AerodynamicLaw<T> for LaunchMonitor<T> {
     fn fitted(&self) -> Fitted {
         Fitted {
             spin_ratio: Some([0.06, 0.33]),
-            spin: None,
             reynolds: Some([7e4, 2.3e5]),
-            speed: None,
             to: "what a launch monitor predicts of 400 shots",
+            ..Fitted::UNKNOWN
         }
     }
 

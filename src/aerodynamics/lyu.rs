@@ -36,10 +36,10 @@ impl<T: Numbers> AerodynamicLaw<T> for Lyu<T> {
     fn fitted(&self) -> Fitted {
         Fitted {
             spin_ratio: Some(MEASURED),
-            spin: None,
             reynolds: Some([5.1e4, 2e5]),
-            speed: None,
             to: "balls shot through still air, Lyu, Kensrud, Smith & Tosaya 2018",
+            held: [[false, true], [false; 2], [false; 2], [false; 2]],
+            ..Fitted::UNKNOWN
         }
     }
 

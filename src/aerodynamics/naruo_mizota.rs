@@ -48,10 +48,10 @@ impl<T: Numbers> AerodynamicLaw<T> for NaruoMizota<T> {
     fn fitted(&self) -> Fitted {
         Fitted {
             spin_ratio: Some(MEASURED),
-            spin: None,
             reynolds: Some([7.1e4, f64::INFINITY]),
-            speed: None,
             to: "a wind tunnel, Naruo, Mizota & Shimozono 2004",
+            held: [[false, true], [false; 2], [false; 2], [false; 2]],
+            ..Fitted::UNKNOWN
         }
     }
 

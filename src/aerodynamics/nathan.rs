@@ -29,13 +29,7 @@ impl<T: Numbers> AerodynamicLaw<T> for Nathan<T> {
 
     fn fitted(&self) -> Fitted {
         // from a driver to a 5-iron as they leave
-        Fitted {
-            spin_ratio: Some([0.07, 0.2]),
-            spin: None,
-            reynolds: None,
-            speed: None,
-            to: "the averages of seven clubs, driver to 5-iron",
-        }
+        Fitted { spin_ratio: Some([0.07, 0.2]), to: "the averages of seven clubs, driver to 5-iron", ..Fitted::UNKNOWN }
     }
 
     fn published(&self) -> Published {

@@ -18,10 +18,9 @@ impl<T: Numbers> AerodynamicLaw<T> for SmitsSmith<T> {
     fn fitted(&self) -> Fitted {
         Fitted {
             spin_ratio: Some([0.08, 0.2]),
-            spin: None,
             reynolds: Some([7e4, 2.1e5]),
-            speed: None,
             to: "a wind tunnel, Smits & Smith 1994",
+            ..Fitted::UNKNOWN
         }
     }
 

@@ -24,6 +24,7 @@ impl<T: Numbers> AerodynamicLaw<T> for Table<T> {
             reynolds: range(Along::Reynolds),
             speed: range(Along::Speed),
             to: self.table.told(),
+            held: [[true; 2]; 4],
         }
     }
 

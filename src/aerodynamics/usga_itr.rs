@@ -52,10 +52,9 @@ impl<T: Numbers> AerodynamicLaw<T> for UsgaItr<T> {
     fn fitted(&self) -> Fitted {
         Fitted {
             spin_ratio: Some([0.042, 0.22]),
-            spin: None,
             reynolds: Some([8e4, 2e5]),
-            speed: None,
             to: "42 shots in the USGA's Indoor Test Range",
+            ..Fitted::UNKNOWN
         }
     }
 

@@ -26,10 +26,9 @@ impl<T: Numbers> AerodynamicLaw<T> for WinfieldTan<T> {
     fn fitted(&self) -> Fitted {
         Fitted {
             spin_ratio: Some([0.02, 0.35]),
-            spin: None,
-            reynolds: None,
             speed: Some([25.0, 68.0]),
             to: "the tables of Winfield & Tan 1994",
+            ..Fitted::UNKNOWN
         }
     }
 

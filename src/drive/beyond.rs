@@ -93,7 +93,8 @@ impl BeyondCount {
             let which = some(self.law);
             let name = law.name();
             let before = Message::from(format!("{which}: {when} outside of what the law {name} was fitted to ("));
-            warnings.push(fitted.in_words(before).words(format!("; {}), where it is extrapolated{rest}", fitted.to)));
+            let how = fitted.beyond(fitted.left([[f64::NEG_INFINITY, f64::INFINITY]; 4]));
+            warnings.push(fitted.in_words(before).words(format!("; {}), where it is {how}{rest}", fitted.to)));
         }
         if self.face > 0 {
             let which = some(self.face);

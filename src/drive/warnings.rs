@@ -1,15 +1,19 @@
 //! What deserves a word about a drive that is computed as it stands.
 
-use super::Drive;
 use super::beyond::{any_face, is_beside_any_face};
+use super::{Drive, Outcome};
 use crate::aerodynamics::{AerodynamicLaw, FittedRange, range_in_words};
 use crate::atmosphere::{AirState, WindField};
 use crate::flight::trajectory;
+use crate::ground::angle_of_impact;
 use crate::parameters::Setup;
-use crate::units::{Message, Quantity};
+use crate::units::{Digits, Message, Quantity};
 
 /// Less than this part of the time of flight outside of what a law was fitted to is not worth a word: the laws are uncertain by more within it.
 const WORTH_A_WORD: f64 = 0.01;
+
+/// Balls that land flatter than this from the ground, rad, bounce by an assumption that nothing measured bears out (docs/limitations.md).
+const FLAT: f64 = 25.0 * std::f64::consts::PI / 180.0;
 
 /// How far a flight goes along what its law was fitted to.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,6 +35,30 @@ impl Drive<f64> {
         warnings
     }
 
+    /// The [`warnings`](Self::warnings) of a drive of which these outcomes are asked for or shown: where one of them is of the run, also that the ball
+    /// lands flatter than any whose bounce was measured.
+    pub fn warnings_about(&self, setup: &Setup<f64>, of: &[Outcome]) -> Vec<Message> {
+        let mut warnings = self.warnings(setup);
+        warnings.extend(self.lands_flat(setup).filter(|_| of.iter().any(|of| of.is_of_the_run())));
+        warnings
+    }
+
+    /// A ball that bounces, and landed flatter than any whose bounce was measured.
+    fn lands_flat(&self, setup: &Setup<f64>) -> Option<Message> {
+        let landed = self.landed().ok()?;
+        landed.rest.as_ref().filter(|rest| rest.bounces > 0 && rest.downrange.is_finite())?;
+        let angle = angle_of_impact(setup, landed.velocity);
+        let show =
+            |message: Message, angle: f64| message.quantity(Quantity::ANGLE, "deg", angle, Digits::Significant(3));
+        (angle < FLAT).then(|| {
+            let message = show(Message::from("the ball lands at "), angle).words(" to the ground, below ");
+            show(message, FLAT).words(
+                ": how a ball bounces that lands so flat is assumed, not measured, so total, run and lateral total may be far off; \
+                 prefer carry (docs/limitations.md)",
+            )
+        })
+    }
+
     /// A strike beside the face of any head that conforms.
     fn beside_the_face(&self, setup: &Setup<f64>) -> Option<String> {
         self.impact.as_ref()?;
@@ -49,15 +77,19 @@ impl Drive<f64> {
     /// What the law of drag and lift was not fitted to, and for how much of the flight.
     pub(super) fn outside_of_the_law(&self, setup: &Setup<f64>) -> Vec<Message> {
         let fitted = AerodynamicLaw::<f64>::fitted(&setup.law);
-        let told = |((name, unit, range), within): (FittedRange, Option<Within>)| {
+        let told = |(k, ((name, unit, range), within)): (usize, (FittedRange, Option<Within>))| {
             let Within { flown, outside } = within.filter(|within| within.outside >= WORTH_A_WORD)?;
+            let [low, high] = range?;
+            let mut left = [[false; 2]; 4];
+            left[k] = [flown[0] < low, flown[1] > high];
             let fitted_to = Message::from(format!("the law {} was fitted to a {name} of ", setup.law.name()));
-            let before = range_in_words(fitted_to, unit, range?)
+            let before = range_in_words(fitted_to, unit, [low, high])
                 .words(format!(" ({}); in this flight it goes from ", fitted.to));
-            let after = format!(", {:.0} % of the time outside, where the law is extrapolated", 100.0 * outside);
+            let how = fitted.beyond(left);
+            let after = format!(", {:.0} % of the time outside, where the law is {how}", 100.0 * outside);
             Some(range_in_words(before, unit, flown).words(after))
         };
-        fitted.ranges().into_iter().zip(self.within_the_law(setup)).filter_map(told).collect()
+        fitted.ranges().into_iter().zip(self.within_the_law(setup)).enumerate().filter_map(told).collect()
     }
 
     /// How far the flight goes along each of the ranges that the law was fitted to, in the order of [`Fitted::ranges`](crate::aerodynamics::Fitted::ranges),

@@ -8,6 +8,7 @@ mod rubbing;
 mod turf;
 
 use crate::number::{Mask, Numbers, Vector, risen};
+use crate::parameters::Setup;
 use bounce::Moving;
 use rubbing::Rubbing;
 pub(crate) use turf::Turf;
@@ -112,6 +113,12 @@ impl<T: Numbers> Turf<T> {
         let (_, rolled) = Rubbing { deceleration: self.rolling * slope.press, pull: pull * by_spin }.stop(rolling);
         slid + rolled
     }
+}
+
+/// The angle between the ground and the way of a ball that comes down on it, rad; below 0 where it moves away from the ground.
+pub(crate) fn angle_of_impact(setup: &Setup<f64>, velocity: Vector<f64>) -> f64 {
+    let Slope { normal, .. } = Slope::new(setup.ground.slope, setup.ground.side_slope, 1.0);
+    (-normal.dot(velocity) / velocity.norm()).asin()
 }
 
 /// A plane under gravity.

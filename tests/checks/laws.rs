@@ -307,6 +307,12 @@ fn a_plot_of_laws_draws_all_of_them_and_refuses_what_it_cannot_use() {
     }
     let mine: Vec<_> = rows.iter().filter(|row| row.1 == "table (measured)").map(|row| (row.2, row.3)).collect();
     assert_eq!(mine, [(0.0, 0.2), (0.1, 0.25)]);
+    // a table is held beyond its nodes, and so is a law where its variable is held
+    std::fs::write(file("mine.csv"), "s,cd,cl\n0.1,0.25,0.15\n0.2,0.27,0.2\n").unwrap();
+    let (rows, _) = drawn(&["--set", &own, "--laws", "table,lyu,launch-monitor"]);
+    for name in ["table (held)", "lyu (extrapolated or held)", "launch-monitor (extrapolated)"] {
+        assert!(rows.iter().any(|row| row.1 == name), "{name}");
+    }
     let said = longdrive(&["plot", "laws", "--show", "cl", "-o", &file("laws.svg")]);
     let svg = std::fs::read_to_string(file("laws.svg")).unwrap();
     assert!(said.status == 0 && svg.contains("naruo-mizota") && !svg.contains("(extrapolated)"), "{}", said.err);

@@ -263,6 +263,23 @@ fn a_table_that_has_changed_is_another_question() {
     assert_eq!((&share["cause"], &share["values"][1]), (&"aero.law".into(), &file("other.csv").into()), "{found}");
 }
 
+/// The curve through these nodes has a negative drag below their first: no ball gets there, unless it has some spin there.
+#[test]
+fn exact_drag_is_not_looked_at_below_no_spin() {
+    let law = of_table("s,cd,cl\n0,0.02,0\n0.05,0.3,0.1\n0.1,0.32,0.2\n0.2,0.33,0.3\n");
+    for (s, drag) in [(0.0, 0.02), (0.05, 0.3), (0.1, 0.32), (0.2, 0.33)] {
+        let found: Coefficients<f64> = at(law, [s, 1e5, 50.0]);
+        assert!((found.drag - drag).abs() < 1e-12, "{s}: {}", found.drag);
+    }
+    for s in evenly(0.0, 0.4, 4000) {
+        let found: Coefficients<f64> = at(law, [s, 1e5, 50.0]);
+        assert!(found.drag > 0.0, "{s}: {}", found.drag);
+    }
+    let (_folder, name) = written("s,cd,cl\n0.1,0.02,0.1\n0.15,0.3,0.1\n0.2,0.32,0.2\n0.3,0.33,0.3\n");
+    let told = LawTable::open(Path::new(&name)).unwrap_err().to_string();
+    assert!(told.contains("negative drag") && told.contains("at spin_ratio 0.0875"), "{told}");
+}
+
 /// The range of a table is that of its nodes.
 #[test]
 fn a_drive_beyond_its_table_is_told() {
@@ -272,6 +289,7 @@ fn a_drive_beyond_its_table_is_told() {
     let (_, answer) = json(&["simulate", "--set", &format!("{TABLE}={name}")]);
     let told = answer["warnings"].to_string();
     assert!(told.contains("speed through the air of 50 m/s to 80 m/s (the table mine.csv)"), "{told}");
+    assert!(told.contains("where the law is held\"") && !told.contains("extrapolated"), "{told}");
     let range = &answer["law_range"];
     assert!(range["spin_ratio"].is_null() && range["reynolds"].is_null(), "{range}");
     assert!(number(&range["speed"]["share_outside"]) > 0.3, "{range}");

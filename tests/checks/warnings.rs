@@ -235,3 +235,54 @@ fn exact_share_outside_of_a_law_is_in_the_answer() {
         assert!(json(&[&["simulate"], none].concat()).1["law_range"].is_null(), "{none:?}");
     }
 }
+
+/// In no air a ball lands as it was launched; ground that rises by 4° is met 4° more steeply.
+#[test]
+fn exact_angle_of_a_ball_that_lands_flatter_than_measured_bounces() {
+    let told = |settings: &[&str], of: &str| {
+        let mut command = vec!["gradient", "--of", of, "--wrt", "launch.ball_speed"];
+        command.extend([
+            "--set",
+            "air.density=0 kg/m^3",
+            "--launch",
+            "ball_speed=40m/s,launch_angle=23deg,backspin=2000rpm",
+        ]);
+        command.extend(settings.iter().flat_map(|setting| ["--set", setting]));
+        let (_, answer) = json(&command);
+        let warnings = answer["warnings"].as_array().unwrap_or_else(|| panic!("{answer}")).clone();
+        assert_ne!(answer["status"], "error", "{answer}");
+        warnings.iter().filter_map(|it| it.as_str()).filter(|it| it.contains("lands at")).map(str::to_owned).collect()
+    };
+    for of in ["total", "run", "lateral_total", "carry,total"] {
+        let found: Vec<String> = told(&[], of);
+        assert!(
+            found.len() == 1 && found[0].contains("lands at 23 deg to the ground, below 25 deg"),
+            "{of}: {found:?}"
+        );
+    }
+    let found: Vec<String> = told(&["ground.slope=1deg"], "total");
+    assert!(found.len() == 1 && found[0].contains("lands at 24 deg"), "{found:?}");
+    for (settings, of) in [
+        (&[][..], "carry"),
+        (&["ground.slope=4deg"], "total"),
+        // the ball embeds: there is no run
+        (&["ground.restitution=none"], "total"),
+    ] {
+        let found: Vec<String> = told(settings, of);
+        assert!(found.is_empty(), "{settings:?} {of}: {found:?}");
+    }
+}
+
+#[test]
+fn a_flat_landing_is_told_with_the_total_and_at_an_optimum() {
+    let flat = ["--launch", "ball_speed=160mph,launch_angle=4deg,backspin=1500rpm"];
+    let text = longdrive(&[&["simulate"], &flat[..]].concat());
+    assert!(text.err.contains("the ball lands at 9.08 deg"), "{}", text.err);
+    let search = ["optimize", "--vary", "launch.launch_angle=3deg..6deg"];
+    for (of, is_told) in [("total", true), ("carry", false)] {
+        let (_, answer) = json(&[&search[..], &["--maximize", of], &flat].concat());
+        let warnings = answer["warnings"].as_array().unwrap();
+        let found = warnings.iter().any(|it| it.as_str().unwrap().contains("the ball lands at"));
+        assert_eq!(found, is_told, "{of}: {answer}");
+    }
+}

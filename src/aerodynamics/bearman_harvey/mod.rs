@@ -58,11 +58,12 @@ impl<T: Numbers> AerodynamicLaw<T> for BearmanHarvey<T> {
 
     fn fitted(&self) -> Fitted {
         Fitted {
-            spin_ratio: None,
             spin: Some(SPINS.map(|rpm| rpm * RPM)),
-            reynolds: None,
             speed: Some(MEASURED),
             to: "a wind tunnel, Bearman & Harvey 1976",
+            // the grid has one column of speeds more than were measured
+            held: [[false; 2], [true; 2], [false; 2], [true, false]],
+            ..Fitted::UNKNOWN
         }
     }
 

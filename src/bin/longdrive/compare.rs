@@ -4,7 +4,7 @@ use crate::output::{Answer, spinner, system, tell, tell_error, warn};
 use longdrive::report::{ComparisonReport, comparison_text, difference_text};
 use longdrive::study::Comparison;
 use longdrive::units::Message;
-use longdrive::{Error, Result};
+use longdrive::{Error, Outcome, Result};
 
 pub fn run(args: &Compare) -> Result<Answer> {
     let of = outcomes(&args.of)?;
@@ -40,7 +40,7 @@ pub fn run(args: &Compare) -> Result<Answer> {
 /// What the reader should know about each of the two drives.
 pub fn warnings(comparison: &Comparison) -> Vec<Message> {
     let of = |(name, side): (&str, usize)| {
-        let warnings = comparison.drives[side].warnings(&comparison.setups[side]);
+        let warnings = comparison.drives[side].warnings_about(&comparison.setups[side], Outcome::ALL);
         warnings
             .into_iter()
             .map(|warning| Message::from(format!("drive {name}: ")).message(warning))

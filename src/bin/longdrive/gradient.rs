@@ -10,7 +10,7 @@ pub fn run(args: &Gradient) -> Result<Answer> {
     let of = outcomes(&args.of)?;
     let wrt = if args.wrt.is_empty() { usual(&setup)? } else { variables(&setup, &args.wrt, &of)? };
     let drive = Drive::new(&setup)?;
-    let warnings = drive.warnings(&setup);
+    let warnings = drive.warnings_about(&setup, &of);
     warn(&warnings);
 
     let order = if args.hessian { Order::Second } else { Order::First };

@@ -58,5 +58,7 @@ pub fn remarks(setup: &Setup<f64>, best: &Optimum) -> Vec<Message> {
     if let Some(moved) = best.moved_start() {
         tell(&moved);
     }
-    best.drive.as_ref().map_or_else(|| setup.warnings(), |drive| drive.warnings(&best.setup))
+    best.drive
+        .as_ref()
+        .map_or_else(|| setup.warnings(), |drive| drive.warnings_about(&best.setup, &best.search.outcomes()))
 }

@@ -76,7 +76,8 @@ fn contour(args: &PlotContour) -> Result<Answer> {
 
 /// What deserves a word about the drive of an optimum.
 pub fn at_optimum(best: &Optimum) -> Vec<Message> {
-    let warnings = best.drive.as_ref().map_or_else(Vec::new, |drive| drive.warnings(&best.setup));
+    let warnings =
+        best.drive.as_ref().map_or_else(Vec::new, |drive| drive.warnings_about(&best.setup, &best.search.outcomes()));
     warnings.into_iter().map(|warning| Message::from("at the optimum: ").message(warning)).collect()
 }
 

@@ -36,7 +36,7 @@ pub fn run(args: &Report) -> Result<Answer> {
     let bar = bar("parts");
     bar.set_length(USUAL_POINTS + 5);
     let mut flown = vec![Flown::new("as set up", &setup)?];
-    let mut remarks = flown[0].drive.warnings(&setup);
+    let mut remarks = flown[0].drive.warnings_about(&setup, Outcome::ALL);
     bar.inc(1);
 
     let found = sought.as_ref().map(|(search, _)| optimum(&setup, search.clone(), Observer::default())).transpose()?;
@@ -50,7 +50,11 @@ pub fn run(args: &Report) -> Result<Answer> {
     }
     if let Some(best) = best {
         let longest = Flown::new("optimum", &best.setup)?;
-        let of_drive = longest.drive.warnings(&best.setup).into_iter().filter(|warning| !remarks.contains(warning));
+        let of_drive = longest
+            .drive
+            .warnings_about(&best.setup, Outcome::ALL)
+            .into_iter()
+            .filter(|warning| !remarks.contains(warning));
         let of_drive: Vec<_> = of_drive.map(|warning| Message::from("at the optimum: ").message(warning)).collect();
         remarks.extend(of_drive);
         flown.push(longest);

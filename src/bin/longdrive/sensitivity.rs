@@ -29,7 +29,7 @@ pub fn run(args: &SensitivityArgs) -> Result<Answer> {
     }
     let sigmas = if args.no_defaults { given } else { with_defaults(&setup, &given, &of)? };
     let drive = Drive::new(&setup)?;
-    let mut warnings = drive.warnings(&setup);
+    let mut warnings = drive.warnings_about(&setup, &of);
     warn(&warnings);
     let bar = bar("uncertainties");
     let found = effects(&setup, &of, &sigmas, |done, all| show(&bar, done, all));

@@ -2,12 +2,12 @@ use crate::args::Simulate;
 use crate::output::{Answer, system, warn};
 use longdrive::flight::Flight;
 use longdrive::report::{DriveReport, drive_text};
-use longdrive::{Drive, Result};
+use longdrive::{Drive, Outcome, Result};
 
 pub fn run(args: &Simulate) -> Result<Answer> {
     let setup = args.question.within_tolerance(args.question.setup()?)?;
     let drive = Drive::new(&setup);
-    let warnings = drive.as_ref().map_or_else(|_| setup.warnings(), |drive| drive.warnings(&setup));
+    let warnings = drive.as_ref().map_or_else(|_| setup.warnings(), |drive| drive.warnings_about(&setup, Outcome::ALL));
     warn(&warnings);
     let drive = drive?;
     let answer = if args.question.json {

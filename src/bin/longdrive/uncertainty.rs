@@ -11,7 +11,7 @@ pub fn run(args: &UncertaintyArgs) -> Result<Answer> {
     let of = outcomes(&args.of)?;
     let inputs = inputs(&setup, args, &of)?;
     let setup = args.question.for_many(setup, &inputs.iter().map(Uncertain::range).collect::<Vec<_>>())?;
-    let warnings = Drive::new(&setup).map_or_else(|_| setup.warnings(), |drive| drive.warnings(&setup));
+    let warnings = Drive::new(&setup).map_or_else(|_| setup.warnings(), |drive| drive.warnings_about(&setup, &of));
     warn(&warnings);
     let plan = Plan { samples: args.samples as usize, seed: args.seed };
     let bar = bar("drives");

@@ -30,7 +30,7 @@ pub fn run(args: &Verify) -> Result<Answer> {
     bar.finish_and_clear();
     let certificate = certificate?;
     let of_step = certificate.step.iter().filter_map(StepError::warning).collect();
-    let of_drive = Drive::new(&setup).map_or_else(|_| setup.warnings(), |drive| drive.warnings(&setup));
+    let of_drive = Drive::new(&setup).map_or_else(|_| setup.warnings(), |drive| drive.warnings_about(&setup, &of));
     let warnings = [of_drive, of_step].concat();
     warn(&warnings);
     tell_left_out(&certificate);

@@ -118,13 +118,14 @@ fn check_between(surface: &Surface, [columns, rows]: [usize; 2], nodes: &Nodes) 
         if cell[4] > 4.0 * swing {
             continue;
         }
-        let places = |at: usize, count: usize| {
-            let under = if at == 0 && count > 1 { Some(-0.5 * OVER) } else { None };
+        // no spin and no speed is below 0, which is at `none`
+        let places = |at: usize, count: usize, none: f64| {
+            let under = if at == 0 && count > 1 { Some((-0.5 * OVER).max(none)) } else { None };
             let above = if at + 2 >= count && count > 1 { Some(1.0 + 0.5 * OVER) } else { None };
             under.into_iter().chain((0..=FINE).map(|k| k as f64 / FINE as f64)).chain(above)
         };
-        for u in places(i % wide, columns) {
-            for w in places(i / wide % high, rows) {
+        for u in places(i % wide, columns, -cell[0] * cell[1]) {
+            for w in places(i / wide % high, rows, -cell[2] * cell[3]) {
                 let found = drag(cell, u, w);
                 if found < -1e-12 {
                     let end = |corner: f64, per: f64, part: f64| if per > 0.0 { corner + part / per } else { corner };

@@ -82,6 +82,13 @@ pub fn laws_figure(laws: &[Law<f64>], setup: &Setup<f64>, over: Over, of: Coeffi
             ([at, [drag, lift][which]], is_in)
         });
         let curve: Vec<([f64; 2], bool)> = curve.collect();
+        let (first, last) = (stream(low), stream(high));
+        let reached = [
+            [first.spin_ratio, last.spin_ratio],
+            [first.spin, last.spin],
+            [first.reynolds, last.reynolds],
+            [first.speed, last.speed],
+        ];
         let (within, beyond) = (pieces(&curve, true), pieces(&curve, false));
         let curve = if within.is_empty() { &beyond } else { &within };
         // at another place of each curve, so that the words do not stand in each other's way
@@ -89,7 +96,8 @@ pub fn laws_figure(laws: &[Law<f64>], setup: &Setup<f64>, over: Over, of: Coeffi
         let at = drawn.get(drawn.len() * (2 * i + 1) / (2 * laws.len()));
         marks.extend(at.map(|at| Layer::Mark { name: law.name().into(), hue: Hue::Series(i), at: **at }));
         // a law that is dashed alone has its own name
-        let suffix = if within.is_empty() { "" } else { " (extrapolated)" };
+        let suffix =
+            if within.is_empty() { String::new() } else { format!(" ({})", fitted.beyond(fitted.left(reached))) };
         let layers = [Layer::line(law.name(), i, within), Layer::dashed(format!("{}{suffix}", law.name()), i, beyond)];
         figure.layers.extend(
             layers.into_iter().filter(|layer| !matches!(layer, Layer::Line { points, .. } if points.is_empty())),
@@ -110,7 +118,7 @@ pub fn laws_figure(laws: &[Law<f64>], setup: &Setup<f64>, over: Over, of: Coeffi
             figure.layers.push(Layer::dots(format!("{} (measured)", law.name()), i, points));
         }
     }
-    // where colours begin again, names stand beside the curves
+    // where colours begin again, names stand beside the curves too
     if laws.len() > Hue::SERIES {
         figure.layers.extend(marks);
     }
