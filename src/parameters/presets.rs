@@ -24,7 +24,8 @@ pub struct PresetEntry {
     pub source: &'static str,
 }
 
-const fn entry(name: &'static str, value: &'static str, source: &'static str) -> PresetEntry {
+/// An entry of a preset, or of a kind of ground.
+pub(super) const fn entry(name: &'static str, value: &'static str, source: &'static str) -> PresetEntry {
     PresetEntry { name, value, source }
 }
 

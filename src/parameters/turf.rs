@@ -1,6 +1,6 @@
 //! Kinds of ground by name: a choice that sets the numbers of the ground.
 
-use super::presets::{Preset, PresetEntry};
+use super::presets::{Preset, PresetEntry, entry};
 use super::table::Setup;
 use crate::error::{Error, Result};
 
@@ -13,10 +13,6 @@ const ROLLING: &str = "Penner (2001)";
 const FIRM: &str = "chosen beside TrackMan's chart of 2010: runs of its 60 drives within 6 yd (rms), docs/sources.md";
 const SOFT: &str = "assumed, so that a drive of the PGA tour runs 10 yd, as FlightScope has it, docs/sources.md";
 const EMBEDS: &str = "the ball embeds";
-
-const fn entry(name: &'static str, value: &'static str, source: &'static str) -> PresetEntry {
-    PresetEntry { name, value, source }
-}
 
 /// The kinds of ground. None of them is measured: a run is known to 10 yd at best.
 pub static TURFS: &[Preset] = &[

@@ -36,9 +36,10 @@ pub fn run(args: &DeliveryArgs) -> Result<Answer> {
             )?;
             table.remarks.iter().for_each(|remark| tell(&remark.in_units(system())));
             tell(&format!("{}: of each row the launch is used, and not the flight", table.file));
-            let is_assumed = |unknown: &&Unknown| !table.gives(unknown.parameter);
-            tell_assumed(&unknowns.iter().copied().filter(|unknown| is_assumed(&unknown)).collect::<Vec<_>>());
-            tell_measured(&setup, &table, &unknowns);
+            let (measured, assumed): (Vec<_>, Vec<_>) =
+                unknowns.iter().partition(|unknown| table.gives(unknown.parameter));
+            tell_assumed(&assumed);
+            tell_measured(&setup, &measured);
             let all = deliveries(&setup, &table, &unknowns, &interrupt::stops(BEST_SO_FAR));
             let left_out = table.shots.len() - all.len();
             (all, table.file, left_out)
@@ -88,8 +89,8 @@ fn tell_assumed(unknowns: &[Unknown]) {
 }
 
 /// How well the columns of the club are known, where these are sought.
-fn tell_measured(setup: &Setup<f64>, table: &ShotTable, unknowns: &[Unknown]) {
-    for unknown in unknowns.iter().filter(|unknown| table.gives(unknown.parameter)) {
+fn tell_measured(setup: &Setup<f64>, unknowns: &[Unknown]) {
+    for unknown in unknowns {
         let name = unknown.parameter.name;
         let measured = unknown.measured_as(setup.value(unknown.parameter).unwrap_or_default());
         let sigma = parameter_text(unknown.parameter, measured.sigma, system());
