@@ -23,7 +23,7 @@ struct Changes {
 }
 
 /// Values and gradients by many parameters. `progress` is told how many passes of how many are done.
-pub(super) fn gradients(asked: &Asked<'_>, progress: impl FnMut(usize, usize)) -> Result<Vec<Taylor>> {
+pub(super) fn gradients(asked: &Asked<'_>, progress: &mut dyn FnMut(usize, usize)) -> Result<Vec<Taylor>> {
     let each = |count: usize| (0..count).collect::<Vec<_>>();
     derivatives(
         asked,
@@ -34,7 +34,7 @@ pub(super) fn gradients(asked: &Asked<'_>, progress: impl FnMut(usize, usize)) -
 }
 
 /// The same with Hessians.
-pub(super) fn hessians(asked: &Asked<'_>, progress: impl FnMut(usize, usize)) -> Result<Vec<Taylor>> {
+pub(super) fn hessians(asked: &Asked<'_>, progress: &mut dyn FnMut(usize, usize)) -> Result<Vec<Taylor>> {
     let pairs = |count: usize| (0..count).flat_map(|i| (0..=i).map(move |j| [i, j])).collect::<Vec<_>>();
     derivatives(
         asked,
@@ -51,7 +51,7 @@ fn derivatives(
     asked: &Asked<'_>,
     to_second: bool,
     passes: Passes<'_>,
-    mut progress: impl FnMut(usize, usize),
+    progress: &mut dyn FnMut(usize, usize),
 ) -> Result<Vec<Taylor>> {
     let n = asked.wrt.len();
     let rows = |n: usize| if to_second { n } else { 0 };
@@ -141,19 +141,22 @@ impl Pass<'_> {
                 })
             }
             Part::Flight { changes, moving, slopes } => {
-                // made in one place, and then laid out
-                let mut values = vec![];
-                changes.inputs.map(|value| values.push(value));
-                let mut numbers = Vec::with_capacity(values.len());
-                for (input, value) in values.into_iter().enumerate() {
-                    let value = J::constant(value);
-                    numbers.push(match moving.iter().position(|moves| *moves == input) {
-                        Some(place) => directions.seeded(place, value, per_lane),
-                        None => value,
-                    });
-                }
-                let mut input = 0..;
-                let inputs = changes.inputs.map(|_| numbers[input.next().unwrap_or_default()]);
+                let mut input = 0;
+                let inputs = changes.inputs.map(
+                    #[inline(always)]
+                    |value| {
+                        // called for each of them, and not taken in
+                        let number = J::outlined(
+                            #[inline(always)]
+                            || match moving.iter().position(|moves| *moves == input) {
+                                Some(place) => directions.seeded(place, J::constant(value), per_lane),
+                                None => J::constant(value),
+                            },
+                        );
+                        input += 1;
+                        number
+                    },
+                );
                 asked.fly(&inputs, lanes, |lane, outcome, number| {
                     put(&mut slopes[outcome], directions.in_lane(lane, per_lane), &number);
                 })
@@ -175,23 +178,34 @@ impl Changes {
     }
 
     /// Takes over the derivatives by the parameters in some directions.
+    #[inline(always)]
     fn take<J: Lanes<Lane: Derivatives>>(&mut self, inputs: &Inputs<J>, directions: Directions<'_>, per_lane: usize) {
         let (n, lanes) = (self.parameters, directions.lanes(per_lane));
         let places: [&[usize]; MOST_LANES] = std::array::from_fn(|lane| directions.in_lane(lane, per_lane));
         let mut gradients = self.gradients.chunks_exact_mut(n);
         let mut hessians = self.hessians.chunks_exact_mut(n * n);
-        inputs.map(|number| {
-            let (Some(gradient), mut hessian) = (gradients.next(), hessians.next()) else { return };
-            for (lane, places) in places.iter().take(lanes).enumerate() {
-                let number = number.lane(lane);
-                for (i, &place) in places.iter().enumerate() {
-                    gradient[place] = number.first(i);
-                }
-                if let (&&[i, j], Some(second), Some(hessian)) = (places, number.second(), hessian.as_mut()) {
-                    (hessian[i * n + j], hessian[j * n + i]) = (second, second);
-                }
-            }
-        });
+        inputs.map(
+            #[inline(always)]
+            |number| {
+                // called for each of them, and not taken in
+                J::outlined(
+                    #[inline(always)]
+                    || {
+                        let (Some(gradient), mut hessian) = (gradients.next(), hessians.next()) else { return };
+                        for (lane, places) in places.iter().take(lanes).enumerate() {
+                            let number = number.lane(lane);
+                            for (i, &place) in places.iter().enumerate() {
+                                gradient[place] = number.first(i);
+                            }
+                            if let (&&[i, j], Some(second), Some(hessian)) = (places, number.second(), hessian.as_mut())
+                            {
+                                (hessian[i * n + j], hessian[j * n + i]) = (second, second);
+                            }
+                        }
+                    },
+                );
+            },
+        );
     }
 
     /// The derivatives by parameters of what has these by the inputs that move.

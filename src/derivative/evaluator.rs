@@ -83,16 +83,16 @@ impl Evaluator {
             moved.put(&self.wrt, |i| values[i]);
             moved.club.check_inertia()?;
         }
-        self.unchecked(values, |_, _| ())
+        self.unchecked(values, &mut |_, _| ())
     }
 
     /// The outcomes of the setup itself, telling `progress` how many passes of how many are done.
-    pub(super) fn at_setup(&self, setup: &Setup<f64>, progress: impl FnMut(usize, usize)) -> Result<Vec<Taylor>> {
+    pub(super) fn at_setup(&self, setup: &Setup<f64>, progress: &mut dyn FnMut(usize, usize)) -> Result<Vec<Taylor>> {
         let values: Vec<f64> = self.wrt.iter().map(|row| setup.value(row).unwrap_or(f64::NAN)).collect();
         self.unchecked(&values, progress)
     }
 
-    fn unchecked(&self, x: &[f64], mut progress: impl FnMut(usize, usize)) -> Result<Vec<Taylor>> {
+    fn unchecked(&self, x: &[f64], progress: &mut dyn FnMut(usize, usize)) -> Result<Vec<Taylor>> {
         let asked = Asked {
             setup: &self.setup,
             of: &self.of,

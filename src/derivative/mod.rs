@@ -72,9 +72,9 @@ pub fn evaluate_with(
     of: &[Outcome],
     wrt: &[&'static Parameter],
     order: Order,
-    progress: impl FnMut(usize, usize),
+    mut progress: impl FnMut(usize, usize),
 ) -> Result<Vec<Taylor>> {
-    Evaluator::new(setup, of, wrt, order)?.at_setup(setup, progress)
+    Evaluator::new(setup, of, wrt, order)?.at_setup(setup, &mut progress)
 }
 
 /// As [`evaluate`] to second order, with those second derivatives alone that the last parameter takes part in: what the
@@ -83,7 +83,7 @@ pub fn evaluate_with(
 /// # Errors
 /// As [`evaluate`].
 pub(crate) fn towards_last(setup: &Setup<f64>, of: &[Outcome], wrt: &[&'static Parameter]) -> Result<Vec<Taylor>> {
-    Evaluator::new(setup, of, wrt, Order::Second)?.of_pairs(Pairs::WithLast).at_setup(setup, |_, _| ())
+    Evaluator::new(setup, of, wrt, Order::Second)?.of_pairs(Pairs::WithLast).at_setup(setup, &mut |_, _| ())
 }
 
 fn single(mut taylors: Vec<Taylor>) -> Result<Taylor> {

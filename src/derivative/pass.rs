@@ -1,7 +1,7 @@
 use super::Taylor;
 use super::asked::{Asked, Directions, read};
 use super::order::Pairs;
-use crate::drive::{Part, Struck};
+use crate::drive::{Outcome, Part, Struck};
 use crate::error::Result;
 use crate::number::{Derivatives, Jet, Lanes, Level, Mask, Mixed, Task, inlined};
 
@@ -54,6 +54,10 @@ pub(super) fn read_launches<J: Lanes>(
     lanes: usize,
     mut take: impl FnMut(usize, usize, J::Lane),
 ) -> Result<()> {
+    let is_of_launch = |outcome: &Outcome| outcome.part() == Part::Launch;
+    if !asked.of.iter().any(is_of_launch) {
+        return Ok(());
+    }
     for lane in 0..lanes {
         let in_lane = inlined(
             #[inline(always)]
@@ -61,7 +65,7 @@ pub(super) fn read_launches<J: Lanes>(
         );
         let launch = struck.launch.map(in_lane);
         let club_speed = struck.club_speed.map(in_lane);
-        for (i, outcome) in asked.of.iter().enumerate().filter(|(_, outcome)| outcome.part() == Part::Launch) {
+        for (i, outcome) in asked.of.iter().enumerate().filter(|(_, outcome)| is_of_launch(outcome)) {
             take(lane, i, read(*outcome, &launch, club_speed, None)?);
         }
     }
@@ -103,7 +107,7 @@ pub(super) fn most_in_a_pass() -> usize {
 }
 
 /// Each outcome with its gradient and the wanted part of its Hessian; `progress` is told how many passes of how many are done.
-pub(super) fn hessians(asked: &Asked<'_>, pairs: Pairs, mut progress: impl FnMut(usize, usize)) -> Result<Vec<Taylor>> {
+pub(super) fn hessians(asked: &Asked<'_>, pairs: Pairs, progress: &mut dyn FnMut(usize, usize)) -> Result<Vec<Taylor>> {
     let n = asked.wrt.len();
     let rows = if pairs == Pairs::WithLast { n - 1..n } else { 0..n };
     let wanted: Vec<[usize; 2]> = rows.flat_map(|i| (0..=i).map(move |j| [i, j])).collect();

@@ -17,6 +17,14 @@ impl<T: Numbers> Rubbing<T> {
     /// From dv/dt = G − a v/|v| follows d(a|v| + v·G)/dt = −(a² − |G|²), and likewise the way by quadratic functions of |v| and v·G.
     #[inline(always)]
     pub fn stop(&self, velocity: Vector<T>) -> (T, Vector<T>) {
+        T::outlined(
+            #[inline(always)]
+            || self.stopped(velocity),
+        )
+    }
+
+    #[inline(always)]
+    fn stopped(&self, velocity: Vector<T>) -> (T, Vector<T>) {
         let (a, pull) = (self.deceleration, self.pull);
         let speed = (velocity.dot(velocity) + LEAST_SPEED * LEAST_SPEED).sqrt() - LEAST_SPEED;
         let (along, steep, rubbed) = (velocity.dot(pull), pull.dot(pull), a * a);

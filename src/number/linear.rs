@@ -48,7 +48,15 @@ pub(crate) struct SymmetricFactors<T> {
 impl<T: Numbers> SymmetricFactors<T> {
     /// From the lower triangle, row by row.
     #[inline(always)]
-    pub fn new([a00, a10, a11, a20, a21, a22]: [T; 6]) -> Self {
+    pub fn new(lower: [T; 6]) -> Self {
+        T::outlined(
+            #[inline(always)]
+            || Self::factored(lower),
+        )
+    }
+
+    #[inline(always)]
+    fn factored([a00, a10, a11, a20, a21, a22]: [T; 6]) -> Self {
         let first = a00.recip();
         let (l10, l20) = (a10 * first, a20 * first);
         let second = (a11 - l10 * a10).recip();
@@ -60,7 +68,15 @@ impl<T: Numbers> SymmetricFactors<T> {
 
     /// The x of A x = b.
     #[inline(always)]
-    pub fn solve(&self, [b0, b1, b2]: [T; 3]) -> [T; 3] {
+    pub fn solve(&self, b: [T; 3]) -> [T; 3] {
+        T::outlined(
+            #[inline(always)]
+            || self.solved(b),
+        )
+    }
+
+    #[inline(always)]
+    fn solved(&self, [b0, b1, b2]: [T; 3]) -> [T; 3] {
         let ([d0, d1, d2], [l10, l20, l21]) = (self.inverse_pivots, self.below);
         let y1 = b1 - l10 * b0;
         let y2 = b2 - l20 * b0 - l21 * y1;

@@ -119,23 +119,38 @@ macro_rules! pack {
             }
             #[inline(always)]
             fn ln(self) -> Self {
-                self.each(f64::ln)
+                Self::outlined(
+                    #[inline(always)]
+                    || self.each(f64::ln),
+                )
             }
             #[inline(always)]
             fn ln_1p(self) -> Self {
-                self.each(f64::ln_1p)
+                Self::outlined(
+                    #[inline(always)]
+                    || self.each(f64::ln_1p),
+                )
             }
             #[inline(always)]
             fn sin_cos(self) -> (Self, Self) {
-                sine::sin_cos(
-                    self,
+                // called and not taken in: an impact has six of them
+                Self::outlined(
                     #[inline(always)]
-                    |x| (x.each(f64::sin), x.each(f64::cos)),
+                    || {
+                        sine::sin_cos(
+                            self,
+                            #[inline(always)]
+                            |x| (x.each(f64::sin), x.each(f64::cos)),
+                        )
+                    },
                 )
             }
             #[inline(always)]
             fn atan(self) -> Self {
-                self.each(f64::atan)
+                Self::outlined(
+                    #[inline(always)]
+                    || self.each(f64::atan),
+                )
             }
             #[inline(always)]
             fn tanh(self) -> Self {
