@@ -52,8 +52,10 @@ impl SetupFile {
     }
 
     fn read(text: &str, file: &str) -> Result<Self> {
-        let table = DeTable::parse(text)
-            .map_err(|error| Error::Toml { file: file.into(), message: of_toml(&error, text, |at| place(text, at)) })?;
+        let table = DeTable::parse(text).map_err(|error| Error::Toml {
+            file: file.into(),
+            message: of_toml(&error, text, |at| place_in(text, at)),
+        })?;
         let mut items = Vec::new();
         flatten(table.get_ref(), "", &mut items);
         // as they stand in the file, but the preset and the law before what builds on them
@@ -72,7 +74,7 @@ impl SetupFile {
 
         for (i, item) in items.iter().enumerate() {
             if let Some(first) = items[..i].iter().find(|first| first.key == item.key) {
-                let (line, _) = place(text, first.key_at);
+                let (line, _) = place_in(text, first.key_at);
                 return Err(in_file(text, file, item.key_at, Error::Twice { key: item.key.clone(), line }));
             }
         }
@@ -200,13 +202,14 @@ fn flatten<'a>(table: &'a DeTable<'a>, prefix: &str, items: &mut Vec<Item<'a>>) 
     }
 }
 
-fn in_file(text: &str, file: &str, at: usize, source: Error) -> Error {
-    let (line, column) = place(text, at);
+/// What is wrong at a place of a file.
+pub(crate) fn in_file(text: &str, file: &str, at: usize, source: Error) -> Error {
+    let (line, column) = place_in(text, at);
     Error::InFile { file: file.into(), line, column, source: Box::new(source) }
 }
 
 /// Line and column of a byte, from 1.
-fn place(text: &str, at: usize) -> (usize, usize) {
+pub(crate) fn place_in(text: &str, at: usize) -> (usize, usize) {
     let before = text.get(..at).unwrap_or(text);
     let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
     (before.matches('\n').count() + 1, before[line_start..].chars().count() + 1)

@@ -20,6 +20,7 @@ pub use air::Ways;
 pub(crate) use air::{given_otherwise, refuse_replaced};
 pub use declare::{Kind, Parameter, UNSET};
 pub use file::SetupFile;
+pub(crate) use file::{in_file, place_in};
 pub(crate) use law_table::Grid;
 pub use law_table::{Along, Axis, LawTable, TABLE, TABLE_LAW};
 pub use method::{METHOD, Method};

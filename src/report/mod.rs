@@ -27,6 +27,7 @@ mod setup_file;
 mod shots;
 mod shown;
 mod sweep;
+mod swings;
 mod table;
 mod uncertainty;
 mod validation;
@@ -57,6 +58,7 @@ pub use shown::{outcome as outcome_text, stated as parameter_text};
 #[cfg(feature = "parquet")]
 pub use sweep::{ParquetGroup, PlacedGroup, SweepParquet};
 pub use sweep::{SweepCsv, SweepJsonLines};
+pub use swings::{swings_reply, swings_text, swings_toml};
 pub use uncertainty::{UncertaintyReport, uncertainty_text};
 pub use validation::{validation_csv, validation_document, validation_reply};
 pub use winfield_tan::{winfield_tan_document, winfield_tan_reply};

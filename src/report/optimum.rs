@@ -15,8 +15,8 @@ use std::collections::BTreeMap;
 /// An optimum as JSON, SI and radians.
 #[derive(Clone, Debug, Serialize)]
 pub struct OptimumReport {
-    /// The outcome that is sought.
-    pub objective: &'static str,
+    /// The outcome that is sought; over many swings what of it.
+    pub objective: String,
     /// Which value of it: `maximize` or `minimize`.
     pub sense: &'static str,
     /// Its value; `null` where nothing flew.
@@ -49,6 +49,9 @@ pub struct OptimumReport {
     pub law_range: Option<Map<String, Value>>,
     /// The setup file that was written; `null` where none was.
     pub file: Option<String>,
+    /// What was found over many swings; left out where the search is of one drive.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub swings: Option<Value>,
 }
 
 /// A constraint at an optimum.
@@ -130,7 +133,7 @@ impl OptimumReport {
             (vary[i].parameter.name, Multipliers { lower, upper })
         };
         Self {
-            objective: optimum.search.of.name(),
+            objective: optimum.search.of.name().into(),
             sense: optimum.search.sense.name(),
             value: json::number(optimum.value()),
             optimum: by_name(&solution.x),
@@ -147,6 +150,7 @@ impl OptimumReport {
             flight: optimum.drive.as_ref().and_then(flight),
             law_range: optimum.drive.as_ref().and_then(|drive| law_range(&optimum.setup, drive)),
             file: None,
+            swings: None,
         }
     }
 }

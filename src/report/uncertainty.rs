@@ -73,6 +73,7 @@ fn name(distribution: &Distribution) -> &'static str {
         Distribution::Normal { .. } => "normal",
         Distribution::Uniform { .. } => "uniform",
         Distribution::Triangular { .. } => "triangular",
+        Distribution::Truncated { .. } => "truncated",
     }
 }
 
@@ -81,6 +82,7 @@ fn values(distribution: &Distribution) -> Vec<f64> {
         Distribution::Normal { mean, deviation } => vec![mean, deviation],
         Distribution::Uniform { low, high } => vec![low, high],
         Distribution::Triangular { low, mode, high } => vec![low, mode, high],
+        Distribution::Truncated { mean, deviation, low, high } => vec![mean, deviation, low, high],
     }
 }
 

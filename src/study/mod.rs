@@ -5,6 +5,7 @@ pub mod calibrate;
 pub mod certificate;
 mod chart;
 mod compare;
+mod comparison;
 mod constraint;
 pub mod delivery;
 mod effects;
@@ -15,6 +16,7 @@ mod problem;
 mod search;
 mod sensitivity;
 mod sigma;
+pub mod swings;
 pub mod uncertainty;
 pub mod validation;
 

@@ -42,6 +42,7 @@ mod shots;
 mod shots_stated;
 mod smoothness;
 mod sweep;
+mod swings;
 #[cfg(all(feature = "arrow", feature = "parquet"))]
 mod tables;
 mod tolerance;

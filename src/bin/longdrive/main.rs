@@ -27,6 +27,7 @@ mod search;
 mod sensitivity;
 mod simulate;
 mod sweep;
+mod swings;
 mod uncertainty;
 mod validate;
 mod verify;

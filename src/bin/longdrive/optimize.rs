@@ -8,6 +8,10 @@ use longdrive::units::Message;
 use longdrive::{Result, Setup};
 
 pub fn run(args: &Optimize) -> Result<Answer> {
+    args.swings.refuse_stray()?;
+    if args.swings.is_given() {
+        return crate::swings::run(args);
+    }
     let setup = args.question.setup()?;
     let search = args.search.search(&setup)?;
     let setup = args.question.for_many(setup, &search.vary)?;

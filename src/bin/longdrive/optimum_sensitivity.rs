@@ -10,7 +10,12 @@ use longdrive::study::{
 use longdrive::{Error, Outcome, Result};
 
 pub fn run(args: &OptimumSensitivity) -> Result<Answer> {
-    let Optimize { question, search, work, .. } = &args.optimize;
+    let Optimize { question, search, swings, work, .. } = &args.optimize;
+    swings.refuse_stray()?;
+    if swings.is_given() {
+        let source = "the sensitivity of an optimum is that of one drive; leave it out, or use \"optimize\"";
+        return Err(Error::Unreadable { name: "--swings or --distribution".into(), source: source.into() });
+    }
     let setup = question.setup()?;
     let search = search.search(&setup)?;
     let setup = question.for_many(setup, &search.vary)?;

@@ -3,7 +3,7 @@ use crate::parameters::{Parameter, Setup, Vary};
 use crate::study::Sigma;
 use crate::study::sigma::amount_of;
 use crate::units::Quantity;
-use statrs::distribution::{ContinuousCDF, Normal, Triangular, Uniform};
+use statrs::distribution::{Continuous, ContinuousCDF, Normal, Triangular, Uniform};
 
 /// How an uncertain number is distributed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,6 +31,17 @@ pub enum Distribution {
         /// Upper end.
         high: f64,
     },
+    /// Normal, of which only what lies between two ends is left.
+    Truncated {
+        /// Mean of the whole.
+        mean: f64,
+        /// Standard deviation of the whole.
+        deviation: f64,
+        /// Lower end.
+        low: f64,
+        /// Upper end.
+        high: f64,
+    },
 }
 
 /// j₀,₁: the first zero of the Bessel function J₀.
@@ -46,6 +57,11 @@ impl Distribution {
             Self::Triangular { low, mode, high } => {
                 Triangular::new(low, high, mode).map_or(f64::NAN, |d| d.inverse_cdf(p))
             }
+            Self::Truncated { mean, deviation, low, high } => {
+                let normal = Normal::standard();
+                let [below, above] = [low, high].map(|end| normal.cdf((end - mean) / deviation));
+                (mean + deviation * normal.inverse_cdf(below + (above - below) * p)).clamp(low, high)
+            }
         }
     }
 
@@ -55,6 +71,9 @@ impl Distribution {
             Self::Normal { mean, .. } => mean,
             Self::Uniform { low, high } => 0.5 * (low + high),
             Self::Triangular { low, mode, high } => (low + mode + high) / 3.0,
+            Self::Truncated { mean, deviation, low, high } => {
+                mean + deviation * truncated_moments([(low - mean) / deviation, (high - mean) / deviation])[1]
+            }
         }
     }
 
@@ -70,6 +89,13 @@ impl Distribution {
                 // every triangular distribution has the kurtosis 12/5
                 [second, third, 2.4 * second * second]
             }
+            Self::Truncated { mean, deviation, low, high } => {
+                let [_, m1, m2, m3, m4] = truncated_moments([(low - mean) / deviation, (high - mean) / deviation]);
+                let second = m2 - m1 * m1;
+                let third = m3 - 3.0 * m1 * m2 + 2.0 * m1.powi(3);
+                let fourth = m4 - 4.0 * m1 * m3 + 6.0 * m1 * m1 * m2 - 3.0 * m1.powi(4);
+                [second * deviation.powi(2), third * deviation.powi(3), fourth * deviation.powi(4)]
+            }
         }
     }
 
@@ -82,14 +108,29 @@ impl Distribution {
     }
 
     /// Poincaré's constant C, or a little more: the variance of any f is at most C times the mean of f′². σ² of a normal distribution,
-    /// (width/π)² of a uniform one, and (longer side/j₀,₁)² of a triangular one (Roustant, Barthe & Iooss 2017).
+    /// (width/π)² of a uniform one, and (longer side/j₀,₁)² of a triangular one (Roustant, Barthe & Iooss 2017); of a normal one between
+    /// two ends the smaller of the first two (Bakry & Émery 1985; Payne & Weinberger 1960).
     pub fn poincare(&self) -> f64 {
         match *self {
             Self::Normal { deviation, .. } => deviation.powi(2),
             Self::Uniform { low, high } => ((high - low) / std::f64::consts::PI).powi(2),
             Self::Triangular { low, mode, high } => ((mode - low).max(high - mode) / FIRST_ZERO_OF_J0).powi(2),
+            Self::Truncated { deviation, low, high, .. } => deviation.min((high - low) / std::f64::consts::PI).powi(2),
         }
     }
+}
+
+/// The moments 0 to 4 about 0 of what a standard normal distribution has between two ends, by their recurrence.
+fn truncated_moments([low, high]: [f64; 2]) -> [f64; 5] {
+    let normal = Normal::standard();
+    let share = normal.cdf(high) - normal.cdf(low);
+    let [at_low, at_high] = [low, high].map(|end| normal.pdf(end) / share);
+    let mut moments = [1.0, at_low - at_high, 0.0, 0.0, 0.0];
+    for k in 2..moments.len() {
+        let power = k as i32 - 1;
+        moments[k] = (k - 1) as f64 * moments[k - 2] - (high.powi(power) * at_high - low.powi(power) * at_low);
+    }
+    moments
 }
 
 /// An uncertain parameter.
@@ -114,7 +155,8 @@ impl Uncertain {
         Vary { parameter: self.parameter, low, high }
     }
 
-    /// Reads `NAME=normal(MEAN,DEVIATION)`, `NAME=uniform(LOW,HIGH)` or `NAME=triangular(LOW,MODE,HIGH)`.
+    /// Reads `NAME=normal(MEAN,DEVIATION)`, `NAME=uniform(LOW,HIGH)`, `NAME=triangular(LOW,MODE,HIGH)` or
+    /// `NAME=truncated(MEAN,DEVIATION,LOW,HIGH)`, a normal distribution between two ends.
     ///
     /// ```
     /// use longdrive::{Setup, study::uncertainty::{Distribution, Uncertain}};
@@ -128,13 +170,14 @@ impl Uncertain {
     /// have; as [`Setup::variable`].
     pub fn read(setup: &Setup<f64>, text: &str) -> Result<Self> {
         let unreadable = |source| Error::Unreadable { name: format!("--distribution {}", text.trim()), source };
-        let how = "write NAME=normal(MEAN,DEVIATION), NAME=uniform(LOW,HIGH) or NAME=triangular(LOW,MODE,HIGH)";
+        let how = "write NAME=normal(MEAN,DEVIATION), NAME=uniform(LOW,HIGH), NAME=triangular(LOW,MODE,HIGH) or \
+                   NAME=truncated(MEAN,DEVIATION,LOW,HIGH)";
         let (name, rest) = text.split_once('=').ok_or_else(|| unreadable(how.into()))?;
         let parameter = setup.variable(name.trim())?;
         let (kind, rest) = rest.split_once('(').ok_or_else(|| unreadable(how.into()))?;
         let inside = rest.trim().strip_suffix(')').ok_or_else(|| unreadable("the closing ) is missing".into()))?;
         // the second number of a normal distribution is a difference
-        let is_difference = |at: usize| kind.trim() == "normal" && at == 1;
+        let is_difference = |at: usize| matches!(kind.trim(), "normal" | "truncated") && at == 1;
         let amounts = inside.split(',').enumerate().map(|(at, part)| {
             let read = if is_difference(at) { Quantity::read_difference } else { Quantity::read };
             amount_of(setup, parameter, part, read)
@@ -144,7 +187,18 @@ impl Uncertain {
             ("normal", &[mean, deviation]) if deviation > 0.0 && deviation.is_finite() => {
                 Distribution::Normal { mean, deviation }
             }
-            ("normal", &[_, _]) => {
+            ("truncated", &[mean, deviation, low, high]) if deviation > 0.0 && deviation.is_finite() => {
+                if low >= high {
+                    return Err(unreadable("its values must rise from the lower end to the upper".into()));
+                }
+                let truncated = Distribution::Truncated { mean, deviation, low, high };
+                if !truncated.deviation().is_finite() || !(low..=high).contains(&truncated.mean()) {
+                    let reason = "nothing of the distribution is left between its ends; move them nearer to its mean";
+                    return Err(unreadable(reason.into()));
+                }
+                truncated
+            }
+            ("normal", &[_, _]) | ("truncated", &[_, _, _, _]) => {
                 return Err(unreadable("the standard deviation must be a finite number above 0".into()));
             }
             ("uniform", &[low, high]) if low < high => Distribution::Uniform { low, high },
@@ -158,7 +212,9 @@ impl Uncertain {
         };
         match distribution {
             Distribution::Normal { mean, .. } => parameter.check(mean)?,
-            Distribution::Uniform { low, high } | Distribution::Triangular { low, high, .. } => {
+            Distribution::Uniform { low, high }
+            | Distribution::Triangular { low, high, .. }
+            | Distribution::Truncated { low, high, .. } => {
                 parameter.check(low)?;
                 parameter.check(high)?;
             }

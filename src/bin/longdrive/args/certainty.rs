@@ -58,8 +58,8 @@ pub struct UncertaintyArgs {
     #[arg(long, value_name = "NAME=AMOUNT")]
     pub sigma: Vec<String>,
 
-    /// The distribution of a parameter: NAME=normal(MEAN,DEVIATION), NAME=uniform(LOW,HIGH) or NAME=triangular(LOW,MODE,HIGH).
-    /// Repeatable.
+    /// The distribution of a parameter: NAME=normal(MEAN,DEVIATION), NAME=uniform(LOW,HIGH), NAME=triangular(LOW,MODE,HIGH) or
+    /// NAME=truncated(MEAN,DEVIATION,LOW,HIGH). Repeatable.
     #[arg(long, value_name = "NAME=KIND(…)")]
     pub distribution: Vec<String>,
 

@@ -22,7 +22,7 @@ pub use picture::{
 };
 pub use program::{Completions, Man, Shown};
 pub use question::{Gradient, Laws, Parameters, Presets, Question, Simulate};
-pub use search::{ChartArgs, Optimize, OptimumSensitivity, SearchArgs, WorkArgs};
+pub use search::{ChartArgs, Optimize, OptimumSensitivity, SearchArgs, SwingsArgs, WorkArgs};
 
 use clap::{Parser, Subcommand};
 use std::ffi::OsString;

@@ -43,6 +43,38 @@ pub struct WorkArgs {
     pub checkpoint: Option<PathBuf>,
 }
 
+/// Swings that vary, for a design that is best over all of them.
+#[derive(clap::Args)]
+pub struct SwingsArgs {
+    /// Search for the best over many swings: a TOML file with [distributions] and [[correlations]], or a table (CSV, Parquet, Arrow) of
+    /// recorded swings, a column for each parameter. Goals are then written like "mean(carry)", "std(lateral)", "lowest(carry, 10%)",
+    /// "within(lateral, 15yd)" or "mean(carry) - 0.5*std(lateral)", and --vary is the loft alone by default.
+    #[arg(long, value_name = "FILE")]
+    pub swings: Option<PathBuf>,
+
+    /// The distribution of a parameter from swing to swing: NAME=normal(MEAN,DEVIATION), NAME=uniform(LOW,HIGH),
+    /// NAME=triangular(LOW,MODE,HIGH) or NAME=truncated(MEAN,DEVIATION,LOW,HIGH). Repeatable.
+    #[arg(long, value_name = "NAME=KIND(…)", allow_hyphen_values = true)]
+    pub distribution: Vec<String>,
+
+    /// The correlation of two parameters with distributions, e.g. swing.path,swing.face_angle=0.6. Repeatable.
+    #[arg(long, value_name = "NAME,NAME=COEFFICIENT", allow_hyphen_values = true)]
+    pub correlation: Vec<String>,
+
+    /// Take this many swings of the distributions, by a quasi-random sequence [default: quadrature for up to 3 parameters, else 512 swings].
+    #[arg(long, value_name = "N", value_parser = whole::<usize>(2..=100_000, "--scenarios 1024"), allow_negative_numbers = true)]
+    pub scenarios: Option<usize>,
+
+    /// The seed of the swings; the same seed gives the same swings [default: 0].
+    #[arg(long, value_name = "SEED", value_parser = whole::<u32>(0..=U32, "--seed 7"), allow_negative_numbers = true)]
+    pub seed: Option<u32>,
+
+    /// A CSV table of the strokes that are expected from a distance, with the columns "distance [yd]" and "strokes", for the goal
+    /// "strokes(400yd)": the expected strokes to hole out after this drive.
+    #[arg(long, value_name = "FILE")]
+    pub strokes: Option<PathBuf>,
+}
+
 #[derive(clap::Args)]
 pub struct Optimize {
     #[command(flatten)]
@@ -50,6 +82,9 @@ pub struct Optimize {
 
     #[command(flatten)]
     pub search: SearchArgs,
+
+    #[command(flatten)]
+    pub swings: SwingsArgs,
 
     #[command(flatten)]
     pub work: WorkArgs,

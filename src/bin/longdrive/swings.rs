@@ -1,0 +1,182 @@
+//! The search for the design that is best over many swings.
+
+use crate::args::{Optimize, SwingsArgs};
+use crate::files::Destination;
+use crate::interrupt::{self, BEST_SO_FAR};
+use crate::names::tell_of_the_run;
+use crate::output::{Answer, system, tell, warn};
+use longdrive::optimize::{Checkpoint, Follow, Options, Status};
+use longdrive::parameters::Vary;
+use longdrive::report::{swings_reply, swings_text, swings_toml};
+use longdrive::study::swings::{
+    Correlation, Goal, GoalLimit, Rule, Scenarios, Strokes, Swings, SwingsOptimum, SwingsSearch, price, resampled,
+    swings_optimum,
+};
+use longdrive::study::uncertainty::Uncertain;
+use longdrive::study::{Search, Sense};
+use longdrive::units::Message;
+use longdrive::{Error, Outcome, Result, Setup};
+use std::sync::Arc;
+
+/// Resamples of recorded swings.
+const RESAMPLES: usize = 200;
+
+impl SwingsArgs {
+    /// Whether swings are given.
+    pub fn is_given(&self) -> bool {
+        self.swings.is_some() || !self.distribution.is_empty()
+    }
+
+    /// What is given without the swings that it is about.
+    fn stray(&self) -> Option<&'static str> {
+        let given = [
+            ("--correlation", !self.correlation.is_empty()),
+            ("--scenarios", self.scenarios.is_some()),
+            ("--seed", self.seed.is_some()),
+            ("--strokes", self.strokes.is_some()),
+        ];
+        given.into_iter().find(|(_, is_given)| *is_given).map(|(name, _)| name)
+    }
+
+    /// # Errors
+    /// [`Error::Unreadable`] for an option about swings where none are given.
+    pub fn refuse_stray(&self) -> Result<()> {
+        match self.stray().filter(|_| !self.is_given()) {
+            Some(option) => {
+                let source =
+                    "it is about many swings; give these too, with --swings FILE or --distribution NAME=KIND(…)";
+                Err(Error::Unreadable { name: option.into(), source: source.into() })
+            }
+            None => Ok(()),
+        }
+    }
+
+    /// The swings.
+    fn read(&self, setup: &Setup<f64>) -> Result<Swings> {
+        if let Some(file) = &self.swings {
+            if let Some(option) = self
+                .distribution
+                .first()
+                .map(|_| "--distribution")
+                .or(self.correlation.first().map(|_| "--correlation"))
+            {
+                let source =
+                    format!("{} gives the swings; write it into that file, or leave --swings out", file.display());
+                return Err(Error::Unreadable { name: option.into(), source: source.into() });
+            }
+            return Swings::open(setup, file);
+        }
+        let inputs = self.distribution.iter().map(|text| Uncertain::read(setup, text)).collect::<Result<Vec<_>>>()?;
+        let correlations =
+            self.correlation.iter().map(|text| Correlation::read(setup, text)).collect::<Result<Vec<_>>>()?;
+        Swings::distributed(inputs, &correlations)
+    }
+}
+
+/// Searches over many swings.
+pub fn run(args: &Optimize) -> Result<Answer> {
+    let setup = args.question.setup()?;
+    let asked = &args.swings;
+    let swings = asked.read(&setup)?;
+    let search = searched(args, &setup)?;
+    tell_of_the_run(&search.of.outcomes());
+    let scenarios = Scenarios::new(&swings, Rule::of(&swings, asked.scenarios, asked.seed.unwrap_or(0))?)?;
+    let setup = args.question.for_many(setup, &ranges(&search, &scenarios))?;
+    let output = args.destination()?;
+    if args.work.starts > 1 {
+        let source = "a search over many swings begins at the setup's own design; leave it out";
+        return Err(Error::Unreadable { name: "--starts".into(), source: source.into() });
+    }
+    let follow = follow(args, &setup, &search, &scenarios)?;
+    let best = swings_optimum(&setup, search, scenarios, &follow)?;
+    interrupt::ends();
+    let is_found = best.solution.status == Status::Converged;
+    // what the mean swing promises is told of an optimum only
+    let price = if is_found { Some(price(&setup, &swings, &best)?) } else { None };
+    let is_recorded = matches!(swings, Swings::Recorded { .. }) && is_found;
+    let resampled =
+        if is_recorded { resampled(&setup, &best, RESAMPLES, u64::from(asked.seed.unwrap_or(0)))? } else { None };
+    let warnings = best.setup.warnings();
+    warn(&warnings);
+    let written = output.as_ref().map(|output| write(output, &best, args)).transpose()?.flatten();
+    let answer = if args.question.json {
+        let mut reply = swings_reply(&best, price.as_ref(), resampled.as_ref(), warnings);
+        reply.body.file = written;
+        Answer::json(&reply)
+    } else {
+        Answer::text(swings_text(&best, price.as_ref(), resampled.as_ref(), system()))
+    };
+    Ok(answer.found(is_found))
+}
+
+/// What is looked for: the largest mean carry, unless something else is asked.
+fn searched(args: &Optimize, setup: &Setup<f64>) -> Result<SwingsSearch> {
+    let strokes = args.swings.strokes.as_ref().map(|file| Strokes::open(file, false)).transpose()?;
+    let strokes = strokes.as_ref();
+    let search = &args.search;
+    let (of, sense) = match (&search.maximize, &search.minimize) {
+        (_, Some(text)) => (Goal::read(text, strokes)?, Sense::Minimize),
+        (Some(text), None) => (Goal::read(text, strokes)?, Sense::Maximize),
+        (None, None) => (Goal::mean(Outcome::Carry), Sense::Maximize),
+    };
+    let vary = match search.vary.as_slice() {
+        // the attack angle is the golfer's, and varies from swing to swing
+        [] => vec![Search::longest_drive(setup)?.vary[0]],
+        given => given.iter().map(|text| Vary::read(setup, text)).collect::<Result<_>>()?,
+    };
+    let subject_to = search.subject_to.iter().map(|text| GoalLimit::read(text, strokes)).collect::<Result<_>>()?;
+    let options = Options::default();
+    let options = Options { max_iterations: search.max_iterations.unwrap_or(options.max_iterations), ..options };
+    Ok(SwingsSearch { of, sense, vary, subject_to, options })
+}
+
+/// The ranges that drives are flown in: of the design, and of the swings.
+fn ranges(search: &SwingsSearch, scenarios: &Scenarios) -> Vec<Vary> {
+    let swung = scenarios.parameters.iter().enumerate().map(|(i, parameter)| {
+        let values = scenarios.points.iter().map(|point| point[i]);
+        let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
+        Vary { parameter, low, high }
+    });
+    search.vary.iter().copied().chain(swung).collect()
+}
+
+/// Every iteration as a line, a checkpoint if one is asked for, and an end on Ctrl-C.
+fn follow(args: &Optimize, setup: &Setup<f64>, search: &SwingsSearch, scenarios: &Scenarios) -> Result<Follow> {
+    let checkpoint = match &args.work.checkpoint {
+        Some(path) => {
+            let search =
+                SwingsSearch { options: Options { max_iterations: 0, ..search.options.clone() }, ..search.clone() };
+            Some(Arc::new(Checkpoint::open(path, &format!("{setup:?} {search:?} {scenarios:?}"))?))
+        }
+        None => None,
+    };
+    let (goal, sign) = (search.of.clone(), search.sense.sign());
+    let shown = search.vary.clone();
+    let iteration = Arc::new(move |_: usize, iteration: &longdrive::optimize::Iteration| {
+        let x = shown
+            .iter()
+            .zip(&iteration.x)
+            .map(|(vary, x)| format!("{} {}", vary.parameter.name, vary.parameter.show(Some(*x))));
+        tell(&format!(
+            "{:>3}  {} {}  KKT {:.1e}  {}",
+            iteration.number,
+            goal.expression,
+            goal.quantity.show(sign * iteration.value, goal.unit),
+            iteration.kkt_residual,
+            x.collect::<Vec<_>>().join(", ")
+        ));
+    });
+    Ok(Follow { iteration: Some(iteration), interrupt: interrupt::stops(BEST_SO_FAR), checkpoint, ..Follow::default() })
+}
+
+/// Writes the setup with the best design, into the file returned; where there is none, nothing.
+fn write(output: &Destination, best: &SwingsOptimum, args: &Optimize) -> Result<Option<String>> {
+    let file = output.path().display().to_string();
+    if best.solution.status != Status::Converged {
+        warn(&[Message::from(format!("{file} is not written: there is no optimum"))]);
+        return Ok(None);
+    }
+    output.write(swings_toml(best, args.question.preset()?)?.as_bytes())?;
+    tell(&format!("wrote the setup with the best design into {file}"));
+    Ok(Some(file))
+}

@@ -1,0 +1,253 @@
+use super::lines::paragraph;
+use super::optimum::{ConstraintReport, Multipliers};
+use super::table::table;
+use super::{OptimumReport, Reply, json, shown};
+use crate::error::Result;
+use crate::optimize::Status;
+use crate::parameters::Preset;
+use crate::study::Sense;
+use crate::study::swings::{Doubt, Goal, Price, Resampled, Rule, SwingsOptimum};
+use crate::study::uncertainty::Interval;
+use crate::units::{Message, System, counted, significant};
+use serde_json::{Value, json};
+
+/// The answer of `optimize` over many swings: of one drive there is no launch and no flight.
+pub fn swings_reply(
+    best: &SwingsOptimum,
+    price: Option<&Price>,
+    resampled: Option<&Resampled>,
+    warnings: Vec<Message>,
+) -> Reply<OptimumReport> {
+    let (search, solution) = (&best.search, &best.solution);
+    let found = best.value().is_some();
+    let names = || search.vary.iter().map(|vary| vary.parameter.name);
+    let by_name = |values: &[f64]| json::named(names().zip(values.iter().map(|value| Some(*value))));
+    let multipliers = |i: usize| {
+        let (lower, upper) = (solution.lower_multipliers[i], solution.upper_multipliers[i]);
+        (search.vary[i].parameter.name, Multipliers { lower, upper })
+    };
+    let goals = |values: &[f64]| {
+        let expressions = std::iter::once(&search.of).chain(search.subject_to.iter().map(|limit| &limit.goal));
+        json::named(expressions.map(|goal| goal.expression.as_str()).zip(values.iter().map(|value| Some(*value))))
+    };
+    let interval = |i: &Interval| json!({ "value": json::number(Some(i.value)), "low": json::number(Some(i.low)), "high": json::number(Some(i.high)) });
+    let (rule, seed) = match best.scenarios.rule {
+        Rule::Quadrature(_) => ("quadrature", None),
+        Rule::Sequence { seed, .. } => ("sequence", Some(seed)),
+        Rule::Recorded => ("recorded", None),
+    };
+    let swings = json!({
+        "parameters": best.scenarios.parameters.iter().map(|parameter| parameter.name).collect::<Vec<_>>(),
+        "scenarios": best.scenarios.points.len(),
+        "rule": rule,
+        "seed": seed,
+        "as_set_up": best.as_set_up.as_deref().map(goals),
+        "nominal": price.map(|price| json!({
+            "optimum": by_name(&price.nominal),
+            "promised": goals(&price.promised),
+            "kept": price.kept.as_deref().map(goals),
+        })),
+        "quadrature_error": price.and_then(|price| match price.doubt { Some(Doubt::Quadrature(error)) => Some(error), _ => None }),
+        "sampling": price.and_then(|price| match &price.doubt {
+            Some(Doubt::Sampling(found, sequences)) => Some(json!({ "interval": interval(found), "sequences": sequences })),
+            _ => None,
+        }),
+        "resampled": resampled.map(|found| json!({
+            "optimum": Value::Object(names().zip(&found.design).map(|(name, design)| (name.to_owned(), interval(design))).collect()),
+            "value": interval(&found.goal),
+            "rounds": found.rounds,
+            "better_than_set_up": found.apart.map(|apart| interval(&apart.better)),
+            "swings_to_tell": found.apart.and_then(|apart| apart.swings),
+        })),
+    });
+    let constraint =
+        |(limit, at): (&crate::study::swings::GoalLimit, &crate::optimize::Constrained)| ConstraintReport {
+            expression: limit.expression.clone(),
+            value: at.value,
+            multiplier: if limit.low == limit.high { at.multiplier } else { at.multiplier.abs() },
+        };
+    let body = OptimumReport {
+        objective: search.of.expression.clone(),
+        sense: search.sense.name(),
+        value: json::number(best.value()),
+        optimum: found.then(|| by_name(&solution.x)),
+        gradient: found.then(|| by_name(&best.gradient())),
+        multipliers: found.then(|| (0..search.vary.len()).map(multipliers).collect()),
+        constraints: search.subject_to.iter().zip(&solution.constraints).map(constraint).collect(),
+        kkt_residual: json::number(found.then_some(solution.kkt_residual)),
+        iterations: solution.iterations,
+        evaluations: solution.evaluations,
+        steps: solution.effort,
+        optima: None,
+        setup: found.then(|| json::setup(&best.setup)),
+        launch: None,
+        flight: None,
+        law_range: None,
+        file: None,
+        swings: Some(swings),
+    };
+    Reply::done("optimize", warnings, body).ended(best.status(), Some(best.message()))
+}
+
+/// The best design over many swings as text.
+pub fn swings_text(
+    best: &SwingsOptimum,
+    price: Option<&Price>,
+    resampled: Option<&Resampled>,
+    system: System,
+) -> String {
+    let (search, solution) = (&best.search, &best.solution);
+    let scenarios = best.scenarios.points.len() as u64;
+    let ending = paragraph(&format!(
+        "{}: {} ({}, {} of {})",
+        best.status(),
+        best.message(),
+        counted(solution.iterations, "iteration"),
+        counted(solution.evaluations, "evaluation"),
+        counted(scenarios, "swing")
+    ));
+    let Some(goals) = best.goals() else { return ending };
+    let own = search.vary.iter().map(|vary| vary.parameter);
+    let is_converged = solution.status == Status::Converged;
+    let design = own.enumerate().map(|(i, parameter)| {
+        let vary = search.vary[i];
+        let stated = |value: f64| shown::stated(parameter, value, system);
+        let nominal = price.map_or(shown::NONE.into(), |price| shown::parameter(parameter, price.nominal[i], system));
+        let (lower, upper) = (solution.lower_multipliers[i], solution.upper_multipliers[i]);
+        let bound = match () {
+            () if vary.low == vary.high => "fixed".into(),
+            () if !is_converged => String::new(),
+            () if upper > 0.0 => {
+                format!("at its upper bound: {} beyond it", slope(search.sense, &search.of, i, upper, best, system))
+            }
+            () if lower > 0.0 => {
+                format!("at its lower bound: {} beyond it", slope(search.sense, &search.of, i, lower, best, system))
+            }
+            () => "free".into(),
+        };
+        vec![
+            parameter.name.into(),
+            shown::parameter(parameter, solution.x[i], system),
+            nominal,
+            format!("{} .. {}", stated(vary.low), stated(vary.high)),
+            bound,
+        ]
+    });
+    let place = table(&["vary", "best", "for the mean swing", "range", ""], &[1, 2], design);
+
+    let all = std::iter::once((&search.of, search.of.expression.clone()))
+        .chain(search.subject_to.iter().map(|limit| (&limit.goal, limit.expression.clone())));
+    let rows = all.enumerate().map(|(k, (goal, expression))| {
+        let show = |value: f64| value_text(goal, value, system);
+        let of = |values: Option<&Vec<f64>>| values.map_or(shown::NONE.into(), |values| show(values[k]));
+        let kept = of(price.and_then(|price| price.kept.as_ref()));
+        vec![expression, show(goals[k]), kept, of(price.map(|price| &price.promised)), of(best.as_set_up.as_ref())]
+    });
+    let head = ["over all swings", "best", "best of the mean swing", "which promises", "as set up"];
+    let mut text = format!("{ending}\n{place}\n{}", table(&head, &[1, 2, 3, 4], rows));
+    text += &doubts(best, price, resampled, system);
+    text
+}
+
+/// How far the answer is known.
+fn doubts(best: &SwingsOptimum, price: Option<&Price>, resampled: Option<&Resampled>, system: System) -> String {
+    let goal = &best.search.of;
+    let show = |value: f64| value_text(goal, value, system);
+    let between = |i: &Interval| format!("{} to {}", show(i.low), show(i.high));
+    let scenarios = counted(best.scenarios.points.len() as u64, "swing");
+    let mut lines = vec![];
+    let missed = [
+        (price.is_some_and(|price| price.kept.is_none()), "with the best design of the mean swing"),
+        (best.as_set_up.is_none(), "with the design as set up"),
+    ];
+    lines.extend(
+        missed
+            .iter()
+            .filter(|(is_missed, _)| *is_missed)
+            .map(|(_, with)| format!("{with} some of the swings do not fly")),
+    );
+    match price.and_then(|price| price.doubt.as_ref()) {
+        Some(Doubt::Quadrature(error)) => lines.push(format!(
+            "{scenarios} by Gauss's rules; half as many nodes more change {} by {}",
+            goal.expression,
+            difference_text(goal, *error, system)
+        )),
+        Some(Doubt::Sampling(found, sequences)) => lines.push(format!(
+            "{scenarios} of a quasi-random sequence; by {sequences} others of as many {} is {} (95 %); more with --scenarios",
+            goal.expression,
+            between(found)
+        )),
+        None => lines.push(format!("{scenarios}, each as likely as any other")),
+    }
+    if let Some(found) = resampled {
+        for (vary, design) in best.search.vary.iter().zip(&found.design) {
+            let show = |value: f64| shown::parameter(vary.parameter, value, system);
+            lines.push(format!(
+                "from these swings the best {} lies between {} and {} (95 %, {} resamples)",
+                vary.parameter.name,
+                show(design.low),
+                show(design.high),
+                found.rounds
+            ));
+        }
+        if let Some(apart) = &found.apart {
+            let better = format!(
+                "the best design is better than the one set up by {} (95 %: {} to {})",
+                difference_text(goal, apart.better.value, system),
+                difference_text(goal, apart.better.low, system),
+                difference_text(goal, apart.better.high, system)
+            );
+            let recorded = best.scenarios.points.len() as u64;
+            lines.push(match apart.swings {
+                Some(needed) if needed <= recorded => format!("{better}: these swings tell the two apart"),
+                Some(needed) => {
+                    format!("{better}: to tell the two apart takes about {needed} swings, {} more", needed - recorded)
+                }
+                None => better,
+            });
+        }
+    }
+    format!("\n{}", lines.iter().map(|line| paragraph(line)).collect::<String>())
+}
+
+/// A goal as people read it.
+fn value_text(goal: &Goal, value: f64, system: System) -> String {
+    match goal.unit {
+        "" => significant(value, 4),
+        unit => goal.quantity.read_off(value, system.unit(unit)),
+    }
+}
+
+fn difference_text(goal: &Goal, value: f64, system: System) -> String {
+    match goal.unit {
+        "" => significant(value, 2),
+        unit => goal.quantity.read_off_difference(value, system.unit(unit)),
+    }
+}
+
+/// What moving a bound brings.
+fn slope(sense: Sense, goal: &Goal, i: usize, multiplier: f64, best: &SwingsOptimum, system: System) -> String {
+    let by = best.search.vary[i].parameter;
+    let gain = if sense == Sense::Maximize { "+" } else { "-" };
+    format!("{gain}{}", shown::ratio((goal.quantity, goal.unit), (by.quantity, by.unit), multiplier, system, 3))
+}
+
+/// The setup with the best design as a setup file in TOML, to the last digit.
+///
+/// # Errors
+/// As [`setup_toml`](super::setup_toml).
+pub fn swings_toml(best: &SwingsOptimum, preset: &Preset) -> Result<String> {
+    let search = &best.search;
+    let value = best.value().map_or(shown::NONE.into(), |value| value_text(&search.of, value, System::default()));
+    let swings = counted(best.scenarios.points.len() as u64, "swing");
+    let mut about =
+        vec![format!("{}, {} {} over {swings}: {value}", preset.name, search.sense.adjective(), search.of.expression)];
+    about.extend(search.subject_to.iter().map(|limit| format!("subject to {}", limit.expression)));
+    about.push(format!("{}: {}", best.status(), best.message()));
+    let remarks = search.vary.iter().zip(&best.solution.x).map(|(vary, x)| {
+        let show = |value: f64| vary.parameter.show(Some(value));
+        let found = shown::as_declared(vary.parameter, *x);
+        (vary.parameter, format!("optimum: {found} in {} .. {}", show(vary.low), show(vary.high)))
+    });
+    super::setup_toml(&best.setup, preset, &about, &remarks.collect::<Vec<_>>())
+}

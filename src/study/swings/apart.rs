@@ -1,0 +1,84 @@
+use super::optimum::{SwingsOptimum, posed};
+use crate::error::Result;
+use crate::optimize::{Status, minimize};
+use crate::parameters::Setup;
+use crate::study::uncertainty::Interval;
+use rand_xoshiro::Xoshiro256PlusPlus;
+use rand_xoshiro::rand_core::{RngCore, SeedableRng};
+use rayon::prelude::*;
+
+/// What recorded swings tell of the best design: the same search over resamples of them (bootstrap).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Resampled {
+    /// The 95 % interval of each varied parameter.
+    pub design: Vec<Interval>,
+    /// That of the goal.
+    pub goal: Interval,
+    /// How many resamples came to an optimum.
+    pub rounds: usize,
+    /// The best design beside the setup's own.
+    pub apart: Option<Apart>,
+}
+
+/// Whether recorded swings tell two designs apart.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Apart {
+    /// How much better the goal is with the best design than with the setup's own: the 95 % interval.
+    pub better: Interval,
+    /// Swings that would tell them apart in 80 % of all cases with 95 % confidence, if they go on like these.
+    pub swings: Option<u64>,
+}
+
+/// z₀.₉₇₅ + z₀.₈.
+const POWER: f64 = 1.959_963_985 + 0.841_621_234;
+
+/// The optima of resamples; `None` where fewer than half of them came to one.
+///
+/// # Errors
+/// As [`swings_optimum`](super::swings_optimum).
+pub fn resampled(setup: &Setup<f64>, best: &SwingsOptimum, rounds: usize, seed: u64) -> Result<Option<Resampled>> {
+    let problem = posed(setup, &best.search, best.scenarios.clone())?;
+    let n = best.scenarios.points.len();
+    let sign = best.search.sense.sign();
+    let own = problem.start();
+    let round = |stream: u64| {
+        let mut random =
+            Xoshiro256PlusPlus::seed_from_u64(seed.wrapping_add(stream.wrapping_mul(0x9e37_79b9_7f4a_7c15)));
+        let mut weights = vec![0.0; n];
+        for _ in 0..n {
+            // n is small beside 2⁶⁴: no index is likelier by a visible amount
+            weights[(random.next_u64() % n as u64) as usize] += 1.0 / n as f64;
+        }
+        let better = |x: &[f64]| problem.each(x, &weights).ok().map(|goals| goals[0].value);
+        let gain = better(&best.solution.x).zip(better(&own)).map(|(best, own)| -sign * (best - own));
+        let found = minimize(&problem.weighted(weights), &problem.domain, &best.solution.x, &best.search.options);
+        found.ok().filter(|found| found.status == Status::Converged).map(|found| (found.x, found.value, gain))
+    };
+    let found: Vec<_> = (0..rounds as u64).into_par_iter().filter_map(round).collect();
+    let Some(value) = best.value().filter(|_| found.len() >= (rounds / 2).max(2)) else { return Ok(None) };
+    let design = (0..best.solution.x.len())
+        .map(|i| interval(best.solution.x[i], found.iter().map(|(x, ..)| x[i]).collect()))
+        .collect();
+    let goal = interval(value, found.iter().filter_map(|(_, value, _)| value.map(|value| sign * value)).collect());
+    let gains: Vec<f64> = found.iter().filter_map(|(.., gain)| *gain).collect();
+    let all = vec![1.0 / n as f64; n];
+    let both = problem.each(&best.solution.x, &all).ok().zip(problem.each(&own, &all).ok());
+    let apart = both.filter(|_| gains.len() >= 2).map(|(best, own)| {
+        let mean = -sign * (best[0].value - own[0].value);
+        let better = interval(mean, gains.clone());
+        // the standard error falls as the root of the number of swings
+        let centre = gains.iter().sum::<f64>() / gains.len() as f64;
+        let variance = gains.iter().map(|gain| (gain - centre).powi(2)).sum::<f64>() / (gains.len() as f64 - 1.0);
+        let swings = (POWER / mean).powi(2) * variance * n as f64;
+        Apart { better, swings: (mean > 0.0 && swings.is_finite()).then(|| swings.ceil() as u64) }
+    });
+    Ok(Some(Resampled { design, goal, rounds: found.len(), apart }))
+}
+
+/// The 95 % interval of an estimate from those of resamples, by their quantiles.
+fn interval(value: f64, mut resamples: Vec<f64>) -> Interval {
+    resamples.sort_by(f64::total_cmp);
+    let last = resamples.len().saturating_sub(1) as f64;
+    let at = |share: f64| resamples.get((share * last).round() as usize).copied().unwrap_or(f64::NAN);
+    Interval { value, low: at(0.025), high: at(0.975) }
+}

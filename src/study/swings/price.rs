@@ -1,0 +1,66 @@
+use super::optimum::{SwingsOptimum, posed};
+use super::scenarios::Scenarios;
+use super::swings::Swings;
+use crate::error::Result;
+use crate::optimize::minimize;
+use crate::parameters::Setup;
+use crate::study::uncertainty::Interval;
+use statrs::distribution::{ContinuousCDF, StudentsT};
+
+/// What it costs to ignore that swings vary.
+#[derive(Clone, Debug)]
+pub struct Price {
+    /// The design that is best for the mean swing.
+    pub nominal: Vec<f64>,
+    /// The goals with that design and the mean swing alone: what it promises.
+    pub promised: Vec<f64>,
+    /// The goals with that design over all swings: what it keeps; `None` where one of them does not fly.
+    pub kept: Option<Vec<f64>>,
+    /// How far the goal at the best design is known: by other scenarios of the same swings.
+    pub doubt: Option<Doubt>,
+}
+
+/// What other scenarios make of the same design.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Doubt {
+    /// How much one and a half times as many nodes change the goal: the error of the quadrature.
+    Quadrature(f64),
+    /// The 95 % interval of the goal by so many independent sequences of as many scenarios, each.
+    Sampling(Interval, usize),
+}
+
+/// Independent sequences that the error of sampling is read from.
+const SEQUENCES: u32 = 8;
+
+/// The price of ignoring that swings vary, and how far the goal is known.
+///
+/// # Errors
+/// As [`swings_optimum`](super::swings_optimum); where the mean swing does not fly, or other scenarios of the same swings do not.
+pub fn price(setup: &Setup<f64>, swings: &Swings, best: &SwingsOptimum) -> Result<Price> {
+    let search = &best.search;
+    let alone = posed(setup, search, Scenarios::mean(swings))?;
+    let nominal = minimize(&alone, &alone.domain, &alone.start(), &search.options)?.x;
+    let promised = alone.values(&nominal)?;
+    let kept = posed(setup, search, best.scenarios.clone())?.values(&nominal).ok();
+    let others = (0..SEQUENCES).map_while(|round| best.scenarios.rule.other(round));
+    let others = others.map(|rule| {
+        let problem = posed(setup, search, Scenarios::new(swings, rule)?)?;
+        Ok(problem.values(&best.solution.x)?[0])
+    });
+    let others = others.collect::<Result<Vec<f64>>>()?;
+    let doubt = match (best.value(), others.as_slice()) {
+        (None, _) | (_, []) => None,
+        (Some(value), [other]) => Some(Doubt::Quadrature((other - value).abs())),
+        (Some(_), others) => Some(Doubt::Sampling(interval(others), others.len())),
+    };
+    Ok(Price { nominal, promised, kept, doubt })
+}
+
+/// The 95 % interval of a mean of which these are independent estimates, each like the one that is judged: of one of them.
+fn interval(estimates: &[f64]) -> Interval {
+    let n = estimates.len() as f64;
+    let mean = estimates.iter().sum::<f64>() / n;
+    let variance = estimates.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / (n - 1.0);
+    let reach = StudentsT::new(0.0, 1.0, n - 1.0).map_or(f64::NAN, |t| t.inverse_cdf(0.975)) * (variance / n).sqrt();
+    Interval { value: mean, low: mean - reach, high: mean + reach }
+}

@@ -1,0 +1,177 @@
+use super::read::{Goal, GoalLimit};
+use super::scenarios::Scenarios;
+use crate::derivative::{Evaluator, Order};
+use crate::drive::Outcome;
+use crate::error::{Error, Result};
+use crate::number::Taylor;
+use crate::optimize::{Domain, Evaluation, Problem};
+use crate::parameters::{Parameter, Setup, Vary};
+use crate::study::Sense;
+use rayon::prelude::*;
+
+/// Goals as functions of what is varied: every scenario is hit and flown with exact derivatives, and the goals are made of them.
+pub(super) struct SwingsProblem {
+    setup: Setup<f64>,
+    vary: Vec<&'static Parameter>,
+    scenarios: Scenarios,
+    of: Vec<Outcome>,
+    goals: Vec<Goal>,
+    sense: Sense,
+    /// A question for each scenario.
+    drives: Vec<Evaluator>,
+    pub domain: Domain,
+}
+
+impl SwingsProblem {
+    /// # Errors
+    /// [`Error::SearchRange`] for a parameter that is both varied and distributed; what [`Evaluator::new`] refuses.
+    pub fn new(
+        setup: &Setup<f64>,
+        (objective, sense): (&Goal, Sense),
+        limits: &[GoalLimit],
+        vary: &[Vary],
+        scenarios: Scenarios,
+    ) -> Result<Self> {
+        for vary in vary {
+            if scenarios.parameters.contains(&vary.parameter) {
+                return Err(Error::SearchRange {
+                    name: vary.parameter.name.into(),
+                    reason: "it is varied, and the swings have values of it; vary something else, or leave it out of the swings".into(),
+                });
+            }
+        }
+        let ends = |end: fn(&Vary) -> f64| vary.iter().map(end).collect::<Vec<_>>();
+        let limit_ends = |end: fn(&GoalLimit) -> f64| limits.iter().map(end).collect::<Vec<_>>();
+        let domain = Domain::new(ends(|vary| vary.low), ends(|vary| vary.high))?
+            .subject_to(limit_ends(|limit| limit.low), limit_ends(|limit| limit.high))?;
+        let goals: Vec<Goal> = [objective].into_iter().chain(limits.iter().map(|limit| &limit.goal)).cloned().collect();
+        let mut of: Vec<Outcome> = vec![];
+        for outcome in goals.iter().flat_map(Goal::outcomes) {
+            if !of.contains(&outcome) {
+                of.push(outcome);
+            }
+        }
+        let vary: Vec<_> = vary.iter().map(|vary| vary.parameter).collect();
+        let mut problem = Self { setup: *setup, vary, scenarios, of, goals, sense, drives: vec![], domain };
+        problem.drives = problem.evaluators(Order::Second)?;
+        Ok(problem)
+    }
+
+    fn evaluators(&self, order: Order) -> Result<Vec<Evaluator>> {
+        let one = |point: &Vec<f64>| Evaluator::new(&self.swung(point)?, &self.of, &self.vary, order);
+        self.scenarios.points.iter().map(one).collect()
+    }
+
+    /// The setup in a scenario.
+    fn swung(&self, point: &[f64]) -> Result<Setup<f64>> {
+        let mut setup = self.setup;
+        for (parameter, value) in self.scenarios.parameters.iter().zip(point) {
+            setup.set_value(parameter, Some(*value))?;
+        }
+        Ok(setup)
+    }
+
+    /// The setup's own values of what is varied.
+    pub fn start(&self) -> Vec<f64> {
+        self.vary.iter().filter_map(|parameter| self.setup.value(parameter)).collect()
+    }
+
+    /// The setup with what is varied at `x`, and every swing as the setup has it.
+    pub fn moved(&self, x: &[f64]) -> Result<Setup<f64>> {
+        let mut moved = self.setup;
+        for (parameter, value) in self.vary.iter().zip(x) {
+            moved.set_value(parameter, Some(*value))?;
+        }
+        Ok(moved)
+    }
+
+    /// The outcomes of every scenario.
+    fn flown(&self, drives: &[Evaluator], x: &[f64]) -> std::result::Result<Vec<Vec<Taylor>>, String> {
+        // in the order of the scenarios, whichever thread flies them: sums are the same to the last bit
+        drives
+            .par_iter()
+            .zip(&self.scenarios.points)
+            .map(|(drive, point)| drive.at(x).map_err(|error| format!("{}: {error}", self.named(point))))
+            .collect()
+    }
+
+    /// A scenario in words.
+    fn named(&self, point: &[f64]) -> String {
+        let value = |(parameter, value): (&&'static Parameter, &f64)| {
+            format!("{} = {}", parameter.name, parameter.show(Some(*value)))
+        };
+        let values: Vec<_> = self.scenarios.parameters.iter().zip(point).map(value).collect();
+        format!("the swing with {}", values.join(", "))
+    }
+
+    /// Each goal from the outcomes of every scenario, with other weights than the scenarios' own where they are given.
+    fn measured(&self, flown: &[Vec<Taylor>], weights: &[f64]) -> Vec<Taylor> {
+        let goal = |goal: &Goal| {
+            let terms = goal.terms.iter().map(|(weight, measure)| {
+                let outcomes = measure.outcomes();
+                let places: Vec<usize> =
+                    outcomes.iter().filter_map(|of| self.of.iter().position(|it| it == of)).collect();
+                let drives: Vec<Vec<&Taylor>> =
+                    flown.iter().map(|outcomes| places.iter().map(|place| &outcomes[*place]).collect()).collect();
+                (measure.of(&drives, weights), *weight)
+            });
+            let terms: Vec<_> = terms.collect();
+            super::measure::sum(terms.iter().map(|(term, weight)| (term, *weight)))
+        };
+        self.goals.iter().map(goal).collect()
+    }
+
+    /// The values of the goals at `x`: the objective, then what is limited.
+    ///
+    /// # Errors
+    /// Where a swing does not fly.
+    pub fn values(&self, x: &[f64]) -> Result<Vec<f64>> {
+        let drives = self.evaluators(Order::Value)?;
+        let flown = self.flown(&drives, x).map_err(|reason| Error::NoFlight { reason: reason.into() })?;
+        Ok(self.measured(&flown, &self.scenarios.weights).into_iter().map(|goal| goal.value).collect())
+    }
+
+    /// The value of one outcome in every scenario at `x`.
+    ///
+    /// # Errors
+    /// Where a swing does not fly.
+    pub fn each(&self, x: &[f64], weights: &[f64]) -> Result<Vec<Taylor>> {
+        let flown = self.flown(&self.drives, x).map_err(|reason| Error::NoFlight { reason: reason.into() })?;
+        Ok(self.measured(&flown, weights))
+    }
+
+    /// The same with other weights.
+    pub fn weighted(&self, weights: Vec<f64>) -> Weighted<'_> {
+        Weighted { problem: self, weights }
+    }
+
+    pub fn scenarios(&self) -> &Scenarios {
+        &self.scenarios
+    }
+
+    fn evaluated(&self, x: &[f64], weights: &[f64]) -> std::result::Result<Evaluation, String> {
+        let mut goals = self.measured(&self.flown(&self.drives, x)?, weights);
+        let constraints = goals.split_off(1);
+        let objective = goals.pop().unwrap_or_default();
+        let objective = if self.sense == Sense::Maximize { objective.negated() } else { objective };
+        Ok(Evaluation { objective, constraints })
+    }
+}
+
+impl Problem for SwingsProblem {
+    fn evaluate(&self, x: &[f64]) -> std::result::Result<Evaluation, String> {
+        self.evaluated(x, &self.scenarios.weights)
+    }
+}
+
+/// The problem over a resample of its scenarios.
+pub(super) struct Weighted<'a> {
+    problem: &'a SwingsProblem,
+    weights: Vec<f64>,
+}
+
+impl Problem for Weighted<'_> {
+    fn evaluate(&self, x: &[f64]) -> std::result::Result<Evaluation, String> {
+        self.problem.evaluated(x, &self.weights)
+    }
+}

@@ -1,0 +1,163 @@
+use super::quadrature::{hermite, rule};
+use super::swings::Swings;
+use crate::error::{Error, Result};
+use crate::optimize::sobol;
+use crate::parameters::Parameter;
+use statrs::distribution::{ContinuousCDF, Normal};
+
+/// How scenarios are taken.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rule {
+    /// Gauss's rules with so many nodes for each parameter: for few parameters.
+    Quadrature(usize),
+    /// So many points of a scrambled Sobol' sequence.
+    Sequence {
+        /// How many.
+        count: usize,
+        /// Another seed, other points; the same one, the same to the last bit.
+        seed: u32,
+    },
+    /// The recorded swings.
+    Recorded,
+}
+
+/// Swings that stand for all: the same for every design, so that an expectation is a smooth function of it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scenarios {
+    /// The parameters that have a value in each.
+    pub parameters: Vec<&'static Parameter>,
+    /// Their values, SI, a row for each scenario.
+    pub points: Vec<Vec<f64>>,
+    /// The weight of each; they add up to 1.
+    pub weights: Vec<f64>,
+    /// How they were taken.
+    pub rule: Rule,
+}
+
+/// Up to so many parameters are integrated by Gauss's rules.
+const MOST_INTEGRATED: usize = 3;
+/// Nodes for each, for one, two and three of them.
+const NODES: [usize; MOST_INTEGRATED] = [32, 16, 8];
+/// Scenarios for more parameters.
+const SCENARIOS: usize = 512;
+/// More than this no search can wait for.
+const MOST_SCENARIOS: usize = 100_000;
+
+impl Rule {
+    /// What suits some swings: `count` scenarios if it is given, and what their number of parameters needs if not.
+    ///
+    /// # Errors
+    /// [`Error::SearchRange`] for fewer than 2 scenarios or more than 100,000, and for a number of recorded swings.
+    pub fn of(swings: &Swings, count: Option<usize>, seed: u32) -> Result<Self> {
+        let refuse =
+            |count: usize, reason: String| Err(Error::SearchRange { name: format!("--scenarios {count}"), reason });
+        match (swings, count) {
+            (Swings::Recorded { .. }, Some(count)) => {
+                refuse(count, "recorded swings are the scenarios themselves; leave --scenarios out".into())
+            }
+            (Swings::Recorded { .. }, None) => Ok(Self::Recorded),
+            (_, Some(count)) if !(2..=MOST_SCENARIOS).contains(&count) => {
+                refuse(count, format!("give a number from 2 to {MOST_SCENARIOS}"))
+            }
+            (Swings::Distributed { inputs, .. }, Some(_)) if inputs.len() > sobol::MOST_VARIABLES => {
+                refuse(inputs.len(), format!("at most {} parameters can be distributed", sobol::MOST_VARIABLES))
+            }
+            (_, Some(count)) => Ok(Self::Sequence { count, seed }),
+            (Swings::Distributed { inputs, .. }, None) => Ok(match inputs.len() {
+                n @ 1..=MOST_INTEGRATED => Self::Quadrature(NODES[n - 1]),
+                _ => Self::Sequence { count: SCENARIOS, seed },
+            }),
+        }
+    }
+
+    /// The same of other points, or of twice as many nodes: what a result should not depend on. `None` where there is no other.
+    pub fn other(self, round: u32) -> Option<Self> {
+        match self {
+            Self::Quadrature(nodes) => (round == 0).then_some(Self::Quadrature(nodes + nodes / 2)),
+            Self::Sequence { count, seed } => {
+                // far from the seeds that people give
+                Some(Self::Sequence { count, seed: seed.wrapping_add(0x9e37_79b9_u32.wrapping_mul(round + 1)) })
+            }
+            Self::Recorded => None,
+        }
+    }
+}
+
+impl Scenarios {
+    /// The scenarios of some swings.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] for a value that no drive can have: give its distribution ends, with `truncated`.
+    pub fn new(swings: &Swings, rule: Rule) -> Result<Self> {
+        let parameters = swings.parameters();
+        let (points, weights) = match (swings, rule) {
+            (Swings::Recorded { rows, .. }, _) => (rows.clone(), vec![1.0 / rows.len() as f64; rows.len()]),
+            (Swings::Distributed { inputs, factor }, Rule::Sequence { count, seed }) => {
+                let normal = Normal::standard();
+                let point = |k: usize| {
+                    // never 0 or 1, where a normal number is infinite
+                    let unit = |i: usize| sobol::coordinate(k as u64, i, seed).clamp(1e-12, 1.0 - 1e-12);
+                    let scores: Vec<f64> = (0..inputs.len()).map(|i| normal.inverse_cdf(unit(i))).collect();
+                    let shares = correlated(factor, &scores).into_iter().map(|score| normal.cdf(score));
+                    inputs.iter().zip(shares).map(|(input, share)| input.distribution.quantile(share)).collect()
+                };
+                ((0..count).map(point).collect(), vec![1.0 / count as f64; count])
+            }
+            (Swings::Distributed { inputs, factor }, Rule::Quadrature(_) | Rule::Recorded) => {
+                let nodes = if let Rule::Quadrature(nodes) = rule { nodes } else { NODES[0] };
+                let is_correlated = |i: usize| {
+                    factor[i][..i].iter().any(|l| *l != 0.0) || factor.iter().skip(i + 1).any(|row| row[i] != 0.0)
+                };
+                let rules: Vec<Vec<(f64, f64)>> = inputs
+                    .iter()
+                    .enumerate()
+                    .map(
+                        |(i, input)| {
+                            if is_correlated(i) { hermite(nodes) } else { self::rule(&input.distribution, nodes) }
+                        },
+                    )
+                    .collect();
+                let normal = Normal::standard();
+                let mut points = vec![(vec![], 1.0)];
+                for rule in &rules {
+                    points = points
+                        .iter()
+                        .flat_map(|(point, weight): &(Vec<f64>, f64)| {
+                            rule.iter().map(move |(node, part)| ([point.as_slice(), &[*node]].concat(), weight * part))
+                        })
+                        .collect();
+                }
+                let placed = |(nodes, weight): (Vec<f64>, f64)| {
+                    let scores: Vec<f64> =
+                        nodes.iter().enumerate().map(|(i, node)| if is_correlated(i) { *node } else { 0.0 }).collect();
+                    let scores = correlated(factor, &scores);
+                    let value = |(i, input): (usize, &crate::study::uncertainty::Uncertain)| {
+                        if is_correlated(i) { input.distribution.quantile(normal.cdf(scores[i])) } else { nodes[i] }
+                    };
+                    (inputs.iter().enumerate().map(value).collect::<Vec<f64>>(), weight)
+                };
+                points.into_iter().map(placed).unzip()
+            }
+        };
+        for point in &points {
+            for (parameter, value) in parameters.iter().zip(point) {
+                parameter.check(*value).map_err(|source| Error::Unreadable {
+                    name: format!("a swing of the distribution of {}", parameter.name),
+                    source: format!("{source}; give it ends with truncated(MEAN,DEVIATION,LOW,HIGH)").into(),
+                })?;
+            }
+        }
+        Ok(Self { parameters, points, weights, rule })
+    }
+
+    /// One scenario alone: the mean of each parameter.
+    pub fn mean(swings: &Swings) -> Self {
+        let (parameters, points) = (swings.parameters(), vec![swings.means()]);
+        Self { parameters, points, weights: vec![1.0], rule: Rule::Recorded }
+    }
+}
+
+/// L z.
+fn correlated(factor: &[Vec<f64>], scores: &[f64]) -> Vec<f64> {
+    factor.iter().map(|row| row.iter().zip(scores).map(|(l, z)| l * z).sum()).collect()
+}

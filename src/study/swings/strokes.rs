@@ -1,0 +1,211 @@
+use super::measure::chained;
+use crate::drive::Outcome;
+use crate::error::{Error, Result};
+use crate::number::Taylor;
+use crate::units::Quantity;
+use std::path::Path;
+
+/// Expected strokes to hole out over the distance to the hole: a natural cubic spline through a table, which is C², and goes on straight
+/// beyond its ends.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Strokes {
+    /// Distances, m, rising.
+    distance: Vec<f64>,
+    strokes: Vec<f64>,
+    /// Second derivatives at the distances.
+    bend: Vec<f64>,
+    /// Where the ball ends.
+    outcomes: [Outcome; 2],
+}
+
+impl Strokes {
+    /// A table of distances (m, rising) with the strokes from each. Where the ball ends is where it lands, or where it rests if `runs`.
+    ///
+    /// # Errors
+    /// [`Error::Unreadable`] for fewer than two rows, distances that do not rise, or numbers below 0.
+    pub fn new(rows: &[(f64, f64)], runs: bool) -> Result<Self> {
+        let refuse = |source: String| Error::Unreadable { name: "the table of strokes".into(), source: source.into() };
+        if rows.len() < 2 {
+            return Err(refuse(format!("it has {} rows; it needs at least 2", rows.len())));
+        }
+        for (i, (distance, strokes)) in rows.iter().enumerate() {
+            let is_sound = distance.is_finite() && *distance >= 0.0 && strokes.is_finite() && *strokes >= 0.0;
+            if !is_sound || i > 0 && *distance <= rows[i - 1].0 {
+                let reason = "distances must be 0 or more and rise from row to row, and strokes be 0 or more";
+                return Err(refuse(format!("row {}: {distance} m, {strokes} strokes; {reason}", i + 1)));
+            }
+        }
+        let (distance, strokes): (Vec<f64>, Vec<f64>) = rows.iter().copied().unzip();
+        let bend = natural(&distance, &strokes);
+        let outcomes = if runs { [Outcome::Total, Outcome::LateralTotal] } else { [Outcome::Carry, Outcome::Lateral] };
+        Ok(Self { distance, strokes, bend, outcomes })
+    }
+
+    /// Reads a CSV file with the columns `distance` (with its unit: `distance [yd]`) and `strokes`.
+    ///
+    /// # Errors
+    /// [`Error::Table`] for a file that cannot be read or has not these columns; as [`Strokes::new`].
+    pub fn open(path: &Path, runs: bool) -> Result<Self> {
+        let file = path.display().to_string();
+        let refuse = |place: String, reason: String| Error::Table { file: file.clone(), place, reason };
+        let mut reader = csv::ReaderBuilder::new()
+            .trim(csv::Trim::All)
+            .from_path(path)
+            .map_err(|error| refuse(String::new(), error.to_string()))?;
+        let heads = reader.headers().map_err(|error| refuse(String::new(), error.to_string()))?.clone();
+        let how = "the table of strokes has the columns 'distance [yd]' (or another unit of length) and 'strokes'";
+        let place = |wanted: &str| heads.iter().position(|head| head.split([' ', '[']).next() == Some(wanted));
+        let (Some(distance), Some(strokes)) = (place("distance"), place("strokes")) else {
+            return Err(refuse(
+                ":1".into(),
+                format!("its columns are {}; {how}", heads.iter().collect::<Vec<_>>().join(", ")),
+            ));
+        };
+        let unit = heads[distance].split_once('[').and_then(|(_, rest)| rest.strip_suffix(']')).map(str::trim);
+        let size = unit.and_then(|unit| Quantity::LENGTH.size_of(unit));
+        let Some(size) = size else {
+            return Err(refuse(":1".into(), format!("the head '{}' names no unit of length; {how}", &heads[distance])));
+        };
+        let mut rows = vec![];
+        for (line, record) in (2..).zip(reader.records()) {
+            let record = record.map_err(|error| refuse(format!(":{line}"), error.to_string()))?;
+            let number = |at: usize| {
+                let cell = record.get(at).unwrap_or_default();
+                cell.parse::<f64>().map_err(|_| refuse(format!(":{line}"), format!("'{cell}' is not a number")))
+            };
+            rows.push((number(distance)? * size, number(strokes)?));
+        }
+        Self::new(&rows, runs)
+    }
+
+    /// Where the ball ends: downrange, and to the right.
+    pub(super) fn outcomes(&self) -> &[Outcome; 2] {
+        &self.outcomes
+    }
+
+    /// Value and two derivatives at a distance.
+    fn at(&self, x: f64) -> [f64; 3] {
+        let n = self.distance.len();
+        let i = self.distance.partition_point(|d| *d <= x).clamp(1, n - 1) - 1;
+        let (low, high) = (self.distance[i], self.distance[i + 1]);
+        let width = high - low;
+        let slope = (self.strokes[i + 1] - self.strokes[i]) / width;
+        // straight beyond the ends, where the bend is 0
+        let inside = x.clamp(low, high);
+        let (a, b) = ((high - inside) / width, (inside - low) / width);
+        let (p, q) = (self.bend[i], self.bend[i + 1]);
+        let value = a * self.strokes[i]
+            + b * self.strokes[i + 1]
+            + ((a * a * a - a) * p + (b * b * b - b) * q) * width * width / 6.0;
+        let first = slope + ((1.0 - 3.0 * a * a) * p + (3.0 * b * b - 1.0) * q) * width / 6.0;
+        let second = if inside == x { a * p + b * q } else { 0.0 };
+        [value + first * (x - inside), first, second]
+    }
+
+    /// The strokes from where a drive ends, on a hole straight ahead at a distance.
+    pub(super) fn from(&self, downrange: &Taylor, right: &Taylor, hole: f64) -> Taylor {
+        /// m: keeps the distance smooth in the hole.
+        const LEAST: f64 = 0.1;
+        let (x, y) = (hole - downrange.value, right.value);
+        let left = (x * x + y * y + LEAST * LEAST).sqrt();
+        // by downrange and right
+        let (by_x, by_y) = (-x / left, y / left);
+        let [xx, xy, yy] = [(1.0 - by_x * by_x) / left, -by_x * by_y / left, (1.0 - by_y * by_y) / left];
+        let (f, g) = (downrange, right);
+        let row = |i: usize| {
+            let entry = |j: usize| {
+                by_x * f.hessian[i][j]
+                    + by_y * g.hessian[i][j]
+                    + xx * f.gradient[i] * f.gradient[j]
+                    + xy * (f.gradient[i] * g.gradient[j] + g.gradient[i] * f.gradient[j])
+                    + yy * g.gradient[i] * g.gradient[j]
+            };
+            (0..f.hessian.len()).map(entry).collect()
+        };
+        let distance = Taylor {
+            value: left,
+            gradient: f.gradient.iter().zip(&g.gradient).map(|(f, g)| by_x * f + by_y * g).collect(),
+            hessian: (0..f.hessian.len()).map(row).collect(),
+        };
+        chained(&distance, self.at(left))
+    }
+}
+
+/// The second derivatives of the natural cubic spline.
+fn natural(x: &[f64], y: &[f64]) -> Vec<f64> {
+    let n = x.len();
+    let (mut bend, mut left) = (vec![0.0; n], vec![0.0; n]);
+    for i in 1..n - 1 {
+        let part = (x[i] - x[i - 1]) / (x[i + 1] - x[i - 1]);
+        let pivot = part * bend[i - 1] + 2.0;
+        bend[i] = (part - 1.0) / pivot;
+        let change = (y[i + 1] - y[i]) / (x[i + 1] - x[i]) - (y[i] - y[i - 1]) / (x[i] - x[i - 1]);
+        left[i] = (6.0 * change / (x[i + 1] - x[i - 1]) - part * left[i - 1]) / pivot;
+    }
+    bend[n - 1] = 0.0;
+    for i in (0..n - 1).rev() {
+        bend[i] = bend[i] * bend[i + 1] + left[i];
+    }
+    bend
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Strokes;
+    use crate::number::Taylor;
+
+    fn table() -> Strokes {
+        // made up, with the shape of published tables
+        Strokes::new(&[(0.0, 1.0), (20.0, 2.4), (100.0, 2.8), (200.0, 3.19), (300.0, 3.71), (450.0, 4.4)], false)
+            .unwrap()
+    }
+
+    #[test]
+    fn exact_c2_spline_through_its_table_and_straight_beyond() {
+        let strokes = table();
+        for (x, y) in [(0.0, 1.0), (100.0, 2.8), (450.0, 4.4)] {
+            assert!((strokes.at(x)[0] - y).abs() < 1e-14);
+        }
+        for x in [20.0, 100.0, 200.0, 300.0, 450.0] {
+            let (a, b) = (strokes.at(x - 1e-9), strokes.at(x + 1e-9));
+            for k in 0..3 {
+                assert!((a[k] - b[k]).abs() < 1e-8, "{x} {k}: {a:?} {b:?}");
+            }
+        }
+        let [value, slope, bend] = strokes.at(470.0);
+        assert!(bend == 0.0 && (value - (4.4 + 20.0 * slope)).abs() < 1e-12);
+    }
+
+    #[test]
+    fn differences_certify_strokes_from_where_a_drive_ends() {
+        let strokes = table();
+        let at = |x: [f64; 2]| {
+            // carry 250 + 30 x − x y, lateral 5 + 8 y + x²
+            let f = Taylor {
+                value: 250.0 + 30.0 * x[0] - x[0] * x[1],
+                gradient: vec![30.0 - x[1], -x[0]],
+                hessian: vec![vec![0.0, -1.0], vec![-1.0, 0.0]],
+            };
+            let g = Taylor {
+                value: 5.0 + 8.0 * x[1] + x[0] * x[0],
+                gradient: vec![2.0 * x[0], 8.0],
+                hessian: vec![vec![2.0, 0.0], vec![0.0, 0.0]],
+            };
+            strokes.from(&f, &g, 400.0)
+        };
+        let here = at([0.3, -0.7]);
+        let h = 1e-4;
+        for i in 0..2 {
+            let moved = |side: f64| {
+                let mut x = [0.3, -0.7];
+                x[i] += side * h;
+                at(x)
+            };
+            let (a, b) = (moved(-1.0), moved(1.0));
+            assert!(((b.value - a.value) / (2.0 * h) - here.gradient[i]).abs() < 1e-8);
+            for j in 0..2 {
+                assert!(((b.gradient[j] - a.gradient[j]) / (2.0 * h) - here.hessian[i][j]).abs() < 1e-7);
+            }
+        }
+    }
+}

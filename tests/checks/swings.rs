@@ -1,0 +1,281 @@
+//! Goals over many swings, and the designs that are best for them.
+
+use crate::command_line::{json, longdrive, number};
+use crate::common::close;
+use longdrive::derivative::hessian;
+use longdrive::optimize::{Follow, Options};
+use longdrive::study::swings::{Goal, Rule, Scenarios, Swings, SwingsOptimum, SwingsSearch, resampled, swings_optimum};
+use longdrive::study::uncertainty::{Distribution, Uncertain};
+use longdrive::study::{Sense, Vary};
+use longdrive::{Drive, Outcome, Setup};
+
+fn swings(setup: &Setup<f64>, distributions: &[&str]) -> Swings {
+    Swings::distributed(distributions.iter().map(|text| Uncertain::read(setup, text).unwrap()).collect(), &[]).unwrap()
+}
+
+fn searched(setup: &Setup<f64>, goal: &str, vary: &[&str], scenarios: Scenarios) -> SwingsOptimum {
+    let search = SwingsSearch {
+        of: Goal::read(goal, None).unwrap(),
+        sense: Sense::Maximize,
+        vary: vary.iter().map(|text| Vary::read(setup, text).unwrap()).collect(),
+        subject_to: vec![],
+        options: Options::default(),
+    };
+    swings_optimum(setup, search, scenarios, &Follow::default()).unwrap()
+}
+
+/// Value, gradient and Hessian of a mean at the optimum beside the weighted sums of single drives, one by one.
+#[test]
+fn exact_a_mean_and_its_derivatives_are_the_sums_over_single_drives() {
+    let setup = Setup::preset("mae494").unwrap();
+    let swings = swings(&setup, &["swing.attack_angle=normal(1 deg, 2 deg)", "swing.speed=uniform(95 mph, 110 mph)"]);
+    let scenarios = Scenarios::new(&swings, Rule::Quadrature(5)).unwrap();
+    let best = searched(&setup, "mean(carry)", &["club.loft=4deg..20deg", "club.mass=180g..210g"], scenarios.clone());
+    assert_eq!(best.status(), "converged");
+    let wrt = ["club.loft", "club.mass"].map(|name| setup.variable(name).unwrap());
+    let (mut value, mut gradient, mut second) = (0.0, [0.0; 2], [[0.0; 2]; 2]);
+    for (point, weight) in scenarios.points.iter().zip(&scenarios.weights) {
+        let mut swung = best.setup;
+        for (parameter, at) in scenarios.parameters.iter().zip(point) {
+            swung.set_value(parameter, Some(*at)).unwrap();
+        }
+        let taylor = hessian(&swung, Outcome::Carry, &wrt).unwrap();
+        value += weight * taylor.value;
+        for i in 0..2 {
+            gradient[i] += weight * taylor.gradient[i];
+            for j in 0..2 {
+                second[i][j] += weight * taylor.hessian[i][j];
+            }
+        }
+    }
+    close(best.value().unwrap(), value, value, 1e-14, "mean");
+    for i in 0..2 {
+        close(best.gradient()[i], gradient[i], 1e3, 1e-12, "gradient");
+        for j in 0..2 {
+            // that of what is minimised
+            close(-best.solution.hessian[i][j], second[i][j], second[i][j].abs().max(1.0), 1e-11, "Hessian");
+        }
+    }
+}
+
+/// Winfield & Tan's average over attack angles of 0 to 10°, all alike: the mean over 2001 drives by Simpson's rule, whose best loft is
+/// found here by the zero of the mean slope.
+#[test]
+fn independent_best_loft_of_the_average_over_attack_angles() {
+    let setup = Setup::preset("winfield-tan").unwrap();
+    let all = swings(&setup, &["swing.attack_angle=uniform(0deg, 10deg)"]);
+    let scenarios = Scenarios::new(&all, Rule::of(&all, None, 0).unwrap()).unwrap();
+    let best = searched(&setup, "mean(carry)", &["club.loft=4deg..20deg"], scenarios);
+    let mean = |loft: f64| {
+        const PARTS: usize = 200;
+        let carry = |k: usize| {
+            let mut swung = setup;
+            swung.club.loft = loft;
+            swung.swing.attack_angle = (10.0 * k as f64 / PARTS as f64).to_radians();
+            Outcome::Carry.of(&Drive::new(&swung).unwrap()).unwrap()
+        };
+        let weight = |k: usize| if k == 0 || k == PARTS { 1.0 } else { 2.0 + 2.0 * (k % 2) as f64 };
+        (0..=PARTS).map(|k| weight(k) * carry(k)).sum::<f64>() / (3.0 * PARTS as f64)
+    };
+    let loft = best.solution.x[0];
+    close(best.value().unwrap(), mean(loft), 200.0, 1e-10, "mean carry");
+    let h = 2e-4;
+    let slope = (mean(loft + h) - mean(loft - h)) / (2.0 * h);
+    let bend = (mean(loft + h) - 2.0 * mean(loft) + mean(loft - h)) / (h * h);
+    assert!((slope / bend).abs() < 1e-6, "{} rad off", slope / bend);
+    // their polynomial through five lofts has its top at 10.68°; the average itself is highest a third of a degree below
+    assert!((loft.to_degrees() - 10.32).abs() < 0.01, "{}", loft.to_degrees());
+}
+
+/// Gauss's rules converge faster than any power; a quasi-random sequence faster than 1/√n.
+#[test]
+fn order_of_quadrature_and_of_sequences() {
+    let setup = Setup::preset("mae494").unwrap();
+    let all = swings(&setup, &["swing.attack_angle=normal(1 deg, 0.7 deg)", "swing.speed=normal(105 mph, 3 mph)"]);
+    let mean = |rule: Rule| {
+        let scenarios = Scenarios::new(&all, rule).unwrap();
+        let best = searched(&setup, "mean(carry)", &["club.loft=9.99deg..10.01deg"], scenarios);
+        (best.value().unwrap(), best.solution.x[0])
+    };
+    let (exact, _) = mean(Rule::Quadrature(20));
+    let errors = [2, 4, 8].map(|nodes| (mean(Rule::Quadrature(nodes)).0 - exact).abs());
+    assert!(errors[1] < 1e-3 * errors[0] && errors[2] < 1e-8, "{errors:?}");
+    // the root of the mean square over seeds, with 16 times as many points
+    let off = |count: usize| {
+        let squares = (0..4).map(|seed| (mean(Rule::Sequence { count, seed }).0 - exact).powi(2));
+        (squares.sum::<f64>() / 4.0).sqrt()
+    };
+    let (few, many) = (off(32), off(512));
+    assert!(many < few / 8.0, "{few} {many}: no better than 1/√n");
+}
+
+/// A symmetric head and golfer: no lateral mean, and no loft that favours a side.
+#[test]
+fn exact_symmetric_swings_have_no_lateral_mean() {
+    let setup = Setup::preset("tour-average").unwrap();
+    let mut straight = setup;
+    straight.set_all([("swing.shaft_droop", "none"), ("strike.toe", "0 mm"), ("swing.face_angle", "0 deg")]).unwrap();
+    let all = swings(&straight, &["swing.path=normal(0 deg, 2 deg)", "swing.face_angle=normal(0 deg, 2 deg)"]);
+    let scenarios = Scenarios::new(&all, Rule::Quadrature(6)).unwrap();
+    let best = searched(&straight, "mean(lateral)", &["club.loft=9deg..9.1deg"], scenarios);
+    assert!(best.value().unwrap().abs() < 1e-9, "{:?}", best.value());
+}
+
+/// Correlated normal numbers have the moments that were asked for, and keep their distributions.
+#[test]
+fn exact_correlation_of_normal_swings() {
+    let setup = Setup::default();
+    let inputs = ["swing.path=normal(1 deg, 2 deg)", "swing.face_angle=normal(-1 deg, 3 deg)"];
+    let inputs: Vec<_> = inputs.iter().map(|text| Uncertain::read(&setup, text).unwrap()).collect();
+    let parameters = [inputs[0].parameter, inputs[1].parameter];
+    let correlation = longdrive::study::swings::Correlation::new(parameters, 0.6).unwrap();
+    let all = Swings::distributed(inputs, &[correlation]).unwrap();
+    let scenarios = Scenarios::new(&all, Rule::Quadrature(12)).unwrap();
+    let moment = |f: &dyn Fn(f64, f64) -> f64| {
+        let terms = scenarios.points.iter().zip(&scenarios.weights);
+        terms.map(|(point, weight)| weight * f(point[0].to_degrees(), point[1].to_degrees())).sum::<f64>()
+    };
+    close(moment(&|x, _| x), 1.0, 1.0, 1e-12, "mean path");
+    close(moment(&|x, _| (x - 1.0).powi(2)), 4.0, 4.0, 1e-10, "variance of path");
+    close(moment(&|_, y| (y + 1.0).powi(2)), 9.0, 9.0, 1e-10, "variance of face");
+    close(moment(&|x, y| (x - 1.0) * (y + 1.0)), 0.6 * 6.0, 6.0, 1e-10, "covariance");
+}
+
+/// A normal distribution between two ends: its quantiles are where its moments say, and `uncertainty` samples it.
+#[test]
+fn exact_truncated_distribution_lies_between_its_ends() {
+    let read = |text: &str| Uncertain::read(&Setup::default(), text);
+    let input = read("swing.speed=truncated(110 mph, 5 mph, 100 mph, 112 mph)").unwrap();
+    let Distribution::Truncated { low, high, .. } = input.distribution else { panic!("{input:?}") };
+    let n = 20_000;
+    let quantiles: Vec<f64> =
+        (0..n).map(|k| input.distribution.quantile((f64::from(k) + 0.5) / f64::from(n))).collect();
+    assert!(quantiles.iter().all(|x| (low..=high).contains(x)) && quantiles.windows(2).all(|pair| pair[0] < pair[1]));
+    let mean = quantiles.iter().sum::<f64>() / f64::from(n);
+    close(mean, input.distribution.mean(), mean, 1e-7, "mean");
+    let variance = quantiles.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / f64::from(n);
+    close(variance.sqrt(), input.distribution.deviation(), 1.0, 1e-4, "deviation");
+    assert!(read("swing.speed=truncated(110 mph, 5 mph, 112 mph, 100 mph)").is_err());
+    assert!(read("swing.speed=truncated(110 mph, 1e-9 mph, 1 mph, 2 mph)").is_err());
+}
+
+/// Recorded swings that are a sample of known ones: the interval of the best loft holds the loft that is best for all, and more swings
+/// make it narrower.
+#[test]
+fn measured_interval_of_the_best_loft_from_recorded_swings() {
+    let setup = Setup::preset("mae494").unwrap();
+    let all = swings(&setup, &["swing.attack_angle=uniform(-6deg, 6deg)"]);
+    let truth = searched(
+        &setup,
+        "mean(carry)",
+        &["club.loft=4deg..30deg"],
+        Scenarios::new(&all, Rule::Quadrature(24)).unwrap(),
+    );
+    let parameter = setup.variable("swing.attack_angle").unwrap();
+    let widths = [12, 108].map(|count| {
+        // a fixed stride through the unit interval, not more even than chance
+        let rows = (0..count).map(|k| vec![((f64::from(k * k) * 0.618_034).fract() * 12.0 - 6.0).to_radians()]);
+        let recorded = Swings::recorded(vec![parameter], rows.collect()).unwrap();
+        let scenarios = Scenarios::new(&recorded, Rule::Recorded).unwrap();
+        let best = searched(&setup, "mean(carry)", &["club.loft=4deg..30deg"], scenarios);
+        let found = resampled(&setup, &best, 40, 0).unwrap().unwrap();
+        let design = found.design[0];
+        assert!(design.low < best.solution.x[0] && best.solution.x[0] < design.high);
+        assert!(design.contains(truth.solution.x[0]), "{count}: {design:?} {}", truth.solution.x[0]);
+        assert!(found.rounds == 40 && found.apart.is_some_and(|apart| apart.better.low > 0.0));
+        design.high - design.low
+    });
+    assert!((widths[0] / widths[1] - 3.0).abs() < 1.5, "{widths:?}");
+}
+
+const GOLFER: [&str; 4] = [
+    "--distribution",
+    "swing.attack_angle=truncated(-1deg,2deg,-5deg,5deg)",
+    "--distribution=swing.path=normal(0deg,2deg)",
+    "--distribution=swing.face_angle=normal(0deg,2deg)",
+];
+
+#[test]
+fn the_best_loft_over_swings_is_told_with_its_price_and_its_doubt() {
+    let args =
+        [&["optimize", "--maximize", "mean(carry)", "--subject-to", "std(lateral) <= 60yd"][..], &GOLFER].concat();
+    let text = longdrive(&args).out;
+    for said in ["best of the mean swing", "std(lateral) <= 60yd", "by Gauss's rules", "as set up"] {
+        assert!(text.contains(said), "{said}: {text}");
+    }
+    let (_, answer) = json(&args);
+    let swings = &answer["swings"];
+    assert_eq!((&answer["status"], &answer["objective"]), (&"converged".into(), &"mean(carry)".into()));
+    let (best, kept) = (number(&answer["value"]), number(&swings["nominal"]["kept"]["mean(carry)"]));
+    assert!(best >= kept && number(&swings["nominal"]["promised"]["mean(carry)"]) > best, "{answer}");
+    assert!(number(&swings["quadrature_error"]) < 1e-3);
+    // the same swings, the same answer to the last bit
+    let many = [&args[..], &["--scenarios", "64", "--seed", "7"]].concat();
+    assert_eq!(json(&many), json(&many));
+    let (_, sampled) = json(&many);
+    assert!(
+        number(&sampled["swings"]["sampling"]["interval"]["low"])
+            < number(&sampled["swings"]["sampling"]["interval"]["high"])
+    );
+}
+
+#[test]
+fn exact_a_search_over_swings_that_was_stopped_goes_on_to_the_same_bits() {
+    let folder = tempfile::tempdir().unwrap();
+    let kept = folder.path().join("kept").display().to_string();
+    let args =
+        [&["optimize", "--vary", "club.loft=6deg..16deg", "--vary", "club.cg_depth=20mm..45mm"][..], &GOLFER].concat();
+    let whole = json(&args);
+    let kept = ["--checkpoint", &kept];
+    assert_eq!(longdrive(&[&args[..], &kept, &["--max-iterations", "2"]].concat()).status, 1);
+    assert_eq!(whole, json(&[&args[..], &kept].concat()));
+}
+
+#[test]
+fn bad_swings_and_goals_say_what_is_wrong() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("swings.csv");
+    std::fs::write(&file, "swing.path [deg],swing.face_angle [deg]\n1,0\n0,200\n").unwrap();
+    let file = file.display().to_string();
+    let one = "--distribution=swing.path=normal(0deg,2deg)";
+    let cases: [(&[&str], &str); 14] = [
+        (&["--scenarios", "9"], "give these too"),
+        (&[one, "--scenarios", "1"], "from 2 to 100000"),
+        (&[one, one], "two distributions"),
+        (&[one, "--correlation", "swing.path,swing.face_angle=0.5"], "has no distribution"),
+        (&[one, "--correlation", "swing.path,swing.path=0.5"], "itself"),
+        (&[one, "--correlation", "swing.path,swing.face_angle=1.5"], "outside of -1 to 1"),
+        (&[one, "--maximize", "carry"], "mean(carry)"),
+        (&[one, "--maximize", "mean(cary)"], "did you mean 'carry'"),
+        (&[one, "--maximize", "mean(carry) + std(descent_angle)"], "an angle"),
+        (&[one, "--maximize", "lowest(carry, 0%)"], "share"),
+        (&[one, "--maximize", "strokes(400yd)"], "--strokes FILE"),
+        (&[one, "--vary", "swing.path=-2deg..2deg"], "the swings have values of it"),
+        (&["--swings", &file], "recorded swing 2: swing.face_angle"),
+        (&["--swings", &file, one], "leave --swings out"),
+    ];
+    for (args, said) in cases {
+        let failed = longdrive(&[&["optimize"], args].concat());
+        let told = failed.err.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(failed.status == 2 && told.contains(said), "{args:?}: {told}");
+    }
+    let failed = longdrive(&["optimum-sensitivity", one]);
+    assert!(failed.status == 2 && failed.err.contains("use \"optimize\""), "{}", failed.err);
+}
+
+/// The strokes to the hole after a drive: nearer is better, so that the best loft for strokes is one for carry where the hole is straight
+/// ahead and out of reach.
+#[test]
+fn exact_fewest_strokes_are_the_longest_drive_where_only_length_counts() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("strokes.csv");
+    // the strokes rise in proportion to the distance: the goal is the distance that is left
+    std::fs::write(&file, "distance [yd],strokes\n0,0\n1000,10\n").unwrap();
+    let file = file.display().to_string();
+    let speed = ["--distribution", "swing.speed=normal(100mph,2mph)"];
+    let (_, strokes) = json(&[&["optimize", "--minimize", "strokes(600yd)", "--strokes", &file][..], &speed].concat());
+    let (_, carry) = json(&[&["optimize"][..], &speed].concat());
+    close(number(&strokes["optimum"]["club.loft"]), number(&carry["optimum"]["club.loft"]), 1.0, 1e-4, "best loft");
+    let left = 600.0 * 0.9144 - number(&carry["value"]);
+    close(number(&strokes["value"]), left / 91.44, 6.0, 1e-4, "strokes");
+}
