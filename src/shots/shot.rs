@@ -119,6 +119,8 @@ pub struct Shot {
     /// Whether its direction or the tilt of its spin is assumed, so that nothing sideways can be compared.
     pub is_straight_by_assumption: bool,
     pub(super) point: Result<Point, Refusal>,
+    /// Whether it has a cell for each column of its table, and none beyond.
+    pub(crate) has_cells_of_head: bool,
 }
 
 impl Shot {
@@ -134,6 +136,7 @@ impl Shot {
             notes: vec![],
             is_straight_by_assumption: false,
             point: Err(refusal),
+            has_cells_of_head: false,
         }
     }
 

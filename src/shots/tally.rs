@@ -14,11 +14,12 @@ const MPH: f64 = 0.44704;
 
 /// What two instruments differ by on the same drives: the standard deviation of the differences of a TrackMan 4 and a FlightScope Mevo+ on 58
 /// drives (Bliss & Langdown 2026), in the unit.
-pub const FLOOR: [(Outcome, f64, &str); 4] = [
+pub const FLOOR: [(Outcome, f64, &str); 5] = [
     (Outcome::CarryDistance, 6.72, "yd"),
     (Outcome::Lateral, 10.7, "yd"),
     (Outcome::ApexHeight, 12.3, "ft"),
     (Outcome::DescentAngle, 3.9, "deg"),
+    (Outcome::Spin, 513.0, "rpm"),
 ];
 
 /// Sums of residuals, SI.

@@ -1,6 +1,7 @@
 //! Every law beside published drives, as a document, as JSON and as CSV.
 
 mod csv;
+mod figures;
 mod json;
 
 pub use csv::validation_csv;
@@ -28,6 +29,10 @@ pub fn validation_document(found: &[SetScores], system: System) -> Document {
         found.len()
     ));
     summary(&mut document, found, system);
+    document.heading("In pictures");
+    for figure in figures::figures(found) {
+        document.figure(figure);
+    }
     for set in found {
         one(&mut document, set, system);
     }
@@ -40,7 +45,7 @@ fn summary(document: &mut Document, found: &[SetScores], system: System) {
     document.heading("Which law is the default");
     let rows = found.iter().map(|set| {
         let of = |law: &LawScores| law.scores.first().and_then(Score::mean_absolute);
-        let best = set.laws.iter().filter_map(|law| Some((of(law)?, law.law))).min_by(|a, b| a.0.total_cmp(&b.0));
+        let best = best(set);
         let named = |name: &str| {
             set.laws
                 .iter()
@@ -65,6 +70,12 @@ fn summary(document: &mut Document, found: &[SetScores], system: System) {
          its descent is right over all clubs within 2.6°, where laws of the same error of carry land irons 3 to 6° too flat. {ALTERNATIVE} is the independent alternative, fitted to radar flights of one ball: its apex is nearer \
          on drivers, its descent is not. The difference of the two is a measure of the model's error."
     ));
+}
+
+/// The smallest mean absolute error of the first quantity of a set, and the law that has it.
+fn best(set: &SetScores) -> Option<(f64, &'static str)> {
+    let of = |law: &LawScores| law.scores.first().and_then(Score::mean_absolute);
+    set.laws.iter().filter_map(|law| Some((of(law)?, law.law))).min_by(|a, b| a.0.total_cmp(&b.0))
 }
 
 /// A set: what it is, and a table with a row for each law.
