@@ -228,9 +228,14 @@ impl Column {
     fn has_side(&self) -> bool {
         match self.holds {
             Holds::Input(parameter) => ["swing.path", "swing.face_angle"].contains(&parameter.name),
-            Holds::Outcome(outcome) => {
-                [Outcome::Lateral, Outcome::LaunchDirection, Outcome::Sidespin, Outcome::SpinAxis].contains(&outcome)
-            }
+            Holds::Outcome(outcome) => [
+                Outcome::Lateral,
+                Outcome::LateralTotal,
+                Outcome::LaunchDirection,
+                Outcome::Sidespin,
+                Outcome::SpinAxis,
+            ]
+            .contains(&outcome),
             _ => false,
         }
     }

@@ -38,7 +38,7 @@ pub use chart::{ChartPointReport, ChartReport, chart_csv, chart_text};
 pub use compare::{ComparisonReport, DifferenceReport, comparison_text, difference_text};
 pub use delivery::{delivered_text, deliveries_text, delivery_reply, delivery_toml};
 pub use document::Document;
-pub use drive::{DriveReport, drive_text, known_within};
+pub use drive::{DriveReport, air_text, drive_text, known_within};
 pub use effects::{EffectsReport, OutcomeEffects, Totals, effects_text};
 pub use gradient::{GradientReport, HessianReport, OutcomeReport, gradient_text};
 pub use laws::{laws_reply, laws_text};

@@ -9,7 +9,7 @@ use crate::columns::{CONDITIONS, Stated, conditions, contradiction, is_straight_
 use crate::drive::Outcome;
 
 /// Conditions of which the spin's origin is told in a column of its own.
-const OF_SPIN: [Outcome; 4] = [Outcome::Spin, Outcome::Backspin, Outcome::Sidespin, Outcome::SpinAxis];
+pub(super) const OF_SPIN: [Outcome; 4] = [Outcome::Spin, Outcome::Backspin, Outcome::Sidespin, Outcome::SpinAxis];
 
 impl ExportHead {
     /// The shot of a record.

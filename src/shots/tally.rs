@@ -3,7 +3,7 @@
 use super::flown::Flown;
 use super::shot::{Origin, Refusal};
 use crate::batch::Status;
-use crate::drive::{Beyond, BeyondCount, Outcome};
+use crate::drive::{BeyondCount, Outcome};
 use std::collections::BTreeMap;
 
 /// The ends of the bands of ball speed, mph.
@@ -148,7 +148,7 @@ impl Tally {
             }
             if flown.status(row) == Some(Status::Landed) {
                 self.flown += 1;
-                self.beyond.add(Beyond { law: flown.is_beyond_law(row), face: false });
+                self.beyond.add(flown.beyond(row));
             }
             let Some(speed) = shot.launch().map(|launch| launch[0]) else { continue };
             let band = BANDS.iter().filter(|end| speed >= **end * MPH).count();

@@ -94,12 +94,12 @@ impl Rule {
             return Err(refused(path, "it cannot be written to: it is a file; name a folder"));
         }
         let is_new = !path.exists();
-        if is_new && let Some(ending) = ending_of_a_file(path) {
-            let reason = format!("this is to be a folder, and .{ending} is the ending of a file; name a folder");
-            return Err(refused(path, &reason));
-        }
         if !path.is_dir() {
             in_a_folder(path)?;
+            if let Some(ending) = ending_of_a_file(path) {
+                let reason = format!("this is to be a folder, and .{ending} is the ending of a file; name a folder");
+                return Err(refused(path, &reason));
+            }
             fs::create_dir(path).map_err(|error| unwritable(path, &error))?;
         }
         let folder = Folder { path: path.into(), rule: self.clone() };

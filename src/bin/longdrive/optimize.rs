@@ -8,7 +8,7 @@ use longdrive::units::Message;
 use longdrive::{Result, Setup};
 
 pub fn run(args: &Optimize) -> Result<Answer> {
-    let setup = args.question.setup()?;
+    let setup = args.question.setup_varied(&args.search.vary)?;
     let search = args.search.search(&setup)?;
     let setup = args.question.for_many(setup, &search.vary)?;
     let output = args.destination()?;

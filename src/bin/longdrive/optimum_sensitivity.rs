@@ -11,7 +11,7 @@ use longdrive::{Error, Outcome, Result};
 
 pub fn run(args: &OptimumSensitivity) -> Result<Answer> {
     let Optimize { question, search, work, .. } = &args.optimize;
-    let setup = question.setup()?;
+    let setup = question.setup_varied(&search.vary)?;
     let search = search.search(&setup)?;
     let setup = question.for_many(setup, &search.vary)?;
     let wrt = variables(&setup, &args.wrt, &search.outcomes())?;

@@ -1,6 +1,7 @@
 use crate::args::{OwnLaw, Question};
-use crate::output::{tell, warn_early};
+use crate::output::{system, tell, warn_early};
 use longdrive::parameters::{Law, METHOD, PRESETS, Parameter, Preset, SetupFile, TABLE, Vary};
+use longdrive::report::parameter_text;
 use longdrive::study::{Accuracy, accuracy};
 use longdrive::units::{Message, Quantity, counted};
 use longdrive::{Error, Outcome, Result, Setup};
@@ -13,6 +14,29 @@ impl Question {
     /// The setup asked about: a preset or a file, with the overrides applied, checked.
     pub fn setup(&self) -> Result<Setup<f64>> {
         let setup = self.setup_of_points()?;
+        setup.validate()?;
+        Ok(setup)
+    }
+
+    /// The setup of a search that varies parameters within ranges, `NAME=LOW..HIGH`: one of them without a value begins in the middle.
+    pub fn setup_varied<'a>(&self, ranges: impl IntoIterator<Item = &'a String>) -> Result<Setup<f64>> {
+        let mut setup = self.setup()?;
+        for text in ranges {
+            // what is wrong with it is told where it is read
+            let parameter = text.split_once('=').and_then(|(name, _)| setup.column(name.trim()).ok());
+            let is_unset = |parameter: &&Parameter| !parameter.is_of_launch() && setup.value(parameter).is_none();
+            let Some(parameter) = parameter.filter(is_unset) else { continue };
+            let Vary { low, high, .. } = Vary::read_column(&setup, text)?;
+            let middle = 0.5 * (low + high);
+            setup.set_value(parameter, Some(middle))?;
+            tell(&format!(
+                "note: {} has no value in {}; it begins at {}",
+                parameter.name,
+                self.setup,
+                parameter_text(parameter, middle, system())
+            ));
+        }
+        self.refuse_replaced(&setup, &[])?;
         setup.validate()?;
         Ok(setup)
     }
@@ -129,6 +153,14 @@ impl Question {
         given.extend(settings(&self.set)?.into_iter().filter_map(|(name, _)| setup.parameter(name).ok()));
         given.retain(|parameter| setup.value(parameter).is_some());
         setup.refuse_replaced(&given.iter().chain(more).map(|parameter| parameter.name).collect::<Vec<_>>())
+    }
+
+    /// Whether the setup file or `--set` says on which ground the ball runs.
+    pub fn gives_ground(&self) -> Result<bool> {
+        let is_ground = |name: &str| name.starts_with("ground.") && name != "ground.height";
+        let set = settings(&self.set)?.iter().any(|(name, _)| is_ground(name));
+        let files = self.setup_file().map(SetupFile::open).collect::<Result<Vec<_>>>()?;
+        Ok(set || files.iter().flat_map(|file| &file.given).any(|parameter| is_ground(parameter.name)))
     }
 
     /// As [`refuse_twice`](Self::refuse_twice), for parameters that must have a value in the setup before another option gives their values:

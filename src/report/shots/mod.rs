@@ -49,7 +49,7 @@ impl ShotWriter {
         let table = match (format, shots.layout()) {
             (ShotFormat::Csv, Layout::Export(export)) => Table::Copied(Copied::new(export, of, system)),
             (ShotFormat::Csv | ShotFormat::LaunchMonitor, _) => Table::Columns(Added::new(of, system, b',', false)),
-            (ShotFormat::JsonLines, layout) => Table::JsonLines(json_lines::Keys::new(layout, of)),
+            (ShotFormat::JsonLines, _) => Table::JsonLines(json_lines::Keys::new(shots, of)),
             (ShotFormat::OpenConnect, _) => Table::OpenConnect,
         };
         Self { table }

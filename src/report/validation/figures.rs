@@ -7,7 +7,7 @@ use crate::shots::FLOOR;
 use crate::study::validation::{Case, Compared, LawScores, SetScores, Way};
 use crate::units::Quantity;
 
-use super::ALTERNATIVE;
+use super::best::{ALTERNATIVE, best};
 
 /// Speeds that residuals are drawn over.
 #[derive(Clone, Copy)]
@@ -59,7 +59,7 @@ pub(super) fn figures(found: &[SetScores]) -> Vec<Figure> {
 fn drawn(sets: &[&SetScores]) -> Vec<&'static str> {
     let mut laws = vec![Law::default().name(), ALTERNATIVE];
     for set in sets {
-        laws.extend(super::best(set).map(|(_, law)| law).filter(|law| !laws.contains(law)));
+        laws.extend(best(set).map(|(_, law)| law).filter(|law| !laws.contains(law)));
     }
     laws
 }

@@ -1,5 +1,6 @@
 //! Every law beside published drives, as a document, as JSON and as CSV.
 
+mod best;
 mod csv;
 mod figures;
 mod json;
@@ -11,9 +12,7 @@ use super::document::Document;
 use crate::parameters::Law;
 use crate::study::validation::{Compared, LawScores, SWEPT, Score, SetScores};
 use crate::units::{System, counted, fixed, signed};
-
-/// The independent law that the default one is held against.
-const ALTERNATIVE: &str = "ferguson";
+use best::{ALTERNATIVE, best};
 
 /// Every law on every set as a document.
 pub fn validation_document(found: &[SetScores], system: System) -> Document {
@@ -70,12 +69,6 @@ fn summary(document: &mut Document, found: &[SetScores], system: System) {
          its descent is right over all clubs within 2.6°, where laws of the same error of carry land irons 3 to 6° too flat. {ALTERNATIVE} is the independent alternative, fitted to radar flights of one ball: its apex is nearer \
          on drivers, its descent is not. The difference of the two is a measure of the model's error."
     ));
-}
-
-/// The smallest mean absolute error of the first quantity of a set, and the law that has it.
-fn best(set: &SetScores) -> Option<(f64, &'static str)> {
-    let of = |law: &LawScores| law.scores.first().and_then(Score::mean_absolute);
-    set.laws.iter().filter_map(|law| Some((of(law)?, law.law))).min_by(|a, b| a.0.total_cmp(&b.0))
 }
 
 /// A set: what it is, and a table with a row for each law.

@@ -66,9 +66,14 @@ fn fly(args: &Fly) -> Result<Answer> {
     args.question.refuse_twice(&setup, shots.further(), "every row has a value of its own")?;
     args.question.refuse_replaced(&setup, shots.further())?;
     let flying = followed(&args.question, &setup, &of, |setup| Flying::new(setup, &shots, &of))?;
+    let is_on_their_ground = args.question.gives_ground()?;
+    let flying = if is_on_their_ground { flying.on_their_ground() } else { flying };
     let mut warnings = setup.warnings();
     warn(&warnings);
-    let remarks: Vec<Message> = shots.remarks().to_vec();
+    let mut remarks: Vec<Message> = shots.remarks().to_vec();
+    if !is_on_their_ground && of.iter().any(|of| of.is_of_the_run() && shots.has(*of)) {
+        remarks.push("the measured totals are not compared: the ground is not given; name it with --set ground.turf=average, or another".into());
+    }
     for remark in &remarks {
         tell(&format!("note: {}: {}", file.display(), remark.in_units(system())));
     }
