@@ -200,3 +200,47 @@ fn text_shows_the_run_beside_a_total_and_the_air_that_the_weather_gives() {
     assert!(said.out.contains("the weather gives a density of 1.247"), "{}", said.out);
     assert!(!longdrive(&["simulate"]).out.contains("weather"));
 }
+
+/// More rows than a row group has: the numbers are those of the JSON lines.
+#[cfg(feature = "parquet")]
+#[test]
+fn exact_shots_in_parquet_are_those_in_json_lines() {
+    use parquet::file::reader::{FileReader, SerializedFileReader};
+    use parquet::record::Field;
+    let folder = tempfile::tempdir().unwrap();
+    let place = |name: &str| folder.path().join(name).display().to_string();
+    let head = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Spin Rate Type,Carry [yd],Club Speed [mph]\n";
+    let row = |i: u32| match i % 1000 {
+        7 => "150,12,,Measured,240,102\n".to_owned(),
+        i => format!("{},12,{},Estimated,240,102\n", 140.0 + 0.01 * f64::from(i), 2500 + i),
+    };
+    let table = written(folder.path(), "shots.csv", &(head.to_owned() + &(0..33_000).map(row).collect::<String>()));
+    for name in ["a.jsonl", "a.parquet"] {
+        let said = longdrive(&["fly", &table, "--of", "carry_distance", "-o", &place(name)]);
+        assert_eq!(said.status, 0, "{}", said.err);
+    }
+    let file = SerializedFileReader::new(fs::File::open(place("a.parquet")).unwrap()).unwrap();
+    assert_eq!((file.num_row_groups(), file.metadata().file_metadata().num_rows()), (2, 33_000));
+    let json = lines(&place("a.jsonl"));
+    for (row, line) in file.get_row_iter(None).unwrap().zip(&json) {
+        let row = row.unwrap();
+        let cell = |name: &str| match row.get_column_iter().find(|(column, _)| *column == name).unwrap().1 {
+            Field::Double(value) => Value::from(*value),
+            Field::Str(text) => Value::from(text.as_str()),
+            _ => Value::Null,
+        };
+        assert_eq!((number(&cell("line")), cell("flight")), (number(&line["line"]), line["flight"].clone()));
+        assert_eq!(
+            (cell("reason"), cell("spin_origin").is_null()),
+            (line["reason"].clone(), line["stated"].get("spin").is_none())
+        );
+        assert_eq!(cell("predicted_carry_distance"), line["predicted"]["carry_distance"]);
+        assert_eq!(cell("residual_carry_distance"), line["residual"]["carry_distance"]);
+        assert_eq!(
+            (cell("measured_carry_distance"), cell("swing.speed")),
+            (line["stated"]["carry_distance"].clone(), line["club"]["swing.speed"].clone())
+        );
+    }
+    let said = longdrive(&["fly", &table, "--format", "parquet"]);
+    assert!(said.status == 2 && said.err.contains("Parquet needs a file"), "{}", said.err);
+}

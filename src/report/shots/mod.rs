@@ -5,9 +5,13 @@ mod columns;
 mod csv;
 mod json_lines;
 mod open_connect;
+#[cfg(feature = "parquet")]
+mod parquet;
 mod summary;
 
 pub use open_connect::open_connect_answer;
+#[cfg(feature = "parquet")]
+pub use parquet::ShotParquet;
 pub use summary::{ShotsReport, shots_text};
 
 use crate::drive::Outcome;
