@@ -131,7 +131,9 @@ pub(crate) fn summary<'a>(cells: impl Iterator<Item = &'a str>) -> Option<&'a st
             words().all(|word| known.next().is_some_and(|other| word.eq_ignore_ascii_case(other)))
                 && known.next().is_none()
         };
-        cell.starts_with(|c: char| c.is_ascii_alphabetic() || c == '.' || c == ':') && WORDS.iter().any(is)
+        let first = cell.bytes().find(|byte| !matches!(byte, b'.' | b':' | b' '));
+        let begins = |known: &&&str| first.is_some_and(|first| known.as_bytes()[0].eq_ignore_ascii_case(&first));
+        WORDS.iter().filter(begins).any(is)
     })
 }
 
