@@ -3,7 +3,7 @@
 use super::block::{Block, Status};
 use super::question::Kernel;
 use crate::aerodynamics::AerodynamicLaw;
-use crate::drive::{Beyond, Part, Shown, Struck, is_beside_any_face};
+use crate::drive::{Beyond, Part, Shown, Struck, flat, is_beside_any_face};
 use crate::flight::{Discretization, Flight};
 use crate::number::{Derivatives, Jet, Lanes, Mask, Number, Task, inlined};
 use crate::parameters::{Parameter, Setup};
@@ -112,6 +112,7 @@ impl Abreast<'_> {
         let struck = Struck::new(setup, runs);
         let [spin_ratio, spin, reynolds, air_speed] = struck.inputs.stream();
         let (toe, high) = (setup.strike.toe, setup.strike.high);
+        let (slope, side_slope) = (setup.ground.slope, setup.ground.side_slope);
         let fitted = AerodynamicLaw::<f64>::fitted(&kernel.setup.law);
         let has_apex = kernel.of.iter().any(|outcome| outcome.is_of_the_apex());
         let how = Discretization::of(&kernel.setup);
@@ -137,6 +138,7 @@ impl Abreast<'_> {
             self.block.beyond[row] = Beyond {
                 law: !fitted.holds([value(spin_ratio), value(spin), value(reynolds), value(air_speed)]),
                 face: club_speed.is_some() && is_beside_any_face(value(toe), value(high)),
+                flat: runs && flat([value(slope), value(side_slope)], &landed).is_some(),
             };
             for (i, outcome) in kernel.of.iter().enumerate() {
                 self.write(row, i, outcome.shown(&shown));

@@ -109,7 +109,7 @@ impl Kernel {
             Flight::None(NoFlight::Aloft { .. }) => Status::Aloft,
             Flight::None(_) => Status::NoFlight,
         };
-        block.beyond[row] = drive.beyond(setup, Looked::AtLaunch);
+        block.beyond[row] = drive.beyond(setup, Looked::AtLaunch, &self.of);
         for (outcome, column) in self.of.iter().zip(&mut block.outcomes) {
             column[row] = outcome.value(&drive).unwrap_or(f64::NAN);
         }

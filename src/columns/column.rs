@@ -228,9 +228,14 @@ impl Column {
     fn has_side(&self) -> bool {
         match self.holds {
             Holds::Input(parameter) => ["swing.path", "swing.face_angle"].contains(&parameter.name),
-            Holds::Outcome(outcome) => {
-                [Outcome::Lateral, Outcome::LaunchDirection, Outcome::Sidespin, Outcome::SpinAxis].contains(&outcome)
-            }
+            Holds::Outcome(outcome) => [
+                Outcome::Lateral,
+                Outcome::LateralTotal,
+                Outcome::LaunchDirection,
+                Outcome::Sidespin,
+                Outcome::SpinAxis,
+            ]
+            .contains(&outcome),
             _ => false,
         }
     }
@@ -251,13 +256,16 @@ impl Column {
     /// # Errors
     /// A sentence for a cell that is no finite number.
     pub fn value(&self, cell: &str) -> std::result::Result<Option<f64>, String> {
-        if cell.is_empty() || self.format.is_export && is_missing(cell) {
+        if cell.is_empty() {
             return Ok(None);
         }
         // a flat face has an infinite radius
-        let infinite = cell.parse().ok().filter(|number: &f64| number.is_infinite() && self.may_be(*number));
-        let number = launch_monitor::number(cell, self.format.has_decimal_comma, self.has_side()).or(infinite);
+        let infinite = || cell.parse().ok().filter(|number: &f64| number.is_infinite() && self.may_be(*number));
+        let number = launch_monitor::number(cell, self.format.has_decimal_comma, || self.has_side()).or_else(infinite);
         let Some(number) = number else {
+            if self.format.is_export && is_missing(cell) {
+                return Ok(None);
+            }
             if cell.contains('\n') {
                 return Err("a quote (\") is opened and not closed in its line; close it, or take it out".into());
             }

@@ -123,17 +123,30 @@ pub(crate) fn summary<'a>(cells: impl Iterator<Item = &'a str>) -> Option<&'a st
         "deviation",
     ];
     let mut cells = cells.map(str::trim);
+    // most cells are none of them: that must cost next to nothing
     cells.find(|cell| {
-        let plain = cell.to_lowercase().replace(['.', ':'], " ");
-        WORDS.contains(&plain.split_whitespace().collect::<Vec<_>>().join(" ").as_str())
+        let words = || cell.split(|c: char| c.is_whitespace() || c == '.' || c == ':').filter(|word| !word.is_empty());
+        let is = |known: &&str| {
+            let mut known = known.split(' ');
+            words().all(|word| known.next().is_some_and(|other| word.eq_ignore_ascii_case(other)))
+                && known.next().is_none()
+        };
+        let first = cell.bytes().find(|byte| !matches!(byte, b'.' | b':' | b' '));
+        let begins = |known: &&&str| first.is_some_and(|first| known.as_bytes()[0].eq_ignore_ascii_case(&first));
+        WORDS.iter().filter(begins).any(is)
     })
 }
 
 /// A number as these tables write it: with a decimal comma where that separates no cells, and with its side where it has one,
 /// `3.2 L`, `3.2R`, right of the target +.
-pub(super) fn number(cell: &str, has_decimal_comma: bool, has_side: bool) -> Option<f64> {
-    let cell = cell.trim().replace('\u{2212}', "-");
-    let (cell, sign) = match side(&cell).filter(|_| has_side) {
+pub(super) fn number(cell: &str, has_decimal_comma: bool, has_side: impl Fn() -> bool) -> Option<f64> {
+    let cell = cell.trim();
+    // as nearly all are written, in every table
+    if let Ok(number) = cell.parse::<f64>() {
+        return Some(number).filter(|number| number.is_finite());
+    }
+    let cell = cell.replace('\u{2212}', "-");
+    let (cell, sign) = match side(&cell).filter(|_| has_side()) {
         Some((magnitude, sign)) if !magnitude.starts_with('-') => (magnitude.to_owned(), sign),
         Some(_) => return None,
         None => (cell, 1.0),
@@ -213,12 +226,12 @@ mod tests {
         let units = units_row([" ", "[mph]", "(deg)", "rpm"].into_iter()).unwrap();
         assert_eq!(units, [None, Some("mph".into()), Some("deg".into()), Some("rpm".into())]);
         assert_eq!((units_row(["1", "[mph]"].into_iter()), units_row(["", ""].into_iter())), (None, None));
-        assert_eq!(number("3.2 L", false, true), Some(-3.2));
-        assert_eq!(number("3,2R", true, true), Some(3.2));
-        assert_eq!(number("Left 3", false, true), Some(-3.0));
-        assert_eq!(number("2,686", false, false), Some(2686.0));
-        assert_eq!(number("1,234,567.5", false, false), Some(1_234_567.5));
-        assert_eq!(number("\u{2212}4.5", false, true), Some(-4.5));
+        assert_eq!(number("3.2 L", false, || true), Some(-3.2));
+        assert_eq!(number("3,2R", true, || true), Some(3.2));
+        assert_eq!(number("Left 3", false, || true), Some(-3.0));
+        assert_eq!(number("2,686", false, || false), Some(2686.0));
+        assert_eq!(number("1,234,567.5", false, || false), Some(1_234_567.5));
+        assert_eq!(number("\u{2212}4.5", false, || true), Some(-4.5));
         for (cell, comma, side) in [
             ("12,34", false, false),
             ("1234,567", false, false),
@@ -227,7 +240,7 @@ mod tests {
             ("3,2", false, true),
             ("L", false, true),
         ] {
-            assert_eq!(number(cell, comma, side), None, "{cell}");
+            assert_eq!(number(cell, comma, || side), None, "{cell}");
         }
     }
 }

@@ -1,6 +1,7 @@
 //! Where drives lie beyond what their law was fitted to, or beside any face: one by one, and how many of many.
 
-use super::Drive;
+use super::flat::{assumed, flat};
+use super::{Drive, Outcome};
 use crate::aerodynamics::AerodynamicLaw;
 use crate::flight::Inputs;
 use crate::parameters::{Law, Setup};
@@ -30,6 +31,8 @@ pub struct Beyond {
     pub law: bool,
     /// The strike lies beside the face of any head that conforms.
     pub face: bool,
+    /// The ball bounces and landed flatter than any whose bounce was measured; looked at where an outcome of the run is asked for.
+    pub flat: bool,
 }
 
 /// How much of a drive is looked at.
@@ -42,15 +45,21 @@ pub enum Looked {
 }
 
 impl Drive<f64> {
-    /// What the drive of a setup lies beyond.
-    pub fn beyond(&self, setup: &Setup<f64>, looked: Looked) -> Beyond {
+    /// What the drive of a setup lies beyond, of which these outcomes are asked for.
+    pub fn beyond(&self, setup: &Setup<f64>, looked: Looked, of: &[Outcome]) -> Beyond {
         let law = match looked {
             Looked::AtLaunch => {
                 !AerodynamicLaw::<f64>::fitted(&setup.law).holds(Inputs::new(setup, &self.launch).stream())
             }
             Looked::AtFlight => !self.outside_of_the_law(setup).is_empty(),
         };
-        Beyond { law, face: self.impact.is_some() && is_beside_any_face(setup.strike.toe, setup.strike.high) }
+        let slopes = [setup.ground.slope, setup.ground.side_slope];
+        let is_flat = || self.landed().is_ok_and(|landed| flat(slopes, landed).is_some());
+        Beyond {
+            law,
+            face: self.impact.is_some() && is_beside_any_face(setup.strike.toe, setup.strike.high),
+            flat: of.iter().any(|of| of.is_of_the_run()) && is_flat(),
+        }
     }
 }
 
@@ -63,6 +72,8 @@ pub struct BeyondCount {
     pub law: u64,
     /// Those struck beside any face.
     pub face: u64,
+    /// Those that landed flatter than any whose bounce was measured.
+    pub flat: u64,
 }
 
 impl BeyondCount {
@@ -71,6 +82,7 @@ impl BeyondCount {
         self.all += 1;
         self.law += u64::from(drive.law);
         self.face += u64::from(drive.face);
+        self.flat += u64::from(drive.flat);
     }
 
     /// Adds other drives.
@@ -78,6 +90,7 @@ impl BeyondCount {
         self.all += other.all;
         self.law += other.law;
         self.face += other.face;
+        self.flat += other.flat;
     }
 
     /// What deserves a word: a sentence for each kind of which there are any. `of` is what they are: "drive", "optimum".
@@ -101,6 +114,10 @@ impl BeyondCount {
             warnings.push(
                 format!("{which}: the strike lies outside {}: no club strikes the ball there", any_face()).into(),
             );
+        }
+        if self.flat > 0 {
+            let lands = if self.flat == 1 { "the ball lands" } else { "the balls land" };
+            warnings.push(assumed(format!("{}: {lands} at less than ", some(self.flat)).into()));
         }
         warnings
     }

@@ -1,12 +1,14 @@
 //! One drive, from the setup to its outcomes: impact, launch, flight, landing.
 
 mod beyond;
+mod flat;
 mod outcome;
 mod struck;
 mod warnings;
 
 pub(crate) use beyond::is_beside_any_face;
 pub use beyond::{Beyond, BeyondCount, Looked};
+pub(crate) use flat::flat;
 pub use warnings::Within;
 
 pub(crate) use outcome::Shown;

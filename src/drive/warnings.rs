@@ -1,19 +1,16 @@
 //! What deserves a word about a drive that is computed as it stands.
 
 use super::beyond::{any_face, is_beside_any_face};
+use super::flat::{assumed, flat};
 use super::{Drive, Outcome};
 use crate::aerodynamics::{AerodynamicLaw, FittedRange, range_in_words};
 use crate::atmosphere::{AirState, WindField};
 use crate::flight::trajectory;
-use crate::ground::angle_of_impact;
 use crate::parameters::Setup;
 use crate::units::{Digits, Message, Quantity};
 
 /// Less than this part of the time of flight outside of what a law was fitted to is not worth a word: the laws are uncertain by more within it.
 const WORTH_A_WORD: f64 = 0.01;
-
-/// Balls that land flatter than this from the ground, rad, bounce by an assumption that nothing measured bears out (docs/limitations.md).
-const FLAT: f64 = 25.0 * std::f64::consts::PI / 180.0;
 
 /// How far a flight goes along what its law was fitted to.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -45,18 +42,10 @@ impl Drive<f64> {
 
     /// A ball that bounces, and landed flatter than any whose bounce was measured.
     fn lands_flat(&self, setup: &Setup<f64>) -> Option<Message> {
-        let landed = self.landed().ok()?;
-        landed.rest.as_ref().filter(|rest| rest.bounces > 0 && rest.downrange.is_finite())?;
-        let angle = angle_of_impact(setup, landed.velocity);
-        let show =
-            |message: Message, angle: f64| message.quantity(Quantity::ANGLE, "deg", angle, Digits::Significant(3));
-        (angle < FLAT).then(|| {
-            let message = show(Message::from("the ball lands at "), angle).words(" to the ground, below ");
-            show(message, FLAT).words(
-                ": how a ball bounces that lands so flat is assumed, not measured, so total, run and lateral total may be far off; \
-                 prefer carry (docs/limitations.md)",
-            )
-        })
+        let angle = flat([setup.ground.slope, setup.ground.side_slope], self.landed().ok()?)?;
+        let message = Message::from("the ball lands at ");
+        let message = message.quantity(Quantity::ANGLE, "deg", angle, Digits::Significant(3));
+        Some(assumed(message.words(" to the ground, below ")))
     }
 
     /// A strike beside the face of any head that conforms.

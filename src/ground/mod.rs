@@ -8,7 +8,6 @@ mod rubbing;
 mod turf;
 
 use crate::number::{Mask, Numbers, Vector, risen};
-use crate::parameters::Setup;
 use bounce::Moving;
 use rubbing::Rubbing;
 pub(crate) use turf::Turf;
@@ -115,9 +114,10 @@ impl<T: Numbers> Turf<T> {
     }
 }
 
-/// The angle between the ground and the way of a ball that comes down on it, rad; below 0 where it moves away from the ground.
-pub(crate) fn angle_of_impact(setup: &Setup<f64>, velocity: Vector<f64>) -> f64 {
-    let Slope { normal, .. } = Slope::new(setup.ground.slope, setup.ground.side_slope, 1.0);
+/// The angle between the ground, of these slopes down range and to the side, and the way of a ball that comes down on it, rad; below 0 where it moves
+/// away from the ground.
+pub(crate) fn angle_of_impact([slope, side_slope]: [f64; 2], velocity: Vector<f64>) -> f64 {
+    let Slope { normal, .. } = Slope::new(slope, side_slope, 1.0);
     (-normal.dot(velocity) / velocity.norm()).asin()
 }
 

@@ -85,8 +85,8 @@ pub static PRESETS: &[Preset] = &[
             ),
             entry(
                 "impact.tangential_restitution",
-                "0",
-                "rolling at exit, as Winfield & Tan (1994) and Penner (2001) have it; chosen to agree with the spin",
+                "-0.03",
+                "chosen: launch angle and spin are then in the ratio of TrackMan's driver chart, docs/sources.md; 0 is rolling at exit (Winfield & Tan 1994, Penner 2001)",
             ),
             entry(
                 "aero.cd0",

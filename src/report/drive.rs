@@ -127,6 +127,16 @@ pub fn drive_text(drive: &Drive<f64>, system: System) -> String {
     }
 }
 
+/// The air that the weather of a setup gives, in a line; empty where the air is given by itself.
+pub fn air_text(setup: &Setup<f64>, system: System) -> String {
+    if !setup.air.has_weather() {
+        return String::new();
+    }
+    let density = AirState::of(&setup.air).density;
+    let told = Message::from("air: the weather gives a density of ");
+    note(&told.quantity(Quantity::DENSITY, "kg/m^3", density, Digits::Significant(5)).in_units(system))
+}
+
 /// What a run is made of, and what it is worth.
 fn on_the_run(rest: Option<&Rest<f64>>) -> Message {
     let told = match rest {

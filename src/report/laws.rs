@@ -5,14 +5,14 @@ use crate::parameters::Law;
 use crate::units::{Message, System};
 use serde_json::{Value, json};
 
-/// Every law with its published coefficients, where it comes from, and what it was fitted to.
-fn all() -> impl Iterator<Item = (Law<f64>, Published, Fitted)> {
-    let laws = Law::NAMES.iter().filter_map(|name| Law::named(name));
+/// Every law with its published coefficients and the user's own, where it comes from, and what it was fitted to.
+fn all(own: Option<Law<f64>>) -> impl Iterator<Item = (Law<f64>, Published, Fitted)> {
+    let laws = Law::NAMES.iter().filter_map(|name| Law::named(name)).chain(own);
     laws.map(|law| (law, AerodynamicLaw::<f64>::published(&law), AerodynamicLaw::<f64>::fitted(&law)))
 }
 
 /// The answer of `laws`.
-pub fn laws_reply() -> Reply<Value> {
+pub fn laws_reply(own: Option<Law<f64>>) -> Reply<Value> {
     let range = |range: Option<[f64; 2]>| {
         range.map(|[low, high]| json!({ "low": json::number(Some(low)), "high": json::number(Some(high)) }))
     };
@@ -34,11 +34,11 @@ pub fn laws_reply() -> Reply<Value> {
             },
         })
     };
-    Reply::done("laws", vec![], json!({ "laws": all().map(one).collect::<Vec<_>>() }))
+    Reply::done("laws", vec![], json!({ "laws": all(own).map(one).collect::<Vec<_>>() }))
 }
 
 /// The laws as text: who published each, its formula, and below it the range, the ball and the source.
-pub fn laws_text(system: System) -> String {
+pub fn laws_text(own: Option<Law<f64>>, system: System) -> String {
     let one = |(law, published, fitted): (Law<f64>, Published, Fitted)| {
         let year = published.year.map_or(String::new(), |year| format!(" {year}"));
         let default = if law.name() == Law::default().name() { " (default)" } else { "" };
@@ -53,7 +53,7 @@ pub fn laws_text(system: System) -> String {
             + &note(&format!("ball: {}", published.ball.unwrap_or("not stated")))
             + &note(&format!("source: {}", published.source))
     };
-    let laws: Vec<String> = all().map(one).collect();
+    let laws: Vec<String> = all(own).map(one).collect();
     laws.join("\n")
         + "\n  choose one with '--set aero.law=NAME'; 'longdrive parameters' lists the coefficients\n  \
            or your own table with '--set aero.table=mine.csv'; 'longdrive plot laws -o laws.svg' draws them\n"

@@ -18,6 +18,8 @@ mod mae494;
 mod optimum;
 pub mod page;
 mod parameters;
+#[cfg(feature = "parquet")]
+mod parquet;
 pub mod plot;
 mod presets;
 mod published;
@@ -39,7 +41,7 @@ pub use chart::{ChartPointReport, ChartReport, chart_csv, chart_text};
 pub use compare::{ComparisonReport, DifferenceReport, comparison_text, difference_text};
 pub use delivery::{delivered_text, deliveries_text, delivery_reply, delivery_toml};
 pub use document::Document;
-pub use drive::{DriveReport, drive_text, known_within};
+pub use drive::{DriveReport, air_text, drive_text, known_within};
 pub use effects::{EffectsReport, OutcomeEffects, Totals, effects_text};
 pub use gradient::{GradientReport, HessianReport, OutcomeReport, gradient_text};
 pub use laws::{laws_reply, laws_text};
@@ -49,14 +51,18 @@ pub use optimum::{
     ConstraintReport, LocalReport, Multipliers, OptimumReport, iteration_line, optima_text, optimum_text, optimum_toml,
 };
 pub use parameters::{parameters_reply, parameters_text};
+#[cfg(feature = "parquet")]
+pub use parquet::{ParquetGroup, PlacedGroup};
 pub use presets::{presets_reply, presets_text};
 pub use reply::{Empty, Reply};
 pub use sensitivity::{Analysis, AnalysisReport, SensitivityReport, sensitivity_text};
 pub use setup_file::{preset_toml, setup_toml};
+#[cfg(feature = "parquet")]
+pub use shots::ShotParquet;
 pub use shots::{ShotFormat, ShotWriter, ShotsReport, open_connect_answer, shots_text};
 pub use shown::{outcome as outcome_text, stated as parameter_text};
 #[cfg(feature = "parquet")]
-pub use sweep::{ParquetGroup, PlacedGroup, SweepParquet};
+pub use sweep::SweepParquet;
 pub use sweep::{SweepCsv, SweepJsonLines};
 pub use swings::{swings_reply, swings_text, swings_toml};
 pub use uncertainty::{UncertaintyReport, uncertainty_text};

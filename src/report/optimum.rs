@@ -203,10 +203,14 @@ pub fn optimum_text(optimum: &Optimum, system: System) -> String {
     let carry = Outcome::Carry.value(drive).map(|carry| row("carry", &shown::both(Outcome::Carry, carry, system)));
     let objective =
         (of != Outcome::Carry).then(|| row(&format!("{} ", shown::words(of.name())), &shown::both(of, value, system)));
+    // what is sought of the run is told with the rest of it
+    let run = [Outcome::Total, Outcome::Run].into_iter().filter(|other| of.is_of_the_run() && *other != of);
+    let run = run.filter_map(|other| Some(row(other.name(), &shown::both(other, other.value(drive)?, system))));
     format!(
-        "{ending}\n{place}\n{}{}{}{}",
+        "{ending}\n{place}\n{}{}{}{}{}",
         objective.unwrap_or_default(),
         carry.unwrap_or_default(),
+        run.collect::<String>(),
         row("launch", &line(launch)),
         row("flight", &line(flight))
     )

@@ -36,8 +36,12 @@ fn cell(text: &str, separator: u8) -> (Cow<'_, str>, Option<&str>) {
         let end = up_to_separator(after);
         // what stands between the quote and the separator belongs to the cell
         let more = after[..end.unwrap_or(after.len())].trim_end();
+        let after = end.map(|end| &after[end + 1..]);
+        if more.is_empty() && from == 0 {
+            return (inner.trim().into(), after);
+        }
         let whole = format!("{}{more}", inner.replace("\"\"", "\""));
-        return (whole.trim().to_owned().into(), end.map(|end| &after[end + 1..]));
+        return (whole.trim().to_owned().into(), after);
     }
     (quoted.replace("\"\"", "\"").trim().to_owned().into(), None)
 }

@@ -39,8 +39,10 @@ impl Decimals {
 
     /// Whether a number has two meanings, thousands or decimals.
     pub fn is_ambiguous(self, cell: &str) -> bool {
-        let number = without_side(cell);
-        let of = |mark, other| has_thousands(number, mark) && !number.contains(other);
+        let of = |mark, other| {
+            let number = without_side(cell);
+            has_thousands(number, mark) && !number.contains(other)
+        };
         match self {
             Self::Point => false,
             Self::Comma => of('.', ','),

@@ -9,7 +9,7 @@ use crate::columns::{CONDITIONS, Stated, conditions, contradiction, is_straight_
 use crate::drive::Outcome;
 
 /// Conditions of which the spin's origin is told in a column of its own.
-const OF_SPIN: [Outcome; 4] = [Outcome::Spin, Outcome::Backspin, Outcome::Sidespin, Outcome::SpinAxis];
+pub(super) const OF_SPIN: [Outcome; 4] = [Outcome::Spin, Outcome::Backspin, Outcome::Sidespin, Outcome::SpinAxis];
 
 impl ExportHead {
     /// The shot of a record.
@@ -34,6 +34,7 @@ impl ExportHead {
             return Shot::refused(line, text.clone(), refusal);
         }
         let mut shot = self.of_cells(&row);
+        shot.has_cells_of_head = row.len() == self.heads.len();
         (shot.line, shot.text) = (line, text);
         shot
     }
@@ -77,8 +78,7 @@ impl ExportHead {
         };
         shot.club = Club { speed: club(0), attack_angle: club(1), path: club(2), face_angle: club(3) };
         shot.condition = self.condition.map(|at| cell(at).to_owned()).filter(|text| !text.is_empty());
-        shot.is_normalized =
-            shot.condition.as_ref().filter(|text| text.to_lowercase().contains("normali")).map(|_| true);
+        shot.is_normalized = shot.condition.as_ref().filter(|text| says_normalized(text)).map(|_| true);
         let stated = of_conditions(|of| shot.value(of).map(|value| value.value));
         shot.point = wrong.map_or_else(|| self.point(&stated, row), Err);
         tell(&mut shot, &stated, |of| self.name_of(of));
@@ -108,6 +108,12 @@ impl ExportHead {
         }
         Ok(point)
     }
+}
+
+/// Whether a remark on the conditions says that values are normalized.
+fn says_normalized(text: &str) -> bool {
+    let word = b"normali";
+    text.as_bytes().windows(word.len()).any(|at| at.eq_ignore_ascii_case(word))
 }
 
 /// The launch that these conditions make.

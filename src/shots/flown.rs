@@ -3,7 +3,7 @@
 use super::shot::Shot;
 use crate::batch::{Block, Status};
 use crate::columns::is_sideways;
-use crate::drive::Outcome;
+use crate::drive::{Beyond, Outcome};
 
 /// Shots that were flown, or that could not be.
 #[derive(Clone, Debug)]
@@ -13,12 +13,19 @@ pub struct Flown {
     /// The row of each in the block.
     flights: Vec<Option<usize>>,
     block: Block,
+    is_on_their_ground: bool,
 }
 
 impl Flown {
     /// The shots with what was found of them; `flights` has the row of each in the block.
-    pub(super) fn new(of: &[Outcome], shots: Vec<Shot>, flights: Vec<Option<usize>>, block: Block) -> Self {
-        Self { of: of.to_vec(), shots, flights, block }
+    pub(super) fn new(
+        of: &[Outcome],
+        shots: Vec<Shot>,
+        flights: Vec<Option<usize>>,
+        block: Block,
+        is_on_their_ground: bool,
+    ) -> Self {
+        Self { of: of.to_vec(), shots, flights, block, is_on_their_ground }
     }
 
     /// How many there are.
@@ -46,9 +53,9 @@ impl Flown {
         self.status(row).map_or("refused", Status::name)
     }
 
-    /// Whether the law was not fitted to the launch of a row that landed.
-    pub fn is_beyond_law(&self, row: usize) -> bool {
-        self.flights[row].is_some_and(|flight| self.block.beyond(flight).law)
+    /// What the drive of a row that landed lies beyond.
+    pub fn beyond(&self, row: usize) -> Beyond {
+        self.flights[row].map(|flight| self.block.beyond(flight)).unwrap_or_default()
     }
 
     /// Why a row has no outcome.
@@ -69,10 +76,11 @@ impl Flown {
     }
 
     /// Predicted − measured, SI, where the row has a value to compare with. Nothing sideways is compared where the direction or the spin axis is
-    /// assumed.
+    /// assumed, and nothing of the run on ground that is not said to be that of the shots.
     pub fn residual(&self, row: usize, outcome: usize) -> Option<f64> {
         let (of, shot) = (self.of[outcome], &self.shots[row]);
-        if is_sideways(of) && shot.is_straight_by_assumption {
+        let has_no_ground = of.is_of_the_run() && !self.is_on_their_ground;
+        if has_no_ground || is_sideways(of) && shot.is_straight_by_assumption {
             return None;
         }
         Some(self.predicted(row, outcome)? - shot.value(of)?.value)

@@ -16,6 +16,8 @@ use std::sync::atomic::Ordering;
 #[derive(Clone, Debug)]
 pub struct Flying {
     batch: Batch,
+    /// Whether the ground is that of the shots, so that what was measured of their run is compared.
+    is_on_their_ground: bool,
 }
 
 /// The launches that the method and the step of the flights are chosen for, whatever the table has: a drive beyond them that this step does
@@ -52,7 +54,7 @@ impl Flying {
             let source = "it is of the launch, which each row gives; name outcomes of the flight".into();
             return Err(Error::Unreadable { name: of_launch.name().into(), source });
         }
-        Ok(Self { batch: Batch::new(setup, parameters, of, &[])? })
+        Ok(Self { batch: Batch::new(setup, parameters, of, &[])?, is_on_their_ground: false })
     }
 
     /// The ranges of the launches that a method and a step are to be chosen for.
@@ -71,7 +73,13 @@ impl Flying {
     /// As [`Batch::with_largest_defect`].
     #[must_use]
     pub fn with_largest_defect(self, defect: f64) -> Self {
-        Self { batch: self.batch.with_largest_defect(defect) }
+        Self { batch: self.batch.with_largest_defect(defect), ..self }
+    }
+
+    /// The same on ground that is said to be that of the shots: total, run and lateral total are compared too.
+    #[must_use]
+    pub fn on_their_ground(self) -> Self {
+        Self { is_on_their_ground: true, ..self }
     }
 
     /// The outcomes.
@@ -128,6 +136,6 @@ impl Flying {
             }
         }
         let block = self.batch.evaluate(0, points);
-        Flown::new(self.outcomes(), shots, flights, block)
+        Flown::new(self.outcomes(), shots, flights, block, self.is_on_their_ground)
     }
 }

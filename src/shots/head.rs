@@ -4,7 +4,7 @@ use super::cells::cells;
 use super::decimals::Decimals;
 use super::lines::Lines;
 use super::maker::maker;
-use super::shot::{Further, LAUNCH, Origin};
+use super::shot::{Club as ClubOfShot, Further, LAUNCH, Origin};
 use super::table::Table;
 use crate::columns::{Club, Column, Format, Head, Holds, Spin, is_export, nearest_head, separated, split_unit, words};
 use crate::drive::Outcome;
@@ -46,14 +46,12 @@ pub(super) struct ExportHead {
     pub remarks: Vec<Message>,
 }
 
-/// The columns of the club, in the order of [`ExportHead::club`].
-const CLUB: [&str; 4] = ["swing.speed", "swing.attack_angle", "swing.path", "swing.face_angle"];
 /// The units of heads that state none, of an export: those of the makers' applications in the US.
 const UNSTATED: [(Quantity, &str); 4] =
     [(Quantity::SPEED, "mph"), (Quantity::LENGTH, "yd"), (Quantity::ANGULAR_VELOCITY, "rpm"), (Quantity::TIME, "s")];
 
 /// The separator and the number of the line that the head is, in the beginning of a text.
-fn found(beginning: &str) -> Option<(u8, usize)> {
+pub(super) fn found(beginning: &str) -> Option<(u8, usize)> {
     let mut stated = None;
     let mut first = None;
     let lines = beginning.split(['\n', '\r']).filter(|line| !line.is_empty());
@@ -121,6 +119,14 @@ impl ExportHead {
         }
         let is_export = read.format.is_export;
         let mut columns: Vec<Column> = read.columns;
+        if is_export {
+            for (at, column) in columns.iter_mut().enumerate().filter(|(_, column)| column.is_unknown()) {
+                let unit = read_units(units.as_deref(), at);
+                if let Some(total) = total(setup, &column.head, &heads[at], unit, read.format)? {
+                    *column = total;
+                }
+            }
+        }
         let (mut unstated, mut in_degrees) = (vec![], vec![]);
         if is_export {
             for column in &mut columns {
@@ -184,16 +190,11 @@ impl ExportHead {
             }
             // beside a launch the club is left out of a table
             Holds::Note | Holds::Input(_) => {
-                let below = self
-                    .units
-                    .as_ref()
-                    .and_then(|units| units.get(at))
-                    .map(|unit| unit.trim_matches(['[', ']', '(', ')']));
-                let below = below.filter(|unit| !unit.is_empty());
+                let below = read_units(self.units.as_deref(), at);
                 let format = Format { is_export: self.is_export, has_decimal_comma: self.separator != b',' };
                 let Ok(again) = Column::read(setup, &self.heads[at], below, format) else { return Ok(()) };
                 if let Holds::Input(parameter) = again.holds
-                    && let Some(club) = CLUB.iter().position(|name| *name == parameter.name)
+                    && let Some(club) = ClubOfShot::NAMES.iter().position(|name| *name == parameter.name)
                     && self.club[club].is_none()
                     && (again.in_unit("mph").check_unit().is_ok())
                 {
@@ -206,7 +207,7 @@ impl ExportHead {
         Ok(())
     }
 
-    fn has(&self, of: Outcome) -> bool {
+    pub fn has(&self, of: Outcome) -> bool {
         self.read.iter().any(|read| read.of == of)
     }
 
@@ -283,6 +284,34 @@ impl ExportHead {
     pub fn name_of(&self, of: Outcome) -> String {
         self.read.iter().find(|read| read.of == of).map_or(of.name().into(), |read| read.column.head.clone())
     }
+}
+
+/// The unit of a column in the line below the head, without brackets.
+fn read_units(units: Option<&[String]>, at: usize) -> Option<&str> {
+    let unit = units?.get(at)?.trim_matches(['[', ']', '(', ')']);
+    (!unit.is_empty()).then_some(unit)
+}
+
+/// Heads of where the ball comes to rest, and what they are: `calibrate` does not read them, since the ground is not known.
+const TOTALS: [(&str, Outcome); 8] = [
+    ("total", Outcome::Total),
+    ("total distance", Outcome::Total),
+    ("total length", Outcome::Total),
+    ("est total flat length", Outcome::Total),
+    ("total side", Outcome::LateralTotal),
+    ("side total", Outcome::LateralTotal),
+    ("total deviation distance", Outcome::LateralTotal),
+    ("est total flat side", Outcome::LateralTotal),
+];
+
+/// The column of a total, where its head is one.
+fn total(setup: &Setup<f64>, name: &str, head: &str, below: Option<&str>, format: Format) -> Result<Option<Column>> {
+    let plain = words(name);
+    let Some((_, of)) = TOTALS.iter().find(|(known, _)| *known == plain) else { return Ok(None) };
+    let unit = split_unit(head).1.map_or(String::new(), |unit| format!(" [{unit}]"));
+    let mut column = Column::read(setup, &format!("{}{unit}", of.name()), below, format)?;
+    column.head = name.into();
+    Ok(Some(column))
 }
 
 /// How the values of a column came about, where its head says so: `Est. Total Flat`, `Carry (Sim)`.

@@ -44,7 +44,9 @@ mod shot;
 mod sizes;
 mod source;
 mod table;
+mod tabled;
 mod tally;
+mod written;
 
 pub(crate) use cells::quoted;
 pub use flown::Flown;
@@ -53,4 +55,5 @@ pub use objects::{Objects, Piece};
 pub use shot::{Club, Origin, Refusal, Shot, Value};
 pub(crate) use sizes::size;
 pub use source::{Export, Layout, Shots};
+pub(crate) use tabled::tabled;
 pub use tally::{BANDS, Band, FLOOR, Refused, Sums, Tally};

@@ -1,10 +1,11 @@
 //! A message of GSPro Open Connect as a shot.
 
-use super::export::{launch, tell};
+use super::export::{OF_SPIN, launch, tell};
 use super::objects::Piece;
 use super::plausible::implausible;
-use super::shot::{Club, Refusal, Shot, Value, of_conditions};
+use super::shot::{Club, Origin, Refusal, Shot, Value, of_conditions};
 use super::sizes::size;
+use super::written;
 use crate::drive::Outcome;
 use crate::error::nearest;
 use crate::units::Quantity;
@@ -51,6 +52,14 @@ fn number(of: &Map<String, Json>, group: &str, key: &str) -> Result<Option<f64>,
     }
 }
 
+/// How a value came about, where `fly` wrote the message: of the spin in whatever form it was stated.
+fn origin(message: &Map<String, Json>, of: Outcome) -> Option<Origin> {
+    let origins = message.get("Flight")?.get("Origins")?;
+    let spins: &[Outcome] = if OF_SPIN.contains(&of) { &OF_SPIN } else { &[] };
+    let named = [of].iter().chain(spins).find_map(|of| origins.get(of.name()));
+    Origin::read(named?.as_str()?)
+}
+
 /// A key of the ball that is spelled almost like one that is missing.
 fn near(ball: &Map<String, Json>, key: &str) -> String {
     let unknown = ball.keys().filter(|other| BALL.iter().all(|(known, _)| known != other));
@@ -93,6 +102,9 @@ fn told(error: &serde_json::Error) -> String {
 }
 
 fn fill(shot: &mut Shot, message: &Map<String, Json>) -> Result<(), Refusal> {
+    if written::is_written(message) {
+        return written::fill(shot, message);
+    }
     let is = |key: &str| message.get("ShotDataOptions").and_then(|options| options.get(key)).and_then(Json::as_bool);
     let none = |why: &str| Err(Refusal::new(Refusal::NO_BALL, why));
     if is("IsHeartBeat") == Some(true) {
@@ -103,11 +115,6 @@ fn fill(shot: &mut Shot, message: &Map<String, Json>) -> Result<(), Refusal> {
     }
     let ball = match message.get("BallData") {
         Some(Json::Object(ball)) => ball,
-        None | Some(Json::Null) if ["stated", "predicted"].iter().all(|key| message.contains_key(*key)) => {
-            let reason = "it is a line that 'fly' wrote as JSON lines, which it does not read again; fly the file that it was made of, or \
-                          write --format launch-monitor or open-connect";
-            return Err(Refusal::new(Refusal::JSON, reason));
-        }
         None | Some(Json::Null) => {
             let reason = "it has no BallData; a shot needs BallData with Speed, VLA and TotalSpin or BackSpin";
             return Err(Refusal::new(Refusal::MISSING, reason));
@@ -130,7 +137,7 @@ fn fill(shot: &mut Shot, message: &Map<String, Json>) -> Result<(), Refusal> {
                     // 0 where it is not sent
                     Some(_) if number == 0.0 => {}
                     Some(reason) => shot.notes.push(format!("not compared: {reason}")),
-                    None => shot.values.push(Value { of, value, origin: None }),
+                    None => shot.values.push(Value { of, value, origin: origin(message, of) }),
                 }
             }
             Ok(None) => {}

@@ -6,7 +6,7 @@ use crate::drive::Outcome;
 use std::sync::LazyLock;
 
 /// The range of a value, in its unit. The fastest ball on record left at 241.7 mph (108 m/s).
-const RANGES: [(Outcome, f64, f64, &str); 13] = [
+const RANGES: [(Outcome, f64, f64, &str); 15] = [
     (Outcome::BallSpeed, 0.0, 270.0, "mph"),
     (Outcome::LaunchAngle, -90.0, 90.0, "deg"),
     (Outcome::LaunchDirection, -90.0, 90.0, "deg"),
@@ -20,16 +20,19 @@ const RANGES: [(Outcome, f64, f64, &str); 13] = [
     (Outcome::FlightTime, 0.0, 20.0, "s"),
     (Outcome::DescentAngle, 0.0, 90.0, "deg"),
     (Outcome::LandingSpeed, 0.0, 270.0, "mph"),
+    (Outcome::Total, 0.0, 800.0, "yd"),
+    (Outcome::LateralTotal, -800.0, 800.0, "yd"),
 ];
 
 /// Values that are above the lower end of their range: a 0 says that nothing was measured.
-const ABOVE: [Outcome; 6] = [
+const ABOVE: [Outcome; 7] = [
     Outcome::BallSpeed,
     Outcome::Spin,
     Outcome::CarryDistance,
     Outcome::ApexHeight,
     Outcome::FlightTime,
     Outcome::DescentAngle,
+    Outcome::Total,
 ];
 
 /// The ranges in SI; the end of one that does not contain it is moved by nothing, any other by the rounding of a unit.

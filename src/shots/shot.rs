@@ -60,6 +60,16 @@ pub struct Club {
     pub face_angle: Option<f64>,
 }
 
+impl Club {
+    /// The parameters that its values are of, in their order.
+    pub const NAMES: [&'static str; 4] = ["swing.speed", "swing.attack_angle", "swing.path", "swing.face_angle"];
+
+    /// Its values, in the order of the names.
+    pub fn values(&self) -> [Option<f64>; 4] {
+        [self.speed, self.attack_angle, self.path, self.face_angle]
+    }
+}
+
 /// Why a row is not flown.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Refusal {
@@ -79,6 +89,7 @@ impl Refusal {
     pub(super) const QUOTE: &'static str = "quote not closed";
     pub(super) const JSON: &'static str = "not JSON";
     pub(super) const NO_BALL: &'static str = "no ball data";
+    pub(super) const BEFORE: &'static str = "refused before";
 
     /// Whether the row is a message that is no shot, such as a heartbeat.
     pub fn is_no_shot(&self) -> bool {
@@ -119,6 +130,8 @@ pub struct Shot {
     /// Whether its direction or the tilt of its spin is assumed, so that nothing sideways can be compared.
     pub is_straight_by_assumption: bool,
     pub(super) point: Result<Point, Refusal>,
+    /// Whether it has a cell for each column of its table, and none beyond.
+    pub(crate) has_cells_of_head: bool,
 }
 
 impl Shot {
@@ -134,12 +147,18 @@ impl Shot {
             notes: vec![],
             is_straight_by_assumption: false,
             point: Err(refusal),
+            has_cells_of_head: false,
         }
     }
 
     /// The launch: ball speed, launch angle, launch direction, backspin and sidespin, SI.
     pub fn launch(&self) -> Option<&[f64]> {
         self.point.as_ref().ok().map(|point| &point[..LAUNCH.len()])
+    }
+
+    /// The values of further parameters that its table has, SI.
+    pub fn further(&self) -> &[f64] {
+        self.point.as_ref().map_or(&[], |point| &point[LAUNCH.len()..])
     }
 
     /// Why it cannot be flown.

@@ -6,7 +6,9 @@ use super::objects::{Objects, Piece};
 use super::open_connect;
 use super::shot::{LAUNCH, Shot};
 use super::table::Table;
+use super::tabled::is_json;
 use crate::columns::decoded;
+use crate::drive::Outcome;
 use crate::error::Result;
 use crate::parameters::{Parameter, Setup};
 use crate::units::Message;
@@ -108,15 +110,7 @@ impl Shots {
         table.io((&mut source).take(BEGINNING).read_to_end(&mut beginning))?;
         let text = String::from_utf8_lossy(&beginning).into_owned();
         let source = Cursor::new(beginning).chain(source);
-        let is_json = {
-            let mut characters = text.chars().filter(|c| !c.is_whitespace());
-            match characters.next() {
-                Some('{') => true,
-                Some('[') => matches!(characters.next(), None | Some('{' | ']')),
-                _ => false,
-            }
-        };
-        if is_json {
+        if is_json(&text) {
             let parameters = LAUNCH.iter().map(|name| setup.parameter(name)).collect::<Result<_>>()?;
             let rows = Rows::Objects(Box::new(source), Objects::default(), table);
             return Ok(Self { layout: Layout::OpenConnect, rows, parameters });
@@ -151,6 +145,11 @@ impl Shots {
     /// The parameters that each row has a value of: a launch, and what further columns give.
     pub fn parameters(&self) -> &[&'static Parameter] {
         &self.parameters
+    }
+
+    /// Whether its rows may state this outcome.
+    pub fn has(&self, of: Outcome) -> bool {
+        matches!(&self.layout, Layout::Export(export) if export.head.has(of))
     }
 
     /// Those of them that are no launch conditions.

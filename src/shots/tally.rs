@@ -3,7 +3,7 @@
 use super::flown::Flown;
 use super::shot::{Origin, Refusal};
 use crate::batch::Status;
-use crate::drive::{Beyond, BeyondCount, Outcome};
+use crate::drive::{BeyondCount, Outcome};
 use std::collections::BTreeMap;
 
 /// The ends of the bands of ball speed, mph.
@@ -14,11 +14,12 @@ const MPH: f64 = 0.44704;
 
 /// What two instruments differ by on the same drives: the standard deviation of the differences of a TrackMan 4 and a FlightScope Mevo+ on 58
 /// drives (Bliss & Langdown 2026), in the unit.
-pub const FLOOR: [(Outcome, f64, &str); 4] = [
+pub const FLOOR: [(Outcome, f64, &str); 5] = [
     (Outcome::CarryDistance, 6.72, "yd"),
     (Outcome::Lateral, 10.7, "yd"),
     (Outcome::ApexHeight, 12.3, "ft"),
     (Outcome::DescentAngle, 3.9, "deg"),
+    (Outcome::Spin, 513.0, "rpm"),
 ];
 
 /// Sums of residuals, SI.
@@ -147,7 +148,7 @@ impl Tally {
             }
             if flown.status(row) == Some(Status::Landed) {
                 self.flown += 1;
-                self.beyond.add(Beyond { law: flown.is_beyond_law(row), face: false });
+                self.beyond.add(flown.beyond(row));
             }
             let Some(speed) = shot.launch().map(|launch| launch[0]) else { continue };
             let band = BANDS.iter().filter(|end| speed >= **end * MPH).count();

@@ -47,18 +47,19 @@ impl Chart {
     pub fn warnings(&self) -> Vec<Message> {
         let Some(first) = self.points.first() else { return vec![] };
         let mut count = BeyondCount::default();
-        let (mut law, mut face) = (Reach::NONE, Reach::NONE);
+        let (mut law, mut face, mut flat) = (Reach::NONE, Reach::NONE, Reach::NONE);
         for ChartPoint { at, best, .. } in &self.points {
             if let Some(drive) = &best.drive {
-                let beyond = drive.beyond(&best.setup, Looked::AtFlight);
+                let beyond = drive.beyond(&best.setup, Looked::AtFlight, &best.search.outcomes());
                 count.add(beyond);
                 law.add(*at, beyond.law);
                 face.add(*at, beyond.face);
+                flat.add(*at, beyond.flat);
             }
         }
         let warnings = count.warnings(&first.best.setup.law, ["optimum", "optima"], Looked::AtFlight);
         // in their order, those that there are
-        let reaches = [law, face].into_iter().filter(|reach| reach.low <= reach.high);
+        let reaches = [law, face, flat].into_iter().filter(|reach| reach.low <= reach.high);
         warnings.into_iter().zip(reaches).map(|(warning, reach)| reach.told(warning, &self.along)).collect()
     }
 }

@@ -39,6 +39,7 @@ mod reproduce;
 #[path = "../schema/mod.rs"]
 mod schema;
 mod shots;
+mod shots_again;
 mod shots_stated;
 mod smoothness;
 mod sweep;

@@ -1,5 +1,8 @@
 //! The presets of averages beside the averages that are published: `docs/sources.md` says what of each is chosen to agree.
 
+use longdrive::optimize::Observer;
+use longdrive::parameters::Vary;
+use longdrive::study::{Search, optimum};
 use longdrive::{Drive, Outcome, Setup};
 
 const MPH: f64 = 0.44704;
@@ -54,6 +57,62 @@ fn published_average_of_the_pga_tour_is_met_by_its_preset() {
 #[test]
 fn published_average_of_the_lpga_tour_is_met_by_its_preset() {
     LPGA.hold();
+}
+
+/// TrackMan's chart states the loft at impact: with it the club that strikes as the chart's has its ball, whatever flies it. The
+/// difference to the average of the PGA TOUR is one of the impact.
+#[test]
+fn published_impacts_of_trackmans_chart_are_those_of_the_club_of_the_lpga_average() {
+    let rows = include_str!("../data/trackman_chart_impacts.csv").lines().filter(|line| !line.starts_with('#')).skip(1);
+    let mut count = 0;
+    for row in rows {
+        let cells: Vec<f64> = row.split(',').map(|cell| cell.parse().unwrap()).collect();
+        let [speed, attack, loft, ball, launch, spin] = cells[..] else { panic!("{row}") };
+        let struck = |preset: &str| {
+            let mut setup = Setup::preset(preset).unwrap();
+            (setup.swing.shaft_bend, setup.swing.shaft_growth) = (None, None);
+            (setup.swing.speed, setup.swing.attack_angle) = (speed * MPH, attack * DEGREE);
+            // loft at impact: club.loft + attack angle, and above the sweet spot what the roll adds
+            setup.club.loft = (loft - attack) * DEGREE - setup.strike.high / setup.club.roll_radius;
+            let drive = Drive::new(&setup).unwrap();
+            [(Outcome::BallSpeed, MPH), (Outcome::LaunchAngle, DEGREE), (Outcome::Spin, RPM)]
+                .map(|(of, unit)| of.value(&drive).unwrap() / unit)
+        };
+        let ours = struck("lpga-average");
+        assert!((ours[0] / ball - 1.0).abs() < 0.01 && (ours[1] - launch).abs() < 0.5, "{row}: {ours:?}");
+        assert!((ours[2] / spin - 1.0).abs() < 0.03, "{row}: {ours:?}");
+        let less = 1.0 - struck("tour-average")[2] / spin;
+        assert!((0.17..0.30).contains(&less), "{row}: {less}");
+        count += 1;
+    }
+    assert_eq!(count, 60);
+}
+
+/// The rows of longest carry in TrackMan's chart: at the loft of its longest carry the preset is the chart's within 1° of launch angle, 250 rpm and
+/// 2 % of carry, on average over the 30 rows.
+#[test]
+fn published_optima_of_trackmans_chart_are_met_by_the_lpga_average() {
+    let rows =
+        include_str!("../data/trackman_optimal_driver.csv").lines().filter(|line| line.starts_with("best carry"));
+    let (mut off, mut count) = ([0.0; 3], 0.0);
+    for row in rows {
+        let cells: Vec<&str> = row.split(',').collect();
+        let words: Vec<&str> = cells[0].split(' ').collect();
+        let [speed, attack] = [words[3], words[6]].map(|word| word.parse::<f64>().unwrap());
+        let mut setup = Setup::preset("lpga-average").unwrap();
+        (setup.swing.speed, setup.swing.attack_angle) = (speed * MPH, attack * DEGREE);
+        let vary = vec![Vary::read(&setup, "club.loft=0deg..40deg").unwrap()];
+        let search = Search { vary, ..Search::largest(Outcome::CarryDistance) };
+        let drive = optimum(&setup, search, Observer::default()).unwrap().drive.unwrap();
+        let of = |of: Outcome, unit: f64| of.value(&drive).unwrap() / unit;
+        let published: Vec<f64> = cells[2..].iter().map(|cell| cell.parse().unwrap()).collect();
+        off[0] += (of(Outcome::LaunchAngle, DEGREE) - published[0]).abs();
+        off[1] += (of(Outcome::Spin, RPM) - published[1]).abs();
+        off[2] += (of(Outcome::CarryDistance, YARD) / published[2] - 1.0).abs();
+        count += 1.0;
+    }
+    let [launch, spin, carry] = off.map(|sum| sum / count);
+    assert!(count == 30.0 && launch < 1.0 && spin < 250.0 && carry < 0.02, "{launch} deg, {spin} rpm, {carry}");
 }
 
 #[test]

@@ -162,12 +162,3 @@ fn the_condition_of_a_shot_is_written_and_known_heads_are_no_slips() {
     assert_eq!((tally.normalized, again.2.normalized), (1, 1));
     assert_eq!(again.1[0].shots()[1].condition.as_deref(), Some("Actual"));
 }
-
-#[test]
-fn json_lines_that_are_written_say_that_they_are_not_read_again() {
-    let text = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm]\n160,12,2500\n";
-    let (shots, all, _) = flown(Cursor::new(text));
-    let lines = ShotWriter::new(ShotFormat::JsonLines, &shots, &[Outcome::CarryDistance], System::Us).rows(&all[0]);
-    let reason = rows(&String::from_utf8(lines).unwrap()).reason(0).unwrap().to_owned();
-    assert!(reason.contains("JSON lines, which it does not read again"), "{reason}");
-}

@@ -2,13 +2,14 @@
 
 use crate::command_line::{json, longdrive};
 use crate::common::{close, number};
+use longdrive::report::plot::{Look, figure_svg};
 use longdrive::report::validation_document;
 use longdrive::study::validation::{Compared, SCATTER, SetScores, validation};
 use longdrive::units::System;
 use serde_json::Value;
 use std::sync::LazyLock;
 
-static FOUND: LazyLock<Vec<SetScores>> = LazyLock::new(|| validation().unwrap());
+static FOUND: LazyLock<Vec<SetScores>> = LazyLock::new(|| validation(None).unwrap());
 
 fn set(name: &str) -> &'static SetScores {
     FOUND.iter().find(|set| set.set.name == name).unwrap()
@@ -23,7 +24,7 @@ fn differences(of: &SetScores, law: &str, compared: Compared) -> Vec<f64> {
 #[test]
 fn exact_number_of_published_drives_of_every_set() {
     let counts: Vec<_> = FOUND.iter().map(|set| (set.set.name, set.cases.len())).collect();
-    let chart = ["chart-optima", "chart-optima-centred", "chart-optima-rolling"].map(|name| (name, 30));
+    let chart = ["chart-optima", "chart-optima-centred", "chart-optima-impact"].map(|name| (name, 30));
     let expected = [("pga-driver", 3), ("lpga-driver", 2), ("pga-radar", 5), ("pga-clubs", 22), ("lpga-clubs", 20)];
     let others = [("robots", 5), ("altitude", 7), ("altitude-alone", 7), ("face-to-path", 4), ("chart-launches", 60)];
     assert_eq!(counts, [&expected[..], &others, &chart, &[("simulations", 8)]].concat());
@@ -103,26 +104,21 @@ fn independent_mean_of_scattered_drives_is_that_of_uncertainty() {
     close(law.averaged.unwrap() - law.scores[0].bias().unwrap(), less, 1.0, 1e-4, "averaging");
 }
 
+/// The chart's bounds on average: 1° of launch angle, 250 rpm, 2 % of carry. `published.rs` holds the preset to them too.
 #[test]
-fn published_optima_of_trackmans_chart_are_met_in_launch_and_carry_and_missed_in_spin() {
-    let of = set("chart-optima-centred");
-    assert!(differences(of, "launch-monitor", Compared::LaunchAngle).iter().all(|by| by.abs() < 1_f64.to_radians()));
-    for (by, case) in differences(of, "launch-monitor", Compared::Carry).iter().zip(&of.cases) {
-        assert!(by.abs() < 0.02 * case.published(Compared::Carry).unwrap(), "{}: {by} m", case.name);
-    }
-    let spins = differences(of, "launch-monitor", Compared::Spin);
-    let mean = spins.iter().sum::<f64>() / spins.len() as f64 * 60.0 / std::f64::consts::TAU;
-    assert!((-450.0..-350.0).contains(&mean), "the spin is 400 rpm too low, not {mean}");
-    // ferguson with a ball that rolls at exit meets all three on average: 1°, 250 rpm, 2 %
-    let of = set("chart-optima-rolling");
+fn published_optima_of_trackmans_chart_are_met_by_an_impact_like_the_charts() {
+    let of = set("chart-optima-impact");
+    let carries = of.cases.iter().map(|case| case.published(Compared::Carry).unwrap()).sum::<f64>() / 30.0;
     let law = of.laws.iter().find(|law| law.law == "ferguson").unwrap();
     let [carry, launch, spin] = [0, 1, 2].map(|at| law.scores[at].mean_absolute().unwrap());
-    let carries = of.cases.iter().map(|case| case.published(Compared::Carry).unwrap());
-    assert!(
-        carry < 0.02 * carries.sum::<f64>() / 30.0
-            && launch.to_degrees() < 1.0
-            && spin < 250.0 * std::f64::consts::TAU / 60.0
-    );
+    let (launch, spin) = (launch.to_degrees(), spin * 60.0 / std::f64::consts::TAU);
+    assert!(carry < 0.02 * carries && launch < 1.0 && spin < 250.0, "{carry} m, {launch} deg, {spin} rpm");
+    // the default club has too little spin at the impact: its optimum launches as the chart's and spins less
+    let of = set("chart-optima");
+    let of_default = |compared| differences(of, "launch-monitor", compared);
+    let mean = |of: Vec<f64>| of.iter().sum::<f64>() / 30.0;
+    assert!(mean(of_default(Compared::LaunchAngle)).to_degrees().abs() < 1.0);
+    assert!(mean(of_default(Compared::Spin)) * 60.0 / std::f64::consts::TAU < -500.0);
 }
 
 /// What is said of the other clubs is what the table has.
@@ -145,13 +141,27 @@ fn exact_misses_of_the_other_clubs_are_those_of_the_table() {
     }
 }
 
+/// Text, tables and pictures.
 #[test]
-fn the_tables_in_validation_md_are_those_of_the_program() {
-    let file = format!("{}/docs/validation.md", env!("CARGO_MANIFEST_DIR"));
-    let text = std::fs::read_to_string(file).unwrap();
-    let markdown = validation_document(&FOUND, System::Us).markdown().replace("\n## ", "\n### ");
+fn what_validation_md_shows_is_that_of_the_program() {
+    let place = |name: &str| format!("{}/docs/{name}", env!("CARGO_MANIFEST_DIR"));
+    let text = std::fs::read_to_string(place("validation.md")).unwrap();
+    let document = validation_document(&FOUND, System::Us);
+    let markdown = document.markdown().replace("\n## ", "\n### ").replace("](validation-", "](pictures/validation-");
     let (_, body) = markdown.split_once("\n\n").unwrap();
     assert!(text.contains(body), "docs/validation.md should have:\n{body}");
+    let mut figures = vec![];
+    for figure in document.figures() {
+        let svg = figure_svg(figure, &Look::default()).unwrap();
+        let file = place(&format!("pictures/{}.svg", figure.name));
+        if std::env::var_os("WRITE_PICTURES").is_some() {
+            std::fs::write(&file, &svg).unwrap();
+        }
+        assert!(std::fs::read_to_string(&file).unwrap_or_default() == svg, "{file} is not what validate -o writes");
+        figures.push(figure.name.as_str());
+    }
+    let residuals = ["validation-carry-residuals", "validation-apex", "validation-descent", "validation-spin"];
+    assert_eq!(figures, [&["validation-carry"], &residuals[..]].concat());
 }
 
 #[test]
@@ -160,6 +170,11 @@ fn a_folder_gets_a_page_and_markdown_and_two_formats_are_refused() {
     let place = folder.path().join("validation").display().to_string();
     let said = longdrive(&["validate", "-o", &place, "--units", "metric"]);
     assert!(said.status == 0 && said.out.contains("lengths in m,"), "{}", said.err);
+    let folder_of = folder.path().join("validation");
+    let data = std::fs::read_to_string(folder_of.join("validation-spin.csv")).unwrap();
+    // 30 optima of each law
+    assert_eq!(data.lines().filter(|line| line.contains("ferguson")).count(), 30);
+    assert!(folder_of.join("validation-carry.svg").exists());
     for file in ["index.html", "report.md"] {
         let text = std::fs::read_to_string(folder.path().join("validation").join(file)).unwrap();
         assert!(text.contains("launch-monitor") && !text.contains("NaN"), "{file}");
@@ -169,4 +184,48 @@ fn a_folder_gets_a_page_and_markdown_and_two_formats_are_refused() {
     assert_eq!(said.status, 2, "{}", said.out);
     let answer: Value = serde_json::from_str(&said.out).unwrap();
     assert_eq!(answer["command"], "validate");
+}
+
+#[test]
+fn a_name_that_ends_in_csv_gets_the_rows_and_other_files_are_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let place = |name: &str| folder.path().join(name).display().to_string();
+    let said = longdrive(&["validate", "-o", &place("v.csv")]);
+    assert_eq!(said.status, 0, "{}", said.err);
+    let rows = std::fs::read_to_string(place("v.csv")).unwrap();
+    assert_eq!(rows, longdrive(&["validate", "--csv"]).out);
+    assert_eq!(longdrive(&["validate", "-o", &place("v.csv")]).status, 2);
+    for command in [&["validate"][..], &["reproduce", "winfield-tan"]] {
+        let said = longdrive(&[command, &["-o", &place("page.html")]].concat());
+        assert!(said.status == 2 && said.err.contains(".html is the ending of a file"), "{}", said.err);
+    }
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
+}
+
+/// A table with the numbers of a law, here no drag and no lift, is compared as the laws are.
+#[test]
+fn ones_own_table_is_compared_and_listed_beside_the_laws() {
+    let folder = tempfile::tempdir().unwrap();
+    let table = folder.path().join("mine.csv");
+    let rows: String = (0..5).map(|i| format!("{},{},{}\n", 0.1 * f64::from(i), 0.2, 0.05 * f64::from(i))).collect();
+    std::fs::write(&table, format!("spin_ratio,cd,cl\n{rows}")).unwrap();
+    let set = format!("aero.table={}", table.display());
+    let (status, found) = json(&["validate", "--set", &set]);
+    assert_eq!(status, 0, "{found}");
+    let laws = found["sets"][0]["laws"].as_array().unwrap();
+    assert_eq!(laws.len(), longdrive::parameters::Law::NAMES.len() + 1);
+    let mine = laws.last().unwrap();
+    assert_eq!(mine["law"], "table");
+    let launch = "ball_speed=171mph,launch_angle=10.4deg,spin=2545rpm";
+    let (_, drive) = json(&["simulate", "modern-driver", "--launch", launch, "--set", &set]);
+    let predicted = number(&mine["scores"]["carry"]["residuals"][0]["predicted"]);
+    close(predicted, number(&drive["flight"]["carry_distance"]), 1.0, 1e-5, "carry");
+    let (_, listed) = json(&["laws", "--set", &set]);
+    assert_eq!(listed["laws"].as_array().unwrap().last().unwrap()["name"], "table");
+    for command in ["laws", "validate"] {
+        for refused in ["aero.law=lyu", "club.loft=9deg", "aero.spin_decay=0.1/s"] {
+            let said = longdrive(&[command, "--set", refused]);
+            assert!(said.status == 2 && said.err.contains("aero.table=mine.csv"), "{refused}: {}", said.err);
+        }
+    }
 }

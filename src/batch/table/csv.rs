@@ -123,9 +123,7 @@ impl Rows for CsvRows {
                 let wrong =
                     |reason| refused(&self.path, format!(", row {}, column {}", self.line, column.head), reason);
                 self.marks.look(self.line, column, cell).map_err(wrong)?;
-                let value = column.value(cell);
-                let value = value.and_then(|value| value.ok_or("the cell is empty; every row needs a value".into()));
-                values.push(value.map_err(wrong)?);
+                values.push(column.value(cell).map_err(wrong)?.unwrap_or(f64::NAN));
             }
             rows += 1;
         }

@@ -1,6 +1,6 @@
 use super::columns::Columns;
-use crate::batch::CHUNK;
 use crate::batch::points::Points;
+use crate::batch::{CHUNK, Status};
 use crate::error::Result;
 use crate::number::Fingerprint;
 use crate::parameters::{Parameter, Vary};
@@ -13,7 +13,7 @@ pub(super) trait Rows {
     /// Goes back to the first row.
     fn rewind(&mut self) -> Result<()>;
 
-    /// As [`Points::read`].
+    /// As [`Points::read`]; NaN stands for a value that is missing.
     fn read(&mut self, most: usize, values: &mut Vec<f64>) -> Result<usize>;
 
     /// What deserves a word, once all rows have been read.
@@ -22,7 +22,10 @@ pub(super) trait Rows {
     }
 }
 
-/// A table of points. All of it is read once when it is opened, so that a value that is missing is told before any work.
+/// So many rows that are no drives are told one by one.
+const TOLD: usize = 5;
+
+/// A table of points. All of it is read once when it is opened, so that what cannot be read is told before any work, and which rows are no drives.
 pub(super) struct Table<R> {
     rows: R,
     count: u64,
@@ -39,6 +42,7 @@ impl<R: Rows> Table<R> {
         let none = |parameter: &&'static Parameter| Vary { parameter, low: f64::INFINITY, high: f64::NEG_INFINITY };
         let mut ranges: Vec<Vary> = rows.columns().parameters.iter().map(none).collect();
         let (mut count, mut fingerprint, mut values) = (0, Fingerprint::new(), vec![]);
+        let (mut row_number, mut told, mut untold) = (0_u64, vec![], 0_u64);
         rows.rewind()?;
         loop {
             match rows.read(CHUNK, &mut values)? {
@@ -46,6 +50,13 @@ impl<R: Rows> Table<R> {
                 more => count += more as u64,
             }
             for row in values.chunks(ranges.len()) {
+                row_number += 1;
+                let wrong = ranges.iter().zip(row).find_map(|(range, value)| wrong(range.parameter, *value));
+                match wrong {
+                    Some(wrong) if told.len() < TOLD => told.push(format!("row {row_number}: {wrong}")),
+                    Some(_) => untold += 1,
+                    None => {}
+                }
                 for (range, value) in ranges.iter_mut().zip(row) {
                     fingerprint.add(*value);
                     if range.parameter.range.contains(*value) {
@@ -56,10 +67,28 @@ impl<R: Rows> Table<R> {
             values.clear();
         }
         ranges.retain(|range| range.low <= range.high);
-        let notes = rows.notes();
+        let mut notes = rows.notes();
+        if untold > 0 {
+            told.push(format!("and {untold} more"));
+        }
+        if !told.is_empty() {
+            let status = Status::OutOfRange;
+            notes.push(format!("rows that are no drives, with the status {status}: {}", told.join("; ")).into());
+        }
         rows.rewind()?;
         Ok(Self { rows, count, ranges, fingerprint, notes, next: 0 })
     }
+}
+
+/// Why a value makes no drive.
+fn wrong(parameter: &'static Parameter, value: f64) -> Option<String> {
+    let name = parameter.name;
+    if value.is_nan() {
+        return Some(format!("{name} is missing"));
+    }
+    let range = || parameter.range.show(parameter.quantity, parameter.unit);
+    let shown = || parameter.show(Some(value));
+    (!parameter.range.contains(value)).then(|| format!("{name} = {} is outside of its range {}", shown(), range()))
 }
 
 impl<R: Rows> Points for Table<R> {

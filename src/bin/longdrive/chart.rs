@@ -12,7 +12,7 @@ use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
 pub fn run(args: &ChartArgs) -> Result<Answer> {
-    let setup = args.question.setup()?;
+    let setup = args.question.setup_varied(args.search.vary.iter().chain([&args.along]))?;
     let search = args.search.search(&setup)?;
     let (along, at) = args.places(&setup)?;
     args.question.refuse_unused(&setup, &[along.parameter], "--along gives its values")?;

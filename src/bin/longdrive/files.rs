@@ -96,6 +96,10 @@ impl Rule {
         let is_new = !path.exists();
         if !path.is_dir() {
             in_a_folder(path)?;
+            if let Some(ending) = ending_of_a_file(path) {
+                let reason = format!("this is to be a folder, and .{ending} is the ending of a file; name a folder");
+                return Err(refused(path, &reason));
+            }
             fs::create_dir(path).map_err(|error| unwritable(path, &error))?;
         }
         let folder = Folder { path: path.into(), rule: self.clone() };
@@ -109,6 +113,13 @@ impl Rule {
         }
         Ok(folder)
     }
+}
+
+/// The ending of a name by which files are known that this program writes.
+fn ending_of_a_file(path: &Path) -> Option<String> {
+    let ending = path.extension()?.to_str()?.to_lowercase();
+    let files = ["csv", "html", "json", "jsonl", "md", "parquet", "pdf", "png", "svg", "toml", "txt"];
+    files.contains(&ending.as_str()).then_some(ending)
 }
 
 /// A file that may be written.

@@ -66,7 +66,7 @@ fn main() -> ExitCode {
         Command::Uncertainty(args) => uncertainty::run(args),
         Command::Parameters(args) => parameters::run(args),
         Command::Presets(args) => presets::run(args),
-        Command::Laws(args) => Ok(laws::run(args)),
+        Command::Laws(args) => laws::run(args),
         Command::Completions(args) => completions::run(args),
         Command::Man(args) => man::run(args),
     };

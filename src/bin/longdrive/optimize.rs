@@ -12,7 +12,7 @@ pub fn run(args: &Optimize) -> Result<Answer> {
     if args.swings.is_given() {
         return crate::swings::run(args);
     }
-    let setup = args.question.setup()?;
+    let setup = args.question.setup_varied(&args.search.vary)?;
     let search = args.search.search(&setup)?;
     let setup = args.question.for_many(setup, &search.vary)?;
     let output = args.destination()?;

@@ -16,7 +16,7 @@ pub fn run(args: &OptimumSensitivity) -> Result<Answer> {
         let source = "the sensitivity of an optimum is that of one drive; leave it out, or use \"optimize\"";
         return Err(Error::Unreadable { name: "--swings or --distribution".into(), source: source.into() });
     }
-    let setup = question.setup()?;
+    let setup = question.setup_varied(&search.vary)?;
     let search = search.search(&setup)?;
     let setup = question.for_many(setup, &search.vary)?;
     let wrt = variables(&setup, &args.wrt, &search.outcomes())?;

@@ -55,7 +55,7 @@ fn trajectory(args: &PlotTrajectory) -> Result<Answer> {
 
 fn contour(args: &PlotContour) -> Result<Answer> {
     let target = Target::new(&args.question, &args.drawing)?;
-    let setup = args.question.setup()?;
+    let setup = args.question.setup_varied(&args.search.vary)?;
     let search = args.search.search(&setup)?;
     let setup = args.question.for_many(setup, &search.vary)?;
     let spinner = spinner("computing the map");
@@ -108,7 +108,7 @@ pub fn limits(around: &Setup<f64>, search: &Search) -> Result<Vec<(Constraint, M
 
 fn along(args: &PlotChart) -> Result<Answer> {
     let target = Target::new(&args.question, &args.drawing)?;
-    let setup = args.question.setup()?;
+    let setup = args.question.setup_varied(args.search.vary.iter().chain([&args.along]))?;
     let search = args.search.search(&setup)?;
     let along = Vary::read(&setup, &args.along)?;
     args.question.refuse_unused(&setup, &[along.parameter], "--along gives its values")?;

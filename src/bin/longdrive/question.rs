@@ -1,6 +1,7 @@
-use crate::args::Question;
-use crate::output::{tell, warn_early};
-use longdrive::parameters::{METHOD, PRESETS, Parameter, Preset, SetupFile, TABLE, Vary};
+use crate::args::{OwnLaw, Question};
+use crate::output::{system, tell, warn_early};
+use longdrive::parameters::{Law, METHOD, PRESETS, Parameter, Preset, SetupFile, TABLE, Vary};
+use longdrive::report::parameter_text;
 use longdrive::study::{Accuracy, accuracy};
 use longdrive::units::{Message, Quantity, counted};
 use longdrive::{Error, Outcome, Result, Setup};
@@ -17,10 +18,33 @@ impl Question {
         Ok(setup)
     }
 
+    /// The setup of a search that varies parameters within ranges, `NAME=LOW..HIGH`: one of them without a value begins in the middle.
+    pub fn setup_varied<'a>(&self, ranges: impl IntoIterator<Item = &'a String>) -> Result<Setup<f64>> {
+        let mut setup = self.setup()?;
+        for text in ranges {
+            // what is wrong with it is told where it is read
+            let parameter = text.split_once('=').and_then(|(name, _)| setup.column(name.trim()).ok());
+            let is_unset = |parameter: &&Parameter| !parameter.is_of_launch() && setup.value(parameter).is_none();
+            let Some(parameter) = parameter.filter(is_unset) else { continue };
+            let Vary { low, high, .. } = Vary::read_column(&setup, text)?;
+            let middle = 0.5 * (low + high);
+            setup.set_value(parameter, Some(middle))?;
+            tell(&format!(
+                "note: {} has no value in {}; it begins at {}",
+                parameter.name,
+                self.setup,
+                parameter_text(parameter, middle, system())
+            ));
+        }
+        self.refuse_replaced(&setup, &[])?;
+        setup.validate()?;
+        Ok(setup)
+    }
+
     /// The same where the points may have the rest of a launch.
     pub fn setup_of_points(&self) -> Result<Setup<f64>> {
         let (mut setup, without_unit) = self.base()?;
-        let settings = self.settings()?;
+        let settings = settings(&self.set)?;
         let launch = self.conditions(&setup, &settings)?;
         for (condition, value) in &launch {
             let before = setup.given_launch_conditions();
@@ -55,19 +79,6 @@ impl Question {
         if !read.is_empty() {
             tell(&format!("note: {}: read as SI, without a unit: {}", self.setup, read.join(", ")));
         }
-    }
-
-    /// The names of `--set` with their values, each given once on the command line.
-    fn settings(&self) -> Result<Vec<(&str, &str)>> {
-        let mut all: Vec<(&str, &str)> = vec![];
-        for text in &self.set {
-            let (name, value) = split("--set", text)?;
-            if let Some((_, earlier)) = all.iter().find(|(other, _)| *other == name) {
-                return Err(given_twice(&format!("--set {name}={value}"), &format!("--set {name}={earlier}"), name));
-            }
-            all.push((name, value));
-        }
-        Ok(all)
     }
 
     /// The conditions of `--launch` with their values, each given once on the command line. They come in place of those of the setup.
@@ -139,9 +150,17 @@ impl Question {
         for path in self.setup_file() {
             given.extend(SetupFile::open(path)?.given);
         }
-        given.extend(self.settings()?.into_iter().filter_map(|(name, _)| setup.parameter(name).ok()));
+        given.extend(settings(&self.set)?.into_iter().filter_map(|(name, _)| setup.parameter(name).ok()));
         given.retain(|parameter| setup.value(parameter).is_some());
         setup.refuse_replaced(&given.iter().chain(more).map(|parameter| parameter.name).collect::<Vec<_>>())
+    }
+
+    /// Whether the setup file or `--set` says on which ground the ball runs.
+    pub fn gives_ground(&self) -> Result<bool> {
+        let is_ground = |name: &str| name.starts_with("ground.") && name != "ground.height";
+        let set = settings(&self.set)?.iter().any(|(name, _)| is_ground(name));
+        let files = self.setup_file().map(SetupFile::open).collect::<Result<Vec<_>>>()?;
+        Ok(set || files.iter().flat_map(|file| &file.given).any(|parameter| is_ground(parameter.name)))
     }
 
     /// As [`refuse_twice`](Self::refuse_twice), for parameters that must have a value in the setup before another option gives their values:
@@ -294,6 +313,39 @@ fn given_twice(option: &str, other: &str, what: &str) -> Error {
 }
 
 /// NAME=VALUE.
+/// The names of `--set` with their values, each given once on the command line.
+fn settings(set: &[String]) -> Result<Vec<(&str, &str)>> {
+    let mut all: Vec<(&str, &str)> = vec![];
+    for text in set {
+        let (name, value) = split("--set", text)?;
+        if let Some((_, earlier)) = all.iter().find(|(other, _)| *other == name) {
+            return Err(given_twice(&format!("--set {name}={value}"), &format!("--set {name}={earlier}"), name));
+        }
+        all.push((name, value));
+    }
+    Ok(all)
+}
+
+impl OwnLaw {
+    /// The user's own table, where one is given.
+    ///
+    /// # Errors
+    /// As for a setup; and where anything else is set.
+    pub fn law(&self) -> Result<Option<Law<f64>>> {
+        let settings = settings(&self.set)?;
+        if settings.is_empty() {
+            return Ok(None);
+        }
+        let (mut setup, given) = (Setup::default(), format!("--set {}", self.set.join(" --set ")));
+        setup.set_all(settings)?;
+        setup.validate()?;
+        let is_alone = setup == Setup { law: setup.law, ..Setup::default() };
+        let law = setup.law.table().filter(|_| is_alone).map(|_| setup.law);
+        let advice = "this command takes every law as it is published; --set gives it your own table beside them, and the table's factors: --set aero.table=mine.csv";
+        law.map(Some).ok_or_else(|| Error::Unreadable { name: given, source: advice.into() })
+    }
+}
+
 fn split<'a>(option: &str, text: &'a str) -> Result<(&'a str, &'a str)> {
     text.split_once('=').map(|(name, value)| (name.trim(), value.trim())).ok_or_else(|| {
         let example = if option == "--set" { "club.loft=10.5deg" } else { "ball_speed=167mph" };

@@ -1,7 +1,7 @@
 use crate::args::Simulate;
 use crate::output::{Answer, system, warn};
 use longdrive::flight::Flight;
-use longdrive::report::{DriveReport, drive_text};
+use longdrive::report::{DriveReport, air_text, drive_text};
 use longdrive::{Drive, Outcome, Result};
 
 pub fn run(args: &Simulate) -> Result<Answer> {
@@ -13,7 +13,7 @@ pub fn run(args: &Simulate) -> Result<Answer> {
     let answer = if args.question.json {
         Answer::json(&DriveReport::reply(&setup, &drive, warnings))
     } else {
-        Answer::text(drive_text(&drive, system()))
+        Answer::text(drive_text(&drive, system()) + &air_text(&setup, system()))
     };
     Ok(answer.found(matches!(drive.flight, Flight::Landed(_))))
 }

@@ -1,6 +1,6 @@
 use crate::args::Validate;
 use crate::files::Rule;
-use crate::output::{Answer, system};
+use crate::output::{Answer, system, tell};
 use crate::reproduce::{DOCUMENT, write};
 use longdrive::Result;
 use longdrive::report::plot::Look;
@@ -9,11 +9,19 @@ use longdrive::study::validation::validation;
 
 pub fn run(args: &Validate) -> Result<Answer> {
     let rule = Rule::new([], args.overwrite);
-    let folder = args.output.as_ref().map(|folder| rule.folder(folder, &DOCUMENT)).transpose()?;
-    let found = validation()?;
+    let own = args.own.law()?;
+    let is_csv = |path: &std::path::Path| path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("csv"));
+    let output = args.output.as_deref();
+    let file = output.filter(|path| is_csv(path)).map(|path| rule.file(path)).transpose()?;
+    let folder = output.filter(|path| !is_csv(path)).map(|path| rule.folder(path, &DOCUMENT)).transpose()?;
+    let found = validation(own)?;
     let document = validation_document(&found, system());
     if let Some(folder) = &folder {
         write(folder, &document, &Look { system: system(), ..Look::default() })?;
+    }
+    if let (Some(file), Some(path)) = (&file, output) {
+        file.write(validation_csv(&found)?.as_bytes())?;
+        tell(&format!("wrote {}", path.display()));
     }
     Ok(if args.json {
         Answer::json(&validation_reply(&found))

@@ -116,21 +116,25 @@ impl Copied {
     pub fn row(&self, flown: &Flown, row: usize, bytes: &mut Vec<u8>) {
         let shot = &flown.shots()[row];
         let columns = self.export.heads().len();
-        let cells = self.export.cells(&shot.text);
         let separator = self.added.separator;
         if shot.refusal().is_some_and(|refusal| refusal.is_unreadable()) {
             // as one cell, so that nothing is read under a wrong head
             bytes.extend_from_slice(format!("\"{}\"", shot.text.replace('"', "\"\"")).as_bytes());
             bytes.extend(std::iter::repeat_n(separator, columns - 1));
-        } else if cells.len() == columns {
+        } else if shot.has_cells_of_head {
             bytes.extend_from_slice(shot.text.as_bytes());
         } else {
-            // more cells, all of them empty
-            for (at, cell) in cells.iter().take(columns).enumerate() {
-                if at > 0 {
-                    bytes.push(separator);
+            let cells = self.export.cells(&shot.text);
+            if cells.len() == columns {
+                bytes.extend_from_slice(shot.text.as_bytes());
+            } else {
+                // more cells, all of them empty
+                for (at, cell) in cells.iter().take(columns).enumerate() {
+                    if at > 0 {
+                        bytes.push(separator);
+                    }
+                    self.added.push_text(bytes, cell);
                 }
-                self.added.push_text(bytes, cell);
             }
         }
         bytes.push(separator);

@@ -2,7 +2,7 @@
 
 use super::super::sweep::push_number;
 use crate::drive::Outcome;
-use crate::shots::{Export, Flown, Layout};
+use crate::shots::{Club, Export, Flown, Layout, Shots};
 
 /// The names of the launch, in the order of [`crate::shots::Shot::launch`].
 const LAUNCH: [&str; 5] = ["ball_speed", "launch_angle", "launch_direction", "backspin", "sidespin"];
@@ -11,6 +11,8 @@ const LAUNCH: [&str; 5] = ["ball_speed", "launch_angle", "launch_direction", "ba
 #[derive(Clone, Debug)]
 pub(super) struct Keys {
     of: Vec<Outcome>,
+    /// The further parameters that every row has a value of.
+    further: Vec<&'static str>,
     /// The export, and `"head":` of each of its columns.
     cells: Option<(Export, Vec<String>)>,
 }
@@ -42,8 +44,8 @@ fn numbers<'a>(bytes: &mut Vec<u8>, of: impl Iterator<Item = (&'a str, Option<f6
 }
 
 impl Keys {
-    pub fn new(layout: &Layout, of: &[Outcome]) -> Self {
-        let cells = match layout {
+    pub fn new(shots: &Shots, of: &[Outcome]) -> Self {
+        let cells = match shots.layout() {
             Layout::Export(export) => {
                 let heads = export.heads();
                 // heads that are alike get a number
@@ -56,7 +58,7 @@ impl Keys {
             }
             Layout::OpenConnect => None,
         };
-        Self { of: of.to_vec(), cells }
+        Self { of: of.to_vec(), further: shots.further().iter().map(|row| row.name).collect(), cells }
     }
 
     pub fn row(&self, flown: &Flown, row: usize, bytes: &mut Vec<u8>) {
@@ -74,6 +76,16 @@ impl Keys {
         bytes.extend_from_slice(format!(",\"normalized\":{normalized},\"launch\":").as_bytes());
         match shot.launch() {
             Some(launch) => numbers(bytes, LAUNCH.into_iter().zip(launch.iter().map(|value| Some(*value)))),
+            None => bytes.extend_from_slice(b"null"),
+        }
+        bytes.extend_from_slice(b",\"parameters\":");
+        numbers(bytes, self.further.iter().copied().zip(shot.further().iter().map(|value| Some(*value))));
+        bytes.extend_from_slice(b",\"club\":");
+        let club = Club::NAMES.into_iter().zip(shot.club.values()).filter(|(_, value)| value.is_some());
+        numbers(bytes, club);
+        bytes.extend_from_slice(b",\"condition\":");
+        match &shot.condition {
+            Some(condition) => text(bytes, condition),
             None => bytes.extend_from_slice(b"null"),
         }
         bytes.extend_from_slice(b",\"stated\":");

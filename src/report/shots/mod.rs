@@ -5,9 +5,13 @@ mod columns;
 mod csv;
 mod json_lines;
 mod open_connect;
+#[cfg(feature = "parquet")]
+mod parquet;
 mod summary;
 
 pub use open_connect::open_connect_answer;
+#[cfg(feature = "parquet")]
+pub use parquet::ShotParquet;
 pub use summary::{ShotsReport, shots_text};
 
 use crate::drive::Outcome;
@@ -49,7 +53,7 @@ impl ShotWriter {
         let table = match (format, shots.layout()) {
             (ShotFormat::Csv, Layout::Export(export)) => Table::Copied(Copied::new(export, of, system)),
             (ShotFormat::Csv | ShotFormat::LaunchMonitor, _) => Table::Columns(Added::new(of, system, b',', false)),
-            (ShotFormat::JsonLines, layout) => Table::JsonLines(json_lines::Keys::new(layout, of)),
+            (ShotFormat::JsonLines, _) => Table::JsonLines(json_lines::Keys::new(shots, of)),
             (ShotFormat::OpenConnect, _) => Table::OpenConnect,
         };
         Self { table }

@@ -50,6 +50,12 @@ fn flight(flown: &Flown, row: usize) -> Value {
     flight.insert("Status".into(), flown.flight(row).into());
     flight.insert("Reason".into(), flown.reason(row).into());
     flight.insert("Notes".into(), flown.shots()[row].notes.clone().into());
+    let origins = flown.shots()[row].values.iter();
+    let origins = origins.filter_map(|value| Some((value.of.name().to_owned(), value.origin?.name().into())));
+    let origins: Map<String, Value> = origins.collect();
+    if !origins.is_empty() {
+        flight.insert("Origins".into(), origins.into());
+    }
     for (at, of) in flown.outcomes().iter().enumerate() {
         flight.insert(of.name().into(), flown.predicted(row, at).into());
     }

@@ -35,10 +35,12 @@ impl SweepCsv {
         let mut bytes = Vec::with_capacity(block.rows() * self.names.len() * 20);
         for row in 0..block.rows() {
             for value in block.point(row) {
-                match value.is_finite() {
-                    true => push_number(&mut bytes, *value),
+                match *value {
+                    value if value.is_finite() => push_number(&mut bytes, value),
+                    // missing in the table
+                    value if value.is_nan() => {}
                     // a flat face
-                    false => bytes.extend_from_slice(b"inf"),
+                    _ => bytes.extend_from_slice(b"inf"),
                 }
                 bytes.push(b',');
             }

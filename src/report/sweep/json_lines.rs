@@ -28,10 +28,12 @@ impl SweepJsonLines {
             bytes.push(b'{');
             for (key, value) in self.parameters.iter().zip(block.point(row)) {
                 bytes.extend_from_slice(key.as_bytes());
-                match value.is_finite() {
-                    true => push_number(&mut bytes, *value),
+                match *value {
+                    value if value.is_finite() => push_number(&mut bytes, value),
+                    // missing in the table
+                    value if value.is_nan() => bytes.extend_from_slice(b"null"),
                     // a flat face: JSON has no infinity
-                    false => bytes.extend_from_slice(b"\"inf\""),
+                    _ => bytes.extend_from_slice(b"\"inf\""),
                 }
                 bytes.push(b',');
             }

@@ -10,7 +10,7 @@ mod parquet;
 pub use csv::SweepCsv;
 pub use json_lines::SweepJsonLines;
 #[cfg(feature = "parquet")]
-pub use parquet::{ParquetGroup, PlacedGroup, SweepParquet};
+pub use parquet::SweepParquet;
 
 use crate::batch::Batch;
 use crate::drive::Outcome;

@@ -1,6 +1,8 @@
 //! Every law beside published drives, as a document, as JSON and as CSV.
 
+mod best;
 mod csv;
+mod figures;
 mod json;
 
 pub use csv::validation_csv;
@@ -10,9 +12,7 @@ use super::document::Document;
 use crate::parameters::Law;
 use crate::study::validation::{Compared, LawScores, SWEPT, Score, SetScores};
 use crate::units::{System, counted, fixed, signed};
-
-/// The independent law that the default one is held against.
-const ALTERNATIVE: &str = "ferguson";
+use best::{ALTERNATIVE, best};
 
 /// Every law on every set as a document.
 pub fn validation_document(found: &[SetScores], system: System) -> Document {
@@ -28,6 +28,10 @@ pub fn validation_document(found: &[SetScores], system: System) -> Document {
         found.len()
     ));
     summary(&mut document, found, system);
+    document.heading("In pictures");
+    for figure in figures::figures(found) {
+        document.figure(figure);
+    }
     for set in found {
         one(&mut document, set, system);
     }
@@ -40,7 +44,7 @@ fn summary(document: &mut Document, found: &[SetScores], system: System) {
     document.heading("Which law is the default");
     let rows = found.iter().map(|set| {
         let of = |law: &LawScores| law.scores.first().and_then(Score::mean_absolute);
-        let best = set.laws.iter().filter_map(|law| Some((of(law)?, law.law))).min_by(|a, b| a.0.total_cmp(&b.0));
+        let best = best(set);
         let named = |name: &str| {
             set.laws
                 .iter()

@@ -13,7 +13,8 @@ pub fn beyond(setup: &Setup<f64>, shots: &[Shot]) -> BeyondCount {
             && let Ok(drive) = Drive::new(&setup)
             && drive.landed().is_ok()
         {
-            count.add(drive.beyond(&setup, Looked::AtFlight));
+            let of: Vec<_> = shot.measured.iter().map(|measurement| measurement.outcome).collect();
+            count.add(drive.beyond(&setup, Looked::AtFlight, &of));
         }
     }
     count

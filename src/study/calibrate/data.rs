@@ -5,6 +5,7 @@ use crate::columns::{Club, Column, Head, Holds, Marks, Spin, decoded, separated,
 use crate::error::{Error, Result};
 use crate::foreign::{of_csv, of_csv_row, of_io};
 use crate::parameters::{Parameter, Setup};
+use crate::shots::tabled;
 use crate::units::Message;
 use csv::{ReaderBuilder, Trim};
 use std::collections::BTreeMap;
@@ -67,8 +68,8 @@ impl ShotTable {
     /// [`Error::Table`] with row and column for a column that is unknown, given twice or in a wrong unit, a cell that is no number or whose
     /// decimal mark is uncertain, a sigma that is not positive, a value outside its range, a row without a measurement, and a table without
     /// rows. Of a
-    /// launch monitor's export, rows that sum up others and rows with an empty cell that every shot needs are left out, and named in the
-    /// remarks.
+    /// launch monitor's export, rows that sum up others, lack a value that every shot needs or have one that cannot be used are left out, and named in the
+    /// remarks. Messages of GSPro Open Connect, and exports with title lines before their head, are read too.
     pub fn read(setup: &Setup<f64>, file: &str, source: impl Read) -> Result<Self> {
         Self::read_rows(setup, file, source, Club::LeftOut)
     }
@@ -79,7 +80,8 @@ impl ShotTable {
         let mut text = String::new();
         let read = decoded(source).and_then(|mut source| source.read_to_string(&mut text));
         read.map_err(|error| refused(String::new(), of_io(&error)))?;
-        let (separator, text) = separated(&text);
+        let (table, of_source) = tabled(&text);
+        let (separator, text) = separated(&table);
         let mut reader =
             ReaderBuilder::new().trim(Trim::All).comment(Some(b'#')).delimiter(separator).from_reader(text.as_bytes());
         let heads = reader.headers().map_err(|error| refused(String::new(), of_csv(&error)))?.clone();
@@ -100,7 +102,8 @@ impl ShotTable {
                 ));
             }
         }
-        let mut remarks = head.remarks.clone();
+        let mut remarks = of_source;
+        remarks.extend(head.remarks.clone());
         let written = head.named(|column| column.holds == Holds::Written);
         remarks.extend(written.told("columns that a sweep writes beside what is measured are not read"));
         // where a delivery is sought, the launch is what was measured, and not given
@@ -122,13 +125,19 @@ impl ShotTable {
                           speed; add the missing columns";
             return Err(refused(String::new(), reason.into()));
         }
-        let (mut shots, mut summaries, mut incomplete) = (vec![], vec![], vec![]);
+        let (mut shots, mut summaries, mut incomplete, mut unreadable) = (vec![], vec![], vec![], vec![]);
         let (mut sideways, mut contradictions) = (BTreeMap::<String, Vec<String>>::new(), vec![]);
         let mut marks = Marks::default();
         for (at, record) in records.enumerate() {
             let row = at + 1;
-            let record =
-                record.map_err(|error| refused(format!(", row {row}"), of_csv_row(&error, text.as_bytes())))?;
+            let record = match record {
+                Ok(record) => record,
+                Err(error) if is_export => {
+                    unreadable.push(format!("row {row} ({})", of_csv_row(&error, text.as_bytes())));
+                    continue;
+                }
+                Err(error) => return Err(refused(format!(", row {row}"), of_csv_row(&error, text.as_bytes()))),
+            };
             if let Some(word) = summary(record.iter()).filter(|_| is_export) {
                 summaries.push(format!("row {row} ({word})"));
                 continue;
@@ -149,18 +158,25 @@ impl ShotTable {
                     let column = wrong.column.unwrap_or_else(|| "nothing is measured".into());
                     incomplete.push(format!("row {row} ({column})"));
                 }
+                Err(wrong) if is_export => {
+                    let column = wrong.column.map_or(String::new(), |name| format!("{name}: "));
+                    unreadable.push(format!("row {row} ({column}{})", wrong.why));
+                }
                 Err(wrong) => {
                     let column = wrong.column.map_or(String::new(), |name| format!(", column {name}"));
                     return Err(refused(format!(", row {row}{column}"), wrong.why));
                 }
             }
         }
-        let left_out: Vec<String> =
-            [(summaries, "sum up other rows"), (incomplete, "lack a value that every shot needs")]
-                .into_iter()
-                .filter(|(rows, _)| !rows.is_empty())
-                .map(|(rows, what)| format!("rows left out, since they {what}: {}", rows.join(", ")))
-                .collect();
+        let left_out: Vec<String> = [
+            (summaries, "sum up other rows"),
+            (incomplete, "lack a value that every shot needs"),
+            (unreadable, "cannot be used"),
+        ]
+        .into_iter()
+        .filter(|(rows, _)| !rows.is_empty())
+        .map(|(rows, what)| format!("rows left out, since they {what}: {}", rows.join(", ")))
+        .collect();
         if shots.is_empty() {
             let reason = match left_out.is_empty() {
                 true => "it has no rows; give one for each shot".into(),

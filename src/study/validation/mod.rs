@@ -81,14 +81,14 @@ pub struct SetScores {
     pub set: &'static Set,
     /// Its cases.
     pub cases: Vec<Case>,
-    /// The laws, in the order of [`Law::NAMES`].
+    /// The laws, in the order of [`Law::NAMES`], and then a user's own.
     pub laws: Vec<LawScores>,
 }
 
-/// Every law on every set.
+/// Every law on every set, as published, and one more where `own` is a user's own table.
 ///
 /// ```
-/// let found = longdrive::study::validation::validation().unwrap();
+/// let found = longdrive::study::validation::validation(None).unwrap();
 /// let drivers = &found[0];
 /// assert_eq!((drivers.set.name, drivers.cases.len()), ("pga-driver", 3));
 /// assert!(drivers.laws.iter().all(|law| law.scores[0].bias().is_some()));
@@ -96,15 +96,15 @@ pub struct SetScores {
 ///
 /// # Errors
 /// [`Error::Unreadable`](crate::Error::Unreadable) where the data cannot be read.
-pub fn validation() -> Result<Vec<SetScores>> {
-    SETS.iter().map(scores).collect()
+pub fn validation(own: Option<Law<f64>>) -> Result<Vec<SetScores>> {
+    SETS.iter().map(|set| scores(set, own)).collect()
 }
 
-fn scores(set: &'static Set) -> Result<SetScores> {
+fn scores(set: &'static Set, own: Option<Law<f64>>) -> Result<SetScores> {
     let mut cases = cases::cases(set.rows)?;
     let base = set.way.has_base().then(|| cases.remove(0));
     let is_stated = cases.iter().all(|case| case.density.is_some());
-    let laws = Law::NAMES.iter().filter_map(|name| Law::named(name)).map(|law| {
+    let laws = Law::NAMES.iter().filter_map(|name| Law::named(name)).chain(own).map(|law| {
         let at = |temperature| -> Result<Vec<Score>> {
             let computed = cases.iter().map(|case| predicted::predicted(set, case, base.as_ref(), law, temperature));
             let computed = computed.collect::<Result<Vec<_>>>()?;

@@ -62,8 +62,10 @@ const OTHER_CLUBS: &str = "No law meets carry and descent together. Those that m
                        the descent is met within 1° on average, and the ball carries 8 to 13 yd less; with lyu it lands 1 to 2° flatter, and carries 38 to 53 yd more; with winfield-tan it \
                        lands 10° steeper, and carries 32 to 49 yd less. Spin ratios of short irons are beyond what most laws were fitted to.";
 
-const CHART: &str = "Output of a vendor's model of 2010; its club is not stated. With launch-monitor no club here meets launch angle and spin together: one with more friction spins \
-                     more, but launches lower. Launch angle and spin at the best loft are known less well than its carry, which changes little about it.";
+const CHART: &str = "Output of a vendor's model of 2010. The chart also states the loft at impact: with that loft the club of lpga-average gives the chart's spin within 3 % and its launch \
+                     angle within 0.5°, modern-driver spins 14 % less, tour-average 18 to 29 % less. So most of the spin that tour-average is short of at the optimum is missing at the \
+                     impact, and not in the flight. No club meets the chart and the PGA TOUR's average together: at 115 mph, an attack angle of -0.9° and a launch angle of 10.4° the chart's \
+                     ball has 3340 rpm, the average 2545 rpm. With the LPGA Tour's delivery it has 2420 rpm, and that average is 2506 rpm. Launch angle and spin at the best loft are known less well than its carry, which changes little about it.";
 
 /// The sets, the most telling first.
 pub static SETS: [Set; 14] = [
@@ -203,9 +205,9 @@ pub static SETS: [Set; 14] = [
         rows: "chart-optima",
     },
     Set {
-        name: "chart-optima-rolling",
-        title: "TrackMan's driver chart, its optima with a ball that rolls at exit",
-        about: "The same with the club of lpga-average, on which the ball rolls at exit.",
+        name: "chart-optima-impact",
+        title: "TrackMan's driver chart, its optima with an impact like the chart's",
+        about: "The same with the club of lpga-average, from which the ball leaves with launch angle and spin in the chart's ratio.",
         air: NOT_STATED,
         misses: CHART,
         way: Way::Optimum,

@@ -1,7 +1,7 @@
 //! Measured shots and published studies.
 
-use super::Question;
 use super::number::{U32, whole};
+use super::{OwnLaw, Question};
 use std::path::PathBuf;
 
 #[derive(clap::Args)]
@@ -138,13 +138,17 @@ pub struct Validate {
     #[arg(long, conflicts_with = "json")]
     pub csv: bool,
 
-    /// Write the comparison into this folder too: a page (index.html) and Markdown.
-    #[arg(long, short, value_name = "DIR")]
+    /// Write the comparison too: into this folder as a page (index.html) and Markdown with pictures and their data, or, where the name ends in .csv,
+    /// every law on every drive into this file.
+    #[arg(long, short, value_name = "DIR or FILE.csv")]
     pub output: Option<PathBuf>,
 
     /// Replace files that exist.
     #[arg(long, requires = "output")]
     pub overwrite: bool,
+
+    #[command(flatten)]
+    pub own: OwnLaw,
 }
 
 /// A study that can be reproduced.

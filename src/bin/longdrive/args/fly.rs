@@ -25,7 +25,7 @@ pub struct Fly {
     )]
     pub of: Vec<String>,
 
-    /// The file to write the rows into; its ending says in which format (.csv, .jsonl; .json for Open Connect). "-" is standard output.
+    /// The file to write the rows into; its ending says in which format (.csv, .jsonl, .parquet; .json for Open Connect). "-" is standard output.
     /// With --json and without a file only the summary is printed.
     #[arg(long, short, value_name = "FILE", default_value = "-", conflicts_with = "listen")]
     pub output: PathBuf,
@@ -63,4 +63,7 @@ pub enum FlyFormat {
     Jsonl,
     /// One message of GSPro Open Connect per row and line.
     OpenConnect,
+    /// Apache Parquet, in SI, with what each row states and the row as it was read.
+    #[cfg(feature = "parquet")]
+    Parquet,
 }

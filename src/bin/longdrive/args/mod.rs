@@ -21,7 +21,7 @@ pub use picture::{
     PlotTrajectory, PlotVcurve, Report, Seen,
 };
 pub use program::{Completions, Man, Shown};
-pub use question::{Gradient, Laws, Parameters, Presets, Question, Simulate};
+pub use question::{Gradient, Laws, OwnLaw, Parameters, Presets, Question, Simulate};
 pub use search::{ChartArgs, Optimize, OptimumSensitivity, SearchArgs, SwingsArgs, WorkArgs};
 
 use clap::{Parser, Subcommand};

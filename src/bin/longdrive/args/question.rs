@@ -75,8 +75,19 @@ pub struct Presets {
     pub json: bool,
 }
 
+/// A user's own law beside the published ones.
+#[derive(clap::Args)]
+pub struct OwnLaw {
+    /// Take your own table of drag and lift too, with its factors: aero.table=mine.csv, aero.cd_factor=1.05. Repeatable.
+    #[arg(long, value_name = "NAME=VALUE")]
+    pub set: Vec<String>,
+}
+
 #[derive(clap::Args)]
 pub struct Laws {
+    #[command(flatten)]
+    pub own: OwnLaw,
+
     /// Print the laws as JSON.
     #[arg(long)]
     pub json: bool,

@@ -9,12 +9,14 @@ use crate::names::outcomes;
 use crate::output::{Answer, system, tell, warn};
 use longdrive::batch::Run;
 use longdrive::drive::{Looked, Part};
+#[cfg(feature = "parquet")]
+use longdrive::report::ShotParquet;
 use longdrive::report::{Reply, ShotWriter, ShotsReport, shots_text};
 use longdrive::shots::{Flying, Shots, Tally};
 use longdrive::units::{Message, counted};
 use longdrive::{Error, Outcome, Result, Setup};
 use std::io::ErrorKind;
-use target::Target;
+use target::{Output, Target, Written};
 
 pub fn run(args: &Fly) -> Result<Answer> {
     match args.listen {
@@ -66,17 +68,20 @@ fn fly(args: &Fly) -> Result<Answer> {
     args.question.refuse_twice(&setup, shots.further(), "every row has a value of its own")?;
     args.question.refuse_replaced(&setup, shots.further())?;
     let flying = followed(&args.question, &setup, &of, |setup| Flying::new(setup, &shots, &of))?;
+    let is_on_their_ground = args.question.gives_ground()?;
+    let flying = if is_on_their_ground { flying.on_their_ground() } else { flying };
     let mut warnings = setup.warnings();
     warn(&warnings);
-    let remarks: Vec<Message> = shots.remarks().to_vec();
+    let mut remarks: Vec<Message> = shots.remarks().to_vec();
+    if !is_on_their_ground && of.iter().any(|of| of.is_of_the_run() && shots.has(*of)) {
+        remarks.push("the measured totals are not compared: the ground is not given; name it with --set ground.turf=average, or another".into());
+    }
     for remark in &remarks {
         tell(&format!("note: {}: {}", file.display(), remark.in_units(system())));
     }
     let source = shots.maker();
-    let writer = ShotWriter::new(target.format, &shots, &of, system());
-    let mut output = target.open(&writer.head())?;
     let run = Run { threads: args.threads, stop: Some(&stop), ..Run::default() };
-    let tally = flying.fly(&mut shots, &run, |flown| writer.rows(&flown), |bytes| output.write(&bytes));
+    let (tally, output) = written(&target, &flying, &mut shots, &run)?;
     let tally = match tally {
         // a reader that has gone away, as `head` does, is no failure of ours
         Err(Error::Output(error)) if error.kind() == ErrorKind::BrokenPipe => return Ok(Answer::text(String::new())),
@@ -94,6 +99,27 @@ fn fly(args: &Fly) -> Result<Answer> {
     warn(&beyond);
     warnings.extend(beyond);
     Ok(answer(args, &target, &tally, source, warnings, &remarks, is_stopped))
+}
+
+/// Flies the shots into the output; it is still to be ended.
+fn written(target: &Target, flying: &Flying, shots: &mut Shots, run: &Run<'_>) -> Result<(Result<Tally>, Output)> {
+    let of = flying.outcomes();
+    match target.format {
+        Written::Rows(format) => {
+            let writer = ShotWriter::new(format, shots, of, system());
+            let mut output = target.open(&writer.head())?;
+            let tally = flying.fly(shots, run, |flown| writer.rows(&flown), |bytes| output.write(&bytes));
+            Ok((tally, output))
+        }
+        #[cfg(feature = "parquet")]
+        Written::Parquet => {
+            let mut writer = ShotParquet::new(shots, of)?;
+            let mut output = target.open(&writer.head())?;
+            let tally = flying.fly(shots, run, |flown| flown, |flown| output.write(&writer.take(flown)?));
+            let tally = tally.and_then(|tally| writer.finish().and_then(|end| output.write(&end)).map(|()| tally));
+            Ok((tally, output))
+        }
+    }
 }
 
 fn answer(

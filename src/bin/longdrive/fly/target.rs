@@ -5,10 +5,18 @@ use longdrive::{Error, Result};
 use std::io::{self, Write};
 use std::path::Path;
 
+/// How the rows are written.
+#[derive(Clone, Copy, PartialEq)]
+pub enum Written {
+    Rows(ShotFormat),
+    #[cfg(feature = "parquet")]
+    Parquet,
+}
+
 /// Where the rows go.
 pub struct Target {
     destination: Option<Destination>,
-    pub format: ShotFormat,
+    pub format: Written,
     /// Whether they go nowhere: the summary alone is asked for.
     is_silent: bool,
 }
@@ -19,21 +27,26 @@ impl Target {
         let is_standard = path == Path::new("-");
         let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default().to_lowercase();
         let format = match (args.format, ending.as_str()) {
-            (Some(FlyFormat::Csv), _) | (None, "csv") => ShotFormat::Csv,
-            (Some(FlyFormat::LaunchMonitor), _) => ShotFormat::LaunchMonitor,
-            (Some(FlyFormat::Jsonl), _) | (None, "jsonl" | "ndjson") => ShotFormat::JsonLines,
-            (Some(FlyFormat::OpenConnect), _) | (None, "json") => ShotFormat::OpenConnect,
-            (None, _) if is_standard => ShotFormat::Csv,
-            (None, "parquet") => {
-                return Err(refused(path, "shots are not written as Parquet; name a .csv, .jsonl or .json file"));
-            }
+            (Some(FlyFormat::Csv), _) | (None, "csv") => Written::Rows(ShotFormat::Csv),
+            (Some(FlyFormat::LaunchMonitor), _) => Written::Rows(ShotFormat::LaunchMonitor),
+            (Some(FlyFormat::Jsonl), _) | (None, "jsonl" | "ndjson") => Written::Rows(ShotFormat::JsonLines),
+            (Some(FlyFormat::OpenConnect), _) | (None, "json") => Written::Rows(ShotFormat::OpenConnect),
+            (None, _) if is_standard => Written::Rows(ShotFormat::Csv),
+            #[cfg(feature = "parquet")]
+            (Some(FlyFormat::Parquet), _) | (None, "parquet") => Written::Parquet,
+            #[cfg(not(feature = "parquet"))]
+            (None, "parquet") => return Err(refused(path, &longdrive::features::how_to_get("parquet"))),
             (None, _) => {
                 return Err(refused(
                     path,
-                    "its name must end in .csv, .jsonl or .json, or --format must name the format",
+                    "its name must end in .csv, .jsonl, .json or .parquet, or --format must name the format",
                 ));
             }
         };
+        #[cfg(feature = "parquet")]
+        if is_standard && format == Written::Parquet && !args.question.json {
+            return Err(refused(path, "Parquet needs a file; name one with -o, or take --format csv or jsonl"));
+        }
         if is_standard && args.overwrite {
             let reason = "--overwrite replaces a file, and the rows go to standard output; name a file with -o, or leave --overwrite out";
             return Err(refused(path, reason));

@@ -28,8 +28,9 @@ pub struct Entry {
     pub bytes: u64,
     /// How many drives ended how.
     pub drives: BTreeMap<String, u64>,
-    /// How many landed; of these, how many begin with what the law was not fitted to, and how many with a strike beside any face.
-    pub beyond: [u64; 3],
+    /// How many landed; of these, how many begin with what the law was not fitted to, and how many with a strike beside any face; and how
+    /// many land too flat.
+    pub beyond: [u64; 4],
     /// The metadata of the row group that ends here, in hexadecimal.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub group: String,
@@ -38,19 +39,19 @@ pub struct Entry {
 impl Entry {
     pub fn new(rows: u64, bytes: u64, tally: Tally, group: &[u8]) -> Self {
         let drives = tally.counts().map(|(status, count)| (status.name().to_owned(), count)).collect();
-        let BeyondCount { all, law, face } = tally.beyond();
+        let BeyondCount { all, law, face, flat } = tally.beyond();
         Self {
             rows,
             bytes,
             drives,
-            beyond: [all, law, face],
+            beyond: [all, law, face, flat],
             group: group.iter().map(|byte| format!("{byte:02x}")).collect(),
         }
     }
 
     pub fn tally(&self) -> Tally {
-        let [all, law, face] = self.beyond;
-        Tally::of(self.drives.iter().map(|(name, count)| (name.as_str(), *count)), BeyondCount { all, law, face })
+        let [all, law, face, flat] = self.beyond;
+        Tally::of(self.drives.iter().map(|(name, count)| (name.as_str(), *count)), BeyondCount { all, law, face, flat })
     }
 
     /// The metadata of the row group.

@@ -1,0 +1,153 @@
+//! Flown shots as Parquet, in SI: a row for each shot, with what it states, what is predicted, and the row as it was read.
+
+use super::columns::launch;
+use crate::batch::CHUNK;
+use crate::drive::Outcome;
+use crate::error::Result;
+use crate::report::parquet::{Cells, Kind, ParquetTable, PlacedGroup};
+use crate::shots::{Club, Flown, Shots};
+use parquet::data_type::ByteArray;
+
+/// Rows of a row group.
+const ROWS: usize = 32 * CHUNK;
+
+/// The launch, in the order of [`launch`].
+const LAUNCH: [&str; 5] = ["ball_speed", "launch_angle", "launch_direction", "spin", "spin_axis"];
+
+/// What was measured of the flight.
+const MEASURED: [Outcome; 8] = [
+    Outcome::CarryDistance,
+    Outcome::Lateral,
+    Outcome::ApexHeight,
+    Outcome::FlightTime,
+    Outcome::DescentAngle,
+    Outcome::LandingSpeed,
+    Outcome::Total,
+    Outcome::LateralTotal,
+];
+
+/// What a column has.
+#[derive(Clone, Copy)]
+enum Of {
+    Line,
+    Flight,
+    Reason,
+    Notes,
+    Launch(usize),
+    Club(usize),
+    Further(usize),
+    SpinOrigin,
+    Condition,
+    Measured(Outcome),
+    Predicted(usize),
+    Residual(usize),
+    Row,
+}
+
+/// Makes Parquet of flown shots, a row group of some thousand at a time.
+pub struct ShotParquet {
+    table: ParquetTable,
+    columns: Vec<Of>,
+    waiting: Vec<Flown>,
+    placed: Vec<PlacedGroup>,
+    /// Bytes that were handed on.
+    at: u64,
+}
+
+impl ShotParquet {
+    /// The table of these shots with the outcomes that are predicted.
+    ///
+    /// # Errors
+    /// [`Error::Output`](crate::Error::Output) for columns that Parquet cannot have.
+    pub fn new(shots: &Shots, of: &[Outcome]) -> Result<Self> {
+        let mut columns: Vec<(String, Kind, Of)> = vec![
+            ("line".into(), Kind::Number, Of::Line),
+            ("flight".into(), Kind::Text, Of::Flight),
+            ("reason".into(), Kind::SomeText, Of::Reason),
+            ("notes".into(), Kind::SomeText, Of::Notes),
+        ];
+        let mut number = |name: String, of: Of| columns.push((name, Kind::SomeNumber, of));
+        LAUNCH.iter().enumerate().for_each(|(at, name)| number((*name).into(), Of::Launch(at)));
+        Club::NAMES.iter().enumerate().for_each(|(at, name)| number((*name).into(), Of::Club(at)));
+        shots.further().iter().enumerate().for_each(|(at, row)| number(row.name.into(), Of::Further(at)));
+        MEASURED.iter().for_each(|of| number(format!("measured_{}", of.name()), Of::Measured(*of)));
+        of.iter().enumerate().for_each(|(at, of)| number(format!("predicted_{}", of.name()), Of::Predicted(at)));
+        of.iter().enumerate().for_each(|(at, of)| number(format!("residual_{}", of.name()), Of::Residual(at)));
+        columns.push(("spin_origin".into(), Kind::SomeText, Of::SpinOrigin));
+        columns.push(("condition".into(), Kind::SomeText, Of::Condition));
+        columns.push(("row".into(), Kind::Text, Of::Row));
+        let kinds: Vec<(String, Kind)> = columns.iter().map(|(name, kind, _)| (name.clone(), *kind)).collect();
+        let columns = columns.into_iter().map(|(.., of)| of).collect();
+        let table = ParquetTable::new("shots", &kinds, "fly")?;
+        let at = table.head().len() as u64;
+        Ok(Self { table, columns, waiting: vec![], placed: vec![], at })
+    }
+
+    /// The first bytes of a file.
+    pub fn head(&self) -> Vec<u8> {
+        self.table.head()
+    }
+
+    /// Takes some shots; the bytes of a row group where they fill one.
+    ///
+    /// # Errors
+    /// [`Error::Output`](crate::Error::Output) where Parquet cannot hold them.
+    pub fn take(&mut self, flown: Flown) -> Result<Vec<u8>> {
+        self.waiting.push(flown);
+        match self.waiting.iter().map(Flown::rows).sum::<usize>() >= ROWS {
+            true => self.group(),
+            false => Ok(vec![]),
+        }
+    }
+
+    /// The last bytes of a file.
+    ///
+    /// # Errors
+    /// As [`take`](Self::take).
+    pub fn finish(&mut self) -> Result<Vec<u8>> {
+        let mut bytes = if self.waiting.is_empty() { vec![] } else { self.group()? };
+        bytes.extend(self.table.foot(&self.placed)?);
+        Ok(bytes)
+    }
+
+    fn group(&mut self) -> Result<Vec<u8>> {
+        let group = self.table.group(|number| self.cells(self.columns[number]))?;
+        self.placed.push(self.table.place(&group.metadata, self.at, self.placed.len())?);
+        self.at += group.bytes.len() as u64;
+        self.waiting.clear();
+        Ok(group.bytes)
+    }
+
+    fn cells(&self, of: Of) -> Cells {
+        let rows = || self.waiting.iter().flat_map(|flown| (0..flown.rows()).map(move |row| (flown, row)));
+        let numbers = |value: &dyn Fn(&Flown, usize) -> Option<f64>| {
+            Cells::SomeNumbers(rows().map(|(flown, row)| value(flown, row)).collect())
+        };
+        let texts = |text: &dyn Fn(&Flown, usize) -> Option<String>| {
+            let text = |(flown, row)| text(flown, row).map(|text| ByteArray::from(text.into_bytes()));
+            Cells::SomeTexts(rows().map(text).collect())
+        };
+        match of {
+            Of::Line => Cells::Numbers(rows().map(|(flown, row)| flown.shots()[row].line as f64).collect()),
+            Of::Flight => Cells::Texts(rows().map(|(flown, row)| ByteArray::from(flown.flight(row))).collect()),
+            Of::Row => Cells::Texts(rows().map(|(flown, row)| flown.shots()[row].text.as_str().into()).collect()),
+            Of::Reason => texts(&|flown, row| flown.reason(row).map(str::to_owned)),
+            Of::Notes => texts(&|flown, row| {
+                let notes = &flown.shots()[row].notes;
+                (!notes.is_empty()).then(|| notes.join("; "))
+            }),
+            Of::SpinOrigin => texts(&|flown, row| {
+                let shot = &flown.shots()[row];
+                let spin = shot.value(Outcome::Spin).or_else(|| shot.value(Outcome::Backspin));
+                Some(spin?.origin?.name().to_owned())
+            }),
+            Of::Condition => texts(&|flown, row| flown.shots()[row].condition.clone()),
+            Of::Launch(at) => numbers(&|flown, row| launch(&flown.shots()[row])[at]),
+            Of::Club(at) => numbers(&|flown, row| flown.shots()[row].club.values()[at]),
+            Of::Further(at) => numbers(&|flown, row| flown.shots()[row].further().get(at).copied()),
+            Of::Measured(of) => numbers(&|flown, row| Some(flown.shots()[row].value(of)?.value)),
+            Of::Predicted(at) => numbers(&|flown, row| flown.predicted(row, at)),
+            Of::Residual(at) => numbers(&|flown, row| flown.residual(row, at)),
+        }
+    }
+}

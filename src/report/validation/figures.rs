@@ -1,0 +1,168 @@
+//! The laws beside published drives, as plots.
+
+use crate::drive::Outcome;
+use crate::parameters::Law;
+use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};
+use crate::shots::FLOOR;
+use crate::study::validation::{Case, Compared, LawScores, SetScores, Way};
+use crate::units::Quantity;
+
+use super::best::{ALTERNATIVE, best};
+
+/// Speeds that residuals are drawn over.
+#[derive(Clone, Copy)]
+enum Over {
+    Ball,
+    Club,
+}
+
+impl Over {
+    fn measure(self) -> Measure {
+        let label = match self {
+            Self::Ball => "ball speed",
+            Self::Club => "club speed",
+        };
+        Measure::new(label, Quantity::SPEED, "mph")
+    }
+
+    fn of(self, case: &Case) -> Option<f64> {
+        match self {
+            Self::Ball => case.ball_speed,
+            Self::Club => case.club_speed,
+        }
+    }
+}
+
+/// The set whose optima are drawn: its club strikes the ball as the chart's.
+const OPTIMA: &str = "chart-optima-impact";
+
+/// The band, and what the plots say of it.
+const INSTRUMENTS: &str = "two launch monitors";
+const BAND: &str = "The band is what two launch monitors differ by on a single drive, one standard deviation (Bliss & Langdown 2026): 6.7 yd of carry, 12.3 ft of apex, 3.9° of \
+                    descent, 513 rpm.";
+const OPTIMUM: &str = "Computed at the loft of the longest carry, less the spin that TrackMan's chart has there.";
+
+/// Carry as predicted and as measured, and what is left of carry, apex, descent and spin.
+pub(super) fn figures(found: &[SetScores]) -> Vec<Figure> {
+    let measured: Vec<&SetScores> = found.iter().filter(|set| set.set.is_measured()).collect();
+    let optima: Vec<&SetScores> = found.iter().filter(|set| set.set.name == OPTIMA).collect();
+    let laws = drawn(&measured);
+    let mut figures = vec![carry(&measured)];
+    for of in [Compared::Carry, Compared::Apex, Compared::Descent] {
+        figures.push(residuals(&measured, &laws, of, Over::Ball, "all clubs"));
+    }
+    figures.push(residuals(&optima, &laws, Compared::Spin, Over::Club, "best loft"));
+    figures
+}
+
+/// The default law, the alternative, and each that is the best on the carry of a set.
+fn drawn(sets: &[&SetScores]) -> Vec<&'static str> {
+    let mut laws = vec![Law::default().name(), ALTERNATIVE];
+    for set in sets {
+        laws.extend(best(set).map(|(_, law)| law).filter(|law| !laws.contains(law)));
+    }
+    laws
+}
+
+/// Predicted over measured carry with the default law, a series for each set.
+fn carry(sets: &[&SetScores]) -> Figure {
+    let default = Law::default().name();
+    let measure = |words: &str| Measure::new(format!("{words} carry"), Quantity::LENGTH, "yd");
+    let points = |set: &&SetScores| -> Vec<[f64; 2]> {
+        let law = set.laws.iter().find(|law| law.law == default);
+        of_law(law, Compared::Carry).iter().map(|one| [one.published, one.predicted]).collect()
+    };
+    let all: Vec<(&str, Vec<[f64; 2]>)> = sets.iter().map(|set| (set.set.name, points(set))).collect();
+    let ends = ends(all.iter().flat_map(|(_, points)| points).map(|at| at[0]));
+    let mut figure = Figure::new(
+        "validation-carry",
+        format!("Carry as {default} predicts it"),
+        Axis::linear(measure("measured")),
+        Axis::linear(measure("predicted")),
+    );
+    if let Some(by) = floor(Compared::Carry) {
+        let points = ends.map(|at| [at, at - by, at + by]).to_vec();
+        figure = figure.with(Layer::Band { name: INSTRUMENTS.into(), hue: Hue::Faint, points });
+    }
+    figure = figure.with(Layer::Line {
+        name: "as measured".into(),
+        hue: Hue::Ink,
+        is_dashed: true,
+        points: ends.map(|at| [at, at]).to_vec(),
+    });
+    for (i, (name, points)) in all.into_iter().enumerate() {
+        figure = figure.with(Layer::dots(name, i, points));
+    }
+    figure.noted(BAND)
+}
+
+/// What is left of a quantity over a speed, a series for each law.
+fn residuals(sets: &[&SetScores], laws: &[&'static str], of: Compared, over: Over, drives: &str) -> Figure {
+    let (quantity, unit) = of.unit();
+    let words = of.words();
+    let series = |law: &&'static str| -> Vec<[f64; 2]> {
+        let points = sets.iter().flat_map(|set| {
+            let scores = set.laws.iter().find(|one| one.law == *law);
+            let left = of_law(scores, of).iter();
+            left.filter_map(|one| Some([over.of(set.cases.get(one.case)?)?, one.difference()]))
+        });
+        points.collect()
+    };
+    let all: Vec<Vec<[f64; 2]>> = laws.iter().map(series).collect();
+    let ends = ends(all.iter().flatten().map(|at| at[0]));
+    let y = Measure::new(format!("computed − published {words}"), quantity, unit);
+    let name = match of {
+        Compared::Carry => "validation-carry-residuals".into(),
+        of => format!("validation-{}", of.name()),
+    };
+    let title = format!("Error of {words} by {}, {drives}", over.measure().label);
+    let mut figure = Figure::new(name, title, Axis::linear(over.measure()), Axis::linear(y));
+    if let Some(by) = floor(of) {
+        let points = ends.map(|at| [at, -by, by]).to_vec();
+        figure = figure.with(Layer::Band { name: INSTRUMENTS.into(), hue: Hue::Faint, points });
+    }
+    figure = figure.with(Layer::Line {
+        name: String::new(),
+        hue: Hue::Ink,
+        is_dashed: true,
+        points: ends.map(|at| [at, 0.0]).to_vec(),
+    });
+    for (i, (law, points)) in laws.iter().zip(all).enumerate() {
+        figure = figure.with(Layer::dots(*law, i, points));
+    }
+    figure.noted(if of == Compared::Spin { format!("{OPTIMUM} {BAND}") } else { BAND.into() })
+}
+
+fn of_law(law: Option<&LawScores>, of: Compared) -> &[crate::study::validation::Residual] {
+    let score = law.and_then(|law| law.scores.iter().find(|score| score.of == of));
+    score.map_or(&[], |score| &score.residuals)
+}
+
+/// Least and largest; nothing drawn has both at 0.
+fn ends(of: impl Iterator<Item = f64>) -> [f64; 2] {
+    let found = of.fold(None, |ends: Option<[f64; 2]>, at| {
+        let [low, high] = ends.unwrap_or([at; 2]);
+        Some([low.min(at), high.max(at)])
+    });
+    found.unwrap_or([0.0; 2])
+}
+
+/// What instruments differ by in this quantity, SI.
+fn floor(of: Compared) -> Option<f64> {
+    let outcome = match of {
+        Compared::Carry => Outcome::CarryDistance,
+        Compared::Apex => Outcome::ApexHeight,
+        Compared::Descent => Outcome::DescentAngle,
+        Compared::Spin => Outcome::Spin,
+        Compared::Curve | Compared::Gain | Compared::LaunchAngle => return None,
+    };
+    let (_, by, unit) = FLOOR.iter().find(|(known, ..)| *known == outcome)?;
+    Some(by * outcome.quantity().size_of(unit)?)
+}
+
+impl crate::study::validation::Set {
+    /// Whether its drives were measured and are flown from their launch: not output of models, and neither gains nor optima.
+    fn is_measured(&self) -> bool {
+        self.way == Way::Launch && !["chart-launches", "simulations"].contains(&self.name)
+    }
+}

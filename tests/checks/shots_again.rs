@@ -1,0 +1,246 @@
+//! Shots that this program wrote, read again; totals; and the same files in `calibrate`, `delivery` and `sweep`.
+
+use crate::command_line::{json, longdrive, number};
+use serde_json::Value;
+use std::fs;
+use std::path::Path;
+
+fn shots(name: &str) -> String {
+    format!("{}/tests/data/shots/{name}", env!("CARGO_MANIFEST_DIR"))
+}
+
+fn written(folder: &Path, name: &str, text: &str) -> String {
+    let path = folder.join(name);
+    fs::write(&path, text).unwrap();
+    path.display().to_string()
+}
+
+fn lines(path: &str) -> Vec<Value> {
+    fs::read_to_string(path).unwrap().lines().map(|line| serde_json::from_str(line).unwrap()).collect()
+}
+
+#[test]
+fn exact_json_lines_are_read_again_and_written_the_same() {
+    let folder = tempfile::tempdir().unwrap();
+    let place = |name: &str| folder.path().join(name).display().to_string();
+    for name in ["trackman.csv", "garmin.csv", "flightscope.csv", "uneekor.csv", "open-connect.jsonl"] {
+        let (first, second) = (place(&format!("{name}.1.jsonl")), place(&format!("{name}.2.jsonl")));
+        for (from, to) in [(&shots(name), &first), (&first, &second)] {
+            let said = longdrive(&["fly", from, "-o", to]);
+            assert_eq!(said.status, 0, "{name}: {}", said.err);
+        }
+        let (first, second) = (lines(&first), lines(&second));
+        assert!(!first.is_empty() && first.len() == second.len(), "{name}");
+        for (at, (mut one, mut other)) in first.into_iter().zip(second).enumerate() {
+            // the line is that of the file that is read
+            assert_eq!(other["line"], at + 1);
+            (one["line"], other["line"]) = (Value::Null, Value::Null);
+            assert_eq!(one, other, "{name}");
+        }
+    }
+}
+
+#[test]
+fn json_lines_with_parameters_of_their_own_are_refused_with_the_name() {
+    let folder = tempfile::tempdir().unwrap();
+    let place = |name: &str| folder.path().join(name).display().to_string();
+    let text = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],air.density [kg/m^3]\n150,12,2700,1.1\n";
+    let table = written(folder.path(), "shots.csv", text);
+    assert_eq!(longdrive(&["fly", &table, "-o", &place("shots.jsonl")]).status, 0);
+    assert_eq!(lines(&place("shots.jsonl"))[0]["parameters"]["air.density"], 1.1);
+    let said = longdrive(&["fly", &place("shots.jsonl"), "-o", &place("again.jsonl")]);
+    assert!(said.status == 1 && said.err.contains("air.density, which is not read from JSON lines"), "{}", said.err);
+}
+
+#[test]
+fn totals_are_compared_on_a_ground_that_is_named_alone() {
+    let file = shots("trackman.csv");
+    let (_, told) = json(&["fly", &file, "--of", "total"]);
+    let remarks = told["remarks"].to_string();
+    assert!(remarks.contains("the measured totals are not compared") && !remarks.contains("Est. Total"), "{remarks}");
+    let (_, told) = json(&["fly", &file, "--of", "total", "--set", "ground.turf=average"]);
+    assert!(!told["remarks"].to_string().contains("totals"), "{told}");
+    let folder = tempfile::tempdir().unwrap();
+    let place = folder.path().join("flown.jsonl").display().to_string();
+    assert_eq!(longdrive(&["fly", &file, "--of", "total", "--set", "ground.turf=average", "-o", &place]).status, 0);
+    let first = &lines(&place)[0];
+    // 283.0 yd in the export, estimated as its head says
+    let stated = number(&first["stated"]["total"]);
+    assert!((stated / 0.9144 - 283.0).abs() < 1e-9 && first["origins"]["total"] == "estimated", "{first}");
+    assert!((number(&first["predicted"]["total"]) - stated - number(&first["residual"]["total"])).abs() < 1e-9);
+}
+
+#[test]
+fn an_estimated_spin_stays_estimated_in_open_connect() {
+    let folder = tempfile::tempdir().unwrap();
+    let place = |name: &str| folder.path().join(name).display().to_string();
+    let text = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Spin Rate Type\n150,12,2700,Estimated\n151,12,2700,Measured\n";
+    let table = written(folder.path(), "shots.csv", text);
+    assert_eq!(longdrive(&["fly", &table, "-o", &place("shots.json")]).status, 0);
+    assert_eq!(longdrive(&["fly", &place("shots.json"), "-o", &place("again.jsonl")]).status, 0);
+    let origins: Vec<Value> = lines(&place("again.jsonl")).iter().map(|line| line["origins"]["spin"].clone()).collect();
+    assert_eq!(origins, ["estimated", "measured"]);
+}
+
+#[test]
+fn messages_and_title_lines_are_read_by_calibrate_and_delivery_too() {
+    let folder = tempfile::tempdir().unwrap();
+    let head = "Ball Speed [mph],Launch Angle [deg],Launch Direction [deg],Spin Rate [rpm],Spin Axis [deg],Carry [yd],Club Speed [mph]";
+    let rows = "150,12,0,2700,0,240,102\n155,11,0,2600,0,250,105\n160,11,0,2500,0,262,108\n";
+    let plain = written(folder.path(), "plain.csv", &format!("{head}\n{rows}"));
+    let titled = written(folder.path(), "titled.csv", &format!("Session of May\nA. Player\n\n{head}\n{rows}"));
+    let messages = folder.path().join("messages.json").display().to_string();
+    assert_eq!(longdrive(&["fly", &plain, "-o", &messages]).status, 0);
+    let fit = |file: &str| {
+        let (status, found) = json(&["calibrate", file, "modern-driver", "--fit", "aero.cd0"]);
+        assert_eq!(status, 0, "{file}: {found}");
+        number(&found["estimates"]["aero.cd0"]["value"])
+    };
+    let known = fit(&plain);
+    for file in [&titled, &messages] {
+        assert!((fit(file) / known - 1.0).abs() < 1e-6, "{file}");
+    }
+    for file in [&plain, &titled, &messages] {
+        let (status, found) = json(&["delivery", "--shots", file]);
+        assert!(status == 0 && found["rows"].as_array().unwrap().len() == 3, "{file}: {found}");
+    }
+}
+
+#[test]
+fn a_bad_cell_of_an_export_takes_its_row_alone() {
+    let folder = tempfile::tempdir().unwrap();
+    let head = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Carry [yd]";
+    let rows = "150,12,2700,240\n155,abc,2600,250\n160,11,2500,262\n161,11,2500\n165,11,2500,270\n";
+    let table = written(folder.path(), "bad.csv", &format!("{head}\n{rows}"));
+    let (status, found) = json(&["calibrate", &table, "modern-driver", "--fit", "aero.cd0"]);
+    assert_eq!(status, 0, "{found}");
+    let remarks = found["data"]["remarks"].to_string();
+    for told in ["row 2 (Launch Angle: 'abc' is not a number", "row 4 ("] {
+        assert!(remarks.contains(told), "{remarks}");
+    }
+}
+
+#[test]
+fn rows_of_points_that_are_no_drives_are_told_with_their_value() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = "club.loft [deg],swing.speed [mph]\n9,100\n,101\n95,100\n9,-3\n";
+    let table = written(folder.path(), "points.csv", text);
+    let said = longdrive(&["sweep", "--points", &table]);
+    assert_eq!(said.status, 0, "{}", said.err);
+    let told = said.err.split_whitespace().collect::<Vec<_>>().join(" ");
+    for wrong in [
+        "row 2: club.loft is missing",
+        "row 3: club.loft = 95 deg is outside",
+        "row 4: swing.speed = -3 mph is outside",
+    ] {
+        assert!(told.contains(wrong), "{told}");
+    }
+    let rows: Vec<&str> = said.out.lines().collect();
+    assert!(rows.len() == 5 && rows[2].starts_with(',') && rows[2].contains(",out-of-range,"), "{rows:?}");
+}
+
+#[test]
+fn flat_landings_are_counted_where_the_run_is_asked_for() {
+    let flat = "at less than 25 deg";
+    let told = |args: &[&str]| {
+        let (_, found) = json(args);
+        found["warnings"].to_string()
+    };
+    let folder = tempfile::tempdir().unwrap();
+    let place = |name: &str| folder.path().join(name).display().to_string();
+    let over = ["sweep", "--over", "club.loft=1deg..12deg:12"];
+    let total = told(&[&over[..], &["--outcomes", "total", "-o", &place("total.csv")]].concat());
+    assert!(total.contains(flat) && total.contains(" of 12 drives that landed: "), "{total}");
+    let carry = told(&[&over[..], &["--outcomes", "carry", "-o", &place("carry.csv")]].concat());
+    assert!(!carry.contains(flat), "{carry}");
+    let text = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm]\n160,4,1500\n160,12,2700\n";
+    let table = written(folder.path(), "shots.csv", text);
+    let flown = told(&["fly", &table, "--of", "total"]);
+    assert!(flown.contains("1 of 2 shots that landed: the ball lands at less than 25 deg"), "{flown}");
+    let along = ["chart", "--maximize", "total", "--along", "swing.attack_angle", "--at=-5deg,5deg"];
+    let chart = told(&[&along[..], &["--vary", "club.loft=4deg..5deg"]].concat());
+    assert!(chart.contains("1 of 2 optima: the ball lands at less than 25 deg"), "{chart}");
+}
+
+#[test]
+fn parameters_without_a_value_are_varied_as_they_are_swept() {
+    let (status, swept) = json(&["optimize", "modern-driver", "--vary", "swing.shaft_bend=0deg..3deg"]);
+    assert_eq!(status, 0, "{swept}");
+    let (_, set) = json(&[
+        "optimize",
+        "modern-driver",
+        "--set",
+        "swing.shaft_bend=1.5deg",
+        "--vary",
+        "swing.shaft_bend=0deg..3deg",
+    ]);
+    assert_eq!(swept["value"], set["value"]);
+    let said = longdrive(&["chart", "modern-driver", "--along", "swing.shaft_bend=0deg..1deg", "--at", "0deg,1deg"]);
+    assert!(said.status == 0 && said.err.contains("swing.shaft_bend has no value in modern-driver"), "{}", said.err);
+}
+
+#[test]
+fn text_shows_the_run_beside_a_total_and_the_air_that_the_weather_gives() {
+    let said = longdrive(&["optimize", "--maximize", "total"]);
+    let rows: Vec<&str> = said.out.lines().map(str::trim).collect();
+    assert!(
+        rows.iter().any(|row| row.starts_with("run ")) && rows.iter().any(|row| row.starts_with("carry ")),
+        "{rows:?}"
+    );
+    let said = longdrive(&[
+        "simulate",
+        "--set",
+        "air.temperature=10degC",
+        "--set",
+        "air.pressure=1013.25hPa",
+        "--set",
+        "air.humidity=0",
+    ]);
+    // CIPM-2007: dry air of 10 °C at 101 325 Pa
+    assert!(said.out.contains("the weather gives a density of 1.247"), "{}", said.out);
+    assert!(!longdrive(&["simulate"]).out.contains("weather"));
+}
+
+/// More rows than a row group has: the numbers are those of the JSON lines.
+#[cfg(feature = "parquet")]
+#[test]
+fn exact_shots_in_parquet_are_those_in_json_lines() {
+    use parquet::file::reader::{FileReader, SerializedFileReader};
+    use parquet::record::Field;
+    let folder = tempfile::tempdir().unwrap();
+    let place = |name: &str| folder.path().join(name).display().to_string();
+    let head = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Spin Rate Type,Carry [yd],Club Speed [mph]\n";
+    let row = |i: u32| match i % 1000 {
+        7 => "150,12,,Measured,240,102\n".to_owned(),
+        i => format!("{},12,{},Estimated,240,102\n", 140.0 + 0.01 * f64::from(i), 2500 + i),
+    };
+    let table = written(folder.path(), "shots.csv", &(head.to_owned() + &(0..33_000).map(row).collect::<String>()));
+    for name in ["a.jsonl", "a.parquet"] {
+        let said = longdrive(&["fly", &table, "--of", "carry_distance", "-o", &place(name)]);
+        assert_eq!(said.status, 0, "{}", said.err);
+    }
+    let file = SerializedFileReader::new(fs::File::open(place("a.parquet")).unwrap()).unwrap();
+    assert_eq!((file.num_row_groups(), file.metadata().file_metadata().num_rows()), (2, 33_000));
+    let json = lines(&place("a.jsonl"));
+    for (row, line) in file.get_row_iter(None).unwrap().zip(&json) {
+        let row = row.unwrap();
+        let cell = |name: &str| match row.get_column_iter().find(|(column, _)| *column == name).unwrap().1 {
+            Field::Double(value) => Value::from(*value),
+            Field::Str(text) => Value::from(text.as_str()),
+            _ => Value::Null,
+        };
+        assert_eq!((number(&cell("line")), cell("flight")), (number(&line["line"]), line["flight"].clone()));
+        assert_eq!(
+            (cell("reason"), cell("spin_origin").is_null()),
+            (line["reason"].clone(), line["stated"].get("spin").is_none())
+        );
+        assert_eq!(cell("predicted_carry_distance"), line["predicted"]["carry_distance"]);
+        assert_eq!(cell("residual_carry_distance"), line["residual"]["carry_distance"]);
+        assert_eq!(
+            (cell("measured_carry_distance"), cell("swing.speed")),
+            (line["stated"]["carry_distance"].clone(), line["club"]["swing.speed"].clone())
+        );
+    }
+    let said = longdrive(&["fly", &table, "--format", "parquet"]);
+    assert!(said.status == 2 && said.err.contains("Parquet needs a file"), "{}", said.err);
+}
