@@ -11,7 +11,7 @@ use longdrive::report::page::{Document, Findings, report_documents};
 use longdrive::reproduce::while_loop;
 use longdrive::study::certificate::{Row, certify};
 use longdrive::study::{
-    Chart, Fineness, Search, Sigma, Vary, chart, effects, flatness, map, optimum, usual_loss, with_defaults,
+    Chart, Fineness, Region, Search, Sigma, Vary, chart, effects, flatness, map, optimum, usual_loss, with_defaults,
 };
 use longdrive::units::{Message, counted};
 use longdrive::{Error, Outcome, Result, Setup};
@@ -70,6 +70,10 @@ pub fn run(args: &Report) -> Result<Answer> {
     };
     let limits = search.map(|search| said(limits(around, search), &mut remarks)).transpose()?.flatten();
     let limits = limits.unwrap_or_default();
+    let region = match (best, &map) {
+        (Some(best), Some(map)) => Region::around(best, map.across, map.up, usual_loss(best))?,
+        _ => None,
+    };
     bar.inc(1);
     let is_fixed = |(search, along): &&(Search, Vary)| search.vary.iter().all(|vary| vary.parameter != along.parameter);
     let chart = match sought.as_ref().filter(is_fixed) {
@@ -100,6 +104,7 @@ pub fn run(args: &Report) -> Result<Answer> {
         flatness: flatness.as_ref(),
         map: map.as_ref(),
         limits: &limits,
+        region: region.as_ref(),
         chart: chart.as_ref(),
         effects: &effects,
         rows: &rows,

@@ -2,7 +2,7 @@ use crate::parameters::{Preset, Setup};
 use crate::report::figures::Flown;
 use crate::reproduce::LoopRow;
 use crate::study::certificate::Row;
-use crate::study::{Chart, Constraint, Effects, Flatness, Map, Optimum};
+use crate::study::{Chart, Constraint, Effects, Flatness, Map, Optimum, Region};
 use crate::units::{Message, System};
 
 /// What a report tells of. What is not there is left out of the page, and `remarks` says why.
@@ -23,6 +23,8 @@ pub struct Findings<'a> {
     pub map: Option<&'a Map>,
     /// The constraints, each with the map of its outcome.
     pub limits: &'a [(Constraint, Map)],
+    /// The part of the map that is nearly as good as the optimum.
+    pub region: Option<&'a Region>,
     /// The optimum along a parameter.
     pub chart: Option<&'a Chart>,
     /// What stated uncertainties of parameters do to outcomes.

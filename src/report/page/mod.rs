@@ -6,9 +6,11 @@ mod sections;
 
 pub use findings::Findings;
 
-use super::figures::{Flown, View, chart_figures, map_figure, tornado_figure, trajectory_figure, vcurve_figure};
+use super::figures::{
+    Flown, OnMap, View, capital, chart_figures, map_figure, tornado_figure, trajectory_figure, vcurve_figure,
+};
 use super::plot::{Figure, Look, Shades, dark_rules, figure_csv, figure_svg};
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::study::{Chart, Map};
 use crate::units::System;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
@@ -27,10 +29,12 @@ pub struct Document {
 /// # Errors
 /// As [`figure_svg`] and [`figure_csv`].
 pub fn report_documents(findings: &Findings<'_>) -> Result<Vec<Document>> {
+    let (drive, left_out) = trajectories(findings.flown);
     let plots = Plots {
-        drive: trajectories(findings.flown),
+        drive,
+        left_out,
         map: findings.map.map(|map| in_each(|system| mapped(findings, map, system))).into_iter().collect(),
-        chart: findings.chart.map(charts).unwrap_or_default(),
+        chart: findings.chart.map(|chart| charts(findings, chart)).unwrap_or_default(),
         // without any effect there is no bar to draw
         effects: findings
             .effects
@@ -68,24 +72,34 @@ fn alike(figure: &Figure) -> Pair {
 }
 
 fn mapped(findings: &Findings<'_>, map: &Map, system: System) -> Figure {
-    map_figure(map, findings.limits, findings.best, findings.flatness, system)
+    let Findings { setup, limits, best, region, .. } = *findings;
+    map_figure(map, &OnMap { setup, limits, best, region }, system)
 }
 
-fn charts(chart: &Chart) -> Vec<Pair> {
-    let [metric, us] = System::ALL.map(|system| chart_figures(chart, system));
+fn charts(findings: &Findings<'_>, chart: &Chart) -> Vec<Pair> {
+    let [metric, us] = System::ALL.map(|system| chart_figures(chart, findings.best, system).drawn);
     metric.into_iter().zip(us).map(|(metric, us)| [metric, us]).collect()
 }
 
-/// The paths of what flies, from both sides.
-fn trajectories(flown: &[Flown]) -> Vec<Pair> {
+/// The paths of what flies, from both sides, and why a view is left out.
+fn trajectories(flown: &[Flown]) -> (Vec<Pair>, Vec<String>) {
     let flying: Vec<Flown> = flown.iter().filter(|one| !one.path.points.is_empty()).cloned().collect();
-    let views: &[View] = if flying.is_empty() { &[] } else { &[View::Side, View::Top] };
-    views.iter().map(|view| alike(&trajectory_figure(&flying, *view))).collect()
+    let (mut pairs, mut left_out) = (vec![], vec![]);
+    for view in [View::Side, View::Top].into_iter().filter(|_| !flying.is_empty()) {
+        match System::ALL.map(|system| trajectory_figure(&flying, view, system)) {
+            [Ok(metric), Ok(us)] => pairs.push([metric, us]),
+            [Err(Error::Plot { reason, .. }), _] => left_out.push(format!("{}.", capital(&reason))),
+            _ => {}
+        }
+    }
+    (pairs, left_out)
 }
 
 /// The plots of a page, by section.
 struct Plots {
     drive: Vec<Pair>,
+    /// Why a view of it is not there.
+    left_out: Vec<String>,
     map: Vec<Pair>,
     chart: Vec<Pair>,
     effects: Vec<Pair>,
@@ -139,6 +153,7 @@ fn page(findings: &Findings<'_>, plots: &Plots) -> Result<Markup> {
                         h2 { "The drive" }
                         (sections::panel(findings))
                         (drive?)
+                        @for why in &plots.left_out { p.faint { (why) } }
                         (sections::outcomes(findings.flown))
                     }
                     @if let Some(best) = findings.best {
