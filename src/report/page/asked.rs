@@ -86,7 +86,7 @@ pub(super) fn asked(findings: &Findings<'_>) -> Result<Markup> {
                     }))
                 }
                 @if !search.subject_to.is_empty() {
-                    dt { "Limits" } dd {
+                    dt { "Limits" } dd.typed {
                         (search.subject_to.iter().map(|constraint| constraint.expression.as_str()).collect::<Vec<_>>().join("; "))
                     }
                 }

@@ -7,7 +7,7 @@ use crate::drive::{Outcome, Part};
 use crate::error::Result;
 use crate::flight::Flight;
 use crate::optimize::Status;
-use crate::parameters::Parameter;
+use crate::parameters::{METHOD, Parameter};
 use crate::report::certificate::settled;
 use crate::report::figures::{Flown, capital};
 use crate::report::frame::{both, scrolled};
@@ -132,7 +132,7 @@ fn limits(best: &Optimum) -> Markup {
             tbody {
                 @for (constraint, report) in best.search.subject_to.iter().zip(reports) {
                     tr {
-                        td { (&report.expression) }
+                        td.typed { (&report.expression) }
                         td.number { (outcome(constraint.outcome, Some(report.value))) }
                         td {
                             @if constraint.is_equation() { "equality" }
@@ -161,7 +161,7 @@ pub(super) fn uncertainties(effects: &[Effects]) -> Markup {
                     tr {
                         td { (sigma.parameter.name) }
                         td.number { (stated(sigma.parameter, sigma.value)) }
-                        td.words { (sigma.source.unwrap_or("as given")) }
+                        td.words.source { (sigma.source.unwrap_or("as given")) }
                     }
                 }
             }
@@ -195,7 +195,16 @@ pub(super) fn verdicts(rows: &[Row]) -> Markup {
 pub(super) fn setup(findings: &Findings<'_>) -> Result<Markup> {
     let is_launched = findings.setup.launch.is_given();
     let is_used = |name: &str| !(is_launched && findings.setup.parameter(name).is_ok_and(Parameter::is_of_strike));
-    let rows = sources(findings.setup, findings.preset)?.into_iter().filter(|(name, ..)| is_used(name));
+    let (flown, stated) = (findings.setup, findings.stated);
+    let is_chosen = |name: &str| match name {
+        METHOD => flown.method != stated.method,
+        "flight.step" => flown.flight.step != stated.flight.step,
+        _ => false,
+    };
+    let with_source = |(name, shown, source)| {
+        (name, shown, if is_chosen(name) { "chosen for the accuracy of the flight".to_owned() } else { source })
+    };
+    let rows = sources(flown, findings.preset)?.into_iter().map(with_source).filter(|(name, ..)| is_used(name));
     Ok(html! {
         p.faint {
             "All numbers of the setup and their sources; it is based on the preset " (findings.preset.name) "."
@@ -205,7 +214,7 @@ pub(super) fn setup(findings: &Findings<'_>) -> Result<Markup> {
             thead { tr { th { "parameter" } th.number { "value" } th { "source" } } }
             tbody {
                 @for (name, shown, source) in rows {
-                    tr { td { (name) } td.number { (shown) } td.words { (source) } }
+                    tr { td { (name) } td.number { (shown) } td.words.source { (source) } }
                 }
             }
         } }))
