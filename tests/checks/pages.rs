@@ -174,7 +174,10 @@ fn an_answer_that_is_none_says_so_first() {
     assert!(said.contains("286.8 yd"), "what the drive as set up does: {said}");
     let (status, page) = report(&["--set", "swing.attack_angle=-20deg"]);
     let said = words(answer(&page), "us");
-    assert!(status == 1 && said.contains("at best; as set up there is none") && said.contains("As set up: "), "{said}");
+    assert!(
+        status == 1 && said.contains("at best; as set up there is no carry") && said.contains("As set up: "),
+        "{said}"
+    );
     let (status, page) = report(&["--launch", "ball_speed=150mph,launch_angle=12deg,backspin=2600rpm"]);
     let said = words(answer(&page), "us");
     assert!(status == 0 && said.starts_with("Carry 2") && said.contains("give --vary"), "{said}");

@@ -147,7 +147,7 @@ pub fn calibration_document(report: &CalibrationReport<'_>, system: System) -> D
     }
     correlations(&mut document, found);
     document.heading("Residuals");
-    for figure in plots::figures(report) {
+    for figure in plots::figures(table, found) {
         document.figure(figure);
     }
     let head = ["row", "measured", "computed − measured", "in σ", "what"];

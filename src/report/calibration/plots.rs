@@ -1,8 +1,7 @@
-use super::CalibrationReport;
 use crate::drive::Outcome;
 use crate::report::figures::capital;
 use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};
-use crate::study::calibrate::Remainder;
+use crate::study::calibrate::{Calibration, Remainder, ShotTable};
 
 /// A measured value beside the computed one.
 struct Point {
@@ -13,25 +12,25 @@ struct Point {
 }
 
 /// What was measured over what is computed, and what is left over: two plots for each outcome that was measured more than once.
-pub(super) fn figures(report: &CalibrationReport<'_>) -> Vec<Figure> {
+pub(super) fn figures(table: &ShotTable, found: &Calibration) -> Vec<Figure> {
     let mut outcomes: Vec<Outcome> = vec![];
-    for remainder in report.found.remainders.iter().filter(|remainder| remainder.stationary.is_none()) {
+    for remainder in found.remainders.iter().filter(|remainder| remainder.stationary.is_none()) {
         if !outcomes.contains(&remainder.outcome) {
             outcomes.push(remainder.outcome);
         }
     }
     let two = |of: Outcome| {
-        let points = points(report, of);
+        let points = points(table, found, of);
         (points.len() > 1).then(|| [agreement(of, &points), residuals(of, &points)])
     };
     outcomes.into_iter().filter_map(two).flatten().collect()
 }
 
-fn points(report: &CalibrationReport<'_>, of: Outcome) -> Vec<Point> {
-    let remainders = report.found.remainders.iter().filter(|remainder| remainder.outcome == of);
+fn points(table: &ShotTable, found: &Calibration, of: Outcome) -> Vec<Point> {
+    let remainders = found.remainders.iter().filter(|remainder| remainder.outcome == of);
     let point = |remainder: &Remainder| {
         let measured = remainder.measured?;
-        let shot = report.table.shots.iter().find(|shot| shot.row == remainder.row)?;
+        let shot = table.shots.iter().find(|shot| shot.row == remainder.row)?;
         let sigma = shot.measured.iter().find(|measurement| measurement.outcome == of)?.sigma;
         Some(Point { computed: measured + remainder.difference, measured, sigma })
     };

@@ -60,7 +60,7 @@ pub(in crate::report) fn pictures<'a>(pairs: impl IntoIterator<Item = &'a Pair>)
                 @for (pair, drawings) in drawn {
                     figure {
                         @for (class, svg) in &drawings { div class=(class) { (PreEscaped(svg)) } }
-                        figcaption { (both(|system| note(pair, system))) " " (links(pair, drawings.len() > WIDTHS.len())) }
+                        figcaption { (both(|system| note(pair, system))) " " (links(pair)) }
                     }
                 }
             }
@@ -91,14 +91,10 @@ fn note([metric, us]: &Pair, system: System) -> String {
 }
 
 /// The files of a plot.
-fn links([metric, us]: &Pair, differs: bool) -> Markup {
+fn links([metric, us]: &Pair) -> Markup {
     html! {
-        @if differs {
-            a.us href=(svg_name(us, System::Us)) { "SVG" }
-            a.metric href=(svg_name(metric, System::Metric)) { "SVG" }
-        } @else {
-            a href=(svg_name(us, System::Us)) { "SVG" }
-        }
+        a.us href=(svg_name(us, System::Us)) { "SVG" }
+        a.metric href=(svg_name(metric, System::Metric)) { "SVG" }
         " " a href=(csv_name(us)) { "data" }
     }
 }

@@ -44,7 +44,9 @@ fn headline(findings: &Findings<'_>, yours: Option<f64>, best: Option<f64>) -> M
                 let change = change(of, yours, best, system);
                 format!("{name} {}: {change}", from_to(&show(yours), &show(best)))
             }
-            (None, Some(best)) => format!("{name} {} at best; as set up there is none", show(best)),
+            (None, Some(best)) => {
+                format!("{name} {} at best; as set up there is no {}", show(best), shown::words(of.name()))
+            }
             (Some(yours), None) if findings.found.is_some() => {
                 format!("{name} {}; no best drive was found", show(yours))
             }

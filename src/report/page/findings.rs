@@ -6,6 +6,9 @@ use crate::study::certificate::Row;
 use crate::study::{Chart, Constraint, Effects, Flatness, Map, Optimum};
 use crate::units::{Message, System};
 
+/// The setup file of a report: the best drive, or the drive as set up where there is no best one.
+pub const SETUP_FILE: &str = "setup.toml";
+
 /// What a report tells of. What is not there is left out of the page, and `remarks` says why.
 pub struct Findings<'a> {
     /// What the setup is called.

@@ -6,7 +6,7 @@ mod findings;
 mod numbers;
 mod sections;
 
-pub use findings::Findings;
+pub use findings::{Findings, SETUP_FILE};
 
 use super::figures::{Flown, View, chart_figures, map_figure, tornado_figure, trajectory_figure, vcurve_figure};
 use super::frame::{Frame, Pair, both, in_each, picture_files, pictures};
@@ -17,9 +17,6 @@ use crate::error::Result;
 use crate::study::{Chart, Map};
 use crate::units::System;
 use maud::{Markup, html};
-
-/// The setup file of a report: the best drive, or the drive as set up where there is no best one.
-pub const SETUP_FILE: &str = "setup.toml";
 
 /// A file of a report.
 #[derive(Clone, Debug, PartialEq, Eq)]

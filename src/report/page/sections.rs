@@ -1,7 +1,6 @@
 //! The parts of a page that are words and tables.
 
-use super::SETUP_FILE;
-use super::findings::Findings;
+use super::findings::{Findings, SETUP_FILE};
 use super::numbers::{loss, outcome, parameter, stated};
 use crate::drive::{Outcome, Part};
 use crate::error::Result;
