@@ -250,7 +250,10 @@ fn ellipse_text(best: &Optimum, ellipse: &Ellipse, loss: &str, system: System) -
     });
     let [long, short] = ellipse.half_axes.map(axis);
     let [first, second] = pair.map(|parameter| parameter.name);
-    item(&format!("ellipse of {first} and {second} for a loss of {loss}: half-axes {long} and {short}; {flown}"))
+    item(&format!(
+        "ellipse of {first} and {second} for a loss of {loss}, by the quadratic model, without bounds and constraints: half-axes {long} and {short}; \
+         {flown}"
+    ))
 }
 
 /// "together club.loft +1.20 deg, swing.attack_angle -0.90 deg, or the opposite: …".

@@ -126,7 +126,7 @@ fn notes_of_plots_put_the_chosen_system_first() {
     let along =
         ["chart", "modern-driver", "--along", "swing.speed=90mph..100mph", "--subject-to", "apex_height <= 30 yd"];
     for (plot, us, metric) in [
-        (&["contour"][..], "for a loss of 1 yd (0.9144 m)", "for a loss of 0.9144 m (1 yd)"),
+        (&["contour"][..], "lose at most 1 yd (0.9144 m)", "lose at most 0.9144 m (1 yd)"),
         (&["tornado"], " yd (", " m ("),
         (&along, " mph (41.", "1: at 41."),
     ] {

@@ -12,7 +12,8 @@ use longdrive::report::page::{Document, Findings, SETUP_FILE, report_documents};
 use longdrive::reproduce::while_loop;
 use longdrive::study::certificate::{Row, certify};
 use longdrive::study::{
-    Chart, Fineness, Search, Sigma, Vary, chart, effects, flatness, map, optimum, usual_loss, with_defaults,
+    Chart, Face, Fineness, Landing, Launches, Region, Search, Sigma, Vary, chart, effects, flatness, map, optimum,
+    usual_loss, with_defaults,
 };
 use longdrive::units::{Message, counted};
 use longdrive::{Error, Outcome, Result, Setup};
@@ -62,6 +63,24 @@ pub fn run(args: &Report) -> Result<Answer> {
         remarks.extend(of_drive);
         flown.push(longest);
     }
+    let drives: Vec<(&str, &Setup<f64>)> = std::iter::once(("as set up", &setup))
+        .chain(best.map(|best| ("optimum", &best.setup)))
+        .zip(&flown)
+        .filter(|(_, flown)| flown.drive.landed().is_ok())
+        .map(|(named, _)| named)
+        .collect();
+    let landing = |(name, setup): &(&str, &Setup<f64>)| {
+        Landing::of(*name, setup, &with_defaults(setup, &given, &[Outcome::Carry, Outcome::Lateral])?)
+    };
+    let landings = drives.iter().map(landing).collect::<Result<Vec<_>>>()?;
+    let launches = match drives.is_empty() {
+        true => None,
+        false => said(Launches::around(&drives), &mut remarks)?,
+    };
+    let face = match setup.launch.is_given() || flown[0].drive.landed().is_err() {
+        true => None,
+        false => said(Face::of(&setup), &mut remarks)?,
+    };
     let flatness = best.map(|best| flatness(best, usual_loss(best))).transpose()?;
     bar.inc(1);
 
@@ -73,6 +92,10 @@ pub fn run(args: &Report) -> Result<Answer> {
     };
     let limits = search.map(|search| said(limits(around, search), &mut remarks)).transpose()?.flatten();
     let limits = limits.unwrap_or_default();
+    let region = match (best, &map) {
+        (Some(best), Some(map)) => Region::around(best, map.across, map.up, usual_loss(best))?,
+        _ => None,
+    };
     bar.inc(1);
     let is_fixed = |(search, along): &&(Search, Vary)| search.vary.iter().all(|vary| vary.parameter != along.parameter);
     let chart = match sought.as_ref().filter(is_fixed) {
@@ -107,12 +130,16 @@ pub fn run(args: &Report) -> Result<Answer> {
         of,
         preset,
         flown: &flown,
+        landings: &landings,
+        launches: launches.as_ref(),
+        face: face.as_ref(),
         found: found.as_ref(),
         best,
         why_none: why_none.as_ref(),
         flatness: flatness.as_ref(),
         map: map.as_ref(),
         limits: &limits,
+        region: region.as_ref(),
         chart: chart.as_ref(),
         effects: &effects,
         at_best: at_best.as_ref(),

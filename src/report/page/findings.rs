@@ -3,7 +3,7 @@ use crate::parameters::{Preset, Setup};
 use crate::report::figures::Flown;
 use crate::reproduce::LoopRow;
 use crate::study::certificate::Row;
-use crate::study::{Chart, Constraint, Effects, Flatness, Map, Optimum};
+use crate::study::{Chart, Constraint, Effects, Face, Flatness, Landing, Launches, Map, Optimum, Region};
 use crate::units::{Message, System};
 
 /// The setup file of a report: the best drive, or the drive as set up where there is no best one.
@@ -23,6 +23,12 @@ pub struct Findings<'a> {
     pub preset: &'static Preset,
     /// The drive as set up, and at the optimum.
     pub flown: &'a [Flown],
+    /// Where those of them land that fly.
+    pub landings: &'a [Landing],
+    /// The carry over the launch, with their launches.
+    pub launches: Option<&'a Launches>,
+    /// The carry over the strike, of the club as set up.
+    pub face: Option<&'a Face>,
     /// What the search found, whether it is an optimum or not.
     pub found: Option<&'a Optimum>,
     /// The optimum.
@@ -35,6 +41,8 @@ pub struct Findings<'a> {
     pub map: Option<&'a Map>,
     /// The constraints, each with the map of its outcome.
     pub limits: &'a [(Constraint, Map)],
+    /// The part of the map that is nearly as good as the optimum.
+    pub region: Option<&'a Region>,
     /// The optimum along a parameter.
     pub chart: Option<&'a Chart>,
     /// What stated uncertainties of parameters do to outcomes.

@@ -8,12 +8,15 @@ mod sections;
 
 pub use findings::{Findings, SETUP_FILE};
 
-use super::figures::{Flown, View, chart_figures, map_figure, tornado_figure, trajectory_figure, vcurve_figure};
+use super::figures::{
+    Flown, OnMap, View, capital, chart_figures, face_figure, fairway_figure, launches_figure, map_figure,
+    tornado_figure, trajectory_figure, vcurve_figure,
+};
 use super::frame::{Frame, Pair, both, in_each, picture_files, pictures};
 use super::optimum::best_toml;
 use super::plot::Figure;
 use super::{setup_toml, shown};
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::study::{Chart, Map};
 use crate::units::System;
 use maud::{Markup, html};
@@ -32,10 +35,19 @@ pub struct Document {
 /// # Errors
 /// As [`figure_svg`](super::plot::figure_svg), [`figure_csv`](super::plot::figure_csv) and [`setup_toml`].
 pub fn report_documents(findings: &Findings<'_>) -> Result<Vec<Document>> {
+    let (mut drive, left_out) = trajectories(findings.flown);
+    if !findings.landings.is_empty() {
+        // after the view from the side
+        drive.insert(drive.len().min(1), in_each(|system| fairway_figure(findings.landings, system)));
+    }
+    let launches = findings.launches.map(|launches| in_each(|system| launches_figure(launches, system)));
+    let face = findings.face.map(|face| in_each(|system| face_figure(face, system)));
     let plots = Plots {
-        drive: trajectories(findings.flown),
+        drive,
+        strike: launches.into_iter().chain(face).collect(),
+        left_out,
         map: findings.map.map(|map| in_each(|system| mapped(findings, map, system))).into_iter().collect(),
-        chart: findings.chart.map(charts).unwrap_or_default(),
+        chart: findings.chart.map(|chart| charts(findings, chart)).unwrap_or_default(),
         // without any effect there is no bar to draw
         effects: findings
             .effects
@@ -63,24 +75,35 @@ fn alike(figure: &Figure) -> Pair {
 }
 
 fn mapped(findings: &Findings<'_>, map: &Map, system: System) -> Figure {
-    map_figure(map, findings.limits, findings.best, findings.flatness, system)
+    let Findings { setup, limits, best, region, .. } = *findings;
+    map_figure(map, &OnMap { setup, limits, best, region }, system)
 }
 
-fn charts(chart: &Chart) -> Vec<Pair> {
-    let [metric, us] = System::ALL.map(|system| chart_figures(chart, system));
+fn charts(findings: &Findings<'_>, chart: &Chart) -> Vec<Pair> {
+    let [metric, us] = System::ALL.map(|system| chart_figures(chart, findings.best, system).drawn);
     metric.into_iter().zip(us).map(|(metric, us)| [metric, us]).collect()
 }
 
-/// The paths of what flies, from both sides.
-fn trajectories(flown: &[Flown]) -> Vec<Pair> {
+/// The paths of what flies, from both sides, and why a view is left out.
+fn trajectories(flown: &[Flown]) -> (Vec<Pair>, Vec<String>) {
     let flying: Vec<Flown> = flown.iter().filter(|one| !one.path.points.is_empty()).cloned().collect();
-    let views: &[View] = if flying.is_empty() { &[] } else { &[View::Side, View::Top] };
-    views.iter().map(|view| alike(&trajectory_figure(&flying, *view))).collect()
+    let (mut pairs, mut left_out) = (vec![], vec![]);
+    for view in [View::Side, View::Top].into_iter().filter(|_| !flying.is_empty()) {
+        match System::ALL.map(|system| trajectory_figure(&flying, view, system)) {
+            [Ok(metric), Ok(us)] => pairs.push([metric, us]),
+            [Err(Error::Plot { reason, .. }), _] => left_out.push(format!("{}.", capital(&reason))),
+            _ => {}
+        }
+    }
+    (pairs, left_out)
 }
 
 /// The plots of a page, by section.
 struct Plots {
     drive: Vec<Pair>,
+    /// Why a view of it is not there.
+    left_out: Vec<String>,
+    strike: Vec<Pair>,
     map: Vec<Pair>,
     chart: Vec<Pair>,
     effects: Vec<Pair>,
@@ -89,7 +112,7 @@ struct Plots {
 
 impl Plots {
     fn all(&self) -> impl Iterator<Item = &Pair> {
-        let sections = [&self.drive, &self.map, &self.chart, &self.effects, &self.curves];
+        let sections = [&self.drive, &self.strike, &self.map, &self.chart, &self.effects, &self.curves];
         sections.into_iter().flatten()
     }
 }
@@ -121,6 +144,8 @@ fn main(findings: &Findings<'_>, plots: &Plots) -> Result<Markup> {
         section {
             h2 { "The drive" }
             (pictures(&plots.drive)?)
+            @for why in &plots.left_out { p.faint { (why) } }
+            (pictures(&plots.strike)?)
             h3 { "As set up, on a launch monitor" }
             (sections::panel(findings))
         }

@@ -1,8 +1,9 @@
 //! Each kind of layer as it is drawn, in pixels of the plot.
 
 use super::canvas::{Area, FINE, LINE, Labels, SIGN, block, failed, fine, path, stroke};
-use super::contour::{Ground, grounds};
+use super::contour::grounds;
 use super::figure::{Field, Figure, Hue, Layer};
+use super::hatching::hatching;
 use super::palette::Palette;
 use super::ticks::Drawn;
 use crate::error::Result;
@@ -13,6 +14,9 @@ use plotters::style::{Color, RGBColor};
 /// Where the first bars of a series stand along its line, amid its sign in the legend, and how far apart the next, pixels.
 const FIRST_BARS: f64 = 0.5 * SIGN;
 const BARS_APART: f64 = 32.0;
+
+/// How far the lines of a hatching are apart, pixels.
+const HATCHES_APART: f64 = 11.0;
 
 /// The plane of the axes on the sheet.
 pub(super) struct Plane<'a> {
@@ -70,6 +74,10 @@ pub(super) fn draw(area: &Area<'_>, plane: &Plane<'_>, palette: &Palette, system
             let ends = [plane.pixel(*from), plane.pixel(*to)];
             if let [Some(from), Some(to)] = ends { arrow(area, from, to, color) } else { Ok(()) }
         }),
+        Layer::Region { is_hatched, rings, .. } => {
+            let rings: Vec<_> = rings.iter().map(|ring| plane.all(ring)).collect();
+            region(area, &rings, color, *is_hatched)
+        }
         Layer::Frame { low, high, .. } => {
             let [Some(low), Some(high)] = [plane.pixel(*low), plane.pixel(*high)] else { return Ok(()) };
             let corners = [low, [high[0], low[1]], high, [low[0], high[1]], low];
@@ -98,30 +106,59 @@ pub(super) fn label(labels: &mut Labels<'_, '_>, plane: &Plane<'_>, system: Syst
             labels.write(name, [at[0] + side, y], labels.palette.of(*hue), true)?;
         }
     }
+    for layer in figure.layers.iter().filter(|_| figure.names_on_lines) {
+        if let Layer::Line { name, hue, points, .. } = layer
+            && !name.is_empty()
+        {
+            let color = labels.palette.of(*hue);
+            // a line that has no room for its name would be a riddle: there the name stands in its middle
+            let at = place_on(labels, plane, &plane.all(points), name);
+            let at = at.or_else(|| plane.all(points).get(points.len() / 2).map(|at| within(plane, name, *at)));
+            at.map_or(Ok(()), |at| labels.write(name, at, color, true))?;
+        }
+    }
     for layer in &figure.layers {
         if let Layer::Contours(field) = layer {
+            let unit = system.unit(field.measure.unit);
             for ground in grounds(field, system) {
-                levels(labels, plane, &ground)?;
+                let text = format!("{} {unit}", significant(ground.level, 6)).trim_end().to_owned();
+                let mut lines: Vec<_> = ground.lines.iter().map(|line| plane.all(line)).collect();
+                lines.sort_by_key(|line| std::cmp::Reverse(line.len()));
+                let at = lines.iter().find_map(|line| place_on(labels, plane, line, &text));
+                at.map_or(Ok(()), |at| labels.write(&text, at, labels.palette.ink, false))?;
             }
         }
     }
     Ok(())
 }
 
-/// The level of a contour, once, where there is most room.
-fn levels(labels: &mut Labels<'_, '_>, plane: &Plane<'_>, ground: &Ground) -> Result<()> {
-    let [left, top, right, bottom] = plane.frame;
-    let text = significant(ground.level, 6);
-    let room = |at: &[f64; 2]| (at[0] - left).min(right - at[0]).min(at[1] - top).min(bottom - at[1]);
-    let longest = ground.lines.iter().max_by_key(|line| line.len());
-    let places = longest.map(|line| plane.all(line)).unwrap_or_default();
-    let is_free = |at: &&[f64; 2]| room(at) > 24.0 && labels.is_free(Labels::extent(&text, **at));
-    // near the middle of the line first: ends crowd together
+/// Where words have room on a line: nearest to its middle, since ends crowd together.
+fn place_on(labels: &Labels<'_, '_>, plane: &Plane<'_>, places: &[[f64; 2]], text: &str) -> Option<[f64; 2]> {
     let middle = places.len() / 2;
     let outward =
         (0..places.len()).map(|i| if i % 2 == 0 { middle.wrapping_add(i / 2) } else { middle.wrapping_sub(i / 2 + 1) });
-    let place = outward.filter_map(|i| places.get(i)).find(is_free).copied();
-    place.map_or(Ok(()), |at| labels.write(&text, at, labels.palette.ink, false))
+    let has_room = |at: &&[f64; 2]| within(plane, text, **at) == **at && labels.is_free(Labels::extent(text, **at));
+    outward.filter_map(|i| places.get(i)).find(has_room).copied()
+}
+
+/// The nearest place to a point where words around it lie within the frame.
+fn within(plane: &Plane<'_>, text: &str, at: [f64; 2]) -> [f64; 2] {
+    let [left, top, right, bottom] = plane.frame;
+    let [_, [wide, tall]] = Labels::extent(text, [0.0, 0.0]);
+    // words wider than the frame begin at its left
+    [at[0].min(right - wide).max(left + wide), at[1].min(bottom - tall).max(top + tall)]
+}
+
+/// A part of the plane: hatched, or tinted with an outline.
+pub(super) fn region(area: &Area<'_>, rings: &[Vec<[f64; 2]>], color: RGBColor, is_hatched: bool) -> Result<()> {
+    if is_hatched {
+        return hatching(rings, HATCHES_APART).iter().try_for_each(|ends| path(area, ends, stroke(color, 0.6)));
+    }
+    rings.iter().try_for_each(|ring| {
+        polygon(area, ring, color, 0.28)?;
+        let closed: Vec<_> = ring.iter().chain(ring.first()).copied().collect();
+        path(area, &closed, stroke(color, 1.6))
+    })
 }
 
 fn ground(area: &Area<'_>, plane: &Plane<'_>, palette: &Palette, system: System, field: &Field) -> Result<()> {

@@ -2,7 +2,7 @@
 
 use super::canvas::{Area, CHARACTER, LINE, SIGN, TEXT, block, font, words};
 use super::figure::{Figure, Hue, Layer};
-use super::layers::{arrow, line, point, series};
+use super::layers::{arrow, line, point, region, series};
 use super::palette::Palette;
 use crate::error::Result;
 use plotters::style::text_anchor::HPos;
@@ -12,7 +12,9 @@ use plotters::style::text_anchor::HPos;
 pub(super) fn laid_out(figure: &Figure, width: f64) -> (Vec<(&Layer, [f64; 2])>, f64) {
     let is_named = |layer: &&Layer| {
         let (name, hue) = layer.named();
-        !name.is_empty() && hue.is_some() && !matches!(layer, Layer::Mark { .. }) && !is_part_of_another(figure, name)
+        let is_named_where_it_is = matches!(layer, Layer::Mark { .. })
+            || (figure.names_on_lines && matches!(layer, Layer::Line { .. } | Layer::Region { is_hatched: true, .. }));
+        !name.is_empty() && hue.is_some() && !is_named_where_it_is && !is_part_of_another(figure, name)
     };
     let layers: Vec<&Layer> = figure.layers.iter().filter(is_named).collect();
     if layers.is_empty() || (layers.len() == 1 && figure.layers.len() == 1) {
@@ -47,6 +49,10 @@ pub(super) fn entry(area: &Area<'_>, palette: &Palette, layer: &Layer, [x, y]: [
     let ends = [[x, y], [x + SIGN, y]];
     match layer {
         Layer::Line { is_dashed, .. } => series(area, &ends, palette, hue, *is_dashed)?,
+        Layer::Region { is_hatched, .. } => {
+            let corners = [[x, y - 6.0], [x + SIGN, y - 6.0], [x + SIGN, y + 6.0], [x, y + 6.0]];
+            region(area, &[corners.to_vec()], color, *is_hatched)?;
+        }
         Layer::Frame { .. } => line(area, &ends, color, true)?,
         Layer::Dots { .. } => point(area, [x + 0.5 * SIGN, y], palette, hue)?,
         Layer::Band { .. } => block(area, [x, y - 6.0], [x + SIGN, y + 6.0], color, 0.22)?,

@@ -19,9 +19,12 @@ mod canvas;
 mod contour;
 mod csv;
 mod figure;
+mod hatching;
+mod hover;
 mod layers;
 mod legend;
 mod palette;
+mod panels;
 #[cfg(feature = "png")]
 mod png;
 mod svg;
@@ -30,6 +33,7 @@ mod ticks;
 pub use axis::{Axis, Measure, Scale};
 pub use csv::figure_csv;
 pub use figure::{Bar, Field, Figure, Hue, Layer};
+pub use panels::figure_svg;
 #[cfg(feature = "png")]
 pub use png::figure_png;
-pub use svg::{Look, Shades, dark_rules, figure_svg};
+pub use svg::{Look, Shades, dark_rules};

@@ -1,5 +1,6 @@
 use super::canvas::{Area, CHARACTER, FINE, LINE, Labels, TEXT, failed, fine, font, stroke, words};
 use super::figure::{Figure, Layer};
+use super::hover::titles as hover_titles;
 use super::layers::{Plane, draw, label};
 use super::legend::{entry, laid_out};
 use super::palette::{DARK, LIGHT, Palette};
@@ -49,12 +50,17 @@ impl Shades {
     }
 }
 
-/// A plot as SVG, a picture that scales. It is complete in itself, and names no other file; its colours are plain
-/// attributes, which [`dark_rules`] can change on a page.
+/// A figure as drawn: elements of SVG, and how tall they are, pixels.
+pub(super) struct Panel {
+    pub body: String,
+    pub height: f64,
+}
+
+/// Draws a figure without its other views.
 ///
 /// # Errors
 /// [`Error::Plot`] where nothing of it has a place on its axes.
-pub fn figure_svg(figure: &Figure, look: &Look) -> Result<String> {
+pub(super) fn panel(figure: &Figure, look: &Look) -> Result<Panel> {
     let palette = look.shades.palette();
     let width = f64::from(look.width);
     let nothing = |axis: &str| {
@@ -62,12 +68,15 @@ pub fn figure_svg(figure: &Figure, look: &Look) -> Result<String> {
         Error::Plot { name: figure.name.clone(), reason }
     };
     let [xs, ys] = [0, 1].map(|axis| coordinates(figure).map(move |point| point[axis]));
-    let y = Drawn::new(&figure.y, ys, look.system, 6).ok_or_else(|| nothing("vertical"))?;
+    // as many numbers as find room below each other, about
+    let rows = (figure.aspect * (width - 60.0) / (1.5 * LINE)).clamp(2.0, 6.0) as usize;
+    let y = Drawn::new(&figure.y, ys, look.system, rows).ok_or_else(|| nothing("vertical"))?;
 
     let titles = wrapped(&figure.title, ((width - 12.0) / (CHARACTER * 1.25)) as usize);
+    let subtitles = wrapped(&figure.subtitle, ((width - 12.0) / CHARACTER) as usize);
     let (legend, legend_height) = laid_out(figure, width - 12.0);
     let y_title = y.title();
-    let heads = titles.len() as f64 + if y_title.is_empty() { 0.0 } else { 1.0 };
+    let heads = (titles.len() + subtitles.len()) as f64 + if y_title.is_empty() { 0.0 } else { 1.0 };
     let left = 15.0 + 1.1 * CHARACTER * y.longest() as f64;
     // as many numbers as find room beside each other
     let count = ((width - left) / 60.0).max(2.0) as usize;
@@ -80,6 +89,7 @@ pub fn figure_svg(figure: &Figure, look: &Look) -> Result<String> {
     let height = (frame[3] + 2.0 * LINE + 10.0).ceil();
 
     let mut svg = String::new();
+    let hover;
     {
         let size = (fine(width) as u32, fine(height) as u32);
         let area = SVGBackend::with_string(&mut svg, size).into_drawing_area();
@@ -88,11 +98,15 @@ pub fn figure_svg(figure: &Figure, look: &Look) -> Result<String> {
         for (i, title) in titles.iter().enumerate() {
             words(&area, title, [6.0, (i as f64 + 0.5) * LINE + 3.0], HPos::Left, title_style())?;
         }
-        let legend_top = titles.len() as f64 * LINE + 5.0;
+        let faint = || font(TEXT, palette.faint, false);
+        for (i, line) in subtitles.iter().enumerate() {
+            let y = ((titles.len() + i) as f64 + 0.5) * LINE + 3.0;
+            words(&area, line, [6.0, y], HPos::Left, faint())?;
+        }
+        let legend_top = (titles.len() + subtitles.len()) as f64 * LINE + 5.0;
         for (layer, [at_x, at_y]) in &legend {
             entry(&area, palette, layer, [6.0 + at_x, legend_top + at_y])?;
         }
-        let faint = || font(TEXT, palette.faint, false);
         words(&area, &y_title, [6.0, frame[1] - 0.5 * LINE - 5.0], HPos::Left, faint())?;
         words(&area, &x.title(), [frame[2], frame[3] + 1.6 * LINE], HPos::Right, faint())?;
 
@@ -104,9 +118,12 @@ pub fn figure_svg(figure: &Figure, look: &Look) -> Result<String> {
         }
         let mut labels = Labels { area: &area, palette, taken: vec![] };
         label(&mut labels, &plane, look.system, figure)?;
+        hover = hover_titles(figure, &plane, look.system);
         area.present().map_err(failed)?;
     }
-    Ok(opened(&svg, figure, width, height))
+    // the elements alone: the picture around them may hold several panels
+    let body = svg.split_once('>').map_or("", |(_, body)| body).trim_end().trim_end_matches("</svg>");
+    Ok(Panel { body: format!("{body}{hover}"), height })
 }
 
 /// The axes and the mesh, by the library.
@@ -148,6 +165,7 @@ fn coordinates(figure: &Figure) -> impl Iterator<Item = [f64; 2]> + '_ {
             }
             Layer::Contours(field) => vec![[field.x[0], field.y[0]], [field.x[1], field.y[1]]],
             Layer::Mark { at, .. } => vec![*at],
+            Layer::Region { rings, .. } => rings.concat(),
             Layer::Arrows { arrows, .. } => arrows.iter().flatten().copied().collect(),
             Layer::Frame { low, high, .. } => vec![*low, *high],
         }
@@ -167,19 +185,6 @@ fn wrapped(text: &str, width: usize) -> Vec<String> {
         }
     }
     lines
-}
-
-/// The picture with its size in pixels, and with words for those who cannot see it.
-fn opened(svg: &str, figure: &Figure, width: f64, height: f64) -> String {
-    let escaped = |text: &str| text.replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;");
-    let (fine_width, fine_height) = (fine(width), fine(height));
-    let body = svg.split_once('>').map_or("", |(_, body)| body);
-    format!(
-        "<svg width=\"{width}\" height=\"{height}\" viewBox=\"0 0 {fine_width} {fine_height}\" role=\"img\" \
-         aria-label=\"{}\" xmlns=\"http://www.w3.org/2000/svg\">\n<desc>{}</desc>{body}",
-        escaped(&figure.title),
-        escaped(&figure.note),
-    )
 }
 
 /// Rules of CSS that turn the colours of light pictures within `inside` into those of dark ones.

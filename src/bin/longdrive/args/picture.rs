@@ -28,6 +28,12 @@ pub enum PlotKind {
     Vcurve(PlotVcurve),
     /// Laws of drag and lift over the spin ratio or the Reynolds number, with measured points.
     Laws(PlotLaws),
+    /// Where the drive and the best one land, from above at true scale, with the ellipses that hold half and 95 % of the landings.
+    Fairway(PlotFairway),
+    /// The club face from the front: the strike, the sweet spot, rings of carry lost, and the side to which the spin axis tilts.
+    Face(PlotFace),
+    /// Carry over launch angle and backspin at the drive's ball speed, with its launch and the best one.
+    Launch(PlotLaunch),
 }
 
 impl PlotKind {
@@ -41,6 +47,9 @@ impl PlotKind {
             Self::Compare(args) => &args.pair.question,
             Self::Vcurve(args) => &args.question,
             Self::Laws(args) => &args.question,
+            Self::Fairway(args) => &args.question,
+            Self::Face(args) => &args.question,
+            Self::Launch(args) => &args.question,
         }
     }
 }
@@ -140,6 +149,44 @@ pub struct PlotTrajectory {
     /// The side from which the trajectory is shown.
     #[arg(long, value_enum, default_value_t = Seen::Side)]
     pub view: Seen,
+}
+
+#[derive(clap::Args)]
+pub struct PlotFairway {
+    #[command(flatten)]
+    pub question: Question,
+
+    #[command(flatten)]
+    pub search: SearchArgs,
+
+    #[command(flatten)]
+    pub drawing: Drawing,
+
+    /// How much a parameter of the golfer varies from drive to drive, one standard deviation, e.g. swing.face_angle=2deg.
+    /// Repeatable; other parameters of swing, strike and club have the default uncertainties of "longdrive sensitivity".
+    #[arg(long, value_name = "NAME=AMOUNT")]
+    pub sigma: Vec<String>,
+}
+
+#[derive(clap::Args)]
+pub struct PlotFace {
+    #[command(flatten)]
+    pub question: Question,
+
+    #[command(flatten)]
+    pub drawing: Drawing,
+}
+
+#[derive(clap::Args)]
+pub struct PlotLaunch {
+    #[command(flatten)]
+    pub question: Question,
+
+    #[command(flatten)]
+    pub search: SearchArgs,
+
+    #[command(flatten)]
+    pub drawing: Drawing,
 }
 
 #[derive(clap::Args)]
