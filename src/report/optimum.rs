@@ -252,13 +252,17 @@ pub(super) fn constraint_price(optimum: &Optimum, of: &Constraint, at: &Constrai
 /// # Errors
 /// As [`setup_toml`]; as [`Optima::best`].
 pub fn optimum_toml(optima: &Optima, preset: &Preset) -> Result<String> {
-    let optimum = optima.best()?;
+    best_toml(optima.best()?, optima.interrupted(), preset)
+}
+
+/// The same of one optimum, and how its search was interrupted.
+pub(super) fn best_toml(optimum: &Optimum, interrupted: Option<String>, preset: &Preset) -> Result<String> {
     let search = &optimum.search;
     let of = search.of;
     let value = optimum.value().map_or("–".into(), |value| shown::both(of, value, System::default()));
     let mut about = vec![format!("{}, {} {}: {value}", preset.name, search.sense.adjective(), of.name())];
     about.extend(search.subject_to.iter().map(|constraint| format!("subject to {}", constraint.expression)));
-    about.extend(optima.interrupted().map(|interrupted| format!("interrupted: {interrupted}; the best so far:")));
+    about.extend(interrupted.map(|interrupted| format!("interrupted: {interrupted}; the best so far:")));
     about.push(format!("{}: {}", optimum.status(), optimum.message()));
     let remarks = search.vary.iter().zip(&optimum.solution.x).map(|(vary, x)| {
         let show = |value: f64| vary.parameter.show(Some(value));

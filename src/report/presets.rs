@@ -1,6 +1,7 @@
-use super::{Reply, json, table::table};
+use super::{Reply, json, shown, table::table};
 use crate::error::Result;
-use crate::parameters::{LAW, METHOD, PRESETS, Preset, Setup, TABLE};
+use crate::parameters::{LAW, METHOD, PRESETS, Parameter, Preset, Setup, TABLE, UNSET};
+use crate::units::System;
 use serde_json::{Value, json};
 
 /// The source of a parameter's value in a preset: its own, or the table's where the preset does not change it.
@@ -63,6 +64,48 @@ pub fn sources(setup: &Setup<f64>, preset: &Preset) -> Result<Vec<(&'static str,
     let method_at = rows.iter().position(|(name, ..)| *name == "flight.step").unwrap_or(rows.len());
     rows.insert(method_at, (METHOD, setup.method.name().into(), source(METHOD, base.method == setup.method)));
     Ok(rows)
+}
+
+/// A number, a law or a method that differs from the preset's, as a person reads it.
+pub(super) struct Change {
+    /// The parameter, where it is one.
+    pub parameter: Option<&'static Parameter>,
+    /// What it is called.
+    pub name: String,
+    /// In the preset.
+    pub from: String,
+    /// In the setup.
+    pub to: String,
+}
+
+/// What differs between a setup and the preset that it started from, in the units of a system.
+pub(super) fn changes(setup: &Setup<f64>, preset: &Preset, system: System) -> Result<Vec<Change>> {
+    let base = Setup::preset(preset.name)?;
+    let used = setup.parameters().into_iter().filter(|row| setup.why_replaced(row).is_none());
+    let numbers = used.filter_map(|row| {
+        // a coefficient of another law than the preset's is compared with its own default
+        let from = base.parameter(row.name).map_or_else(|_| row.default_value(), |known| base.value(known));
+        let to = setup.value(row);
+        let show = |value: Option<f64>| value.map_or(UNSET.into(), |value| shown::stated(row, value, system));
+        (from != to).then(|| Change {
+            parameter: Some(row),
+            name: shown::words(row.name),
+            from: show(from),
+            to: show(to),
+        })
+    });
+    let law = setup.law.table().map_or(setup.law.name(), |table| table.file());
+    let words = [
+        ("law of drag and lift", base.law.name(), law),
+        ("method of integration", base.method.name(), setup.method.name()),
+    ];
+    let words = words.into_iter().filter(|(_, from, to)| from != to).map(|(name, from, to)| Change {
+        parameter: None,
+        name: name.into(),
+        from: from.into(),
+        to: to.into(),
+    });
+    Ok(numbers.chain(words).collect())
 }
 
 /// The answer of `presets`: every number of each preset, or of the one that is named, with its source.

@@ -296,6 +296,7 @@ fn a_side_view_has_its_numbers_at_the_points_and_a_stretched_view_below() {
 fn a_map_of_what_does_not_change_is_not_drawn() {
     let folder = tempfile::tempdir().unwrap();
     let (file, page) = (folder.path().join("a.svg").display().to_string(), folder.path().join("page"));
+    let straight = folder.path().join("straight");
     // a straight drive lands on the target line, whatever its loft, but for rounding
     let said = longdrive(&["plot", "contour", "-o", &file, "--minimize", "lateral"]);
     assert!(said.status == 2 && said.err.contains("lateral is the same all over the map"), "{}", said.err);
@@ -306,6 +307,9 @@ fn a_map_of_what_does_not_change_is_not_drawn() {
         longdrive(&[&["report", "-o", &page.display().to_string(), "--maximize", "ball_speed"], &air[..]].concat());
     let page = std::fs::read_to_string(page.join("index.html")).unwrap();
     assert!(page.contains("ball_speed is the same all over the map") && !page.contains("map-ball"), "{}", said.err);
+    // derivatives that are 0 in every drive have no curve, and the page stands
+    let said = longdrive(&["report", "-o", &straight.display().to_string(), "--minimize", "lateral"]);
+    assert!(said.status == 0 && straight.join("index.html").exists(), "{}", said.err);
 }
 
 #[test]

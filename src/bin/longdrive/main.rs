@@ -6,6 +6,7 @@ mod chart;
 mod colour;
 mod compare;
 mod completions;
+mod date;
 mod delivery;
 mod files;
 mod fly;

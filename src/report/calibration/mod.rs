@@ -12,6 +12,7 @@ use crate::optimize::least_squares::Status;
 use crate::report::shown;
 use crate::study::calibrate::{Calibration, Estimate, HeldOut, Remainder, ShotTable, Uncertainties, Undetermined};
 use crate::units::{Quantity, System, counted, counted_of, fixed, signed, significant};
+use std::path::Path;
 
 /// All that a report of a calibration shows.
 #[derive(Clone, Copy, Debug)]
@@ -99,7 +100,9 @@ fn estimated(estimate: &Estimate, reach: f64, system: System) -> Vec<String> {
 pub fn calibration_document(report: &CalibrationReport<'_>, system: System) -> Document {
     let CalibrationReport { table, found, held_out } = report;
     let (fit, statistics) = (&found.fit, &found.statistics);
-    let mut document = Document::new(&format!("Calibration to {}", table.file));
+    // where the file is, is nobody's business but the reader's own
+    let file = Path::new(&table.file).file_name().map_or(table.file.as_str().into(), |name| name.to_string_lossy());
+    let mut document = Document::new(&format!("Calibration to {file}"));
     document.paragraph(format!(
         "{}: {} ({}, {})",
         report.status(),
@@ -144,11 +147,11 @@ pub fn calibration_document(report: &CalibrationReport<'_>, system: System) -> D
     }
     correlations(&mut document, found);
     document.heading("Residuals");
-    let head = ["row", "measured", "computed − measured", "in σ", "what"];
-    document.table(&head, found.remainders.iter().map(|remainder| row(remainder, system)));
-    for figure in plots::figures(found) {
+    for figure in plots::figures(table, found) {
         document.figure(figure);
     }
+    let head = ["row", "measured", "computed − measured", "in σ", "what"];
+    document.table(&head, found.remainders.iter().map(|remainder| row(remainder, system)));
     if !held_out.is_empty() {
         document.heading("Held-out error");
         let head = ["folds", "rms in σ", "rms by outcome", "law and fit"];

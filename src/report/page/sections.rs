@@ -1,14 +1,15 @@
 //! The parts of a page that are words and tables.
 
-use super::findings::Findings;
-use super::numbers::{both, loss, outcome, parameter, stated};
+use super::findings::{Findings, SETUP_FILE};
+use super::numbers::{loss, outcome, parameter, stated};
 use crate::drive::{Outcome, Part};
 use crate::error::Result;
 use crate::flight::Flight;
 use crate::optimize::Status;
-use crate::parameters::Parameter;
+use crate::parameters::{METHOD, Parameter};
 use crate::report::certificate::settled;
 use crate::report::figures::{Flown, capital};
+use crate::report::frame::{both, scrolled};
 use crate::report::optimum::{bound_in_words, constraint_price, constraints};
 use crate::report::presets::sources;
 use crate::study::certificate::Row;
@@ -56,8 +57,8 @@ fn tile_name(name: &str) -> String {
 /// Every outcome of each drive.
 pub(super) fn outcomes(flown: &[Flown]) -> Markup {
     html! {
-        div.wide { table {
-            thead { tr { th { "outcome" } @for one in flown { th.number { (one.name) } } th.doc { "" } } }
+        (scrolled("Launch and flight", html! { table {
+            thead { tr { th { "outcome" } @for one in flown { th.number { (one.name) } } th.doc { "what it is" } } }
             tbody {
                 @for of in Outcome::of_part(Part::Launch).chain(Outcome::of_part(Part::Flight)) {
                     tr {
@@ -67,7 +68,7 @@ pub(super) fn outcomes(flown: &[Flown]) -> Markup {
                     }
                 }
             }
-        } }
+        } }))
         @for one in flown {
             @if let Flight::None(why) = &one.drive.flight { p.warning { (one.name) ": " (why.to_string()) } }
         }
@@ -80,14 +81,8 @@ pub(super) fn optimum(best: &Optimum, flatness: Option<&Flatness>) -> Markup {
     let of = search.of;
     let window = |i: usize| flatness.map(|flatness| flatness.windows[i]);
     html! {
-        p {
-            (capital(search.sense.adjective())) " " (of.name().replace('_', " ")) ": " strong { (outcome(of, best.value())) } ". "
-            span.faint {
-                (best.status()) ": " (both(|system| best.message().in_units(system))) " (" (counted(solution.iterations, "iteration")) ", "
-                (counted(solution.evaluations, "evaluation")) ")"
-            }
-        }
-        div.wide { table {
+        p { (capital(search.sense.adjective())) " " (of.name().replace('_', " ")) ": " strong { (outcome(of, best.value())) } "." }
+        (scrolled("The optimum", html! { table {
             thead { tr {
                 th { "varied" } th.number { "optimum" } th.number { "from" } th.number { "to" } th { "bound" }
                 @if let Some(flatness) = flatness { th { "alone, for a loss of " (loss(of, flatness.loss)) } }
@@ -109,7 +104,7 @@ pub(super) fn optimum(best: &Optimum, flatness: Option<&Flatness>) -> Markup {
                     }
                 }
             }
-        } }
+        } }))
         (limits(best))
     }
 }
@@ -131,12 +126,12 @@ fn limits(best: &Optimum) -> Markup {
         return html! {};
     }
     html! {
-        div.wide { table {
+        (scrolled("Constraints", html! { table {
             thead { tr { th { "subject to" } th.number { "value" } th { "price" } } }
             tbody {
                 @for (constraint, report) in best.search.subject_to.iter().zip(reports) {
                     tr {
-                        td { (&report.expression) }
+                        td.typed { (&report.expression) }
                         td.number { (outcome(constraint.outcome, Some(report.value))) }
                         td {
                             @if constraint.is_equation() { "equality" }
@@ -149,7 +144,7 @@ fn limits(best: &Optimum) -> Markup {
                     }
                 }
             }
-        } }
+        } }))
     }
 }
 
@@ -158,26 +153,25 @@ pub(super) fn uncertainties(effects: &[Effects]) -> Markup {
     let Some(first) = effects.first() else { return html! {} };
     let sigmas = first.effects.iter().filter_map(|effect| Some(effect.bar?.sigma));
     html! {
-        h3 { "The uncertainties and their sources" }
-        div.wide { table.told {
+        (scrolled("Uncertainties", html! { table.told {
             thead { tr { th { "parameter" } th.number { "standard uncertainty" } th { "source" } } }
             tbody {
                 @for sigma in sigmas {
                     tr {
                         td { (sigma.parameter.name) }
                         td.number { (stated(sigma.parameter, sigma.value)) }
-                        td.words { (sigma.source.unwrap_or("as given")) }
+                        td.words.source { (sigma.source.unwrap_or("as given")) }
                     }
                 }
             }
-        } }
+        } }))
     }
 }
 
 /// Each derivative beside the best that differences make of it.
 pub(super) fn verdicts(rows: &[Row]) -> Markup {
     html! {
-        div.wide { table {
+        (scrolled("Derivatives", html! { table {
             thead { tr {
                 th { "derivative" } th.number { "exact, SI" } th.number { "numerical, extrapolated" } th.number { "difference" } th { "verdict" }
             } }
@@ -192,7 +186,7 @@ pub(super) fn verdicts(rows: &[Row]) -> Markup {
                     }
                 }
             }
-        } }
+        } }))
     }
 }
 
@@ -200,19 +194,45 @@ pub(super) fn verdicts(rows: &[Row]) -> Markup {
 pub(super) fn setup(findings: &Findings<'_>) -> Result<Markup> {
     let is_launched = findings.setup.launch.is_given();
     let is_used = |name: &str| !(is_launched && findings.setup.parameter(name).is_ok_and(Parameter::is_of_strike));
-    let rows = sources(findings.setup, findings.preset)?.into_iter().filter(|(name, ..)| is_used(name));
+    let (flown, stated) = (findings.setup, findings.stated);
+    let is_chosen = |name: &str| match name {
+        METHOD => flown.method != stated.method,
+        "flight.step" => flown.flight.step != stated.flight.step,
+        _ => false,
+    };
+    let with_source = |(name, shown, source)| {
+        (name, shown, if is_chosen(name) { "chosen for the accuracy of the flight".to_owned() } else { source })
+    };
+    let rows = sources(flown, findings.preset)?.into_iter().map(with_source).filter(|(name, ..)| is_used(name));
     Ok(html! {
         p.faint {
             "All numbers of the setup and their sources; it is based on the preset " (findings.preset.name) "."
             @if is_launched { " Those of swing, club, strike and impact are left out: no club strikes the ball." }
         }
-        div.wide { table.told {
+        (scrolled("The setup", html! { table.told {
             thead { tr { th { "parameter" } th.number { "value" } th { "source" } } }
             tbody {
                 @for (name, shown, source) in rows {
-                    tr { td { (name) } td.number { (shown) } td.words { (source) } }
+                    tr { td { (name) } td.number { (shown) } td.words.source { (source) } }
                 }
             }
-        } }
+        } }))
     })
+}
+
+/// How the search ended, and what made the page.
+pub(super) fn footer(findings: &Findings<'_>) -> Markup {
+    html! {
+        @if let Some(found) = findings.found {
+            p {
+                "The search: " (found.status()) ": " (both(|system| found.message().in_units(system))) " ("
+                (counted(found.solution.iterations, "iteration")) ", " (counted(found.solution.evaluations, "evaluation")) ")."
+            }
+        }
+        p {
+            a href=(SETUP_FILE) { (SETUP_FILE) } " is the " (if findings.best.is_some() { "best drive" } else { "drive as set up" })
+            ", for " code { "longdrive simulate " (SETUP_FILE) } ". "
+            "Made by longdrive " (env!("CARGO_PKG_VERSION")) " on " (findings.date) " with " code { (findings.command) }
+        }
+    }
 }

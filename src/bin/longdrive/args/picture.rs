@@ -277,7 +277,7 @@ pub struct Report {
     #[command(flatten)]
     pub search: SearchArgs,
 
-    /// The folder to write: index.html, and each plot as NAME-metric.svg, NAME-us.svg and NAME.csv. The folder is created if it
+    /// The folder to write: index.html, the best drive as setup.toml, and each plot as NAME-metric.svg, NAME-us.svg and NAME.csv. The folder is created if it
     /// does not exist; other files in it are not touched.
     #[arg(long, short, value_name = "DIR")]
     pub output: PathBuf,
