@@ -32,6 +32,7 @@ mod messages;
 mod optimizer;
 mod oracle;
 mod own_table;
+mod pictures;
 mod published;
 mod reference;
 mod report;

@@ -13,7 +13,8 @@ pub fn chart_figures(chart: &Chart, system: System) -> Vec<Figure> {
     let x = || Axis::linear(along.clone());
     let of = Measure::outcome(search.of);
     let title = format!("Best {} against {}", of.label, along.label);
-    let line = |points: Vec<[f64; 2]>| Layer::line("optimum", 0, points);
+    let line =
+        |points: Vec<[f64; 2]>| Layer::Line { name: "optimum".into(), hue: Hue::OPTIMUM, is_dashed: true, points };
     let value = chart.points.iter().filter_map(|point| Some([point.at, point.best.value()?])).collect();
     let name = format!("chart-{}-by-{tag}", search.of.name());
     let best = Figure::new(name, title, x(), Axis::linear(of)).with(line(value));
@@ -47,7 +48,7 @@ fn marked(mut figure: Figure, chart: &Chart, system: System, y: impl Fn(&ChartPo
                 "{number}: at {} {event}.",
                 Measure::parameter(chart.along.parameter).show_both(point.at, system)
             ));
-            figure.layers.push(Layer::Mark { name: number, hue: Hue::Series(1), at: [point.at, y] });
+            figure.layers.push(Layer::Mark { name: number, hue: Hue::Ink, at: [point.at, y] });
         }
     }
     notes.extend(chart.begun.iter().chain(&chart.ended).map(|why| why.in_units(system)));

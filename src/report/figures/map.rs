@@ -38,7 +38,7 @@ pub fn map_figure(
     if let Some(best) = best
         && let Some([i, j]) = place(best, across, up)
     {
-        let hue = Hue::Series(1);
+        let hue = Hue::OPTIMUM;
         let at = [best.solution.x[i], best.solution.x[j]];
         if let Some(flatness) = flatness {
             let (wide, tall) = (flatness.windows[i], flatness.windows[j]);
@@ -46,7 +46,7 @@ pub fn map_figure(
             for (ends, name) in cross.into_iter().zip(["window", ""]) {
                 figure.layers.push(Layer::Line { name: name.into(), hue, is_dashed: false, points: ends.to_vec() });
             }
-            let loss = Measure::outcome(best.search.of).show_both(flatness.loss, system);
+            let loss = Measure::outcome(best.search.of).show_difference(flatness.loss, system);
             notes.push(format!("The window shows how far each parameter may deviate alone for a loss of {loss}."));
             if let Some(ellipse) = ellipse(best, flatness, [i, j]) {
                 figure.layers.push(ellipse);

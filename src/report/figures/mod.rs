@@ -1,5 +1,6 @@
 //! What studies find, as plots.
 
+mod at;
 mod chart;
 mod difference;
 mod laws;
@@ -8,11 +9,12 @@ mod tornado;
 mod trajectory;
 mod vcurve;
 
+pub use at::At;
 pub use chart::chart_figures;
 pub use difference::difference_figure;
 pub use laws::{Coefficient, Over, laws_figure};
 pub(super) use map::capital;
 pub use map::map_figure;
-pub use tornado::tornado_figure;
+pub use tornado::{Causes, tornado_figure};
 pub use trajectory::{Flown, View, trajectory_figure};
 pub use vcurve::vcurve_figure;

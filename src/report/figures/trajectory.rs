@@ -27,6 +27,14 @@ pub struct Flown {
 }
 
 impl Flown {
+    /// What the drive at an optimum is called.
+    pub const OPTIMUM: &str = "optimum";
+
+    /// Its colour: that of its meaning, also where it is alone in a picture.
+    pub fn hue(&self) -> Hue {
+        if self.name == Self::OPTIMUM { Hue::OPTIMUM } else { Hue::SET_UP }
+    }
+
     /// Flies a setup and keeps the path.
     ///
     /// # Errors
@@ -57,15 +65,16 @@ pub fn trajectory_figure(flown: &[Flown], view: View) -> Figure {
         ),
     };
     figure.aspect = if view == View::Side { 0.55 } else { 0.4 };
-    for (i, Flown { name, drive, path }) in flown.iter().enumerate() {
+    for one in flown {
+        let Flown { name, drive, path } = one;
         let seen = |up: f64, right: f64, downrange: f64| match view {
             View::Side => [downrange, up],
             View::Top => [downrange, right],
         };
         let points =
             path.points.iter().map(|point| seen(point.position.x, point.position.y, point.position.z)).collect();
-        let hue = Hue::Series(i);
-        figure.layers.push(Layer::Line { name: name.clone(), hue, is_dashed: i > 0, points });
+        let hue = one.hue();
+        figure.layers.push(Layer::Line { name: name.clone(), hue, is_dashed: hue == Hue::OPTIMUM, points });
         let [Some(carry), Some(right)] = [Outcome::Carry, Outcome::Lateral].map(|outcome| outcome.value(drive)) else {
             continue;
         };

@@ -6,10 +6,12 @@ mod sections;
 
 pub use findings::Findings;
 
-use super::figures::{Flown, View, chart_figures, map_figure, tornado_figure, trajectory_figure, vcurve_figure};
+use super::figures::{
+    At, Causes, Flown, View, chart_figures, map_figure, tornado_figure, trajectory_figure, vcurve_figure,
+};
 use super::plot::{Figure, Look, Shades, dark_rules, figure_csv, figure_svg};
 use crate::error::Result;
-use crate::study::{Chart, Map};
+use crate::study::{Chart, Effects, Map};
 use crate::units::System;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
@@ -35,12 +37,12 @@ pub fn report_documents(findings: &Findings<'_>) -> Result<Vec<Document>> {
         effects: findings
             .effects
             .iter()
-            .filter(|effects| effects.standard_uncertainty() > 0.0)
-            .map(|effects| in_each(|system| tornado_figure(effects, system)))
+            .flat_map(|effects| Causes::APART.map(|causes| tornados(effects, causes)))
+            .flatten()
             .collect(),
         curves: match findings.rows {
             [] => vec![],
-            rows => vec![alike(&vcurve_figure(rows, findings.loops))],
+            rows => vec![alike(&vcurve_figure(rows, findings.loops, At::SetUp))],
         },
     };
     let mut documents = vec![Document { name: "index.html".into(), text: page(findings, &plots)?.into_string() }];
@@ -71,6 +73,12 @@ fn mapped(findings: &Findings<'_>, map: &Map, system: System) -> Figure {
     map_figure(map, findings.limits, findings.best, findings.flatness, system)
 }
 
+/// The effects of some causes as set up, where they have any.
+fn tornados(effects: &Effects, causes: Causes) -> Option<Pair> {
+    let [metric, us] = System::ALL.map(|system| tornado_figure(effects, causes, At::SetUp, system));
+    Some([metric?, us?])
+}
+
 fn charts(chart: &Chart) -> Vec<Pair> {
     let [metric, us] = System::ALL.map(|system| chart_figures(chart, system));
     metric.into_iter().zip(us).map(|(metric, us)| [metric, us]).collect()
@@ -78,7 +86,7 @@ fn charts(chart: &Chart) -> Vec<Pair> {
 
 /// The paths of what flies, from both sides.
 fn trajectories(flown: &[Flown]) -> Vec<Pair> {
-    let flying: Vec<Flown> = flown.iter().filter(|one| !one.path.points.is_empty()).cloned().collect();
+    let flying: Vec<Flown> = flown.iter().filter(|one| one.path.points.len() > 1).cloned().collect();
     let views: &[View] = if flying.is_empty() { &[] } else { &[View::Side, View::Top] };
     views.iter().map(|view| alike(&trajectory_figure(&flying, *view))).collect()
 }

@@ -3,12 +3,12 @@
 use crate::drive::Outcome;
 use crate::parameters::Parameter;
 use crate::report::shown;
-use crate::units::System;
+use crate::units::{System, typeset};
 use maud::{Markup, html};
 
-/// What is written in each system; once, where both are the same.
+/// What is written in each system, as pages print it; once, where both are the same.
 pub(super) fn both(write: impl Fn(System) -> String) -> Markup {
-    let [us, metric] = [System::Us, System::Metric].map(write);
+    let [us, metric] = [System::Us, System::Metric].map(|system| typeset(&write(system)));
     html! {
         @if us == metric { (us) } @else { span.us { (us) } span.metric { (metric) } }
     }

@@ -5,15 +5,15 @@ use super::numbers::{both, loss, outcome, parameter, stated};
 use crate::drive::{Outcome, Part};
 use crate::error::Result;
 use crate::flight::Flight;
-use crate::optimize::Status;
 use crate::parameters::Parameter;
 use crate::report::certificate::settled;
 use crate::report::figures::{Flown, capital};
-use crate::report::optimum::{bound_in_words, constraint_price, constraints};
+use crate::report::optimum::{bound_in_words, constraint_in_words, constraints};
 use crate::report::presets::sources;
+use crate::report::shown;
 use crate::study::certificate::Row;
 use crate::study::{Effects, Flatness, Limit, Optimum};
-use crate::units::{counted, significant};
+use crate::units::{System, counted, significant, typeset};
 use maud::{Markup, html};
 
 /// What a launch monitor shows, of the drive as set up.
@@ -115,12 +115,14 @@ pub(super) fn optimum(best: &Optimum, flatness: Option<&Flatness>) -> Markup {
 }
 
 /// What ends a window, where it is not the loss.
-fn limit(best: &Optimum, limit: Limit) -> String {
-    match limit {
-        Limit::Loss => String::new(),
-        Limit::Bound => " (bound)".into(),
-        Limit::Constraint(j) => format!(" ({})", best.search.subject_to[j].expression),
-        Limit::NoFlight => " (no flight)".into(),
+fn limit(best: &Optimum, limit: Limit) -> Markup {
+    html! {
+        @match limit {
+            Limit::Loss => {}
+            Limit::Bound => " (bound)",
+            Limit::Constraint(j) => { " (" (both(|system| shown::constraint(&best.search.subject_to[j], system))) ")" }
+            Limit::NoFlight => " (no flight)",
+        }
     }
 }
 
@@ -136,16 +138,9 @@ fn limits(best: &Optimum) -> Markup {
             tbody {
                 @for (constraint, report) in best.search.subject_to.iter().zip(reports) {
                     tr {
-                        td { (&report.expression) }
+                        td { (both(|system| shown::constraint(constraint, system))) }
                         td.number { (outcome(constraint.outcome, Some(report.value))) }
-                        td {
-                            @if constraint.is_equation() { "equality" }
-                            @if best.solution.status != Status::Converged {} @else if constraint.is_equation() {
-                                ": " (both(|system| constraint_price(best, constraint, &report, system))) " of raising the value"
-                            } @else if report.multiplier == 0.0 { "not active" } @else {
-                                (both(|system| constraint_price(best, constraint, &report, system))) " of moving the limit"
-                            }
-                        }
+                        td.words { (both(|system| constraint_in_words(best, constraint, &report, system))) }
                     }
                 }
             }
@@ -166,7 +161,7 @@ pub(super) fn uncertainties(effects: &[Effects]) -> Markup {
                     tr {
                         td { (sigma.parameter.name) }
                         td.number { (stated(sigma.parameter, sigma.value)) }
-                        td.words { (sigma.source.unwrap_or("as given")) }
+                        td.words { (typeset(sigma.source.unwrap_or("as given"))) }
                     }
                 }
             }
@@ -185,9 +180,9 @@ pub(super) fn verdicts(rows: &[Row]) -> Markup {
                 @for row in rows {
                     tr {
                         td { "d " (row.of.name()) "/d " (row.parameter.name) }
-                        td.number { (significant(settled(row), 10)) }
-                        td.number { (row.first.best.map_or("–".into(), |best| significant(best.value, 10))) }
-                        td.number { (format!("{:.1e}", row.first.error)) }
+                        td.number { (typeset(&significant(settled(row), 10))) }
+                        td.number { (row.first.best.map_or("–".into(), |best| typeset(&significant(best.value, 10)))) }
+                        td.number { (typeset(&format!("{:.1e}", row.first.error))) }
                         td { (row.verdict().name()) }
                     }
                 }
@@ -200,7 +195,11 @@ pub(super) fn verdicts(rows: &[Row]) -> Markup {
 pub(super) fn setup(findings: &Findings<'_>) -> Result<Markup> {
     let is_launched = findings.setup.launch.is_given();
     let is_used = |name: &str| !(is_launched && findings.setup.parameter(name).is_ok_and(Parameter::is_of_strike));
-    let rows = sources(findings.setup, findings.preset)?.into_iter().filter(|(name, ..)| is_used(name));
+    let [us, metric] =
+        [System::Us, System::Metric].map(|system| sources(findings.setup, findings.preset, Some(system)));
+    // the same rows, in the units of each system
+    let rows = us?.into_iter().zip(metric?).filter(|((name, ..), _)| is_used(name));
+    let either = |us: &str, metric: &str| both(|system| if system == System::Us { us } else { metric }.into());
     Ok(html! {
         p.faint {
             "All numbers of the setup and their sources; it is based on the preset " (findings.preset.name) "."
@@ -209,8 +208,8 @@ pub(super) fn setup(findings: &Findings<'_>) -> Result<Markup> {
         div.wide { table.told {
             thead { tr { th { "parameter" } th.number { "value" } th { "source" } } }
             tbody {
-                @for (name, shown, source) in rows {
-                    tr { td { (name) } td.number { (shown) } td.words { (source) } }
+                @for ((name, us, source), (_, metric, source_in_metric)) in rows {
+                    tr { td { (name) } td.number { (either(&us, &metric)) } td.words { (either(&source, &source_in_metric)) } }
                 }
             }
         } }

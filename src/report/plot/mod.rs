@@ -15,16 +15,20 @@
 //! ```
 
 mod axis;
+mod bars;
 mod canvas;
 mod contour;
 mod csv;
 mod figure;
 mod layers;
+mod layout;
 mod legend;
+mod marks;
 mod palette;
 #[cfg(feature = "png")]
 mod png;
 mod svg;
+mod text_width;
 mod ticks;
 
 pub use axis::{Axis, Measure, Scale};

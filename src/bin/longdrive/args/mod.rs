@@ -17,7 +17,7 @@ pub use data::{Calibrate, DeliveryArgs, Published, Reproduce, Validate};
 pub use fly::{Fly, FlyFormat};
 pub use many::{Format, Sweep};
 pub use picture::{
-    Drawing, Drawn, LawsOver, Plot, PlotChart, PlotCompare, PlotContour, PlotKind, PlotLaws, PlotTornado,
+    Drawing, Drawn, LawsOver, Moved, Plot, PlotChart, PlotCompare, PlotContour, PlotKind, PlotLaws, PlotTornado,
     PlotTrajectory, PlotVcurve, Report, Seen,
 };
 pub use program::{Completions, Man, Shown};
