@@ -65,6 +65,10 @@ fn contour(args: &PlotContour) -> Result<Answer> {
     let setup = args.question.for_many(setup, &search.vary)?;
     let spinner = spinner("computing the map");
     let (best, map) = mapped(&setup, &search)?;
+    if let Some(flat) = map.flat() {
+        let (name, what) = (args.drawing.output.display().to_string(), flat.to_string());
+        return Err(Error::Plot { name, reason: format!("{what}; vary what it depends on") });
+    }
     let best = best.as_ref();
     let limits = limits(best.map_or(&setup, |best| &best.setup), &search)?;
     let of_best = best.map_or(vec![], at_optimum);

@@ -12,7 +12,7 @@ use longdrive::report::page::{Document, Findings, SETUP_FILE, report_documents};
 use longdrive::reproduce::while_loop;
 use longdrive::study::certificate::{Row, certify};
 use longdrive::study::{
-    Chart, Face, Fineness, Landing, Launches, Optimum, Region, Search, Sigma, Vary, chart, effects, flatness, map,
+    Chart, Face, Fineness, Landing, Launches, Map, Optimum, Region, Search, Sigma, Vary, chart, effects, flatness, map,
     optimum, usual_loss, with_defaults,
 };
 use longdrive::units::{Message, counted};
@@ -73,6 +73,9 @@ pub fn run(args: &Report) -> Result<Answer> {
         Some([across, up, ..]) => said(map(around, of, *across, *up, Fineness::default()), &mut remarks)?,
         _ => None,
     };
+    let flat = map.as_ref().and_then(Map::flat);
+    let map = map.filter(|_| flat.is_none());
+    remarks.extend(flat);
     let limits = search.map(|search| said(limits(around, search), &mut remarks)).transpose()?.flatten();
     let limits = limits.unwrap_or_default();
     let region = match (best, &map) {

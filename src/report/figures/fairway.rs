@@ -1,3 +1,4 @@
+use super::capital;
 use super::scale::{Grows, extent, to_scale, with_margin};
 use super::style::style;
 use crate::drive::Outcome;
@@ -20,15 +21,25 @@ pub fn fairway_figure(landings: &[Landing], system: System) -> Figure {
     let mut notes = vec![];
     for (i, landing) in landings.iter().enumerate() {
         let (hue, is_dashed) = style(&landing.name, i);
-        for ellipse in &landing.ellipses {
+        let [lateral, carry] = landing.at;
+        let [carry, lateral] =
+            [(Outcome::Carry, carry), (Outcome::Lateral, lateral)].map(|(of, value)| shown::outcome(of, value, system));
+        // the legend names a drive once, by its largest ellipse, or by its landing
+        let name = format!("{}: carry {carry}", landing.name);
+        let part = |of: String| format!("{name} ({of})");
+        for (k, ellipse) in landing.ellipses.iter().rev().enumerate() {
             let [long, short] = ellipse.half_axes;
             let point = |step: u32| {
                 let (sin, cos) = (std::f64::consts::TAU * f64::from(step) / f64::from(AROUND)).sin_cos();
                 [0, 1].map(|axis| ellipse.centre[axis] + cos * long[axis] + sin * short[axis])
             };
-            let name = format!("{:.0} %", 100.0 * ellipse.share);
+            let name = if k == 0 { name.clone() } else { part(format!("{:.0} %", 100.0 * ellipse.share)) };
             layers.push(Layer::Line { name, hue, is_dashed, points: (0..=AROUND).map(point).collect() });
         }
+        if landing.ellipses.is_empty() {
+            layers.push(Layer::Dots { name: name.clone(), hue, points: vec![landing.at] });
+        }
+        let mut told = format!("{}: carry {carry}, {lateral} of the target line", capital(&landing.name));
         if let Some(rest) = landing.rest {
             layers.push(Layer::Line {
                 name: String::new(),
@@ -36,22 +47,11 @@ pub fn fairway_figure(landings: &[Landing], system: System) -> Figure {
                 is_dashed: true,
                 points: vec![landing.at, rest],
             });
-            let total = shown::outcome(Outcome::Total, rest[1], system);
-            layers.push(Layer::Dots {
-                name: format!("at rest: {}, total {total}", landing.name),
-                hue,
-                points: vec![rest],
-            });
+            layers.push(Layer::Dots { name: part("at rest".into()), hue, points: vec![rest] });
+            told += &format!(", total {}", shown::outcome(Outcome::Total, rest[1], system));
         }
-        let [lateral, carry] = landing.at;
-        let told = format!("{} {}", landing.name, shown::outcome(Outcome::Carry, carry, system));
-        layers.push(Layer::Mark { name: told.trim().into(), hue, at: landing.at });
-        notes.push(format!(
-            "{}: carry {}, {} of the target line.",
-            super::capital(&landing.name),
-            shown::outcome(Outcome::Carry, carry, system),
-            shown::outcome(Outcome::Lateral, lateral, system),
-        ));
+        layers.push(Layer::Mark { name: String::new(), hue, at: landing.at });
+        notes.push(told + ".");
     }
     let points = || {
         layers.iter().flat_map(|layer| match layer {
@@ -81,8 +81,10 @@ pub fn fairway_figure(landings: &[Landing], system: System) -> Figure {
     };
     figure.layers.push(target);
     figure.layers.extend(layers);
-    figure.names_on_lines = true;
     notes.push(spread(landings, system));
+    if landings.iter().any(|landing| landing.rest.is_some()) {
+        notes.push("Small points: where the ball comes to rest.".into());
+    }
     notes.push("True scale; the tee is at 0.".into());
     figure.noted(notes.join(" "))
 }
@@ -101,7 +103,7 @@ fn spread(landings: &[Landing], system: System) -> String {
     };
     let sigmas: Vec<String> = landing.sigmas.iter().map(sigma).collect();
     format!(
-        "The ellipses hold 50 % and 95 % of the landings when these vary from drive to drive, one standard deviation each: {}; by exact \
+        "The inner and the outer ellipse hold 50 % and 95 % of the landings when these vary from drive to drive, one standard deviation each: {}; by exact \
          derivatives. Everything else is the same in all.",
         sigmas.join(", ")
     )

@@ -14,7 +14,7 @@ use super::figures::{
 };
 use super::frame::{Frame, Pair, both, in_each, picture_files, pictures};
 use super::optimum::best_toml;
-use super::plot::Figure;
+use super::plot::{Figure, Look, figure_svg};
 use super::{setup_toml, shown};
 use crate::error::{Error, Result};
 use crate::study::{Chart, Map};
@@ -55,10 +55,12 @@ pub fn report_documents(findings: &Findings<'_>) -> Result<Vec<Document>> {
             .filter(|effects| effects.standard_uncertainty() > 0.0)
             .map(|effects| in_each(|system| tornado_figure(effects, system)))
             .collect(),
-        curves: match findings.rows {
-            [] => vec![],
-            rows => vec![alike(&vcurve_figure(rows, findings.loops))],
-        },
+        // derivatives that differences give to the last bit, as those of 0, have no curve
+        curves: Some(vcurve_figure(findings.rows, findings.loops))
+            .filter(|figure| figure_svg(figure, &Look::default()).is_ok())
+            .map(|figure| alike(&figure))
+            .into_iter()
+            .collect(),
     };
     let setup = match findings.best {
         Some(best) => best_toml(best, None, findings.preset)?,
@@ -167,7 +169,7 @@ fn main(findings: &Findings<'_>, plots: &Plots) -> Result<Markup> {
         @if !plots.effects.is_empty() {
             section { h2 { "The uncertainties and their sources" } (sections::uncertainties(findings.effects)) }
         }
-        @if !plots.curves.is_empty() {
+        @if !findings.rows.is_empty() {
             details {
                 summary { h2 { "How exact the derivatives are, at the drive as set up" } }
                 (pictures(&plots.curves)?)

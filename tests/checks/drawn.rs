@@ -243,6 +243,12 @@ fn line_of(figure: &Figure, name: &str) -> Vec<[f64; 2]> {
     line.unwrap_or_else(|| panic!("no line {name}"))
 }
 
+/// The name of the largest ellipse of the first drive on a fairway.
+fn outer(figure: &Figure) -> String {
+    let names = figure.layers.iter().map(|layer| layer.named().0);
+    names.into_iter().find(|name| name.starts_with("as set up: carry")).unwrap().to_owned()
+}
+
 #[test]
 fn exact_trajectories_and_landings_are_drawn_at_true_scale() {
     let mut setup = setup();
@@ -257,7 +263,7 @@ fn exact_trajectories_and_landings_are_drawn_at_true_scale() {
         }
         let sigmas = with_defaults(&setup, &[], &[Outcome::Carry]).unwrap();
         let figure = fairway_figure(&[Landing::of("as set up", &setup, &sigmas).unwrap()], System::Us);
-        let [across, up] = scales(&figure, &line_of(&figure, "95 %"));
+        let [across, up] = scales(&figure, &line_of(&figure, &outer(&figure)));
         close(up, across, across, 0.02, "landings");
     }
 }
@@ -284,6 +290,26 @@ fn a_side_view_has_its_numbers_at_the_points_and_a_stretched_view_below() {
     let times: f64 = figure.panels[0].title.split_whitespace().find_map(|word| word.parse().ok()).unwrap();
     let [across, up] = scales(&figure.panels[0], &line_of(&figure, "as set up"));
     close(up / across, times, times, 0.06, "heights are as many times as large as it says");
+}
+
+#[test]
+fn a_map_of_what_does_not_change_is_not_drawn() {
+    let folder = tempfile::tempdir().unwrap();
+    let (file, page) = (folder.path().join("a.svg").display().to_string(), folder.path().join("page"));
+    let straight = folder.path().join("straight");
+    // a straight drive lands on the target line, whatever its loft, but for rounding
+    let said = longdrive(&["plot", "contour", "-o", &file, "--minimize", "lateral"]);
+    assert!(said.status == 2 && said.err.contains("lateral is the same all over the map"), "{}", said.err);
+    assert!(!std::path::Path::new(&file).exists());
+    // neither air nor wind change how fast the ball leaves
+    let air = ["--vary", "air.density=1..1.3 kg/m^3", "--vary", "wind.downrange=-5..5 m/s"];
+    let said =
+        longdrive(&[&["report", "-o", &page.display().to_string(), "--maximize", "ball_speed"], &air[..]].concat());
+    let page = std::fs::read_to_string(page.join("index.html")).unwrap();
+    assert!(page.contains("ball_speed is the same all over the map") && !page.contains("map-ball"), "{}", said.err);
+    // derivatives that are 0 in every drive have no curve, and the page stands
+    let said = longdrive(&["report", "-o", &straight.display().to_string(), "--minimize", "lateral"]);
+    assert!(said.status == 0 && straight.join("index.html").exists(), "{}", said.err);
 }
 
 #[test]
@@ -322,7 +348,7 @@ fn exact_ellipses_on_the_fairway_are_those_of_uncertainty() {
     // the picture's points lie on the ellipse, and its landing where the drive lands
     let figure = fairway_figure(std::slice::from_ref(&landing), System::Us);
     let wide = landing.ellipses[1];
-    for point in line_of(&figure, "95 %") {
+    for point in line_of(&figure, &outer(&figure)) {
         let out = |part: f64| [0, 1].map(|axis| wide.centre[axis] + part * (point[axis] - wide.centre[axis]));
         assert!(wide.contains(out(0.999)) && !wide.contains(out(1.001)), "{point:?}");
     }
