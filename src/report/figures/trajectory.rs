@@ -77,9 +77,10 @@ pub fn trajectory_figure(flown: &[Flown], view: View, system: System) -> Result<
         return refuse("no drive flies, so that there is no path to draw");
     }
     if view == View::Top && y[0].abs().max(y[1].abs()) < STRAIGHT {
-        return refuse(
-            "seen from above these drives are straight: they stay within 0.1 yd of the target line, so that there is nothing to draw",
-        );
+        let within = Quantity::LENGTH.read_off_difference(STRAIGHT, system.unit("yd"));
+        return refuse(&format!(
+            "seen from above these drives are straight: they stay within {within} of the target line, so that there is nothing to draw"
+        ));
     }
     let length = |label: &str| Measure::new(label, Quantity::LENGTH, "yd");
     let downrange = Axis::linear(length("downrange"));
