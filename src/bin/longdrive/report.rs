@@ -12,8 +12,8 @@ use longdrive::report::page::{Document, Findings, SETUP_FILE, report_documents};
 use longdrive::reproduce::while_loop;
 use longdrive::study::certificate::{Row, certify};
 use longdrive::study::{
-    Chart, Face, Fineness, Landing, Launches, Map, Region, Search, Sigma, Vary, chart, effects, flatness, map, optimum,
-    usual_loss, with_defaults,
+    Chart, Face, Fineness, Landing, Launches, Map, Optimum, Region, Search, Sigma, Vary, chart, effects, flatness, map,
+    optimum, usual_loss, with_defaults,
 };
 use longdrive::units::{Message, counted};
 use longdrive::{Error, Outcome, Result, Setup};
@@ -63,24 +63,7 @@ pub fn run(args: &Report) -> Result<Answer> {
         remarks.extend(of_drive);
         flown.push(longest);
     }
-    let drives: Vec<(&str, &Setup<f64>)> = std::iter::once(("as set up", &setup))
-        .chain(best.map(|best| ("optimum", &best.setup)))
-        .zip(&flown)
-        .filter(|(_, flown)| flown.drive.landed().is_ok())
-        .map(|(named, _)| named)
-        .collect();
-    let landing = |(name, setup): &(&str, &Setup<f64>)| {
-        Landing::of(*name, setup, &with_defaults(setup, &given, &[Outcome::Carry, Outcome::Lateral])?)
-    };
-    let landings = drives.iter().map(landing).collect::<Result<Vec<_>>>()?;
-    let launches = match drives.is_empty() {
-        true => None,
-        false => said(Launches::around(&drives), &mut remarks)?,
-    };
-    let face = match setup.launch.is_given() || flown[0].drive.landed().is_err() {
-        true => None,
-        false => said(Face::of(&setup), &mut remarks)?,
-    };
+    let pictures = Pictures::of(&setup, best, &flown, &given, &mut remarks)?;
     let flatness = best.map(|best| flatness(best, usual_loss(best))).transpose()?;
     bar.inc(1);
 
@@ -133,9 +116,9 @@ pub fn run(args: &Report) -> Result<Answer> {
         of,
         preset,
         flown: &flown,
-        landings: &landings,
-        launches: launches.as_ref(),
-        face: face.as_ref(),
+        landings: &pictures.landings,
+        launches: pictures.launches.as_ref(),
+        face: pictures.face.as_ref(),
         found: found.as_ref(),
         best,
         why_none: why_none.as_ref(),
@@ -198,6 +181,39 @@ impl Report {
             }
             None => Ok(None),
         }
+    }
+}
+
+/// What the pictures of the drives show.
+struct Pictures {
+    landings: Vec<Landing>,
+    launches: Option<Launches>,
+    face: Option<Face>,
+}
+
+impl Pictures {
+    /// Of the drive as set up and of the best one, as far as they fly; `flown` are both, `given` the uncertainties that were stated.
+    fn of(
+        setup: &Setup<f64>,
+        best: Option<&Optimum>,
+        flown: &[Flown],
+        given: &[Sigma],
+        remarks: &mut Vec<Message>,
+    ) -> Result<Self> {
+        let setups = std::iter::once(setup).chain(best.map(|best| &best.setup));
+        let flying = flown.iter().zip(setups).filter(|(flown, _)| flown.drive.landed().is_ok());
+        let drives: Vec<_> = flying.map(|(flown, setup)| (flown.name.as_str(), setup)).collect();
+        let landing = |(name, setup): &(&str, &Setup<f64>)| {
+            Landing::of(*name, setup, &with_defaults(setup, given, &[Outcome::Carry, Outcome::Lateral])?)
+        };
+        let is_struck = !setup.launch.is_given() && flown.first().is_some_and(|own| own.drive.landed().is_ok());
+        let launches = (!drives.is_empty()).then(|| said(Launches::around(&drives), remarks)).transpose()?;
+        let face = is_struck.then(|| said(Face::of(setup), remarks)).transpose()?;
+        Ok(Self {
+            landings: drives.iter().map(landing).collect::<Result<_>>()?,
+            launches: launches.flatten(),
+            face: face.flatten(),
+        })
     }
 }
 

@@ -33,11 +33,6 @@ impl Flown {
     /// What the drive at an optimum is called.
     pub const OPTIMUM: &str = "optimum";
 
-    /// Its colour: that of its meaning, also where it is alone in a picture.
-    pub fn hue(&self) -> Hue {
-        if self.name == Self::OPTIMUM { Hue::OPTIMUM } else { Hue::SET_UP }
-    }
-
     /// Flies a setup and keeps the path.
     ///
     /// # Errors
@@ -85,9 +80,10 @@ pub fn trajectory_figure(flown: &[Flown], view: View, system: System) -> Result<
         return refuse("no drive flies, so that there is no path to draw");
     }
     if view == View::Top && y[0].abs().max(y[1].abs()) < STRAIGHT {
-        return refuse(
-            "seen from above these drives are straight: they stay within 0.1 yd of the target line, so that there is nothing to draw",
-        );
+        let within = Quantity::LENGTH.read_off_difference(STRAIGHT, system.unit("yd"));
+        return refuse(&format!(
+            "seen from above these drives are straight: they stay within {within} of the target line, so that there is nothing to draw"
+        ));
     }
     let length = |label: &str| Measure::new(label, Quantity::LENGTH, "yd");
     let downrange = Axis::linear(length("downrange"));

@@ -87,7 +87,10 @@ pub(super) fn asked(findings: &Findings<'_>) -> Result<Markup> {
                 }
                 @if !search.subject_to.is_empty() {
                     dt { "Limits" } dd.typed {
-                        (search.subject_to.iter().map(|constraint| constraint.expression.as_str()).collect::<Vec<_>>().join("; "))
+                        (both(|system| {
+                            let limits = search.subject_to.iter().map(|constraint| shown::constraint(constraint, system));
+                            limits.collect::<Vec<_>>().join("; ")
+                        }))
                     }
                 }
             }

@@ -93,13 +93,15 @@ fn charts(findings: &Findings<'_>, chart: &Chart) -> Vec<Pair> {
 }
 
 /// The paths of what flies, from both sides, and why a view is left out.
-fn trajectories(flown: &[Flown]) -> (Vec<Pair>, Vec<String>) {
+fn trajectories(flown: &[Flown]) -> (Vec<Pair>, Vec<[String; 2]>) {
     let flying: Vec<Flown> = flown.iter().filter(|one| one.path.points.len() > 1).cloned().collect();
     let (mut pairs, mut left_out) = (vec![], vec![]);
     for view in [View::Side, View::Top].into_iter().filter(|_| !flying.is_empty()) {
         match System::ALL.map(|system| trajectory_figure(&flying, view, system)) {
             [Ok(metric), Ok(us)] => pairs.push([metric, us]),
-            [Err(Error::Plot { reason, .. }), _] => left_out.push(format!("{}.", capital(&reason))),
+            [Err(Error::Plot { reason: metric, .. }), Err(Error::Plot { reason: us, .. })] => {
+                left_out.push([metric, us])
+            }
             _ => {}
         }
     }
@@ -110,7 +112,7 @@ fn trajectories(flown: &[Flown]) -> (Vec<Pair>, Vec<String>) {
 struct Plots {
     drive: Vec<Pair>,
     /// Why a view of it is not there.
-    left_out: Vec<String>,
+    left_out: Vec<[String; 2]>,
     strike: Vec<Pair>,
     map: Vec<Pair>,
     chart: Vec<Pair>,
@@ -152,7 +154,9 @@ fn main(findings: &Findings<'_>, plots: &Plots) -> Result<Markup> {
         section {
             h2 { "The drive" }
             (pictures(&plots.drive)?)
-            @for why in &plots.left_out { p.faint { (why) } }
+            @for [metric, us] in &plots.left_out {
+                p.faint { (both(|system| capital(if system == System::Us { us } else { metric }))) "." }
+            }
             (pictures(&plots.strike)?)
             h3 { "As set up, on a launch monitor" }
             (sections::panel(findings))
@@ -175,7 +179,7 @@ fn main(findings: &Findings<'_>, plots: &Plots) -> Result<Markup> {
         @if !plots.effects.is_empty() {
             section { h2 { "The uncertainties and their sources" } (sections::uncertainties(findings.effects)) }
         }
-        @if !plots.curves.is_empty() {
+        @if !findings.rows.is_empty() {
             details {
                 summary { h2 { "How exact the derivatives are, at the drive as set up" } }
                 (pictures(&plots.curves)?)
