@@ -27,18 +27,30 @@ pub(super) fn sourced(preset: &Preset, setup: &Setup<f64>) -> Vec<(&'static str,
     rows
 }
 
-/// Where each number of a setup comes from: its name, its value as a person reads it, and its source. A number that differs
-/// from the preset's is the asker's own.
-pub fn sources(setup: &Setup<f64>, preset: &Preset) -> Result<Vec<(&'static str, String, String)>> {
+/// Where each number of a setup comes from: its name, its value and its source, in the units of a system, or without one as they are typed. A
+/// number that differs from the preset's is the asker's own.
+pub fn sources(
+    setup: &Setup<f64>,
+    preset: &Preset,
+    system: Option<System>,
+) -> Result<Vec<(&'static str, String, String)>> {
     let base = Setup::preset(preset.name)?;
     let known = sourced(preset, &base);
     let source = |name: &str, is_kept: bool| {
         let known = known.iter().find(|(known, ..)| *known == name);
         match known {
             Some((.., source)) if is_kept => (*source).to_owned(),
-            Some((_, shown, _)) => format!("as given, instead of {shown}"),
+            Some((_, shown, _)) => {
+                let row = base.parameter(name).ok();
+                let number = row.zip(system).map(|(row, system)| shown::set(row, base.value(row), system));
+                format!("as given, instead of {}", number.unwrap_or_else(|| shown.clone()))
+            }
             None => "as given".into(),
         }
+    };
+    let set = |row: &Parameter, value: Option<f64>| match system {
+        Some(system) => shown::set(row, value, system),
+        None => row.show(value),
     };
     let mut rows: Vec<_> = setup
         .parameters()
@@ -51,9 +63,9 @@ pub fn sources(setup: &Setup<f64>, preset: &Preset) -> Result<Vec<(&'static str,
             let source = match base.parameter(row.name) {
                 Ok(known) => source(row.name, base.value(known) == value),
                 Err(_) if value == row.default_value() => row.source.to_owned(),
-                Err(_) => format!("as given, instead of {}", row.default),
+                Err(_) => format!("as given, instead of {}", set(row, row.default_value())),
             };
-            (row.name, row.show(value), source)
+            (row.name, set(row, value), source)
         })
         .collect();
     let law_at = rows.iter().position(|(name, ..)| name.starts_with("aero.")).unwrap_or(rows.len());

@@ -38,7 +38,7 @@ pub fn setup_toml(
         let remark = remarks.iter().find(|(of, _)| *of == parameter).map(|(_, remark)| remark.clone());
         (name, exact(parameter, setup.value(parameter)), remark.unwrap_or(source))
     };
-    Ok(toml(preset, about, sources(setup, preset)?.into_iter().map(row).collect()))
+    Ok(toml(preset, about, sources(setup, preset, None)?.into_iter().map(row).collect()))
 }
 
 /// A preset as a setup file in TOML, each number with its source.

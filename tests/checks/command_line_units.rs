@@ -126,7 +126,7 @@ fn notes_of_plots_put_the_chosen_system_first() {
     let along =
         ["chart", "modern-driver", "--along", "swing.speed=90mph..100mph", "--subject-to", "apex_height <= 30 yd"];
     for (plot, us, metric) in [
-        (&["contour"][..], "lose at most 1 yd (0.9144 m)", "lose at most 0.9144 m (1 yd)"),
+        (&["contour"][..], "lose at most 1.00 yd (0.91 m)", "lose at most 0.91 m (1.00 yd)"),
         (&["tornado"], " yd (", " m ("),
         (&along, " mph (41.", "1: at 41."),
     ] {
@@ -137,7 +137,7 @@ fn notes_of_plots_put_the_chosen_system_first() {
             if plot[0] == "tornado" {
                 let picture = std::fs::read_to_string(&file).unwrap();
                 // 0.5 mph = 0.224 m/s
-                let name = if units == "us" { "swing speed ± 0.5 mph" } else { "swing speed ± 0.224 m/s" };
+                let name = if units == "us" { "club speed ± 0.5 mph" } else { "club speed ± 0.224 m/s" };
                 assert!(picture.contains(name), "{units}: {picture}");
             }
         }

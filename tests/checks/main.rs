@@ -34,6 +34,7 @@ mod optimizer;
 mod oracle;
 mod own_table;
 mod pages;
+mod pictures;
 mod published;
 mod reference;
 mod report;

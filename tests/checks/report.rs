@@ -2,7 +2,9 @@
 
 use crate::command_line::{json, longdrive, number};
 use crate::common::close;
-use longdrive::report::figures::{Flown, OnMap, View, map_figure, tornado_figure, trajectory_figure, vcurve_figure};
+use longdrive::report::figures::{
+    At, Causes, Flown, OnMap, View, map_figure, tornado_figure, trajectory_figure, vcurve_figure,
+};
 use longdrive::report::plot::{Axis, Figure, Layer, Look, Measure, Shades, figure_csv, figure_svg};
 use longdrive::study::certificate::certify;
 use longdrive::study::{Fineness, Vary, effects, map, with_defaults};
@@ -56,8 +58,8 @@ fn figures() -> Vec<Figure> {
         trajectory_figure(&flown, View::Side, System::Us).unwrap(),
         trajectory_figure(&flown, View::Top, System::Us).unwrap(),
         map_figure(&landscape, &OnMap { setup: &setup, limits: &[], best: None, region: None }, System::Us),
-        tornado_figure(&effects[0], System::Us),
-        vcurve_figure(&certificate.rows, &longdrive::reproduce::while_loop(&setup, &certificate.rows)),
+        tornado_figure(&effects[0], Causes::All, At::SetUp, System::Us).unwrap(),
+        vcurve_figure(&certificate.rows, &longdrive::reproduce::while_loop(&setup, &certificate.rows), At::SetUp),
     ]
 }
 
@@ -229,7 +231,7 @@ fn exact_limits_on_a_map_are_where_the_outcome_is_at_its_limit() {
 fn independent_tornado_bars_are_drives_flown_and_v_curves_fall_and_rise() {
     let all = figures();
     let csv = figure_csv(&all[3]).unwrap();
-    let bar = csv.lines().find(|line| line.starts_with("bar,swing speed ± 0.5 mph,0.0,-")).unwrap();
+    let bar = csv.lines().find(|line| line.starts_with("bar,club speed ± 0.5 mph,0.0,-")).unwrap();
     let lower: f64 = bar.rsplit(',').next().unwrap().parse().unwrap();
     let carry = |speed: &str| {
         number(&json(&["simulate", "modern-driver", "--set", &format!("swing.speed={speed}")]).1["flight"]["carry"])
@@ -300,7 +302,7 @@ fn the_ending_of_the_file_says_what_a_plot_is_written_as() {
         }
         let text = std::fs::read_to_string(&svg).unwrap();
         assert!(
-            words(&whole(&text)).iter().any(|text| ["[m]", "[deg]", "relative"].iter().any(|end| text.ends_with(end)))
+            words(&whole(&text)).iter().any(|text| ["[m]", "[°]", "relative"].iter().any(|end| text.ends_with(end)))
         );
         assert!(std::fs::read_to_string(&csv).unwrap().starts_with("kind,name,"));
     }
@@ -351,8 +353,8 @@ fn the_page_is_complete_in_itself_and_says_what_it_holds() {
         "as given, instead of 44.7 m/s",
         "MAE 494 report, listing",
         "at its upper bound: +",
-        "yd per deg",
-        "m per deg",
+        "yd for each degree that it is raised",
+        "m for each degree that it is raised",
         "robinson",
     ] {
         assert!(page.contains(words), "no '{words}'");

@@ -1,5 +1,5 @@
 use crate::args::{
-    Drawn, LawsOver, Plot, PlotChart, PlotCompare, PlotContour, PlotKind, PlotLaws, PlotTornado, PlotTrajectory,
+    Drawn, LawsOver, Moved, Plot, PlotChart, PlotCompare, PlotContour, PlotKind, PlotLaws, PlotTornado, PlotTrajectory,
     PlotVcurve, Seen,
 };
 use crate::compare::warnings;
@@ -12,8 +12,8 @@ use longdrive::atmosphere::AirState;
 use longdrive::optimize::{Observer, Status};
 use longdrive::parameters::Law;
 use longdrive::report::figures::{
-    Coefficient, Flown, OnMap, Over, View, chart_figures, difference_figure, laws_figure, map_figure, tornado_figure,
-    trajectory_figure, vcurve_figure,
+    At, Causes, Coefficient, Flown, OnMap, Over, View, chart_figures, difference_figure, laws_figure, map_figure,
+    tornado_figure, trajectory_figure, vcurve_figure,
 };
 use longdrive::reproduce::while_loop;
 use longdrive::study::certificate::certify;
@@ -160,12 +160,20 @@ fn tornado(args: &PlotTornado) -> Result<Answer> {
     let found = effects(&setup, &[of], &with_defaults(&setup, &given, &[of])?, |done, all| show(&bar, done, all));
     bar.finish_and_clear();
     let found = found?;
-    match found.first() {
-        Some(effects) => {
-            target.written(&args.question, &setup, &args.drawing, &tornado_figure(effects, system()), vec![])
-        }
-        None => Err(Error::Nothing { doing: "draw", what: "outcome" }),
-    }
+    let causes = match args.show {
+        Moved::Control => Causes::Control,
+        Moved::Model => Causes::Model,
+        Moved::All => Causes::All,
+    };
+    let figure = found.first().and_then(|effects| tornado_figure(effects, causes, At::SetUp, system()));
+    let Some(figure) = figure else {
+        let reason = format!(
+            "no uncertainty of this kind has an effect on {} here; take another --show (control, model, all), or give --sigma",
+            of.name()
+        );
+        return Err(Error::Plot { name: args.drawing.output.display().to_string(), reason });
+    };
+    target.written(&args.question, &setup, &args.drawing, &figure, vec![])
 }
 
 fn difference(args: &PlotCompare) -> Result<Answer> {
@@ -202,7 +210,7 @@ fn vcurve(args: &PlotVcurve) -> Result<Answer> {
         &args.question,
         &setup,
         &args.drawing,
-        &vcurve_figure(asked.filter_map(row), &while_loop(&setup, &certificate.rows)),
+        &vcurve_figure(asked.filter_map(row), &while_loop(&setup, &certificate.rows), At::SetUp),
         vec![],
     )
 }

@@ -53,7 +53,7 @@ pub fn run(args: &Report) -> Result<Answer> {
         _ => None,
     };
     if let Some(best) = best {
-        let longest = Flown::new("optimum", &best.setup)?;
+        let longest = Flown::new(Flown::OPTIMUM, &best.setup)?;
         let of_drive = longest
             .drive
             .warnings_about(&best.setup, Outcome::ALL)

@@ -1,5 +1,4 @@
 use super::map::capital;
-use super::style::{OPTIMUM, SET_UP};
 use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};
 use crate::report::shown;
 use crate::study::{Chart, ChartPoint, Optimum, Vary};
@@ -29,9 +28,10 @@ pub fn chart_figures(chart: &Chart, own: Option<&Optimum>, system: System) -> Ch
     let yours = |y: Option<f64>, told: &dyn Fn(f64) -> String| {
         let (at, y) = own.map(|(at, _)| at).zip(y)?;
         let name = format!("{}: {}", shown::stated(chart.along.parameter, at, system), told(y));
-        Some(Layer::Mark { name, hue: SET_UP, at: [at, y] })
+        Some(Layer::Mark { name, hue: Hue::SET_UP, at: [at, y] })
     };
-    let line = |points: Vec<[f64; 2]>| Layer::Line { name: "optimum".into(), hue: OPTIMUM, is_dashed: false, points };
+    let line =
+        |points: Vec<[f64; 2]>| Layer::Line { name: "optimum".into(), hue: Hue::OPTIMUM, is_dashed: true, points };
     let value = chart.points.iter().filter_map(|point| Some([point.at, point.best.value()?])).collect();
     let name = format!("chart-{}-by-{tag}", search.of.name());
     let title = format!("Best {} against {}", of.label, along.label);
@@ -91,7 +91,7 @@ fn marked(mut figure: Figure, chart: &Chart, system: System, y: impl Fn(&ChartPo
                 "{number}: at {} {event}.",
                 Measure::parameter(chart.along.parameter).show_both(point.at, system)
             ));
-            figure.layers.push(Layer::Mark { name: number, hue: OPTIMUM, at: [point.at, y] });
+            figure.layers.push(Layer::Mark { name: number, hue: Hue::Ink, at: [point.at, y] });
         }
     }
     notes.extend(chart.begun.iter().chain(&chart.ended).map(|why| why.in_units(system)));

@@ -1,4 +1,4 @@
-use super::style::{OPTIMUM, SET_UP, field_of};
+use super::style::field_of;
 use crate::parameters::Setup;
 use crate::report::plot::{Axis, Field, Figure, Hue, Layer, Measure};
 use crate::report::shown;
@@ -43,7 +43,7 @@ pub fn map_figure(map: &Map, on: &OnMap<'_>, system: System) -> Figure {
     }
     if let Some(region) = on.region {
         let layers = nearly_as_good(region, &format!("at most {} lost", shown::spread(*of, region.loss, system)));
-        let loss = measure.show_both(region.loss, system);
+        let loss = measure.show_difference(region.loss, system);
         if !layers.is_empty() {
             notes.push(format!(
                 "Drives in the tinted region lose at most {loss} and meet every bound and constraint; each was flown."
@@ -62,9 +62,9 @@ pub fn map_figure(map: &Map, on: &OnMap<'_>, system: System) -> Figure {
     let own = at(on.setup).filter(is_on);
     let top = best.and_then(|best| at(&best.setup)).filter(is_on);
     if let (Some(own), Some(top)) = (own, top) {
-        figure.layers.push(Layer::Arrows { name: String::new(), hue: SET_UP, arrows: vec![[own, top]] });
+        figure.layers.push(Layer::Arrows { name: String::new(), hue: Hue::SET_UP, arrows: vec![[own, top]] });
     }
-    for (place, name, hue) in [(own, "as set up", SET_UP), (top, "optimum", OPTIMUM)] {
+    for (place, name, hue) in [(own, "as set up", Hue::SET_UP), (top, "optimum", Hue::OPTIMUM)] {
         figure.layers.extend(place.map(|at| Layer::Mark { name: name.into(), hue, at }));
     }
     if own.is_none() {
@@ -129,7 +129,7 @@ fn nearly_as_good(region: &Region, name: &str) -> Vec<Layer> {
         // where nothing flies, nothing is near the optimum
         let beyond = region.misses.iter().map(|missed| Some(missed.unwrap_or(1.0))).collect::<Vec<_>>();
         let rings = of(&beyond).below(0.0);
-        let region = Layer::Region { name: name.into(), hue: OPTIMUM, is_hatched: false, rings };
+        let region = Layer::Region { name: name.into(), hue: Hue::OPTIMUM, is_hatched: false, rings };
         return vec![region];
     };
     let misses = of(&region.misses);
@@ -139,7 +139,7 @@ fn nearly_as_good(region: &Region, name: &str) -> Vec<Layer> {
     if !points.iter().any(|[x, _]| x.is_finite()) {
         return vec![];
     }
-    vec![Layer::Line { name: name.into(), hue: OPTIMUM, is_dashed: false, points }]
+    vec![Layer::Line { name: name.into(), hue: Hue::OPTIMUM, is_dashed: false, points }]
 }
 
 /// A map as a field to draw.

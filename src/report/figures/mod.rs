@@ -1,5 +1,6 @@
 //! What studies find, as plots.
 
+mod at;
 mod chart;
 mod difference;
 mod face;
@@ -13,6 +14,7 @@ mod tornado;
 mod trajectory;
 mod vcurve;
 
+pub use at::At;
 pub use chart::{ChartFigures, chart_figures};
 pub use difference::difference_figure;
 pub use face::face_figure;
@@ -21,6 +23,6 @@ pub use launches::launches_figure;
 pub use laws::{Coefficient, Over, laws_figure};
 pub(super) use map::capital;
 pub use map::{OnMap, map_figure};
-pub use tornado::tornado_figure;
+pub use tornado::{Causes, tornado_figure};
 pub use trajectory::{Flown, View, trajectory_figure};
 pub use vcurve::vcurve_figure;

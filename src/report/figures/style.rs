@@ -1,18 +1,14 @@
 //! What the pictures of drives share: a drive has the same colour and dashes in all of them, and grids become fields.
 
+use super::trajectory::Flown;
 use crate::report::plot::{Field, Hue, Measure};
 use crate::study::{Plane, Vary};
-
-/// The drive as set up.
-pub(super) const SET_UP: Hue = Hue::Series(0);
-/// The drive of the optimum.
-pub(super) const OPTIMUM: Hue = Hue::Series(1);
 
 /// The colour of a drive, and whether its lines are dashed: by what it is, and where its name does not say, by its place.
 pub(super) fn style(name: &str, place: usize) -> (Hue, bool) {
     match name {
-        "as set up" => (SET_UP, false),
-        "optimum" => (OPTIMUM, true),
+        "as set up" => (Hue::SET_UP, false),
+        Flown::OPTIMUM => (Hue::OPTIMUM, true),
         _ => (Hue::Series(place), place > 0),
     }
 }

@@ -1,6 +1,6 @@
 //! What a page shows in both systems of units, of which the reader chooses one.
 
-use crate::units::System;
+use crate::units::{System, typeset};
 use maud::{Markup, html};
 
 /// Whether a part of a page differs between the units.
@@ -8,9 +8,9 @@ pub(super) fn has_both(part: &Markup) -> bool {
     [r#"<span class="us""#, r#" us">"#].iter().any(|class| part.0.contains(class))
 }
 
-/// What is written in each system; once, where both are the same.
+/// What is written in each system, as pages print it; once, where both are the same.
 pub(in crate::report) fn both(write: impl Fn(System) -> String) -> Markup {
-    let [us, metric] = [System::Us, System::Metric].map(write);
+    let [us, metric] = [System::Us, System::Metric].map(|system| typeset(&write(system)));
     html! {
         @if us == metric { (us) } @else { span.us { (us) } span.metric { (metric) } }
     }

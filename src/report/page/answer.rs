@@ -8,7 +8,7 @@ use crate::optimize::Status;
 use crate::parameters::UNSET;
 use crate::report::figures::capital;
 use crate::report::frame::both;
-use crate::report::optimum::{bound_in_words, constraint_price, constraints};
+use crate::report::optimum::{bound_in_words, constraint_in_words, constraints};
 use crate::report::shown;
 use crate::study::{Effects, Optimum, Sense};
 use crate::units::{System, signed};
@@ -102,9 +102,8 @@ fn lines(findings: &Findings<'_>, best: &Optimum) -> Vec<Markup> {
     let limits = search.subject_to.iter().zip(&reports).filter(|(of, at)| at.multiplier != 0.0 && !of.is_equation());
     let limits = limits.map(|(of, at)| {
         both(|system| {
-            let price = constraint_price(best, of, at, system);
-            let sign = if search.sense == Sense::Maximize { "+" } else { "−" };
-            format!("Held by {}: {sign}{price} that this limit is relaxed", of.expression)
+            let price = constraint_in_words(best, of, at, system);
+            format!("Held by {}: {}", shown::constraint(of, system), price.trim_start_matches("active: "))
         })
     });
     varied.chain(limits).collect()

@@ -9,7 +9,7 @@ mod sections;
 pub use findings::{Findings, SETUP_FILE};
 
 use super::figures::{
-    Flown, OnMap, View, capital, chart_figures, face_figure, fairway_figure, launches_figure, map_figure,
+    At, Causes, Flown, OnMap, View, capital, chart_figures, face_figure, fairway_figure, launches_figure, map_figure,
     tornado_figure, trajectory_figure, vcurve_figure,
 };
 use super::frame::{Frame, Pair, both, in_each, picture_files, pictures};
@@ -17,7 +17,7 @@ use super::optimum::best_toml;
 use super::plot::{Figure, Look, figure_svg};
 use super::{setup_toml, shown};
 use crate::error::{Error, Result};
-use crate::study::{Chart, Map};
+use crate::study::{Chart, Effects, Map};
 use crate::units::System;
 use maud::{Markup, html};
 
@@ -52,11 +52,11 @@ pub fn report_documents(findings: &Findings<'_>) -> Result<Vec<Document>> {
         effects: findings
             .effects
             .iter()
-            .filter(|effects| effects.standard_uncertainty() > 0.0)
-            .map(|effects| in_each(|system| tornado_figure(effects, system)))
+            .flat_map(|effects| Causes::APART.map(|causes| tornados(effects, causes)))
+            .flatten()
             .collect(),
         // derivatives that differences give to the last bit, as those of 0, have no curve
-        curves: Some(vcurve_figure(findings.rows, findings.loops))
+        curves: Some(vcurve_figure(findings.rows, findings.loops, At::SetUp))
             .filter(|figure| figure_svg(figure, &Look::default()).is_ok())
             .map(|figure| alike(&figure))
             .into_iter()
@@ -81,6 +81,12 @@ fn mapped(findings: &Findings<'_>, map: &Map, system: System) -> Figure {
     map_figure(map, &OnMap { setup, limits, best, region }, system)
 }
 
+/// The effects of some causes as set up, where they have any.
+fn tornados(effects: &Effects, causes: Causes) -> Option<Pair> {
+    let [metric, us] = System::ALL.map(|system| tornado_figure(effects, causes, At::SetUp, system));
+    Some([metric?, us?])
+}
+
 fn charts(findings: &Findings<'_>, chart: &Chart) -> Vec<Pair> {
     let [metric, us] = System::ALL.map(|system| chart_figures(chart, findings.best, system).drawn);
     metric.into_iter().zip(us).map(|(metric, us)| [metric, us]).collect()
@@ -88,7 +94,7 @@ fn charts(findings: &Findings<'_>, chart: &Chart) -> Vec<Pair> {
 
 /// The paths of what flies, from both sides, and why a view is left out.
 fn trajectories(flown: &[Flown]) -> (Vec<Pair>, Vec<[String; 2]>) {
-    let flying: Vec<Flown> = flown.iter().filter(|one| !one.path.points.is_empty()).cloned().collect();
+    let flying: Vec<Flown> = flown.iter().filter(|one| one.path.points.len() > 1).cloned().collect();
     let (mut pairs, mut left_out) = (vec![], vec![]);
     for view in [View::Side, View::Top].into_iter().filter(|_| !flying.is_empty()) {
         match System::ALL.map(|system| trajectory_figure(&flying, view, system)) {

@@ -5,16 +5,16 @@ use super::numbers::{loss, outcome, parameter, stated};
 use crate::drive::{Outcome, Part};
 use crate::error::Result;
 use crate::flight::Flight;
-use crate::optimize::Status;
 use crate::parameters::{METHOD, Parameter};
 use crate::report::certificate::settled;
 use crate::report::figures::{Flown, capital};
 use crate::report::frame::{both, scrolled};
-use crate::report::optimum::{bound_in_words, constraint_price, constraints};
+use crate::report::optimum::{bound_in_words, constraint_in_words, constraints};
 use crate::report::presets::sources;
+use crate::report::shown;
 use crate::study::certificate::Row;
 use crate::study::{Effects, Flatness, Limit, Optimum};
-use crate::units::{counted, significant};
+use crate::units::{System, counted, significant, typeset};
 use maud::{Markup, html};
 
 /// What a launch monitor shows, of the drive as set up.
@@ -110,12 +110,14 @@ pub(super) fn optimum(best: &Optimum, flatness: Option<&Flatness>) -> Markup {
 }
 
 /// What ends a window, where it is not the loss.
-fn limit(best: &Optimum, limit: Limit) -> String {
-    match limit {
-        Limit::Loss => String::new(),
-        Limit::Bound => " (bound)".into(),
-        Limit::Constraint(j) => format!(" ({})", best.search.subject_to[j].expression),
-        Limit::NoFlight => " (no flight)".into(),
+fn limit(best: &Optimum, limit: Limit) -> Markup {
+    html! {
+        @match limit {
+            Limit::Loss => {}
+            Limit::Bound => " (bound)",
+            Limit::Constraint(j) => { " (" (both(|system| shown::constraint(&best.search.subject_to[j], system))) ")" }
+            Limit::NoFlight => " (no flight)",
+        }
     }
 }
 
@@ -131,16 +133,9 @@ fn limits(best: &Optimum) -> Markup {
             tbody {
                 @for (constraint, report) in best.search.subject_to.iter().zip(reports) {
                     tr {
-                        td.typed { (&report.expression) }
+                        td { (both(|system| shown::constraint(constraint, system))) }
                         td.number { (outcome(constraint.outcome, Some(report.value))) }
-                        td {
-                            @if constraint.is_equation() { "equality" }
-                            @if best.solution.status != Status::Converged {} @else if constraint.is_equation() {
-                                ": " (both(|system| constraint_price(best, constraint, &report, system))) " of raising the value"
-                            } @else if report.multiplier == 0.0 { "not active" } @else {
-                                (both(|system| constraint_price(best, constraint, &report, system))) " of moving the limit"
-                            }
-                        }
+                        td.words { (both(|system| constraint_in_words(best, constraint, &report, system))) }
                     }
                 }
             }
@@ -160,7 +155,7 @@ pub(super) fn uncertainties(effects: &[Effects]) -> Markup {
                     tr {
                         td { (sigma.parameter.name) }
                         td.number { (stated(sigma.parameter, sigma.value)) }
-                        td.words.source { (sigma.source.unwrap_or("as given")) }
+                        td.words.source { (typeset(sigma.source.unwrap_or("as given"))) }
                     }
                 }
             }
@@ -179,9 +174,9 @@ pub(super) fn verdicts(rows: &[Row]) -> Markup {
                 @for row in rows {
                     tr {
                         td { "d " (row.of.name()) "/d " (row.parameter.name) }
-                        td.number { (significant(settled(row), 10)) }
-                        td.number { (row.first.best.map_or("–".into(), |best| significant(best.value, 10))) }
-                        td.number { (format!("{:.1e}", row.first.error)) }
+                        td.number { (typeset(&significant(settled(row), 10))) }
+                        td.number { (row.first.best.map_or("–".into(), |best| typeset(&significant(best.value, 10)))) }
+                        td.number { (typeset(&format!("{:.1e}", row.first.error))) }
                         td { (row.verdict().name()) }
                     }
                 }
@@ -200,10 +195,16 @@ pub(super) fn setup(findings: &Findings<'_>) -> Result<Markup> {
         "flight.step" => flown.flight.step != stated.flight.step,
         _ => false,
     };
-    let with_source = |(name, shown, source)| {
-        (name, shown, if is_chosen(name) { "chosen for the accuracy of the flight".to_owned() } else { source })
+    let source_of = |name: &str, source: String| {
+        if is_chosen(name) { "chosen for the accuracy of the flight".to_owned() } else { source }
     };
-    let rows = sources(flown, findings.preset)?.into_iter().map(with_source).filter(|(name, ..)| is_used(name));
+    let [us, metric] = [System::Us, System::Metric].map(|system| sources(flown, findings.preset, Some(system)));
+    // the same rows, in the units of each system
+    let rows = us?.into_iter().zip(metric?).filter(|((name, ..), _)| is_used(name));
+    let rows = rows.map(|((name, us, source), (_, metric, other))| {
+        ((name, us, source_of(name, source)), (name, metric, source_of(name, other)))
+    });
+    let either = |us: &str, metric: &str| both(|system| if system == System::Us { us } else { metric }.into());
     Ok(html! {
         p.faint {
             "All numbers of the setup and their sources; it is based on the preset " (findings.preset.name) "."
@@ -212,8 +213,8 @@ pub(super) fn setup(findings: &Findings<'_>) -> Result<Markup> {
         (scrolled("The setup", html! { table.told {
             thead { tr { th { "parameter" } th.number { "value" } th { "source" } } }
             tbody {
-                @for (name, shown, source) in rows {
-                    tr { td { (name) } td.number { (shown) } td.words.source { (source) } }
+                @for ((name, us, source), (_, metric, source_in_metric)) in rows {
+                    tr { td { (name) } td.number { (either(&us, &metric)) } td.words.source { (either(&source, &source_in_metric)) } }
                 }
             }
         } }))

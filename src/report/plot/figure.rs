@@ -15,7 +15,7 @@ pub struct Figure {
     pub x: Axis,
     /// The vertical axis.
     pub y: Axis,
-    /// Height over width of the picture.
+    /// Height over width of the frame of the axes; rows of an axis of names have a height of their own.
     pub aspect: f64,
     /// What is drawn, the lowest first.
     pub layers: Vec<Layer>,
@@ -69,6 +69,12 @@ pub enum Hue {
 }
 
 impl Hue {
+    /// The drive as set up, in every plot: no dashes.
+    pub const SET_UP: Self = Self::Series(0);
+
+    /// The optimum, in every plot: dashed.
+    pub const OPTIMUM: Self = Self::Series(1);
+
     /// How many colours there are for series.
     pub const SERIES: usize = 6;
 

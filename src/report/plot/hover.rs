@@ -5,7 +5,7 @@ use super::canvas::fine;
 use super::contour::grounds;
 use super::figure::{Figure, Layer};
 use super::layers::Plane;
-use crate::units::{Quantity, System, significant};
+use crate::units::{Quantity, System, significant, typeset};
 use std::fmt::Write;
 
 /// A line of at most so many points says the values of each.
@@ -90,7 +90,7 @@ fn of(measure: &Measure, value: f64, system: System) -> String {
     measure.quantity.read_off(value, system.unit(measure.unit))
 }
 
-/// Text as it stands in XML.
+/// Text as pictures print it, and as it stands in XML.
 pub(super) fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;")
+    typeset(text).replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;")
 }

@@ -1,6 +1,6 @@
 //! Each kind of layer as it is drawn, in pixels of the plot.
 
-use super::canvas::{Area, FINE, LINE, Labels, SIGN, block, failed, fine, path, stroke};
+use super::canvas::{Area, FINE, Labels, SIGN, block, failed, fine, path, stroke};
 use super::contour::grounds;
 use super::figure::{Field, Figure, Hue, Layer};
 use super::hatching::hatching;
@@ -37,6 +37,13 @@ impl Plane<'_> {
         Some([along(self.x, x, left, right)?, along(self.y, y, bottom, top)?])
     }
 
+    /// Where an SI value lies along the horizontal axis, pixels; `None` off it.
+    pub fn pixel_across(&self, x: f64) -> Option<f64> {
+        let [left, _, right, _] = self.frame;
+        let part = (self.x.place(x)? - self.x.low) / (self.x.high - self.x.low);
+        (-1e-6..=1.0 + 1e-6).contains(&part).then_some(left + part * (right - left))
+    }
+
     fn all(&self, points: &[[f64; 2]]) -> Vec<[f64; 2]> {
         points.iter().filter_map(|point| self.pixel(*point)).collect()
     }
@@ -62,14 +69,11 @@ pub(super) fn draw(area: &Area<'_>, plane: &Plane<'_>, palette: &Palette, system
             let high = points.iter().rev().map(|[x, _, high]| [*x, *high]);
             polygon(area, &plane.all(&low.chain(high).collect::<Vec<_>>()), color, 0.22)
         }
-        Layer::Bars { bars, .. } => bars.iter().try_for_each(|bar| {
-            let ends = [bar.from, bar.to].map(|x| plane.pixel([x, bar.place as f64]));
-            let [Some(from), Some(to)] = ends else { return Ok(()) };
-            let half = 7.0;
-            block(area, [from[0].min(to[0]), from[1] - half], [from[0].max(to[0]), from[1] + half], color, 0.85)
-        }),
+        // with the names of their rows
+        Layer::Bars { .. } => Ok(()),
         Layer::Contours(field) => ground(area, plane, palette, system, field),
-        Layer::Mark { at, .. } => plane.pixel(*at).map_or(Ok(()), |at| star(area, palette, at, color)),
+        // with their words, since one goes with the other
+        Layer::Mark { .. } => Ok(()),
         Layer::Arrows { arrows, .. } => arrows.iter().try_for_each(|[from, to]| {
             let ends = [plane.pixel(*from), plane.pixel(*to)];
             if let [Some(from), Some(to)] = ends { arrow(area, from, to, color) } else { Ok(()) }
@@ -86,26 +90,8 @@ pub(super) fn draw(area: &Area<'_>, plane: &Plane<'_>, palette: &Palette, system
     }
 }
 
-/// The words of the layers: at marks, then on contours as far as there is room.
+/// The names of lines on them, where the figure has them there, and the levels of contours as far as there is room.
 pub(super) fn label(labels: &mut Labels<'_, '_>, plane: &Plane<'_>, system: System, figure: &Figure) -> Result<()> {
-    for layer in &figure.layers {
-        if let Layer::Mark { name, hue, at } = layer
-            && !name.is_empty()
-            && let Some(at) = plane.pixel(*at)
-        {
-            let half = Labels::extent(name, [0.0, 0.0])[1][0];
-            let is_left = at[0] + 2.0 * half + 10.0 > plane.frame[2];
-            let side = if is_left { -half - 9.0 } else { half + 9.0 };
-            // beside, above or below the mark, wherever no other word is
-            let heights = [0.0, -LINE, LINE, -2.0 * LINE, 2.0 * LINE].map(|up| at[1] + up);
-            let is_inside = |y: &f64| {
-                (plane.frame[1]..=plane.frame[3]).contains(&(y + 0.5 * LINE)) && *y > plane.frame[1] + 0.5 * LINE
-            };
-            let free = |y: &f64| is_inside(y) && labels.is_free(Labels::extent(name, [at[0] + side, *y]));
-            let y = heights.into_iter().find(free).unwrap_or(at[1]);
-            labels.write(name, [at[0] + side, y], labels.palette.of(*hue), true)?;
-        }
-    }
     for layer in figure.layers.iter().filter(|_| figure.names_on_lines) {
         if let Layer::Line { name, hue, points, .. } = layer
             && !name.is_empty()
@@ -249,7 +235,7 @@ fn dot(area: &Area<'_>, [x, y]: [f64; 2], color: RGBColor) -> Result<()> {
     area.draw(&Circle::new((fine(x), fine(y)), 3 * FINE, color.filled())).map_err(failed)
 }
 
-fn star(area: &Area<'_>, palette: &Palette, [x, y]: [f64; 2], color: RGBColor) -> Result<()> {
+pub(super) fn star(area: &Area<'_>, palette: &Palette, [x, y]: [f64; 2], color: RGBColor) -> Result<()> {
     for (radius, color) in [(6.5, palette.ground), (5.0, color), (2.0, palette.ground)] {
         area.draw(&Circle::new((fine(x), fine(y)), fine(radius), color.filled())).map_err(failed)?;
     }

@@ -15,6 +15,7 @@
 //! ```
 
 mod axis;
+mod bars;
 mod canvas;
 mod contour;
 mod csv;
@@ -22,12 +23,15 @@ mod figure;
 mod hatching;
 mod hover;
 mod layers;
+mod layout;
 mod legend;
+mod marks;
 mod palette;
 mod panels;
 #[cfg(feature = "png")]
 mod png;
 mod svg;
+mod text_width;
 mod ticks;
 
 pub use axis::{Axis, Measure, Scale};

@@ -109,6 +109,17 @@ pub enum Drawn {
     Cl,
 }
 
+/// Which uncertainties a tornado shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub enum Moved {
+    /// What you control: delivery, strike and club, or the launch where it is given.
+    Control,
+    /// What the model does not know: its coefficients, the air, the wind and the ground.
+    Model,
+    /// Both in one picture.
+    All,
+}
+
 #[derive(clap::Args)]
 pub struct PlotLaws {
     #[command(flatten)]
@@ -237,6 +248,10 @@ pub struct PlotTornado {
     /// the default uncertainties of "longdrive sensitivity".
     #[arg(long, value_name = "NAME=AMOUNT")]
     pub sigma: Vec<String>,
+
+    /// The uncertainties to draw.
+    #[arg(long, value_enum, default_value_t = Moved::Control)]
+    pub show: Moved,
 }
 
 #[derive(clap::Args)]
