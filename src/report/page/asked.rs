@@ -86,8 +86,10 @@ pub(super) fn asked(findings: &Findings<'_>) -> Result<Markup> {
                     }))
                 }
                 @if !search.subject_to.is_empty() {
-                    dt { "Limits" } dd.typed {
-                        (search.subject_to.iter().map(|constraint| constraint.expression.as_str()).collect::<Vec<_>>().join("; "))
+                    dt { "Limits" } dd {
+                        (both(|system| {
+                            search.subject_to.iter().map(|of| shown::constraint(of, system)).collect::<Vec<_>>().join("; ")
+                        }))
                     }
                 }
             }
