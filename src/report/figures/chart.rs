@@ -89,7 +89,7 @@ fn marked(mut figure: Figure, chart: &Chart, system: System, y: impl Fn(&ChartPo
             let number = format!("{}", notes.len() + 1);
             notes.push(format!(
                 "{number}: at {} {event}.",
-                Measure::parameter(chart.along.parameter).show_both(point.at, system)
+                Measure::parameter(chart.along.parameter).show(point.at, system)
             ));
             figure.layers.push(Layer::Mark { name: number, hue: Hue::Ink, at: [point.at, y] });
         }

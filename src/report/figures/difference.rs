@@ -7,7 +7,7 @@ use crate::units::{System, counted};
 const MOST: usize = 12;
 
 /// The difference of an outcome between two drives as bars, a share each, the largest on top: of the parameters that differ, and below them
-/// of the launch conditions and what else the flight depends on. What is first in the note is in the units of `system`.
+/// of the launch conditions and what else the flight depends on. The note is in the units of `system`.
 pub fn difference_figure(difference: &Difference, system: System) -> Figure {
     let of = difference.of;
     let measure = Measure::outcome(of);
@@ -43,8 +43,8 @@ pub fn difference_figure(difference: &Difference, system: System) -> Figure {
         "{} of b less that of a: {}, from {} to {}. The bars of a colour add up to it.",
         super::capital(&measure.label),
         measure.show_difference(difference.amount(), system),
-        measure.show_both(a, system),
-        measure.show_both(b, system),
+        measure.show(a, system),
+        measure.show(b, system),
     );
     if left_out > 0 {
         note += &format!(" Not shown: {}.", counted(left_out as u64, "smaller share"));

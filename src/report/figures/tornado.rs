@@ -83,7 +83,7 @@ impl Ends {
 }
 
 /// What standard uncertainties of parameters do to an outcome, as bars, the largest on top: flown at p − σ and p + σ, one
-/// parameter at a time. The uncertainties, and first in the note, are in the units of `system`. `None` where none of these causes has an
+/// parameter at a time. The uncertainties and the note are in the units of `system`. `None` where none of these causes has an
 /// uncertainty with an effect.
 pub fn tornado_figure(effects: &Effects, causes: Causes, at: At, system: System) -> Option<Figure> {
     let is_cause = |effect: &&Effect| causes.has(effect.parameter);

@@ -11,7 +11,7 @@ use crate::report::frame::both;
 use crate::report::optimum::{bound_in_words, constraint_in_words, constraints};
 use crate::report::shown;
 use crate::study::{Effects, Optimum, Sense};
-use crate::units::{System, signed};
+use crate::units::{System, one, signed};
 use maud::{Markup, html};
 
 /// Most parameters that the uncertainty is said to be of.
@@ -122,22 +122,15 @@ fn bound(best: &Optimum, i: usize, system: System) -> Option<String> {
     }
     let unit = system.unit(parameter.unit);
     let is_corner = best.solution.kink.is_some_and(|kink| kink.variable == i);
-    let (Some(one), false) = (one(unit), is_corner) else { return Some(bound_in_words(best, i, system)) };
+    // of a number without unit one more is no small step
+    if is_corner || unit.is_empty() {
+        return Some(bound_in_words(best, i, system));
+    }
+    let one = one(unit);
     let amount = shown::spread(of, price * parameter.quantity.size_of(unit).unwrap_or(1.0), system);
     let each = if upper > 0.0 { format!("each further {one}") } else { format!("each {one} less") };
     let does = if best.search.sense == Sense::Maximize { "adds" } else { "takes off" };
     Some(format!("your limit: {each} {does} {amount}"))
-}
-
-/// One of a unit in words, where people have a word for it.
-fn one(unit: &str) -> Option<&str> {
-    match unit {
-        "deg" => Some("degree"),
-        "yd" => Some("yard"),
-        "m" => Some("metre"),
-        "mph" | "m/s" | "mm" | "g" => Some(unit),
-        _ => None,
-    }
 }
 
 /// Why the drive as set up has no flight.

@@ -86,10 +86,9 @@ pub(super) fn asked(findings: &Findings<'_>) -> Result<Markup> {
                     }))
                 }
                 @if !search.subject_to.is_empty() {
-                    dt { "Limits" } dd.typed {
+                    dt { "Limits" } dd {
                         (both(|system| {
-                            let limits = search.subject_to.iter().map(|constraint| shown::constraint(constraint, system));
-                            limits.collect::<Vec<_>>().join("; ")
+                            search.subject_to.iter().map(|of| shown::constraint(of, system)).collect::<Vec<_>>().join("; ")
                         }))
                     }
                 }

@@ -40,20 +40,20 @@ impl Measure {
         value / self.quantity.size_of(system.unit(self.unit)).unwrap_or(1.0)
     }
 
-    /// An SI value in the units of a system with the digits of a launch monitor, and in those of the other in parentheses:
-    /// "251.1 yd (229.6 m)".
+    /// An SI value in the unit of a system with the digits of a launch monitor: "251.1 yd".
+    pub fn show(&self, value: f64, system: System) -> String {
+        self.quantity.read_off(value, system.unit(self.unit))
+    }
+
+    /// The same, and in the unit of the other system in parentheses: "251.1 yd (229.6 m)".
     pub fn show_both(&self, value: f64, system: System) -> String {
-        self.in_both(system, |unit| self.quantity.read_off(value, unit))
-    }
-
-    /// The same of a difference or an uncertainty, which has one decimal more: "4.12 yd (3.77 m)".
-    pub fn show_difference(&self, value: f64, system: System) -> String {
-        self.in_both(system, |unit| self.quantity.read_off_difference(value, unit))
-    }
-
-    fn in_both(&self, system: System, show: impl Fn(&str) -> String) -> String {
-        let [chosen, other] = [system, system.other()].map(|system| show(system.unit(self.unit)));
+        let [chosen, other] = [system, system.other()].map(|system| self.show(value, system));
         if chosen == other { chosen } else { format!("{chosen} ({other})") }
+    }
+
+    /// A difference or an uncertainty, which has one decimal more: "4.12 yd".
+    pub fn show_difference(&self, value: f64, system: System) -> String {
+        self.quantity.read_off_difference(value, system.unit(self.unit))
     }
 
     /// What it is called, with the unit of a system: `carry [yd]`, `club loft [°]`.
