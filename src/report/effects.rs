@@ -1,3 +1,4 @@
+use super::figures::At;
 use super::lines::{by_reason, item};
 use super::table::table;
 use super::{OptimumReport, Reply, json, shown};
@@ -37,7 +38,7 @@ pub struct OutcomeEffects {
     pub value: Value,
     /// Its standard uncertainty to first order.
     pub standard_uncertainty: Value,
-    /// What straight bars neglect; shorter ones are not to be trusted.
+    /// What the first order neglects; drives flown have it in them.
     pub linearity: Value,
     /// The parameters, by the size of what their uncertainty does.
     pub effects: Vec<Value>,
@@ -76,8 +77,8 @@ fn total(totals: Option<&Totals>, parameter: &Parameter) -> Option<f64> {
     sensitivity.as_ref().ok().map(|sensitivity| sensitivity.value)
 }
 
-/// The effects on an outcome as text: those of uncertainties first, with what they neglect, then the other gradients.
-pub fn effects_text(effects: &Effects, totals: Option<&Totals>, system: System) -> String {
+/// The effects on an outcome of the drive `at` as text: those of uncertainties first, with what they neglect, then the other gradients.
+pub fn effects_text(effects: &Effects, totals: Option<&Totals>, at: At, system: System) -> String {
     let of = effects.of;
     let rate = |slope: f64, parameter: &Parameter| shown::slope(of, effects.value, parameter, slope, system, 5);
     let slopes = |effect: &Effect| {
@@ -91,13 +92,13 @@ pub fn effects_text(effects: &Effects, totals: Option<&Totals>, system: System) 
         row.extend(totals.map(|_| of_optimum()));
         row
     };
-    let mut text = format!("{} = {}\n", of.name(), shown::both(of, effects.value, system));
+    let mut text = format!("{} = {}, {at}\n", of.name(), shown::both(of, effects.value, system));
     let bars: Vec<Bar> = effects.effects.iter().filter_map(|effect| effect.bar).collect();
     if !bars.is_empty() {
         let head = ["uncertainty of", "±σ", "effect", "second order", "flown at −σ", "flown at +σ"];
         text += &format!("\n{}", table(&head, &[1, 2, 3, 4, 5], bars.iter().map(|bar| bar_cells(bar, of, system))),);
         text += &item(&format!(
-            "together ±{} to first order, if independent; effects below {} are smaller than what the linear model neglects",
+            "together ±{} to first order, if independent; second order adds up to {}, which the drives flown at −σ and +σ have in them",
             shown::spread(of, effects.standard_uncertainty(), system),
             shown::spread(of, effects.linearity(), system),
         ));

@@ -102,7 +102,8 @@ pub fn gradient_text(of: Outcome, wrt: &[&'static Parameter], taylor: &Taylor, s
         ]
     });
     let gradient = table(&["by", &format!("d {}", of.name()), "SI"], &[1, 2], rows);
-    let exact = format!("{} {si}", significant(taylor.value, 15));
+    let exact =
+        format!("{} {si}", significant(if shown::is_rounding(of, 0.0, taylor.value) { 0.0 } else { taylor.value }, 15));
     let value = format!("{} = {}; in SI {}\n\n", of.name(), shown::both(of, taylor.value, system), exact.trim_end());
     if taylor.hessian.is_empty() {
         return value + &gradient;

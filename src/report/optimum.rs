@@ -7,7 +7,7 @@ use crate::error::Result;
 use crate::optimize::{Constrained, Effort, Iteration, Status};
 use crate::parameters::Preset;
 use crate::study::{Constraint, Optima, Optimum, Search, Sense};
-use crate::units::{Message, Quantity, System, counted, counted_of, fixed};
+use crate::units::{Message, Quantity, System, counted, counted_of, fixed, signed, with_unit};
 use serde::Serialize;
 use serde_json::{Map, Value};
 use std::collections::BTreeMap;
@@ -223,36 +223,30 @@ fn constraints_text(optimum: &Optimum, system: System) -> String {
         return String::new();
     }
     let rows = optimum.search.subject_to.iter().zip(reports).map(|(constraint, report)| {
-        // a constraint's price is a change of the outcome: a smaller one is a gain where the smallest is looked for
-        let price = constraint_price(optimum, constraint, &report, system);
-        let gain = if optimum.search.sense == Sense::Maximize { "+" } else { "-" };
-        let is_converged = optimum.solution.status == Status::Converged;
-        let words = match report.multiplier {
-            _ if constraint.is_equation() => {
-                let (quantity, unit) = (constraint.outcome.quantity(), system.unit(constraint.outcome.unit()));
-                let off = quantity.read_off_difference(report.value - constraint.low, unit);
-                // it holds an optimum whatever its price, and a price is one at an optimum only
-                let price = if is_converged { format!(", {price} of raising the value") } else { String::new() };
-                format!("equality: off by {off}{price}")
-            }
-            _ if !is_converged => String::new(),
-            0.0 => "not active".into(),
-            _ => format!("active: {gain}{price} of relaxing the limit"),
-        };
-        vec![report.expression, shown::outcome(constraint.outcome, report.value, system), words]
+        let value = shown::outcome(constraint.outcome, report.value, system);
+        vec![shown::constraint(constraint, system), value, constraint_in_words(optimum, constraint, &report, system)]
     });
     format!("\n{}", table(&["subject to", "value", ""], &[1], rows))
 }
 
-/// What the outcome changes by per unit that a constraint's limit is moved: "0.52 yd per deg".
-pub(super) fn constraint_price(optimum: &Optimum, of: &Constraint, at: &ConstraintReport, system: System) -> String {
-    let turn = match optimum.search.sense {
-        Sense::Minimize if of.is_equation() => -1.0,
-        _ => 1.0,
-    };
-    let (outcome, by) = (optimum.search.of, of.outcome);
-    let units = [(outcome.quantity(), outcome.unit()), (by.quantity(), by.unit())];
-    shown::ratio(units[0], units[1], turn * at.multiplier, system, 3)
+/// "active: +0.52 yd for each degree that the limit is relaxed".
+pub(super) fn constraint_in_words(optimum: &Optimum, of: &Constraint, at: &ConstraintReport, system: System) -> String {
+    let by = (of.outcome.quantity(), of.outcome.unit());
+    let is_converged = optimum.solution.status == Status::Converged;
+    let price = |amount: f64| signed(amount, shown::price(optimum.search.of, amount, by, system));
+    // the price of a limit is a gain, and a smaller value is a gain where the smallest is looked for; that of an equation has its sign
+    let sign = if optimum.search.sense == Sense::Maximize { 1.0 } else { -1.0 };
+    match at.multiplier {
+        _ if of.is_equation() => {
+            let off = by.0.read_off_difference(at.value - of.low, system.unit(by.1));
+            // it holds an optimum whatever its price, and a price is one at an optimum only
+            let price = format!(", {} that the value is raised", price(sign * at.multiplier));
+            format!("equality: off by {off}{}", if is_converged { &price } else { "" })
+        }
+        _ if !is_converged => String::new(),
+        0.0 => "not active".into(),
+        relaxed => format!("active: {} that the limit is relaxed", price(sign * relaxed)),
+    }
 }
 
 /// The setup at the best of some optima as a setup file in TOML, to the last digit.
@@ -260,13 +254,17 @@ pub(super) fn constraint_price(optimum: &Optimum, of: &Constraint, at: &Constrai
 /// # Errors
 /// As [`setup_toml`]; as [`Optima::best`].
 pub fn optimum_toml(optima: &Optima, preset: &Preset) -> Result<String> {
-    let optimum = optima.best()?;
+    best_toml(optima.best()?, optima.interrupted(), preset)
+}
+
+/// The same of one optimum, and how its search was interrupted.
+pub(super) fn best_toml(optimum: &Optimum, interrupted: Option<String>, preset: &Preset) -> Result<String> {
     let search = &optimum.search;
     let of = search.of;
     let value = optimum.value().map_or("–".into(), |value| shown::both(of, value, System::default()));
     let mut about = vec![format!("{}, {} {}: {value}", preset.name, search.sense.adjective(), of.name())];
     about.extend(search.subject_to.iter().map(|constraint| format!("subject to {}", constraint.expression)));
-    about.extend(optima.interrupted().map(|interrupted| format!("interrupted: {interrupted}; the best so far:")));
+    about.extend(interrupted.map(|interrupted| format!("interrupted: {interrupted}; the best so far:")));
     about.push(format!("{}: {}", optimum.status(), optimum.message()));
     let remarks = search.vary.iter().zip(&optimum.solution.x).map(|(vary, x)| {
         let show = |value: f64| vary.parameter.show(Some(value));
@@ -301,13 +299,17 @@ pub fn optima_text(optima: &Optima, system: System) -> String {
     listed + &stopped
 }
 
-/// "at its upper bound: +2.11 yd per deg beyond it".
+/// "at its upper bound: +2.11 yd for each degree that it is raised".
 pub(super) fn bound_in_words(optimum: &Optimum, i: usize, system: System) -> String {
     let (vary, of) = (optimum.search.vary[i], optimum.search.of);
     let (lower, upper) = (optimum.solution.lower_multipliers[i], optimum.solution.upper_multipliers[i]);
     let value = optimum.value().unwrap_or_default();
-    let price = |multiplier: f64| shown::slope(of, value, vary.parameter, multiplier, system, 3);
-    let (gain, loss) = if optimum.search.sense == Sense::Maximize { ("+", "-") } else { ("-", "+") };
+    let gain = if optimum.search.sense == Sense::Maximize { 1.0 } else { -1.0 };
+    let price = |amount: f64| {
+        let by = vary.parameter;
+        let amount = shown::settled(gain * amount, value, (of.quantity(), of.unit()), &[by]);
+        signed(amount, shown::price(of, amount, (by.quantity, by.unit), system))
+    };
     let is_corner = optimum.solution.kink.is_some_and(|kink| kink.variable == i);
     if vary.low == vary.high {
         "fixed".into()
@@ -315,12 +317,12 @@ pub(super) fn bound_in_words(optimum: &Optimum, i: usize, system: System) -> Str
         // a multiplier is a price at an optimum only
         String::new()
     } else if is_corner && upper + lower > 0.0 {
-        let bound = if lower > 0.0 { "lower" } else { "upper" };
-        format!("at its {bound} bound, a corner: {loss}{} inside it", price(upper + lower))
+        let (bound, side) = if lower > 0.0 { ("lower", "above") } else { ("upper", "below") };
+        format!("at its {bound} bound, a corner: {} {side} it", price(-(upper + lower)))
     } else if upper > 0.0 {
-        format!("at its upper bound: {gain}{} beyond it", price(upper))
+        format!("at its upper bound: {} that it is raised", price(upper))
     } else if lower > 0.0 {
-        format!("at its lower bound: {gain}{} beyond it", price(lower))
+        format!("at its lower bound: {} that it is lowered", price(lower))
     } else {
         "free".into()
     }
@@ -331,7 +333,7 @@ pub fn iteration_line(search: &Search, iteration: &Iteration, system: System) ->
     let of = search.of;
     let number = |quantity: Quantity, unit: &'static str, value: f64| {
         let unit = system.unit(unit);
-        format!("{} {unit}", fixed(value / quantity.size_of(unit).unwrap_or(1.0), 6)).trim_end().to_owned()
+        with_unit(&fixed(value / quantity.size_of(unit).unwrap_or(1.0), 6), unit)
     };
     let x = search.vary.iter().zip(&iteration.x).map(|(vary, x)| {
         format!("{} {}", vary.parameter.name, number(vary.parameter.quantity, vary.parameter.unit, *x))

@@ -1,6 +1,7 @@
-use super::{Reply, json, table::table};
+use super::{Reply, json, shown, table::table};
 use crate::error::Result;
-use crate::parameters::{LAW, METHOD, PRESETS, Preset, Setup, TABLE};
+use crate::parameters::{LAW, METHOD, PRESETS, Parameter, Preset, Setup, TABLE, UNSET};
+use crate::units::System;
 use serde_json::{Value, json};
 
 /// The source of a parameter's value in a preset: its own, or the table's where the preset does not change it.
@@ -26,18 +27,30 @@ pub(super) fn sourced(preset: &Preset, setup: &Setup<f64>) -> Vec<(&'static str,
     rows
 }
 
-/// Where each number of a setup comes from: its name, its value as a person reads it, and its source. A number that differs
-/// from the preset's is the asker's own.
-pub fn sources(setup: &Setup<f64>, preset: &Preset) -> Result<Vec<(&'static str, String, String)>> {
+/// Where each number of a setup comes from: its name, its value and its source, in the units of a system, or without one as they are typed. A
+/// number that differs from the preset's is the asker's own.
+pub fn sources(
+    setup: &Setup<f64>,
+    preset: &Preset,
+    system: Option<System>,
+) -> Result<Vec<(&'static str, String, String)>> {
     let base = Setup::preset(preset.name)?;
     let known = sourced(preset, &base);
     let source = |name: &str, is_kept: bool| {
         let known = known.iter().find(|(known, ..)| *known == name);
         match known {
             Some((.., source)) if is_kept => (*source).to_owned(),
-            Some((_, shown, _)) => format!("as given, instead of {shown}"),
+            Some((_, shown, _)) => {
+                let row = base.parameter(name).ok();
+                let number = row.zip(system).map(|(row, system)| shown::set(row, base.value(row), system));
+                format!("as given, instead of {}", number.unwrap_or_else(|| shown.clone()))
+            }
             None => "as given".into(),
         }
+    };
+    let set = |row: &Parameter, value: Option<f64>| match system {
+        Some(system) => shown::set(row, value, system),
+        None => row.show(value),
     };
     let mut rows: Vec<_> = setup
         .parameters()
@@ -50,9 +63,9 @@ pub fn sources(setup: &Setup<f64>, preset: &Preset) -> Result<Vec<(&'static str,
             let source = match base.parameter(row.name) {
                 Ok(known) => source(row.name, base.value(known) == value),
                 Err(_) if value == row.default_value() => row.source.to_owned(),
-                Err(_) => format!("as given, instead of {}", row.default),
+                Err(_) => format!("as given, instead of {}", set(row, row.default_value())),
             };
-            (row.name, row.show(value), source)
+            (row.name, set(row, value), source)
         })
         .collect();
     let law_at = rows.iter().position(|(name, ..)| name.starts_with("aero.")).unwrap_or(rows.len());
@@ -63,6 +76,48 @@ pub fn sources(setup: &Setup<f64>, preset: &Preset) -> Result<Vec<(&'static str,
     let method_at = rows.iter().position(|(name, ..)| *name == "flight.step").unwrap_or(rows.len());
     rows.insert(method_at, (METHOD, setup.method.name().into(), source(METHOD, base.method == setup.method)));
     Ok(rows)
+}
+
+/// A number, a law or a method that differs from the preset's, as a person reads it.
+pub(super) struct Change {
+    /// The parameter, where it is one.
+    pub parameter: Option<&'static Parameter>,
+    /// What it is called.
+    pub name: String,
+    /// In the preset.
+    pub from: String,
+    /// In the setup.
+    pub to: String,
+}
+
+/// What differs between a setup and the preset that it started from, in the units of a system.
+pub(super) fn changes(setup: &Setup<f64>, preset: &Preset, system: System) -> Result<Vec<Change>> {
+    let base = Setup::preset(preset.name)?;
+    let used = setup.parameters().into_iter().filter(|row| setup.why_replaced(row).is_none());
+    let numbers = used.filter_map(|row| {
+        // a coefficient of another law than the preset's is compared with its own default
+        let from = base.parameter(row.name).map_or_else(|_| row.default_value(), |known| base.value(known));
+        let to = setup.value(row);
+        let show = |value: Option<f64>| value.map_or(UNSET.into(), |value| shown::stated(row, value, system));
+        (from != to).then(|| Change {
+            parameter: Some(row),
+            name: shown::words(row.name),
+            from: show(from),
+            to: show(to),
+        })
+    });
+    let law = setup.law.table().map_or(setup.law.name(), |table| table.file());
+    let words = [
+        ("law of drag and lift", base.law.name(), law),
+        ("method of integration", base.method.name(), setup.method.name()),
+    ];
+    let words = words.into_iter().filter(|(_, from, to)| from != to).map(|(name, from, to)| Change {
+        parameter: None,
+        name: name.into(),
+        from: from.into(),
+        to: to.into(),
+    });
+    Ok(numbers.chain(words).collect())
 }
 
 /// The answer of `presets`: every number of each preset, or of the one that is named, with its source.

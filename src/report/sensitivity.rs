@@ -6,7 +6,7 @@ use super::{json, shown};
 use crate::error::{Error, Result};
 use crate::parameters::Parameter;
 use crate::study::{Changed, Direction, Ellipse, Flatness, Limit, Optima, Optimum, Sensitivity, Vary, Window};
-use crate::units::{Message, Quantity, System, significant};
+use crate::units::{Message, Quantity, System, printed, significant, with_unit};
 use serde::Serialize;
 use serde_json::{Value, json};
 
@@ -188,13 +188,13 @@ fn sensitivities_text(
                 let slope = shown::settled(slope, value, (quantity, unit), &[*parameter]);
                 let unit = system.unit(unit);
                 let number = slope * size / quantity.size_of(unit).unwrap_or(1.0);
-                format!("{} {unit}", significant(number, 4)).trim_end().to_owned()
+                with_unit(&significant(number, 4), unit)
             };
             let moves = best.search.vary.iter().zip(&best.solution.x).zip(&s.optimum);
             let moves = moves.filter(|((vary, _), _)| vary.low < vary.high);
             let moves =
                 moves.map(|((vary, x), slope)| per_unit(*slope, *x, (vary.parameter.quantity, vary.parameter.unit)));
-            let name = format!("{} [{}]", parameter.name, if by.is_empty() { "1" } else { by });
+            let name = format!("{} [{}]", parameter.name, if by.is_empty() { "1".into() } else { printed(by) });
             let value = best.value().unwrap_or_default();
             [name, per_unit(s.value, value, (of.quantity(), of.unit()))].into_iter().chain(moves).collect()
         })
@@ -213,6 +213,9 @@ fn windows_text(best: &Optimum, flatness: &Flatness, system: System) -> String {
             let value = shown::parameter(vary.parameter, value, system);
             match limit {
                 Limit::Loss => value,
+                Limit::Constraint(j) => {
+                    format!("{value} ({})", shown::constraint(&best.search.subject_to[j], system))
+                }
                 other => format!("{value} ({})", limit_name(best, other)),
             }
         };
@@ -250,7 +253,10 @@ fn ellipse_text(best: &Optimum, ellipse: &Ellipse, loss: &str, system: System) -
     });
     let [long, short] = ellipse.half_axes.map(axis);
     let [first, second] = pair.map(|parameter| parameter.name);
-    item(&format!("ellipse of {first} and {second} for a loss of {loss}: half-axes {long} and {short}; {flown}"))
+    item(&format!(
+        "ellipse of {first} and {second} for a loss of {loss}, by the quadratic model, without bounds and constraints: half-axes {long} and {short}; \
+         {flown}"
+    ))
 }
 
 /// "together club.loft +1.20 deg, swing.attack_angle -0.90 deg, or the opposite: …".

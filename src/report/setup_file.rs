@@ -2,7 +2,7 @@
 
 use super::presets::{sourced, sources};
 use crate::error::Result;
-use crate::parameters::{Parameter, Preset, Setup, UNSET};
+use crate::parameters::{Parameter, Preset, Setup, TABLE, UNSET};
 use crate::units::significant;
 
 /// Digits that tell any number from its neighbours.
@@ -29,11 +29,16 @@ pub fn setup_toml(
     remarks: &[(&'static Parameter, String)],
 ) -> Result<String> {
     let row = |(name, shown, source): (&'static str, String, String)| {
+        // a table is looked for beside the setup file, which may be in any folder
+        if name == TABLE {
+            let file = std::path::absolute(&shown).map_or(shown, |path| path.display().to_string());
+            return (name, file, source);
+        }
         let Ok(parameter) = setup.parameter(name) else { return (name, shown, source) };
         let remark = remarks.iter().find(|(of, _)| *of == parameter).map(|(_, remark)| remark.clone());
         (name, exact(parameter, setup.value(parameter)), remark.unwrap_or(source))
     };
-    Ok(toml(preset, about, sources(setup, preset)?.into_iter().map(row).collect()))
+    Ok(toml(preset, about, sources(setup, preset, None)?.into_iter().map(row).collect()))
 }
 
 /// A preset as a setup file in TOML, each number with its source.

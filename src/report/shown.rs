@@ -1,16 +1,28 @@
 //! Numbers as people read them: in the units of a system, with the digits of a launch monitor, and to the right or left.
 
 use crate::drive::Outcome;
-use crate::parameters::Parameter;
-use crate::units::{Quantity, System, per, signed, significant};
+use crate::parameters::{Parameter, UNSET};
+use crate::study::Constraint;
+use crate::units::{Digits, Message, Quantity, System, leading_number, one, per, signed, significant, with_unit};
 
 /// What stands where there is no number.
 pub(super) const NONE: &str = "–";
 
-/// The name of an outcome or parameter in words: "ball speed", "swing speed"; a word of the group that the name repeats stands once:
-/// "launch angle" for `launch.launch_angle`.
+/// Parameters that launch monitors call something else.
+const NAMES: [(&str, &str); 2] = [("swing.speed", "club speed"), ("swing.path", "club path")];
+
+/// Groups whose parameters are known without the group's name.
+const IMPLIED: [&str; 2] = ["swing", "launch"];
+
+/// The name of an outcome or parameter in words, as launch monitors say it: "ball speed", "attack angle", "club speed". A word of the
+/// group that the name repeats stands once: "wind reference height", but "launch angle" for `launch.launch_angle`.
 pub(super) fn words(name: &str) -> String {
-    let own = name.split_once('.').filter(|(group, rest)| rest.split(['.', '_']).any(|word| word == *group));
+    if let Some((_, words)) = NAMES.iter().find(|(known, _)| *known == name) {
+        return (*words).into();
+    }
+    let is_without =
+        |group: &str, rest: &str| IMPLIED.contains(&group) || rest.split(['.', '_']).any(|word| word == group);
+    let own = name.split_once('.').filter(|(group, rest)| is_without(group, rest));
     own.map_or(name, |(_, rest)| rest).replace(['.', '_'], " ")
 }
 
@@ -31,7 +43,7 @@ pub fn outcome(of: Outcome, value: f64, system: System) -> String {
 /// A value that is positive to the right: "3.2 yd R", "3.2 yd L", and "0.0 yd" without a side.
 pub(super) fn side(quantity: Quantity, unit: &str, value: f64) -> String {
     let size = quantity.read_off(value.abs(), unit);
-    let is_straight = size.split(' ').next().is_some_and(|number| number.bytes().all(|digit| b"0.".contains(&digit)));
+    let is_straight = leading_number(&size).bytes().all(|digit| b"0.".contains(&digit));
     match value {
         _ if is_straight => size,
         0.0.. => format!("{size} R"),
@@ -76,26 +88,44 @@ pub(super) fn change(of: Outcome, value: f64, system: System) -> String {
 
 /// A value of a parameter that was computed: an optimum, the end of a window.
 pub(super) fn parameter(parameter: &Parameter, value: f64, system: System) -> String {
-    computed(parameter, value, system.unit(parameter.unit))
+    computed(parameter, value).in_units(system)
 }
 
 /// The same in the unit that the parameter is declared in, as setup files write its value.
 pub(super) fn as_declared(parameter: &Parameter, value: f64) -> String {
-    computed(parameter, value, parameter.unit)
+    computed(parameter, value).to_string()
 }
 
-fn computed(parameter: &Parameter, value: f64, unit: &str) -> String {
-    if parameter.quantity == Quantity::NUMBER {
-        return significant(value, 5);
-    }
-    parameter.quantity.read_off_finely(value, unit)
+fn computed(parameter: &Parameter, value: f64) -> Message {
+    let digits = if parameter.quantity == Quantity::NUMBER { Digits::Significant(5) } else { Digits::Fine };
+    Message::default().quantity(parameter.quantity, parameter.unit, value, digits)
 }
 
 /// A value of a parameter that was stated: with the digits that it has, and no more.
 pub fn stated(parameter: &Parameter, value: f64, system: System) -> String {
-    let unit = system.unit(parameter.unit);
-    let number = value / parameter.quantity.size_of(unit).unwrap_or(1.0);
-    format!("{} {unit}", significant(number, 5)).trim_end().to_owned()
+    given(parameter.quantity, parameter.unit, value, system, 5)
+}
+
+/// The same with all its digits, and with "none" where it is not set: the numbers of a setup.
+pub(super) fn set(parameter: &Parameter, value: Option<f64>, system: System) -> String {
+    value.map_or(UNSET.into(), |value| given(parameter.quantity, parameter.unit, value, system, 7))
+}
+
+fn given(quantity: Quantity, unit: &'static str, value: f64, system: System, digits: usize) -> String {
+    Message::default().quantity(quantity, unit, value, Digits::Significant(digits)).in_units(system)
+}
+
+/// A constraint in the units of a system: "descent angle ≥ 38°", "lateral = 0 yd", "20 yd ≤ apex height ≤ 35 yd".
+pub(super) fn constraint(constraint: &Constraint, system: System) -> String {
+    let Constraint { outcome: of, low, high, .. } = constraint;
+    let name = words(of.name());
+    let limit = |value: &f64| given(of.quantity(), of.unit(), *value, system, 5);
+    match [low, high].map(|end| end.is_finite()) {
+        _ if constraint.is_equation() => format!("{name} = {}", limit(low)),
+        [true, true] => format!("{} ≤ {name} ≤ {}", limit(low), limit(high)),
+        [true, false] => format!("{name} ≥ {}", limit(low)),
+        _ => format!("{name} ≤ {}", limit(high)),
+    }
 }
 
 /// What changes of this size or less are rounding, as a part of what is differentiated.
@@ -135,6 +165,12 @@ pub(super) fn slope(of: Outcome, value: f64, by: &Parameter, slope: f64, system:
     ratio(outcome, (by.quantity, by.unit), settled(slope, value, outcome, &[by]), system, digits)
 }
 
+/// What moving a limit by one of its unit brings: "2.11 yd for each degree".
+pub(super) fn price(of: Outcome, amount: f64, by: (Quantity, &'static str), system: System) -> String {
+    let (number, unit) = quotient((of.quantity(), of.unit()), by, amount, system, 3);
+    format!("{} for each {}", with_unit(&number, unit), one(system.unit(by.1)))
+}
+
 /// A quotient of two quantities in the units of a system.
 pub(super) fn ratio(
     of: (Quantity, &'static str),
@@ -143,10 +179,21 @@ pub(super) fn ratio(
     system: System,
     digits: usize,
 ) -> String {
+    let (number, unit) = quotient(of, by, value, system, digits);
+    format!("{} {}", with_unit(&number, unit), per("", system.unit(by.1)).trim()).trim_end().to_owned()
+}
+
+/// The number of a quotient in the units of a system, and the unit of its numerator.
+fn quotient(
+    of: (Quantity, &'static str),
+    by: (Quantity, &'static str),
+    value: f64,
+    system: System,
+    digits: usize,
+) -> (String, &'static str) {
     let (of_unit, by_unit) = (system.unit(of.1), system.unit(by.1));
     let size = |quantity: Quantity, unit| quantity.size_of(unit).unwrap_or(1.0);
-    let number = significant(value * size(by.0, by_unit) / size(of.0, of_unit), digits);
-    format!("{number} {}", per(of_unit, by_unit)).trim_end().to_owned()
+    (significant(value * size(by.0, by_unit) / size(of.0, of_unit), digits), of_unit)
 }
 
 #[cfg(test)]
@@ -165,10 +212,13 @@ mod tests {
             seen.sort_unstable();
             assert!(seen.windows(2).all(|pair| pair[0] != pair[1]), "{words}");
         }
+        let mut names: Vec<String> = setup.parameters().iter().map(|row| words(row.name)).collect();
+        names.sort_unstable();
+        assert!(names.windows(2).all(|pair| pair[0] != pair[1]), "two parameters of one name: {names:?}");
         assert_eq!(words("launch.launch_angle"), "launch angle");
         assert_eq!(
-            (words("launch.ball_speed"), words("club.inertia.xx")),
-            ("launch ball speed".into(), "club inertia xx".into())
+            ["launch.ball_speed", "club.inertia.xx", "swing.attack_angle", "swing.speed"].map(words),
+            ["ball speed", "club inertia xx", "attack angle", "club speed"]
         );
     }
 
@@ -179,7 +229,7 @@ mod tests {
         }
         assert_eq!(both(Outcome::Carry, 91.44, System::Us), "100.0 yd (91.4 m)");
         assert_eq!(both(Outcome::Carry, 91.44, System::Metric), "91.4 m (100.0 yd)");
-        assert_eq!(both(Outcome::LaunchAngle, 0.1309, System::Metric), "7.5 deg");
+        assert_eq!(both(Outcome::LaunchAngle, 0.1309, System::Metric), "7.5°");
         assert_eq!(both(Outcome::Lateral, -9.144, System::Metric), "9.1 m L (10.0 yd L)");
         assert_eq!(change(Outcome::Carry, 0.9144, System::Us), "+1.00 yd");
         assert_eq!(change(Outcome::Carry, -0.9144, System::Us), "-1.00 yd");
@@ -208,6 +258,6 @@ mod tests {
         }
         // a nanometre of carry in a yard of ground height, and a change of inertia by one g cm²
         assert_eq!(shown(Outcome::Carry, 250.0, "ground.height", 1e-9, System::Metric), "1e-9 m per m");
-        assert_eq!(shown(Outcome::Carry, 250.0, "club.inertia.yy", 1e-3, System::Metric), "1e-10 m per g cm^2");
+        assert_eq!(shown(Outcome::Carry, 250.0, "club.inertia.yy", 1e-3, System::Metric), "1e-10 m per g cm²");
     }
 }

@@ -49,6 +49,16 @@ impl Effects {
         self.bars().map(|bar| bar.first_order).fold(0.0, f64::hypot)
     }
 
+    /// The standard uncertainty of the change from this drive to another one, to first order, where every parameter is off by the same
+    /// amount in both: √Σ(σ (∂f₂/∂p − ∂f₁/∂p))².
+    pub fn uncertainty_of_change(&self, other: &Self) -> f64 {
+        let there = |bar: &Bar| {
+            let same = other.bars().find(|other| other.sigma.parameter == bar.sigma.parameter);
+            same.map_or(0.0, |other| other.first_order)
+        };
+        self.bars().map(|bar| there(bar) - bar.first_order).fold(0.0, f64::hypot)
+    }
+
     /// What straight bars neglect: Σ ½ σ² |∂²f/∂p²|. Bars that are shorter are not to be trusted.
     pub fn linearity(&self) -> f64 {
         self.bars().filter_map(|bar| bar.second_order).map(f64::abs).sum()

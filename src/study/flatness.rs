@@ -19,7 +19,8 @@ pub struct Flatness {
     pub windows: Vec<Window>,
     /// The directions of the free parameters, by curvature, the flattest first.
     pub directions: Vec<Direction>,
-    /// For each pair of free parameters, what they may stray together, by the quadratic.
+    /// For each pair of free parameters, what they may stray together, by the quadratic model of the outcome. None where a constraint holds the
+    /// optimum: there the outcome has a slope, and losses are no ellipse.
     pub ellipses: Vec<Ellipse>,
 }
 
@@ -218,7 +219,11 @@ impl Top<'_> {
     }
 
     fn ellipses(&self) -> Vec<Ellipse> {
-        let free = Held::new(&self.best.solution, self.domain).free();
+        let held = Held::new(&self.best.solution, self.domain);
+        if !held.tight().is_empty() {
+            return vec![];
+        }
+        let free = held.free();
         let pairs = (0..free.len()).flat_map(|b| (0..b).map(move |a| (a, b)));
         pairs.filter_map(|(a, b)| self.ellipse([free[a], free[b]])).collect()
     }

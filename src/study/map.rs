@@ -27,6 +27,27 @@ pub struct Map {
     pub slopes: Vec<Slope>,
 }
 
+impl Map {
+    /// That the outcome is the same all over the map, but for rounding: then there is nothing to draw.
+    pub fn flat(&self) -> Option<Message> {
+        let known = || self.values.iter().flatten().copied();
+        let (low, high) = (known().fold(f64::INFINITY, f64::min), known().fold(f64::NEG_INFINITY, f64::max));
+        let unit = self.of.quantity().size_of(self.of.unit()).unwrap_or(1.0);
+        let is_flat = high - low <= ROUNDING * low.abs().max(high.abs()).max(unit);
+        is_flat.then(|| {
+            Message::from(format!(
+                "{} is the same all over the map of {} and {}, so that there is nothing to draw",
+                self.of.name(),
+                self.across.parameter.name,
+                self.up.parameter.name
+            ))
+        })
+    }
+}
+
+/// What differs by less than this part of the values, or of one of their unit, is rounding.
+const ROUNDING: f64 = 1e-9;
+
 /// A gradient at a place of a map, SI.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slope {

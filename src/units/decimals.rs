@@ -1,5 +1,6 @@
 //! How many digits a number gets where people read it: those of a launch monitor's display.
 
+use super::spelling::{leading_number, with_unit};
 use super::{Quantity, significant};
 
 /// Decimals by unit. A unit that is not listed gets [`DIGITS`] significant digits.
@@ -36,20 +37,20 @@ impl Quantity {
     /// use longdrive::units::Quantity;
     /// assert_eq!(Quantity::SPEED.read_off(72.4216, "mph"), "162.0 mph");
     /// assert_eq!(Quantity::LENGTH.read_off(-2.3e-15, "yd"), "0.0 yd");
-    /// assert_eq!(Quantity::DENSITY.read_off(1.184, "kg/m^3"), "1.184 kg/m^3");
+    /// assert_eq!(Quantity::DENSITY.read_off(1.184, "kg/m^3"), "1.184 kg/m³");
     /// ```
     pub fn read_off(self, value: f64, unit: &str) -> String {
-        self.with(value, unit, fixed)
+        with_unit(&self.with(value, unit, fixed), unit)
     }
 
     /// The same with one decimal more: a number that was computed to be set (an optimum's loft).
     ///
     /// ```
     /// use longdrive::units::Quantity;
-    /// assert_eq!(Quantity::ANGLE.read_off_finely(0.2, "deg"), "11.46 deg");
+    /// assert_eq!(Quantity::ANGLE.read_off_finely(0.2, "deg"), "11.46°");
     /// ```
     pub fn read_off_finely(self, value: f64, unit: &str) -> String {
-        self.with(value, unit, |number, decimals| fixed(number, decimals + 1))
+        with_unit(&self.finely(value, unit), unit)
     }
 
     /// A difference, or an uncertainty: one decimal more, and as many as its first two digits need.
@@ -61,6 +62,16 @@ impl Quantity {
     /// assert_eq!(Quantity::LENGTH.read_off_difference(1e-13, "m"), "0.00 m");
     /// ```
     pub fn read_off_difference(self, value: f64, unit: &str) -> String {
+        with_unit(&self.difference(value, unit), unit)
+    }
+
+    /// The number of [`read_off_finely`](Self::read_off_finely), without its unit.
+    pub(super) fn finely(self, value: f64, unit: &str) -> String {
+        self.with(value, unit, |number, decimals| fixed(number, decimals + 1))
+    }
+
+    /// The number of [`read_off_difference`](Self::read_off_difference), without its unit.
+    pub(super) fn difference(self, value: f64, unit: &str) -> String {
         self.with(value, unit, |number, decimals| {
             let size = number.abs();
             let needed = if size < NOISE { 0 } else { (1.0 - size.log10().floor()).max(0.0) as usize };
@@ -71,11 +82,10 @@ impl Quantity {
     fn with(self, value: f64, unit: &str, write: impl Fn(f64, usize) -> String) -> String {
         let number = value / self.size_of(unit).unwrap_or(1.0);
         let decimals = DECIMALS.iter().find(|(known, _)| *known == unit).map(|(_, decimals)| *decimals);
-        let text = match decimals {
+        match decimals {
             Some(decimals) if number.abs() < LARGE => write(number, decimals),
             _ => significant(number, DIGITS),
-        };
-        format!("{text} {unit}").trim_end().to_owned()
+        }
     }
 }
 
@@ -112,7 +122,7 @@ pub(crate) fn fixed(number: f64, decimals: usize) -> String {
 
 /// A number as it was written, perhaps with its unit, with a plus where it is above 0; what is written as zero has no sign.
 pub(crate) fn signed(number: f64, text: String) -> String {
-    if number > 0.0 && !is_zero(text.split(' ').next().unwrap_or_default()) { format!("+{text}") } else { text }
+    if number > 0.0 && !is_zero(leading_number(&text)) { format!("+{text}") } else { text }
 }
 
 /// Whether nothing is left of a number in the digits that it is written with.
@@ -128,7 +138,7 @@ mod tests {
     fn exact_digits_of_a_launch_monitor() {
         for (quantity, si, unit, shown) in [
             (Quantity::SPEED, 72.4216, "mph", "162.0 mph"),
-            (Quantity::ANGLE, 0.1309, "deg", "7.5 deg"),
+            (Quantity::ANGLE, 0.1309, "deg", "7.5°"),
             (Quantity::ANGULAR_VELOCITY, 213.1, "rpm", "2035 rpm"),
             (Quantity::LENGTH, 229.6, "yd", "251.1 yd"),
             (Quantity::NUMBER, 1.4741, "", "1.47"),

@@ -1,11 +1,12 @@
 //! Sentences with quantities in them.
 
+use super::spelling::{typed, with_unit};
 use super::{Quantity, System, significant};
 use serde::{Serialize, Serializer};
 use std::fmt;
 
 /// A sentence that keeps its quantities as numbers, so that it can be shown in the units of either system. `Display` and JSON
-/// show each in the unit that it was given in.
+/// show each in the unit that it was given in, spelled as it is typed.
 ///
 /// ```
 /// use longdrive::units::{Digits, Message, Quantity, System};
@@ -69,30 +70,28 @@ impl Message {
         messages.fold(first, |all, next| all.words(between).message(next))
     }
 
-    /// The sentence in the units of a system.
+    /// The sentence in the units of a system, as people read them.
     pub fn in_units(&self, system: System) -> String {
-        self.text(|unit| system.unit(unit))
+        self.text(|unit| system.unit(unit), with_unit)
     }
 
-    fn text(&self, of: impl Fn(&'static str) -> &'static str) -> String {
-        self.parts.iter().map(|part| part.text(&of)).collect()
+    fn text(&self, of: impl Fn(&'static str) -> &'static str, spelled: fn(&str, &str) -> String) -> String {
+        self.parts.iter().map(|part| part.text(&of, spelled)).collect()
     }
 }
 
 impl Part {
-    fn text(&self, of: impl Fn(&'static str) -> &'static str) -> String {
+    fn text(&self, of: impl Fn(&'static str) -> &'static str, spelled: fn(&str, &str) -> String) -> String {
         match self {
             Self::Words(words) => words.clone(),
             Self::Quantity { quantity, unit, value, digits } => {
                 let unit = of(unit);
-                match digits {
-                    Digits::Significant(digits) => {
-                        let number = value / quantity.size_of(unit).unwrap_or(1.0);
-                        format!("{} {unit}", significant(number, *digits)).trim_end().to_owned()
-                    }
-                    Digits::Fine => quantity.read_off_finely(*value, unit),
-                    Digits::Difference => quantity.read_off_difference(*value, unit),
-                }
+                let number = match digits {
+                    Digits::Significant(digits) => significant(value / quantity.size_of(unit).unwrap_or(1.0), *digits),
+                    Digits::Fine => quantity.finely(*value, unit),
+                    Digits::Difference => quantity.difference(*value, unit),
+                };
+                spelled(&number, unit)
             }
         }
     }
@@ -112,7 +111,7 @@ impl From<String> for Message {
 
 impl fmt::Display for Message {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.text(|unit| unit))
+        f.write_str(&self.text(|unit| unit, typed))
     }
 }
 

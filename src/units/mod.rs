@@ -8,6 +8,7 @@ mod dimension;
 mod error;
 mod expression;
 mod message;
+mod spelling;
 mod symbols;
 mod system;
 
@@ -16,6 +17,8 @@ pub(crate) use decimals::{fixed, signed};
 pub use error::UnitError;
 pub(crate) use expression::Unit;
 pub use message::{Digits, Message};
+pub(crate) use spelling::{leading_number, with_unit};
+pub use spelling::{one, per, printed, typeset};
 pub use system::System;
 
 use dimension::Dimension;
@@ -160,7 +163,7 @@ impl Quantity {
         read_unit(unit).filter(|unit| unit.dimension == self.dimension)
     }
 
-    /// An SI value as a person reads it, in `unit`.
+    /// An SI value in `unit`, as a person types it.
     ///
     /// ```
     /// use longdrive::units::Quantity;
@@ -218,20 +221,6 @@ impl Quantity {
 impl fmt::Display for Quantity {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.name)
-    }
-}
-
-/// The unit of a derivative, from the units of what changes and of what it changes by.
-///
-/// ```
-/// assert_eq!(longdrive::units::per("m", "rad"), "m per rad");
-/// assert_eq!(longdrive::units::per("m", ""), "m");
-/// ```
-pub fn per(of: &str, by: &str) -> String {
-    match (of, by) {
-        (of, "") => of.into(),
-        ("", by) => format!("per {by}"),
-        (of, by) => format!("{of} per {by}"),
     }
 }
 

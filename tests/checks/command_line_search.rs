@@ -36,15 +36,20 @@ fn exact_constraints_and_starts_as_json() {
 /// An equation holds whatever its price: lateral is 0 for every straight drive.
 #[test]
 fn an_equation_is_told_with_what_it_is_off_by_and_never_as_not_active() {
-    let line = |limit: &str| {
-        let said = longdrive(&["optimize", "-q", "--subject-to", limit]);
-        let line = said.out.lines().find(|line| line.trim_start().starts_with(limit)).map(str::to_owned);
-        line.unwrap_or_else(|| panic!("{}", said.out))
+    let told = |limit: &str| {
+        let out = longdrive(&["optimize", "-q", "--subject-to", limit]).out;
+        out.split_whitespace().collect::<Vec<_>>().join(" ")
     };
-    assert!(line("lateral == 0 yd").ends_with("equality: off by 0.00 yd, 0 yd per yd of raising the value"));
-    let held = line("apex_height == 30 yd");
-    assert!(held.contains("equality: off by 0.00 yd, ") && held.ends_with("yd per yd of raising the value"), "{held}");
-    assert!(line("apex_height <= 60 yd").ends_with("not active"));
+    let free = told("lateral == 0 yd");
+    let words = "lateral = 0 yd 0.0 yd equality: off by 0.00 yd, 0 yd for each yard that the value is raised";
+    assert!(free.contains(words), "{free}");
+    let held = told("apex_height == 30 yd");
+    assert!(
+        held.contains("equality: off by 0.00 yd, +") && held.contains("yd for each yard that the value is raised"),
+        "{held}"
+    );
+    let idle = told("apex_height <= 60 yd");
+    assert!(idle.contains("apex height ≤ 60 yd") && idle.contains("not active"), "{idle}");
 }
 
 #[test]
@@ -370,7 +375,7 @@ fn a_setting_that_has_no_effect_is_refused() {
         let said = longdrive(&["optimize", "--set", loft, "--vary", "club.loft=4deg..20deg", "--max-iterations", "0"]);
         said.err.lines().find(|line| line.starts_with("  0 ")).unwrap().to_owned()
     };
-    assert!(start("club.loft=8deg").ends_with("club.loft 8.000000 deg"), "{}", start("club.loft=8deg"));
+    assert!(start("club.loft=8deg").ends_with("club.loft 8.000000°"), "{}", start("club.loft=8deg"));
     let asked = ["uncertainty", "--set", "swing.speed=90mph", "--sigma", "swing.speed=1mph", "--samples", "16"];
     assert!(longdrive(&asked).out.contains("normal: 90 mph ± 1 mph"));
 }

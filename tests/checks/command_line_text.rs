@@ -20,10 +20,10 @@ fn a_drive_is_shown_as_launch_monitors_do_in_either_system() {
     let metric = longdrive(&[args.as_slice(), &["--units", "metric"]].concat()).out;
     for (name, in_us, in_metric) in [
         ("ball speed", "ball speed 161.9 mph (72.4 m/s)", "ball speed 72.4 m/s (161.9 mph)"),
-        ("launch angle", "launch angle 7.5 deg", "launch angle 7.5 deg"),
+        ("launch angle", "launch angle 7.5°", "launch angle 7.5°"),
         ("smash factor", "smash factor 1.47", "smash factor 1.47"),
         ("lateral", "lateral 15.5 yd R (14.1 m R)", "lateral 14.1 m R (15.5 yd R)"),
-        ("launch direction", "launch direction 0.3 deg L", "launch direction 0.3 deg L"),
+        ("launch direction", "launch direction 0.3° L", "launch direction 0.3° L"),
     ] {
         assert_eq!((line(&us, name).as_str(), line(&metric, name).as_str()), (in_us, in_metric));
     }
@@ -38,7 +38,7 @@ fn every_command_answers_in_the_system_asked_for() {
     for (args, in_us, in_metric) in [
         (vec!["optimize", "modern-driver", "-q"], "carry   279.2 yd (255.3 m)", "carry   255.3 m (279.2 yd)"),
         (vec!["gradient", "modern-driver"], "carry = 251.1 yd (229.6 m)", "carry = 229.6 m (251.1 yd)"),
-        (vec!["gradient", "modern-driver"], " yd per deg", " m per deg"),
+        (vec!["gradient", "modern-driver"], " yd per degree", " m per degree"),
         (
             vec!["compare", "modern-driver", "--set-b", "swing.speed=112mph"],
             "110 mph  112 mph",

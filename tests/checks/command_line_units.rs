@@ -120,24 +120,26 @@ fn exact_speeds_and_limits_of_messages_are_in_the_units_asked_for() {
 }
 
 #[test]
-fn notes_of_plots_put_the_chosen_system_first() {
+fn notes_of_plots_are_in_the_chosen_system() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("a.svg").display().to_string();
     let along =
         ["chart", "modern-driver", "--along", "swing.speed=90mph..100mph", "--subject-to", "apex_height <= 30 yd"];
     for (plot, us, metric) in [
-        (&["contour"][..], "for a loss of 1 yd (0.9144 m)", "for a loss of 0.9144 m (1 yd)"),
-        (&["tornado"], " yd (", " m ("),
-        (&along, " mph (41.", "1: at 41."),
+        (&["contour"][..], "lose at most 1.00 yd and", "lose at most 0.91 m and"),
+        (&["tornado"], " yd.", " m."),
+        (&along, " mph apex", "1: at 41."),
     ] {
         for (units, first) in [("us", us), ("metric", metric)] {
             let said = longdrive(&[&["plot"], plot, &["-o", &file, "--overwrite", "--units", units]].concat());
             assert!(said.status == 0 && words(&said.err).contains(first), "{plot:?} {units}: {}", said.err);
+            let other = if units == "us" { [" m ", " m.", " m/s"] } else { [" yd ", " yd.", " mph"] };
+            assert!(!other.iter().any(|unit| words(&said.err).contains(unit)), "{plot:?} {units}: {}", said.err);
             assert!(widest(&said.err) <= 100, "{}", said.err);
             if plot[0] == "tornado" {
                 let picture = std::fs::read_to_string(&file).unwrap();
                 // 0.5 mph = 0.224 m/s
-                let name = if units == "us" { "swing speed ± 0.5 mph" } else { "swing speed ± 0.224 m/s" };
+                let name = if units == "us" { "club speed ± 0.5 mph" } else { "club speed ± 0.224 m/s" };
                 assert!(picture.contains(name), "{units}: {picture}");
             }
         }

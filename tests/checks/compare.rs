@@ -201,9 +201,7 @@ fn two_drives_as_text_and_json() {
     let line = |start: &str| {
         lines.iter().find(|line| line.starts_with(start)).unwrap_or_else(|| panic!("no {start}: {}", said.out))
     };
-    assert!(
-        line("swing.speed 110 mph 112 mph +").ends_with(" yd") && line("club.loft 9.8 deg 11 deg +").ends_with(" yd")
-    );
+    assert!(line("swing.speed 110 mph 112 mph +").ends_with(" yd") && line("club.loft 9.8° 11° +").ends_with(" yd"));
     assert!(line("launch.ball_speed ").contains(" mph +") && line("launch.spin ").contains(" rpm "), "{}", said.out);
     assert!(line("carry: +").contains(", from 251.1 yd to "));
 
@@ -340,7 +338,7 @@ fn air_and_wind_given_by_different_parameters_are_one_cause_each() {
     let lines: Vec<String> =
         said.out.lines().map(|line| line.split_whitespace().collect::<Vec<_>>().join(" ")).collect();
     let at = lines.iter().position(|line| line.starts_with("wind right 6.7108 mph speed 10 mph -")).expect(&said.out);
-    assert_eq!(lines[at + 1], "downrange 0 mph from 45 deg", "{}", said.out);
+    assert_eq!(lines[at + 1], "downrange 0 mph from 45°", "{}", said.out);
 }
 
 #[test]

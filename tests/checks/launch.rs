@@ -208,7 +208,7 @@ fn a_report_of_a_launch_says_what_it_leaves_out() {
     };
     let (status, files, warnings, page) = report(&file("alone"), &[]);
     assert_eq!(status, 0, "{warnings}");
-    for name in ["trajectory-side.csv", "tornado-carry.csv", "vcurve.csv"] {
+    for name in ["trajectory-side.csv", "tornado-carry-control.csv", "tornado-carry-model.csv", "vcurve.csv"] {
         assert!(files.contains(&name.into()), "{name}: {files:?}");
     }
     let told = "the optimum, its map and its chart are left out; to look for the best launch, give --vary";

@@ -207,7 +207,7 @@ fn a_plot_names_a_launch_condition_without_saying_launch_twice() {
     let launch = "ball_speed=150mph,launch_angle=10deg,backspin=2000rpm";
     let vary = ["--vary", "launch.launch_angle=5deg..20deg", "--vary", "launch.ball_speed=150mph..160mph"];
     let (_, text) = said(&[&["plot", "contour", "-o", &path, "--launch", launch], &vary[..]].concat());
-    assert!(text.contains("Carry over launch angle and launch ball speed"), "{text}");
+    assert!(text.contains("Carry over launch angle and ball speed"), "{text}");
 }
 
 #[test]

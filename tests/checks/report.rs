@@ -2,7 +2,9 @@
 
 use crate::command_line::{json, longdrive, number};
 use crate::common::close;
-use longdrive::report::figures::{Flown, View, map_figure, tornado_figure, trajectory_figure, vcurve_figure};
+use longdrive::report::figures::{
+    At, Causes, Flown, OnMap, View, map_figure, tornado_figure, trajectory_figure, vcurve_figure,
+};
 use longdrive::report::plot::{Axis, Figure, Layer, Look, Measure, Shades, figure_csv, figure_svg};
 use longdrive::study::certificate::certify;
 use longdrive::study::{Fineness, Vary, effects, map, with_defaults};
@@ -13,14 +15,14 @@ use std::path::Path;
 const XMLNS: &str = "http://www.w3.org/2000/svg";
 
 /// Parses a picture: it is well formed, names no other file, and nothing in it is not a number.
-fn whole(svg: &str) -> roxmltree::Document<'_> {
+pub fn whole(svg: &str) -> roxmltree::Document<'_> {
     assert_eq!(svg.matches("http").count(), 1, "the name space alone");
     assert!(svg.contains(&format!("xmlns=\"{XMLNS}\"")) && !svg.contains("NaN") && !svg.contains("inf"), "{svg}");
     roxmltree::Document::parse(svg).unwrap_or_else(|error| panic!("{error}: {svg}"))
 }
 
 /// The places of each line that is drawn, pixels from the left and the top.
-fn polylines(svg: &roxmltree::Document<'_>) -> Vec<Vec<[f64; 2]>> {
+pub fn polylines(svg: &roxmltree::Document<'_>) -> Vec<Vec<[f64; 2]>> {
     let lines = svg.descendants().filter(|node| node.has_tag_name("polyline"));
     let place = |point: &str| {
         let (x, y) = point.split_once(',').unwrap();
@@ -45,17 +47,19 @@ fn figures() -> Vec<Figure> {
         ["club.loft=4deg..20deg", "swing.attack_angle=-15deg..5deg"].map(|text| Vary::read(&setup, text).unwrap());
     let fineness = Fineness { nodes: 21, slopes: 4 };
     let landscape = map(&setup, Outcome::Carry, ranges[0], ranges[1], fineness).unwrap();
-    let flown = [Flown::new("as <set> & \"up\"", &setup).unwrap()];
+    let mut crooked = setup;
+    crooked.set("swing.path", "3 deg").unwrap();
+    let flown = [Flown::new("as <set> & \"up\"", &crooked).unwrap()];
     let sigmas = with_defaults(&setup, &[], &[Outcome::Carry]).unwrap();
     let effects = effects(&setup, &[Outcome::Carry], &sigmas, |_, _| ()).unwrap();
     let loft = setup.variable("club.loft").unwrap();
     let certificate = certify(&setup, &[Outcome::Carry], &[loft], |_, _| true).unwrap();
     vec![
-        trajectory_figure(&flown, View::Side),
-        trajectory_figure(&flown, View::Top),
-        map_figure(&landscape, &[], None, None, System::Us),
-        tornado_figure(&effects[0], System::Us),
-        vcurve_figure(&certificate.rows, &longdrive::reproduce::while_loop(&setup, &certificate.rows)),
+        trajectory_figure(&flown, View::Side, System::Us).unwrap(),
+        trajectory_figure(&flown, View::Top, System::Us).unwrap(),
+        map_figure(&landscape, &OnMap { setup: &setup, limits: &[], best: None, region: None }, System::Us),
+        tornado_figure(&effects[0], Causes::All, At::SetUp, System::Us).unwrap(),
+        vcurve_figure(&certificate.rows, &longdrive::reproduce::while_loop(&setup, &certificate.rows), At::SetUp),
     ]
 }
 
@@ -63,10 +67,11 @@ fn figures() -> Vec<Figure> {
 fn exact_data_of_a_trajectory_are_the_points_flown() {
     let setup = Setup::default();
     let path = flight::trajectory(&setup, &impact::strike(&setup).unwrap().launch).unwrap();
-    let figure = trajectory_figure(&[Flown::new("", &setup).unwrap()], View::Side);
+    let figure = trajectory_figure(&[Flown::new("", &setup).unwrap()], View::Side, System::Us).unwrap();
     let csv = figure_csv(&figure).unwrap();
     assert!(csv.starts_with("kind,name,downrange [m],height [m]\n"), "{csv}");
-    let points = rows(&csv, "line");
+    // the line without a name is the path, that of the ground has one
+    let points = rows(&csv, "line,");
     assert_eq!(points.len(), path.points.len());
     for (row, point) in points.iter().zip(&path.points) {
         assert_eq!(*row, [point.position.z, point.position.x], "to the last bit");
@@ -79,7 +84,7 @@ fn exact_a_slice_is_drawn_below_the_target_line_in_the_view_from_above() {
     let ends = |face_angle: &str| {
         let mut setup = Setup::default();
         setup.set("swing.face_angle", face_angle).unwrap();
-        let figure = trajectory_figure(&[Flown::new("", &setup).unwrap()], View::Top);
+        let figure = trajectory_figure(&[Flown::new("", &setup).unwrap()], View::Top, System::Us).unwrap();
         let svg = figure_svg(&figure, &Look::default()).unwrap();
         let picture = whole(&svg);
         let longest = polylines(&picture).into_iter().max_by_key(Vec::len).unwrap();
@@ -226,7 +231,7 @@ fn exact_limits_on_a_map_are_where_the_outcome_is_at_its_limit() {
 fn independent_tornado_bars_are_drives_flown_and_v_curves_fall_and_rise() {
     let all = figures();
     let csv = figure_csv(&all[3]).unwrap();
-    let bar = csv.lines().find(|line| line.starts_with("bar,swing speed ± 0.5 mph,0.0,-")).unwrap();
+    let bar = csv.lines().find(|line| line.starts_with("bar,club speed ± 0.5 mph,0.0,-")).unwrap();
     let lower: f64 = bar.rsplit(',').next().unwrap().parse().unwrap();
     let carry = |speed: &str| {
         number(&json(&["simulate", "modern-driver", "--set", &format!("swing.speed={speed}")]).1["flight"]["carry"])
@@ -278,7 +283,7 @@ fn the_ending_of_the_file_says_what_a_plot_is_written_as() {
     let folder = tempfile::tempdir().unwrap();
     let (svg, csv) = (path(&folder, "x.svg"), path(&folder, "x.csv"));
     for (kind, extra) in [
-        ("trajectory", vec!["--view", "top"]),
+        ("trajectory", vec!["--view", "top", "--set", "swing.path=3deg"]),
         ("contour", vec![]),
         ("chart", vec!["--along", "swing.speed=90..110 mph"]),
         ("tornado", vec!["--of", "lateral", "--sigma", "swing.path=1deg"]),
@@ -297,7 +302,7 @@ fn the_ending_of_the_file_says_what_a_plot_is_written_as() {
         }
         let text = std::fs::read_to_string(&svg).unwrap();
         assert!(
-            words(&whole(&text)).iter().any(|text| ["[m]", "[deg]", "relative"].iter().any(|end| text.ends_with(end)))
+            words(&whole(&text)).iter().any(|text| ["[m]", "[°]", "relative"].iter().any(|end| text.ends_with(end)))
         );
         assert!(std::fs::read_to_string(&csv).unwrap().starts_with("kind,name,"));
     }
@@ -315,7 +320,7 @@ fn a_png_has_its_size_and_its_words() {
     assert_eq!((&bytes[..8], &bytes[16..20]), (b"\x89PNG\r\n\x1a\n".as_slice(), 600_u32.to_be_bytes().as_slice()));
     // with its text it takes more room than without: a missing font would leave blanks
     let setup = Setup::default();
-    let figure = trajectory_figure(&[Flown::new("", &setup).unwrap()], View::Side);
+    let figure = trajectory_figure(&[Flown::new("", &setup).unwrap()], View::Side, System::Us).unwrap();
     let silent = Figure { title: String::new(), ..figure.clone() };
     let size = |figure| longdrive::report::plot::figure_png(figure, &Look::default(), 1.0).unwrap().len();
     assert!(size(&figure) > size(&silent) + 500);
@@ -348,8 +353,8 @@ fn the_page_is_complete_in_itself_and_says_what_it_holds() {
         "as given, instead of 44.7 m/s",
         "MAE 494 report, listing",
         "at its upper bound: +",
-        "yd per deg",
-        "m per deg",
+        "yd for each degree that it is raised",
+        "m for each degree that it is raised",
         "robinson",
     ] {
         assert!(page.contains(words), "no '{words}'");
@@ -363,10 +368,11 @@ fn the_page_is_complete_in_itself_and_says_what_it_holds() {
     }
     let files: Vec<&str> = answer["files"].as_array().unwrap().iter().filter_map(|name| name.as_str()).collect();
     let count = |end: &str| files.iter().filter(|name| name.ends_with(end)).count();
-    assert_eq!(
-        (count("-us.svg"), count("-metric.svg"), 2 * count(".csv")),
-        (count(".csv"), count(".csv"), pictures.len())
-    );
+    let figures = page.matches("<figure>").count();
+    assert_eq!([count("-us.svg"), count("-metric.svg"), count(".csv")], [figures; 3]);
+    // two widths, and two systems but for the plots without units
+    let drawn = |class: &str| page.matches(&format!("<div class=\"{class}")).count();
+    assert!(pictures.len() == drawn("broad") + drawn("narrow") && drawn("broad us") + 1 == figures, "{figures}");
     for name in files {
         let text = std::fs::read_to_string(folder.path().join(name)).unwrap();
         assert!(!text.is_empty());
@@ -431,27 +437,4 @@ fn bad_plots_and_folders_get_messages_that_help() {
         }
         assert!(!Path::new(&svg).exists() && !Path::new(&csv).exists(), "{args:?}: nothing is written");
     }
-}
-
-/// What a picture says of its scales is true of it: a steep flight is as high as it is long, a drive aimed far right as wide.
-#[test]
-fn exact_scales_are_what_the_note_says() {
-    let folder = tempfile::tempdir().unwrap();
-    let file = folder.path().join("a.svg").display().to_string();
-    let note = |more: &[&str]| {
-        let (status, answer) =
-            crate::command_line::json(&[&["plot", "trajectory", "-o", &file, "--overwrite"], more].concat());
-        assert_eq!(status, 0);
-        answer["note"].as_str().unwrap().to_owned()
-    };
-    // 279 yd long and 38 yd high, 0.55 as high as wide: 4 times as large
-    assert_eq!(note(&[]), "Heights are drawn larger than distances.");
-    assert_eq!(note(&["--set", "club.loft=70deg"]), "Heights and distances have scales of their own.");
-    assert!(
-        note(&["--view", "top"]).ends_with("Distances to the left and right are drawn larger than those downrange.")
-    );
-    let right = ["--view", "top", "--set", "swing.path=30deg", "--set", "swing.face_angle=30deg"];
-    assert!(note(&right).ends_with("have scales of their own."), "{}", note(&right));
-    let far = ["--view", "top", "--set", "swing.path=80deg", "--set", "swing.face_angle=80deg"];
-    assert!(note(&far).ends_with("are drawn smaller than those downrange."), "{}", note(&far));
 }

@@ -209,11 +209,13 @@ fn a_folder_gets_the_report_with_its_figures_and_their_data() {
     let read = |name: &str| std::fs::read_to_string(into.join(name)).unwrap();
     let (markdown, page) = (read("report.md"), read("index.html"));
     for name in ["table-1", "teeth", "slopes", "ends"] {
-        assert!(markdown.contains(&format!("({name}.svg)")));
-        roxmltree::Document::parse(&read(&format!("{name}.svg"))).unwrap();
+        assert!(markdown.contains(&format!("({name}-metric.svg)")), "in the units of the report");
+        for system in ["us", "metric"] {
+            roxmltree::Document::parse(&read(&format!("{name}-{system}.svg"))).unwrap();
+        }
         assert!(read(&format!("{name}.csv")).lines().count() > 5);
     }
-    assert_eq!(page.matches("<svg").count(), 4);
+    assert_eq!(page.matches("<figure>").count(), 4);
     assert_eq!(page.matches("http").count(), page.matches("xmlns=\"http://www.w3.org/2000/svg\"").count(), "no link");
 
     std::fs::write(folder.path().join("file"), "").unwrap();

@@ -484,11 +484,25 @@ impl Question {
     }
 
     fn plot(&mut self, chance: &mut Chance) {
-        let kind = if chance.slips() { 7 } else { chance.weighted(&[10.0, 0.3, 0.5, 4.0, 1.0, 2.0, 2.0]) };
-        self.push(["trajectory", "contour", "chart", "tornado", "vcurve", "compare", "laws", "pie"][kind]);
+        let kind =
+            if chance.slips() { 10 } else { chance.weighted(&[10.0, 0.3, 0.5, 4.0, 1.0, 2.0, 2.0, 0.5, 0.5, 0.5]) };
+        let kinds = [
+            "trajectory",
+            "contour",
+            "chart",
+            "tornado",
+            "vcurve",
+            "compare",
+            "laws",
+            "fairway",
+            "launch",
+            "face",
+            "pie",
+        ];
+        self.push(kinds[kind]);
         match kind {
             0 if chance.is(0.5) => self.option("--view", chance.of_or(&["side", "top"], &["back"])),
-            1 => self.search(false, chance),
+            1 | 7 | 8 => self.search(false, chance),
             2 => {
                 self.search(false, chance);
                 self.along(chance);

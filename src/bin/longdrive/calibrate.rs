@@ -2,16 +2,15 @@ use crate::args::Calibrate;
 use crate::files::Rule;
 use crate::interrupt::{self, BEST_SO_FAR};
 use crate::output::{Answer, system, tell, warn};
-use crate::reproduce::{DOCUMENT, write};
+use crate::reproduce::{DOCUMENT, chosen, write};
 use longdrive::drive::Looked;
 use longdrive::optimize::least_squares::{Follow, Loss, Status};
 use longdrive::parameters::{Law, Vary};
-use longdrive::report::plot::Look;
 use longdrive::report::{CalibrationReport, calibration_document, calibration_reply, calibration_toml};
 use longdrive::study::calibrate::{
     Calibration, HeldOut, Plan, ShotTable, beyond, calibrate, check_folds, held_out, ranges,
 };
-use longdrive::units::Message;
+use longdrive::units::{Message, System};
 use longdrive::{Error, Result, Setup};
 use serde_json::json;
 use std::path::PathBuf;
@@ -79,7 +78,7 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
         }
     }
     let report = CalibrationReport { table: &table, found: &found, held_out: &held };
-    let document = calibration_document(&report, system());
+    let documents = System::ALL.map(|system| calibration_document(&report, system));
     let output = output.filter(|output| {
         let is_fitted = is_fitted(&found);
         if !is_fitted {
@@ -95,7 +94,7 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
         tell(&format!("wrote the fitted setup into {}", output.path().display()));
     }
     if let Some(folder) = &folder {
-        write(folder, &document, &Look { system: system(), ..Look::default() })?;
+        write(folder, &documents, system())?;
     }
     let answer = if args.question.json {
         let mut reply = calibration_reply(&report, warnings);
@@ -104,7 +103,7 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
         reply.body["folder"] = named(&args.plot);
         Answer::json(&reply)
     } else {
-        Answer::text(document.text())
+        Answer::text(chosen(&documents, system()).text())
     };
     Ok(answer.found(report.is_found()))
 }

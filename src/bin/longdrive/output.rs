@@ -77,6 +77,16 @@ impl Answer {
     }
 }
 
+/// The arguments as a command line that can be given again to a shell.
+pub fn command_line(arguments: impl Iterator<Item = String>) -> String {
+    let is_plain = |c: char| c.is_alphanumeric() || "-_./=,:+@%".contains(c);
+    let quoted = |argument: String| match !argument.is_empty() && argument.chars().all(is_plain) {
+        true => argument,
+        false => format!("'{}'", argument.replace('\'', "'\\''")),
+    };
+    std::iter::once("longdrive".to_owned()).chain(arguments.map(quoted)).collect::<Vec<_>>().join(" ")
+}
+
 /// A remark or progress on standard error, in lines that fit a terminal, unless --quiet is given.
 pub fn tell(text: &str) {
     if !is_quiet() {

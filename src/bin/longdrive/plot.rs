@@ -1,33 +1,28 @@
 use crate::args::{
-    Drawing, Drawn, LawsOver, Plot, PlotChart, PlotCompare, PlotContour, PlotKind, PlotLaws, PlotTornado,
-    PlotTrajectory, PlotVcurve, Question, Seen,
+    Drawn, LawsOver, Moved, Plot, PlotChart, PlotCompare, PlotContour, PlotKind, PlotLaws, PlotTornado, PlotTrajectory,
+    PlotVcurve, Seen,
 };
 use crate::compare::warnings;
-use crate::files::{Destination, Rule};
 use crate::names::{outcomes, usual, variables};
-use crate::output::{Answer, bar, show, spinner, system, tell, warn};
+use crate::output::{Answer, bar, show, spinner, system, tell};
+use crate::picture::Target;
+use crate::plot_drive::{at_optimum, face, fairway, launches};
 use crate::verify::tell_left_out;
 use longdrive::atmosphere::AirState;
-#[cfg(not(feature = "png"))]
-use longdrive::features::how_to_get;
-use longdrive::optimize::Observer;
+use longdrive::optimize::{Observer, Status};
 use longdrive::parameters::Law;
-use longdrive::report::Reply;
 use longdrive::report::figures::{
-    Coefficient, Flown, Over, View, chart_figures, difference_figure, laws_figure, map_figure, tornado_figure,
-    trajectory_figure, vcurve_figure,
+    At, Causes, Coefficient, Flown, OnMap, Over, View, chart_figures, difference_figure, laws_figure, map_figure,
+    tornado_figure, trajectory_figure, vcurve_figure,
 };
-use longdrive::report::plot::{Figure, Look, Shades, figure_csv, figure_svg};
 use longdrive::reproduce::while_loop;
 use longdrive::study::certificate::certify;
 use longdrive::study::{
-    Constraint, Fineness, Map, Optimum, Search, Sigma, Vary, chart, effects, flatness, map, optimum, usual_loss,
+    Constraint, Fineness, Map, Optimum, Region, Search, Sigma, Vary, chart, effects, map, optimum, usual_loss,
     with_defaults,
 };
-use longdrive::units::{Message, Quantity};
-use longdrive::{Drive, Error, Outcome, Result, Setup};
-use serde_json::json;
-use std::path::{Path, PathBuf};
+use longdrive::units::Quantity;
+use longdrive::{Error, Outcome, Result, Setup};
 
 pub fn run(args: &Plot) -> Result<Answer> {
     match &args.kind {
@@ -38,6 +33,9 @@ pub fn run(args: &Plot) -> Result<Answer> {
         PlotKind::Compare(args) => difference(args),
         PlotKind::Vcurve(args) => vcurve(args),
         PlotKind::Laws(args) => laws(args),
+        PlotKind::Fairway(args) => fairway(args),
+        PlotKind::Face(args) => face(args),
+        PlotKind::Launch(args) => launches(args),
     }
 }
 
@@ -50,7 +48,14 @@ fn trajectory(args: &PlotTrajectory) -> Result<Answer> {
         Seen::Side => View::Side,
         Seen::Top => View::Top,
     };
-    target.written(&args.question, &setup, &args.drawing, &trajectory_figure(&[flown], view), vec![])
+    let figure = trajectory_figure(&[flown], view, system()).map_err(|error| match error {
+        Error::Plot { reason, .. } if view == View::Top => {
+            let name = args.drawing.output.display().to_string();
+            Error::Plot { name, reason: format!("{reason}; take --view side") }
+        }
+        error => error,
+    })?;
+    target.written(&args.question, &setup, &args.drawing, &figure, vec![])
 }
 
 fn contour(args: &PlotContour) -> Result<Answer> {
@@ -60,25 +65,22 @@ fn contour(args: &PlotContour) -> Result<Answer> {
     let setup = args.question.for_many(setup, &search.vary)?;
     let spinner = spinner("computing the map");
     let (best, map) = mapped(&setup, &search)?;
+    if let Some(flat) = map.flat() {
+        let (name, what) = (args.drawing.output.display().to_string(), flat.to_string());
+        return Err(Error::Plot { name, reason: format!("{what}; vary what it depends on") });
+    }
     let best = best.as_ref();
     let limits = limits(best.map_or(&setup, |best| &best.setup), &search)?;
     let of_best = best.map_or(vec![], at_optimum);
-    let flatness = best.map(|best| flatness(best, usual_loss(best))).transpose()?;
+    let region = best.map(|best| Region::around(best, map.across, map.up, usual_loss(best))).transpose()?.flatten();
     spinner.finish_and_clear();
-    target.written(
-        &args.question,
-        &setup,
-        &args.drawing,
-        &map_figure(&map, &limits, best, flatness.as_ref(), system()),
-        of_best,
-    )
-}
-
-/// What deserves a word about the drive of an optimum.
-pub fn at_optimum(best: &Optimum) -> Vec<Message> {
-    let warnings =
-        best.drive.as_ref().map_or_else(Vec::new, |drive| drive.warnings_about(&best.setup, &best.search.outcomes()));
-    warnings.into_iter().map(|warning| Message::from("at the optimum: ").message(warning)).collect()
+    if best.is_some() && region.is_none() {
+        tell(
+            "no region around the optimum is drawn: no other drive of the map loses little and meets every constraint",
+        );
+    }
+    let on = OnMap { setup: &setup, limits: &limits, best, region: region.as_ref() };
+    target.written(&args.question, &setup, &args.drawing, &map_figure(&map, &on, system()), of_best)
 }
 
 /// The map around an optimum; around the setup itself, where there is none.
@@ -88,7 +90,7 @@ fn mapped(setup: &Setup<f64>, search: &Search) -> Result<(Option<Optimum>, Map)>
         return Err(Error::SearchRange { name, reason });
     };
     let best = optimum(setup, search.clone(), Observer::default())?;
-    let is_found = best.solution.status == longdrive::optimize::Status::Converged;
+    let is_found = best.solution.status == Status::Converged;
     if !is_found {
         tell(&format!("no optimum is drawn: {}: {}", best.status(), best.message().in_units(system())));
     }
@@ -116,10 +118,10 @@ fn along(args: &PlotChart) -> Result<Answer> {
         Some(name) if name != search.of.name() => {
             let names = || search.vary.iter().map(|vary| vary.parameter.name).chain([search.of.name()]);
             let advice = || format!("a chart shows {}", names().collect::<Vec<_>>().join(", "));
-            let at = search.vary.iter().position(|vary| vary.parameter.name == name);
-            1 + at.ok_or_else(|| Error::unknown("curve", name, names(), advice()))?
+            let shown = search.vary.iter().find(|vary| vary.parameter.name == name);
+            Some(shown.ok_or_else(|| Error::unknown("curve", name, names(), advice()))?.parameter)
         }
-        _ => 0,
+        _ => None,
     };
     let ranges: Vec<_> = search.vary.iter().copied().chain([along]).collect();
     let setup = args.question.for_many(setup, &ranges)?;
@@ -133,7 +135,17 @@ fn along(args: &PlotChart) -> Result<Answer> {
     for note in chart.begun.iter().chain(&chart.ended) {
         tell(&note.in_units(system()));
     }
-    match chart_figures(&chart, system()).get(shown) {
+    let own = optimum(&setup, search.clone(), Observer::default())?;
+    let own = Some(&own).filter(|own| own.solution.status == Status::Converged);
+    let figures = chart_figures(&chart, own, system());
+    if let Some((_, why)) = figures.held.iter().find(|(vary, _)| Some(vary.parameter) == shown) {
+        let reason = format!("nothing of it moves: {why}");
+        return Err(Error::Plot { name: args.drawing.output.display().to_string(), reason });
+    }
+    // the plots of what moves stand in the order of the search
+    let moves = |vary: &&Vary| figures.held.iter().all(|(held, _)| held.parameter != vary.parameter);
+    let place = search.vary.iter().filter(moves).position(|vary| Some(vary.parameter) == shown);
+    match figures.drawn.get(place.map_or(0, |place| 1 + place)) {
         Some(figure) => target.written(&args.question, &setup, &args.drawing, figure, chart.warnings()),
         None => Err(Error::Nothing { doing: "draw", what: "optimum" }),
     }
@@ -148,12 +160,20 @@ fn tornado(args: &PlotTornado) -> Result<Answer> {
     let found = effects(&setup, &[of], &with_defaults(&setup, &given, &[of])?, |done, all| show(&bar, done, all));
     bar.finish_and_clear();
     let found = found?;
-    match found.first() {
-        Some(effects) => {
-            target.written(&args.question, &setup, &args.drawing, &tornado_figure(effects, system()), vec![])
-        }
-        None => Err(Error::Nothing { doing: "draw", what: "outcome" }),
-    }
+    let causes = match args.show {
+        Moved::Control => Causes::Control,
+        Moved::Model => Causes::Model,
+        Moved::All => Causes::All,
+    };
+    let figure = found.first().and_then(|effects| tornado_figure(effects, causes, At::SetUp, system()));
+    let Some(figure) = figure else {
+        let reason = format!(
+            "no uncertainty of this kind has an effect on {} here; take another --show (control, model, all), or give --sigma",
+            of.name()
+        );
+        return Err(Error::Plot { name: args.drawing.output.display().to_string(), reason });
+    };
+    target.written(&args.question, &setup, &args.drawing, &figure, vec![])
 }
 
 fn difference(args: &PlotCompare) -> Result<Answer> {
@@ -190,7 +210,7 @@ fn vcurve(args: &PlotVcurve) -> Result<Answer> {
         &args.question,
         &setup,
         &args.drawing,
-        &vcurve_figure(asked.filter_map(row), &while_loop(&setup, &certificate.rows)),
+        &vcurve_figure(asked.filter_map(row), &while_loop(&setup, &certificate.rows), At::SetUp),
         vec![],
     )
 }
@@ -255,101 +275,4 @@ fn held(name: &str, text: &Option<String>, default: f64, [least, most]: [f64; 2]
     }
     let advice = format!("it must be from {least} to {most}");
     Err(Error::OutOfRange { name: name.into(), value: value.to_string(), range: format!("{least} .. {most}"), advice })
-}
-
-/// The width of a picture, pixels.
-const WIDTH: u32 = 480;
-
-/// What a plot is written as.
-#[derive(Clone, Copy)]
-enum Format {
-    Svg,
-    #[cfg(feature = "png")]
-    Png,
-    Csv,
-}
-
-impl Format {
-    /// What a file's name asks for.
-    fn of(file: &Path) -> Result<Self> {
-        let ending = file.extension().map(|ending| ending.to_string_lossy().to_lowercase());
-        match ending.as_deref() {
-            Some("svg") => Ok(Self::Svg),
-            #[cfg(feature = "png")]
-            Some("png") => Ok(Self::Png),
-            #[cfg(not(feature = "png"))]
-            Some("png") => Err(Error::Plot { name: file.display().to_string(), reason: how_to_get("png") }),
-            Some("csv") => Ok(Self::Csv),
-            _ => Err(Error::Plot {
-                name: file.display().to_string(),
-                reason: "its ending does not name a format; use .svg or .png for a picture, or .csv for its data"
-                    .into(),
-            }),
-        }
-    }
-}
-
-/// Where a plot goes, and as what.
-struct Target {
-    format: Format,
-    destination: Destination,
-}
-
-impl Target {
-    /// What was asked for, if it may be written.
-    fn new(question: &Question, drawing: &Drawing) -> Result<Self> {
-        Self::beside(question.inputs(), drawing)
-    }
-
-    /// The same for a plot that reads these files.
-    fn beside(inputs: impl Iterator<Item = PathBuf>, drawing: &Drawing) -> Result<Self> {
-        let format = Format::of(&drawing.output)?;
-        if let (Format::Csv, [option, ..]) = (format, drawing.look().as_slice()) {
-            let source =
-                "it is about pictures, and a .csv file has only the data; leave it out, or write a .svg or .png file";
-            return Err(Error::Unreadable { name: (*option).into(), source: source.into() });
-        }
-        let rule = Rule::new(inputs, drawing.overwrite);
-        Ok(Self { format, destination: rule.file(&drawing.output)? })
-    }
-
-    /// Writes the plot; `of_optima` is what deserves a word about the optima in it, beside the setup's own drive.
-    fn written(
-        &self,
-        question: &Question,
-        setup: &Setup<f64>,
-        drawing: &Drawing,
-        figure: &Figure,
-        of_optima: Vec<Message>,
-    ) -> Result<Answer> {
-        let mut warnings = Drive::new(setup).map_or_else(|_| setup.warnings(), |drive| drive.warnings(setup));
-        warnings.extend(of_optima);
-        self.put(question.json, drawing, figure, warnings)
-    }
-
-    /// Writes the plot, with what is to be said about its drives.
-    fn put(&self, is_json: bool, drawing: &Drawing, figure: &Figure, warnings: Vec<Message>) -> Result<Answer> {
-        warn(&warnings);
-        let shades = if drawing.dark { Shades::Dark } else { Shades::Light };
-        let look = Look { system: system(), shades, width: drawing.width.unwrap_or(WIDTH) };
-        let bytes = match self.format {
-            Format::Svg => figure_svg(figure, &look)?.into_bytes(),
-            #[cfg(feature = "png")]
-            Format::Png => longdrive::report::plot::figure_png(figure, &look, 2.0)?,
-            Format::Csv => figure_csv(figure)?.into_bytes(),
-        };
-        let file = drawing.output.display().to_string();
-        self.destination.write(&bytes)?;
-        tell(&format!("{file}: {}", figure.title));
-        if !figure.note.is_empty() {
-            tell(&figure.note);
-        }
-        Ok(if is_json {
-            let (name, title, note) = (&figure.name, &figure.title, &figure.note);
-            let body = json!({ "name": name, "file": file, "title": title, "note": note, "bytes": bytes.len() });
-            Answer::json(&Reply::done("plot", warnings, body))
-        } else {
-            Answer::text(String::new())
-        })
-    }
 }

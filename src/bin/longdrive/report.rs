@@ -1,37 +1,41 @@
 use crate::args::Report;
+use crate::date::today;
 use crate::files::Rule;
 use crate::names::usual;
-use crate::output::{Answer, bar, system, tell, warn};
+use crate::output::{Answer, bar, command_line, system, tell, warn};
 use crate::plot::limits;
 use longdrive::flight::Flight;
 use longdrive::optimize::{Observer, Status};
 use longdrive::report::Reply;
 use longdrive::report::figures::Flown;
-use longdrive::report::page::{Document, Findings, report_documents};
+use longdrive::report::page::{Document, Findings, SETUP_FILE, report_documents};
 use longdrive::reproduce::while_loop;
 use longdrive::study::certificate::{Row, certify};
 use longdrive::study::{
-    Chart, Fineness, Search, Sigma, Vary, chart, effects, flatness, map, optimum, usual_loss, with_defaults,
+    Chart, Face, Fineness, Landing, Launches, Map, Optimum, Region, Search, Sigma, Vary, chart, effects, flatness, map,
+    optimum, usual_loss, with_defaults,
 };
 use longdrive::units::{Message, counted};
 use longdrive::{Error, Outcome, Result, Setup};
 use serde_json::json;
+use std::path::Path;
 
 /// Optima along the parameter are about this many: what the bar counts to.
 const USUAL_POINTS: u64 = 24;
 
 pub fn run(args: &Report) -> Result<Answer> {
-    let setup = args.question.setup()?;
+    let stated = args.question.setup()?;
     let of = args.search.sought()?.0;
-    let sought = args.sought(&setup)?;
+    let sought = args.sought(&stated)?;
     let ranges: Vec<_> =
         sought.iter().flat_map(|(search, along)| search.vary.iter().copied().chain([*along])).collect();
-    let setup = args.question.for_many(setup, &ranges)?;
+    let setup = args.question.for_many(stated, &ranges)?;
+    let date = today()?;
     let preset = args.question.preset()?;
     let given = args.sigma.iter().map(|text| Sigma::read(&setup, text)).collect::<Result<Vec<_>>>()?;
     let sigmas = with_defaults(&setup, &given, &[of])?;
     // before the work, not after it
-    let folder = Rule::new(args.question.inputs(), args.overwrite).folder(&args.output, &["index.html"])?;
+    let folder = Rule::new(args.question.inputs(), args.overwrite).folder(&args.output, &["index.html", SETUP_FILE])?;
 
     let bar = bar("parts");
     bar.set_length(USUAL_POINTS + 5);
@@ -41,15 +45,15 @@ pub fn run(args: &Report) -> Result<Answer> {
 
     let found = sought.as_ref().map(|(search, _)| optimum(&setup, search.clone(), Observer::default())).transpose()?;
     let best = found.as_ref().filter(|found| found.solution.status == Status::Converged);
-    match (&found, best) {
-        (None, _) => remarks.push(NO_SEARCH.into()),
+    let why_none = match (&found, best) {
+        (None, _) => Some(Message::from(NO_SEARCH)),
         (Some(found), None) => {
-            remarks.push(Message::from(format!("no optimum: {}: ", found.status())).message(found.message()));
+            Some(Message::from(format!("no optimum: {}: ", found.status())).message(found.message()))
         }
-        _ => {}
-    }
+        _ => None,
+    };
     if let Some(best) = best {
-        let longest = Flown::new("optimum", &best.setup)?;
+        let longest = Flown::new(Flown::OPTIMUM, &best.setup)?;
         let of_drive = longest
             .drive
             .warnings_about(&best.setup, Outcome::ALL)
@@ -59,6 +63,7 @@ pub fn run(args: &Report) -> Result<Answer> {
         remarks.extend(of_drive);
         flown.push(longest);
     }
+    let pictures = Pictures::of(&setup, best, &flown, &given, &mut remarks)?;
     let flatness = best.map(|best| flatness(best, usual_loss(best))).transpose()?;
     bar.inc(1);
 
@@ -68,8 +73,15 @@ pub fn run(args: &Report) -> Result<Answer> {
         Some([across, up, ..]) => said(map(around, of, *across, *up, Fineness::default()), &mut remarks)?,
         _ => None,
     };
+    let flat = map.as_ref().and_then(Map::flat);
+    let map = map.filter(|_| flat.is_none());
+    remarks.extend(flat);
     let limits = search.map(|search| said(limits(around, search), &mut remarks)).transpose()?.flatten();
     let limits = limits.unwrap_or_default();
+    let region = match (best, &map) {
+        (Some(best), Some(map)) => Region::around(best, map.across, map.up, usual_loss(best))?,
+        _ => None,
+    };
     bar.inc(1);
     let is_fixed = |(search, along): &&(Search, Vary)| search.vary.iter().all(|vary| vary.parameter != along.parameter);
     let chart = match sought.as_ref().filter(is_fixed) {
@@ -86,30 +98,48 @@ pub fn run(args: &Report) -> Result<Answer> {
     remarks.extend(chart.as_ref().map_or_else(Vec::new, Chart::warnings));
 
     let shown = if of == Outcome::Lateral { vec![Outcome::Carry] } else { vec![of, Outcome::Lateral] };
-    let effects = said(effects(&setup, &shown, &sigmas, |_, _| ()), &mut remarks)?.unwrap_or_default();
+    let moved = |setup: &Setup<f64>, of: &[Outcome]| effects(setup, of, &sigmas, |_, _| ());
+    let effects = said(moved(&setup, &shown), &mut remarks)?.unwrap_or_default();
     bar.inc(1);
+    let at_best = best.map(|best| said(moved(&best.setup, &[of]), &mut remarks)).transpose()?;
+    let at_best = at_best.flatten().and_then(|mut effects| effects.pop());
     let rows = said(rows(&setup, of, search), &mut remarks)?.unwrap_or_default();
     bar.inc(1);
 
+    // of a file its name, wherever it is
+    let name = Path::new(&args.question.setup).file_name();
+    let name = name.map_or_else(|| args.question.setup.clone(), |name| name.to_string_lossy().into_owned());
     let findings = Findings {
-        name: &args.question.setup,
+        name: &name,
+        stated: &stated,
         setup: &setup,
+        of,
         preset,
         flown: &flown,
+        landings: &pictures.landings,
+        launches: pictures.launches.as_ref(),
+        face: pictures.face.as_ref(),
+        found: found.as_ref(),
         best,
+        why_none: why_none.as_ref(),
         flatness: flatness.as_ref(),
         map: map.as_ref(),
         limits: &limits,
+        region: region.as_ref(),
         chart: chart.as_ref(),
         effects: &effects,
+        at_best: at_best.as_ref(),
         rows: &rows,
         loops: &while_loop(&setup, &rows),
         system: system(),
         remarks: &remarks,
+        command: &command_line(std::env::args().skip(1)),
+        date: &date,
     };
     let documents = report_documents(&findings)?;
     folder.write(documents.iter().map(|Document { name, text }| (name.as_str(), text.as_bytes())))?;
     bar.finish_and_clear();
+    remarks.extend(why_none);
     warn(&remarks);
     let index = args.output.join("index.html");
     tell(&format!("{} ({})", index.display(), counted(documents.len() as u64, "file")));
@@ -151,6 +181,39 @@ impl Report {
             }
             None => Ok(None),
         }
+    }
+}
+
+/// What the pictures of the drives show.
+struct Pictures {
+    landings: Vec<Landing>,
+    launches: Option<Launches>,
+    face: Option<Face>,
+}
+
+impl Pictures {
+    /// Of the drive as set up and of the best one, as far as they fly; `flown` are both, `given` the uncertainties that were stated.
+    fn of(
+        setup: &Setup<f64>,
+        best: Option<&Optimum>,
+        flown: &[Flown],
+        given: &[Sigma],
+        remarks: &mut Vec<Message>,
+    ) -> Result<Self> {
+        let setups = std::iter::once(setup).chain(best.map(|best| &best.setup));
+        let flying = flown.iter().zip(setups).filter(|(flown, _)| flown.drive.landed().is_ok());
+        let drives: Vec<_> = flying.map(|(flown, setup)| (flown.name.as_str(), setup)).collect();
+        let landing = |(name, setup): &(&str, &Setup<f64>)| {
+            Landing::of(*name, setup, &with_defaults(setup, given, &[Outcome::Carry, Outcome::Lateral])?)
+        };
+        let is_struck = !setup.launch.is_given() && flown.first().is_some_and(|own| own.drive.landed().is_ok());
+        let launches = (!drives.is_empty()).then(|| said(Launches::around(&drives), remarks)).transpose()?;
+        let face = is_struck.then(|| said(Face::of(setup), remarks)).transpose()?;
+        Ok(Self {
+            landings: drives.iter().map(landing).collect::<Result<_>>()?,
+            launches: launches.flatten(),
+            face: face.flatten(),
+        })
     }
 }
 

@@ -3,6 +3,7 @@ use crate::names::outcomes;
 use crate::output::{Answer, bar, show, system, tell, warn};
 use longdrive::optimize::{Observer, Status};
 use longdrive::parameters::Parameter;
+use longdrive::report::figures::At;
 use longdrive::report::{EffectsReport, OutcomeEffects, by_reason, effects_text};
 use longdrive::study::{Sensitivity, Sigma, effects, optimum, sensitivities, with_defaults};
 use longdrive::{Drive, Error, Outcome, Result};
@@ -57,8 +58,9 @@ pub fn run(args: &SensitivityArgs) -> Result<Answer> {
         let reports: Vec<_> = found.iter().map(|effects| OutcomeEffects::new(effects, totals_of(effects.of))).collect();
         Answer::json(&EffectsReport::reply(reports, best.as_ref(), warnings))
     } else {
+        let at = if best.is_some() { At::Optimum } else { At::SetUp };
         let texts: Vec<_> =
-            found.iter().map(|effects| effects_text(effects, totals_of(effects.of), system())).collect();
+            found.iter().map(|effects| effects_text(effects, totals_of(effects.of), at, system())).collect();
         Answer::text(texts.join("\n"))
     };
     Ok(answer)

@@ -1,11 +1,11 @@
 use crate::args::Validate;
 use crate::files::Rule;
 use crate::output::{Answer, system, tell};
-use crate::reproduce::{DOCUMENT, write};
+use crate::reproduce::{DOCUMENT, chosen, write};
 use longdrive::Result;
-use longdrive::report::plot::Look;
 use longdrive::report::{validation_csv, validation_document, validation_reply};
 use longdrive::study::validation::validation;
+use longdrive::units::System;
 
 pub fn run(args: &Validate) -> Result<Answer> {
     let rule = Rule::new([], args.overwrite);
@@ -15,9 +15,9 @@ pub fn run(args: &Validate) -> Result<Answer> {
     let file = output.filter(|path| is_csv(path)).map(|path| rule.file(path)).transpose()?;
     let folder = output.filter(|path| !is_csv(path)).map(|path| rule.folder(path, &DOCUMENT)).transpose()?;
     let found = validation(own)?;
-    let document = validation_document(&found, system());
+    let documents = System::ALL.map(|system| validation_document(&found, system));
     if let Some(folder) = &folder {
-        write(folder, &document, &Look { system: system(), ..Look::default() })?;
+        write(folder, &documents, system())?;
     }
     if let (Some(file), Some(path)) = (&file, output) {
         file.write(validation_csv(&found)?.as_bytes())?;
@@ -28,6 +28,6 @@ pub fn run(args: &Validate) -> Result<Answer> {
     } else if args.csv {
         Answer::text(validation_csv(&found)?)
     } else {
-        Answer::text(document.text())
+        Answer::text(chosen(&documents, system()).text())
     })
 }

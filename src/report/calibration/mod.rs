@@ -11,7 +11,8 @@ use super::document::Document;
 use crate::optimize::least_squares::Status;
 use crate::report::shown;
 use crate::study::calibrate::{Calibration, Estimate, HeldOut, Remainder, ShotTable, Uncertainties, Undetermined};
-use crate::units::{Quantity, System, counted, counted_of, fixed, signed, significant};
+use crate::units::{Quantity, System, counted, counted_of, fixed, signed, significant, with_unit};
+use std::path::Path;
 
 /// All that a report of a calibration shows.
 #[derive(Clone, Copy, Debug)]
@@ -60,20 +61,19 @@ impl CalibrationReport<'_> {
     }
 }
 
-/// A value to the second digit of its standard error.
+/// The number of a value in a unit, to the second digit of its standard error.
 fn to_its_error(quantity: Quantity, unit: &str, value: f64, standard_error: Option<f64>) -> String {
     let size = quantity.size_of(unit).unwrap_or(1.0);
+    let number = value / size;
     let decimals = standard_error.filter(|error| *error > 0.0).map(|error| 1.0 - (error / size).log10().floor());
     match decimals {
-        Some(decimals @ 0.0..=9.0) => {
-            format!("{} {unit}", fixed(value / size, decimals as usize)).trim_end().to_owned()
-        }
+        Some(decimals @ 0.0..=9.0) => fixed(number, decimals as usize),
         // a number far from 1: the same digits, with a power of ten
         Some(decimals) if value != 0.0 => {
-            let digits = (value / size).abs().log10().floor() + decimals + 1.0;
-            format!("{} {unit}", significant(value / size, digits.clamp(4.0, 17.0) as usize)).trim_end().to_owned()
+            let digits = number.abs().log10().floor() + decimals + 1.0;
+            significant(number, digits.clamp(4.0, 17.0) as usize)
         }
-        _ => quantity.show(value, unit),
+        _ => significant(number, 7),
     }
 }
 
@@ -82,7 +82,7 @@ fn estimated(estimate: &Estimate, reach: f64, system: System) -> Vec<String> {
     let Estimate { parameter, value, standard_error, is_at_bound, is_determined } = estimate;
     let (quantity, unit) = (parameter.quantity, system.unit(parameter.unit));
     let size = quantity.size_of(unit).unwrap_or(1.0);
-    let show = |value: f64| to_its_error(quantity, unit, value, *standard_error);
+    let show = |value: f64| with_unit(&to_its_error(quantity, unit, value, *standard_error), unit);
     let (error, interval) = match standard_error {
         Some(error) => (
             significant(error / size, 2),
@@ -99,7 +99,9 @@ fn estimated(estimate: &Estimate, reach: f64, system: System) -> Vec<String> {
 pub fn calibration_document(report: &CalibrationReport<'_>, system: System) -> Document {
     let CalibrationReport { table, found, held_out } = report;
     let (fit, statistics) = (&found.fit, &found.statistics);
-    let mut document = Document::new(&format!("Calibration to {}", table.file));
+    // where the file is, is nobody's business but the reader's own
+    let file = Path::new(&table.file).file_name().map_or(table.file.as_str().into(), |name| name.to_string_lossy());
+    let mut document = Document::new(&format!("Calibration to {file}"));
     document.paragraph(format!(
         "{}: {} ({}, {})",
         report.status(),
@@ -144,11 +146,11 @@ pub fn calibration_document(report: &CalibrationReport<'_>, system: System) -> D
     }
     correlations(&mut document, found);
     document.heading("Residuals");
-    let head = ["row", "measured", "computed − measured", "in σ", "what"];
-    document.table(&head, found.remainders.iter().map(|remainder| row(remainder, system)));
-    for figure in plots::figures(found) {
+    for figure in plots::figures(table, found) {
         document.figure(figure);
     }
+    let head = ["row", "measured", "computed − measured", "in σ", "what"];
+    document.table(&head, found.remainders.iter().map(|remainder| row(remainder, system)));
     if !held_out.is_empty() {
         document.heading("Held-out error");
         let head = ["folds", "rms in σ", "rms by outcome", "law and fit"];

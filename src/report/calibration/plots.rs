@@ -1,29 +1,78 @@
 use crate::drive::Outcome;
-use crate::report::plot::{Axis, Figure, Layer, Measure};
-use crate::study::calibrate::Calibration;
+use crate::report::figures::capital;
+use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};
+use crate::study::calibrate::{Calibration, Remainder, ShotTable};
 
-/// What is left over against what was measured, a plot for each outcome.
-pub(super) fn figures(found: &Calibration) -> Vec<Figure> {
+/// A measured value beside the computed one.
+struct Point {
+    computed: f64,
+    measured: f64,
+    /// The standard uncertainty of what was measured.
+    sigma: f64,
+}
+
+/// What was measured over what is computed, and what is left over: two plots for each outcome that was measured more than once.
+pub(super) fn figures(table: &ShotTable, found: &Calibration) -> Vec<Figure> {
     let mut outcomes: Vec<Outcome> = vec![];
     for remainder in found.remainders.iter().filter(|remainder| remainder.stationary.is_none()) {
         if !outcomes.contains(&remainder.outcome) {
             outcomes.push(remainder.outcome);
         }
     }
-    let one = |outcome: &Outcome| {
-        let of = found.remainders.iter().filter(|remainder| remainder.outcome == *outcome);
-        let points: Vec<[f64; 2]> = of.filter_map(|r| Some([r.measured?, r.difference])).collect();
-        let x = Measure::outcome(*outcome);
-        let y = Measure { label: format!("computed − measured {}", x.label), ..x.clone() };
-        let title = format!("Residuals of {}", x.label);
-        let name = format!("residuals-{}", outcome.name().replace('_', "-"));
-        (points.len() > 1).then(|| {
-            Figure::new(name, title, Axis::linear(x), Axis::linear(y)).with(Layer::Dots {
-                name: "shots".into(),
-                hue: crate::report::plot::Hue::Series(0),
-                points,
-            })
-        })
+    let two = |of: Outcome| {
+        let points = points(table, found, of);
+        (points.len() > 1).then(|| [agreement(of, &points), residuals(of, &points)])
     };
-    outcomes.iter().filter_map(one).collect()
+    outcomes.into_iter().filter_map(two).flatten().collect()
+}
+
+fn points(table: &ShotTable, found: &Calibration, of: Outcome) -> Vec<Point> {
+    let remainders = found.remainders.iter().filter(|remainder| remainder.outcome == of);
+    let point = |remainder: &Remainder| {
+        let measured = remainder.measured?;
+        let shot = table.shots.iter().find(|shot| shot.row == remainder.row)?;
+        let sigma = shot.measured.iter().find(|measurement| measurement.outcome == of)?.sigma;
+        Some(Point { computed: measured + remainder.difference, measured, sigma })
+    };
+    remainders.filter_map(point).collect()
+}
+
+/// Measured over computed, with the line on which they are equal.
+fn agreement(of: Outcome, points: &[Point]) -> Figure {
+    let measure = Measure::outcome(of);
+    let labelled =
+        |which: &str| Axis::linear(Measure { label: format!("{which} {}", measure.label), ..measure.clone() });
+    let reach = |sign: f64| points.iter().flat_map(move |point| [point.computed, point.measured + sign * point.sigma]);
+    let low = reach(-1.0).fold(f64::INFINITY, f64::min);
+    let high = reach(1.0).fold(f64::NEG_INFINITY, f64::max);
+    let bar = |point: &Point| {
+        let end = |sign: f64| [point.computed, point.measured + sign * point.sigma];
+        [end(-1.0), end(1.0), [f64::NAN; 2]]
+    };
+    let equal = vec![[low, low], [high, high]];
+    let mut figure = Figure::new(
+        format!("measured-{}", of.name().replace('_', "-")),
+        format!("{}: measured over computed", capital(&measure.label)),
+        labelled("computed"),
+        labelled("measured"),
+    )
+    .with(Layer::Line { name: "equal".into(), hue: Hue::Faint, is_dashed: true, points: equal })
+    .with(Layer::line("± one standard uncertainty", 0, points.iter().flat_map(bar).collect()))
+    .with(Layer::dots("shots", 0, points.iter().map(|point| [point.computed, point.measured]).collect()))
+    .noted("The bars are the standard uncertainty of what was measured: that of the table, or of the instrument where it states none.");
+    figure.aspect = 0.85;
+    figure
+}
+
+/// What is left over.
+fn residuals(of: Outcome, points: &[Point]) -> Figure {
+    let x = Measure::outcome(of);
+    let y = Measure { label: format!("computed − measured {}", x.label), ..x.clone() };
+    let title = format!("Residuals of {}", x.label);
+    let name = format!("residuals-{}", of.name().replace('_', "-"));
+    Figure::new(name, title, Axis::linear(x), Axis::linear(y)).with(Layer::dots(
+        "shots",
+        0,
+        points.iter().map(|point| [point.measured, point.computed - point.measured]).collect(),
+    ))
 }

@@ -16,7 +16,8 @@ pub fn calibration_toml(found: &Calibration, preset: &Preset, data: &str) -> Res
         let (quantity, unit) = (parameter.quantity, parameter.unit);
         let value = match standard_error {
             Some(error) => {
-                let show = |value: f64| to_its_error(quantity, unit, value, standard_error);
+                let number = |value: f64| to_its_error(quantity, unit, value, standard_error);
+                let show = |value: f64| format!("{} {unit}", number(value)).trim_end().to_owned();
                 format!("{} ± {}", show(value), show(error))
             }
             None => format!("{} without a standard error", as_declared(parameter, value)),

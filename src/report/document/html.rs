@@ -1,60 +1,99 @@
-use super::{Block, Document};
+use super::{Block, Document, Table};
 use crate::error::Result;
-use crate::report::plot::{Look, dark_rules, figure_svg};
-use maud::{DOCTYPE, Markup, PreEscaped, html};
+use crate::report::frame::{Frame, Pair, both, picture_files, pictures, scrolled};
+use crate::units::System;
+use maud::{Markup, html};
 
-/// How a page looks: to be read on a phone, on a screen by day or night, and in print.
-const STYLE: &str = "\
-:root{color-scheme:light dark}\
-body{font:16px/1.5 system-ui,sans-serif;max-width:62rem;margin:auto;padding:1rem}\
-.wide{overflow-x:auto}\
-table{border-collapse:collapse;font-size:.875rem}\
-td,th{padding:.2rem .6rem;border-bottom:1px solid #8884;white-space:nowrap;text-align:right}\
-td:last-child,th:last-child{text-align:left;white-space:normal;min-width:10rem}\
-figure{margin:1rem 0}\
-svg{max-width:100%;height:auto}\
-@media print{body{max-width:none;font-size:10pt}table{font-size:7pt}td,th{white-space:normal}}";
+/// A document as one page of HTML, complete in itself, and the pictures and data of its figures as files beside it: their names and
+/// texts, `index.html` first. `documents` are the same one in each of [`System::ALL`]; the reader chooses between them, and the page
+/// opens with `system`, in which the data are named.
+///
+/// # Errors
+/// As [`figure_svg`](crate::report::plot::figure_svg) and [`figure_csv`](crate::report::plot::figure_csv).
+pub fn document_files(documents: &[Document; 2], system: System) -> Result<Vec<(String, String)>> {
+    let [metric, us] = documents;
+    let chosen = if system == System::ALL[0] { metric } else { us };
+    let figures = metric.figures().zip(us.figures());
+    let pairs: Vec<Pair> = figures.map(|(metric, us)| [metric.clone(), us.clone()]).collect();
+    let mut parts = Parts { pairs: &pairs, labels: vec![], about: String::new() };
+    let blocks: Vec<_> = metric.blocks.iter().zip(&us.blocks).collect();
+    // figures that follow each other stand side by side
+    let of_a_kind = |a: &(&Block, &Block), b: &(&Block, &Block)| a.0.is_figure() && b.0.is_figure();
+    let all = blocks.chunk_by(of_a_kind).map(|blocks| parts.part(blocks)).collect::<Result<Vec<_>>>()?;
+    let header = words(&metric.title, &us.title);
+    let frame = Frame {
+        title: &chosen.title,
+        header: html! { h1 { (header) } },
+        main: html! { @for part in all { (part) "\n" } },
+        footer: None,
+        system,
+    };
+    let mut files = vec![("index.html".to_owned(), frame.page())];
+    files.extend(picture_files(&pairs, system)?);
+    Ok(files)
+}
 
-impl Document {
-    /// As one page of HTML, complete in itself: the figures are in it, and nothing is fetched.
-    ///
-    /// # Errors
-    /// As [`figure_svg`].
-    pub fn html(&self, look: &Look) -> Result<String> {
-        let blocks = self.blocks.iter().map(|block| block_html(block, look)).collect::<Result<Vec<_>>>()?;
-        let dark = format!("@media screen and (prefers-color-scheme:dark){{\n{}}}", dark_rules("svg"));
-        let page = html! {
-            (DOCTYPE)
-            html lang="en" {
-                head {
-                    meta charset="utf-8";
-                    meta name="viewport" content="width=device-width,initial-scale=1";
-                    title { (self.title()) }
-                    style { (PreEscaped(STYLE)) (PreEscaped(dark)) }
-                }
-                body { @for block in &blocks { (block) "\n" } }
+fn words(metric: &str, us: &str) -> Markup {
+    both(|system| if system == System::Us { us } else { metric }.to_owned())
+}
+
+/// The parts of a page, one after the other: a table is called after what stands before it.
+struct Parts<'a> {
+    /// The figures that are not on the page yet.
+    pairs: &'a [Pair],
+    labels: Vec<String>,
+    about: String,
+}
+
+impl Parts<'_> {
+    /// A block in both systems, or some figures.
+    fn part(&mut self, blocks: &[(&Block, &Block)]) -> Result<Markup> {
+        Ok(match blocks {
+            [(Block::Heading(metric), Block::Heading(us)), ..] => {
+                self.about.clone_from(us);
+                html! { h2 { (words(metric, us)) } }
             }
-        };
-        Ok(page.into_string())
+            [(Block::Paragraph(metric), Block::Paragraph(us)), ..] => {
+                // a line above a table is its name
+                if us.ends_with([':', '.']) && us.chars().count() < 80 {
+                    self.about = us.trim_end_matches([':', '.']).into();
+                }
+                html! { p { (words(metric, us)) } }
+            }
+            [(Block::Table(metric), Block::Table(us)), ..] => scrolled(&self.label(), table(metric, us)),
+            figures => {
+                let (now, later) = self.pairs.split_at(figures.len().min(self.pairs.len()));
+                self.pairs = later;
+                pictures(now)?
+            }
+        })
+    }
+
+    /// The name of a table, that no other one has.
+    fn label(&mut self) -> String {
+        let count = self.labels.iter().filter(|label| **label == self.about).count();
+        self.labels.push(self.about.clone());
+        if count == 0 { self.about.clone() } else { format!("{} ({})", self.about, count + 1) }
     }
 }
 
-fn block_html(block: &Block, look: &Look) -> Result<Markup> {
-    Ok(match block {
-        Block::Title(text) => html! { h1 { (text) } },
-        Block::Heading(text) => html! { h2 { (text) } },
-        Block::Paragraph(text) => html! { p { (text) } },
-        Block::Table { head, rows } => html! {
-            div.wide {
-                table {
-                    thead { tr { @for name in head { th { (name) } } } }
-                    tbody { @for row in rows { tr { @for cell in row { td { (cell) } } } } }
+fn table(metric: &Table, us: &Table) -> Markup {
+    let class = |column: usize| if us.is_right[column] { "number" } else { "words" };
+    let cells = |metric: &[String], us: &[String]| -> Vec<(&'static str, Markup)> {
+        metric.iter().zip(us).enumerate().map(|(column, (metric, us))| (class(column), words(metric, us))).collect()
+    };
+    html! {
+        table {
+            thead { tr {
+                @for (class, cell) in cells(&metric.head, &us.head) {
+                    @if cell.0.is_empty() { td {} } @else { th class=(class) scope="col" { (cell) } }
+                }
+            } }
+            tbody {
+                @for (metric, us) in metric.rows.iter().zip(&us.rows) {
+                    tr { @for (class, cell) in cells(metric, us) { td class=(class) { (cell) } } }
                 }
             }
-        },
-        Block::Figure(figure) => {
-            let svg = figure_svg(figure, look)?;
-            html! { figure { (PreEscaped(svg)) figcaption { (figure.note) } } }
         }
-    })
+    }
 }

@@ -4,27 +4,44 @@ mod html;
 mod markdown;
 mod text;
 
+pub use html::document_files;
+
+use super::frame::is_of_numbers;
 use super::plot::Figure;
 
 /// Headings, paragraphs, tables and figures, in order.
 #[derive(Clone, Debug, Default)]
 pub struct Document {
+    title: String,
     blocks: Vec<Block>,
 }
 
 #[derive(Clone, Debug)]
 enum Block {
-    Title(String),
     Heading(String),
     Paragraph(String),
-    Table { head: Vec<String>, rows: Vec<Vec<String>> },
+    Table(Table),
     Figure(Box<Figure>),
+}
+
+#[derive(Clone, Debug)]
+struct Table {
+    head: Vec<String>,
+    rows: Vec<Vec<String>>,
+    /// Whether each column is aligned right.
+    is_right: Vec<bool>,
+}
+
+impl Block {
+    fn is_figure(&self) -> bool {
+        matches!(self, Self::Figure(_))
+    }
 }
 
 impl Document {
     /// A document of this title.
     pub(super) fn new(title: &str) -> Self {
-        Self { blocks: vec![Block::Title(title.into())] }
+        Self { title: title.into(), blocks: vec![] }
     }
 
     /// Begins a part.
@@ -36,10 +53,13 @@ impl Document {
         self.blocks.push(Block::Paragraph(text.into()));
     }
 
-    /// A table; all but its last column are aligned right.
+    /// A table; its columns of numbers are aligned right, and their heads.
     pub(super) fn table(&mut self, head: &[&str], rows: impl IntoIterator<Item = Vec<String>>) {
-        let head = head.iter().map(|&name| name.to_owned()).collect();
-        self.blocks.push(Block::Table { head, rows: rows.into_iter().collect() });
+        let head: Vec<String> = head.iter().map(|&name| name.to_owned()).collect();
+        let rows: Vec<Vec<String>> = rows.into_iter().collect();
+        let cells = |column: usize| rows.iter().filter_map(move |row| row.get(column)).map(String::as_str);
+        let is_right = (0..head.len()).map(|column| is_of_numbers(cells(column))).collect();
+        self.blocks.push(Block::Table(Table { head, rows, is_right }));
     }
 
     /// A figure; on a terminal it is left out.
@@ -53,13 +73,5 @@ impl Document {
             Block::Figure(figure) => Some(figure.as_ref()),
             _ => None,
         })
-    }
-
-    fn title(&self) -> &str {
-        let title = self.blocks.iter().find_map(|block| match block {
-            Block::Title(title) => Some(title.as_str()),
-            _ => None,
-        });
-        title.unwrap_or_default()
     }
 }

@@ -1,25 +1,54 @@
 use super::map::capital;
 use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};
-use crate::study::{Chart, ChartPoint};
+use crate::report::shown;
+use crate::study::{Chart, ChartPoint, Optimum, Vary};
 use crate::units::System;
 
-/// The optimum along a parameter: a plot of its value, and one of each parameter varied with the bounds of its range. The notes
-/// are in the units of `system` first.
-pub fn chart_figures(chart: &Chart, system: System) -> Vec<Figure> {
-    let Some(first) = chart.points.first() else { return vec![] };
+/// The optimum along a parameter, as small plots with one horizontal axis.
+#[derive(Clone, Debug)]
+pub struct ChartFigures {
+    /// A plot of the optimum's value, and one of each parameter varied that moves.
+    pub drawn: Vec<Figure>,
+    /// The parameters that a bound holds in every optimum, each with a sentence in place of a plot.
+    pub held: Vec<(Vary, String)>,
+}
+
+/// The optimum along a parameter: its value, and each parameter varied with the bounds of its range, marked where `own`, the optimum of the drive as
+/// set up, lies. Words are in the units of `system`.
+pub fn chart_figures(chart: &Chart, own: Option<&Optimum>, system: System) -> ChartFigures {
+    let mut found = ChartFigures { drawn: vec![], held: vec![] };
+    let Some(first) = chart.points.first() else { return found };
     let search = &first.best.search;
     let along = Measure::parameter(chart.along.parameter);
     let tag = chart.along.parameter.name.replace('.', "-");
     let x = || Axis::linear(along.clone());
     let of = Measure::outcome(search.of);
-    let title = format!("Best {} against {}", of.label, along.label);
-    let line = |points: Vec<[f64; 2]>| Layer::line("optimum", 0, points);
+    let own = own.and_then(|best| Some((best.setup.value(chart.along.parameter)?, best)));
+    let own = own.filter(|(at, _)| (chart.along.low..=chart.along.high).contains(at));
+    let yours = |y: Option<f64>, told: &dyn Fn(f64) -> String| {
+        let (at, y) = own.map(|(at, _)| at).zip(y)?;
+        let name = format!("{}: {}", shown::stated(chart.along.parameter, at, system), told(y));
+        Some(Layer::Mark { name, hue: Hue::SET_UP, at: [at, y] })
+    };
+    let line =
+        |points: Vec<[f64; 2]>| Layer::Line { name: "optimum".into(), hue: Hue::OPTIMUM, is_dashed: true, points };
     let value = chart.points.iter().filter_map(|point| Some([point.at, point.best.value()?])).collect();
     let name = format!("chart-{}-by-{tag}", search.of.name());
-    let best = Figure::new(name, title, x(), Axis::linear(of)).with(line(value));
-    let best = marked(best, chart, system, |point| point.best.value());
+    let title = format!("Best {} against {}", of.label, along.label);
+    let mut best = Figure::new(name, title, x(), Axis::linear(of)).with(line(value));
+    let own_value = own.and_then(|(_, best)| best.value());
+    best.layers.extend(yours(own_value, &|value| shown::outcome(search.of, value, system)));
+    best = marked(best, chart, system, |point| point.best.value());
 
-    let varied = search.vary.iter().enumerate().map(|(i, vary)| {
+    for (i, vary) in search.vary.iter().enumerate() {
+        if let Some(end) = held(chart, i, vary) {
+            let measure = Measure::parameter(vary.parameter);
+            let at = shown::stated(vary.parameter, if end == "lower" { vary.low } else { vary.high }, system);
+            let why =
+                if vary.low == vary.high { "the only value it may have".into() } else { format!("its {end} bound") };
+            found.held.push((*vary, format!("{}: {at}, {why}, in every optimum.", capital(&measure.label))));
+            continue;
+        }
         let measure = Measure::parameter(vary.parameter);
         let title = format!("{} of the best drive against {}", capital(&measure.label), along.label);
         let name = format!("chart-{}-by-{tag}", vary.parameter.name.replace('.', "-"));
@@ -28,13 +57,28 @@ pub fn chart_figures(chart: &Chart, system: System) -> Vec<Figure> {
             let points = vec![[chart.along.low, at], [chart.along.high, at]];
             Layer::Line { name: name.into(), hue: Hue::Faint, is_dashed: true, points }
         };
-        let figure = Figure::new(name, title, x(), Axis::linear(measure))
+        let mut figure = Figure::new(name, title, x(), Axis::linear(measure))
             .with(bound("bounds", vary.low))
             .with(bound("", vary.high))
             .with(line(path));
-        marked(figure, chart, system, move |point| Some(point.best.solution.x[i]))
-    });
-    std::iter::once(best).chain(varied).collect()
+        let told = |value: f64| shown::parameter(vary.parameter, value, system);
+        figure.layers.extend(yours(own.and_then(|(_, best)| best.solution.x.get(i).copied()), &told));
+        found.drawn.push(marked(figure, chart, system, move |point| Some(point.best.solution.x[i])));
+    }
+    let notes = std::iter::once(best.note.clone()).chain(found.held.iter().map(|(_, why)| why.clone()));
+    best.note = notes.filter(|note| !note.is_empty()).collect::<Vec<_>>().join(" ");
+    found.drawn.insert(0, best);
+    found
+}
+
+/// The bound that a varied parameter lies on in every optimum, if it does.
+fn held(chart: &Chart, i: usize, vary: &Vary) -> Option<&'static str> {
+    // a bound is met to rounding
+    let lies = |end: f64| {
+        let rounding = 1e-12 * (vary.high - vary.low);
+        chart.points.iter().all(|point| (point.best.solution.x[i] - end).abs() <= rounding)
+    };
+    [("lower", vary.low), ("upper", vary.high)].into_iter().find(|(_, end)| lies(*end)).map(|(name, _)| name)
 }
 
 /// Marks where a bound or constraint begins or ends to hold, and says what in the note.
@@ -45,9 +89,9 @@ fn marked(mut figure: Figure, chart: &Chart, system: System, y: impl Fn(&ChartPo
             let number = format!("{}", notes.len() + 1);
             notes.push(format!(
                 "{number}: at {} {event}.",
-                Measure::parameter(chart.along.parameter).show_both(point.at, system)
+                Measure::parameter(chart.along.parameter).show(point.at, system)
             ));
-            figure.layers.push(Layer::Mark { name: number, hue: Hue::Series(1), at: [point.at, y] });
+            figure.layers.push(Layer::Mark { name: number, hue: Hue::Ink, at: [point.at, y] });
         }
     }
     notes.extend(chart.begun.iter().chain(&chart.ended).map(|why| why.in_units(system)));

@@ -7,7 +7,7 @@ use crate::units::{System, counted};
 const MOST: usize = 12;
 
 /// The difference of an outcome between two drives as bars, a share each, the largest on top: of the parameters that differ, and below them
-/// of the launch conditions and what else the flight depends on. What is first in the note is in the units of `system`.
+/// of the launch conditions and what else the flight depends on. The note is in the units of `system`.
 pub fn difference_figure(difference: &Difference, system: System) -> Figure {
     let of = difference.of;
     let measure = Measure::outcome(of);
@@ -28,26 +28,23 @@ pub fn difference_figure(difference: &Difference, system: System) -> Figure {
     let by_parameter = bars(&difference.by_parameter);
     let by_launch = difference.by_launch.as_ref().map(bars);
     let layer = |name: &str, hue: usize, bars: Vec<Bar>| Layer::Bars { name: name.into(), hue: Hue::Series(hue), bars };
-    let rows = names.len();
     let x = Axis::linear(Measure { label: format!("share of the difference of {}", measure.label), ..measure.clone() });
     let title = format!("Difference of {} between two drives", measure.label);
     let mut figure = Figure::new(format!("difference-{}", of.name()), title, x, Axis::names(names)).with(layer(
         "by parameter",
-        0,
+        2,
         by_parameter,
     ));
     if let Some(bars) = by_launch {
-        figure = figure.with(layer("by launch and air", 1, bars));
+        figure = figure.with(layer("by launch and air", 3, bars));
     }
-    // as tall as its bars take
-    figure.aspect = 0.16 + 0.11 * rows as f64;
     let [a, b] = difference.values;
     let mut note = format!(
         "{} of b less that of a: {}, from {} to {}. The bars of a colour add up to it.",
         super::capital(&measure.label),
-        measure.show_both(difference.amount(), system),
-        measure.show_both(a, system),
-        measure.show_both(b, system),
+        measure.show_difference(difference.amount(), system),
+        measure.show(a, system),
+        measure.show(b, system),
     );
     if left_out > 0 {
         note += &format!(" Not shown: {}.", counted(left_out as u64, "smaller share"));

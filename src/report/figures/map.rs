@@ -1,80 +1,150 @@
+use super::style::field_of;
+use crate::parameters::Setup;
 use crate::report::plot::{Axis, Field, Figure, Hue, Layer, Measure};
-use crate::study::{Constraint, Flatness, Map, Optimum, Slope, Vary};
+use crate::report::shown;
+use crate::study::{Constraint, Map, Optimum, Region, Slope, Vary};
 use crate::units::System;
 
 /// The longest arrow, as a part of the map's width.
 const LONGEST_ARROW: f64 = 0.1;
 
-/// A map with its gradients, the limits of outcomes as lines on it (each with a map of its outcome), and where the search of an
-/// optimum varied both its parameters, the optimum with its window. The note is in the units of `system` first.
-pub fn map_figure(
-    map: &Map,
-    limits: &[(Constraint, Map)],
-    best: Option<&Optimum>,
-    flatness: Option<&Flatness>,
-    system: System,
-) -> Figure {
+/// What is shown on a map beside its outcome.
+#[derive(Clone, Copy, Debug)]
+pub struct OnMap<'a> {
+    /// The drive as set up.
+    pub setup: &'a Setup<f64>,
+    /// The constraints, each with the map of its outcome.
+    pub limits: &'a [(Constraint, Map)],
+    /// The optimum, if one was found.
+    pub best: Option<&'a Optimum>,
+    /// What is nearly as good and meets every bound and constraint.
+    pub region: Option<&'a Region>,
+}
+
+/// A map with its gradients, the constraints as lines with what they forbid hatched, the drive as set up and the optimum with what is nearly as
+/// good. Words are in the units of `system`.
+pub fn map_figure(map: &Map, on: &OnMap<'_>, system: System) -> Figure {
     let Map { of, across, up, missing, slopes, .. } = map;
     let [x, y] = [across, up].map(|vary| Axis::linear(Measure::parameter(vary.parameter)).exactly(vary.low, vary.high));
     let measure = Measure::outcome(*of);
     let title = format!("{} over {} and {}", capital(&measure.label), x.measure.label, y.measure.label);
     let name = format!("map-{}", of.name());
-    let field = field(map);
-    let mut figure = Figure::new(name, title, x, y).with(Layer::Contours(field)).with(arrows(across, up, slopes));
+    let mut figure = Figure::new(name, title, x, y).with(Layer::Contours(field(map))).with(arrows(across, up, slopes));
     figure.aspect = 0.85;
-    for (i, (constraint, map)) in limits.iter().enumerate() {
-        let field = self::field(map);
-        let mut ends: Vec<f64> = [constraint.low, constraint.high].into_iter().filter(|end| end.is_finite()).collect();
-        ends.dedup();
-        for (end, name) in ends.into_iter().zip([constraint.expression.as_str(), ""]) {
-            figure.layers.push(Layer::dashed(name, 2 + i, field.line_at(end)));
-        }
+    figure.names_on_lines = true;
+    let best = on.best.filter(|best| best.value().is_some());
+    figure.subtitle = held(on.setup, best, [across, up], system);
+    let mut notes = vec!["The edges of the map are the bounds.".to_owned()];
+    for (i, (constraint, map)) in on.limits.iter().enumerate() {
+        figure.layers.extend(forbidden(constraint, &field(map), 2 + i));
     }
-    let mut notes =
-        vec!["The edges are the bounds. The arrows are exact gradients, scaled by the ranges; their length grows with the square root of the slope.".to_owned()];
+    if on.limits.iter().any(|(constraint, _)| !constraint.is_equation()) {
+        notes.push("Hatched: forbidden by a constraint.".into());
+    }
+    if let Some(region) = on.region {
+        let layers = nearly_as_good(region, &format!("at most {} lost", shown::spread(*of, region.loss, system)));
+        let loss = measure.show_difference(region.loss, system);
+        if !layers.is_empty() {
+            notes.push(format!(
+                "Drives in the tinted region lose at most {loss} and meet every bound and constraint; each was flown."
+            ));
+        }
+        figure.layers.extend(layers);
+    }
+    notes.push(
+        "Arrows: exact gradients, scaled by the ranges; their length grows with the square root of the slope.".into(),
+    );
     if let Some(why) = missing {
         notes.push(format!("Grey: no value; the first reason: {}.", why.in_units(system)));
     }
-    if let Some(best) = best
-        && let Some([i, j]) = place(best, across, up)
-    {
-        let hue = Hue::Series(1);
-        let at = [best.solution.x[i], best.solution.x[j]];
-        if let Some(flatness) = flatness {
-            let (wide, tall) = (flatness.windows[i], flatness.windows[j]);
-            let cross = [[[wide.low, at[1]], [wide.high, at[1]]], [[at[0], tall.low], [at[0], tall.high]]];
-            for (ends, name) in cross.into_iter().zip(["window", ""]) {
-                figure.layers.push(Layer::Line { name: name.into(), hue, is_dashed: false, points: ends.to_vec() });
-            }
-            let loss = Measure::outcome(best.search.of).show_both(flatness.loss, system);
-            notes.push(format!("The window shows how far each parameter may deviate alone for a loss of {loss}."));
-            if let Some(ellipse) = ellipse(best, flatness, [i, j]) {
-                figure.layers.push(ellipse);
-                notes.push("The ellipse shows how far both may deviate together, by the quadratic model.".into());
-            }
-        }
-        figure.layers.push(Layer::Mark { name: "optimum".into(), hue, at });
+    let at = |setup: &Setup<f64>| Some([setup.value(across.parameter)?, setup.value(up.parameter)?]);
+    let is_on = |[x, y]: &[f64; 2]| (across.low..=across.high).contains(x) && (up.low..=up.high).contains(y);
+    let own = at(on.setup).filter(is_on);
+    let top = best.and_then(|best| at(&best.setup)).filter(is_on);
+    if let (Some(own), Some(top)) = (own, top) {
+        figure.layers.push(Layer::Arrows { name: String::new(), hue: Hue::SET_UP, arrows: vec![[own, top]] });
+    }
+    for (place, name, hue) in [(own, "as set up", Hue::SET_UP), (top, "optimum", Hue::OPTIMUM)] {
+        figure.layers.extend(place.map(|at| Layer::Mark { name: name.into(), hue, at }));
+    }
+    if own.is_none() {
+        notes.push("The drive as set up lies outside of the map.".into());
     }
     figure.noted(notes.join(" "))
 }
 
-/// A map as a field to draw.
-fn field(map: &Map) -> Field {
-    Field {
-        measure: Measure::outcome(map.of),
-        x: [map.across.low, map.across.high],
-        y: [map.up.low, map.up.high],
-        columns: map.columns,
-        values: map.values.clone(),
-        nothing: "no drive",
-    }
+/// Where the map is taken: the speed, and what the search varied beside its axes, which is held at the optimum.
+fn held(setup: &Setup<f64>, best: Option<&Optimum>, axes: [&Vary; 2], system: System) -> String {
+    let is_axis = |name: &str| axes.iter().any(|vary| vary.parameter.name == name);
+    let speed = if setup.launch.is_given() { "launch.ball_speed" } else { "swing.speed" };
+    let varied = best.iter().flat_map(|best| best.search.vary.iter().zip(&best.solution.x));
+    let varied: Vec<String> = varied
+        .filter(|(vary, _)| !is_axis(vary.parameter.name))
+        .map(|(vary, x)| {
+            format!("{} {}", Measure::parameter(vary.parameter).label, shown::parameter(vary.parameter, *x, system))
+        })
+        .collect();
+    let is_varied = best.is_some_and(|best| best.search.vary.iter().any(|vary| vary.parameter.name == speed));
+    let speed = setup.variable(speed).ok().filter(|row| !is_axis(row.name) && !is_varied);
+    let speed = speed.and_then(|row| {
+        Some(format!("{} {}", Measure::parameter(row).label, shown::stated(row, setup.value(row)?, system)))
+    });
+    let optimum = (!varied.is_empty()).then(|| format!("{} of the optimum", varied.join(", ")));
+    let parts = [speed, optimum, Some("all else as set up".into())];
+    format!("at {}", parts.into_iter().flatten().collect::<Vec<_>>().join(", "))
 }
 
-/// Where in an optimum's search the parameters of a map stand; `None` where it did not vary both.
-fn place(best: &Optimum, across: &Vary, up: &Vary) -> Option<[usize; 2]> {
-    let at = |of: &Vary| best.search.vary.iter().position(|vary| vary.parameter == of.parameter);
-    best.value()?;
-    Some([at(across)?, at(up)?])
+/// The line of a constraint, and what lies beyond it.
+fn forbidden(constraint: &Constraint, field: &Field, hue: usize) -> Vec<Layer> {
+    let mut layers = vec![];
+    let hatched = |rings: Vec<Vec<[f64; 2]>>| Layer::Region {
+        name: format!("forbidden: {}", constraint.expression),
+        hue: Hue::Series(hue),
+        is_hatched: true,
+        rings,
+    };
+    if !constraint.is_equation() {
+        if constraint.low.is_finite() {
+            layers.push(hatched(field.below(constraint.low)));
+        }
+        if constraint.high.is_finite() {
+            layers.push(hatched(field.above(constraint.high)));
+        }
+        layers.retain(|layer| !matches!(layer, Layer::Region { rings, .. } if rings.is_empty()));
+        // the line has the name
+    }
+    let mut ends: Vec<f64> = [constraint.low, constraint.high].into_iter().filter(|end| end.is_finite()).collect();
+    ends.dedup();
+    let lines = ends.into_iter().zip([constraint.expression.as_str(), ""]);
+    let lines = lines.map(|(end, name)| Layer::line(name, hue, field.line_at(end)));
+    layers.extend(lines.filter(|line| !matches!(line, Layer::Line { points, .. } if points.is_empty())));
+    layers
+}
+
+/// The region of drives that lose little; of an equation, the part of its line.
+fn nearly_as_good(region: &Region, name: &str) -> Vec<Layer> {
+    let of =
+        |values: &[Option<f64>]| field_of(Measure::plain("missed"), region.across, region.up, region.columns, values);
+    let Some(equation) = &region.equation else {
+        // where nothing flies, nothing is near the optimum
+        let beyond = region.misses.iter().map(|missed| Some(missed.unwrap_or(1.0))).collect::<Vec<_>>();
+        let rings = of(&beyond).below(0.0);
+        let region = Layer::Region { name: name.into(), hue: Hue::OPTIMUM, is_hatched: false, rings };
+        return vec![region];
+    };
+    let misses = of(&region.misses);
+    let is_in = |at: &[f64; 2]| misses.at(*at).is_some_and(|missed| missed <= 0.0);
+    let line = of(equation).line_at(0.0).into_iter();
+    let points: Vec<_> = line.map(|at| if is_in(&at) { at } else { [f64::NAN; 2] }).collect();
+    if !points.iter().any(|[x, _]| x.is_finite()) {
+        return vec![];
+    }
+    vec![Layer::Line { name: name.into(), hue: Hue::OPTIMUM, is_dashed: false, points }]
+}
+
+/// A map as a field to draw.
+fn field(map: &Map) -> Field {
+    field_of(Measure::outcome(map.of), map.across, map.up, map.columns, &map.values)
 }
 
 /// Gradients in units of the ranges, as the map shows them: steepest ascent on the page. Lengths go as the root of the slope:
@@ -91,20 +161,7 @@ fn arrows(across: &Vary, up: &Vary, slopes: &[Slope]) -> Layer {
         let [x, y] = scaled.map(|part| part / steepness * length);
         [slope.at, [slope.at[0] + x * width[0], slope.at[1] + y * width[1]]]
     };
-    Layer::Arrows { name: "gradient".into(), hue: Hue::Ink, arrows: slopes.iter().map(arrow).collect() }
-}
-
-/// The ellipse of both parameters, where both are free.
-fn ellipse(best: &Optimum, flatness: &Flatness, pair: [usize; 2]) -> Option<Layer> {
-    let turned = [pair[1], pair[0]];
-    let ellipse = flatness.ellipses.iter().find(|ellipse| ellipse.pair == pair || ellipse.pair == turned)?;
-    let order = if ellipse.pair == pair { [0, 1] } else { [1, 0] };
-    let point = |angle: f64| {
-        let [long, short] = ellipse.half_axes;
-        order.map(|k| best.solution.x[ellipse.pair[k]] + angle.cos() * long[k] + angle.sin() * short[k])
-    };
-    let around = (0..=120).map(|i| point(std::f64::consts::TAU * f64::from(i) / 120.0)).collect();
-    Some(Layer::dashed("ellipse", 1, around))
+    Layer::Arrows { name: "gradient".into(), hue: Hue::Faint, arrows: slopes.iter().map(arrow).collect() }
 }
 
 /// A word that begins a line.

@@ -1,18 +1,28 @@
 //! What studies find, as plots.
 
+mod at;
 mod chart;
 mod difference;
+mod face;
+mod fairway;
+mod launches;
 mod laws;
 mod map;
+mod scale;
+mod style;
 mod tornado;
 mod trajectory;
 mod vcurve;
 
-pub use chart::chart_figures;
+pub use at::At;
+pub use chart::{ChartFigures, chart_figures};
 pub use difference::difference_figure;
+pub use face::face_figure;
+pub use fairway::fairway_figure;
+pub use launches::launches_figure;
 pub use laws::{Coefficient, Over, laws_figure};
 pub(super) use map::capital;
-pub use map::map_figure;
-pub use tornado::tornado_figure;
+pub use map::{OnMap, map_figure};
+pub use tornado::{Causes, tornado_figure};
 pub use trajectory::{Flown, View, trajectory_figure};
 pub use vcurve::vcurve_figure;

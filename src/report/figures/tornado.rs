@@ -1,94 +1,156 @@
+use super::At;
+use crate::parameters::Parameter;
 use crate::report::plot::{Axis, Bar, Figure, Hue, Layer, Measure};
+use crate::report::shown::{is_rounding, spread};
 use crate::study::{Effect, Effects, Sigma};
-use crate::units::{System, counted, significant};
+use crate::units::{System, counted, significant, with_unit};
 
-/// Most bars of a tornado: the largest; the others are counted in the note.
+/// Bars below this part of the longest are too small to see beside it, and folded into one row.
+const SMALL: f64 = 0.02;
+
+/// Most rows; smaller effects are folded into the last.
 const MOST: usize = 15;
 
-/// Bars below this part of all together have no length to see.
-const STILL: f64 = 1e-3;
+/// Which uncertainties a tornado is of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Causes {
+    /// What the golfer controls: delivery, strike and club, or the launch where it is given.
+    Control,
+    /// What the model does not know: its coefficients, the ball, the air, the wind and the ground.
+    Model,
+    /// Both.
+    All,
+}
+
+impl Causes {
+    /// Those that a report shows, each in a picture of its own: the scale of one would hide the other.
+    pub const APART: [Self; 2] = [Self::Control, Self::Model];
+
+    /// Whether a parameter is one of them.
+    pub fn has(self, parameter: &Parameter) -> bool {
+        let group = parameter.name.split('.').next().unwrap_or_default();
+        let is_controlled = ["swing", "club", "strike", "launch"].contains(&group);
+        match self {
+            Self::Control => is_controlled,
+            Self::Model => !is_controlled,
+            Self::All => true,
+        }
+    }
+
+    fn words(self) -> &'static str {
+        match self {
+            Self::Control => "what you control",
+            Self::Model => "what the model does not know",
+            Self::All => "all uncertainties",
+        }
+    }
+
+    fn suffix(self) -> &'static str {
+        match self {
+            Self::Control => "-control",
+            Self::Model => "-model",
+            Self::All => "",
+        }
+    }
+}
 
 /// An effect of an uncertainty, to both sides.
 struct Ends {
     sigma: Sigma,
+    first_order: f64,
     lower: f64,
     higher: f64,
     /// Whether both ends were flown; a straight bar stands for one that could not be.
     is_flown: bool,
 }
 
-/// What standard uncertainties of parameters do to an outcome, as bars, the largest on top: flown at p − σ and p + σ, one
-/// parameter at a time. The uncertainties, and first in the note, are in the units of `system`.
-pub fn tornado_figure(effects: &Effects, system: System) -> Figure {
-    let ends = |effect: &Effect| {
+impl Ends {
+    fn of(effect: &Effect) -> Option<Self> {
         let bar = effect.bar?;
         let [lower, higher] = bar.flown;
-        Some(Ends {
+        Some(Self {
             sigma: bar.sigma,
+            first_order: bar.first_order,
             lower: lower.unwrap_or(-bar.first_order),
             higher: higher.unwrap_or(bar.first_order),
             is_flown: lower.is_some() && higher.is_some(),
         })
-    };
-    let size = |ends: &Ends| ends.lower.abs().max(ends.higher.abs());
-    let (mut ranked, still): (Vec<Ends>, Vec<Ends>) =
-        effects.effects.iter().filter_map(ends).partition(|ends| size(ends) > STILL * effects.standard_uncertainty());
-    ranked.sort_by(|a, b| size(b).total_cmp(&size(a)));
-    let left_out = ranked.len().saturating_sub(MOST);
-    ranked.truncate(MOST);
-    let still: Vec<String> = still.iter().map(|ends| Measure::parameter(ends.sigma.parameter).label).collect();
+    }
 
-    let measure = Measure::outcome(effects.of);
-    let names = ranked.iter().map(|ends| {
-        let parameter = ends.sigma.parameter;
-        let measure = Measure::parameter(parameter);
-        let sigma = significant(measure.in_units(ends.sigma.value, system), 3);
-        format!("{} ± {sigma} {}", measure.label, system.unit(parameter.unit)).trim_end().to_owned()
-    });
-    let x = Axis::linear(Measure { label: format!("change of {}", measure.label), ..measure.clone() });
-    let bars = |name: &str, hue: usize, to: fn(&Ends) -> f64| {
-        let bars = ranked.iter().enumerate().map(|(place, ends)| Bar { place, from: 0.0, to: to(ends) });
-        Layer::Bars { name: name.into(), hue: Hue::Series(hue), bars: bars.collect() }
-    };
-    let title = format!("Effects of uncertainties on {}", measure.label);
-    let mut figure = Figure::new(format!("tornado-{}", effects.of.name()), title, x, Axis::names(names))
-        .with(bars("parameter lower", 1, |ends| ends.lower))
-        .with(bars("parameter higher", 0, |ends| ends.higher));
-    // as tall as its bars take
-    figure.aspect = 0.16 + 0.11 * ranked.len() as f64;
-    figure.noted(note(effects, &ranked, &still, left_out, &measure, system))
+    fn size(&self) -> f64 {
+        self.lower.abs().max(self.higher.abs())
+    }
 }
 
-fn note(
-    effects: &Effects,
-    ranked: &[Ends],
-    still: &[String],
-    left_out: usize,
-    measure: &Measure,
-    system: System,
-) -> String {
+/// What standard uncertainties of parameters do to an outcome, as bars, the largest on top: flown at p − σ and p + σ, one
+/// parameter at a time. The uncertainties and the note are in the units of `system`. `None` where none of these causes has an
+/// uncertainty with an effect.
+pub fn tornado_figure(effects: &Effects, causes: Causes, at: At, system: System) -> Option<Figure> {
+    let is_cause = |effect: &&Effect| causes.has(effect.parameter);
+    let mut ranked: Vec<Ends> = effects.effects.iter().filter(is_cause).filter_map(Ends::of).collect();
+    ranked.sort_by(|a, b| b.size().total_cmp(&a.size()));
+    let longest = ranked.first().map(Ends::size).filter(|longest| *longest > 0.0)?;
+    let measure = Measure::outcome(effects.of);
+    // what is shown as 0 has no length
+    let seen = ranked.iter().take_while(|ends| ends.size() > SMALL * longest).count().min(MOST);
+    let folded = ranked.split_off(seen);
+    let name = |ends: &Ends| {
+        let Sigma { parameter, value, .. } = ends.sigma;
+        let measure = Measure::parameter(parameter);
+        let sigma = significant(measure.in_units(value, system), 3);
+        format!("{} ± {}", measure.label, with_unit(&sigma, system.unit(parameter.unit)))
+    };
+    let mut names: Vec<String> = ranked.iter().map(name).collect();
+    let together = folded.iter().map(|ends| ends.first_order).fold(0.0, f64::hypot);
+    if !folded.is_empty() {
+        let of = effects.of;
+        let amount = if is_rounding(of, effects.value, together) {
+            "no effect".into()
+        } else {
+            format!("together ± {}", spread(of, together, system))
+        };
+        names.push(format!("{} more: {amount}", folded.len()));
+    }
+    let title = match causes {
+        Causes::All => format!("Effects of uncertainties on {}, {at}", measure.label),
+        _ => format!("Effects on {} of {}, {at}", measure.label, causes.words()),
+    };
+    let x = Axis::linear(Measure { label: format!("change of {}", measure.label), ..measure.clone() });
+    let bars = |name: &str, hue: Hue, to: fn(&Ends) -> f64| {
+        let bars = ranked.iter().enumerate().map(|(place, ends)| Bar { place, from: 0.0, to: to(ends) });
+        Layer::Bars { name: name.into(), hue, bars: bars.collect() }
+    };
+    let figure = Figure::new(format!("tornado-{}{}", effects.of.name(), causes.suffix()), title, x, Axis::names(names))
+        .with(bars("parameter lower", Hue::Series(3), |ends| ends.lower))
+        .with(bars("parameter higher", Hue::Series(2), |ends| ends.higher));
+    Some(figure.noted(note(effects, causes, at, &ranked, &folded, system)))
+}
+
+fn note(effects: &Effects, causes: Causes, at: At, ranked: &[Ends], folded: &[Ends], system: System) -> String {
+    let measure = Measure::outcome(effects.of);
+    let sum = |causes: Causes| {
+        let of_causes = effects.effects.iter().filter(|effect| causes.has(effect.parameter));
+        let sum = of_causes.filter_map(|effect| effect.bar).map(|bar| bar.first_order).fold(0.0, f64::hypot);
+        measure.show_difference(sum, system)
+    };
     let mut note = format!(
-        "Change of {} when each parameter is moved by its standard uncertainty, one at a time. All together, if independent: ± {}.",
+        "Change of {} when each parameter is moved by its standard uncertainty, one at a time, {at}. All together, if independent: ± {}.",
         measure.label,
-        measure.show_both(effects.standard_uncertainty(), system),
+        sum(causes),
     );
+    match causes {
+        Causes::Control => note += &format!(" What the model does not know makes ± {} beside it.", sum(Causes::Model)),
+        Causes::Model => note += &format!(" What you control makes ± {} beside it.", sum(Causes::Control)),
+        Causes::All => {}
+    }
     let straight = ranked.iter().filter(|ends| !ends.is_flown).count();
     if straight > 0 {
         let bars = counted(straight as u64, "bar");
         note += &format!(" Drawn from the derivative, since a drive at one end or both does not fly: {bars}.");
     }
-    let linearity = effects.linearity();
-    if linearity > 0.0 {
-        note += &format!(
-            " Bars shorter than {} are smaller than what the linear model neglects.",
-            measure.show_both(linearity, system)
-        );
-    }
-    if !still.is_empty() {
-        note += &format!(" Negligible: {}.", still.join(", "));
-    }
-    if left_out > 0 {
-        note += &format!(" Not shown: {}.", counted(left_out as u64, "smaller effect"));
+    if !folded.is_empty() {
+        let names: Vec<String> = folded.iter().map(|ends| Measure::parameter(ends.sigma.parameter).label).collect();
+        note += &format!(" In the last row: {}.", names.join(", "));
     }
     note
 }

@@ -1,3 +1,4 @@
+use super::At;
 use crate::derivative::check::Point;
 use crate::drive::Outcome;
 use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};
@@ -8,10 +9,10 @@ use crate::units::counted;
 /// V-curves of plain central differences of values beside exact derivatives: truncation to the right, rounding to the left.
 /// Steps are parts of the parameter's size; errors, of the derivative, or of outcome over size where that is 0. Beside them the
 /// differences of a while-loop that overshoots the ground, by the parameters of these rows.
-pub fn vcurve_figure<'a>(rows: impl IntoIterator<Item = &'a Row>, loops: &[LoopRow]) -> Figure {
+pub fn vcurve_figure<'a>(rows: impl IntoIterator<Item = &'a Row>, loops: &[LoopRow], at: At) -> Figure {
     let x = Axis::log(Measure::plain("step, relative"));
     let y = Axis::log(Measure::plain("error of the difference, relative"));
-    let mut figure = Figure::new("vcurve", "Central differences against exact derivatives", x, y);
+    let mut figure = Figure::new("vcurve", format!("Central differences against exact derivatives, {at}"), x, y);
     let mut exact = 0;
     let mut looped = vec![];
     for (i, Row { of, parameter, ladder, first, .. }) in rows.into_iter().enumerate() {

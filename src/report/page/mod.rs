@@ -1,17 +1,25 @@
-//! A page to look at: one HTML file that needs nothing else, and its plots and their data as files beside it.
+//! A page to look at: one HTML file that needs nothing else, and its plots and their data as files beside it. It begins with the answer.
 
+mod answer;
+mod asked;
 mod findings;
 mod numbers;
 mod sections;
 
-pub use findings::Findings;
+pub use findings::{Findings, SETUP_FILE};
 
-use super::figures::{Flown, View, chart_figures, map_figure, tornado_figure, trajectory_figure, vcurve_figure};
-use super::plot::{Figure, Look, Shades, dark_rules, figure_csv, figure_svg};
-use crate::error::Result;
-use crate::study::{Chart, Map};
+use super::figures::{
+    At, Causes, Flown, OnMap, View, capital, chart_figures, face_figure, fairway_figure, launches_figure, map_figure,
+    tornado_figure, trajectory_figure, vcurve_figure,
+};
+use super::frame::{Frame, Pair, both, in_each, picture_files, pictures};
+use super::optimum::best_toml;
+use super::plot::{Figure, Look, figure_svg};
+use super::{setup_toml, shown};
+use crate::error::{Error, Result};
+use crate::study::{Chart, Effects, Map};
 use crate::units::System;
-use maud::{DOCTYPE, Markup, PreEscaped, html};
+use maud::{Markup, html};
 
 /// A file of a report.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -22,44 +30,45 @@ pub struct Document {
     pub text: String,
 }
 
-/// The files of a report: `index.html`, and for each plot `NAME-us.svg`, `NAME-metric.svg` and `NAME.csv`.
+/// The files of a report: `index.html`, [`SETUP_FILE`], and for each plot `NAME-us.svg`, `NAME-metric.svg` and `NAME.csv`.
 ///
 /// # Errors
-/// As [`figure_svg`] and [`figure_csv`].
+/// As [`figure_svg`](super::plot::figure_svg), [`figure_csv`](super::plot::figure_csv) and [`setup_toml`].
 pub fn report_documents(findings: &Findings<'_>) -> Result<Vec<Document>> {
+    let (mut drive, left_out) = trajectories(findings.flown);
+    if !findings.landings.is_empty() {
+        // after the view from the side
+        drive.insert(drive.len().min(1), in_each(|system| fairway_figure(findings.landings, system)));
+    }
+    let launches = findings.launches.map(|launches| in_each(|system| launches_figure(launches, system)));
+    let face = findings.face.map(|face| in_each(|system| face_figure(face, system)));
     let plots = Plots {
-        drive: trajectories(findings.flown),
+        drive,
+        strike: launches.into_iter().chain(face).collect(),
+        left_out,
         map: findings.map.map(|map| in_each(|system| mapped(findings, map, system))).into_iter().collect(),
-        chart: findings.chart.map(charts).unwrap_or_default(),
+        chart: findings.chart.map(|chart| charts(findings, chart)).unwrap_or_default(),
         // without any effect there is no bar to draw
         effects: findings
             .effects
             .iter()
-            .filter(|effects| effects.standard_uncertainty() > 0.0)
-            .map(|effects| in_each(|system| tornado_figure(effects, system)))
+            .flat_map(|effects| Causes::APART.map(|causes| tornados(effects, causes)))
+            .flatten()
             .collect(),
-        curves: match findings.rows {
-            [] => vec![],
-            rows => vec![alike(&vcurve_figure(rows, findings.loops))],
-        },
+        // derivatives that differences give to the last bit, as those of 0, have no curve
+        curves: Some(vcurve_figure(findings.rows, findings.loops, At::SetUp))
+            .filter(|figure| figure_svg(figure, &Look::default()).is_ok())
+            .map(|figure| alike(&figure))
+            .into_iter()
+            .collect(),
     };
-    let mut documents = vec![Document { name: "index.html".into(), text: page(findings, &plots)?.into_string() }];
-    for pair in plots.all() {
-        for (figure, system) in pair.iter().zip(System::ALL) {
-            let text = figure_svg(figure, &Look { system, ..Look::default() })?;
-            documents.push(Document { name: svg_name(figure, system), text });
-        }
-        let [figure, _] = pair;
-        documents.push(Document { name: csv_name(figure), text: figure_csv(figure)? });
-    }
-    Ok(documents)
-}
-
-/// A plot with its words in the units of each of [`System::ALL`].
-type Pair = [Figure; 2];
-
-fn in_each(figure: impl Fn(System) -> Figure) -> Pair {
-    System::ALL.map(figure)
+    let setup = match findings.best {
+        Some(best) => best_toml(best, None, findings.preset)?,
+        None => setup_toml(findings.setup, findings.preset, &[format!("{}, as set up", findings.name)], &[])?,
+    };
+    let mut files = vec![("index.html".to_owned(), page(findings, &plots)?), (SETUP_FILE.to_owned(), setup)];
+    files.extend(picture_files(plots.all(), System::default())?);
+    Ok(files.into_iter().map(|(name, text)| Document { name, text }).collect())
 }
 
 /// A plot without any unit in its words.
@@ -68,24 +77,43 @@ fn alike(figure: &Figure) -> Pair {
 }
 
 fn mapped(findings: &Findings<'_>, map: &Map, system: System) -> Figure {
-    map_figure(map, findings.limits, findings.best, findings.flatness, system)
+    let Findings { setup, limits, best, region, .. } = *findings;
+    map_figure(map, &OnMap { setup, limits, best, region }, system)
 }
 
-fn charts(chart: &Chart) -> Vec<Pair> {
-    let [metric, us] = System::ALL.map(|system| chart_figures(chart, system));
+/// The effects of some causes as set up, where they have any.
+fn tornados(effects: &Effects, causes: Causes) -> Option<Pair> {
+    let [metric, us] = System::ALL.map(|system| tornado_figure(effects, causes, At::SetUp, system));
+    Some([metric?, us?])
+}
+
+fn charts(findings: &Findings<'_>, chart: &Chart) -> Vec<Pair> {
+    let [metric, us] = System::ALL.map(|system| chart_figures(chart, findings.best, system).drawn);
     metric.into_iter().zip(us).map(|(metric, us)| [metric, us]).collect()
 }
 
-/// The paths of what flies, from both sides.
-fn trajectories(flown: &[Flown]) -> Vec<Pair> {
-    let flying: Vec<Flown> = flown.iter().filter(|one| !one.path.points.is_empty()).cloned().collect();
-    let views: &[View] = if flying.is_empty() { &[] } else { &[View::Side, View::Top] };
-    views.iter().map(|view| alike(&trajectory_figure(&flying, *view))).collect()
+/// The paths of what flies, from both sides, and why a view is left out.
+fn trajectories(flown: &[Flown]) -> (Vec<Pair>, Vec<[String; 2]>) {
+    let flying: Vec<Flown> = flown.iter().filter(|one| one.path.points.len() > 1).cloned().collect();
+    let (mut pairs, mut left_out) = (vec![], vec![]);
+    for view in [View::Side, View::Top].into_iter().filter(|_| !flying.is_empty()) {
+        match System::ALL.map(|system| trajectory_figure(&flying, view, system)) {
+            [Ok(metric), Ok(us)] => pairs.push([metric, us]),
+            [Err(Error::Plot { reason: metric, .. }), Err(Error::Plot { reason: us, .. })] => {
+                left_out.push([metric, us])
+            }
+            _ => {}
+        }
+    }
+    (pairs, left_out)
 }
 
 /// The plots of a page, by section.
 struct Plots {
     drive: Vec<Pair>,
+    /// Why a view of it is not there.
+    left_out: Vec<[String; 2]>,
+    strike: Vec<Pair>,
     map: Vec<Pair>,
     chart: Vec<Pair>,
     effects: Vec<Pair>,
@@ -94,109 +122,70 @@ struct Plots {
 
 impl Plots {
     fn all(&self) -> impl Iterator<Item = &Pair> {
-        let sections = [&self.drive, &self.map, &self.chart, &self.effects, &self.curves];
+        let sections = [&self.drive, &self.strike, &self.map, &self.chart, &self.effects, &self.curves];
         sections.into_iter().flatten()
     }
 }
 
-fn svg_name(figure: &Figure, system: System) -> String {
-    format!("{}-{system}.svg", figure.name)
-}
-
-fn csv_name(figure: &Figure) -> String {
-    format!("{}.csv", figure.name)
-}
-
-fn page(findings: &Findings<'_>, plots: &Plots) -> Result<Markup> {
-    let dark = format!(
-        "@media screen and (prefers-color-scheme: dark) {{\n{}{}}}",
-        include_str!("dark.css"),
-        dark_rules("figure")
-    );
-    let [drive, map, chart, effects, curves] =
-        [&plots.drive, &plots.map, &plots.chart, &plots.effects, &plots.curves].map(|figures| pictures(figures));
-    Ok(html! {
-        (DOCTYPE)
-        html lang="en" {
-            head {
-                meta charset="utf-8";
-                meta name="viewport" content="width=device-width, initial-scale=1";
-                title { "longdrive: " (findings.name) }
-                style { (PreEscaped(include_str!("style.css"))) (PreEscaped(dark)) }
-            }
-            body {
-                input.units #units-us type="radio" name="units" checked[findings.system == System::Us] aria-label="US units";
-                input.units #units-metric type="radio" name="units" checked[findings.system == System::Metric]
-                    aria-label="metric units";
-                header {
-                    h1 { "Drive: " (findings.name) }
-                    p.faint { (about(findings)) }
-                    div.switch { label for="units-us" { "yd, mph" } label for="units-metric" { "m, m/s" } }
-                }
-                main {
-                    @for remark in findings.remarks { p.warning { (numbers::both(|system| remark.in_units(system))) } }
-                    section {
-                        h2 { "The drive" }
-                        (sections::panel(findings))
-                        (drive?)
-                        (sections::outcomes(findings.flown))
-                    }
-                    @if let Some(best) = findings.best {
-                        section { h2 { "The optimum" } (sections::optimum(best, findings.flatness)) (map?) }
-                    } @else if !plots.map.is_empty() {
-                        section { h2 { "The map" } (map?) }
-                    }
-                    @if !plots.chart.is_empty() {
-                        section { h2 { "The optimum as a parameter changes" } (chart?) }
-                    }
-                    @if !plots.effects.is_empty() {
-                        section { h2 { "Effects of uncertainties" } (effects?) (sections::uncertainties(findings.effects)) }
-                    }
-                    @if !plots.curves.is_empty() {
-                        section { h2 { "How exact the derivatives are" } (curves?) (sections::verdicts(findings.rows)) }
-                    }
-                    section { h2 { "The setup" } (sections::setup(findings)?) }
-                }
-            }
-        }
-    })
-}
-
-/// What is drawn, in a sentence. That of a preset is about its club, which strikes nothing where the launch is given.
-fn about(findings: &Findings<'_>) -> String {
-    if findings.setup.launch.is_given() {
-        return format!(
-            "The ball leaves as its launch says, without a club; its flight is based on the preset {}.",
-            findings.preset.name
-        );
-    }
-    findings.preset.about.into()
-}
-
-/// Plots side by side, each in both systems of units, of which the page shows one.
-fn pictures(pairs: &[Pair]) -> Result<Markup> {
-    let picture = |figure: &Figure, system: System| {
-        let look = Look { system, shades: Shades::Light, ..Look::default() };
-        figure_svg(figure, &look).map(PreEscaped)
+fn page(findings: &Findings<'_>, plots: &Plots) -> Result<String> {
+    let [metric, us] = System::ALL.map(|system| asked::title(findings, system));
+    let (metric, us) = (metric?, us?);
+    let title = |system| if system == System::Us { us.clone() } else { metric.clone() };
+    let header = html! {
+        h1 { "Drive: " (both(title)) }
+        p.faint { (asked::subtitle(findings)?) }
     };
-    let drawn = pairs
-        .iter()
-        .map(|[metric, us]| Ok(((us, picture(us, System::Us)?), (metric, picture(metric, System::Metric)?))));
-    let drawn = drawn.collect::<Result<Vec<_>>>()?;
+    let frame = Frame {
+        title: &format!("longdrive: {}", title(findings.system)),
+        header,
+        main: main(findings, plots)?,
+        footer: Some(sections::footer(findings)),
+        system: findings.system,
+    };
+    Ok(frame.page())
+}
+
+fn main(findings: &Findings<'_>, plots: &Plots) -> Result<Markup> {
+    let of = shown::words(findings.of.name());
     Ok(html! {
-        div.figures {
-            @for ((us, in_us), (metric, in_metric)) in drawn {
-                figure {
-                    div.us { (in_us) }
-                    div.metric { (in_metric) }
-                    figcaption {
-                        (numbers::both(|system| if system == System::Us { &us.note } else { &metric.note }.clone())) " "
-                        a.us href=(svg_name(us, System::Us)) { "SVG" }
-                        a.metric href=(svg_name(metric, System::Metric)) { "SVG" }
-                        " " a href=(csv_name(us)) { "data" }
-                    }
-                }
+        (answer::answer(findings))
+        section { h2 { "What was asked" } (asked::asked(findings)?) }
+        @for remark in findings.remarks { p.warning { (both(|system| remark.in_units(system))) } }
+        section {
+            h2 { "The drive" }
+            (pictures(&plots.drive)?)
+            @for [metric, us] in &plots.left_out {
+                p.faint { (both(|system| capital(if system == System::Us { us } else { metric }))) "." }
+            }
+            (pictures(&plots.strike)?)
+            h3 { "As set up, on a launch monitor" }
+            (sections::panel(findings))
+        }
+        @if !plots.map.is_empty() { section { h2 { "The map" } (pictures(&plots.map)?) } }
+        @if !plots.chart.is_empty() { section { h2 { "The optimum as a parameter changes" } (pictures(&plots.chart)?) } }
+        @if !plots.effects.is_empty() {
+            section { h2 { "What moves the " (of) ", at the drive as set up" } (pictures(&plots.effects)?) }
+        }
+        section {
+            @if let Some(best) = findings.best {
+                h2 { "The optimum" }
+                (sections::optimum(best, findings.flatness))
+                h3 { "Launch and flight" }
+            } @else {
+                h2 { "Launch and flight" }
+            }
+            (sections::outcomes(findings.flown))
+        }
+        @if !plots.effects.is_empty() {
+            section { h2 { "The uncertainties and their sources" } (sections::uncertainties(findings.effects)) }
+        }
+        @if !findings.rows.is_empty() {
+            details {
+                summary { h2 { "How exact the derivatives are, at the drive as set up" } }
+                (pictures(&plots.curves)?)
+                (sections::verdicts(findings.rows))
             }
         }
+        details { summary { h2 { "The setup" } } (sections::setup(findings)?) }
     })
 }

@@ -2,17 +2,10 @@
 
 use crate::drive::Outcome;
 use crate::parameters::Parameter;
+use crate::report::frame::both;
 use crate::report::shown;
-use crate::units::System;
-use maud::{Markup, html};
-
-/// What is written in each system; once, where both are the same.
-pub(super) fn both(write: impl Fn(System) -> String) -> Markup {
-    let [us, metric] = [System::Us, System::Metric].map(write);
-    html! {
-        @if us == metric { (us) } @else { span.us { (us) } span.metric { (metric) } }
-    }
-}
+use crate::units::{System, significant};
+use maud::Markup;
 
 /// The value of an outcome; a dash where there is none.
 pub(super) fn outcome(of: Outcome, found: Option<f64>) -> Markup {
@@ -32,4 +25,33 @@ pub(super) fn parameter(parameter: &Parameter, found: f64) -> Markup {
 /// A value of a parameter that was stated.
 pub(super) fn stated(parameter: &Parameter, value: f64) -> Markup {
     both(|system| shown::stated(parameter, value, system))
+}
+
+/// How well an outcome is known, to two digits: "7.4 yd".
+pub(super) fn of_known_size(of: Outcome, size: f64, system: System) -> String {
+    let unit = system.unit(of.unit());
+    let number = significant(size / of.quantity().size_of(unit).unwrap_or(1.0), 2);
+    format!("{number} {unit}").trim_end().to_owned()
+}
+
+/// A change, its unit said once: "9.5 → 6.70 deg".
+pub(super) fn from_to(from: &str, to: &str) -> String {
+    let number = |text: &str| text.rfind(|c: char| c.is_ascii_digit()).map_or(0, |at| at + 1);
+    let (end, of_to) = (number(from), number(to));
+    let from = if from[end..] == to[of_to..] { &from[..end] } else { from };
+    format!("{from} → {to}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::from_to;
+
+    #[test]
+    fn exact_a_unit_is_said_once() {
+        assert_eq!(from_to("9.5 deg", "6.70 deg"), "9.5 → 6.70 deg");
+        assert_eq!(from_to("-0.9°", "5.0°"), "-0.9 → 5.0°");
+        assert_eq!(from_to("3.2 yd L", "1.0 yd R"), "3.2 yd L → 1.0 yd R");
+        assert_eq!(from_to("none", "3 deg"), "none → 3 deg");
+        assert_eq!(from_to("launch-monitor", "ferguson"), "launch-monitor → ferguson");
+    }
 }

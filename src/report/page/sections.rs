@@ -1,19 +1,20 @@
 //! The parts of a page that are words and tables.
 
-use super::findings::Findings;
-use super::numbers::{both, loss, outcome, parameter, stated};
+use super::findings::{Findings, SETUP_FILE};
+use super::numbers::{loss, outcome, parameter, stated};
 use crate::drive::{Outcome, Part};
 use crate::error::Result;
 use crate::flight::Flight;
-use crate::optimize::Status;
-use crate::parameters::Parameter;
+use crate::parameters::{METHOD, Parameter};
 use crate::report::certificate::settled;
 use crate::report::figures::{Flown, capital};
-use crate::report::optimum::{bound_in_words, constraint_price, constraints};
+use crate::report::frame::{both, scrolled};
+use crate::report::optimum::{bound_in_words, constraint_in_words, constraints};
 use crate::report::presets::sources;
+use crate::report::shown;
 use crate::study::certificate::Row;
 use crate::study::{Effects, Flatness, Limit, Optimum};
-use crate::units::{counted, significant};
+use crate::units::{System, counted, significant, typeset};
 use maud::{Markup, html};
 
 /// What a launch monitor shows, of the drive as set up.
@@ -56,8 +57,8 @@ fn tile_name(name: &str) -> String {
 /// Every outcome of each drive.
 pub(super) fn outcomes(flown: &[Flown]) -> Markup {
     html! {
-        div.wide { table {
-            thead { tr { th { "outcome" } @for one in flown { th.number { (one.name) } } th.doc { "" } } }
+        (scrolled("Launch and flight", html! { table {
+            thead { tr { th { "outcome" } @for one in flown { th.number { (one.name) } } th.doc { "what it is" } } }
             tbody {
                 @for of in Outcome::of_part(Part::Launch).chain(Outcome::of_part(Part::Flight)) {
                     tr {
@@ -67,7 +68,7 @@ pub(super) fn outcomes(flown: &[Flown]) -> Markup {
                     }
                 }
             }
-        } }
+        } }))
         @for one in flown {
             @if let Flight::None(why) = &one.drive.flight { p.warning { (one.name) ": " (why.to_string()) } }
         }
@@ -80,14 +81,8 @@ pub(super) fn optimum(best: &Optimum, flatness: Option<&Flatness>) -> Markup {
     let of = search.of;
     let window = |i: usize| flatness.map(|flatness| flatness.windows[i]);
     html! {
-        p {
-            (capital(search.sense.adjective())) " " (of.name().replace('_', " ")) ": " strong { (outcome(of, best.value())) } ". "
-            span.faint {
-                (best.status()) ": " (both(|system| best.message().in_units(system))) " (" (counted(solution.iterations, "iteration")) ", "
-                (counted(solution.evaluations, "evaluation")) ")"
-            }
-        }
-        div.wide { table {
+        p { (capital(search.sense.adjective())) " " (of.name().replace('_', " ")) ": " strong { (outcome(of, best.value())) } "." }
+        (scrolled("The optimum", html! { table {
             thead { tr {
                 th { "varied" } th.number { "optimum" } th.number { "from" } th.number { "to" } th { "bound" }
                 @if let Some(flatness) = flatness { th { "alone, for a loss of " (loss(of, flatness.loss)) } }
@@ -109,18 +104,20 @@ pub(super) fn optimum(best: &Optimum, flatness: Option<&Flatness>) -> Markup {
                     }
                 }
             }
-        } }
+        } }))
         (limits(best))
     }
 }
 
 /// What ends a window, where it is not the loss.
-fn limit(best: &Optimum, limit: Limit) -> String {
-    match limit {
-        Limit::Loss => String::new(),
-        Limit::Bound => " (bound)".into(),
-        Limit::Constraint(j) => format!(" ({})", best.search.subject_to[j].expression),
-        Limit::NoFlight => " (no flight)".into(),
+fn limit(best: &Optimum, limit: Limit) -> Markup {
+    html! {
+        @match limit {
+            Limit::Loss => {}
+            Limit::Bound => " (bound)",
+            Limit::Constraint(j) => { " (" (both(|system| shown::constraint(&best.search.subject_to[j], system))) ")" }
+            Limit::NoFlight => " (no flight)",
+        }
     }
 }
 
@@ -131,25 +128,18 @@ fn limits(best: &Optimum) -> Markup {
         return html! {};
     }
     html! {
-        div.wide { table {
+        (scrolled("Constraints", html! { table {
             thead { tr { th { "subject to" } th.number { "value" } th { "price" } } }
             tbody {
                 @for (constraint, report) in best.search.subject_to.iter().zip(reports) {
                     tr {
-                        td { (&report.expression) }
+                        td { (both(|system| shown::constraint(constraint, system))) }
                         td.number { (outcome(constraint.outcome, Some(report.value))) }
-                        td {
-                            @if constraint.is_equation() { "equality" }
-                            @if best.solution.status != Status::Converged {} @else if constraint.is_equation() {
-                                ": " (both(|system| constraint_price(best, constraint, &report, system))) " of raising the value"
-                            } @else if report.multiplier == 0.0 { "not active" } @else {
-                                (both(|system| constraint_price(best, constraint, &report, system))) " of moving the limit"
-                            }
-                        }
+                        td.words { (both(|system| constraint_in_words(best, constraint, &report, system))) }
                     }
                 }
             }
-        } }
+        } }))
     }
 }
 
@@ -158,26 +148,25 @@ pub(super) fn uncertainties(effects: &[Effects]) -> Markup {
     let Some(first) = effects.first() else { return html! {} };
     let sigmas = first.effects.iter().filter_map(|effect| Some(effect.bar?.sigma));
     html! {
-        h3 { "The uncertainties and their sources" }
-        div.wide { table.told {
+        (scrolled("Uncertainties", html! { table.told {
             thead { tr { th { "parameter" } th.number { "standard uncertainty" } th { "source" } } }
             tbody {
                 @for sigma in sigmas {
                     tr {
                         td { (sigma.parameter.name) }
                         td.number { (stated(sigma.parameter, sigma.value)) }
-                        td.words { (sigma.source.unwrap_or("as given")) }
+                        td.words.source { (typeset(sigma.source.unwrap_or("as given"))) }
                     }
                 }
             }
-        } }
+        } }))
     }
 }
 
 /// Each derivative beside the best that differences make of it.
 pub(super) fn verdicts(rows: &[Row]) -> Markup {
     html! {
-        div.wide { table {
+        (scrolled("Derivatives", html! { table {
             thead { tr {
                 th { "derivative" } th.number { "exact, SI" } th.number { "numerical, extrapolated" } th.number { "difference" } th { "verdict" }
             } }
@@ -185,14 +174,14 @@ pub(super) fn verdicts(rows: &[Row]) -> Markup {
                 @for row in rows {
                     tr {
                         td { "d " (row.of.name()) "/d " (row.parameter.name) }
-                        td.number { (significant(settled(row), 10)) }
-                        td.number { (row.first.best.map_or("–".into(), |best| significant(best.value, 10))) }
-                        td.number { (format!("{:.1e}", row.first.error)) }
+                        td.number { (typeset(&significant(settled(row), 10))) }
+                        td.number { (row.first.best.map_or("–".into(), |best| typeset(&significant(best.value, 10)))) }
+                        td.number { (typeset(&format!("{:.1e}", row.first.error))) }
                         td { (row.verdict().name()) }
                     }
                 }
             }
-        } }
+        } }))
     }
 }
 
@@ -200,19 +189,51 @@ pub(super) fn verdicts(rows: &[Row]) -> Markup {
 pub(super) fn setup(findings: &Findings<'_>) -> Result<Markup> {
     let is_launched = findings.setup.launch.is_given();
     let is_used = |name: &str| !(is_launched && findings.setup.parameter(name).is_ok_and(Parameter::is_of_strike));
-    let rows = sources(findings.setup, findings.preset)?.into_iter().filter(|(name, ..)| is_used(name));
+    let (flown, stated) = (findings.setup, findings.stated);
+    let is_chosen = |name: &str| match name {
+        METHOD => flown.method != stated.method,
+        "flight.step" => flown.flight.step != stated.flight.step,
+        _ => false,
+    };
+    let source_of = |name: &str, source: String| {
+        if is_chosen(name) { "chosen for the accuracy of the flight".to_owned() } else { source }
+    };
+    let [us, metric] = [System::Us, System::Metric].map(|system| sources(flown, findings.preset, Some(system)));
+    // the same rows, in the units of each system
+    let rows = us?.into_iter().zip(metric?).filter(|((name, ..), _)| is_used(name));
+    let rows = rows.map(|((name, us, source), (_, metric, other))| {
+        ((name, us, source_of(name, source)), (name, metric, source_of(name, other)))
+    });
+    let either = |us: &str, metric: &str| both(|system| if system == System::Us { us } else { metric }.into());
     Ok(html! {
         p.faint {
             "All numbers of the setup and their sources; it is based on the preset " (findings.preset.name) "."
             @if is_launched { " Those of swing, club, strike and impact are left out: no club strikes the ball." }
         }
-        div.wide { table.told {
+        (scrolled("The setup", html! { table.told {
             thead { tr { th { "parameter" } th.number { "value" } th { "source" } } }
             tbody {
-                @for (name, shown, source) in rows {
-                    tr { td { (name) } td.number { (shown) } td.words { (source) } }
+                @for ((name, us, source), (_, metric, source_in_metric)) in rows {
+                    tr { td { (name) } td.number { (either(&us, &metric)) } td.words.source { (either(&source, &source_in_metric)) } }
                 }
             }
-        } }
+        } }))
     })
+}
+
+/// How the search ended, and what made the page.
+pub(super) fn footer(findings: &Findings<'_>) -> Markup {
+    html! {
+        @if let Some(found) = findings.found {
+            p {
+                "The search: " (found.status()) ": " (both(|system| found.message().in_units(system))) " ("
+                (counted(found.solution.iterations, "iteration")) ", " (counted(found.solution.evaluations, "evaluation")) ")."
+            }
+        }
+        p {
+            a href=(SETUP_FILE) { (SETUP_FILE) } " is the " (if findings.best.is_some() { "best drive" } else { "drive as set up" })
+            ", for " code { "longdrive simulate " (SETUP_FILE) } ". "
+            "Made by longdrive " (env!("CARGO_PKG_VERSION")) " on " (findings.date) " with " code { (findings.command) }
+        }
+    }
 }

@@ -1,7 +1,7 @@
 use crate::drive::Outcome;
 use crate::parameters::Parameter;
 use crate::report::shown::words;
-use crate::units::{Quantity, System, significant};
+use crate::units::{Quantity, System, printed};
 
 /// What is measured along an axis or by a colour.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,7 +30,7 @@ impl Measure {
         Self::new(words(outcome.name()), outcome.quantity(), outcome.unit())
     }
 
-    /// A parameter: "swing speed".
+    /// A parameter: "club speed".
     pub fn parameter(parameter: &Parameter) -> Self {
         Self::new(words(parameter.name), parameter.quantity, parameter.unit)
     }
@@ -40,18 +40,25 @@ impl Measure {
         value / self.quantity.size_of(system.unit(self.unit)).unwrap_or(1.0)
     }
 
-    /// An SI value in the units of a system, and in those of the other in parentheses: "1 yd (0.9144 m)".
+    /// An SI value in the unit of a system with the digits of a launch monitor: "251.1 yd".
+    pub fn show(&self, value: f64, system: System) -> String {
+        self.quantity.read_off(value, system.unit(self.unit))
+    }
+
+    /// The same, and in the unit of the other system in parentheses: "251.1 yd (229.6 m)".
     pub fn show_both(&self, value: f64, system: System) -> String {
-        let [chosen, other] = [system, system.other()].map(|system| {
-            let unit = system.unit(self.unit);
-            format!("{} {unit}", significant(self.in_units(value, system), 4)).trim_end().to_owned()
-        });
+        let [chosen, other] = [system, system.other()].map(|system| self.show(value, system));
         if chosen == other { chosen } else { format!("{chosen} ({other})") }
     }
 
-    /// What it is called, with the unit of a system: `carry [yd]`.
+    /// A difference or an uncertainty, which has one decimal more: "4.12 yd".
+    pub fn show_difference(&self, value: f64, system: System) -> String {
+        self.quantity.read_off_difference(value, system.unit(self.unit))
+    }
+
+    /// What it is called, with the unit of a system: `carry [yd]`, `club loft [°]`.
     pub fn titled(&self, system: System) -> String {
-        with_unit(&self.label, system.unit(self.unit))
+        with_unit(&self.label, &printed(system.unit(self.unit)))
     }
 
     /// What it is called, with its SI unit: `carry [m]`.

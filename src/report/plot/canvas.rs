@@ -1,7 +1,9 @@
 //! The sheet a plot is drawn on, in pixels of the picture.
 
 use super::palette::Palette;
+use super::text_width::text_width;
 use crate::error::{Error, Result};
+use crate::units::typeset;
 use plotters::backend::SVGBackend;
 use plotters::coord::Shift;
 use plotters::drawing::{DrawingArea, DrawingAreaErrorKind};
@@ -14,9 +16,6 @@ pub(super) const FINE: i32 = 10;
 
 /// Size of the text, pixels.
 pub(super) const TEXT: f64 = 13.5;
-
-/// The width of a character, about, pixels: the library cannot know the reader's font.
-pub(super) const CHARACTER: f64 = 7.3;
 
 /// Width of a sign in the legend, pixels.
 pub(super) const SIGN: f64 = 24.0;
@@ -47,10 +46,10 @@ pub(super) fn font(size: f64, color: RGBColor, is_bold: bool) -> TextStyle<'stat
     ("sans-serif", size * 1.24 * f64::from(FINE)).into_font().style(style).color(&color)
 }
 
-/// Words at a place in pixels, their middle at its height.
+/// Words at a place in pixels, their middle at its height, as pictures print them.
 pub(super) fn words(area: &Area<'_>, text: &str, at: [f64; 2], align: HPos, style: TextStyle<'static>) -> Result<()> {
     let style = style.pos(Pos::new(align, VPos::Center));
-    area.draw(&Text::new(text.to_owned(), (fine(at[0]), fine(at[1])), style)).map_err(failed)
+    area.draw(&Text::new(typeset(text), (fine(at[0]), fine(at[1])), style)).map_err(failed)
 }
 
 /// A rectangle in pixels, and how much of what is under it it hides.
@@ -73,14 +72,9 @@ pub(super) struct Labels<'a, 'b> {
 }
 
 impl Labels<'_, '_> {
-    /// Half the width of so many characters, pixels, in a wide font.
-    pub fn half_width(characters: usize) -> f64 {
-        0.58 * CHARACTER * characters as f64
-    }
-
-    /// The place that words would take around a point, pixels.
+    /// The place that words would take around a point, pixels, bold or not.
     pub fn extent(text: &str, middle: [f64; 2]) -> [[f64; 2]; 2] {
-        let half = [Self::half_width(text.chars().count()) + 4.0, 0.5 * LINE];
+        let half = [0.5 * text_width(&typeset(text), TEXT - 0.5, true) + 3.0, 0.5 * LINE - 1.0];
         [[middle[0] - half[0], middle[1] - half[1]], [middle[0] + half[0], middle[1] + half[1]]]
     }
 

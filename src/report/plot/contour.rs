@@ -2,12 +2,8 @@
 //! coloured cells for a map that is smooth at any size and in print.
 
 use super::figure::Field;
-use super::ticks::nice_step;
 use crate::units::System;
 use contour::ContourBuilder;
-
-/// About how many lines a map has.
-const LINES: usize = 11;
 
 /// The ground at and above a level.
 pub(super) struct Ground {
@@ -30,6 +26,24 @@ impl Field {
         let ground = outlined(self, &continued(self), &[level]).pop();
         let pieces = ground.map(|ground| ground.lines).unwrap_or_default();
         pieces.join(&[f64::NAN; 2])
+    }
+
+    /// Where the field is at or above a value, SI: the outlines, in which a hole is reached along a line without width.
+    pub fn above(&self, level: f64) -> Vec<Vec<[f64; 2]>> {
+        self.beyond(level, 1.0)
+    }
+
+    /// Where the field is at or below a value, SI, likewise.
+    pub fn below(&self, level: f64) -> Vec<Vec<[f64; 2]>> {
+        self.beyond(-level, -1.0)
+    }
+
+    fn beyond(&self, level: f64, sign: f64) -> Vec<Vec<[f64; 2]>> {
+        if self.columns < 2 || self.rows() < 2 || self.values.iter().all(Option::is_none) {
+            return vec![];
+        }
+        let values: Vec<f64> = continued(self).iter().map(|value| sign * value).collect();
+        outlined(self, &values, &[level]).pop().map(|ground| ground.outlines).unwrap_or_default()
     }
 }
 
@@ -82,21 +96,78 @@ fn outlined(field: &Field, values: &[f64], levels: &[f64]) -> Vec<Ground> {
     above.collect()
 }
 
-/// Round numbers that part the map into grounds of about the same size: a map is steep in one place and flat in another, and
-/// evenly spaced levels would leave the flat top without a line.
+/// Round numbers: multiples of a step of 1, 2, 2.5 or 5 times a power of ten over the whole range, and between two of them, where much
+/// of the map lies, multiples of a finer one. A map is steep in one place and flat in another, and one step for all would leave the
+/// flat top without a line.
 fn levels(sorted: &[f64]) -> Vec<f64> {
     let (low, high) = (sorted[0], sorted[sorted.len() - 1]);
-    let round = nice_step((high - low) / 100.0);
-    if !(round > 0.0 && round.is_finite()) {
-        return vec![];
+    let Some(coarse) = round_step((high - low) / FIRST_LINES) else { return vec![] };
+    let mut levels = multiples(coarse, low, high);
+    let share = |from: f64, to: f64| {
+        let below = |level: f64| sorted.partition_point(|value| *value < level);
+        (below(to) - below(from)) as f64 / sorted.len() as f64
+    };
+    let mut steps = vec![coarse; levels.len() + 1];
+    while levels.len() < LINES {
+        let ends: Vec<f64> = std::iter::once(low).chain(levels.iter().copied()).chain([high]).collect();
+        let shares = ends.windows(2).enumerate().map(|(i, pair)| (i, share(pair[0], pair[1])));
+        // an interval that no finer step parts has the step 0
+        let Some((i, largest)) = shares.filter(|(i, _)| steps[*i] > 0.0).max_by(|a, b| a.1.total_cmp(&b.1)) else {
+            break;
+        };
+        if largest < LARGE {
+            break;
+        }
+        let (from, to) = (ends[i], ends[i + 1]);
+        let (step, within) = finer(steps[i], from, to, high - low);
+        steps.splice(i..=i, vec![step; within.len() + 1]);
+        levels.splice(i..i, within);
     }
-    let level = |i: usize| (sorted[i * (sorted.len() - 1) / (LINES + 1)] / round).round() * round;
-    // the last one is as near the top as a round number comes
-    let last = ((high / round).ceil() - 1.0) * round;
-    let mut levels: Vec<f64> =
-        (1..=LINES).map(level).chain([last]).filter(|level| *level > low && *level < high).collect();
-    levels.dedup();
     levels
+}
+
+/// A map begins with about so many lines …
+const FIRST_LINES: f64 = 5.0;
+/// … and gets more between two where more than this part of it lies, until it has so many.
+const LARGE: f64 = 0.12;
+const LINES: usize = 14;
+
+/// The multiples of a step strictly between two numbers.
+fn multiples(step: f64, low: f64, high: f64) -> Vec<f64> {
+    let rounding = 1e-9;
+    let (from, to) = ((low / step + rounding).floor() as i64 + 1, (high / step - rounding).ceil() as i64 - 1);
+    (from..=to).map(|i| i as f64 * step).collect()
+}
+
+/// A finer step with its multiples between two numbers, at most five of them; the step 0 where none is worth a line in a map of this height.
+fn finer(step: f64, from: f64, to: f64, height: f64) -> (f64, Vec<f64>) {
+    let mut step = step;
+    while step > FINEST * height {
+        let power = 10.0_f64.powf((step * (1.0 + 1e-9)).log10().floor());
+        // of 2.5 and 5 the finer ones that divide them
+        let digit = (step / power * 10.0).round() / 10.0;
+        step = match digit {
+            1.0 => 0.5,
+            2.0 => 1.0,
+            2.5 => 0.5,
+            _ => 1.0,
+        } * power;
+        let within = multiples(step, from, to);
+        if !within.is_empty() {
+            return (step, within);
+        }
+    }
+    (0.0, vec![])
+}
+
+/// Steps finer than this part of a map's height say nothing more.
+const FINEST: f64 = 1e-3;
+
+/// The step of 1, 2, 2.5 or 5 times a power of ten nearest above.
+fn round_step(step: f64) -> Option<f64> {
+    let power = 10.0_f64.powf(step.log10().floor());
+    let digits = [1.0, 2.0, 2.5, 5.0, 10.0].map(|digit| digit * power);
+    digits.into_iter().find(|round| *round >= step * (1.0 - 1e-9) && round.is_finite() && *round > 0.0)
 }
 
 /// The pieces of a ring that do not run along the border of the map.
@@ -184,7 +255,7 @@ mod tests {
     #[test]
     fn exact_lines_of_a_plane_lie_on_it_and_part_it_evenly() {
         let grounds = grounds(&field(|x, y| Some(2.0 * x - y)), System::Us);
-        assert!(grounds.len() > 8, "{}", grounds.len());
+        assert!(grounds.len() > 5, "{}", grounds.len());
         for ground in &grounds[1..] {
             assert!(!ground.lines.is_empty());
             for [x, y] in ground.lines.iter().flatten() {
@@ -194,6 +265,24 @@ mod tests {
         // each covers a part of the one before, and the lowest everything
         let areas: Vec<f64> = grounds.iter().map(|ground| ground.outlines.iter().map(|o| area(o)).sum()).collect();
         assert!((areas[0] - 3.0).abs() < 1e-12 && areas.windows(2).all(|pair| pair[1] < pair[0]), "{areas:?}");
+    }
+
+    /// A level is a whole number of times 1, 2, 2.5 or 5 times a power of ten that is large beside its distance to the next one.
+    #[test]
+    fn exact_levels_are_round_and_a_flat_top_has_some() {
+        let carry = |x: f64, y: f64| Some(279.2 - 130.0 * (x - 1.5).powi(2) - 20.0 * (y - 1.7).powi(2));
+        for scale in [1.0, 0.9144, 0.013, 4200.0] {
+            let grounds = grounds(&field(|x, y| Some(scale * carry(x, y)?)), System::Us);
+            let levels: Vec<f64> = grounds[1..].iter().map(|ground| ground.level).collect();
+            assert!((6..=18).contains(&levels.len()), "{levels:?}");
+            for pair in levels.windows(2) {
+                let apart = pair[1] - pair[0];
+                let digits = [pair[0], pair[1]].map(|level| level / 10.0_f64.powf(apart.log10().floor()));
+                assert!(digits.iter().all(|digit| (digit * 2.0 - (digit * 2.0).round()).abs() < 1e-6), "{levels:?}");
+            }
+            let top = levels[levels.len() - 1];
+            assert!(279.2 * scale - top < 0.03 * 279.2 * scale, "{levels:?}");
+        }
     }
 
     #[test]

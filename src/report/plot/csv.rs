@@ -59,6 +59,11 @@ fn rows<'a>(figure: &'a Figure, layer: &'a Layer) -> Vec<Row<'a>> {
         Layer::Arrows { name, arrows, .. } => {
             arrows.iter().map(|[from, to]| ("arrow", name.as_str(), between(*from, *to))).collect()
         }
+        Layer::Region { name, rings, .. } => {
+            let row = |at: &[f64; 2]| ("region", name.as_str(), point(*at));
+            // rings are parted by rows without numbers
+            rings.join(&[f64::NAN; 2]).iter().map(row).collect()
+        }
         Layer::Frame { name, low, high, .. } => vec![("frame", name, between(*low, *high))],
         Layer::Contours(field) => field
             .values

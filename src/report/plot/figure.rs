@@ -7,23 +7,40 @@ pub struct Figure {
     pub name: String,
     /// What it shows, in a few words.
     pub title: String,
+    /// Where that is so, in a line below the title: what is held, and at what; may be empty.
+    pub subtitle: String,
     /// What a reader should know beside, in a sentence or two; may be empty.
     pub note: String,
     /// The horizontal axis.
     pub x: Axis,
     /// The vertical axis.
     pub y: Axis,
-    /// Height over width of the picture.
+    /// Height over width of the frame of the axes; rows of an axis of names have a height of their own.
     pub aspect: f64,
     /// What is drawn, the lowest first.
     pub layers: Vec<Layer>,
+    /// Whether lines have their names on them, in place of a legend.
+    pub names_on_lines: bool,
+    /// Other views of the same data, drawn below it. Their data are those of this one.
+    pub panels: Vec<Figure>,
 }
 
 impl Figure {
     /// A plot without anything in it yet.
     pub fn new(name: impl Into<String>, title: impl Into<String>, x: Axis, y: Axis) -> Self {
         let (name, title) = (name.into(), title.into());
-        Self { name, title, note: String::new(), x, y, aspect: 0.72, layers: vec![] }
+        Self {
+            name,
+            title,
+            subtitle: String::new(),
+            note: String::new(),
+            x,
+            y,
+            aspect: 0.72,
+            layers: vec![],
+            names_on_lines: false,
+            panels: vec![],
+        }
     }
 
     /// The same with one more layer on top.
@@ -52,6 +69,12 @@ pub enum Hue {
 }
 
 impl Hue {
+    /// The drive as set up, in every plot: no dashes.
+    pub const SET_UP: Self = Self::Series(0);
+
+    /// The optimum, in every plot: dashed.
+    pub const OPTIMUM: Self = Self::Series(1);
+
     /// How many colours there are for series.
     pub const SERIES: usize = 6;
 
@@ -125,6 +148,17 @@ pub enum Layer {
         /// Each from where to where.
         arrows: Vec<[[f64; 2]; 2]>,
     },
+    /// A part of the plane.
+    Region {
+        /// Its name.
+        name: String,
+        /// Its colour.
+        hue: Hue,
+        /// Whether it is hatched, as what is forbidden, or tinted and outlined.
+        is_hatched: bool,
+        /// Its outlines; a hole is reached along a line without width.
+        rings: Vec<Vec<[f64; 2]>>,
+    },
     /// A rectangle.
     Frame {
         /// Its name.
@@ -163,6 +197,7 @@ impl Layer {
             | Self::Bars { name, hue, .. }
             | Self::Mark { name, hue, .. }
             | Self::Arrows { name, hue, .. }
+            | Self::Region { name, hue, .. }
             | Self::Frame { name, hue, .. } => (name, Some(*hue)),
             Self::Contours(field) => (&field.measure.label, None),
         }
@@ -208,5 +243,20 @@ impl Field {
         let along =
             |[low, high]: [f64; 2], part: f64, count: usize| low + (high - low) * part / (count.max(2) - 1) as f64;
         [along(self.x, column, self.columns), along(self.y, row, self.rows())]
+    }
+
+    /// The value at a place, between its four nodes; `None` off the grid, and beside a node without value.
+    pub fn at(&self, [x, y]: [f64; 2]) -> Option<f64> {
+        let cell = |[low, high]: [f64; 2], at: f64, count: usize| {
+            let along = (at - low) / (high - low) * (count.checked_sub(1)?) as f64;
+            let first = along.floor().min(count.checked_sub(2)? as f64);
+            (along >= 0.0 && along <= (count - 1) as f64).then_some((first as usize, along - first))
+        };
+        let ((column, right), (row, above)) = (cell(self.x, x, self.columns)?, cell(self.y, y, self.rows())?);
+        let node = |column: usize, row: usize| self.values[row * self.columns + column];
+        let mix = |a: f64, b: f64, part: f64| a + part * (b - a);
+        let low = mix(node(column, row)?, node(column + 1, row)?, right);
+        let high = mix(node(column, row + 1)?, node(column + 1, row + 1)?, right);
+        Some(mix(low, high, above))
     }
 }

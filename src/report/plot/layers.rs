@@ -1,8 +1,9 @@
 //! Each kind of layer as it is drawn, in pixels of the plot.
 
-use super::canvas::{Area, FINE, LINE, Labels, SIGN, block, failed, fine, path, stroke};
-use super::contour::{Ground, grounds};
+use super::canvas::{Area, FINE, Labels, SIGN, block, failed, fine, path, stroke};
+use super::contour::grounds;
 use super::figure::{Field, Figure, Hue, Layer};
+use super::hatching::hatching;
 use super::palette::Palette;
 use super::ticks::Drawn;
 use crate::error::Result;
@@ -13,6 +14,9 @@ use plotters::style::{Color, RGBColor};
 /// Where the first bars of a series stand along its line, amid its sign in the legend, and how far apart the next, pixels.
 const FIRST_BARS: f64 = 0.5 * SIGN;
 const BARS_APART: f64 = 32.0;
+
+/// How far the lines of a hatching are apart, pixels.
+const HATCHES_APART: f64 = 11.0;
 
 /// The plane of the axes on the sheet.
 pub(super) struct Plane<'a> {
@@ -33,12 +37,19 @@ impl Plane<'_> {
         Some([along(self.x, x, left, right)?, along(self.y, y, bottom, top)?])
     }
 
-    fn all(&self, points: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    /// Where an SI value lies along the horizontal axis, pixels; `None` off it.
+    pub fn pixel_across(&self, x: f64) -> Option<f64> {
+        let [left, _, right, _] = self.frame;
+        let part = (self.x.place(x)? - self.x.low) / (self.x.high - self.x.low);
+        (-1e-6..=1.0 + 1e-6).contains(&part).then_some(left + part * (right - left))
+    }
+
+    pub fn all(&self, points: &[[f64; 2]]) -> Vec<[f64; 2]> {
         points.iter().filter_map(|point| self.pixel(*point)).collect()
     }
 
     /// The pieces of a line that lie on the plane.
-    fn pieces(&self, points: &[[f64; 2]]) -> Vec<Vec<[f64; 2]>> {
+    pub fn pieces(&self, points: &[[f64; 2]]) -> Vec<Vec<[f64; 2]>> {
         let placed: Vec<_> = points.iter().map(|point| self.pixel(*point)).collect();
         placed.split(Option::is_none).map(|piece| piece.iter().flatten().copied().collect()).collect()
     }
@@ -58,18 +69,19 @@ pub(super) fn draw(area: &Area<'_>, plane: &Plane<'_>, palette: &Palette, system
             let high = points.iter().rev().map(|[x, _, high]| [*x, *high]);
             polygon(area, &plane.all(&low.chain(high).collect::<Vec<_>>()), color, 0.22)
         }
-        Layer::Bars { bars, .. } => bars.iter().try_for_each(|bar| {
-            let ends = [bar.from, bar.to].map(|x| plane.pixel([x, bar.place as f64]));
-            let [Some(from), Some(to)] = ends else { return Ok(()) };
-            let half = 7.0;
-            block(area, [from[0].min(to[0]), from[1] - half], [from[0].max(to[0]), from[1] + half], color, 0.85)
-        }),
+        // with the names of their rows
+        Layer::Bars { .. } => Ok(()),
         Layer::Contours(field) => ground(area, plane, palette, system, field),
-        Layer::Mark { at, .. } => plane.pixel(*at).map_or(Ok(()), |at| star(area, palette, at, color)),
+        // with their words, since one goes with the other
+        Layer::Mark { .. } => Ok(()),
         Layer::Arrows { arrows, .. } => arrows.iter().try_for_each(|[from, to]| {
             let ends = [plane.pixel(*from), plane.pixel(*to)];
             if let [Some(from), Some(to)] = ends { arrow(area, from, to, color) } else { Ok(()) }
         }),
+        Layer::Region { is_hatched, rings, .. } => {
+            let rings: Vec<_> = rings.iter().map(|ring| plane.all(ring)).collect();
+            region(area, &rings, color, *is_hatched)
+        }
         Layer::Frame { low, high, .. } => {
             let [Some(low), Some(high)] = [plane.pixel(*low), plane.pixel(*high)] else { return Ok(()) };
             let corners = [low, [high[0], low[1]], high, [low[0], high[1]], low];
@@ -78,50 +90,52 @@ pub(super) fn draw(area: &Area<'_>, plane: &Plane<'_>, palette: &Palette, system
     }
 }
 
-/// The words of the layers: at marks, then on contours as far as there is room.
+/// The levels of contours, as far as there is room.
 pub(super) fn label(labels: &mut Labels<'_, '_>, plane: &Plane<'_>, system: System, figure: &Figure) -> Result<()> {
     for layer in &figure.layers {
-        if let Layer::Mark { name, hue, at } = layer
-            && !name.is_empty()
-            && let Some(at) = plane.pixel(*at)
-        {
-            let half = Labels::extent(name, [0.0, 0.0])[1][0];
-            let is_left = at[0] + 2.0 * half + 10.0 > plane.frame[2];
-            let side = if is_left { -half - 9.0 } else { half + 9.0 };
-            // beside, above or below the mark, wherever no other word is
-            let heights = [0.0, -LINE, LINE, -2.0 * LINE, 2.0 * LINE].map(|up| at[1] + up);
-            let is_inside = |y: &f64| {
-                (plane.frame[1]..=plane.frame[3]).contains(&(y + 0.5 * LINE)) && *y > plane.frame[1] + 0.5 * LINE
-            };
-            let free = |y: &f64| is_inside(y) && labels.is_free(Labels::extent(name, [at[0] + side, *y]));
-            let y = heights.into_iter().find(free).unwrap_or(at[1]);
-            labels.write(name, [at[0] + side, y], labels.palette.of(*hue), true)?;
-        }
-    }
-    for layer in &figure.layers {
         if let Layer::Contours(field) = layer {
+            let unit = system.unit(field.measure.unit);
             for ground in grounds(field, system) {
-                levels(labels, plane, &ground)?;
+                let text = format!("{} {unit}", significant(ground.level, 6)).trim_end().to_owned();
+                let mut lines: Vec<_> = ground.lines.iter().map(|line| plane.all(line)).collect();
+                lines.sort_by_key(|line| std::cmp::Reverse(line.len()));
+                let at = lines.iter().find_map(|line| place_on(labels, plane, line, &text));
+                at.map_or(Ok(()), |at| labels.write(&text, at, labels.palette.ink, false))?;
             }
         }
     }
     Ok(())
 }
 
-/// The level of a contour, once, where there is most room.
-fn levels(labels: &mut Labels<'_, '_>, plane: &Plane<'_>, ground: &Ground) -> Result<()> {
-    let [left, top, right, bottom] = plane.frame;
-    let text = significant(ground.level, 6);
-    let room = |at: &[f64; 2]| (at[0] - left).min(right - at[0]).min(at[1] - top).min(bottom - at[1]);
-    let longest = ground.lines.iter().max_by_key(|line| line.len());
-    let places = longest.map(|line| plane.all(line)).unwrap_or_default();
-    let is_free = |at: &&[f64; 2]| room(at) > 24.0 && labels.is_free(Labels::extent(&text, **at));
-    // near the middle of the line first: ends crowd together
+/// Where words have room on a line: nearest to its middle, since ends crowd together.
+pub(super) fn place_on(
+    labels: &Labels<'_, '_>,
+    plane: &Plane<'_>,
+    places: &[[f64; 2]],
+    text: &str,
+) -> Option<[f64; 2]> {
     let middle = places.len() / 2;
     let outward =
         (0..places.len()).map(|i| if i % 2 == 0 { middle.wrapping_add(i / 2) } else { middle.wrapping_sub(i / 2 + 1) });
-    let place = outward.filter_map(|i| places.get(i)).find(is_free).copied();
-    place.map_or(Ok(()), |at| labels.write(&text, at, labels.palette.ink, false))
+    let [left, top, right, bottom] = plane.frame;
+    let has_room = |at: &&[f64; 2]| {
+        let [low, high] = Labels::extent(text, **at);
+        let is_inside = low[0] >= left && high[0] <= right && low[1] >= top && high[1] <= bottom;
+        is_inside && labels.is_free([low, high])
+    };
+    outward.filter_map(|i| places.get(i)).find(has_room).copied()
+}
+
+/// A part of the plane: hatched, or tinted with an outline.
+pub(super) fn region(area: &Area<'_>, rings: &[Vec<[f64; 2]>], color: RGBColor, is_hatched: bool) -> Result<()> {
+    if is_hatched {
+        return hatching(rings, HATCHES_APART).iter().try_for_each(|ends| path(area, ends, stroke(color, 0.6)));
+    }
+    rings.iter().try_for_each(|ring| {
+        polygon(area, ring, color, 0.28)?;
+        let closed: Vec<_> = ring.iter().chain(ring.first()).copied().collect();
+        path(area, &closed, stroke(color, 1.6))
+    })
 }
 
 fn ground(area: &Area<'_>, plane: &Plane<'_>, palette: &Palette, system: System, field: &Field) -> Result<()> {
@@ -212,7 +226,7 @@ fn dot(area: &Area<'_>, [x, y]: [f64; 2], color: RGBColor) -> Result<()> {
     area.draw(&Circle::new((fine(x), fine(y)), 3 * FINE, color.filled())).map_err(failed)
 }
 
-fn star(area: &Area<'_>, palette: &Palette, [x, y]: [f64; 2], color: RGBColor) -> Result<()> {
+pub(super) fn star(area: &Area<'_>, palette: &Palette, [x, y]: [f64; 2], color: RGBColor) -> Result<()> {
     for (radius, color) in [(6.5, palette.ground), (5.0, color), (2.0, palette.ground)] {
         area.draw(&Circle::new((fine(x), fine(y)), fine(radius), color.filled())).map_err(failed)?;
     }

@@ -1,34 +1,71 @@
 //! What the layers are called, in lines above the plot.
 
-use super::canvas::{Area, CHARACTER, LINE, SIGN, TEXT, block, font, words};
+use super::canvas::{Area, LINE, SIGN, TEXT, block, font, words};
 use super::figure::{Figure, Hue, Layer};
-use super::layers::{arrow, line, point, series};
+use super::layers::{arrow, line, point, region, series};
 use super::palette::Palette;
+use super::text_width::{text_width, wrapped};
 use crate::error::Result;
+use crate::units::typeset;
 use plotters::style::text_anchor::HPos;
 
-/// The layers that a legend names, each with its place, pixels from the legend's top left, and the height of it all. One
-/// layer alone needs no legend: the title names it.
-pub(super) fn laid_out(figure: &Figure, width: f64) -> (Vec<(&Layer, [f64; 2])>, f64) {
-    let is_named = |layer: &&Layer| {
-        let (name, hue) = layer.named();
-        !name.is_empty() && hue.is_some() && !matches!(layer, Layer::Mark { .. }) && !is_part_of_another(figure, name)
-    };
-    let layers: Vec<&Layer> = figure.layers.iter().filter(is_named).collect();
+/// Size of its text, pixels.
+const SIZE: f64 = TEXT - 0.5;
+
+/// From a sign to its name, and from a name to the next sign, pixels.
+const GAPS: [f64; 2] = [6.0, 14.0];
+
+/// More names than these stand in columns below each other; fewer take what room they need.
+const FEW: usize = 4;
+
+/// A layer that a legend names.
+pub(super) struct Entry<'a> {
+    layer: &'a Layer,
+    /// Its name in lines.
+    lines: Vec<String>,
+    /// Where its sign begins, pixels from the legend's top left.
+    at: [f64; 2],
+}
+
+/// The legend, and the height of it all, pixels. One layer alone needs no legend: the title names it.
+pub(super) fn laid_out(figure: &Figure, width: f64) -> (Vec<Entry<'_>>, f64) {
+    let layers: Vec<&Layer> = figure.layers.iter().filter(|layer| is_named(figure, layer)).collect();
     if layers.is_empty() || (layers.len() == 1 && figure.layers.len() == 1) {
         return (vec![], 0.0);
     }
-    let mut at = [0.0, 0.5 * LINE];
-    let mut placed = vec![];
-    for layer in layers {
-        let wide = SIGN + 6.0 + CHARACTER * layer.named().0.chars().count() as f64;
-        if at[0] > 0.0 && at[0] + wide > width {
-            at = [0.0, at[1] + LINE];
+    let lines = |layer: &Layer| wrapped(&typeset(layer.named().0), width - SIGN - GAPS[0], SIZE, false);
+    let named: Vec<(&Layer, Vec<String>)> = layers.into_iter().map(|layer| (layer, lines(layer))).collect();
+    let wide =
+        |lines: &[String]| SIGN + GAPS[0] + lines.iter().map(|line| text_width(line, SIZE, false)).fold(0.0, f64::max);
+    let widest = named.iter().map(|(_, lines)| wide(lines)).fold(0.0, f64::max);
+    let all = named.iter().map(|(_, lines)| wide(lines) + GAPS[1]).sum::<f64>() - GAPS[1];
+    // side by side in columns, where there are so many that one looks for a name among them
+    let column = (named.len() > FEW && all > width).then_some(widest + GAPS[1]);
+    let (mut at, mut tallest, mut entries) = ([0.0, 0.5 * LINE], 1, vec![]);
+    for (layer, lines) in named {
+        let wide = wide(&lines);
+        if at[0] > 0.0 && at[0] + column.map_or(wide, |column| column - GAPS[1]) > width {
+            at = [0.0, at[1] + LINE * tallest as f64];
+            tallest = 1;
         }
-        placed.push((layer, at));
-        at[0] += wide + 14.0;
+        tallest = tallest.max(lines.len());
+        entries.push(Entry { layer, lines, at });
+        at[0] += column.unwrap_or(wide + GAPS[1]);
     }
-    (placed, at[1] + 0.5 * LINE + 3.0)
+    (entries, at[1] + LINE * (tallest as f64 - 0.5) + 3.0)
+}
+
+/// Whether the legend names a layer: a mark has its word beside it.
+fn is_named(figure: &Figure, layer: &Layer) -> bool {
+    let (name, hue) = layer.named();
+    let is_named_where_it_is = matches!(layer, Layer::Mark { .. })
+        || (figure.names_on_lines && matches!(layer, Layer::Line { .. } | Layer::Region { is_hatched: true, .. }));
+    !name.is_empty() && hue.is_some() && !is_named_where_it_is && !is_part_of_another(figure, name)
+}
+
+/// Whether the legend has this name.
+pub(super) fn has(figure: &Figure, name: &str) -> bool {
+    figure.layers.iter().any(|layer| layer.named().0 == name && is_named(figure, layer))
 }
 
 /// Whether a layer goes with another, named as that one with a remark behind: "ferguson (extrapolated)".
@@ -39,20 +76,30 @@ fn is_part_of_another(figure: &Figure, name: &str) -> bool {
     })
 }
 
-/// Draws a layer's sign and name.
-pub(super) fn entry(area: &Area<'_>, palette: &Palette, layer: &Layer, [x, y]: [f64; 2]) -> Result<()> {
-    let (name, hue) = layer.named();
-    let hue = hue.unwrap_or(Hue::Ink);
-    let color = palette.of(hue);
-    let ends = [[x, y], [x + SIGN, y]];
-    match layer {
-        Layer::Line { is_dashed, .. } => series(area, &ends, palette, hue, *is_dashed)?,
-        Layer::Frame { .. } => line(area, &ends, color, true)?,
-        Layer::Dots { .. } => point(area, [x + 0.5 * SIGN, y], palette, hue)?,
-        Layer::Band { .. } => block(area, [x, y - 6.0], [x + SIGN, y + 6.0], color, 0.22)?,
-        Layer::Bars { .. } => block(area, [x, y - 6.0], [x + SIGN, y + 6.0], color, 0.85)?,
-        Layer::Arrows { .. } => arrow(area, ends[0], ends[1], color)?,
-        Layer::Contours(_) | Layer::Mark { .. } => {}
+impl Entry<'_> {
+    /// Draws the layer's sign and name, from the legend's top left.
+    pub fn draw(&self, area: &Area<'_>, palette: &Palette, [left, top]: [f64; 2]) -> Result<()> {
+        let hue = self.layer.named().1.unwrap_or(Hue::Ink);
+        let color = palette.of(hue);
+        let [x, y] = [left + self.at[0], top + self.at[1]];
+        let ends = [[x, y], [x + SIGN, y]];
+        match self.layer {
+            Layer::Line { is_dashed, .. } => series(area, &ends, palette, hue, *is_dashed)?,
+            Layer::Region { is_hatched, .. } => {
+                let corners = [[x, y - 6.0], [x + SIGN, y - 6.0], [x + SIGN, y + 6.0], [x, y + 6.0]];
+                region(area, &[corners.to_vec()], color, *is_hatched)?;
+            }
+            Layer::Frame { .. } => line(area, &ends, color, true)?,
+            Layer::Dots { .. } => point(area, [x + 0.5 * SIGN, y], palette, hue)?,
+            Layer::Band { .. } => block(area, [x, y - 6.0], [x + SIGN, y + 6.0], color, 0.22)?,
+            Layer::Bars { .. } => block(area, [x, y - 6.0], [x + SIGN, y + 6.0], color, 0.85)?,
+            Layer::Arrows { .. } => arrow(area, ends[0], ends[1], color)?,
+            Layer::Contours(_) | Layer::Mark { .. } => {}
+        }
+        let style = || font(SIZE, palette.ink, false);
+        self.lines
+            .iter()
+            .enumerate()
+            .try_for_each(|(i, line)| words(area, line, [x + SIGN + GAPS[0], y + i as f64 * LINE], HPos::Left, style()))
     }
-    words(area, name, [x + SIGN + 6.0, y], HPos::Left, font(TEXT - 0.5, palette.ink, false))
 }

@@ -15,21 +15,30 @@
 //! ```
 
 mod axis;
+mod bars;
 mod canvas;
 mod contour;
 mod csv;
 mod figure;
+mod hatching;
+mod hover;
 mod layers;
+mod layout;
 mod legend;
+mod line_names;
+mod marks;
 mod palette;
+mod panels;
 #[cfg(feature = "png")]
 mod png;
 mod svg;
+mod text_width;
 mod ticks;
 
 pub use axis::{Axis, Measure, Scale};
 pub use csv::figure_csv;
 pub use figure::{Bar, Field, Figure, Hue, Layer};
+pub use panels::figure_svg;
 #[cfg(feature = "png")]
 pub use png::figure_png;
-pub use svg::{Look, Shades, dark_rules, figure_svg};
+pub use svg::{Look, Shades, dark_rules};

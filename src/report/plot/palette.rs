@@ -2,7 +2,7 @@ use super::figure::Hue;
 use plotters::style::RGBColor;
 
 /// The colours of a picture. Series are told apart by the colour-blind too (hues after Okabe & Ito, 2008, darkened or
-/// lightened until each stands out 3 : 1 from the ground). Where there are more series than colours, bars across tell them apart.
+/// lightened until each stands out 3 : 1 from the ground, and from what maps and bands are filled with). Where there are more series than colours, bars across tell them apart.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Palette {
     /// The page.
@@ -26,16 +26,16 @@ pub const LIGHT: Palette = Palette {
     ink: RGBColor(28, 33, 40),
     faint: RGBColor(94, 103, 115),
     mesh: RGBColor(222, 226, 231),
-    nothing: RGBColor(206, 200, 194),
+    nothing: RGBColor(214, 209, 203),
     series: [
         RGBColor(0, 101, 166),
-        RGBColor(197, 79, 0),
+        RGBColor(192, 76, 0),
         RGBColor(0, 122, 90),
         RGBColor(160, 70, 128),
         RGBColor(134, 104, 0),
-        RGBColor(0, 155, 180),
+        RGBColor(0, 123, 146),
     ],
-    heights: [RGBColor(246, 249, 237), RGBColor(170, 214, 190), RGBColor(72, 158, 166)],
+    heights: [RGBColor(246, 249, 237), RGBColor(202, 231, 215), RGBColor(156, 216, 210)],
 };
 
 /// For a dark page.
@@ -53,7 +53,7 @@ pub const DARK: Palette = Palette {
         RGBColor(226, 200, 84),
         RGBColor(130, 225, 236),
     ],
-    heights: [RGBColor(26, 33, 42), RGBColor(27, 70, 84), RGBColor(34, 106, 106)],
+    heights: [RGBColor(26, 33, 42), RGBColor(28, 62, 70), RGBColor(30, 90, 92)],
 };
 
 /// Steps of a field's colour.
@@ -90,7 +90,7 @@ impl Palette {
 
 #[cfg(test)]
 mod tests {
-    use super::{DARK, LIGHT, RGBColor};
+    use super::{DARK, LIGHT, RGBColor, STEPS};
 
     /// The contrast of two colours, 1 to 21 (WCAG 2.1, relative luminance).
     fn contrast(a: RGBColor, b: RGBColor) -> f64 {
@@ -106,9 +106,19 @@ mod tests {
     #[test]
     fn exact_contrasts_are_enough_to_read_by() {
         for palette in [LIGHT, DARK] {
-            for color in palette.series {
-                let found = contrast(color, palette.ground);
-                assert!(found >= 3.0, "{color:?}: {found}");
+            // bands hide 22 % of the ground
+            let mix = |over: u8, under: u8| (0.22 * f64::from(over) + 0.78 * f64::from(under)).round() as u8;
+            let band = |c: RGBColor| {
+                let ground = palette.ground;
+                RGBColor(mix(c.0, ground.0), mix(c.1, ground.1), mix(c.2, ground.2))
+            };
+            let heights = (0..=STEPS).map(|step| palette.height(step as f64 / STEPS as f64));
+            let fills = heights.chain(palette.series.map(band)).chain([palette.ground, palette.nothing]);
+            for fill in fills {
+                for color in palette.series.into_iter().chain([palette.ink]) {
+                    let found = contrast(color, fill);
+                    assert!(found >= 3.0, "{color:?} on {fill:?}: {found}");
+                }
             }
             assert!(contrast(palette.ink, palette.ground) >= 7.0 && contrast(palette.faint, palette.ground) >= 4.5);
             // words on a map, and its lines

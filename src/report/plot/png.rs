@@ -1,5 +1,6 @@
 use super::figure::Figure;
-use super::svg::{Look, figure_svg};
+use super::panels::figure_svg;
+use super::svg::Look;
 use crate::error::{Error, Result};
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{Options, Tree};

@@ -1,16 +1,18 @@
-use super::canvas::{Area, CHARACTER, FINE, LINE, Labels, TEXT, failed, fine, font, stroke, words};
+use super::canvas::{Area, FINE, LINE, Labels, TEXT, failed, fine, font, stroke, words};
 use super::figure::{Figure, Layer};
+use super::hover::titles as hover_titles;
 use super::layers::{Plane, draw, label};
-use super::legend::{entry, laid_out};
+use super::layout::{Layout, MARGIN, NUMBER, TITLE};
+use super::line_names::write_line_names;
+use super::marks::write_marks;
 use super::palette::{DARK, LIGHT, Palette};
-use super::ticks::Drawn;
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::units::System;
 use plotters::backend::SVGBackend;
 use plotters::chart::ChartBuilder;
 use plotters::drawing::IntoDrawingArea;
 use plotters::style::text_anchor::HPos;
-use plotters::style::{Color, TRANSPARENT};
+use plotters::style::{Color, TRANSPARENT, TextStyle};
 use std::fmt::Write;
 
 /// How a plot is to look.
@@ -49,64 +51,61 @@ impl Shades {
     }
 }
 
-/// A plot as SVG, a picture that scales. It is complete in itself, and names no other file; its colours are plain
-/// attributes, which [`dark_rules`] can change on a page.
+/// A figure as drawn: elements of SVG, and how tall they are, pixels.
+pub(super) struct Panel {
+    pub body: String,
+    pub height: f64,
+}
+
+/// Draws a figure without its other views.
 ///
 /// # Errors
-/// [`Error::Plot`] where nothing of it has a place on its axes.
-pub fn figure_svg(figure: &Figure, look: &Look) -> Result<String> {
+/// [`Error::Plot`](crate::Error::Plot) where nothing of it has a place on its axes, or the width leaves no room for them.
+pub(super) fn panel(figure: &Figure, look: &Look) -> Result<Panel> {
     let palette = look.shades.palette();
-    let width = f64::from(look.width);
-    let nothing = |axis: &str| {
-        let reason = format!("it has no number that its {axis} axis can show");
-        Error::Plot { name: figure.name.clone(), reason }
-    };
-    let [xs, ys] = [0, 1].map(|axis| coordinates(figure).map(move |point| point[axis]));
-    let y = Drawn::new(&figure.y, ys, look.system, 6).ok_or_else(|| nothing("vertical"))?;
-
-    let titles = wrapped(&figure.title, ((width - 12.0) / (CHARACTER * 1.25)) as usize);
-    let (legend, legend_height) = laid_out(figure, width - 12.0);
-    let y_title = y.title();
-    let heads = titles.len() as f64 + if y_title.is_empty() { 0.0 } else { 1.0 };
-    let left = 15.0 + 1.1 * CHARACTER * y.longest() as f64;
-    // as many numbers as find room beside each other
-    let count = ((width - left) / 60.0).max(2.0) as usize;
-    let x = Drawn::new(&figure.x, xs, look.system, count).ok_or_else(|| nothing("horizontal"))?;
-    let top = heads * LINE + legend_height + 20.0;
-    // the text of a tick stands under it, half of it to each side, also at the ends of the axis
-    let half = Labels::half_width(x.longest());
-    let (left, right) = (left.max(half), width - half.max(16.0));
-    let frame = [left, top, right, top + figure.aspect * (right - left)];
-    let height = (frame[3] + 2.0 * LINE + 10.0).ceil();
-
+    let layout = Layout::new(figure, look.system, look.width)?;
+    let (width, frame) = (f64::from(look.width), layout.frame);
     let mut svg = String::new();
+    let hover;
     {
-        let size = (fine(width) as u32, fine(height) as u32);
+        let size = (fine(width) as u32, fine(layout.height) as u32);
         let area = SVGBackend::with_string(&mut svg, size).into_drawing_area();
         area.fill(&palette.ground).map_err(failed)?;
-        let title_style = || font(TEXT + 2.0, palette.ink, true);
-        for (i, title) in titles.iter().enumerate() {
-            words(&area, title, [6.0, (i as f64 + 0.5) * LINE + 3.0], HPos::Left, title_style())?;
-        }
-        let legend_top = titles.len() as f64 * LINE + 5.0;
-        for (layer, [at_x, at_y]) in &legend {
-            entry(&area, palette, layer, [6.0 + at_x, legend_top + at_y])?;
-        }
+        let lines = |lines: &[String], first: [f64; 2], side: HPos, style: &dyn Fn() -> TextStyle<'static>| {
+            let mut lines = lines.iter().enumerate();
+            lines.try_for_each(|(i, line)| words(&area, line, [first[0], first[1] + i as f64 * LINE], side, style()))
+        };
         let faint = || font(TEXT, palette.faint, false);
-        words(&area, &y_title, [6.0, frame[1] - 0.5 * LINE - 5.0], HPos::Left, faint())?;
-        words(&area, &x.title(), [frame[2], frame[3] + 1.6 * LINE], HPos::Right, faint())?;
+        lines(&layout.titles, [MARGIN, 0.5 * LINE + 3.0], HPos::Left, &|| font(TITLE, palette.ink, true))?;
+        let below = layout.titles.len() as f64 * LINE;
+        lines(&layout.subtitles, [MARGIN, below + 0.5 * LINE + 3.0], HPos::Left, &faint)?;
+        let legend_top = below + layout.subtitles.len() as f64 * LINE + 5.0;
+        layout.legend.iter().try_for_each(|entry| entry.draw(&area, palette, [MARGIN, legend_top]))?;
+        let above = frame[1] - (layout.y_title.len() as f64 - 0.5) * LINE - 8.0;
+        lines(&layout.y_title, [MARGIN, above], HPos::Left, &faint)?;
+        lines(&layout.x_title, [frame[2], frame[3] + 1.6 * LINE + 1.0], HPos::Right, &faint)?;
 
-        let plane = Plane { x: &x, y: &y, frame };
+        let plane = Plane { x: &layout.x, y: &layout.y, frame };
         let is_map = figure.layers.iter().any(|layer| matches!(layer, Layer::Contours(_)));
         axes(&area, &plane, palette, is_map)?;
         for layer in &figure.layers {
             draw(&area, &plane, palette, look.system, layer)?;
         }
+        if let Some(rows) = &layout.rows {
+            rows.draw(&area, &plane, palette)?;
+            (0..figure.layers.len())
+                .try_for_each(|layer| rows.bars(&area, &plane, palette, look.system, figure, layer))?;
+        }
         let mut labels = Labels { area: &area, palette, taken: vec![] };
+        write_marks(&mut labels, &plane, figure)?;
+        write_line_names(&mut labels, &plane, figure)?;
         label(&mut labels, &plane, look.system, figure)?;
+        hover = hover_titles(figure, &plane, look.system);
         area.present().map_err(failed)?;
     }
-    Ok(opened(&svg, figure, width, height))
+    // the elements alone: the picture around them may hold several panels
+    let body = svg.split_once('>').map_or("", |(_, body)| body).trim_end().trim_end_matches("</svg>");
+    Ok(Panel { body: format!("{body}{hover}"), height: layout.height })
 }
 
 /// The axes and the mesh, by the library.
@@ -129,57 +128,12 @@ fn axes(area: &Area<'_>, plane: &Plane<'_>, palette: &Palette, is_map: bool) -> 
     mesh.light_line_style(TRANSPARENT)
         .bold_line_style(stroke(palette.mesh, 0.8))
         .axis_style(stroke(palette.faint, 1.0))
-        .label_style(font(TEXT - 0.5, palette.ink, false))
+        .label_style(font(NUMBER, palette.ink, false))
         .set_all_tick_mark_size(4 * FINE)
         .x_label_formatter(&|at| x.text(*at))
         .y_label_formatter(&|at| y.text(*at))
         .draw()
         .map_err(failed)
-}
-
-/// The points that the axes must reach.
-fn coordinates(figure: &Figure) -> impl Iterator<Item = [f64; 2]> + '_ {
-    figure.layers.iter().flat_map(|layer| -> Vec<[f64; 2]> {
-        match layer {
-            Layer::Line { points, .. } | Layer::Dots { points, .. } => points.clone(),
-            Layer::Band { points, .. } => points.iter().flat_map(|[x, low, high]| [[*x, *low], [*x, *high]]).collect(),
-            Layer::Bars { bars, .. } => {
-                bars.iter().flat_map(|bar| [bar.from, bar.to].map(|x| [x, bar.place as f64])).collect()
-            }
-            Layer::Contours(field) => vec![[field.x[0], field.y[0]], [field.x[1], field.y[1]]],
-            Layer::Mark { at, .. } => vec![*at],
-            Layer::Arrows { arrows, .. } => arrows.iter().flatten().copied().collect(),
-            Layer::Frame { low, high, .. } => vec![*low, *high],
-        }
-    })
-}
-
-/// Words in lines of at most so many characters.
-fn wrapped(text: &str, width: usize) -> Vec<String> {
-    let mut lines: Vec<String> = vec![];
-    for word in text.split_whitespace() {
-        match lines.last_mut() {
-            Some(line) if line.chars().count() + 1 + word.chars().count() <= width => {
-                line.push(' ');
-                line.push_str(word);
-            }
-            _ => lines.push(word.into()),
-        }
-    }
-    lines
-}
-
-/// The picture with its size in pixels, and with words for those who cannot see it.
-fn opened(svg: &str, figure: &Figure, width: f64, height: f64) -> String {
-    let escaped = |text: &str| text.replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;");
-    let (fine_width, fine_height) = (fine(width), fine(height));
-    let body = svg.split_once('>').map_or("", |(_, body)| body);
-    format!(
-        "<svg width=\"{width}\" height=\"{height}\" viewBox=\"0 0 {fine_width} {fine_height}\" role=\"img\" \
-         aria-label=\"{}\" xmlns=\"http://www.w3.org/2000/svg\">\n<desc>{}</desc>{body}",
-        escaped(&figure.title),
-        escaped(&figure.note),
-    )
 }
 
 /// Rules of CSS that turn the colours of light pictures within `inside` into those of dark ones.

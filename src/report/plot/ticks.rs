@@ -1,6 +1,7 @@
 //! Where an axis ends and which values stand on it.
 
 use super::axis::{Axis, Scale};
+use super::text_width::text_width;
 use crate::units::{System, significant};
 use plotters::coord::ranged1d::{DefaultFormatting, KeyPointHint, Ranged};
 use std::ops::Range;
@@ -22,9 +23,8 @@ impl Drawn {
     pub fn new(axis: &Axis, values: impl Iterator<Item = f64>, system: System, count: usize) -> Option<Self> {
         let mut drawn = Self { axis: axis.clone(), system, low: 0.0, high: 1.0, ticks: vec![], decimals: 0 };
         if let Scale::Names(names) = &axis.scale {
-            // the first on top
+            // the first on top; the names are written with the bars
             (drawn.low, drawn.high) = (names.len() as f64 - 0.5, -0.5);
-            drawn.ticks = (0..names.len()).map(|i| i as f64).collect();
             return (!names.is_empty()).then_some(drawn);
         }
         let reach = axis.reach.into_iter().flatten();
@@ -107,9 +107,17 @@ impl Drawn {
         if self.axis.scale == Scale::LeftRight { format!("L, R: left and {titled}") } else { titled }
     }
 
-    /// Characters of the longest text at a tick.
-    pub fn longest(&self) -> usize {
-        self.ticks.iter().map(|tick| self.text(*tick).chars().count()).max().unwrap_or(0)
+    /// The width of the widest text at a tick, pixels.
+    pub fn widest(&self, size: f64) -> f64 {
+        self.ticks.iter().map(|tick| text_width(&self.text(*tick), size, false)).fold(0.0, f64::max)
+    }
+
+    /// Whether texts at ticks have the distance that `least` says they need, on an axis so many pixels long.
+    pub fn is_apart(&self, length: f64, least: impl Fn(&str, &str) -> f64) -> bool {
+        let place = |tick: f64| length * (tick - self.low) / (self.high - self.low);
+        self.ticks
+            .windows(2)
+            .all(|pair| (place(pair[1]) - place(pair[0])).abs() >= least(&self.text(pair[0]), &self.text(pair[1])))
     }
 }
 

@@ -4,7 +4,7 @@ use crate::drive::Outcome;
 use crate::report::lines::{item, paragraph};
 use crate::report::table::table;
 use crate::shots::{Band, FLOOR, Sums, Tally};
-use crate::units::{Message, System, counted, fixed, signed};
+use crate::units::{Message, System, counted, fixed, printed, signed};
 use serde::Serialize;
 
 /// What was found of flown shots, as JSON.
@@ -163,7 +163,15 @@ pub fn shots_text(tally: &Tally, source: Option<&'static str>, system: System) -
         let line = |which: String, sums: &Sums, instruments: Option<f64>| {
             let bias = sums.bias().map_or("–".into(), |bias| signed(bias, fixed(bias / size, decimals)));
             let [mean, deviation, instruments] = [sums.mean_absolute(), sums.deviation(), instruments].map(shown);
-            vec![format!("{} [{unit}]", of.name()), which, sums.count.to_string(), bias, mean, deviation, instruments]
+            vec![
+                format!("{} [{}]", of.name(), printed(unit)),
+                which,
+                sums.count.to_string(),
+                bias,
+                mean,
+                deviation,
+                instruments,
+            ]
         };
         if tally.all[at].count == 0 {
             continue;

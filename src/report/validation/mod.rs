@@ -19,7 +19,7 @@ pub fn validation_document(found: &[SetScores], system: System) -> Document {
     let mut document = Document::new("Laws of drag and lift beside published drives");
     let length = system.unit("yd");
     document.paragraph(format!(
-        "For each law the bias, which is the mean of computed less published, and MAE, the mean of its size; lengths in {length}, angles in deg, spin \
+        "For each law the bias, which is the mean of computed less published, and MAE, the mean of its size; lengths in {length}, angles in °, spin \
          in rpm. Where the air is not stated, drives fly at 25 °C at sea level in calm; the columns \"15 °C\" and \"35 °C\" are the bias of the first \
          quantity at these temperatures. \"averaged\" is the bias of carry where the mean of drives that scatter stands in place of the drive of the \
          average launch: standard deviations of 5.5 mph, 2° of launch angle, 400 rpm and 9° of spin axis, in wind of 4 m/s from any direction, by exact second derivatives; how much \

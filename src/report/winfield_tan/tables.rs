@@ -2,7 +2,7 @@
 
 use super::numbers::{degrees, spread};
 use crate::report::document::Document;
-use crate::report::plot::{Axis, Figure, Layer, Measure};
+use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};
 use crate::report::published::Published;
 use crate::reproduce::{Best, MISPRINTS, WinfieldTan};
 use crate::units::{Quantity, fixed};
@@ -185,9 +185,14 @@ pub(super) fn average(document: &mut Document, found: &WinfieldTan, shown: Publi
         ],
     );
     let carry = Axis::linear(Measure::new("average carry", Quantity::LENGTH, "yd"));
+    let points = |rows: &[(f64, f64)]| rows.iter().map(|(loft, carry)| [*loft, *carry]).collect();
+    let (best_loft, best_carry) = mean.by_polynomial;
+    let best = Layer::Mark { name: degrees(best_loft), hue: Hue::Series(0), at: [best_loft, best_carry] };
     document.figure(
         Figure::new("average", "Average carry over attack angles of 0–10°", angle("loft"), carry)
-            .with(Layer::line("computed", 0, mean.rows.iter().map(|(loft, carry)| [*loft, *carry]).collect()))
-            .with(Layer::dots("printed optimum", 1, vec![[mean.printed.0, mean.printed.1]])),
+            .with(Layer::line("polynomial of fifth order", 0, points(&mean.polynomial)))
+            .with(Layer::dots("computed", 0, points(&mean.rows)))
+            .with(Layer::dots("printed optimum", 1, vec![[mean.printed.0, mean.printed.1]]))
+            .with(best),
     );
 }

@@ -12,6 +12,8 @@ pub struct Mean {
     pub rows: Vec<(f64, f64)>,
     /// The top of the polynomial of fifth order through them, as the paper takes it: loft, rad, and average carry, m.
     pub by_polynomial: (f64, f64),
+    /// That polynomial from the first loft to the last, as `rows`.
+    pub polynomial: Vec<(f64, f64)>,
     /// The exact optimum of the average.
     pub best: (f64, f64),
     /// What the paper prints.
@@ -23,31 +25,55 @@ impl Mean {
         let [loft, carry] = printed::AVERAGE;
         let average = Average::at(setup, &printed::AVERAGED_LOFTS, loft)?;
         let printed = (loft.to_radians(), carry * Quantity::LENGTH.size_of("yd").unwrap_or(f64::NAN));
-        let by_polynomial = top(&average.rows, average.best.0)?;
-        Ok(Self { rows: average.rows, by_polynomial, best: average.best, printed })
+        let through = Polynomial::through(&average.rows).ok_or_else(refused)?;
+        let by_polynomial = through.top(average.best.0)?;
+        let [from, to] = [average.rows.first(), average.rows.last()].map(|row| row.map_or(0.0, |(loft, _)| *loft));
+        let along = |i: usize| from + (to - from) * i as f64 / (CURVE - 1) as f64;
+        let polynomial = (0..CURVE).map(along).map(|loft| (loft, through.at(loft)[0])).collect();
+        Ok(Self { rows: average.rows, by_polynomial, polynomial, best: average.best, printed })
     }
 }
 
-/// The top, near `near`, of the polynomial through points.
-fn top(rows: &[(f64, f64)], near: f64) -> Result<(f64, f64)> {
-    let n = rows.len();
-    let refused = || Error::Optimizer("the polynomial through the averages has no top near the best loft".into());
-    // in loft from the middle, in degrees, so that the powers stay of one size
-    let middle = rows.iter().map(|(loft, _)| loft).sum::<f64>() / n as f64;
-    let scaled = |loft: f64| (loft - middle).to_degrees();
-    let powers = DMatrix::from_fn(n, n, |row, power| scaled(rows[row].0).powi(power as i32));
-    let values = DVector::from_iterator(n, rows.iter().map(|(_, carry)| *carry));
-    let c = powers.lu().solve(&values).ok_or_else(refused)?;
-    // value, slope and curvature by Horner's scheme
-    let at = |x: f64| c.iter().rev().fold((0.0, 0.0, 0.0), |(v, d, dd), c| (v * x + c, d * x + v, dd * x + 2.0 * d));
-    let mut x = scaled(near);
-    for _ in 0..50 {
-        let (_, slope, curvature) = at(x);
-        if curvature >= 0.0 {
-            return Err(refused());
-        }
-        x -= slope / curvature;
+/// Points of the polynomial's curve.
+const CURVE: usize = 101;
+
+/// The polynomial through points, in loft from their middle, in degrees, so that the powers stay of one size.
+struct Polynomial {
+    middle: f64,
+    coefficients: DVector<f64>,
+}
+
+impl Polynomial {
+    fn through(rows: &[(f64, f64)]) -> Option<Self> {
+        let n = rows.len();
+        let middle = rows.iter().map(|(loft, _)| loft).sum::<f64>() / n as f64;
+        let powers = DMatrix::from_fn(n, n, |row, power| (rows[row].0 - middle).to_degrees().powi(power as i32));
+        let values = DVector::from_iterator(n, rows.iter().map(|(_, carry)| *carry));
+        Some(Self { middle, coefficients: powers.lu().solve(&values)? })
     }
-    let (value, slope, _) = at(x);
-    if slope.abs() < 1e-9 { Ok((middle + x.to_radians(), value)) } else { Err(refused()) }
+
+    /// Value, slope and curvature at a loft, the latter two by degrees, by Horner's scheme.
+    fn at(&self, loft: f64) -> [f64; 3] {
+        let x = (loft - self.middle).to_degrees();
+        let further = |[v, d, dd]: [f64; 3], c: &f64| [v * x + c, d * x + v, dd * x + 2.0 * d];
+        self.coefficients.as_slice().iter().rev().fold([0.0; 3], further)
+    }
+
+    /// Its top near a loft.
+    fn top(&self, near: f64) -> Result<(f64, f64)> {
+        let mut loft = near;
+        for _ in 0..50 {
+            let [_, slope, curvature] = self.at(loft);
+            if curvature >= 0.0 {
+                return Err(refused());
+            }
+            loft -= (slope / curvature).to_radians();
+        }
+        let [value, slope, _] = self.at(loft);
+        if slope.abs() < 1e-9 { Ok((loft, value)) } else { Err(refused()) }
+    }
+}
+
+fn refused() -> Error {
+    Error::Optimizer("the polynomial through the averages has no top near the best loft".into())
 }

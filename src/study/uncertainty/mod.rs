@@ -208,6 +208,15 @@ fn slopes(derivatives: &[Option<f64>], distribution: &Distribution, variance: f6
     (slopes.mean_square.is_finite() && slopes.bound.is_finite()).then_some(slopes)
 }
 
+/// The covariance of two outcomes of independent parameters with these variances, by their gradients: JΣJᵀ.
+pub(super) fn covariance(of: [&Taylor; 2], variances: &[f64]) -> [[f64; 2]; 2] {
+    let product = |i: usize, j: usize| {
+        let terms = of[i].gradient.iter().zip(&of[j].gradient).zip(variances);
+        terms.map(|((a, b), variance)| a * b * variance).sum::<f64>()
+    };
+    [[product(0, 0), product(0, 1)], [product(1, 0), product(1, 1)]]
+}
+
 /// The ellipses of landings [lateral, carry], by the sample and by the gradients at the means.
 fn ellipses(
     landings: &[[f64; 2]],
@@ -224,12 +233,8 @@ fn ellipses(
     };
     let sampled = [[product(0, 0), product(0, 1)], [product(1, 0), product(1, 1)]];
     let linear = by_gradient.map(|(lateral, carry)| {
-        let gradients = [&lateral.gradient, &carry.gradient];
-        let product = |i: usize, j: usize| {
-            let terms = gradients[i].iter().zip(gradients[j]).zip(distributions);
-            terms.map(|((a, b), distribution)| a * b * distribution.central_moments()[0]).sum::<f64>()
-        };
-        ([lateral.value, carry.value], [[product(0, 0), product(0, 1)], [product(1, 0), product(1, 1)]])
+        let variances: Vec<f64> = distributions.iter().map(|distribution| distribution.central_moments()[0]).collect();
+        ([lateral.value, carry.value], covariance([lateral, carry], &variances))
     });
     let ellipse = |by_gradient: bool, centre: [f64; 2], covariance: [[f64; 2]; 2], share: f64| {
         let ellipse = LandingEllipse::new(share, centre, covariance);

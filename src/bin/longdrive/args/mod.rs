@@ -17,8 +17,8 @@ pub use data::{Calibrate, DeliveryArgs, Published, Reproduce, Validate};
 pub use fly::{Fly, FlyFormat};
 pub use many::{Format, Sweep};
 pub use picture::{
-    Drawing, Drawn, LawsOver, Plot, PlotChart, PlotCompare, PlotContour, PlotKind, PlotLaws, PlotTornado,
-    PlotTrajectory, PlotVcurve, Report, Seen,
+    Drawing, Drawn, LawsOver, Moved, Plot, PlotChart, PlotCompare, PlotContour, PlotFace, PlotFairway, PlotKind,
+    PlotLaunch, PlotLaws, PlotTornado, PlotTrajectory, PlotVcurve, Report, Seen,
 };
 pub use program::{Completions, Man, Shown};
 pub use question::{Gradient, Laws, OwnLaw, Parameters, Presets, Question, Simulate};

@@ -28,6 +28,12 @@ pub enum PlotKind {
     Vcurve(PlotVcurve),
     /// Laws of drag and lift over the spin ratio or the Reynolds number, with measured points.
     Laws(PlotLaws),
+    /// Where the drive and the best one land, from above at true scale, with the ellipses that hold half and 95 % of the landings.
+    Fairway(PlotFairway),
+    /// The club face from the front: the strike, the sweet spot, rings of carry lost, and the side to which the spin axis tilts.
+    Face(PlotFace),
+    /// Carry over launch angle and backspin at the drive's ball speed, with its launch and the best one.
+    Launch(PlotLaunch),
 }
 
 impl PlotKind {
@@ -41,6 +47,9 @@ impl PlotKind {
             Self::Compare(args) => &args.pair.question,
             Self::Vcurve(args) => &args.question,
             Self::Laws(args) => &args.question,
+            Self::Fairway(args) => &args.question,
+            Self::Face(args) => &args.question,
+            Self::Launch(args) => &args.question,
         }
     }
 }
@@ -100,6 +109,17 @@ pub enum Drawn {
     Cl,
 }
 
+/// Which uncertainties a tornado shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub enum Moved {
+    /// What you control: delivery, strike and club, or the launch where it is given.
+    Control,
+    /// What the model does not know: its coefficients, the air, the wind and the ground.
+    Model,
+    /// Both in one picture.
+    All,
+}
+
 #[derive(clap::Args)]
 pub struct PlotLaws {
     #[command(flatten)]
@@ -140,6 +160,44 @@ pub struct PlotTrajectory {
     /// The side from which the trajectory is shown.
     #[arg(long, value_enum, default_value_t = Seen::Side)]
     pub view: Seen,
+}
+
+#[derive(clap::Args)]
+pub struct PlotFairway {
+    #[command(flatten)]
+    pub question: Question,
+
+    #[command(flatten)]
+    pub search: SearchArgs,
+
+    #[command(flatten)]
+    pub drawing: Drawing,
+
+    /// How much a parameter of the golfer varies from drive to drive, one standard deviation, e.g. swing.face_angle=2deg.
+    /// Repeatable; other parameters of swing, strike and club have the default uncertainties of "longdrive sensitivity".
+    #[arg(long, value_name = "NAME=AMOUNT")]
+    pub sigma: Vec<String>,
+}
+
+#[derive(clap::Args)]
+pub struct PlotFace {
+    #[command(flatten)]
+    pub question: Question,
+
+    #[command(flatten)]
+    pub drawing: Drawing,
+}
+
+#[derive(clap::Args)]
+pub struct PlotLaunch {
+    #[command(flatten)]
+    pub question: Question,
+
+    #[command(flatten)]
+    pub search: SearchArgs,
+
+    #[command(flatten)]
+    pub drawing: Drawing,
 }
 
 #[derive(clap::Args)]
@@ -190,6 +248,10 @@ pub struct PlotTornado {
     /// the default uncertainties of "longdrive sensitivity".
     #[arg(long, value_name = "NAME=AMOUNT")]
     pub sigma: Vec<String>,
+
+    /// The uncertainties to draw.
+    #[arg(long, value_enum, default_value_t = Moved::Control)]
+    pub show: Moved,
 }
 
 #[derive(clap::Args)]
@@ -230,7 +292,7 @@ pub struct Report {
     #[command(flatten)]
     pub search: SearchArgs,
 
-    /// The folder to write: index.html, and each plot as NAME-metric.svg, NAME-us.svg and NAME.csv. The folder is created if it
+    /// The folder to write: index.html, the best drive as setup.toml, and each plot as NAME-metric.svg, NAME-us.svg and NAME.csv. The folder is created if it
     /// does not exist; other files in it are not touched.
     #[arg(long, short, value_name = "DIR")]
     pub output: PathBuf,

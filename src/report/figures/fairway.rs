@@ -1,0 +1,110 @@
+use super::capital;
+use super::scale::{Grows, extent, to_scale, with_margin};
+use super::style::style;
+use crate::drive::Outcome;
+use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};
+use crate::report::shown;
+use crate::study::Landing;
+use crate::units::{Quantity, System, significant};
+
+/// The shape of the picture, height over width.
+const SHAPE: [f64; 2] = [0.8, 1.25];
+
+/// Points around an ellipse.
+const AROUND: u32 = 120;
+
+/// The landings of drives from above at true scale, target at the top: each with the ellipses that hold half and 95 % of the landings
+/// when what the golfer controls varies, and where the ball comes to rest.
+pub fn fairway_figure(landings: &[Landing], system: System) -> Figure {
+    let length = |label: &str| Axis::linear(Measure::new(label, Quantity::LENGTH, "yd"));
+    let mut layers = vec![];
+    let mut notes = vec![];
+    for (i, landing) in landings.iter().enumerate() {
+        let (hue, is_dashed) = style(&landing.name, i);
+        let [lateral, carry] = landing.at;
+        let [carry, lateral] =
+            [(Outcome::Carry, carry), (Outcome::Lateral, lateral)].map(|(of, value)| shown::outcome(of, value, system));
+        // the legend names a drive once, by its largest ellipse, or by its landing
+        let name = format!("{}: carry {carry}", landing.name);
+        let part = |of: String| format!("{name} ({of})");
+        for (k, ellipse) in landing.ellipses.iter().rev().enumerate() {
+            let [long, short] = ellipse.half_axes;
+            let point = |step: u32| {
+                let (sin, cos) = (std::f64::consts::TAU * f64::from(step) / f64::from(AROUND)).sin_cos();
+                [0, 1].map(|axis| ellipse.centre[axis] + cos * long[axis] + sin * short[axis])
+            };
+            let name = if k == 0 { name.clone() } else { part(format!("{:.0} %", 100.0 * ellipse.share)) };
+            layers.push(Layer::Line { name, hue, is_dashed, points: (0..=AROUND).map(point).collect() });
+        }
+        if landing.ellipses.is_empty() {
+            layers.push(Layer::Dots { name: name.clone(), hue, points: vec![landing.at] });
+        }
+        let mut told = format!("{}: carry {carry}, {lateral} of the target line", capital(&landing.name));
+        if let Some(rest) = landing.rest {
+            layers.push(Layer::Line {
+                name: String::new(),
+                hue: Hue::Faint,
+                is_dashed: true,
+                points: vec![landing.at, rest],
+            });
+            layers.push(Layer::Dots { name: part("at rest".into()), hue, points: vec![rest] });
+            told += &format!(", total {}", shown::outcome(Outcome::Total, rest[1], system));
+        }
+        layers.push(Layer::Mark { name: String::new(), hue, at: landing.at });
+        notes.push(told + ".");
+    }
+    let points = || {
+        layers.iter().flat_map(|layer| match layer {
+            Layer::Line { points, .. } | Layer::Dots { points, .. } => points.clone(),
+            Layer::Mark { at, .. } => vec![*at],
+            _ => vec![],
+        })
+    };
+    let widest = points().map(|[x, _]| x.abs()).fold(0.0, f64::max);
+    // a point alone has room around it too
+    let around = |[low, high]: [f64; 2]| if high - low > 1.0 { [low, high] } else { [low - 5.0, high + 5.0] };
+    let y = with_margin(around(extent(points().map(|[_, y]| y))), 0.08, 0.08);
+    let x = with_margin(around([-widest, widest]), 0.1, 0.1);
+    let figure = Figure::new(
+        "fairway",
+        "Landings from above",
+        length("right of the target line (left: −)"),
+        length("downrange"),
+    );
+    let mut figure = to_scale(figure, [x, y], SHAPE, [Grows::Evenly; 2]);
+    let [low, high] = figure.y.reach.unwrap_or(y);
+    let target = Layer::Line {
+        name: "target line".into(),
+        hue: Hue::Faint,
+        is_dashed: true,
+        points: vec![[0.0, low], [0.0, high]],
+    };
+    figure.layers.push(target);
+    figure.layers.extend(layers);
+    notes.push(spread(landings, system));
+    if landings.iter().any(|landing| landing.rest.is_some()) {
+        notes.push("Small points: where the ball comes to rest.".into());
+    }
+    notes.push("True scale; the tee is at 0.".into());
+    figure.noted(notes.join(" "))
+}
+
+/// What the ellipses say.
+fn spread(landings: &[Landing], system: System) -> String {
+    let Some(landing) = landings.iter().find(|landing| !landing.ellipses.is_empty()) else {
+        return "Nothing of the golfer is uncertain, so that there are no ellipses.".into();
+    };
+    let sigma = |sigma: &crate::study::Sigma| {
+        let measure = Measure::parameter(sigma.parameter);
+        let unit = system.unit(measure.unit);
+        format!("{} ± {} {unit}", measure.label, significant(measure.in_units(sigma.value, system), 3))
+            .trim_end()
+            .to_owned()
+    };
+    let sigmas: Vec<String> = landing.sigmas.iter().map(sigma).collect();
+    format!(
+        "The inner and the outer ellipse hold 50 % and 95 % of the landings when these vary from drive to drive, one standard deviation each: {}; by exact \
+         derivatives. Everything else is the same in all.",
+        sigmas.join(", ")
+    )
+}

@@ -1,0 +1,57 @@
+//! What every page has: one HTML file that needs nothing else, with its head, the switch of units, tables and pictures.
+
+mod picture;
+mod table;
+mod units;
+
+pub(super) use picture::{Pair, in_each, picture_files, pictures, svg_name};
+pub(super) use table::{is_of_numbers, scrolled};
+pub(super) use units::both;
+
+use super::plot::dark_rules;
+use crate::units::System;
+use maud::{DOCTYPE, Markup, PreEscaped, html};
+
+/// A page.
+pub(super) struct Frame<'a> {
+    /// What the window is called.
+    pub title: &'a str,
+    /// What is above the switch of units: the heading.
+    pub header: Markup,
+    /// What the page is about.
+    pub main: Markup,
+    /// What is below.
+    pub footer: Option<Markup>,
+    /// The units that it opens with.
+    pub system: System,
+}
+
+impl Frame<'_> {
+    /// The whole page. It has a switch of units where something in it differs between them.
+    pub fn page(self) -> String {
+        let Self { title, header, main, footer, system } = self;
+        let dark = format!(
+            "@media screen and (prefers-color-scheme: dark) {{\n{}{}}}",
+            include_str!("dark.css"),
+            dark_rules("figure")
+        );
+        let has_units = [&header, &main].into_iter().any(units::has_both);
+        let page = html! {
+            (DOCTYPE)
+            html lang="en" {
+                head {
+                    meta charset="utf-8";
+                    meta name="viewport" content="width=device-width, initial-scale=1";
+                    title { (title) }
+                    style { (PreEscaped(include_str!("style.css"))) (PreEscaped(dark)) }
+                }
+                body {
+                    header { (header) @if has_units { (units::switch(system)) } }
+                    main { (main) }
+                    @if let Some(footer) = footer { footer { (footer) } }
+                }
+            }
+        };
+        page.into_string()
+    }
+}

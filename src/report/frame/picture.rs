@@ -1,0 +1,100 @@
+//! Plots on a page, each drawn for the widths and the units that it is looked at in.
+
+use super::units::both;
+use crate::error::Result;
+use crate::report::plot::{Figure, Look, Shades, figure_csv, figure_svg};
+use crate::units::System;
+use maud::{Markup, PreEscaped, html};
+
+/// A plot with its words in the units of each of [`System::ALL`].
+pub(in crate::report) type Pair = [Figure; 2];
+
+/// Widths that pictures are drawn for, pixels: the column of a phone or of print, where text has its own size, and that of a screen.
+const WIDTHS: [(&str, u32); 2] = [("narrow", 340), ("broad", 560)];
+
+/// A plot drawn in each system.
+pub(in crate::report) fn in_each(figure: impl Fn(System) -> Figure) -> Pair {
+    System::ALL.map(figure)
+}
+
+/// The file of a plot's picture.
+pub(in crate::report) fn svg_name(figure: &Figure, system: System) -> String {
+    format!("{}-{system}.svg", figure.name)
+}
+
+/// The file of a plot's data.
+pub(in crate::report) fn csv_name(figure: &Figure) -> String {
+    format!("{}.csv", figure.name)
+}
+
+/// The files beside a page, name and text: the picture of each plot in each system, and its data.
+///
+/// # Errors
+/// As [`figure_svg`] and [`figure_csv`].
+pub(in crate::report) fn picture_files<'a>(
+    pairs: impl IntoIterator<Item = &'a Pair>,
+    data_of: System,
+) -> Result<Vec<(String, String)>> {
+    let mut files = vec![];
+    for pair in pairs {
+        for (figure, system) in pair.iter().zip(System::ALL) {
+            let look = Look { system, ..Look::default() };
+            files.push((svg_name(figure, system), figure_svg(figure, &look)?));
+            if system == data_of {
+                files.push((csv_name(figure), figure_csv(figure)?));
+            }
+        }
+    }
+    Ok(files)
+}
+
+/// Plots side by side, as far as there is room.
+///
+/// # Errors
+/// As [`figure_svg`].
+pub(in crate::report) fn pictures<'a>(pairs: impl IntoIterator<Item = &'a Pair>) -> Result<Markup> {
+    let drawn = pairs.into_iter().map(|pair| Ok((pair, drawings(pair)?))).collect::<Result<Vec<_>>>()?;
+    Ok(html! {
+        @if !drawn.is_empty() {
+            div.figures {
+                @for (pair, drawings) in drawn {
+                    figure {
+                        @for (class, svg) in &drawings { div class=(class) { (PreEscaped(svg)) } }
+                        figcaption { (both(|system| note(pair, system))) " " (links(pair)) }
+                    }
+                }
+            }
+        }
+    })
+}
+
+/// The pictures of a plot with what they are for: one for both systems where they are the same.
+fn drawings(pair: &Pair) -> Result<Vec<(String, String)>> {
+    let mut drawings = vec![];
+    for (place, width) in WIDTHS {
+        let picture =
+            |figure: &Figure, system: System| figure_svg(figure, &Look { system, shades: Shades::Light, width });
+        let [metric, us] = [picture(&pair[0], System::ALL[0])?, picture(&pair[1], System::ALL[1])?];
+        if metric == us {
+            drawings.push((place.into(), us));
+        } else {
+            drawings.push((format!("{place} us"), us));
+            drawings.push((format!("{place} metric"), metric));
+        }
+    }
+    Ok(drawings)
+}
+
+/// The note of a plot in a system.
+fn note([metric, us]: &Pair, system: System) -> String {
+    if system == System::Us { &us.note } else { &metric.note }.clone()
+}
+
+/// The files of a plot.
+fn links([metric, us]: &Pair) -> Markup {
+    html! {
+        a.us href=(svg_name(us, System::Us)) { "SVG" }
+        a.metric href=(svg_name(metric, System::Metric)) { "SVG" }
+        " " a href=(csv_name(us)) { "data" }
+    }
+}

@@ -1,0 +1,164 @@
+//! The answer, before everything else: what the drive does, what the best one does, and what changes between them.
+
+use super::findings::Findings;
+use super::numbers::{from_to, of_known_size, outcome};
+use crate::drive::Outcome;
+use crate::flight::Flight;
+use crate::optimize::Status;
+use crate::parameters::UNSET;
+use crate::report::figures::capital;
+use crate::report::frame::both;
+use crate::report::optimum::{bound_in_words, constraint_in_words, constraints};
+use crate::report::shown;
+use crate::study::{Effects, Optimum, Sense};
+use crate::units::{System, one, signed};
+use maud::{Markup, html};
+
+/// Most parameters that the uncertainty is said to be of.
+const NAMED: usize = 3;
+
+/// The block that the page begins with.
+pub(super) fn answer(findings: &Findings<'_>) -> Markup {
+    let yours = findings.flown.first().and_then(|flown| findings.of.value(&flown.drive));
+    let best = findings.best.and_then(|best| Some((best, best.value()?)));
+    html! {
+        section.answer {
+            h2 { (headline(findings, yours, best.map(|(_, value)| value))) }
+            @if let Some(why) = &findings.why_none { p.warning { (both(|system| why.in_units(system))) } }
+            @if let (None, Some(why)) = (yours, why_not_flown(findings)) { p.warning { "As set up: " (why) } }
+            @if yours.or(best.map(|(_, value)| value)).is_some() { (tiles(findings, yours, best.map(|(_, value)| value))) }
+            @if let Some((best, _)) = best { ul { @for line in lines(findings, best) { li { (line) } } } }
+            (what_is_known(findings))
+        }
+    }
+}
+
+/// What comes out, in a line: "Carry 286.8 → 301.2 yd: +14.3 yd".
+fn headline(findings: &Findings<'_>, yours: Option<f64>, best: Option<f64>) -> Markup {
+    let of = findings.of;
+    let name = capital(&shown::words(of.name()));
+    both(|system| {
+        let show = |value: f64| shown::outcome(of, value, system);
+        match (yours, best) {
+            (Some(yours), Some(best)) => {
+                let change = change(of, yours, best, system);
+                format!("{name} {}: {change}", from_to(&show(yours), &show(best)))
+            }
+            (None, Some(best)) => {
+                format!("{name} {} at best; as set up there is no {}", show(best), shown::words(of.name()))
+            }
+            (Some(yours), None) if findings.found.is_some() => {
+                format!("{name} {}; no best drive was found", show(yours))
+            }
+            (Some(yours), None) => format!("{name} {}", show(yours)),
+            (None, None) => format!("No {}: the ball does not fly", shown::words(of.name())),
+        }
+    })
+}
+
+/// From one value to another, with its sign.
+fn change(of: Outcome, from: f64, to: f64, system: System) -> String {
+    let by = of.beside(to, from) - from;
+    signed(by, of.quantity().read_off(by, system.unit(of.unit())))
+}
+
+fn tiles(findings: &Findings<'_>, yours: Option<f64>, best: Option<f64>) -> Markup {
+    let of = findings.of;
+    let [at_yours, at_best] = [findings.effects_of(of), findings.at_best];
+    let known = |uncertainty: Option<f64>| {
+        let uncertainty = uncertainty.filter(|uncertainty| *uncertainty > 0.0);
+        html! { @if let Some(size) = uncertainty { dd.known { "± " (both(|system| of_known_size(of, size, system))) } } }
+    };
+    html! {
+        dl.tiles {
+            div { dt { "yours" } dd { (outcome(of, yours)) } (known(at_yours.map(Effects::standard_uncertainty))) }
+            @if let Some(best) = best {
+                div.best { dt { "best" } dd { (outcome(of, Some(best))) } (known(at_best.map(Effects::standard_uncertainty))) }
+                @if let Some(yours) = yours {
+                    div {
+                        dt { "change" } dd { (both(|system| change(of, yours, best, system))) }
+                        (known(at_yours.zip(at_best).map(|(yours, best)| yours.uncertainty_of_change(best))))
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// What changes from the drive as set up to the best one, and what holds it.
+fn lines(findings: &Findings<'_>, best: &Optimum) -> Vec<Markup> {
+    let search = &best.search;
+    let varied = search.vary.iter().enumerate().map(|(i, vary)| {
+        let parameter = vary.parameter;
+        let from = findings.setup.value(parameter);
+        both(|system| {
+            let from = from.map_or(UNSET.into(), |value| shown::stated(parameter, value, system));
+            let to = shown::parameter(parameter, best.solution.x[i], system);
+            let held = bound(best, i, system).map_or(String::new(), |held| format!(", {held}"));
+            format!("{} {}{held}", capital(&shown::words(parameter.name)), from_to(&from, &to))
+        })
+    });
+    let reports = constraints(best);
+    let limits = search.subject_to.iter().zip(&reports).filter(|(of, at)| at.multiplier != 0.0 && !of.is_equation());
+    let limits = limits.map(|(of, at)| {
+        both(|system| {
+            let price = constraint_in_words(best, of, at, system);
+            format!("Held by {}: {}", shown::constraint(of, system), price.trim_start_matches("active: "))
+        })
+    });
+    varied.chain(limits).collect()
+}
+
+/// What is said of a parameter on its bound: "your limit: each further degree adds 2.11 yd".
+fn bound(best: &Optimum, i: usize, system: System) -> Option<String> {
+    let (of, parameter) = (best.search.of, best.search.vary[i].parameter);
+    let (lower, upper) = (best.solution.lower_multipliers[i], best.solution.upper_multipliers[i]);
+    if best.search.vary[i].low == best.search.vary[i].high {
+        return Some("held".into());
+    }
+    let price = lower.max(upper);
+    if price <= 0.0 || best.solution.status != Status::Converged {
+        return None;
+    }
+    let unit = system.unit(parameter.unit);
+    let is_corner = best.solution.kink.is_some_and(|kink| kink.variable == i);
+    // of a number without unit one more is no small step
+    if is_corner || unit.is_empty() {
+        return Some(bound_in_words(best, i, system));
+    }
+    let one = one(unit);
+    let amount = shown::spread(of, price * parameter.quantity.size_of(unit).unwrap_or(1.0), system);
+    let each = if upper > 0.0 { format!("each further {one}") } else { format!("each {one} less") };
+    let does = if best.search.sense == Sense::Maximize { "adds" } else { "takes off" };
+    Some(format!("your limit: {each} {does} {amount}"))
+}
+
+/// Why the drive as set up has no flight.
+fn why_not_flown(findings: &Findings<'_>) -> Option<String> {
+    match &findings.flown.first()?.drive.flight {
+        Flight::None(why) => Some(why.to_string()),
+        Flight::Landed(_) => None,
+    }
+}
+
+/// What the ± is of.
+fn what_is_known(findings: &Findings<'_>) -> Markup {
+    let of = findings.effects_of(findings.of).filter(|effects| effects.standard_uncertainty() > 0.0);
+    let Some(effects) = of else { return html! {} };
+    let mut moving: Vec<_> = effects.effects.iter().filter_map(|effect| effect.bar).collect();
+    moving.retain(|bar| bar.first_order != 0.0);
+    moving.sort_by(|a, b| b.first_order.abs().total_cmp(&a.first_order.abs()));
+    let names: Vec<String> = moving.iter().take(NAMED).map(|bar| shown::words(bar.sigma.parameter.name)).collect();
+    let others = match moving.len().saturating_sub(NAMED) {
+        0 => String::new(),
+        count => format!(" and {count} more"),
+    };
+    html! {
+        p.faint {
+            "± is one standard uncertainty: that of " (names.join(", ")) (others) " together."
+            @if findings.at_best.is_some() {
+                " An error that is the same in both drives changes both, so the change is known better."
+            }
+        }
+    }
+}

@@ -1,0 +1,130 @@
+//! What was asked: the title of the page, and the question in a few lines.
+
+use super::findings::Findings;
+use super::numbers::from_to;
+use crate::error::Result;
+use crate::parameters::{Parameter, Vary};
+use crate::report::frame::both;
+use crate::report::presets::{Change, changes};
+use crate::report::shown;
+use crate::units::{System, counted};
+use maud::{Markup, html};
+
+/// Most changes that the title names.
+const NAMED: usize = 2;
+
+/// What the page is called: the setup, with what was changed where that is little.
+pub(super) fn title(findings: &Findings<'_>, system: System) -> Result<String> {
+    let changed = changed(findings, system)?;
+    let named = match changed.as_slice() {
+        // a file is what it is called
+        changed if changed.len() <= NAMED && !findings.is_of_a_file() => {
+            changed.iter().map(|change| format!(", {} {}", change.name, change.to)).collect()
+        }
+        _ => String::new(),
+    };
+    Ok(format!("{}{named}", findings.name))
+}
+
+/// What is below the title. The words of a preset are about the drive as the preset has it.
+pub(super) fn subtitle(findings: &Findings<'_>) -> Result<String> {
+    let preset = findings.preset.name;
+    let changes = changed(findings, System::default())?.len() as u64;
+    Ok(match (findings.stated.launch.is_given(), changes) {
+        (true, _) => {
+            format!("The ball leaves as its launch says, without a club; its flight is based on the preset {preset}.")
+        }
+        (false, 0) => findings.preset.about.into(),
+        (false, changes) => format!("The preset {preset} with {}.", counted(changes, "change")),
+    })
+}
+
+/// What differs from the preset, without the launch, which stands in a line of its own, and the club that then strikes nothing.
+fn changed(findings: &Findings<'_>, system: System) -> Result<Vec<Change>> {
+    let is_launched = findings.stated.launch.is_given();
+    let is_told = |change: &Change| {
+        let is_of_club = |parameter: &Parameter| is_launched && parameter.is_of_strike();
+        !change.parameter.is_some_and(|parameter| parameter.is_of_launch() || is_of_club(parameter))
+    };
+    Ok(changes(findings.stated, findings.preset, system)?.into_iter().filter(is_told).collect())
+}
+
+/// The question: who strikes with what into which wind, what is varied and what is held, and what differs from the preset.
+pub(super) fn asked(findings: &Findings<'_>) -> Result<Markup> {
+    const GOLFER: [&str; 4] = ["swing.speed", "swing.attack_angle", "swing.path", "swing.face_angle"];
+    const CLUB: [&str; 2] = ["club.loft", "club.mass"];
+    const STRIKE: [&str; 2] = ["strike.high", "strike.toe"];
+    let values = |names: &[&str]| both(|system| stated(findings, names, system));
+    let launch: Vec<&str> = findings.stated.given_launch_conditions().iter().map(|row| row.name).collect();
+    let [metric, us] = System::ALL.map(|system| changed(findings, system));
+    let (metric, us) = (metric?, us?);
+    let of_preset = |system: System| {
+        let changes = if system == System::Us { &us } else { &metric };
+        let one = |change: &Change| format!("{} {}", change.name, from_to(&change.from, &change.to));
+        changes.iter().map(one).collect::<Vec<_>>().join("; ")
+    };
+    let search = findings.found.map(|found| &found.search);
+    Ok(html! {
+        dl.asked {
+            @if launch.is_empty() {
+                dt { "Golfer" } dd { (values(&GOLFER)) }
+                dt { "Club" } dd { (values(&CLUB)) }
+                dt { "Strike" } dd { (values(&STRIKE)) }
+            } @else {
+                dt { "Launch" } dd { (values(&launch)) }
+            }
+            dt { "Wind" } dd { (both(|system| wind(findings, system))) }
+            @if let Some(search) = search {
+                dt { "Wanted" } dd {
+                    "the " (search.sense.adjective()) " " (shown::words(search.of.name())) " by "
+                    (both(|system| {
+                        let range = |vary: &Vary| {
+                            let [low, high] = [vary.low, vary.high].map(|value| shown::stated(vary.parameter, value, system));
+                            format!("{} {}", shown::words(vary.parameter.name), to(&low, &high))
+                        };
+                        search.vary.iter().map(range).collect::<Vec<_>>().join(", ")
+                    }))
+                }
+                @if !search.subject_to.is_empty() {
+                    dt { "Limits" } dd {
+                        (both(|system| {
+                            search.subject_to.iter().map(|of| shown::constraint(of, system)).collect::<Vec<_>>().join("; ")
+                        }))
+                    }
+                }
+            }
+            dt { "Preset" } dd {
+                (findings.preset.name)
+                @if us.is_empty() { ", as it is" } @else { "; changed: " (both(of_preset)) }
+            }
+        }
+    })
+}
+
+/// Two ends of a range: "4 to 20 deg".
+fn to(low: &str, high: &str) -> String {
+    from_to(low, high).replace(" → ", " to ")
+}
+
+/// Parameters with their values: "swing speed 115 mph, swing path 0 deg".
+fn stated(findings: &Findings<'_>, names: &[&str], system: System) -> String {
+    let one = |name: &&str| {
+        let row = findings.stated.variable(name).ok()?;
+        Some(format!("{} {}", shown::words(row.name), shown::stated(row, findings.stated.value(row)?, system)))
+    };
+    names.iter().filter_map(one).collect::<Vec<_>>().join(", ")
+}
+
+/// The wind, without what is still.
+fn wind(findings: &Findings<'_>, system: System) -> String {
+    const WIND: [&str; 5] = ["wind.downrange", "wind.right", "wind.up", "wind.speed", "wind.from"];
+    let blows = |name: &str| {
+        let value = |row| findings.stated.value(row).is_some_and(|value| value != 0.0);
+        let row = findings.stated.parameter(name);
+        row.is_ok_and(|row| findings.stated.why_replaced(row).is_none() && value(row))
+    };
+    // a wind from 0° has a direction as any other
+    let is_given = |name: &&str| blows(if *name == "wind.from" { "wind.speed" } else { name });
+    let names: Vec<&str> = WIND.into_iter().filter(is_given).collect();
+    if names.is_empty() { "none".into() } else { stated(findings, &names, system) }
+}

@@ -1,0 +1,202 @@
+//! Bars of an axis of names: rows of one height, each with its name beside it, or above it where the picture is narrow, and with its values
+//! at the ends of the bars.
+
+use super::axis::{Axis, Scale};
+use super::canvas::{Area, TEXT, block, font, path, stroke, words};
+use super::figure::{Bar, Figure, Layer};
+use super::layers::Plane;
+use super::palette::Palette;
+use super::text_width::{text_width, wrapped};
+use crate::error::Result;
+use crate::units::{System, leading_number, signed, typeset};
+use plotters::style::text_anchor::HPos;
+
+/// Sizes of names and of values, and the height of a line of a name, pixels.
+const NAME: f64 = TEXT - 0.5;
+const VALUE: f64 = 12.0;
+const NAME_LINE: f64 = 15.0;
+
+/// The part of a picture's width that names beside bars may take, and in how many lines; beyond they stand above.
+const BESIDE: f64 = 0.38;
+const MOST_LINES: usize = 2;
+
+/// The height of a row's bars, pixels, and half that of a bar: alone, and of two one below the other.
+const ROW: f64 = 34.0;
+const HALF: [f64; 2] = [8.0, 6.0];
+
+/// How far from the middle of a row two bars one below the other lie, pixels.
+const APART: f64 = 7.5;
+
+/// From a bar's end to its value, pixels.
+const GAP: f64 = 4.0;
+
+/// The names of the rows, and where they stand.
+pub(super) struct Rows {
+    names: Vec<Vec<String>>,
+    is_above: bool,
+    /// What names beside the bars take, pixels.
+    pub left: f64,
+}
+
+impl Rows {
+    /// The rows of a figure, where its vertical axis has names.
+    pub fn of(figure: &Figure, width: f64) -> Option<Self> {
+        let Scale::Names(names) = &figure.y.scale else { return None };
+        let lines =
+            |room: f64| -> Vec<Vec<String>> { names.iter().map(|name| in_lines(&typeset(name), room)).collect() };
+        let beside = lines(BESIDE * width);
+        let widest = beside.iter().flatten().map(|line| text_width(line, NAME, false)).fold(0.0, f64::max);
+        if beside.iter().all(|lines| lines.len() <= MOST_LINES) {
+            return Some(Self { names: beside, is_above: false, left: widest + 14.0 });
+        }
+        Some(Self { names: lines(width - 24.0), is_above: true, left: 12.0 })
+    }
+
+    /// The height of a row, the same for all.
+    fn height(&self) -> f64 {
+        ROW + self.over()
+    }
+
+    /// The height of the names above the bars.
+    fn over(&self) -> f64 {
+        let most = self.names.iter().map(Vec::len).max().unwrap_or(0);
+        if self.is_above { NAME_LINE * most as f64 } else { 0.0 }
+    }
+
+    /// The height of them all.
+    pub fn heights(&self) -> f64 {
+        self.height() * self.names.len() as f64
+    }
+
+    /// The middle of the bars of a row, pixels below the top of the frame.
+    fn middle(&self, place: usize) -> f64 {
+        place as f64 * self.height() + self.over() + 0.5 * ROW
+    }
+
+    /// Draws where 0 is, and writes the names.
+    pub fn draw(&self, area: &Area<'_>, plane: &Plane<'_>, palette: &Palette) -> Result<()> {
+        let [left, top, _, bottom] = plane.frame;
+        if let Some(x) = plane.pixel_across(0.0) {
+            path(area, &[[x, top], [x, bottom]], stroke(palette.faint, 1.0))?;
+        }
+        let style = || font(NAME, palette.ink, false);
+        for (place, lines) in self.names.iter().enumerate() {
+            let middle = top + self.middle(place);
+            for (i, line) in lines.iter().enumerate() {
+                let below = NAME_LINE * (i as f64 - 0.5 * (lines.len() - 1) as f64);
+                let (at, side) = if self.is_above {
+                    // the last line next to the bars
+                    let up = 0.5 * ROW + NAME_LINE * (lines.len() as f64 - i as f64 - 0.5) - 2.0;
+                    let y = middle - up;
+                    let right = left + 8.0 + text_width(line, NAME, false);
+                    block(area, [left + 2.0, y - 0.5 * NAME_LINE], [right, y + 0.5 * NAME_LINE], palette.ground, 1.0)?;
+                    ([left + 4.0, y], HPos::Left)
+                } else {
+                    ([left - 8.0, middle + below], HPos::Right)
+                };
+                words(area, line, at, side, style())?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Draws the bars of a layer with their values.
+    pub fn bars(
+        &self,
+        area: &Area<'_>,
+        plane: &Plane<'_>,
+        palette: &Palette,
+        system: System,
+        figure: &Figure,
+        layer: usize,
+    ) -> Result<()> {
+        let Layer::Bars { bars, hue, .. } = &figure.layers[layer] else { return Ok(()) };
+        bars.iter().try_for_each(|bar| {
+            let [Some(from), Some(to)] = [bar.from, bar.to].map(|x| plane.pixel_across(x)) else { return Ok(()) };
+            let (lane, lanes) = lane(figure, layer, bar);
+            let half = HALF[lanes - 1];
+            let middle = plane.frame[1]
+                + self.middle(bar.place)
+                + if lanes == 1 { 0.0 } else { APART * (2.0 * lane as f64 - 1.0) };
+            block(area, [from.min(to), middle - half], [from.max(to), middle + half], palette.of(*hue), 0.85)?;
+            let is_left = is_left(figure, layer, bar);
+            let (x, side) = if is_left { (to - GAP, HPos::Right) } else { (to + GAP, HPos::Left) };
+            words(area, &value(figure, bar, system), [x, middle], side, font(VALUE, palette.ink, false))
+        })
+    }
+}
+
+/// A name in lines; what follows "±" stays together.
+fn in_lines(name: &str, room: f64) -> Vec<String> {
+    match name.split_once(" ± ") {
+        Some((words, amount)) if text_width(name, NAME, false) > room => {
+            let amount = wrapped(&format!("±\u{2007}{amount}").replace(' ', "\u{2007}"), room, NAME, false);
+            let amount = amount.into_iter().map(|line| line.replace('\u{2007}', " "));
+            wrapped(words, room, NAME, false).into_iter().chain(amount).collect()
+        }
+        _ => wrapped(name, room, NAME, false),
+    }
+}
+
+/// The bars of other layers in a row, with the number of their layer.
+fn others(figure: &Figure, layer: usize, place: usize) -> Vec<(usize, Bar)> {
+    let mut others = vec![];
+    for (i, other) in figure.layers.iter().enumerate().filter(|(i, _)| *i != layer) {
+        if let Layer::Bars { bars, .. } = other {
+            others.extend(bars.iter().filter(|bar| bar.place == place).map(|bar| (i, *bar)));
+        }
+    }
+    others
+}
+
+/// Which of two lanes a bar lies in, and how many its row has: two where bars would hide each other.
+fn lane(figure: &Figure, layer: usize, bar: &Bar) -> (usize, usize) {
+    let ends = |bar: &Bar| [bar.from.min(bar.to), bar.from.max(bar.to)];
+    let [low, high] = ends(bar);
+    let covers = |other: &Bar| {
+        let [from, to] = ends(other);
+        from < high && low < to
+    };
+    match others(figure, layer, bar.place).iter().find(|(_, other)| covers(other)) {
+        Some((i, _)) => (usize::from(*i < layer), 2),
+        None => (0, 1),
+    }
+}
+
+/// Whether a bar's value stands to its left: it goes there, or it has no length and the other bar goes to the right.
+fn is_left(figure: &Figure, layer: usize, bar: &Bar) -> bool {
+    let is_right = |bar: &Bar| bar.to > bar.from;
+    bar.to < bar.from
+        || (bar.to <= bar.from && others(figure, layer, bar.place).iter().any(|(_, other)| is_right(other)))
+}
+
+/// The value at the end of a bar: "+3.9", in the unit of the axis; with more digits where it would be written as 0.
+fn value(figure: &Figure, bar: &Bar, system: System) -> String {
+    let measure = &figure.x.measure;
+    let unit = system.unit(measure.unit);
+    let amount = bar.to - bar.from;
+    let text = measure.quantity.read_off(amount, unit);
+    let is_lost = leading_number(&text).bytes().all(|digit| b"0.".contains(&digit));
+    let text = if is_lost { measure.quantity.read_off_difference(amount, unit) } else { text };
+    signed(amount, leading_number(&text).to_owned())
+}
+
+/// The horizontal axis with room for the values beside the bars, in a frame of this width, pixels; `None` for one too narrow for them.
+pub(super) fn with_room(figure: &Figure, system: System, width: f64) -> Option<Axis> {
+    let (mut low, mut high) = (0.0_f64, 0.0_f64);
+    let mut beside = [0.0_f64; 2];
+    for (layer, bars) in figure.layers.iter().enumerate() {
+        let Layer::Bars { bars, .. } = bars else { continue };
+        for bar in bars.iter().filter(|bar| bar.from.is_finite() && bar.to.is_finite()) {
+            low = low.min(bar.from).min(bar.to);
+            high = high.max(bar.from).max(bar.to);
+            let side = usize::from(!is_left(figure, layer, bar));
+            beside[side] =
+                beside[side].max(text_width(&typeset(&value(figure, bar, system)), VALUE, false) + 2.0 * GAP);
+        }
+    }
+    let room = width - beside[0] - beside[1];
+    let span = if high > low { high - low } else { return Some(figure.x.clone()) };
+    let per_pixel = span / room;
+    (room > 0.25 * width).then(|| figure.x.clone().exactly(low - beside[0] * per_pixel, high + beside[1] * per_pixel))
+}

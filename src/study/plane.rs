@@ -1,0 +1,59 @@
+use super::Vary;
+use crate::batch::{Batch, CHUNK};
+use crate::drive::Outcome;
+use crate::error::Result;
+use crate::parameters::Setup;
+use rayon::prelude::*;
+
+/// Outcomes at the nodes of a grid over two parameters, flown side by side.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Plane {
+    /// The parameter that runs across.
+    pub across: Vary,
+    /// The parameter that runs up.
+    pub up: Vary,
+    /// Nodes across.
+    pub columns: usize,
+    /// Nodes up.
+    pub rows: usize,
+    /// Each outcome at each node, SI, row by row from the lowest; `None` where the drive has none.
+    pub values: Vec<Vec<Option<f64>>>,
+}
+
+impl Plane {
+    /// Flies a setup with two of its parameters at the nodes of a grid. They need no value in the setup.
+    ///
+    /// # Errors
+    /// As [`Batch::new`].
+    pub fn fly(
+        setup: &Setup<f64>,
+        of: &[Outcome],
+        across: Vary,
+        up: Vary,
+        [columns, rows]: [usize; 2],
+    ) -> Result<Self> {
+        let batch = Batch::new(setup, &[across.parameter, up.parameter], of, &[])?;
+        let mut plane = Self { across, up, columns, rows, values: vec![] };
+        let places: Vec<[f64; 2]> = (0..columns * rows).map(|node| plane.node(node)).collect();
+        let blocks: Vec<_> = places.par_chunks(CHUNK).map(|chunk| batch.evaluate(0, chunk.concat())).collect();
+        plane.values = (0..of.len()).map(|i| blocks.iter().flat_map(|block| block.result(i)).collect()).collect();
+        Ok(plane)
+    }
+
+    /// Where a node lies, SI: across, up.
+    pub fn node(&self, node: usize) -> [f64; 2] {
+        let part = |at: usize, count: usize| at as f64 / (count.max(2) - 1) as f64;
+        let along = |vary: &Vary, part: f64| vary.low + part * (vary.high - vary.low);
+        [
+            along(&self.across, part(node % self.columns, self.columns)),
+            along(&self.up, part(node / self.columns, self.rows)),
+        ]
+    }
+
+    /// The node with the largest value of an outcome among those that lie where they may, with that value.
+    pub fn largest(&self, of: usize, may: impl Fn([f64; 2]) -> bool) -> Option<([f64; 2], f64)> {
+        let values = self.values.get(of)?.iter().enumerate();
+        let known = values.filter_map(|(node, value)| Some((self.node(node), (*value)?))).filter(|(at, _)| may(*at));
+        known.max_by(|a, b| a.1.total_cmp(&b.1))
+    }
+}
