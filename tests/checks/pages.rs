@@ -97,12 +97,12 @@ fn the_title_is_what_was_asked_and_not_the_presets() {
     assert!(head.contains("modern-driver") && head.contains("3 changes"), "{head}");
     let asked = words(part(&page, "What was asked", "</section>"), "us");
     for said in
-        ["swing speed 60 mph", "swing speed 110 → 60 mph", "wind speed 5 mph, wind from 0", "4 to 20", "modern-driver"]
+        ["club speed 60 mph", "club speed 110 → 60 mph", "wind speed 5 mph, wind from 0", "4 to 20", "modern-driver"]
     {
         assert!(asked.contains(said), "no '{said}' in {asked}");
     }
     let (_, page) = report(&["modern-driver", "--set", "swing.speed=60mph"]);
-    assert!(words(part(&page, "<h1>", "</h1>"), "us").ends_with("modern-driver, swing speed 60 mph"));
+    assert!(words(part(&page, "<h1>", "</h1>"), "us").ends_with("modern-driver, club speed 60 mph"));
     assert!(words(part(&page, "<h1>", "</h1>"), "metric").contains("26.8"), "and in the other units");
     let (_, page) = report(&["modern-driver"]);
     assert!(page.contains("A 460 cc driver of the 2020s at 110 mph") && page.contains("modern-driver, as it is"));

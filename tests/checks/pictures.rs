@@ -18,6 +18,9 @@ const KINDS: &[&[&str]] = &[
     &["trajectory", "--view", "top", "--set", "swing.face_angle=3deg"],
     &["compare", "--set-b", "club.loft=12deg", "--set-b", "aero.law=linear", "--set-b", "swing.path=2deg"],
     &["vcurve", "--wrt", "club.loft,swing.attack_angle,air.density", "--of", "carry,lateral"],
+    &["fairway", "--set", "swing.face_angle=1deg"],
+    &["launch"],
+    &["face", "--set", "strike.toe=10mm"],
     &["laws"],
     &["laws", "--show", "cl", "--over", "reynolds"],
 ];
@@ -56,13 +59,17 @@ fn words(svg: &str) -> Vec<Words> {
                 Some("end") => wide,
                 _ => 0.0,
             };
+        // a view below another one is moved down
+        let down = node.ancestors().filter_map(|node| node.attribute("transform"));
+        let down = down.map(|to| to.rsplit(' ').next().unwrap().trim_end_matches(')').parse::<f64>().unwrap() / 10.0);
+        let down: f64 = down.sum();
         // letters reach 0.76 of their size above the line that they stand on, and 0.24 below it
         let top = match node.attribute("dy") {
             Some("0.76em") => of("y"),
             Some("0.5ex") => of("y") - 0.5 * size,
             other => panic!("{other:?}"),
         };
-        Some(Words { place: [left, top, left + wide, top + size], text, size })
+        Some(Words { place: [left, down + top, left + wide, down + top + size], text, size })
     };
     texts.filter_map(one).filter(|words| !words.text.is_empty()).collect()
 }

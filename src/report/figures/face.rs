@@ -20,11 +20,12 @@ pub fn face_figure(face: &Face, system: System) -> Figure {
     let seen = |[toe, high]: [f64; 2]| [-toe, high];
     let (x, y) = (length("← toe · from the sweet spot · heel →"), length("above the sweet spot"));
     let [wide, tall] = face.half;
-    let ranges = [[-wide, wide], [-tall, tall]].map(|range| with_margin(range, 0.04, 0.08));
+    // room for the names above and below the face
+    let ranges = [with_margin([-wide, wide], 0.04, 0.04), with_margin([-tall, tall], 0.3, 0.3)];
     let mut figure = to_scale(
         Figure::new("face", "Carry lost by where the face is struck", x, y),
         ranges,
-        [0.3, 0.9],
+        [0.3, 1.2],
         [Grows::Evenly; 2],
     );
     figure.names_on_lines = true;

@@ -19,14 +19,14 @@ pub fn launches_figure(map: &Launches, system: System) -> Figure {
     figure.names_on_lines = true;
     figure.subtitle = format!("at a ball speed of {}", shown::outcome(Outcome::BallSpeed, map.ball_speed, system));
     if map.ridge.len() > 1 {
-        let name = "best launch for each spin".into();
+        let name = "best launch".into();
         figure.layers.push(Layer::Line { name, hue: Hue::Ink, is_dashed: true, points: map.ridge.clone() });
     }
     let places: Vec<_> = map.launched.iter().map(|one| [one.launch_angle, one.backspin]).collect();
     if let [first, second, ..] = places[..] {
         figure.layers.push(Layer::Arrows { name: String::new(), hue: Hue::Ink, arrows: vec![[first, second]] });
     }
-    let mut notes = vec![];
+    let mut notes = vec!["Dashed: the best launch angle for each backspin.".to_owned()];
     for (i, (one, at)) in map.launched.iter().zip(places).enumerate() {
         let (hue, _) = super::style::style(&one.name, i);
         figure.layers.push(Layer::Mark { name: one.name.clone(), hue, at });

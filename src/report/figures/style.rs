@@ -1,6 +1,5 @@
 //! What the pictures of drives share: a drive has the same colour and dashes in all of them, and grids become fields.
 
-use super::trajectory::Flown;
 use crate::report::plot::{Field, Hue, Measure};
 use crate::study::{Plane, Vary};
 
@@ -8,7 +7,7 @@ use crate::study::{Plane, Vary};
 pub(super) fn style(name: &str, place: usize) -> (Hue, bool) {
     match name {
         "as set up" => (Hue::SET_UP, false),
-        Flown::OPTIMUM => (Hue::OPTIMUM, true),
+        "optimum" => (Hue::OPTIMUM, true),
         _ => (Hue::Series(place), place > 0),
     }
 }

@@ -33,11 +33,6 @@ impl Flown {
     /// What the drive at an optimum is called.
     pub const OPTIMUM: &str = "optimum";
 
-    /// Its colour: that of its meaning, also where it is alone in a picture.
-    pub fn hue(&self) -> Hue {
-        if self.name == Self::OPTIMUM { Hue::OPTIMUM } else { Hue::SET_UP }
-    }
-
     /// Flies a setup and keeps the path.
     ///
     /// # Errors

@@ -44,12 +44,12 @@ impl Plane<'_> {
         (-1e-6..=1.0 + 1e-6).contains(&part).then_some(left + part * (right - left))
     }
 
-    fn all(&self, points: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    pub fn all(&self, points: &[[f64; 2]]) -> Vec<[f64; 2]> {
         points.iter().filter_map(|point| self.pixel(*point)).collect()
     }
 
     /// The pieces of a line that lie on the plane.
-    fn pieces(&self, points: &[[f64; 2]]) -> Vec<Vec<[f64; 2]>> {
+    pub fn pieces(&self, points: &[[f64; 2]]) -> Vec<Vec<[f64; 2]>> {
         let placed: Vec<_> = points.iter().map(|point| self.pixel(*point)).collect();
         placed.split(Option::is_none).map(|piece| piece.iter().flatten().copied().collect()).collect()
     }
@@ -90,19 +90,8 @@ pub(super) fn draw(area: &Area<'_>, plane: &Plane<'_>, palette: &Palette, system
     }
 }
 
-/// The names of lines on them, where the figure has them there, and the levels of contours as far as there is room.
+/// The levels of contours, as far as there is room.
 pub(super) fn label(labels: &mut Labels<'_, '_>, plane: &Plane<'_>, system: System, figure: &Figure) -> Result<()> {
-    for layer in figure.layers.iter().filter(|_| figure.names_on_lines) {
-        if let Layer::Line { name, hue, points, .. } = layer
-            && !name.is_empty()
-        {
-            let color = labels.palette.of(*hue);
-            // a line that has no room for its name would be a riddle: there the name stands in its middle
-            let at = place_on(labels, plane, &plane.all(points), name);
-            let at = at.or_else(|| plane.all(points).get(points.len() / 2).map(|at| within(plane, name, *at)));
-            at.map_or(Ok(()), |at| labels.write(name, at, color, true))?;
-        }
-    }
     for layer in &figure.layers {
         if let Layer::Contours(field) = layer {
             let unit = system.unit(field.measure.unit);
@@ -119,20 +108,22 @@ pub(super) fn label(labels: &mut Labels<'_, '_>, plane: &Plane<'_>, system: Syst
 }
 
 /// Where words have room on a line: nearest to its middle, since ends crowd together.
-fn place_on(labels: &Labels<'_, '_>, plane: &Plane<'_>, places: &[[f64; 2]], text: &str) -> Option<[f64; 2]> {
+pub(super) fn place_on(
+    labels: &Labels<'_, '_>,
+    plane: &Plane<'_>,
+    places: &[[f64; 2]],
+    text: &str,
+) -> Option<[f64; 2]> {
     let middle = places.len() / 2;
     let outward =
         (0..places.len()).map(|i| if i % 2 == 0 { middle.wrapping_add(i / 2) } else { middle.wrapping_sub(i / 2 + 1) });
-    let has_room = |at: &&[f64; 2]| within(plane, text, **at) == **at && labels.is_free(Labels::extent(text, **at));
-    outward.filter_map(|i| places.get(i)).find(has_room).copied()
-}
-
-/// The nearest place to a point where words around it lie within the frame.
-fn within(plane: &Plane<'_>, text: &str, at: [f64; 2]) -> [f64; 2] {
     let [left, top, right, bottom] = plane.frame;
-    let [_, [wide, tall]] = Labels::extent(text, [0.0, 0.0]);
-    // words wider than the frame begin at its left
-    [at[0].min(right - wide).max(left + wide), at[1].min(bottom - tall).max(top + tall)]
+    let has_room = |at: &&[f64; 2]| {
+        let [low, high] = Labels::extent(text, **at);
+        let is_inside = low[0] >= left && high[0] <= right && low[1] >= top && high[1] <= bottom;
+        is_inside && labels.is_free([low, high])
+    };
+    outward.filter_map(|i| places.get(i)).find(has_room).copied()
 }
 
 /// A part of the plane: hatched, or tinted with an outline.

@@ -5,6 +5,7 @@ use super::figure::{Figure, Layer};
 use super::layers::{Plane, star};
 use super::legend;
 use crate::error::Result;
+use plotters::style::RGBColor;
 
 /// What a mark covers around its place, and from there to its word, pixels.
 const SIZE: f64 = 6.5;
@@ -27,20 +28,18 @@ pub(super) fn write_marks(labels: &mut Labels<'_, '_>, plane: &Plane<'_>, figure
         star(labels.area, labels.palette, *at, *color)?;
         labels.taken.push(around(at));
     }
+    let lines = lines(plane, figure);
     for (name, color, at) in needed.iter().filter(|(name, ..)| !name.is_empty()) {
-        let middle = beside(labels, plane, name, *at).unwrap_or_else(|| nearest(labels, plane, name, *at));
-        let [dx, dy] = [middle[0] - at[0], middle[1] - at[1]];
-        let half = Labels::extent(name, [0.0, 0.0])[1][0];
-        if (dx.abs() - half).max(0.0).hypot(dy) > FAR {
-            path(labels.area, &[*at, middle], stroke(*color, 0.8))?;
+        match beside(labels, plane, name, *at, &lines) {
+            Some(middle) => labels.write(name, middle, *color, true)?,
+            None => write_near(labels, plane, name, *at, *color)?,
         }
-        labels.write(name, middle, *color, true)?;
     }
     let before = labels.taken.len();
     labels.taken.extend(doubled.iter().map(|(.., at)| around(at)));
     let mut middles = vec![];
     for (name, _, at) in &doubled {
-        let Some(middle) = beside(labels, plane, name, *at) else {
+        let Some(middle) = beside(labels, plane, name, *at, &lines) else {
             labels.taken.truncate(before);
             return Ok(());
         };
@@ -54,6 +53,45 @@ pub(super) fn write_marks(labels: &mut Labels<'_, '_>, plane: &Plane<'_>, figure
     Ok(())
 }
 
+/// Writes a word as near to a place as there is room, and joins the two where they are far apart.
+pub(super) fn write_near(
+    labels: &mut Labels<'_, '_>,
+    plane: &Plane<'_>,
+    name: &str,
+    at: [f64; 2],
+    color: RGBColor,
+) -> Result<()> {
+    let middle = nearest(labels, plane, name, at);
+    let [dx, dy] = [middle[0] - at[0], middle[1] - at[1]];
+    let half = Labels::extent(name, [0.0, 0.0])[1][0];
+    if (dx.abs() - half).max(0.0).hypot(dy) > FAR {
+        path(labels.area, &[at, middle], stroke(color, 0.8))?;
+    }
+    labels.write(name, middle, color, true)
+}
+
+/// Places along the lines of a figure, so close that words cannot lie between them, pixels.
+fn lines(plane: &Plane<'_>, figure: &Figure) -> Vec<[f64; 2]> {
+    const STEP: f64 = 6.0;
+    let lines = figure.layers.iter().filter_map(|layer| match layer {
+        Layer::Line { points, .. } => Some(plane.pieces(points)),
+        _ => None,
+    });
+    let mut places = vec![];
+    for piece in lines.flatten() {
+        for ends in piece.windows(2) {
+            let [dx, dy] = [0, 1].map(|axis| ends[1][axis] - ends[0][axis]);
+            let steps = (dx.hypot(dy) / STEP).ceil().max(1.0);
+            places.extend(
+                (0..steps as u32)
+                    .map(|i| [dx, dy].map(|d| d * f64::from(i) / steps))
+                    .map(|[x, y]| [ends[0][0] + x, ends[0][1] + y]),
+            );
+        }
+    }
+    places
+}
+
 /// Whether a word around a place lies in the frame and hides nothing.
 fn is_free(labels: &Labels<'_, '_>, plane: &Plane<'_>, name: &str, middle: &[f64; 2]) -> bool {
     let [left, top, right, bottom] = plane.frame;
@@ -61,8 +99,14 @@ fn is_free(labels: &Labels<'_, '_>, plane: &Plane<'_>, name: &str, middle: &[f64
     low[0] >= left && high[0] <= right && low[1] >= top && high[1] <= bottom && labels.is_free([low, high])
 }
 
-/// The middle of a word beside its mark, else above or below, where there is room.
-fn beside(labels: &Labels<'_, '_>, plane: &Plane<'_>, name: &str, at: [f64; 2]) -> Option<[f64; 2]> {
+/// The middle of a word beside its mark, above or below, where there is room and least of the lines is hidden.
+fn beside(
+    labels: &Labels<'_, '_>,
+    plane: &Plane<'_>,
+    name: &str,
+    at: [f64; 2],
+    lines: &[[f64; 2]],
+) -> Option<[f64; 2]> {
     let [left, _, right, _] = plane.frame;
     let [wide, tall] = Labels::extent(name, [0.0, 0.0])[1];
     let sides = [wide + GAP, -wide - GAP].map(|dx| at[0] + dx);
@@ -70,7 +114,13 @@ fn beside(labels: &Labels<'_, '_>, plane: &Plane<'_>, name: &str, at: [f64; 2]) 
     let over = at[0].min(right - wide).max(left + wide);
     let over = [-1.0, 1.0].map(|side| [over, at[1] + side * (tall + GAP)]);
     let all = sides.into_iter().flat_map(|x| heights.map(|y| [x, y])).chain(over);
-    all.into_iter().find(|middle| is_free(labels, plane, name, middle))
+    let hidden = |middle: &[f64; 2]| {
+        let [low, high] = Labels::extent(name, *middle);
+        let is_under = |place: &&[f64; 2]| (0..2).all(|axis| (low[axis]..=high[axis]).contains(&place[axis]));
+        lines.iter().filter(is_under).count()
+    };
+    // the first of those that hide least
+    all.into_iter().filter(|middle| is_free(labels, plane, name, middle)).min_by_key(hidden)
 }
 
 /// The nearest middle of a word in the frame where there is room; in a frame that is full, over something.

@@ -25,6 +25,7 @@ mod hover;
 mod layers;
 mod layout;
 mod legend;
+mod line_names;
 mod marks;
 mod palette;
 mod panels;

@@ -3,6 +3,7 @@ use super::figure::{Figure, Layer};
 use super::hover::titles as hover_titles;
 use super::layers::{Plane, draw, label};
 use super::layout::{Layout, MARGIN, NUMBER, TITLE};
+use super::line_names::write_line_names;
 use super::marks::write_marks;
 use super::palette::{DARK, LIGHT, Palette};
 use crate::error::Result;
@@ -97,6 +98,7 @@ pub(super) fn panel(figure: &Figure, look: &Look) -> Result<Panel> {
         }
         let mut labels = Labels { area: &area, palette, taken: vec![] };
         write_marks(&mut labels, &plane, figure)?;
+        write_line_names(&mut labels, &plane, figure)?;
         label(&mut labels, &plane, look.system, figure)?;
         hover = hover_titles(figure, &plane, look.system);
         area.present().map_err(failed)?;
