@@ -98,12 +98,12 @@ pub(super) fn changes(setup: &Setup<f64>, preset: &Preset, system: System) -> Re
         // a coefficient of another law than the preset's is compared with its own default
         let from = base.parameter(row.name).map_or_else(|_| row.default_value(), |known| base.value(known));
         let to = setup.value(row);
-        let show = |value: Option<f64>| value.map_or(UNSET.into(), |value| shown::stated(row, value, system));
-        (from != to).then(|| Change {
-            parameter: Some(row),
-            name: shown::words(row.name),
-            from: show(from),
-            to: show(to),
+        (from != to).then(|| {
+            let short = [from, to].map(|value| value.map_or(UNSET.into(), |value| shown::told(row, value, system)));
+            // all digits where the first four are the same
+            let [from, to] =
+                if short[0] == short[1] { [from, to].map(|value| shown::set(row, value, system)) } else { short };
+            Change { parameter: Some(row), name: shown::words(row.name), from, to }
         })
     });
     let law = setup.law.table().map_or(setup.law.name(), |table| table.file());

@@ -106,6 +106,11 @@ pub fn stated(parameter: &Parameter, value: f64, system: System) -> String {
     given(parameter.quantity, parameter.unit, value, system, 5)
 }
 
+/// The same in short, where the question is told: to four digits, so that "110 mph" is "49.17 m/s" and not "49.174 m/s".
+pub(super) fn told(parameter: &Parameter, value: f64, system: System) -> String {
+    given(parameter.quantity, parameter.unit, value, system, 4)
+}
+
 /// The same with all its digits, and with "none" where it is not set: the numbers of a setup.
 pub(super) fn set(parameter: &Parameter, value: Option<f64>, system: System) -> String {
     value.map_or(UNSET.into(), |value| given(parameter.quantity, parameter.unit, value, system, 7))

@@ -215,10 +215,10 @@ fn exact_limits_on_a_map_are_where_the_outcome_is_at_its_limit() {
     let said = longdrive(&["plot", "contour", "-o", &file, "--subject-to", "descent_angle >= 38 deg"]);
     assert_eq!(said.status, 0, "{}", said.err);
     let csv = std::fs::read_to_string(&file).unwrap();
-    let line: Vec<&str> = csv.lines().filter(|row| row.starts_with("line,descent_angle >= 38 deg,")).collect();
+    let line: Vec<&str> = csv.lines().filter(|row| row.starts_with("line,descent angle ≥ 38°,")).collect();
     assert!(line.len() > 20, "{csv}");
     // pieces are parted by rows without numbers
-    for row in line.iter().filter(|row| !row.contains("deg,,")).step_by(7) {
+    for row in line.iter().filter(|row| !row.contains("°,,")).step_by(7) {
         let at: Vec<&str> = row.split(',').skip(2).take(2).collect();
         let set = [format!("club.loft={}rad", at[0]), format!("swing.attack_angle={}rad", at[1])];
         let (_, drive) = json(&["simulate", "--set", &set[0], "--set", &set[1]]);

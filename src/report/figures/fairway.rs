@@ -5,7 +5,7 @@ use crate::drive::Outcome;
 use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};
 use crate::report::shown;
 use crate::study::Landing;
-use crate::units::{Quantity, System, significant};
+use crate::units::{Quantity, System, significant, with_unit};
 
 /// The shape of the picture, height over width.
 const SHAPE: [f64; 2] = [0.8, 1.25];
@@ -97,9 +97,8 @@ fn spread(landings: &[Landing], system: System) -> String {
     let sigma = |sigma: &crate::study::Sigma| {
         let measure = Measure::parameter(sigma.parameter);
         let unit = system.unit(measure.unit);
-        format!("{} ± {} {unit}", measure.label, significant(measure.in_units(sigma.value, system), 3))
-            .trim_end()
-            .to_owned()
+        let amount = significant(measure.in_units(sigma.value, system), 3);
+        format!("{} ± {}", measure.label, with_unit(&amount, unit))
     };
     let sigmas: Vec<String> = landing.sigmas.iter().map(sigma).collect();
     format!(

@@ -36,7 +36,7 @@ pub fn map_figure(map: &Map, on: &OnMap<'_>, system: System) -> Figure {
     figure.subtitle = held(on.setup, best, [across, up], system);
     let mut notes = vec!["The edges of the map are the bounds.".to_owned()];
     for (i, (constraint, map)) in on.limits.iter().enumerate() {
-        figure.layers.extend(forbidden(constraint, &field(map), 2 + i));
+        figure.layers.extend(forbidden(constraint, &field(map), 2 + i, system));
     }
     if on.limits.iter().any(|(constraint, _)| !constraint.is_equation()) {
         notes.push("Hatched: forbidden by a constraint.".into());
@@ -95,10 +95,11 @@ fn held(setup: &Setup<f64>, best: Option<&Optimum>, axes: [&Vary; 2], system: Sy
 }
 
 /// The line of a constraint, and what lies beyond it.
-fn forbidden(constraint: &Constraint, field: &Field, hue: usize) -> Vec<Layer> {
+fn forbidden(constraint: &Constraint, field: &Field, hue: usize, system: System) -> Vec<Layer> {
+    let words = shown::constraint(constraint, system);
     let mut layers = vec![];
     let hatched = |rings: Vec<Vec<[f64; 2]>>| Layer::Region {
-        name: format!("forbidden: {}", constraint.expression),
+        name: format!("forbidden: {words}"),
         hue: Hue::Series(hue),
         is_hatched: true,
         rings,
@@ -115,7 +116,7 @@ fn forbidden(constraint: &Constraint, field: &Field, hue: usize) -> Vec<Layer> {
     }
     let mut ends: Vec<f64> = [constraint.low, constraint.high].into_iter().filter(|end| end.is_finite()).collect();
     ends.dedup();
-    let lines = ends.into_iter().zip([constraint.expression.as_str(), ""]);
+    let lines = ends.into_iter().zip([words.as_str(), ""]);
     let lines = lines.map(|(end, name)| Layer::line(name, hue, field.line_at(end)));
     layers.extend(lines.filter(|line| !matches!(line, Layer::Line { points, .. } if points.is_empty())));
     layers

@@ -51,7 +51,7 @@ const STRAIGHT: f64 = 0.09144;
 const CORRIDOR: f64 = 10.0;
 
 /// The shape of the view to scale, and of the stretched one, height over width.
-const SHAPE: [f64; 2] = [0.21, 0.9];
+const SHAPE: [f64; 2] = [0.3, 0.9];
 const STRETCHED: f64 = 0.42;
 
 /// Where the view to scale shows the height at least so much smaller than the stretched one, that one is drawn too.

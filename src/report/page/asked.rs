@@ -79,7 +79,7 @@ pub(super) fn asked(findings: &Findings<'_>) -> Result<Markup> {
                     "the " (search.sense.adjective()) " " (shown::words(search.of.name())) " by "
                     (both(|system| {
                         let range = |vary: &Vary| {
-                            let [low, high] = [vary.low, vary.high].map(|value| shown::stated(vary.parameter, value, system));
+                            let [low, high] = [vary.low, vary.high].map(|value| shown::told(vary.parameter, value, system));
                             format!("{} {}", shown::words(vary.parameter.name), to(&low, &high))
                         };
                         search.vary.iter().map(range).collect::<Vec<_>>().join(", ")
@@ -110,7 +110,7 @@ fn to(low: &str, high: &str) -> String {
 fn stated(findings: &Findings<'_>, names: &[&str], system: System) -> String {
     let one = |name: &&str| {
         let row = findings.stated.variable(name).ok()?;
-        Some(format!("{} {}", shown::words(row.name), shown::stated(row, findings.stated.value(row)?, system)))
+        Some(format!("{} {}", shown::words(row.name), shown::told(row, findings.stated.value(row)?, system)))
     };
     names.iter().filter_map(one).collect::<Vec<_>>().join(", ")
 }

@@ -4,7 +4,7 @@ use crate::drive::Outcome;
 use crate::parameters::Parameter;
 use crate::report::frame::both;
 use crate::report::shown;
-use crate::units::{System, significant};
+use crate::units::{System, significant, with_unit};
 use maud::Markup;
 
 /// The value of an outcome; a dash where there is none.
@@ -31,7 +31,7 @@ pub(super) fn stated(parameter: &Parameter, value: f64) -> Markup {
 pub(super) fn of_known_size(of: Outcome, size: f64, system: System) -> String {
     let unit = system.unit(of.unit());
     let number = significant(size / of.quantity().size_of(unit).unwrap_or(1.0), 2);
-    format!("{number} {unit}").trim_end().to_owned()
+    with_unit(&number, unit)
 }
 
 /// A change, its unit said once: "9.5 → 6.70 deg".

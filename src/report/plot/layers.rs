@@ -7,7 +7,7 @@ use super::hatching::hatching;
 use super::palette::Palette;
 use super::ticks::Drawn;
 use crate::error::Result;
-use crate::units::{System, significant};
+use crate::units::{System, significant, with_unit};
 use plotters::element::{Circle, DashedPathElement, PathElement, Polygon};
 use plotters::style::{Color, RGBColor};
 
@@ -96,7 +96,7 @@ pub(super) fn label(labels: &mut Labels<'_, '_>, plane: &Plane<'_>, system: Syst
         if let Layer::Contours(field) = layer {
             let unit = system.unit(field.measure.unit);
             for ground in grounds(field, system) {
-                let text = format!("{} {unit}", significant(ground.level, 6)).trim_end().to_owned();
+                let text = with_unit(&significant(ground.level, 6), unit);
                 let mut lines: Vec<_> = ground.lines.iter().map(|line| plane.all(line)).collect();
                 lines.sort_by_key(|line| std::cmp::Reverse(line.len()));
                 let at = lines.iter().find_map(|line| place_on(labels, plane, line, &text));
