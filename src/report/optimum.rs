@@ -233,7 +233,9 @@ fn constraints_text(optimum: &Optimum, system: System) -> String {
 pub(super) fn constraint_in_words(optimum: &Optimum, of: &Constraint, at: &ConstraintReport, system: System) -> String {
     let by = (of.outcome.quantity(), of.outcome.unit());
     let is_converged = optimum.solution.status == Status::Converged;
-    let price = |amount: f64| signed(amount, shown::price(optimum.search.of, amount, by, system));
+    let price = |amount: f64| {
+        signed(amount, shown::price((optimum.search.of.quantity(), optimum.search.of.unit()), amount, by, system))
+    };
     // the price of a limit is a gain, and a smaller value is a gain where the smallest is looked for; that of an equation has its sign
     let sign = if optimum.search.sense == Sense::Maximize { 1.0 } else { -1.0 };
     match at.multiplier {
@@ -308,7 +310,7 @@ pub(super) fn bound_in_words(optimum: &Optimum, i: usize, system: System) -> Str
     let price = |amount: f64| {
         let by = vary.parameter;
         let amount = shown::settled(gain * amount, value, (of.quantity(), of.unit()), &[by]);
-        signed(amount, shown::price(of, amount, (by.quantity, by.unit), system))
+        signed(amount, shown::price((of.quantity(), of.unit()), amount, (by.quantity, by.unit), system))
     };
     let is_corner = optimum.solution.kink.is_some_and(|kink| kink.variable == i);
     if vary.low == vary.high {

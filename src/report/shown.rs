@@ -171,8 +171,8 @@ pub(super) fn slope(of: Outcome, value: f64, by: &Parameter, slope: f64, system:
 }
 
 /// What moving a limit by one of its unit brings: "2.11 yd for each degree".
-pub(super) fn price(of: Outcome, amount: f64, by: (Quantity, &'static str), system: System) -> String {
-    let (number, unit) = quotient((of.quantity(), of.unit()), by, amount, system, 3);
+pub(super) fn price(of: (Quantity, &'static str), amount: f64, by: (Quantity, &'static str), system: System) -> String {
+    let (number, unit) = quotient(of, by, amount, system, 3);
     format!("{} for each {}", with_unit(&number, unit), one(system.unit(by.1)))
 }
 

@@ -8,7 +8,7 @@ use crate::parameters::Preset;
 use crate::study::Sense;
 use crate::study::swings::{Doubt, Goal, Price, Resampled, Rule, SwingsOptimum};
 use crate::study::uncertainty::Interval;
-use crate::units::{Message, System, counted, significant};
+use crate::units::{Message, System, counted, signed, significant};
 use serde_json::{Value, json};
 
 /// The answer of `optimize` over many swings: of one drive there is no launch and no flight.
@@ -118,10 +118,10 @@ pub fn swings_text(
             () if vary.low == vary.high => "fixed".into(),
             () if !is_converged => String::new(),
             () if upper > 0.0 => {
-                format!("at its upper bound: {} beyond it", slope(search.sense, &search.of, i, upper, best, system))
+                format!("at its upper bound: {} that it is raised", bound_price(best, i, upper, system))
             }
             () if lower > 0.0 => {
-                format!("at its lower bound: {} beyond it", slope(search.sense, &search.of, i, lower, best, system))
+                format!("at its lower bound: {} that it is lowered", bound_price(best, i, lower, system))
             }
             () => "free".into(),
         };
@@ -225,11 +225,11 @@ fn difference_text(goal: &Goal, value: f64, system: System) -> String {
     }
 }
 
-/// What moving a bound brings.
-fn slope(sense: Sense, goal: &Goal, i: usize, multiplier: f64, best: &SwingsOptimum, system: System) -> String {
-    let by = best.search.vary[i].parameter;
-    let gain = if sense == Sense::Maximize { "+" } else { "-" };
-    format!("{gain}{}", shown::ratio((goal.quantity, goal.unit), (by.quantity, by.unit), multiplier, system, 3))
+/// What moving a bound brings: "+2.11 yd for each degree".
+fn bound_price(best: &SwingsOptimum, i: usize, multiplier: f64, system: System) -> String {
+    let (goal, by) = (&best.search.of, best.search.vary[i].parameter);
+    let amount = if best.search.sense == Sense::Maximize { multiplier } else { -multiplier };
+    signed(amount, shown::price((goal.quantity, goal.unit), amount, (by.quantity, by.unit), system))
 }
 
 /// The setup with the best design as a setup file in TOML, to the last digit.

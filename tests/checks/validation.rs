@@ -147,7 +147,8 @@ fn what_validation_md_shows_is_that_of_the_program() {
     let place = |name: &str| format!("{}/docs/{name}", env!("CARGO_MANIFEST_DIR"));
     let text = std::fs::read_to_string(place("validation.md")).unwrap();
     let document = validation_document(&FOUND, System::Us);
-    let markdown = document.markdown(System::Us).replace("\n## ", "\n### ").replace("](validation-", "](pictures/validation-");
+    let markdown =
+        document.markdown(System::Us).replace("\n## ", "\n### ").replace("](validation-", "](pictures/validation-");
     let (_, body) = markdown.split_once("\n\n").unwrap();
     assert!(text.contains(body), "docs/validation.md should have:\n{body}");
     let mut figures = vec![];

@@ -114,7 +114,7 @@ fn correlation(setup: &Setup<f64>, value: &DeValue<'_>) -> Result<Correlation> {
     let DeValue::Table(table) = value else { return Err(of_type("correlations", value, "a table")) };
     for key in table.keys() {
         if !["between", "coefficient"].contains(&key.get_ref().as_ref()) {
-            return Err(refuse(format!("'{}' is none of its keys; {how}", key.get_ref())));
+            return Err(refuse(format!("'{}' does not belong here; {how}", key.get_ref())));
         }
     }
     let get = |name: &str| {

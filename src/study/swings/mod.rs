@@ -7,6 +7,7 @@
 //! ```
 
 mod apart;
+mod chained;
 mod file;
 mod measure;
 mod optimum;

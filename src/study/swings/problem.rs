@@ -1,3 +1,4 @@
+use super::chained::sum;
 use super::read::{Goal, GoalLimit};
 use super::scenarios::Scenarios;
 use crate::derivative::{Evaluator, Order};
@@ -116,7 +117,7 @@ impl SwingsProblem {
                 (measure.of(&drives, weights), *weight)
             });
             let terms: Vec<_> = terms.collect();
-            super::measure::sum(terms.iter().map(|(term, weight)| (term, *weight)))
+            sum(terms.iter().map(|(term, weight)| (term, *weight)))
         };
         self.goals.iter().map(goal).collect()
     }

@@ -1,4 +1,4 @@
-use super::measure::chained;
+use super::chained::chained;
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::number::Taylor;
