@@ -33,7 +33,7 @@ pub struct Document {
 /// The files of a report: `index.html`, [`SETUP_FILE`], and for each plot `NAME-us.svg`, `NAME-metric.svg` and `NAME.csv`.
 ///
 /// # Errors
-/// As [`figure_svg`](super::plot::figure_svg), [`figure_csv`](super::plot::figure_csv) and [`setup_toml`].
+/// As [`figure_svg`], [`figure_csv`](super::plot::figure_csv) and [`setup_toml`].
 pub fn report_documents(findings: &Findings<'_>) -> Result<Vec<Document>> {
     let (mut drive, left_out) = trajectories(findings.flown);
     if !findings.landings.is_empty() {
