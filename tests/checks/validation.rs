@@ -154,7 +154,7 @@ fn what_validation_md_shows_is_that_of_the_program() {
     let mut figures = vec![];
     for figure in document.figures() {
         let svg = figure_svg(figure, &Look::default()).unwrap();
-        let file = place(&format!("pictures/{}.svg", figure.name));
+        let file = place(&format!("pictures/{}-us.svg", figure.name));
         if std::env::var_os("WRITE_PICTURES").is_some() {
             std::fs::write(&file, &svg).unwrap();
         }
@@ -175,7 +175,7 @@ fn a_folder_gets_a_page_and_markdown_and_two_formats_are_refused() {
     let data = std::fs::read_to_string(folder_of.join("validation-spin.csv")).unwrap();
     // 30 optima of each law
     assert_eq!(data.lines().filter(|line| line.contains("ferguson")).count(), 30);
-    assert!(folder_of.join("validation-carry.svg").exists());
+    assert!(folder_of.join("validation-carry-us.svg").exists());
     for file in ["index.html", "report.md"] {
         let text = std::fs::read_to_string(folder.path().join("validation").join(file)).unwrap();
         assert!(text.contains("launch-monitor") && !text.contains("NaN"), "{file}");
