@@ -1,12 +1,13 @@
 use super::lines::paragraph;
 use super::optimum::{ConstraintReport, Multipliers};
 use super::table::table;
+use super::uncertainty::distribution_text;
 use super::{OptimumReport, Reply, json, shown};
 use crate::error::Result;
 use crate::optimize::Status;
 use crate::parameters::Preset;
 use crate::study::Sense;
-use crate::study::swings::{Doubt, Goal, Price, Resampled, Rule, SwingsOptimum};
+use crate::study::swings::{Doubt, Goal, Price, Resampled, Rule, Swings, SwingsOptimum};
 use crate::study::uncertainty::Interval;
 use crate::units::{Message, System, counted, signed, significant};
 use serde_json::{Value, json};
@@ -52,6 +53,7 @@ pub fn swings_reply(
             Some(Doubt::Sampling(found, sequences)) => Some(json!({ "interval": interval(found), "sequences": sequences })),
             _ => None,
         }),
+        "beyond_strokes": best.beyond_strokes,
         "resampled": resampled.map(|found| json!({
             "optimum": Value::Object(names().zip(&found.design).map(|(name, design)| (name.to_owned(), interval(design))).collect()),
             "value": interval(&found.goal),
@@ -173,11 +175,19 @@ fn doubts(best: &SwingsOptimum, price: Option<&Price>, resampled: Option<&Resamp
             difference_text(goal, *error, system)
         )),
         Some(Doubt::Sampling(found, sequences)) => lines.push(format!(
-            "{scenarios} of a quasi-random sequence; by {sequences} others of as many {} is {} (95 %); more with --scenarios",
+            "{scenarios} of a quasi-random sequence; {} is {} (95 %, by {sequences} others of as many); it is known better with more \
+             --scenarios",
             goal.expression,
             between(found)
         )),
-        None => lines.push(format!("{scenarios}, each as likely as any other")),
+        None => lines.push(match best.scenarios.rule {
+            Rule::Recorded => format!("{scenarios}, each as likely as any other"),
+            Rule::Quadrature(_) => format!("{scenarios} by Gauss's rules"),
+            Rule::Sequence { .. } => format!("{scenarios} of a quasi-random sequence"),
+        }),
+    }
+    if best.scenarios.rule == Rule::Recorded && resampled.is_none() && best.solution.status == Status::Converged {
+        lines.push("how well these swings tell the best design is not known: they are alike, or their resamples came to no optimum".into());
     }
     if let Some(found) = resampled {
         for (vary, design) in best.search.vary.iter().zip(&found.design) {
@@ -236,12 +246,21 @@ fn bound_price(best: &SwingsOptimum, i: usize, multiplier: f64, system: System) 
 ///
 /// # Errors
 /// As [`setup_toml`](super::setup_toml).
-pub fn swings_toml(best: &SwingsOptimum, preset: &Preset) -> Result<String> {
+pub fn swings_toml(best: &SwingsOptimum, swings: &Swings, preset: &Preset) -> Result<String> {
     let search = &best.search;
     let value = best.value().map_or(shown::NONE.into(), |value| value_text(&search.of, value, System::default()));
-    let swings = counted(best.scenarios.points.len() as u64, "swing");
+    let all = counted(best.scenarios.points.len() as u64, "swing");
     let mut about =
-        vec![format!("{}, {} {} over {swings}: {value}", preset.name, search.sense.adjective(), search.of.expression)];
+        vec![format!("{}, {} {} over {all}: {value}", preset.name, search.sense.adjective(), search.of.expression)];
+    about.extend(match swings {
+        Swings::Distributed { inputs, .. } => inputs
+            .iter()
+            .map(|input| {
+                format!("over swings: {} {}", input.parameter.name, distribution_text(input, System::default()))
+            })
+            .collect(),
+        Swings::Recorded { .. } => vec!["over recorded swings".into()],
+    });
     about.extend(search.subject_to.iter().map(|limit| format!("subject to {}", limit.expression)));
     about.push(format!("{}: {}", best.status(), best.message()));
     let remarks = search.vary.iter().zip(&best.solution.x).map(|(vary, x)| {

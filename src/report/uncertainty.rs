@@ -143,7 +143,7 @@ pub fn uncertainty_text(found: &Uncertainty, system: System) -> String {
 }
 
 /// "normal: 110 mph ± 0.5 mph".
-fn distribution_text(input: &Uncertain, system: System) -> String {
+pub(super) fn distribution_text(input: &Uncertain, system: System) -> String {
     let shown = values(&input.distribution).into_iter().map(|value| shown::stated(input.parameter, value, system));
     let shown: Vec<_> = shown.collect();
     let between = if matches!(input.distribution, Distribution::Normal { .. }) { " ± " } else { " .. " };

@@ -135,10 +135,12 @@ fn exact_correlation_of_normal_swings() {
         let terms = scenarios.points.iter().zip(&scenarios.weights);
         terms.map(|(point, weight)| weight * f(point[0].to_degrees(), point[1].to_degrees())).sum::<f64>()
     };
+    // what a normal distribution keeps of its variance between ± 4 σ: 1 − 8 φ(4)/(2 Φ(4) − 1)
+    let kept = 0.9989292903724738;
     close(moment(&|x, _| x), 1.0, 1.0, 1e-12, "mean path");
-    close(moment(&|x, _| (x - 1.0).powi(2)), 4.0, 4.0, 1e-10, "variance of path");
-    close(moment(&|_, y| (y + 1.0).powi(2)), 9.0, 9.0, 1e-10, "variance of face");
-    close(moment(&|x, y| (x - 1.0) * (y + 1.0)), 0.6 * 6.0, 6.0, 1e-10, "covariance");
+    close(moment(&|x, _| (x - 1.0).powi(2)), 4.0 * kept, 4.0, 1e-10, "variance of path");
+    close(moment(&|_, y| (y + 1.0).powi(2)), 9.0 * kept, 9.0, 1e-10, "variance of face");
+    close(moment(&|x, y| (x - 1.0) * (y + 1.0)), 0.6 * 6.0 * kept, 6.0, 1e-10, "covariance");
 }
 
 /// A normal distribution between two ends: its quantiles are where its moments say, and `uncertainty` samples it.
@@ -237,8 +239,16 @@ fn bad_swings_and_goals_say_what_is_wrong() {
     let file = folder.path().join("swings.csv");
     std::fs::write(&file, "swing.path [deg],swing.face_angle [deg]\n1,0\n0,200\n").unwrap();
     let file = file.display().to_string();
+    let written = |name: &str, text: &str| {
+        let file = folder.path().join(name);
+        std::fs::write(&file, text).unwrap();
+        file.display().to_string()
+    };
+    let hole = written("hole.csv", "swing.path [deg],swing.face_angle [deg]\n1,0\n0,\n");
+    let empty = written("empty.csv", "swing.path [deg]\n");
+    let launches = written("launches.csv", "Ball Speed [mph],Launch Angle [deg],Back Spin [rpm]\n150,12,2500\n");
     let one = "--distribution=swing.path=normal(0deg,2deg)";
-    let cases: [(&[&str], &str); 14] = [
+    let cases: [(&[&str], &str); 19] = [
         (&["--scenarios", "9"], "give these too"),
         (&[one, "--scenarios", "1"], "from 2 to 100000"),
         (&[one, one], "two distributions"),
@@ -253,6 +263,11 @@ fn bad_swings_and_goals_say_what_is_wrong() {
         (&[one, "--vary", "swing.path=-2deg..2deg"], "the swings have values of it"),
         (&["--swings", &file], "recorded swing 2: swing.face_angle"),
         (&["--swings", &file, one], "leave --swings out"),
+        (&["--swings", &hole], "recorded swing 2: swing.face_angle is missing"),
+        (&["--swings", &empty], "it has no row"),
+        (&["--swings", &launches], "longdrive delivery --shots"),
+        (&[one, "--set", "swing.path=1deg"], "the swings have values of it"),
+        (&[one, "--maximize", "median(carry)"], "--maximize: 'median' is no measure"),
     ];
     for (args, said) in cases {
         let failed = longdrive(&[&["optimize"], args].concat());
@@ -278,4 +293,55 @@ fn exact_fewest_strokes_are_the_longest_drive_where_only_length_counts() {
     close(number(&strokes["optimum"]["club.loft"]), number(&carry["optimum"]["club.loft"]), 1.0, 1e-4, "best loft");
     let left = 600.0 * 0.9144 - number(&carry["value"]);
     close(number(&strokes["value"]), left / 91.44, 6.0, 1e-4, "strokes");
+}
+
+/// The example of the README, correlations that leave one swing, and a normal distribution at its full reach: each has an answer.
+#[test]
+fn swings_that_reach_far_have_an_answer() {
+    let attack = ["--distribution", "swing.attack_angle=normal(-1deg,2deg)"];
+    let (status, found) = json(&[&["optimize", "--maximize", "lowest(carry, 10%)"][..], &attack].concat());
+    assert_eq!((status, &found["status"]), (0, &"converged".into()));
+    let both = ["--distribution=swing.path=normal(0deg,2deg)", "--distribution=swing.face_angle=normal(0deg,2deg)"];
+    for coefficient in ["1", "-1", "0.999"] {
+        let correlation = format!("swing.path,swing.face_angle={coefficient}");
+        let (status, found) = json(&[&["optimize"][..], &both, &["--correlation", &correlation]].concat());
+        assert_eq!(status, 0, "{coefficient}: {found}");
+    }
+    // what is shown lies in its own interval, and a share between 0 and 1
+    let goals = ["lowest(carry, 10%)", "within(lateral, 15m)", "within(carry, 15yd)"];
+    for goal in goals {
+        let args = [&["optimize", "--scenarios", "64", "--maximize", goal][..], &attack, &both].concat();
+        let (_, found) = json(&args);
+        let Some(interval) = found["swings"]["sampling"]["interval"].as_object() else { continue };
+        let [value, low, high] = ["value", "low", "high"].map(|name| number(&interval[name]));
+        assert!(low <= value && value <= high && number(&found["value"]) == value, "{goal}: {found}");
+        assert!(!goal.starts_with("within") || (0.0..=1.0).contains(&low) && (0.0..=1.0).contains(&high), "{found}");
+    }
+}
+
+#[test]
+fn what_swings_do_not_tell_is_said() {
+    let folder = tempfile::tempdir().unwrap();
+    let written = |name: &str, text: &str| {
+        let file = folder.path().join(name);
+        std::fs::write(&file, text).unwrap();
+        file.display().to_string()
+    };
+    let alike = written("alike.csv", "swing.path [deg]\n1\n1\n");
+    let said = longdrive(&["optimize", "--swings", &alike]);
+    assert!(said.status == 0 && said.out.contains("is not known: they are alike"), "{}", said.out);
+    let table = written("strokes.csv", "distance [yd],strokes\n10,2.2\n60,3\n");
+    let speed = ["--distribution", "swing.speed=normal(100mph,2mph)"];
+    let strokes = ["optimize", "--minimize", "strokes(420yd)", "--strokes", &table];
+    let said = longdrive(&[&strokes[..], &speed].concat());
+    assert!(said.err.contains("100.0 % of the swings end where the table"), "{}", said.err);
+    let stray = longdrive(&[&["optimize", "--strokes", &table][..], &speed].concat());
+    assert!(stray.status == 2 && stray.err.contains("no goal asks for strokes"), "{}", stray.err);
+    let flat = longdrive(&[&["optimize", "--maximize", "within(carry, 15yd)"][..], &speed].concat());
+    assert!(flat.out.contains("does not depend on what is varied"), "{}", flat.out);
+    // a setup file says what it is best for
+    let best = folder.path().join("best.toml").display().to_string();
+    assert_eq!(longdrive(&[&["optimize", "-o", &best][..], &speed].concat()).status, 0);
+    let text = std::fs::read_to_string(&best).unwrap();
+    assert!(text.contains("over swings: swing.speed") && text.contains("normal"), "{text}");
 }

@@ -78,6 +78,7 @@ pub fn run(args: &Optimize) -> Result<Answer> {
     let setup = args.question.setup()?;
     let asked = &args.swings;
     let swings = asked.read(&setup)?;
+    args.question.refuse_twice(&setup, &swings.parameters(), "the swings have values of it")?;
     let search = searched(args, &setup)?;
     tell_of_the_run(&search.of.outcomes());
     let scenarios = Scenarios::new(&swings, Rule::of(&swings, asked.scenarios, asked.seed.unwrap_or(0))?)?;
@@ -96,9 +97,15 @@ pub fn run(args: &Optimize) -> Result<Answer> {
     let is_recorded = matches!(swings, Swings::Recorded { .. }) && is_found;
     let resampled =
         if is_recorded { resampled(&setup, &best, RESAMPLES, u64::from(asked.seed.unwrap_or(0)))? } else { None };
-    let warnings = best.setup.warnings();
+    let mut warnings = best.setup.warnings();
+    if let Some(share) = best.beyond_strokes.filter(|share| *share > 0.0) {
+        let percent = (100.0 * share).max(0.1);
+        warnings.push(Message::from(format!(
+            "the balls of {percent:.1} % of the swings end where the table of strokes does not reach; it is continued straight there"
+        )));
+    }
     warn(&warnings);
-    let written = output.as_ref().map(|output| write(output, &best, args)).transpose()?.flatten();
+    let written = output.as_ref().map(|output| write(output, &best, &swings, args)).transpose()?.flatten();
     let answer = if args.question.json {
         let mut reply = swings_reply(&best, price.as_ref(), resampled.as_ref(), warnings);
         reply.body.file = written;
@@ -115,8 +122,8 @@ fn searched(args: &Optimize, setup: &Setup<f64>) -> Result<SwingsSearch> {
     let strokes = strokes.as_ref();
     let search = &args.search;
     let (of, sense) = match (&search.maximize, &search.minimize) {
-        (_, Some(text)) => (Goal::read(text, strokes)?, Sense::Minimize),
-        (Some(text), None) => (Goal::read(text, strokes)?, Sense::Maximize),
+        (_, Some(text)) => (goal("--minimize", text, strokes)?, Sense::Minimize),
+        (Some(text), None) => (goal("--maximize", text, strokes)?, Sense::Maximize),
         (None, None) => (Goal::mean(Outcome::Carry), Sense::Maximize),
     };
     let vary = match search.vary.as_slice() {
@@ -124,10 +131,26 @@ fn searched(args: &Optimize, setup: &Setup<f64>) -> Result<SwingsSearch> {
         [] => vec![Search::longest_drive(setup)?.vary[0]],
         given => given.iter().map(|text| Vary::read(setup, text)).collect::<Result<_>>()?,
     };
-    let subject_to = search.subject_to.iter().map(|text| GoalLimit::read(text, strokes)).collect::<Result<_>>()?;
+    let subject_to = search.subject_to.iter().map(|text| GoalLimit::read(text, strokes)).collect::<Result<Vec<_>>>()?;
+    let mut goals = std::iter::once(&of).chain(subject_to.iter().map(|limit: &GoalLimit| &limit.goal));
+    if strokes.is_some() && goals.all(|goal| goal.strokes().next().is_none()) {
+        let source = "no goal asks for strokes; write for example --minimize \"strokes(400yd)\", or leave it out";
+        return Err(Error::Unreadable { name: "--strokes".into(), source: source.into() });
+    }
     let options = Options::default();
     let options = Options { max_iterations: search.max_iterations.unwrap_or(options.max_iterations), ..options };
     Ok(SwingsSearch { of, sense, vary, subject_to, options })
+}
+
+/// What an option says is looked for; what is wrong with it is pointed at.
+fn goal(option: &str, text: &str, strokes: Option<&Strokes>) -> Result<Goal> {
+    Goal::read(text, strokes).map_err(|error| match error {
+        Error::Constraint { expression, column, reason } => {
+            let source = format!("{reason}\n  {expression}\n  {}^", " ".repeat(column));
+            Error::Unreadable { name: option.into(), source: source.into() }
+        }
+        error => error,
+    })
 }
 
 /// The ranges that drives are flown in: of the design, and of the swings.
@@ -170,13 +193,13 @@ fn follow(args: &Optimize, setup: &Setup<f64>, search: &SwingsSearch, scenarios:
 }
 
 /// Writes the setup with the best design, into the file returned; where there is none, nothing.
-fn write(output: &Destination, best: &SwingsOptimum, args: &Optimize) -> Result<Option<String>> {
+fn write(output: &Destination, best: &SwingsOptimum, swings: &Swings, args: &Optimize) -> Result<Option<String>> {
     let file = output.path().display().to_string();
     if best.solution.status != Status::Converged {
         warn(&[Message::from(format!("{file} is not written: there is no optimum"))]);
         return Ok(None);
     }
-    output.write(swings_toml(best, args.question.preset()?)?.as_bytes())?;
+    output.write(swings_toml(best, swings, args.question.preset()?)?.as_bytes())?;
     tell(&format!("wrote the setup with the best design into {file}"));
     Ok(Some(file))
 }

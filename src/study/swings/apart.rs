@@ -32,11 +32,15 @@ pub struct Apart {
 /// z₀.₉₇₅ + z₀.₈.
 const POWER: f64 = 1.959_963_985 + 0.841_621_234;
 
-/// The optima of resamples; `None` where fewer than half of them came to one.
+/// The optima of resamples; `None` where fewer than half of them came to one, or all swings are alike: they tell of no others.
 ///
 /// # Errors
 /// As [`swings_optimum`](super::swings_optimum).
 pub fn resampled(setup: &Setup<f64>, best: &SwingsOptimum, rounds: usize, seed: u64) -> Result<Option<Resampled>> {
+    let points = &best.scenarios.points;
+    if points.iter().all(|point| *point == points[0]) {
+        return Ok(None);
+    }
     let problem = posed(setup, &best.search, best.scenarios.clone())?;
     let n = best.scenarios.points.len();
     let sign = best.search.sense.sign();

@@ -46,12 +46,25 @@ fn recorded(setup: &Setup<f64>, table: &mut dyn Points, path: &Path) -> Result<S
         return Err(Error::TooLarge { rows, size, limit, advice });
     }
     let parameters = table.parameters().to_vec();
+    let refuse = |reason: String| Error::Table { file: path.display().to_string(), place: String::new(), reason };
     for parameter in &parameters {
+        if parameter.is_of_launch() && !setup.launch.is_given() {
+            let reason = format!(
+                "it has {}, which is of the ball, and a table of swings has parameters of swing and strike; longdrive delivery --shots \
+                 finds the swings behind launches",
+                parameter.name
+            );
+            return Err(refuse(reason));
+        }
         setup.variable(parameter.name)?;
+    }
+    if table.rows() == 0 {
+        return Err(refuse("it has no row; a table of swings has one for each swing".into()));
     }
     let mut values = vec![];
     while table.read(4096, &mut values)? > 0 {}
-    Swings::recorded(parameters.clone(), values.chunks(parameters.len()).map(<[f64]>::to_vec).collect())
+    let rows = values.chunks(parameters.len()).map(<[f64]>::to_vec).collect();
+    Swings::recorded(parameters, rows).map_err(|error| refuse(error.to_string()))
 }
 
 fn read(setup: &Setup<f64>, text: &str, file: &str) -> Result<Swings> {

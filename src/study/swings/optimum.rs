@@ -34,6 +34,8 @@ pub struct SwingsOptimum {
     pub setup: Setup<f64>,
     /// The goals over the swings with the setup's own design: the objective, then what is limited; `None` where a swing does not fly.
     pub as_set_up: Option<Vec<f64>>,
+    /// The share of the swings whose ball ends at the optimum where the table of strokes does not reach, and is continued straight.
+    pub beyond_strokes: Option<f64>,
 }
 
 impl SwingsOptimum {
@@ -73,8 +75,25 @@ impl SwingsOptimum {
                 let missed: Vec<_> = missed.collect();
                 format!("the limits cannot all be met; the nearest design found violates {}", missed.join(" and "))
             }
+            Status::Converged if self.is_flat() => {
+                format!(
+                    "{} does not depend on what is varied here: every design is equally good",
+                    self.search.of.expression
+                )
+            }
             _ => self.solution.message.clone(),
         }
+    }
+
+    /// Whether the goal does not change within the ranges, to second order, by more than rounding.
+    fn is_flat(&self) -> bool {
+        const ROUNDING: f64 = 1e-10;
+        let width = |i: usize| self.search.vary[i].high - self.search.vary[i].low;
+        let n = self.search.vary.len();
+        let slopes = self.solution.gradient.iter().enumerate().map(|(i, slope)| slope * width(i));
+        let bends = (0..n).flat_map(|i| (0..n).map(move |j| (i, j)));
+        let bends = bends.filter_map(|(i, j)| Some(self.solution.hessian.get(i)?[j] * width(i) * width(j)));
+        slopes.chain(bends).all(|change| change.abs() < ROUNDING)
     }
 
     /// The status in a word.
@@ -124,8 +143,12 @@ pub fn swings_optimum(
     let found = minimize_from(&problem, &problem.domain, &[start], &search.options, follow)?;
     let solution = found.into_iter().next().ok_or(Error::Nothing { doing: "search from", what: "start" })?.solution;
     let as_set_up = problem.values(&problem.start()).ok();
+    let beyond_strokes = match solution.value {
+        Some(_) => problem.beyond_strokes(&solution.x)?,
+        None => None,
+    };
     let setup = problem.moved(&solution.x)?;
-    Ok(SwingsOptimum { search, scenarios: problem.scenarios().clone(), solution, setup, as_set_up })
+    Ok(SwingsOptimum { search, scenarios: problem.scenarios().clone(), solution, setup, as_set_up, beyond_strokes })
 }
 
 /// The search as a problem, if it makes sense.

@@ -1,4 +1,6 @@
+use super::measure::Measure;
 use super::optimum::{SwingsOptimum, posed};
+use super::read::Goal;
 use super::scenarios::Scenarios;
 use super::swings::Swings;
 use crate::error::Result;
@@ -25,7 +27,7 @@ pub struct Price {
 pub enum Doubt {
     /// How much one and a half times as many nodes change the goal: the error of the quadrature.
     Quadrature(f64),
-    /// The 95 % interval of the goal by so many independent sequences of as many scenarios, each.
+    /// The 95 % interval of the goal, by how it scatters over so many independent sequences of as many scenarios, each.
     Sampling(Interval, usize),
 }
 
@@ -51,16 +53,21 @@ pub fn price(setup: &Setup<f64>, swings: &Swings, best: &SwingsOptimum) -> Resul
     let doubt = match (best.value(), others.as_slice()) {
         (None, _) | (_, []) => None,
         (Some(value), [other]) => Some(Doubt::Quadrature((other - value).abs())),
-        (Some(_), others) => Some(Doubt::Sampling(interval(others), others.len())),
+        (Some(value), others) => Some(Doubt::Sampling(interval(&search.of, value, others), others.len())),
     };
     Ok(Price { nominal, promised, kept, doubt })
 }
 
-/// The 95 % interval of a mean of which these are independent estimates, each like the one that is judged: of one of them.
-fn interval(estimates: &[f64]) -> Interval {
-    let n = estimates.len() as f64;
-    let mean = estimates.iter().sum::<f64>() / n;
-    let variance = estimates.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / (n - 1.0);
-    let reach = StudentsT::new(0.0, 1.0, n - 1.0).map_or(f64::NAN, |t| t.inverse_cdf(0.975)) * (variance / n).sqrt();
-    Interval { value: mean, low: mean - reach, high: mean + reach }
+/// The 95 % interval of a goal of which these are independent estimates, about the one that is shown.
+fn interval(goal: &Goal, value: f64, others: &[f64]) -> Interval {
+    let all = || others.iter().copied().chain([value]);
+    let n = all().count() as f64;
+    let mean = all().sum::<f64>() / n;
+    let variance = all().map(|x| (x - mean).powi(2)).sum::<f64>() / (n - 1.0);
+    let reach = StudentsT::new(0.0, 1.0, n - 1.0).map_or(f64::NAN, |t| t.inverse_cdf(0.975)) * variance.sqrt();
+    let (mut low, mut high) = (value - reach, value + reach);
+    if let [(1.0, Measure::Within(..))] = goal.terms.as_slice() {
+        (low, high) = (low.max(0.0), high.min(1.0));
+    }
+    Interval { value, low, high }
 }

@@ -25,7 +25,7 @@ pub(super) struct SwingsProblem {
 
 impl SwingsProblem {
     /// # Errors
-    /// [`Error::SearchRange`] for a parameter that is both varied and distributed; what [`Evaluator::new`] refuses.
+    /// [`Error::Unreadable`] for a parameter that is both varied and distributed; what [`Evaluator::new`] refuses.
     pub fn new(
         setup: &Setup<f64>,
         (objective, sense): (&Goal, Sense),
@@ -35,10 +35,8 @@ impl SwingsProblem {
     ) -> Result<Self> {
         for vary in vary {
             if scenarios.parameters.contains(&vary.parameter) {
-                return Err(Error::SearchRange {
-                    name: vary.parameter.name.into(),
-                    reason: "it is varied, and the swings have values of it; vary something else, or leave it out of the swings".into(),
-                });
+                let source = "it is varied, and the swings have values of it; vary something else, or leave it out of the swings";
+                return Err(Error::Unreadable { name: vary.parameter.name.into(), source: source.into() });
             }
         }
         let ends = |end: fn(&Vary) -> f64| vary.iter().map(end).collect::<Vec<_>>();
@@ -139,6 +137,29 @@ impl SwingsProblem {
     pub fn each(&self, x: &[f64], weights: &[f64]) -> Result<Vec<Taylor>> {
         let flown = self.flown(&self.drives, x).map_err(|reason| Error::NoFlight { reason: reason.into() })?;
         Ok(self.measured(&flown, weights))
+    }
+
+    /// The share of scenarios with which a ball ends where a table of strokes does not reach; `None` without such a table.
+    ///
+    /// # Errors
+    /// Where a swing does not fly.
+    pub fn beyond_strokes(&self, x: &[f64]) -> Result<Option<f64>> {
+        let tables: Vec<_> = self.goals.iter().flat_map(Goal::strokes).collect();
+        if tables.is_empty() {
+            return Ok(None);
+        }
+        let flown = self.flown(&self.drives, x).map_err(|reason| Error::NoFlight { reason: reason.into() })?;
+        let value = |outcomes: &[Taylor], of: Outcome| {
+            self.of.iter().position(|it| *it == of).map_or(f64::NAN, |place| outcomes[place].value)
+        };
+        let is_beyond = |outcomes: &&Vec<Taylor>| {
+            tables.iter().any(|(strokes, hole)| {
+                let [downrange, right] = strokes.outcomes().map(|of| value(outcomes, of));
+                !strokes.reaches((hole - downrange).hypot(right))
+            })
+        };
+        let beyond = flown.iter().zip(&self.scenarios.weights).filter(|(outcomes, _)| is_beyond(outcomes));
+        Ok(Some(beyond.map(|(_, weight)| weight).sum()))
     }
 
     /// The same with other weights.

@@ -87,6 +87,14 @@ impl Goal {
         Ok(Self { expression: part.text.into(), terms, quantity, unit })
     }
 
+    /// The tables of strokes in it, each with the length of its hole, m.
+    pub fn strokes(&self) -> impl Iterator<Item = (&Strokes, f64)> {
+        self.terms.iter().filter_map(|(_, measure)| match measure {
+            Measure::Strokes(strokes, hole) => Some((strokes, *hole)),
+            _ => None,
+        })
+    }
+
     /// The outcomes that it needs.
     pub fn outcomes(&self) -> Vec<Outcome> {
         self.terms.iter().flat_map(|(_, measure)| measure.outcomes()).collect()

@@ -1,8 +1,9 @@
-use super::quadrature::{hermite, rule};
+use super::quadrature::{REACH, rule};
 use super::swings::Swings;
 use crate::error::{Error, Result};
 use crate::optimize::sobol;
 use crate::parameters::Parameter;
+use crate::study::uncertainty::{Distribution, Uncertain};
 use statrs::distribution::{ContinuousCDF, Normal};
 
 /// How scenarios are taken.
@@ -47,10 +48,11 @@ impl Rule {
     /// What suits some swings: `count` scenarios if it is given, and what their number of parameters needs if not.
     ///
     /// # Errors
-    /// [`Error::SearchRange`] for fewer than 2 scenarios or more than 100,000, and for a number of recorded swings.
+    /// [`Error::Unreadable`] for fewer than 2 scenarios or more than 100,000, and for a number of recorded swings.
     pub fn of(swings: &Swings, count: Option<usize>, seed: u32) -> Result<Self> {
-        let refuse =
-            |count: usize, reason: String| Err(Error::SearchRange { name: format!("--scenarios {count}"), reason });
+        let refuse = |count: usize, reason: String| {
+            Err(Error::Unreadable { name: format!("--scenarios {count}"), source: reason.into() })
+        };
         match (swings, count) {
             (Swings::Recorded { .. }, Some(count)) => {
                 refuse(count, "recorded swings are the scenarios themselves; leave --scenarios out".into())
@@ -94,46 +96,40 @@ impl Scenarios {
             (Swings::Recorded { rows, .. }, _) => (rows.clone(), vec![1.0 / rows.len() as f64; rows.len()]),
             (Swings::Distributed { inputs, factor }, Rule::Sequence { count, seed }) => {
                 let normal = Normal::standard();
+                let beyond = normal.cdf(-REACH);
                 let point = |k: usize| {
-                    // never 0 or 1, where a normal number is infinite
-                    let unit = |i: usize| sobol::coordinate(k as u64, i, seed).clamp(1e-12, 1.0 - 1e-12);
-                    let scores: Vec<f64> = (0..inputs.len()).map(|i| normal.inverse_cdf(unit(i))).collect();
-                    let shares = correlated(factor, &scores).into_iter().map(|score| normal.cdf(score));
-                    inputs.iter().zip(shares).map(|(input, share)| input.distribution.quantile(share)).collect()
+                    let share = |i: usize| beyond + (1.0 - 2.0 * beyond) * sobol::coordinate(k as u64, i, seed);
+                    let scores: Vec<f64> = (0..inputs.len()).map(|i| normal.inverse_cdf(share(i))).collect();
+                    inputs
+                        .iter()
+                        .zip(correlated(factor, &scores))
+                        .map(|(input, score)| at_score(input, score))
+                        .collect()
                 };
                 ((0..count).map(point).collect(), vec![1.0 / count as f64; count])
             }
             (Swings::Distributed { inputs, factor }, Rule::Quadrature(_) | Rule::Recorded) => {
                 let nodes = if let Rule::Quadrature(nodes) = rule { nodes } else { NODES[0] };
+                // correlations are of normal scores
+                let score = Distribution::Normal { mean: 0.0, deviation: 1.0 };
                 let is_correlated = |i: usize| {
                     factor[i][..i].iter().any(|l| *l != 0.0) || factor.iter().skip(i + 1).any(|row| row[i] != 0.0)
                 };
-                let rules: Vec<Vec<(f64, f64)>> = inputs
-                    .iter()
-                    .enumerate()
-                    .map(
-                        |(i, input)| {
-                            if is_correlated(i) { hermite(nodes) } else { self::rule(&input.distribution, nodes) }
-                        },
-                    )
-                    .collect();
-                let normal = Normal::standard();
+                let of = |(i, input): (usize, &Uncertain)| {
+                    self::rule(if is_correlated(i) { &score } else { &input.distribution }, nodes)
+                };
                 let mut points = vec![(vec![], 1.0)];
-                for rule in &rules {
-                    points = points
-                        .iter()
-                        .flat_map(|(point, weight): &(Vec<f64>, f64)| {
-                            rule.iter().map(move |(node, part)| ([point.as_slice(), &[*node]].concat(), weight * part))
-                        })
-                        .collect();
+                for rule in inputs.iter().enumerate().map(of) {
+                    let longer = |(point, weight): &(Vec<f64>, f64)| {
+                        let longer =
+                            rule.iter().map(|(node, part)| ([point.as_slice(), &[*node]].concat(), weight * part));
+                        longer.collect::<Vec<_>>()
+                    };
+                    points = points.iter().flat_map(longer).collect();
                 }
                 let placed = |(nodes, weight): (Vec<f64>, f64)| {
-                    let scores: Vec<f64> =
-                        nodes.iter().enumerate().map(|(i, node)| if is_correlated(i) { *node } else { 0.0 }).collect();
-                    let scores = correlated(factor, &scores);
-                    let value = |(i, input): (usize, &crate::study::uncertainty::Uncertain)| {
-                        if is_correlated(i) { input.distribution.quantile(normal.cdf(scores[i])) } else { nodes[i] }
-                    };
+                    let scores = correlated(factor, &nodes);
+                    let value = |(i, input)| if is_correlated(i) { at_score(input, scores[i]) } else { nodes[i] };
                     (inputs.iter().enumerate().map(value).collect::<Vec<f64>>(), weight)
                 };
                 points.into_iter().map(placed).unzip()
@@ -154,6 +150,14 @@ impl Scenarios {
     pub fn mean(swings: &Swings) -> Self {
         let (parameters, points) = (swings.parameters(), vec![swings.means()]);
         Self { parameters, points, weights: vec![1.0], rule: Rule::Recorded }
+    }
+}
+
+/// The value of a distributed number whose normal score this is.
+fn at_score(input: &Uncertain, score: f64) -> f64 {
+    match input.distribution {
+        Distribution::Normal { mean, deviation } => mean + deviation * score,
+        other => other.quantile(Normal::standard().cdf(score)),
     }
 }
 

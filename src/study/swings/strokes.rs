@@ -78,6 +78,11 @@ impl Strokes {
         Self::new(&rows, runs)
     }
 
+    /// Whether the table has this distance within it.
+    pub(super) fn reaches(&self, distance: f64) -> bool {
+        self.distance[0] <= distance && distance <= self.distance[self.distance.len() - 1]
+    }
+
     /// Where the ball ends: downrange, and to the right.
     pub(super) fn outcomes(&self) -> &[Outcome; 2] {
         &self.outcomes

@@ -131,6 +131,10 @@ impl Swings {
         for (k, row) in rows.iter().enumerate() {
             for (parameter, value) in parameters.iter().zip(row) {
                 let name = format!("recorded swing {}", k + 1);
+                if value.is_nan() {
+                    let source = format!("{} is missing; fill its cell, or leave the row out", parameter.name).into();
+                    return Err(Error::Unreadable { name, source });
+                }
                 parameter.check(*value).map_err(|source| Error::Unreadable { name, source: Box::new(source) })?;
             }
         }
