@@ -18,7 +18,7 @@ pub(crate) enum Club {
 pub(crate) enum Spin {
     /// From columns that are chosen for the whole table.
     OfTable,
-    /// From what each row has, where rows are launches: [`taken`](super::taken).
+    /// From what each row has, where rows are launches: [`taken`](super::conditions::taken).
     OfRow,
 }
 

@@ -9,15 +9,19 @@ mod heads;
 mod launch_monitor;
 mod left_out;
 mod marks;
+mod plausible;
+mod unstated;
 
 pub(crate) use crate::cells::separated;
 pub(crate) use column::{Column, Format, Holds};
-pub(crate) use conditions::{Fault, Stated, conditions, contradiction, is_sideways, is_straight_by_assumption, taken};
+pub(crate) use conditions::{Fault, Stated, conditions, contradiction, is_sideways, is_straight_by_assumption};
 pub(crate) use encoding::decoded;
 pub(crate) use head::Head;
 pub(crate) use launch_monitor::{has_thousands, is_export, nearest_head, split_unit, summary, without_side, words};
 pub(crate) use left_out::{Club, Spin};
 pub(crate) use marks::Marks;
+pub(crate) use plausible::{implausible, implausible_launch};
+pub(crate) use unstated::unstated;
 
 use crate::drive::Outcome;
 

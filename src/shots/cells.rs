@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 /// The cells of a record, without the spaces around them; a quoted one without its quotes.
-pub(super) fn cells(text: &str, separator: u8) -> Vec<Cow<'_, str>> {
+pub(crate) fn cells(text: &str, separator: u8) -> Vec<Cow<'_, str>> {
     if !text.contains('"') {
         return text.split(char::from(separator)).map(|cell| Cow::Borrowed(cell.trim())).collect();
     }

@@ -3,9 +3,11 @@
 use super::cells::cells;
 use super::head::ExportHead;
 use super::lines::Record;
-use super::plausible::{implausible, refusal};
+use super::record::miscounted;
 use super::shot::{Club, Origin, Refusal, Shot, Value, of_conditions};
-use crate::columns::{CONDITIONS, Stated, conditions, contradiction, is_straight_by_assumption, summary, taken};
+use crate::columns::{
+    CONDITIONS, Stated, conditions, contradiction, implausible, implausible_launch, is_straight_by_assumption, summary,
+};
 use crate::drive::Outcome;
 
 /// Conditions of which the spin's origin is told in a column of its own.
@@ -14,22 +16,14 @@ pub(super) const OF_SPIN: [Outcome; 4] = [Outcome::Spin, Outcome::Backspin, Outc
 impl ExportHead {
     /// The shot of a record.
     pub fn shot(&self, record: Record) -> Shot {
-        let Record { line, text, is_open } = record;
+        let unclosed = record.unclosed();
+        let Record { line, text, .. } = record;
         let row = cells(&text, self.separator);
-        let refused = |kind, reason: String| Refusal::new(kind, reason);
-        let filled = row.iter().rposition(|cell| !cell.is_empty()).map_or(0, |at| at + 1);
-        let wrong = if is_open {
-            Some(refused(Refusal::QUOTE, "a quote (\") is opened and not closed; close it, or take it out".into()))
-        } else if let Some(word) = summary(row.iter().map(AsRef::as_ref)).filter(|_| self.is_export) {
-            Some(refused(Refusal::SUMMARY, format!("the row sums up other rows ({word})")))
-        } else if row.len() < self.heads.len() || filled > self.heads.len() {
-            let counted = |count: usize| if count == 1 { "1 cell".into() } else { format!("{count} cells") };
-            let (row, head) = (counted(row.len()), counted(self.heads.len()));
-            let reason = format!("the row has {row}, but the head has {head}; give every row a cell for each column");
-            Some(refused(Refusal::CELLS, reason))
-        } else {
-            None
+        let summed = || {
+            let word = summary(row.iter().map(AsRef::as_ref)).filter(|_| self.is_export)?;
+            Some(Refusal::new(Refusal::SUMMARY, format!("the row sums up other rows ({word})")))
         };
+        let wrong = unclosed.or_else(summed).or_else(|| miscounted(&row, self.heads.len()));
         if let Some(refusal) = wrong {
             return Shot::refused(line, text.clone(), refusal);
         }
@@ -122,19 +116,11 @@ pub(super) fn launch(
     name: impl Fn(Outcome) -> String,
     has: impl Fn(Outcome) -> bool,
 ) -> Result<Vec<f64>, Refusal> {
-    if let Some(refusal) = refusal(&taken(*values), &name) {
-        return Err(refusal);
+    if let Some(reason) = implausible_launch(values, &name) {
+        return Err(Refusal::new(Refusal::RANGE, reason));
     }
     match conditions(*values, has) {
-        Ok(launch) => {
-            let launch: Vec<f64> = launch.iter().map(|(_, value)| *value).collect();
-            // the tangent of an axis near 90° is large
-            let sidespin = || format!("{} (sidespin = backspin · tan(axis))", name(Outcome::SpinAxis));
-            match implausible(Outcome::Sidespin, launch[4], sidespin) {
-                Some(reason) => Err(Refusal::new(Refusal::RANGE, reason)),
-                None => Ok(launch),
-            }
-        }
+        Ok(launch) => Ok(launch.iter().map(|(_, value)| *value).collect()),
         Err(fault) => {
             let kind = match fault.is_missing {
                 true => Refusal::MISSING,

@@ -6,11 +6,13 @@ use super::lines::Lines;
 use super::maker::maker;
 use super::shot::{Club as ClubOfShot, Further, LAUNCH, Origin};
 use super::table::Table;
-use crate::columns::{Club, Column, Format, Head, Holds, Spin, is_export, nearest_head, separated, split_unit, words};
+use crate::columns::{
+    Club, Column, Format, Head, Holds, Spin, is_export, nearest_head, separated, split_unit, unstated, words,
+};
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::parameters::Setup;
-use crate::units::{Message, Quantity};
+use crate::units::Message;
 
 /// The head stands among so many lines at the beginning of a file.
 const MOST_LINES: usize = 25;
@@ -45,10 +47,6 @@ pub(super) struct ExportHead {
     pub decimals: Decimals,
     pub remarks: Vec<Message>,
 }
-
-/// The units of heads that state none, of an export: those of the makers' applications in the US.
-const UNSTATED: [(Quantity, &str); 4] =
-    [(Quantity::SPEED, "mph"), (Quantity::LENGTH, "yd"), (Quantity::ANGULAR_VELOCITY, "rpm"), (Quantity::TIME, "s")];
 
 /// The separator and the number of the line that the head is, in the beginning of a text.
 pub(super) fn found(beginning: &str) -> Option<(u8, usize)> {
@@ -127,22 +125,12 @@ impl ExportHead {
                 }
             }
         }
-        let (mut unstated, mut in_degrees) = (vec![], vec![]);
-        if is_export {
-            for column in &mut columns {
-                let unit =
-                    UNSTATED.iter().find(|(quantity, _)| column.kind() == Some(*quantity)).map(|(_, unit)| *unit);
-                if let Some(unit) = unit.filter(|_| column.lacks_unit()) {
-                    let is_height = matches!(column.holds, Holds::Outcome(Outcome::ApexHeight));
-                    let unit = if is_height { "ft" } else { unit };
-                    unstated.push(format!("{} in {unit}", column.head));
-                    *column = column.clone().in_unit(unit);
-                }
-                if column.is_in_degrees_untold() {
-                    in_degrees.push(column.head.clone());
-                }
-            }
-        }
+        let without_unit = if is_export { unstated(&mut columns) } else { None };
+        let in_degrees: Vec<String> = columns
+            .iter()
+            .filter(|column| is_export && column.is_in_degrees_untold())
+            .map(|column| column.head.clone())
+            .collect();
         let mut found = Self {
             separator,
             maker: None,
@@ -172,7 +160,7 @@ impl ExportHead {
         for read in &mut found.read {
             read.column = read.column.clone().with_decimal_comma(has_comma);
         }
-        found.tell(&columns, &unstated, &in_degrees);
+        found.tell(&columns, without_unit, &in_degrees);
         Ok(found)
     }
 
@@ -240,7 +228,7 @@ impl ExportHead {
     }
 
     /// What its reader should know of the columns.
-    fn tell(&mut self, columns: &[Column], unstated: &[String], in_degrees: &[String]) {
+    fn tell(&mut self, columns: &[Column], without_unit: Option<String>, in_degrees: &[String]) {
         let is_read = |at: usize| {
             self.read.iter().any(|read| read.at == at)
                 || self.further.iter().any(|further| further.at == at)
@@ -258,13 +246,7 @@ impl ExportHead {
             }
         });
         let not_read: Vec<String> = not_read.collect();
-        let mut remarks = vec![];
-        if !unstated.is_empty() {
-            remarks.push(format!(
-                "heads without a unit are read as {}; write other units into the heads",
-                unstated.join(", ")
-            ));
-        }
+        let mut remarks: Vec<String> = without_unit.into_iter().collect();
         if !in_degrees.is_empty() {
             remarks.push(format!("angles without a unit are read in degrees: {}", in_degrees.join(", ")));
         }

@@ -12,7 +12,7 @@ const MOST_LINES: usize = 32;
 
 /// A record.
 #[derive(Clone, Debug)]
-pub(super) struct Record {
+pub(crate) struct Record {
     /// The line that it begins in, from 1.
     pub line: u64,
     pub text: String,

@@ -2,10 +2,10 @@
 
 use super::export::{OF_SPIN, launch, tell};
 use super::objects::Piece;
-use super::plausible::implausible;
 use super::shot::{Club, Origin, Refusal, Shot, Value, of_conditions};
 use super::sizes::size;
 use super::written;
+use crate::columns::implausible;
 use crate::drive::Outcome;
 use crate::error::nearest;
 use crate::units::Quantity;
@@ -177,7 +177,7 @@ fn sent(values: &mut Vec<Value>) {
     let (has_total, has_back, has_side) = (has(Outcome::Spin), has(Outcome::Backspin), has(Outcome::Sidespin));
     values.retain(|value| match value.of {
         Outcome::Spin => has_total || !has_back,
-        Outcome::Backspin => has_back,
+        Outcome::Backspin => has_back || !has_total,
         // with the total and no axis, the sidespin tells the axis
         Outcome::Sidespin => has_side || has_back || has_total && !has_axis,
         Outcome::SpinAxis => has_total || value.value != 0.0 || !has_side,

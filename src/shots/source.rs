@@ -7,6 +7,7 @@ use super::open_connect;
 use super::shot::{LAUNCH, Shot};
 use super::table::Table;
 use super::tabled::is_json;
+use super::written;
 use crate::columns::decoded;
 use crate::drive::Outcome;
 use crate::error::Result;
@@ -69,6 +70,8 @@ pub struct Shots {
     pub(super) layout: Layout,
     pub(super) rows: Rows,
     parameters: Vec<&'static Parameter>,
+    /// Whether they are lines that `fly` wrote.
+    is_written: bool,
 }
 
 /// Rows that are not looked at yet.
@@ -113,12 +116,13 @@ impl Shots {
         if is_json(&text) {
             let parameters = LAUNCH.iter().map(|name| setup.parameter(name)).collect::<Result<_>>()?;
             let rows = Rows::Objects(Box::new(source), Objects::default(), table);
-            return Ok(Self { layout: Layout::OpenConnect, rows, parameters });
+            return Ok(Self { layout: Layout::OpenConnect, rows, parameters, is_written: written::begins(&text) });
         }
         let mut lines = Lines::new(Box::new(BufReader::with_capacity(PIECE, source)), &text);
         let head = ExportHead::read(setup, &mut lines, &text, &table)?;
         let parameters = head.parameters(setup)?;
-        Ok(Self { layout: Layout::Export(Box::new(Export { head })), rows: Rows::Lines(lines, table), parameters })
+        let layout = Layout::Export(Box::new(Export { head }));
+        Ok(Self { layout, rows: Rows::Lines(lines, table), parameters, is_written: false })
     }
 
     /// How its rows are written.
@@ -126,10 +130,11 @@ impl Shots {
         &self.layout
     }
 
-    /// Whose export it is, where its heads tell.
+    /// Whose export it is, where its heads tell; of JSON, what wrote it.
     pub fn maker(&self) -> Option<&'static str> {
         match &self.layout {
             Layout::Export(export) => export.head.maker,
+            Layout::OpenConnect if self.is_written => Some("JSON lines of longdrive fly"),
             Layout::OpenConnect => Some("GSPro Open Connect"),
         }
     }

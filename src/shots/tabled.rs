@@ -25,7 +25,7 @@ fn value(shot: &Shot, of: Outcome) -> Option<f64> {
     shot.value(of).map(|value| value.value)
 }
 
-const COLUMNS: [Column; 13] = [
+const COLUMNS: [Column; 20] = [
     ("Ball Speed [m/s]", |shot| value(shot, Outcome::BallSpeed)),
     ("Launch Angle [rad]", |shot| value(shot, Outcome::LaunchAngle)),
     ("Launch Direction [rad]", |shot| value(shot, Outcome::LaunchDirection)),
@@ -34,7 +34,14 @@ const COLUMNS: [Column; 13] = [
     ("Back Spin [rad/s]", |shot| value(shot, Outcome::Backspin)),
     ("Side Spin [rad/s]", |shot| value(shot, Outcome::Sidespin)),
     ("Carry [m]", |shot| value(shot, Outcome::CarryDistance)),
+    ("Side [m]", |shot| value(shot, Outcome::Lateral)),
     ("Apex [m]", |shot| value(shot, Outcome::ApexHeight)),
+    ("Max Height - Dist. [m]", |shot| value(shot, Outcome::ApexDownrange)),
+    ("Landing Angle [rad]", |shot| value(shot, Outcome::DescentAngle)),
+    ("Hang Time [s]", |shot| value(shot, Outcome::FlightTime)),
+    ("Carry Flat - Ball Speed [m/s]", |shot| value(shot, Outcome::LandingSpeed)),
+    ("Total Distance [m]", |shot| value(shot, Outcome::Total)),
+    ("Side Total [m]", |shot| value(shot, Outcome::LateralTotal)),
     ("Club Speed [m/s]", |shot| shot.club.speed),
     ("Attack Angle [rad]", |shot| shot.club.attack_angle),
     ("Club Path [rad]", |shot| shot.club.path),
@@ -42,7 +49,7 @@ const COLUMNS: [Column; 13] = [
 ];
 
 /// Those of the club: every row of a table has a value of them, or the table has no such column.
-const OF_CLUB: usize = 9;
+const OF_CLUB: usize = 16;
 
 /// A text as a table with its head in the first line, and what deserves a word: title lines are left out, and messages of GSPro Open Connect, or lines
 /// that `fly` wrote as JSON lines, become rows.

@@ -1,6 +1,7 @@
 //! A line that `fly` wrote as JSON lines, as the shot that it was made of.
 
 use super::export::launch;
+use super::objects::Objects;
 use super::shot::{Club, Origin, Refusal, Shot, Value, of_conditions};
 use crate::columns::is_straight_by_assumption;
 use crate::drive::Outcome;
@@ -12,6 +13,14 @@ const ROW: &str = ",\"row\":";
 /// Whether a message is such a line.
 pub(super) fn is_written(message: &Map<String, Json>) -> bool {
     ["stated", "predicted", "row"].iter().all(|key| message.contains_key(*key))
+}
+
+/// Whether a text begins with such a line.
+pub(super) fn begins(beginning: &str) -> bool {
+    let mut objects = Objects::default();
+    objects.push(beginning.as_bytes());
+    let first = objects.next_piece().and_then(|piece| serde_json::from_str::<Json>(&piece.text).ok());
+    first.as_ref().and_then(Json::as_object).is_some_and(is_written)
 }
 
 fn wrong(key: &str, found: impl std::fmt::Display) -> Refusal {

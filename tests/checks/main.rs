@@ -43,6 +43,7 @@ mod reproduce;
 mod schema;
 mod shots;
 mod shots_again;
+mod shots_refused;
 mod shots_stated;
 mod smoothness;
 mod sweep;

@@ -297,3 +297,10 @@ fn a_drive_beyond_its_table_is_told() {
     let table = LawTable::open(Path::new(&name)).unwrap();
     assert_eq!(table.axes().map(|axis| axis.along).collect::<Vec<_>>(), [Along::Speed, Along::Spin]);
 }
+
+#[test]
+fn a_factor_of_your_own_table_asks_for_the_table() {
+    let said = longdrive(&["laws", "--set", "aero.cd_factor=1.05"]);
+    assert_eq!((said.status, said.out.as_str()), (2, ""));
+    assert!(said.err.contains("--set aero.table=mine.csv") && !said.err.contains("aero.law"), "{}", said.err);
+}

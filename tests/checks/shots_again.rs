@@ -1,6 +1,8 @@
 //! Shots that this program wrote, read again; totals; and the same files in `calibrate`, `delivery` and `sweep`.
 
 use crate::command_line::{json, longdrive, number};
+use longdrive::Setup;
+use longdrive::study::calibrate::ShotTable;
 use serde_json::Value;
 use std::fs;
 use std::path::Path;
@@ -243,4 +245,23 @@ fn exact_shots_in_parquet_are_those_in_json_lines() {
     }
     let said = longdrive(&["fly", &table, "--format", "parquet"]);
     assert!(said.status == 2 && said.err.contains("Parquet needs a file"), "{}", said.err);
+}
+
+#[test]
+fn exact_json_lines_of_fly_have_all_that_was_measured() {
+    let sample = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/shots.csv");
+    let folder = tempfile::tempdir().unwrap();
+    let lines = folder.path().join("flown.jsonl").display().to_string();
+    assert_eq!(longdrive(&["fly", sample, "-o", &lines]).status, 0);
+    let open = |file: &str| ShotTable::open(&Setup::default(), Path::new(file)).unwrap();
+    let (table, again) = (open(sample), open(&lines));
+    assert_eq!((table.residuals(), again.residuals()), (48, 48));
+    for (shot, other) in table.shots.iter().zip(&again.shots) {
+        for (one, two) in shot.measured.iter().zip(&other.measured) {
+            assert_eq!((one.outcome, one.sigma), (two.outcome, two.sigma));
+            assert!((one.value - two.value).abs() < 1e-9, "{one:?} {two:?}");
+        }
+    }
+    let (status, found) = json(&["fly", &lines]);
+    assert_eq!((status, found["source"].as_str()), (0, Some("JSON lines of longdrive fly")));
 }

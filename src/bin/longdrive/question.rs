@@ -337,12 +337,16 @@ impl OwnLaw {
             return Ok(None);
         }
         let (mut setup, given) = (Setup::default(), format!("--set {}", self.set.join(" --set ")));
-        setup.set_all(settings)?;
+        let advice = "this command takes every law as it is published; --set gives it your own table beside them, and the table's factors: --set aero.table=mine.csv";
+        let refused = || Error::Unreadable { name: given, source: advice.into() };
+        match setup.set_all(settings) {
+            Err(Error::OtherLaw { .. }) => return Err(refused()),
+            set => set?,
+        }
         setup.validate()?;
         let is_alone = setup == Setup { law: setup.law, ..Setup::default() };
         let law = setup.law.table().filter(|_| is_alone).map(|_| setup.law);
-        let advice = "this command takes every law as it is published; --set gives it your own table beside them, and the table's factors: --set aero.table=mine.csv";
-        law.map(Some).ok_or_else(|| Error::Unreadable { name: given, source: advice.into() })
+        law.map(Some).ok_or_else(refused)
     }
 }
 

@@ -1,13 +1,13 @@
 use super::reading::{Reading, Row};
 use super::shot::Shot;
 use super::statistics::Uncertainties;
-use crate::columns::{Club, Column, Head, Holds, Marks, Spin, decoded, separated, summary};
+use crate::columns::{Club, Column, Head, Holds, Marks, Spin, decoded, separated, summary, unstated};
 use crate::error::{Error, Result};
-use crate::foreign::{of_csv, of_csv_row, of_io};
+use crate::foreign::of_io;
 use crate::parameters::{Parameter, Setup};
-use crate::shots::tabled;
+use crate::shots::{Record, cells, miscounted, records, tabled};
 use crate::units::Message;
-use csv::{ReaderBuilder, Trim};
+use csv::StringRecord;
 use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::Read;
@@ -82,16 +82,17 @@ impl ShotTable {
         read.map_err(|error| refused(String::new(), of_io(&error)))?;
         let (table, of_source) = tabled(&text);
         let (separator, text) = separated(&table);
-        let mut reader =
-            ReaderBuilder::new().trim(Trim::All).comment(Some(b'#')).delimiter(separator).from_reader(text.as_bytes());
-        let heads = reader.headers().map_err(|error| refused(String::new(), of_csv(&error)))?.clone();
-        let mut records = reader.records().peekable();
-        let first = records.peek().and_then(|first| first.as_ref().ok()).map(|first| first.iter());
+        let mut records = records(file, &text, separator)?.into_iter().peekable();
+        let apart = |record: &Record| StringRecord::from(cells(&record.text, separator));
+        let heads = records.next().map(|record| apart(&record)).unwrap_or_default();
+        let first = records.peek().map(apart);
+        let first = first.as_ref().map(StringRecord::iter);
         let at_column = |(at, error): (usize, Error)| refused(format!(", column {}", at + 1), error.to_string());
-        let head = Head::read(setup, heads.iter(), first, separator, club, Spin::OfRow).map_err(at_column)?;
+        let mut head = Head::read(setup, heads.iter(), first, separator, club, Spin::OfRow).map_err(at_column)?;
         if head.has_units_row {
             records.next();
         }
+        let without_unit = if head.format.is_export { unstated(&mut head.columns) } else { None };
         for (at, column) in head.columns.iter().enumerate() {
             column.check_unit().map_err(|error| at_column((at, error)))?;
             let is_read = !matches!(column.holds, Holds::Note | Holds::Written);
@@ -104,6 +105,7 @@ impl ShotTable {
         }
         let mut remarks = of_source;
         remarks.extend(head.remarks.clone());
+        remarks.extend(without_unit.map(Message::from));
         let written = head.named(|column| column.holds == Holds::Written);
         remarks.extend(written.told("columns that a sweep writes beside what is measured are not read"));
         // where a delivery is sought, the launch is what was measured, and not given
@@ -115,7 +117,7 @@ impl ShotTable {
         setup
             .refuse_replaced(&inputs.collect::<Vec<_>>())
             .map_err(|error| refused(String::new(), error.to_string()))?;
-        let reading = Reading { setup, is_launched, club, columns: head.columns };
+        let reading = Reading { setup, is_launched, is_export, club, columns: head.columns };
         if is_export
             && club == Club::LeftOut
             && !reading.is_launched
@@ -127,27 +129,30 @@ impl ShotTable {
         }
         let (mut shots, mut summaries, mut incomplete, mut unreadable) = (vec![], vec![], vec![], vec![]);
         let (mut sideways, mut contradictions) = (BTreeMap::<String, Vec<String>>::new(), vec![]);
-        let mut marks = Marks::default();
+        let (mut marks, mut not_drives) = (Marks::default(), vec![]);
         for (at, record) in records.enumerate() {
             let row = at + 1;
-            let record = match record {
-                Ok(record) => record,
-                Err(error) if is_export => {
-                    unreadable.push(format!("row {row} ({})", of_csv_row(&error, text.as_bytes())));
-                    continue;
-                }
-                Err(error) => return Err(refused(format!(", row {row}"), of_csv_row(&error, text.as_bytes()))),
-            };
-            if let Some(word) = summary(record.iter()).filter(|_| is_export) {
+            let (unclosed, record) = (record.unclosed(), apart(&record));
+            if let Some(word) = summary(record.iter()).filter(|_| is_export && unclosed.is_none()) {
                 summaries.push(format!("row {row} ({word})"));
                 continue;
+            }
+            let cells: Vec<&str> = record.iter().collect();
+            match unclosed.or_else(|| miscounted(&cells, heads.len())) {
+                Some(wrong) if is_export => {
+                    unreadable.push(format!("row {row} ({})", wrong.reason));
+                    continue;
+                }
+                Some(wrong) => return Err(refused(format!(", row {row}"), wrong.reason)),
+                None => {}
             }
             for (column, cell) in reading.columns.iter().zip(&record) {
                 let place = || format!(", row {row}, column {}", column.head);
                 marks.look(row as u64, column, cell).map_err(|reason| refused(place(), reason))?;
             }
             match reading.shot(row, &record) {
-                Ok(Row { shot, not_compared, contradiction }) => {
+                Ok(Row { shot, not_compared, contradiction, implausible }) => {
+                    not_drives.extend(implausible.into_iter().map(|why| format!("row {row}: not compared: {why}")));
                     if let Some(head) = not_compared.filter(|_| reading.club == Club::LeftOut) {
                         sideways.entry(head).or_default().push(format!("row {row}"));
                     }
@@ -189,6 +194,7 @@ impl ShotTable {
             let why = "in rows without a measured launch direction or spin axis (or sidespin)";
             format!("{head} is not compared {why}: {}", rows.join(", ")).into()
         }));
+        remarks.extend(not_drives.into_iter().map(Message::from));
         remarks.extend(contradictions.into_iter().map(Message::from));
         let (assumed, uncertainties) = reading.assumed(&shots);
         remarks.extend(assumed);

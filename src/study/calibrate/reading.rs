@@ -4,7 +4,8 @@ use super::instrument::instrument;
 use super::shot::{Measurement, Shot, Stationary};
 use super::statistics::Uncertainties;
 use crate::columns::{
-    CONDITIONS, Club, Column, Fault, Holds, Stated, conditions, contradiction, is_sideways, is_straight_by_assumption,
+    CONDITIONS, Club, Column, Fault, Holds, Stated, conditions, contradiction, implausible, implausible_launch,
+    is_sideways, is_straight_by_assumption,
 };
 use crate::drive::{Outcome, Part};
 use crate::error::Error;
@@ -20,6 +21,8 @@ pub(super) struct Reading<'a> {
     pub setup: &'a Setup<f64>,
     pub columns: Vec<Column>,
     pub is_launched: bool,
+    /// Whether it is a launch monitor's export, of which `fly` tells what is no drive.
+    pub is_export: bool,
     /// Whether the launches of clubs are looked at, of which the flight is not used.
     pub club: Club,
 }
@@ -31,6 +34,8 @@ pub(super) struct Row {
     pub not_compared: Option<String>,
     /// What is used of spins that contradict each other.
     pub contradiction: Option<String>,
+    /// Why measured values are not compared, which no drive has.
+    pub implausible: Vec<String>,
 }
 
 /// What is wrong with a row.
@@ -86,7 +91,12 @@ impl Reading<'_> {
     /// The shot of a row.
     pub fn shot(&self, row: usize, record: &StringRecord) -> Result<Row, Wrong> {
         let (mut inputs, mut measured, mut not_compared, mut contradicts) = (vec![], vec![], None, None);
-        let stated = if self.is_launched { Some(self.stated(record)?) } else { None };
+        let mut beyond = vec![];
+        let stated = self.stated(record)?;
+        if let Some(wrong) = self.refused(&stated) {
+            return Err(wrong);
+        }
+        let stated = self.is_launched.then_some(stated);
         let is_straight = stated.as_ref().is_some_and(is_straight_by_assumption);
         let mut at_shot = *self.setup;
         for column in &self.columns {
@@ -106,6 +116,11 @@ impl Reading<'_> {
                     if let Some(value) = self.cell(record, column.holds)? {
                         if self.is_launched && outcome.part() == Part::Launch {
                             return Err((here(), "rows of launch conditions have no club").into());
+                        }
+                        let name = || column.head.clone();
+                        if let Some(why) = implausible(outcome, value, name).filter(|_| self.is_export) {
+                            beyond.push(why);
+                            continue;
                         }
                         if value.abs() > MOST {
                             let (shown, most) = (outcome.show(value), outcome.show(MOST));
@@ -137,6 +152,9 @@ impl Reading<'_> {
         at_shot.validate().map_err(wrong)?;
         let stationary = self.stationary(record, &at_shot)?;
         if measured.is_empty() && stationary.is_empty() {
+            if !beyond.is_empty() {
+                return Err((None, beyond.join("; ")).into());
+            }
             let why = match &not_compared {
                 None => "nothing is measured in it; give an outcome, or take the row out".into(),
                 Some(head) => format!(
@@ -146,7 +164,8 @@ impl Reading<'_> {
             };
             return Err(Wrong::incomplete(None, why));
         }
-        Ok(Row { shot: Shot { row, inputs, measured, stationary }, not_compared, contradiction: contradicts })
+        let shot = Shot { row, inputs, measured, stationary };
+        Ok(Row { shot, not_compared, contradiction: contradicts, implausible: beyond })
     }
 
     fn has(&self, outcome: Outcome) -> bool {
@@ -166,6 +185,17 @@ impl Reading<'_> {
             *value = self.cell(record, Holds::Outcome(outcome))?;
         }
         Ok(values)
+    }
+
+    /// Why an export's row is no launch of a drive, as `fly` refuses it.
+    fn refused(&self, stated: &Stated) -> Option<Wrong> {
+        if !self.is_export {
+            return None;
+        }
+        if let Some(why) = implausible_launch(stated, |of| self.head(of)) {
+            return Some((None, why).into());
+        }
+        self.launch(*stated).err().filter(|wrong| !wrong.is_incomplete)
     }
 
     /// The launch that they make, by the parameters that it is.

@@ -1,17 +1,17 @@
 //! What a drive may be: values beyond are mistakes of the table, such as a wrong unit.
 
-use super::shot::Refusal;
-use crate::columns::{CONDITIONS, Stated};
+use super::CONDITIONS;
+use super::conditions::{Stated, conditions, taken};
 use crate::drive::Outcome;
 use std::sync::LazyLock;
 
-/// The range of a value, in its unit. The fastest ball on record left at 241.7 mph (108 m/s).
+/// The range of a value, in its unit. The fastest ball on record left at 241.7 mph (108 m/s); no driver gives topspin.
 const RANGES: [(Outcome, f64, f64, &str); 15] = [
     (Outcome::BallSpeed, 0.0, 270.0, "mph"),
     (Outcome::LaunchAngle, -90.0, 90.0, "deg"),
     (Outcome::LaunchDirection, -90.0, 90.0, "deg"),
     (Outcome::Spin, 0.0, 20_000.0, "rpm"),
-    (Outcome::Backspin, -20_000.0, 20_000.0, "rpm"),
+    (Outcome::Backspin, 0.0, 20_000.0, "rpm"),
     (Outcome::Sidespin, -20_000.0, 20_000.0, "rpm"),
     (Outcome::SpinAxis, -180.0, 180.0, "deg"),
     (Outcome::CarryDistance, 0.0, 600.0, "yd"),
@@ -47,7 +47,7 @@ static IN_SI: LazyLock<Vec<(Outcome, f64, f64)>> = LazyLock::new(|| {
 });
 
 /// Why a value is none of a drive, in words; `name` is that of its column.
-pub(super) fn implausible(of: Outcome, value: f64, name: impl FnOnce() -> String) -> Option<String> {
+pub(crate) fn implausible(of: Outcome, value: f64, name: impl FnOnce() -> String) -> Option<String> {
     let (at, (_, lowest, highest)) = IN_SI.iter().enumerate().find(|(_, (outcome, ..))| *outcome == of)?;
     if (*lowest..=*highest).contains(&value) {
         return None;
@@ -60,8 +60,20 @@ pub(super) fn implausible(of: Outcome, value: f64, name: impl FnOnce() -> String
     ))
 }
 
-/// Why a launch is none, of the values that a row states.
-pub(super) fn refusal(values: &Stated, name: impl Fn(Outcome) -> String) -> Option<Refusal> {
-    let wrong = |(of, value): (&Outcome, &Option<f64>)| implausible(*of, (*value)?, || name(*of));
-    CONDITIONS.iter().zip(values).find_map(wrong).map(|reason| Refusal::new(Refusal::RANGE, reason))
+/// Why the launch that a row states is none of a drive, in words: of what is taken of it, and of the spin that follows.
+pub(crate) fn implausible_launch(values: &Stated, name: impl Fn(Outcome) -> String) -> Option<String> {
+    let used = taken(*values);
+    let stated = |(of, value): (&Outcome, &Option<f64>)| implausible(*of, (*value)?, || name(*of));
+    if let Some(reason) = CONDITIONS.iter().zip(&used).find_map(stated) {
+        return Some(reason);
+    }
+    let [.., (_, back), (_, side)] = conditions(used, |_| true).ok()?;
+    // the tangent of an axis near 90° is large, and its cosine beyond 90° below 0
+    [
+        (Outcome::Sidespin, side, Outcome::SpinAxis, "sidespin = backspin · tan(axis)"),
+        (Outcome::Backspin, back, Outcome::SpinAxis, "backspin = spin · cos(axis)"),
+        (Outcome::Spin, back.hypot(side), Outcome::Backspin, "spin = √(backspin² + sidespin²)"),
+    ]
+    .into_iter()
+    .find_map(|(of, value, from, formula)| implausible(of, value, || format!("{} ({formula})", name(from))))
 }
