@@ -2,7 +2,7 @@ use super::lines::paragraph;
 use super::table::table;
 use super::{Reply, json, shown};
 use crate::error::{Error, Result};
-use crate::study::{Chart, ChartPoint, Search, Vary};
+use crate::study::{Active, Chart, ChartPoint, Search, Vary};
 use crate::units::{Message, Quantity, System};
 use serde::Serialize;
 use serde_json::{Map, Value};
@@ -65,7 +65,7 @@ impl ChartReport {
                 optimum: json::named(names.zip(point.best.solution.x.iter().map(|x| Some(*x)))),
                 active: point.active.iter().map(|active| active.name.clone()).collect(),
                 bounds: bounds.collect(),
-                event: point.event.clone(),
+                event: point.event.as_ref().map(ToString::to_string),
             }
         };
         Self {
@@ -96,8 +96,9 @@ pub fn chart_text(chart: &Chart, system: System) -> String {
     let rows = chart.points.iter().map(|point| {
         let show = |(vary, x): (&Vary, &f64)| shown::parameter(vary.parameter, *x, system);
         let value = shown::outcome_or_dash(point.best.search.of, point.best.value(), system);
-        let event = point.event.as_ref().map(|event| format!("<- {event}"));
-        let words = if point.active.is_empty() { shown::NONE.into() } else { listed(point, ", ") };
+        let told = |active: &Active| shown::active(active, &point.best.search, system, str::to_owned);
+        let event = point.event.as_ref().map(|event| format!("<- {}", event.words(told)));
+        let words = if point.active.is_empty() { shown::NONE.into() } else { listed(point, ", ", told) };
         [shown::parameter(chart.along.parameter, point.at, system), value]
             .into_iter()
             .chain(point.best.search.vary.iter().zip(&point.best.solution.x).map(show))
@@ -121,14 +122,15 @@ pub fn chart_csv(chart: &Chart) -> Result<String> {
         let numbers = [point.at, point.best.value().unwrap_or(f64::NAN)];
         let numbers = numbers.iter().chain(&point.best.solution.x);
         let numbers = numbers.map(|number| if number.is_nan() { String::new() } else { format!("{number:?}") });
-        let words = [listed(point, "; "), point.event.clone().unwrap_or_default()];
+        let words =
+            [listed(point, "; ", Active::to_string), point.event.as_ref().map(ToString::to_string).unwrap_or_default()];
         writer.write_record(numbers.chain(words)).map_err(failed)?;
     }
     let bytes = writer.into_inner().map_err(|error| Error::Output(error.into_error()))?;
     Ok(String::from_utf8_lossy(&bytes).into_owned())
 }
 
-/// The bounds and constraints that are active at a point, in words.
-fn listed(point: &ChartPoint, separator: &str) -> String {
-    point.active.iter().map(ToString::to_string).collect::<Vec<_>>().join(separator)
+/// The bounds and constraints that are active at a point, as `told` writes them.
+fn listed(point: &ChartPoint, separator: &str, told: impl Fn(&Active) -> String) -> String {
+    point.active.iter().map(told).collect::<Vec<_>>().join(separator)
 }

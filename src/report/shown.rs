@@ -2,7 +2,7 @@
 
 use crate::drive::Outcome;
 use crate::parameters::{Parameter, UNSET};
-use crate::study::Constraint;
+use crate::study::{Active, Constraint, Search};
 use crate::units::{Digits, Message, Quantity, System, leading_number, one, per, signed, significant, with_unit};
 
 /// What stands where there is no number.
@@ -130,6 +130,15 @@ pub(super) fn constraint(constraint: &Constraint, system: System) -> String {
         [true, true] => format!("{} ≤ {name} ≤ {}", limit(low), limit(high)),
         [true, false] => format!("{name} ≥ {}", limit(low)),
         _ => format!("{name} ≤ {}", limit(high)),
+    }
+}
+
+/// An active bound or constraint: "attack angle at its upper bound", "apex height ≤ 35 yd". `name` writes a parameter.
+pub(super) fn active(active: &Active, search: &Search, system: System, name: impl Fn(&str) -> String) -> String {
+    let limit = || search.subject_to.iter().find(|limit| limit.expression == active.name);
+    match active.end {
+        Some(_) => Active { name: name(&active.name), ..active.clone() }.to_string(),
+        None => limit().map_or_else(|| active.to_string(), |limit| constraint(limit, system)),
     }
 }
 

@@ -38,7 +38,41 @@ pub struct ChartPoint {
     /// What holds it.
     pub active: Vec<Active>,
     /// What happens here: an active bound or constraint comes or goes, or the optimum jumps.
-    pub event: Option<String>,
+    pub event: Option<ChartEvent>,
+}
+
+/// What happens at a point of a chart. It reads `swing.attack_angle at its upper bound begins, apex_height <= 30 yd ends`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum ChartEvent {
+    /// Other bounds and constraints are active from here on.
+    Changed {
+        /// Those that become active.
+        begins: Vec<Active>,
+        /// Those that are active no longer.
+        ends: Vec<Active>,
+    },
+    /// Another local optimum is better from here on.
+    Jump,
+}
+
+impl ChartEvent {
+    /// The event with each bound and constraint as `name` writes it.
+    pub fn words(&self, name: impl Fn(&Active) -> String) -> String {
+        match self {
+            Self::Changed { begins, ends } => {
+                let begins = begins.iter().map(|active| format!("{} begins", name(active)));
+                let ends = ends.iter().map(|active| format!("{} ends", name(active)));
+                begins.chain(ends).collect::<Vec<_>>().join(", ")
+            }
+            Self::Jump => "the optimum jumps: the local optimum followed so far ends here".into(),
+        }
+    }
+}
+
+impl std::fmt::Display for ChartEvent {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(&self.words(Active::to_string))
+    }
 }
 
 impl Chart {
@@ -217,8 +251,7 @@ pub fn chart_at(
             }
         };
         let next = if apart > TOO_FAR {
-            let event = Some("the optimum jumps: the local optimum followed so far ends here".into());
-            ChartPoint { event, ..next }
+            ChartPoint { event: Some(ChartEvent::Jump), ..next }
         } else if next.active != here.active {
             follower.located(here, next)
         } else {
@@ -309,10 +342,11 @@ impl Follower<'_> {
                 Err(_) => break,
             }
         }
-        let come = after.active.iter().filter(|name| !here.active.contains(name)).map(|name| format!("{name} begins"));
-        let gone = here.active.iter().filter(|name| !after.active.contains(name)).map(|name| format!("{name} ends"));
-        let event = Some(come.chain(gone).collect::<Vec<_>>().join(", "));
-        ChartPoint { event, ..after }
+        let only = |these: &[Active], others: &[Active]| {
+            these.iter().filter(|active| !others.contains(active)).cloned().collect::<Vec<_>>()
+        };
+        let (begins, ends) = (only(&after.active, &here.active), only(&here.active, &after.active));
+        ChartPoint { event: Some(ChartEvent::Changed { begins, ends }), ..after }
     }
 }
 

@@ -27,7 +27,7 @@ pub mod validation;
 
 pub use crate::parameters::Vary;
 pub use accuracy::{Accuracy, accuracy};
-pub use chart::{Chart, ChartObserver, ChartPoint, chart, chart_at};
+pub use chart::{Chart, ChartEvent, ChartObserver, ChartPoint, chart, chart_at};
 pub use compare::{Cause, Comparison, Difference, Share, Shares};
 pub use constraint::Constraint;
 pub use effects::{Bar, Effect, Effects, effects};

@@ -295,7 +295,7 @@ fn independent_optima_lie_on_the_chart_and_its_events_are_where_the_active_set_c
     }
     // the first event: the apex reaches its limit, just there
     let event = chart.points.iter().find(|point| point.event.is_some()).unwrap();
-    assert!(event.event.as_ref().unwrap().contains("apex_height <= 35 yd begins"), "{:?}", event.event);
+    assert!(event.event.as_ref().unwrap().to_string().contains("apex_height <= 35 yd begins"), "{:?}", event.event);
     let mut before = setup;
     before.swing.speed = event.at - 1e-6;
     assert!(!names(&best(&before, &search)).contains(&"apex_height <= 35 yd".to_owned()));

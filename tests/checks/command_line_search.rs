@@ -142,7 +142,7 @@ fn exact_chart_as_json_csv_and_table() {
         csv.out
     );
     assert_eq!(csv.out.lines().count(), points.len() + 1);
-    assert!(longdrive(&args).out.contains("<- apex_height <= 35 yd begins"));
+    assert!(longdrive(&args).out.contains("<- apex height ≤ 35 yd begins"));
 
     // part of the range without an optimum: what there is, and status 1
     let low = ["chart", "--along", "swing.speed=80mph..130mph", "--subject-to", "apex_height >= 36 yd"];

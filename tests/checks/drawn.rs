@@ -224,6 +224,21 @@ fn a_chart_marks_your_drive_and_says_in_words_what_a_bound_holds() {
     assert!(said.status == 2 && said.err.contains("upper bound, in every optimum"), "{}", said.err);
 }
 
+#[test]
+fn events_of_a_chart_are_told_in_words_and_in_the_units_chosen() {
+    let setup = Setup::default();
+    let limit = Constraint::read("apex_height <= 35 yd").unwrap();
+    let search = Search { subject_to: vec![limit], ..Search::longest_drive(&setup).unwrap() };
+    let along = Vary::read(&setup, "swing.speed=80mph..130mph").unwrap();
+    let found = chart(&setup, &search, along, |_| true).unwrap();
+    for (system, limit) in
+        [(System::Us, "apex height ≤ 35 yd begins"), (System::Metric, "apex height ≤ 32.004 m begins")]
+    {
+        let note = &chart_figures(&found, None, system).drawn[0].note;
+        assert!(note.contains(limit) && !note.contains("<=") && !note.contains("apex_height"), "{note}");
+    }
+}
+
 /// Pixels per metre along both axes, of the longest line.
 fn scales(figure: &Figure, line: &[[f64; 2]]) -> [f64; 2] {
     let svg = figure_svg(figure, &Look { width: 800, ..Look::default() }).unwrap();
@@ -344,6 +359,13 @@ fn exact_ellipses_on_the_fairway_are_those_of_uncertainty() {
         for (a, b) in ours.half_axes.concat().into_iter().zip(theirs.ellipse.half_axes.concat()) {
             close(a.abs(), b.abs(), 10.0, 1e-9, "half-axes");
         }
+    }
+    for (lateral, words) in
+        [(0.0, "on the target line"), (3.2, "3.5 yd right of the target line"), (-3.2, "3.5 yd left of")]
+    {
+        let beside = Landing { at: [lateral, 250.0], ..landing.clone() };
+        let note = fairway_figure(&[beside], System::Us).note;
+        assert!(note.starts_with(&format!("As set up: carry 273.4 yd, {words}")), "{note}");
     }
     // the picture's points lie on the ellipse, and its landing where the drive lands
     let figure = fairway_figure(std::slice::from_ref(&landing), System::Us);

@@ -87,10 +87,9 @@ fn marked(mut figure: Figure, chart: &Chart, system: System, y: impl Fn(&ChartPo
     for point in &chart.points {
         if let (Some(event), Some(y)) = (&point.event, y(point)) {
             let number = format!("{}", notes.len() + 1);
-            notes.push(format!(
-                "{number}: at {} {event}.",
-                Measure::parameter(chart.along.parameter).show(point.at, system)
-            ));
+            let at = Measure::parameter(chart.along.parameter).show(point.at, system);
+            let event = event.words(|active| shown::active(active, &point.best.search, system, shown::words));
+            notes.push(format!("{number}: at {at} {event}."));
             figure.layers.push(Layer::Mark { name: number, hue: Hue::Ink, at: [point.at, y] });
         }
     }

@@ -22,8 +22,7 @@ pub fn fairway_figure(landings: &[Landing], system: System) -> Figure {
     for (i, landing) in landings.iter().enumerate() {
         let (hue, is_dashed) = style(&landing.name, i);
         let [lateral, carry] = landing.at;
-        let [carry, lateral] =
-            [(Outcome::Carry, carry), (Outcome::Lateral, lateral)].map(|(of, value)| shown::outcome(of, value, system));
+        let carry = shown::outcome(Outcome::Carry, carry, system);
         // the legend names a drive once, by its largest ellipse, or by its landing
         let name = format!("{}: carry {carry}", landing.name);
         let part = |of: String| format!("{name} ({of})");
@@ -39,7 +38,7 @@ pub fn fairway_figure(landings: &[Landing], system: System) -> Figure {
         if landing.ellipses.is_empty() {
             layers.push(Layer::Dots { name: name.clone(), hue, points: vec![landing.at] });
         }
-        let mut told = format!("{}: carry {carry}, {lateral} of the target line", capital(&landing.name));
+        let mut told = format!("{}: carry {carry}, {}", capital(&landing.name), beside_target(lateral, system));
         if let Some(rest) = landing.rest {
             layers.push(Layer::Line {
                 name: String::new(),
@@ -87,6 +86,14 @@ pub fn fairway_figure(landings: &[Landing], system: System) -> Figure {
     }
     notes.push("True scale; the tee is at 0.".into());
     figure.noted(notes.join(" "))
+}
+
+/// How far from the target line: "3.2 yd right of the target line", "on the target line".
+fn beside_target(lateral: f64, system: System) -> String {
+    let shown = shown::outcome(Outcome::Lateral, lateral, system);
+    let beside =
+        [(" R", "right"), (" L", "left")].into_iter().find_map(|(sign, side)| Some((shown.strip_suffix(sign)?, side)));
+    beside.map_or("on the target line".into(), |(size, side)| format!("{size} {side} of the target line"))
 }
 
 /// What the ellipses say.

@@ -96,40 +96,75 @@ fn outlined(field: &Field, values: &[f64], levels: &[f64]) -> Vec<Ground> {
     above.collect()
 }
 
-/// Round numbers: multiples of a step of 1, 2, 2.5 or 5 times a power of ten over the whole range, and between two of them, where much
-/// of the map lies, multiples of a finer one. A map is steep in one place and flat in another, and one step for all would leave the
-/// flat top without a line.
+/// Round numbers: multiples of a step of 1, 2, 2.5 or 5 times a power of ten over the whole range, and of finer ones within a stretch of it where
+/// much of the map lies, and perhaps again within a part of that. A map is steep in one place and flat in another, and one step for all would
+/// leave the flat top without a line. Within a stretch the step is the same, so that lines tell the slope.
 fn levels(sorted: &[f64]) -> Vec<f64> {
     let (low, high) = (sorted[0], sorted[sorted.len() - 1]);
-    let Some(coarse) = round_step((high - low) / FIRST_LINES) else { return vec![] };
-    let mut levels = multiples(coarse, low, high);
-    let share = |from: f64, to: f64| {
-        let below = |level: f64| sorted.partition_point(|value| *value < level);
-        (below(to) - below(from)) as f64 / sorted.len() as f64
-    };
-    let mut steps = vec![coarse; levels.len() + 1];
-    while levels.len() < LINES {
-        let ends: Vec<f64> = std::iter::once(low).chain(levels.iter().copied()).chain([high]).collect();
-        let shares = ends.windows(2).enumerate().map(|(i, pair)| (i, share(pair[0], pair[1])));
-        // an interval that no finer step parts has the step 0
-        let Some((i, largest)) = shares.filter(|(i, _)| steps[*i] > 0.0).max_by(|a, b| a.1.total_cmp(&b.1)) else {
-            break;
+    let Some(mut step) = round_step((high - low) / FIRST_LINES) else { return vec![] };
+    let mut levels = multiples(step, low, high);
+    let mut stretch = [low, high];
+    let below = |level: f64| sorted.partition_point(|value| *value < level);
+    loop {
+        step = finer(step);
+        let within = levels.iter().copied().filter(|level| stretch[0] < *level && *level < stretch[1]);
+        let ends: Vec<f64> = std::iter::once(stretch[0]).chain(within).chain([stretch[1]]).collect();
+        let intervals: Vec<Interval> = ends
+            .windows(2)
+            .map(|ends| Interval {
+                ends: [ends[0], ends[1]],
+                share: (below(ends[1]) - below(ends[0])) as f64 / sorted.len() as f64,
+                is_last: ends[0] == low || ends[1] == high,
+            })
+            .collect();
+        let refined = |[from, to]: [f64; 2]| -> Vec<f64> {
+            let outside = |is_kept: &dyn Fn(f64) -> bool| levels.iter().copied().filter(|at| is_kept(*at)).collect();
+            [outside(&|at| at <= from), multiples(step, from, to), outside(&|at| at >= to)].concat()
         };
-        if largest < LARGE {
-            break;
+        let dense = LARGE.max(DENSE / (levels.len() + 1) as f64);
+        let fits = |ends: [f64; 2]| refined(ends).len() <= LINES;
+        match dense_stretch(&intervals, dense, fits) {
+            Some(ends) if step >= FINEST * (high - low) => (levels, stretch) = (refined(ends), ends),
+            _ => return levels,
         }
-        let (from, to) = (ends[i], ends[i + 1]);
-        let (step, within) = finer(steps[i], from, to, high - low);
-        steps.splice(i..=i, vec![step; within.len() + 1]);
-        levels.splice(i..i, within);
     }
-    levels
 }
 
-/// A map begins with about so many lines …
-const FIRST_LINES: f64 = 5.0;
-/// … and gets more between two where more than this part of it lies, until it has so many.
+/// What lies between two levels that are neighbours.
+struct Interval {
+    ends: [f64; 2],
+    /// The part of the map that lies in it.
+    share: f64,
+    /// Whether no level is beyond it.
+    is_last: bool,
+}
+
+/// Where the levels should be finer: the interval in which most of the map lies and its neighbours in which much does, as far as there is
+/// room for lines; nothing where no interval is dense, or where it would stand alone between coarser ones.
+fn dense_stretch(intervals: &[Interval], dense: f64, fits: impl Fn([f64; 2]) -> bool) -> Option<[f64; 2]> {
+    let by_share = |a: &usize, b: &usize| intervals[*a].share.total_cmp(&intervals[*b].share);
+    let densest = (0..intervals.len()).max_by(by_share)?;
+    let ends = |from: usize, to: usize| [intervals[from].ends[0], intervals[to].ends[1]];
+    if intervals[densest].share < dense || !fits(ends(densest, densest)) {
+        return None;
+    }
+    let (mut from, mut to) = (densest, densest);
+    loop {
+        let is_wanted = |i: &usize| from == to || intervals[*i].share > LARGE || intervals[*i].is_last;
+        let sides = [from.checked_sub(1), Some(to + 1).filter(|i| *i < intervals.len())].into_iter().flatten();
+        let sides = sides.filter(|i| is_wanted(i) && fits(ends(from.min(*i), to.max(*i))));
+        let Some(side) = sides.max_by(by_share) else { break };
+        (from, to) = (from.min(side), to.max(side));
+    }
+    (from < to || intervals[from].is_last).then(|| ends(from, to))
+}
+
+/// A map begins with at most about so many lines …
+const FIRST_LINES: f64 = 8.0;
+/// … and gets more where more than this part of it lies between two, and so many times more than between two on average …
 const LARGE: f64 = 0.12;
+const DENSE: f64 = 1.5;
+/// … until it has so many.
 const LINES: usize = 14;
 
 /// The multiples of a step strictly between two numbers.
@@ -139,25 +174,13 @@ fn multiples(step: f64, low: f64, high: f64) -> Vec<f64> {
     (from..=to).map(|i| i as f64 * step).collect()
 }
 
-/// A finer step with its multiples between two numbers, at most five of them; the step 0 where none is worth a line in a map of this height.
-fn finer(step: f64, from: f64, to: f64, height: f64) -> (f64, Vec<f64>) {
-    let mut step = step;
-    while step > FINEST * height {
-        let power = 10.0_f64.powf((step * (1.0 + 1e-9)).log10().floor());
-        // of 2.5 and 5 the finer ones that divide them
-        let digit = (step / power * 10.0).round() / 10.0;
-        step = match digit {
-            1.0 => 0.5,
-            2.0 => 1.0,
-            2.5 => 0.5,
-            _ => 1.0,
-        } * power;
-        let within = multiples(step, from, to);
-        if !within.is_empty() {
-            return (step, within);
-        }
+/// The next finer step of 1, 2, 2.5 or 5 times a power of ten that divides a step.
+fn finer(step: f64) -> f64 {
+    let power = 10.0_f64.powf((step * (1.0 + 1e-9)).log10().floor());
+    match (step / power * 10.0).round() as i64 {
+        10 | 25 => 0.5 * power,
+        _ => power,
     }
-    (0.0, vec![])
 }
 
 /// Steps finer than this part of a map's height say nothing more.
@@ -211,13 +234,16 @@ fn continued(field: &Field) -> Vec<f64> {
         let before = values.clone();
         for i in (0..values.len()).filter(|i| before[*i].is_none()) {
             let (column, row) = (i % columns, i / columns);
-            let sides = [
-                (column > 0).then(|| i - 1),
-                (column + 1 < columns).then_some(i + 1),
-                (row > 0).then(|| i - columns),
-                (row + 1 < rows).then_some(i + columns),
-            ];
-            let known: Vec<f64> = sides.into_iter().flatten().filter_map(|side| before[side]).collect();
+            // from each side along a straight line through the two nearest nodes, so that lines do not bend before they end
+            let reach = [column, columns - 1 - column, row, rows - 1 - row];
+            let node = |side: usize, n: usize| {
+                [i.checked_sub(n), Some(i + n), i.checked_sub(n * columns), Some(i + n * columns)][side]
+            };
+            let known = |side: usize, n: usize| (reach[side] >= n).then(|| before[node(side, n)?]).flatten();
+            let ahead = |side: usize| {
+                Some(known(side, 2).map_or(known(side, 1)?, |far| 2.0 * known(side, 1).unwrap_or(far) - far))
+            };
+            let known: Vec<f64> = (0..4).filter_map(ahead).collect();
             if !known.is_empty() {
                 values[i] = Some(known.iter().sum::<f64>() / known.len() as f64);
             }
@@ -229,7 +255,7 @@ fn continued(field: &Field) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     use super::super::axis::Measure;
-    use super::{Field, grounds};
+    use super::{Field, grounds, levels};
     use crate::units::System;
 
     fn field(f: impl Fn(f64, f64) -> Option<f64>) -> Field {
@@ -270,16 +296,24 @@ mod tests {
     /// A level is a whole number of times 1, 2, 2.5 or 5 times a power of ten that is large beside its distance to the next one.
     #[test]
     fn exact_levels_are_round_and_a_flat_top_has_some() {
-        let carry = |x: f64, y: f64| Some(279.2 - 130.0 * (x - 1.5).powi(2) - 20.0 * (y - 1.7).powi(2));
+        let carry = |x: f64, y: f64| 279.2 - 130.0 * (x - 1.5).powi(2) - 20.0 * (y - 1.7).powi(2);
         for scale in [1.0, 0.9144, 0.013, 4200.0] {
-            let grounds = grounds(&field(|x, y| Some(scale * carry(x, y)?)), System::Us);
-            let levels: Vec<f64> = grounds[1..].iter().map(|ground| ground.level).collect();
+            // as fine as maps are: what part of a map lies between two levels is not seen in fewer nodes
+            let mut values: Vec<f64> = (0..41 * 41)
+                .map(|i| scale * carry(3.0 * f64::from(i % 41) / 40.0, 1.0 + f64::from(i / 41) / 40.0))
+                .collect();
+            values.sort_by(f64::total_cmp);
+            let levels = levels(&values);
             assert!((6..=18).contains(&levels.len()), "{levels:?}");
             for pair in levels.windows(2) {
                 let apart = pair[1] - pair[0];
                 let digits = [pair[0], pair[1]].map(|level| level / 10.0_f64.powf(apart.log10().floor()));
                 assert!(digits.iter().all(|digit| (digit * 2.0 - (digit * 2.0).round()).abs() < 1e-6), "{levels:?}");
             }
+            // the step falls towards one stretch and rises beyond it
+            let apart: Vec<f64> = levels.windows(2).map(|pair| pair[1] - pair[0]).collect();
+            let rises = apart.windows(2).position(|pair| pair[1] > 1.01 * pair[0]).unwrap_or(apart.len());
+            assert!(apart.iter().skip(rises).is_sorted_by(|a, b| **b > 0.99 * **a), "{levels:?}");
             let top = levels[levels.len() - 1];
             assert!(279.2 * scale - top < 0.03 * 279.2 * scale, "{levels:?}");
         }
