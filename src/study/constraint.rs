@@ -35,7 +35,7 @@ impl Constraint {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Constraint`], which points into the expression.
+    /// [`Error::Constraint`](crate::error::Error::Constraint), which points into the expression.
     pub fn read(expression: &str) -> Result<Self> {
         let example = "descent_angle >= 38deg, lateral == 0m or 20yd <= apex_height <= 35yd";
         let is_outcome = |text: &str| Outcome::named(text).is_ok();

@@ -33,7 +33,10 @@ fn exact_a_mean_and_its_derivatives_are_the_sums_over_single_drives() {
     let best = searched(&setup, "mean(carry)", &["club.loft=4deg..20deg", "club.mass=180g..210g"], scenarios.clone());
     assert_eq!(best.status(), "converged");
     let wrt = ["club.loft", "club.mass"].map(|name| setup.variable(name).unwrap());
-    let (mut value, mut gradient, mut second) = (0.0, [0.0; 2], [[0.0; 2]; 2]);
+    let (mut value, mut gradient, mut second) = (0.0, vec![0.0; 2], vec![0.0; 4]);
+    let add = |sums: &mut [f64], weight: f64, terms: &[f64]| {
+        sums.iter_mut().zip(terms).for_each(|(sum, term)| *sum += weight * term);
+    };
     for (point, weight) in scenarios.points.iter().zip(&scenarios.weights) {
         let mut swung = best.setup;
         for (parameter, at) in scenarios.parameters.iter().zip(point) {
@@ -41,20 +44,16 @@ fn exact_a_mean_and_its_derivatives_are_the_sums_over_single_drives() {
         }
         let taylor = hessian(&swung, Outcome::Carry, &wrt).unwrap();
         value += weight * taylor.value;
-        for i in 0..2 {
-            gradient[i] += weight * taylor.gradient[i];
-            for j in 0..2 {
-                second[i][j] += weight * taylor.hessian[i][j];
-            }
-        }
+        add(&mut gradient, *weight, &taylor.gradient);
+        add(&mut second, *weight, &taylor.hessian.concat());
     }
     close(best.value().unwrap(), value, value, 1e-14, "mean");
-    for i in 0..2 {
-        close(best.gradient()[i], gradient[i], 1e3, 1e-12, "gradient");
-        for j in 0..2 {
-            // that of what is minimised
-            close(-best.solution.hessian[i][j], second[i][j], second[i][j].abs().max(1.0), 1e-11, "Hessian");
-        }
+    for (found, sum) in best.gradient().iter().zip(&gradient) {
+        close(*found, *sum, 1e3, 1e-12, "gradient");
+    }
+    for (found, sum) in best.solution.hessian.concat().iter().zip(&second) {
+        // that of what is minimised
+        close(-found, *sum, sum.abs().max(1.0), 1e-11, "Hessian");
     }
 }
 

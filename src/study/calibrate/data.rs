@@ -82,7 +82,7 @@ impl ShotTable {
         read.map_err(|error| refused(String::new(), of_io(&error)))?;
         let (table, of_source) = tabled(&text);
         let (separator, text) = separated(&table);
-        let mut records = records(file, &text, separator)?.into_iter().peekable();
+        let mut records = records(file, text, separator)?.into_iter().peekable();
         let apart = |record: &Record| StringRecord::from(cells(&record.text, separator));
         let heads = records.next().map(|record| apart(&record)).unwrap_or_default();
         let first = records.peek().map(apart);

@@ -1,4 +1,4 @@
-use super::swings::{Correlation, Swings};
+use super::golfer::{Correlation, Swings};
 use crate::batch::{Points, open_table};
 use crate::error::{Error, Result};
 use crate::foreign::of_toml;

@@ -9,6 +9,7 @@
 mod apart;
 mod chained;
 mod file;
+mod golfer;
 mod measure;
 mod optimum;
 mod price;
@@ -17,13 +18,12 @@ mod quadrature;
 mod read;
 mod scenarios;
 mod strokes;
-mod swings;
 
 pub use apart::{Apart, Resampled, resampled};
+pub use golfer::{Correlation, Swings};
 pub use measure::Measure;
 pub use optimum::{SwingsOptimum, SwingsSearch, swings_optimum};
 pub use price::{Doubt, Price, price};
 pub use read::{Goal, GoalLimit};
 pub use scenarios::{Rule, Scenarios};
 pub use strokes::Strokes;
-pub use swings::{Correlation, Swings};

@@ -1,8 +1,8 @@
+use super::golfer::Swings;
 use super::measure::Measure;
 use super::optimum::{SwingsOptimum, posed};
 use super::read::Goal;
 use super::scenarios::Scenarios;
-use super::swings::Swings;
 use crate::error::Result;
 use crate::optimize::minimize;
 use crate::parameters::Setup;

@@ -56,7 +56,7 @@ impl Goal {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Constraint`], which points into the expression.
+    /// [`Error::Constraint`](crate::error::Error::Constraint), which points into the expression.
     pub fn read(expression: &str, strokes: Option<&Strokes>) -> Result<Self> {
         Self::read_part(expression, &Part { text: expression.trim(), column: lead(expression) }, strokes)
     }
@@ -105,7 +105,7 @@ impl GoalLimit {
     /// Reads `GOAL >= LIMIT`, `GOAL <= LIMIT`, `GOAL == VALUE` or `LOW <= GOAL <= HIGH`.
     ///
     /// # Errors
-    /// [`Error::Constraint`], which points into the expression.
+    /// [`Error::Constraint`](crate::error::Error::Constraint), which points into the expression.
     pub fn read(expression: &str, strokes: Option<&Strokes>) -> Result<Self> {
         let example = "std(lateral) <= 12yd or mean(carry) >= 240yd";
         let Compared { of: goal, low, high } = compared(

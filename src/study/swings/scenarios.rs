@@ -1,5 +1,5 @@
+use super::golfer::Swings;
 use super::quadrature::{REACH, rule};
-use super::swings::Swings;
 use crate::error::{Error, Result};
 use crate::optimize::sobol;
 use crate::parameters::Parameter;

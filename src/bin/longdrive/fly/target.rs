@@ -35,7 +35,7 @@ impl Target {
             #[cfg(feature = "parquet")]
             (Some(FlyFormat::Parquet), _) | (None, "parquet") => Written::Parquet,
             #[cfg(not(feature = "parquet"))]
-            (None, "parquet") => return Err(refused(path, &longdrive::features::how_to_get("parquet"))),
+            (None, "parquet") => return Err(refused(path, longdrive::features::how_to_get("parquet"))),
             (None, _) => {
                 return Err(refused(
                     path,
