@@ -69,7 +69,7 @@ impl ShotTable {
     /// decimal mark is uncertain, a sigma that is not positive, a value outside its range, a row without a measurement, and a table without
     /// rows. Of a
     /// launch monitor's export, rows that sum up others, lack a value that every shot needs or have one that cannot be used are left out, and named in the
-    /// remarks. Messages of GSPro Open Connect, and exports with title lines before their head, are read too.
+    /// remarks; so are measured values that no drive has, which are not compared. Messages of GSPro Open Connect, and exports with title lines before their head, are read too.
     pub fn read(setup: &Setup<f64>, file: &str, source: impl Read) -> Result<Self> {
         Self::read_rows(setup, file, source, Club::LeftOut)
     }
