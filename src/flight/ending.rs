@@ -120,9 +120,9 @@ impl NoFlight {
             |message: Message, height: f64| message.quantity(Quantity::LENGTH, "m", height, Digits::Significant(5));
         match self {
             Self::LaunchedDown { launch_angle } => {
-                let degrees = launch_angle.to_degrees();
+                let angle = Quantity::ANGLE.read_off(*launch_angle, "deg");
                 Message::from(format!(
-                    "no flight: the ball leaves at {degrees:.3}°, which is not above the horizontal, and the ground is not below the ball; \
+                    "no flight: the ball leaves at {angle}, which is not above the horizontal, and the ground is not below the ball; \
                      increase the launch angle (with a club: by more loft or attack angle), or lower ground.height"
                 ))
             }

@@ -12,7 +12,7 @@ pub(super) const NONE: &str = "–";
 const NAMES: [(&str, &str); 2] = [("swing.speed", "club speed"), ("swing.path", "club path")];
 
 /// Groups whose parameters are known without the group's name.
-const IMPLIED: [&str; 2] = ["swing", "launch"];
+const IMPLIED: [&str; 3] = ["swing", "launch", "aero"];
 
 /// The name of an outcome or parameter in words, as launch monitors say it: "ball speed", "attack angle", "club speed". A word of the
 /// group that the name repeats stands once: "wind reference height", but "launch angle" for `launch.launch_angle`.
@@ -231,8 +231,8 @@ mod tests {
         assert!(names.windows(2).all(|pair| pair[0] != pair[1]), "two parameters of one name: {names:?}");
         assert_eq!(words("launch.launch_angle"), "launch angle");
         assert_eq!(
-            ["launch.ball_speed", "club.inertia.xx", "swing.attack_angle", "swing.speed"].map(words),
-            ["ball speed", "club inertia xx", "attack angle", "club speed"]
+            ["launch.ball_speed", "club.inertia.xx", "swing.attack_angle", "swing.speed", "aero.cd0"].map(words),
+            ["ball speed", "club inertia xx", "attack angle", "club speed", "cd0"]
         );
     }
 

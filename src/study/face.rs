@@ -71,6 +71,13 @@ impl Face {
         (0..=120).map(point).collect()
     }
 
+    /// Whether the strike of the longest carry is at the edge of the face: a node beside it is on the face no more.
+    pub fn is_longest_at_edge(&self) -> bool {
+        let ([x, y], _) = self.longest;
+        let [wide, tall] = [0, 1].map(|axis| 2.0 * self.half[axis] / (NODES[axis] - 1) as f64);
+        [[x - wide, y], [x + wide, y], [x, y - tall], [x, y + tall]].into_iter().any(|at| !self.holds(at))
+    }
+
     /// Whether a place lies within that outline.
     pub fn holds(&self, at: [f64; 2]) -> bool {
         is_on(self.half, at)

@@ -2,6 +2,7 @@
 
 use super::optimum::{Optimum, posed};
 use crate::derivative::Evaluator;
+use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::optimize::sensitivity::{Held, reduced_hessian};
 use crate::optimize::{Domain, Status};
@@ -74,10 +75,26 @@ pub struct Ellipse {
     pub losses: Option<(f64, f64)>,
 }
 
-/// The loss that is asked about where no one states another: 1 yd of a distance, 1 % of anything else. SI.
+/// What is said of the loss of a [short drive](short_drive).
+const OF_SHORT_DRIVE: &str =
+    "1 yd is more than a tenth of the carry of the best drive, so the loss that is allowed is 1 % of this carry";
+
+/// The carry of the best drive where [`usual_loss`] is 1 % of it, since 1 yd is more than a tenth of it, SI; with what is said of it.
+pub fn short_drive(best: &Optimum) -> Option<(f64, &'static str)> {
+    let carry = best.drive.as_ref().and_then(|drive| Outcome::CarryDistance.value(drive))?;
+    let is_short = best.search.of.quantity() == Quantity::LENGTH && yard() > 0.1 * carry && carry > 0.0;
+    is_short.then_some((carry, OF_SHORT_DRIVE))
+}
+
+fn yard() -> f64 {
+    Quantity::LENGTH.size_of("yd").unwrap_or(1.0)
+}
+
+/// The loss that is asked about where no one states another: 1 yd of a distance, 1 % of anything else. Of a distance of a
+/// [short drive](short_drive) it is 1 % of the carry. SI.
 pub fn usual_loss(best: &Optimum) -> f64 {
     match best.search.of.quantity() {
-        Quantity::LENGTH => Quantity::LENGTH.size_of("yd").unwrap_or(1.0),
+        Quantity::LENGTH => short_drive(best).map_or_else(yard, |(carry, _)| 0.01 * carry),
         _ => 0.01 * best.value().unwrap_or_default().abs().max(f64::MIN_POSITIVE),
     }
 }

@@ -16,8 +16,11 @@ pub struct Landing {
     pub rest: Option<[f64; 2]>,
     /// The parameters that vary from drive to drive, each by its standard deviation.
     pub sigmas: Vec<Sigma>,
-    /// The ellipses of the landings, by exact derivatives, that hold each of [`SHARES`]; empty where nothing varies.
+    /// The ellipses of the landings, by exact derivatives, that hold each of [`SHARES`]; empty where nothing varies, or too much does.
     pub ellipses: Vec<LandingEllipse>,
+    /// Whether the ellipses are left out since too much varies beside the drive for its derivatives to tell the landings: the standard
+    /// deviation of its speed is more than a third of it, or an ellipse reaches further than the ball carries.
+    pub is_too_wide: bool,
 }
 
 impl Landing {
@@ -38,13 +41,21 @@ impl Landing {
         let covariance = covariance([&taylors[0], &taylors[1]], &variances);
         let is_spread = covariance.iter().flatten().any(|entry| *entry > 0.0);
         let ellipse = |share: f64| LandingEllipse::new(share, at, covariance);
+        let ellipses: Vec<_> = SHARES.into_iter().filter(|_| is_spread).map(ellipse).collect();
+        let is_fast = |sigma: &Sigma| ["swing.speed", "launch.ball_speed"].contains(&sigma.parameter.name);
+        let is_of_most = |sigma: &Sigma| setup.value(sigma.parameter).is_some_and(|speed| 3.0 * sigma.value > speed);
+        let carry = at[0].hypot(at[1]);
+        let is_large = |ellipse: &LandingEllipse| ellipse.half_axes.iter().any(|[x, y]| x.hypot(*y) > carry);
+        let is_too_wide =
+            sigmas.iter().any(|sigma| is_fast(sigma) && is_of_most(sigma)) || ellipses.iter().any(is_large);
         let rest = [Outcome::LateralTotal, Outcome::Total].map(|of| of.value(&drive));
         Ok(Self {
             name: name.into(),
             at,
             rest: rest[0].zip(rest[1]).map(|(right, downrange)| [right, downrange]),
             sigmas,
-            ellipses: SHARES.into_iter().filter(|_| is_spread).map(ellipse).collect(),
+            ellipses: if is_too_wide { vec![] } else { ellipses },
+            is_too_wide,
         })
     }
 }

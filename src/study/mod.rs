@@ -32,7 +32,7 @@ pub use compare::{Cause, Comparison, Difference, Share, Shares};
 pub use constraint::Constraint;
 pub use effects::{Bar, Effect, Effects, effects};
 pub use face::Face;
-pub use flatness::{Direction, Ellipse, Flatness, Limit, Window, flatness, usual_loss};
+pub use flatness::{Direction, Ellipse, Flatness, Limit, Window, flatness, short_drive, usual_loss};
 pub use landing::Landing;
 pub use launches::{Launched, Launches};
 pub use map::{Fineness, Map, Slope, map};

@@ -369,6 +369,10 @@ fn exact_ellipses_on_the_fairway_are_those_of_uncertainty() {
     }
     // the picture's points lie on the ellipse, and its landing where the drive lands
     let figure = fairway_figure(std::slice::from_ref(&landing), System::Us);
+    // the run is the drive's own line, and the legend names it
+    let run = figure.layers.iter().find(|layer| layer.named().0 == "run").unwrap();
+    let own = figure.layers.iter().find(|layer| layer.named().0.starts_with("as set up: carry")).unwrap();
+    assert!(matches!(run, Layer::Line { is_dashed: false, .. }) && run.named().1 == own.named().1);
     let wide = landing.ellipses[1];
     for point in line_of(&figure, &outer(&figure)) {
         let out = |part: f64| [0, 1].map(|axis| wide.centre[axis] + part * (point[axis] - wide.centre[axis]));

@@ -51,6 +51,8 @@ fn the_answer_is_the_first_thing_on_the_page() {
     let (_, best) = json(&["optimize"]);
     let yard = 0.9144;
     let [yours, best_carry] = [&yours["flight"]["carry"], &best["value"]].map(|value| number(value) / yard);
+    // the line adds up as it is printed
+    let [yours, best_carry] = [yours, best_carry].map(|value| (10.0 * value).round() / 10.0);
     let said = words(answer(&page), "us");
     assert!(
         said.starts_with(&format!("Carry {yours:.1} → {best_carry:.1} yd: +{:.1} yd", best_carry - yours)),
@@ -106,6 +108,68 @@ fn the_title_is_what_was_asked_and_not_the_presets() {
     assert!(words(part(&page, "<h1>", "</h1>"), "metric").contains("26.8"), "and in the other units");
     let (_, page) = report(&["modern-driver"]);
     assert!(page.contains("A 460 cc driver of the 2020s at 110 mph") && page.contains("modern-driver, as it is"));
+}
+
+#[test]
+fn the_title_names_the_first_changes_and_counts_the_others() {
+    let set = ["swing.speed=105mph", "strike.toe=15mm", "wind.speed=15mph", "wind.from=60deg"];
+    let args: Vec<&str> = set.into_iter().flat_map(|text| ["--set", text]).collect();
+    let title = |args: &[&str]| words(part(&report(args).1, "<h1>", "</h1>"), "us");
+    assert_eq!(title(&args), "Drive: tour-average, club speed 105 mph, strike toe 15 mm and 2 more");
+    let three = [&args[..4], &["--set", "strike.high=0mm"]].concat();
+    assert_eq!(title(&three), "Drive: tour-average, club speed 105 mph, strike high 0 mm, strike toe 15 mm");
+}
+
+#[test]
+fn the_page_of_a_launch_is_about_its_launch_and_no_club() {
+    let launch = "ball_speed=150mph,launch_angle=11deg,backspin=2900rpm";
+    let (_, page) = report(&["--launch", launch]);
+    let title = words(part(&page, "<h1>", "</h1>"), "us");
+    assert_eq!(title, "Drive: ball speed 150 mph, launch angle 11°, backspin 2900 rpm");
+    let asked = words(part(&page, "What was asked", "</section>"), "us");
+    assert!(asked.contains("those of the preset tour-average") && !asked.contains("as it is"), "{asked}");
+    let setup = words(part(&page, "All numbers of the setup", "</table>"), "us");
+    assert!(setup.contains("launch.spinnonenot needed: backspin is given"), "{setup}");
+    let said = longdrive(&["plot", "face", "--launch", launch, "-o", "face.svg"]);
+    assert!(said.status != 0 && said.err.contains("no face to draw"), "{}", said.err);
+}
+
+#[test]
+fn the_reason_of_no_flight_stands_once_and_first() {
+    let (_, page) = report(&["--set", "swing.attack_angle=-20deg", "--set", "club.loft=2deg"]);
+    assert_eq!(page.matches("which is not above the horizontal").count(), 1);
+    let said = words(answer(&page), "us");
+    assert!(said.contains("As set up: no flight: the ball leaves at −14.8°"), "{said}");
+}
+
+#[test]
+fn the_usual_chart_holds_the_speed_as_set_up() {
+    for (speed, holds) in [("115mph", ["80", "130"]), ("20mph", ["10", "45"]), ("160mph", ["135", "185"])] {
+        let folder = tempfile::tempdir().unwrap();
+        page(&folder, &["report", "--set", &format!("swing.speed={speed}")]);
+        let csv = std::fs::read_to_string(folder.path().join("page/chart-carry-by-swing-speed.csv")).unwrap();
+        let along: Vec<f64> = csv
+            .lines()
+            .filter(|line| line.starts_with("line,optimum"))
+            .filter_map(|line| line.split(',').nth(2)?.parse().ok())
+            .collect();
+        let ends = [along.iter().copied().fold(f64::MAX, f64::min), along.iter().copied().fold(0.0, f64::max)];
+        for (end, mph) in ends.into_iter().zip(holds) {
+            crate::common::close(end, mph.parse::<f64>().unwrap() * 0.44704, 50.0, 1e-6, speed);
+        }
+    }
+}
+
+#[test]
+fn a_drive_of_a_yard_allows_a_loss_of_one_percent_and_has_no_ellipses() {
+    let (_, page) = report(&["--set", "swing.speed=3mph"]);
+    let page = words(&page, "us");
+    assert!(!page.contains("for a loss of 1.00 yd") && page.contains("the loss that is allowed is 1 % of this carry"));
+    // 0.5 mph of 3 mph is known, 0.5 mph of 1 mph is not
+    assert!(page.contains("The inner and the outer ellipse"));
+    assert!(page.contains("at the edge of the searched face"));
+    let (_, page) = report(&["--set", "swing.speed=1mph"]);
+    assert!(page.contains("As set up: no ellipses are drawn") && !page.contains("The inner and the outer ellipse"));
 }
 
 #[test]

@@ -143,7 +143,7 @@ fn what_you_control_and_what_the_model_does_not_know_are_pictures_of_their_own()
     let (svg, csv) = (file("x.svg"), file("x.csv"));
     for (show, has, has_not) in [
         ("control", ["club speed ± 0.5 mph", "attack angle ± 0.3°"], "cd0"),
-        ("model", ["aero cd0 ± 0.015", "wind downrange ± 2.24 mph"], "club speed"),
+        ("model", ["cd0 ± 0.015", "wind downrange ± 2.24 mph"], "club speed"),
     ] {
         let said = longdrive(&["plot", "tornado", "-o", &csv, "--overwrite", "--show", show]);
         assert!(said.status == 0 && said.err.contains("as set up") && !said.err.contains("linear"), "{}", said.err);

@@ -1,11 +1,12 @@
 use crate::args::{Optimize, OptimumSensitivity};
 use crate::names::variables;
 use crate::optimize::remarks;
-use crate::output::{Answer, bar, show, spinner, system, tell_error, warn};
+use crate::output::{Answer, bar, show, spinner, system, tell, tell_error, warn};
 use longdrive::parameters::Parameter;
 use longdrive::report::{Analysis, SensitivityReport, optimum_text, sensitivity_text};
 use longdrive::study::{
-    Change, Changed, Flatness, Optimum, Sensitivity, change, flatness, refuse_varied, sensitivities, usual_loss,
+    Change, Changed, Flatness, Optimum, Sensitivity, change, flatness, refuse_varied, sensitivities, short_drive,
+    usual_loss,
 };
 use longdrive::{Error, Outcome, Result};
 
@@ -79,6 +80,9 @@ fn analysed(best: &Optimum, wrt: &[&'static Parameter], changes: &[Change], loss
     let bar = bar("parameters");
     let sensitivities = sensitivities(best, &wrt, |done, of| show(&bar, done, of));
     bar.finish_and_clear();
+    if let (None, Some((_, said))) = (loss, short_drive(best)) {
+        tell(said);
+    }
     let loss = loss.unwrap_or_else(|| usual_loss(best));
     let spinner = spinner("computing drives around the optimum");
     let changed = changes.iter().map(|stated| change(best, *stated)).collect::<Result<_>>()?;

@@ -18,8 +18,8 @@ use longdrive::report::figures::{
 use longdrive::reproduce::while_loop;
 use longdrive::study::certificate::certify;
 use longdrive::study::{
-    Constraint, Fineness, Map, Optimum, Region, Search, Sigma, Vary, chart, effects, map, optimum, usual_loss,
-    with_defaults,
+    Constraint, Fineness, Map, Optimum, Region, Search, Sigma, Vary, chart, effects, map, optimum, short_drive,
+    usual_loss, with_defaults,
 };
 use longdrive::units::Quantity;
 use longdrive::{Error, Outcome, Result, Setup};
@@ -72,6 +72,9 @@ fn contour(args: &PlotContour) -> Result<Answer> {
     let best = best.as_ref();
     let limits = limits(best.map_or(&setup, |best| &best.setup), &search)?;
     let of_best = best.map_or(vec![], at_optimum);
+    if let Some((_, said)) = best.and_then(short_drive) {
+        tell(said);
+    }
     let region = best.map(|best| Region::around(best, map.across, map.up, usual_loss(best))).transpose()?.flatten();
     spinner.finish_and_clear();
     if best.is_some() && region.is_none() {

@@ -7,7 +7,7 @@ use longdrive::optimize::{Observer, Status};
 use longdrive::report::figures::{face_figure, fairway_figure, launches_figure};
 use longdrive::study::{Face, Landing, Launches, Optimum, Sigma, optimum, with_defaults};
 use longdrive::units::Message;
-use longdrive::{Drive, Outcome, Result, Setup};
+use longdrive::{Drive, Error, Outcome, Result, Setup};
 
 pub fn fairway(args: &PlotFairway) -> Result<Answer> {
     let target = Target::new(&args.question, &args.drawing)?;
@@ -37,6 +37,11 @@ pub fn launches(args: &PlotLaunch) -> Result<Answer> {
 pub fn face(args: &PlotFace) -> Result<Answer> {
     let target = Target::new(&args.question, &args.drawing)?;
     let setup = args.question.for_many(args.question.setup()?, &[])?;
+    if setup.launch.is_given() {
+        let name = args.drawing.output.display().to_string();
+        let reason = "the drive is given by its launch: no club strikes the ball, so that there is no face to draw; give a swing and a club instead";
+        return Err(Error::Plot { name, reason: reason.into() });
+    }
     let spinner = spinner("computing strikes");
     let face = Face::of(&setup)?;
     spinner.finish_and_clear();

@@ -13,7 +13,7 @@ use longdrive::reproduce::while_loop;
 use longdrive::study::certificate::{Row, certify};
 use longdrive::study::{
     Chart, Face, Fineness, Landing, Launches, Map, Optimum, Region, Search, Sigma, Vary, chart, effects, flatness, map,
-    optimum, usual_loss, with_defaults,
+    optimum, short_drive, usual_loss, with_defaults,
 };
 use longdrive::units::{Message, counted};
 use longdrive::{Error, Outcome, Result, Setup};
@@ -64,6 +64,7 @@ pub fn run(args: &Report) -> Result<Answer> {
         flown.push(longest);
     }
     let pictures = Pictures::of(&setup, best, &flown, &given, &mut remarks)?;
+    remarks.extend(best.and_then(short_drive).map(|(_, said)| Message::from(said)));
     let flatness = best.map(|best| flatness(best, usual_loss(best))).transpose()?;
     bar.inc(1);
 
@@ -168,8 +169,10 @@ impl Report {
     fn sought(&self, setup: &Setup<f64>) -> Result<Option<(Search, Vary)>> {
         let is_launched = setup.launch.is_given();
         if !is_launched || !self.search.vary.is_empty() {
-            let usual = if is_launched { "launch.ball_speed=120mph..190mph" } else { "swing.speed=80mph..130mph" };
-            let along = Vary::read(setup, self.along.as_deref().unwrap_or(usual))?;
+            let along = match &self.along {
+                Some(given) => Vary::read(setup, given)?,
+                None => usual_speeds(setup)?,
+            };
             return Ok(Some((self.search.search(setup)?, along)));
         }
         let of_search = self.search.given().into_iter().chain(self.along.as_ref().map(|_| "--along"));
@@ -181,6 +184,21 @@ impl Report {
             }
             None => Ok(None),
         }
+    }
+}
+
+/// The speeds that the optimum is followed along where no range is given: the usual ones, or where the drive's own speed is none of them, as many
+/// around it, down to half of it.
+fn usual_speeds(setup: &Setup<f64>) -> Result<Vary> {
+    let usual = if setup.launch.is_given() { "launch.ball_speed=120mph..190mph" } else { "swing.speed=80mph..130mph" };
+    let usual = Vary::read(setup, usual)?;
+    let half = 0.5 * (usual.high - usual.low);
+    match setup.value(usual.parameter) {
+        Some(own) if !(usual.low..=usual.high).contains(&own) => {
+            let high = (own + half).min(usual.parameter.range.high);
+            Vary::new(usual.parameter, (own - half).max(0.5 * own), high)
+        }
+        _ => Ok(usual),
     }
 }
 

@@ -56,8 +56,9 @@ pub fn face_figure(face: &Face, system: System) -> Figure {
         let arrows = face.tilts.iter().map(arrow).collect();
         figure.layers.push(Layer::Arrows { name: "spin axis tilts to this side".into(), hue: Hue::Faint, arrows });
     }
+    let longest = if face.is_longest_at_edge() { "longest carry, at the edge" } else { "longest carry" };
     figure.layers.push(Layer::Mark { name: "sweet spot".into(), hue: Hue::Ink, at: [0.0, 0.0] });
-    figure.layers.push(Layer::Mark { name: "longest carry".into(), hue: Hue::Series(1), at: seen(at) });
+    figure.layers.push(Layer::Mark { name: longest.into(), hue: Hue::Series(1), at: seen(at) });
     if face.strike != [0.0, 0.0] {
         figure.layers.push(Layer::Mark { name: "strike".into(), hue: Hue::Series(0), at: seen(face.strike) });
     }
@@ -74,9 +75,10 @@ fn note(face: &Face, largest: f64, system: System) -> String {
     };
     let own = face.carry.map_or("does not fly".into(), |own| format!("carries {}", carry(own)));
     let (longest, most) = face.longest;
+    let edge = if face.is_longest_at_edge() { ", at the edge of the searched face" } else { "" };
     let struck = if face.strike == [0.0, 0.0] { "at the sweet spot".into() } else { place(face.strike) };
     format!(
-        "The strike is {struck} and {own}. The longest carry, {}, is from a strike {}. Rings: carry lost against it. The sweet spot is where the \
+        "The strike is {struck} and {own}. The longest carry, {}, is from a strike {}{edge}. Rings: carry lost against it. The sweet spot is where the \
          line from the centre of mass meets the face at a right angle. Longest arrow: the spin axis tilts {} further than from the sweet spot. Seen \
          from the front, so that right of the target line is on the left. The outline is that of a usual driver, for scale only.",
         carry(most),

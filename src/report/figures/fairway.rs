@@ -40,12 +40,9 @@ pub fn fairway_figure(landings: &[Landing], system: System) -> Figure {
         }
         let mut told = format!("{}: carry {carry}, {}", capital(&landing.name), beside_target(lateral, system));
         if let Some(rest) = landing.rest {
-            layers.push(Layer::Line {
-                name: String::new(),
-                hue: Hue::Faint,
-                is_dashed: true,
-                points: vec![landing.at, rest],
-            });
+            // the legend names the first one
+            let name = if i == 0 { "run".into() } else { format!("run ({})", landing.name) };
+            layers.push(Layer::Line { name, hue, is_dashed: false, points: vec![landing.at, rest] });
             layers.push(Layer::Dots { name: part("at rest".into()), hue, points: vec![rest] });
             told += &format!(", total {}", shown::outcome(Outcome::Total, rest[1], system));
         }
@@ -80,7 +77,8 @@ pub fn fairway_figure(landings: &[Landing], system: System) -> Figure {
     };
     figure.layers.push(target);
     figure.layers.extend(layers);
-    notes.push(spread(landings, system));
+    notes.extend(spread(landings, system));
+    notes.extend(landings.iter().filter(|landing| landing.is_too_wide).map(too_wide));
     if landings.iter().any(|landing| landing.rest.is_some()) {
         notes.push("Small points: where the ball comes to rest.".into());
     }
@@ -97,9 +95,10 @@ fn beside_target(lateral: f64, system: System) -> String {
 }
 
 /// What the ellipses say.
-fn spread(landings: &[Landing], system: System) -> String {
+fn spread(landings: &[Landing], system: System) -> Option<String> {
     let Some(landing) = landings.iter().find(|landing| !landing.ellipses.is_empty()) else {
-        return "Nothing of the golfer is uncertain, so that there are no ellipses.".into();
+        let is_known = landings.iter().all(|landing| !landing.is_too_wide);
+        return is_known.then(|| "Nothing of the golfer is uncertain, so that there are no ellipses.".into());
     };
     let sigma = |sigma: &crate::study::Sigma| {
         let measure = Measure::parameter(sigma.parameter);
@@ -108,9 +107,18 @@ fn spread(landings: &[Landing], system: System) -> String {
         format!("{} ± {}", measure.label, with_unit(&amount, unit))
     };
     let sigmas: Vec<String> = landing.sigmas.iter().map(sigma).collect();
-    format!(
+    Some(format!(
         "The inner and the outer ellipse hold 50 % and 95 % of the landings when these vary from drive to drive, one standard deviation each: {}; by exact \
          derivatives. Everything else is the same in all.",
         sigmas.join(", ")
+    ))
+}
+
+/// Why a drive has no ellipses, though much of it varies.
+fn too_wide(landing: &Landing) -> String {
+    format!(
+        "{}: no ellipses are drawn: the standard deviation of the speed is more than a third of the speed, or an ellipse is larger than the \
+         carry, so that derivatives do not tell where the balls land.",
+        capital(&landing.name)
     )
 }

@@ -3,7 +3,6 @@
 use super::findings::Findings;
 use super::numbers::{from_to, of_known_size, outcome};
 use crate::drive::Outcome;
-use crate::flight::Flight;
 use crate::optimize::Status;
 use crate::parameters::UNSET;
 use crate::report::figures::capital;
@@ -11,7 +10,7 @@ use crate::report::frame::both;
 use crate::report::optimum::{bound_in_words, constraint_in_words, constraints};
 use crate::report::shown;
 use crate::study::{Effects, Optimum, Sense};
-use crate::units::{System, one, signed};
+use crate::units::{System, leading_number, one, signed};
 use maud::{Markup, html};
 
 /// Most parameters that the uncertainty is said to be of.
@@ -24,8 +23,8 @@ pub(super) fn answer(findings: &Findings<'_>) -> Markup {
     html! {
         section.answer {
             h2 { (headline(findings, yours, best.map(|(_, value)| value))) }
+            @if let Some(why) = findings.why_not_flown() { p.warning { "As set up: " (both(|system| why.in_units(system))) } }
             @if let Some(why) = &findings.why_none { p.warning { (both(|system| why.in_units(system))) } }
-            @if let (None, Some(why)) = (yours, why_not_flown(findings)) { p.warning { "As set up: " (why) } }
             @if yours.or(best.map(|(_, value)| value)).is_some() { (tiles(findings, yours, best.map(|(_, value)| value))) }
             @if let Some((best, _)) = best { ul { @for line in lines(findings, best) { li { (line) } } } }
             (what_is_known(findings))
@@ -56,10 +55,16 @@ fn headline(findings: &Findings<'_>, yours: Option<f64>, best: Option<f64>) -> M
     })
 }
 
-/// From one value to another, with its sign.
+/// From one value to another, with its sign: the difference of the two as they are printed, so that they add up.
 fn change(of: Outcome, from: f64, to: f64, system: System) -> String {
-    let by = of.beside(to, from) - from;
-    signed(by, of.quantity().read_off(by, system.unit(of.unit())))
+    let unit = system.unit(of.unit());
+    let size = of.quantity().size_of(unit).unwrap_or(1.0);
+    let printed = |value: f64| {
+        let text = of.quantity().read_off(value, unit);
+        leading_number(&text).parse::<f64>().map_or(value, |number| number * size)
+    };
+    let by = printed(of.beside(to, from)) - printed(from);
+    signed(by, of.quantity().read_off(by, unit))
 }
 
 fn tiles(findings: &Findings<'_>, yours: Option<f64>, best: Option<f64>) -> Markup {
@@ -131,14 +136,6 @@ fn bound(best: &Optimum, i: usize, system: System) -> Option<String> {
     let each = if upper > 0.0 { format!("each further {one}") } else { format!("each {one} less") };
     let does = if best.search.sense == Sense::Maximize { "adds" } else { "takes off" };
     Some(format!("your limit: {each} {does} {amount}"))
-}
-
-/// Why the drive as set up has no flight.
-fn why_not_flown(findings: &Findings<'_>) -> Option<String> {
-    match &findings.flown.first()?.drive.flight {
-        Flight::None(why) => Some(why.to_string()),
-        Flight::Landed(_) => None,
-    }
 }
 
 /// What the ± is of.

@@ -10,20 +10,33 @@ use crate::report::shown;
 use crate::units::{System, counted};
 use maud::{Markup, html};
 
-/// Most changes that the title names.
-const NAMED: usize = 2;
+/// Most changes that the title names; of more it names one less, and counts the others.
+const NAMED: usize = 3;
 
-/// What the page is called: the setup, with what was changed where that is little.
+/// What the page is called: the setup, or the launch that is given, and the first changes.
 pub(super) fn title(findings: &Findings<'_>, system: System) -> Result<String> {
+    // a file is what it is called
+    if findings.is_of_a_file() {
+        return Ok(findings.name.into());
+    }
     let changed = changed(findings, system)?;
-    let named = match changed.as_slice() {
-        // a file is what it is called
-        changed if changed.len() <= NAMED && !findings.is_of_a_file() => {
-            changed.iter().map(|change| format!(", {} {}", change.name, change.to)).collect()
-        }
-        _ => String::new(),
+    let named = if changed.len() > NAMED { NAMED - 1 } else { changed.len() };
+    let drive = if findings.stated.launch.is_given() {
+        stated(findings, &launch(findings), system)
+    } else {
+        findings.name.into()
     };
-    Ok(format!("{}{named}", findings.name))
+    let changes = changed[..named].iter().map(|change| format!(", {} {}", change.name, change.to));
+    let others = match changed.len() - named {
+        0 => String::new(),
+        count => format!(" and {count} more"),
+    };
+    Ok(drive + &changes.collect::<String>() + &others)
+}
+
+/// The conditions of the launch that are given.
+fn launch(findings: &Findings<'_>) -> Vec<&'static str> {
+    findings.stated.given_launch_conditions().iter().map(|row| row.name).collect()
 }
 
 /// What is below the title. The words of a preset are about the drive as the preset has it.
@@ -55,7 +68,7 @@ pub(super) fn asked(findings: &Findings<'_>) -> Result<Markup> {
     const CLUB: [&str; 2] = ["club.loft", "club.mass"];
     const STRIKE: [&str; 2] = ["strike.high", "strike.toe"];
     let values = |names: &[&str]| both(|system| stated(findings, names, system));
-    let launch: Vec<&str> = findings.stated.given_launch_conditions().iter().map(|row| row.name).collect();
+    let launch = launch(findings);
     let [metric, us] = System::ALL.map(|system| changed(findings, system));
     let (metric, us) = (metric?, us?);
     let of_preset = |system: System| {
@@ -93,9 +106,16 @@ pub(super) fn asked(findings: &Findings<'_>) -> Result<Markup> {
                     }
                 }
             }
-            dt { "Preset" } dd {
-                (findings.preset.name)
-                @if us.is_empty() { ", as it is" } @else { "; changed: " (both(of_preset)) }
+            @if launch.is_empty() {
+                dt { "Preset" } dd {
+                    (findings.preset.name)
+                    @if us.is_empty() { ", as it is" } @else { "; changed: " (both(of_preset)) }
+                }
+            } @else {
+                dt { "Ball, air and ground" } dd {
+                    "those of the preset " (findings.preset.name)
+                    @if !us.is_empty() { "; changed: " (both(of_preset)) }
+                }
             }
         }
     })

@@ -1,4 +1,5 @@
 use crate::drive::Outcome;
+use crate::flight::Flight;
 use crate::parameters::{Preset, Setup};
 use crate::report::figures::Flown;
 use crate::reproduce::LoopRow;
@@ -67,6 +68,14 @@ impl Findings<'_> {
     /// What stated uncertainties do to an outcome of the drive as set up.
     pub(super) fn effects_of(&self, of: Outcome) -> Option<&Effects> {
         self.effects.iter().find(|effects| effects.of == of)
+    }
+
+    /// Why the drive as set up does not fly.
+    pub(super) fn why_not_flown(&self) -> Option<Message> {
+        match &self.flown.first()?.drive.flight {
+            Flight::None(why) => Some(why.message()),
+            Flight::Landed(_) => None,
+        }
     }
 
     /// Whether the setup is a file, and not a preset with what was changed in it.

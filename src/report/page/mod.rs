@@ -18,7 +18,7 @@ use super::plot::{Figure, Look, figure_svg};
 use super::{setup_toml, shown};
 use crate::error::{Error, Result};
 use crate::study::{Chart, Effects, Map};
-use crate::units::System;
+use crate::units::{Message, System};
 use maud::{Markup, html};
 
 /// A file of a report.
@@ -147,10 +147,15 @@ fn page(findings: &Findings<'_>, plots: &Plots) -> Result<String> {
 
 fn main(findings: &Findings<'_>, plots: &Plots) -> Result<Markup> {
     let of = shown::words(findings.of.name());
+    // the answer begins with the reason
+    let why = findings.why_not_flown();
+    let is_told = |remark: &&Message| {
+        why.as_ref().is_some_and(|why| why.in_units(findings.system) == remark.in_units(findings.system))
+    };
     Ok(html! {
         (answer::answer(findings))
         section { h2 { "What was asked" } (asked::asked(findings)?) }
-        @for remark in findings.remarks { p.warning { (both(|system| remark.in_units(system))) } }
+        @for remark in findings.remarks.iter().filter(|remark| !is_told(remark)) { p.warning { (both(|system| remark.in_units(system))) } }
         section {
             h2 { "The drive" }
             (pictures(&plots.drive)?)

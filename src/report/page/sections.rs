@@ -4,7 +4,6 @@ use super::findings::{Findings, SETUP_FILE};
 use super::numbers::{loss, outcome, parameter, stated};
 use crate::drive::{Outcome, Part};
 use crate::error::Result;
-use crate::flight::Flight;
 use crate::parameters::{METHOD, Parameter};
 use crate::report::certificate::settled;
 use crate::report::figures::{Flown, capital};
@@ -69,9 +68,6 @@ pub(super) fn outcomes(flown: &[Flown]) -> Markup {
                 }
             }
         } }))
-        @for one in flown {
-            @if let Flight::None(why) = &one.drive.flight { p.warning { (one.name) ": " (why.to_string()) } }
-        }
     }
 }
 
@@ -195,8 +191,20 @@ pub(super) fn setup(findings: &Findings<'_>) -> Result<Markup> {
         "flight.step" => flown.flight.step != stated.flight.step,
         _ => false,
     };
-    let source_of = |name: &str, source: String| {
-        if is_chosen(name) { "chosen for the accuracy of the flight".to_owned() } else { source }
+    let given = stated.given_launch_conditions();
+    // the spin of a launch stands in one of two forms
+    let is_total = |name: &str| ["launch.spin", "launch.spin_axis"].contains(&name);
+    let is_in_parts = |name: &str| ["launch.backspin", "launch.sidespin"].contains(&name);
+    let spin = given.iter().find(|row| is_in_parts(row.name) || row.name == "launch.spin");
+    let is_of_other_form = |name: &str, spin: &str| {
+        if is_total(spin) { is_in_parts(name) } else { is_total(name) }
+    };
+    let source_of = |name: &str, source: String| match spin {
+        _ if is_chosen(name) => "chosen for the accuracy of the flight".to_owned(),
+        Some(spin) if is_of_other_form(name, spin.name) => {
+            format!("not needed: {} is given", shown::words(spin.name))
+        }
+        _ => source,
     };
     let [us, metric] = [System::Us, System::Metric].map(|system| sources(flown, findings.preset, Some(system)));
     // the same rows, in the units of each system

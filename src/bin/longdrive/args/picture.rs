@@ -307,7 +307,7 @@ pub struct Report {
     pub sigma: Vec<String>,
 
     /// The parameter to follow the optimum along, with its range [default: swing.speed=80mph..130mph; with --launch,
-    /// launch.ball_speed=120mph..190mph].
+    /// launch.ball_speed=120mph..190mph; around the drive's own speed where that lies outside].
     #[arg(long, value_name = "NAME=LOW..HIGH", allow_hyphen_values = true)]
     pub along: Option<String>,
 }

@@ -113,8 +113,8 @@ pub struct OptimumSensitivity {
     #[arg(long, value_name = "NAME=AMOUNT", allow_hyphen_values = true)]
     pub change: Vec<String>,
 
-    /// The loss of the outcome for which tolerances of the optimum are computed [default: 1 yd for a distance, 1 % of the
-    /// outcome otherwise].
+    /// The loss of the outcome for which tolerances of the optimum are computed [default: 1 yd for a distance, or 1 %
+    /// of the carry where that is below 10 yd; 1 % of the outcome otherwise].
     #[arg(long, value_name = "AMOUNT")]
     pub loss: Option<String>,
 }
