@@ -32,16 +32,12 @@ impl DriveProblem {
 
     /// The setup's own values of what is varied.
     pub fn start(&self) -> Vec<f64> {
-        self.vary.iter().filter_map(|parameter| self.setup.value(parameter)).collect()
+        values(&self.setup, &self.vary)
     }
 
     /// The setup with the varied parameters at `x`.
     pub fn moved(&self, x: &[f64]) -> Result<Setup<f64>> {
-        let mut moved = self.setup;
-        for (parameter, value) in self.vary.iter().zip(x) {
-            moved.set_value(parameter, Some(*value))?;
-        }
-        Ok(moved)
+        moved(&self.setup, &self.vary, x)
     }
 
     /// The outcome looked for, then those of the constraints, without derivatives.
@@ -64,6 +60,20 @@ impl DriveProblem {
         };
         Evaluation { objective: objective.unwrap_or_default(), constraints }
     }
+}
+
+/// A setup's own values of some parameters.
+pub(super) fn values(setup: &Setup<f64>, parameters: &[&'static Parameter]) -> Vec<f64> {
+    parameters.iter().filter_map(|parameter| setup.value(parameter)).collect()
+}
+
+/// A setup with other values of some parameters.
+pub(super) fn moved(setup: &Setup<f64>, parameters: &[&'static Parameter], values: &[f64]) -> Result<Setup<f64>> {
+    let mut moved = *setup;
+    for (parameter, value) in parameters.iter().zip(values) {
+        moved.set_value(parameter, Some(*value))?;
+    }
+    Ok(moved)
 }
 
 impl Problem for DriveProblem {

@@ -8,6 +8,7 @@ use crate::number::Taylor;
 use crate::optimize::{Domain, Evaluation, Problem};
 use crate::parameters::{Parameter, Setup, Vary};
 use crate::study::Sense;
+use crate::study::problem::{moved, values};
 use rayon::prelude::*;
 
 /// Goals as functions of what is varied: every scenario is hit and flown with exact derivatives, and the goals are made of them.
@@ -63,25 +64,17 @@ impl SwingsProblem {
 
     /// The setup in a scenario.
     fn swung(&self, point: &[f64]) -> Result<Setup<f64>> {
-        let mut setup = self.setup;
-        for (parameter, value) in self.scenarios.parameters.iter().zip(point) {
-            setup.set_value(parameter, Some(*value))?;
-        }
-        Ok(setup)
+        moved(&self.setup, &self.scenarios.parameters, point)
     }
 
     /// The setup's own values of what is varied.
     pub fn start(&self) -> Vec<f64> {
-        self.vary.iter().filter_map(|parameter| self.setup.value(parameter)).collect()
+        values(&self.setup, &self.vary)
     }
 
     /// The setup with what is varied at `x`, and every swing as the setup has it.
     pub fn moved(&self, x: &[f64]) -> Result<Setup<f64>> {
-        let mut moved = self.setup;
-        for (parameter, value) in self.vary.iter().zip(x) {
-            moved.set_value(parameter, Some(*value))?;
-        }
-        Ok(moved)
+        moved(&self.setup, &self.vary, x)
     }
 
     /// The outcomes of every scenario.
