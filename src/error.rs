@@ -81,6 +81,20 @@ pub enum Error {
         /// What is missing or given twice.
         reason: String,
     },
+    /// A value that breaks a rule of golf.
+    #[error(
+        "against {rule}: {found}, and the rule is {limit}; {advice}, or leave the Rules of Golf out with --rules none"
+    )]
+    Rule {
+        /// The rule with its source.
+        rule: String,
+        /// Where the value is, and what it is.
+        found: String,
+        /// The limit.
+        limit: String,
+        /// What to do.
+        advice: String,
+    },
     /// Parameters that do not go together, or one that needs another beside it.
     #[error("{given}: {reason}")]
     Together {

@@ -16,9 +16,9 @@ const OTHER_MINIMA: [(&str, f64); 7] = [
     ("MGH26", 2.795_056_12e-5),
 ];
 
-/// Problems that are not solved to the tolerance. HS13 has no multipliers at its solution, so that no residual can
-/// vanish there; HS116 (n = 13) ends at its published value with a residual of about 1e-7.
-const UNSOLVED: [&str; 2] = ["HS13", "HS116"];
+/// HS13 has no multipliers at its solution x₁ = 1, so that no residual can vanish there. Its constraint (1 − x₁)³ ≥ 0 is met to
+/// 1e-10 up to x₁ = 1 + 4.6e-4, where f = 1 − 9.3e-4.
+const UNSOLVED: &str = "HS13";
 
 /// The KKT residual a problem is held to: 1e-8, but for MGH10 (Meyer): its residuals are differences of 3e4, rounded by
 /// 4e-12, and its gradient multiplies sixteen of them by 6e6.
@@ -69,9 +69,10 @@ fn check(case: &Case) {
     let solution = solve(case, case.start);
     let value = solution.value.unwrap();
     let residual = kkt_residual(case, &solution);
-    if UNSOLVED.contains(&case.name) {
+    if case.name == UNSOLVED {
         assert_ne!(solution.status, Status::Converged, "{} is solved now: take it off the list", case.name);
-        assert!((value / case.optimum - 1.0).abs() < 1e-6, "{} ends at {value}", case.name);
+        assert!((-9.3e-4..1e-6).contains(&(value / case.optimum - 1.0)), "{} ends at {value}", case.name);
+        assert!(solution.residual.feasibility <= 1e-10, "{}: {:?}", case.name, solution.residual);
         return;
     }
     assert_eq!(solution.status, Status::Converged, "{}: {}", case.name, solution.message);
@@ -121,7 +122,7 @@ fn published_points_have_the_published_values() {
 fn order_of_failures_from_other_starts_is_a_few_in_a_hundred() {
     let (mut failed, mut tried) = (vec![], 0);
     for case in problems::hock_schittkowski().iter().chain(&problems::more_garbow_hillstrom()) {
-        if UNSOLVED.contains(&case.name) {
+        if case.name == UNSOLVED {
             continue;
         }
         for k in 1..=8 {
@@ -146,7 +147,7 @@ fn order_of_failures_from_other_starts_is_a_few_in_a_hundred() {
 
 /// The same problems without their Hessians, to a residual of 1e-8: the search builds its own.
 #[test]
-fn published_problems_are_solved_from_gradients_alone_but_for_five() {
+fn published_problems_are_solved_from_gradients_alone_but_for_four() {
     let cases = problems::hock_schittkowski().into_iter().chain(problems::more_garbow_hillstrom());
     let options = Options { kkt_tolerance: 1e-8, ..Options::default() };
     let unsolved = cases.filter(|case| {
@@ -159,5 +160,5 @@ fn published_problems_are_solved_from_gradients_alone_but_for_five() {
         minimize(&plain, &domain(case), case.start, &options).unwrap().status != Status::Converged
     });
     let unsolved: Vec<_> = unsolved.map(|case| case.name).collect();
-    assert!(unsolved.len() <= 5, "{unsolved:?}");
+    assert!(unsolved.len() <= 4, "{unsolved:?}");
 }

@@ -26,8 +26,8 @@ REPETITIONS = 3
 class Evaluator:
     """A running `optimizers --serve`."""
 
-    def __init__(self, program):
-        self.process = subprocess.Popen([program, "--serve"], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+    def __init__(self, program, *how):
+        self.process = subprocess.Popen([program, *(how or ["--serve"])], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
 
     def ask(self, request):
         self.process.stdin.write(json.dumps(request) + "\n")

@@ -5,6 +5,7 @@ use super::question::Kernel;
 use crate::aerodynamics::AerodynamicLaw;
 use crate::drive::{Beyond, Part, Shown, Struck, flat, is_beside_any_face};
 use crate::flight::{Discretization, Flight};
+use crate::impact::Head;
 use crate::number::{Derivatives, Jet, Lanes, Mask, Number, Task, inlined};
 use crate::parameters::{Parameter, Setup};
 
@@ -45,7 +46,7 @@ impl Abreast<'_> {
     #[inline(always)]
     fn line_up<V: Lanes<Lane = f64>>(&mut self) -> (Vec<(f64, usize)>, Vec<usize>) {
         let kernel = self.kernel;
-        let shows_launch = kernel.of.iter().any(|outcome| outcome.part() == Part::Launch);
+        let shows_launch = kernel.of.iter().any(|outcome| outcome.part() != Part::Flight);
         let mut setup = kernel.setup.constant::<V>();
         let (mut flying, mut alone) = (vec![], vec![]);
         let rows: Vec<usize> =
@@ -115,6 +116,8 @@ impl Abreast<'_> {
         let (slope, side_slope) = (setup.ground.slope, setup.ground.side_slope);
         let fitted = AerodynamicLaw::<f64>::fitted(&kernel.setup.law);
         let has_apex = kernel.of.iter().any(|outcome| outcome.is_of_the_apex());
+        let has_head = struck.club_speed.is_some() && kernel.of.iter().any(|outcome| outcome.part() == Part::Head);
+        let head = has_head.then(|| J::outlined(|| Head::new(&setup.club)));
         let how = Discretization::of(&kernel.setup);
         let ended = struck.inputs.follow(&how, J::Mask::first(group.len()), has_apex, &mut |_, _| ());
         for (lane, &(_, row)) in group.iter().enumerate() {
@@ -128,7 +131,8 @@ impl Abreast<'_> {
             };
             let launch = struck.launch.map(in_lane);
             let club_speed = struck.club_speed.map(in_lane);
-            let shown = Shown { launch: &launch, club_speed, landed: Some(&landed) };
+            let head = head.as_ref().map(|head| head.map(in_lane));
+            let shown = Shown { launch: &launch, club_speed, landed: Some(&landed), head: head.as_ref() };
             self.block.status[row] = Status::Landed;
             self.block.defect[row] = landed.defect.re();
             let value = inlined(

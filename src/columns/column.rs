@@ -1,10 +1,10 @@
 //! What the head of a table says of a column.
 
 use super::heads::Meaning;
-use super::launch_monitor;
+use super::launch_monitor::{self, without_side};
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
-use crate::parameters::{Parameter, Setup};
+use crate::parameters::{Golfer, Parameter, Setup};
 use crate::units::{Quantity, Unit};
 
 /// What a column holds.
@@ -39,6 +39,8 @@ pub(crate) struct Column {
     is_in_degrees_untold: bool,
     /// Whether it is a launch condition by its dotted name.
     is_dotted_condition: bool,
+    /// The hand of the golfer whose swings it may hold.
+    golfer: Golfer,
 }
 
 /// How a table is written.
@@ -75,12 +77,14 @@ impl Column {
         let holds =
             match (name.strip_prefix("sigma ").map(str::trim), launch_monitor::meaning_with(name, unit.as_deref())) {
                 (None, Some(Meaning::Outcome(outcome))) => Holds::Outcome(outcome),
+                // the weather that a setup has is the air of every row
+                (None, Some(Meaning::Input(parameter))) if is_replaced(setup, parameter) => Holds::Note,
                 (None, Some(Meaning::Input(parameter))) => Holds::Input(setup.column(parameter)?),
                 (None, None) if is_of_flown(name) => Holds::Written,
                 (None, None) if is_foreign(name, format) => Holds::Note,
                 _ => named(setup, name)?,
             };
-        let mut column = Self { unit, format, ..Self::of(holds, name) };
+        let mut column = Self { unit, format, golfer: setup.golfer, ..Self::of(holds, name) };
         let is_of_an_export = format.is_export && launch_monitor::meaning(name).is_some();
         if is_of_an_export && column.unit.is_none() && column.quantity() == Some(Quantity::ANGLE) {
             (column.unit, column.is_in_degrees_untold) = (Some("deg".into()), true);
@@ -115,6 +119,7 @@ impl Column {
             format,
             is_in_degrees_untold: false,
             is_dotted_condition,
+            golfer: Golfer::Right,
         }
     }
 
@@ -251,11 +256,24 @@ impl Column {
         self.unit.as_deref().or_else(|| self.quantity().map(|quantity| quantity.si)).unwrap_or_default()
     }
 
-    /// The SI value of a cell; `None` for one that is empty.
+    /// The SI value of a cell, in the golfer's own terms; `None` for one that is empty.
     ///
     /// # Errors
     /// A sentence for a cell that is no finite number.
     pub fn value(&self, cell: &str) -> std::result::Result<Option<f64>, String> {
+        let value = self.stated(cell)?;
+        Ok(if self.is_of_other_hand(cell) { value.map(|value| -value) } else { value })
+    }
+
+    /// Whether + is outwards for a golfer of whom the cell states + to the right: launch monitors have path and face so of every golfer, and so
+    /// does a cell that names its side.
+    fn is_of_other_hand(&self, cell: &str) -> bool {
+        let Holds::Input(parameter) = self.holds else { return false };
+        let is_of_the_course = || self.head != parameter.name || without_side(cell) != cell.trim();
+        self.golfer == Golfer::Left && self.has_side() && is_of_the_course()
+    }
+
+    fn stated(&self, cell: &str) -> std::result::Result<Option<f64>, String> {
         if cell.is_empty() {
             return Ok(None);
         }
@@ -303,6 +321,11 @@ fn is_missing(cell: &str) -> bool {
 /// What a measured outcome is: launch monitors, and people, mean the distance to the landing point by carry.
 fn measured(outcome: Outcome) -> Outcome {
     if outcome == Outcome::Carry { Outcome::CarryDistance } else { outcome }
+}
+
+/// Whether the setup gives this parameter in another way.
+fn is_replaced(setup: &Setup<f64>, name: &str) -> bool {
+    setup.parameter(name).is_ok_and(|parameter| setup.why_replaced(parameter).is_some())
 }
 
 /// Whether a column is one that flown shots have beside their own.

@@ -44,6 +44,11 @@ impl Head {
             Column::read(setup, head, below, format).map_err(|error| (at, error))
         };
         let mut columns = heads.enumerate().map(column).collect::<Result<Vec<_>, _>>()?;
+        // a sweep needs a value in every row, and the delivery of a club none of the air
+        let is_air_of_rows = club == Club::LeftOut && spin == Spin::OfRow;
+        for column in columns.iter_mut().filter(|column| !is_air_of_rows && column.is_stated_air()) {
+            column.holds = Holds::Note;
+        }
         let remarks = if format.is_export { left_out::remarks(&mut columns, club, spin) } else { vec![] };
         told_apart(&mut columns);
         Ok(Self { columns, format, has_units_row: units.is_some(), remarks })

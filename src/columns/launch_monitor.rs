@@ -6,11 +6,16 @@ use crate::units::Quantity;
 
 /// The meaning of a head without its unit; `None` for one of this program's own names, and for what it has no name for.
 pub(super) fn meaning(name: &str) -> Option<Meaning> {
-    if name == name.to_lowercase() && !name.contains(' ') {
+    if is_own(name) {
         return None;
     }
     let words = words(name);
     HEADS.iter().find(|(head, _)| *head == words).map(|(_, meaning)| *meaning)
+}
+
+/// Whether a name is spelled as this program's are: `ball_speed`.
+fn is_own(name: &str) -> bool {
+    name == name.to_lowercase() && !name.contains(' ')
 }
 
 /// A head in small letters, without marks.
@@ -32,19 +37,23 @@ pub(crate) fn nearest_head(head: &str) -> Option<&'static str> {
 pub(super) fn meaning_with(name: &str, unit: Option<&str>) -> Option<Meaning> {
     let is_speed = unit.is_some_and(|unit| Quantity::SPEED.size_of(unit).is_some());
     let is_time = unit.is_some_and(|unit| Quantity::TIME.size_of(unit).is_some());
+    let is_density = unit.is_some_and(|unit| Quantity::DENSITY.size_of(unit).is_some());
     let by_unit = match name {
         "Ball" if is_speed => Some(Meaning::Outcome(Outcome::BallSpeed)),
         "Club" if is_speed => Some(Meaning::Input("swing.speed")),
         // without a unit it is that of the day
         "Time" if is_time => Some(Meaning::Outcome(Outcome::FlightTime)),
+        // numbers of g/L and of lb/ft³ differ by a factor of sixteen
+        _ if is_density && words(name) == "air density" => Some(Meaning::Input("air.density")),
         _ => None,
     };
     by_unit.or_else(|| meaning(name))
 }
 
-/// Whether a table is one of a launch monitor: two heads or more are written as these write them.
+/// Whether a table is one of a launch monitor: two heads or more are written as these write them, perhaps with a slip of the pen.
 pub(crate) fn is_export<'a>(heads: impl Iterator<Item = &'a str>) -> bool {
-    heads.filter(|head| meaning(split_unit(head).0).is_some()).count() >= 2
+    let is_near = |head: &str| !is_own(split_unit(head).0) && nearest_head(head).is_some();
+    heads.filter(|head| meaning(split_unit(head).0).is_some() || is_near(head)).count() >= 2
 }
 
 /// A head's name, and its unit: `Club Speed [mph]`, `Carry (yds)`, `Ball Speed MPH`.

@@ -1,6 +1,7 @@
 //! The columns of tables that people, launch monitors and this program write: shots to calibrate with or to fly, points to sweep over. All
 //! read the same heads.
 
+mod air;
 mod column;
 mod conditions;
 mod encoding;
@@ -13,6 +14,7 @@ mod plausible;
 mod unstated;
 
 pub(crate) use crate::cells::separated;
+pub(crate) use air::{air_as_given, air_of_rows, air_of_setup};
 pub(crate) use column::{Column, Format, Holds};
 pub(crate) use conditions::{Fault, Stated, conditions, contradiction, is_sideways, is_straight_by_assumption};
 pub(crate) use encoding::decoded;

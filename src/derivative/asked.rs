@@ -2,7 +2,7 @@ use super::Taylor;
 use crate::drive::{Outcome, Part, Shown};
 use crate::error::{Error, Result};
 use crate::flight::{Discretization, Flight, Inputs};
-use crate::impact::strike;
+use crate::impact::{Head, strike};
 use crate::launch::Launch;
 use crate::number::{Lanes, Level, MOST_LANES, Mask, Number, inlined};
 use crate::parameters::{Parameter, Setup};
@@ -127,7 +127,7 @@ impl Asked<'_> {
             let velocity = inputs.velocity.map(in_lane);
             let launch = Launch { velocity, spin: velocity };
             for (i, outcome) in self.of.iter().enumerate().filter(|(_, outcome)| outcome.part() == Part::Flight) {
-                take(lane, i, read(*outcome, &launch, None, Some(&flight))?);
+                take(lane, i, read(*outcome, &launch, (None, None), Some(&flight))?);
             }
         }
         Ok(())
@@ -150,11 +150,11 @@ impl Asked<'_> {
     }
 }
 
-/// An outcome of a launch and what followed.
+/// An outcome of a launch and what followed, with the speed of the head before it and the head.
 pub(super) fn read<J: Number>(
     outcome: Outcome,
     launch: &Launch<J>,
-    club_speed: Option<J>,
+    (club_speed, head): (Option<J>, Option<&Head<J>>),
     flight: Option<&Flight<J>>,
 ) -> Result<J> {
     let landed = match flight {
@@ -164,10 +164,10 @@ pub(super) fn read<J: Number>(
         }
         _ => None,
     };
-    outcome.shown(&Shown { launch, club_speed, landed }).ok_or_else(|| Error::Undefined {
+    outcome.shown(&Shown { launch, club_speed, landed, head }).ok_or_else(|| Error::Undefined {
         what: outcome.name().into(),
         reason: match outcome.part() {
-            Part::Launch => "no club strikes the ball: the launch is given".into(),
+            Part::Launch | Part::Head => "no club strikes the ball: the launch is given".into(),
             Part::Flight => "the flight was not followed for it".into(),
         },
     })

@@ -126,7 +126,8 @@ impl Pass<'_> {
         let lanes = directions.lanes(per_lane);
         match part {
             Part::Impact { changes, taylors } => {
-                let struck = Struck::new(&asked.lifted::<J>(directions, per_lane), asked.runs);
+                let setup = asked.lifted::<J>(directions, per_lane);
+                let struck = Struck::new(&setup, asked.runs);
                 if !struck.is_sound.holds(0) {
                     return Err(asked.refusal());
                 }
@@ -136,7 +137,7 @@ impl Pass<'_> {
                     directions,
                     per_lane,
                 );
-                read_launches(asked, &struck, lanes, |lane, outcome, number| {
+                read_launches(asked, &setup, &struck, lanes, |lane, outcome, number| {
                     put(&mut taylors[outcome], directions.in_lane(lane, per_lane), &number);
                 })
             }

@@ -3,7 +3,9 @@ use super::asked::{Asked, Directions, read};
 use super::order::Pairs;
 use crate::drive::{Outcome, Part, Struck};
 use crate::error::Result;
+use crate::impact::Head;
 use crate::number::{Derivatives, Jet, Lanes, Level, Mask, Mixed, Task, inlined};
+use crate::parameters::Setup;
 
 /// The most directions in a lane.
 pub(super) const MOST_PER_LANE: usize = 3;
@@ -33,7 +35,8 @@ impl Pass<'_> {
     #[inline(always)]
     fn over<J: Lanes<Lane: Derivatives>>(self, per_lane: usize) -> Result<()> {
         let Self { asked, directions, taylors } = self;
-        let struck = Struck::new(&asked.lifted::<J>(directions, per_lane), asked.runs);
+        let setup = asked.lifted::<J>(directions, per_lane);
+        let struck = Struck::new(&setup, asked.runs);
         if !struck.is_sound.holds(0) {
             return Err(asked.refusal());
         }
@@ -41,23 +44,26 @@ impl Pass<'_> {
         let mut take = |lane: usize, outcome: usize, number: J::Lane| {
             put(&mut taylors[outcome], directions.in_lane(lane, per_lane), &number);
         };
-        read_launches(asked, &struck, lanes, &mut take)?;
+        read_launches(asked, &setup, &struck, lanes, &mut take)?;
         if asked.flies { asked.fly(&struck.inputs, lanes, take) } else { Ok(()) }
     }
 }
 
-/// Shows the outcomes of the launch in each lane to `take`, with their places.
+/// Shows the outcomes of the launch and of the head in each lane to `take`, with their places.
 #[inline(always)]
 pub(super) fn read_launches<J: Lanes>(
     asked: &Asked<'_>,
+    setup: &Setup<J>,
     struck: &Struck<J>,
     lanes: usize,
     mut take: impl FnMut(usize, usize, J::Lane),
 ) -> Result<()> {
-    let is_of_launch = |outcome: &Outcome| outcome.part() == Part::Launch;
-    if !asked.of.iter().any(is_of_launch) {
+    let is_before_flight = |outcome: &Outcome| outcome.part() != Part::Flight;
+    if !asked.of.iter().any(is_before_flight) {
         return Ok(());
     }
+    let has_head = struck.club_speed.is_some() && asked.of.iter().any(|outcome| outcome.part() == Part::Head);
+    let head = has_head.then(|| J::outlined(|| Head::new(&setup.club)));
     for lane in 0..lanes {
         let in_lane = inlined(
             #[inline(always)]
@@ -65,8 +71,9 @@ pub(super) fn read_launches<J: Lanes>(
         );
         let launch = struck.launch.map(in_lane);
         let club_speed = struck.club_speed.map(in_lane);
-        for (i, outcome) in asked.of.iter().enumerate().filter(|(_, outcome)| is_of_launch(outcome)) {
-            take(lane, i, read(*outcome, &launch, club_speed, None)?);
+        let head = head.as_ref().map(|head| head.map(in_lane));
+        for (i, outcome) in asked.of.iter().enumerate().filter(|(_, outcome)| is_before_flight(outcome)) {
+            take(lane, i, read(*outcome, &launch, (club_speed, head.as_ref()), None)?);
         }
     }
     Ok(())

@@ -6,8 +6,8 @@ mod outcome;
 mod struck;
 mod warnings;
 
-pub(crate) use beyond::is_beside_any_face;
 pub use beyond::{Beyond, BeyondCount, Looked};
+pub(crate) use beyond::{any_face, is_beside_any_face};
 pub(crate) use flat::flat;
 pub use warnings::Within;
 
@@ -19,7 +19,7 @@ use crate::aerodynamics::AerodynamicLaw;
 use crate::atmosphere::AirState;
 use crate::error::{Error, Result};
 use crate::flight::{Flight, Landed, fly};
-use crate::impact::{Grip, Impact, strike};
+use crate::impact::{Grip, Head, Impact, strike};
 use crate::launch::Launch;
 use crate::number::Number;
 use crate::parameters::Setup;
@@ -36,6 +36,8 @@ pub struct Drive<T> {
     pub flight: Flight<T>,
     /// Speed of the head before impact, m/s, where there is a club.
     pub club_speed: Option<T>,
+    /// The head with its movable weights, where there is a club.
+    pub head: Option<Head<T>>,
 }
 
 impl<T: Number> Drive<T> {
@@ -57,11 +59,12 @@ impl<T: Number> Drive<T> {
     /// fly is no error here: see [`Flight`].
     pub fn new(setup: &Setup<T>) -> Result<Self> {
         if let Some(launch) = Launch::given(setup) {
-            return Ok(Self { launch, impact: None, flight: fly(setup, &launch)?, club_speed: None });
+            return Ok(Self { launch, impact: None, flight: fly(setup, &launch)?, club_speed: None, head: None });
         }
         let impact = strike(setup)?;
         let (launch, flight) = (impact.launch, fly(setup, &impact.launch)?);
-        Ok(Self { launch, impact: Some(impact), flight, club_speed: Some(setup.swing.speed) })
+        let (club_speed, head) = (Some(setup.swing.speed), Some(Head::new(&setup.club)));
+        Ok(Self { launch, impact: Some(impact), flight, club_speed, head })
     }
 
     /// The landed flight.

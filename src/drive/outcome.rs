@@ -1,6 +1,7 @@
 use super::Drive;
 use crate::error::{Error, Result};
 use crate::flight::{Flight, Landed};
+use crate::impact::Head;
 use crate::launch::Launch;
 use crate::number::Number;
 use crate::units::Quantity;
@@ -12,6 +13,8 @@ pub enum Part {
     Launch,
     /// The flight: there is none where the ball does not fly.
     Flight,
+    /// The head with its movable weights, whatever it strikes.
+    Head,
 }
 
 /// What outcomes are read from.
@@ -21,6 +24,8 @@ pub(crate) struct Shown<'a, T> {
     /// Speed of the head before impact, m/s, where there is a club.
     pub club_speed: Option<T>,
     pub landed: Option<&'a Landed<T>>,
+    /// The head, where there is a club and it is asked for.
+    pub head: Option<&'a Head<T>>,
 }
 
 /// Declares each outcome once: what it is of, name, symbol, kind of quantity, unit a person reads, and how it follows
@@ -34,8 +39,8 @@ macro_rules! outcomes {
         }
 
         impl Outcome {
-            /// All outcomes.
-            pub const ALL: &'static [Self] = &[$( Self::$Outcome ),+];
+            /// Those of drives, then those of the head.
+            const EVERY: &'static [Self] = &[$( Self::$Outcome ),+];
 
             /// What it is of.
             pub fn part(self) -> Part {
@@ -76,9 +81,9 @@ macro_rules! outcomes {
                     Flight::Landed(landed) => Some(landed),
                     Flight::None(_) => None,
                 };
-                let shown = Shown { launch: &drive.launch, club_speed: drive.club_speed, landed };
+                let shown = Shown { launch: &drive.launch, club_speed: drive.club_speed, landed, head: drive.head.as_ref() };
                 self.shown(&shown).ok_or_else(|| match &drive.flight {
-                    _ if self.part() == Part::Launch => Error::Undefined {
+                    _ if self.part() != Part::Flight => Error::Undefined {
                         what: self.name().into(),
                         reason: "no club strikes the ball: the launch is given".into(),
                     },
@@ -148,12 +153,29 @@ outcomes! {
     Launch Sidespin = "sidespin", "ω_s", ANGULAR_VELOCITY in "rpm", |drive| drive.launch.sidespin();
     /// Tilt of the spin axis at launch, + right.
     Launch SpinAxis = "spin_axis", "atan2(ω_s, ω_b)", ANGLE in "deg", |drive| drive.launch.spin_axis();
+    /// Mass of the head with its movable weights.
+    Head HeadMass = "head_mass", "M", MASS in "g", |drive| drive.head?.mass;
+    /// Moment of inertia of the head with its movable weights about the vertical through its centre of mass, which the Rules of Golf limit.
+    Head HeadMoi = "head_moi", "I_xx", INERTIA in "g cm^2", |drive| drive.head?.inertia[0][0];
+    /// First leading minor of the second moments of the head's mass: a rigid body has it at 0 or above.
+    Head HeadMinor1 = "head_minor_1", "S₁", INERTIA in "g cm^2", |drive| drive.head?.minors()[0];
+    /// Second leading minor of the second moments of the head's mass, over their sum: a rigid body has it at 0 or above.
+    Head HeadMinor2 = "head_minor_2", "S₂", INERTIA in "g cm^2", |drive| drive.head?.minors()[1];
+    /// Third leading minor of the second moments of the head's mass, over the square of their sum: a rigid body has it at 0 or above.
+    Head HeadMinor3 = "head_minor_3", "S₃", INERTIA in "g cm^2", |drive| drive.head?.minors()[2];
 }
 
 impl Outcome {
-    /// The outcomes of the launch, or of the flight.
+    /// The outcomes of the head alone, which no swing changes. They are had by name.
+    pub const OF_HEAD: &'static [Self] =
+        &[Self::HeadMass, Self::HeadMoi, Self::HeadMinor1, Self::HeadMinor2, Self::HeadMinor3];
+
+    /// All outcomes of drives. Those of the head alone are [`OF_HEAD`](Self::OF_HEAD).
+    pub const ALL: &'static [Self] = Self::EVERY.split_at(Self::EVERY.len() - Self::OF_HEAD.len()).0;
+
+    /// The outcomes of the launch, of the flight, or of the head.
     pub fn of_part(part: Part) -> impl Iterator<Item = Self> + Clone {
-        Self::ALL.iter().copied().filter(move |outcome| outcome.part() == part)
+        Self::EVERY.iter().copied().filter(move |outcome| outcome.part() == part)
     }
 
     /// Whether it is read off the apex.
@@ -181,8 +203,8 @@ impl Outcome {
     /// # Errors
     /// [`Error::Unknown`] with the nearest name.
     pub fn named(name: &str) -> Result<Self> {
-        Self::ALL.iter().copied().find(|outcome| outcome.name() == name).ok_or_else(|| {
-            let names = Self::ALL.iter().map(|outcome| outcome.name());
+        Self::EVERY.iter().copied().find(|outcome| outcome.name() == name).ok_or_else(|| {
+            let names = Self::EVERY.iter().map(|outcome| outcome.name());
             Error::unknown(
                 "outcome",
                 name,

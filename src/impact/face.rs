@@ -1,5 +1,6 @@
+use super::head::{Head, pitched};
 use crate::error::{Error, Result};
-use crate::number::{Number, Numbers, Vector, inlined};
+use crate::number::{Number, Numbers, Vector};
 use crate::parameters::{Club, Strike};
 
 /// Where the ball is struck, in the head frame.
@@ -22,7 +23,7 @@ impl<T: Numbers> FacePoint<T> {
     where
         T: Number,
     {
-        let (point, q) = Self::unchecked(club, strike);
+        let (point, q) = Self::unchecked(&Head::new(club), club, strike);
         if q.re() >= 1.0 || q.re().is_nan() {
             let (high_mm, toe_mm) = (strike.high.re() * 1e3, strike.toe.re() * 1e3);
             return Err(Error::OffFace { high_mm, toe_mm, q: q.re() });
@@ -32,7 +33,7 @@ impl<T: Numbers> FacePoint<T> {
 
     /// The struck point, which is one where q, given beside it, is below 1.
     #[inline(always)]
-    pub(super) fn unchecked(club: &Club<T>, strike: &Strike<T>) -> (Self, T) {
+    pub(super) fn unchecked(head: &Head<T>, club: &Club<T>, strike: &Strike<T>) -> (Self, T) {
         // 1/R is 0 for a flat direction
         let (roll, bulge) = (club.roll_radius.recip(), club.bulge_radius.recip());
         let third = match club.face_semi_axis {
@@ -52,17 +53,47 @@ impl<T: Numbers> FacePoint<T> {
         let sag = high * high * roll + toe * toe * bulge;
         let q = sag * third;
         let root = (-q + 1.0).sqrt();
-        let point = Vector::new(high, toe, club.cg_depth - sag / (root + 1.0));
+        let [up, across] = match head.beside {
+            None => [high, toe],
+            Some([above, to_the_toe]) => [high - above, toe - to_the_toe],
+        };
+        let point = Vector::new(up, across, head.depth - sag / (root + 1.0));
         let normal = Vector::new(high * roll, toe * bulge, root);
         let unit = normal * normal.norm().recip();
 
         // face frame (i', j', k') to head frame: pitched by the loft
-        let (sin, cos) = club.loft.sin_cos();
-        let pitched = inlined(
-            #[inline(always)]
-            |v: Vector<T>| Vector::new(v.x * cos + v.z * sin, v.y, v.z * cos - v.x * sin),
-        );
-        (Self { position: pitched(point), normal: pitched(unit) }, q)
+        let turn = club.loft.sin_cos();
+        (Self { position: pitched(turn, point), normal: pitched(turn, unit) }, q)
+    }
+}
+
+/// The sweet spot has moved by less than this in its last round, m, of so many at most.
+const SETTLED: f64 = 1e-13;
+const ROUNDS: usize = 200;
+
+impl Strike<f64> {
+    /// The strike on the sweet spot, where the normal of the face goes through the centre of mass: in a round the point that the normal of
+    /// the last one meets. `None` where the face is curved so much that there is none near the centre of mass.
+    pub fn on_sweet_spot(club: &Club<f64>) -> Option<Self> {
+        let head = Head::new(club);
+        let Some([above, beside]) = head.beside else { return Some(Self { high: 0.0, toe: 0.0 }) };
+        let turn = club.loft.sin_cos();
+        let [up, forward] = [Vector::new(1.0, 0.0, 0.0), Vector::new(0.0, 0.0, 1.0)].map(|axis| pitched(turn, axis));
+        let mut strike = Self { high: above, toe: beside };
+        for _ in 0..ROUNDS {
+            let (FacePoint { position, normal }, q) = FacePoint::unchecked(&head, club, &strike);
+            if q >= 1.0 || q.is_nan() {
+                return None;
+            }
+            let length = position.dot(forward) / normal.dot(forward);
+            let next = Self { high: above + length * normal.dot(up), toe: beside + length * normal.y };
+            let change = (next.high - strike.high).abs().max((next.toe - strike.toe).abs());
+            strike = next;
+            if change < SETTLED {
+                return Some(strike);
+            }
+        }
+        None
     }
 }
 

@@ -7,17 +7,20 @@
 mod delivery;
 mod face;
 mod friction;
+mod head;
+mod mirror;
 mod rigid_body;
 
 pub use delivery::Delivery;
 pub use face::FacePoint;
 pub use friction::Grip;
+pub use head::Head;
 pub use rigid_body::{Collision, Rebound};
 
 use crate::error::{Error, Result};
 use crate::launch::Launch;
 use crate::number::{Number, Numbers, Vector, inlined};
-use crate::parameters::Setup;
+use crate::parameters::{Golfer, Setup};
 
 /// What an impact leaves behind, in the ground frame.
 #[derive(Clone, Copy, Debug)]
@@ -60,7 +63,7 @@ pub fn strike<T: Number>(setup: &Setup<T>) -> Result<Impact<T>> {
         #[inline(always)]
         |v| delivery.to_ground(v),
     );
-    Ok(Impact {
+    let impact = Impact {
         launch: Launch { velocity: ground(rebound.ball_velocity), spin: ground(rebound.ball_spin) },
         club_velocity: ground(rebound.club_velocity),
         club_spin: ground(rebound.club_spin),
@@ -68,6 +71,10 @@ pub fn strike<T: Number>(setup: &Setup<T>) -> Result<Impact<T>> {
         face_normal: ground(collision.normal),
         contact_point: ground(collision.contact),
         grip,
+    };
+    Ok(match setup.golfer {
+        Golfer::Right => impact,
+        Golfer::Left => impact.mirrored(),
     })
 }
 
@@ -82,8 +89,9 @@ impl<T: Numbers> Unchecked<T> {
     #[inline(always)]
     pub fn new(setup: &Setup<T>) -> Self {
         let delivery = Delivery::new(&setup.swing);
-        let (face, q) = FacePoint::unchecked(&setup.club, &setup.strike);
-        let collision = Collision::at(setup, &delivery, &face);
+        let head = Head::new(&setup.club);
+        let (face, q) = FacePoint::unchecked(&head, &setup.club, &setup.strike);
+        let collision = Collision::at(setup, &head, &delivery, &face);
         let system = collision.contact_system();
         let sticking = collision.sticking(&system);
         let above_zero = inlined(
@@ -110,6 +118,11 @@ impl<T: Numbers> Unchecked<T> {
         let (velocity, spin) = (delivery.to_ground(rebound.ball_velocity), delivery.to_ground(rebound.ball_spin));
         // NaN is below nothing: what is not a number does not hold
         let size = velocity.dot(velocity) + spin.dot(spin);
-        Self { launch: Launch { velocity, spin }, is_sound: is_sound & size.below(f64::MAX) }
+        let launch = Launch { velocity, spin };
+        let launch = match setup.golfer {
+            Golfer::Right => launch,
+            Golfer::Left => launch.mirrored(),
+        };
+        Self { launch, is_sound: is_sound & size.below(f64::MAX) }
     }
 }

@@ -1,5 +1,6 @@
 use super::delivery::Delivery;
 use super::face::FacePoint;
+use super::head::Head;
 use crate::error::{Error, Result};
 use crate::number::{Number, Numbers, SymmetricFactors, Vector, solve};
 use crate::parameters::Setup;
@@ -29,6 +30,8 @@ pub struct Collision<T> {
     pub restitution: T,
     /// Tangential coefficient of restitution e_t.
     pub tangential_restitution: T,
+    /// Scale of the gear effect g; `None` for 1.
+    pub gear_scale: Option<T>,
 }
 
 /// The closing speed at which the restitution is stated where it depends on the speed: 160 ft/s, that of the USGA's test of
@@ -53,11 +56,11 @@ pub struct Rebound<T> {
 impl<T: Numbers> Collision<T> {
     /// The collision of a head that strikes the ball at a point of its face.
     #[inline(always)]
-    pub(super) fn at(setup: &Setup<T>, delivery: &Delivery<T>, face: &FacePoint<T>) -> Self {
+    pub(super) fn at(setup: &Setup<T>, head: &Head<T>, delivery: &Delivery<T>, face: &FacePoint<T>) -> Self {
         let ball = &setup.ball;
         let mut collision = Self {
-            club_mass: setup.club.mass,
-            club_inertia: setup.club.inertia(),
+            club_mass: head.mass,
+            club_inertia: head.inertia,
             club_velocity: delivery.to_head(delivery.velocity),
             club_spin: delivery.to_head(delivery.closure),
             ball_mass: ball.mass,
@@ -70,6 +73,7 @@ impl<T: Numbers> Collision<T> {
             normal: face.normal,
             restitution: setup.impact.restitution,
             tangential_restitution: setup.impact.tangential_restitution,
+            gear_scale: setup.impact.gear_scale,
         };
         if let Some(slope) = setup.impact.restitution_slope {
             let closing = collision.approach().dot(collision.normal);
@@ -142,7 +146,22 @@ impl<T: Numbers> Collision<T> {
         columns[0].x = columns[0].x + squared;
         columns[1].y = columns[1].y + squared;
         columns[2].z = columns[2].z + squared;
+        if let Some(scale) = self.gear_scale {
+            let (beyond, turned) = (scale - 1.0, self.turned_along_face(&columns));
+            for ((column, along), turned_along) in columns.iter_mut().zip(n.to_array()).zip(turned.to_array()) {
+                *column = *column + (turned * along + n * turned_along) * beyond;
+            }
+        }
         columns
+    }
+
+    /// w = K n − (n·K n) n: the velocity along the face that a push along its normal takes away by turning the head, which makes the gear
+    /// effect.
+    #[inline(always)]
+    fn turned_along_face(&self, [x, y, z]: &[Vector<T>; 3]) -> Vector<T> {
+        let n = self.normal;
+        let pushed = *x * n.x + *y * n.y + *z * n.z;
+        pushed - n * n.dot(pushed)
     }
 }
 
@@ -163,7 +182,8 @@ impl<T: Number> Collision<T> {
     /// [`Error::OffFace`]; [`Error::Jammed`] where the restitution at this speed is not between 0 and 1.
     #[inline]
     pub fn new(setup: &Setup<T>, delivery: &Delivery<T>) -> Result<Self> {
-        let collision = Self::at(setup, delivery, &FacePoint::new(&setup.club, &setup.strike)?);
+        let (head, face) = (Head::new(&setup.club), FacePoint::new(&setup.club, &setup.strike)?);
+        let collision = Self::at(setup, &head, delivery, &face);
         if setup.impact.restitution_slope.is_some() && !collision.has_restitution() {
             return Err(jammed(&format!(
                 "the restitution at the closing speed of {:.3} m/s would be {:.5}, which must be between 0 and 1; check \
@@ -279,6 +299,18 @@ impl<T: Number> Collision<T> {
                 a[CONTACT + row][BALL_SPIN + i] = -ball_arm[i];
             }
             b[CONTACT + row] = -coefficient * approach.dot(direction);
+        }
+
+        // of the velocities along the face, (g − 1) of what the turning of the head gives (docs/model.md, eq. 9a)
+        if let Some(scale) = self.gear_scale {
+            let rigid = Self { gear_scale: None, ..*self };
+            let turned = rigid.turned_along_face(&rigid.contact_system().columns);
+            for (row, direction) in [self.normal, first, second].into_iter().enumerate() {
+                let more = self.normal * direction.dot(turned) + turned * direction.dot(self.normal);
+                for (i, part) in more.to_array().into_iter().enumerate() {
+                    a[CONTACT + row][IMPULSE + i] = a[CONTACT + row][IMPULSE + i] + part * (scale - 1.0);
+                }
+            }
         }
 
         let u = solve(a, b).ok_or_else(|| jammed("the 15 × 15 system is singular"))?;

@@ -25,4 +25,22 @@ impl Taylor {
         }
         self
     }
+
+    /// Σ wₖ fₖ, added in the order given.
+    pub fn sum<'a>(terms: impl IntoIterator<Item = (&'a Self, f64)>) -> Self {
+        let mut all: Option<Self> = None;
+        for (term, weight) in terms {
+            let sum = all.get_or_insert_with(|| Self {
+                value: 0.0,
+                gradient: vec![0.0; term.gradient.len()],
+                hessian: vec![vec![0.0; term.gradient.len()]; term.hessian.len()],
+            });
+            sum.value += weight * term.value;
+            sum.gradient.iter_mut().zip(&term.gradient).for_each(|(sum, d)| *sum += weight * d);
+            for (sum, row) in sum.hessian.iter_mut().zip(&term.hessian) {
+                sum.iter_mut().zip(row).for_each(|(sum, d)| *sum += weight * d);
+            }
+        }
+        all.unwrap_or_default()
+    }
 }

@@ -2,7 +2,7 @@ use nalgebra::{Cholesky, DMatrix, DVector, SymmetricEigen};
 
 /// A positive definite stand-in for a Hessian, equal to it where the search converges.
 ///
-/// Clarabel must not see an indefinite matrix (it answers with a wrong point). In order of preference:
+/// No method for the quadratic program can use an indefinite matrix (Clarabel answers with a wrong point). In order of preference:
 /// 1. the Hessian itself, where it is positive definite;
 /// 2. where only directions that are held make it indefinite: the Hessian raised along their normals. On what is free
 ///    it stays exact, and with it Newton's rate (the augmented Lagrangian's term; Nocedal & Wright 2006, §18.3);
@@ -22,12 +22,13 @@ pub(super) fn convexify(hessian: &DMatrix<f64>, held: impl FnOnce() -> Vec<DVect
 fn raised(hessian: &DMatrix<f64>, held: &[DVector<f64>]) -> Option<DMatrix<f64>> {
     if !held.is_empty() {
         let n = hessian.nrows();
-        let normals = held.iter().fold(DMatrix::zeros(n, n), |sum, normal| sum + normal * normal.transpose());
+        let mut normals = DMatrix::zeros(n, n);
+        held.iter().for_each(|normal| normals.ger(1.0, normal, normal, 1.0));
         // some finite amount is enough (Debreu 1952) if anything is; doubling finds it
-        let mut room = DMatrix::default();
+        let (mut raised, mut room) = (hessian.clone(), DMatrix::default());
         let mut raise = hessian.amax().max(f64::MIN_POSITIVE);
         for _ in 0..MOST_DOUBLINGS {
-            let raised = hessian + &normals * raise;
+            raised.zip_zip_apply(hessian, &normals, |entry, own, normals| *entry = own + normals * raise);
             if is_positive_definite(&raised, &mut room) {
                 return Some(raised);
             }

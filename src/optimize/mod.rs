@@ -6,7 +6,7 @@
 //!
 //! by sequential quadratic programming: at each iterate the quadratic model of the Lagrangian is minimised over the
 //! bounds, the linearised constraints and a box-shaped trust region ([`qp`]: bounds alone from face to face of the box,
-//! all else from the active set of the step before, or by Clarabel, polished so that active bounds are exact), the step is
+//! all else by a dual active-set method, or by Clarabel, polished so that active bounds are exact), the step is
 //! kept if the merit falls as the model promises, and the search ends where the KKT conditions hold ([`status`]). The loop ([`sqp`]) is an argmin `Solver`,
 //! run by argmin's `Executor`.
 //!
@@ -36,8 +36,10 @@
 
 mod bundle;
 mod checkpoint;
+pub(crate) mod continuation;
 mod convex;
 mod domain;
+pub mod front;
 mod functions;
 mod kink;
 pub mod least_squares;

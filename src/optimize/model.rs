@@ -1,6 +1,6 @@
 use super::bundle::Bundle;
 use super::convex::convexify;
-use super::qp::{End, Holder, Method, Piece, QuadraticProgram, Row, Step, quadratic_form};
+use super::qp::{End, Method, Piece, QuadraticProgram, Row, Step, quadratic_form};
 use super::scaling::{Point, Scaling, norm};
 use nalgebra::{DMatrix, DVector};
 
@@ -75,7 +75,7 @@ impl Model<'_> {
     /// The plan with the constraints linearised around these values; `program` is written over.
     fn plan_from(&self, value: impl Fn(usize) -> f64, program: &mut QuadraticProgram) -> Plan {
         self.pose(value, program);
-        let (step, is_relaxed) = match program.solve_from(self.holders()) {
+        let (step, is_relaxed) = match program.solve() {
             Some(step) => (step, false),
             None => {
                 let (nearest, left) = self.least_violation(program);
@@ -89,7 +89,7 @@ impl Model<'_> {
                         row.high += (-left).max(0.0) + ROUNDING;
                     }
                 }
-                (relaxed.solve_from(self.holders()).unwrap_or(nearest), true)
+                (relaxed.solve().unwrap_or(nearest), true)
             }
         };
         let x = self.end_of(&step);
@@ -132,7 +132,10 @@ impl Model<'_> {
             let (limits, gamma) = (&scaling.domain.constraints, scaling.gamma[j]);
             let low = (limits.low[j] - value(j)) / gamma;
             let high = if limits.is_fixed(j) { low } else { (limits.high[j] - value(j)) / gamma };
-            *row = Row { normal: self.normal(j), low, high };
+            row.normal.resize_vertically_mut(at.x.len(), 0.0);
+            let slopes = at.f.constraints[j].gradient.iter().zip(&scaling.scale);
+            row.normal.iter_mut().zip(slopes).for_each(|(normal, (slope, scale))| *normal = slope * scale / gamma);
+            (row.low, row.high) = (low, high);
         }
     }
 
@@ -231,15 +234,6 @@ impl Model<'_> {
         (0..multipliers.len()).filter(is_held)
     }
 
-    /// What holds the point: a guess at what holds the step.
-    fn holders(&self) -> impl Iterator<Item = Holder> {
-        let Self { scaling, at, multipliers, .. } = *self;
-        let end = |is_high: bool| if is_high { End::High } else { End::Low };
-        let is_high = move |i: usize| at.x[i] >= scaling.domain.variables.high[i];
-        let variables = self.held_variables().map(move |i| Holder::Variable(i, end(is_high(i))));
-        variables.chain(self.held_rows().map(move |j| Holder::Row(j, end(multipliers[j] > 0.0))))
-    }
-
     /// The normals of what holds the point.
     fn held(&self) -> Vec<DVector<f64>> {
         let n = self.at.x.len();
@@ -255,11 +249,13 @@ impl Model<'_> {
     /// The point a step ends at.
     fn end_of(&self, step: &Step) -> Vec<f64> {
         let Self { scaling, at, radius, .. } = *self;
+        // a bound over the scale, times the scale, may fall short of it by rounding
+        let nearly = 1.0 - 4.0 * f64::EPSILON;
         let coordinate = |i: usize| {
             let (low, high) = (scaling.domain.variables.low[i], scaling.domain.variables.high[i]);
             match step.ends[i] {
-                End::Low if step.d[i] > -radius && step.d[i] * scaling.scale[i] <= low - at.x[i] => low,
-                End::High if step.d[i] < radius && step.d[i] * scaling.scale[i] >= high - at.x[i] => high,
+                End::Low if step.d[i] > -radius && step.d[i] * scaling.scale[i] <= nearly * (low - at.x[i]) => low,
+                End::High if step.d[i] < radius && step.d[i] * scaling.scale[i] >= nearly * (high - at.x[i]) => high,
                 _ => (at.x[i] + step.d[i] * scaling.scale[i]).clamp(low, high),
             }
         };

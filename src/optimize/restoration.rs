@@ -19,6 +19,8 @@ const ITERATIONS: u64 = 50;
 const MOST: u32 = 3;
 /// The violation must fall to this part of what it is here for the search to go on from there.
 const BETTER: f64 = 0.99;
+/// The same for the search to end there: less is rounding.
+const LESS: f64 = 1.0 - 1e-6;
 
 impl Search {
     /// Goes on from a point that meets the constraints better, if one is found: by least squares on the violations from points
@@ -44,6 +46,24 @@ impl Search {
         let Ok(f) = evaluate(&x)? else { return Ok(false) };
         self.begin_at(Point { x, f }, options.initial_radius);
         Ok(true)
+    }
+
+    /// Where the constraints cannot all be met, the search weighs what is left of them against the objective: it ends where they are
+    /// violated least, near here or near where it began. Whether that is another point.
+    pub fn settle(&mut self, begun_at: &[f64], evaluate: &mut Evaluate<'_>) -> Result<bool, argmin::core::Error> {
+        let mut is_moved = false;
+        for start in [self.at.x.clone(), begun_at.to_vec()] {
+            let Some((violation, x)) = self.least_violated(start, evaluate)? else { continue };
+            if violation >= LESS * self.violation() {
+                continue;
+            }
+            self.effort.evaluations += 1;
+            if let Ok(f) = evaluate(&x)? {
+                self.begin_at(Point { x, f }, self.radius);
+                is_moved = true;
+            }
+        }
+        Ok(is_moved)
     }
 
     /// Where the violation is least near a point, and what it is there.

@@ -35,14 +35,12 @@ pub struct Effort {
     pub evaluations: u64,
     /// Quadratic programs of bounds alone, solved from face to face of their box.
     pub faces: u64,
-    /// Those with constraints or corners that a warm start solved, from the active set of the step before.
-    pub warm_start: u64,
-    /// Quadratic programs that Clarabel solved.
+    /// Those with constraints or corners that the dual active-set method solved.
+    pub dual: u64,
+    /// Those that Clarabel solved.
     pub clarabel: u64,
     /// Those it solved only after their rows were rescaled.
     pub rescaled: u64,
-    /// Those that the dual active-set method solved.
-    pub dual: u64,
     /// Those that nothing solved: the step ran down the slope.
     pub descent: u64,
     /// Steps whose linearised constraints contradicted each other and were relaxed.
@@ -317,7 +315,6 @@ impl Search {
     fn count(&mut self, plan: &Plan) {
         let counted = match plan.by {
             Method::Faces => &mut self.effort.faces,
-            Method::WarmStart => &mut self.effort.warm_start,
             Method::Clarabel => &mut self.effort.clarabel,
             Method::Rescaled => &mut self.effort.rescaled,
             Method::Dual => &mut self.effort.dual,

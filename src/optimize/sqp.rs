@@ -11,8 +11,8 @@ use super::scaling::{Residual, Scaling};
 use super::search::{Evaluate, NOISE, Search};
 use super::start::first_point;
 use super::status::{
-    Status, Verdict, corner_test, gradient_test, infeasible_test, is_running_off, progress_test, radius_test,
-    rounding_test, unbounded_test,
+    Status, Verdict, corner_test, gradient_test, infeasible, infeasible_test, is_running_off, progress_test,
+    radius_test, rounding_test, unbounded_test,
 };
 use argmin::core::{Error, IterState, KV, Problem as Counted, Solver, TerminationReason, TerminationStatus};
 use serde::{Deserialize, Serialize};
@@ -102,6 +102,10 @@ impl Sqp {
         {
             return Ok(());
         }
+        let verdict = match verdict.status {
+            Status::Infeasible if search.settle(&self.progress.begun_at, evaluate)? => infeasible(search.violation()),
+            _ => verdict,
+        };
         let verdict = self.examined(search, verdict, evaluate)?;
         if is_by_corner && verdict.status != Status::StalledAtKink {
             // what looked like a corner's sides is a bend: the search goes on without them

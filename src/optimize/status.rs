@@ -179,13 +179,16 @@ pub(super) fn unbounded_test(
 pub(super) fn infeasible_test(violation: f64, least: f64, radius: f64, tolerance: f64) -> Option<Verdict> {
     const HOPELESS: f64 = 1e-6;
     let is_least = violation - least <= HOPELESS * violation * radius.min(1.0);
-    (violation > tolerance && is_least).then(|| {
-        let message = format!(
-            "the constraints cannot all be met: their violation {violation:.3e} (relative) is the least found, from here and \
-             from other points of the box"
-        );
-        Verdict::new(Status::Infeasible, message)
-    })
+    (violation > tolerance && is_least).then(|| infeasible(violation))
+}
+
+/// The constraints cannot all be met: this is the least that they were violated by.
+pub(super) fn infeasible(violation: f64) -> Verdict {
+    let message = format!(
+        "the constraints cannot all be met: their violation {violation:.3e} (relative) is the least found, from here and \
+         from other points of the box"
+    );
+    Verdict::new(Status::Infeasible, message)
 }
 
 /// The trust region has shrunk to nothing: no step that can be told from none makes the function smaller.

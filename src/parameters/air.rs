@@ -3,6 +3,7 @@
 use super::declare::Parameter;
 use super::table::{Air, Setup};
 use crate::error::{Error, Result};
+use crate::units::Message;
 
 /// Parameters that may be given in two ways: where one of `by` is given, those of `replaced` follow from them.
 #[derive(Debug, PartialEq)]
@@ -94,6 +95,27 @@ impl Setup<f64> {
     /// Whether an optional parameter is set.
     pub(super) fn is_set(&self, name: &str) -> bool {
         self.parameter(name).is_ok_and(|parameter| self.value(parameter).is_some())
+    }
+
+    /// The weather that is given outside of what the equation of the density was made for or compared in (docs/sources.md): the density
+    /// follows from it by extrapolation. Below 15 °C there is little vapour in the air, and that of dry air is known.
+    pub(super) fn unproven_weather(&self) -> Vec<Message> {
+        const PRESSURE: [f64; 2] = [60_000.0, 110_000.0];
+        // where the standard atmosphere has about these pressures, m
+        const ALTITUDE: [f64; 2] = [-700.0, 4200.0];
+        const TEMPERATURE: [f64; 2] = [0.0, 273.15 + 40.0];
+        let rows = [("air.pressure", PRESSURE), ("air.altitude", ALTITUDE), ("air.temperature", TEMPERATURE)];
+        let told = |(name, [low, high]): (&str, [f64; 2])| {
+            let parameter = self.parameter(name).ok()?;
+            let value = self.value(parameter).filter(|value| !(low..=high).contains(value))?;
+            let (before, end) = if value < low { ("below ", low) } else { ("above ", high) };
+            let message = parameter.place(format!("{name} = ").into(), value).words(format!(" is {before}"));
+            let message = parameter.place(message, end);
+            Some(message.words(
+                ": there the equation of the air's density (CIPM-2007) is extrapolated, and its error is not known",
+            ))
+        };
+        rows.into_iter().filter_map(told).collect()
     }
 
     /// Why the value of a parameter is not used, if something that is set replaces it.

@@ -213,12 +213,15 @@ macro_rules! parameter_groups {
             pub law: Law<T>,
             /// The method of integration (`flight.method`).
             pub method: Method,
+            /// The hand of the golfer (`golfer`).
+            pub golfer: Golfer,
         }
 
         impl Default for Setup<f64> {
             /// The preset `modern-driver`.
             fn default() -> Self {
-                Self { $( $group: $Group::defaults(), )+ law: Law::default(), method: Method::default() }
+                let (law, method, golfer) = (Law::default(), Method::default(), Golfer::default());
+                Self { $( $group: $Group::defaults(), )+ law, method, golfer }
             }
         }
 
@@ -228,7 +231,7 @@ macro_rules! parameter_groups {
             #[inline(always)]
             pub fn map<U>(&self, mut f: impl FnMut(&'static Parameter, T) -> U) -> Setup<U> {
                 let f = &mut f;
-                Setup { $( $group: self.$group.map(f), )+ law: self.law.map(f), method: self.method }
+                Setup { $( $group: self.$group.map(f), )+ law: self.law.map(f), method: self.method, golfer: self.golfer }
             }
 
             /// The parameters that this setup has, in the table's order: all groups, then the coefficients of its law.

@@ -2,6 +2,7 @@
 //! is SI; every mistake is reported with its line and column.
 
 use super::declare::{Parameter, UNSET};
+use super::golfer::{GOLFER, Golfer};
 use super::law_table::{TABLE, TABLE_LAW};
 use super::method::{METHOD, Method};
 use super::presets::{PRESETS, Preset};
@@ -151,6 +152,10 @@ impl Setup<f64> {
         }
         if item.key == METHOD {
             self.method = Method::named(string(item).map_err(at_value)?).map_err(at_value)?;
+            return Ok(());
+        }
+        if item.key == GOLFER {
+            self.golfer = Golfer::named(string(item).map_err(at_value)?).map_err(at_value)?;
             return Ok(());
         }
         let group = format!("{}.", item.key);

@@ -5,6 +5,7 @@ mod air;
 #[macro_use]
 mod declare;
 mod file;
+mod golfer;
 mod inertia;
 mod launch;
 mod law_table;
@@ -15,12 +16,14 @@ mod setup;
 mod table;
 mod turf;
 mod vary;
+mod weights;
 
 pub use air::Ways;
 pub(crate) use air::{given_otherwise, refuse_replaced};
 pub use declare::{Kind, Parameter, UNSET};
 pub use file::SetupFile;
 pub(crate) use file::{in_file, place_in};
+pub use golfer::{GOLFER, Golfer};
 pub(crate) use law_table::Grid;
 pub use law_table::{Along, Axis, LawTable, TABLE, TABLE_LAW};
 pub use method::{METHOD, Method};
@@ -36,3 +39,4 @@ pub use table::{
 };
 pub use turf::TURFS;
 pub use vary::Vary;
+pub(crate) use weights::Weight;

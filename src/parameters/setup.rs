@@ -1,4 +1,5 @@
 use super::declare::{Kind, Parameter, Slot, UNSET};
+use super::golfer::{GOLFER, Golfer};
 use super::law_table::{LawTable, TABLE, TABLE_LAW};
 use super::method::{METHOD, Method};
 use super::range::Range;
@@ -125,7 +126,7 @@ impl Setup<f64> {
         Err(Error::unknown(
             "parameter",
             name,
-            rows.iter().map(|row| row.name).chain([LAW, TABLE, METHOD, TURF]),
+            rows.iter().map(|row| row.name).chain([LAW, TABLE, METHOD, TURF, GOLFER]),
             LISTING,
         ))
     }
@@ -159,6 +160,10 @@ impl Setup<f64> {
         }
         if name == METHOD {
             self.method = Method::named(text)?;
+            return Ok(());
+        }
+        if name == GOLFER {
+            self.golfer = Golfer::named(text)?;
             return Ok(());
         }
         let parameter = self.parameter(name)?;
@@ -288,7 +293,8 @@ impl Setup<f64> {
 
     /// What is flown as it stands but deserves a word.
     pub fn warnings(&self) -> Vec<Message> {
-        self.club.triangle_warning().into_iter().map(Message::from).collect()
+        let of_club = self.club.triangle_warning().into_iter().chain(self.weightless()).map(Message::from);
+        of_club.chain(self.unproven_weather()).collect()
     }
 
     /// The parameter of this name, if it can be varied and differentiated by.
@@ -298,7 +304,7 @@ impl Setup<f64> {
     /// parameter or an infinite radius.
     pub fn variable(&self, name: &str) -> Result<&'static Parameter> {
         let refuse = |reason: String| Err(Error::NotVariable { name: name.into(), reason });
-        if [LAW, TABLE].contains(&name) {
+        if [LAW, TABLE, GOLFER].contains(&name) {
             return refuse(format!("it is a choice, not a number; compare two runs with --set {name}=…"));
         }
         if name == TURF {

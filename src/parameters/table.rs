@@ -4,6 +4,7 @@
 //! computation. The defaults are the preset `modern-driver`; ranges are what is physically possible.
 
 use super::declare::{Kind, Parameter, Slot};
+use super::golfer::Golfer;
 use super::law_table::{LawTable, TABLE_LAW};
 use super::method::Method;
 use super::range::Range;
@@ -18,9 +19,9 @@ parameter_groups! {
         /// Attack angle: the velocity's angle above horizontal (Winfield & Tan's swing elevation).
         attack_angle: T = "swing.attack_angle", "ε", ANGLE in "deg", Range::within_degrees(90.0), "-0.9 deg",
             "TrackMan, PGA TOUR averages 2023, driver";
-        /// Horizontal direction of the velocity, + to the right.
+        /// Horizontal direction of the velocity, + outwards: to the right, of a left-hander to the left.
         path: T = "swing.path", "χ", ANGLE in "deg", Range::within_degrees(90.0), "0 deg", "straight swing";
-        /// Yaw of the head, + open (to the right).
+        /// Yaw of the head, + open: to the right, of a left-hander to the left.
         face_angle: T = "swing.face_angle", "ψ", ANGLE in "deg", Range::within_degrees(90.0), "0 deg",
             "square face";
         /// Forward lean of the shaft, which reduces the loft.
@@ -35,7 +36,7 @@ parameter_groups! {
         /// Growth of bend and droop with the head speed V: they are in proportion to V to this power; unset: 0.
         shaft_growth: Option<T> = "swing.shaft_growth", "p_s", NUMBER in "", Range::from_to(0.0, 4.0), "none",
             "the same bend at every head speed; 2 for a load in proportion to V² on a shaft whose stiffness stays";
-        /// Head's angular velocity before impact, about the vertical; + closes a right-hander's face.
+        /// Head's angular velocity before impact, about the vertical; + closes the face.
         closure_x: T = "swing.closure.x", "ω_cx", ANGULAR_VELOCITY in "rad/s", Range::from_to(-1e4, 1e4), "0 rad/s",
             "Winfield & Tan (1994): none";
         /// Head's angular velocity before impact, about the axis to the right; + pitches the face upwards.
@@ -48,9 +49,9 @@ parameter_groups! {
 
     /// Where on the face the ball is struck.
     strike: Strike {
-        /// Impact point above the sweet spot.
+        /// Impact point above the sweet spot, or above the centre of the face where club.cg_high, club.cg_toe or a movable weight is set.
         high: T = "strike.high", "r₁", LENGTH in "mm", Range::from_to(-0.2, 0.2), "0 mm", "sweet spot";
-        /// Impact point from the sweet spot towards the toe.
+        /// Impact point towards the toe from the sweet spot, or from the centre of the face where club.cg_high, club.cg_toe or a movable weight is set.
         toe: T = "strike.toe", "r₂", LENGTH in "mm", Range::from_to(-0.2, 0.2), "0 mm", "sweet spot";
     }
 
@@ -92,6 +93,28 @@ parameter_groups! {
         /// Third semi-axis of the face's ellipsoid; unset: √(R_b R_r).
         face_semi_axis: Option<T> = "club.face_semi_axis", "P_k", LENGTH in "mm", Range::above_to(0.0, f64::INFINITY), "none",
             "√(R_b R_r): a sphere where bulge and roll are equal";
+        /// Centre of mass above the centre of the face, along the face; strikes are measured from that centre; unset: 0.
+        cg_high: Option<T> = "club.cg_high", "c₁", LENGTH in "mm", Range::from_to(-0.1, 0.1), "none",
+            "the centre of mass lies behind the centre of the face";
+        /// Centre of mass towards the toe from the centre of the face; strikes are measured from that centre; unset: 0.
+        cg_toe: Option<T> = "club.cg_toe", "c₂", LENGTH in "mm", Range::from_to(-0.1, 0.1), "none",
+            "the centre of mass lies behind the centre of the face";
+        /// Mass of the first movable weight, beside club.mass; unset: 0.
+        weight_1_mass: Option<T> = "club.weight_1.mass", "M₁", MASS in "g", Range::from_to(0.0, 0.5), "none", "no movable weight";
+        /// Place of the first movable weight: behind the face, along the normal at its centre; unset: 0.
+        weight_1_depth: Option<T> = "club.weight_1.depth", "d₁", LENGTH in "mm", Range::from_to(-0.1, 0.5), "none", "no movable weight";
+        /// Place of the first movable weight: towards the toe from the centre of the face; unset: 0.
+        weight_1_toe: Option<T> = "club.weight_1.toe", "y₁", LENGTH in "mm", Range::from_to(-0.2, 0.2), "none", "no movable weight";
+        /// Place of the first movable weight: above the centre of the face, along the face; unset: 0.
+        weight_1_high: Option<T> = "club.weight_1.high", "x₁", LENGTH in "mm", Range::from_to(-0.2, 0.2), "none", "no movable weight";
+        /// Mass of the second movable weight, beside club.mass; unset: 0.
+        weight_2_mass: Option<T> = "club.weight_2.mass", "M₂", MASS in "g", Range::from_to(0.0, 0.5), "none", "no movable weight";
+        /// Place of the second movable weight: behind the face, along the normal at its centre; unset: 0.
+        weight_2_depth: Option<T> = "club.weight_2.depth", "d₂", LENGTH in "mm", Range::from_to(-0.1, 0.5), "none", "no movable weight";
+        /// Place of the second movable weight: towards the toe from the centre of the face; unset: 0.
+        weight_2_toe: Option<T> = "club.weight_2.toe", "y₂", LENGTH in "mm", Range::from_to(-0.2, 0.2), "none", "no movable weight";
+        /// Place of the second movable weight: above the centre of the face, along the face; unset: 0.
+        weight_2_high: Option<T> = "club.weight_2.high", "x₂", LENGTH in "mm", Range::from_to(-0.2, 0.2), "none", "no movable weight";
     }
 
     /// The ball.
@@ -122,6 +145,9 @@ parameter_groups! {
         /// Coefficient of friction; unset: the ball never slips.
         friction: Option<T> = "impact.friction", "μ_f", NUMBER in "", Range::from_to(0.0, 100.0), "none",
             "a driver does not slip, docs/sources.md";
+        /// Scale of the gear effect: of the speed at which the face moves along itself as the push on it turns the head; unset: 1, rigid bodies.
+        gear_scale: Option<T> = "impact.gear_scale", "g", NUMBER in "", Range::from_to(0.0, 2.0), "none",
+            "rigid bodies; measured gear effects differ by a factor of two, docs/sources.md";
     }
 
     /// The ball as it leaves, where a launch monitor says so: once `launch.ball_speed` is set no club strikes it, and

@@ -39,6 +39,23 @@ impl Vary {
         Self::read_of(text, |name| setup.column(name))
     }
 
+    /// Where a search begins: at the setup's own value, or in the middle of the range where it has none.
+    pub fn start(&self, setup: &Setup<f64>) -> f64 {
+        setup.value(self.parameter).unwrap_or(0.5 * (self.low + self.high))
+    }
+
+    /// The setup with a value of everything that is varied.
+    ///
+    /// # Errors
+    /// As [`Setup::set_value`].
+    pub fn begun(setup: &Setup<f64>, vary: &[Self]) -> Result<Setup<f64>> {
+        let mut begun = *setup;
+        for vary in vary.iter().filter(|vary| setup.value(vary.parameter).is_none()) {
+            begun.set_value(vary.parameter, Some(vary.start(setup)))?;
+        }
+        Ok(begun)
+    }
+
     fn read_of(text: &str, find: impl Fn(&str) -> Result<&'static Parameter>) -> Result<Self> {
         let refuse = |reason: String| Error::SearchRange { name: text.trim().into(), reason };
         let (name, range) = text

@@ -1,6 +1,7 @@
 use super::lines::paragraph;
 use super::table::table;
 use super::{Reply, json, shown};
+use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::study::{Active, Chart, ChartPoint, Search, Vary};
 use crate::units::{Message, Quantity, System};
@@ -33,6 +34,8 @@ pub struct ChartPointReport {
     pub value: Value,
     /// Where it is, by parameter.
     pub optimum: Map<String, Value>,
+    /// The ball as it leaves there: speed, launch angle and backspin.
+    pub launch: Map<String, Value>,
     /// What holds it: parameters at a bound, and constraints.
     pub active: Vec<String>,
     /// At which bound, `lower` or `upper`.
@@ -63,6 +66,7 @@ impl ChartReport {
                 at: point.at,
                 value: json::number(point.best.value()),
                 optimum: json::named(names.zip(point.best.solution.x.iter().map(|x| Some(*x)))),
+                launch: json::named(LAUNCH.iter().map(|of| of.name()).zip(launch(point))),
                 active: point.active.iter().map(|active| active.name.clone()).collect(),
                 bounds: bounds.collect(),
                 event: point.event.as_ref().map(ToString::to_string),
@@ -79,6 +83,13 @@ impl ChartReport {
     }
 }
 
+/// What is told of the ball as it leaves at each optimum.
+const LAUNCH: [Outcome; 3] = [Outcome::BallSpeed, Outcome::LaunchAngle, Outcome::Backspin];
+
+fn launch(point: &ChartPoint) -> [Option<f64>; 3] {
+    LAUNCH.map(|of| of.value(point.best.drive.as_ref()?))
+}
+
 /// The parameters and the outcome that the columns of a chart hold, in order.
 fn head(chart: &Chart) -> Vec<(&'static str, Quantity)> {
     let Some(first) = chart.points.first() else { return vec![] };
@@ -91,6 +102,7 @@ fn head(chart: &Chart) -> Vec<(&'static str, Quantity)> {
 /// A chart as a table.
 pub fn chart_text(chart: &Chart, system: System) -> String {
     let mut columns: Vec<&str> = head(chart).into_iter().map(|(name, _)| name).collect();
+    columns.extend(LAUNCH.iter().map(|of| of.name()));
     let right: Vec<usize> = (0..columns.len()).collect();
     columns.push("active");
     let rows = chart.points.iter().map(|point| {
@@ -102,6 +114,7 @@ pub fn chart_text(chart: &Chart, system: System) -> String {
         [shown::parameter(chart.along.parameter, point.at, system), value]
             .into_iter()
             .chain(point.best.search.vary.iter().zip(&point.best.solution.x).map(show))
+            .chain(LAUNCH.into_iter().zip(launch(point)).map(|(of, value)| shown::outcome_or_dash(of, value, system)))
             .chain([[Some(words), event].into_iter().flatten().collect::<Vec<_>>().join("\n")])
             .collect()
     });
@@ -116,11 +129,13 @@ pub fn chart_text(chart: &Chart, system: System) -> String {
 pub fn chart_csv(chart: &Chart) -> Result<String> {
     let failed = |error: csv::Error| Error::Output(error.into());
     let mut writer = csv::Writer::from_writer(vec![]);
-    let numbers = head(chart).into_iter().map(|(name, quantity)| quantity.head(name));
+    let launched = LAUNCH.iter().map(|of| (of.name(), of.quantity()));
+    let numbers = head(chart).into_iter().chain(launched).map(|(name, quantity)| quantity.head(name));
     writer.write_record(numbers.chain(["active".into(), "event".into()])).map_err(failed)?;
     for point in &chart.points {
         let numbers = [point.at, point.best.value().unwrap_or(f64::NAN)];
-        let numbers = numbers.iter().chain(&point.best.solution.x);
+        let launch = launch(point).map(|value| value.unwrap_or(f64::NAN));
+        let numbers = numbers.iter().chain(&point.best.solution.x).chain(&launch);
         let numbers = numbers.map(|number| if number.is_nan() { String::new() } else { format!("{number:?}") });
         let words =
             [listed(point, "; ", Active::to_string), point.event.as_ref().map(ToString::to_string).unwrap_or_default()];

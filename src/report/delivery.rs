@@ -1,6 +1,7 @@
 //! The deliveries that explain measured launches, as text, JSON and a setup file.
 
 use super::lines::{item, paragraph};
+use super::recovered::population_json;
 use super::reply::{Reply, share};
 use super::setup_file::setup_toml;
 use super::shown;
@@ -8,13 +9,18 @@ use super::table::table;
 use crate::error::Result;
 use crate::optimize::least_squares::Status;
 use crate::parameters::{Parameter, Preset, Setup};
-use crate::study::delivery::{Delivered, Delivery, Known, Spread, Untold};
+use crate::study::delivery::{Delivered, Delivery, Known, Population, Recovered, Spread, Untold};
 use crate::units::{Message, System, counted, fixed};
 use serde_json::{Value, json};
 
 /// The answer of `delivery` as one JSON object, SI and radians: `rows` has one entry for a single shot.
 /// With `left_out` rows the work was interrupted before them.
-pub fn delivery_reply(all: &[Delivery], left_out: usize, warnings: Vec<Message>) -> Reply<Value> {
+pub fn delivery_reply(
+    all: &[Delivery],
+    population: Option<&Population>,
+    left_out: usize,
+    warnings: Vec<Message>,
+) -> Reply<Value> {
     let found = all.iter().filter(|delivery| delivery.explained().is_some()).count();
     let why = all.iter().find_map(|delivery| match &delivery.found {
         Ok(delivered) => verdict(delivered).1,
@@ -23,7 +29,11 @@ pub fn delivery_reply(all: &[Delivery], left_out: usize, warnings: Vec<Message>)
     let spread = Spread::of(all).into_iter().map(
         |Spread { parameter, mean, deviation }| json!({ "parameter": parameter.name, "mean": mean, "deviation": deviation }),
     );
-    let body = json!({ "rows": all.iter().map(row).collect::<Vec<_>>(), "spread": spread.collect::<Vec<_>>() });
+    let body = json!({
+        "rows": all.iter().map(row).collect::<Vec<_>>(),
+        "spread": spread.collect::<Vec<_>>(),
+        "population": population.map(population_json),
+    });
     let reply = Reply::done("delivery", warnings, body);
     if left_out > 0 {
         let rows = counted(left_out as u64, "row");
@@ -152,8 +162,8 @@ fn untold_text(untold: &Untold, system: System) -> String {
     format!("{} ({:.0} % told)", changes.join(", "), 100.0 * untold.told)
 }
 
-/// The deliveries of the shots of a table as text: each, and their mean and spread.
-pub fn deliveries_text(all: &[Delivery], system: System) -> String {
+/// The deliveries of the shots of a table as text: each, their mean and spread, and the swings behind them.
+pub fn deliveries_text(all: &[Delivery], population: Option<&Population>, system: System) -> String {
     let spread = Spread::of(all);
     let names = spread.iter().map(|spread| spread.parameter.name);
     let head: Vec<&str> = std::iter::once("row").chain(names).chain(["worst difference in ±"]).collect();
@@ -189,7 +199,27 @@ pub fn deliveries_text(all: &[Delivery], system: System) -> String {
             told_of(all, parameter),
         ]
     });
-    text + "\n" + &table(&["over all shots", "mean", "standard deviation", "told"], &[1, 2, 3], rows)
+    text += "\n";
+    text += &table(&["over all shots", "mean", "standard deviation", "told"], &[1, 2, 3], rows);
+    text + &population.map_or(String::new(), |population| population_text(population, system))
+}
+
+/// The swings behind the shots, without what the errors of the launch monitor add.
+fn population_text(population: &Population, system: System) -> String {
+    let rows = population.spreads.iter().map(|spread| {
+        let Recovered { parameter, mean, deviation, told, mean_error, deviation_error } = *spread;
+        let error = |error: f64| format!("± {}", amount(parameter, error, system));
+        vec![
+            parameter.name.into(),
+            shown::parameter(parameter, mean, system),
+            error(mean_error),
+            amount(parameter, deviation, system),
+            error(deviation_error),
+            format!("{:.0} %", 100.0 * told),
+        ]
+    });
+    let head = ["the swings behind them", "mean", "", "standard deviation", "", "told"];
+    format!("\n{}", table(&head, &[1, 2, 3, 4, 5], rows))
 }
 
 /// What part of the variance before the shots tell of a parameter, in the middle of all.

@@ -1,6 +1,6 @@
 use crate::atmosphere::in_effect;
 use crate::number::Vector;
-use crate::parameters::{LAW, METHOD, Setup, TABLE};
+use crate::parameters::{GOLFER, LAW, METHOD, Setup, TABLE};
 use serde_json::{Map, Value, json};
 
 /// A number, `null` for one that does not exist. JSON has no infinity: a flat face's radius is `"inf"`, as
@@ -24,10 +24,11 @@ pub(super) fn named<'a>(pairs: impl IntoIterator<Item = (&'a str, Option<f64>)>)
     pairs.into_iter().map(|(name, value)| (name.to_owned(), number(value))).collect()
 }
 
-/// Every parameter of a setup by its dotted name, as the drive has it, and the law.
+/// Every parameter of a setup by its dotted name, as the drive has it, with the hand of the golfer, the law and the method.
 pub(super) fn setup(setup: &Setup<f64>) -> Map<String, Value> {
     let setup = &in_effect(setup);
     let mut all = Map::new();
+    all.insert(GOLFER.into(), json!(setup.golfer.name()));
     for parameter in setup.parameters() {
         if parameter.law.is_some() && !all.contains_key(LAW) {
             all.insert(LAW.into(), json!(setup.law.name()));

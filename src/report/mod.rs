@@ -6,6 +6,7 @@ mod certificate;
 mod chart;
 mod compare;
 mod delivery;
+mod design;
 mod document;
 mod drive;
 mod effects;
@@ -19,12 +20,15 @@ mod mae494;
 mod optimum;
 pub mod page;
 mod parameters;
+mod pareto;
 #[cfg(feature = "parquet")]
 mod parquet;
 pub mod plot;
 mod presets;
 mod published;
+mod recovered;
 mod reply;
+mod robust;
 mod sensitivity;
 mod setup_file;
 mod shots;
@@ -41,6 +45,7 @@ pub use certificate::{CertificateReport, CertificateRow, certificate_text};
 pub use chart::{ChartPointReport, ChartReport, chart_csv, chart_text};
 pub use compare::{ComparisonReport, DifferenceReport, comparison_text, difference_text};
 pub use delivery::{delivered_text, deliveries_text, delivery_reply, delivery_toml};
+pub use design::Designed;
 pub use document::{Document, document_files};
 pub use drive::{DriveReport, air_text, drive_text, known_within};
 pub use effects::{EffectsReport, OutcomeEffects, Totals, effects_text};
@@ -52,10 +57,13 @@ pub use optimum::{
     ConstraintReport, LocalReport, Multipliers, OptimumReport, iteration_line, optima_text, optimum_text, optimum_toml,
 };
 pub use parameters::{parameters_reply, parameters_text};
+pub use pareto::{pareto_csv, pareto_reply, pareto_text, pareto_toml};
 #[cfg(feature = "parquet")]
 pub use parquet::{ParquetGroup, PlacedGroup};
 pub use presets::{presets_reply, presets_text};
+pub use recovered::{population_warnings, recovered_csv, recovered_toml};
 pub use reply::{Empty, Reply};
+pub use robust::{robust_reply, robust_text, robust_toml};
 pub use sensitivity::{Analysis, AnalysisReport, SensitivityReport, sensitivity_text};
 pub use setup_file::{preset_toml, setup_toml};
 #[cfg(feature = "parquet")]

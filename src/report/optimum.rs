@@ -52,6 +52,9 @@ pub struct OptimumReport {
     /// What was found over many swings; left out where the search is of one drive.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub swings: Option<Value>,
+    /// What holds a design; left out where none is sought.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub design: Option<Value>,
 }
 
 /// A constraint at an optimum.
@@ -151,6 +154,7 @@ impl OptimumReport {
             law_range: optimum.drive.as_ref().and_then(|drive| law_range(&optimum.setup, drive)),
             file: None,
             swings: None,
+            design: None,
         }
     }
 }
@@ -241,8 +245,13 @@ pub(super) fn constraint_in_words(optimum: &Optimum, of: &Constraint, at: &Const
     match at.multiplier {
         _ if of.is_equation() => {
             let off = by.0.read_off_difference(at.value - of.low, system.unit(by.1));
+            let mut rows = optimum.search.subject_to.iter().zip(&optimum.solution.jacobian);
+            let is_moved = rows.all(|(other, slopes)| other != of || slopes.iter().any(|slope| *slope != 0.0));
             // it holds an optimum whatever its price, and a price is one at an optimum only
-            let price = format!(", {} that the value is raised", price(sign * at.multiplier));
+            let price = match is_moved {
+                true => format!(", {} that the value is raised", price(sign * at.multiplier)),
+                false => ", and nothing that is varied moves it".into(),
+            };
             format!("equality: off by {off}{}", if is_converged { &price } else { "" })
         }
         _ if !is_converged => String::new(),

@@ -1,7 +1,9 @@
 use super::lines::{item, note};
 use super::{Reply, json};
 use crate::atmosphere::in_effect;
-use crate::parameters::{Kind, LAW, Law, METHOD, Method, Parameter, Setup, TABLE, TABLE_LAW, TURF, TURFS, UNSET};
+use crate::parameters::{
+    GOLFER, Kind, LAW, Law, METHOD, Method, Parameter, Setup, TABLE, TABLE_LAW, TURF, TURFS, UNSET,
+};
 use crate::units::{Message, System};
 use serde_json::{Value, json};
 
@@ -58,6 +60,11 @@ pub fn parameters_text(setup: &Setup<f64>, system: System) -> String {
             methods.collect::<Vec<_>>().join(", ")
         ))
     );
+    let golfer = format!(
+        "{GOLFER} = {} here; right or left, by the hand: swing, strike and club of a left-hander are the mirror image of a right-hander's",
+        setup.golfer.name()
+    );
+    text += &format!("\n{}", item(&golfer));
     let turfs = TURFS.iter().map(|turf| format!("{} ({})", turf.name, turf.about)).collect::<Vec<_>>().join("; ");
     let here = setup.turf().map_or("none of them", |turf| turf.name);
     let told = format!(

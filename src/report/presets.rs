@@ -1,6 +1,6 @@
 use super::{Reply, json, shown, table::table};
 use crate::error::Result;
-use crate::parameters::{LAW, METHOD, PRESETS, Parameter, Preset, Setup, TABLE, UNSET};
+use crate::parameters::{GOLFER, LAW, METHOD, PRESETS, Parameter, Preset, Setup, TABLE, UNSET};
 use crate::units::System;
 use serde_json::{Value, json};
 
@@ -24,6 +24,8 @@ pub(super) fn sourced(preset: &Preset, setup: &Setup<f64>) -> Vec<(&'static str,
     let method_at = rows.iter().position(|(name, ..)| *name == "flight.step").unwrap_or(rows.len());
     let source = entry(METHOD).map_or("the classical method, which the sources use", |entry| entry.source);
     rows.insert(method_at, (METHOD, setup.method.name().into(), source));
+    let source = "right-handed, as the golfers of the sources";
+    rows.insert(0, (GOLFER, setup.golfer.name().into(), source));
     rows
 }
 
@@ -75,10 +77,11 @@ pub fn sources(
     rows.insert(law_at, (LAW, setup.law.name().into(), source(LAW, base.law.name() == setup.law.name())));
     let method_at = rows.iter().position(|(name, ..)| *name == "flight.step").unwrap_or(rows.len());
     rows.insert(method_at, (METHOD, setup.method.name().into(), source(METHOD, base.method == setup.method)));
+    rows.insert(0, (GOLFER, setup.golfer.name().into(), source(GOLFER, base.golfer == setup.golfer)));
     Ok(rows)
 }
 
-/// A number, a law or a method that differs from the preset's, as a person reads it.
+/// A number, or a choice such as the law, that differs from the preset's, as a person reads it.
 pub(super) struct Change {
     /// The parameter, where it is one.
     pub parameter: Option<&'static Parameter>,
@@ -110,6 +113,7 @@ pub(super) fn changes(setup: &Setup<f64>, preset: &Preset, system: System) -> Re
     let words = [
         ("law of drag and lift", base.law.name(), law),
         ("method of integration", base.method.name(), setup.method.name()),
+        ("hand of the golfer", base.golfer.name(), setup.golfer.name()),
     ];
     let words = words.into_iter().filter(|(_, from, to)| from != to).map(|(name, from, to)| Change {
         parameter: None,

@@ -7,10 +7,10 @@ use crate::error::Result;
 use crate::optimize::Status;
 use crate::parameters::Preset;
 use crate::study::Sense;
-use crate::study::swings::{Doubt, Goal, Price, Resampled, Rule, Swings, SwingsOptimum};
+use crate::study::swings::{Doubt, Goal, Price, Resampled, Rule, Scenarios, Swings, SwingsOptimum};
 use crate::study::uncertainty::Interval;
 use crate::units::{Message, System, counted, signed, significant};
-use serde_json::{Value, json};
+use serde_json::{Map, Value, json};
 
 /// The answer of `optimize` over many swings: of one drive there is no launch and no flight.
 pub fn swings_reply(
@@ -32,22 +32,15 @@ pub fn swings_reply(
         json::named(expressions.map(|goal| goal.expression.as_str()).zip(values.iter().map(|value| Some(*value))))
     };
     let interval = |i: &Interval| json!({ "value": json::number(Some(i.value)), "low": json::number(Some(i.low)), "high": json::number(Some(i.high)) });
-    let (rule, seed) = match best.scenarios.rule {
-        Rule::Quadrature(_) => ("quadrature", None),
-        Rule::Sequence { seed, .. } => ("sequence", Some(seed)),
-        Rule::Recorded => ("recorded", None),
-    };
-    let swings = json!({
-        "parameters": best.scenarios.parameters.iter().map(|parameter| parameter.name).collect::<Vec<_>>(),
-        "scenarios": best.scenarios.points.len(),
-        "rule": rule,
-        "seed": seed,
+    let mut swings = scenarios(&best.scenarios);
+    swings.extend(named(json!({
         "as_set_up": best.as_set_up.as_deref().map(goals),
-        "nominal": price.map(|price| json!({
-            "optimum": by_name(&price.nominal),
-            "promised": goals(&price.promised),
-            "kept": price.kept.as_deref().map(goals),
+        "nominal": price.and_then(|price| price.nominal.as_ref().ok()).map(|nominal| json!({
+            "optimum": by_name(&nominal.design),
+            "promised": goals(&nominal.promised),
+            "kept": nominal.kept.as_deref().map(goals),
         })),
+        "unknown": unknown(price),
         "quadrature_error": price.and_then(|price| match price.doubt { Some(Doubt::Quadrature(error)) => Some(error), _ => None }),
         "sampling": price.and_then(|price| match &price.doubt {
             Some(Doubt::Sampling(found, sequences)) => Some(json!({ "interval": interval(found), "sequences": sequences })),
@@ -61,7 +54,7 @@ pub fn swings_reply(
             "better_than_set_up": found.apart.map(|apart| interval(&apart.better)),
             "swings_to_tell": found.apart.and_then(|apart| apart.swings),
         })),
-    });
+    })));
     let constraint =
         |(limit, at): (&crate::study::swings::GoalLimit, &crate::optimize::Constrained)| ConstraintReport {
             expression: limit.expression.clone(),
@@ -86,9 +79,44 @@ pub fn swings_reply(
         flight: None,
         law_range: None,
         file: None,
-        swings: Some(swings),
+        swings: Some(Value::Object(swings)),
+        design: None,
     };
     Reply::done("optimize", warnings, body).ended(best.status(), Some(best.message()))
+}
+
+/// What could not be found beside the best design, in sentences.
+fn unknown(price: Option<&Price>) -> Vec<String> {
+    let Some(price) = price else { return vec![] };
+    let nominal = price.nominal.as_ref().err();
+    let nominal =
+        nominal.map(|why| format!("there is no best design for the mean swing alone, which does not fly: {why}"));
+    let doubt = match &price.doubt {
+        Some(Doubt::Unknown(why)) => Some(format!(
+            "how far the best value is known is not known: of other swings of the same golfer one does not fly ({why})"
+        )),
+        _ => None,
+    };
+    nominal.into_iter().chain(doubt).collect()
+}
+
+/// The swings that a goal is about, and how they were taken.
+pub(super) fn scenarios(of: &Scenarios) -> Map<String, Value> {
+    let (rule, seed) = match of.rule {
+        Rule::Quadrature(_) => ("quadrature", None),
+        Rule::Sequence { seed, .. } => ("sequence", Some(seed)),
+        Rule::Recorded => ("recorded", None),
+    };
+    named(json!({
+        "parameters": of.parameters.iter().map(|parameter| parameter.name).collect::<Vec<_>>(),
+        "scenarios": of.points.len(),
+        "rule": rule,
+        "seed": seed,
+    }))
+}
+
+fn named(value: Value) -> Map<String, Value> {
+    if let Value::Object(named) = value { named } else { Map::new() }
 }
 
 /// The best design over many swings as text.
@@ -110,15 +138,18 @@ pub fn swings_text(
     ));
     let Some(goals) = best.goals() else { return ending };
     let own = search.vary.iter().map(|vary| vary.parameter);
+    let nominal = price.and_then(|price| price.nominal.as_ref().ok());
     let is_converged = solution.status == Status::Converged;
     let design = own.enumerate().map(|(i, parameter)| {
         let vary = search.vary[i];
         let stated = |value: f64| shown::stated(parameter, value, system);
-        let nominal = price.map_or(shown::NONE.into(), |price| shown::parameter(parameter, price.nominal[i], system));
+        let nominal =
+            nominal.map_or(shown::NONE.into(), |nominal| shown::parameter(parameter, nominal.design[i], system));
         let (lower, upper) = (solution.lower_multipliers[i], solution.upper_multipliers[i]);
         let bound = match () {
             () if vary.low == vary.high => "fixed".into(),
             () if !is_converged => String::new(),
+            () if best.is_idle(i) => "no effect".into(),
             () if upper > 0.0 => {
                 format!("at its upper bound: {} that it is raised", bound_price(best, i, upper, system))
             }
@@ -141,9 +172,13 @@ pub fn swings_text(
         .chain(search.subject_to.iter().map(|limit| (&limit.goal, limit.expression.clone())));
     let rows = all.enumerate().map(|(k, (goal, expression))| {
         let show = |value: f64| value_text(goal, value, system);
-        let of = |values: Option<&Vec<f64>>| values.map_or(shown::NONE.into(), |values| show(values[k]));
-        let kept = of(price.and_then(|price| price.kept.as_ref()));
-        vec![expression, show(goals[k]), kept, of(price.map(|price| &price.promised)), of(best.as_set_up.as_ref())]
+        let of = |values: Option<&Vec<f64>>| {
+            let value = values.map(|values| values[k]).filter(|value| value.is_finite());
+            value.map_or(shown::NONE.into(), show)
+        };
+        let kept = of(nominal.and_then(|nominal| nominal.kept.as_ref()));
+        let promised = of(nominal.map(|nominal| &nominal.promised));
+        vec![expression, show(goals[k]), kept, promised, of(best.as_set_up.as_ref())]
     });
     let head = ["over all swings", "best", "best of the mean swing", "which promises", "as set up"];
     let mut text = format!("{ending}\n{place}\n{}", table(&head, &[1, 2, 3, 4], rows));
@@ -157,9 +192,14 @@ fn doubts(best: &SwingsOptimum, price: Option<&Price>, resampled: Option<&Resamp
     let show = |value: f64| value_text(goal, value, system);
     let between = |i: &Interval| format!("{} to {}", show(i.low), show(i.high));
     let scenarios = counted(best.scenarios.points.len() as u64, "swing");
-    let mut lines = vec![];
+    let nominal = price.and_then(|price| price.nominal.as_ref().ok());
+    let mut lines = unknown(price);
+    let vary = best.scenarios.parameters.iter().any(|parameter| parameter.name.starts_with("strike."));
+    if vary || best.setup.strike.toe != 0.0 {
+        lines.push(format!("{}; the scatter to the sides has this doubt", shown::RIGID));
+    }
     let missed = [
-        (price.is_some_and(|price| price.kept.is_none()), "with the best design of the mean swing"),
+        (nominal.is_some_and(|nominal| nominal.kept.is_none()), "with the best design of the mean swing"),
         (best.as_set_up.is_none(), "with the design as set up"),
     ];
     lines.extend(
@@ -180,7 +220,7 @@ fn doubts(best: &SwingsOptimum, price: Option<&Price>, resampled: Option<&Resamp
             goal.expression,
             between(found)
         )),
-        None => lines.push(match best.scenarios.rule {
+        Some(Doubt::Unknown(_)) | None => lines.push(match best.scenarios.rule {
             Rule::Recorded => format!("{scenarios}, each as likely as any other"),
             Rule::Quadrature(_) => format!("{scenarios} by Gauss's rules"),
             Rule::Sequence { .. } => format!("{scenarios} of a quasi-random sequence"),
@@ -221,14 +261,15 @@ fn doubts(best: &SwingsOptimum, price: Option<&Price>, resampled: Option<&Resamp
 }
 
 /// A goal as people read it.
-fn value_text(goal: &Goal, value: f64, system: System) -> String {
+pub(super) fn value_text(goal: &Goal, value: f64, system: System) -> String {
     match goal.unit {
         "" => significant(value, 4),
         unit => goal.quantity.read_off(value, system.unit(unit)),
     }
 }
 
-fn difference_text(goal: &Goal, value: f64, system: System) -> String {
+/// A difference of a goal as people read it.
+pub(super) fn difference_text(goal: &Goal, value: f64, system: System) -> String {
     match goal.unit {
         "" => significant(value, 2),
         unit => goal.quantity.read_off_difference(value, system.unit(unit)),

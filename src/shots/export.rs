@@ -1,6 +1,7 @@
 //! A launch monitor's export: its rows as shots.
 
 use super::cells::cells;
+use super::further::within;
 use super::head::ExportHead;
 use super::lines::Record;
 use super::record::miscounted;
@@ -76,6 +77,9 @@ impl ExportHead {
         let stated = of_conditions(|of| shot.value(of).map(|value| value.value));
         shot.point = wrong.map_or_else(|| self.point(&stated, row), Err);
         tell(&mut shot, &stated, |of| self.name_of(of));
+        if shot.point.is_ok() {
+            shot.notes.extend(self.air_assumed(row));
+        }
         shot
     }
 
@@ -84,21 +88,17 @@ impl ExportHead {
         let mut point = launch(stated, |of| self.name_of(of), |of| self.read.iter().any(|read| read.of == of))?;
         for (further, column) in self.further.iter().zip(&self.further_columns) {
             let name = &column.head;
+            if column.is_stated_air() {
+                point.push(column.stated_air(row[further.at].as_ref()).unwrap_or(self.air));
+                continue;
+            }
             let value = column.value(row[further.at].as_ref());
             let value = value.map_err(|why| Refusal::new(Refusal::UNREADABLE, format!("{name}: {why}")))?;
             let Some(value) = value else {
                 let reason = format!("{name}: the cell is empty; every row of this column needs a value");
                 return Err(Refusal::new(Refusal::MISSING, reason));
             };
-            if !further.parameter.range.contains(value) {
-                let shown = further.parameter.show(Some(value));
-                let reason = format!(
-                    "{name}: {shown} is outside of its range {}",
-                    further.parameter.range.show(further.parameter.quantity, further.parameter.unit)
-                );
-                return Err(Refusal::new(Refusal::RANGE, reason));
-            }
-            point.push(value);
+            point.push(within(further.parameter, value, name)?);
         }
         Ok(point)
     }

@@ -50,8 +50,12 @@ impl Flying {
     }
 
     fn with(setup: &Setup<f64>, parameters: &[&'static Parameter], of: &[Outcome]) -> Result<Self> {
-        if let Some(of_launch) = of.iter().find(|of| of.part() == Part::Launch) {
-            let source = "it is of the launch, which each row gives; name outcomes of the flight".into();
+        if let Some(of_launch) = of.iter().find(|of| of.part() != Part::Flight) {
+            let why = match of_launch.part() {
+                Part::Head => "it is of the club, and no club strikes the balls of shots",
+                _ => "it is of the launch, which each row gives",
+            };
+            let source = format!("{why}; name outcomes of the flight").into();
             return Err(Error::Unreadable { name: of_launch.name().into(), source });
         }
         Ok(Self { batch: Batch::new(setup, parameters, of, &[])?, is_on_their_ground: false })
@@ -100,13 +104,13 @@ impl Flying {
         mut sink: impl FnMut(R) -> Result<()>,
     ) -> Result<Tally> {
         let mut tally = Tally::new(self.outcomes());
-        let Shots { layout, rows, .. } = shots;
+        let Shots { layout, rows, parameters, .. } = shots;
         let separator = layout.separator();
         let is_stopped = || run.stop.is_some_and(|stop| stop.load(Ordering::Relaxed));
         let next = || if is_stopped() { Ok(None) } else { rows.next_rows(separator, CHUNK) };
-        let layout = &*layout;
+        let (layout, further) = (&*layout, &parameters[LAUNCH.len()..]);
         let work = |chunk| {
-            let flown = self.flown(layout.shots(chunk));
+            let flown = self.flown(layout.shots(chunk, further));
             let mut tally = Tally::new(self.outcomes());
             tally.add(&flown);
             (tally, work(flown))
@@ -120,7 +124,7 @@ impl Flying {
 
     /// Flies the shot of a message of GSPro Open Connect.
     pub fn message(&self, piece: Piece) -> Flown {
-        self.flown(vec![open_connect::shot(piece)])
+        self.flown(vec![open_connect::shot(piece, &[])])
     }
 
     fn flown(&self, shots: Vec<Shot>) -> Flown {

@@ -11,7 +11,7 @@ use crate::columns::{
 };
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
-use crate::parameters::Setup;
+use crate::parameters::{Golfer, Setup};
 use crate::units::Message;
 
 /// The head stands among so many lines at the beginning of a file.
@@ -45,6 +45,8 @@ pub(super) struct ExportHead {
     pub condition: Option<usize>,
     pub is_export: bool,
     pub decimals: Decimals,
+    /// The density of the setup's air, for rows that state none.
+    pub air: f64,
     pub remarks: Vec<Message>,
 }
 
@@ -79,6 +81,8 @@ impl ExportHead {
     /// [`Error::Table`] for a table without a head, without a column that a launch needs, with an unknown column, or with a unit of another
     /// kind.
     pub fn read(setup: &Setup<f64>, lines: &mut Lines, beginning: &str, table: &Table) -> Result<Self> {
+        // shots are passed on as they are stated, + to the right for every golfer
+        let setup = &Setup { golfer: Golfer::Right, ..*setup };
         let (separator, at) = found(beginning)
             .ok_or_else(|| table.refused(String::new(), "it is empty; give a head and a row for each shot"))?;
         let mut head = String::new();
@@ -142,6 +146,7 @@ impl ExportHead {
             condition: None,
             is_export,
             decimals: Decimals::Point,
+            air: setup.air.density,
             remarks: vec![],
             units,
             heads,
@@ -250,6 +255,7 @@ impl ExportHead {
         if !in_degrees.is_empty() {
             remarks.push(format!("angles without a unit are read in degrees: {}", in_degrees.join(", ")));
         }
+        remarks.extend(self.air_told());
         if !not_read.is_empty() {
             remarks.push(format!("columns that are copied and not used: {}", not_read.join(", ")));
         }

@@ -1,7 +1,7 @@
 //! Whose export a table is, by its heads.
 
 /// A maker, with heads in small letters that stand together in its exports alone. docs/sources.md says where they are from.
-const SIGNATURES: [(&str, &[&str]); 12] = [
+const SIGNATURES: [(&str, &[&str]); 13] = [
     ("TrackMan", &["carry flat length"]),
     ("TrackMan", &["tmd no"]),
     ("TrackMan", &["dyn loft", "spin rate"]),
@@ -13,6 +13,7 @@ const SIGNATURES: [(&str, &[&str]); 12] = [
     ("Foresight", &["tilt angle", "total spin"]),
     ("Rapsodo", &["side carry", "club type"]),
     ("Uneekor", &["side angle", "side distance"]),
+    ("Square", &["index", "offline", "dynamic loft"]),
     ("Awesome Golf", &["vertical launch", "horizontal launch", "carry lateral distance"]),
 ];
 

@@ -29,11 +29,13 @@
 //! assert_eq!((tally.rows, tally.flown), (2, 1));
 //! ```
 
+mod air;
 mod cells;
 mod decimals;
 mod export;
 mod flown;
 mod fly;
+mod further;
 mod head;
 mod lines;
 mod maker;

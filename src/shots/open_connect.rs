@@ -8,6 +8,7 @@ use super::written;
 use crate::columns::implausible;
 use crate::drive::Outcome;
 use crate::error::nearest;
+use crate::parameters::Parameter;
 use crate::units::Quantity;
 use serde_json::{Map, Value as Json};
 
@@ -69,8 +70,9 @@ fn near(ball: &Map<String, Json>, key: &str) -> String {
     near.map(|other| format!(" (did you mean '{key}' where it has '{other}'?)")).next().unwrap_or_default()
 }
 
-/// The shot of a message. One without ball data, such as a heartbeat, cannot be flown.
-pub(super) fn shot(piece: Piece) -> Shot {
+/// The shot of a message. One without ball data, such as a heartbeat, cannot be flown. A line that `fly` wrote has values of further parameters,
+/// of these and no others.
+pub(super) fn shot(piece: Piece, further: &[&'static Parameter]) -> Shot {
     let Piece { line, text, is_whole } = piece;
     let parsed =
         if is_whole { serde_json::from_str::<Json>(&text).map_err(|error| told(&error)) } else { Err(broken(&text)) };
@@ -80,7 +82,7 @@ pub(super) fn shot(piece: Piece) -> Shot {
         Err(reason) => return Shot::refused(line, text, Refusal::new(Refusal::JSON, reason)),
     };
     let mut shot = Shot::refused(line, text, Refusal::new(Refusal::NO_BALL, ""));
-    if let Err(refusal) = fill(&mut shot, &message) {
+    if let Err(refusal) = fill(&mut shot, &message, further) {
         shot.point = Err(refusal);
     }
     shot
@@ -101,9 +103,9 @@ fn told(error: &serde_json::Error) -> String {
     format!("it is not valid JSON (line {}, column {} of the object: {what})", error.line(), error.column())
 }
 
-fn fill(shot: &mut Shot, message: &Map<String, Json>) -> Result<(), Refusal> {
+fn fill(shot: &mut Shot, message: &Map<String, Json>, further: &[&'static Parameter]) -> Result<(), Refusal> {
     if written::is_written(message) {
-        return written::fill(shot, message);
+        return written::fill(shot, message, further);
     }
     let is = |key: &str| message.get("ShotDataOptions").and_then(|options| options.get(key)).and_then(Json::as_bool);
     let none = |why: &str| Err(Refusal::new(Refusal::NO_BALL, why));

@@ -69,7 +69,7 @@ impl Export {
 pub struct Shots {
     pub(super) layout: Layout,
     pub(super) rows: Rows,
-    parameters: Vec<&'static Parameter>,
+    pub(super) parameters: Vec<&'static Parameter>,
     /// Whether they are lines that `fly` wrote.
     is_written: bool,
 }
@@ -114,8 +114,9 @@ impl Shots {
         let text = String::from_utf8_lossy(&beginning).into_owned();
         let source = Cursor::new(beginning).chain(source);
         if is_json(&text) {
-            let parameters = LAUNCH.iter().map(|name| setup.parameter(name)).collect::<Result<_>>()?;
+            let launch = LAUNCH.iter().map(|name| setup.parameter(name)).collect::<Result<Vec<_>>>()?;
             let rows = Rows::Objects(Box::new(source), Objects::default(), table);
+            let parameters = launch.into_iter().chain(written::further(setup, &text)).collect();
             return Ok(Self { layout: Layout::OpenConnect, rows, parameters, is_written: written::begins(&text) });
         }
         let mut lines = Lines::new(Box::new(BufReader::with_capacity(PIECE, source)), &text);
@@ -155,6 +156,16 @@ impl Shots {
     /// Whether its rows may state this outcome.
     pub fn has(&self, of: Outcome) -> bool {
         matches!(&self.layout, Layout::Export(export) if export.head.has(of))
+    }
+
+    /// Flies every row in the air of the setup, also where the export states that of each.
+    pub fn in_given_air(&mut self) {
+        if let Layout::Export(export) = &mut self.layout
+            && export.head.leave_air_out()
+        {
+            let further = export.head.further.iter().map(|further| further.parameter);
+            self.parameters = self.parameters[..LAUNCH.len()].iter().copied().chain(further).collect();
+        }
     }
 
     /// Those of them that are no launch conditions.
@@ -209,13 +220,13 @@ impl Layout {
         }
     }
 
-    /// The shots of some rows.
-    pub(super) fn shots(&self, chunk: Chunk) -> Vec<Shot> {
+    /// The shots of some rows, of which each has values of these further parameters.
+    pub(super) fn shots(&self, chunk: Chunk, further: &[&'static Parameter]) -> Vec<Shot> {
         match (self, chunk) {
             (Self::Export(export), Chunk::Records(records)) => {
                 records.into_iter().map(|record| export.head.shot(record)).collect()
             }
-            (_, Chunk::Pieces(pieces)) => pieces.into_iter().map(open_connect::shot).collect(),
+            (_, Chunk::Pieces(pieces)) => pieces.into_iter().map(|piece| open_connect::shot(piece, further)).collect(),
             // rows of a text are records
             (Self::OpenConnect, Chunk::Records(_)) => vec![],
         }

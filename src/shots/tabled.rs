@@ -4,7 +4,9 @@ use super::head::found;
 use super::objects::Objects;
 use super::open_connect;
 use super::shot::Shot;
+use super::written;
 use crate::drive::Outcome;
+use crate::parameters::{Parameter, Setup};
 use crate::units::Message;
 use std::borrow::Cow;
 
@@ -53,19 +55,20 @@ const OF_CLUB: usize = 16;
 
 /// A text as a table with its head in the first line, and what deserves a word: title lines are left out, and messages of GSPro Open Connect, or lines
 /// that `fly` wrote as JSON lines, become rows.
-pub(crate) fn tabled(text: &str) -> (Cow<'_, str>, Vec<Message>) {
+pub(crate) fn tabled<'a>(setup: &Setup<f64>, text: &'a str) -> (Cow<'a, str>, Vec<Message>) {
     if is_json(text) {
-        let (table, remarks) = of_messages(text);
+        let (table, remarks) = of_messages(text, &written::further(setup, text));
         return (table.into(), remarks);
     }
     (without_titles(text).unwrap_or(text.into()), vec![])
 }
 
-fn of_messages(text: &str) -> (String, Vec<Message>) {
+fn of_messages(text: &str, further: &[&'static Parameter]) -> (String, Vec<Message>) {
     let mut objects = Objects::default();
     objects.push(text.as_bytes());
     objects.finish();
-    let shots: Vec<Shot> = std::iter::from_fn(|| objects.next_piece()).map(open_connect::shot).collect();
+    let shots: Vec<Shot> =
+        std::iter::from_fn(|| objects.next_piece()).map(|piece| open_connect::shot(piece, further)).collect();
     let (mut remarks, mut refused) = (vec![], vec![]);
     for (at, shot) in shots.iter().enumerate() {
         refused
@@ -81,12 +84,15 @@ fn of_messages(text: &str) -> (String, Vec<Message>) {
     };
     let columns: Vec<&Column> = COLUMNS.iter().enumerate().filter(is_there).map(|(_, column)| column).collect();
     let line = |cells: Vec<String>| cells.join(",") + "\n";
-    let mut table = line(columns.iter().map(|(head, _)| (*head).to_owned()).collect());
+    let heads = columns.iter().map(|(head, _)| (*head).to_owned());
+    let mut table = line(heads.chain(further.iter().map(|row| row.quantity.head(row.name))).collect());
     for shot in &shots {
         // a row without a value is left out, and the others keep their numbers
         let cell = |of: &fn(&Shot) -> Option<f64>| of(shot).filter(|_| shot.refusal().is_none());
-        let cells = columns.iter().map(|(_, of)| cell(of).map_or("-".into(), |value| value.to_string()));
-        table += &line(cells.collect());
+        let shown = |value: Option<f64>| value.map_or("-".into(), |value| value.to_string());
+        let cells = columns.iter().map(|(_, of)| shown(cell(of)));
+        let own = (0..further.len()).map(|at| shown(shot.further().get(at).copied()));
+        table += &line(cells.chain(own).collect());
     }
     (table, remarks)
 }
@@ -108,16 +114,17 @@ fn without_titles(text: &str) -> Option<Cow<'_, str>> {
 #[cfg(test)]
 mod tests {
     use super::tabled;
+    use crate::parameters::Setup;
 
     #[test]
     fn exact_title_lines_are_left_out_and_other_tables_stay_as_they_are() {
         let head = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Carry [yd]\n150,12,2700,240\n";
         let titled = format!("Session of May\n\nA. Player\n{head}");
-        assert_eq!(tabled(&titled).0, head);
+        assert_eq!(tabled(&Setup::default(), &titled).0, head);
         for text in
             [head.to_owned(), format!("# remark\n{head}"), format!("sep=,\n{head}"), "club.loft [deg]\n9\n".into()]
         {
-            assert_eq!(tabled(&text).0, text);
+            assert_eq!(tabled(&Setup::default(), &text).0, text);
         }
     }
 }

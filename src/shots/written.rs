@@ -1,11 +1,16 @@
 //! A line that `fly` wrote as JSON lines, as the shot that it was made of.
 
 use super::export::launch;
+use super::further::within;
 use super::objects::Objects;
 use super::shot::{Club, Origin, Refusal, Shot, Value, of_conditions};
 use crate::columns::is_straight_by_assumption;
 use crate::drive::Outcome;
+use crate::parameters::{Parameter, Setup};
 use serde_json::{Map, Value as Json};
+
+/// How the flight of a row ended that was not flown.
+const REFUSED: &str = "refused";
 
 /// What the row stands behind: the last member of a line, so that none of the others has it in its text.
 const ROW: &str = ",\"row\":";
@@ -21,6 +26,17 @@ pub(super) fn begins(beginning: &str) -> bool {
     objects.push(beginning.as_bytes());
     let first = objects.next_piece().and_then(|piece| serde_json::from_str::<Json>(&piece.text).ok());
     first.as_ref().and_then(Json::as_object).is_some_and(is_written)
+}
+
+/// The parameters of which its rows have values beside their launch, by the first line in the beginning of a text that was flown.
+pub(super) fn further(setup: &Setup<f64>, beginning: &str) -> Vec<&'static Parameter> {
+    let mut objects = Objects::default();
+    objects.push(beginning.as_bytes());
+    let lines = std::iter::from_fn(|| objects.next_piece());
+    let mut lines = lines.filter_map(|piece| serde_json::from_str::<Map<String, Json>>(&piece.text).ok());
+    let flown = lines.find(|line| is_written(line) && line.get("flight").and_then(Json::as_str) != Some(REFUSED));
+    let own = flown.and_then(|line| line.get("parameters").and_then(Json::as_object).cloned()).unwrap_or_default();
+    own.keys().filter_map(|name| setup.parameter(name).ok()).collect()
 }
 
 fn wrong(key: &str, found: impl std::fmt::Display) -> Refusal {
@@ -41,7 +57,11 @@ fn members<'a>(message: &'a Map<String, Json>, key: &str) -> Result<Vec<(&'a Str
 ///
 /// # Errors
 /// Why it cannot be flown.
-pub(super) fn fill(shot: &mut Shot, message: &Map<String, Json>) -> Result<(), Refusal> {
+pub(super) fn fill(
+    shot: &mut Shot,
+    message: &Map<String, Json>,
+    further: &[&'static Parameter],
+) -> Result<(), Refusal> {
     let text = message.get("row").map(Json::to_string).unwrap_or_default();
     // to the letter, where the line is as it was written
     let own = shot.text.split_once(ROW).and_then(|(_, row)| row.trim_end().strip_suffix('}'));
@@ -62,18 +82,28 @@ pub(super) fn fill(shot: &mut Shot, message: &Map<String, Json>) -> Result<(), R
     shot.is_normalized = message.get("normalized").and_then(Json::as_bool).filter(|is| *is);
     let notes = message.get("notes").and_then(Json::as_array).into_iter().flatten();
     shot.notes = notes.filter_map(|note| note.as_str().map(str::to_owned)).collect();
-    if message.get("flight").and_then(Json::as_str) == Some("refused") {
+    if message.get("flight").and_then(Json::as_str) == Some(REFUSED) {
         let reason = message.get("reason").and_then(Json::as_str).unwrap_or("it was refused without a reason");
         return Err(Refusal::new(Refusal::BEFORE, reason));
     }
-    if let Some((name, _)) = members(message, "parameters")?.first() {
+    let own = members(message, "parameters")?;
+    if let Some((name, _)) = own.iter().find(|(name, _)| further.iter().all(|parameter| parameter.name != *name)) {
         let reason = format!(
-            "the row has a value of its own of {name}, which is not read from JSON lines; fly the table that it was made of"
+            "the row has a value of its own of {name}, which the first row has not; fly the table that the lines were made of"
         );
         return Err(Refusal::new(Refusal::JSON, reason));
     }
     let stated = of_conditions(|of| shot.value(of).map(|value| value.value));
     shot.is_straight_by_assumption = is_straight_by_assumption(&stated);
-    shot.point = Ok(launch(&stated, |of| of.name().into(), |_| true)?);
+    let mut point = launch(&stated, |of| of.name().into(), |_| true)?;
+    for parameter in further {
+        let name = format!("parameters.{}", parameter.name);
+        let value = own.iter().find(|(own, _)| *own == parameter.name);
+        let value = value.and_then(|(_, value)| value.as_f64());
+        let reason = || format!("{name} is missing; every row needs a value of it, since the first has one");
+        let value = value.ok_or_else(|| Refusal::new(Refusal::MISSING, reason()))?;
+        point.push(within(parameter, value, &name)?);
+    }
+    shot.point = Ok(point);
     Ok(())
 }

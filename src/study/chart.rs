@@ -6,7 +6,8 @@ use super::search::Search;
 use super::sensitivity::sensitivity;
 use crate::drive::{BeyondCount, Looked};
 use crate::error::{Error, Result};
-use crate::optimize::{Iteration, Observer, Options, Status};
+use crate::optimize::continuation::{LONGEST, RADIUS, Stride, TOO_FAR, apart, located, predicted};
+use crate::optimize::{Bounds, Iteration, Observer, Options, Status};
 use crate::parameters::Setup;
 use crate::units::Message;
 use std::rc::Rc;
@@ -122,18 +123,8 @@ impl Reach {
     }
 }
 
-/// The longest step, as a part of the range.
-const LONGEST: f64 = 1.0 / 16.0;
-/// The shortest.
-const SHORTEST: f64 = 1.0 / 65_536.0;
 /// Events are located to this part of the range.
 const LOCATED: f64 = 1e-10;
-/// Steps whose predicted optimum is farther than this from the one found, in units of the ranges, are halved …
-const TOO_FAR: f64 = 0.02;
-/// … and those nearer than this are followed by longer ones.
-const NEAR: f64 = 0.002;
-/// The trust region of a corrector: it stays with the optimum it follows.
-const RADIUS: f64 = 0.05;
 
 /// Follows the optimum along a parameter: from each optimum the next is predicted by d x*/dp and corrected by a search
 /// from there; steps adapt to how far the two lie apart, and changes of the active bounds and constraints are located.
@@ -216,7 +207,7 @@ pub fn chart_at(
     let (first, begun) = follower.first()?;
     let mut chart = Chart { along, points: vec![], begun, ended: None, interrupted: false };
     let width = along.high - along.low;
-    let mut step = LONGEST * width;
+    let mut stride = Stride::new(width);
     let mut goes_on = on_point(&first);
     chart.points.push(first);
     while let Some(here) = chart.points.last()
@@ -227,23 +218,17 @@ pub fn chart_at(
             chart.interrupted = true;
             break;
         }
-        let to = if here.at + 1.001 * step >= along.high { along.high } else { here.at + step };
+        let to = stride.to(here.at, along.high);
         // a step meant to end at zero ends there
         let to = if to.abs() < LOCATED * width { 0.0 } else { to };
         // and none goes past a value that was asked for
         let to = at.iter().copied().filter(|at| *at > here.at).fold(to, f64::min);
         let (next, apart) = match follower.next(here, to) {
-            Ok(found) if found.1 <= TOO_FAR || step <= SHORTEST * width => found,
-            Ok(_) => {
-                step *= 0.5;
-                continue;
-            }
+            Ok(found) if found.1 <= TOO_FAR || !stride.halve() => found,
+            Ok(_) => continue,
             // an interrupted search is no reason for shorter steps
             Err(_) if observer.is_interrupted() => continue,
-            Err(_) if step > SHORTEST * width => {
-                step *= 0.5;
-                continue;
-            }
+            Err(_) if stride.halve() => continue,
             Err(error) => {
                 let place = along.parameter.place("no optimum was found beyond ".into(), here.at);
                 chart.ended = Some(place.words(": ").message(error.message()));
@@ -257,9 +242,7 @@ pub fn chart_at(
         } else {
             next
         };
-        if apart < NEAR {
-            step = (2.0 * step).min(LONGEST * width);
-        }
+        stride.adapt(apart);
         goes_on = on_point(&next);
         chart.points.push(next);
     }
@@ -314,9 +297,9 @@ impl Follower<'_> {
             // where an optimum has no sensitivity (the edge of an active set), staying is the best guess
             Err(_) => vec![0.0; self.search.vary.len()],
         };
-        let predicted = here.best.solution.x.iter().zip(&rates).zip(&self.search.vary);
-        let predicted: Vec<f64> =
-            predicted.map(|((x, rate), vary)| (x + rate * (to - here.at)).clamp(vary.low, vary.high)).collect();
+        let ends = |end: fn(&Vary) -> f64| self.search.vary.iter().map(end).collect::<Vec<_>>();
+        let bounds = Bounds::new(ends(|vary| vary.low), ends(|vary| vary.high))?;
+        let predicted = predicted(&here.best.solution.x, &rates, to - here.at, &bounds);
         let mut setup = here.best.setup;
         setup.set_value(self.along.parameter, Some(to))?;
         for (vary, x) in self.search.vary.iter().zip(&predicted) {
@@ -324,24 +307,16 @@ impl Follower<'_> {
         }
         let options = Options { initial_radius: RADIUS, ..self.search.options.clone() };
         let found = point(to, optimum(&setup, Search { options, ..self.search.clone() }, self.observer.search())?)?;
-        let widths = self.search.vary.iter().map(|vary| vary.high - vary.low);
-        let apart = found.best.solution.x.iter().zip(&predicted).zip(widths);
-        let apart = apart.map(|((x, predicted), width)| if width > 0.0 { (x - predicted).abs() / width } else { 0.0 });
-        let apart = apart.fold(0.0, f64::max);
+        let apart = apart(&found.best.solution.x, &predicted, &bounds);
         Ok((found, apart))
     }
 
     /// The first place between two optima where another bound or constraint holds than at the first.
     fn located(&self, here: &ChartPoint, there: ChartPoint) -> ChartPoint {
-        let (mut before, mut after) = (here.clone(), there);
-        while after.at - before.at > LOCATED * (self.along.high - self.along.low) {
-            let middle = 0.5 * (before.at + after.at);
-            match self.next(&before, middle) {
-                Ok((found, _)) if found.active == here.active => before = found,
-                Ok((found, _)) => after = found,
-                Err(_) => break,
-            }
-        }
+        let tolerance = LOCATED * (self.along.high - self.along.low);
+        let next = |before: &ChartPoint, at: f64| Some(self.next(before, at).ok()?.0);
+        let is_as_before = |found: &ChartPoint| found.active == here.active;
+        let after = located([here.clone(), there], tolerance, |point| point.at, |_, _| None, next, is_as_before);
         let only = |these: &[Active], others: &[Active]| {
             these.iter().filter(|active| !others.contains(active)).cloned().collect::<Vec<_>>()
         };

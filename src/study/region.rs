@@ -34,6 +34,9 @@ const LOOKS: usize = 8;
 /// A region that fills this part of what is looked at is seen well enough.
 const FILLED: f64 = 0.55;
 
+/// What an outcome may be off by where an equation holds, of the outcome looked for.
+const ROUNDING: f64 = 1e-12;
+
 impl Region {
     /// The region around an optimum over two of the parameters that its search varied.
     ///
@@ -75,7 +78,12 @@ impl Region {
         for (constraint, values) in best.search.subject_to.iter().zip(&plane.values[1..]) {
             let missed = missed(constraint, values);
             if constraint.is_equation() {
-                equation = Some(missed);
+                // one that holds all over the plane forbids nothing
+                let rounding =
+                    ROUNDING * plane.values[0].iter().flatten().fold(0.0_f64, |most, value| most.max(value.abs()));
+                if values.iter().flatten().any(|value| (value - constraint.low).abs() > rounding) {
+                    equation = Some(missed);
+                }
                 continue;
             }
             for (most, missed) in misses.iter_mut().zip(missed) {

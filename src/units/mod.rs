@@ -3,6 +3,7 @@
 //! The sizes of the units are their definitions; a test holds them against the library `uom`. Beside them there is the grammar that puts
 //! them together (`kg/m^3`, `g cm^2`) and the check that the result is the kind of quantity wanted.
 
+mod amount;
 mod decimals;
 mod dimension;
 mod error;
@@ -12,6 +13,7 @@ mod spelling;
 mod symbols;
 mod system;
 
+pub(crate) use amount::Amount;
 pub use decimals::{counted, counted_of};
 pub(crate) use decimals::{fixed, signed};
 pub use error::UnitError;
@@ -50,6 +52,9 @@ macro_rules! quantities {
         impl Quantity {
             $($(#[doc = $doc])* pub const $id: Self =
                 Self { name: $name, si: $si, usual: $usual, dimension: Dimension([$l, $m, $t, $a, $k]) };)*
+
+            /// Every kind.
+            pub(crate) const ALL: &'static [Self] = &[$(Self::$id),*];
         }
     };
 }
@@ -85,6 +90,12 @@ quantities! {
     PER_ANGULAR_VELOCITY = "a quantity per angular velocity", "s/rad", [0, 0, 1, -1, 0], "s/rad, 1/rpm";
     /// Per speed, s/m.
     PER_SPEED = "a quantity per speed", "s/m", [-1, 0, 1, 0, 0], "s/m, 1/mph";
+    /// Area, m².
+    AREA = "an area", "m^2", [2, 0, 0, 0, 0], "cm^2, mm^2, m^2";
+    /// Volume, m³.
+    VOLUME = "a volume", "m^3", [3, 0, 0, 0, 0], "cm^3, m^3, L";
+    /// First moment of a mass, kg m.
+    MASS_MOMENT = "a mass times a length", "kg m", [1, 1, 0, 0, 0], "g mm, kg m";
     /// A number without unit.
     NUMBER = "a plain number", "", [0, 0, 0, 0, 0], "no unit, or %";
 }

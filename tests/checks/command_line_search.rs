@@ -33,7 +33,7 @@ fn exact_constraints_and_starts_as_json() {
     assert_eq!(serde_json::from_slice::<Value>(&one_thread.stdout).unwrap(), found, "whatever the number of threads");
 }
 
-/// An equation holds whatever its price: lateral is 0 for every straight drive.
+/// An equation that nothing moves has no price: lateral is 0 for every straight drive.
 #[test]
 fn an_equation_is_told_with_what_it_is_off_by_and_never_as_not_active() {
     let told = |limit: &str| {
@@ -41,7 +41,7 @@ fn an_equation_is_told_with_what_it_is_off_by_and_never_as_not_active() {
         out.split_whitespace().collect::<Vec<_>>().join(" ")
     };
     let free = told("lateral == 0 yd");
-    let words = "lateral = 0 yd 0.0 yd equality: off by 0.00 yd, 0 yd for each yard that the value is raised";
+    let words = "lateral = 0 yd 0.0 yd equality: off by 0.00 yd, and nothing that is varied moves it";
     assert!(free.contains(words), "{free}");
     let held = told("apex_height == 30 yd");
     assert!(
@@ -137,12 +137,24 @@ fn exact_chart_as_json_csv_and_table() {
     assert!(points.last().unwrap()["active"].as_array().unwrap().contains(&Value::from("apex_height <= 35 yd")));
     let csv = longdrive(&[&args, ["--csv"].as_slice()].concat());
     assert!(
-        csv.out.starts_with("swing.speed [m/s],carry [m],club.loft [rad],swing.attack_angle [rad],active,event\n"),
+        csv.out.starts_with(
+            "swing.speed [m/s],carry [m],club.loft [rad],swing.attack_angle [rad],ball_speed [m/s],launch_angle [rad],\
+             backspin [rad/s],active,event\n"
+        ),
         "{}",
         csv.out
     );
     assert_eq!(csv.out.lines().count(), points.len() + 1);
-    assert!(longdrive(&args).out.contains("<- apex height ≤ 35 yd begins"));
+    let text = longdrive(&args).out;
+    assert!(text.contains("<- apex height ≤ 35 yd begins") && text.contains("launch_angle"), "{text}");
+    // the ball at an optimum leaves as that drive's does
+    let [loft, attack] = ["club.loft", "swing.attack_angle"].map(|name| number(&points[0]["optimum"][name]));
+    let set = [format!("club.loft={loft} rad"), format!("swing.attack_angle={attack} rad")];
+    let (_, drive) = json(&["simulate", "--set", "swing.speed=80mph", "--set", &set[0], "--set", &set[1]]);
+    for of in ["ball_speed", "launch_angle", "backspin"] {
+        let (ours, theirs) = (number(&points[0]["launch"][of]), number(&drive["launch"][of]));
+        assert!((ours - theirs).abs() < 1e-9 * theirs, "{of}: {ours}, {theirs}");
+    }
 
     // part of the range without an optimum: what there is, and status 1
     let low = ["chart", "--along", "swing.speed=80mph..130mph", "--subject-to", "apex_height >= 36 yd"];

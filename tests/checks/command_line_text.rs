@@ -75,6 +75,7 @@ fn no_line_of_an_answer_is_wider_than_a_terminal() {
         vec!["optimize", "--vary", "swing.attack_angle=-40deg..-30deg"],
         vec!["optimum-sensitivity", "--change", "swing.speed=+5mph", "--subject-to", "apex_height <= 35 yd"],
         vec!["chart", "--along", "swing.speed=95mph..105mph", "--subject-to", "apex_height <= 35 yd"],
+        vec!["pareto", "--maximize", "carry", "--minimize", "apex_height", "--subject-to", "lateral >= -20 yd"],
         vec!["compare", "mae494", "winfield-tan", "--of", "all"],
         vec!["sensitivity", "--at-optimum"],
         vec!["uncertainty", "--samples", "16"],

@@ -170,3 +170,43 @@ fn the_sample_of_launches_is_what_the_program_makes_of_the_deliveries() {
         }
     }
 }
+
+/// docs/design.md: the rules as the program has them, and the numbers of its examples.
+#[test]
+fn rules_and_numbers_of_design_md_are_the_programs() {
+    let text = document("docs/design.md");
+    for rule in &longdrive::study::design::RULES {
+        let row = format!("| {} | `{}` | {} |", rule.name, rule.expression(), rule.source);
+        assert!(text.contains(&row), "docs/design.md should say: {row}");
+    }
+    let yards = |value: f64| value / 0.9144;
+    let near = |cell: &str, value: f64, by: f64| {
+        let said = first_number(cell);
+        assert!((said - value).abs() <= by, "docs/design.md says {said}, the program {value}");
+    };
+    let design = |more: &[&str]| crate::command_line::json(&[&["design", "--set", "club.loft=12deg"], more].concat()).1;
+    let number = |value: &serde_json::Value| value.as_f64().unwrap();
+    let goal = "mean(carry) - 0.5*rms(lateral)";
+    for row in table(&text, "| `club.inertia.xx` | best bulge | goal | with 305 mm |") {
+        let inertia = format!("club.inertia.xx={}", row[0]);
+        let vary = "club.bulge_radius=150mm..1000mm";
+        let found = design(&["--vary", vary, "--set", &inertia, "--set", "club.inertia.xz=-300 g cm^2"]);
+        near(&row[1], 1e3 * number(&found["optimum"]["club.bulge_radius"]), 0.051);
+        near(&row[2], yards(number(&found["value"])), 0.0051);
+        near(&row[3], yards(number(&found["swings"]["as_set_up"][goal])), 0.0051);
+    }
+    let command =
+        text.lines().find(|line| line.starts_with("longdrive design --set club.loft=12deg --set club.mass")).unwrap();
+    let words: Vec<&str> = command.split_whitespace().skip(4).collect();
+    for (row, rules) in table(&text, "| | best depth | goal | gained |").iter().zip(["golf", "none"]) {
+        let found = design(&[&words[..], &["--rules", rules]].concat());
+        near(&row[1], 1e3 * number(&found["optimum"]["club.weight_1.depth"]), 0.051);
+        near(&row[2], yards(number(&found["value"])), 0.0051);
+        near(&row[3], yards(number(&found["value"]) - number(&found["swings"]["as_set_up"][goal])), 0.0051);
+        let price = found["design"]["held"].as_array().unwrap().iter().find(|held| !held["price"].is_null());
+        if let Some(price) = price {
+            let said = text.split("at a price of ").nth(1).unwrap();
+            near(said, yards(number(&price["price"]) * 100e-7), 0.00051);
+        }
+    }
+}

@@ -23,7 +23,7 @@ fn setup() -> Setup<f64> {
 }
 
 /// An outcome with these parameters in place of the setup's.
-fn flown(setup: &Setup<f64>, values: &[(&str, f64)], of: Outcome) -> f64 {
+pub fn flown(setup: &Setup<f64>, values: &[(&str, f64)], of: Outcome) -> f64 {
     let mut moved = *setup;
     for (name, value) in values {
         moved.set_value(moved.column(name).unwrap(), Some(*value)).unwrap();
@@ -161,6 +161,16 @@ fn exact_an_equation_leaves_the_part_of_its_line_that_loses_little() {
         assert!(value(Outcome::Lateral).abs() < 0.02, "{}", value(Outcome::Lateral));
         assert!(best.value().unwrap() / YARD - value(Outcome::Carry) < 1.03);
     }
+}
+
+/// A straight drive stays straight whatever the loft: the equation forbids nothing.
+#[test]
+fn an_equation_that_holds_everywhere_leaves_the_region_as_it_is() {
+    let [with, without] = [&["lateral == 0 m"][..], &[]].map(|limits| mapped(&setup(), [LOFT, ATTACK], limits));
+    let region = with.1.expect("the region");
+    assert_eq!((region.equation, rings(&with.2, false).len()), (None, rings(&without.2, false).len()));
+    let said = longdrive(&["optimize", "--subject-to", "lateral == 0 m"]).out;
+    assert!(said.contains("nothing that is varied moves it") && !said.contains("that the value is raised"), "{said}");
 }
 
 #[test]
@@ -455,14 +465,14 @@ fn the_new_pictures_are_drawn_at_every_width_and_say_what_they_leave_out() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("a.svg").display().to_string();
     let launch = ["--launch", "ball_speed=150mph,launch_angle=12deg,backspin=2600rpm"];
-    for kind in ["fairway", "launch", "face"] {
+    for kind in ["fairway", "launch", "face", "strike"] {
         for width in ["240", "340", "480", "1200"] {
             let said = longdrive(&["plot", kind, "-o", &file, "--overwrite", "--width", width]);
             assert_eq!(said.status, 0, "{kind} {width}: {}", said.err);
             whole(&std::fs::read_to_string(&file).unwrap());
         }
         let said = longdrive(&[&["plot", kind, "-o", &file, "--overwrite"], &launch[..]].concat());
-        if kind == "face" {
+        if ["face", "strike"].contains(&kind) {
             assert!(said.status == 2 && said.err.contains("no club"), "{}", said.err);
         } else {
             assert!(said.status == 0 && said.err.contains("no optimum is drawn"), "{kind}: {}", said.err);

@@ -318,3 +318,62 @@ fn exact_derivatives_by_bend_droop_growth_and_slope_are_those_of_lean_and_restit
     close(slopes[2], slopes[1] * bend * (setup.swing.speed / 44.704).ln(), slopes[1].abs(), 1e-11, "growth");
     close(slopes[4], slopes[3] * (closing - 48.768), slopes[3].abs(), 1e-10, "slope of the restitution");
 }
+
+/// With and without the elimination of the speeds after impact, at any scale; and at a scale of 1 as rigid bodies.
+#[test]
+fn exact_scaled_gear_effect_in_both_forms_of_the_collision() {
+    for_random_setups(500, |setup| {
+        let rigid = collision(&setup);
+        for scale in [0.0, 0.5, 1.0] {
+            let c = Collision { gear_scale: Some(scale), ..rigid };
+            let (a, b) = (c.by_impulse().unwrap(), c.by_generalized_speeds().unwrap());
+            let size = norm(a.impulse);
+            same(a.impulse, b.impulse, size, "impulse");
+            if scale == 1.0 {
+                same(a.impulse, rigid.by_impulse().unwrap().impulse, size, "rigid bodies");
+            }
+        }
+    });
+}
+
+/// Square to a flat face without loft, the impulse along the face over that along its normal is in proportion to the scale: the ball has no
+/// spin at 0, and the derivative by the scale is that of this line.
+#[test]
+fn exact_gear_effect_of_a_square_strike_is_in_proportion_to_its_scale() {
+    let mut setup = Setup::default();
+    setup.set_all([("swing.attack_angle", "0 deg"), ("club.loft", "0 deg"), ("strike.toe", "15 mm")]).unwrap();
+    (setup.club.bulge_radius, setup.club.roll_radius) = (f64::INFINITY, f64::INFINITY);
+    setup.strike.high = 5e-3;
+    let mut with = |scale: Option<f64>| {
+        setup.impact.gear_scale = scale;
+        let c = collision(&setup);
+        let impulse = c.by_impulse().unwrap().impulse;
+        let push = impulse.dot(c.normal);
+        (impulse - c.normal * push) * push.recip()
+    };
+    let rigid = with(None);
+    assert!(norm(rigid) > 0.01, "{rigid:?}");
+    for scale in [0.0, 0.3, 0.5, 1.0, 1.2] {
+        same(with(Some(scale)), rigid * scale, 1.0, "in proportion");
+    }
+}
+
+#[test]
+fn differences_certify_the_derivative_by_the_scale_of_the_gear_effect() {
+    let mut setup = Setup::preset("tour-average").unwrap();
+    setup.strike.toe = 0.015;
+    setup.impact.friction = Some(0.4);
+    let carry = |scale: f64| {
+        let mut setup = setup;
+        setup.impact.gear_scale = Some(scale);
+        Outcome::Lateral.of(&longdrive::Drive::new(&setup).unwrap()).unwrap()
+    };
+    let (at, h) = (0.6, 1e-3);
+    let difference =
+        (carry(at - 2.0 * h) - 8.0 * carry(at - h) + 8.0 * carry(at + h) - carry(at + 2.0 * h)) / (12.0 * h);
+    setup.impact.gear_scale = Some(at);
+    let wrt = [setup.variable("impact.gear_scale").unwrap()];
+    let slope = derivative::gradient(&setup, Outcome::Lateral, &wrt).unwrap().gradient[0];
+    close(slope, difference, slope.abs(), 1e-8, "slope");
+    assert!(slope.abs() > 1.0, "{slope} m");
+}

@@ -72,6 +72,9 @@ fn what_is_done_of_a_certificate_and_of_a_chart_is_told_as_interrupted() {
     assert_eq!(found["passed"], false);
     let chart = interrupted_json(&["chart", "--along", "swing.speed=60mph..140mph", "--set", "flight.step=0.1ms"]);
     assert!(chart["ended"].as_str().is_some(), "{chart:#}");
+    let goals = ["pareto", "--maximize", "carry", "--minimize", "apex_height", "--points", "1000"];
+    let front = interrupted_json(&[&goals[..], &["--set", "flight.step=0.5ms"]].concat());
+    assert!(front["points"].as_array().is_some_and(|points| points.len() > 1), "{front:#}");
 }
 
 #[test]

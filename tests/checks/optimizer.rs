@@ -65,7 +65,7 @@ fn independent_optima_from_the_reference_file() {
 }
 
 #[test]
-fn exact_steps_of_a_constrained_optimum_are_found_by_warm_starts() {
+fn exact_steps_of_a_constrained_optimum_are_found_without_an_interior_point_method() {
     let mut setup = Setup::preset("modern-driver").unwrap();
     setup.set_all([("swing.path", "2 deg"), ("swing.face_angle", "1 deg"), ("strike.toe", "8 mm")]).unwrap();
     let ranges = ["club.loft=4deg..20deg", "swing.attack_angle=-5deg..5deg", "swing.face_angle=-3deg..3deg"];
@@ -74,7 +74,7 @@ fn exact_steps_of_a_constrained_optimum_are_found_by_warm_starts() {
     let search = Search { vary, subject_to, ..Search::longest_drive(&setup).unwrap() };
     let Solution { status, iterations, effort, .. } = optimum(&setup, search, Observer::default()).unwrap().solution;
     assert_eq!(status, Status::Converged);
-    assert_eq!((effort.warm_start, effort.clarabel), (iterations + effort.corrections, 0), "{effort:?}");
+    assert_eq!((effort.dual, effort.clarabel), (iterations + effort.corrections, 0), "{effort:?}");
 }
 
 #[test]
@@ -490,6 +490,38 @@ fn exact_minima_from_stationary_points_of_the_violation() {
     let found = solve_subject_to(valleys, &[(f64::NEG_INFINITY, -0.1)], [(-3.0, 3.0); 2], [1.1, 0.5]);
     assert_eq!(found.status, Status::Converged, "{} {:?}", found.message, found.x);
     assert!(found.x[0] < 0.0 && (found.constraints[0].value + 0.1).abs() < 1e-9, "{:?}", found.x);
+}
+
+#[test]
+fn exact_minima_from_starts_where_no_slope_shows_a_way() {
+    let [bowl, hill, x_y] = [[[2.0, 0.0], [0.0, 2.0]], [[-2.0, 0.0], [0.0, 2.0]], [[0.0, 1.0], [1.0, 0.0]]];
+    let squares = |v: &[f64]| taylor(v[0] * v[0] + v[1] * v[1], [2.0 * v[0], 2.0 * v[1]], bowl);
+    let ends = |f: &dyn Fn(&[f64]) -> Vec<Taylor>, limits: &[(f64, f64)], start: [f64; 2], least: f64| {
+        let found = solve_subject_to(f, limits, [(-2.0, 2.0); 2], start);
+        assert_eq!(found.status, Status::Converged, "from {start:?}: {} {:?}", found.message, found.x);
+        assert!((found.value.unwrap() - least).abs() < 1e-9, "from {start:?}: {:?} at {:?}", found.value, found.x);
+    };
+    // y² − x² on the unit circle: from its centre, where all slopes vanish, and from its maximum on the circle
+    let saddle = |v: &[f64]| vec![taylor(v[1] * v[1] - v[0] * v[0], [-2.0 * v[0], 2.0 * v[1]], hill), squares(v)];
+    ends(&saddle, &[(1.0, 1.0)], [0.0, 0.0], -1.0);
+    ends(&saddle, &[(1.0, 1.0)], [0.0, 1.0], -1.0);
+    // the same within the circle, where the start meets the constraint
+    ends(&saddle, &[(f64::NEG_INFINITY, 1.0)], [0.0, 0.0], -1.0);
+    // x y on x² = y², from the crossing of the two lines: −4 in a corner of the box
+    let lines = |v: &[f64]| {
+        let (x, y) = (v[0], v[1]);
+        vec![taylor(x * y, [y, x], x_y), taylor(y * y - x * x, [-2.0 * x, 2.0 * y], hill)]
+    };
+    ends(&lines, &[(0.0, 0.0)], [0.0, 0.0], -4.0);
+    // y with x − y² = 0 and x + y² = 2, from y = 0, where the two depend on each other and contradict: both hold at x = 1, y = ±1
+    let parabolas = |v: &[f64]| {
+        let (x, y) = (v[0], v[1]);
+        let bend = |bend: f64| taylor(x + bend * y * y, [1.0, 2.0 * bend * y], [[0.0, 0.0], [0.0, 2.0 * bend]]);
+        vec![taylor(y, [0.0, 1.0], FLAT), bend(-1.0), bend(1.0)]
+    };
+    let found = solve_subject_to(parabolas, &[(0.0, 0.0), (2.0, 2.0)], [(-2.0, 2.0); 2], [0.3, 0.0]);
+    assert_eq!(found.status, Status::Converged, "{} {:?}", found.message, found.x);
+    assert!((found.x[0] - 1.0).abs() < 1e-9 && (found.x[1].abs() - 1.0).abs() < 1e-9, "{:?}", found.x);
 }
 
 #[test]

@@ -277,7 +277,7 @@ fn all_pages_have_one_frame() {
         assert!(tables > 0 && names.len() == tables && !names.contains(&""), "{asked:?}: {names:?}");
         // the picture and the data of every figure
         for end in ["-us.svg\"", ".csv\""] {
-            assert_eq!(page.matches(end).count(), page.matches("<figure>").count(), "{asked:?}: {end}");
+            assert_eq!(page.matches(end).count(), page.matches("<figure").count(), "{asked:?}: {end}");
         }
         assert!(!page.contains("<th></th>") && !page.contains("NaN"), "{asked:?}");
     }

@@ -14,6 +14,7 @@ const KINDS: &[&[&str]] = &[
     &["contour", "--subject-to", "descent_angle >= 38 deg"],
     &["chart", "--along", "swing.speed=90..110 mph"],
     &["chart", "--along", "swing.speed=90..110 mph", "--show", "club.loft"],
+    &["pareto", "--maximize", "carry", "--minimize", "descent_angle", "--points", "5"],
     &["trajectory"],
     &["trajectory", "--view", "top", "--set", "swing.face_angle=3deg"],
     &["compare", "--set-b", "club.loft=12deg", "--set-b", "aero.law=linear", "--set-b", "swing.path=2deg"],
@@ -21,6 +22,7 @@ const KINDS: &[&[&str]] = &[
     &["fairway", "--set", "swing.face_angle=1deg"],
     &["launch"],
     &["face", "--set", "strike.toe=10mm"],
+    &["strike", "--set", "strike.toe=-8mm"],
     &["laws"],
     &["laws", "--show", "cl", "--over", "reynolds"],
 ];
@@ -53,16 +55,19 @@ fn words(svg: &str) -> Vec<Words> {
         let text = node.text()?.trim().to_owned();
         let size = of("font-size");
         let wide = width(&text, size, node.attribute("font-weight") == Some("bold"));
-        let left = of("x")
+        // a view beside or below another one is moved
+        let moved = |axis: usize| -> f64 {
+            let to = node.ancestors().filter_map(|node| node.attribute("transform"));
+            let parts = to.map(|to| to.trim_start_matches("translate(").trim_end_matches(')').split(' ').nth(axis));
+            parts.map(|part| part.unwrap().parse::<f64>().unwrap() / 10.0).sum()
+        };
+        let (right, down) = (moved(0), moved(1));
+        let left = right + of("x")
             - match node.attribute("text-anchor") {
                 Some("middle") => 0.5 * wide,
                 Some("end") => wide,
                 _ => 0.0,
             };
-        // a view below another one is moved down
-        let down = node.ancestors().filter_map(|node| node.attribute("transform"));
-        let down = down.map(|to| to.rsplit(' ').next().unwrap().trim_end_matches(')').parse::<f64>().unwrap() / 10.0);
-        let down: f64 = down.sum();
         // letters reach 0.76 of their size above the line that they stand on, and 0.24 below it
         let top = match node.attribute("dy") {
             Some("0.76em") => of("y"),

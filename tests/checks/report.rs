@@ -368,7 +368,7 @@ fn the_page_is_complete_in_itself_and_says_what_it_holds() {
     }
     let files: Vec<&str> = answer["files"].as_array().unwrap().iter().filter_map(|name| name.as_str()).collect();
     let count = |end: &str| files.iter().filter(|name| name.ends_with(end)).count();
-    let figures = page.matches("<figure>").count();
+    let figures = page.matches("<figure").count();
     assert_eq!([count("-us.svg"), count("-metric.svg"), count(".csv")], [figures; 3]);
     // two widths, and two systems but for the plots without units
     let drawn = |class: &str| page.matches(&format!("<div class=\"{class}")).count();

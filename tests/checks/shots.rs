@@ -76,6 +76,7 @@ fn exact_the_same_shot_flies_alike_in_every_makers_export() {
         ("rapsodo.csv", Some("Rapsodo"), 2, 1),
         ("uneekor.csv", Some("Uneekor"), 1, 1),
         ("awesome-golf.csv", Some("Awesome Golf"), 1, 1),
+        ("square.csv", Some("Square"), 3, 1),
         ("decimal-commas.csv", None, 2, 1),
         ("open-connect.json", Some("GSPro Open Connect"), 2, 1),
         ("open-connect.jsonl", Some("GSPro Open Connect"), 5, 1),
@@ -241,6 +242,15 @@ fn messages_that_cannot_be_flown_say_what_is_wrong() {
 
 #[test]
 fn tables_without_a_launch_name_the_nearest_head() {
+    let misspelt = "Club,Ball Sped (mph),Launch Angl (deg),Spin (rpm)\nDriver,160,12,2500\n";
+    let error = Shots::read(&Setup::default(), "a.csv", misspelt.as_bytes()).map(drop).unwrap_err().to_string();
+    for says in [
+        "no column has the ball speed or the launch angle",
+        "'Ball Sped' (did you mean 'ball speed'?)",
+        "'Launch Angl'",
+    ] {
+        assert!(error.contains(says), "no '{says}' in {error}");
+    }
     let refused =
         |text: &'static str| Shots::read(&Setup::default(), "a.csv", text.as_bytes()).err().unwrap().to_string();
     for (text, says) in [

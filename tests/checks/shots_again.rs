@@ -43,7 +43,7 @@ fn exact_json_lines_are_read_again_and_written_the_same() {
 }
 
 #[test]
-fn json_lines_with_parameters_of_their_own_are_refused_with_the_name() {
+fn exact_json_lines_with_parameters_of_their_own_are_flown_with_them_again() {
     let folder = tempfile::tempdir().unwrap();
     let place = |name: &str| folder.path().join(name).display().to_string();
     let text = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],air.density [kg/m^3]\n150,12,2700,1.1\n";
@@ -51,7 +51,13 @@ fn json_lines_with_parameters_of_their_own_are_refused_with_the_name() {
     assert_eq!(longdrive(&["fly", &table, "-o", &place("shots.jsonl")]).status, 0);
     assert_eq!(lines(&place("shots.jsonl"))[0]["parameters"]["air.density"], 1.1);
     let said = longdrive(&["fly", &place("shots.jsonl"), "-o", &place("again.jsonl")]);
-    assert!(said.status == 1 && said.err.contains("air.density, which is not read from JSON lines"), "{}", said.err);
+    assert_eq!(said.status, 0, "{}", said.err);
+    assert_eq!(lines(&place("shots.jsonl"))[0]["predicted"], lines(&place("again.jsonl"))[0]["predicted"]);
+    // in a table every row has a value of the same parameters
+    let first = fs::read_to_string(place("shots.jsonl")).unwrap();
+    let other = first.replace("air.density", "ball.mass");
+    let said = longdrive(&["fly", &written(folder.path(), "mixed.jsonl", &format!("{first}{other}")), "--json"]);
+    assert!(said.out.contains("a value of its own of ball.mass, which the first row has not"), "{}", said.out);
 }
 
 #[test]
@@ -179,6 +185,34 @@ fn parameters_without_a_value_are_varied_as_they_are_swept() {
     assert_eq!(swept["value"], set["value"]);
     let said = longdrive(&["chart", "modern-driver", "--along", "swing.shaft_bend=0deg..1deg", "--at", "0deg,1deg"]);
     assert!(said.status == 0 && said.err.contains("swing.shaft_bend has no value in modern-driver"), "{}", said.err);
+    let along = longdrive(&["chart", "modern-driver", "--along", "swing.shaft_bend", "--at", "0deg,1deg", "--csv"]);
+    assert!(
+        along.status == 0
+            && along.out
+                == longdrive(&[
+                    "chart",
+                    "modern-driver",
+                    "--along",
+                    "swing.shaft_bend=0deg..1deg",
+                    "--at",
+                    "0deg,1deg",
+                    "--csv"
+                ])
+                .out
+    );
+}
+
+#[test]
+fn weather_without_a_value_is_uncertain_about_the_mean_of_its_distribution() {
+    let given = ["--distribution", "air.humidity=uniform(0.2,0.8)"];
+    for command in ["uncertainty", "optimize"] {
+        let said = longdrive(&[command, given[0], given[1]]);
+        assert_eq!(said.status, 0, "{command}: {}", said.err);
+        assert!(said.err.contains("air.humidity has no value in tour-average; it varies about 0.5"), "{}", said.err);
+    }
+    let (_, alone) = json(&["uncertainty", given[0], given[1]]);
+    let (_, set) = json(&["uncertainty", given[0], given[1], "--set", "air.humidity=0.5"]);
+    assert_eq!(alone["outcomes"], set["outcomes"]);
 }
 
 #[test]

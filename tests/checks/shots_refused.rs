@@ -76,6 +76,9 @@ fn a_measured_value_that_no_drive_has_is_not_compared() {
     for told in ["row 2: not compared: Carry: ", "row 3: not compared: Carry: 9999 yd is outside of what a drive has"] {
         assert!(remarks(&table).contains(told), "no '{told}' in {}", remarks(&table));
     }
+    let table = read(&format!("{HEAD}{GOOD}150,12,0,2600,3,far,5\n"));
+    assert_eq!(rows(&table), [1, 2], "a cell that cannot be read costs its own comparison alone");
+    assert!(remarks(&table).contains("row 2: not compared: Carry: "), "{}", remarks(&table));
     // where nothing else is measured there is nothing to fit
     let alone =
         read("Ball Speed [mph],Launch Angle [deg],Total Spin [rpm],Carry [yd]\n150,12,2600,245\n150,12,2600,9999\n");

@@ -338,9 +338,42 @@ fn what_swings_do_not_tell_is_said() {
     assert!(stray.status == 2 && stray.err.contains("no goal asks for strokes"), "{}", stray.err);
     let flat = longdrive(&[&["optimize", "--maximize", "within(carry, 15yd)"][..], &speed].concat());
     assert!(flat.out.contains("does not depend on what is varied"), "{}", flat.out);
+    let beside = ["optimize", "--distribution", "strike.toe=normal(0mm,6mm)", "--maximize", "mean(carry)"];
+    let said = longdrive(&beside).out.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(said.contains("side spin of strikes off the centre by 30 to 50 %"), "{said}");
     // a setup file says what it is best for
     let best = folder.path().join("best.toml").display().to_string();
     assert_eq!(longdrive(&[&["optimize", "-o", &best][..], &speed].concat()).status, 0);
     let text = std::fs::read_to_string(&best).unwrap();
     assert!(text.contains("over swings: swing.speed") && text.contains("normal"), "{text}");
+}
+
+/// The table of docs/swings.md, computed by the command.
+#[test]
+fn documents_say_the_best_lofts_of_a_beginner_and_of_a_professional() {
+    let document = include_str!("../../docs/swings.md");
+    let beginner = [
+        "swing.speed=truncated(93.4 mph, 6 mph, 81.4 mph, 105.4 mph)",
+        "swing.attack_angle=truncated(-1.6 deg, 4 deg, -9.6 deg, 6.4 deg)",
+        "strike.high=truncated(-4.5 mm, 8 mm, -20.5 mm, 11.5 mm)",
+    ];
+    let professional = [
+        "swing.speed=normal(115 mph, 1.2 mph)",
+        "swing.attack_angle=normal(-0.9 deg, 1 deg)",
+        "strike.high=normal(3 mm, 3 mm)",
+    ];
+    for (golfer, preset, swings) in
+        [("beginner", "amateur-average", beginner), ("professional", "tour-average", professional)]
+    {
+        let mut command = vec!["optimize", preset];
+        command.extend(swings.iter().flat_map(|text| ["--distribution", text]));
+        let said = longdrive(&command);
+        let row = |name: &str| {
+            let line = said.out.lines().find(|line| line.trim_start().starts_with(name)).unwrap_or_default();
+            line.split_whitespace().map(str::to_owned).collect::<Vec<_>>()
+        };
+        let (loft, carry) = (row("club.loft"), row("mean(carry)"));
+        let told = format!("| {golfer} | `{preset}` | {} | {} | {} yd | {} yd |", loft[1], loft[2], carry[1], carry[5]);
+        assert!(document.contains(&told), "docs/swings.md has no row '{told}'");
+    }
 }

@@ -309,3 +309,19 @@ fn what_replaces_something_else_is_refused_beside_it() {
     setup.set("air.temperature", "20 degC").unwrap();
     assert!(matches!(setup.set("air.density", "1.1 kg/m^3"), Err(Error::Together { .. })));
 }
+
+#[test]
+fn weather_beyond_the_equation_of_the_density_is_told() {
+    let told =
+        |settings: &[(&str, &str)]| with(settings).warnings().iter().map(ToString::to_string).collect::<Vec<_>>();
+    for usual in
+        [&DENVER[..], &[("air.temperature", "-5 degC"), ("air.humidity", "90 %")], &[("air.pressure", "600 hPa")]]
+    {
+        assert_eq!(told(usual), [""; 0], "{usual:?}");
+    }
+    let steam = told(&[("air.temperature", "60 degC"), ("air.humidity", "1"), ("air.pressure", "220 hPa")]);
+    assert!(steam.len() == 2, "{steam:?}");
+    assert!(steam[0].starts_with("air.pressure = 220 hPa is below 600 hPa: "), "{steam:?}");
+    assert!(steam[1].starts_with("air.temperature = 333.15 K is above 313.15 K: "), "{steam:?}");
+    assert!(told(&[("air.altitude", "5 km")])[0].contains("air.altitude = 5000 m is above 4200 m"));
+}

@@ -21,15 +21,18 @@ pub struct Question {
 }
 
 /// The commands, each with how often it is asked: those that take long rarely.
-const COMMANDS: [(&str, f64); 23] = [
+const COMMANDS: [(&str, f64); 26] = [
     ("simulate", 22.0),
     ("gradient", 14.0),
     ("compare", 6.0),
     ("optimize", 9.0),
     ("optimum-sensitivity", 3.0),
+    ("design", 2.0),
     ("calibrate", 9.0),
     ("delivery", 5.0),
     ("chart", 1.5),
+    ("pareto", 0.3),
+    ("robust", 0.3),
     ("plot", 7.0),
     ("report", 0.1),
     ("sweep", 16.0),
@@ -146,6 +149,14 @@ impl Question {
                 self.search(true, chance);
                 self.work(chance);
             }
+            "design" => {
+                self.search(true, chance);
+                self.option("--scenarios", chance.of_or(&["2", "9", "16"], &["0", "x"]));
+                if chance.is(0.5) {
+                    self.option("--rules", chance.of_or(&["golf", "none"], &["usga", ""]));
+                }
+                self.work(chance);
+            }
             "optimum-sensitivity" => self.optimum_sensitivity(chance),
             "chart" => {
                 self.search(false, chance);
@@ -156,6 +167,23 @@ impl Question {
                 }
                 if chance.is(0.2) {
                     self.push("--csv");
+                }
+            }
+            "robust" => {
+                self.search(false, chance);
+                if chance.is(0.5) {
+                    self.option("--model", chance.of_or(&["aero.law=ferguson", "impact.friction=0.3"], &["x", "a=1"]));
+                }
+            }
+            "pareto" => {
+                for _ in 0..2 {
+                    let of = outcome(chance);
+                    self.option(if chance.is(0.5) { "--maximize" } else { "--minimize" }, of);
+                }
+                self.search(false, chance);
+                self.option("--points", chance.of_or(&["2", "3", "5"], &["1", "x"]));
+                if chance.is(0.2) {
+                    self.output("-o", &["front.csv", "best.toml"], chance);
                 }
             }
             "report" => {
@@ -484,8 +512,11 @@ impl Question {
     }
 
     fn plot(&mut self, chance: &mut Chance) {
-        let kind =
-            if chance.slips() { 10 } else { chance.weighted(&[10.0, 0.3, 0.5, 4.0, 1.0, 2.0, 2.0, 0.5, 0.5, 0.5]) };
+        let kind = if chance.slips() {
+            11
+        } else {
+            chance.weighted(&[10.0, 0.3, 0.5, 4.0, 1.0, 2.0, 2.0, 0.5, 0.5, 0.5, 0.3])
+        };
         let kinds = [
             "trajectory",
             "contour",
@@ -497,12 +528,13 @@ impl Question {
             "fairway",
             "launch",
             "face",
+            "strike",
             "pie",
         ];
         self.push(kinds[kind]);
         match kind {
             0 if chance.is(0.5) => self.option("--view", chance.of_or(&["side", "top"], &["back"])),
-            1 | 7 | 8 => self.search(false, chance),
+            1 | 7 | 8 | 10 => self.search(false, chance),
             2 => {
                 self.search(false, chance);
                 self.along(chance);

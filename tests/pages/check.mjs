@@ -58,6 +58,12 @@ function wide() {
   return scrollWidth > clientWidth ? [`it is ${scrollWidth} pixels wide, on a screen of ${clientWidth}`] : [];
 }
 
+/** Pictures that a sheet of paper does not hold: they would be cut in two. */
+function tall(sheet) {
+  const figures = [...document.querySelectorAll("figure")].map((figure) => figure.getBoundingClientRect().height);
+  return figures.filter((height) => height > sheet).map((height) => `a picture of ${height} pixels on a sheet of ${sheet}`);
+}
+
 /** Whether the whole answer is on the first screen. */
 function answered() {
   const answer = document.querySelector(".answer");
@@ -142,6 +148,7 @@ async function look(browser, name, file) {
       await page.setViewportSize({ width: PAPER[0], height: PAPER[1] });
       say("print", await page.evaluate(wide));
       say("print", await page.evaluate(folded));
+      say("print", await page.evaluate(tall, PAPER[1]));
       await page.pdf({ format: "A4", printBackground: true });
     }
     await context.close();

@@ -33,7 +33,10 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
     let mut warnings = setup.warnings();
     warn(&warnings);
     let file = args.data.display().to_string();
-    let table = ShotTable::open(&setup, &args.data)?;
+    let mut table = ShotTable::open(&setup, &args.data)?;
+    if args.question.gives_air()? {
+        table.in_given_air();
+    }
     if table.is_launched {
         args.question.refuse_club(&setup, &format!("the rows of {file} are launches"))?;
     }

@@ -12,9 +12,10 @@ use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
 pub fn run(args: &ChartArgs) -> Result<Answer> {
-    let setup = args.question.setup_varied(args.search.vary.iter().chain([&args.along]))?;
-    let search = args.search.search(&setup)?;
+    let setup = args.question.setup_varied(&args.search.vary)?;
     let (along, at) = args.places(&setup)?;
+    let setup = args.question.begun(setup, [(along.parameter, 0.5 * (along.low + along.high))], "begins at")?;
+    let search = args.search.search(&setup)?;
     args.question.refuse_unused(&setup, &[along.parameter], "--along gives its values")?;
     let ranges: Vec<_> = search.vary.iter().copied().chain([along]).collect();
     let setup = args.question.for_many(setup, &ranges)?;
@@ -91,11 +92,11 @@ impl ChartArgs {
     /// The parameter with its range, and the values asked for in it.
     fn places(&self, setup: &Setup<f64>) -> Result<(Vary, Vec<f64>)> {
         if self.along.contains('=') || self.at.is_empty() {
-            let along = Vary::read(setup, &self.along)?;
+            let along = Vary::read_column(setup, &self.along)?;
             let read = |text: &String| along.parameter.read(text, false).map(Option::unwrap_or_default);
             return Ok((along, self.at.iter().map(read).collect::<Result<_>>()?));
         }
-        let parameter = setup.variable(self.along.trim())?;
+        let parameter = setup.column(self.along.trim())?;
         let read = |text: &String| parameter.read(text, false).map(Option::unwrap_or_default);
         let at = self.at.iter().map(read).collect::<Result<Vec<_>>>()?;
         let (low, high) =

@@ -1,30 +1,37 @@
 use crate::args::{DeliveryArgs, Question};
-use crate::files::Rule;
+use crate::files::{Destination, Rule};
 use crate::interrupt::{self, BEST_SO_FAR};
 use crate::output::{Answer, system, tell, warn};
 use longdrive::parameters::Vary;
-use longdrive::report::{delivered_text, deliveries_text, delivery_reply, delivery_toml, parameter_text};
+use longdrive::report::{
+    delivered_text, deliveries_text, delivery_reply, delivery_toml, parameter_text, population_warnings, recovered_csv,
+    recovered_toml,
+};
 use longdrive::study::Sigma;
 use longdrive::study::calibrate::ShotTable;
-use longdrive::study::delivery::{Delivery, Unknown, deliveries, delivery, launches, unknowns};
+use longdrive::study::delivery::{Delivery, Population, Unknown, deliveries, delivery, launches, unknowns};
 use longdrive::units::{Message, counted};
 use longdrive::{Error, Result, Setup};
+use std::path::Path;
 
 pub fn run(args: &DeliveryArgs) -> Result<Answer> {
     refuse_step(&args.question)?;
     let inputs = args.question.inputs().chain(args.shots.clone());
-    let output = args.output.as_ref().map(|file| Rule::new(inputs, args.overwrite).file(file)).transpose()?;
+    let rule = Rule::new(inputs, args.overwrite);
+    let output = args.output.as_ref().map(|file| rule.file(file)).transpose()?;
+    let of_swings = rule.and_not(args.output.as_deref());
+    let swings = args.swings.as_ref().map(|file| Ok((of_swings.file(file)?, is_table(file)?))).transpose()?;
     let (setup, launched) = setups(args)?;
     let mut warnings = setup.warnings();
     warn(&warnings);
     let vary = args.vary.iter().map(|text| Vary::read(&setup, text)).collect::<Result<Vec<_>>>()?;
     let sigmas = args.sigma.iter().map(|text| Sigma::read(&setup, text)).collect::<Result<Vec<_>>>()?;
     let unknowns = unknowns(&setup, &vary, &sigmas)?;
-    let (all, from, left_out) = match &args.shots {
+    let (all, population, from, left_out) = match &args.shots {
         None => {
             tell_assumed(&unknowns);
             let found = delivery(&setup, &launches(&launched), &unknowns)?;
-            (vec![Delivery { row: 1, found: Ok(found) }], "a measured launch".to_owned(), 0)
+            (vec![Delivery { row: 1, found: Ok(found) }], None, "a measured launch".to_owned(), 0)
         }
         Some(file) => {
             let table = ShotTable::open_launches(&setup, file)?;
@@ -42,7 +49,8 @@ pub fn run(args: &DeliveryArgs) -> Result<Answer> {
             tell_measured(&setup, &measured);
             let all = deliveries(&setup, &table, &unknowns, &interrupt::stops(BEST_SO_FAR));
             let left_out = table.shots.len() - all.len();
-            (all, table.file, left_out)
+            let population = Population::of(&setup, &all, &unknowns, |parameter| table.gives(parameter));
+            (all, Some(population), table.file, left_out)
         }
     };
     if left_out > 0 {
@@ -51,6 +59,10 @@ pub fn run(args: &DeliveryArgs) -> Result<Answer> {
         warnings.extend(unreached);
     }
     let found = all.iter().filter_map(Delivery::explained).count();
+    let of_population: Vec<_> =
+        population.iter().flatten().flat_map(|population| population_warnings(population, system())).collect();
+    warn(&of_population);
+    warnings.extend(of_population);
     if let Some(output) = &output {
         let file = output.path().display();
         if found > 0 && left_out == 0 {
@@ -66,15 +78,78 @@ pub fn run(args: &DeliveryArgs) -> Result<Answer> {
             warnings.extend(unwritten);
         }
     }
+    let mut is_written = true;
+    if let (Some((swings, is_table)), Some(population)) = (&swings, &population) {
+        let unwritten = write_swings(swings, *is_table, &all, population, left_out == 0, &from)?;
+        is_written = unwritten.is_none();
+        let unwritten: Vec<Message> = unwritten.into_iter().collect();
+        warn(&unwritten);
+        warnings.extend(unwritten);
+    }
+    let population = population.and_then(Result::ok);
     let answer = if args.question.json {
-        Answer::json(&delivery_reply(&all, left_out, warnings))
+        Answer::json(&delivery_reply(&all, population.as_ref(), left_out, warnings))
     } else {
         Answer::text(match (&args.shots, all.first().and_then(|delivery| delivery.found.as_ref().ok())) {
             (None, Some(delivered)) => delivered_text(delivered, system()),
-            _ => deliveries_text(&all, system()),
+            _ => deliveries_text(&all, population.as_ref(), system()),
         })
     };
-    Ok(answer.found(found == all.len() && left_out == 0))
+    Ok(answer.found(found == all.len() && left_out == 0 && is_written))
+}
+
+/// Whether swings are to be written as a table; else they are written as distributions.
+fn is_table(file: &Path) -> Result<bool> {
+    let ending = file.extension().map(|ending| ending.to_string_lossy().to_lowercase());
+    match ending.as_deref() {
+        Some("csv") => Ok(true),
+        Some("toml") => Ok(false),
+        _ => {
+            let source = format!(
+                "{} ends in neither; write .csv for a row of each shot, or .toml for distributions",
+                file.display()
+            );
+            Err(Error::Unreadable { name: "--swings".into(), source: source.into() })
+        }
+    }
+}
+
+/// Writes the swings behind the shots, or says why not.
+fn write_swings(
+    output: &Destination,
+    is_table: bool,
+    all: &[Delivery],
+    population: &Result<Population>,
+    is_whole: bool,
+    from: &str,
+) -> Result<Option<Message>> {
+    let file = output.path().display();
+    let unwritten = |why: &str| Ok(Some(Message::from(format!("{file} is not written: {why}"))));
+    let found = all.iter().filter_map(Delivery::explained).count();
+    let swings = counted(found as u64, "swing");
+    let (text, told) = match population {
+        _ if !is_whole => return unwritten("the work was interrupted"),
+        _ if is_table && found == 0 => return unwritten("no delivery was found"),
+        _ if is_table => {
+            let told = format!(
+                "wrote {swings} into {file}: what a shot does not tell of a swing is drawn towards what was known before, so that these scatter \
+                 less than the golfer; a name that ends in .toml gives the distribution"
+            );
+            (recovered_csv(all)?, told)
+        }
+        Ok(population) => {
+            (recovered_toml(population, from, system()), format!("wrote the distribution of {swings} into {file}"))
+        }
+        Err(Error::Delivery { reason }) => return unwritten(reason),
+        Err(error) => return unwritten(&error.to_string()),
+    };
+    output.write(text.as_bytes())?;
+    tell(&told);
+    if all.len() > found {
+        tell(&format!("left out of it: {} whose delivery was not found", counted((all.len() - found) as u64, "row")));
+    }
+    tell(&format!("'longdrive optimize --swings {file}' finds the design that is best over them"));
+    Ok(None)
 }
 
 /// What is taken for the uncertainty of each parameter before the shot, where none was given.

@@ -8,6 +8,7 @@ mod compare;
 mod completions;
 mod date;
 mod delivery;
+mod design;
 mod files;
 mod fly;
 mod gradient;
@@ -19,6 +20,7 @@ mod optimize;
 mod optimum_sensitivity;
 mod output;
 mod parameters;
+mod pareto;
 mod picture;
 mod plot;
 mod plot_drive;
@@ -26,6 +28,7 @@ mod presets;
 mod question;
 mod report;
 mod reproduce;
+mod robust;
 mod search;
 mod sensitivity;
 mod simulate;
@@ -55,9 +58,12 @@ fn main() -> ExitCode {
         Command::Compare(args) => compare::run(args),
         Command::Optimize(args) => optimize::run(args),
         Command::OptimumSensitivity(args) => optimum_sensitivity::run(args),
+        Command::Design(args) => design::run(args),
         Command::Calibrate(args) => calibrate::run(args),
         Command::Delivery(args) => delivery::run(args),
         Command::Chart(args) => chart::run(args),
+        Command::Pareto(args) => pareto::run(args),
+        Command::Robust(args) => robust::run(args),
         Command::Plot(args) => plot::run(args),
         Command::Report(args) => report::run(args),
         Command::Sweep(args) => sweep::run(args),

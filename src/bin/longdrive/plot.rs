@@ -6,7 +6,7 @@ use crate::compare::warnings;
 use crate::names::{outcomes, usual, variables};
 use crate::output::{Answer, bar, show, spinner, system, tell};
 use crate::picture::Target;
-use crate::plot_drive::{at_optimum, face, fairway, launches};
+use crate::plot_drive::{at_optimum, face, fairway, launches, strikes};
 use crate::verify::tell_left_out;
 use longdrive::atmosphere::AirState;
 use longdrive::optimize::{Observer, Status};
@@ -29,12 +29,14 @@ pub fn run(args: &Plot) -> Result<Answer> {
         PlotKind::Trajectory(args) => trajectory(args),
         PlotKind::Contour(args) => contour(args),
         PlotKind::Chart(args) => along(args),
+        PlotKind::Pareto(args) => crate::pareto::draw(args),
         PlotKind::Tornado(args) => tornado(args),
         PlotKind::Compare(args) => difference(args),
         PlotKind::Vcurve(args) => vcurve(args),
         PlotKind::Laws(args) => laws(args),
         PlotKind::Fairway(args) => fairway(args),
         PlotKind::Face(args) => face(args),
+        PlotKind::Strike(args) => strikes(args),
         PlotKind::Launch(args) => launches(args),
     }
 }

@@ -1,6 +1,6 @@
 use crate::args::{OwnLaw, Question};
 use crate::output::{system, tell, warn_early};
-use longdrive::parameters::{Law, METHOD, PRESETS, Parameter, Preset, SetupFile, TABLE, Vary};
+use longdrive::parameters::{GOLFER, Law, METHOD, PRESETS, Parameter, Preset, SetupFile, TABLE, Vary};
 use longdrive::report::parameter_text;
 use longdrive::study::{Accuracy, accuracy};
 use longdrive::units::{Message, Quantity, counted};
@@ -20,21 +20,41 @@ impl Question {
 
     /// The setup of a search that varies parameters within ranges, `NAME=LOW..HIGH`: one of them without a value begins in the middle.
     pub fn setup_varied<'a>(&self, ranges: impl IntoIterator<Item = &'a String>) -> Result<Setup<f64>> {
-        let mut setup = self.setup()?;
+        self.varied(self.setup()?, ranges)
+    }
+
+    /// This setup, with a value of each parameter of these ranges that has none in it.
+    pub fn varied<'a>(&self, setup: Setup<f64>, ranges: impl IntoIterator<Item = &'a String>) -> Result<Setup<f64>> {
+        let mut begins = vec![];
         for text in ranges {
             // what is wrong with it is told where it is read
             let parameter = text.split_once('=').and_then(|(name, _)| setup.column(name.trim()).ok());
-            let is_unset = |parameter: &&Parameter| !parameter.is_of_launch() && setup.value(parameter).is_none();
-            let Some(parameter) = parameter.filter(is_unset) else { continue };
-            let Vary { low, high, .. } = Vary::read_column(&setup, text)?;
-            let middle = 0.5 * (low + high);
-            setup.set_value(parameter, Some(middle))?;
-            tell(&format!(
-                "note: {} has no value in {}; it begins at {}",
-                parameter.name,
-                self.setup,
-                parameter_text(parameter, middle, system())
-            ));
+            if parameter.is_some_and(|parameter| !parameter.is_of_launch() && setup.value(parameter).is_none()) {
+                let vary = Vary::read_column(&setup, text)?;
+                begins.push((vary.parameter, vary.start(&setup)));
+            }
+        }
+        self.begun(setup, begins, "begins at")
+    }
+
+    /// The setup with a value of each of these parameters that has none in it; `how` says what it is.
+    pub fn begun(
+        &self,
+        mut setup: Setup<f64>,
+        values: impl IntoIterator<Item = (&'static Parameter, f64)>,
+        how: &str,
+    ) -> Result<Setup<f64>> {
+        for (parameter, value) in values {
+            if setup.value(parameter).is_some() {
+                continue;
+            }
+            // a launch is given as a whole
+            if parameter.is_of_launch() {
+                setup.variable(parameter.name)?;
+            }
+            setup.set_value(parameter, Some(value))?;
+            let shown = parameter_text(parameter, value, system());
+            tell(&format!("note: {} has no value in {}; it {how} {shown}", parameter.name, self.setup));
         }
         self.refuse_replaced(&setup, &[])?;
         setup.validate()?;
@@ -119,7 +139,7 @@ impl Question {
     pub fn refuse_club(&self, setup: &Setup<f64>, why: &str) -> Result<()> {
         for text in &self.set {
             let (name, _) = split("--set", text)?;
-            if setup.parameter(name).is_ok_and(Parameter::is_of_strike) {
+            if name == GOLFER || setup.parameter(name).is_ok_and(Parameter::is_of_strike) {
                 let source = format!(
                     "{why}: of the parameters of swing, club, strike and impact none is used; leave it out, or give the drive by its \
                      club"
@@ -157,10 +177,19 @@ impl Question {
 
     /// Whether the setup file or `--set` says on which ground the ball runs.
     pub fn gives_ground(&self) -> Result<bool> {
-        let is_ground = |name: &str| name.starts_with("ground.") && name != "ground.height";
-        let set = settings(&self.set)?.iter().any(|(name, _)| is_ground(name));
+        self.gives(|name| name.starts_with("ground.") && name != "ground.height")
+    }
+
+    /// Whether the setup file or `--set` says in which air the ball flies.
+    pub fn gives_air(&self) -> Result<bool> {
+        self.gives(|name| name.starts_with("air."))
+    }
+
+    /// Whether the setup file or `--set` gives a parameter of which this is so.
+    fn gives(&self, is: impl Fn(&str) -> bool) -> Result<bool> {
+        let set = settings(&self.set)?.iter().any(|(name, _)| is(name));
         let files = self.setup_file().map(SetupFile::open).collect::<Result<Vec<_>>>()?;
-        Ok(set || files.iter().flat_map(|file| &file.given).any(|parameter| is_ground(parameter.name)))
+        Ok(set || files.iter().flat_map(|file| &file.given).any(|parameter| is(parameter.name)))
     }
 
     /// As [`refuse_twice`](Self::refuse_twice), for parameters that must have a value in the setup before another option gives their values:
@@ -204,7 +233,8 @@ impl Question {
 
     /// The setup, integrated as many drives of it are wherever its parameters lie in these ranges.
     pub fn for_many(&self, setup: Setup<f64>, ranges: &[Vary]) -> Result<Setup<f64>> {
-        Ok(self.accuracy(&setup, ranges, &of_the_flight())?.map_or(setup, |found| found.applied_to(&setup)))
+        let begun = Vary::begun(&setup, ranges)?;
+        Ok(self.accuracy(&begun, ranges, &of_the_flight())?.map_or(setup, |found| found.applied_to(&setup)))
     }
 
     /// How many drives are integrated: within the tolerance asked for or, where none is, a micrometre; `None` where it is by

@@ -120,6 +120,7 @@ pub fn run(args: &Report) -> Result<Answer> {
         landings: &pictures.landings,
         launches: pictures.launches.as_ref(),
         face: pictures.face.as_ref(),
+        best_face: pictures.best_face.as_ref(),
         found: found.as_ref(),
         best,
         why_none: why_none.as_ref(),
@@ -207,6 +208,7 @@ struct Pictures {
     landings: Vec<Landing>,
     launches: Option<Launches>,
     face: Option<Face>,
+    best_face: Option<Face>,
 }
 
 impl Pictures {
@@ -227,10 +229,12 @@ impl Pictures {
         let is_struck = !setup.launch.is_given() && flown.first().is_some_and(|own| own.drive.landed().is_ok());
         let launches = (!drives.is_empty()).then(|| said(Launches::around(&drives), remarks)).transpose()?;
         let face = is_struck.then(|| said(Face::of(setup), remarks)).transpose()?;
+        let best_face = best.filter(|_| is_struck).map(|best| said(Face::of(&best.setup), remarks)).transpose()?;
         Ok(Self {
             landings: drives.iter().map(landing).collect::<Result<_>>()?,
             launches: launches.flatten(),
             face: face.flatten(),
+            best_face: best_face.flatten(),
         })
     }
 }

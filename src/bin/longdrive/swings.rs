@@ -1,21 +1,22 @@
 //! The search for the design that is best over many swings.
 
-use crate::args::{Optimize, SwingsArgs};
+use crate::args::{Optimize, Question, SearchArgs, SwingsArgs};
 use crate::files::Destination;
 use crate::interrupt::{self, BEST_SO_FAR};
 use crate::names::tell_of_the_run;
 use crate::output::{Answer, system, tell, warn};
 use longdrive::optimize::{Checkpoint, Follow, Options, Status};
 use longdrive::parameters::Vary;
-use longdrive::report::{swings_reply, swings_text, swings_toml};
+use longdrive::report::{OptimumReport, Reply, swings_reply, swings_text, swings_toml};
 use longdrive::study::swings::{
-    Correlation, Goal, GoalLimit, Rule, Scenarios, Strokes, Swings, SwingsOptimum, SwingsSearch, price, resampled,
-    swings_optimum,
+    Correlation, Goal, GoalLimit, Price, Resampled, Rule, Scenarios, Strokes, Swings, SwingsOptimum, SwingsSearch,
+    price, resampled, swings_optimum,
 };
 use longdrive::study::uncertainty::Uncertain;
 use longdrive::study::{Search, Sense};
 use longdrive::units::Message;
 use longdrive::{Error, Outcome, Result, Setup};
+use std::path::PathBuf;
 use std::sync::Arc;
 
 /// Resamples of recorded swings.
@@ -51,8 +52,34 @@ impl SwingsArgs {
         }
     }
 
+    /// # Errors
+    /// [`Error::Unreadable`] for correlations where no distributions are given.
+    pub fn refuse_correlation(&self) -> Result<()> {
+        if self.correlation.is_empty() { Ok(()) } else { self.refuse_stray() }
+    }
+
+    /// The swings and those of them that stand for all, with the setup, in which what varies from swing to swing has a value.
+    pub fn taken(&self, question: &Question) -> Result<(Setup<f64>, Swings, Scenarios)> {
+        let setup = question.setup()?;
+        let swings = self.read(&setup)?;
+        question.refuse_twice(&setup, &swings.parameters(), "the swings have values of it")?;
+        let setup = question.begun(setup, swings.parameters().into_iter().zip(swings.means()), "varies about")?;
+        let scenarios = Scenarios::new(&swings, Rule::of(&swings, self.scenarios, self.seed.unwrap_or(0))?)?;
+        Ok((setup, swings, scenarios))
+    }
+
+    /// The table of expected strokes, where one is given.
+    pub fn strokes(&self) -> Result<Option<Strokes>> {
+        self.strokes.as_ref().map(|file| Strokes::open(file, false)).transpose()
+    }
+
+    /// The files that it reads.
+    pub fn inputs(&self) -> impl Iterator<Item = PathBuf> {
+        self.swings.iter().chain(&self.strokes).cloned()
+    }
+
     /// The swings.
-    fn read(&self, setup: &Setup<f64>) -> Result<Swings> {
+    pub fn read(&self, setup: &Setup<f64>) -> Result<Swings> {
         if let Some(file) = &self.swings {
             if let Some(option) = self
                 .distribution
@@ -73,16 +100,57 @@ impl SwingsArgs {
     }
 }
 
+/// What is asked over many swings.
+pub struct Asked {
+    pub setup: Setup<f64>,
+    pub swings: Swings,
+    pub scenarios: Scenarios,
+    pub search: SwingsSearch,
+}
+
+/// What a search over many swings found.
+pub struct Found {
+    /// The setup before.
+    pub setup: Setup<f64>,
+    pub best: SwingsOptimum,
+    pub price: Option<Price>,
+    pub resampled: Option<Resampled>,
+    warnings: Vec<Message>,
+    /// The file that was written.
+    file: Option<String>,
+}
+
+impl Found {
+    pub fn is_found(&self) -> bool {
+        self.best.solution.status == Status::Converged
+    }
+
+    /// The answer in JSON.
+    pub fn reply(&self) -> Reply<OptimumReport> {
+        let mut reply = swings_reply(&self.best, self.price.as_ref(), self.resampled.as_ref(), self.warnings.clone());
+        reply.body.file.clone_from(&self.file);
+        reply
+    }
+}
+
 /// Searches over many swings.
 pub fn run(args: &Optimize) -> Result<Answer> {
-    let setup = args.question.setup()?;
     let asked = &args.swings;
-    let swings = asked.read(&setup)?;
-    args.question.refuse_twice(&setup, &swings.parameters(), "the swings have values of it")?;
-    let search = searched(args, &setup)?;
+    let (setup, swings, scenarios) = asked.taken(&args.question)?;
+    let search = searched(&args.search, asked, &args.question.varied(setup, &args.search.vary)?)?;
+    let found = found(args, Asked { setup, swings, scenarios, search })?;
+    let answer = if args.question.json {
+        Answer::json(&found.reply())
+    } else {
+        Answer::text(swings_text(&found.best, found.price.as_ref(), found.resampled.as_ref(), system()))
+    };
+    Ok(answer.found(found.is_found()))
+}
+
+/// Searches, and writes what is found where that is asked for.
+pub fn found(args: &Optimize, Asked { setup, swings, scenarios, search }: Asked) -> Result<Found> {
     tell_of_the_run(&search.of.outcomes());
-    let scenarios = Scenarios::new(&swings, Rule::of(&swings, asked.scenarios, asked.seed.unwrap_or(0))?)?;
-    let setup = args.question.for_many(setup, &ranges(&search, &scenarios))?;
+    let setup = args.question.for_many(setup, &ranges(&search.vary, &scenarios))?;
     let output = args.destination()?;
     if args.work.starts > 1 {
         let source = "a search over many swings begins at the setup's own design; leave it out";
@@ -95,8 +163,8 @@ pub fn run(args: &Optimize) -> Result<Answer> {
     // what the mean swing promises is told of an optimum only
     let price = if is_found { Some(price(&setup, &swings, &best)?) } else { None };
     let is_recorded = matches!(swings, Swings::Recorded { .. }) && is_found;
-    let resampled =
-        if is_recorded { resampled(&setup, &best, RESAMPLES, u64::from(asked.seed.unwrap_or(0)))? } else { None };
+    let seed = u64::from(args.swings.seed.unwrap_or(0));
+    let resampled = if is_recorded { resampled(&setup, &best, RESAMPLES, seed)? } else { None };
     let mut warnings = best.setup.warnings();
     if let Some(share) = best.beyond_strokes.filter(|share| *share > 0.0) {
         let percent = (100.0 * share).max(0.1);
@@ -105,45 +173,63 @@ pub fn run(args: &Optimize) -> Result<Answer> {
         )));
     }
     warn(&warnings);
-    let written = output.as_ref().map(|output| write(output, &best, &swings, args)).transpose()?.flatten();
-    let answer = if args.question.json {
-        let mut reply = swings_reply(&best, price.as_ref(), resampled.as_ref(), warnings);
-        reply.body.file = written;
-        Answer::json(&reply)
-    } else {
-        Answer::text(swings_text(&best, price.as_ref(), resampled.as_ref(), system()))
-    };
-    Ok(answer.found(is_found))
+    let file = output.as_ref().map(|output| write(output, &best, &swings, args)).transpose()?.flatten();
+    Ok(Found { setup, best, price, resampled, warnings, file })
 }
 
-/// What is looked for: the largest mean carry, unless something else is asked.
-fn searched(args: &Optimize, setup: &Setup<f64>) -> Result<SwingsSearch> {
-    let strokes = args.swings.strokes.as_ref().map(|file| Strokes::open(file, false)).transpose()?;
+/// What is looked for where nothing is asked.
+type Usual<'a> = &'a dyn Fn() -> Result<(Goal, Sense)>;
+/// What is varied where nothing is asked.
+type UsualVary<'a> = &'a dyn Fn(&Setup<f64>) -> Result<Vec<Vary>>;
+
+/// The largest mean carry by the loft, unless something else is asked: the attack angle is the golfer's, and varies from swing to swing.
+pub fn searched(search: &SearchArgs, swings: &SwingsArgs, setup: &Setup<f64>) -> Result<SwingsSearch> {
+    let loft = |setup: &Setup<f64>| Ok(vec![Search::longest_drive(setup)?.vary[0]]);
+    sought(search, swings, setup, &|| Ok((Goal::mean(Outcome::Carry), Sense::Maximize)), &loft)
+}
+
+/// What is looked for.
+pub fn sought(
+    search: &SearchArgs,
+    swings: &SwingsArgs,
+    setup: &Setup<f64>,
+    usual: Usual<'_>,
+    usual_vary: UsualVary<'_>,
+) -> Result<SwingsSearch> {
+    let strokes = swings.strokes()?;
     let strokes = strokes.as_ref();
-    let search = &args.search;
     let (of, sense) = match (&search.maximize, &search.minimize) {
         (_, Some(text)) => (goal("--minimize", text, strokes)?, Sense::Minimize),
         (Some(text), None) => (goal("--maximize", text, strokes)?, Sense::Maximize),
-        (None, None) => (Goal::mean(Outcome::Carry), Sense::Maximize),
+        (None, None) => usual()?,
     };
     let vary = match search.vary.as_slice() {
-        // the attack angle is the golfer's, and varies from swing to swing
-        [] => vec![Search::longest_drive(setup)?.vary[0]],
+        [] => usual_vary(setup)?,
         given => given.iter().map(|text| Vary::read(setup, text)).collect::<Result<_>>()?,
     };
-    let subject_to = search.subject_to.iter().map(|text| GoalLimit::read(text, strokes)).collect::<Result<Vec<_>>>()?;
-    let mut goals = std::iter::once(&of).chain(subject_to.iter().map(|limit: &GoalLimit| &limit.goal));
-    if strokes.is_some() && goals.all(|goal| goal.strokes().next().is_none()) {
-        let source = "no goal asks for strokes; write for example --minimize \"strokes(400yd)\", or leave it out";
-        return Err(Error::Unreadable { name: "--strokes".into(), source: source.into() });
-    }
+    let subject_to = search.subject_to.iter().map(|text| limit(setup, text, strokes)).collect::<Result<Vec<_>>>()?;
+    refuse_idle_strokes(strokes, std::iter::once(&of).chain(subject_to.iter().map(|limit: &GoalLimit| &limit.goal)))?;
     let options = Options::default();
     let options = Options { max_iterations: search.max_iterations.unwrap_or(options.max_iterations), ..options };
     Ok(SwingsSearch { of, sense, vary, subject_to, options })
 }
 
+/// A table of strokes that no goal asks for is refused.
+pub fn refuse_idle_strokes<'a>(strokes: Option<&Strokes>, mut goals: impl Iterator<Item = &'a Goal>) -> Result<()> {
+    if strokes.is_some() && goals.all(|goal| goal.strokes().next().is_none()) {
+        let source = "no goal asks for strokes; write for example --minimize \"strokes(400yd)\", or leave it out";
+        return Err(Error::Unreadable { name: "--strokes".into(), source: source.into() });
+    }
+    Ok(())
+}
+
+/// A limit of a goal, or of a relation of parameters.
+pub fn limit(setup: &Setup<f64>, text: &str, strokes: Option<&Strokes>) -> Result<GoalLimit> {
+    if GoalLimit::is_relation(text) { GoalLimit::read_relation(setup, text) } else { GoalLimit::read(text, strokes) }
+}
+
 /// What an option says is looked for; what is wrong with it is pointed at.
-fn goal(option: &str, text: &str, strokes: Option<&Strokes>) -> Result<Goal> {
+pub fn goal(option: &str, text: &str, strokes: Option<&Strokes>) -> Result<Goal> {
     Goal::read(text, strokes).map_err(|error| match error {
         Error::Constraint { expression, column, reason } => {
             let source = format!("{reason}\n  {expression}\n  {}^", " ".repeat(column));
@@ -154,13 +240,13 @@ fn goal(option: &str, text: &str, strokes: Option<&Strokes>) -> Result<Goal> {
 }
 
 /// The ranges that drives are flown in: of the design, and of the swings.
-fn ranges(search: &SwingsSearch, scenarios: &Scenarios) -> Vec<Vary> {
+pub fn ranges(vary: &[Vary], scenarios: &Scenarios) -> Vec<Vary> {
     let swung = scenarios.parameters.iter().enumerate().map(|(i, parameter)| {
         let values = scenarios.points.iter().map(|point| point[i]);
         let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
         Vary { parameter, low, high }
     });
-    search.vary.iter().copied().chain(swung).collect()
+    vary.iter().copied().chain(swung).collect()
 }
 
 /// Every iteration as a line, a checkpoint if one is asked for, and an end on Ctrl-C.

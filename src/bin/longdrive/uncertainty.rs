@@ -10,6 +10,8 @@ pub fn run(args: &UncertaintyArgs) -> Result<Answer> {
     let setup = args.question.setup()?;
     let of = outcomes(&args.of)?;
     let inputs = inputs(&setup, args, &of)?;
+    let means = inputs.iter().map(|input| (input.parameter, input.distribution.mean()));
+    let setup = args.question.begun(setup, means, "varies about")?;
     let setup = args.question.for_many(setup, &inputs.iter().map(Uncertain::range).collect::<Vec<_>>())?;
     let warnings = Drive::new(&setup).map_or_else(|_| setup.warnings(), |drive| drive.warnings_about(&setup, &of));
     warn(&warnings);

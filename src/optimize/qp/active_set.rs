@@ -10,7 +10,7 @@ pub(super) struct ActiveSet {
 
 /// One that can hold a step.
 #[derive(Clone, Copy)]
-pub(in crate::optimize) enum Holder {
+pub(super) enum Holder {
     Variable(usize, End),
     Row(usize, End),
     Piece(usize),

@@ -1,156 +1,294 @@
-//! The dual active-set method of Goldfarb & Idnani (1983), for small strictly convex programs: from the unconstrained
-//! minimum, the most violated constraint is added again and again, and what then pulls the wrong way is dropped. It
-//! needs no tolerance to tell active from inactive, and it proves infeasibility.
+//! The dual active-set method of Goldfarb & Idnani (1983), for strictly convex programs: from the unconstrained minimum, the
+//! most violated constraint is added again and again, and what then pulls the wrong way is dropped. It needs no tolerance to
+//! tell active from inactive, and it proves infeasibility. The factors of what is active are updated by plane rotations, so
+//! that a change of the active set costs the square of the number of variables.
 
 use super::active_set::{ActiveSet, Holder};
 use super::program::{End, QuadraticProgram};
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
-/// normal · z ≥ limit.
-struct Constraint {
-    normal: DVector<f64>,
-    limit: f64,
-    is_equation: bool,
-    holder: Holder,
+/// What the method says of a program.
+pub(super) enum Dual {
+    /// What holds the minimum.
+    Active(ActiveSet),
+    /// The rows cannot be met within the ends.
+    Infeasible,
+    /// It cannot begin, or did not end.
+    Undecided,
 }
 
 /// Curvature given to the pieces' common value, which has none of its own.
 const LEVEL_CURVATURE: f64 = 1e-7;
-/// Constraints are held to this, in units of their normal's length.
+/// Constraints are held to this part of the largest step, in units of their normal's length …
 const TOLERANCE: f64 = 1e-11;
+/// … and to the rounding of their limits.
+const ROUNDING: f64 = 1e-14;
+/// Where less than this part of a normal points away from those of the active constraints, it depends on them.
+const DEPENDENT: f64 = 1e-10;
 
 impl QuadraticProgram {
-    /// The active set by the dual method; `None` where the program is infeasible or the method does not end.
-    pub(super) fn dual_active_set(&self) -> Option<ActiveSet> {
-        let (hessian, slope) = self.objective();
-        let constraints = self.constraints();
-        let mut z = -hessian.clone().cholesky()?.solve(&slope);
-        let mut active: Vec<usize> = vec![];
-        let mut multipliers: Vec<f64> = vec![];
-        // an equation that is missed from above is turned round
-        let mut signs = vec![1.0; constraints.len()];
-        let slack =
-            |z: &DVector<f64>, k: usize, sign: f64| sign * (constraints[k].normal.dot(z) - constraints[k].limit);
-
-        for _ in 0..20 * (constraints.len() + 1) {
-            let reach = 1.0 + z.amax();
-            let missed = |k: usize| match slack(&z, k, 1.0) {
-                s if constraints[k].is_equation => -s.abs(),
-                s => s,
+    /// The active set by the dual method. A program without curvature is undecided: there is no unconstrained minimum to begin at,
+    /// and of several sets of multipliers those in the middle, which an interior point finds, serve a search best.
+    pub(super) fn dual_active_set(&self) -> Dual {
+        let all = self.constraints();
+        let walk = self.objective().and_then(|(hessian, slope)| Walk::from_minimum(&all, &hessian, &slope));
+        let Some(mut walk) = walk else { return Dual::Undecided };
+        for _ in 0..20 * (all.limits.len() + 1) {
+            let Some(added) = walk.most_violated() else {
+                return Dual::Active(self.held_by(walk.active.iter().map(|&k| all.holders[k])));
             };
-            let tolerated = |k: usize| {
-                let rounding = TOLERANCE * reach * constraints[k].normal.norm().max(f64::MIN_POSITIVE);
-                missed(k) >= -rounding
-            };
-            let candidates = (0..constraints.len()).filter(|k| !active.contains(k) && !tolerated(*k));
-            let length = |k: usize| constraints[k].normal.norm().max(f64::MIN_POSITIVE);
-            // equations first, then the most violated
-            let worst = candidates.min_by(|&a, &b| {
-                let rank = |k: usize| (!constraints[k].is_equation, missed(k) / length(k));
-                rank(a).0.cmp(&rank(b).0).then(rank(a).1.total_cmp(&rank(b).1))
-            });
-            let Some(added) = worst else { return Some(self.held_by(active.iter().map(|&k| constraints[k].holder))) };
-            if constraints[added].is_equation {
-                signs[added] = if slack(&z, added, 1.0) > 0.0 { -1.0 } else { 1.0 };
-            }
-            let mut weight = 0.0;
-            loop {
-                let (along, against) = directions(&hessian, &constraints, &active, &signs, added)?;
-                let curvature = along.dot(&constraints[added].normal) * signs[added];
-                // as many normals as there are directions leave none
-                let is_dependent = active.len() >= z.len()
-                    || curvature <= 1e-12 * length(added).powi(2) / hessian.amax().max(f64::MIN_POSITIVE);
-                let blocking = (0..active.len())
-                    .filter(|&at| !constraints[active[at]].is_equation && against[at] > 0.0)
-                    .map(|at| (multipliers[at] / against[at], at))
-                    .min_by(|a, b| a.0.total_cmp(&b.0));
-                let full = if is_dependent { f64::INFINITY } else { -slack(&z, added, signs[added]) / curvature };
-                let partial = blocking.map_or(f64::INFINITY, |(step, _)| step);
-                let step = full.min(partial);
-                if !step.is_finite() {
-                    return None;
-                }
-                for (multiplier, down) in multipliers.iter_mut().zip(against.iter()) {
-                    *multiplier -= step * down;
-                }
-                weight += step;
-                if !is_dependent {
-                    z += &along * step;
-                }
-                if step == full {
-                    active.push(added);
-                    multipliers.push(weight);
-                    break;
-                }
-                if let Some((_, at)) = blocking {
-                    active.remove(at);
-                    multipliers.remove(at);
-                }
+            if !walk.hold(added) {
+                return Dual::Infeasible;
             }
         }
-        None
+        Dual::Undecided
     }
 
-    /// Curvature and slope in d, and in the pieces' common value where there are several.
-    fn objective(&self) -> (DMatrix<f64>, DVector<f64>) {
+    /// The factors of the curvature, if there is any, and the slope in d, and in the pieces' common value where there are several.
+    fn objective(&self) -> Option<(Cholesky<f64, Dyn>, DVector<f64>)> {
         let n = self.dimension();
-        if self.pieces.len() == 1 {
-            return (self.curvature.clone(), self.pieces[0].gradient.clone());
+        if !self.curvature.amax().is_normal() {
+            return None;
         }
-        let mut hessian = self.curvature.clone().resize(n + 1, n + 1, 0.0);
-        hessian[(n, n)] = LEVEL_CURVATURE;
-        let mut slope = DVector::zeros(n + 1);
-        slope[n] = 1.0;
-        (hessian, slope)
+        let (hessian, slope) = if self.pieces.len() == 1 {
+            (self.curvature.clone(), self.pieces[0].gradient.clone())
+        } else {
+            let mut hessian = self.curvature.clone().resize(n + 1, n + 1, 0.0);
+            hessian[(n, n)] = LEVEL_CURVATURE;
+            (hessian, DVector::from_fn(n + 1, |i, _| f64::from(i == n)))
+        };
+        Some((Cholesky::new(hessian)?, slope))
     }
 
-    fn constraints(&self) -> Vec<Constraint> {
+    fn constraints(&self) -> Constraints {
         let (n, has_level) = (self.dimension(), self.pieces.len() > 1);
         let size = n + usize::from(has_level);
-        let mut all = vec![];
+        let most = 2 * (n + self.rows.len()) + self.pieces.len();
+        let mut all = Constraints::with_capacity(size, most);
+        let sides = |low: f64, high: f64| {
+            [(1.0, low, End::Low), (-1.0, -high, End::High)].into_iter().take(if low == high { 1 } else { 2 })
+        };
         for i in 0..n {
-            for (sign, limit, end) in [(1.0, self.low[i], End::Low), (-1.0, -self.high[i], End::High)] {
-                let mut normal = DVector::zeros(size);
+            for (sign, limit, end) in sides(self.low[i], self.high[i]) {
+                let normal = all.add(limit, self.low[i] == self.high[i], Holder::Variable(i, end));
                 normal[i] = sign;
-                all.push(Constraint { normal, limit, is_equation: false, holder: Holder::Variable(i, end) });
             }
         }
         for (j, row) in self.rows.iter().enumerate() {
-            let is_equation = row.low == row.high;
-            for (sign, limit, end) in [(1.0, row.low, End::Low), (-1.0, -row.high, End::High)] {
-                if limit.is_finite() && !(is_equation && end == End::High) {
-                    let normal = (&row.normal * sign).resize_vertically(size, 0.0);
-                    all.push(Constraint { normal, limit, is_equation, holder: Holder::Row(j, end) });
-                }
+            for (sign, limit, end) in sides(row.low, row.high).filter(|(_, limit, _)| limit.is_finite()) {
+                let normal = all.add(limit, row.low == row.high, Holder::Row(j, end));
+                normal.iter_mut().zip(&row.normal).for_each(|(to, from)| *to = sign * from);
             }
         }
         for (k, piece) in self.pieces.iter().enumerate().filter(|_| has_level) {
             // t − gradient · d ≥ offset
-            let mut normal = (-&piece.gradient).resize_vertically(size, 0.0);
+            let normal = all.add(piece.offset, false, Holder::Piece(k));
+            normal.iter_mut().zip(&piece.gradient).for_each(|(to, from)| *to = -from);
             normal[n] = 1.0;
-            all.push(Constraint { normal, limit: piece.offset, is_equation: false, holder: Holder::Piece(k) });
         }
         all
     }
 }
 
-/// The way z moves, and what the active multipliers lose, for a unit of the added constraint's multiplier.
-fn directions(
-    hessian: &DMatrix<f64>,
-    constraints: &[Constraint],
-    active: &[usize],
-    signs: &[f64],
-    added: usize,
-) -> Option<(DVector<f64>, DVector<f64>)> {
-    let (n, q) = (hessian.nrows(), active.len());
-    let mut matrix = DMatrix::zeros(n + q, n + q);
-    matrix.view_mut((0, 0), (n, n)).copy_from(hessian);
-    for (at, &k) in active.iter().enumerate() {
-        let normal = &constraints[k].normal * signs[k];
-        matrix.view_mut((0, n + at), (n, 1)).copy_from(&normal);
-        matrix.view_mut((n + at, 0), (1, n)).copy_from(&normal.transpose());
+/// normal · x ≥ limit, or = for an equation.
+struct Constraints {
+    size: usize,
+    /// One after the other.
+    normals: Vec<f64>,
+    limits: Vec<f64>,
+    are_equations: Vec<bool>,
+    holders: Vec<Holder>,
+}
+
+impl Constraints {
+    fn with_capacity(size: usize, count: usize) -> Self {
+        Self {
+            size,
+            normals: Vec::with_capacity(size * count),
+            limits: Vec::with_capacity(count),
+            are_equations: Vec::with_capacity(count),
+            holders: Vec::with_capacity(count),
+        }
     }
-    let right = (&constraints[added].normal * signs[added]).resize_vertically(n + q, 0.0);
-    let solution = matrix.lu().solve(&right)?;
-    solution.iter().all(|x| x.is_finite()).then(|| (solution.rows(0, n).into_owned(), solution.rows(n, q).into_owned()))
+
+    /// Adds one, and hands out its normal of zeros.
+    fn add(&mut self, limit: f64, is_equation: bool, holder: Holder) -> &mut [f64] {
+        self.limits.push(limit);
+        self.are_equations.push(is_equation);
+        self.holders.push(holder);
+        let before = self.normals.len();
+        self.normals.resize(before + self.size, 0.0);
+        &mut self.normals[before..]
+    }
+
+    fn normal(&self, k: usize) -> &[f64] {
+        &self.normals[k * self.size..(k + 1) * self.size]
+    }
+}
+
+/// Where the method is: x, what holds it there, and the factors of that: JᵀBJ = 1 and JᵀN = R, upper triangular, with the
+/// normals of what is active as N.
+struct Walk<'a> {
+    all: &'a Constraints,
+    x: DVector<f64>,
+    j: DMatrix<f64>,
+    r: DMatrix<f64>,
+    active: Vec<usize>,
+    multipliers: Vec<f64>,
+    /// 1, or −1 for an equation that was missed from above and turned round.
+    signs: Vec<f64>,
+    is_active: Vec<bool>,
+    lengths: Vec<f64>,
+}
+
+impl<'a> Walk<'a> {
+    /// Begins at the unconstrained minimum.
+    fn from_minimum(all: &'a Constraints, hessian: &Cholesky<f64, Dyn>, slope: &DVector<f64>) -> Option<Self> {
+        let n = all.size;
+        let mut j = DMatrix::identity(n, n);
+        if !hessian.l_dirty().tr_solve_lower_triangular_mut(&mut j) {
+            return None;
+        }
+        let x = -(&j * j.tr_mul(slope));
+        let count = all.limits.len();
+        let length = |k: usize| dot(all.normal(k), all.normal(k)).sqrt().max(f64::MIN_POSITIVE);
+        x.iter().all(|x| x.is_finite()).then(|| Self {
+            all,
+            x,
+            j,
+            r: DMatrix::zeros(n, n),
+            active: Vec::with_capacity(n),
+            multipliers: Vec::with_capacity(n),
+            signs: vec![1.0; count],
+            is_active: vec![false; count],
+            lengths: (0..count).map(length).collect(),
+        })
+    }
+
+    fn slack(&self, k: usize) -> f64 {
+        self.signs[k] * (dot(self.all.normal(k), self.x.as_slice()) - self.all.limits[k])
+    }
+
+    /// The constraint that is missed by most, equations before the others; an equation that is missed from above is turned round.
+    fn most_violated(&mut self) -> Option<usize> {
+        let tolerance = TOLERANCE * self.x.amax() + ROUNDING;
+        let mut worst: Option<(bool, f64, usize)> = None;
+        for k in (0..self.all.limits.len()).filter(|&k| !self.is_active[k]) {
+            let (slack, is_equation, length) = (self.slack(k), self.all.are_equations[k], self.lengths[k]);
+            let missed = if is_equation { slack.abs() } else { -slack };
+            let rank = (is_equation, missed / length);
+            let is_missed = missed > tolerance * length;
+            if is_missed && worst.is_none_or(|(before, most, _)| rank > (before, most)) {
+                worst = Some((rank.0, rank.1, k));
+            }
+        }
+        let (is_equation, _, k) = worst?;
+        if is_equation && self.slack(k) > 0.0 {
+            self.signs[k] = -self.signs[k];
+        }
+        Some(k)
+    }
+
+    /// Moves to where a constraint holds too, dropping what pulls the wrong way then; `false` where it cannot be met.
+    fn hold(&mut self, added: usize) -> bool {
+        let n = self.x.len();
+        let mut weight = 0.0;
+        loop {
+            let q = self.active.len();
+            let mut d = self.j.tr_mul(&DVector::from_column_slice(self.all.normal(added))) * self.signs[added];
+            let size = d.norm_squared();
+            let curvature = d.rows(q, n - q).norm_squared();
+            // what the active multipliers lose for a unit of the added one's
+            let mut lost = d.rows(0, q).into_owned();
+            self.r.view((0, 0), (q, q)).solve_upper_triangular_mut(&mut lost);
+            let is_dependent = curvature <= DEPENDENT * DEPENDENT * size;
+            let blocking = (0..q)
+                .filter(|&at| !self.all.are_equations[self.active[at]] && lost[at] > 0.0)
+                .map(|at| (self.multipliers[at] / lost[at], at))
+                .min_by(|a, b| a.0.total_cmp(&b.0));
+            let full = if is_dependent { f64::INFINITY } else { -self.slack(added) / curvature };
+            let step = full.min(blocking.map_or(f64::INFINITY, |(step, _)| step));
+            if !step.is_finite() {
+                return false;
+            }
+            self.multipliers.iter_mut().zip(&lost).for_each(|(multiplier, lost)| *multiplier -= step * lost);
+            weight += step;
+            if !is_dependent {
+                self.x.gemv(step, &self.j.columns(q, n - q), &d.rows(q, n - q), 1.0);
+            }
+            if step == full {
+                self.add(added, weight, &mut d);
+                return true;
+            }
+            if let Some((_, at)) = blocking {
+                self.drop(at);
+            }
+        }
+    }
+
+    /// Adds a constraint to what is active: rotations of the last columns of J leave of Jᵀ normal what R has room for.
+    fn add(&mut self, added: usize, weight: f64, d: &mut DVector<f64>) {
+        let q = self.active.len();
+        for k in (q + 1..d.len()).rev() {
+            let Some(rotation) = Rotation::of(d[k - 1], d[k]) else { continue };
+            (d[k - 1], d[k]) = (rotation.length, 0.0);
+            rotation.turn_columns(&mut self.j, k - 1);
+        }
+        self.r.view_mut((0, q), (q + 1, 1)).copy_from(&d.rows(0, q + 1));
+        self.active.push(added);
+        self.multipliers.push(weight);
+        self.is_active[added] = true;
+    }
+
+    /// Drops one of the active constraints: the columns of R behind it move up, and rotations make it triangular again.
+    fn drop(&mut self, at: usize) {
+        let q = self.active.len();
+        self.is_active[self.active[at]] = false;
+        self.active.remove(at);
+        self.multipliers.remove(at);
+        for column in at..q - 1 {
+            for row in 0..=column + 1 {
+                self.r[(row, column)] = self.r[(row, column + 1)];
+            }
+            let Some(rotation) = Rotation::of(self.r[(column, column)], self.r[(column + 1, column)]) else { continue };
+            (self.r[(column, column)], self.r[(column + 1, column)]) = (rotation.length, 0.0);
+            for later in column + 2..q {
+                let (upper, lower) = (self.r[(column, later)], self.r[(column + 1, later)]);
+                (self.r[(column, later)], self.r[(column + 1, later)]) = rotation.turned(upper, lower);
+            }
+            rotation.turn_columns(&mut self.j, column);
+        }
+    }
+}
+
+/// The rotation of a plane that turns a vector into its first axis.
+struct Rotation {
+    cosine: f64,
+    sine: f64,
+    length: f64,
+}
+
+impl Rotation {
+    /// `None` where the vector lies there already.
+    fn of(first: f64, second: f64) -> Option<Self> {
+        let length = first.hypot(second);
+        (second != 0.0).then(|| Self { cosine: first / length, sine: second / length, length })
+    }
+
+    fn turned(&self, first: f64, second: f64) -> (f64, f64) {
+        (self.cosine * first + self.sine * second, self.cosine * second - self.sine * first)
+    }
+
+    /// Turns two columns that lie beside each other.
+    fn turn_columns(&self, matrix: &mut DMatrix<f64>, first: usize) {
+        let n = matrix.nrows();
+        let (left, right) = matrix.as_mut_slice()[first * n..(first + 2) * n].split_at_mut(n);
+        for (left, right) in left.iter_mut().zip(right) {
+            (*left, *right) = self.turned(*left, *right);
+        }
+    }
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }

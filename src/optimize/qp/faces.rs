@@ -28,7 +28,7 @@ impl QuadraticProgram {
             let mut is_settled = true;
             for i in 0..n {
                 let pull = gradient[i] + self.curvature.column(i).dot(&step.d);
-                let end = self.corrected_end(i, step.ends[i], step.d[i], pull);
+                let end = self.corrected_end(i, step.ends[i], &step.d, pull);
                 is_settled &= end == step.ends[i];
                 step.ends[i] = end;
             }

@@ -10,11 +10,6 @@ const RANK: f64 = 1e-13;
 /// What dependent equations may miss, of the largest right-hand side.
 const CONTRADICTS: f64 = 1e-9;
 
-/// Solves a system; `None` where its equations depend on each other.
-pub(super) fn solved_uniquely(matrix: DMatrix<f64>, right: DVector<f64>) -> Option<DVector<f64>> {
-    Balanced::new(matrix, right)?.only_solution()
-}
-
 /// Solves a system. Where its equations depend on each other, the shortest solution of those that do not contradict;
 /// `None` where some do.
 pub(super) fn solved(matrix: DMatrix<f64>, right: DVector<f64>) -> Option<DVector<f64>> {
@@ -44,8 +39,11 @@ impl Balanced {
     }
 
     fn only_solution(&self) -> Option<DVector<f64>> {
+        if self.right.is_empty() {
+            return Some(self.right.clone());
+        }
         let lu = self.matrix.clone().lu();
-        let pivots = lu.u().diagonal().map(f64::abs);
+        let pivots = lu.lu_internal().diagonal().map(f64::abs);
         if pivots.min() <= DEPENDENT * pivots.max() {
             return None;
         }
@@ -74,14 +72,15 @@ impl Balanced {
     }
 }
 
-/// Factors for rows and columns that make the largest entry of each about 1 (Ruiz 2001).
+/// Factors for rows and columns of a symmetric matrix that make the largest entry of each about 1 (Ruiz 2001).
 fn balance(matrix: &DMatrix<f64>) -> DVector<f64> {
     let n = matrix.nrows();
     let mut lengths = DVector::from_element(n, 1.0);
     let mut factors = lengths.clone();
     for _ in 0..4 {
-        for (i, factor) in factors.iter_mut().enumerate() {
-            let largest = (0..n).map(|j| (matrix[(i, j)] * lengths[i] * lengths[j]).abs()).fold(0.0, f64::max);
+        for ((column, length), factor) in matrix.column_iter().zip(&lengths).zip(&mut factors) {
+            let largest = column.iter().zip(&lengths).map(|(entry, other)| (entry * other).abs()).fold(0.0, f64::max);
+            let largest = largest * length;
             *factor = if largest == 0.0 { 1.0 } else { largest.sqrt().recip() };
         }
         lengths.component_mul_assign(&factors);

@@ -1,6 +1,5 @@
-//! The quadratic program of a step. Of bounds alone, a walk over the faces of the box solves it; in general the active set of
-//! the step before is tried first (a warm start), and where that proves nothing Clarabel finds the active set, a polish makes it
-//! exact, and a dual active-set method takes over where Clarabel does not answer.
+//! The quadratic program of a step. Of bounds alone, a walk over the faces of the box solves it; in general a dual active-set
+//! method finds what holds the step, a polish makes it exact, and Clarabel takes over where the method does not answer.
 
 mod active_set;
 mod dual;
@@ -10,9 +9,7 @@ mod linear;
 mod polish;
 mod program;
 mod solve;
-mod warm_start;
 
-pub(super) use active_set::Holder;
 pub(super) use program::quadratic_form;
 pub use program::{End, Method, Piece, QuadraticProgram, Row, Step};
 
@@ -93,7 +90,7 @@ mod tests {
     }
 
     /// Random convex programs with rows, of which some cannot be met; the first row of most is an equation.
-    pub(super) fn random_programs_with_rows(count: usize) -> impl Iterator<Item = QuadraticProgram> {
+    fn random_programs_with_rows(count: usize) -> impl Iterator<Item = QuadraticProgram> {
         let mut state = 0.3_f64;
         let mut random = move || {
             state = (state * 97.409_1 + 0.137).fract();
@@ -116,17 +113,18 @@ mod tests {
         })
     }
 
-    /// Each also by the dual method alone: both exact, so they agree.
+    /// Each also by Clarabel, an interior-point method: both exact once polished, so they agree.
     #[test]
     fn independent_methods_agree_on_random_programs_with_rows() {
         let (mut infeasible, mut compared) = (0, 0);
         for (case, qp) in random_programs_with_rows(400).enumerate() {
             let n = qp.low.len();
-            let dual = qp.dual_active_set().map(|active| qp.polished(active, super::Method::Dual).unwrap());
-            match (qp.solve(), dual) {
-                (Some(step), Some(dual)) => {
+            let clarabel = qp.clarabel().map(|active| qp.polished(active, super::Method::Clarabel).unwrap());
+            match (qp.solve(), clarabel) {
+                (Some(step), Some(clarabel)) => {
                     compared += 1;
-                    assert!((&step.d - &dual.d).amax() < 1e-9, "case {case}: {step:?} against {dual:?}");
+                    assert_eq!(step.by, super::Method::Dual);
+                    assert!((&step.d - &clarabel.d).amax() < 1e-9, "case {case}: {step:?} against {clarabel:?}");
                     assert!(qp.missed(&step.d) < 1e-12);
                     let mut pull = &qp.curvature * &step.d + &qp.pieces[0].gradient;
                     for (row, multiplier) in qp.rows.iter().zip(&step.multipliers) {
@@ -137,7 +135,7 @@ mod tests {
                     }
                 }
                 (None, None) => infeasible += 1,
-                (step, dual) => panic!("case {case}: {step:?} against {dual:?}"),
+                (step, clarabel) => panic!("case {case}: {step:?} against {clarabel:?}"),
             }
         }
         assert!(compared > 100 && infeasible > 20, "{compared} {infeasible}");

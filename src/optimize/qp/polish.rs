@@ -15,7 +15,9 @@ pub(super) struct Candidate {
 }
 
 /// Rounding allowed where a row is compared with its ends.
-pub(super) const ROUNDING: f64 = 1e-11;
+const ROUNDING: f64 = 1e-11;
+/// Rounding of a variable, of the largest of the step.
+const BEYOND: f64 = 1e-14;
 
 impl QuadraticProgram {
     /// The exact solution from an active set to begin with. `Err` where none is consistent: the best step met on the
@@ -23,7 +25,7 @@ impl QuadraticProgram {
     pub(super) fn polished(&self, mut active: ActiveSet, by: Method) -> Result<Step, Option<Step>> {
         let mut best: Option<(f64, Step)> = None;
         for _ in 0..self.most_corrections() {
-            let Some(candidate) = self.equality_step(&active, solved) else { break };
+            let Some(candidate) = self.equality_step(&active) else { break };
             let corrected = self.corrected(&active, &candidate);
             let step = self.taken(&candidate, &active, by);
             if corrected == active {
@@ -39,7 +41,7 @@ impl QuadraticProgram {
     }
 
     /// Corrections of an active set after which it is given up.
-    pub(super) fn most_corrections(&self) -> usize {
+    fn most_corrections(&self) -> usize {
         2 * (self.dimension() + self.rows.len() + self.pieces.len()) + 4
     }
 
@@ -54,51 +56,47 @@ impl QuadraticProgram {
         rows_met && (staying_misses || self.value(&step.d) <= staying + rounding)
     }
 
-    /// Solves the program with the active ends, rows and pieces as equations:
-    /// B d + Σ αₖ gradientₖ + Σ μⱼ normalⱼ = 0 on the free variables, Σ αₖ = 1, offsetₖ + gradientₖ · d = t.
-    pub(super) fn equality_step(
-        &self,
-        active: &ActiveSet,
-        solved: impl FnOnce(DMatrix<f64>, DVector<f64>) -> Option<DVector<f64>>,
-    ) -> Option<Candidate> {
+    /// Solves the program with the active ends, rows and pieces as equations: B d + Σ αₖ gradientₖ + Σ μⱼ normalⱼ = 0 on the free
+    /// variables, Σ αₖ = 1, and offsetₖ + gradientₖ · d the same for every active piece. The first of these pieces is taken off
+    /// the others, so that a single one asks for no equation.
+    fn equality_step(&self, active: &ActiveSet) -> Option<Candidate> {
         let free: Vec<usize> = (0..self.dimension()).filter(|&i| active.ends[i] == End::Free).collect();
-        let held: Vec<usize> = (0..self.pieces.len()).filter(|&k| active.pieces[k]).collect();
         let tight: Vec<usize> = (0..self.rows.len()).filter(|&j| active.rows[j] != End::Free).collect();
+        let mut held = (0..self.pieces.len()).filter(|&k| active.pieces[k]);
+        let first = held.next()?;
+        let held: Vec<usize> = held.collect();
+        let Piece { offset, gradient } = &self.pieces[first];
         let mut d = DVector::from_fn(self.dimension(), |i, _| match active.ends[i] {
             End::Free => 0.0,
             End::Low => self.low[i],
             End::High => self.high[i],
         });
-        let bent = &self.curvature * &d;
 
-        let (f, after_pieces) = (free.len(), free.len() + held.len() + 1);
+        let (f, after_pieces) = (free.len(), free.len() + held.len());
         let size = after_pieces + tight.len();
         let mut matrix = DMatrix::zeros(size, size);
         let mut right = DVector::zeros(size);
-        for (row, &i) in free.iter().enumerate() {
-            for (column, &j) in free.iter().enumerate() {
-                matrix[(row, column)] = self.curvature[(i, j)];
+        for (column, &i) in free.iter().enumerate() {
+            let bend = self.curvature.column(i);
+            for (row, &j) in free.iter().enumerate() {
+                matrix[(row, column)] = bend[j];
             }
-            right[row] = -bent[i];
+            right[column] = -gradient[i] - bend.dot(&d);
         }
-        for (at, &k) in held.iter().enumerate() {
-            let Piece { offset, gradient } = &self.pieces[k];
+        let mut border = |at: usize, normal: &dyn Fn(usize) -> f64, limit: f64| {
             for (row, &i) in free.iter().enumerate() {
-                matrix[(row, f + at)] = gradient[i];
-                matrix[(f + at, row)] = gradient[i];
+                matrix[(row, at)] = normal(i);
+                matrix[(at, row)] = normal(i);
             }
-            matrix[(f + at, after_pieces - 1)] = -1.0;
-            matrix[(after_pieces - 1, f + at)] = 1.0;
-            right[f + at] = -offset - gradient.dot(&d);
+            right[at] = limit - d.iter().enumerate().map(|(i, d)| normal(i) * d).sum::<f64>();
+        };
+        for (at, &k) in held.iter().enumerate() {
+            let other = &self.pieces[k];
+            border(f + at, &|i| other.gradient[i] - gradient[i], offset - other.offset);
         }
-        right[after_pieces - 1] = 1.0;
         for (at, &j) in tight.iter().enumerate() {
             let Row { normal, low, high } = &self.rows[j];
-            for (row, &i) in free.iter().enumerate() {
-                matrix[(row, after_pieces + at)] = normal[i];
-                matrix[(after_pieces + at, row)] = normal[i];
-            }
-            right[after_pieces + at] = if active.rows[j] == End::Low { *low } else { *high } - normal.dot(&d);
+            border(after_pieces + at, &|i| normal[i], if active.rows[j] == End::Low { *low } else { *high });
         }
 
         let solution = solved(matrix, right)?;
@@ -112,24 +110,22 @@ impl QuadraticProgram {
             }
             all
         };
-        Some(Candidate {
-            d,
-            weights: spread(self.pieces.len(), &held, f),
-            multipliers: spread(self.rows.len(), &tight, after_pieces),
-            level: solution[after_pieces - 1],
-        })
+        let mut weights = spread(self.pieces.len(), &held, f);
+        weights[first] = 1.0 - weights.iter().sum::<f64>();
+        let level = offset + gradient.dot(&d);
+        Some(Candidate { weights, multipliers: spread(self.rows.len(), &tight, after_pieces), level, d })
     }
 
     /// The active set with what a candidate contradicts put right: free variables and rows beyond an end are held,
     /// held ones that pull inward are freed, and likewise for the pieces.
-    pub(super) fn corrected(&self, active: &ActiveSet, candidate: &Candidate) -> ActiveSet {
+    fn corrected(&self, active: &ActiveSet, candidate: &Candidate) -> ActiveSet {
         let Candidate { d, weights, multipliers, level } = candidate;
         let mut pull = &self.curvature * d;
         for (piece, weight) in self.pieces.iter().zip(weights) {
-            pull += &piece.gradient * *weight;
+            pull.axpy(*weight, &piece.gradient, 1.0);
         }
         for (row, multiplier) in self.rows.iter().zip(multipliers) {
-            pull += &row.normal * *multiplier;
+            pull.axpy(*multiplier, &row.normal, 1.0);
         }
         let row = |j: usize| {
             let Row { normal, low, high } = &self.rows[j];
@@ -149,18 +145,20 @@ impl QuadraticProgram {
             if active.pieces[k] { weights[k] >= 0.0 } else { offset + gradient.dot(d) > level + tolerance }
         };
         ActiveSet {
-            ends: (0..self.dimension()).map(|i| self.corrected_end(i, active.ends[i], d[i], pull[i])).collect(),
+            ends: (0..self.dimension()).map(|i| self.corrected_end(i, active.ends[i], d, pull[i])).collect(),
             rows: (0..self.rows.len()).map(row).collect(),
             pieces: (0..self.pieces.len()).map(piece).collect(),
         }
     }
 
-    /// Where a variable ends instead, with what its place and its pull contradict put right.
-    pub(super) fn corrected_end(&self, i: usize, end: End, d: f64, pull: f64) -> End {
+    /// Where a variable ends instead, with what its place and its pull contradict put right. Beyond an end by rounding it is at it,
+    /// and needs nothing to hold it there.
+    pub(super) fn corrected_end(&self, i: usize, end: End, d: &DVector<f64>, pull: f64) -> End {
+        let beyond = |excess: f64| excess > 0.0 && excess > BEYOND * d.amax();
         match end {
             _ if self.low[i] == self.high[i] => End::Low,
-            End::Free if d < self.low[i] => End::Low,
-            End::Free if d > self.high[i] => End::High,
+            End::Free if beyond(self.low[i] - d[i]) => End::Low,
+            End::Free if beyond(d[i] - self.high[i]) => End::High,
             End::Low if pull < 0.0 => End::Free,
             End::High if pull > 0.0 => End::Free,
             same => same,
@@ -168,7 +166,7 @@ impl QuadraticProgram {
     }
 
     /// The candidate as a step, inside the ends.
-    pub(super) fn taken(&self, candidate: &Candidate, active: &ActiveSet, by: Method) -> Step {
+    fn taken(&self, candidate: &Candidate, active: &ActiveSet, by: Method) -> Step {
         let Candidate { d, weights, multipliers, .. } = candidate;
         let mut step = Step {
             d: d.clone(),
@@ -181,16 +179,16 @@ impl QuadraticProgram {
         step
     }
 
-    /// Moves a step inside the ends.
+    /// Moves a step inside the ends; what is within rounding of an end is at it.
     pub(super) fn clamp(&self, step: &mut Step) {
+        let rounding = BEYOND * step.d.amax();
         for i in 0..self.dimension() {
             let (low, high) = (self.low[i], self.high[i]);
-            step.ends[i] = match step.d[i] {
-                d if d <= low => End::Low,
-                d if d >= high => End::High,
-                _ => End::Free,
+            (step.ends[i], step.d[i]) = match step.d[i] {
+                d if d - low <= rounding => (End::Low, low),
+                d if high - d <= rounding => (End::High, high),
+                d => (End::Free, d),
             };
-            step.d[i] = step.d[i].clamp(low, high);
         }
     }
 }

@@ -70,14 +70,12 @@ pub struct Step {
 pub enum Method {
     /// The walk over the faces of the box.
     Faces,
-    /// A warm start from the active set of the step before.
-    WarmStart,
+    /// The dual active-set method.
+    Dual,
     /// Clarabel.
     Clarabel,
     /// Clarabel, after the rows were rescaled.
     Rescaled,
-    /// The dual active-set method.
-    Dual,
     /// None: the step runs down the slope.
     Descent,
 }

@@ -1,23 +1,17 @@
-use super::active_set::{ActiveSet, Holder};
+use super::active_set::ActiveSet;
+use super::dual::Dual;
 use super::program::{End, Method, QuadraticProgram, Row, Step};
 
 impl QuadraticProgram {
     /// Solves the program; `None` where the rows cannot be met within the ends.
-    pub fn solve(&self) -> Option<Step> {
-        self.solve_from([])
-    }
-
-    /// As [`solve`](Self::solve), with a guess at what holds the step; right or wrong, it changes the time alone.
     ///
-    /// The faces of the box come first, then the guess: where one of them ends its answer is proven, exact, and found in
-    /// a fraction of the time that Clarabel takes. For all else, Clarabel's answer is good to about 1e-8 and may lie that far outside;
-    /// it tells which ends, rows and pieces are active. The polish then solves the remaining equations to rounding, and
-    /// corrects the active set where they disagree with it. Where Clarabel answers anything but "solved", or what it
-    /// says cannot be polished, it is asked again with every row at length 1; then the dual active-set method decides.
-    pub(in crate::optimize) fn solve_from(&self, guess: impl IntoIterator<Item = Holder>) -> Option<Step> {
-        let quickly = self.by_faces().or_else(|| self.warm_started(self.held_by(guess)));
-        if quickly.is_some() {
-            return quickly;
+    /// The faces of the box come first: where they end the answer is proven and exact. For all else the dual active-set method tells
+    /// which ends, rows and pieces are active. The polish then solves the remaining equations to rounding, and corrects the active set
+    /// where they disagree with it. Where the method does not end, or what it says cannot be polished, Clarabel is asked, whose answer is
+    /// good to about 1e-8 and may lie that far outside, and then asked again with every row at length 1.
+    pub fn solve(&self) -> Option<Step> {
+        if let Some(step) = self.by_faces() {
+            return Some(step);
         }
         let mut second_best = None;
         let mut exact = |active: Option<ActiveSet>, method: Method| match self.polished(active?, method) {
@@ -27,18 +21,16 @@ impl QuadraticProgram {
                 None
             }
         };
-        let by_clarabel = exact(self.clarabel(), Method::Clarabel);
+        let by_dual = match self.dual_active_set() {
+            Dual::Active(active) => exact(Some(active), Method::Dual),
+            Dual::Infeasible => return None,
+            Dual::Undecided => None,
+        };
         let has_rows = !self.rows.is_empty();
-        let by_either =
-            by_clarabel.or_else(|| if has_rows { exact(self.rescaled().clarabel(), Method::Rescaled) } else { None });
-        if by_either.is_some() {
-            return by_either;
-        }
-        let by_dual = self.dual_active_set();
-        if by_dual.is_none() && has_rows {
-            return None;
-        }
-        let by_any = exact(by_dual, Method::Dual).or(second_best);
+        let by_any = by_dual
+            .or_else(|| exact(self.clarabel(), Method::Clarabel))
+            .or_else(|| if has_rows { exact(self.rescaled().clarabel(), Method::Rescaled) } else { None })
+            .or(second_best);
         if has_rows { by_any } else { Some(by_any.unwrap_or_else(|| self.steepest())) }
     }
 

@@ -1,6 +1,7 @@
 use super::scale::{Grows, to_scale, with_margin};
 use super::style::field;
 use crate::drive::Outcome;
+use crate::parameters::Golfer;
 use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};
 use crate::report::shown;
 use crate::study::Face;
@@ -12,18 +13,64 @@ const RINGS: [f64; 3] = [1.0, 5.0, 10.0];
 /// The longest arrow, m on the face.
 const LONGEST_ARROW: f64 = 0.013;
 
+/// Where a place on a face is seen from the front: the toe of a club for the right hand is on the left.
+pub(super) fn seen(face: &Face, [toe, high]: [f64; 2]) -> [f64; 2] {
+    match face.golfer {
+        Golfer::Right => [-toe, high],
+        Golfer::Left => [toe, high],
+    }
+}
+
+/// What runs across the face as it is seen.
+pub(super) fn across(face: &Face) -> Axis {
+    let [left, right] = match face.golfer {
+        Golfer::Right => ["toe", "heel"],
+        Golfer::Left => ["heel", "toe"],
+    };
+    Axis::linear(Measure::new(format!("← {left} · from {} · {right} →", origin(face)), Quantity::LENGTH, "mm"))
+}
+
+/// What runs up the face.
+pub(super) fn above(face: &Face) -> Axis {
+    Axis::linear(Measure::new(format!("above {}", origin(face)), Quantity::LENGTH, "mm"))
+}
+
+/// From where strikes are measured.
+fn origin(face: &Face) -> &'static str {
+    if face.is_from_centre { "the centre of the face" } else { "the sweet spot" }
+}
+
+/// From where tilts and slopes are told.
+pub(super) fn reference(face: &Face) -> &'static str {
+    if face.sweet_spot.is_some() { "the sweet spot" } else { "the centre of the face" }
+}
+
+/// The sweet spot, and the strike where that is another one.
+pub(super) fn marks(face: &Face, hue: Hue) -> impl Iterator<Item = Layer> {
+    let mark = |name: &str, hue, at| Layer::Mark { name: name.into(), hue, at: seen(face, at) };
+    let spot = face.sweet_spot.map(|at| mark("sweet spot", Hue::Ink, at));
+    spot.into_iter().chain((!face.is_struck_sweetly()).then(|| mark("strike", hue, face.strike)))
+}
+
+/// How far the spin axis tilts further than from the sweet spot, in proportion to the largest tilt; right of the target line is on the left of
+/// one who looks at the face.
+pub(super) fn tilt_arrows(face: &Face, name: String, largest: f64) -> Layer {
+    let arrow = |(at, tilt): &([f64; 2], f64)| {
+        let [x, y] = seen(face, *at);
+        [[x, y], [x - LONGEST_ARROW * tilt / largest, y]]
+    };
+    Layer::Arrows { name, hue: Hue::Faint, arrows: face.tilts.iter().map(arrow).collect() }
+}
+
 /// The face of a club from the front, at true scale: where the ball is struck, the sweet spot, the strike of the longest carry, rings of carry
 /// lost against it, and the side to which the axis of the spin tilts.
 pub fn face_figure(face: &Face, system: System) -> Figure {
-    let length = |label: &str| Axis::linear(Measure::new(label, Quantity::LENGTH, "mm"));
-    // from the front the toe of a club for the right hand is on the left
-    let seen = |[toe, high]: [f64; 2]| [-toe, high];
-    let (x, y) = (length("← toe · from the sweet spot · heel →"), length("above the sweet spot"));
+    let seen = |at: [f64; 2]| seen(face, at);
     let [wide, tall] = face.half;
     // room for the names above and below the face
     let ranges = [with_margin([-wide, wide], 0.04, 0.04), with_margin([-tall, tall], 0.3, 0.3)];
     let mut figure = to_scale(
-        Figure::new("face", "Carry lost by where the face is struck", x, y),
+        Figure::new("face", "Carry lost by where the face is struck", across(face), above(face)),
         ranges,
         [0.3, 1.2],
         [Grows::Evenly; 2],
@@ -48,20 +95,12 @@ pub fn face_figure(face: &Face, system: System) -> Figure {
     }
     let largest = face.tilts.iter().map(|(_, tilt)| tilt.abs()).fold(0.0, f64::max);
     if largest > 0.0 {
-        // right of the target line is on the left of one who looks at the face
-        let arrow = |(at, tilt): &([f64; 2], f64)| {
-            let [x, y] = seen(*at);
-            [[x, y], [x - LONGEST_ARROW * tilt / largest, y]]
-        };
-        let arrows = face.tilts.iter().map(arrow).collect();
-        figure.layers.push(Layer::Arrows { name: "spin axis tilts to this side".into(), hue: Hue::Faint, arrows });
+        let name = format!("spin axis tilt, longest {}", Quantity::ANGLE.read_off(largest, "deg"));
+        figure.layers.push(tilt_arrows(face, name, largest));
     }
     let longest = if face.is_longest_at_edge() { "longest carry, at the edge" } else { "longest carry" };
-    figure.layers.push(Layer::Mark { name: "sweet spot".into(), hue: Hue::Ink, at: [0.0, 0.0] });
     figure.layers.push(Layer::Mark { name: longest.into(), hue: Hue::Series(1), at: seen(at) });
-    if face.strike != [0.0, 0.0] {
-        figure.layers.push(Layer::Mark { name: "strike".into(), hue: Hue::Series(0), at: seen(face.strike) });
-    }
+    figure.layers.extend(marks(face, Hue::Series(0)));
     figure.noted(note(face, largest, system))
 }
 
@@ -71,18 +110,29 @@ fn note(face: &Face, largest: f64, system: System) -> String {
         let mm = |value: f64| format!("{:.1} mm", 1e3 * value.abs());
         let side = if toe < 0.0 { "towards the heel" } else { "towards the toe" };
         let level = if high < 0.0 { "below" } else { "above" };
-        format!("{} {side} and {} {level} the sweet spot", mm(toe), mm(high))
+        format!("{} {side} and {} {level} {}", mm(toe), mm(high), origin(face))
     };
     let own = face.carry.map_or("does not fly".into(), |own| format!("carries {}", carry(own)));
     let (longest, most) = face.longest;
     let edge = if face.is_longest_at_edge() { ", at the edge of the searched face" } else { "" };
-    let struck = if face.strike == [0.0, 0.0] { "at the sweet spot".into() } else { place(face.strike) };
+    let struck = match face.is_struck_sweetly() {
+        true => "at the sweet spot".into(),
+        false if face.strike == [0.0, 0.0] => "at the centre of the face".into(),
+        false => place(face.strike),
+    };
+    let spot = match face.sweet_spot {
+        Some(at) if face.is_from_centre => format!(", {}", place(at)),
+        Some(_) => String::new(),
+        None => ": this face is so curved that it has none".into(),
+    };
     format!(
         "The strike is {struck} and {own}. The longest carry, {}, is from a strike {}{edge}. Rings: carry lost against it. The sweet spot is where the \
-         line from the centre of mass meets the face at a right angle. Longest arrow: the spin axis tilts {} further than from the sweet spot. Seen \
-         from the front, so that right of the target line is on the left. The outline is that of a usual driver, for scale only.",
+         line from the centre of mass meets the face at a right angle{spot}. Longest arrow: the spin axis tilts {} further than from {}. Seen \
+         from the front, so that right of the target line is on the left. {}. The outline is that of a usual driver, for scale only.",
         carry(most),
         place(longest),
         Quantity::ANGLE.read_off(largest, "deg"),
+        reference(face),
+        super::map::capital(shown::RIGID),
     )
 }

@@ -49,7 +49,7 @@ pub fn launches_figure(map: &Launches, system: System) -> Figure {
             .into(),
     );
     if map.plane.values[0].iter().any(Option::is_none) {
-        notes.push("Grey: no flight.".into());
+        notes.push("Without colour: no flight.".into());
     }
     figure.noted(notes.join(" "))
 }

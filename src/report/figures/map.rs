@@ -55,7 +55,7 @@ pub fn map_figure(map: &Map, on: &OnMap<'_>, system: System) -> Figure {
         "Arrows: exact gradients, scaled by the ranges; their length grows with the square root of the slope.".into(),
     );
     if let Some(why) = missing {
-        notes.push(format!("Grey: no value; the first reason: {}.", why.in_units(system)));
+        notes.push(format!("Without colour: no value; the first reason: {}.", why.in_units(system)));
     }
     let at = |setup: &Setup<f64>| Some([setup.value(across.parameter)?, setup.value(up.parameter)?]);
     let is_on = |[x, y]: &[f64; 2]| (across.low..=across.high).contains(x) && (up.low..=up.high).contains(y);

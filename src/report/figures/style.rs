@@ -21,5 +21,5 @@ pub(super) fn field(plane: &Plane, of: usize, measure: Measure) -> Field {
 /// Values at the nodes of a grid as a field to draw.
 pub(super) fn field_of(measure: Measure, across: Vary, up: Vary, columns: usize, values: &[Option<f64>]) -> Field {
     let (x, y) = ([across.low, across.high], [up.low, up.high]);
-    Field { measure, x, y, columns, values: values.to_vec(), nothing: "no drive" }
+    Field { measure, x, y, columns, values: values.to_vec(), nothing: "no drive", beside: vec![] }
 }

@@ -1,9 +1,9 @@
 use super::At;
 use crate::parameters::Parameter;
 use crate::report::plot::{Axis, Bar, Figure, Hue, Layer, Measure};
-use crate::report::shown::{is_rounding, spread};
+use crate::report::shown::{self, is_rounding, spread};
 use crate::study::{Effect, Effects, Sigma};
-use crate::units::{System, counted, significant, with_unit};
+use crate::units::{System, counted};
 
 /// Bars below this part of the longest are too small to see beside it, and folded into one row.
 const SMALL: f64 = 0.02;
@@ -96,9 +96,7 @@ pub fn tornado_figure(effects: &Effects, causes: Causes, at: At, system: System)
     let folded = ranked.split_off(seen);
     let name = |ends: &Ends| {
         let Sigma { parameter, value, .. } = ends.sigma;
-        let measure = Measure::parameter(parameter);
-        let sigma = significant(measure.in_units(value, system), 3);
-        format!("{} ± {}", measure.label, with_unit(&sigma, system.unit(parameter.unit)))
+        format!("{} ± {}", Measure::parameter(parameter).label, shown::uncertainty(parameter, value, system))
     };
     let mut names: Vec<String> = ranked.iter().map(name).collect();
     let together = folded.iter().map(|ends| ends.first_order).fold(0.0, f64::hypot);

@@ -58,7 +58,7 @@ pub(in crate::report) fn pictures<'a>(pairs: impl IntoIterator<Item = &'a Pair>)
         @if !drawn.is_empty() {
             div.figures {
                 @for (pair, drawings) in drawn {
-                    figure {
+                    figure class=[(pair[0].columns > 1).then_some("whole")] {
                         @for (class, svg) in &drawings { div class=(class) { (PreEscaped(svg)) } }
                         figcaption { (both(|system| note(pair, system))) " " (links(pair)) }
                     }

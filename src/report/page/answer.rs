@@ -97,7 +97,7 @@ fn lines(findings: &Findings<'_>, best: &Optimum) -> Vec<Markup> {
         let parameter = vary.parameter;
         let from = findings.setup.value(parameter);
         both(|system| {
-            let from = from.map_or(UNSET.into(), |value| shown::stated(parameter, value, system));
+            let from = from.map_or(UNSET.into(), |value| shown::parameter(parameter, value, system));
             let to = shown::parameter(parameter, best.solution.x[i], system);
             let held = bound(best, i, system).map_or(String::new(), |held| format!(", {held}"));
             format!("{} {}{held}", capital(&shown::words(parameter.name)), from_to(&from, &to))

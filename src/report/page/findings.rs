@@ -30,6 +30,8 @@ pub struct Findings<'a> {
     pub launches: Option<&'a Launches>,
     /// The carry over the strike, of the club as set up.
     pub face: Option<&'a Face>,
+    /// That of the optimum.
+    pub best_face: Option<&'a Face>,
     /// What the search found, whether it is an optimum or not.
     pub found: Option<&'a Optimum>,
     /// The optimum.

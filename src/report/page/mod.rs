@@ -10,7 +10,7 @@ pub use findings::{Findings, SETUP_FILE};
 
 use super::figures::{
     At, Causes, Flown, OnMap, View, capital, chart_figures, face_figure, fairway_figure, launches_figure, map_figure,
-    tornado_figure, trajectory_figure, vcurve_figure,
+    strikes_figure, tornado_figure, trajectory_figure, vcurve_figure,
 };
 use super::frame::{Frame, Pair, both, in_each, picture_files, pictures};
 use super::optimum::best_toml;
@@ -45,6 +45,7 @@ pub fn report_documents(findings: &Findings<'_>) -> Result<Vec<Document>> {
     let plots = Plots {
         drive,
         strike: launches.into_iter().chain(face).collect(),
+        strikes: strikes(findings),
         left_out,
         map: findings.map.map(|map| in_each(|system| mapped(findings, map, system))).into_iter().collect(),
         chart: findings.chart.map(|chart| charts(findings, chart)).unwrap_or_default(),
@@ -69,6 +70,14 @@ pub fn report_documents(findings: &Findings<'_>) -> Result<Vec<Document>> {
     let mut files = vec![("index.html".to_owned(), page(findings, &plots)?), (SETUP_FILE.to_owned(), setup)];
     files.extend(picture_files(plots.all(), System::default())?);
     Ok(files.into_iter().map(|(name, text)| Document { name, text }).collect())
+}
+
+/// The face of the drive as set up and that of the optimum.
+fn strikes(findings: &Findings<'_>) -> Vec<Pair> {
+    let faces = [("as set up", findings.face), ("optimum", findings.best_face)];
+    let designs: Vec<_> = faces.into_iter().filter_map(|(name, face)| Some((name, face?))).collect();
+    let [metric, us] = System::ALL.map(|system| strikes_figure(&designs, system));
+    metric.zip(us).map(<[Figure; 2]>::from).into_iter().collect()
 }
 
 /// A plot without any unit in its words.
@@ -114,6 +123,8 @@ struct Plots {
     /// Why a view of it is not there.
     left_out: Vec<[String; 2]>,
     strike: Vec<Pair>,
+    /// What comes of strikes all over the face.
+    strikes: Vec<Pair>,
     map: Vec<Pair>,
     chart: Vec<Pair>,
     effects: Vec<Pair>,
@@ -122,7 +133,7 @@ struct Plots {
 
 impl Plots {
     fn all(&self) -> impl Iterator<Item = &Pair> {
-        let sections = [&self.drive, &self.strike, &self.map, &self.chart, &self.effects, &self.curves];
+        let sections = [&self.drive, &self.strike, &self.strikes, &self.map, &self.chart, &self.effects, &self.curves];
         sections.into_iter().flatten()
     }
 }
@@ -155,7 +166,7 @@ fn main(findings: &Findings<'_>, plots: &Plots) -> Result<Markup> {
     Ok(html! {
         (answer::answer(findings))
         section { h2 { "What was asked" } (asked::asked(findings)?) }
-        @for remark in findings.remarks.iter().filter(|remark| !is_told(remark)) { p.warning { (both(|system| remark.in_units(system))) } }
+        @for remark in findings.remarks.iter().filter(|remark| !is_told(remark)) { p.warning { (both(|system| shown::spoken(&remark.in_units(system)))) } }
         section {
             h2 { "The drive" }
             (pictures(&plots.drive)?)
@@ -165,6 +176,12 @@ fn main(findings: &Findings<'_>, plots: &Plots) -> Result<Markup> {
             (pictures(&plots.strike)?)
             h3 { "As set up, on a launch monitor" }
             (sections::panel(findings))
+        }
+        @if !plots.strikes.is_empty() {
+            details {
+                summary { h2 { "Strikes all over the face" } }
+                (pictures(&plots.strikes)?)
+            }
         }
         @if !plots.map.is_empty() { section { h2 { "The map" } (pictures(&plots.map)?) } }
         @if !plots.chart.is_empty() { section { h2 { "The optimum as a parameter changes" } (pictures(&plots.chart)?) } }

@@ -4,7 +4,7 @@ use super::findings::{Findings, SETUP_FILE};
 use super::numbers::{loss, outcome, parameter, stated};
 use crate::drive::{Outcome, Part};
 use crate::error::Result;
-use crate::parameters::{METHOD, Parameter};
+use crate::parameters::{GOLFER, METHOD, Parameter};
 use crate::report::certificate::settled;
 use crate::report::figures::{Flown, capital};
 use crate::report::frame::{both, scrolled};
@@ -37,7 +37,7 @@ pub(super) fn panel(findings: &Findings<'_>) -> Markup {
         dl.panel {
             @for row in inputs {
                 @if let Some(value) = findings.setup.value(row) {
-                    div { dt { (tile_name(row.name)) } dd { (stated(row, value)) } }
+                    div { dt { (tile_name(row.name)) } dd { (both(|system| shown::told(row, value, system))) } }
                 }
             }
             @for of in SHOWN {
@@ -86,7 +86,7 @@ pub(super) fn optimum(best: &Optimum, flatness: Option<&Flatness>) -> Markup {
             tbody {
                 @for (i, vary) in search.vary.iter().enumerate() {
                     tr {
-                        td { (vary.parameter.name) }
+                        td { (shown::words(vary.parameter.name)) }
                         td.number { (parameter(vary.parameter, solution.x[i])) }
                         td.number { (stated(vary.parameter, vary.low)) }
                         td.number { (stated(vary.parameter, vary.high)) }
@@ -149,8 +149,8 @@ pub(super) fn uncertainties(effects: &[Effects]) -> Markup {
             tbody {
                 @for sigma in sigmas {
                     tr {
-                        td { (sigma.parameter.name) }
-                        td.number { (stated(sigma.parameter, sigma.value)) }
+                        td { (shown::words(sigma.parameter.name)) }
+                        td.number { (both(|system| shown::uncertainty(sigma.parameter, sigma.value, system))) }
                         td.words.source { (typeset(sigma.source.unwrap_or("as given"))) }
                     }
                 }
@@ -184,7 +184,8 @@ pub(super) fn verdicts(rows: &[Row]) -> Markup {
 /// Every number of the setup, with its source.
 pub(super) fn setup(findings: &Findings<'_>) -> Result<Markup> {
     let is_launched = findings.setup.launch.is_given();
-    let is_used = |name: &str| !(is_launched && findings.setup.parameter(name).is_ok_and(Parameter::is_of_strike));
+    let is_of_strike = |name: &str| name == GOLFER || findings.setup.parameter(name).is_ok_and(Parameter::is_of_strike);
+    let is_used = |name: &str| !(is_launched && is_of_strike(name));
     let (flown, stated) = (findings.setup, findings.stated);
     let is_chosen = |name: &str| match name {
         METHOD => flown.method != stated.method,

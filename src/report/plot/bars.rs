@@ -121,7 +121,7 @@ impl Rows {
             block(area, [from.min(to), middle - half], [from.max(to), middle + half], palette.of(*hue), 0.85)?;
             let is_left = is_left(figure, layer, bar);
             let (x, side) = if is_left { (to - GAP, HPos::Right) } else { (to + GAP, HPos::Left) };
-            words(area, &value(figure, bar, system), [x, middle], side, font(VALUE, palette.ink, false))
+            words(area, &value(figure, layer, bar, system), [x, middle], side, font(VALUE, palette.ink, false))
         })
     }
 }
@@ -170,14 +170,18 @@ fn is_left(figure: &Figure, layer: usize, bar: &Bar) -> bool {
         || (bar.to <= bar.from && others(figure, layer, bar.place).iter().any(|(_, other)| is_right(other)))
 }
 
-/// The value at the end of a bar: "+3.9", in the unit of the axis; with more digits where it would be written as 0.
-fn value(figure: &Figure, bar: &Bar, system: System) -> String {
+/// The value at the end of a bar: "+3.9", in the unit of the axis; with more digits where all of its row would be written as 0.
+fn value(figure: &Figure, layer: usize, bar: &Bar, system: System) -> String {
     let measure = &figure.x.measure;
     let unit = system.unit(measure.unit);
     let amount = bar.to - bar.from;
     let text = measure.quantity.read_off(amount, unit);
-    let is_lost = leading_number(&text).bytes().all(|digit| b"0.".contains(&digit));
-    let text = if is_lost { measure.quantity.read_off_difference(amount, unit) } else { text };
+    let is_lost = |bar: &Bar| {
+        let text = measure.quantity.read_off((bar.to - bar.from).abs(), unit);
+        leading_number(&text).bytes().all(|digit| b"0.".contains(&digit))
+    };
+    let is_row_lost = is_lost(bar) && others(figure, layer, bar.place).iter().all(|(_, other)| is_lost(other));
+    let text = if is_row_lost { measure.quantity.read_off_difference(amount, unit) } else { text };
     signed(amount, leading_number(&text).to_owned())
 }
 
@@ -192,7 +196,7 @@ pub(super) fn with_room(figure: &Figure, system: System, width: f64) -> Option<A
             high = high.max(bar.from).max(bar.to);
             let side = usize::from(!is_left(figure, layer, bar));
             beside[side] =
-                beside[side].max(text_width(&typeset(&value(figure, bar, system)), VALUE, false) + 2.0 * GAP);
+                beside[side].max(text_width(&typeset(&value(figure, layer, bar, system)), VALUE, false) + 2.0 * GAP);
         }
     }
     let room = width - beside[0] - beside[1];

@@ -49,7 +49,7 @@ impl Field {
 
 /// The grounds of a field, the lowest first: each covers a part of the one before.
 pub(super) fn grounds(field: &Field, system: System) -> Vec<Ground> {
-    let known = field.values.iter().flatten().map(|value| field.measure.in_units(*value, system));
+    let known = field.values.iter().flatten().chain(&field.beside).map(|value| field.measure.in_units(*value, system));
     let mut known: Vec<f64> = known.filter(|value| value.is_finite()).collect();
     known.sort_by(f64::total_cmp);
     let (columns, rows) = (field.columns, field.rows());
@@ -266,6 +266,7 @@ mod tests {
             columns: 13,
             values: vec![None; 13 * 9],
             nothing: "nothing",
+            beside: vec![],
         };
         let place = |i: usize| field.place((i % 13) as f64, (i / 13) as f64);
         field.values = (0..13 * 9).map(|i| f(place(i)[0], place(i)[1])).collect();

@@ -21,8 +21,10 @@ pub struct Figure {
     pub layers: Vec<Layer>,
     /// Whether lines have their names on them, in place of a legend.
     pub names_on_lines: bool,
-    /// Other views of the same data, drawn below it. Their data are those of this one.
+    /// Other views, drawn after it. Those without contours are of the same data.
     pub panels: Vec<Figure>,
+    /// How many views stand beside each other, where the picture is broad enough.
+    pub columns: usize,
 }
 
 impl Figure {
@@ -40,6 +42,7 @@ impl Figure {
             layers: vec![],
             names_on_lines: false,
             panels: vec![],
+            columns: 1,
         }
     }
 
@@ -230,6 +233,8 @@ pub struct Field {
     pub values: Vec<Option<f64>>,
     /// What it means where there is none: "no flight".
     pub nothing: &'static str,
+    /// The values of other fields with which it has its levels and colours in common, SI.
+    pub beside: Vec<f64>,
 }
 
 impl Field {

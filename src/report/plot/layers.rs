@@ -74,10 +74,9 @@ pub(super) fn draw(area: &Area<'_>, plane: &Plane<'_>, palette: &Palette, system
         Layer::Contours(field) => ground(area, plane, palette, system, field),
         // with their words, since one goes with the other
         Layer::Mark { .. } => Ok(()),
-        Layer::Arrows { arrows, .. } => arrows.iter().try_for_each(|[from, to]| {
-            let ends = [plane.pixel(*from), plane.pixel(*to)];
-            if let [Some(from), Some(to)] = ends { arrow(area, from, to, color) } else { Ok(()) }
-        }),
+        // after the words
+        Layer::Arrows { name, .. } if !name.is_empty() => Ok(()),
+        Layer::Arrows { arrows, .. } => pixels(plane, arrows).try_for_each(|[from, to]| arrow(area, from, to, color)),
         Layer::Region { is_hatched, rings, .. } => {
             let rings: Vec<_> = rings.iter().map(|ring| plane.all(ring)).collect();
             region(area, &rings, color, *is_hatched)
@@ -88,6 +87,24 @@ pub(super) fn draw(area: &Area<'_>, plane: &Plane<'_>, palette: &Palette, system
             line(area, &corners, color, true)
         }
     }
+}
+
+/// The arrows of a field, but for those that words and marks would hide in part.
+pub(super) fn field_arrows(labels: &Labels<'_, '_>, plane: &Plane<'_>, figure: &Figure) -> Result<()> {
+    figure.layers.iter().try_for_each(|layer| match layer {
+        Layer::Arrows { name, hue, arrows } if !name.is_empty() => pixels(plane, arrows)
+            .filter(|[from, to]| {
+                let end = |pick: fn(f64, f64) -> f64| [pick(from[0], to[0]), pick(from[1], to[1])];
+                labels.is_free([end(f64::min), end(f64::max)])
+            })
+            .try_for_each(|[from, to]| arrow(labels.area, from, to, labels.palette.of(*hue))),
+        _ => Ok(()),
+    })
+}
+
+/// Arrows with both ends in the frame.
+fn pixels(plane: &Plane<'_>, arrows: &[[[f64; 2]; 2]]) -> impl Iterator<Item = [[f64; 2]; 2]> {
+    arrows.iter().filter_map(|[from, to]| Some([plane.pixel(*from)?, plane.pixel(*to)?]))
 }
 
 /// The levels of contours, as far as there is room.

@@ -1,7 +1,7 @@
 use super::canvas::{Area, FINE, LINE, Labels, TEXT, failed, fine, font, stroke, words};
 use super::figure::{Figure, Layer};
 use super::hover::titles as hover_titles;
-use super::layers::{Plane, draw, label};
+use super::layers::{Plane, draw, field_arrows, label};
 use super::layout::{Layout, MARGIN, NUMBER, TITLE};
 use super::line_names::write_line_names;
 use super::marks::write_marks;
@@ -100,6 +100,7 @@ pub(super) fn panel(figure: &Figure, look: &Look) -> Result<Panel> {
         write_marks(&mut labels, &plane, figure)?;
         write_line_names(&mut labels, &plane, figure)?;
         label(&mut labels, &plane, look.system, figure)?;
+        field_arrows(&labels, &plane, figure)?;
         hover = hover_titles(figure, &plane, look.system);
         area.present().map_err(failed)?;
     }

@@ -1,7 +1,10 @@
 use super::reading::{Reading, Row};
 use super::shot::Shot;
 use super::statistics::Uncertainties;
-use crate::columns::{Club, Column, Head, Holds, Marks, Spin, decoded, separated, summary, unstated};
+use crate::columns::{
+    Club, Column, Head, Holds, Marks, Spin, air_as_given, air_of_rows, air_of_setup, decoded, separated, summary,
+    unstated,
+};
 use crate::error::{Error, Result};
 use crate::foreign::of_io;
 use crate::parameters::{Parameter, Setup};
@@ -32,6 +35,8 @@ pub struct ShotTable {
     pub remarks: Vec<Message>,
     /// What the standard uncertainties of the measured values are worth.
     pub uncertainties: Uncertainties,
+    /// The head of the column of each row's air, of an export that states it.
+    pub(super) stated_air: Option<String>,
 }
 
 impl ShotTable {
@@ -80,7 +85,7 @@ impl ShotTable {
         let mut text = String::new();
         let read = decoded(source).and_then(|mut source| source.read_to_string(&mut text));
         read.map_err(|error| refused(String::new(), of_io(&error)))?;
-        let (table, of_source) = tabled(&text);
+        let (table, of_source) = tabled(setup, &text);
         let (separator, text) = separated(&table);
         let mut records = records(file, text, separator)?.into_iter().peekable();
         let apart = |record: &Record| StringRecord::from(cells(&record.text, separator));
@@ -129,7 +134,7 @@ impl ShotTable {
         }
         let (mut shots, mut summaries, mut incomplete, mut unreadable) = (vec![], vec![], vec![], vec![]);
         let (mut sideways, mut contradictions) = (BTreeMap::<String, Vec<String>>::new(), vec![]);
-        let (mut marks, mut not_drives) = (Marks::default(), vec![]);
+        let (mut marks, mut not_drives, mut airless) = (Marks::default(), vec![], vec![]);
         for (at, record) in records.enumerate() {
             let row = at + 1;
             let (unclosed, record) = (record.unclosed(), apart(&record));
@@ -151,7 +156,8 @@ impl ShotTable {
                 marks.look(row as u64, column, cell).map_err(|reason| refused(place(), reason))?;
             }
             match reading.shot(row, &record) {
-                Ok(Row { shot, not_compared, contradiction, implausible }) => {
+                Ok(Row { shot, not_compared, contradiction, implausible, no_air }) => {
+                    airless.extend(no_air.map(|why| format!("row {row}: {}", air_of_setup(&why))));
                     not_drives.extend(implausible.into_iter().map(|why| format!("row {row}: not compared: {why}")));
                     if let Some(head) = not_compared.filter(|_| reading.club == Club::LeftOut) {
                         sideways.entry(head).or_default().push(format!("row {row}"));
@@ -196,10 +202,25 @@ impl ShotTable {
         }));
         remarks.extend(not_drives.into_iter().map(Message::from));
         remarks.extend(contradictions.into_iter().map(Message::from));
+        let stated_air = reading.columns.iter().find(|column| column.is_stated_air()).map(|column| column.head.clone());
+        remarks.extend(stated_air.iter().map(|head| air_of_rows(head).into()));
+        remarks.extend(airless.into_iter().map(Message::from));
         let (assumed, uncertainties) = reading.assumed(&shots);
         remarks.extend(assumed);
         let Reading { is_launched, .. } = reading;
-        Ok(Self { file: file.into(), shots, is_launched, remarks, uncertainties })
+        Ok(Self { file: file.into(), shots, is_launched, remarks, uncertainties, stated_air })
+    }
+
+    /// Leaves the air out that an export states of each row, where it is given otherwise.
+    pub fn in_given_air(&mut self) {
+        let Some(head) = self.stated_air.take() else { return };
+        let told = air_of_rows(&head);
+        for remark in self.remarks.iter_mut().filter(|remark| remark.to_string() == told) {
+            *remark = air_as_given(&head).into();
+        }
+        for shot in &mut self.shots {
+            shot.inputs.retain(|(parameter, _)| parameter.name != "air.density");
+        }
     }
 
     /// How many residuals there are.

@@ -36,6 +36,8 @@ pub(super) struct Row {
     pub contradiction: Option<String>,
     /// Why measured values are not compared, which no drive has.
     pub implausible: Vec<String>,
+    /// Why the air of the row is the setup's, where the table has a column of it.
+    pub no_air: Option<String>,
 }
 
 /// What is wrong with a row.
@@ -91,7 +93,7 @@ impl Reading<'_> {
     /// The shot of a row.
     pub fn shot(&self, row: usize, record: &StringRecord) -> Result<Row, Wrong> {
         let (mut inputs, mut measured, mut not_compared, mut contradicts) = (vec![], vec![], None, None);
-        let mut beyond = vec![];
+        let (mut beyond, mut no_air) = (vec![], None);
         let stated = self.stated(record)?;
         if let Some(wrong) = self.refused(&stated) {
             return Err(wrong);
@@ -99,9 +101,15 @@ impl Reading<'_> {
         let stated = self.is_launched.then_some(stated);
         let is_straight = stated.as_ref().is_some_and(is_straight_by_assumption);
         let mut at_shot = *self.setup;
-        for column in &self.columns {
+        for (at, column) in self.columns.iter().enumerate() {
             let here = || Some(column.head.clone());
             match column.holds {
+                Holds::Input(parameter) if column.is_stated_air() => {
+                    match column.stated_air(record.get(at).unwrap_or_default()) {
+                        Ok(density) => inputs.push((parameter, density)),
+                        Err(why) => no_air = Some(why),
+                    }
+                }
                 Holds::Input(parameter) => {
                     let Some(value) = self.cell(record, column.holds)? else {
                         let why = "the cell is empty; every row needs the shot's own inputs";
@@ -113,7 +121,15 @@ impl Reading<'_> {
                     inputs.push((parameter, value));
                 }
                 Holds::Outcome(outcome) if self.is_used(outcome) => {
-                    if let Some(value) = self.cell(record, column.holds)? {
+                    let value = match self.cell(record, column.holds) {
+                        // as `fly` does: the rest of the row is a drive all the same
+                        Err(wrong) if self.is_export => {
+                            beyond.push(format!("{}: {}", column.head, wrong.why));
+                            continue;
+                        }
+                        value => value?,
+                    };
+                    if let Some(value) = value {
                         if self.is_launched && outcome.part() == Part::Launch {
                             return Err((here(), "rows of launch conditions have no club").into());
                         }
@@ -165,7 +181,7 @@ impl Reading<'_> {
             return Err(Wrong::incomplete(None, why));
         }
         let shot = Shot { row, inputs, measured, stationary };
-        Ok(Row { shot, not_compared, contradiction: contradicts, implausible: beyond })
+        Ok(Row { shot, not_compared, contradiction: contradicts, implausible: beyond, no_air })
     }
 
     fn has(&self, outcome: Outcome) -> bool {

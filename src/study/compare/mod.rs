@@ -124,6 +124,11 @@ impl Comparison {
     }
 }
 
+/// In what two setups differ.
+pub fn causes(a: &Setup<f64>, b: &Setup<f64>) -> Vec<Cause> {
+    Way::new([*a, *b]).causes()
+}
+
 /// The setups with the method of the higher order, in the shorter step, and with the longer time limit.
 fn integrated_alike(mut setups: [Setup<f64>; 2]) -> [Setup<f64>; 2] {
     let [a, b] = setups;

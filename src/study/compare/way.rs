@@ -2,7 +2,7 @@ use super::quadrature::integrals;
 use crate::derivative::{Evaluator, Order, evaluate};
 use crate::drive::Outcome;
 use crate::error::Result;
-use crate::parameters::{Kind, LAW, Parameter, Setup, Ways, given_otherwise};
+use crate::parameters::{GOLFER, Kind, LAW, Parameter, Setup, Ways, given_otherwise};
 
 /// In what two drives differ.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -13,6 +13,8 @@ pub enum Cause {
     AtOnce(&'static Parameter),
     /// The law of drag and lift with its coefficients, changed at once.
     Law,
+    /// The hand of the golfer, changed at once.
+    Golfer,
     /// Whether a club strikes the ball or its launch is given, with all of the strike and of the launch, changed at once.
     Launch,
     /// The air or the wind, which the two give by different parameters: all of these, changed at once.
@@ -20,11 +22,12 @@ pub enum Cause {
 }
 
 impl Cause {
-    /// The name of the parameter; `aero.law`; `launch`; `air`; `wind`.
+    /// The name of the parameter; `aero.law`; `golfer`; `launch`; `air`; `wind`.
     pub fn name(self) -> &'static str {
         match self {
             Self::Number(parameter) | Self::AtOnce(parameter) => parameter.name,
             Self::Law => LAW,
+            Self::Golfer => GOLFER,
             Self::Launch => "launch",
             Self::Ways(ways) => ways.name,
         }
@@ -66,6 +69,10 @@ impl Way {
         if differ_in_law {
             at_once.push(Cause::Law);
         }
+        // a given launch has no golfer
+        if ends[0].golfer != ends[1].golfer && !are_given.contains(&true) {
+            at_once.push(Cause::Golfer);
+        }
         let otherwise = given_otherwise(&ends);
         at_once.extend(otherwise.iter().map(|ways| Cause::Ways(ways)));
         let mut numbers = vec![];
@@ -95,6 +102,11 @@ impl Way {
     /// Whether anything differs.
     pub fn is_any(&self) -> bool {
         !(self.numbers.is_empty() && self.at_once.is_empty())
+    }
+
+    /// Each thing that differs.
+    pub fn causes(&self) -> Vec<Cause> {
+        self.numbers.iter().map(|parameter| Cause::Number(parameter)).chain(self.at_once.iter().copied()).collect()
     }
 
     /// The share of each cause in the difference of an outcome; `tolerance` is what counts as rounding.
@@ -155,9 +167,10 @@ impl Way {
         let to = &self.ends[1];
         match cause {
             Cause::Law => setup.law = to.law,
+            Cause::Golfer => setup.golfer = to.golfer,
             Cause::Launch => {
                 (setup.launch, setup.swing, setup.strike) = (to.launch, to.swing, to.strike);
-                (setup.club, setup.impact) = (to.club, to.impact);
+                (setup.club, setup.impact, setup.golfer) = (to.club, to.impact, to.golfer);
             }
             Cause::Number(parameter) | Cause::AtOnce(parameter) => take(setup, to, parameter),
             Cause::Ways(ways) => {

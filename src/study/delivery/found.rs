@@ -51,6 +51,8 @@ pub struct Delivered {
     pub known: Vec<Known>,
     /// Each measured outcome.
     pub explained: Vec<Explained>,
+    /// The derivatives of each measured outcome by each parameter, in units of the outcome's standard uncertainty, at the delivery found.
+    pub jacobian: Vec<Vec<f64>>,
     /// Changes of several parameters together that the launch does not tell, the least told first.
     pub untold: Vec<Untold>,
 }

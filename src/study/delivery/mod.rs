@@ -5,12 +5,16 @@
 //! standard uncertainty, enters as measurements do: the answer is the most probable delivery, and never one of many by chance.
 
 mod found;
+mod launches;
+mod likely;
+mod population;
 mod shots;
 mod solve;
 mod unknown;
 mod untold;
 
 pub use found::{Delivered, Explained, Known};
+pub use population::{LEAST_SHOTS, Population, Recovered, Returned};
 pub use shots::{Delivery, Spread, deliveries, launches};
 pub use solve::delivery;
 pub use unknown::{Unknown, unknowns};

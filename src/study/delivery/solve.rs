@@ -81,6 +81,7 @@ pub fn delivery(setup: &Setup<f64>, measured: &[Measurement], unknowns: &[Unknow
         message: found.message.clone(),
         known: known.collect(),
         explained: explained.collect(),
+        jacobian: found.rows.jacobian[..measured.len()].to_vec(),
         untold: untold(&jacobian, &sought),
     })
 }

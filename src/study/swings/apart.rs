@@ -44,7 +44,6 @@ pub fn resampled(setup: &Setup<f64>, best: &SwingsOptimum, rounds: usize, seed: 
     let problem = posed(setup, &best.search, best.scenarios.clone())?;
     let n = best.scenarios.points.len();
     let sign = best.search.sense.sign();
-    let own = problem.start();
     let round = |stream: u64| {
         let mut random =
             Xoshiro256PlusPlus::seed_from_u64(seed.wrapping_add(stream.wrapping_mul(0x9e37_79b9_7f4a_7c15)));
@@ -54,7 +53,8 @@ pub fn resampled(setup: &Setup<f64>, best: &SwingsOptimum, rounds: usize, seed: 
             weights[(random.next_u64() % n as u64) as usize] += 1.0 / n as f64;
         }
         let better = |x: &[f64]| problem.each(x, &weights).ok().map(|goals| goals[0].value);
-        let gain = better(&best.solution.x).zip(better(&own)).map(|(best, own)| -sign * (best - own));
+        let own = problem.as_set_up(&weights).ok().map(|goals| goals[0]);
+        let gain = better(&best.solution.x).zip(own).map(|(best, own)| -sign * (best - own));
         let found = minimize(&problem.weighted(weights), &problem.domain, &best.solution.x, &best.search.options);
         found.ok().filter(|found| found.status == Status::Converged).map(|found| (found.x, found.value, gain))
     };
@@ -66,9 +66,9 @@ pub fn resampled(setup: &Setup<f64>, best: &SwingsOptimum, rounds: usize, seed: 
     let goal = interval(value, found.iter().filter_map(|(_, value, _)| value.map(|value| sign * value)).collect());
     let gains: Vec<f64> = found.iter().filter_map(|(.., gain)| *gain).collect();
     let all = vec![1.0 / n as f64; n];
-    let both = problem.each(&best.solution.x, &all).ok().zip(problem.each(&own, &all).ok());
+    let both = problem.each(&best.solution.x, &all).ok().zip(problem.as_set_up(&all).ok());
     let apart = both.filter(|_| gains.len() >= 2).map(|(best, own)| {
-        let mean = -sign * (best[0].value - own[0].value);
+        let mean = -sign * (best[0].value - own[0]);
         let better = interval(mean, gains.clone());
         // the standard error falls as the root of the number of swings
         let centre = gains.iter().sum::<f64>() / gains.len() as f64;

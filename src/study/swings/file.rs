@@ -56,7 +56,7 @@ fn recorded(setup: &Setup<f64>, table: &mut dyn Points, path: &Path) -> Result<S
             );
             return Err(refuse(reason));
         }
-        setup.variable(parameter.name)?;
+        setup.column(parameter.name)?;
     }
     if table.rows() == 0 {
         return Err(refuse("it has no row; a table of swings has one for each swing".into()));
@@ -92,6 +92,10 @@ fn read(setup: &Setup<f64>, text: &str, file: &str) -> Result<Swings> {
                 return Err(wrong(at, Error::unknown("key", name, names, advice)));
             }
         }
+    }
+    if inputs.is_empty() {
+        let source = "it has nothing to distribute; write [distributions] and below it, for example, swing.speed = \"normal(110 mph, 3 mph)\"";
+        return Err(Error::Unreadable { name: format!("the swings in {file}"), source: source.into() });
     }
     Swings::distributed(inputs, &correlations)
 }
@@ -144,7 +148,7 @@ fn correlation(setup: &Setup<f64>, value: &DeValue<'_>) -> Result<Correlation> {
         _ => None,
     };
     let coefficient = coefficient.ok_or_else(|| refuse(format!("coefficient must be a number; {how}")))?;
-    Correlation::new([setup.variable(one)?, setup.variable(other)?], coefficient)
+    Correlation::new([setup.column(one)?, setup.column(other)?], coefficient)
 }
 
 fn of_type(key: &str, found: &DeValue<'_>, expected: &str) -> Error {

@@ -47,7 +47,7 @@ impl Correlation {
             .trim()
             .parse()
             .map_err(|_| unreadable(format!("'{}' is not a number; {how}", coefficient.trim())))?;
-        Self::new([setup.variable(one.trim())?, setup.variable(other.trim())?], coefficient)
+        Self::new([setup.column(one.trim())?, setup.column(other.trim())?], coefficient)
     }
 
     /// # Errors

@@ -1,7 +1,8 @@
-use super::chained::{chained, sum};
+use super::chained::chained;
 use super::strokes::Strokes;
 use crate::drive::Outcome;
 use crate::number::Taylor;
+use crate::parameters::Parameter;
 use crate::units::Quantity;
 
 /// A number that is made of the drives of all scenarios.
@@ -21,6 +22,10 @@ pub enum Measure {
     Within(Outcome, f64),
     /// Expected strokes to hole out from where the ball ends, on a hole of a length, m.
     Strokes(Strokes, f64),
+    /// A parameter of the design: no drive changes it.
+    Parameter(&'static Parameter),
+    /// 1: a term that nothing changes.
+    One,
 }
 
 /// A standard deviation below this part of a unit is none: it keeps the root smooth.
@@ -39,13 +44,15 @@ impl Measure {
             | Self::Highest(of, _)
             | Self::Within(of, _) => vec![*of],
             Self::Strokes(strokes, _) => strokes.outcomes().to_vec(),
+            Self::Parameter(_) | Self::One => vec![],
         }
     }
 
     /// What kind of number it is.
     pub fn quantity(&self) -> Quantity {
         match self {
-            Self::Within(..) | Self::Strokes(..) => Quantity::NUMBER,
+            Self::Within(..) | Self::Strokes(..) | Self::One => Quantity::NUMBER,
+            Self::Parameter(parameter) => parameter.quantity,
             _ => self.outcomes()[0].quantity(),
         }
     }
@@ -53,27 +60,28 @@ impl Measure {
     /// The unit that it is shown in.
     pub fn unit(&self) -> &'static str {
         match self {
-            Self::Within(..) | Self::Strokes(..) => "",
+            Self::Within(..) | Self::Strokes(..) | Self::One => "",
+            Self::Parameter(parameter) => parameter.unit,
             _ => self.outcomes()[0].unit(),
         }
     }
 
     /// The measure from its outcomes in each scenario, and the weights of these: exact value, gradient and Hessian, as far as the
-    /// outcomes have these.
+    /// outcomes have these. Parameters of the design are none of theirs: they are 0 here.
     pub(super) fn of(&self, drives: &[Vec<&Taylor>], weights: &[f64]) -> Taylor {
         let each = || drives.iter().map(|outcomes| outcomes[0]).zip(weights.iter().copied());
         let one = |of: &Outcome| of.quantity().size_of(of.unit()).unwrap_or(1.0);
         match self {
-            Self::Mean(_) => sum(each()),
+            Self::Mean(_) => Taylor::sum(each()),
             Self::Deviation(of) => {
-                let mean = sum(each());
+                let mean = Taylor::sum(each());
                 // of the difference from the mean the square, whose slope by the mean is 0 in the sum
                 let squares = each().map(|(drive, weight)| (square(&minus(drive, &mean)), weight)).collect::<Vec<_>>();
-                root(&sum(squares.iter().map(|(drive, weight)| (drive, *weight))), LEAST_DEVIATION * one(of))
+                root(&Taylor::sum(squares.iter().map(|(drive, weight)| (drive, *weight))), LEAST_DEVIATION * one(of))
             }
             Self::RootMeanSquare(of) => {
                 let squares = each().map(|(drive, weight)| (square(drive), weight)).collect::<Vec<_>>();
-                root(&sum(squares.iter().map(|(drive, weight)| (drive, *weight))), LEAST_DEVIATION * one(of))
+                root(&Taylor::sum(squares.iter().map(|(drive, weight)| (drive, *weight))), LEAST_DEVIATION * one(of))
             }
             Self::Lowest(of, share) => lowest(&each().collect::<Vec<_>>(), *share, SMOOTHING * one(of)),
             Self::Highest(of, share) => {
@@ -83,19 +91,20 @@ impl Measure {
             }
             Self::Within(of, half) => {
                 let scores = each().map(|(drive, weight)| (within(drive, *half, one(of)), weight)).collect::<Vec<_>>();
-                sum(scores.iter().map(|(drive, weight)| (drive, *weight)))
+                Taylor::sum(scores.iter().map(|(drive, weight)| (drive, *weight)))
             }
             Self::Strokes(strokes, hole) => {
                 let strokes = drives.iter().map(|outcomes| strokes.from(outcomes[0], outcomes[1], *hole));
                 let strokes: Vec<_> = strokes.zip(weights).collect();
-                sum(strokes.iter().map(|(strokes, weight)| (strokes, **weight)))
+                Taylor::sum(strokes.iter().map(|(strokes, weight)| (strokes, **weight)))
             }
+            Self::Parameter(_) | Self::One => Taylor::default(),
         }
     }
 }
 
 fn minus(a: &Taylor, b: &Taylor) -> Taylor {
-    sum([(a, 1.0), (b, -1.0)].into_iter())
+    Taylor::sum([(a, 1.0), (b, -1.0)])
 }
 
 fn square(f: &Taylor) -> Taylor {
@@ -155,7 +164,7 @@ fn lowest(drives: &[(&Taylor, f64)], share: f64, smoothing: f64) -> Taylor {
         (chained(f, [-value, slope, -bend]), weight / share)
     });
     let parts: Vec<_> = parts.collect();
-    let mut all = sum(parts.iter().map(|(part, weight)| (part, *weight)));
+    let mut all = Taylor::sum(parts.iter().map(|(part, weight)| (part, *weight)));
     all.value += t;
     let bends: Vec<f64> = drives.iter().map(|(f, weight)| weight / share * plus(t - f.value)[2]).collect();
     let bend: f64 = bends.iter().sum();

@@ -2,9 +2,10 @@ use super::problem::SwingsProblem;
 use super::read::{Goal, GoalLimit};
 use super::scenarios::Scenarios;
 use crate::error::{Error, Result};
-use crate::optimize::{Follow, Options, Solution, Status, minimize_from};
+use crate::optimize::{Domain, Follow, Options, Problem, Solution, Status, minimize_from};
 use crate::parameters::{Setup, Vary};
 use crate::study::Sense;
+use crate::units::Quantity;
 
 /// What to look for over many swings.
 #[derive(Clone, Debug)]
@@ -63,15 +64,14 @@ impl SwingsOptimum {
                 format!("no design was found with which every swing flies; at the start: {why}")
             }
             Status::Infeasible => {
-                let missed = self.search.subject_to.iter().zip(&self.solution.constraints);
-                let missed =
-                    missed.filter(|(_, constrained)| constrained.violation != 0.0).map(|(limit, constrained)| {
-                        format!(
-                            "{} (it is {})",
-                            limit.expression,
-                            limit.goal.quantity.show(constrained.value, limit.goal.unit)
-                        )
-                    });
+                let all = self.search.subject_to.iter().zip(&self.solution.constraints).enumerate();
+                let missed = all.filter(|(_, (_, constrained))| constrained.violation != 0.0);
+                let missed = missed.map(|(j, (limit, constrained))| {
+                    let value = limit.goal.quantity.show(constrained.value, limit.goal.unit);
+                    let is_fixed = self.solution.jacobian[j].iter().all(|slope| *slope == 0.0);
+                    let fixed = if is_fixed { "nothing that is varied changes it: " } else { "" };
+                    format!("{} ({fixed}it is {value})", limit.expression)
+                });
                 let missed: Vec<_> = missed.collect();
                 format!("the limits cannot all be met; the nearest design found violates {}", missed.join(" and "))
             }
@@ -81,8 +81,41 @@ impl SwingsOptimum {
                     self.search.of.expression
                 )
             }
+            Status::Converged => {
+                let idle = (0..self.search.vary.len()).filter(|i| self.is_idle(*i));
+                let idle: Vec<_> = idle.map(|i| self.search.vary[i].parameter.name).collect();
+                let little = match self.search.of.quantity {
+                    Quantity::LENGTH => "1 mm",
+                    _ => "a millionth of it",
+                };
+                let (goal, found) = (&self.search.of.expression, &self.solution.message);
+                match idle.as_slice() {
+                    [] => found.clone(),
+                    [one] => format!(
+                        "{found}; {one} has no effect worth telling: within its range it changes {goal} by less than {little}"
+                    ),
+                    all => format!(
+                        "{found}; {} have no effect worth telling: within its range each changes {goal} by less than {little}",
+                        all.join(" and ")
+                    ),
+                }
+            }
             _ => self.solution.message.clone(),
         }
+    }
+
+    /// Whether a varied parameter changes the goal within its range, to second order, by less than a millimetre, or a millionth of what is no
+    /// length. Such a goal has its optimum at a bound or anywhere by chance.
+    pub fn is_idle(&self, i: usize) -> bool {
+        let width = |i: usize| self.search.vary[i].high - self.search.vary[i].low;
+        let little = match self.search.of.quantity {
+            Quantity::LENGTH => 1e-3,
+            _ => 1e-6 * self.value().unwrap_or_default().abs(),
+        };
+        let Some(slope) = self.solution.gradient.get(i).filter(|_| width(i) > 0.0) else { return false };
+        let bends = self.solution.hessian.get(i).into_iter().flatten().enumerate();
+        let bends: f64 = bends.map(|(j, bend)| (bend * width(i) * width(j)).abs()).sum();
+        (slope * width(i)).abs() + bends < little
     }
 
     /// Whether the goal does not change within the ranges, to second order, by more than rounding.
@@ -105,8 +138,9 @@ impl SwingsOptimum {
     }
 }
 
-/// Finds the design that makes a goal over many swings largest or smallest, from the setup's own values. The scenarios are the same for
-/// every design, so that the goal is a smooth function of it, with exact gradients and Hessians.
+/// Finds the design that makes a goal over many swings largest or smallest, from the setup's own values; a varied parameter that has none begins in the
+/// middle of its range. The scenarios are the same for every design, so that the goal is a smooth function of it, with exact gradients and
+/// Hessians.
 ///
 /// ```
 /// use longdrive::Setup;
@@ -142,13 +176,29 @@ pub fn swings_optimum(
     let start = problem.domain.variables.project(&problem.start());
     let found = minimize_from(&problem, &problem.domain, &[start], &search.options, follow)?;
     let solution = found.into_iter().next().ok_or(Error::Nothing { doing: "search from", what: "start" })?.solution;
-    let as_set_up = problem.values(&problem.start()).ok();
+    let as_set_up = problem.as_set_up(&problem.scenarios().weights).ok();
     let beyond_strokes = match solution.value {
         Some(_) => problem.beyond_strokes(&solution.x)?,
         None => None,
     };
     let setup = problem.moved(&solution.x)?;
     Ok(SwingsOptimum { search, scenarios: problem.scenarios().clone(), solution, setup, as_set_up, beyond_strokes })
+}
+
+/// What a search minimizes, with where it begins: the goal times [`Sense::sign`], and what is limited, with exact derivatives, over the
+/// ranges of what is varied. For a look at the objective, or for another optimizer.
+///
+/// # Errors
+/// As [`swings_optimum`].
+pub fn swings_problem(
+    setup: &Setup<f64>,
+    search: &SwingsSearch,
+    scenarios: Scenarios,
+) -> Result<(impl Problem + use<>, Domain, Vec<f64>)> {
+    let problem = posed(setup, search, scenarios)?;
+    let (domain, start) = (problem.domain.clone(), problem.start());
+    let start = domain.variables.project(&start);
+    Ok((problem, domain, start))
 }
 
 /// The search as a problem, if it makes sense.
@@ -163,4 +213,17 @@ pub(super) fn posed(setup: &Setup<f64>, search: &SwingsSearch, scenarios: Scenar
         }
     }
     SwingsProblem::new(setup, (&search.of, search.sense), &search.subject_to, &search.vary, scenarios)
+}
+
+/// Some goals over the swings with a setup's own design, each SI; `None` where a swing does not fly.
+///
+/// # Errors
+/// As [`swings_optimum`].
+pub fn goals_of(setup: &Setup<f64>, goals: &[Goal], vary: &[Vary], scenarios: &Scenarios) -> Result<Option<Vec<f64>>> {
+    let one = |goal: &Goal| {
+        let problem = SwingsProblem::new(setup, (goal, Sense::Maximize), &[], vary, scenarios.clone())?;
+        Ok(problem.as_set_up(&scenarios.weights).ok().map(|values| values[0]))
+    };
+    let found = goals.iter().map(one).collect::<Result<Vec<_>>>()?;
+    Ok(found.into_iter().collect())
 }

@@ -12,14 +12,21 @@ use statrs::distribution::{ContinuousCDF, StudentsT};
 /// What it costs to ignore that swings vary.
 #[derive(Clone, Debug)]
 pub struct Price {
-    /// The design that is best for the mean swing.
-    pub nominal: Vec<f64>,
-    /// The goals with that design and the mean swing alone: what it promises.
-    pub promised: Vec<f64>,
-    /// The goals with that design over all swings: what it keeps; `None` where one of them does not fly.
-    pub kept: Option<Vec<f64>>,
-    /// How far the goal at the best design is known: by other scenarios of the same swings.
+    /// The best design for the mean swing, or why there is none.
+    pub nominal: std::result::Result<Nominal, String>,
+    /// How far the goal at the best design is known: by other scenarios of the same swings. `None` where there are no others.
     pub doubt: Option<Doubt>,
+}
+
+/// What is best for the mean swing alone.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Nominal {
+    /// The design.
+    pub design: Vec<f64>,
+    /// The goals with it and the mean swing alone: what it promises.
+    pub promised: Vec<f64>,
+    /// The goals with it over all swings: what it keeps; `None` where one of them does not fly.
+    pub kept: Option<Vec<f64>>,
 }
 
 /// What other scenarios make of the same design.
@@ -29,6 +36,8 @@ pub enum Doubt {
     Quadrature(f64),
     /// The 95 % interval of the goal, by how it scatters over so many independent sequences of as many scenarios, each.
     Sampling(Interval, usize),
+    /// It is not known, since one of the other scenarios does not fly: the swing, and why.
+    Unknown(String),
 }
 
 /// Independent sequences that the error of sampling is read from.
@@ -36,26 +45,30 @@ const SEQUENCES: u32 = 8;
 
 /// The price of ignoring that swings vary, and how far the goal is known.
 ///
+/// Neither the mean swing nor the other scenarios were asked about: where they do not fly, that is told in place of what they would say.
+///
 /// # Errors
-/// As [`swings_optimum`](super::swings_optimum); where the mean swing does not fly, or other scenarios of the same swings do not.
+/// As [`swings_optimum`](super::swings_optimum).
 pub fn price(setup: &Setup<f64>, swings: &Swings, best: &SwingsOptimum) -> Result<Price> {
     let search = &best.search;
     let alone = posed(setup, search, Scenarios::mean(swings))?;
-    let nominal = minimize(&alone, &alone.domain, &alone.start(), &search.options)?.x;
-    let promised = alone.values(&nominal)?;
-    let kept = posed(setup, search, best.scenarios.clone())?.values(&nominal).ok();
+    let design = minimize(&alone, &alone.domain, &alone.start(), &search.options)?.x;
+    let kept = posed(setup, search, best.scenarios.clone())?.values(&design).ok();
+    let nominal = alone.values(&design).map(|promised| Nominal { design, promised, kept });
+    let nominal = nominal.map_err(|error| error.to_string());
     let others = (0..SEQUENCES).map_while(|round| best.scenarios.rule.other(round));
     let others = others.map(|rule| {
         let problem = posed(setup, search, Scenarios::new(swings, rule)?)?;
         Ok(problem.values(&best.solution.x)?[0])
     });
-    let others = others.collect::<Result<Vec<f64>>>()?;
-    let doubt = match (best.value(), others.as_slice()) {
-        (None, _) | (_, []) => None,
-        (Some(value), [other]) => Some(Doubt::Quadrature((other - value).abs())),
-        (Some(value), others) => Some(Doubt::Sampling(interval(&search.of, value, others), others.len())),
+    let others = others.collect::<Result<Vec<f64>>>();
+    let doubt = match (best.value(), others.as_deref()) {
+        (None, _) | (_, Ok([])) => None,
+        (_, Err(error)) => Some(Doubt::Unknown(error.to_string())),
+        (Some(value), Ok([other])) => Some(Doubt::Quadrature((other - value).abs())),
+        (Some(value), Ok(others)) => Some(Doubt::Sampling(interval(&search.of, value, others), others.len())),
     };
-    Ok(Price { nominal, promised, kept, doubt })
+    Ok(Price { nominal, doubt })
 }
 
 /// The 95 % interval of a goal of which these are independent estimates, about the one that is shown.

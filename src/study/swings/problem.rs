@@ -1,4 +1,4 @@
-use super::chained::sum;
+use super::measure::Measure;
 use super::read::{Goal, GoalLimit};
 use super::scenarios::Scenarios;
 use crate::derivative::{Evaluator, Order};
@@ -13,6 +13,9 @@ use rayon::prelude::*;
 
 /// Goals as functions of what is varied: every scenario is hit and flown with exact derivatives, and the goals are made of them.
 pub(super) struct SwingsProblem {
+    /// The setup as it is given.
+    set_up: Setup<f64>,
+    /// The same with a value of everything that is varied.
     setup: Setup<f64>,
     vary: Vec<&'static Parameter>,
     scenarios: Scenarios,
@@ -40,19 +43,32 @@ impl SwingsProblem {
                 return Err(Error::Unreadable { name: vary.parameter.name.into(), source: source.into() });
             }
         }
+        let goals = || [objective].into_iter().chain(limits.iter().map(|limit| &limit.goal));
+        let related = goals().flat_map(|goal| &goal.terms).filter_map(|(_, measure)| match measure {
+            Measure::Parameter(parameter) => Some(*parameter),
+            _ => None,
+        });
+        for parameter in related {
+            if scenarios.parameters.contains(&parameter) {
+                let source =
+                    "a relation of the design has it, and the swings have values of it; leave it out of one of the two";
+                return Err(Error::Unreadable { name: parameter.name.into(), source: source.into() });
+            }
+        }
         let ends = |end: fn(&Vary) -> f64| vary.iter().map(end).collect::<Vec<_>>();
         let limit_ends = |end: fn(&GoalLimit) -> f64| limits.iter().map(end).collect::<Vec<_>>();
         let domain = Domain::new(ends(|vary| vary.low), ends(|vary| vary.high))?
             .subject_to(limit_ends(|limit| limit.low), limit_ends(|limit| limit.high))?;
-        let goals: Vec<Goal> = [objective].into_iter().chain(limits.iter().map(|limit| &limit.goal)).cloned().collect();
+        let goals: Vec<Goal> = goals().cloned().collect();
         let mut of: Vec<Outcome> = vec![];
         for outcome in goals.iter().flat_map(Goal::outcomes) {
             if !of.contains(&outcome) {
                 of.push(outcome);
             }
         }
+        let (set_up, setup) = (*setup, Vary::begun(setup, vary)?);
         let vary: Vec<_> = vary.iter().map(|vary| vary.parameter).collect();
-        let mut problem = Self { setup: *setup, vary, scenarios, of, goals, sense, drives: vec![], domain };
+        let mut problem = Self { set_up, setup, vary, scenarios, of, goals, sense, drives: vec![], domain };
         problem.drives = problem.evaluators(Order::Second)?;
         Ok(problem)
     }
@@ -67,7 +83,7 @@ impl SwingsProblem {
         moved(&self.setup, &self.scenarios.parameters, point)
     }
 
-    /// The setup's own values of what is varied.
+    /// Where the search begins: the setup's own values of what is varied, and the middle of the range of what has none.
     pub fn start(&self) -> Vec<f64> {
         values(&self.setup, &self.vary)
     }
@@ -83,23 +99,54 @@ impl SwingsProblem {
         drives
             .par_iter()
             .zip(&self.scenarios.points)
-            .map(|(drive, point)| drive.at(x).map_err(|error| format!("{}: {error}", self.named(point))))
+            .map(|(drive, point)| drive.at(x).map_err(|error| format!("{}{error}", self.named(point))))
             .collect()
     }
 
-    /// A scenario in words.
+    /// A scenario in words before what is said of it; one drive alone needs none.
     fn named(&self, point: &[f64]) -> String {
+        if self.scenarios.is_one_drive() {
+            return String::new();
+        }
         let value = |(parameter, value): (&&'static Parameter, &f64)| {
             format!("{} = {}", parameter.name, parameter.show(Some(*value)))
         };
         let values: Vec<_> = self.scenarios.parameters.iter().zip(point).map(value).collect();
-        format!("the swing with {}", values.join(", "))
+        format!("the swing with {}: ", values.join(", "))
     }
 
-    /// Each goal from the outcomes of every scenario, with other weights than the scenarios' own where they are given.
-    fn measured(&self, flown: &[Vec<Taylor>], weights: &[f64]) -> Vec<Taylor> {
+    /// A term of a goal that no drive changes, with as many derivatives as drives have.
+    fn of_the_design(&self, measure: &Measure, x: &[f64], like: &Taylor) -> Option<Taylor> {
+        let (value, place) = match measure {
+            Measure::One => (1.0, None),
+            Measure::Parameter(parameter) => {
+                let place = self.vary.iter().position(|vary| vary == parameter);
+                (
+                    place.map_or_else(
+                        || self.setup.value(parameter).or(parameter.value_unset()).unwrap_or(f64::NAN),
+                        |place| x[place],
+                    ),
+                    place,
+                )
+            }
+            _ => return None,
+        };
+        let slope = |i: usize| f64::from(u8::from(place == Some(i)));
+        Some(Taylor {
+            value,
+            gradient: (0..like.gradient.len()).map(slope).collect(),
+            hessian: vec![vec![0.0; like.gradient.len()]; like.hessian.len()],
+        })
+    }
+
+    /// Each goal at `x` from the outcomes of every scenario, with other weights than the scenarios' own where they are given.
+    fn measured(&self, x: &[f64], flown: &[Vec<Taylor>], weights: &[f64]) -> Vec<Taylor> {
+        let like = flown.first().and_then(|outcomes| outcomes.first()).cloned().unwrap_or_default();
         let goal = |goal: &Goal| {
             let terms = goal.terms.iter().map(|(weight, measure)| {
+                if let Some(term) = self.of_the_design(measure, x, &like) {
+                    return (term, *weight);
+                }
                 let outcomes = measure.outcomes();
                 let places: Vec<usize> =
                     outcomes.iter().filter_map(|of| self.of.iter().position(|it| it == of)).collect();
@@ -108,7 +155,7 @@ impl SwingsProblem {
                 (measure.of(&drives, weights), *weight)
             });
             let terms: Vec<_> = terms.collect();
-            sum(terms.iter().map(|(term, weight)| (term, *weight)))
+            Taylor::sum(terms.iter().map(|(term, weight)| (term, *weight)))
         };
         self.goals.iter().map(goal).collect()
     }
@@ -120,7 +167,24 @@ impl SwingsProblem {
     pub fn values(&self, x: &[f64]) -> Result<Vec<f64>> {
         let drives = self.evaluators(Order::Value)?;
         let flown = self.flown(&drives, x).map_err(|reason| Error::NoFlight { reason: reason.into() })?;
-        Ok(self.measured(&flown, &self.scenarios.weights).into_iter().map(|goal| goal.value).collect())
+        Ok(self.measured(x, &flown, &self.scenarios.weights).into_iter().map(|goal| goal.value).collect())
+    }
+
+    /// The values of the goals with the design as set up, in which a parameter that has no value is left without.
+    ///
+    /// # Errors
+    /// Where a swing does not fly.
+    pub fn as_set_up(&self, weights: &[f64]) -> Result<Vec<f64>> {
+        let swung = |point: &Vec<f64>| moved(&self.set_up, &self.scenarios.parameters, point);
+        let drives =
+            self.scenarios.points.iter().map(|point| Evaluator::new(&swung(point)?, &self.of, &[], Order::Value));
+        let drives = drives.collect::<Result<Vec<_>>>()?;
+        let own = |parameter: &&'static Parameter| {
+            self.set_up.value(parameter).or_else(|| parameter.value_unset()).unwrap_or(f64::NAN)
+        };
+        let own: Vec<f64> = self.vary.iter().map(own).collect();
+        let flown = self.flown(&drives, &[]).map_err(|reason| Error::NoFlight { reason: reason.into() })?;
+        Ok(self.measured(&own, &flown, weights).into_iter().map(|goal| goal.value).collect())
     }
 
     /// The value of one outcome in every scenario at `x`.
@@ -129,7 +193,7 @@ impl SwingsProblem {
     /// Where a swing does not fly.
     pub fn each(&self, x: &[f64], weights: &[f64]) -> Result<Vec<Taylor>> {
         let flown = self.flown(&self.drives, x).map_err(|reason| Error::NoFlight { reason: reason.into() })?;
-        Ok(self.measured(&flown, weights))
+        Ok(self.measured(x, &flown, weights))
     }
 
     /// The share of scenarios with which a ball ends where a table of strokes does not reach; `None` without such a table.
@@ -165,7 +229,7 @@ impl SwingsProblem {
     }
 
     fn evaluated(&self, x: &[f64], weights: &[f64]) -> std::result::Result<Evaluation, String> {
-        let mut goals = self.measured(&self.flown(&self.drives, x)?, weights);
+        let mut goals = self.measured(x, &self.flown(&self.drives, x)?, weights);
         let constraints = goals.split_off(1);
         let objective = goals.pop().unwrap_or_default();
         let objective = if self.sense == Sense::Maximize { objective.negated() } else { objective };

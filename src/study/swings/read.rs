@@ -1,7 +1,8 @@
 use super::measure::Measure;
 use super::strokes::Strokes;
-use crate::drive::Outcome;
+use crate::drive::{self, Outcome};
 use crate::error::Result;
+use crate::study::Constraint;
 use crate::study::comparison::{Compared, Part, at, compared, value};
 use crate::units::Quantity;
 
@@ -40,6 +41,11 @@ impl Goal {
         let measure = Measure::Mean(of);
         let (quantity, unit) = (measure.quantity(), measure.unit());
         Self { expression: format!("mean({})", of.name()), terms: vec![(1.0, measure)], quantity, unit }
+    }
+
+    /// An outcome of one drive: its mean over that drive alone.
+    pub fn outcome(of: Outcome) -> Self {
+        Self { expression: of.name().into(), ..Self::mean(of) }
     }
 
     /// Reads a weighted sum of measures; a weight is a number, or for a share or strokes an amount: `mean(carry) + 30yd*within(lateral,
@@ -102,6 +108,12 @@ impl Goal {
 }
 
 impl GoalLimit {
+    /// The limits of an outcome of one drive.
+    pub fn of_drive(constraint: &Constraint) -> Self {
+        let Constraint { expression, outcome, low, high } = constraint;
+        Self { expression: expression.clone(), goal: Goal::outcome(*outcome), low: *low, high: *high }
+    }
+
     /// Reads `GOAL >= LIMIT`, `GOAL <= LIMIT`, `GOAL == VALUE` or `LOW <= GOAL <= HIGH`.
     ///
     /// # Errors
@@ -111,7 +123,7 @@ impl GoalLimit {
         let Compared { of: goal, low, high } = compared(
             expression,
             example,
-            |text| text.contains('('),
+            |text| text.contains('(') || Outcome::named(text.trim()).is_ok(),
             |part| {
                 let goal = Goal::read_part(expression, part, strokes)?;
                 let quantity = goal.quantity;
@@ -127,7 +139,7 @@ fn lead(text: &str) -> usize {
 }
 
 /// The terms between the signs + and − that stand outside of parentheses, each with its sign.
-fn summands<'a>(whole: &Part<'a>) -> Vec<(f64, Part<'a>)> {
+pub(super) fn summands<'a>(whole: &Part<'a>) -> Vec<(f64, Part<'a>)> {
     let text = whole.text;
     let (mut depth, mut from, mut sign, mut terms) = (0_i32, 0, 1.0, vec![]);
     let part = |from: usize, to: usize| {
@@ -141,7 +153,7 @@ fn summands<'a>(whole: &Part<'a>) -> Vec<(f64, Part<'a>)> {
             '(' => depth += 1,
             ')' => depth -= 1,
             // not the sign of an exponent, and not the sign of what follows
-            '+' | '-' if depth == 0 && !matches!(before, Some('e' | 'E')) => {
+            '+' | '-' if depth == 0 && !matches!(before, Some('e' | 'E' | '^')) => {
                 let term = part(from, at);
                 if !(term.text.is_empty() && terms.is_empty()) {
                     terms.push((sign, term));
@@ -165,18 +177,41 @@ fn read_term(
 ) -> Result<(f64, Measure, Quantity, &'static str)> {
     let refuse = |reason: &str| Err(at(expression, term, reason));
     let (weight, call) = match term.text.split_once('*') {
-        Some((weight, call)) => (Some(weight.trim()), call.trim()),
-        None => (None, term.text),
+        Some((weight, call)) if !weight.contains('(') => (Some(weight.trim()), call.trim()),
+        _ => (None, term.text),
     };
     let Some((name, rest)) = call.split_once('(') else {
         return match Outcome::named(call) {
+            // no swing changes it: its mean is its value
+            Ok(of) if of.part() == drive::Part::Head => {
+                let text = term.text.replace(call, &format!("mean({call})"));
+                read_term(expression, &Part { text: &text, column: term.column }, sign, strokes)
+            }
             Ok(_) => refuse(&format!(
                 "over many swings an outcome has many values; say what of them, for example mean({call}): {MEASURES}"
             )),
             Err(_) => refuse(&format!("'{call}' is no measure; there are {MEASURES}")),
         };
     };
-    let Some(inside) = rest.trim().strip_suffix(')') else { return refuse("its closing ) is missing") };
+    let Some((inside, behind)) = rest.split_once(')') else { return refuse("its closing ) is missing") };
+    match behind.trim() {
+        "" => {}
+        behind if behind.starts_with('/') => {
+            return refuse(&format!(
+                "there is no division; a weight stands before the measure, for example 0.5*{}({inside})",
+                name.trim()
+            ));
+        }
+        behind if behind.contains('(') => {
+            return refuse(&format!("a + or - is missing before '{behind}'"));
+        }
+        behind => {
+            return refuse(&format!(
+                "'{behind}' stands behind the ); a weight stands before the measure, for example 0.5*{}({inside})",
+                name.trim()
+            ));
+        }
+    }
     let words: Vec<&str> = inside.split(',').map(str::trim).collect();
     let outcome = || Outcome::named(words[0]).map_err(|error| at(expression, term, &error.to_string()));
     let share = || {

@@ -86,6 +86,16 @@ impl Rule {
 }
 
 impl Scenarios {
+    /// One drive, as a setup has it: outcomes are then their own means.
+    pub fn one_drive() -> Self {
+        Self { parameters: vec![], points: vec![vec![]], weights: vec![1.0], rule: Rule::Quadrature(1) }
+    }
+
+    /// Whether there is one drive alone, of which nothing varies.
+    pub fn is_one_drive(&self) -> bool {
+        self.parameters.is_empty()
+    }
+
     /// The scenarios of some swings.
     ///
     /// # Errors

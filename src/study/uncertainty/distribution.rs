@@ -167,13 +167,13 @@ impl Uncertain {
     ///
     /// # Errors
     /// [`Error::Unreadable`] for what is no distribution; [`Error::OutOfRange`] where an end or the mean is none the parameter may
-    /// have; as [`Setup::variable`].
+    /// have; as [`Setup::column`]: a parameter needs no value in the setup.
     pub fn read(setup: &Setup<f64>, text: &str) -> Result<Self> {
         let unreadable = |source| Error::Unreadable { name: format!("--distribution {}", text.trim()), source };
         let how = "write NAME=normal(MEAN,DEVIATION), NAME=uniform(LOW,HIGH), NAME=triangular(LOW,MODE,HIGH) or \
                    NAME=truncated(MEAN,DEVIATION,LOW,HIGH)";
         let (name, rest) = text.split_once('=').ok_or_else(|| unreadable(how.into()))?;
-        let parameter = setup.variable(name.trim())?;
+        let parameter = setup.column(name.trim())?;
         let (kind, rest) = rest.split_once('(').ok_or_else(|| unreadable(how.into()))?;
         let inside = rest.trim().strip_suffix(')').ok_or_else(|| unreadable("the closing ) is missing".into()))?;
         // the second number of a normal distribution is a difference

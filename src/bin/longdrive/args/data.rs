@@ -53,6 +53,7 @@ pub struct Calibrate {
 }
 
 #[derive(clap::Args)]
+#[command(group(clap::ArgGroup::new("written").args(["output", "swings"]).multiple(true)))]
 pub struct DeliveryArgs {
     #[command(flatten)]
     pub question: Question,
@@ -104,8 +105,13 @@ pub struct DeliveryArgs {
     #[arg(long, short, value_name = "FILE")]
     pub output: Option<PathBuf>,
 
+    /// Write the swings behind the shots into this file, for "longdrive optimize --swings": as a table, a row for each shot (.csv), or as
+    /// distributions with correlations, without the errors of the launch monitor (.toml).
+    #[arg(long, value_name = "FILE", requires = "shots")]
+    pub swings: Option<PathBuf>,
+
     /// Replace files that exist.
-    #[arg(long, requires = "output")]
+    #[arg(long, requires = "written")]
     pub overwrite: bool,
 }
 

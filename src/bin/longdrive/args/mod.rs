@@ -6,9 +6,11 @@ mod data;
 mod fly;
 mod many;
 mod number;
+mod pareto;
 mod picture;
 mod program;
 mod question;
+mod robust;
 mod search;
 
 pub use certainty::{SensitivityArgs, UncertaintyArgs, Verify};
@@ -16,13 +18,15 @@ pub use compare::{Compare, Pair};
 pub use data::{Calibrate, DeliveryArgs, Published, Reproduce, Validate};
 pub use fly::{Fly, FlyFormat};
 pub use many::{Format, Sweep};
+pub use pareto::{ParetoArgs, ParetoAsked};
 pub use picture::{
     Drawing, Drawn, LawsOver, Moved, Plot, PlotChart, PlotCompare, PlotContour, PlotFace, PlotFairway, PlotKind,
-    PlotLaunch, PlotLaws, PlotTornado, PlotTrajectory, PlotVcurve, Report, Seen,
+    PlotLaunch, PlotLaws, PlotPareto, PlotStrike, PlotTornado, PlotTrajectory, PlotVcurve, Report, Seen,
 };
 pub use program::{Completions, Man, Shown};
 pub use question::{Gradient, Laws, OwnLaw, Parameters, Presets, Question, Simulate};
-pub use search::{ChartArgs, Optimize, OptimumSensitivity, SearchArgs, SwingsArgs, WorkArgs};
+pub use robust::RobustArgs;
+pub use search::{ChartArgs, DesignArgs, Optimize, OptimumSensitivity, SearchArgs, SwingsArgs, WorkArgs};
 
 use clap::{Parser, Subcommand};
 use std::ffi::OsString;
@@ -54,12 +58,19 @@ pub enum Command {
     Optimize(Optimize),
     /// How the optimum depends on every other parameter, what its bounds and constraints cost, and how flat it is.
     OptimumSensitivity(OptimumSensitivity),
+    /// Design head and face for swings that vary, under the Rules of Golf: the best bulge, roll, loft, inertia or movable weights, with what
+    /// each rule costs.
+    Design(DesignArgs),
     /// Fit parameters to measured shots, with their uncertainties and what the data do not determine.
     Calibrate(Calibrate),
     /// Find the delivery and strike that explain a measured launch, and what the launch does not tell of them.
     Delivery(DeliveryArgs),
     /// Compute the optimum as a function of a parameter.
     Chart(ChartArgs),
+    /// Find the best compromises between two goals, such as carry and dispersion, with what one costs of the other.
+    Pareto(ParetoArgs),
+    /// Find the design that loses least whichever of several models of impact and flight is true.
+    Robust(RobustArgs),
     /// Draw a plot as SVG or PNG, or write its data as CSV.
     Plot(Plot),
     /// Write a page (HTML) of the drive, the optimum, a map around it, sensitivities and uncertainties, with plots and data.
@@ -92,15 +103,18 @@ pub enum Command {
 
 impl Command {
     /// The commands that answer in JSON where it is asked for.
-    const NAMES: [&str; 20] = [
+    const NAMES: [&str; 23] = [
         "simulate",
         "gradient",
         "compare",
         "optimize",
         "optimum-sensitivity",
+        "design",
         "calibrate",
         "delivery",
         "chart",
+        "pareto",
+        "robust",
         "plot",
         "report",
         "sweep",
@@ -128,9 +142,12 @@ impl Command {
             Self::Compare(args) => ("compare", args.pair.question.json),
             Self::Optimize(args) => ("optimize", args.question.json),
             Self::OptimumSensitivity(args) => ("optimum-sensitivity", args.optimize.question.json),
+            Self::Design(args) => ("design", args.optimize.question.json),
             Self::Calibrate(args) => ("calibrate", args.question.json),
             Self::Delivery(args) => ("delivery", args.question.json),
             Self::Chart(args) => ("chart", args.question.json),
+            Self::Pareto(args) => ("pareto", args.question.json),
+            Self::Robust(args) => ("robust", args.question.json),
             Self::Plot(args) => ("plot", args.kind.question().json),
             Self::Report(args) => ("report", args.question.json),
             Self::Sweep(args) => ("sweep", args.question.json),

@@ -2,7 +2,7 @@
 
 use super::SearchArgs;
 use super::number::whole;
-use super::{Pair, Question};
+use super::{Pair, ParetoAsked, Question};
 use clap::Subcommand;
 use std::path::PathBuf;
 
@@ -20,6 +20,8 @@ pub enum PlotKind {
     Contour(PlotContour),
     /// The optimum as a function of a parameter.
     Chart(PlotChart),
+    /// The best compromises between two goals, with their ends, the knee and the slope there.
+    Pareto(PlotPareto),
     /// The effects of the uncertainties of parameters on an outcome.
     Tornado(PlotTornado),
     /// The difference between two drives, split into the parameters and launch conditions that differ.
@@ -32,6 +34,8 @@ pub enum PlotKind {
     Fairway(PlotFairway),
     /// The club face from the front: the strike, the sweet spot, rings of carry lost, and the side to which the spin axis tilts.
     Face(PlotFace),
+    /// Carry, lateral, ball speed and spin axis over the club face, of the drive as set up and of the best one, or of two designs.
+    Strike(PlotStrike),
     /// Carry over launch angle and backspin at the drive's ball speed, with its launch and the best one.
     Launch(PlotLaunch),
 }
@@ -43,12 +47,14 @@ impl PlotKind {
             Self::Trajectory(args) => &args.question,
             Self::Contour(args) => &args.question,
             Self::Chart(args) => &args.question,
+            Self::Pareto(args) => &args.question,
             Self::Tornado(args) => &args.question,
             Self::Compare(args) => &args.pair.question,
             Self::Vcurve(args) => &args.question,
             Self::Laws(args) => &args.question,
             Self::Fairway(args) => &args.question,
             Self::Face(args) => &args.question,
+            Self::Strike(args) => &args.question,
             Self::Launch(args) => &args.question,
         }
     }
@@ -189,6 +195,22 @@ pub struct PlotFace {
 }
 
 #[derive(clap::Args)]
+pub struct PlotStrike {
+    #[command(flatten)]
+    pub question: Question,
+
+    #[command(flatten)]
+    pub search: SearchArgs,
+
+    /// A preset or setup file of another design, drawn beside this one in place of the best one, e.g. best.toml of "longdrive optimize -o".
+    #[arg(long, value_name = "SETUP")]
+    pub after: Option<String>,
+
+    #[command(flatten)]
+    pub drawing: Drawing,
+}
+
+#[derive(clap::Args)]
 pub struct PlotLaunch {
     #[command(flatten)]
     pub question: Question,
@@ -230,6 +252,18 @@ pub struct PlotChart {
     /// The curve to draw: the outcome, or one of the parameters varied.
     #[arg(long, value_name = "NAME")]
     pub show: Option<String>,
+}
+
+#[derive(clap::Args)]
+pub struct PlotPareto {
+    #[command(flatten)]
+    pub question: Question,
+
+    #[command(flatten)]
+    pub asked: ParetoAsked,
+
+    #[command(flatten)]
+    pub drawing: Drawing,
 }
 
 #[derive(clap::Args)]

@@ -21,7 +21,8 @@ pub struct SearchArgs {
     pub vary: Vec<String>,
 
     /// A constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <= apex_height <= 35 yd" or
-    /// "lateral == 0 m"; every limit with its unit. Repeatable.
+    /// "lateral == 0 m"; every limit with its unit. Over many swings also a relation with a name, linear in parameters,
+    /// e.g. "budget: club.weight_1.mass + club.weight_2.mass <= 20 g". Repeatable.
     #[arg(long, value_name = "CONSTRAINT", allow_hyphen_values = true)]
     pub subject_to: Vec<String>,
 
@@ -33,8 +34,8 @@ pub struct SearchArgs {
 /// How much is searched.
 #[derive(clap::Args)]
 pub struct WorkArgs {
-    /// Search from this many starts, spread evenly over the ranges (the first is the setup's own), and list the local
-    /// optima.
+    /// Search for the best of one drive from this many starts, spread evenly over the ranges (the first is the setup's own),
+    /// and list the local optima.
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = whole::<u32>(1..=U32, "--starts 8"), allow_negative_numbers = true)]
     pub starts: u32,
 
@@ -96,6 +97,35 @@ pub struct Optimize {
     /// Replace the file if it exists.
     #[arg(long, requires = "output")]
     pub overwrite: bool,
+}
+
+#[derive(clap::Args)]
+#[command(
+    mut_arg("setup", |arg| arg.default_value("modern-driver")),
+    mut_arg("maximize", |arg| arg.help("The goal to maximize, e.g. \"mean(carry)\" [default: \"mean(carry) - 0.5*rms(lateral)\", unless --minimize is given]")),
+    mut_arg("minimize", |arg| arg.help("The goal to minimize, e.g. \"rms(lateral)\"")),
+    mut_arg("vary", |arg| arg.help(
+        "A parameter of the head to vary, with its range, e.g. club.bulge_radius=200mm..600mm or club.weight_1.toe=-50mm..50mm. \
+         Repeatable [default: bulge and roll 150 to 1000 mm, loft 6 to 16 deg]"
+    )),
+    mut_arg("subject_to", |arg| arg.help(
+        "A limit of a goal or of the head, e.g. \"std(lateral) <= 20yd\" or \"head_mass <= 205 g\"; or a relation with a name, linear in \
+         parameters, e.g. \"volume: 120 cm^3 + 80 cm^2*club.cg_depth <= 460 cm^3\". Repeatable"
+    )),
+    mut_arg("swings", |arg| arg.help(
+        "The swings to design for: a TOML file with [distributions] and [[correlations]], or a table (CSV, Parquet, Arrow) of recorded \
+         swings [default: a golfer whose drives were measured, about the setup's own swing]"
+    )),
+    mut_arg("starts", |arg| arg.hide(true)),
+    mut_arg("output", |arg| arg.help("Write the setup with the best design into this setup file"))
+)]
+pub struct DesignArgs {
+    #[command(flatten)]
+    pub optimize: Optimize,
+
+    /// The rules that hold the design: those of golf (moment of inertia, volume, spring effect, ball), or none.
+    #[arg(long, value_name = "RULES", default_value = "golf", value_parser = ["golf", "none"])]
+    pub rules: String,
 }
 
 #[derive(clap::Args)]

@@ -65,6 +65,9 @@ fn fly(args: &Fly) -> Result<Answer> {
     let target = Target::new(args, file)?;
     let stop = interrupt::stops("stopping after the rows under way");
     let mut shots = Shots::open(&setup, file)?;
+    if args.question.gives_air()? {
+        shots.in_given_air();
+    }
     args.question.refuse_twice(&setup, shots.further(), "every row has a value of its own")?;
     args.question.refuse_replaced(&setup, shots.further())?;
     let flying = followed(&args.question, &setup, &of, |setup| Flying::new(setup, &shots, &of))?;

@@ -136,7 +136,7 @@ fn described(args: &Sweep) -> String {
 /// Whether any drive has an outcome that was asked for, or there are no drives: those of the launch are there also where the ball does
 /// not land.
 fn has_answers(tally: Tally, of: &[Outcome]) -> bool {
-    let is_of_the_launch = of.iter().any(|outcome| outcome.part() == Part::Launch);
+    let is_of_the_launch = of.iter().any(|outcome| outcome.part() != Part::Flight);
     let has = |status| match status {
         Status::Landed => true,
         Status::NoFlight | Status::Aloft => is_of_the_launch,

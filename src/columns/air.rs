@@ -1,0 +1,48 @@
+//! The air of each shot, as an export states it.
+
+use super::column::{Column, Holds};
+use crate::units::Quantity;
+
+/// The parameter that it is.
+const AIR: &str = "air.density";
+
+/// The density of the air that golf is played in, kg/m³: from a course at 5000 m on a hot day to one by the sea at −40 °C.
+const RANGE: [f64; 2] = [0.6, 1.6];
+
+impl Column {
+    /// Whether it is the air as a launch monitor states it, and not a parameter by this program's name.
+    pub fn is_stated_air(&self) -> bool {
+        self.head != AIR && matches!(self.holds, Holds::Input(parameter) if parameter.name == AIR)
+    }
+
+    /// The density of the air that a row states, SI.
+    ///
+    /// # Errors
+    /// A sentence, where it states none that golf is played in.
+    pub fn stated_air(&self, cell: &str) -> Result<f64, String> {
+        let name = &self.head;
+        let density = self.value(cell).map_err(|why| format!("{name}: {why}"))?;
+        let density = density.ok_or_else(|| format!("{name}: the cell is empty"))?;
+        let [low, high] = RANGE;
+        if (low..=high).contains(&density) {
+            return Ok(density);
+        }
+        let shown = Quantity::DENSITY.show(density, "kg/m^3");
+        Err(format!("{name}: {shown} is outside of what air has on a course, {low} to {high} kg/m^3"))
+    }
+}
+
+/// What is told of an export whose rows have their own air.
+pub(crate) fn air_of_rows(head: &str) -> String {
+    format!("the air is each row's, as the export states it: {head}")
+}
+
+/// What is told of one where the air is given otherwise.
+pub(crate) fn air_as_given(head: &str) -> String {
+    format!("the air is the one that is given, and not each row's, which the export states: {head}")
+}
+
+/// What is told of a row that has no usable air.
+pub(crate) fn air_of_setup(why: &str) -> String {
+    format!("the air of the setup is assumed; {why}")
+}

@@ -1,0 +1,73 @@
+//! The best compromises between two functions (Pareto), from the minimum of one to that of the other, by continuation.
+//!
+//! With a and b, the two counted from 0 at their own minimum to 1 at that of the other, the front is followed along s = a − b, from −1
+//! to 1: at each s, a + b is minimised while a − b = s (after the normal-boundary intersection of Das & Dennis 1998). The multiplier μ of
+//! that equation is the front's slope, da/db = −(1 − μ)/(1 + μ), and dx/ds comes from the KKT system. A bound ε on b alone, moved from
+//! one end to the other, gives the same points, but at an end that lies within all bounds dx/dε is infinite; dx/ds is not.
+
+mod combined;
+mod follow;
+mod found;
+mod ground;
+mod places;
+
+use super::domain::Domain;
+use super::multistart::Follow;
+use super::options::Options;
+use super::problem::Problem;
+use super::status::Status;
+use crate::error::{Error, Result};
+use combined::Combined;
+pub use found::{Front, FrontEvent, FrontPoint};
+use ground::{Ground, of};
+use std::cell::Cell;
+
+/// The front of two functions: the problem's objective, and the last of its constraint functions, whose limits are not looked at. Both are
+/// minimised, in the domain of all others. `count` points are spread evenly over the plane of the two, with the ends; where other bounds or
+/// limits begin to hold, and at the knee, there are points besides.
+///
+/// `follow` is shown every search, with its number, and stops the work.
+///
+/// # Errors
+/// [`Error::NotConverged`] where one of the two has no minimum that is found; as [`minimize`](super::minimize).
+pub fn front(
+    problem: &dyn Problem,
+    domain: &Domain,
+    start: &[f64],
+    (options, count): (&Options, usize),
+    follow: &Follow,
+) -> Result<Front> {
+    let others = domain.constraints.dimension().checked_sub(1);
+    let others = others.ok_or_else(|| Error::Optimizer("a front needs a second function; give a constraint".into()))?;
+    let mut limits = domain.constraints.clone();
+    limits.low.truncate(others);
+    limits.high.truncate(others);
+    let domain = Domain { variables: domain.variables.clone(), constraints: limits };
+    let ground = Ground { problem, domain, options, follow, searches: Cell::new(0) };
+    let alone = |k: usize, from: &[f64]| {
+        let found = ground.search(&Combined::of(problem, of(k)), &ground.domain, from, options)?;
+        let what = match (&found.undefined_at_start, found.status) {
+            (Some(why), Status::Undefined) => why,
+            _ => &found.message,
+        };
+        match found.status {
+            Status::Converged => Ok(found),
+            status => {
+                let message = format!("{} goal alone: {what}", ["first", "second"][k]).into();
+                Err(Error::NotConverged { status: status.name(), message })
+            }
+        }
+    };
+    let ends = [alone(0, start)?, alone(1, start)?];
+    let values = ground.ends(&ends)?;
+    if let Some(best) = ground.best_for_both(&ends, values) {
+        return Ok(best);
+    }
+    let [first, second] = ends;
+    let ends = [ground.one_point(0, first, values)?, ground.one_point(1, second, values)?];
+    let values = ground.ends(&ends)?;
+    match ground.best_for_both(&ends, values) {
+        Some(best) => Ok(best),
+        None => follow::followed(&ground, ends, values, count),
+    }
+}

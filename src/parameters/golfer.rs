@@ -1,0 +1,40 @@
+use crate::error::{Error, Result};
+
+/// The hand of the golfer. Swing, strike and club are stated in the golfer's own terms, so that those of a left-hander give the mirror image of
+/// what they give of a right-hander.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Golfer {
+    /// A right-handed golfer: out, open and the toe are to the right.
+    #[default]
+    Right,
+    /// A left-handed golfer: out, open and the toe are to the left.
+    Left,
+}
+
+/// The name by which the hand is chosen: `golfer = "left"`.
+pub const GOLFER: &str = "golfer";
+
+impl Golfer {
+    /// Both.
+    pub const ALL: &'static [Self] = &[Self::Right, Self::Left];
+
+    /// Its name in `golfer`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Right => "right",
+            Self::Left => "left",
+        }
+    }
+
+    /// The golfer of this name.
+    ///
+    /// # Errors
+    /// [`Error::Unknown`] with the nearest name.
+    pub fn named(name: &str) -> Result<Self> {
+        let name = name.trim();
+        Self::ALL.iter().copied().find(|golfer| golfer.name() == name).ok_or_else(|| {
+            let names = Self::ALL.iter().map(|golfer| golfer.name());
+            Error::unknown(GOLFER, name, names, "a golfer is right or left, by the hand")
+        })
+    }
+}

@@ -1,0 +1,52 @@
+//! Movable weights of a head: point masses beside the body that the other parameters of the club describe.
+
+use super::table::{Club, Setup};
+use crate::number::Numbers;
+
+/// A movable weight.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Weight<T> {
+    /// Its mass, kg.
+    pub mass: T,
+    /// Its place from the centre of the face, m: behind the face, along the normal at its centre.
+    pub depth: T,
+    /// Towards the toe.
+    pub toe: T,
+    /// Up the face.
+    pub high: T,
+}
+
+impl<T: Numbers> Club<T> {
+    /// The movable weights that have a mass.
+    #[inline(always)]
+    pub(crate) fn weights(&self) -> [Option<Weight<T>>; 2] {
+        let one = [self.weight_1_mass, self.weight_1_depth, self.weight_1_toe, self.weight_1_high];
+        let other = [self.weight_2_mass, self.weight_2_depth, self.weight_2_toe, self.weight_2_high];
+        [weight(one), weight(other)]
+    }
+}
+
+#[inline(always)]
+fn weight<T: Numbers>([mass, depth, toe, high]: [Option<T>; 4]) -> Option<Weight<T>> {
+    let mass = mass?;
+    Some(Weight {
+        mass,
+        depth: depth.unwrap_or_else(T::zero),
+        toe: toe.unwrap_or_else(T::zero),
+        high: high.unwrap_or_else(T::zero),
+    })
+}
+
+impl Setup<f64> {
+    /// Weights that have a place and no mass.
+    pub(super) fn weightless(&self) -> Vec<String> {
+        let set: Vec<_> = self.parameters().into_iter().filter(|row| self.value(row).is_some()).collect();
+        let weights = ["club.weight_1.", "club.weight_2."].into_iter();
+        let told = weights.filter_map(|weight| {
+            let of_it: Vec<_> = set.iter().filter_map(|row| row.name.strip_prefix(weight)).collect();
+            let place = of_it.first().filter(|_| !of_it.contains(&"mass"))?;
+            Some(format!("{weight}{place} changes nothing: the weight has no mass; set {weight}mass"))
+        });
+        told.collect()
+    }
+}

@@ -1,0 +1,140 @@
+use super::lines::paragraph;
+use super::swings::{difference_text, value_text};
+use super::table::table;
+use super::{OptimumReport, Reply, json, shown};
+use crate::parameters::{Parameter, Setup};
+use crate::study::Sense;
+use crate::study::design::{By, Design, Part, Standing};
+use crate::study::swings::SwingsOptimum;
+use crate::units::{System, signed};
+use serde_json::{Value, json};
+
+/// A part of the step that a price is told for: limits are met to less than this.
+const ROUNDING: f64 = 1e-6;
+
+/// What was found of a design, beside the search itself.
+#[derive(Clone, Copy, Debug)]
+pub struct Designed<'a> {
+    /// The search, and what holds it.
+    pub design: &'a Design,
+    /// The setup before.
+    pub setup: &'a Setup<f64>,
+    /// The best design.
+    pub best: &'a SwingsOptimum,
+    /// What it changes.
+    pub parts: &'a [Part],
+    /// What was assumed, in sentences.
+    pub notes: &'a [String],
+}
+
+impl Designed<'_> {
+    /// The answer of `design`: that of a search over swings, with what holds the design.
+    pub fn reply(&self, swings: Reply<OptimumReport>) -> Reply<OptimumReport> {
+        let before = self.best.search.vary.iter().map(|vary| (vary.parameter.name, self.own(vary.parameter)));
+        let part = |part: &Part| json!({ "goal": part.goal.expression, "as_set_up": json::number(part.as_set_up), "best": json::number(part.best) });
+        let design = json!({
+            "rules": if self.design.is_under_rules { "golf" } else { "none" },
+            "notes": self.notes,
+            "as_set_up": json::named(before),
+            "parts": self.parts.iter().map(part).collect::<Vec<_>>(),
+            "held": self.design.standings(self.best).iter().map(held_json).collect::<Vec<_>>(),
+        });
+        let body = OptimumReport { design: Some(design), ..swings.body };
+        Reply { command: Some("design"), body, ..swings }
+    }
+
+    /// The same as text, after that of the search.
+    pub fn text(&self, system: System) -> String {
+        let solution = &self.best.solution;
+        let change = |text: String, amount: f64| signed(amount, text);
+        let own = self.best.search.vary.iter().zip(&solution.x).map(|(vary, x)| {
+            let before = self.own(vary.parameter);
+            let show = |value: f64| shown::parameter(vary.parameter, value, system);
+            let difference = before.map_or(String::new(), |before| {
+                let unit = system.unit(vary.parameter.unit);
+                change(vary.parameter.quantity.read_off_difference(x - before, unit), x - before)
+            });
+            vec![vary.parameter.name.into(), before.map_or(shown::NONE.into(), show), show(*x), difference]
+        });
+        let parts = self.parts.iter().map(|part| {
+            let show =
+                |value: Option<f64>| value.map_or(shown::NONE.into(), |value| value_text(&part.goal, value, system));
+            let both = part.as_set_up.zip(part.best);
+            let difference = both.map_or(String::new(), |(before, best)| {
+                change(difference_text(&part.goal, best - before, system), best - before)
+            });
+            vec![part.goal.expression.clone(), show(part.as_set_up), show(part.best), difference]
+        });
+        let rows: Vec<_> = if self.best.value().is_some() { own.chain(parts).collect() } else { vec![] };
+        let mut text = String::new();
+        if !rows.is_empty() {
+            text += &format!("\n{}", table(&["design", "as set up", "best", "change"], &[1, 2, 3], rows));
+            let rows = self.design.standings(self.best).into_iter().map(|standing| self.row(&standing, system));
+            let rows: Vec<_> = rows.collect();
+            if !rows.is_empty() {
+                text += &format!("\n{}", table(&["held by", "", "best", ""], &[2], rows));
+            }
+        }
+        let rules = if self.design.is_under_rules {
+            "under the Rules of Golf (docs/design.md has their sources)"
+        } else {
+            "without the Rules of Golf (--rules none)"
+        };
+        let lines = std::iter::once(rules).chain(self.notes.iter().map(String::as_str));
+        text + "\n" + &lines.map(paragraph).collect::<String>()
+    }
+
+    /// The value of a parameter as set up: what it means to be unset, where that is 0.
+    fn own(&self, parameter: &Parameter) -> Option<f64> {
+        self.setup.value(parameter).or_else(|| parameter.value_unset())
+    }
+
+    /// What holds the design, its value, and its margin or its price.
+    fn row(&self, standing: &Standing, system: System) -> Vec<String> {
+        let Standing { held, value, margin, price } = standing;
+        let show = |value: f64| {
+            let value = if value.abs() < ROUNDING * held.step { 0.0 } else { value };
+            shown::given(held.quantity, held.unit, value, system, 5)
+        };
+        let goal = &self.best.search.of;
+        let told = match (held.by, price, margin) {
+            (By::Unknown, ..) => "not checked; it can be stated as a relation".into(),
+            (By::Value(_), _, Some(_)) => "kept; nothing varied changes it".into(),
+            (_, Some(price), _) => {
+                let amount = price * held.step * if self.best.search.sense == Sense::Maximize { 1.0 } else { -1.0 };
+                let is_upper = value.is_some_and(|value| held.range[1] - value <= value - held.range[0]);
+                let way = if is_upper { "raised" } else { "lowered" };
+                let gain = signed(amount, difference_text(goal, amount, system));
+                format!("{gain} for each {} that the limit is {way}", held.quantity.show(held.step, held.unit))
+            }
+            (_, None, Some(margin)) if *margin < -ROUNDING * held.step => {
+                format!("violated by {}", show(-margin))
+            }
+            (_, None, Some(margin)) => format!("{} to spare", show(margin.max(0.0))),
+            (_, None, None) => String::new(),
+        };
+        vec![held.name.clone(), held.expression.clone(), value.map_or(shown::NONE.into(), show), told]
+    }
+}
+
+fn held_json(standing: &Standing) -> Value {
+    let Standing { held, value, margin, price } = standing;
+    let by = match held.by {
+        By::Bound(_) => "bound",
+        By::Limit(_) => "limit",
+        By::Value(_) => "value",
+        By::Unknown => "unknown",
+    };
+    let end = |end: f64| json::number(Some(end).filter(|end| end.is_finite()));
+    json!({
+        "name": held.name,
+        "expression": held.expression,
+        "source": held.rule.map(|rule| rule.source),
+        "by": by,
+        "low": end(held.range[0]),
+        "high": end(held.range[1]),
+        "value": json::number(*value),
+        "margin": json::number(*margin),
+        "price": json::number(*price),
+    })
+}

@@ -1,0 +1,134 @@
+use super::lines::{item, paragraph};
+use super::swings::{difference_text, scenarios, value_text};
+use super::table::table;
+use super::{Reply, json, shown};
+use crate::error::Result;
+use crate::parameters::Preset;
+use crate::study::swings::{Model, Robust, SwingsOptimum};
+use crate::units::{Message, System, counted};
+use serde_json::{Value, json};
+
+/// Models that hold less than this of a design do not hold it.
+const IDLE: f64 = 1e-6;
+
+/// The answer of `robust`; `within` is the loss that is allowed, SI.
+pub fn robust_reply(found: &Robust, within: Option<f64>, warnings: Vec<Message>, file: Option<String>) -> Reply<Value> {
+    let search = &found.search;
+    let names = || search.vary.iter().map(|vary| vary.parameter.name);
+    let design = |x: &[f64]| json::named(names().zip(x.iter().map(|x| Some(*x))));
+    let numbers = |values: &[Option<f64>]| values.iter().map(|value| json::number(*value)).collect::<Vec<_>>();
+    let model = |(k, (model, best)): (usize, &(Model, SwingsOptimum))| {
+        json!({
+            "model": model.name,
+            "reason": Some(model.reason).filter(|reason| !reason.is_empty()),
+            "value": json::number(best.value()),
+            "optimum": design(&best.solution.x),
+            "loss": json::number(Some(found.losses[k])),
+            "share": json::number(Some(found.shares[k])),
+            "losses": numbers(&found.matrix[k]),
+            "loss_as_set_up": json::number(found.as_set_up[k]),
+        })
+    };
+    let swings = found.models.first().filter(|(_, best)| !best.scenarios.is_one_drive());
+    let body = json!({
+        "objective": search.of.expression,
+        "sense": search.sense.name(),
+        "optimum": design(&found.design),
+        "greatest_loss": json::number(Some(found.greatest())),
+        "within": json::number(within),
+        "holds_for_all": within.map(|within| found.greatest() <= within),
+        "models": found.models.iter().enumerate().map(model).collect::<Vec<_>>(),
+        "swings": swings.map(|(_, best)| Value::Object(scenarios(&best.scenarios))),
+        "setup": json::setup(&found.setup),
+        "file": file,
+    });
+    Reply::done("robust", warnings, body).ended(found.status(), Some(verdict(found, within, System::default())))
+}
+
+/// Whether one design is good enough for all models.
+fn verdict(found: &Robust, within: Option<f64>, system: System) -> String {
+    let goal = &found.search.of;
+    let show = |value: f64| difference_text(goal, value, system);
+    let least = format!(
+        "the smallest greatest loss of {} that was found is {}",
+        goal.expression,
+        show(found.greatest().max(0.0))
+    );
+    match within {
+        Some(within) if found.greatest() <= within => {
+            format!("one design is within {} of the best for every model: {least}", show(within))
+        }
+        Some(within) => format!("no design is within {} of the best for every model: {least}", show(within)),
+        None => least,
+    }
+}
+
+/// The design, what each model loses with it, and what each loses at the best designs of the others.
+pub fn robust_text(found: &Robust, within: Option<f64>, system: System) -> String {
+    let search = &found.search;
+    let goal = &search.of;
+    let show = |value: f64| difference_text(goal, value, system);
+    let solution = &found.solution;
+    let ending = paragraph(&format!(
+        "{}: {} ({}, {} of {})",
+        found.status(),
+        verdict(found, within, system),
+        counted(solution.iterations, "iteration"),
+        counted(solution.evaluations, "evaluation"),
+        counted(found.models.len() as u64, "model")
+    ));
+    let numbers = (1..=found.models.len()).map(|k| format!("best for {k}"));
+    let head: Vec<String> = ["vary", "robust"].map(str::to_owned).into_iter().chain(numbers.clone()).collect();
+    let rows = search.vary.iter().enumerate().map(|(i, vary)| {
+        let show = |x: &f64| shown::parameter(vary.parameter, *x, system);
+        let bests = found.models.iter().map(|(_, best)| show(&best.solution.x[i]));
+        [vary.parameter.name.into(), show(&found.design[i])].into_iter().chain(bests).collect()
+    });
+    let head: Vec<&str> = head.iter().map(String::as_str).collect();
+    let all: Vec<usize> = (1..head.len()).collect();
+    let designs = table(&head, &all, rows);
+
+    let head: Vec<String> = ["", "robust", "as set up"].map(str::to_owned).into_iter().chain(numbers).collect();
+    let head: Vec<&str> = head.iter().map(String::as_str).collect();
+    let rows = (0..found.models.len()).map(|k| {
+        let or_dash = |loss: Option<f64>| loss.map_or(shown::NONE.into(), |loss| show(loss.max(0.0)));
+        let robust = show(found.losses[k].max(0.0));
+        [(k + 1).to_string(), robust, or_dash(found.as_set_up[k])]
+            .into_iter()
+            .chain(found.matrix[k].iter().copied().map(or_dash))
+            .collect()
+    });
+    let all: Vec<usize> = (1..head.len()).collect();
+    let losses = table(&head, &all, rows);
+
+    let models = found.models.iter().enumerate().map(|(k, (model, best))| {
+        let value = best.value().map_or(shown::NONE.into(), |value| value_text(goal, value, system));
+        let holds = if found.shares[k] > IDLE { "; it holds the robust design" } else { "" };
+        let reason = if model.reason.is_empty() { String::new() } else { format!(" ({})", model.reason) };
+        item(&format!("{}: {}{reason}: {} at best {value}{holds}", k + 1, model.name, goal.expression))
+    });
+    let told = format!(
+        "losses of {} beside the best for each model, by design; {} where the design breaks a limit, or a swing does not fly",
+        goal.expression,
+        shown::NONE
+    );
+    format!("{ending}\nmodels\n{}\n{designs}\n{}{losses}", models.collect::<String>(), paragraph(&told))
+}
+
+/// The setup with the robust design as a setup file in TOML, to the last digit.
+///
+/// # Errors
+/// As [`setup_toml`](super::setup_toml).
+pub fn robust_toml(found: &Robust, within: Option<f64>, preset: &Preset) -> Result<String> {
+    let search = &found.search;
+    let mut about = vec![format!("{}, {} {}", preset.name, search.sense.adjective(), search.of.expression)];
+    about.push(verdict(found, within, System::default()));
+    about.extend(found.models.iter().map(|(model, _)| format!("model: {}", model.name)));
+    about.extend(search.subject_to.iter().map(|limit| format!("subject to {}", limit.expression)));
+    let remarks = search.vary.iter().zip(&found.design).map(|(vary, x)| {
+        let show = |value: f64| vary.parameter.show(Some(value));
+        let chosen = shown::as_declared(vary.parameter, *x);
+        (vary.parameter, format!("robust: {chosen} in {} .. {}", show(vary.low), show(vary.high)))
+    });
+    super::setup_toml(&found.setup, preset, &about, &remarks.collect::<Vec<_>>())
+}

@@ -1,0 +1,165 @@
+//! What the Rules of Golf say of a head and a ball, in numbers.
+
+use crate::drive::Outcome;
+use crate::parameters::{Parameter, Setup};
+use crate::units::Quantity;
+
+/// A rule: a limit of one number.
+#[derive(Debug)]
+pub struct Rule {
+    /// What it is called.
+    pub name: &'static str,
+    /// What it limits.
+    pub of: Limited,
+    /// Whether the limit is the greatest value that conforms, and not the least.
+    pub is_greatest: bool,
+    /// The limit.
+    pub limit: &'static str,
+    /// What the test allows beyond it; nothing where the rule has no tolerance.
+    pub tolerance: Option<&'static str>,
+    /// The change of the limit that its price is told for.
+    pub step: &'static str,
+    /// Where it stands.
+    pub source: &'static str,
+    /// What else to know where a setup breaks it.
+    pub hint: &'static str,
+}
+
+/// What a rule limits.
+#[derive(Clone, Copy, Debug)]
+pub enum Limited {
+    /// A parameter, by its name.
+    Parameter(&'static str),
+    /// An outcome of the head.
+    Outcome(Outcome),
+    /// A relation that the user states under this name: no parameter has it.
+    Relation(&'static str, Quantity),
+}
+
+/// Rules are statics: one is equal to itself only.
+impl PartialEq for Rule {
+    fn eq(&self, other: &Self) -> bool {
+        std::ptr::eq(self, other)
+    }
+}
+
+/// The rules (R&A and USGA, Equipment Rules).
+pub static RULES: [Rule; 5] = [
+    Rule {
+        name: "moment of inertia",
+        of: Limited::Outcome(Outcome::HeadMoi),
+        is_greatest: true,
+        limit: "5900 g cm^2",
+        tolerance: Some("100 g cm^2"),
+        step: "100 g cm^2",
+        source: "Equipment Rules, part 2, 4b: about the vertical axis through the centre of gravity",
+        hint: "",
+    },
+    Rule {
+        name: "volume",
+        of: Limited::Relation("volume", Quantity::VOLUME),
+        is_greatest: true,
+        limit: "460 cm^3",
+        tolerance: Some("10 cm^3"),
+        step: "10 cm^3",
+        source: "Equipment Rules, part 2, 4b",
+        hint: "",
+    },
+    Rule {
+        name: "spring effect",
+        of: Limited::Parameter("impact.restitution"),
+        is_greatest: true,
+        limit: "0.822",
+        tolerance: Some("0.008"),
+        step: "0.01",
+        source: "Equipment Rules, part 2, 4c: as a restitution; the test of today measures the time of contact, 239 + 18 µs",
+        hint: " (that of tour-average and lpga-average was tested on no club: it is chosen so that the ball speed agrees with the published \
+               averages, and stands for all that makes it, such as a head speed that was measured lower; design with the limit, or with \
+               modern-driver)",
+    },
+    Rule {
+        name: "weight of the ball",
+        of: Limited::Parameter("ball.mass"),
+        is_greatest: true,
+        limit: "45.93 g",
+        tolerance: None,
+        step: "0.1 g",
+        source: "Equipment Rules, part 4: at most 1.620 oz",
+        hint: "",
+    },
+    Rule {
+        name: "size of the ball",
+        of: Limited::Parameter("ball.radius"),
+        is_greatest: false,
+        limit: "21.335 mm",
+        tolerance: None,
+        step: "0.1 mm",
+        source: "Equipment Rules, part 4: a diameter of at least 42.67 mm",
+        hint: "",
+    },
+];
+
+impl Rule {
+    /// What kind of number it limits.
+    pub fn quantity(&self) -> Quantity {
+        match self.of {
+            Limited::Outcome(of) => of.quantity(),
+            Limited::Relation(_, quantity) => quantity,
+            Limited::Parameter(name) => parameter(name).map_or(Quantity::NUMBER, |parameter| parameter.quantity),
+        }
+    }
+
+    /// The name of what it limits: `head_moi`.
+    pub fn limited(&self) -> &'static str {
+        match self.of {
+            Limited::Outcome(of) => of.name(),
+            Limited::Parameter(name) | Limited::Relation(name, _) => name,
+        }
+    }
+
+    /// The greatest or least value that conforms, with the tolerance, SI.
+    pub fn bound(&self) -> f64 {
+        let read = |text: &str| self.quantity().read(text).unwrap_or(f64::NAN);
+        let tolerance = self.tolerance.map_or(0.0, read);
+        read(self.limit) + if self.is_greatest { tolerance } else { -tolerance }
+    }
+
+    /// Whether a value conforms.
+    pub fn allows(&self, value: f64) -> bool {
+        // a value that was given in other units is rounded
+        let rounding = 1e-12 * self.bound().abs();
+        if self.is_greatest { value <= self.bound() + rounding } else { value >= self.bound() - rounding }
+    }
+
+    /// The rule as an expression: `head_moi <= 5900 g cm^2 + 100 g cm^2`.
+    pub fn expression(&self) -> String {
+        let sign = if self.is_greatest { "<=" } else { ">=" };
+        let tolerance = self.tolerance.map_or(String::new(), |tolerance| format!(" + {tolerance}"));
+        format!("{} {sign} {}{tolerance}", self.limited(), self.limit)
+    }
+
+    /// A value as people read it.
+    pub fn show(&self, value: f64) -> String {
+        let unit = self.limit.split_once(' ').map_or("", |(_, unit)| unit);
+        self.quantity().show(value, unit)
+    }
+}
+
+fn parameter(name: &str) -> Option<&'static Parameter> {
+    Setup::default().parameter(name).ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::RULES;
+
+    #[test]
+    fn exact_limits_with_their_tolerances() {
+        let bounds = RULES.iter().map(super::Rule::bound).collect::<Vec<_>>();
+        for (bound, expected) in bounds.iter().zip([6000e-7, 470e-6, 0.83, 0.04593, 0.04267 / 2.0]) {
+            assert!((bound - expected).abs() < 1e-12 * expected, "{bound}");
+        }
+        assert!(RULES[2].allows(0.83) && !RULES[2].allows(0.8301) && RULES[4].allows(0.022) && !RULES[4].allows(0.021));
+        assert_eq!(RULES[0].expression(), "head_moi <= 5900 g cm^2 + 100 g cm^2");
+    }
+}

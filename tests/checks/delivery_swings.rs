@@ -1,0 +1,283 @@
+//! From the shots of a launch monitor to the swings of a golfer, and to the design that is best over them.
+
+use crate::command_line::{json, longdrive, number};
+use longdrive::parameters::Parameter;
+use longdrive::study::calibrate::instrument;
+use longdrive::study::swings::{Rule, Scenarios, Swings};
+use longdrive::{Drive, Outcome, Setup};
+use rand_xoshiro::Xoshiro256PlusPlus;
+use rand_xoshiro::rand_core::{RngCore, SeedableRng};
+
+const DEGREE: f64 = std::f64::consts::PI / 180.0;
+const MPH: f64 = 0.44704;
+
+/// What the swings are: mean and standard deviation, SI; path and face are correlated.
+const TRUTH: [(&str, f64, f64); 4] = [
+    ("swing.speed", 104.0 * MPH, 2.5 * MPH),
+    ("swing.attack_angle", 1.0 * DEGREE, 1.5 * DEGREE),
+    ("swing.path", 1.5 * DEGREE, 2.5 * DEGREE),
+    ("swing.face_angle", 0.5 * DEGREE, 2.0 * DEGREE),
+];
+const CORRELATION: f64 = 0.6;
+const SOUGHT: [&str; 8] = [
+    "--vary",
+    "swing.speed=90mph..118mph",
+    "--vary",
+    "swing.attack_angle=-9deg..9deg",
+    "--vary",
+    "swing.path=-12deg..12deg",
+    "--vary",
+    "swing.face_angle=-12deg..12deg",
+];
+
+/// Normal numbers, the same ones every time.
+struct Chance(Xoshiro256PlusPlus);
+
+impl Chance {
+    fn normal(&mut self) -> f64 {
+        let mut share = || ((self.0.next_u64() >> 11) as f64 + 0.5) / (1u64 << 53) as f64;
+        (-2.0 * share().ln()).sqrt() * (std::f64::consts::TAU * share()).cos()
+    }
+}
+
+/// Shots of such swings as a launch monitor writes them, with its errors.
+fn shots(count: usize, seed: u64) -> String {
+    let mut chance = Chance(Xoshiro256PlusPlus::seed_from_u64(seed));
+    let swing = |chance: &mut Chance| {
+        let mut scores = [0.0; 4].map(|_| chance.normal());
+        scores[3] = CORRELATION * scores[2] + (1.0 - CORRELATION * CORRELATION).sqrt() * scores[3];
+        scores.to_vec()
+    };
+    shots_of(&TRUTH, count, &mut chance, swing)
+}
+
+/// The same of other swings, whose scores are drawn by `scores`.
+fn shots_of(
+    truth: &[(&str, f64, f64)],
+    count: usize,
+    chance: &mut Chance,
+    scores: impl Fn(&mut Chance) -> Vec<f64>,
+) -> String {
+    let of = [
+        (Outcome::BallSpeed, "Ball Speed [m/s]"),
+        (Outcome::LaunchAngle, "Launch Angle [rad]"),
+        (Outcome::LaunchDirection, "Launch Direction [rad]"),
+        (Outcome::Backspin, "Backspin [rad/s]"),
+        (Outcome::Sidespin, "Sidespin [rad/s]"),
+    ];
+    let mut text = of.map(|(_, head)| head).join(",") + "\n";
+    for _ in 0..count {
+        let scores = scores(chance);
+        let mut swing = Setup::preset("tour-average").unwrap();
+        for ((name, mean, deviation), score) in truth.iter().zip(scores) {
+            let parameter = swing.variable(name).unwrap();
+            swing.set_value(parameter, Some(mean + deviation * score)).unwrap();
+        }
+        let drive = Drive::new(&swing).unwrap();
+        let cell = |(of, _): (Outcome, &str)| {
+            let error = instrument(of).unwrap().1 * chance.normal();
+            (of.value(&drive).unwrap() + error).to_string()
+        };
+        text += &(of.map(cell).join(",") + "\n");
+    }
+    text
+}
+
+/// Means, deviations and the correlation of the swings within three of their stated uncertainties, and the files give them to `optimize`.
+#[test]
+fn measured_the_swings_behind_shots_are_those_that_made_them() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name).display().to_string();
+    let (file, table, distribution, setup) = (at("shots.csv"), at("swings.csv"), at("swings.toml"), at("golfer.toml"));
+    std::fs::write(&file, shots(80, 1)).unwrap();
+    let delivery = |more: &[&str]| json(&[&["delivery", "--shots", &file], &SOUGHT[..], more].concat());
+    let (status, answer) = delivery(&["--swings", &distribution, "-o", &setup]);
+    assert_eq!(status, 0, "{}", answer["message"]);
+    let found = &answer["population"];
+    for ((name, mean, deviation), spread) in TRUTH.into_iter().zip(found["spread"].as_array().unwrap()) {
+        assert_eq!(spread["parameter"], name);
+        let stated = |of: &str| number(&spread[&format!("{of}_standard_uncertainty")]);
+        let off = [number(&spread["mean"]) - mean, number(&spread["deviation"]) - deviation];
+        let off = [off[0] / stated("mean"), off[1] / stated("deviation")];
+        println!(
+            "{name}: mean off by {:.2}, deviation by {:.2} of its uncertainty; told {:.3}",
+            off[0],
+            off[1],
+            number(&spread["told"])
+        );
+        assert!(off.iter().all(|off| off.abs() < 3.0), "{name}: {off:?} {spread}");
+        // the uncertainties are those of so many swings, not an excuse
+        assert!(stated("deviation") < 0.25 * deviation && number(&spread["told"]) > 0.6, "{name}: {spread}");
+    }
+    let correlation = number(&found["correlations"][2][3]);
+    println!("correlation {correlation:.3}");
+    assert!(
+        (correlation - CORRELATION).abs() < 3.0 * (1.0 - CORRELATION * CORRELATION) / 80.0_f64.sqrt(),
+        "{correlation}"
+    );
+
+    // the distribution reads back as what was found
+    let own = Setup::from_file(setup.as_ref()).unwrap();
+    let swings = Swings::open(&own, distribution.as_ref()).unwrap();
+    for (parameter, mean) in swings.parameters().iter().zip(swings.means()) {
+        let spread =
+            found["spread"].as_array().unwrap().iter().find(|spread| spread["parameter"] == parameter.name).unwrap();
+        assert!((mean - number(&spread["mean"])).abs() < 1e-8 * mean.abs().max(1.0), "{mean} {spread}");
+    }
+    let (status, _) = delivery(&["--swings", &table]);
+    let rows = match Swings::open(&own, table.as_ref()).unwrap() {
+        Swings::Recorded { rows, .. } => rows,
+        other => panic!("{other:?}"),
+    };
+    assert_eq!((status, rows.len()), (0, 80));
+    assert_eq!(rows[7][2], number(&answer["rows"][7]["known"][2]["value"]), "to the last bit");
+    let (status, best) = json(&["optimize", &setup, "--swings", &distribution, "--scenarios", "32"]);
+    assert_eq!((status, &best["status"]), (0, &"converged".into()), "{best}");
+}
+
+/// Seven numbers of a swing from the five of its launch: what is not told keeps what was assumed, with an uncertainty that says so, and the
+/// launches of the swings found scatter as those of the golfer.
+#[test]
+fn measured_seven_numbers_of_each_swing_are_within_what_is_stated_of_them() {
+    let truth = [
+        ("swing.speed", 104.0 * MPH, 2.5 * MPH),
+        ("swing.attack_angle", 0.5 * DEGREE, 1.2 * DEGREE),
+        ("swing.shaft_lean", -DEGREE, 0.6 * DEGREE),
+        ("swing.path", 2.0 * DEGREE, 2.0 * DEGREE),
+        ("swing.face_angle", 1.0 * DEGREE, 2.2 * DEGREE),
+        ("strike.toe", 4e-3, 7e-3),
+        ("strike.high", 1e-3, 5e-3),
+    ];
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name).display().to_string();
+    let (file, distribution) = (at("shots.csv"), at("swings.toml"));
+    let mut chance = Chance(Xoshiro256PlusPlus::seed_from_u64(3));
+    let scores = |chance: &mut Chance| (0..7).map(|_| chance.normal()).collect::<Vec<_>>();
+    std::fs::write(&file, shots_of(&truth, 60, &mut chance, scores)).unwrap();
+    let (status, answer) = json(&["delivery", "--shots", &file, "--swings", &distribution]);
+    assert_eq!(status, 0, "{}", answer["message"]);
+    for ((name, mean, deviation), spread) in truth.iter().zip(answer["population"]["spread"].as_array().unwrap()) {
+        let off = |of: &str, truth: f64| {
+            (number(&spread[of]) - truth) / number(&spread[&format!("{of}_standard_uncertainty")])
+        };
+        let (mean, deviation) = (off("mean", *mean), off("deviation", *deviation));
+        println!("{name}: mean off by {mean:.2}, deviation by {deviation:.2}; told {:.2}", number(&spread["told"]));
+        assert!(mean.abs() < 3.0 && deviation.abs() < 3.0, "{name}: {mean} {deviation}");
+        // as of a single shot
+        let rows = answer["rows"].as_array().unwrap();
+        let known = rows.iter().flat_map(|row| row["known"].as_array().unwrap());
+        let mut told: Vec<f64> =
+            known.filter(|one| one["parameter"] == *name).map(|one| number(&one["told"])).collect();
+        told.sort_by(f64::total_cmp);
+        assert!((told[30] - number(&spread["told"])).abs() < 0.1, "{name}: {} {spread}", told[30]);
+    }
+    // path, face and the strike towards the toe are not told together, nor attack, lean and the height of the strike
+    let assumed = |i: usize| number(&answer["population"]["spread"][i]["deviation_standard_uncertainty"]);
+    assert!(
+        assumed(3) > DEGREE && assumed(5) > 5e-3 && assumed(1) > DEGREE && assumed(6) > 3e-3,
+        "{}",
+        answer["population"]
+    );
+    are_given_back(&answer);
+    // the scatter of launches, of the swings found and of the golfer's own
+    let setup = Setup::preset("tour-average").unwrap();
+    let found = Swings::open(&setup, distribution.as_ref()).unwrap();
+    let scenarios = Scenarios::new(&found, Rule::Sequence { count: 512, seed: 0 }).unwrap();
+    let of = [Outcome::BallSpeed, Outcome::LaunchAngle, Outcome::LaunchDirection, Outcome::Sidespin];
+    let scatter = |swings: &[(Vec<&'static Parameter>, Vec<f64>)]| {
+        let drive = |(parameters, values): &(Vec<&'static Parameter>, Vec<f64>)| {
+            let mut swung = setup;
+            for (parameter, value) in parameters.iter().zip(values) {
+                swung.set_value(parameter, Some(*value)).unwrap();
+            }
+            Drive::new(&swung).unwrap()
+        };
+        let drives: Vec<_> = swings.iter().map(drive).collect();
+        of.map(|of| {
+            let values: Vec<f64> = drives.iter().map(|drive| of.value(drive).unwrap()).collect();
+            let mean = values.iter().sum::<f64>() / values.len() as f64;
+            (values.iter().map(|value| (value - mean).powi(2)).sum::<f64>() / values.len() as f64).sqrt()
+        })
+    };
+    let parameters: Vec<_> = truth.iter().map(|(name, ..)| setup.variable(name).unwrap()).collect();
+    let own: Vec<_> = (0..2000)
+        .map(|_| {
+            (parameters.clone(), truth.iter().map(|(_, mean, deviation)| mean + deviation * chance.normal()).collect())
+        })
+        .collect();
+    let found: Vec<_> = scenarios.points.iter().map(|point| (scenarios.parameters.clone(), point.clone())).collect();
+    for ((of, found), own) in of.iter().zip(scatter(&found)).zip(scatter(&own)) {
+        println!("{}: {:.2} of the golfer's own scatter", of.name(), found / own);
+        // of 60 shots a deviation is known to 9 %
+        assert!((found / own - 1.0).abs() < 0.3, "{}: {found} {own}", of.name());
+    }
+}
+
+/// Mean and scatter of each outcome are those of the shots, within a quarter of the scatter.
+fn are_given_back(answer: &serde_json::Value) {
+    for one in answer["population"]["launches"].as_array().unwrap() {
+        let [[mean, deviation], [found, spread]] =
+            ["measured", "recovered"].map(|of| ["mean", "deviation"].map(|what| number(&one[of][what])));
+        let off = (found - mean).abs().max((spread - deviation).abs());
+        assert!(off <= 0.25 * deviation, "{one}");
+    }
+}
+
+/// A robot's swings hardly vary: the spread that is assumed of what its shots do not tell must not scatter the launches.
+#[test]
+fn measured_of_a_robot_less_of_the_assumed_spread_is_kept_and_that_is_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name).display().to_string();
+    let (file, distribution) = (at("shots.csv"), at("swings.toml"));
+    let mut chance = Chance(Xoshiro256PlusPlus::seed_from_u64(5));
+    std::fs::write(&file, shots_of(&TRUTH, 40, &mut chance, |_| vec![0.0; 4])).unwrap();
+    let (status, answer) = json(&["delivery", "--shots", &file, "--swings", &distribution]);
+    let kept = number(&answer["population"]["kept"]);
+    assert!(status == 0 && kept < 1.0, "{}", answer["population"]);
+    are_given_back(&answer);
+    let text = std::fs::read_to_string(&distribution).unwrap();
+    assert!(text.contains("# what the shots do not tell of the swings is spread by"), "{text}");
+}
+
+#[test]
+fn shots_without_a_delivery_are_left_out_and_too_few_tell_no_distribution() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name).display().to_string();
+    let file = at("shots.csv");
+    // as the last one no ball can leave
+    std::fs::write(&file, shots(3, 2) + "115,0.2,0,250,0\n").unwrap();
+    let run =
+        |swings: &str| longdrive(&[&["delivery", "--shots", &file, "--swings", &at(swings)], &SOUGHT[..]].concat());
+    let table = run("swings.csv");
+    let words = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(words(&table.err).contains("left out of it: 1 row"), "{}", table.err);
+    assert_eq!(std::fs::read_to_string(at("swings.csv")).unwrap().lines().count(), 4);
+    let (status, best) = json(&["optimize", "--swings", &at("swings.csv")]);
+    assert_eq!((status, &best["swings"]["scenarios"]), (0, &3.into()), "{best}");
+    let distribution = run("swings.toml");
+    assert!(
+        words(&distribution.err).contains("it takes 10 shots whose delivery is found, and there are 3"),
+        "{}",
+        distribution.err
+    );
+    assert!(!folder.path().join("swings.toml").exists());
+    // all of them found, and still not what was asked for
+    std::fs::write(&file, shots(7, 2)).unwrap();
+    let few = run("swings.toml");
+    assert!(few.status == 1 && words(&few.err).contains("and there are 7"), "{}", few.err);
+    let other = run("swings.txt");
+    assert!(other.status == 2 && other.err.contains(".csv for a row"), "{}", other.err);
+    assert_eq!(run("swings.csv").status, 2, "it exists");
+    let alone = longdrive(&[
+        "delivery",
+        "--ball-speed",
+        "150mph",
+        "--launch-angle",
+        "12deg",
+        "--spin",
+        "2600rpm",
+        "--swings",
+        "x.csv",
+    ]);
+    assert!(alone.status == 2 && alone.err.contains("--shots"), "{}", alone.err);
+}

@@ -1,0 +1,157 @@
+//! What a design says of what was not asked, of parameters that are unset, of limits that cannot be met, and of questions that make no sense.
+
+use crate::command_line::{json, longdrive, number};
+use crate::common::close;
+use longdrive::derivative::{Evaluator, Order};
+use longdrive::{Outcome, Setup};
+
+/// Few swings of the usual golfer, so that a search takes no time.
+const FEW: [&str; 4] = ["design", "modern-driver", "--scenarios", "32"];
+
+/// A golfer of two parameters.
+const TWO: [&str; 4] = [
+    "design",
+    "modern-driver",
+    "--distribution=swing.face_angle=truncated(0deg,3deg,-6deg,6deg)",
+    "--distribution=strike.toe=truncated(0mm,9mm,-18mm,18mm)",
+];
+
+fn words(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+/// Swings that were not asked about take no answer away.
+#[test]
+fn a_design_stands_where_other_swings_do_not_fly() {
+    let mut setup = Setup::default();
+    setup.set("club.loft", "8 deg").unwrap();
+    let attack = setup.parameter("swing.attack_angle").unwrap();
+    let drive = Evaluator::new(&setup, &[Outcome::Carry], &[attack], Order::Value).unwrap();
+    let flies = |degrees: f64| drive.at(&[degrees.to_radians()]).is_ok();
+    let (mut down, mut up) = (-30.0, 0.0);
+    assert!(flies(up) && !flies(down));
+    for _ in 0..50 {
+        let middle = 0.5 * (down + up);
+        *(if flies(middle) { &mut up } else { &mut down }) = middle;
+    }
+    // the lowest of 32 nodes lies above the lowest attack angle that flies, and the lowest of the 48 that the error is read from below
+    let low = (up - 0.001 * 5.0) / 0.999;
+    let distribution = format!("--distribution=swing.attack_angle=uniform({low}deg, 5deg)");
+    for command in ["design", "optimize"] {
+        let asked = [command, "modern-driver", &distribution, "--vary=club.loft=7deg..8deg", "--maximize=mean(carry)"];
+        let (status, found) = json(&asked);
+        assert_eq!((status, found["status"].as_str()), (0, Some("converged")), "{}", found["message"]);
+        assert!(found["swings"]["quadrature_error"].is_null() && !found["swings"]["nominal"].is_null());
+        let unknown = found["swings"]["unknown"][0].as_str().unwrap();
+        assert!(unknown.contains("does not fly (the swing with swing.attack_angle = "), "{unknown}");
+        let said = longdrive(&asked);
+        assert!(
+            said.status == 0 && words(&said.out).contains("of other swings of the same golfer one"),
+            "{}",
+            said.out
+        );
+    }
+}
+
+/// Unset is what `parameters` says that it means: no weight, and not the middle of its range.
+#[test]
+fn as_set_up_is_the_setup_without_what_is_unset() {
+    let base = json(&[&TWO[..], &["--vary=club.loft=10deg..11deg"]].concat()).1;
+    let mean = |found: &serde_json::Value| number(&found["design"]["parts"][0]["as_set_up"]);
+    for most in ["20g", "40g"] {
+        let vary = format!("--vary=club.weight_1.mass=0g..{most}");
+        let found = json(&[&TWO[..], &[vary.as_str()]].concat()).1;
+        assert_eq!(mean(&found), mean(&base), "{most}");
+        assert_eq!(number(&found["design"]["as_set_up"]["club.weight_1.mass"]), 0.0);
+        let held = found["design"]["held"].as_array().unwrap();
+        let budget = held.iter().find(|held| held["name"] == "mass budget").unwrap();
+        close(number(&budget["high"]), 0.204, 0.2, 1e-12, "budget");
+    }
+    let optimize = ["optimize", "modern-driver", TWO[2], TWO[3], "--vary=club.weight_1.mass=0g..20g"];
+    let said = json(&optimize).1;
+    assert_eq!(number(&said["swings"]["as_set_up"]["mean(carry)"]), mean(&base));
+}
+
+#[test]
+fn a_relation_is_shown_in_the_unit_of_its_limit() {
+    let asked = ["--vary=club.cg_depth=21mm..50mm", "--subject-to=x: club.cg_depth <= 25 mm", "--minimize=mean(carry)"];
+    let said = longdrive(&[&TWO[..], &asked].concat());
+    let row = said.out.lines().find(|line| line.contains("x: club.cg_depth")).unwrap_or_else(|| panic!("{}", said.out));
+    assert!(row.contains("mm") && !row.contains("yd  ") && !row.contains("1 m "), "{row}");
+}
+
+/// What cannot be met is told where it is violated least, and what nothing changes is told as such.
+#[test]
+fn the_nearest_design_is_no_further_than_the_one_set_up() {
+    let weight = [
+        "--set=club.mass=189g",
+        "--set=club.weight_1.mass=15g",
+        "--set=club.weight_1.depth=40.8mm",
+        "--set=club.weight_1.high=0mm",
+        "--set=club.weight_1.toe=0mm",
+        "--vary=club.weight_1.depth=0mm..110mm",
+        "--vary=club.weight_1.toe=-50mm..50mm",
+        "--subject-to=head_moi <= 5500 g cm^2",
+    ];
+    let (status, found) = json(&[&TWO[..], &weight].concat());
+    assert_eq!((status, found["status"].as_str()), (1, Some("infeasible")), "{found}");
+    let value = number(&found["constraints"][0]["value"]);
+    let own = number(&found["swings"]["as_set_up"]["head_moi"]);
+    assert!(value <= own * (1.0 + 1e-9), "{value} {own}");
+    let (_, found) = json(&[&TWO[..], &["--subject-to=head_moi <= 3000 g cm^2"]].concat());
+    let message = found["message"].as_str().unwrap();
+    assert!(message.contains("nothing that is varied changes it: it is 5679 g cm^2"), "{message}");
+}
+
+/// A bound that is reached without any effect is told as such, and not as an optimum.
+#[test]
+fn a_variable_without_an_effect_is_named() {
+    let swings = ["optimize", "modern-driver", TWO[2]];
+    let both = ["--vary=club.loft=7deg..16deg", "--vary=club.bulge_radius=200mm..600mm"];
+    let said = longdrive(&[&swings[..], &both].concat());
+    assert!(said.status == 0 && said.out.contains("no effect"), "{} {}", said.out, said.err);
+    let told =
+        "club.bulge_radius has no effect worth telling: within its range it changes mean(carry) by less than 1 mm";
+    assert!(words(&said.out).contains(told), "{}", said.out);
+    assert!(!words(&said.out).contains("club.loft has no effect"), "{}", said.out);
+}
+
+#[test]
+fn what_makes_no_design_is_refused_in_plain_words() {
+    let cases: [(&[&str], &str); 9] = [
+        (&["--subject-to=volume: 5 g <= 40 g"], "which is about a volume, and this is a mass"),
+        (&["--subject-to=volume: 120 cm^3 + 80 cm^2*club.cg_depth >= 400 cm^3"], "its upper limit is missing"),
+        (
+            &["--maximize=2*mean(carry) - std(carry)/2"],
+            "there is no division; a weight stands before the measure, for example 0.5*std(carry)",
+        ),
+        (&["--maximize=mean(carry) mean(total)"], "a + or - is missing before 'mean(total)'"),
+        (&["--maximize=mean(carry)*2"], "'*2'"),
+        (&["--starts=4"], "begins at the setup's own design"),
+        (&["--launch=ball_speed=150mph,launch_angle=12deg,backspin=2500rpm"], "there is nothing to design"),
+        (&["--distribution=club.inertia.xx=uniform(5700 g cm^2,6200 g cm^2)"], "the swings reach head_moi = "),
+        (&["--set=impact.restitution=0.859"], "chosen so that the ball speed agrees"),
+    ];
+    for (args, part) in cases {
+        let said = longdrive(&[&FEW[..2], args].concat());
+        assert_eq!(said.status, 2, "{args:?}: {} {}", said.err, said.out);
+        assert!(words(&said.err).contains(part), "{args:?}: {part}: {}", said.err);
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("nothing.toml").display().to_string();
+    std::fs::write(&file, "").unwrap();
+    let said = longdrive(&["design", "--swings", &file]);
+    assert!(
+        said.status == 2 && words(&said.err).contains("nothing.toml: it has nothing to distribute"),
+        "{}",
+        said.err
+    );
+    assert!(!longdrive(&["design", "--help"]).out.contains("--starts"));
+    let free = longdrive(&[&TWO[..], &["--rules=none", "--vary=club.loft=10deg..11deg"]].concat());
+    assert!(free.status == 0 && !free.out.contains("held by"), "{}", free.out);
+}
+
+#[test]
+fn what_rigid_bodies_miss_is_said_once() {
+    assert_eq!(longdrive(&["design"]).out.replace('\n', " ").matches("known to miss the side spin").count(), 1);
+}

@@ -1,0 +1,99 @@
+//! One design for several models: beside the best of each, and beside a search of every design.
+
+use crate::command_line::{json, longdrive, number};
+use crate::common::close;
+use longdrive::optimize::{Follow, Options};
+use longdrive::study::swings::{Goal, Model, Robust, Scenarios, SwingsSearch, robust};
+use longdrive::study::{Sense, Vary};
+use longdrive::{Drive, Error, Outcome, Setup};
+
+fn search(setup: &Setup<f64>) -> SwingsSearch {
+    let vary = vec![Vary::read(setup, "club.loft=4deg..20deg").unwrap()];
+    let (of, sense) = (Goal::outcome(Outcome::Carry), Sense::Maximize);
+    SwingsSearch { of, sense, vary, subject_to: vec![], options: Options::default() }
+}
+
+fn found(setup: &Setup<f64>, changes: &[&str]) -> Robust {
+    let own = [Model::as_set_up(setup)].into_iter();
+    let models = own.chain(changes.iter().map(|text| Model::read(setup, text).unwrap())).collect();
+    robust(models, search(setup), &Scenarios::one_drive(), &Follow::default()).unwrap()
+}
+
+/// Two models whose best lofts differ: at the design that loses least both lose the same, and a fine grid of lofts has none that loses less.
+#[test]
+fn independent_loft_that_loses_least_with_either_of_two_models() {
+    let setup = Setup::preset("mae494").unwrap();
+    let change = "swing.attack_angle=-4 deg";
+    let best = found(&setup, &[change]);
+    assert_eq!(best.status(), "converged");
+    close(best.losses[0], best.losses[1], 1.0, 1e-8, "both lose the same");
+    close(best.shares[0] + best.shares[1], 1.0, 1.0, 1e-8, "shares");
+    assert!(best.shares.iter().all(|share| *share > 0.01), "{:?}", best.shares);
+    let models = [setup, Model::read(&setup, change).unwrap().setup];
+    let carry = |model: &Setup<f64>, loft: f64| {
+        let mut model = *model;
+        model.club.loft = loft;
+        Outcome::Carry.of(&Drive::new(&model).unwrap()).unwrap()
+    };
+    let own = best.models.iter().map(|(_, best)| best.value().unwrap()).collect::<Vec<_>>();
+    let greatest = |loft: f64| models.iter().zip(&own).map(|(model, own)| own - carry(model, loft)).fold(0.0, f64::max);
+    close(best.greatest(), greatest(best.design[0]), 1.0, 1e-6, "greatest loss");
+    let grid = (0..400).map(|k| greatest((8.0 + 0.02 * f64::from(k)).to_radians()));
+    assert!(grid.fold(f64::INFINITY, f64::min) >= best.greatest() - 1e-7);
+    for (k, row) in best.matrix.iter().enumerate() {
+        close(row[k].unwrap(), 0.0, 1.0, 1e-8, "nothing is lost at the own best");
+        let other = best.models[1 - k].1.solution.x[0];
+        close(row[1 - k].unwrap(), own[k] - carry(&models[k], other), 1.0, 1e-6, "at the other's best");
+    }
+}
+
+/// A model that never loses more than another does not hold the design.
+#[test]
+fn exact_a_model_that_is_the_setup_in_all_that_matters_holds_nothing() {
+    let setup = Setup::preset("mae494").unwrap();
+    let best = found(&setup, &["impact.friction=50"]);
+    close(best.greatest(), 0.0, 1.0, 1e-7, "nothing is lost");
+}
+
+#[test]
+fn the_answer_says_whether_one_design_holds_for_all_models() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("best.toml").display().to_string();
+    let ask = ["robust", "--vary", "club.loft=6deg..16deg"];
+    let models = ["--model", "aero.law=ferguson", "--model", "impact.gear_scale=0.5,impact.friction=0.3"];
+    let (status, answer) = json(&[&ask[..], &models, &["-o", &file]].concat());
+    assert_eq!((status, answer["status"].as_str()), (0, Some("converged")), "{answer:#}");
+    let greatest = number(&answer["greatest_loss"]);
+    assert_eq!(answer["holds_for_all"], (greatest <= 0.9144), "{answer:#}");
+    let written = Setup::from_toml(&std::fs::read_to_string(&file).unwrap(), "best.toml").unwrap();
+    assert_eq!(written.club.loft, number(&answer["optimum"]["club.loft"]));
+    let text = longdrive(&[&ask[..], &models, &["--within", "0 yd"]].concat()).out;
+    for said in ["no design is within", "best for 2", "aero.law=ferguson", "losses of carry"] {
+        assert!(text.contains(said), "{said}: {text}");
+    }
+    let swings = ["--distribution=swing.face_angle=normal(0deg,2deg)", "--distribution=strike.toe=normal(0mm,8mm)"];
+    let (_, usual) = json(&[&ask[..], &swings, &["--scenarios", "16"]].concat());
+    let names: Vec<_> =
+        usual["models"].as_array().unwrap().iter().map(|model| model["model"].as_str().unwrap()).collect();
+    assert!(names.contains(&"impact.gear_scale=0.5") && names[0] == "as set up", "{names:?}");
+}
+
+#[test]
+fn bad_models_say_what_is_wrong() {
+    let cases: [(&[&str], &str); 6] = [
+        (&["--model", "aero.law"], "write NAME=VALUE"),
+        (&["--model", "aero.law=ferguzon"], "did you mean 'ferguson'"),
+        (&["--model", "club.loft=12deg"], "this value would not be used"),
+        (&["--model", "impact.gear_scale=3"], "impact.gear_scale"),
+        (&["--model", "aero.law=ferguson", "--model", "aero.law=ferguson"], "it is the same as 'aero.law=ferguson'"),
+        (&["--within", "-1 yd"], "0 or more"),
+    ];
+    for (args, said) in cases {
+        let failed = longdrive(&[&["robust"], args].concat());
+        let told = failed.err.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(failed.status == 2 && told.contains(said), "{args:?}: {told}");
+    }
+    let setup = Setup::default();
+    let alone = robust(vec![Model::as_set_up(&setup)], search(&setup), &Scenarios::one_drive(), &Follow::default());
+    assert!(matches!(alone, Err(Error::Unreadable { .. })));
+}

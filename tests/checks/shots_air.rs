@@ -1,0 +1,95 @@
+//! The air of each shot, where an export states it.
+
+use crate::command_line::{json, longdrive, number};
+use crate::common::close;
+use crate::shots::flown;
+use longdrive::study::calibrate::ShotTable;
+use longdrive::{Drive, Outcome, Setup};
+use serde_json::Value;
+use std::fs;
+use std::io::Cursor;
+
+/// The shot of Garmin's sample in this air, as cells of its last four columns.
+fn garmin(air: &[&str]) -> String {
+    let text = include_str!("../data/shots/garmin.csv");
+    let (heads, row) = text.trim_end().rsplit_once('\n').unwrap();
+    let shot = row.strip_suffix("1.184,77,101.3,50").unwrap();
+    air.iter().fold(format!("{heads}\n"), |text, air| format!("{text}{shot}{air}\n"))
+}
+
+/// The carry of that shot in air of this density.
+fn carry(density: f64) -> f64 {
+    let mut setup = Setup::default();
+    setup.air.density = density;
+    for (name, value) in [
+        ("launch.ball_speed", "160 mph"),
+        ("launch.launch_angle", "12 deg"),
+        ("launch.launch_direction", "-1.5 deg"),
+        ("launch.spin", "2500 rpm"),
+        ("launch.spin_axis", "3 deg"),
+    ] {
+        setup.set(name, value).unwrap();
+    }
+    Outcome::CarryDistance.of(&Drive::new(&setup).unwrap()).unwrap()
+}
+
+#[test]
+fn exact_a_row_flies_in_the_air_that_its_export_states() {
+    let text = garmin(&["0.997,77,85.3,50", ",,,", "15,77,101.3,50", "1.1,77,101.3,50"]);
+    let (shots, all, _) = flown(Cursor::new(text.clone()));
+    for (row, density) in [0.997, 1.184, 1.184, 1.1].into_iter().enumerate() {
+        close(all[0].predicted(row, 0).unwrap(), carry(density), 250.0, 1e-6, &format!("row {row}"));
+    }
+    let told = shots.remarks().iter().map(ToString::to_string).collect::<Vec<_>>().join("\n");
+    assert!(told.contains("the air is each row's, as the export states it: Air Density"), "{told}");
+    let notes = |row: usize| all[0].shots()[row].notes.join("\n");
+    assert_eq!((notes(0), notes(3)), (String::new(), String::new()));
+    assert!(notes(1).contains("the air of the setup is assumed; Air Density: the cell is empty"), "{}", notes(1));
+    assert!(notes(2).contains("15 kg/m^3 is outside of what air has on a course"), "{}", notes(2));
+    // what states no unit may be of any
+    let (shots, all, _) = flown(Cursor::new(text.replace("[g/L]", "")));
+    close(all[0].predicted(0, 0).unwrap(), carry(1.184), 250.0, 1e-6, "without a unit");
+    assert!(shots.remarks().last().unwrap().to_string().contains("not used: ") && shots.further().is_empty());
+}
+
+#[test]
+fn exact_calibrate_reads_the_air_of_each_row_as_fly_does() {
+    let text = garmin(&["0.997,77,85.3,50", ",,,"]);
+    let mut table = ShotTable::read(&Setup::default(), "a.csv", text.as_bytes()).unwrap();
+    let air = |table: &ShotTable, shot: usize| {
+        table.shots[shot].inputs.iter().find(|(row, _)| row.name == "air.density").map(|(_, value)| *value)
+    };
+    let told = |table: &ShotTable| table.remarks.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n");
+    assert_eq!((air(&table, 0), air(&table, 1)), (Some(0.997), None));
+    for says in ["the air is each row's", "row 2: the air of the setup is assumed"] {
+        assert!(told(&table).contains(says), "no '{says}' in {}", told(&table));
+    }
+    table.in_given_air();
+    assert!(air(&table, 0).is_none() && told(&table).contains("the air is the one that is given"), "{}", told(&table));
+}
+
+#[test]
+fn the_air_that_is_given_comes_before_that_of_the_export() {
+    let folder = tempfile::tempdir().unwrap();
+    let place = |name: &str| folder.path().join(name).display().to_string();
+    let file = place("r50.csv");
+    fs::write(&file, garmin(&["0.997,77,85.3,50"])).unwrap();
+    let fly = |args: &[&str]| {
+        let output = place("flown.jsonl");
+        let said = longdrive(&[&["fly", &file, "-o", &output, "--overwrite"], args].concat());
+        assert_eq!(said.status, 0, "{}", said.err);
+        let line: Value = serde_json::from_str(fs::read_to_string(&output).unwrap().trim()).unwrap();
+        (number(&line["predicted"]["carry_distance"]), said.err)
+    };
+    let (own, told) = fly(&[]);
+    close(own, carry(0.997), 250.0, 1e-5, "the row's");
+    assert!(told.contains("the air is each row's"), "{told}");
+    let (given, told) = fly(&["--set", "air.density=1.3kg/m^3"]);
+    close(given, carry(1.3), 250.0, 1e-5, "given");
+    assert!(told.contains("the air is the one that is given, and not each row's"), "{told}");
+    let (cold, told) = fly(&["--set", "air.temperature=0degC"]);
+    assert!(cold < own - 10.0 && told.contains("Air Density"), "{cold} {told}");
+    // calibrate too
+    let (status, answer) = json(&["calibrate", &file, "--fit", "aero.cd0", "--set", "air.density=1.3kg/m^3"]);
+    assert!(status != 2, "{answer}");
+}
