@@ -39,7 +39,7 @@ pub trait Host: Send + Sync {
     /// # Errors
     /// Where there is none to be read.
     fn input(&self) -> io::Result<String> {
-        Err(io::Error::other("there is none"))
+        Err(io::Error::other("no text was given"))
     }
 
     /// Work begins that ends, with what is done so far, once `stop` is true; `stopping` says what it does then.

@@ -36,6 +36,7 @@ mod compare;
 mod completions;
 mod date;
 mod delivery;
+mod described;
 mod design;
 mod files;
 mod fly;
@@ -69,6 +70,7 @@ mod uncertainty;
 mod validate;
 mod verify;
 
+pub use described::described;
 pub use host::{Host, Kind};
 
 use crate::Result;
