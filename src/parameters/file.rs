@@ -52,7 +52,11 @@ impl SetupFile {
         }
     }
 
-    fn read(text: &str, file: &str) -> Result<Self> {
+    /// Reads the text of a setup file; `file` is what messages call it.
+    ///
+    /// # Errors
+    /// As [`Setup::from_toml`].
+    pub fn read(text: &str, file: &str) -> Result<Self> {
         let table = DeTable::parse(text).map_err(|error| Error::Toml {
             file: file.into(),
             message: of_toml(&error, text, |at| place_in(text, at)),
