@@ -1,19 +1,16 @@
 //! The studies: every command of the program, asked in its words and answered in its JSON.
 
-use crate::boundary::{Answer, Failure, answer, unpanicked};
+use crate::boundary::{Answer, Failure, answer};
 use crate::json::to_python;
+use crate::pool;
 use indicatif::{ProgressBar, ProgressDrawTarget};
 use longdrive::command::{Host, Kind, run, run_in_terminal};
 use pyo3::prelude::*;
 use std::ffi::OsString;
 use std::io;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
-use std::time::Duration;
-
-/// How long Python waits between two looks at whether someone wants the work to end.
-const BETWEEN_LOOKS: Duration = Duration::from_millis(40);
+use std::time::{Duration, Instant};
 
 /// How long work that was told to end may take to say what it has so far.
 const LAST_WORDS: Duration = Duration::from_millis(40);
@@ -38,6 +35,15 @@ struct Now {
 impl Caller {
     fn now(&self) -> MutexGuard<'_, Now> {
         self.now.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// What work that was told to stop says within a moment.
+    fn last_words(&self) -> String {
+        let told = Instant::now();
+        while told.elapsed() < LAST_WORDS && self.now().answer.is_empty() {
+            std::thread::sleep(LAST_WORDS / 16);
+        }
+        std::mem::take(&mut self.now().answer)
     }
 }
 
@@ -108,45 +114,24 @@ fn asked<'py>(
     progress: Option<&Bound<'py, PyAny>>,
 ) -> Answer<(u8, Bound<'py, PyAny>)> {
     let caller = Arc::new(Caller { setup, now: Mutex::default() });
-    let (done, ended) = channel();
     let host = caller.clone();
     let words = [OsString::from("longdrive")].into_iter().chain(words).collect();
-    // a thread of its own: Python's threads look after signals meanwhile, and what cannot stop is left to itself
-    let work = move || {
-        let _ = done.send(unpanicked(|| crate::pool::within(|| run(words, host))));
-    };
-    std::thread::Builder::new()
-        .name("longdrive".into())
-        .spawn(work)
-        .map_err(|error| Failure::Input(format!("no thread can be started for this: {error}")))?;
-    loop {
-        match py.detach(|| ended.recv_timeout(BETWEEN_LOOKS)) {
-            Ok(status) => {
-                let status = status??;
-                said(&caller, say)?;
-                let text = std::mem::take(&mut caller.now().answer);
-                return Ok((status, parsed(py, &text)?));
-            }
-            Err(RecvTimeoutError::Disconnected) => return Err(Failure::Panic("its thread ended".into())),
-            Err(RecvTimeoutError::Timeout) => {}
-        }
-        let looked = signals(py).and_then(|()| said(&caller, say)).and_then(|()| shown(&caller, progress));
-        if let Err(error) = looked {
+    let watch = || said(&caller, say).and_then(|()| shown(&caller, progress));
+    let status = match pool::run(py, move |_| run(words, host), watch) {
+        Ok(status) => status,
+        Err(Failure::Python(error)) => {
             if let Some(stop) = &caller.now().stop {
                 stop.store(true, Ordering::Relaxed);
             }
-            let _ = py.detach(|| ended.recv_timeout(LAST_WORDS));
-            let text = std::mem::take(&mut caller.now().answer);
-            error.value(py).setattr("answer", parsed(py, &text)?)?;
+            let answer = py.detach(|| caller.last_words());
+            error.value(py).setattr("answer", parsed(py, &answer)?)?;
             return Err(error.into());
         }
-    }
-}
-
-/// Raises what a signal is to raise. A step of Python's own first: without one no signal of another thread is seen.
-fn signals(py: Python<'_>) -> PyResult<()> {
-    py.run(c"pass", None, None)?;
-    py.check_signals()
+        Err(failure) => return Err(failure),
+    };
+    said(&caller, say)?;
+    let text = std::mem::take(&mut caller.now().answer);
+    Ok((status, parsed(py, &text)?))
 }
 
 fn said(caller: &Caller, say: &Bound<'_, PyAny>) -> PyResult<()> {

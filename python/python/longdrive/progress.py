@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import sys
+import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any, Union
 
-__all__ = ["Progress", "follower"]
+__all__ = ["Bar", "Progress", "follower"]
 
 Show = Callable[[int, int], Any]
 
@@ -27,8 +28,7 @@ def follower(doing: str, progress: Progress) -> Iterator[Show | None]:
         try:
             from tqdm.auto import tqdm
         except ImportError:
-            yield _line(doing)
-            print(file=sys.stderr)
+            yield Bar(doing)
             return
         with tqdm(desc=doing, total=None) as bar:
 
@@ -40,11 +40,20 @@ def follower(doing: str, progress: Progress) -> Iterator[Show | None]:
             yield show
 
 
-def _line(doing: str) -> Show:
-    """Without tqdm: one line that is written over."""
+class Bar:
+    """Writes one line and replaces it, at most five times a second."""
 
-    def show(done: int, of: int) -> None:
-        share = f"{done} of {of}" if of else "…"
-        print(f"\r{doing}: {share}", end="", file=sys.stderr, flush=True)
+    def __init__(self, what: str) -> None:
+        self._what = what
+        self._began = time.monotonic()
+        self._next = 0.0
 
-    return show
+    def __call__(self, done: int, total: int) -> None:
+        now = time.monotonic() - self._began
+        if now < self._next and done < total:
+            return
+        self._next = now + 0.2
+        left = f", {now * (total - done) / done:.0f} s left" if 0 < done < total else ""
+        end = "\n" if done >= total else ""
+        sys.stderr.write(f"\r{self._what}: {done:,} of {total:,}{left}   {end}")
+        sys.stderr.flush()
