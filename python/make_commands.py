@@ -6,13 +6,13 @@
 
 from __future__ import annotations
 
+import importlib.machinery
+import importlib.util
 import re
 import sys
 import textwrap
 from pathlib import Path
 from typing import Any
-
-from longdrive import _longdrive
 
 FOLDER = Path(__file__).parent / "python" / "longdrive"
 WIDTH = 140
@@ -41,14 +41,14 @@ __all__ = [{names}]
 
 
 def main() -> int:
-    commands = _longdrive.described()
+    commands = compiled().described()
     plots = next(command for command in commands if command["name"] == "plot")["commands"]
     studies = [command for command in commands if command["name"] not in BY_HAND | {"plot"}]
     written = {
         "commands.py": module(
             "The studies: a function for each command of the program.",
             "from ._ask import Question, ask\nfrom .optimum import Optimum, optimum\nfrom .progress import Progress\nfrom .reply import Reply\n"
-            "from .rows import read_rows\nfrom .types import Amount, Goals, Given, Names, PathLike, SetupLike, TableLike",
+            "from .rows import SHOTS\nfrom .types import Amount, Goals, Given, Names, PathLike, SetupLike, TableLike",
             studies,
             "",
         ),
@@ -68,6 +68,18 @@ def main() -> int:
     for name, text in written.items():
         (FOLDER / name).write_text(text, encoding="utf-8")
     return 0
+
+
+def compiled() -> Any:
+    """The compiled half of the package, without what is to be written."""
+    folders = [FOLDER, *(Path(folder) / "longdrive" for folder in sys.path)]
+    files = [file for folder in folders for file in folder.glob("_longdrive.*") if file.suffix in (".so", ".pyd")]
+    loader = importlib.machinery.ExtensionFileLoader("_longdrive", str(files[0]))
+    spec = importlib.util.spec_from_loader("_longdrive", loader)
+    assert spec is not None
+    module = importlib.util.module_from_spec(spec)
+    loader.exec_module(module)
+    return module
 
 
 def read(path: Path) -> str:
@@ -141,13 +153,13 @@ def function(command: dict[str, Any], before: str) -> str:
 
     returns = "Picture" if is_plot else "Optimum" if command["name"] in SEARCHES else "Reply"
     head = "".join(f"    {parameter},\n" for parameter in parameters)
-    return f"def {own}(\n{head}) -> {returns}:\n{docstring(command, required, setups, others)}{body(command, before, required, setups, others)}"
+    return f"def {own}(\n{head}) -> {returns}:\n{docstring(command, required, setups, others)}\n{body(command, before, required, setups, others)}"
 
 
 def body(command: dict[str, Any], before: str, required: list[Any], setups: list[Any], others: list[Any]) -> str:
     own = name(command)
     is_plot, is_fly, is_search = before != "", own == "fly", command["name"] in SEARCHES
-    lines = ["started = []"] if is_search else []
+    lines = ["started = []", ""] if is_search else [""]
     lines += ["def write(question: Question) -> None:"]
     for option in required:
         take = "take_file" if type_of(option) == "TableLike" else "take_word"
@@ -168,20 +180,21 @@ def body(command: dict[str, Any], before: str, required: list[Any], setups: list
         lines.append(f'    question.option("{python}", {value}, "{option["takes"]}", "{option["value"]}")')
     if not lines[-1].startswith("    "):
         lines.append("    pass")
+    lines.append("")
     asked = f'"{before}{command["name"]}", write, progress'
     if is_plot:
         lines.append(f"return picture(ask({asked}, written_plot(output)))")
     elif is_search:
         lines.append(f"return optimum(ask({asked}), started[0])")
     elif is_fly:
-        lines.append(f"return ask({asked}, None if output else read_rows)")
+        lines.append(f"return ask({asked}, None if output else SHOTS)")
     else:
         lines.append(f"return ask({asked})")
-    return "".join(f"    {line}\n" for line in lines)
+    return "".join(f"    {line}".rstrip() + "\n" for line in lines)
 
 
 def docstring(command: dict[str, Any], required: list[Any], setups: list[Any], others: list[Any]) -> str:
-    lines = wrapped(as_python(command["about"] or ""), "    ")
+    lines = wrapped(as_python(command["about"] or "") + ".", "    ")
     lines.append("")
     lines.append("    Args:")
     for option in [*required, *setups, *others]:
@@ -196,11 +209,11 @@ def docstring(command: dict[str, Any], required: list[Any], setups: list[Any], o
         default = option["default"]
         if default not in (None, "false") and not option["positional"] and option["takes"] != "nothing" and default != "-":
             text += f" [default: {default}]"
-        lines += wrapped(f"{python}: {lower(text)}", "        ", "            ")
+        lines += wrapped(f"{python}: {lower(text).removesuffix('.')}.", "        ", "            ")
     lines += wrapped("progress: True for a bar, or a function that is called with how many parts of how many are done.", "        ", "            ")
     lines += ["", "    Raises:", "        InputError: bad input, with the program's message.", "        NoAnswerError: a sound question without an answer."]
     lines[0] = '    """' + lines[0].strip()
-    return "\n".join(lines) + '\n    """\n'
+    return "\n".join(lines) + '\n    """'
 
 
 def wrapped(text: str, first: str, then: str | None = None) -> list[str]:

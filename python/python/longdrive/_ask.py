@@ -126,8 +126,8 @@ class Question:
 
     def _unit(self, name: str) -> str:
         if not self._units:
-            known = [*_longdrive.parameters(self.setup), *_longdrive.outcomes()]
-            self._units = {row["name"]: row["si"] for row in known}
+            outcomes = {row["name"]: row["si"] for row in _longdrive.outcomes()}
+            self._units = outcomes | {row["parameter"]: row["unit"] for row in _longdrive.parameters(self.setup)["parameters"]}
         # of a name that nothing bears the program says so
         return self._units.get(name, "")
 
@@ -176,11 +176,11 @@ def ask(
     command: str,
     write: Callable[[Question], None],
     progress: Progress = False,
-    written: Callable[[Path], Any] | None = None,
+    keep: tuple[str, Callable[[Path], Any]] | None = None,
 ) -> Reply:
     """Asks a command.
 
-    `write` gives it its options; `written` reads what it has written into the folder of the question, which becomes ``rows`` of the reply.
+    `write` gives it its options. `keep` names a key of the reply, and reads what is kept there from the folder of the question.
     """
     with tempfile.TemporaryDirectory(prefix="longdrive-") as name:
         question = Question(command, Path(name))
@@ -194,11 +194,12 @@ def ask(
             message = answer["message"] or answer["status"]
             raise InputError(message) if answer["status"] == "error" else NoAnswerError(message, answer["status"])
         for warning in answer["warnings"]:
-            # the line of the user's that asked
-            warnings.warn(warning, LongdriveWarning, stacklevel=4)
+            # at the line that asked: it called a function of commands.py, which called this one
+            warnings.warn(warning, LongdriveWarning, stacklevel=3)
         reply = Reply(answer)
-        if written is not None:
-            reply["rows"] = written(question.folder)
+        if keep is not None:
+            key, read = keep
+            reply[key] = read(question.folder)
         return reply
 
 

@@ -36,17 +36,17 @@ class Picture(Reply):
         return self["data"] if self["form"] == ".png" else None
 
 
-def written_plot(output: PathLike | None) -> Callable[[Path], Any]:
-    """Reads the file of a plot: its own, or the one in the folder of a question."""
+def written_plot(output: PathLike | None) -> tuple[str, Callable[[Path], Any]]:
+    """What is kept of a plot: its own file, or the one in the folder of the question."""
 
-    def read(folder: Path) -> Any:
+    def read(folder: Path) -> tuple[str, bytes]:
         path = folder / "plot.svg" if output is None else Path(output)
         return path.suffix.lower(), path.read_bytes()
 
-    return read
+    return "written", read
 
 
 def picture(reply: Reply) -> Picture:
     """The answer of a plot with what was written."""
-    form, data = reply.pop("rows")
+    form, data = reply.pop("written")
     return Picture(reply, form=form, data=data)

@@ -6,10 +6,14 @@ import json
 from pathlib import Path
 from typing import Any
 
-__all__ = ["read_rows"]
+__all__ = ["SHOTS"]
 
 
-def read_rows(folder: Path) -> list[dict[str, Any]]:
+def _read_rows(folder: Path) -> list[dict[str, Any]]:
     """The rows of a command, a dict each, SI."""
     with (folder / "rows.jsonl").open(encoding="utf-8") as file:
         return [json.loads(line) for line in file]
+
+
+SHOTS = ("shots", _read_rows)
+"""Rows of shots, kept in a reply under ``shots``."""
