@@ -28,7 +28,7 @@ const SHOWN: usize = 4;
 /// >>> setup["swing.speed"]
 /// 49.1744
 /// >>> setup
-/// <longdrive.Setup tour-average with club loft 10.5°, swing speed 110.0 mph>
+/// <longdrive.Setup tour-average with club speed 110 mph, club loft 10.5°>
 ///
 /// A number is SI (m, kg, s, rad, K); a text carries its unit; a quantity of pint is converted. None unsets what may be unset.
 /// A setup cannot be changed: ``replace`` makes another one. Setups are equal whose numbers and choices are.
@@ -259,7 +259,7 @@ impl PySetup {
         })
     }
 
-    /// What is flown as it stands but deserves a word: a list of sentences.
+    /// What a user should know about the setup, although it is flown as it stands: a list of sentences.
     fn warnings(&self) -> PyResult<Vec<String>> {
         answer(|| {
             let mut told: Vec<_> =

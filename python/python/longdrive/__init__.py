@@ -18,7 +18,7 @@ Numbers are SI and radians; a text carries its unit. Bad input is an :class:`Inp
 from __future__ import annotations
 
 from ._longdrive import Objective, Setup, __version__, outcomes, parameters, presets
-from .batch import Interrupted, batch
+from .batches import Interrupted, batch
 from .derivatives import Gradient, Hessian, Jacobian, gradient, hessian, jacobian, objective
 from .drive import Drive, simulate
 from .errors import Error, InputError, InternalError, NoAnswerError
