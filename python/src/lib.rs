@@ -35,7 +35,7 @@ mod _longdrive {
     #[pymodule_export]
     use crate::drive::simulate;
     #[pymodule_export]
-    use crate::names::{outcomes, parameters, presets};
+    use crate::names::{asked, outcomes, parameters, presets};
     #[pymodule_export]
     use crate::objective::PyObjective;
     #[pymodule_export]

@@ -19,7 +19,7 @@ from __future__ import annotations
 
 from . import plot
 from ._longdrive import Objective, Setup, __version__, outcomes, parameters, presets
-from .batch import Interrupted, batch
+from .batches import Interrupted, batch
 from .commands import (
     calibrate,
     chart,

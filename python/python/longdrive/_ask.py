@@ -41,10 +41,9 @@ class Question:
     def take_setup(self, given: Any) -> None:
         """The setup, in its place among the words."""
         setup = given if isinstance(given, Setup) else Setup(given)
-        self.setup, self.text = setup, setup.to_toml()
-        self.words.append("-")
-        if setup._gives_step:
-            self.words.append("--own-step")
+        text, is_text = setup._asked()
+        self.setup, self.text = setup, text if is_text else ""
+        self.words.append("-" if is_text else text)
 
     def take_file(self, name: str, given: Any) -> None:
         """A file, or a table that is written into one."""
