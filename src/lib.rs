@@ -32,6 +32,7 @@
 //!
 //! | | |
 //! |---|---|
+//! | the commands of the program (feature `cli`) | `command` |
 //! | results to bytes | [`report`] |
 //! | published studies, computed anew | [`reproduce`] |
 //! | questions asked of a drive; of very many drives; of measured shots | [`study`], [`batch`], [`shots`] |
@@ -50,6 +51,8 @@ pub mod atmosphere;
 pub mod batch;
 mod cells;
 mod columns;
+#[cfg(feature = "cli")]
+pub mod command;
 pub mod derivative;
 pub mod drive;
 pub mod error;

@@ -53,7 +53,11 @@ impl SetupFile {
         }
     }
 
-    fn read(text: &str, file: &str) -> Result<Self> {
+    /// Reads the text of a setup file; `file` is what messages call it, and other files are named from where that is.
+    ///
+    /// # Errors
+    /// As [`Setup::from_toml`].
+    pub fn read(text: &str, file: &str) -> Result<Self> {
         let table = DeTable::parse(text).map_err(|error| Error::Toml {
             file: file.into(),
             message: of_toml(&error, text, |at| place_in(text, at)),

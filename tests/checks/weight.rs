@@ -33,7 +33,7 @@ fn defined(uses: &BTreeMap<String, Vec<(bool, String)>>, module: &str, path: &st
     let (name, rest) = path.split_once("::").unwrap_or((path, ""));
     let next = match name {
         "super" => module.rsplit_once("::").unwrap().0.to_owned(),
-        "crate" => if module.starts_with("src::bin") { "src::bin::longdrive" } else { "src" }.to_owned(),
+        "crate" => "src".to_owned(),
         name => format!("{module}::{name}"),
     };
     if uses.contains_key(&next) {

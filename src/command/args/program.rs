@@ -1,0 +1,59 @@
+//! What every command takes, and the commands about the program itself.
+
+use crate::units::System;
+use std::path::PathBuf;
+
+/// What every command takes about what is printed.
+#[derive(Clone, Debug, clap::Args)]
+#[command(next_help_heading = "Options of every command")]
+pub struct Shown {
+    /// The units that results are shown in as text, in plots and on pages [default: us; reproduce: those of the study]. JSON and CSV are in
+    /// SI units and radians.
+    #[arg(long, value_enum, global = true)]
+    pub units: Option<Units>,
+
+    /// Print no progress and no remarks on standard error; warnings and errors are printed.
+    #[arg(long, short, global = true)]
+    pub quiet: bool,
+}
+
+/// The units of results.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub enum Units {
+    /// Metres and metres per second.
+    Metric,
+    /// Yards and miles per hour.
+    Us,
+}
+
+impl From<Units> for System {
+    fn from(units: Units) -> Self {
+        match units {
+            Units::Metric => Self::Metric,
+            Units::Us => Self::Us,
+        }
+    }
+}
+
+#[derive(clap::Args)]
+pub struct Completions {
+    /// The shell.
+    #[arg(value_enum, value_name = "SHELL")]
+    pub shell: clap_complete::Shell,
+}
+
+#[derive(clap::Args)]
+pub struct Man {
+    /// The command whose page is printed, e.g. "optimize" or "plot contour"; without it, the page of the program.
+    #[arg(value_name = "COMMAND")]
+    pub command: Vec<String>,
+
+    /// Write the page of every command into this folder instead, as longdrive.1, longdrive-optimize.1, …. The folder is created if it
+    /// does not exist.
+    #[arg(long, short, value_name = "DIR", conflicts_with = "command")]
+    pub output: Option<PathBuf>,
+
+    /// Replace files that exist.
+    #[arg(long, requires = "output", conflicts_with = "command")]
+    pub overwrite: bool,
+}

@@ -1,0 +1,144 @@
+use crate::command::args::Calibrate;
+use crate::command::files::Rule;
+use crate::command::interrupt::{self, BEST_SO_FAR};
+use crate::command::output::{Answer, system, tell, warn};
+use crate::command::reproduce::{DOCUMENT, chosen, write};
+use crate::command::running::running;
+use crate::drive::Looked;
+use crate::optimize::least_squares::{Follow, Loss, Status};
+use crate::parameters::{Law, Vary};
+use crate::report::{CalibrationReport, calibration_document, calibration_reply, calibration_toml};
+use crate::study::calibrate::{
+    Calibration, HeldOut, Plan, ShotTable, beyond, calibrate, check_folds, held_out, ranges,
+};
+use crate::units::{Message, System};
+use crate::{Error, Result, Setup};
+use serde_json::json;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+pub fn run(args: &Calibrate) -> Result<Answer> {
+    let setup = args.question.setup()?;
+    let rule = Rule::new(args.question.inputs().chain([args.data.clone()]), args.overwrite);
+    let folder = args.plot.as_ref().map(|folder| rule.folder(folder, &DOCUMENT)).transpose()?;
+    let rule = rule.and_not(args.plot.as_deref());
+    let output = args.output.as_ref().map(|file| rule.file(file)).transpose()?;
+    if setup.launch.is_given() {
+        let source = format!(
+            "calibrate reads the launch of each ball from columns of the table; leave this out, and add the columns to {} if it has none: \
+             ball_speed, launch_angle, and backspin or spin, with their units, as in \"ball_speed [mph]\"",
+            args.data.display()
+        );
+        return Err(Error::Unreadable { name: args.question.launch_from(), source: source.into() });
+    }
+    let mut warnings = setup.warnings();
+    warn(&warnings);
+    let file = args.data.display().to_string();
+    let mut table = ShotTable::open(&setup, &args.data)?;
+    if args.question.gives_air()? {
+        table.in_given_air();
+    }
+    if table.is_launched {
+        args.question.refuse_club(&setup, &format!("the rows of {file} are launches"))?;
+    }
+    let given: Vec<_> = setup.parameters().into_iter().filter(|parameter| table.gives(parameter)).collect();
+    args.question.refuse_twice(&setup, &given, &format!("every row of {file} has a value of its own"))?;
+    args.question.refuse_replaced(&setup, &given)?;
+    let mut plan = Plan::read(&setup, &args.fit)?;
+    let setup = args.question.for_many(setup, &ranges(&table, &plan.fit))?;
+    plan.starts = args.starts as usize;
+    plan.options.max_iterations = args.max_iterations;
+    if args.huber {
+        plan.options.loss = Loss::HUBER;
+    }
+    let folds = if args.folds > 0 { args.folds as usize } else { 5.min(table.shots.len()) };
+    let compared = args.compare.iter().map(|law| Compared::new(&setup, law, &plan)).collect::<Result<Vec<_>>>()?;
+    let is_cross_validated = args.folds > 0 || !args.compare.is_empty();
+    if is_cross_validated {
+        check_folds(&table, &plan, folds)?;
+    }
+    for Compared { law, plan, .. } in &compared {
+        check_folds(&table, plan, folds)
+            .map_err(|error| Error::Unreadable { name: format!("--compare {law}"), source: error.into() })?;
+    }
+    let follow = Follow { iteration: Some(Arc::new(shown())), interrupt: interrupt::stops(BEST_SO_FAR) };
+    let found = calibrate(&setup, &table, &plan, &follow)?;
+    let shots = beyond(&found.setup, &table.shots);
+    let shots = shots.warnings(&setup.law, ["shot", "shots"], Looked::AtFlight);
+    warn(&shots);
+    warnings.extend(shots);
+
+    let quiet = Follow { iteration: None, ..follow };
+    let mut held = vec![];
+    if is_cross_validated {
+        if !quiet.is_interrupted() {
+            tell(&format!("cross-validation: fitting {folds} times, each time without a part of the rows"));
+        }
+        let name = format!("{}, fitted as above", setup.law.name());
+        held.push((name, held_out(&setup, &table, &plan, folds, &quiet)?));
+        for Compared { law, as_it_stands, setup, plan } in &compared {
+            held.push((format!("{law}, {as_it_stands}"), HeldOut::as_it_stands(setup, &table)?));
+            held.push((format!("{law}, all coefficients fitted"), held_out(setup, &table, plan, folds, &quiet)?));
+        }
+    }
+    let report = CalibrationReport { table: &table, found: &found, held_out: &held };
+    let documents = System::ALL.map(|system| calibration_document(&report, system));
+    let output = output.filter(|output| {
+        let is_fitted = is_fitted(&found);
+        if !is_fitted {
+            let why = "the fit ended before it came to a minimum";
+            let unwritten = [Message::from(format!("{} is not written: {why}", output.path().display()))];
+            warn(&unwritten);
+            warnings.extend(unwritten);
+        }
+        is_fitted
+    });
+    if let Some(output) = &output {
+        output.write(calibration_toml(&found, args.question.preset()?, &file)?.as_bytes())?;
+        tell(&format!("wrote the fitted setup into {}", output.path().display()));
+    }
+    if let Some(folder) = &folder {
+        write(folder, &documents, system())?;
+    }
+    let answer = if args.question.json {
+        let mut reply = calibration_reply(&report, warnings);
+        let named = |path: &Option<PathBuf>| json!(path.as_ref().map(|path| path.display().to_string()));
+        reply.body["file"] = named(&args.output.clone().filter(|_| output.is_some()));
+        reply.body["folder"] = named(&args.plot);
+        Answer::json(&reply)
+    } else {
+        Answer::text(chosen(&documents, system()).text())
+    };
+    Ok(answer.found(report.is_found()))
+}
+
+/// Whether the values are those of a fit: one that was stopped on its way has those that it had come to.
+fn is_fitted(found: &Calibration) -> bool {
+    found.is_minimum || !matches!(found.fit.status, Status::Interrupted | Status::IterationLimit)
+}
+
+fn shown() -> impl Fn(u64, f64) {
+    let running = running();
+    move |iteration, sum| running.tell(&format!("iteration {iteration:3}  half the sum of squares {sum:.6e}"))
+}
+
+/// Another law on the same rows: as it is published, and with all its coefficients fitted.
+struct Compared<'a> {
+    law: &'a str,
+    as_it_stands: &'static str,
+    setup: Setup<f64>,
+    plan: Plan,
+}
+
+impl<'a> Compared<'a> {
+    fn new(setup: &Setup<f64>, law: &'a str, plan: &Plan) -> Result<Self> {
+        let mut other = *setup;
+        other.set_law(law)?;
+        let as_it_stands = if law == setup.law.name() { "as the setup has it" } else { "as published" };
+        let own = Law::all_rows().filter(|row| row.law == Some(other.law.name()));
+        let coefficients = own.map(|row| Vary { parameter: row, low: row.range.low, high: row.range.high });
+        let kept = plan.fit.iter().filter(|vary| vary.parameter.law.is_none()).copied();
+        let plan = Plan { fit: kept.chain(coefficients).collect(), ..plan.clone() };
+        Ok(Self { law, as_it_stands, setup: other, plan })
+    }
+}

@@ -1,0 +1,58 @@
+use super::args::Args;
+use clap::{Arg, ArgAction, Command, CommandFactory};
+use serde_json::{Value, json};
+
+/// Commands about the program itself.
+const OF_THE_PROGRAM: [&str; 3] = ["completions", "man", "help"];
+
+/// Every command with its options, as JSON: what a program in another language makes its functions of.
+///
+/// ```
+/// let commands = longdrive::command::described();
+/// let optimize = commands.as_array().unwrap().iter().find(|command| command["name"] == "optimize").unwrap();
+/// let vary = optimize["options"].as_array().unwrap().iter().find(|option| option["name"] == "vary").unwrap();
+/// assert_eq!((&vary["takes"], &vary["value"]), (&"several".into(), &"NAME=LOW..HIGH".into()));
+/// ```
+pub fn described() -> Value {
+    let mut program = Args::command().disable_help_subcommand(true);
+    program.build();
+    program.get_subcommands().filter(|command| !OF_THE_PROGRAM.contains(&command.get_name())).map(of_command).collect()
+}
+
+/// A command: its name, what it does, its options, and the commands below it.
+fn of_command(command: &Command) -> Value {
+    let about = command.get_long_about().or(command.get_about()).map(ToString::to_string);
+    let is_own = |arg: &&Arg| !arg.is_global_set() && !arg.is_hide_set() && arg.get_id() != "help";
+    let below = command.get_subcommands().filter(|below| below.get_name() != "help");
+    json!({
+        "name": command.get_name(),
+        "about": about,
+        "options": command.get_arguments().filter(is_own).map(of_option).collect::<Vec<_>>(),
+        "commands": below.map(of_command).collect::<Vec<_>>(),
+    })
+}
+
+/// An option: its name without hyphens, and what it takes: `nothing`, `one` value, or `several`.
+fn of_option(arg: &Arg) -> Value {
+    let takes = match arg.get_action() {
+        ArgAction::SetTrue | ArgAction::Count => "nothing",
+        ArgAction::Append => "several",
+        _ => "one",
+    };
+    let text = |values: &[clap::builder::OsStr]| -> Vec<String> {
+        values.iter().map(|value| value.to_string_lossy().into_owned()).collect()
+    };
+    let choices: Vec<_> = arg.get_possible_values().iter().map(|value| value.get_name().to_owned()).collect();
+    json!({
+        "name": arg.get_long().unwrap_or(arg.get_id().as_str()),
+        "positional": arg.is_positional(),
+        "required": arg.is_required_set(),
+        "takes": takes,
+        "may_be_bare": arg.get_num_args().is_some_and(|count| count.min_values() == 0) && takes != "nothing",
+        "value": arg.get_value_names().and_then(|names| names.first()).map(|name| name.to_string()),
+        "delimiter": arg.get_value_delimiter().map(String::from),
+        "default": text(arg.get_default_values()).first(),
+        "choices": if takes == "nothing" { vec![] } else { choices },
+        "help": arg.get_long_help().or(arg.get_help()).map(ToString::to_string),
+    })
+}

@@ -1,0 +1,64 @@
+//! The design of a head and its face.
+
+use crate::command::args::DesignArgs;
+use crate::command::output::{Answer, system};
+use crate::command::swings::{Asked, found, sought};
+use crate::parameters::Parameter;
+use crate::report::{Designed, swings_text};
+use crate::study::Sense;
+use crate::study::design::{Design, GOLFER, golfer, parts, usual_vary};
+use crate::study::swings::{Goal, Rule, Scenarios, Swings};
+use crate::{Error, Result};
+
+/// What is sought where nothing is asked for.
+const GOAL: &str = "mean(carry) - 0.5*rms(lateral)";
+
+pub fn run(args: &DesignArgs) -> Result<Answer> {
+    let search = &args.optimize;
+    let (setup, mut notes) = (search.question.setup()?, vec![]);
+    if setup.launch.is_given() {
+        let source = "it gives the ball as it leaves, which no club strikes: there is nothing to design; leave it out, or give the swing";
+        return Err(Error::Unreadable { name: search.question.launch_from(), source: source.into() });
+    }
+    if !search.swings.is_given() {
+        search.swings.refuse_correlation()?;
+        notes.push(format!("the swings vary as those of {GOLFER}, about what is set up; yours: --swings FILE"));
+    }
+    let swings = if search.swings.is_given() { search.swings.read(&setup)? } else { golfer(&setup)? };
+    search.question.refuse_twice(&setup, &distributed(args, &swings), "the swings have values of it")?;
+    let setup = search.question.begun(setup, swings.parameters().into_iter().zip(swings.means()), "varies about")?;
+    let asked = sought(
+        &search.search,
+        &search.swings,
+        &search.question.varied(setup, &search.search.vary)?,
+        &|| Ok((Goal::read(GOAL, None)?, Sense::Maximize)),
+        &usual_vary,
+    )?;
+    if search.search.maximize.is_none() && search.search.minimize.is_none() {
+        notes.push(format!(
+            "nothing was asked for: the design with the largest {GOAL} is sought; another: --maximize GOAL"
+        ));
+    }
+    if search.search.vary.is_empty() {
+        notes.push("nothing was asked to vary: bulge, roll and loft are varied; others: --vary NAME=LOW..HIGH".into());
+    }
+    let rule = Rule::of(&swings, search.swings.scenarios, search.swings.seed.unwrap_or(0))?;
+    let scenarios = Scenarios::new(&swings, rule)?;
+    let design = Design::new(&setup, &scenarios, asked, args.rules == "golf")?;
+    notes.extend(design.notes.iter().cloned());
+    let found = found(search, Asked { setup, swings, scenarios, search: design.search.clone() })?;
+    let parts = if found.best.value().is_some() { parts(&found.setup, &found.best)? } else { vec![] };
+    let designed = Designed { design: &design, setup: &found.setup, best: &found.best, parts: &parts, notes: &notes };
+    let answer = if search.question.json {
+        Answer::json(&designed.reply(found.reply()))
+    } else {
+        let text = swings_text(&found.best, found.price.as_ref(), found.resampled.as_ref(), system());
+        Answer::text(text + &designed.text(system()))
+    };
+    Ok(answer.found(found.is_found()))
+}
+
+/// The parameters that the swings were given with: those of the golfer taken by default may be set.
+fn distributed(args: &DesignArgs, swings: &Swings) -> Vec<&'static Parameter> {
+    if args.optimize.swings.is_given() { swings.parameters() } else { vec![] }
+}

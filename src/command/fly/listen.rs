@@ -1,0 +1,162 @@
+//! Shots that are sent while the program runs.
+
+use crate::batch::Status;
+use crate::command::args::{Fly, Question};
+use crate::command::interrupt;
+use crate::command::output::{Answer, tell, warn};
+use crate::report::{Reply, open_connect_answer};
+use crate::shots::{Flying, Objects};
+use crate::units::counted;
+use crate::{Error, Result};
+use serde::Serialize;
+use std::io::{self, ErrorKind, Read, Write};
+use std::net::{SocketAddr, TcpListener, TcpStream};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::time::Duration;
+
+/// How long one waits for the rest of a message, and how often Ctrl-C is looked for.
+const PATIENCE: Duration = Duration::from_millis(200);
+/// How often a new connection is looked for.
+const PAUSE: Duration = Duration::from_millis(20);
+/// Connections at a time.
+const MOST: u64 = 64;
+
+/// What was answered.
+#[derive(Default)]
+struct Counts {
+    connections: AtomicU64,
+    open: AtomicU64,
+    flown: AtomicU64,
+    others: AtomicU64,
+    refused: AtomicU64,
+}
+
+/// The same, as JSON.
+#[derive(Serialize)]
+struct Summary {
+    address: String,
+    connections: u64,
+    flown: u64,
+    others: u64,
+    refused: u64,
+}
+
+pub fn run(args: &Fly, port: u16) -> Result<Answer> {
+    let question = match &args.shots {
+        // of a listener the one argument is the setup
+        Some(setup) => Question { setup: setup.display().to_string(), ..args.question.clone() },
+        None => args.question.clone(),
+    };
+    let of = super::asked(args)?;
+    let setup = super::setup(&question, "the messages")?;
+    let flying = super::followed(&question, &setup, &of, |setup| Flying::of_messages(setup, &of))?;
+    let warnings = setup.warnings();
+    warn(&warnings);
+    let wanted = SocketAddr::new(args.address, port);
+    let listener = TcpListener::bind(wanted).map_err(|error| refused(wanted, &error))?;
+    listener.set_nonblocking(true).map_err(|error| refused(wanted, &error))?;
+    let address = listener.local_addr().map_err(|error| refused(wanted, &error))?;
+    let stop = interrupt::stops("ending after the messages under way");
+    tell(&format!("listening on {address} for messages of GSPro Open Connect; Ctrl-C ends"));
+    let counts = Counts::default();
+    std::thread::scope(|scope| {
+        while !stop.load(Ordering::Relaxed) {
+            match listener.accept() {
+                Ok((stream, _)) if counts.open.load(Ordering::Relaxed) < MOST => {
+                    counts.connections.fetch_add(1, Ordering::Relaxed);
+                    counts.open.fetch_add(1, Ordering::Relaxed);
+                    let (flying, stop, counts) = (&flying, &*stop, &counts);
+                    scope.spawn(move || {
+                        // a client that has gone away is no failure of ours
+                        let _ = serve(stream, flying, stop, counts);
+                        counts.open.fetch_sub(1, Ordering::Relaxed);
+                    });
+                }
+                Ok((mut stream, _)) => {
+                    let _ =
+                        stream.write_all(b"{\"Code\":503,\"Message\":\"there are too many connections; close one\"}\n");
+                }
+                Err(_) => std::thread::sleep(PAUSE),
+            }
+        }
+    });
+    let count = |of: &AtomicU64| of.load(Ordering::Relaxed);
+    let summary = Summary {
+        address: address.to_string(),
+        connections: count(&counts.connections),
+        flown: count(&counts.flown),
+        others: count(&counts.others),
+        refused: count(&counts.refused),
+    };
+    Ok(if question.json {
+        Answer::json(&Reply::done("fly", warnings, &summary))
+    } else {
+        let Summary { flown, others, refused, connections, .. } = summary;
+        Answer::text(format!(
+            "{} flown, {} without a shot, {} refused, over {}\n",
+            counted(flown, "shot"),
+            counted(others, "message"),
+            counted(refused, "message"),
+            counted(connections, "connection")
+        ))
+    })
+}
+
+/// Answers the messages of a connection until it is closed.
+fn serve(mut stream: TcpStream, flying: &Flying, stop: &AtomicBool, counts: &Counts) -> io::Result<()> {
+    stream.set_nonblocking(false)?;
+    stream.set_nodelay(true)?;
+    stream.set_read_timeout(Some(PATIENCE))?;
+    stream.set_write_timeout(Some(10 * PATIENCE))?;
+    let mut objects = Objects::default();
+    let mut bytes = vec![0; 1 << 14];
+    while !stop.load(Ordering::Relaxed) {
+        let is_open = match stream.read(&mut bytes) {
+            Ok(0) => {
+                objects.finish();
+                false
+            }
+            Ok(read) => {
+                objects.push(&bytes[..read]);
+                true
+            }
+            Err(error) if matches!(error.kind(), ErrorKind::WouldBlock | ErrorKind::TimedOut) => {
+                // what has not come by now does not come
+                objects.finish();
+                true
+            }
+            Err(error) if error.kind() == ErrorKind::Interrupted => true,
+            Err(error) => return Err(error),
+        };
+        while let Some(piece) = objects.next_piece() {
+            let flown = flying.message(piece);
+            let of = match flown.status(0) {
+                Some(Status::Landed) => &counts.flown,
+                Some(_) => &counts.others,
+                None if flown.shots()[0].refusal().is_some_and(|refusal| refusal.is_no_shot()) => &counts.others,
+                None => &counts.refused,
+            };
+            of.fetch_add(1, Ordering::Relaxed);
+            stream.write_all(&open_connect_answer(&flown))?;
+        }
+        if !is_open {
+            break;
+        }
+    }
+    Ok(())
+}
+
+/// Why nothing can be heard there, and what to do.
+fn refused(address: SocketAddr, error: &io::Error) -> Error {
+    let why = match error.kind() {
+        ErrorKind::AddrInUse => "another program listens there; end it, or take another port".to_owned(),
+        ErrorKind::PermissionDenied => {
+            "ports below 1024 need the rights of an administrator; take another port, as in --listen 9210".into()
+        }
+        ErrorKind::AddrNotAvailable => {
+            "it is not an address of this machine; leave --address out, or name one that is".into()
+        }
+        _ => format!("the system says: {error}"),
+    };
+    Error::Unreadable { name: format!("--listen {address}"), source: why.into() }
+}

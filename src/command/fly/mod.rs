@@ -1,0 +1,174 @@
+//! The shots of a launch monitor, flown.
+
+mod listen;
+mod target;
+
+use crate::batch::Run;
+use crate::command::args::{Fly, Question};
+use crate::command::interrupt;
+use crate::command::names::outcomes;
+use crate::command::output::{Answer, system, tell, warn};
+use crate::drive::{Looked, Part};
+#[cfg(feature = "parquet")]
+use crate::report::ShotParquet;
+use crate::report::{Reply, ShotWriter, ShotsReport, shots_text};
+use crate::shots::{Flying, Shots, Tally};
+use crate::units::{Message, counted};
+use crate::{Error, Outcome, Result, Setup};
+use std::io::ErrorKind;
+use target::{Output, Target, Written};
+
+pub fn run(args: &Fly) -> Result<Answer> {
+    match args.listen {
+        Some(port) => listen::run(args, port),
+        None => fly(args),
+    }
+}
+
+/// The outcomes asked for.
+fn asked(args: &Fly) -> Result<Vec<Outcome>> {
+    let is_all = args.of.iter().any(|name| name.trim() == "all");
+    let of = outcomes(&args.of)?;
+    Ok(if is_all { of.into_iter().filter(|of| of.part() == Part::Flight).collect() } else { of })
+}
+
+/// The setup: its ball, air and law are those of the flights, and the rows have the launches.
+fn setup(question: &Question, rows: &str) -> Result<Setup<f64>> {
+    let setup = question.setup_of_points()?;
+    if setup.launch.is_given() {
+        let source = format!("{rows} give the launch of each ball; leave this out").into();
+        return Err(Error::Unreadable { name: question.launch_from(), source });
+    }
+    question.refuse_club(&setup, &format!("{rows} are launches"))?;
+    Ok(setup)
+}
+
+/// Shots as these are flown, integrated as many drives are.
+fn followed(
+    question: &Question,
+    setup: &Setup<f64>,
+    of: &[Outcome],
+    new: impl Fn(&Setup<f64>) -> Result<Flying>,
+) -> Result<Flying> {
+    // what is wrong with the question is said before anything is flown
+    new(setup)?;
+    match question.accuracy(setup, &Flying::usual(setup)?, of)? {
+        Some(found) => Ok(new(&found.applied_to(setup))?.with_largest_defect(found.largest_defect)),
+        None => new(setup),
+    }
+}
+
+fn fly(args: &Fly) -> Result<Answer> {
+    let Some(file) = &args.shots else { return listen::run(args, 0) };
+    let of = asked(args)?;
+    let setup = setup(&args.question, &format!("the rows of {}", file.display()))?;
+    let target = Target::new(args, file)?;
+    let stop = interrupt::stops("stopping after the rows under way");
+    let mut shots = Shots::open(&setup, file)?;
+    if args.question.gives_air()? {
+        shots.in_given_air();
+    }
+    args.question.refuse_twice(&setup, shots.further(), "every row has a value of its own")?;
+    args.question.refuse_replaced(&setup, shots.further())?;
+    let flying = followed(&args.question, &setup, &of, |setup| Flying::new(setup, &shots, &of))?;
+    let is_on_their_ground = args.question.gives_ground()?;
+    let flying = if is_on_their_ground { flying.on_their_ground() } else { flying };
+    let mut warnings = setup.warnings();
+    warn(&warnings);
+    let mut remarks: Vec<Message> = shots.remarks().to_vec();
+    if !is_on_their_ground && of.iter().any(|of| of.is_of_the_run() && shots.has(*of)) {
+        remarks.push("the measured totals are not compared: the ground is not given; name it with --set ground.turf=average, or another".into());
+    }
+    for remark in &remarks {
+        tell(&format!("note: {}: {}", file.display(), remark.in_units(system())));
+    }
+    let source = shots.maker();
+    let run = Run { threads: args.threads, stop: Some(&stop), ..Run::default() };
+    let (tally, output) = written(&target, &flying, &mut shots, &run)?;
+    let tally = match tally {
+        // a reader that has gone away, as `head` does, is no failure of ours
+        Err(Error::Output(error)) if error.kind() == ErrorKind::BrokenPipe => return Ok(Answer::text(String::new())),
+        tally => tally?,
+    };
+    let is_stopped = stop.load(std::sync::atomic::Ordering::Relaxed);
+    if tally.rows == 0 && !is_stopped {
+        let reason = "it has no rows; give a row for each shot".into();
+        return Err(Error::Table { file: file.display().to_string(), place: String::new(), reason });
+    }
+    if !is_stopped {
+        output.finish()?;
+    }
+    let beyond = tally.beyond.warnings(&setup.law, ["shot that landed", "shots that landed"], Looked::AtLaunch);
+    warn(&beyond);
+    warnings.extend(beyond);
+    Ok(answer(args, &target, &tally, source, warnings, &remarks, is_stopped))
+}
+
+/// Flies the shots into the output; it is still to be ended.
+fn written(target: &Target, flying: &Flying, shots: &mut Shots, run: &Run<'_>) -> Result<(Result<Tally>, Output)> {
+    let of = flying.outcomes();
+    match target.format {
+        Written::Rows(format) => {
+            let writer = ShotWriter::new(format, shots, of, system());
+            let mut output = target.open(&writer.head())?;
+            let tally = flying.fly(shots, run, |flown| writer.rows(&flown), |bytes| output.write(&bytes));
+            Ok((tally, output))
+        }
+        #[cfg(feature = "parquet")]
+        Written::Parquet => {
+            let mut writer = ShotParquet::new(shots, of)?;
+            let mut output = target.open(&writer.head())?;
+            let tally = flying.fly(shots, run, |flown| flown, |flown| output.write(&writer.take(flown)?));
+            let tally = tally.and_then(|tally| writer.finish().and_then(|end| output.write(&end)).map(|()| tally));
+            Ok((tally, output))
+        }
+    }
+}
+
+fn answer(
+    args: &Fly,
+    target: &Target,
+    tally: &Tally,
+    source: Option<&'static str>,
+    warnings: Vec<Message>,
+    remarks: &[Message],
+    is_stopped: bool,
+) -> Answer {
+    let stopped = is_stopped.then(|| {
+        let rows = counted(tally.rows, "row");
+        match target.file() {
+            Some(file) => format!("stopped after {rows}; {} is not written", file.display()),
+            None => format!("stopped after {rows}"),
+        }
+    });
+    let nothing = (tally.flown == 0).then(|| {
+        let first = tally.refused.values().min_by_key(|refused| refused.line);
+        let first = first.map_or(String::new(), |first| format!("; line {}: {}", first.line, first.reason));
+        format!("none of {} could be flown{first}", counted(tally.rows, "row"))
+    });
+    let text = shots_text(tally, source, system());
+    let is_answered = stopped.is_none() && nothing.is_none();
+    if args.question.json {
+        let file = target.file().filter(|_| !is_stopped).map(|file| file.display().to_string());
+        let reply = Reply::done("fly", warnings, ShotsReport::new(tally, source, file, remarks));
+        let reply = match (stopped, nothing) {
+            (Some(stopped), _) => reply.ended("interrupted", Some(stopped)),
+            (None, Some(nothing)) => reply.ended("no-answer", Some(nothing)),
+            (None, None) => reply,
+        };
+        return Answer::json(&reply).found(is_answered);
+    }
+    for message in stopped.iter().chain(&nothing) {
+        crate::command::output::say_error(message);
+    }
+    let answer = match target.file() {
+        Some(file) if is_answered => Answer::text(format!("{text}wrote {}\n", file.display())),
+        // the rows are on standard output
+        None if !target.is_silent() => {
+            tell(&text);
+            Answer::text(String::new())
+        }
+        _ => Answer::text(text),
+    };
+    answer.found(is_answered)
+}

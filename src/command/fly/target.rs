@@ -1,0 +1,104 @@
+use crate::command::args::{Fly, FlyFormat};
+use crate::command::files::{Destination, Pieces, Rule, refused};
+use crate::report::ShotFormat;
+use crate::{Error, Result};
+use std::io::{self, Write};
+use std::path::Path;
+
+/// How the rows are written.
+#[derive(Clone, Copy, PartialEq)]
+pub enum Written {
+    Rows(ShotFormat),
+    #[cfg(feature = "parquet")]
+    Parquet,
+}
+
+/// Where the rows go.
+pub struct Target {
+    destination: Option<Destination>,
+    pub format: Written,
+    /// Whether they go nowhere: the summary alone is asked for.
+    is_silent: bool,
+}
+
+impl Target {
+    pub fn new(args: &Fly, shots: &Path) -> Result<Self> {
+        let path = args.output.as_path();
+        let is_standard = path == Path::new("-");
+        let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default().to_lowercase();
+        let format = match (args.format, ending.as_str()) {
+            (Some(FlyFormat::Csv), _) | (None, "csv") => Written::Rows(ShotFormat::Csv),
+            (Some(FlyFormat::LaunchMonitor), _) => Written::Rows(ShotFormat::LaunchMonitor),
+            (Some(FlyFormat::Jsonl), _) | (None, "jsonl" | "ndjson") => Written::Rows(ShotFormat::JsonLines),
+            (Some(FlyFormat::OpenConnect), _) | (None, "json") => Written::Rows(ShotFormat::OpenConnect),
+            (None, _) if is_standard => Written::Rows(ShotFormat::Csv),
+            #[cfg(feature = "parquet")]
+            (Some(FlyFormat::Parquet), _) | (None, "parquet") => Written::Parquet,
+            #[cfg(not(feature = "parquet"))]
+            (None, "parquet") => return Err(refused(path, crate::features::how_to_get("parquet"))),
+            (None, _) => {
+                return Err(refused(
+                    path,
+                    "its name must end in .csv, .jsonl, .json or .parquet, or --format must name the format",
+                ));
+            }
+        };
+        #[cfg(feature = "parquet")]
+        if is_standard && format == Written::Parquet && !args.question.json {
+            return Err(refused(path, "Parquet needs a file; name one with -o, or take --format csv or jsonl"));
+        }
+        if is_standard && args.overwrite {
+            let reason = "--overwrite replaces a file, and the rows go to standard output; name a file with -o, or leave --overwrite out";
+            return Err(refused(path, reason));
+        }
+        let inputs = args.question.inputs().chain((shots != Path::new("-")).then(|| shots.to_path_buf()));
+        let destination = (!is_standard).then(|| Rule::new(inputs, args.overwrite).file(path)).transpose()?;
+        Ok(Self { is_silent: destination.is_none() && args.question.json, destination, format })
+    }
+
+    /// The file, where they go into one.
+    pub fn file(&self) -> Option<&Path> {
+        self.destination.as_ref().map(Destination::path)
+    }
+
+    /// Whether no rows are written.
+    pub fn is_silent(&self) -> bool {
+        self.is_silent
+    }
+
+    /// Begins with these bytes.
+    pub fn open(&self, head: &[u8]) -> Result<Output> {
+        let mut output = match &self.destination {
+            Some(destination) => Output::File(destination.begin()?),
+            None if self.is_silent => Output::Nowhere,
+            None => Output::Standard(io::stdout()),
+        };
+        output.write(head)?;
+        Ok(output)
+    }
+}
+
+/// Where the rows are going.
+pub enum Output {
+    File(Pieces),
+    Standard(io::Stdout),
+    Nowhere,
+}
+
+impl Output {
+    pub fn write(&mut self, bytes: &[u8]) -> Result<()> {
+        match self {
+            Self::File(file) => file.write(bytes),
+            Self::Standard(out) => out.write_all(bytes).and_then(|()| out.flush()).map_err(Error::Output),
+            Self::Nowhere => Ok(()),
+        }
+    }
+
+    /// Ends with what was written.
+    pub fn finish(self) -> Result<()> {
+        match self {
+            Self::File(file) => file.finish(),
+            Self::Standard(_) | Self::Nowhere => Ok(()),
+        }
+    }
+}

@@ -1,0 +1,51 @@
+use crate::command::args::Gradient;
+use crate::command::names::{outcomes, usual, variables};
+use crate::command::output::{Answer, bar, show, system, tell_error, warn};
+use crate::derivative::{Order, Taylor, evaluate_with};
+use crate::report::{GradientReport, gradient_text};
+use crate::{Drive, Error, Result};
+
+pub fn run(args: &Gradient) -> Result<Answer> {
+    let setup = args.question.within_tolerance(args.question.setup()?)?;
+    let of = outcomes(&args.of)?;
+    let wrt = if args.wrt.is_empty() { usual(&setup)? } else { variables(&setup, &args.wrt, &of)? };
+    let drive = Drive::new(&setup)?;
+    let warnings = drive.warnings_about(&setup, &of);
+    warn(&warnings);
+
+    let order = if args.hessian { Order::Second } else { Order::First };
+    let bar = bar("passes");
+    let evaluated = evaluate_with(&setup, &of, &wrt, order, |done, passes| show(&bar, done, passes));
+    bar.finish_and_clear();
+    let each: Vec<Result<Taylor>> = match evaluated {
+        // what one outcome lacks (a landing, a direction) is no reason to keep back the others
+        Err(error) if error.is_an_outcome() => of.iter().map(|of| one(&setup, *of, &wrt, order)).collect(),
+        evaluated => evaluated?.into_iter().map(Ok).collect(),
+    };
+    let mut is_complete = true;
+    for error in each.iter().filter_map(|taylor| taylor.as_ref().err()) {
+        is_complete = false;
+        tell_error(error);
+    }
+
+    let found: Vec<_> = of.into_iter().zip(each).collect();
+    let answer = if args.question.json {
+        Answer::json(&GradientReport::reply(&found, &wrt, warnings))
+    } else {
+        let text =
+            |(of, taylor): &(_, crate::Result<_>)| Some(gradient_text(*of, &wrt, taylor.as_ref().ok()?, system()));
+        let texts = found.iter().filter_map(text);
+        Answer::text(texts.collect::<Vec<_>>().join("\n"))
+    };
+    Ok(answer.found(is_complete))
+}
+
+fn one(
+    setup: &crate::Setup<f64>,
+    of: crate::Outcome,
+    wrt: &[&'static crate::parameters::Parameter],
+    order: Order,
+) -> Result<Taylor> {
+    let taylors = evaluate_with(setup, &[of], wrt, order, |_, _| ())?;
+    taylors.into_iter().next().ok_or(Error::Nothing { doing: "evaluate", what: "outcome" })
+}

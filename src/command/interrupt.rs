@@ -1,0 +1,36 @@
+//! What a command says to whom it is run for about being stopped.
+
+use super::running::running;
+use std::path::Path;
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+
+/// What a search does when it is stopped.
+pub const BEST_SO_FAR: &str = "stopping with the best result so far";
+
+/// Becomes true when the work that follows is to stop with what is done so far.
+pub fn stops(stopping: &'static str) -> Arc<AtomicBool> {
+    let stop = Arc::new(AtomicBool::new(false));
+    running().host.can_stop(stopping, &stop);
+    stop
+}
+
+/// What follows cannot stop half-way.
+pub fn ends() {
+    running().host.cannot_stop();
+}
+
+/// Writes a file, or files that belong together, whole.
+pub fn undisturbed<T, E>(files: &[&Path], write: impl FnOnce() -> Result<T, E>) -> Result<T, E> {
+    let (mut write, mut written) = (Some(write), None);
+    running().host.whole(files, &mut || {
+        written = written.take().or_else(|| write.take().map(|write| write()));
+        matches!(written, Some(Ok(_)))
+    });
+    match (written, write) {
+        (Some(written), _) => written,
+        // a host that does not write leaves it to us
+        (None, Some(write)) => write(),
+        (None, None) => unreachable!("a file is written once"),
+    }
+}

@@ -1,0 +1,52 @@
+use crate::command::args::{Args, Man};
+use crate::command::files::Rule;
+use crate::command::output::{Answer, tell};
+use crate::units::counted;
+use crate::{Error, Result};
+use clap::{Command, CommandFactory};
+
+pub fn run(args: &Man) -> Result<Answer> {
+    let mut program = Args::command().disable_help_subcommand(true);
+    // names of subcommands are complete, and options of every command stand in each, once it is built
+    program.build();
+    let Some(folder) = &args.output else {
+        return Ok(Answer::text(page(found(&program, &args.command)?)?));
+    };
+    let mut pages = vec![];
+    all(&program, &mut pages)?;
+    let names: Vec<&str> = pages.iter().map(|(name, _)| name.as_str()).collect();
+    let folder = Rule::new([], args.overwrite).folder(folder, &names)?;
+    let written = folder.write(pages.iter().map(|(name, page)| (name.as_str(), page.as_bytes())))?;
+    tell(&format!("wrote {} into {}", counted(written as u64, "page"), folder.path().display()));
+    Ok(Answer::text(String::new()))
+}
+
+/// The command that these words name.
+fn found<'a>(program: &'a Command, words: &[String]) -> Result<&'a Command> {
+    let mut command = program;
+    // a command in quotes is one word of the shell's
+    for word in words.iter().flat_map(|words| words.split_whitespace()) {
+        let names = || command.get_subcommands().map(Command::get_name);
+        command = command.find_subcommand(word).ok_or_else(|| {
+            let advice = match names().collect::<Vec<_>>().join(", ") {
+                none if none.is_empty() => format!("{} has no commands of its own", command.get_name()),
+                all => format!("the commands are {all}"),
+            };
+            Error::unknown("command", word, names(), advice)
+        })?;
+    }
+    Ok(command)
+}
+
+fn page(command: &Command) -> Result<String> {
+    let mut page = vec![];
+    clap_mangen::Man::new(command.clone()).render(&mut page).map_err(Error::Output)?;
+    Ok(String::from_utf8_lossy(&page).into_owned())
+}
+
+/// The pages of a command and of all below it, each with the name of its file.
+fn all(command: &Command, pages: &mut Vec<(String, String)>) -> Result<()> {
+    let name = command.get_display_name().unwrap_or_else(|| command.get_name());
+    pages.push((format!("{name}.1"), page(command)?));
+    command.get_subcommands().filter(|below| !below.is_hide_set()).try_for_each(|below| all(below, pages))
+}

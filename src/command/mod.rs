@@ -1,0 +1,142 @@
+//! The commands of the program, asked in the words of its command line.
+//!
+//! Each command reads its question, asks the library, and answers as text or as one JSON object. The program runs them for a terminal
+//! ([`main`]); a program in another language runs them for itself ([`run`]), as a [`Host`] of its own, and has the same options, messages and
+//! answers.
+//!
+//! ```
+//! use longdrive::command::{Host, Kind, run};
+//! use std::io;
+//! use std::sync::{Arc, Mutex};
+//!
+//! #[derive(Default)]
+//! struct Notes {
+//!     answer: Mutex<String>,
+//! }
+//!
+//! impl Host for Notes {
+//!     fn print(&self, text: &str) -> io::Result<()> {
+//!         self.answer.lock().unwrap().push_str(text);
+//!         Ok(())
+//!     }
+//!     fn say(&self, _: Kind, _: &str) {}
+//! }
+//!
+//! let notes = Arc::new(Notes::default());
+//! let status = run(["longdrive", "presets", "--json"].map(Into::into).to_vec(), notes.clone());
+//! assert_eq!(status, 0);
+//! assert!(notes.answer.lock().unwrap().contains("\"mae494\""));
+//! ```
+
+mod args;
+mod calibrate;
+mod chart;
+mod colour;
+mod compare;
+mod completions;
+mod date;
+mod delivery;
+mod described;
+mod design;
+mod files;
+mod fly;
+mod gradient;
+mod host;
+mod interrupt;
+mod laws;
+mod man;
+mod names;
+mod optimize;
+mod optimum_sensitivity;
+mod output;
+mod parameters;
+mod pareto;
+mod picture;
+mod plot;
+mod plot_drive;
+mod presets;
+mod question;
+mod report;
+mod reproduce;
+mod robust;
+mod running;
+mod search;
+mod sensitivity;
+mod simulate;
+mod sweep;
+mod swings;
+mod terminal;
+mod uncertainty;
+mod validate;
+mod verify;
+
+pub use described::described;
+pub use host::{Host, Kind};
+
+use crate::Result;
+use args::{Args, Command};
+use clap::Parser;
+use output::Answer;
+use std::ffi::OsString;
+use std::process::ExitCode;
+use std::sync::Arc;
+use terminal::Terminal;
+
+/// The program: the command that its arguments ask for, in a terminal.
+pub fn main() -> ExitCode {
+    ExitCode::from(run_in_terminal(std::env::args_os().collect()))
+}
+
+/// The same with arguments given, the name of the program first; the exit status.
+pub fn run_in_terminal(words: Vec<OsString>) -> u8 {
+    run(words, Arc::new(Terminal::default()))
+}
+
+/// Runs the command that these words ask for, the name of the program first, for a host. The exit status: 0 done, 1 the question has no
+/// answer, 2 bad input; the message is said to the host, and with `--json` stands in the answer.
+pub fn run(words: Vec<OsString>, host: Arc<dyn Host>) -> u8 {
+    let args = match Args::try_parse_from(&words) {
+        Ok(args) => args,
+        Err(error) => {
+            let command = Command::named_in(words.get(1..).unwrap_or_default());
+            let is_json = words.iter().any(|word| word == "--json");
+            return running::within(host, None, &words, || output::explain(error, command, is_json));
+        }
+    };
+    let (name, is_json) = (args.command.name(), args.command.is_json());
+    host.begin(name, is_json);
+    running::within(host, Some(args.shown.clone()), &words, || match answer(&args.command).and_then(Answer::print) {
+        Ok(status) => status,
+        Err(error) => output::complain(&error, name, is_json),
+    })
+}
+
+fn answer(command: &Command) -> Result<Answer> {
+    match command {
+        Command::Simulate(args) => simulate::run(args),
+        Command::Gradient(args) => gradient::run(args),
+        Command::Compare(args) => compare::run(args),
+        Command::Optimize(args) => optimize::run(args),
+        Command::OptimumSensitivity(args) => optimum_sensitivity::run(args),
+        Command::Design(args) => design::run(args),
+        Command::Calibrate(args) => calibrate::run(args),
+        Command::Delivery(args) => delivery::run(args),
+        Command::Chart(args) => chart::run(args),
+        Command::Pareto(args) => pareto::run(args),
+        Command::Robust(args) => robust::run(args),
+        Command::Plot(args) => plot::run(args),
+        Command::Report(args) => report::run(args),
+        Command::Sweep(args) => sweep::run(args),
+        Command::Fly(args) => fly::run(args),
+        Command::Reproduce(args) => reproduce::run(args),
+        Command::Validate(args) => validate::run(args),
+        Command::Verify(args) => verify::run(args),
+        Command::Sensitivity(args) => sensitivity::run(args),
+        Command::Uncertainty(args) => uncertainty::run(args),
+        Command::Parameters(args) => parameters::run(args),
+        Command::Presets(args) => presets::run(args),
+        Command::Laws(args) => laws::run(args),
+        Command::Completions(args) => completions::run(args),
+        Command::Man(args) => man::run(args),
+    }
+}

@@ -1,0 +1,176 @@
+use super::host::Kind;
+use super::running::running;
+use crate::report::{Empty, Reply};
+use crate::units::{Message, System};
+use crate::{Error, Result};
+use clap::error::{ContextKind, ContextValue};
+use indicatif::{ProgressBar, ProgressStyle};
+use serde::Serialize;
+use serde_json::Value;
+use std::ffi::OsString;
+use std::io;
+
+/// The units that were asked for, if any.
+pub fn stated_system() -> Option<System> {
+    running().stated_system()
+}
+
+/// The units that results are shown in.
+pub fn system() -> System {
+    running().system()
+}
+
+/// Warns of what the work of the command begins with; the answer has it too.
+pub fn warn_early(warning: Message) {
+    warn(std::slice::from_ref(&warning));
+    running().keep(warning);
+}
+
+/// What a command has to say on standard output, and whether it found what it was asked for.
+pub struct Answer {
+    text: String,
+    found: bool,
+}
+
+impl Answer {
+    pub fn text(text: String) -> Self {
+        Self { text, found: true }
+    }
+
+    pub fn json(value: &impl Serialize) -> Self {
+        // names are strings and numbers finite: nothing of ours fails to serialise
+        let mut value = serde_json::to_value(value).unwrap_or_default();
+        if let Some(warnings) = value.get_mut("warnings").and_then(Value::as_array_mut) {
+            warnings.splice(0..0, running().kept().iter().map(|warning| warning.to_string().into()));
+        }
+        Self::text(serde_json::to_string_pretty(&value).unwrap_or_default() + "\n")
+    }
+
+    /// The same answer, with exit status 1 where it says that there is none.
+    pub fn found(self, found: bool) -> Self {
+        Self { found, ..self }
+    }
+
+    /// Hands the answer over; the exit status.
+    pub fn print(self) -> Result<u8> {
+        match running().host.print(&self.text) {
+            // a reader that has gone away, as `head` does, is no failure of ours
+            Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(Error::Output(error)),
+            _ => Ok(u8::from(!self.found)),
+        }
+    }
+}
+
+/// The arguments as a command line that can be given again to a shell.
+pub fn command_line(arguments: &[OsString]) -> String {
+    let is_plain = |c: char| c.is_alphanumeric() || "-_./=,:+@%".contains(c);
+    let quoted = |argument: String| match !argument.is_empty() && argument.chars().all(is_plain) {
+        true => argument,
+        false => format!("'{}'", argument.replace('\'', "'\\''")),
+    };
+    let arguments = arguments.iter().map(|argument| quoted(argument.to_string_lossy().into_owned()));
+    std::iter::once("longdrive".to_owned()).chain(arguments).collect::<Vec<_>>().join(" ")
+}
+
+/// A remark or progress, unless --quiet is given.
+pub fn tell(text: &str) {
+    running().tell(text);
+}
+
+pub fn warn(warnings: &[Message]) {
+    let running = running();
+    for warning in warnings {
+        running.host.say(Kind::Warning, &warning.in_units(running.system()));
+    }
+}
+
+/// An error, where the command goes on.
+pub fn tell_error(error: &Error) {
+    say_error(&error.in_units(system()));
+}
+
+/// The same in words.
+pub fn say_error(message: &str) {
+    running().host.say(Kind::Error, message);
+}
+
+/// Says what went wrong; status 1 for a sound question without an answer, 2 for bad input. Where JSON is asked for, standard
+/// output says it too.
+pub fn complain(error: &Error, command: &'static str, is_json: bool) -> u8 {
+    tell_error(error);
+    // what could not be written once cannot be written now
+    if is_json && !matches!(error, Error::Output(_)) {
+        say(&Reply::none(Some(command), error));
+    }
+    if error.is_an_outcome() { 1 } else { 2 }
+}
+
+/// Says what the arguments lack, or shows the help that they ask for.
+pub fn explain(mut error: clap::Error, command: Option<&'static str>, is_json: bool) -> u8 {
+    in_own_words(&mut error);
+    let rendered = error.render();
+    let kind = if error.use_stderr() { Kind::Usage } else { Kind::Help };
+    running().host.say(kind, &rendered.ansi().to_string());
+    if error.use_stderr() && is_json {
+        let text = rendered.to_string();
+        let text = text.split("\n\nUsage:").next().unwrap_or_default();
+        let text = text.split("\n\nFor more information").next().unwrap_or_default();
+        let message = text.trim().trim_start_matches("error:").trim().to_owned();
+        say(&Reply::refused(command, "error", message));
+    }
+    u8::try_from(error.exit_code()).unwrap_or(2)
+}
+
+/// Says what to do about an argument that begins with a hyphen and is no option: the reader of arguments takes it for the name of a
+/// setup that is to stand after `--`.
+fn in_own_words(error: &mut clap::Error) {
+    let Some(ContextValue::StyledStrs(tips)) = error.get(ContextKind::Suggested) else { return };
+    let Some(ContextValue::String(argument)) = error.get(ContextKind::InvalidArg) else { return };
+    if tips.len() != 1 || !tips[0].to_string().contains("use '-- ") {
+        return;
+    }
+    let tip = match argument.starts_with("--") {
+        true => format!("this command has no option '{argument}'; --help lists those that it has"),
+        false => {
+            format!("a value that begins with a hyphen is joined to its option by '=', as in --set=NAME={argument}")
+        }
+    };
+    error.insert(ContextKind::Suggested, ContextValue::StyledStrs(vec![tip.into()]));
+}
+
+/// An answer without anything found, where the command ends with it.
+fn say(reply: &Reply<Empty>) {
+    let _ = running().host.print(&Answer::json(reply).text);
+}
+
+/// Progress of long work; none with --quiet.
+pub fn bar(of: &str) -> ProgressBar {
+    bar_of(0, &format!("{{bar:40}} {{pos}}/{{len}} {of}, {{eta}} left"))
+}
+
+/// The same of so many parts, drawn by a template.
+pub fn bar_of(parts: u64, template: &str) -> ProgressBar {
+    let running = running();
+    if running.is_quiet() {
+        return ProgressBar::hidden();
+    }
+    let style = ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar());
+    running.host.shows(ProgressBar::new(parts).with_style(style))
+}
+
+/// Shows how many of how many are done.
+pub fn show(bar: &ProgressBar, done: usize, all: usize) {
+    bar.set_length(all as u64);
+    bar.set_position(done as u64);
+}
+
+/// That work without parts to count is under way, and for how long.
+pub fn spinner(doing: &'static str) -> ProgressBar {
+    let running = running();
+    if running.is_quiet() {
+        return ProgressBar::hidden();
+    }
+    let spinner = running.host.shows(ProgressBar::new_spinner().with_message(doing));
+    spinner.enable_steady_tick(std::time::Duration::from_millis(200));
+    spinner
+}

@@ -1,0 +1,212 @@
+//! Two goals weighed against each other: `pareto` and `plot pareto`.
+
+use crate::command::args::{ParetoArgs, ParetoAsked, PlotPareto, Question, SearchArgs};
+use crate::command::files::{Destination, Rule, refused};
+use crate::command::interrupt;
+use crate::command::names::tell_of_the_run;
+use crate::command::output::{Answer, spinner, system, tell, warn};
+use crate::command::picture::Target;
+use crate::command::running::running;
+use crate::command::swings::{goal, limit, ranges, refuse_idle_strokes};
+use crate::optimize::{Follow, Iteration, Options};
+use crate::parameters::Vary;
+use crate::report::figures::pareto_figure;
+use crate::report::{pareto_csv, pareto_reply, pareto_text, pareto_toml};
+use crate::study::swings::{Goal, GoalLimit, Pareto, ParetoSearch, Scenarios, pareto};
+use crate::study::{Search, Sense};
+use crate::units::{Message, counted};
+use crate::{Error, Outcome, Result, Setup};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::{Duration, Instant};
+
+pub fn run(args: &ParetoArgs) -> Result<Answer> {
+    let output = Output::new(args)?;
+    let (setup, found) = followed(&args.question, &args.asked)?;
+    let mut warnings = setup.warnings();
+    let written = match &output {
+        Some(output) => output.write(&found, args, &mut warnings)?,
+        None => None,
+    };
+    warn(&warnings);
+    // a file that was asked for and is not there is no success
+    let is_whole = found.ended.is_none() && output.is_none() == written.is_none();
+    let answer = if args.question.json {
+        Answer::json(&pareto_reply(&found, warnings, written))
+    } else {
+        Answer::text(pareto_text(&found, system()))
+    };
+    Ok(answer.found(is_whole))
+}
+
+/// Draws the front.
+pub fn draw(args: &PlotPareto) -> Result<Answer> {
+    let target = Target::new(&args.question, &args.drawing)?;
+    let (setup, found) = followed(&args.question, &args.asked)?;
+    if found.interrupted {
+        let message = "stopped before the whole front was found".into();
+        return Err(Error::NotConverged { status: "interrupted", message });
+    }
+    target.put(args.question.json, &args.drawing, &pareto_figure(&found, system()), setup.warnings())
+}
+
+/// The setup asked about, and the front.
+fn followed(question: &Question, asked: &ParetoAsked) -> Result<(Setup<f64>, Pareto)> {
+    asked.swings.refuse_stray()?;
+    let (setup, search, scenarios) =
+        if asked.swings.is_given() { over_swings(question, asked)? } else { of_one_drive(question, asked)? };
+    let outcomes: Vec<Outcome> = search.goals.iter().flat_map(|(goal, _)| goal.outcomes()).collect();
+    tell_of_the_run(&outcomes);
+    let setup = question.for_many(setup, &ranges(&search.vary, &scenarios))?;
+    let spinner = spinner("following the front");
+    // a line now and then: most searches are done before it could be read
+    const SILENCE: Duration = Duration::from_secs(1);
+    let told = Mutex::new(Instant::now());
+    let (shown, running) = (spinner.clone(), running());
+    let iteration = Arc::new(move |number: usize, _: &Iteration| {
+        let mut told = told.lock().unwrap_or_else(PoisonError::into_inner);
+        if told.elapsed() >= SILENCE {
+            *told = Instant::now();
+            shown.suspend(|| running.tell(&format!("following the front: {} searches so far", number + 1)));
+        }
+    });
+    let interrupt = interrupt::stops("stopping with the points so far");
+    let found =
+        pareto(&setup, search, scenarios, &Follow { iteration: Some(iteration), interrupt, ..Follow::default() });
+    spinner.finish_and_clear();
+    interrupt::ends();
+    Ok((setup, found?))
+}
+
+/// Goals over many swings.
+fn over_swings(question: &Question, asked: &ParetoAsked) -> Result<(Setup<f64>, ParetoSearch, Scenarios)> {
+    let (set_up, _, scenarios) = asked.swings.taken(question)?;
+    let setup = question.varied(set_up, &asked.vary)?;
+    let strokes = asked.swings.strokes()?;
+    let strokes = strokes.as_ref();
+    let goals = asked.goals(|option, text| goal(option, text, strokes))?;
+    let read = |text: &String| limit(&setup, text, strokes);
+    let subject_to = asked.subject_to.iter().map(read).collect::<Result<Vec<_>>>()?;
+    let all = goals.iter().map(|(goal, _)| goal).chain(subject_to.iter().map(|limit| &limit.goal));
+    refuse_idle_strokes(strokes, all)?;
+    let vary = match asked.vary.as_slice() {
+        // the attack angle is the golfer's, and varies from swing to swing
+        [] => vec![Search::longest_drive(&setup)?.vary[0]],
+        given => given.iter().map(|text| Vary::read(&setup, text)).collect::<Result<_>>()?,
+    };
+    let search = ParetoSearch { goals, vary, subject_to, points: asked.points, options: asked.options() };
+    Ok((set_up, search, scenarios))
+}
+
+/// Outcomes of the drive as set up.
+fn of_one_drive(question: &Question, asked: &ParetoAsked) -> Result<(Setup<f64>, ParetoSearch, Scenarios)> {
+    let setup = question.setup_varied(&asked.vary)?;
+    let goals = asked.goals(|option, text| match Outcome::named(text.trim()) {
+        Ok(of) => Ok(Goal::outcome(of)),
+        Err(_) if text.contains('(') => {
+            let source =
+                format!("{text} is of many swings; give these too, with --swings FILE or --distribution NAME=KIND(…)");
+            Err(Error::Unreadable { name: option.into(), source: source.into() })
+        }
+        Err(error) => Err(error),
+    })?;
+    let (vary, subject_to) = (asked.vary.clone(), asked.subject_to.clone());
+    let one = SearchArgs { maximize: None, minimize: None, vary, subject_to, max_iterations: asked.max_iterations };
+    let Search { vary, subject_to, options, .. } = one.search(&setup)?;
+    let subject_to = subject_to.iter().map(GoalLimit::of_drive).collect();
+    Ok((setup, ParetoSearch { goals, vary, subject_to, points: asked.points, options }, Scenarios::one_drive()))
+}
+
+impl ParetoAsked {
+    /// The two goals, as `read` reads them.
+    fn goals(&self, read: impl Fn(&'static str, &str) -> Result<Goal>) -> Result<[(Goal, Sense); 2]> {
+        let given = [("--maximize", &self.maximize, Sense::Maximize), ("--minimize", &self.minimize, Sense::Minimize)];
+        let goals =
+            given.into_iter().flat_map(|(option, texts, sense)| texts.iter().map(move |text| (option, text, sense)));
+        let goals = goals.map(|(option, text, sense)| Ok((read(option, text)?, sense))).collect::<Result<Vec<_>>>()?;
+        let goals: [(Goal, Sense); 2] = goals.try_into().map_err(|all: Vec<_>| Error::Unreadable {
+            name: "the goals".into(),
+            source: format!(
+                "{} given, and a front is between two; give two with --maximize and --minimize, for example --maximize carry --minimize \
+                 apex_height",
+                if all.len() == 1 { "one is".into() } else { format!("{} are", all.len()) }
+            )
+            .into(),
+        })?;
+        if goals[0].0.terms == goals[1].0.terms {
+            let source = "both are the same; give another one".into();
+            return Err(Error::Unreadable { name: "the goals".into(), source });
+        }
+        Ok(goals)
+    }
+
+    fn options(&self) -> Options {
+        let options = Options::default();
+        Options { max_iterations: self.max_iterations.unwrap_or(options.max_iterations), ..options }
+    }
+}
+
+/// What is written, and where.
+struct Output {
+    destination: Destination,
+    /// Whether it is the setup at one point, and not the table of all.
+    is_setup: bool,
+    /// That point: `None` for the knee.
+    at: Option<usize>,
+}
+
+impl Output {
+    fn new(args: &ParetoArgs) -> Result<Option<Self>> {
+        let Some(path) = &args.output else { return Ok(None) };
+        let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase());
+        let is_setup = match ending.as_deref() {
+            Some("toml") => true,
+            Some("csv") => false,
+            _ => {
+                return Err(refused(
+                    path,
+                    "its ending does not say what to write; use .csv for all points or .toml for the setup at one",
+                ));
+            }
+        };
+        let refuse = |source: &str| Error::Unreadable { name: "--at".into(), source: source.into() };
+        let at = match args.at.as_deref().map(str::trim) {
+            Some(_) if !is_setup => {
+                return Err(refuse(
+                    "it chooses the point of a setup file; write one, as in -o best.toml, or leave it out",
+                ));
+            }
+            None | Some("knee") => None,
+            Some(number) => {
+                let number = number.parse::<usize>().ok().filter(|number| *number > 0);
+                Some(number.ok_or_else(|| refuse("it is \"knee\" or the number of a point in the table, from 1"))?)
+            }
+        };
+        let rule = Rule::new(args.question.inputs().chain(args.asked.swings.inputs()), args.overwrite);
+        Ok(Some(Self { destination: rule.file(path)?, is_setup, at }))
+    }
+
+    /// Writes the file, and says what it is; where there is no such point, nothing.
+    fn write(&self, found: &Pareto, args: &ParetoArgs, warnings: &mut Vec<Message>) -> Result<Option<String>> {
+        let file = self.destination.path().display().to_string();
+        if !self.is_setup {
+            self.destination.write(pareto_csv(found)?.as_bytes())?;
+            tell(&format!("wrote {} into {file}", counted(found.points.len() as u64, "point")));
+            return Ok(Some(file));
+        }
+        let place = match self.at {
+            Some(number) => Some(number - 1).filter(|place| *place < found.points.len()),
+            None => found.knee,
+        };
+        let Some(place) = place else {
+            let why = match self.at {
+                Some(number) => format!("there is no point {number}, but {}", found.points.len()),
+                None => "there is no knee; choose a point by its number with --at".into(),
+            };
+            warnings.push(format!("{file} is not written: {why}").into());
+            return Ok(None);
+        };
+        self.destination.write(pareto_toml(found, place, args.question.preset()?)?.as_bytes())?;
+        tell(&format!("wrote the setup of point {} into {file}", place + 1));
+        Ok(Some(file))
+    }
+}

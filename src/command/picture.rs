@@ -1,0 +1,110 @@
+//! Where a picture goes, and how it is written.
+
+use crate::command::args::{Drawing, Question};
+use crate::command::files::{Destination, Rule};
+use crate::command::output::{Answer, system, tell, warn};
+#[cfg(not(feature = "png"))]
+use crate::features::how_to_get;
+use crate::report::Reply;
+use crate::report::plot::{Figure, Look, Shades, figure_csv, figure_svg};
+use crate::units::Message;
+use crate::{Drive, Error, Result, Setup};
+use serde_json::json;
+use std::path::{Path, PathBuf};
+
+/// The width of a picture, pixels.
+const WIDTH: u32 = 480;
+
+/// What a plot is written as.
+#[derive(Clone, Copy)]
+enum Format {
+    Svg,
+    #[cfg(feature = "png")]
+    Png,
+    Csv,
+}
+
+impl Format {
+    /// What a file's name asks for.
+    fn of(file: &Path) -> Result<Self> {
+        let ending = file.extension().map(|ending| ending.to_string_lossy().to_lowercase());
+        match ending.as_deref() {
+            Some("svg") => Ok(Self::Svg),
+            #[cfg(feature = "png")]
+            Some("png") => Ok(Self::Png),
+            #[cfg(not(feature = "png"))]
+            Some("png") => Err(Error::Plot { name: file.display().to_string(), reason: how_to_get("png") }),
+            Some("csv") => Ok(Self::Csv),
+            _ => Err(Error::Plot {
+                name: file.display().to_string(),
+                reason: "its ending does not name a format; use .svg or .png for a picture, or .csv for its data"
+                    .into(),
+            }),
+        }
+    }
+}
+
+/// Where a plot goes, and as what.
+pub struct Target {
+    format: Format,
+    destination: Destination,
+}
+
+impl Target {
+    /// What was asked for, if it may be written.
+    pub fn new(question: &Question, drawing: &Drawing) -> Result<Self> {
+        Self::beside(question.inputs(), drawing)
+    }
+
+    /// The same for a plot that reads these files.
+    pub fn beside(inputs: impl Iterator<Item = PathBuf>, drawing: &Drawing) -> Result<Self> {
+        let format = Format::of(&drawing.output)?;
+        if let (Format::Csv, [option, ..]) = (format, drawing.look().as_slice()) {
+            let source =
+                "it is about pictures, and a .csv file has only the data; leave it out, or write a .svg or .png file";
+            return Err(Error::Unreadable { name: (*option).into(), source: source.into() });
+        }
+        let rule = Rule::new(inputs, drawing.overwrite);
+        Ok(Self { format, destination: rule.file(&drawing.output)? })
+    }
+
+    /// Writes the plot; `of_optima` is what deserves a word about the optima in it, beside the setup's own drive.
+    pub fn written(
+        &self,
+        question: &Question,
+        setup: &Setup<f64>,
+        drawing: &Drawing,
+        figure: &Figure,
+        of_optima: Vec<Message>,
+    ) -> Result<Answer> {
+        let mut warnings = Drive::new(setup).map_or_else(|_| setup.warnings(), |drive| drive.warnings(setup));
+        warnings.extend(of_optima);
+        self.put(question.json, drawing, figure, warnings)
+    }
+
+    /// Writes the plot, with what is to be said about its drives.
+    pub fn put(&self, is_json: bool, drawing: &Drawing, figure: &Figure, warnings: Vec<Message>) -> Result<Answer> {
+        warn(&warnings);
+        let shades = if drawing.dark { Shades::Dark } else { Shades::Light };
+        let look = Look { system: system(), shades, width: drawing.width.unwrap_or(WIDTH) };
+        let bytes = match self.format {
+            Format::Svg => figure_svg(figure, &look)?.into_bytes(),
+            #[cfg(feature = "png")]
+            Format::Png => crate::report::plot::figure_png(figure, &look, 2.0)?,
+            Format::Csv => figure_csv(figure)?.into_bytes(),
+        };
+        let file = drawing.output.display().to_string();
+        self.destination.write(&bytes)?;
+        tell(&format!("{file}: {}", figure.title));
+        if !figure.note.is_empty() {
+            tell(&figure.note);
+        }
+        Ok(if is_json {
+            let (name, title, note) = (&figure.name, &figure.title, &figure.note);
+            let body = json!({ "name": name, "file": file, "title": title, "note": note, "bytes": bytes.len() });
+            Answer::json(&Reply::done("plot", warnings, body))
+        } else {
+            Answer::text(String::new())
+        })
+    }
+}

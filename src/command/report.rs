@@ -1,0 +1,272 @@
+use crate::command::args::Report;
+use crate::command::date::today;
+use crate::command::files::Rule;
+use crate::command::names::usual;
+use crate::command::output::{Answer, bar, command_line, system, tell, warn};
+use crate::command::plot::limits;
+use crate::command::running::running;
+use crate::flight::Flight;
+use crate::optimize::{Observer, Status};
+use crate::report::Reply;
+use crate::report::figures::Flown;
+use crate::report::page::{Document, Findings, SETUP_FILE, report_documents};
+use crate::reproduce::while_loop;
+use crate::study::certificate::{Row, certify};
+use crate::study::{
+    Chart, Face, Fineness, Landing, Launches, Map, Optimum, Region, Search, Sigma, Vary, chart, effects, flatness, map,
+    optimum, short_drive, usual_loss, with_defaults,
+};
+use crate::units::{Message, counted};
+use crate::{Error, Outcome, Result, Setup};
+use serde_json::json;
+use std::path::Path;
+
+/// Optima along the parameter are about this many: what the bar counts to.
+const USUAL_POINTS: u64 = 24;
+
+pub fn run(args: &Report) -> Result<Answer> {
+    let stated = args.question.setup()?;
+    let of = args.search.sought()?.0;
+    let sought = args.sought(&stated)?;
+    let ranges: Vec<_> =
+        sought.iter().flat_map(|(search, along)| search.vary.iter().copied().chain([*along])).collect();
+    let setup = args.question.for_many(stated, &ranges)?;
+    let date = today()?;
+    let preset = args.question.preset()?;
+    let given = args.sigma.iter().map(|text| Sigma::read(&setup, text)).collect::<Result<Vec<_>>>()?;
+    let sigmas = with_defaults(&setup, &given, &[of])?;
+    // before the work, not after it
+    let folder = Rule::new(args.question.inputs(), args.overwrite).folder(&args.output, &["index.html", SETUP_FILE])?;
+
+    let bar = bar("parts");
+    bar.set_length(USUAL_POINTS + 5);
+    let mut flown = vec![Flown::new("as set up", &setup)?];
+    let mut remarks = flown[0].drive.warnings_about(&setup, Outcome::ALL);
+    bar.inc(1);
+
+    let found = sought.as_ref().map(|(search, _)| optimum(&setup, search.clone(), Observer::default())).transpose()?;
+    let best = found.as_ref().filter(|found| found.solution.status == Status::Converged);
+    let why_none = match (&found, best) {
+        (None, _) => Some(Message::from(NO_SEARCH)),
+        (Some(found), None) => {
+            Some(Message::from(format!("no optimum: {}: ", found.status())).message(found.message()))
+        }
+        _ => None,
+    };
+    if let Some(best) = best {
+        let longest = Flown::new(Flown::OPTIMUM, &best.setup)?;
+        let of_drive = longest
+            .drive
+            .warnings_about(&best.setup, Outcome::ALL)
+            .into_iter()
+            .filter(|warning| !remarks.contains(warning));
+        let of_drive: Vec<_> = of_drive.map(|warning| Message::from("at the optimum: ").message(warning)).collect();
+        remarks.extend(of_drive);
+        flown.push(longest);
+    }
+    let pictures = Pictures::of(&setup, best, &flown, &given, &mut remarks)?;
+    remarks.extend(best.and_then(short_drive).map(|(_, said)| Message::from(said)));
+    let flatness = best.map(|best| flatness(best, usual_loss(best))).transpose()?;
+    bar.inc(1);
+
+    let around = best.map_or(&setup, |best| &best.setup);
+    let search = sought.as_ref().map(|(search, _)| search);
+    let map = match search.map(|search| &search.vary[..]) {
+        Some([across, up, ..]) => said(map(around, of, *across, *up, Fineness::default()), &mut remarks)?,
+        _ => None,
+    };
+    let flat = map.as_ref().and_then(Map::flat);
+    let map = map.filter(|_| flat.is_none());
+    remarks.extend(flat);
+    let limits = search.map(|search| said(limits(around, search), &mut remarks)).transpose()?.flatten();
+    let limits = limits.unwrap_or_default();
+    let region = match (best, &map) {
+        (Some(best), Some(map)) => Region::around(best, map.across, map.up, usual_loss(best))?,
+        _ => None,
+    };
+    bar.inc(1);
+    let is_fixed = |(search, along): &&(Search, Vary)| search.vary.iter().all(|vary| vary.parameter != along.parameter);
+    let chart = match sought.as_ref().filter(is_fixed) {
+        Some((search, along)) if best.is_some() => {
+            let on_point = |_: &_| {
+                bar.inc(1);
+                true
+            };
+            said(chart(&setup, search, *along, on_point), &mut remarks)?
+        }
+        _ => None,
+    };
+
+    remarks.extend(chart.as_ref().map_or_else(Vec::new, Chart::warnings));
+
+    let shown = if of == Outcome::Lateral { vec![Outcome::Carry] } else { vec![of, Outcome::Lateral] };
+    let moved = |setup: &Setup<f64>, of: &[Outcome]| effects(setup, of, &sigmas, |_, _| ());
+    let effects = said(moved(&setup, &shown), &mut remarks)?.unwrap_or_default();
+    bar.inc(1);
+    let at_best = best.map(|best| said(moved(&best.setup, &[of]), &mut remarks)).transpose()?;
+    let at_best = at_best.flatten().and_then(|mut effects| effects.pop());
+    let rows = said(rows(&setup, of, search), &mut remarks)?.unwrap_or_default();
+    bar.inc(1);
+
+    // of a file its name, wherever it is
+    let name = Path::new(args.question.name()).file_name();
+    let name = name.map_or_else(|| args.question.setup.clone(), |name| name.to_string_lossy().into_owned());
+    let findings = Findings {
+        name: &name,
+        stated: &stated,
+        setup: &setup,
+        of,
+        preset,
+        flown: &flown,
+        landings: &pictures.landings,
+        launches: pictures.launches.as_ref(),
+        face: pictures.face.as_ref(),
+        best_face: pictures.best_face.as_ref(),
+        found: found.as_ref(),
+        best,
+        why_none: why_none.as_ref(),
+        flatness: flatness.as_ref(),
+        map: map.as_ref(),
+        limits: &limits,
+        region: region.as_ref(),
+        chart: chart.as_ref(),
+        effects: &effects,
+        at_best: at_best.as_ref(),
+        rows: &rows,
+        loops: &while_loop(&setup, &rows),
+        system: system(),
+        remarks: &remarks,
+        command: &command_line(running().words()),
+        date: &date,
+    };
+    let documents = report_documents(&findings)?;
+    folder.write(documents.iter().map(|Document { name, text }| (name.as_str(), text.as_bytes())))?;
+    bar.finish_and_clear();
+    remarks.extend(why_none);
+    warn(&remarks);
+    let index = args.output.join("index.html");
+    tell(&format!("{} ({})", index.display(), counted(documents.len() as u64, "file")));
+    let names: Vec<&str> = documents.iter().map(|document| document.name.as_str()).collect();
+    let missing = found.as_ref().filter(|_| best.is_none());
+    let answer = if args.question.json {
+        let (status, message) = match (&flown[0].drive.flight, missing) {
+            (Flight::None(why), _) => (why.status(), Some(why.to_string())),
+            (Flight::Landed(_), None) => ("done", None),
+            (Flight::Landed(_), Some(found)) => (found.status(), Some(found.message().to_string())),
+        };
+        let body = json!({ "folder": args.output.display().to_string(), "files": names });
+        Answer::json(&Reply::done("report", remarks.clone(), body).ended(status, message))
+    } else {
+        Answer::text(String::new())
+    };
+    Ok(answer.found(missing.is_none() && flown[0].drive.landed().is_ok()))
+}
+
+/// What the report of a launch says where nothing is to be varied.
+const NO_SEARCH: &str = "the drive is given by its launch, so there is no loft and no attack angle to vary: the optimum, its map and its chart \
+                         are left out; to look for the best launch, give --vary, for example launch.launch_angle=5deg..20deg";
+
+impl Report {
+    /// What is looked for, and the parameter that the optimum is followed along; nothing for a launch of which nothing is varied.
+    fn sought(&self, setup: &Setup<f64>) -> Result<Option<(Search, Vary)>> {
+        let is_launched = setup.launch.is_given();
+        if !is_launched || !self.search.vary.is_empty() {
+            let along = match &self.along {
+                Some(given) => Vary::read(setup, given)?,
+                None => usual_speeds(setup)?,
+            };
+            return Ok(Some((self.search.search(setup)?, along)));
+        }
+        let of_search = self.search.given().into_iter().chain(self.along.as_ref().map(|_| "--along"));
+        match of_search.into_iter().find(|option| !["--maximize", "--minimize"].contains(option)) {
+            Some(option) => {
+                let source = "it is about the search for an optimum; give --vary too, for example launch.launch_angle=5deg..20deg, or leave \
+                              it out";
+                Err(Error::Unreadable { name: option.into(), source: source.into() })
+            }
+            None => Ok(None),
+        }
+    }
+}
+
+/// The speeds that the optimum is followed along where no range is given: the usual ones, or where the drive's own speed is none of them, as many
+/// around it, down to half of it.
+fn usual_speeds(setup: &Setup<f64>) -> Result<Vary> {
+    let usual = if setup.launch.is_given() { "launch.ball_speed=120mph..190mph" } else { "swing.speed=80mph..130mph" };
+    let usual = Vary::read(setup, usual)?;
+    let half = 0.5 * (usual.high - usual.low);
+    match setup.value(usual.parameter) {
+        Some(own) if !(usual.low..=usual.high).contains(&own) => {
+            let high = (own + half).min(usual.parameter.range.high);
+            Vary::new(usual.parameter, (own - half).max(0.5 * own), high)
+        }
+        _ => Ok(usual),
+    }
+}
+
+/// What the pictures of the drives show.
+struct Pictures {
+    landings: Vec<Landing>,
+    launches: Option<Launches>,
+    face: Option<Face>,
+    best_face: Option<Face>,
+}
+
+impl Pictures {
+    /// Of the drive as set up and of the best one, as far as they fly; `flown` are both, `given` the uncertainties that were stated.
+    fn of(
+        setup: &Setup<f64>,
+        best: Option<&Optimum>,
+        flown: &[Flown],
+        given: &[Sigma],
+        remarks: &mut Vec<Message>,
+    ) -> Result<Self> {
+        let setups = std::iter::once(setup).chain(best.map(|best| &best.setup));
+        let flying = flown.iter().zip(setups).filter(|(flown, _)| flown.drive.landed().is_ok());
+        let drives: Vec<_> = flying.map(|(flown, setup)| (flown.name.as_str(), setup)).collect();
+        let landing = |(name, setup): &(&str, &Setup<f64>)| {
+            Landing::of(*name, setup, &with_defaults(setup, given, &[Outcome::Carry, Outcome::Lateral])?)
+        };
+        let is_struck = !setup.launch.is_given() && flown.first().is_some_and(|own| own.drive.landed().is_ok());
+        let launches = (!drives.is_empty()).then(|| said(Launches::around(&drives), remarks)).transpose()?;
+        let face = is_struck.then(|| said(Face::of(setup), remarks)).transpose()?;
+        let best_face = best.filter(|_| is_struck).map(|best| said(Face::of(&best.setup), remarks)).transpose()?;
+        Ok(Self {
+            landings: drives.iter().map(landing).collect::<Result<_>>()?,
+            launches: launches.flatten(),
+            face: face.flatten(),
+            best_face: best_face.flatten(),
+        })
+    }
+}
+
+/// The derivatives of the outcome by what is varied, or by what is usual, and by the speed of swing or ball, beside differences.
+fn rows(setup: &Setup<f64>, of: Outcome, search: Option<&Search>) -> Result<Vec<Row>> {
+    let mut wrt = match search {
+        Some(search) => search.vary.iter().map(|vary| vary.parameter).collect(),
+        None => usual(setup)?,
+    };
+    let speed = setup.variable(if setup.launch.is_given() { "launch.ball_speed" } else { "swing.speed" })?;
+    if !wrt.contains(&speed) {
+        wrt.push(speed);
+    }
+    let mut rows = certify(setup, &[of], &wrt, |_, _| true)?.rows;
+    // not those of the landing, which are looked at beside
+    rows.retain(|row| row.of == of);
+    Ok(rows)
+}
+
+/// A part of the report; where it has no answer the report says so, and goes on.
+fn said<T>(part: Result<T>, remarks: &mut Vec<Message>) -> Result<Option<T>> {
+    match part {
+        Ok(part) => Ok(Some(part)),
+        Err(error) if error.is_an_outcome() => {
+            let remark = error.message();
+            if !remarks.contains(&remark) {
+                remarks.push(remark);
+            }
+            Ok(None)
+        }
+        Err(error) => Err(error),
+    }
+}

@@ -1,0 +1,116 @@
+//! One design for several models of impact and flight.
+
+use crate::command::args::RobustArgs;
+use crate::command::files::Rule;
+use crate::command::interrupt;
+use crate::command::names::tell_of_the_run;
+use crate::command::output::{Answer, spinner, system, tell, warn};
+use crate::command::swings::{ranges, searched};
+use crate::optimize::{Follow, Status};
+use crate::report::{robust_reply, robust_text, robust_toml};
+use crate::study::Search;
+use crate::study::swings::{Goal, GoalLimit, Model, Scenarios, SwingsSearch, robust};
+use crate::units::{Message, Quantity};
+use crate::{Error, Result, Setup};
+
+/// The loss that is allowed of a distance: 1 yd, m.
+const YARD: f64 = 0.9144;
+
+pub fn run(args: &RobustArgs) -> Result<Answer> {
+    args.swings.refuse_stray()?;
+    let rule = Rule::new(args.question.inputs().chain(args.swings.inputs()), args.overwrite);
+    let output = args.output.as_ref().map(|file| rule.file(file)).transpose()?;
+    let (setup, search, scenarios) = args.asked()?;
+    let within = args.within(&search.of)?;
+    let ranges = ranges(&search.vary, &scenarios);
+    let models = args.models(&setup, &search, &scenarios)?;
+    let flown = |model: Model| Ok(Model { setup: args.question.for_many(model.setup, &ranges)?, ..model });
+    let models = models.into_iter().map(flown).collect::<Result<Vec<_>>>()?;
+    for (k, model) in models.iter().enumerate() {
+        let reason = if model.reason.is_empty() { String::new() } else { format!(" ({})", model.reason) };
+        tell(&format!("model {}: {}{reason}", k + 1, model.name));
+    }
+    let spinner = spinner("searching for one design for all models");
+    let interrupt = interrupt::stops("stopping with the best design so far");
+    let found = robust(models, search, &scenarios, &Follow { interrupt, ..Follow::default() });
+    spinner.finish_and_clear();
+    interrupt::ends();
+    let found = found?;
+    let is_found = found.solution.status == Status::Converged;
+    let mut warnings = found.setup.warnings();
+    let mut written = None;
+    if let Some(output) = &output {
+        let file = output.path().display().to_string();
+        if is_found {
+            output.write(robust_toml(&found, within, args.question.preset()?)?.as_bytes())?;
+            tell(&format!("wrote the setup with the robust design into {file}"));
+            written = Some(file);
+        } else {
+            warnings.push(Message::from(format!("{file} is not written: there is no robust design")));
+        }
+    }
+    warn(&warnings);
+    let answer = if args.question.json {
+        Answer::json(&robust_reply(&found, within, warnings, written))
+    } else {
+        Answer::text(robust_text(&found, within, system()))
+    };
+    Ok(answer.found(is_found))
+}
+
+impl RobustArgs {
+    /// The setup, what is looked for, and over which swings.
+    fn asked(&self) -> Result<(Setup<f64>, SwingsSearch, Scenarios)> {
+        if self.swings.is_given() {
+            let (set_up, _, scenarios) = self.swings.taken(&self.question)?;
+            let setup = self.question.varied(set_up, &self.search.vary)?;
+            let search = searched(&self.search, &self.swings, &setup)?;
+            tell_of_the_run(&search.of.outcomes());
+            return Ok((set_up, search, scenarios));
+        }
+        let setup = self.question.setup_varied(&self.search.vary)?;
+        let Search { of, sense, vary, subject_to, options } = self.search.search(&setup)?;
+        let subject_to = subject_to.iter().map(GoalLimit::of_drive).collect();
+        let search = SwingsSearch { of: Goal::outcome(of), sense, vary, subject_to, options };
+        Ok((setup, search, Scenarios::one_drive()))
+    }
+
+    /// The setup as it is, and the models beside it.
+    fn models(&self, setup: &Setup<f64>, search: &SwingsSearch, scenarios: &Scenarios) -> Result<Vec<Model>> {
+        if self.model.is_empty() {
+            return Model::usual(setup);
+        }
+        let mut all = vec![Model::as_set_up(setup)];
+        for text in &self.model {
+            let model = Model::read(setup, text)?;
+            let refuse =
+                |source: String| Error::Unreadable { name: format!("--model {}", model.name), source: source.into() };
+            if let Some(same) = all.iter().find(|other| other.setup == model.setup) {
+                return Err(refuse(format!("it is the same as '{}'; leave it out", same.name)));
+            }
+            let mut taken = search.vary.iter().map(|vary| vary.parameter).chain(scenarios.parameters.iter().copied());
+            let is_changed =
+                |name: &str| text.split(',').any(|part| part.split('=').next().map(str::trim) == Some(name));
+            if let Some(parameter) = taken.find(|parameter| is_changed(parameter.name)) {
+                return Err(refuse(format!(
+                    "{} is varied, by the search or by the swings, so that this value would not be used; leave it out",
+                    parameter.name
+                )));
+            }
+            all.push(model);
+        }
+        Ok(all)
+    }
+
+    /// The loss that is allowed: what was given, else a yard of a distance.
+    fn within(&self, of: &Goal) -> Result<Option<f64>> {
+        let Some(text) = &self.within else { return Ok((of.quantity.si == Quantity::LENGTH.si).then_some(YARD)) };
+        let refuse =
+            |source: Box<dyn std::error::Error + Send + Sync>| Error::Unreadable { name: "--within".into(), source };
+        let within = of.quantity.read_difference(text).map_err(|error| refuse(Box::new(error)))?;
+        if within.is_finite() && within >= 0.0 {
+            return Ok(Some(within));
+        }
+        Err(refuse(format!("{text} must be 0 or more").into()))
+    }
+}

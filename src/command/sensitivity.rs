@@ -1,0 +1,67 @@
+use crate::command::args::SensitivityArgs;
+use crate::command::names::outcomes;
+use crate::command::output::{Answer, bar, show, system, tell, warn};
+use crate::optimize::{Observer, Status};
+use crate::parameters::Parameter;
+use crate::report::figures::At;
+use crate::report::{EffectsReport, OutcomeEffects, by_reason, effects_text};
+use crate::study::{Sensitivity, Sigma, effects, optimum, sensitivities, with_defaults};
+use crate::{Drive, Error, Outcome, Result};
+
+pub fn run(args: &SensitivityArgs) -> Result<Answer> {
+    let mut setup = args.question.within_tolerance(args.question.setup()?)?;
+    let of = outcomes(&args.of)?;
+    let given = args.sigma.iter().map(|text| Sigma::read(&setup, text)).collect::<Result<Vec<_>>>()?;
+    let mut best = None;
+    if let ([option, ..], false) = (args.search.given().as_slice(), args.at_optimum) {
+        let source = "it is about the search for an optimum; add --at-optimum, or leave it out".into();
+        return Err(Error::Unreadable { name: (*option).into(), source });
+    }
+    if args.at_optimum {
+        let search = args.search.search(&setup)?;
+        setup = args.question.for_many(setup, &search.vary)?;
+        let found = optimum(&setup, search, Observer::default())?;
+        if found.solution.status != Status::Converged {
+            return Err(Error::NotConverged { status: found.status(), message: found.message() });
+        }
+        tell(&found.message().in_units(system()));
+        setup = found.setup;
+        best = Some(found);
+    }
+    let sigmas = if args.no_defaults { given } else { with_defaults(&setup, &given, &of)? };
+    let drive = Drive::new(&setup)?;
+    let mut warnings = drive.warnings_about(&setup, &of);
+    warn(&warnings);
+    let bar = bar("uncertainties");
+    let found = effects(&setup, &of, &sigmas, |done, all| show(&bar, done, all));
+    bar.finish_and_clear();
+    let found = found?;
+    let totals = match &best {
+        Some(best) => {
+            let varied = |row: &&_| !best.search.vary.iter().any(|vary| vary.parameter == *row);
+            let runs = best.search.outcomes().iter().any(|of| of.is_of_the_run());
+            let counts = |row: &&Parameter| runs || !row.is_of_the_run();
+            let wrt: Vec<_> = setup.variables().into_iter().filter(varied).filter(counts).collect();
+            Some((best.search.of, sensitivities(best, &wrt, |_, _| ())?))
+        }
+        None => None,
+    };
+    // a dash in its column would not say why
+    let why = |(row, slope): &(&Parameter, Result<Sensitivity>)| Some((row.name, slope.as_ref().err()?.to_string()));
+    let missing = by_reason(totals.iter().flat_map(|(_, all)| all).filter_map(why));
+    let missing: Vec<_> = missing.iter().map(|line| format!("no slope of the optimum by {line}").into()).collect();
+    warn(&missing);
+    warnings.extend(missing);
+    let totals_of =
+        |of: Outcome| totals.as_ref().filter(|(maximized, _)| *maximized == of).map(|(_, all)| all.as_slice());
+    let answer = if args.question.json {
+        let reports: Vec<_> = found.iter().map(|effects| OutcomeEffects::new(effects, totals_of(effects.of))).collect();
+        Answer::json(&EffectsReport::reply(reports, best.as_ref(), warnings))
+    } else {
+        let at = if best.is_some() { At::Optimum } else { At::SetUp };
+        let texts: Vec<_> =
+            found.iter().map(|effects| effects_text(effects, totals_of(effects.of), at, system())).collect();
+        Answer::text(texts.join("\n"))
+    };
+    Ok(answer)
+}

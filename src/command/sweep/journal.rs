@@ -1,0 +1,164 @@
+use super::rows::Question;
+use crate::batch::Tally;
+use crate::command::files::beside;
+use crate::drive::BeyondCount;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+use std::fs::{File, OpenOptions, TryLockError};
+use std::io::{self, BufRead, Read, Seek, SeekFrom, Write};
+use std::path::{Path, PathBuf};
+
+/// How far a file of rows has come, kept beside it as `FILE.resume` until it is complete: the question in the first
+/// line, then a line whenever rows are safe in the file. A line counts once it ends; what stands after the last one is
+/// what a kill cut short.
+pub struct Journal {
+    path: PathBuf,
+    file: File,
+    /// For each entry, how long the file of rows was, and where in the journal the entry begins.
+    entries: Vec<(u64, u64)>,
+    length: u64,
+}
+
+/// Rows that are safe.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Entry {
+    /// How many rows the file holds.
+    pub rows: u64,
+    /// In how many bytes.
+    pub bytes: u64,
+    /// How many drives ended how.
+    pub drives: BTreeMap<String, u64>,
+    /// How many landed; of these, how many begin with what the law was not fitted to, and how many with a strike beside any face; and how
+    /// many land too flat.
+    pub beyond: [u64; 4],
+    /// The metadata of the row group that ends here, in hexadecimal.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub group: String,
+}
+
+impl Entry {
+    pub fn new(rows: u64, bytes: u64, tally: Tally, group: &[u8]) -> Self {
+        let drives = tally.counts().map(|(status, count)| (status.name().to_owned(), count)).collect();
+        let BeyondCount { all, law, face, flat } = tally.beyond();
+        Self {
+            rows,
+            bytes,
+            drives,
+            beyond: [all, law, face, flat],
+            group: group.iter().map(|byte| format!("{byte:02x}")).collect(),
+        }
+    }
+
+    pub fn tally(&self) -> Tally {
+        let [all, law, face, flat] = self.beyond;
+        Tally::of(self.drives.iter().map(|(name, count)| (name.as_str(), *count)), BeyondCount { all, law, face, flat })
+    }
+
+    /// The metadata of the row group.
+    #[cfg(feature = "parquet")]
+    pub fn group(&self) -> Vec<u8> {
+        let digits = self.group.as_bytes();
+        let byte = |pair: &[u8]| u8::from_str_radix(std::str::from_utf8(pair).unwrap_or_default(), 16).unwrap_or(0);
+        digits.chunks(2).map(byte).collect()
+    }
+}
+
+impl Journal {
+    /// The journal's name beside a file.
+    pub fn path(of: &Path) -> PathBuf {
+        let mut name = of.as_os_str().to_owned();
+        name.push(".resume");
+        name.into()
+    }
+
+    /// Whether a file is the journal of a sweep: it begins with a question.
+    pub fn is_one(path: &Path) -> bool {
+        let mut line = String::new();
+        let read = File::open(path).and_then(|file| io::BufReader::new(file).read_line(&mut line));
+        read.is_ok() && serde_json::from_str::<Question>(&line).is_ok()
+    }
+
+    /// A new journal, whole from its first moment on. One that another program is writing stays.
+    pub fn begin(of: &Path, question: &Question) -> io::Result<Self> {
+        let path = Self::path(of);
+        if let Ok(there) = File::open(&path) {
+            lock(&there)?;
+        }
+        let mut beside = beside(&path)?;
+        let mut line = serde_json::to_vec(question)?;
+        line.push(b'\n');
+        beside.write_all(&line)?;
+        beside.as_file().sync_all()?;
+        lock(beside.as_file())?;
+        let file = beside.persist(&path)?;
+        Ok(Self { path, file, entries: vec![], length: line.len() as u64 })
+    }
+
+    /// The journal of a file, with the question and the entries that `keeps` accepts, up to the first it does not;
+    /// `None` where there is no journal.
+    pub fn open(of: &Path, keeps: impl Fn(&Entry) -> bool) -> io::Result<Option<(Self, Question, Vec<Entry>)>> {
+        let path = Self::path(of);
+        let mut file = match OpenOptions::new().read(true).write(true).open(&path) {
+            Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(None),
+            file => file?,
+        };
+        lock(&file)?;
+        let mut text = String::new();
+        file.read_to_string(&mut text)?;
+        let mut lines = text.split_inclusive('\n').take_while(|line| line.ends_with('\n'));
+        let first = lines.next().unwrap_or_default();
+        let question = serde_json::from_str(first)?;
+        let mut journal = Self { path, file, entries: vec![], length: first.len() as u64 };
+        let mut entries = vec![];
+        for line in lines {
+            let Some(entry) = serde_json::from_str(line).ok().filter(&keeps) else { break };
+            journal.entries.push((entry.bytes, journal.length));
+            journal.length += line.len() as u64;
+            entries.push(entry);
+        }
+        journal.cut()?;
+        Ok(Some((journal, question, entries)))
+    }
+
+    /// Adds an entry. The rows must be safe before.
+    pub fn add(&mut self, entry: &Entry) -> io::Result<()> {
+        let mut line = serde_json::to_vec(entry)?;
+        line.push(b'\n');
+        let written = self.file.write_all(&line).and_then(|()| self.file.sync_data());
+        if written.is_err() {
+            self.cut()?;
+            return written;
+        }
+        self.entries.push((entry.bytes, self.length));
+        self.length += line.len() as u64;
+        Ok(())
+    }
+
+    /// Forgets entries of more than so many bytes of rows.
+    #[cfg(feature = "parquet")]
+    pub fn forget_beyond(&mut self, bytes: u64) -> io::Result<()> {
+        while let Some((_, at)) = self.entries.pop_if(|(of, _)| *of > bytes) {
+            self.length = at;
+        }
+        self.cut()
+    }
+
+    fn cut(&mut self) -> io::Result<()> {
+        self.file.set_len(self.length)?;
+        self.file.seek(SeekFrom::Start(self.length)).map(|_| ())
+    }
+
+    /// The file of rows is complete: nothing is left to go on with.
+    pub fn remove(&self) -> io::Result<()> {
+        std::fs::remove_file(&self.path)
+    }
+}
+
+/// Two sweeps into one file would make neither.
+fn lock(file: &File) -> io::Result<()> {
+    match file.try_lock() {
+        Err(TryLockError::WouldBlock) => Err(io::Error::other("another sweep is writing it")),
+        // where files cannot be locked, none is
+        _ => Ok(()),
+    }
+}

@@ -1,0 +1,316 @@
+use super::journal::{Entry, Journal};
+#[cfg(feature = "parquet")]
+use super::rows::Table;
+use super::rows::{Content, Rows, Writer};
+#[cfg(feature = "parquet")]
+use crate::batch::Block;
+use crate::batch::Tally;
+use crate::command::files::{refused, unwritable};
+use crate::command::output::tell;
+#[cfg(feature = "parquet")]
+use crate::report::{ParquetGroup, PlacedGroup, SweepParquet};
+use crate::units::counted;
+use crate::{Error, Result};
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, Seek, SeekFrom, Write};
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+/// A line of the journal at most so often, and after at least so many blocks.
+const OFTEN: Duration = Duration::from_secs(1);
+const BLOCKS: u64 = 16;
+
+/// Rows of a sweep that can be resumed: in `FILE.part` until all are there, and then in the file itself. Whatever happens, it
+/// holds whole rows, and its journal knows how many of them an undisturbed run would have written in the same bytes.
+pub struct Kept<'a> {
+    files: Files,
+    file: File,
+    journal: Journal,
+    writer: &'a Writer,
+    /// What is written.
+    rows: u64,
+    bytes: u64,
+    tally: Tally,
+    /// Rows that the journal knows of, after which a resumed sweep begins.
+    safe: u64,
+    /// Blocks since the last line of the journal, and when that was.
+    since: u64,
+    last: Option<Instant>,
+    #[cfg(feature = "parquet")]
+    groups: Groups,
+}
+
+/// Row groups of a Parquet file.
+#[cfg(feature = "parquet")]
+#[derive(Default)]
+struct Groups {
+    /// Those that are written, each with the bytes, the rows and their tally before it.
+    placed: Vec<(PlacedGroup, u64, u64, Tally)>,
+    /// Blocks of the next one.
+    pending: Vec<Block>,
+}
+
+/// The files of a sweep.
+#[derive(Clone, Debug)]
+pub struct Files {
+    /// The rows, once all of them are there.
+    pub whole: PathBuf,
+    /// The rows so far, `FILE.part`.
+    pub part: PathBuf,
+}
+
+impl Files {
+    pub fn of(whole: &Path) -> Self {
+        let mut part = whole.as_os_str().to_owned();
+        part.push(".part");
+        Self { whole: whole.into(), part: part.into() }
+    }
+
+    /// Whether `--resume` finds rows to continue.
+    fn can_be_resumed(&self, resume: bool) -> bool {
+        resume && Journal::path(&self.whole).exists()
+    }
+
+    /// Refuses what would lose the rows of an earlier sweep, or a file that no sweep wrote.
+    pub fn check(&self, resume: bool, overwrite: bool) -> Result<()> {
+        let journal = Journal::path(&self.whole);
+        if !journal.exists() {
+            let part = &self.part;
+            return match (part.exists(), resume && self.whole.exists()) {
+                (true, _) => Err(refused(part, "it exists, and it is not known which sweep wrote it; move it away")),
+                (_, true) => Err(nothing_left(&self.whole)),
+                _ => Ok(()),
+            };
+        }
+        if !Journal::is_one(&journal) {
+            return Err(refused(&journal, "it exists, and is not the journal of a sweep; move it away"));
+        }
+        if !resume && !overwrite {
+            let reason = "an earlier sweep into it did not end; --resume continues it, --overwrite starts again";
+            return Err(refused(&self.whole, reason));
+        }
+        Ok(())
+    }
+}
+
+fn nothing_left(path: &Path) -> Error {
+    let reason = format!(
+        "there is nothing to resume: without {} it is complete, or not from a sweep; --overwrite replaces it",
+        Journal::path(path).display()
+    );
+    refused(path, reason)
+}
+
+impl<'a> Kept<'a> {
+    /// Begins, or goes on with what was kept. What may be written has been checked.
+    pub fn open(files: Files, writer: &'a Writer, resume: bool) -> Result<Self> {
+        if files.can_be_resumed(resume) {
+            return Self::go_on(files, writer);
+        }
+        let unwritable = |error: io::Error| unwritable(&files.whole, &error);
+        // the journal first: rows without one are nobody's
+        let journal = Journal::begin(&files.whole, &writer.question).map_err(unwritable)?;
+        let rows = OpenOptions::new().write(true).create(true).truncate(true).open(&files.part);
+        let file = rows.map_err(|error| {
+            let _ = journal.remove();
+            unwritable(error)
+        })?;
+        Self::at_the_beginning(files, file, journal, writer).begun()
+    }
+
+    fn at_the_beginning(files: Files, file: File, journal: Journal, writer: &'a Writer) -> Self {
+        Self {
+            files,
+            file,
+            journal,
+            writer,
+            rows: 0,
+            bytes: 0,
+            tally: Tally::default(),
+            safe: 0,
+            since: 0,
+            last: None,
+            #[cfg(feature = "parquet")]
+            groups: Groups::default(),
+        }
+    }
+
+    fn begun(mut self) -> Result<Self> {
+        self.append(&self.writer.head())?;
+        Ok(self)
+    }
+
+    fn go_on(files: Files, writer: &'a Writer) -> Result<Self> {
+        let path = files.whole.clone();
+        let unusable = |error: io::Error| refused(&path, format!("its sweep cannot be resumed ({error})"));
+        // a kill may have come between the journal and the first row
+        let file = OpenOptions::new().write(true).create(true).truncate(false).open(&files.part).map_err(unusable)?;
+        let length = file.metadata().map_err(unusable)?.len();
+        let Some((journal, question, entries)) =
+            Journal::open(&path, |entry| entry.bytes <= length).map_err(unusable)?
+        else {
+            return Err(nothing_left(&path));
+        };
+        if let Some(part) = writer.question.difference(&question) {
+            let reason = format!(
+                "it belongs to another command ({part} differ); repeat the command that began it, or replace it with --overwrite"
+            );
+            return Err(refused(&path, reason));
+        }
+        let mut kept = Self::at_the_beginning(files, file, journal, writer);
+        if let Some(last) = entries.last() {
+            (kept.rows, kept.bytes, kept.tally) = (last.rows, last.bytes, last.tally());
+            kept.safe = last.rows;
+        }
+        #[cfg(feature = "parquet")]
+        if let Table::Parquet(table) = &writer.table {
+            kept.groups.restore(table, &entries, table.head().len() as u64)?;
+        }
+        kept.cut().map_err(unusable)?;
+        tell(&format!("resuming after {}", counted(kept.rows, "row")));
+        if kept.rows == 0 { kept.begun() } else { Ok(kept) }
+    }
+
+    pub fn rows(&self) -> u64 {
+        self.rows
+    }
+
+    /// Rows after which a resumed sweep begins.
+    pub fn safe(&self) -> u64 {
+        self.safe
+    }
+
+    pub fn tally(&self) -> Tally {
+        self.tally
+    }
+
+    pub fn take(&mut self, rows: Rows) -> Result<()> {
+        match rows.content {
+            Content::Text(bytes) => {
+                self.append(&bytes)?;
+                self.rows += rows.rows;
+                self.tally.merge(rows.tally);
+                self.since += 1;
+                if self.since >= BLOCKS && self.last.is_none_or(|last| last.elapsed() >= OFTEN) {
+                    self.keep(&[])?;
+                }
+            }
+            #[cfg(feature = "parquet")]
+            Content::Block(block) => {
+                let Table::Parquet(table) = &self.writer.table else { return Ok(()) };
+                self.groups.pending.push(block);
+                if self.groups.pending.len() == table.blocks_of_group() {
+                    let metadata = self.write_group(table)?;
+                    self.keep(&metadata)?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Makes the rows so far readable: what was computed is written, and a Parquet file gets its foot. Once all are there the
+    /// file is put in its place, and the journal goes.
+    pub fn close(&mut self, is_complete: bool) -> Result<()> {
+        #[cfg(feature = "parquet")]
+        if let Table::Parquet(table) = &self.writer.table {
+            // after an error of the disk there may be no room for these rows
+            let rest = if self.groups.pending.is_empty() { Ok(()) } else { self.write_group(table).map(|_| ()) };
+            self.write_foot(table).and(rest)?;
+        }
+        if !is_complete && self.since > 0 {
+            // where this cannot be entered, a resumed sweep begins a little earlier
+            let _ = self.keep(&[]);
+        }
+        if is_complete {
+            let in_place = || {
+                self.file.sync_all()?;
+                fs::rename(&self.files.part, &self.files.whole)?;
+                self.journal.remove()
+            };
+            in_place().map_err(|error| self.failed(&error))?;
+        }
+        Ok(())
+    }
+
+    /// Appends all of some bytes or none.
+    fn append(&mut self, bytes: &[u8]) -> Result<()> {
+        if let Err(error) = self.file.write_all(bytes) {
+            // part of a row is none
+            let _ = self.cut();
+            return Err(self.failed(&error));
+        }
+        self.bytes += bytes.len() as u64;
+        Ok(())
+    }
+
+    fn cut(&mut self) -> io::Result<()> {
+        self.file.set_len(self.bytes)?;
+        self.file.seek(SeekFrom::Start(self.bytes)).map(|_| ())
+    }
+
+    fn failed(&self, error: &io::Error) -> Error {
+        let (rows, part) = (counted(self.rows, "complete row"), self.files.part.display());
+        let why = Error::why_unwritten(error);
+        let reason = format!(
+            "it cannot be written further ({why}); {part} keeps its first {rows}; make room, then repeat the same command \
+             with --resume"
+        );
+        refused(&self.files.whole, reason)
+    }
+
+    /// Enters what is written in the journal.
+    fn keep(&mut self, group: &[u8]) -> Result<()> {
+        let entry = Entry::new(self.rows, self.bytes, self.tally, group);
+        self.file.sync_data().and_then(|()| self.journal.add(&entry)).map_err(|error| self.failed(&error))?;
+        (self.safe, self.since, self.last) = (self.rows, 0, Some(Instant::now()));
+        Ok(())
+    }
+}
+
+#[cfg(feature = "parquet")]
+impl Kept<'_> {
+    /// Writes the blocks that wait as a row group; its metadata.
+    fn write_group(&mut self, table: &SweepParquet) -> Result<Vec<u8>> {
+        let blocks = std::mem::take(&mut self.groups.pending);
+        let ParquetGroup { bytes, metadata } = table.group(&blocks)?;
+        let (at, before) = (self.bytes, (self.rows, self.tally));
+        self.append(&bytes)?;
+        let placed = table.place(&metadata, at, self.groups.placed.len())?;
+        self.groups.placed.push((placed, at, before.0, before.1));
+        for block in &blocks {
+            self.rows += block.rows() as u64;
+            self.tally.add(block);
+        }
+        Ok(metadata)
+    }
+
+    /// Without a foot no row of a Parquet file can be read: where there is no room for it, row groups make room.
+    fn write_foot(&mut self, table: &SweepParquet) -> Result<()> {
+        let mut no_room = None;
+        loop {
+            let groups: Vec<_> = self.groups.placed.iter().map(|(group, ..)| group.clone()).collect();
+            let foot = table.foot(&groups)?;
+            let Err(error) = self.file.write_all(&foot) else { break };
+            let Some((_, at, rows, tally)) = self.groups.placed.pop() else { return Err(self.failed(&error)) };
+            (self.bytes, self.rows, self.tally) = (at, rows, tally);
+            self.cut().and_then(|()| self.journal.forget_beyond(at)).map_err(|error| self.failed(&error))?;
+            no_room = Some(error);
+        }
+        // what had to go is no longer complete
+        no_room.map_or(Ok(()), |error| Err(self.failed(&error)))
+    }
+}
+
+#[cfg(feature = "parquet")]
+impl Groups {
+    /// The row groups that a journal knows.
+    fn restore(&mut self, table: &SweepParquet, entries: &[Entry], head: u64) -> Result<()> {
+        let mut before = (head, 0, Tally::default());
+        for entry in entries {
+            let placed = table.place(&entry.group(), before.0, self.placed.len())?;
+            self.placed.push((placed, before.0, before.1, before.2));
+            before = (entry.bytes, entry.rows, entry.tally());
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,179 @@
+//! Very many drives, to a file.
+
+mod journal;
+mod kept;
+mod points;
+mod room;
+mod rows;
+mod target;
+
+use crate::batch::{Batch, Run, Status, Tally};
+use crate::command::args::Sweep;
+use crate::command::interrupt;
+use crate::command::names::{outcomes, variables};
+use crate::command::output::{Answer, bar, say_error, system, tell, warn};
+use crate::drive::{Looked, Part};
+use crate::report::Reply;
+use crate::units::{Message, counted};
+use crate::{Error, Outcome, Result};
+use rows::{Rows, Writer};
+use serde::Serialize;
+use serde_json::{Map, Value};
+use std::io::ErrorKind;
+use std::path::Path;
+use target::Target;
+
+pub fn run(args: &Sweep) -> Result<Answer> {
+    let setup = args.question.setup_of_points()?;
+    // from here on: all of a table is read before the first drive, which takes a while where it is long
+    let stop = interrupt::stops("stopping after the drives under way");
+    let of = outcomes(&args.outcomes)?;
+    let target = Target::new(args)?;
+    let mut points = points::points(&setup, args)?;
+    let notes = points.notes();
+    for note in &notes {
+        tell(&format!("note: {}: {}", described(args), note.in_units(system())));
+    }
+    if let (Some(table), 0) = (&args.points, points.rows()) {
+        let reason = "it has a head and no rows; give a row for each drive".into();
+        return Err(Error::Table { file: table.display().to_string(), place: String::new(), reason });
+    }
+    args.question.refuse_twice(&setup, points.parameters(), "every drive of the sweep has a value of its own")?;
+    args.question.refuse_replaced(&setup, points.parameters())?;
+    if !setup.launch.is_given() && points.parameters().iter().any(|parameter| parameter.is_of_launch()) {
+        args.question.refuse_club(&setup, "the points are launches")?;
+    }
+    let accuracy = args.question.accuracy(&setup, &points.ranges(), &of)?;
+    let setup = accuracy.map_or(setup, |found| found.applied_to(&setup));
+    let wrt = match args.wrt.as_slice() {
+        [] if args.gradient => points.parameters().to_vec(),
+        names => variables(&setup, names, &of)?,
+    };
+    let mut batch = Batch::new(&setup, points.parameters(), &of, &wrt)?;
+    if let Some(found) = accuracy {
+        batch = batch.with_largest_defect(found.largest_defect);
+    }
+    let writer = Writer::new(&batch, target.format, points.identity())?;
+    room::check(args, &batch, points.as_mut(), &writer, &target)?;
+    let mut output = target.open(&writer, args)?;
+    let mut warnings = setup.warnings();
+    warn(&warnings);
+
+    let total = points.rows();
+    let bar = bar("drives");
+    bar.set_length(total);
+    bar.set_position(output.rows());
+    bar.reset_eta();
+    let run = Run { first_row: output.rows(), threads: args.threads, stop: Some(&stop) };
+    let done = batch.run(
+        points.as_mut(),
+        &run,
+        |block| writer.rows(block),
+        |rows: Rows| {
+            bar.inc(rows.rows);
+            output.take(rows)
+        },
+    );
+    bar.finish_and_clear();
+    let done = match done {
+        // a reader that has gone away, as `head` does, is no failure of ours
+        Err(Error::Output(error)) if error.kind() == ErrorKind::BrokenPipe => return Ok(Answer::text(String::new())),
+        done => done,
+    };
+    let is_complete = done.as_ref().is_ok_and(|done| *done == total);
+    // what closing the file says of its rows is the last word
+    output.close(is_complete)?;
+    done?;
+
+    // until all rows are there they are in a file beside it
+    let file = target.part().filter(|_| !is_complete).unwrap_or(&args.output);
+    let summary = Summary::new(total, output.tally(), notes, file);
+    let beyond = output.tally().beyond();
+    let beyond = beyond.warnings(&setup.law, ["drive that landed", "drives that landed"], Looked::AtLaunch);
+    warn(&beyond);
+    warnings.extend(beyond);
+    if !is_complete {
+        let drives = summary.text(None);
+        tell(&match target.part() {
+            Some(part) => format!(
+                "stopped: {drives}; the rows so far are in {}; the same command with --resume continues after {}",
+                part.display(),
+                counted(output.safe(), "row")
+            ),
+            None => format!("stopped: {drives}; with -o FILE it could be resumed"),
+        });
+    }
+    let nothing = (is_complete && !has_answers(output.tally(), &of)).then(|| {
+        let which = if of.len() == 1 { "the outcome" } else { "any of the outcomes" };
+        format!("no drive has {which} that was asked for: {}", summary.text(None))
+    });
+    if let Some(nothing) = &nothing {
+        say_error(nothing);
+    }
+    let is_answered = is_complete && nothing.is_none();
+    Ok(match (args.question.json, target.is_standard_output()) {
+        (true, _) => {
+            let reply = Reply::done("sweep", warnings, &summary);
+            let stopped = || Some(format!("stopped: {}", summary.text(None)));
+            Answer::json(&match (is_complete, nothing) {
+                (true, None) => reply,
+                (true, nothing) => reply.ended("no-answer", nothing),
+                (false, _) => reply.ended("interrupted", stopped()),
+            })
+        }
+        (false, false) if is_complete => Answer::text(summary.text(target.file()) + "\n"),
+        _ => Answer::text(String::new()),
+    }
+    .found(is_answered))
+}
+
+/// Where the points come from.
+fn described(args: &Sweep) -> String {
+    args.points.as_ref().map_or("--over".into(), |table| table.display().to_string())
+}
+
+/// Whether any drive has an outcome that was asked for, or there are no drives: those of the launch are there also where the ball does
+/// not land.
+fn has_answers(tally: Tally, of: &[Outcome]) -> bool {
+    let is_of_the_launch = of.iter().any(|outcome| outcome.part() != Part::Flight);
+    let has = |status| match status {
+        Status::Landed => true,
+        Status::NoFlight | Status::Aloft => is_of_the_launch,
+        _ => false,
+    };
+    let all: u64 = tally.counts().map(|(_, count)| count).sum();
+    all == 0 || tally.counts().any(|(status, count)| count > 0 && has(status))
+}
+
+/// What a sweep did, as JSON.
+#[derive(Serialize)]
+struct Summary {
+    /// Where the rows are.
+    file: String,
+    /// Rows of the whole sweep.
+    rows: u64,
+    /// Rows that are written.
+    written: u64,
+    /// How many of them ended how.
+    statuses: Map<String, Value>,
+    /// What deserves a word about where the points come from.
+    remarks: Vec<Message>,
+}
+
+impl Summary {
+    fn new(rows: u64, tally: Tally, remarks: Vec<Message>, file: &Path) -> Self {
+        let statuses = tally.counts().map(|(status, count)| (status.name().into(), count.into())).collect();
+        let written = tally.counts().map(|(_, count)| count).sum();
+        Self { file: file.display().to_string(), rows, written, statuses, remarks }
+    }
+
+    fn text(&self, file: Option<&Path>) -> String {
+        let counts = self.statuses.iter().filter(|(_, count)| count.as_u64() != Some(0));
+        let counts: Vec<_> = counts.map(|(status, count)| format!("{count} {status}")).collect();
+        let file = file.map_or(String::new(), |file| format!(" in {}", file.display()));
+        // "1 drive", "2 drives", "1 of 2 drives"
+        let drives = counted(self.rows, "drive");
+        let written = if self.written == self.rows { drives } else { format!("{} of {drives}", self.written) };
+        format!("{written}{file}: {}", counts.join(", "))
+    }
+}

@@ -1,0 +1,89 @@
+//! What a batch will take, and whether there is room for it.
+
+use super::rows::{Content, Writer};
+use super::target::Target;
+use crate::batch::{Batch, Points};
+use crate::command::args::Sweep;
+use crate::{Error, Result};
+use std::path::Path;
+use std::time::Instant;
+
+/// Drives that are tried to tell how large their rows are, and how long they take.
+const TRIED: usize = 64;
+
+/// Refuses a batch that would take more than there is room for, before any other work.
+pub fn check(args: &Sweep, batch: &Batch, points: &mut dyn Points, writer: &Writer, target: &Target) -> Result<()> {
+    let (most, limit) = match (&args.max_size, target.file()) {
+        (Some(text), _) => (read_size(text)?, format!("--max-size {text}")),
+        (None, Some(path)) => match free(path) {
+            Some((bytes, folder)) => (bytes, format!("the {} that are free in {folder}", size(bytes))),
+            None => return Ok(()),
+        },
+        (None, None) => return Ok(()),
+    };
+    let rows = points.rows();
+    points.seek(rows / 2)?;
+    let mut values = vec![];
+    let tried = points.read(TRIED, &mut values)?;
+    if tried == 0 {
+        return Ok(());
+    }
+    let begun = Instant::now();
+    let content = writer.rows(batch.evaluate(0, values)).content;
+    let seconds = begun.elapsed().as_secs_f64();
+    let row = match content {
+        Content::Text(bytes) => bytes.len() as f64 / tried as f64,
+        // the swept values of a grid are kept once for many rows
+        #[cfg(feature = "parquet")]
+        Content::Block(_) => 8.5 * (batch.outcomes().len() * (1 + batch.wrt().len())) as f64 + 1.0,
+    };
+    let bytes = row * rows as f64;
+    if bytes <= most {
+        return Ok(());
+    }
+    let threads = match args.threads {
+        0 => std::thread::available_parallelism().map_or(1, usize::from),
+        threads => threads.min(std::thread::available_parallelism().map_or(threads, usize::from)),
+    };
+    let time = duration(seconds / tried as f64 * rows as f64 / threads as f64);
+    Err(Error::TooLarge {
+        rows: rows.to_string(),
+        size: format!("{} and about {time}", size(bytes)),
+        limit,
+        advice: "take fewer values or outcomes, --sample points of the same ranges, or a larger --max-size".into(),
+    })
+}
+
+/// The bytes free for a file, with those that it has already; and the folder.
+fn free(path: &Path) -> Option<(f64, String)> {
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let there = std::fs::metadata(path).map_or(0, |found| found.len());
+    Some(((fs4::available_space(folder).ok()? + there) as f64, folder.display().to_string()))
+}
+
+const SIZES: [(&str, f64); 5] = [("TB", 1e12), ("GB", 1e9), ("MB", 1e6), ("kB", 1e3), ("B", 1.0)];
+
+fn read_size(text: &str) -> Result<f64> {
+    let refuse = || Error::Unreadable {
+        name: format!("--max-size {text}"),
+        source: "write a size like 500MB, 50GB or 1.5TB".into(),
+    };
+    let digits = text.trim().trim_end_matches(|c: char| c.is_ascii_alphabetic());
+    let unit = text.trim()[digits.len()..].to_uppercase();
+    let (_, of) = SIZES.into_iter().find(|(name, _)| name.to_uppercase() == unit).ok_or_else(refuse)?;
+    let number: f64 = digits.trim().parse().map_err(|_| refuse())?;
+    if number > 0.0 && number.is_finite() { Ok(number * of) } else { Err(refuse()) }
+}
+
+/// Bytes as a person reads them.
+fn size(bytes: f64) -> String {
+    let (name, of) = SIZES.into_iter().find(|(_, of)| bytes >= *of).unwrap_or(("B", 1.0));
+    format!("{} {name}", crate::units::significant(bytes / of, 3))
+}
+
+/// Seconds as a person reads them.
+fn duration(seconds: f64) -> String {
+    let units = [("years", 3.156e7), ("days", 86400.0), ("h", 3600.0), ("min", 60.0), ("s", 1.0)];
+    let (name, of) = units.into_iter().find(|(_, of)| seconds >= 2.0 * of).unwrap_or(("s", 1.0));
+    format!("{} {name}", crate::units::significant(seconds / of, 2))
+}

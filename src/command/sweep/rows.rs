@@ -1,0 +1,112 @@
+use crate::Result;
+use crate::batch::{Batch, Block, Tally};
+use crate::command::args::Format;
+#[cfg(feature = "parquet")]
+use crate::report::SweepParquet;
+use crate::report::{SweepCsv, SweepJsonLines};
+use serde::{Deserialize, Serialize};
+
+/// What makes a file of rows from another different: the same question gives the same bytes.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Question {
+    pub version: String,
+    pub setup: String,
+    pub points: String,
+    pub outcomes: String,
+    pub derivatives: String,
+    pub format: String,
+}
+
+impl Question {
+    /// What this question differs in from another.
+    pub fn difference(&self, other: &Self) -> Option<&'static str> {
+        let parts = [
+            ("the versions of longdrive", &self.version, &other.version),
+            ("the formats", &self.format, &other.format),
+            ("the setups", &self.setup, &other.setup),
+            ("the points", &self.points, &other.points),
+            ("the outcomes", &self.outcomes, &other.outcomes),
+            ("the derivatives", &self.derivatives, &other.derivatives),
+        ];
+        parts.into_iter().find(|(_, ours, theirs)| ours != theirs).map(|(part, _, _)| part)
+    }
+}
+
+/// Rows on their way to a file.
+pub struct Rows {
+    pub rows: u64,
+    pub tally: Tally,
+    pub content: Content,
+}
+
+/// What is written of them.
+pub enum Content {
+    Text(Vec<u8>),
+    /// Rows that wait for the rest of their row group.
+    #[cfg(feature = "parquet")]
+    Block(Block),
+}
+
+/// Makes rows of blocks.
+pub struct Writer {
+    pub question: Question,
+    pub table: Table,
+}
+
+/// The table in its format.
+pub enum Table {
+    Csv(SweepCsv),
+    JsonLines(SweepJsonLines),
+    #[cfg(feature = "parquet")]
+    Parquet(Box<SweepParquet>),
+}
+
+impl Writer {
+    pub fn new(batch: &Batch, format: Format, points: String) -> Result<Self> {
+        let names = |names: Vec<&str>| names.join(",");
+        let question = Question {
+            version: env!("CARGO_PKG_VERSION").into(),
+            // every number is in the debug form, to the last digit
+            setup: format!("{:?}", batch.setup()),
+            points,
+            outcomes: names(batch.outcomes().iter().map(|of| of.name()).collect()),
+            derivatives: names(batch.wrt().iter().map(|by| by.name).collect()),
+            format: format!("{format:?}").to_lowercase(),
+        };
+        let table = match format {
+            Format::Csv => Table::Csv(SweepCsv::new(batch)),
+            Format::Jsonl => Table::JsonLines(SweepJsonLines::new(batch)),
+            #[cfg(feature = "parquet")]
+            Format::Parquet => {
+                // strings serialise
+                let note = serde_json::to_string(&question).unwrap_or_default();
+                Table::Parquet(Box::new(SweepParquet::new(batch, &note)?))
+            }
+        };
+        Ok(Self { question, table })
+    }
+
+    /// The first bytes of a file.
+    pub fn head(&self) -> Vec<u8> {
+        match &self.table {
+            Table::Csv(table) => table.head(),
+            Table::JsonLines(_) => vec![],
+            #[cfg(feature = "parquet")]
+            Table::Parquet(table) => table.head(),
+        }
+    }
+
+    /// The rows of a block; done on the thread that computed it.
+    pub fn rows(&self, block: Block) -> Rows {
+        let mut tally = Tally::default();
+        tally.add(&block);
+        let rows = block.rows() as u64;
+        let content = match &self.table {
+            Table::Csv(table) => Content::Text(table.rows(&block)),
+            Table::JsonLines(table) => Content::Text(table.rows(&block)),
+            #[cfg(feature = "parquet")]
+            Table::Parquet(_) => Content::Block(block),
+        };
+        Rows { rows, tally, content }
+    }
+}

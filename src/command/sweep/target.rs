@@ -1,0 +1,184 @@
+use super::kept::{Files, Kept};
+use super::rows::{Content, Rows, Writer};
+use crate::batch::Tally;
+use crate::command::args::{Format, Sweep};
+use crate::command::files::{Rule, refused, unwritable};
+use crate::units::counted;
+use crate::{Error, Result};
+use std::fs::{File, OpenOptions};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+/// Where the rows go.
+pub struct Target {
+    /// As it was named.
+    path: PathBuf,
+    /// The file with those beside it, where it keeps its rows.
+    files: Option<Files>,
+    pub format: Format,
+}
+
+impl Target {
+    pub fn new(args: &Sweep) -> Result<Self> {
+        let target = Self { path: args.output.clone(), files: None, format: Format::Csv };
+        let refuse = |reason: &str| Err(refused(&target.path, reason));
+        if ["/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"].iter().any(|name| target.path == Path::new(name)) {
+            return refuse("it is standard output; write -o - with --format csv or jsonl");
+        }
+        if target.is_standard_output() && args.overwrite {
+            return refuse(
+                "--overwrite replaces a file, and the rows go to standard output; name a file with -o, or leave --overwrite out",
+            );
+        }
+        let ending = target.path.extension().and_then(|ending| ending.to_str()).unwrap_or_default().to_lowercase();
+        let format = match (args.format, ending.as_str()) {
+            (Some(format), _) => format,
+            (None, "csv") => Format::Csv,
+            (None, "jsonl" | "ndjson") => Format::Jsonl,
+            #[cfg(feature = "parquet")]
+            (None, "parquet") => Format::Parquet,
+            #[cfg(not(feature = "parquet"))]
+            (None, "parquet") => return refuse(&crate::features::how_to_get("parquet")),
+            (None, _) if target.is_standard_output() => Format::Csv,
+            _ => return refuse("its name must end in .csv, .jsonl or .parquet, or --format must name the format"),
+        };
+        if target.is_standard_output() && args.question.json {
+            return refuse("standard output cannot hold both the rows and the summary of --json; name a file with -o");
+        }
+        if target.is_stream() && args.resume {
+            return refuse("only a file can be resumed; name one with -o");
+        }
+        #[cfg(feature = "parquet")]
+        if target.is_stream() && format == Format::Parquet {
+            return refuse("Parquet needs a file; name one with -o, or take --format csv or jsonl");
+        }
+        if target.is_standard_output() {
+            return Ok(Self { format, ..target });
+        }
+        let inputs = args.question.inputs().chain(args.points.clone());
+        // whether there is something to resume is looked at below
+        let destination = Rule::new(inputs, args.overwrite || args.resume).file(&target.path)?;
+        let files = destination.is_file().then(|| Files::of(destination.path()));
+        if let Some(files) = &files {
+            files.check(args.resume, args.overwrite)?;
+        }
+        Ok(Self { format, files, ..target })
+    }
+
+    pub fn is_standard_output(&self) -> bool {
+        self.path == Path::new("-")
+    }
+
+    /// Whether it takes bytes and keeps none: a pipe, a terminal, a device.
+    fn is_stream(&self) -> bool {
+        self.is_standard_output() || std::fs::metadata(&self.path).is_ok_and(|found| !found.is_file())
+    }
+
+    /// Where the rows are until all of them are there.
+    pub fn part(&self) -> Option<&Path> {
+        self.files.as_ref().map(|files| files.part.as_path())
+    }
+
+    /// The file, where it is one that keeps its bytes.
+    pub fn file(&self) -> Option<&Path> {
+        self.files.as_ref().map(|files| files.whole.as_path())
+    }
+
+    /// Begins, or goes on with what was kept.
+    pub fn open<'a>(&self, writer: &'a Writer, args: &Sweep) -> Result<Output<'a>> {
+        if let Some(files) = &self.files {
+            return Ok(Output::Kept(Box::new(Kept::open(files.clone(), writer, args.resume)?)));
+        }
+        let mut stream = if self.is_standard_output() {
+            Stream { to: To::Standard(io::stdout()), tally: Tally::default() }
+        } else {
+            let file = OpenOptions::new().write(true).open(&self.path);
+            let file = file.map_err(|error| unwritable(&self.path, &error))?;
+            Stream { to: To::Device(file), tally: Tally::default() }
+        };
+        stream.write(&writer.head())?;
+        Ok(Output::Stream(stream))
+    }
+}
+
+/// Where the rows are going.
+pub enum Output<'a> {
+    Kept(Box<Kept<'a>>),
+    Stream(Stream),
+}
+
+pub struct Stream {
+    to: To,
+    tally: Tally,
+}
+
+enum To {
+    Standard(io::Stdout),
+    Device(File),
+}
+
+impl Stream {
+    fn write(&mut self, bytes: &[u8]) -> Result<()> {
+        let to: &mut dyn Write = match &mut self.to {
+            To::Standard(out) => out,
+            To::Device(file) => file,
+        };
+        to.write_all(bytes).and_then(|()| to.flush()).map_err(|error| {
+            if error.kind() == io::ErrorKind::BrokenPipe {
+                return Error::Output(error);
+            }
+            let rows: u64 = self.tally.counts().map(|(_, count)| count).sum();
+            Error::Output(io::Error::new(
+                error.kind(),
+                format!("{}; written before: {}", Error::why_unwritten(&error), counted(rows, "row")),
+            ))
+        })
+    }
+}
+
+impl Output<'_> {
+    /// Rows that were kept before.
+    pub fn rows(&self) -> u64 {
+        match self {
+            Self::Kept(kept) => kept.rows(),
+            Self::Stream(_) => 0,
+        }
+    }
+
+    /// Rows after which a resumed sweep begins.
+    pub fn safe(&self) -> u64 {
+        match self {
+            Self::Kept(kept) => kept.safe(),
+            Self::Stream(_) => 0,
+        }
+    }
+
+    pub fn tally(&self) -> Tally {
+        match self {
+            Self::Kept(kept) => kept.tally(),
+            Self::Stream(stream) => stream.tally,
+        }
+    }
+
+    pub fn take(&mut self, rows: Rows) -> Result<()> {
+        match self {
+            Self::Kept(kept) => kept.take(rows),
+            Self::Stream(stream) => {
+                stream.tally.merge(rows.tally);
+                match rows.content {
+                    Content::Text(bytes) => stream.write(&bytes),
+                    #[cfg(feature = "parquet")]
+                    Content::Block(_) => Ok(()),
+                }
+            }
+        }
+    }
+
+    /// Ends what was written so that it can be read.
+    pub fn close(&mut self, is_complete: bool) -> Result<()> {
+        match self {
+            Self::Kept(kept) => kept.close(is_complete),
+            Self::Stream(_) => Ok(()),
+        }
+    }
+}

@@ -1,0 +1,293 @@
+//! The search for the design that is best over many swings.
+
+use crate::command::args::{Optimize, Question, SearchArgs, SwingsArgs};
+use crate::command::files::Destination;
+use crate::command::interrupt::{self, BEST_SO_FAR};
+use crate::command::names::tell_of_the_run;
+use crate::command::output::{Answer, system, tell, warn};
+use crate::command::running::running;
+use crate::optimize::{Checkpoint, Follow, Options, Status};
+use crate::parameters::Vary;
+use crate::report::{OptimumReport, Reply, swings_reply, swings_text, swings_toml};
+use crate::study::swings::{
+    Correlation, Goal, GoalLimit, Price, Resampled, Rule, Scenarios, Strokes, Swings, SwingsOptimum, SwingsSearch,
+    price, resampled, swings_optimum,
+};
+use crate::study::uncertainty::Uncertain;
+use crate::study::{Search, Sense};
+use crate::units::Message;
+use crate::{Error, Outcome, Result, Setup};
+use std::path::PathBuf;
+use std::sync::Arc;
+
+/// Resamples of recorded swings.
+const RESAMPLES: usize = 200;
+
+impl SwingsArgs {
+    /// Whether swings are given.
+    pub fn is_given(&self) -> bool {
+        self.swings.is_some() || !self.distribution.is_empty()
+    }
+
+    /// What is given without the swings that it is about.
+    fn stray(&self) -> Option<&'static str> {
+        let given = [
+            ("--correlation", !self.correlation.is_empty()),
+            ("--scenarios", self.scenarios.is_some()),
+            ("--seed", self.seed.is_some()),
+            ("--strokes", self.strokes.is_some()),
+        ];
+        given.into_iter().find(|(_, is_given)| *is_given).map(|(name, _)| name)
+    }
+
+    /// # Errors
+    /// [`Error::Unreadable`] for an option about swings where none are given.
+    pub fn refuse_stray(&self) -> Result<()> {
+        match self.stray().filter(|_| !self.is_given()) {
+            Some(option) => {
+                let source =
+                    "it is about many swings; give these too, with --swings FILE or --distribution NAME=KIND(…)";
+                Err(Error::Unreadable { name: option.into(), source: source.into() })
+            }
+            None => Ok(()),
+        }
+    }
+
+    /// # Errors
+    /// [`Error::Unreadable`] for correlations where no distributions are given.
+    pub fn refuse_correlation(&self) -> Result<()> {
+        if self.correlation.is_empty() { Ok(()) } else { self.refuse_stray() }
+    }
+
+    /// The swings and those of them that stand for all, with the setup, in which what varies from swing to swing has a value.
+    pub fn taken(&self, question: &Question) -> Result<(Setup<f64>, Swings, Scenarios)> {
+        let setup = question.setup()?;
+        let swings = self.read(&setup)?;
+        question.refuse_twice(&setup, &swings.parameters(), "the swings have values of it")?;
+        let setup = question.begun(setup, swings.parameters().into_iter().zip(swings.means()), "varies about")?;
+        let scenarios = Scenarios::new(&swings, Rule::of(&swings, self.scenarios, self.seed.unwrap_or(0))?)?;
+        Ok((setup, swings, scenarios))
+    }
+
+    /// The table of expected strokes, where one is given.
+    pub fn strokes(&self) -> Result<Option<Strokes>> {
+        self.strokes.as_ref().map(|file| Strokes::open(file, false)).transpose()
+    }
+
+    /// The files that it reads.
+    pub fn inputs(&self) -> impl Iterator<Item = PathBuf> {
+        self.swings.iter().chain(&self.strokes).cloned()
+    }
+
+    /// The swings.
+    pub fn read(&self, setup: &Setup<f64>) -> Result<Swings> {
+        if let Some(file) = &self.swings {
+            if let Some(option) = self
+                .distribution
+                .first()
+                .map(|_| "--distribution")
+                .or(self.correlation.first().map(|_| "--correlation"))
+            {
+                let source =
+                    format!("{} gives the swings; write it into that file, or leave --swings out", file.display());
+                return Err(Error::Unreadable { name: option.into(), source: source.into() });
+            }
+            return Swings::open(setup, file);
+        }
+        let inputs = self.distribution.iter().map(|text| Uncertain::read(setup, text)).collect::<Result<Vec<_>>>()?;
+        let correlations =
+            self.correlation.iter().map(|text| Correlation::read(setup, text)).collect::<Result<Vec<_>>>()?;
+        Swings::distributed(inputs, &correlations)
+    }
+}
+
+/// What is asked over many swings.
+pub struct Asked {
+    pub setup: Setup<f64>,
+    pub swings: Swings,
+    pub scenarios: Scenarios,
+    pub search: SwingsSearch,
+}
+
+/// What a search over many swings found.
+pub struct Found {
+    /// The setup before.
+    pub setup: Setup<f64>,
+    pub best: SwingsOptimum,
+    pub price: Option<Price>,
+    pub resampled: Option<Resampled>,
+    warnings: Vec<Message>,
+    /// The file that was written.
+    file: Option<String>,
+}
+
+impl Found {
+    pub fn is_found(&self) -> bool {
+        self.best.solution.status == Status::Converged
+    }
+
+    /// The answer in JSON.
+    pub fn reply(&self) -> Reply<OptimumReport> {
+        let mut reply = swings_reply(&self.best, self.price.as_ref(), self.resampled.as_ref(), self.warnings.clone());
+        reply.body.file.clone_from(&self.file);
+        reply
+    }
+}
+
+/// Searches over many swings.
+pub fn run(args: &Optimize) -> Result<Answer> {
+    let asked = &args.swings;
+    let (setup, swings, scenarios) = asked.taken(&args.question)?;
+    let search = searched(&args.search, asked, &args.question.varied(setup, &args.search.vary)?)?;
+    let found = found(args, Asked { setup, swings, scenarios, search })?;
+    let answer = if args.question.json {
+        Answer::json(&found.reply())
+    } else {
+        Answer::text(swings_text(&found.best, found.price.as_ref(), found.resampled.as_ref(), system()))
+    };
+    Ok(answer.found(found.is_found()))
+}
+
+/// Searches, and writes what is found where that is asked for.
+pub fn found(args: &Optimize, Asked { setup, swings, scenarios, search }: Asked) -> Result<Found> {
+    tell_of_the_run(&search.of.outcomes());
+    let setup = args.question.for_many(setup, &ranges(&search.vary, &scenarios))?;
+    let output = args.destination()?;
+    if args.work.starts > 1 {
+        let source = "a search over many swings begins at the setup's own design; leave it out";
+        return Err(Error::Unreadable { name: "--starts".into(), source: source.into() });
+    }
+    let follow = follow(args, &setup, &search, &scenarios)?;
+    let best = swings_optimum(&setup, search, scenarios, &follow)?;
+    interrupt::ends();
+    let is_found = best.solution.status == Status::Converged;
+    // what the mean swing promises is told of an optimum only
+    let price = if is_found { Some(price(&setup, &swings, &best)?) } else { None };
+    let is_recorded = matches!(swings, Swings::Recorded { .. }) && is_found;
+    let seed = u64::from(args.swings.seed.unwrap_or(0));
+    let resampled = if is_recorded { resampled(&setup, &best, RESAMPLES, seed)? } else { None };
+    let mut warnings = best.setup.warnings();
+    if let Some(share) = best.beyond_strokes.filter(|share| *share > 0.0) {
+        let percent = (100.0 * share).max(0.1);
+        warnings.push(Message::from(format!(
+            "the balls of {percent:.1} % of the swings end where the table of strokes does not reach; it is continued straight there"
+        )));
+    }
+    warn(&warnings);
+    let file = output.as_ref().map(|output| write(output, &best, &swings, args)).transpose()?.flatten();
+    Ok(Found { setup, best, price, resampled, warnings, file })
+}
+
+/// What is looked for where nothing is asked.
+type Usual<'a> = &'a dyn Fn() -> Result<(Goal, Sense)>;
+/// What is varied where nothing is asked.
+type UsualVary<'a> = &'a dyn Fn(&Setup<f64>) -> Result<Vec<Vary>>;
+
+/// The largest mean carry by the loft, unless something else is asked: the attack angle is the golfer's, and varies from swing to swing.
+pub fn searched(search: &SearchArgs, swings: &SwingsArgs, setup: &Setup<f64>) -> Result<SwingsSearch> {
+    let loft = |setup: &Setup<f64>| Ok(vec![Search::longest_drive(setup)?.vary[0]]);
+    sought(search, swings, setup, &|| Ok((Goal::mean(Outcome::Carry), Sense::Maximize)), &loft)
+}
+
+/// What is looked for.
+pub fn sought(
+    search: &SearchArgs,
+    swings: &SwingsArgs,
+    setup: &Setup<f64>,
+    usual: Usual<'_>,
+    usual_vary: UsualVary<'_>,
+) -> Result<SwingsSearch> {
+    let strokes = swings.strokes()?;
+    let strokes = strokes.as_ref();
+    let (of, sense) = match (&search.maximize, &search.minimize) {
+        (_, Some(text)) => (goal("--minimize", text, strokes)?, Sense::Minimize),
+        (Some(text), None) => (goal("--maximize", text, strokes)?, Sense::Maximize),
+        (None, None) => usual()?,
+    };
+    let vary = match search.vary.as_slice() {
+        [] => usual_vary(setup)?,
+        given => given.iter().map(|text| Vary::read(setup, text)).collect::<Result<_>>()?,
+    };
+    let subject_to = search.subject_to.iter().map(|text| limit(setup, text, strokes)).collect::<Result<Vec<_>>>()?;
+    refuse_idle_strokes(strokes, std::iter::once(&of).chain(subject_to.iter().map(|limit: &GoalLimit| &limit.goal)))?;
+    let options = Options::default();
+    let options = Options { max_iterations: search.max_iterations.unwrap_or(options.max_iterations), ..options };
+    Ok(SwingsSearch { of, sense, vary, subject_to, options })
+}
+
+/// A table of strokes that no goal asks for is refused.
+pub fn refuse_idle_strokes<'a>(strokes: Option<&Strokes>, mut goals: impl Iterator<Item = &'a Goal>) -> Result<()> {
+    if strokes.is_some() && goals.all(|goal| goal.strokes().next().is_none()) {
+        let source = "no goal asks for strokes; write for example --minimize \"strokes(400yd)\", or leave it out";
+        return Err(Error::Unreadable { name: "--strokes".into(), source: source.into() });
+    }
+    Ok(())
+}
+
+/// A limit of a goal, or of a relation of parameters.
+pub fn limit(setup: &Setup<f64>, text: &str, strokes: Option<&Strokes>) -> Result<GoalLimit> {
+    if GoalLimit::is_relation(text) { GoalLimit::read_relation(setup, text) } else { GoalLimit::read(text, strokes) }
+}
+
+/// What an option says is looked for; what is wrong with it is pointed at.
+pub fn goal(option: &str, text: &str, strokes: Option<&Strokes>) -> Result<Goal> {
+    Goal::read(text, strokes).map_err(|error| match error {
+        Error::Constraint { expression, column, reason } => {
+            let source = format!("{reason}\n  {expression}\n  {}^", " ".repeat(column));
+            Error::Unreadable { name: option.into(), source: source.into() }
+        }
+        error => error,
+    })
+}
+
+/// The ranges that drives are flown in: of the design, and of the swings.
+pub fn ranges(vary: &[Vary], scenarios: &Scenarios) -> Vec<Vary> {
+    let swung = scenarios.parameters.iter().enumerate().map(|(i, parameter)| {
+        let values = scenarios.points.iter().map(|point| point[i]);
+        let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
+        Vary { parameter, low, high }
+    });
+    vary.iter().copied().chain(swung).collect()
+}
+
+/// Every iteration as a line, a checkpoint if one is asked for, and an end on Ctrl-C.
+fn follow(args: &Optimize, setup: &Setup<f64>, search: &SwingsSearch, scenarios: &Scenarios) -> Result<Follow> {
+    let checkpoint = match &args.work.checkpoint {
+        Some(path) => {
+            let search =
+                SwingsSearch { options: Options { max_iterations: 0, ..search.options.clone() }, ..search.clone() };
+            Some(Arc::new(Checkpoint::open(path, &format!("{setup:?} {search:?} {scenarios:?}"))?))
+        }
+        None => None,
+    };
+    let (goal, sign) = (search.of.clone(), search.sense.sign());
+    let shown = search.vary.clone();
+    let running = running();
+    let iteration = Arc::new(move |_: usize, iteration: &crate::optimize::Iteration| {
+        let x = shown
+            .iter()
+            .zip(&iteration.x)
+            .map(|(vary, x)| format!("{} {}", vary.parameter.name, vary.parameter.show(Some(*x))));
+        running.tell(&format!(
+            "{:>3}  {} {}  KKT {:.1e}  {}",
+            iteration.number,
+            goal.expression,
+            goal.quantity.show(sign * iteration.value, goal.unit),
+            iteration.kkt_residual,
+            x.collect::<Vec<_>>().join(", ")
+        ));
+    });
+    Ok(Follow { iteration: Some(iteration), interrupt: interrupt::stops(BEST_SO_FAR), checkpoint, ..Follow::default() })
+}
+
+/// Writes the setup with the best design, into the file returned; where there is none, nothing.
+fn write(output: &Destination, best: &SwingsOptimum, swings: &Swings, args: &Optimize) -> Result<Option<String>> {
+    let file = output.path().display().to_string();
+    if best.solution.status != Status::Converged {
+        warn(&[Message::from(format!("{file} is not written: there is no optimum"))]);
+        return Ok(None);
+    }
+    output.write(swings_toml(best, swings, args.question.preset()?)?.as_bytes())?;
+    tell(&format!("wrote the setup with the best design into {file}"));
+    Ok(Some(file))
+}

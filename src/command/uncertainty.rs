@@ -1,0 +1,57 @@
+use crate::command::args::UncertaintyArgs;
+use crate::command::names::outcomes;
+use crate::command::output::{Answer, bar, show, system, tell, warn};
+use crate::report::{UncertaintyReport, parameter_text, uncertainty_text};
+use crate::study::uncertainty::{Plan, Uncertain, uncertainty};
+use crate::study::{Sigma, given_twice, with_defaults};
+use crate::{Drive, Outcome, Result, Setup};
+
+pub fn run(args: &UncertaintyArgs) -> Result<Answer> {
+    let setup = args.question.setup()?;
+    let of = outcomes(&args.of)?;
+    let inputs = inputs(&setup, args, &of)?;
+    let means = inputs.iter().map(|input| (input.parameter, input.distribution.mean()));
+    let setup = args.question.begun(setup, means, "varies about")?;
+    let setup = args.question.for_many(setup, &inputs.iter().map(Uncertain::range).collect::<Vec<_>>())?;
+    let warnings = Drive::new(&setup).map_or_else(|_| setup.warnings(), |drive| drive.warnings_about(&setup, &of));
+    warn(&warnings);
+    let plan = Plan { samples: args.samples as usize, seed: args.seed };
+    let bar = bar("drives");
+    let found = uncertainty(&setup, &of, &inputs, plan, |done, all| show(&bar, done, all));
+    bar.finish_and_clear();
+    let found = found?;
+    let is_found = found.outcomes.iter().all(|outcome| outcome.sampled.is_some());
+    let answer = if args.question.json {
+        Answer::json(&UncertaintyReport::reply(&found, warnings))
+    } else {
+        Answer::text(uncertainty_text(&found, system()))
+    };
+    Ok(answer.found(is_found))
+}
+
+/// What is said to be uncertain; where nothing is, what is by default.
+fn inputs(setup: &Setup<f64>, args: &UncertaintyArgs, of: &[Outcome]) -> Result<Vec<Uncertain>> {
+    let sigmas = args.sigma.iter().map(|text| Sigma::read(setup, text)).collect::<Result<Vec<_>>>()?;
+    let distributions =
+        args.distribution.iter().map(|text| Uncertain::read(setup, text)).collect::<Result<Vec<_>>>()?;
+    let distributed: Vec<_> = distributions.iter().map(|input| input.parameter).collect();
+    args.question.refuse_unused(setup, &distributed, "--distribution gives its values")?;
+    let is_given = !(sigmas.is_empty() && distributions.is_empty());
+    let sigmas = if is_given { sigmas } else { with_defaults(setup, &[], of)? };
+    for sigma in sigmas.iter() {
+        if let Some(source) = sigma.source {
+            let shown = parameter_text(sigma.parameter, sigma.value, system());
+            tell(&format!(
+                "default uncertainty: {} ± {shown} (one standard deviation); {source}",
+                sigma.parameter.name
+            ));
+        }
+    }
+    let inputs: Vec<_> = sigmas.iter().map(|sigma| Uncertain::normal(setup, sigma)).chain(distributions).collect();
+    for (i, input) in inputs.iter().enumerate() {
+        if inputs[..i].iter().any(|other| other.parameter == input.parameter) {
+            return Err(given_twice(input.parameter));
+        }
+    }
+    Ok(inputs)
+}

@@ -1,0 +1,33 @@
+use crate::Result;
+use crate::command::args::Validate;
+use crate::command::files::Rule;
+use crate::command::output::{Answer, system, tell};
+use crate::command::reproduce::{DOCUMENT, chosen, write};
+use crate::report::{validation_csv, validation_document, validation_reply};
+use crate::study::validation::validation;
+use crate::units::System;
+
+pub fn run(args: &Validate) -> Result<Answer> {
+    let rule = Rule::new([], args.overwrite);
+    let own = args.own.law()?;
+    let is_csv = |path: &std::path::Path| path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("csv"));
+    let output = args.output.as_deref();
+    let file = output.filter(|path| is_csv(path)).map(|path| rule.file(path)).transpose()?;
+    let folder = output.filter(|path| !is_csv(path)).map(|path| rule.folder(path, &DOCUMENT)).transpose()?;
+    let found = validation(own)?;
+    let documents = System::ALL.map(|system| validation_document(&found, system));
+    if let Some(folder) = &folder {
+        write(folder, &documents, system())?;
+    }
+    if let (Some(file), Some(path)) = (&file, output) {
+        file.write(validation_csv(&found)?.as_bytes())?;
+        tell(&format!("wrote {}", path.display()));
+    }
+    Ok(if args.json {
+        Answer::json(&validation_reply(&found))
+    } else if args.csv {
+        Answer::text(validation_csv(&found)?)
+    } else {
+        Answer::text(chosen(&documents, system()).text())
+    })
+}

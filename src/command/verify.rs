@@ -1,0 +1,44 @@
+use crate::command::args::Verify;
+use crate::command::interrupt;
+use crate::command::names::{outcomes, variables};
+use crate::command::output::{Answer, bar, show, system, tell, warn};
+use crate::report::{CertificateReport, by_reason, certificate_text};
+use crate::reproduce::while_loop;
+use crate::study::certificate::{Certificate, StepError, certify};
+use crate::{Drive, Result};
+use std::sync::atomic::Ordering;
+
+/// Says which outcomes were left out, and why.
+pub fn tell_left_out(certificate: &Certificate) {
+    let missing = certificate.missing.iter().map(|(of, why)| (of.name(), why.in_units(system())));
+    for line in by_reason(missing) {
+        tell(&format!("left out: {line}"));
+    }
+}
+
+pub fn run(args: &Verify) -> Result<Answer> {
+    let setup = args.question.within_tolerance(args.question.setup()?)?;
+    let of = outcomes(&args.of)?;
+    let wrt = variables(&setup, &args.wrt, &of)?;
+    let bar = bar("parameters");
+    let stop = interrupt::stops("stopping after the parameters under way");
+    let certificate = certify(&setup, &of, &wrt, |done, all| {
+        show(&bar, done, all);
+        !stop.load(Ordering::Relaxed)
+    });
+    interrupt::ends();
+    bar.finish_and_clear();
+    let certificate = certificate?;
+    let of_step = certificate.step.iter().filter_map(StepError::warning).collect();
+    let of_drive = Drive::new(&setup).map_or_else(|_| setup.warnings(), |drive| drive.warnings_about(&setup, &of));
+    let warnings = [of_drive, of_step].concat();
+    warn(&warnings);
+    tell_left_out(&certificate);
+    let loops = while_loop(&setup, &certificate.rows);
+    let answer = if args.question.json {
+        Answer::json(&CertificateReport::reply(&certificate, &loops, warnings))
+    } else {
+        Answer::text(certificate_text(&certificate, &loops, system()))
+    };
+    Ok(answer.found(certificate.passed()))
+}
