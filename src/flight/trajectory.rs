@@ -74,7 +74,7 @@ pub fn trajectory(setup: &Setup<f64>, launch: &Launch<f64>) -> Result<Trajectory
         });
         if let Some((begin, step)) = last {
             let spin = inputs.spin_within(&step, (landed.flight_time - begin) / h, h);
-            run = inputs.landing(landed, spin).path(&Turf::new(setup));
+            run = Turf::new(setup).path(&inputs.landing(landed, spin));
         }
     }
     Ok(Trajectory { points, flight, run })

@@ -259,10 +259,11 @@ fn shots_without_a_delivery_are_left_out_and_too_few_tell_no_distribution() {
     };
     assert_eq!(follows(&table).as_deref(), Some("optimize tour-average"));
     let set = ["--set", "club.loft=10.5deg", "--set", "swing.speed=100mph", "--overwrite"];
-    let asked = [&["delivery", "--shots", &file, "--swings", &at("swings.csv")], &SOUGHT[..], &set].concat();
+    let (table, golfer) = (at("swings.csv"), at("golfer.toml"));
+    let asked = [&["delivery", "--shots", &file, "--swings", &table], &SOUGHT[..], &set].concat();
     assert_eq!(follows(&longdrive(&asked)).as_deref(), Some("optimize tour-average --set club.loft=10.5deg"));
-    let written = [&asked[..], &["-o", &at("golfer.toml")]].concat();
-    assert_eq!(follows(&longdrive(&written)), Some(format!("optimize {}", at("golfer.toml"))));
+    let written = [&asked[..], &["-o", &golfer]].concat();
+    assert_eq!(follows(&longdrive(&written)), Some(format!("optimize {golfer}")));
     let (status, best) = json(&["optimize", "--swings", &at("swings.csv")]);
     assert_eq!((status, &best["swings"]["scenarios"]), (0, &3.into()), "{best}");
     let distribution = run("swings.toml");

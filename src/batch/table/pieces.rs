@@ -1,4 +1,4 @@
-use super::columns::{Columns, refused, refused_column};
+use super::columns::{Columns, refused};
 use super::rows::Rows;
 use crate::columns::Head;
 use crate::error::Result;
