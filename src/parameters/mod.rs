@@ -2,6 +2,7 @@
 //! sources, and setup files.
 
 mod air;
+mod club_speed;
 #[macro_use]
 mod declare;
 mod file;
@@ -23,6 +24,7 @@ pub(crate) use air::{given_otherwise, refuse_replaced};
 pub use declare::{Kind, Parameter, UNSET};
 pub use file::SetupFile;
 pub(crate) use file::{in_file, place_in};
+pub use club_speed::{SPEED_OF, SpeedOf};
 pub use golfer::{GOLFER, Golfer};
 pub(crate) use law_table::Grid;
 pub use law_table::{Along, Axis, LawTable, TABLE, TABLE_LAW};
