@@ -119,7 +119,7 @@ impl Setup<f64> {
     }
 
     /// Why the value of a parameter is not used, if something that is set replaces it.
-    pub(crate) fn why_replaced(&self, parameter: &Parameter) -> Option<String> {
+    pub fn why_replaced(&self, parameter: &Parameter) -> Option<String> {
         let ways = WAYS.iter().find(|ways| ways.replaced.contains(&parameter.name))?;
         let by = ways.by.iter().find(|name| self.is_set(name))?;
         Some(format!("{by} is given, and {}; name one of these", ways.rule))

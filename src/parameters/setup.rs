@@ -145,10 +145,10 @@ impl Setup<f64> {
     /// from other parameters that are set.
     pub fn set(&mut self, name: &str, text: &str) -> Result<()> {
         self.refuse_replaced(&[name])?;
-        self.apply_text(name, text)
+        self.apply_text(name, text, false)
     }
 
-    fn apply_text(&mut self, name: &str, text: &str) -> Result<()> {
+    fn apply_text(&mut self, name: &str, text: &str, bare: bool) -> Result<()> {
         if name == LAW {
             return self.set_law(text);
         }
@@ -167,7 +167,7 @@ impl Setup<f64> {
             return Ok(());
         }
         let parameter = self.parameter(name)?;
-        let value = parameter.read(text, false)?;
+        let value = parameter.read(text, bare)?;
         self.set_value(parameter, value)
     }
 
@@ -176,20 +176,37 @@ impl Setup<f64> {
     /// # Errors
     /// As [`set`](Self::set).
     pub fn set_all<'a>(&mut self, settings: impl IntoIterator<Item = (&'a str, &'a str)> + Clone) -> Result<()> {
-        let of = |wanted: &'static str| settings.clone().into_iter().filter(move |(name, _)| *name == wanted);
-        for (name, text) in of(TABLE) {
-            if let Some((_, law)) = of(LAW).find(|(_, law)| law.trim() != TABLE_LAW) {
+        let settings: Vec<_> = settings.into_iter().map(|(name, text)| (name, text, false)).collect();
+        self.set_each(&settings)
+    }
+
+    /// As [`set_all`](Self::set_all), for settings of a name, a text, and whether a number without a unit is SI, as a bare number in a
+    /// setup file is.
+    ///
+    /// ```
+    /// use longdrive::Setup;
+    /// let mut setup = Setup::default();
+    /// setup.set_each(&[("club.loft", "0.2", true), ("swing.speed", "50 m/s", false)]).unwrap();
+    /// assert_eq!((setup.club.loft, setup.swing.speed), (0.2, 50.0));
+    /// ```
+    ///
+    /// # Errors
+    /// As [`set`](Self::set).
+    pub fn set_each(&mut self, settings: &[(&str, &str, bool)]) -> Result<()> {
+        let of = |wanted: &'static str| settings.iter().filter(move |(name, ..)| *name == wanted);
+        for (name, text, bare) in of(TABLE) {
+            if let Some((_, law, _)) = of(LAW).find(|(_, law, _)| law.trim() != TABLE_LAW) {
                 return Err(table_beside(law.trim()));
             }
-            self.apply_text(name, text)?;
+            self.apply_text(name, text, *bare)?;
         }
-        for (name, text) in of(LAW).chain(of(TURF)) {
-            self.apply_text(name, text)?;
+        for (name, text, bare) in of(LAW).chain(of(TURF)) {
+            self.apply_text(name, text, *bare)?;
         }
-        for (name, text) in settings.clone().into_iter().filter(|(name, _)| ![LAW, TABLE, TURF].contains(name)) {
-            self.apply_text(name, text)?;
+        for (name, text, bare) in settings.iter().filter(|(name, ..)| ![LAW, TABLE, TURF].contains(name)) {
+            self.apply_text(name, text, *bare)?;
         }
-        let given: Vec<&str> = settings.into_iter().map(|(name, _)| name).filter(|name| self.is_set(name)).collect();
+        let given: Vec<&str> = settings.iter().map(|(name, ..)| *name).filter(|name| self.is_set(name)).collect();
         self.refuse_replaced(&given)
     }
 

@@ -60,7 +60,7 @@ pub use parameters::{parameters_reply, parameters_text};
 pub use pareto::{pareto_csv, pareto_reply, pareto_text, pareto_toml};
 #[cfg(feature = "parquet")]
 pub use parquet::{ParquetGroup, PlacedGroup};
-pub use presets::{presets_reply, presets_text};
+pub use presets::{Change, changes, presets_reply, presets_text};
 pub use recovered::{population_warnings, recovered_csv, recovered_toml};
 pub use reply::{Empty, Reply};
 pub use robust::{robust_reply, robust_text, robust_toml};

@@ -82,7 +82,7 @@ pub fn sources(
 }
 
 /// A number, or a choice such as the law, that differs from the preset's, as a person reads it.
-pub(super) struct Change {
+pub struct Change {
     /// The parameter, where it is one.
     pub parameter: Option<&'static Parameter>,
     /// What it is called.
@@ -94,7 +94,19 @@ pub(super) struct Change {
 }
 
 /// What differs between a setup and the preset that it started from, in the units of a system.
-pub(super) fn changes(setup: &Setup<f64>, preset: &Preset, system: System) -> Result<Vec<Change>> {
+///
+/// ```
+/// use longdrive::parameters::Preset;
+/// use longdrive::{Setup, report::changes, units::System};
+/// let mut setup = Setup::preset("mae494").unwrap();
+/// setup.set("club.loft", "11 deg").unwrap();
+/// let changed = changes(&setup, Preset::named("mae494").unwrap(), System::Us).unwrap();
+/// assert_eq!((changed.len(), &changed[0].from[..], &changed[0].to[..]), (1, "10°", "11°"));
+/// ```
+///
+/// # Errors
+/// None that a test does not rule out: presets are read as any setup is.
+pub fn changes(setup: &Setup<f64>, preset: &Preset, system: System) -> Result<Vec<Change>> {
     let base = Setup::preset(preset.name)?;
     let used = setup.parameters().into_iter().filter(|row| setup.why_replaced(row).is_none());
     let numbers = used.filter_map(|row| {

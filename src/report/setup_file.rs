@@ -58,7 +58,8 @@ fn exact(parameter: &Parameter, value: Option<f64>) -> String {
     let size = parameter.quantity.size_of(parameter.unit).unwrap_or(1.0);
     let text =
         |digits: usize| format!("{} {}", significant(value / size, digits), parameter.unit).trim_end().to_owned();
-    let reads_back = |text: &String| parameter.read(text, false).is_ok_and(|read| read == Some(value));
+    let reads_back =
+        |text: &String| parameter.read(text, false).is_ok_and(|read| read.map(f64::to_bits) == Some(value.to_bits()));
     let shown = (1..=MOST_DIGITS).map(text).find(reads_back);
     shown.unwrap_or_else(|| format!("{value:?} {}", parameter.quantity.si).trim_end().to_owned())
 }

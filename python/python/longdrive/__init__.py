@@ -1,0 +1,51 @@
+"""The longest golf drive, with exact derivatives.
+
+A clubhead strikes a ball, the ball flies with drag, lift, spin decay and wind, and lands. Every outcome has exact gradients and
+Hessians with respect to every parameter.
+
+>>> import longdrive
+>>> drive = longdrive.simulate("tour-average")
+>>> drive.status
+'landed'
+>>> value, gradient = longdrive.gradient("tour-average", of="carry", wrt=["club.loft", "swing.speed"])
+>>> value == drive["carry"]
+True
+
+Numbers are SI and radians; a text carries its unit. Bad input is an :class:`InputError`, a question without an answer a
+:class:`NoAnswerError`, both :class:`Error`.
+"""
+
+from __future__ import annotations
+
+from ._longdrive import Objective, Setup, __version__, outcomes, parameters, presets
+from .batch import Interrupted, batch
+from .derivatives import Gradient, Hessian, Jacobian, gradient, hessian, jacobian, objective
+from .drive import Drive, simulate
+from .errors import Error, InputError, InternalError, NoAnswerError
+from .table import Status, Table
+
+__all__ = [
+    "Drive",
+    "Error",
+    "Gradient",
+    "Hessian",
+    "InputError",
+    "InternalError",
+    "Interrupted",
+    "Jacobian",
+    "NoAnswerError",
+    "Objective",
+    "Setup",
+    "Status",
+    "Table",
+    "__version__",
+    "batch",
+    "gradient",
+    "hessian",
+    "jacobian",
+    "objective",
+    "outcomes",
+    "parameters",
+    "presets",
+    "simulate",
+]

@@ -1,0 +1,93 @@
+"""Very many drives at once."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import numpy.typing as npt
+
+from . import _longdrive
+from .progress import Bar
+from .table import Table
+from .types import Names, SetupLike
+
+__all__ = ["Interrupted", "batch"]
+
+
+class Interrupted(KeyboardInterrupt):
+    """A batch that Ctrl-C has ended. ``table`` has the rows that were done; ``batch(…, first_row=len(table))`` goes on."""
+
+    table: Table
+
+    def __init__(self, message: str, table: Table) -> None:
+        super().__init__(message)
+        self.table = table
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (type(self), (str(self), self.table))
+
+
+def batch(
+    setup: SetupLike,
+    points: Mapping[str, npt.ArrayLike | str],
+    of: Names = "carry",
+    wrt: Names | None = None,
+    *,
+    hessians: bool = False,
+    tolerance: float | str | None = None,
+    own_step: bool = False,
+    threads: int = 0,
+    progress: bool | Callable[[int, int], object] = False,
+    first_row: int = 0,
+) -> Table:
+    """Outcomes, and their exact derivatives, at very many points, on all processors.
+
+    >>> import longdrive, numpy as np
+    >>> loft = np.radians([8.0, 10.5, 13.0, np.nan])
+    >>> table = longdrive.batch("tour-average", {"club.loft": loft, "swing.speed": "110 mph"}, of="carry", wrt="club.loft")
+    >>> table.counts()
+    {'landed': 3, 'out-of-range': 1}
+    >>> table["carry"].shape, table.gradients.shape
+    ((4,), (4, 1, 1))
+
+    A row that cannot be flown is no exception but has a status. Rows are the same whatever the number of threads, and equal to those of ``longdrive sweep``.
+
+    Args:
+        setup: a setup, the name of a preset, or a dict.
+        points: parameters with arrays of one length, shape (rows,), or numbers for all rows, in SI; a text carries its unit. 64-bit floats
+            of any strides, also read-only ones, are not copied as a whole: 65 536 rows at a time are put in order.
+        of: outcomes, a name or several; ``"all"`` for every one.
+        wrt: parameters to differentiate by, a name or several; ``"points"`` for those of the points; without it no derivatives.
+        hessians: whether second derivatives are computed too; they are those of the step that is chosen for all rows.
+        tolerance: lengths are within it of their exact values, m or a text; without it 1 µm, unless the setup says how to integrate.
+        own_step: whether ``flight.method`` and ``flight.step`` of the setup are kept.
+        threads: how many; 0 for as many as there are processors that this process may use.
+        progress: True for a line on standard error, or a function of rows done and rows in all.
+        first_row: the first row to compute, to go on after an interruption.
+
+    Raises:
+        InputError: for a name that nothing bears, or an array of the wrong shape or type.
+        Interrupted: where Ctrl-C was pressed; it has the rows that were done.
+    """
+    told: Callable[[int, int], object] | None = None
+    if progress is True:
+        told = Bar("drives")
+    elif progress:
+        told = progress
+    if hessians and wrt is None:
+        wrt = "points"
+    status, columns, seconds, at, of, by, given, warnings, raised = _longdrive.batch(
+        setup, points, of, wrt, tolerance, own_step, threads, told, first_row, hessians
+    )
+    table = Table(
+        status=status, columns=columns, points=at[:, : len(status)], of=of, wrt=by, parameters=given, hessians=seconds,
+        first_row=first_row, warnings=warnings,
+    )
+    if raised is None:
+        return table
+    if isinstance(raised, KeyboardInterrupt):
+        whole = at.shape[1] + first_row
+        after = first_row + len(table)
+        raise Interrupted(f"interrupted after {after} of {whole} rows; batch(…, first_row={after}) goes on", table) from raised
+    raise raised

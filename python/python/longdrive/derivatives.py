@@ -1,0 +1,140 @@
+"""Exact derivatives of the outcomes of one drive."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Literal, NamedTuple
+
+from . import _longdrive
+from .types import Floats, Names, Sense, SetupLike
+
+__all__ = ["Gradient", "Hessian", "Jacobian", "gradient", "hessian", "jacobian", "objective"]
+
+
+class Gradient(NamedTuple):
+    """Value and gradient of an outcome, SI."""
+
+    value: float
+    gradient: Floats
+    """Shape (parameters,)."""
+
+
+class Jacobian(NamedTuple):
+    """Values of outcomes and their derivatives, SI."""
+
+    values: Floats
+    """Shape (outcomes,)."""
+    jacobian: Floats
+    """Shape (outcomes, parameters)."""
+
+
+class Hessian(NamedTuple):
+    """Value, gradient and Hessian of an outcome, SI."""
+
+    value: float
+    gradient: Floats
+    """Shape (parameters,)."""
+    hessian: Floats
+    """Shape (parameters, parameters), symmetric."""
+
+
+def gradient(setup: SetupLike, of: str = "carry", wrt: Names | None = None) -> Gradient:
+    """Value and exact gradient of an outcome.
+
+    In a vacuum the ball flies along a parabola, and carry is in inverse proportion to gravity:
+
+    >>> import longdrive
+    >>> vacuum = longdrive.Setup({"preset": "mae494", "air.density": 0})
+    >>> carry, slope = longdrive.gradient(vacuum, of="carry", wrt="gravity")
+    >>> bool(abs(slope[0] + carry / vacuum["gravity"]) < 1e-11)
+    True
+
+    Args:
+        setup: a setup, the name of a preset, or a dict.
+        of: the outcome.
+        wrt: parameters to differentiate by, a name or several; ``"all"`` for every one that has a number here. Without it
+            loft and attack angle.
+
+    Raises:
+        InputError: for a name that nothing bears, or a value outside its range.
+        NoAnswerError: where the ball does not fly, or the derivative does not exist.
+    """
+    return Gradient(*_longdrive.gradient(setup, of, wrt))
+
+
+def jacobian(setup: SetupLike, of: Names, wrt: Names | None = None) -> Jacobian:
+    """Values of several outcomes of one drive, and their exact Jacobian.
+
+    >>> import longdrive
+    >>> values, rows = longdrive.jacobian("tour-average", of=["carry", "lateral"], wrt=["club.loft", "swing.speed", "strike.toe"])
+    >>> values.shape, rows.shape
+    ((2,), (2, 3))
+
+    Args:
+        setup: a setup, the name of a preset, or a dict.
+        of: outcomes, a name or several; ``"all"`` for every one.
+        wrt: as for :func:`gradient`.
+
+    Raises:
+        InputError: as :func:`gradient`.
+        NoAnswerError: as :func:`gradient`.
+    """
+    return Jacobian(*_longdrive.jacobian(setup, of, wrt))
+
+
+def hessian(setup: SetupLike, of: str = "carry", wrt: Names | None = None) -> Hessian:
+    """Value, exact gradient and exact Hessian of an outcome.
+
+    >>> import longdrive
+    >>> carry, slope, curvature = longdrive.hessian("tour-average", wrt=["club.loft", "swing.speed"])
+    >>> bool((curvature == curvature.T).all())
+    True
+
+    Args:
+        setup: a setup, the name of a preset, or a dict.
+        of: the outcome.
+        wrt: as for :func:`gradient`.
+
+    Raises:
+        InputError: as :func:`gradient`.
+        NoAnswerError: as :func:`gradient`.
+    """
+    return Hessian(*_longdrive.hessian(setup, of, wrt))
+
+
+def objective(
+    setup: SetupLike,
+    of: str = "carry",
+    wrt: Names | None = None,
+    sense: Sense | None = None,
+    *,
+    invalid: Literal["raise", "nan"] = "raise",
+) -> _longdrive.Objective:
+    """An outcome as a function of some parameters, for optimizers that take functions.
+
+    It has ``fun(x)``, ``jac(x)``, ``hess(x)`` and ``fun_and_jac(x)``, ``x0``, ``bounds`` and ``names``; x has a value for each parameter in SI. What
+    is asked of one point in turn is computed once.
+
+    >>> import longdrive
+    >>> carry = longdrive.objective("tour-average", "carry", ["club.loft", "swing.attack_angle"], sense="max")
+    >>> carry.fun(carry.x0) == -longdrive.simulate("tour-average")["carry"]
+    True
+    >>> carry.jac([0.18, 0.0]).shape
+    (2,)
+
+    Args:
+        setup: a setup, the name of a preset, or a dict.
+        of: the outcome.
+        wrt: as for :func:`gradient`.
+        sense: ``"max"`` changes the sign of everything, since optimizers look for the least; ``"min"`` and None leave it.
+        invalid: what becomes of a point without an answer (no flight, a value outside its range): ``"raise"`` an exception, or ``"nan"``, which makes
+            optimizers of SciPy refuse the step.
+
+    Raises:
+        InputError: as :func:`gradient`.
+    """
+    return _longdrive.Objective(setup, of, _listed(wrt), sense, invalid)
+
+
+def _listed(names: Names | None) -> Sequence[str] | None:
+    return [names] if isinstance(names, str) else names

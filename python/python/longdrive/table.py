@@ -1,0 +1,250 @@
+"""Very many drives as a table: a status for each row, columns of outcomes and derivatives."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from enum import IntEnum
+from functools import cached_property
+from html import escape
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _longdrive
+from .errors import InputError
+from .types import Floats
+
+__all__ = ["Status", "Table"]
+
+_SHOWN = 10
+
+
+class Status(IntEnum):
+    """How a drive of a table ended. NaN stands only in rows whose status says why."""
+
+    LANDED = 0
+    """On the ground: it has every outcome and derivative that was asked for."""
+    NO_FLIGHT = 1
+    """It left the face and did not fly. Outcomes of the launch only."""
+    ALOFT = 2
+    """Still in the air at ``flight.time_limit``. Outcomes of the launch only."""
+    DIVERGED = 3
+    """The numbers of the flight overflowed: ``flight.step`` is too coarse."""
+    NO_STRIKE = 4
+    """The club does not strike the ball."""
+    OUT_OF_RANGE = 5
+    """A value of the row is NaN or outside its parameter's range, or the inertia tensor is one that no body can have."""
+    UNDEFINED = 6
+    """It landed, but something that was asked for does not exist: the direction of a vertical launch, the total of a ball that never stops."""
+
+    @property
+    def label(self) -> str:
+        """The status as files of the program have it: ``no-flight``."""
+        return self.name.lower().replace("_", "-")
+
+
+class Table:
+    """Drives of a batch. ``table["carry"]`` is a column, ``table.derivative("carry", "club.loft")`` another, SI; all arrays are read-only.
+
+    It hands itself to pandas, polars and pyarrow without a copy, by Arrow's C stream interface: ``polars.DataFrame(table)``,
+    ``pyarrow.table(table)``, ``pandas.DataFrame.from_arrow(table)``. What is NaN here is null there.
+    """
+
+    def __init__(
+        self,
+        *,
+        status: npt.NDArray[np.int8],
+        columns: Floats,
+        points: Floats,
+        of: Sequence[str],
+        wrt: Sequence[str],
+        parameters: Sequence[str],
+        hessians: Floats | None = None,
+        first_row: int = 0,
+        warnings: Sequence[str] = (),
+    ) -> None:
+        for array in (status, columns, points, hessians):
+            if array is not None:
+                array.flags.writeable = False
+        self.status = status
+        """How each drive ended: codes of :class:`Status`, shape (rows,), int8."""
+        self._columns = columns
+        self._points = points
+        self.of = tuple(of)
+        """The outcomes."""
+        self.wrt = tuple(wrt)
+        """The parameters they are differentiated by."""
+        self.parameters = tuple(parameters)
+        """The parameters that have a value in each row."""
+        self.hessians = hessians
+        """Second derivatives, shape (rows, outcomes, parameters, parameters); None where they were not asked for."""
+        self.first_row = first_row
+        """The number of its first row among all points."""
+        self.warnings = list(warnings)
+        """What deserves a word about the drives."""
+
+    @property
+    def values(self) -> Floats:
+        """The outcomes, shape (rows, outcomes): a view."""
+        return self._columns[: len(self.of)].T
+
+    @property
+    def gradients(self) -> Floats:
+        """The derivatives, shape (rows, outcomes, parameters): a view."""
+        rows = self._columns[len(self.of) :]
+        return rows.reshape(len(self.of), len(self.wrt), len(self)).transpose(2, 0, 1)
+
+    @property
+    def points(self) -> dict[str, Floats]:
+        """The points by parameter, shape (rows,) each."""
+        return dict(zip(self.parameters, self._points))
+
+    @cached_property
+    def _names(self) -> dict[str, int]:
+        derivatives = [f"d_{of}/d_{by}" for of in self.of for by in self.wrt]
+        return {name: k for k, name in enumerate([*self.of, *derivatives])}
+
+    def keys(self) -> list[str]:
+        """The names of its columns: the parameters, ``status``, the outcomes, and ``d_carry/d_club.loft`` for each derivative."""
+        return [*self.parameters, "status", *self._names]
+
+    def derivative(self, of: str, by: str) -> Floats:
+        """The derivative of an outcome by a parameter, SI, shape (rows,)."""
+        return self._column(f"d_{of}/d_{by}")
+
+    def _column(self, name: str) -> Floats:
+        if name in self._names:
+            return self._columns[self._names[name]]
+        if name in self.parameters:
+            return self._points[self.parameters.index(name)]
+        raise InputError(f"unknown column '{name}'; the columns are {', '.join(self.keys())}")
+
+    def __getitem__(self, key: str | slice) -> Any:
+        """A column by its name, or some rows as a table: views, not copies."""
+        if isinstance(key, str):
+            return self.status if key == "status" else self._column(key)
+        if not isinstance(key, slice):
+            raise InputError(f"a table has columns by name and rows by slice; {key!r} is neither")
+        start, _, step = key.indices(len(self))
+        return Table(
+            status=self.status[key],
+            columns=self._columns[:, key],
+            points=self._points[:, key],
+            of=self.of,
+            wrt=self.wrt,
+            parameters=self.parameters,
+            hessians=None if self.hessians is None else self.hessians[key],
+            first_row=self.first_row + start if step == 1 else 0,
+            warnings=self.warnings,
+        )
+
+    def __len__(self) -> int:
+        return len(self.status)
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.keys())
+
+    def __contains__(self, name: object) -> bool:
+        return name in self.keys()
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Table):
+            return NotImplemented
+        names = (self.of, self.wrt, self.parameters) == (other.of, other.wrt, other.parameters)
+        same = np.array_equal
+        hessians = self.hessians is other.hessians or (
+            self.hessians is not None and other.hessians is not None and same(self.hessians, other.hessians, equal_nan=True)
+        )
+        return (
+            names
+            and hessians
+            and same(self.status, other.status)
+            and same(self._columns, other._columns, equal_nan=True)
+            and same(self._points, other._points, equal_nan=True)
+        )
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def to_dict(self) -> dict[str, Any]:
+        """The columns by name, as :meth:`keys` has them."""
+        return {name: self[name] for name in self.keys()}
+
+    def counts(self) -> dict[str, int]:
+        """How many drives ended in which way: ``{"landed": 98, "no-flight": 2}``."""
+        counts = np.bincount(self.status, minlength=len(Status))
+        return {status.label: int(counts[status]) for status in Status if counts[status]}
+
+    @staticmethod
+    def concatenate(tables: Sequence[Table]) -> Table:
+        """One table of the rows of several, in their order: what was done before an interruption and what was done after it.
+
+        Raises:
+            InputError: where they are not of the same outcomes and parameters.
+        """
+        if not tables:
+            raise InputError("nothing to concatenate: give at least one table")
+        first = tables[0]
+        for table in tables[1:]:
+            if (table.of, table.wrt, table.parameters) != (first.of, first.wrt, first.parameters) or (table.hessians is None) != (
+                first.hessians is None
+            ):
+                raise InputError("the tables are not of the same outcomes, derivatives and parameters")
+        hessians = None if first.hessians is None else np.concatenate([table.hessians for table in tables])  # type: ignore[misc]
+        return Table(
+            status=np.concatenate([table.status for table in tables]),
+            columns=np.concatenate([table._columns for table in tables], axis=1),
+            points=np.concatenate([table._points for table in tables], axis=1),
+            of=first.of,
+            wrt=first.wrt,
+            parameters=first.parameters,
+            hessians=hessians,
+            first_row=first.first_row,
+            warnings=list(dict.fromkeys(text for table in tables for text in table.warnings)),
+        )
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (_unpickled, (dict(
+            status=self.status, columns=self._columns, points=self._points, of=self.of, wrt=self.wrt, parameters=self.parameters,
+            hessians=self.hessians, first_row=self.first_row, warnings=self.warnings,
+        ),))
+
+    def __arrow_c_stream__(self, requested_schema: object = None) -> Any:
+        units = {row["parameter"]: row["unit"] for row in _longdrive.parameters()["parameters"]}
+        of_outcome = {row["name"]: row["si"] for row in _longdrive.outcomes()}
+        columns = [(name, self._points[k], units.get(name, "")) for k, name in enumerate(self.parameters)]
+        columns += [(name, self._columns[k], of_outcome.get(name, "")) for name, k in self._names.items() if k < len(self.of)]
+        for of in self.of:
+            for by in self.wrt:
+                unit = f"{of_outcome.get(of) or 1}/({units.get(by) or 1})"
+                columns.append((f"d_{of}/d_{by}", self.derivative(of, by), unit))
+        whole = [(name, np.ascontiguousarray(column), unit) for name, column, unit in columns]
+        names = [status.label for status in Status]
+        status = np.ascontiguousarray(self.status)
+        metadata = {"longdrive": _longdrive.__version__}
+        return _longdrive.arrow_stream(whole, status, names, len(self.parameters), metadata)
+
+    def __repr__(self) -> str:
+        counts = ", ".join(f"{count} {label}" for label, count in self.counts().items())
+        return f"<longdrive.Table of {len(self)} drives ({counts or 'empty'}): {', '.join(self._names)}>"
+
+    def _repr_html_(self) -> str:
+        names = self.keys()
+        head = "".join(f"<th>{escape(name)}</th>" for name in names)
+
+        def cell(name: str, row: int) -> str:
+            if name == "status":
+                return Status(self.status[row]).label
+            number = self[name][row]
+            return "" if np.isnan(number) else f"{number:.6g}"
+
+        def line(row: int) -> str:
+            return "<tr>" + "".join(f"<td>{escape(cell(name, row))}</td>" for name in names) + "</tr>"
+
+        rows = "".join(line(row) for row in range(min(_SHOWN, len(self))))
+        caption = escape(repr(self).strip("<>"))
+        return f"<table><caption>{caption}</caption><thead><tr>{head}</tr></thead><tbody>{rows}</tbody></table>"
+
+
+def _unpickled(fields: dict[str, Any]) -> Table:
+    return Table(**fields)

@@ -1,0 +1,223 @@
+//! Arrays of NumPy as the points of a batch.
+
+use crate::boundary::{Answer, Failure};
+use longdrive::batch::Points;
+use longdrive::parameters::{Parameter, Vary};
+use longdrive::{Error, Setup};
+use numpy::ndarray::s;
+use numpy::{PyArray1, PyArrayDescrMethods, PyArrayMethods, PyUntypedArray, PyUntypedArrayMethods};
+use pyo3::prelude::*;
+use pyo3::types::{PyMapping, PyString};
+
+/// Rows that are gathered from the arrays at a time, with Python's lock.
+const GATHERED: usize = 65_536;
+
+/// The values of one parameter: one for all rows, or one for each.
+enum Column {
+    Same(f64),
+    Each(Py<PyArray1<f64>>),
+}
+
+/// The values of some parameters, a row for each drive.
+pub struct Arrays {
+    parameters: Vec<&'static Parameter>,
+    columns: Vec<Column>,
+    rows: usize,
+    ranges: Vec<Vary>,
+    next: usize,
+    /// Rows that were gathered, one after the other, from row `first` on.
+    gathered: Vec<f64>,
+    first: usize,
+}
+
+impl Arrays {
+    /// The points of a dict of names with arrays or numbers. Arrays of 64-bit floats are taken as they are, whatever their strides; other floats
+    /// and whole numbers are converted.
+    pub fn of(setup: &Setup<f64>, points: &Bound<'_, PyAny>) -> Answer<Self> {
+        let Ok(points) = points.cast::<PyMapping>() else {
+            let kind = points.get_type().name()?.to_string();
+            return Err(Failure::Input(format!(
+                "points is a {kind}; expected a dict of parameters with arrays, like {{\"club.loft\": array}}, SI"
+            )));
+        };
+        let (mut parameters, mut columns, mut rows) = (vec![], vec![], None::<(&'static str, usize)>);
+        for item in points.items()?.iter() {
+            let (name, value): (Bound<'_, PyAny>, Bound<'_, PyAny>) = item.extract()?;
+            let Ok(name) = name.cast::<PyString>() else {
+                return Err(Failure::Input(format!(
+                    "points: the key {} is no text; expected the name of a parameter",
+                    name.repr()?
+                )));
+            };
+            let parameter = setup.column(name.to_str()?)?;
+            let column = column(parameter, &value)?;
+            if let Column::Each(array) = &column {
+                let length = array.bind(points.py()).len();
+                match rows {
+                    Some((first, rows)) if rows != length => {
+                        return Err(Failure::Input(format!(
+                            "points: {} has shape ({length},), and {first} has ({rows},); expected arrays of one length, or numbers",
+                            parameter.name
+                        )));
+                    }
+                    _ => rows = Some((parameter.name, length)),
+                }
+            }
+            parameters.push(parameter);
+            columns.push(column);
+        }
+        let rows = rows.map_or(usize::from(!columns.is_empty()), |(_, rows)| rows);
+        let mut arrays = Self { parameters, columns, rows, ranges: vec![], next: 0, gathered: vec![], first: 0 };
+        arrays.ranges = arrays.found_ranges(points.py());
+        Ok(arrays)
+    }
+
+    /// How many rows there are.
+    pub fn len(&self) -> usize {
+        self.rows
+    }
+
+    /// The ranges of the values that their parameters may have.
+    fn found_ranges(&self, py: Python<'_>) -> Vec<Vary> {
+        let of = |(parameter, column): (&&'static Parameter, &Column)| {
+            let parameter = *parameter;
+            let mut range = None::<(f64, f64)>;
+            column.each(py, 0..self.rows, &mut |value| {
+                if parameter.range.contains(value) && value.is_finite() {
+                    let (low, high) = range.unwrap_or((value, value));
+                    range = Some((low.min(value), high.max(value)));
+                }
+            });
+            range.map(|(low, high)| Vary { parameter, low, high })
+        };
+        self.parameters.iter().zip(&self.columns).filter_map(of).collect()
+    }
+
+    /// Copies the next rows of the arrays, one row after the other.
+    fn gather(&mut self, py: Python<'_>) {
+        let (width, end) = (self.columns.len(), self.rows.min(self.next + GATHERED));
+        self.first = self.next;
+        self.gathered.clear();
+        self.gathered.resize((end - self.next) * width, 0.0);
+        for (k, column) in self.columns.iter().enumerate() {
+            let mut places = self.gathered.iter_mut().skip(k).step_by(width.max(1));
+            column.each(py, self.next..end, &mut |value| {
+                if let Some(place) = places.next() {
+                    *place = value;
+                }
+            });
+        }
+    }
+
+    /// A column of the points as it was given, for a table of results.
+    pub fn column(&self, py: Python<'_>, k: usize, rows: std::ops::Range<usize>) -> Vec<f64> {
+        let mut values = Vec::with_capacity(rows.len());
+        self.columns[k].each(py, rows, &mut |value| values.push(value));
+        values
+    }
+}
+
+impl Column {
+    /// Its values in some rows, one after the other.
+    fn each(&self, py: Python<'_>, rows: std::ops::Range<usize>, take: &mut dyn FnMut(f64)) {
+        match self {
+            Self::Same(value) => rows.for_each(|_| take(*value)),
+            Self::Each(array) => {
+                let array = array.bind(py).readonly();
+                match array.as_slice() {
+                    Ok(values) => values[rows].iter().for_each(|value| take(*value)),
+                    Err(_) => array.as_array().slice(s![rows]).iter().for_each(|value| take(*value)),
+                }
+            }
+        }
+    }
+}
+
+/// One argument as a column.
+fn column(parameter: &'static Parameter, given: &Bound<'_, PyAny>) -> Answer<Column> {
+    let name = parameter.name;
+    if let Ok(text) = given.cast::<PyString>() {
+        let value = parameter.read(text.to_str()?, false)?;
+        let value =
+            value.ok_or_else(|| Failure::Input(format!("points: {name} is unset; give a value for each row")))?;
+        return Ok(Column::Same(value));
+    }
+    let refuse = |found: String| {
+        Failure::Input(format!(
+            "points: {name} {found}; expected a number or a one-dimensional array of numbers in {}",
+            si(parameter)
+        ))
+    };
+    let numpy = given.py().import("numpy")?;
+    let array = numpy
+        .call_method1("asanyarray", (given,))
+        .map_err(|error| refuse(format!("is no array ({})", error.value(given.py()))))?;
+    let masked = numpy.getattr("ma")?.getattr("MaskedArray")?;
+    if array.is_instance(&masked)? {
+        return Err(refuse("is a masked array: fill it, a NaN makes a row without a drive".into()));
+    }
+    let array = numpy.call_method1("asarray", (array,))?;
+    let array = array.cast::<PyUntypedArray>().map_err(|_| refuse("is no array".into()))?;
+    let kind = array.dtype().kind();
+    // whole numbers and floats; a truth, a text, a time or a complex number is no quantity
+    if !matches!(kind, b'i' | b'u' | b'f') {
+        return Err(refuse(format!("has dtype {}", array.dtype())));
+    }
+    let converted = array.call_method1("astype", ("f8", "K", "safe", true, false));
+    let array =
+        converted.map_err(|_| refuse(format!("has dtype {}, which 64-bit floats do not hold", array.dtype())))?;
+    match array.cast::<PyArray1<f64>>() {
+        Ok(array) => Ok(Column::Each(array.clone().unbind())),
+        Err(_) => {
+            let shape = array.getattr("shape")?;
+            // an array of no dimensions is a number
+            if shape.len()? == 0 {
+                Ok(Column::Same(array.extract()?))
+            } else {
+                Err(refuse(format!("has shape {shape}")))
+            }
+        }
+    }
+}
+
+fn si(parameter: &Parameter) -> &'static str {
+    if parameter.quantity.si.is_empty() { "numbers without a unit" } else { parameter.quantity.si }
+}
+
+impl Points for Arrays {
+    fn parameters(&self) -> &[&'static Parameter] {
+        &self.parameters
+    }
+
+    fn ranges(&self) -> Vec<Vary> {
+        self.ranges.clone()
+    }
+
+    fn rows(&self) -> u64 {
+        self.rows as u64
+    }
+
+    fn seek(&mut self, row: u64) -> longdrive::Result<()> {
+        self.next = usize::try_from(row).unwrap_or(usize::MAX).min(self.rows);
+        (self.first, self.gathered) = (self.next, vec![]);
+        Ok(())
+    }
+
+    fn read(&mut self, most: usize, values: &mut Vec<f64>) -> Result<usize, Error> {
+        let width = self.columns.len();
+        let known = self.gathered.len() / width.max(1);
+        if self.next == self.first + known && self.next < self.rows {
+            // the arrays are Python's
+            Python::attach(|py| self.gather(py));
+        }
+        let begin = self.next - self.first;
+        let rows = most.min(self.gathered.len() / width.max(1) - begin);
+        values.extend_from_slice(&self.gathered[begin * width..(begin + rows) * width]);
+        self.next += rows;
+        Ok(rows)
+    }
+
+    fn identity(&self) -> String {
+        format!("{} rows of arrays", self.rows)
+    }
+}

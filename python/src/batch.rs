@@ -1,0 +1,340 @@
+//! Very many drives, at the points of arrays.
+
+use crate::arrays::Arrays;
+use crate::boundary::{Answer, Failure, answer};
+use crate::hessians::Hessians;
+use crate::names::{listed, outcomes_named, variables};
+use crate::pool;
+use crate::setup::PySetup;
+use crate::step::Asked;
+use longdrive::batch::{Batch, Block, CHUNK, Points, Run, Status, Tally};
+use longdrive::drive::Looked;
+use longdrive::units::System;
+use numpy::ndarray::{Array2, Array4};
+use numpy::{IntoPyArray, PyArray1, PyArray2, PyArray4};
+use pyo3::prelude::*;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
+
+/// The status of a drive that landed and lacks an outcome or a derivative that was asked for, after those of `longdrive::batch::Status`.
+const UNDEFINED: i8 = Status::ALL.len() as i8;
+
+/// What a batch has found, column after column.
+struct Results {
+    /// Rows there is room for, and rows that are done.
+    room: usize,
+    done: usize,
+    /// Outcomes, then derivatives, a column of `room` numbers each.
+    columns: Vec<f64>,
+    status: Vec<i8>,
+    /// Row after row.
+    hessians: Vec<f64>,
+    tally: Tally,
+}
+
+/// What a chunk has found.
+struct Piece {
+    columns: Vec<f64>,
+    status: Vec<i8>,
+    hessians: Vec<f64>,
+    tally: Tally,
+}
+
+impl Piece {
+    fn of(block: &Block, width: usize, hessians: Option<&Hessians>) -> Self {
+        let rows = block.rows();
+        let mut status: Vec<i8> = (0..rows).map(|row| block.status(row) as i8).collect();
+        let mut columns = Vec::with_capacity(rows * width);
+        for column in 0..width {
+            columns.extend(block.result(column).map(|value| value.unwrap_or(f64::NAN)));
+        }
+        let mut seconds = vec![];
+        if let Some(hessians) = hessians {
+            seconds.reserve(rows * hessians.width());
+            for row in 0..rows {
+                match hessians.of_row(block, row) {
+                    Some(found) => seconds.extend(found),
+                    None => seconds.extend(std::iter::repeat_n(f64::NAN, hessians.width())),
+                }
+            }
+        }
+        for (row, status) in status.iter_mut().enumerate().filter(|(_, status)| **status == Status::Landed as i8) {
+            let of_row = hessians.map_or(0, Hessians::width);
+            let mut numbers =
+                columns.iter().skip(row).step_by(rows).chain(seconds.iter().skip(row * of_row).take(of_row));
+            if numbers.any(|number| number.is_nan()) {
+                *status = UNDEFINED;
+            }
+        }
+        let mut tally = Tally::default();
+        tally.add(block);
+        Self { columns, status, hessians: seconds, tally }
+    }
+}
+
+impl Results {
+    /// Room for so many rows of so many numbers.
+    fn new(room: usize, width: usize, of_hessians: usize) -> Answer<Self> {
+        let numbers = room.checked_mul(width).zip(room.checked_mul(of_hessians));
+        let (mut columns, mut status, mut hessians) = (vec![], vec![], vec![]);
+        let has_room = numbers.is_some_and(|(of_columns, of_hessians)| {
+            columns.try_reserve_exact(of_columns).is_ok()
+                && hessians.try_reserve_exact(of_hessians).is_ok()
+                && status.try_reserve_exact(room).is_ok()
+        });
+        let Some((of_columns, of_hessians)) = numbers.filter(|_| has_room) else {
+            let message = format!(
+                "{room} drives with {} numbers each do not fit into memory; compute fewer at a time, or let the program write them to a file (longdrive sweep)",
+                width + of_hessians
+            );
+            return Err(Failure::Input(message));
+        };
+        columns.resize(of_columns, 0.0);
+        hessians.resize(of_hessians, 0.0);
+        status.resize(room, 0);
+        Ok(Self { room, done: 0, columns, status, hessians, tally: Tally::default() })
+    }
+
+    /// Puts a piece after those that are there.
+    fn take(&mut self, piece: &Piece) {
+        let rows = piece.status.len();
+        for (to, from) in self.columns.chunks_exact_mut(self.room.max(1)).zip(piece.columns.chunks_exact(rows)) {
+            to[self.done..self.done + rows].copy_from_slice(from);
+        }
+        self.status[self.done..self.done + rows].copy_from_slice(&piece.status);
+        let width = piece.hessians.len() / rows;
+        self.hessians[self.done * width..(self.done + rows) * width].copy_from_slice(&piece.hessians);
+        self.tally.merge(piece.tally);
+        self.done += rows;
+    }
+
+    /// Without the room for rows that are not done.
+    fn closed(mut self) -> Self {
+        if self.done < self.room {
+            let columns = self.columns.chunks_exact(self.room.max(1));
+            self.columns = columns.flat_map(|column| &column[..self.done]).copied().collect();
+            let width = self.hessians.len() / self.room.max(1);
+            self.hessians.truncate(self.done * width);
+            self.status.truncate(self.done);
+            self.room = self.done;
+        }
+        self
+    }
+}
+
+/// What is shared between the thread of Python and those that compute.
+struct Shared {
+    results: Mutex<Option<Results>>,
+    done: AtomicU64,
+}
+
+impl Shared {
+    fn with<R>(&self, work: impl FnOnce(&mut Option<Results>) -> R) -> R {
+        work(&mut self.results.lock().unwrap_or_else(PoisonError::into_inner))
+    }
+}
+
+/// What Python gets: status, columns (outcomes, then derivatives; a row of the array each), Hessians, points, warnings, and the exception that
+/// ended it early.
+type Found<'py> = (
+    Bound<'py, PyArray1<i8>>,
+    Bound<'py, PyArray2<f64>>,
+    Option<Bound<'py, PyArray4<f64>>>,
+    Bound<'py, PyArray2<f64>>,
+    Vec<&'static str>,
+    Vec<&'static str>,
+    Vec<&'static str>,
+    Vec<String>,
+    Option<PyErr>,
+);
+
+/// The drives at the points of arrays; see :func:`longdrive.batch`.
+#[pyfunction]
+#[pyo3(signature = (setup, points, of, wrt, tolerance, own_step, threads, progress, first_row, hessians))]
+#[expect(clippy::too_many_arguments, reason = "it is called by longdrive.batch alone, with all of them")]
+pub fn batch<'py>(
+    py: Python<'py>,
+    setup: &Bound<'py, PyAny>,
+    points: &Bound<'py, PyAny>,
+    of: &Bound<'py, PyAny>,
+    wrt: Option<&Bound<'py, PyAny>>,
+    tolerance: Option<&Bound<'py, PyAny>>,
+    own_step: bool,
+    threads: usize,
+    progress: Option<&Bound<'py, PyAny>>,
+    first_row: usize,
+    hessians: bool,
+) -> PyResult<Found<'py>> {
+    answer(|| {
+        let setup = PySetup::of(setup)?;
+        let of = outcomes_named(&listed("of", of)?)?;
+        let arrays = Arrays::of(&setup.setup, points)?;
+        let wrt = match wrt {
+            None => vec![],
+            Some(wrt) => by_names(&setup, &arrays, wrt)?,
+        };
+        if first_row > arrays.len() || (first_row % CHUNK != 0 && first_row != arrays.len()) {
+            let message = format!(
+                "first_row = {first_row}; expected a multiple of {CHUNK} up to the {} rows, as a table that was interrupted ends with",
+                arrays.len()
+            );
+            return Err(Failure::Input(message));
+        }
+        let given: Vec<_> = arrays.parameters().iter().map(|row| row.name).collect();
+        setup.setup.refuse_replaced(&given)?;
+        let rows = arrays.len().saturating_sub(first_row);
+        let width = of.len() * (1 + wrt.len());
+        let of_hessians = if hessians { of.len() * wrt.len() * wrt.len() } else { 0 };
+        let asked = Asked::of(tolerance, own_step)?;
+        let shared = Arc::new(Shared {
+            results: Mutex::new(Some(Results::new(rows, width, of_hessians)?)),
+            done: AtomicU64::new(0),
+        });
+        let points = points_of(py, &arrays, first_row, rows);
+
+        let (ranges, shape) = (arrays.ranges(), (of.len(), wrt.len()));
+        let names = (of.iter().map(|of| of.name()).collect(), wrt.iter().map(|row| row.name).collect(), given);
+        let to = Arc::clone(&shared);
+        let work = move |stop: &AtomicBool| -> longdrive::Result<Vec<String>> {
+            let (found, told) = asked.found(&setup, &ranges, &of)?;
+            let integrated = found.map_or(setup.setup, |found| found.applied_to(&setup.setup));
+            let mut batch = Batch::new(&integrated, arrays.parameters(), &of, &wrt)?;
+            if let Some(found) = found {
+                batch = batch.with_largest_defect(found.largest_defect);
+            }
+            let seconds = hessians.then(|| Hessians::new(&integrated, arrays.parameters(), &of, &wrt)).transpose()?;
+            compute(&batch, arrays, seconds.as_ref(), first_row, threads, stop, &to)?;
+            Ok(setup.setup.warnings().iter().map(|message| message.in_units(System::default())).chain(told).collect())
+        };
+        let total = rows;
+        let watch = || match progress {
+            Some(progress) => progress.call1((shared.done.load(Ordering::Relaxed), total)).map(|_| ()),
+            None => Ok(()),
+        };
+        // few drives are done before anyone could stop them
+        let ended = if rows <= CHUNK && !hessians && asked.is_known(&setup) {
+            py.detach(|| work(&AtomicBool::new(false))).map_err(Failure::from)
+        } else {
+            pool::run(py, work, watch).and_then(|done| Ok(done?))
+        };
+        let (mut warnings, raised) = match ended {
+            Ok(warnings) => (warnings, None),
+            Err(Failure::Python(raised)) => (vec![], Some(raised)),
+            Err(other) => return Err(other),
+        };
+        if let (Some(progress), None) = (progress, &raised) {
+            progress.call1((total, total))?;
+        }
+        let results =
+            shared.with(Option::take).ok_or_else(|| Failure::Panic("a batch without results".into()))?.closed();
+        let beyond = results.tally.beyond().warnings(
+            &setup.setup.law,
+            ["drive that landed", "drives that landed"],
+            Looked::AtLaunch,
+        );
+        warnings.extend(beyond.iter().map(|message| message.in_units(System::default())));
+        let (of, wrt, given) = names;
+        let (status, columns, seconds) = moved(py, results, width, shape, hessians)?;
+        Ok((status, columns, seconds, points?, of, wrt, given, warnings, raised))
+    })
+}
+
+/// The parameters of a derivative: those of the points where it is asked for by all of them.
+fn by_names(
+    setup: &PySetup,
+    arrays: &Arrays,
+    wrt: &Bound<'_, PyAny>,
+) -> Answer<Vec<&'static longdrive::parameters::Parameter>> {
+    let names = listed("wrt", wrt)?;
+    let of_points = arrays.parameters();
+    if names == ["points"] {
+        return Ok(of_points.to_vec());
+    }
+    // a parameter that only the points have a value of is theirs
+    let is_of_points = |name: &String| of_points.iter().any(|row| row.name == name);
+    if names.iter().any(is_of_points) {
+        let mut rows = vec![];
+        for name in &names {
+            let found = of_points.iter().find(|row| row.name == name).copied();
+            let row = match found {
+                Some(row) => row,
+                None => setup.setup.variable(name)?,
+            };
+            if rows.contains(&row) {
+                return Err(Failure::Input(format!("wrt names '{name}' twice; keep one")));
+            }
+            rows.push(row);
+        }
+        return Ok(rows);
+    }
+    variables(&setup.setup, Some(wrt))
+}
+
+/// Computes the rows and puts them into what is shared, until someone has taken it away.
+fn compute(
+    batch: &Batch,
+    mut arrays: Arrays,
+    hessians: Option<&Hessians>,
+    first_row: usize,
+    threads: usize,
+    stop: &AtomicBool,
+    to: &Shared,
+) -> longdrive::Result<()> {
+    let width = batch.outcomes().len() * (1 + batch.wrt().len());
+    let piece = |block: Block| Piece::of(&block, width, hessians);
+    let sink = |piece: Piece| {
+        to.with(|results| {
+            if let Some(results) = results {
+                results.take(&piece);
+                to.done.store(results.done as u64, Ordering::Relaxed);
+            }
+        });
+        Ok(())
+    };
+    let run = Run { first_row: first_row as u64, threads, stop: Some(stop), ..Run::default() };
+    if arrays.len() - first_row > CHUNK {
+        batch.run(&mut arrays, &run, piece, sink)?;
+        return Ok(());
+    }
+    // one chunk needs no threads
+    arrays.seek(run.first_row)?;
+    let mut values = vec![];
+    match arrays.read(CHUNK, &mut values)? {
+        0 => Ok(()),
+        _ => sink(piece(batch.evaluate(run.first_row, values))),
+    }
+}
+
+/// The points of the rows, a row of the array for each parameter.
+fn points_of<'py>(
+    py: Python<'py>,
+    arrays: &Arrays,
+    first_row: usize,
+    rows: usize,
+) -> Answer<Bound<'py, PyArray2<f64>>> {
+    let count = arrays.parameters().len();
+    let mut values = Vec::with_capacity(count * rows);
+    for k in 0..count {
+        values.extend(arrays.column(py, k, first_row..first_row + rows));
+    }
+    Ok(shaped(Array2::from_shape_vec((count, rows), values))?.into_pyarray(py))
+}
+
+/// The numbers as arrays of Python, moved there.
+fn moved(
+    py: Python<'_>,
+    results: Results,
+    width: usize,
+    (of, wrt): (usize, usize),
+    hessians: bool,
+) -> Answer<(Bound<'_, PyArray1<i8>>, Bound<'_, PyArray2<f64>>, Option<Bound<'_, PyArray4<f64>>>)> {
+    let rows = results.room;
+    let columns = shaped(Array2::from_shape_vec((width, rows), results.columns))?.into_pyarray(py);
+    let seconds = hessians.then(|| shaped(Array4::from_shape_vec((rows, of, wrt, wrt), results.hessians)));
+    let seconds = seconds.transpose()?.map(|array| array.into_pyarray(py));
+    Ok((results.status.into_pyarray(py), columns, seconds))
+}
+
+fn shaped<T>(array: Result<T, numpy::ndarray::ShapeError>) -> Answer<T> {
+    array.map_err(|error| Failure::Panic(format!("the arrays of a batch: {error}")))
+}

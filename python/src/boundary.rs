@@ -1,0 +1,86 @@
+//! Where Rust meets Python: every function that Python calls answers through [`answer`], so that errors become the exceptions of
+//! `longdrive.errors` and a panic becomes one too.
+
+use pyo3::exceptions::PyRuntimeError;
+use pyo3::prelude::*;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+/// Why a call from Python has no answer.
+#[derive(Debug)]
+pub enum Failure {
+    /// What longdrive says of the question.
+    Longdrive(Box<longdrive::Error>),
+    /// What is wrong with an argument before longdrive sees it.
+    Input(String),
+    /// An exception of Python's own.
+    Python(PyErr),
+    /// A panic: a mistake in longdrive.
+    Panic(String),
+}
+
+/// What a call from Python comes to.
+pub type Answer<T> = Result<T, Failure>;
+
+impl From<longdrive::Error> for Failure {
+    fn from(error: longdrive::Error) -> Self {
+        Self::Longdrive(Box::new(error))
+    }
+}
+
+impl From<PyErr> for Failure {
+    fn from(error: PyErr) -> Self {
+        Self::Python(error)
+    }
+}
+
+impl From<Failure> for PyErr {
+    fn from(failure: Failure) -> Self {
+        match failure {
+            Failure::Python(error) => error,
+            Failure::Input(message) => raised("InputError", message, None),
+            Failure::Longdrive(error) if error.is_an_outcome() => {
+                raised("NoAnswerError", error.to_string(), Some(error.status()))
+            }
+            Failure::Longdrive(error) => raised("InputError", error.to_string(), None),
+            Failure::Panic(message) => raised("InternalError", message, None),
+        }
+    }
+}
+
+/// An exception of `longdrive.errors`; they are classes of Python, so that they pickle as any other.
+fn raised(name: &str, message: String, status: Option<&str>) -> PyErr {
+    Python::attach(|py| {
+        let class = py.import("longdrive.errors").and_then(|module| module.getattr(name));
+        let made = class.and_then(|class| match status {
+            Some(status) => class.call1((message, status)),
+            None => class.call1((message,)),
+        });
+        made.map_or_else(|error| error, PyErr::from_value)
+    })
+}
+
+/// Does what Python asked for. A panic becomes `longdrive.InternalError`, which `except Exception` catches; PyO3 alone would make a
+/// `BaseException` of it.
+pub fn answer<T>(work: impl FnOnce() -> Answer<T>) -> PyResult<T> {
+    Ok(unpanicked(work)??)
+}
+
+/// What some work comes to, its panic as a failure.
+pub fn unpanicked<T>(work: impl FnOnce() -> T) -> Answer<T> {
+    // nothing that Python still sees is left half done: results are made whole before they are handed on
+    catch_unwind(AssertUnwindSafe(work)).map_err(|panic| {
+        let text = panic.downcast_ref::<String>().map(String::as_str).or_else(|| panic.downcast_ref::<&str>().copied());
+        let what = text.unwrap_or("no message");
+        Failure::Panic(format!("a mistake in longdrive, please report it with what you called: {what}"))
+    })
+}
+
+/// Panics, so that a test can see what becomes of it. With `in_python`, as a panic outside of longdrive's own code would.
+#[pyfunction(name = "_panic_for_a_test")]
+pub fn panic_for_a_test(message: String) -> PyResult<()> {
+    answer(|| Err(Failure::Python(PyRuntimeError::new_err(panicking(&message)))))
+}
+
+fn panicking(message: &str) -> String {
+    panic!("{message}")
+}

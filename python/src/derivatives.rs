@@ -1,0 +1,95 @@
+//! Exact derivatives of the outcomes of one drive.
+
+use crate::boundary::{Answer, Failure, answer};
+use crate::names::{listed, outcomes_named, variables};
+use crate::setup::PySetup;
+use longdrive::derivative::{Order, Taylor, evaluate};
+use longdrive::parameters::Parameter;
+use numpy::ndarray::Array2;
+use numpy::{IntoPyArray, PyArray1, PyArray2};
+use pyo3::prelude::*;
+
+/// The values of a row, as an array that owns them.
+pub fn vector(py: Python<'_>, values: Vec<f64>) -> Bound<'_, PyArray1<f64>> {
+    values.into_pyarray(py)
+}
+
+/// The rows of a matrix, each as long as the other, as an array.
+pub fn matrix<'py>(py: Python<'py>, rows: &[Vec<f64>], columns: usize) -> Answer<Bound<'py, PyArray2<f64>>> {
+    let values = Array2::from_shape_vec((rows.len(), columns), rows.concat());
+    let values = values.map_err(|error| Failure::Panic(format!("a matrix of derivatives: {error}")))?;
+    Ok(values.into_pyarray(py))
+}
+
+/// What is differentiated, and by what.
+struct Asked {
+    taylors: Vec<Taylor>,
+    wrt: Vec<&'static Parameter>,
+}
+
+fn asked(setup: &Bound<'_, PyAny>, of: &[String], wrt: Option<&Bound<'_, PyAny>>, order: Order) -> Answer<Asked> {
+    let setup = PySetup::of(setup)?.setup;
+    let of = outcomes_named(of)?;
+    let wrt = variables(&setup, wrt)?;
+    Ok(Asked { taylors: evaluate(&setup, &of, &wrt, order)?, wrt })
+}
+
+fn one(mut asked: Asked) -> Answer<Taylor> {
+    asked
+        .taylors
+        .pop()
+        .filter(|_| asked.taylors.is_empty())
+        .ok_or_else(|| Failure::Input("of names several outcomes; name one, or ask for the jacobian".into()))
+}
+
+type Gradient<'py> = (f64, Bound<'py, PyArray1<f64>>);
+type Jacobian<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray2<f64>>);
+type Hessian<'py> = (f64, Bound<'py, PyArray1<f64>>, Bound<'py, PyArray2<f64>>);
+
+/// Value of an outcome and its gradient, shape (parameters,).
+#[pyfunction]
+#[pyo3(signature = (setup, of = "carry".to_owned(), wrt = None))]
+pub fn gradient<'py>(
+    py: Python<'py>,
+    setup: &Bound<'py, PyAny>,
+    of: String,
+    wrt: Option<&Bound<'py, PyAny>>,
+) -> PyResult<Gradient<'py>> {
+    answer(|| {
+        let taylor = one(asked(setup, &[of], wrt, Order::First)?)?;
+        Ok((taylor.value, vector(py, taylor.gradient)))
+    })
+}
+
+/// Values of outcomes, shape (outcomes,), and their Jacobian, shape (outcomes, parameters).
+#[pyfunction]
+#[pyo3(signature = (setup, of, wrt = None))]
+pub fn jacobian<'py>(
+    py: Python<'py>,
+    setup: &Bound<'py, PyAny>,
+    of: &Bound<'py, PyAny>,
+    wrt: Option<&Bound<'py, PyAny>>,
+) -> PyResult<Jacobian<'py>> {
+    answer(|| {
+        let asked = asked(setup, &listed("of", of)?, wrt, Order::First)?;
+        let values = asked.taylors.iter().map(|taylor| taylor.value).collect();
+        let rows: Vec<_> = asked.taylors.into_iter().map(|taylor| taylor.gradient).collect();
+        Ok((vector(py, values), matrix(py, &rows, asked.wrt.len())?))
+    })
+}
+
+/// Value of an outcome, its gradient, shape (parameters,), and its Hessian, shape (parameters, parameters).
+#[pyfunction]
+#[pyo3(signature = (setup, of = "carry".to_owned(), wrt = None))]
+pub fn hessian<'py>(
+    py: Python<'py>,
+    setup: &Bound<'py, PyAny>,
+    of: String,
+    wrt: Option<&Bound<'py, PyAny>>,
+) -> PyResult<Hessian<'py>> {
+    answer(|| {
+        let taylor = one(asked(setup, &[of], wrt, Order::Second)?)?;
+        let columns = taylor.gradient.len();
+        Ok((taylor.value, vector(py, taylor.gradient), matrix(py, &taylor.hessian, columns)?))
+    })
+}

@@ -1,0 +1,123 @@
+//! What Python gives for the parameters of a setup: numbers, texts with units, quantities of pint, nested or dotted dicts.
+
+use crate::boundary::{Answer, Failure};
+use longdrive::Setup;
+use longdrive::parameters::{LAW, TABLE, UNSET};
+use pyo3::prelude::*;
+use pyo3::types::{PyBool, PyMapping, PyString};
+
+/// The key that names the preset a dict starts from, as in a setup file.
+pub const PRESET: &str = "preset";
+
+/// A parameter or a choice, as it was given.
+pub struct Given<'py> {
+    /// Its dotted name.
+    pub name: String,
+    value: Bound<'py, PyAny>,
+}
+
+impl Given<'_> {
+    /// The value as a text, and whether a number in it is SI without a unit.
+    fn text(&self, setup: &Setup<f64>) -> Answer<(String, bool)> {
+        let value = &self.value;
+        if value.is_none() {
+            return Ok((UNSET.into(), false));
+        }
+        if let Ok(text) = value.cast::<PyString>() {
+            return Ok((text.to_str()?.to_owned(), false));
+        }
+        if let Some(number) = self.of_pint(setup)? {
+            return Ok((format!("{number:?}"), true));
+        }
+        match value.extract::<f64>() {
+            // a truth is a number to Python, and no quantity
+            Ok(number) if !value.is_instance_of::<PyBool>() => Ok((format!("{number:?}"), true)),
+            _ => {
+                let kind = value.get_type().name()?.to_string();
+                let expected = "expected a number (SI), a text like \"10.5 deg\", or None for what may be unset";
+                Err(Failure::Input(format!("'{}' is a {kind}; {expected}", self.name)))
+            }
+        }
+    }
+
+    /// The number of a quantity of pint, SI. It is known by what it has: pint itself need not be there.
+    fn of_pint(&self, setup: &Setup<f64>) -> Answer<Option<f64>> {
+        let is_quantity = ["to", "magnitude", "units"].iter().all(|name| self.value.hasattr(*name).unwrap_or(false));
+        if !is_quantity {
+            return Ok(None);
+        }
+        let si = setup.parameter(&self.name)?.quantity.si;
+        let unit = if si.is_empty() { "dimensionless" } else { si };
+        let number = self.value.call_method1("to", (unit,)).and_then(|value| value.getattr("magnitude")?.extract());
+        let refused = |error: PyErr| Failure::Input(format!("{}: {}", self.name, error.value(self.value.py())));
+        number.map(Some).map_err(refused)
+    }
+}
+
+/// The entries of a dict under their dotted names, each given once.
+pub fn flattened<'py>(dict: &Bound<'py, PyAny>) -> Answer<Vec<Given<'py>>> {
+    let mut all = vec![];
+    flatten(dict.cast::<PyMapping>().map_err(|_| not_a_mapping(dict))?, "", &mut all)?;
+    Ok(all)
+}
+
+/// A name that stands twice in what was given is refused.
+pub fn refuse_repeated(all: &[Given<'_>]) -> Answer<()> {
+    match all.iter().enumerate().find(|(at, given)| all[..*at].iter().any(|first| first.name == given.name)) {
+        Some((_, twice)) => Err(Failure::Input(format!("'{}' is given twice; keep one", twice.name))),
+        None => Ok(()),
+    }
+}
+
+fn flatten<'py>(dict: &Bound<'py, PyMapping>, prefix: &str, all: &mut Vec<Given<'py>>) -> Answer<()> {
+    for item in dict.items()?.iter() {
+        let (key, value): (Bound<'_, PyAny>, Bound<'_, PyAny>) = item.extract()?;
+        let Ok(key) = key.cast::<PyString>() else {
+            return Err(Failure::Input(format!(
+                "the key {} of a setup is no text; expected a name like 'club.loft'",
+                key.repr()?
+            )));
+        };
+        let name = format!("{prefix}{}", key.to_str()?);
+        match value.cast::<PyMapping>() {
+            Ok(inner) => flatten(inner, &format!("{name}."), all)?,
+            Err(_) => all.push(Given { name, value }),
+        }
+    }
+    Ok(())
+}
+
+fn not_a_mapping(value: &Bound<'_, PyAny>) -> Failure {
+    let kind = value.get_type().name().map_or_else(|_| "?".into(), |name| name.to_string());
+    Failure::Input(format!(
+        "a setup cannot be made of a {kind}; give the name of a preset, or a dict like {{\"preset\": \"tour-average\", \
+         \"club.loft\": \"10.5 deg\"}}; a file is read by Setup.read"
+    ))
+}
+
+/// Gives a setup these values. Numbers without a unit are SI.
+pub fn apply(setup: &mut Setup<f64>, given: &[Given<'_>]) -> Answer<()> {
+    // the law decides which coefficients there are
+    let mut of_law = *setup;
+    let is_choice = |given: &&Given<'_>| matches!(given.name.as_str(), LAW | TABLE);
+    for choice in given.iter().filter(is_choice) {
+        // what is wrong with it is told below
+        let _ = of_law.set(&choice.name, &choice.text(setup)?.0);
+    }
+    let texts = given.iter().map(|given| given.text(&of_law)).collect::<Answer<Vec<_>>>()?;
+    let settings: Vec<_> =
+        given.iter().zip(&texts).map(|(given, (text, bare))| (given.name.as_str(), text.as_str(), *bare)).collect();
+    Ok(setup.set_each(&settings)?)
+}
+
+/// The preset that a dict names, taken out of it.
+pub fn preset(given: &mut Vec<Given<'_>>) -> Answer<Option<String>> {
+    let Some(at) = given.iter().position(|given| given.name == PRESET) else { return Ok(None) };
+    let named = given.remove(at);
+    match named.value.cast::<PyString>() {
+        Ok(name) => Ok(Some(name.to_str()?.to_owned())),
+        Err(_) => {
+            Err(Failure::Input(format!("'preset' is {}; expected the name of a preset in quotes", named.value.repr()?)))
+        }
+    }
+}

@@ -1,0 +1,61 @@
+//! Hessians of the rows of a batch, one row after the other.
+
+use longdrive::batch::{Block, Status};
+use longdrive::derivative::{Evaluator, Order, Taylor, evaluate};
+use longdrive::parameters::Parameter;
+use longdrive::{Outcome, Setup};
+
+/// Second derivatives of outcomes at the points of a batch.
+pub struct Hessians {
+    setup: Setup<f64>,
+    points: Vec<&'static Parameter>,
+    of: Vec<Outcome>,
+    wrt: Vec<&'static Parameter>,
+    /// Where the points have values of nothing else than what is differentiated by: the question, checked once.
+    once: Option<Evaluator>,
+}
+
+impl Hessians {
+    /// # Errors
+    /// As [`Evaluator::new`].
+    pub fn new(
+        setup: &Setup<f64>,
+        points: &[&'static Parameter],
+        of: &[Outcome],
+        wrt: &[&'static Parameter],
+    ) -> longdrive::Result<Self> {
+        let is_once =
+            points.iter().all(|row| wrt.contains(row)) && wrt.iter().all(|row| setup.variable(row.name).is_ok());
+        let once = is_once.then(|| Evaluator::new(setup, of, wrt, Order::Second)).transpose()?;
+        Ok(Self { setup: *setup, points: points.to_vec(), of: of.to_vec(), wrt: wrt.to_vec(), once })
+    }
+
+    /// Numbers of a row: outcomes × parameters × parameters.
+    pub fn width(&self) -> usize {
+        self.of.len() * self.wrt.len() * self.wrt.len()
+    }
+
+    /// The Hessians of a row, outcome after outcome; nothing where the drive has none.
+    pub fn of_row(&self, block: &Block, row: usize) -> Option<Vec<f64>> {
+        if matches!(block.status(row), Status::OutOfRange | Status::NoStrike | Status::Diverged) {
+            return None;
+        }
+        let taylors = self.taylors(block.point(row)).ok()?;
+        Some(taylors.into_iter().flat_map(|taylor| taylor.hessian.concat()).collect())
+    }
+
+    fn taylors(&self, point: &[f64]) -> longdrive::Result<Vec<Taylor>> {
+        if let Some(evaluator) = &self.once {
+            let given = |row: &&'static Parameter| {
+                let at = self.points.iter().position(|point| point == row);
+                at.map(|at| point[at]).or_else(|| self.setup.value(row)).unwrap_or(f64::NAN)
+            };
+            return evaluator.at(&self.wrt.iter().map(given).collect::<Vec<_>>());
+        }
+        let mut setup = self.setup;
+        for (row, value) in self.points.iter().zip(point) {
+            setup.set_value(row, Some(*value))?;
+        }
+        evaluate(&setup, &self.of, &self.wrt, Order::Second)
+    }
+}

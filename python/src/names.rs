@@ -1,0 +1,90 @@
+//! Outcomes and parameters by name, one or several of them; and what there is of both.
+
+use crate::boundary::{Answer, Failure, answer};
+use crate::json::to_python;
+use crate::setup::PySetup;
+use longdrive::parameters::Parameter;
+use longdrive::report::{parameters_reply, presets_reply};
+use longdrive::{Outcome, Setup};
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyList, PyString};
+
+/// A name or several, as they are given; `what` is the argument.
+pub fn listed(what: &str, given: &Bound<'_, PyAny>) -> Answer<Vec<String>> {
+    if let Ok(name) = given.cast::<PyString>() {
+        return Ok(vec![name.to_str()?.to_owned()]);
+    }
+    given.extract().map_err(|_| {
+        let kind = given.get_type().name().map_or_else(|_| "?".into(), |name| name.to_string());
+        Failure::Input(format!("{what} is a {kind}; expected a name or a list of names"))
+    })
+}
+
+/// The outcomes of these names, each once; "all" for every one of a drive.
+pub fn outcomes_named(names: &[String]) -> Answer<Vec<Outcome>> {
+    let mut of = vec![];
+    for name in names {
+        let named = if name == "all" { Outcome::ALL.to_vec() } else { vec![Outcome::named(name)?] };
+        of.extend(named);
+    }
+    refuse_repeated("of", &of.iter().map(|of| of.name()).collect::<Vec<_>>())?;
+    Ok(of)
+}
+
+/// The parameters to differentiate by; without any named, loft and attack angle, or the conditions of a given launch, as the program has it.
+pub fn variables(setup: &Setup<f64>, given: Option<&Bound<'_, PyAny>>) -> Answer<Vec<&'static Parameter>> {
+    let Some(given) = given else {
+        if setup.launch.is_given() {
+            return Ok(setup.given_launch_conditions());
+        }
+        return Ok([setup.variable("club.loft")?, setup.variable("swing.attack_angle")?].to_vec());
+    };
+    let names = listed("wrt", given)?;
+    if names == ["all"] {
+        return Ok(setup.variables());
+    }
+    refuse_repeated("wrt", &names.iter().map(String::as_str).collect::<Vec<_>>())?;
+    Ok(names.iter().map(|name| setup.variable(name)).collect::<longdrive::Result<_>>()?)
+}
+
+/// An array has a place for each name: one that is named twice would have two.
+fn refuse_repeated(what: &str, names: &[&str]) -> Answer<()> {
+    match names.iter().enumerate().find(|(at, name)| names[..*at].contains(name)) {
+        Some((_, twice)) => Err(Failure::Input(format!("{what} names '{twice}' twice; keep one"))),
+        None => Ok(()),
+    }
+}
+
+/// Every parameter of a setup with its value, range, unit and meaning, as ``longdrive parameters --json`` gives it.
+#[pyfunction]
+#[pyo3(signature = (setup = None))]
+pub fn parameters<'py>(py: Python<'py>, setup: Option<&Bound<'py, PyAny>>) -> PyResult<Bound<'py, PyAny>> {
+    answer(|| {
+        let setup = PySetup::of_any(setup)?;
+        to_python(py, &parameters_reply(&setup.setup, setup.setup.warnings()))
+    })
+}
+
+/// Every preset with its numbers and their sources, as ``longdrive presets --json`` gives them.
+#[pyfunction]
+pub fn presets(py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
+    answer(|| to_python(py, &presets_reply(None)?))
+}
+
+/// Every outcome of a drive: a list of dicts with its ``name``, ``symbol``, ``si`` unit, the ``unit`` people read, and ``doc``.
+#[pyfunction]
+pub fn outcomes(py: Python<'_>) -> PyResult<Bound<'_, PyList>> {
+    answer(|| {
+        let all = PyList::empty(py);
+        for outcome in Outcome::ALL {
+            let row = PyDict::new(py);
+            row.set_item("name", outcome.name())?;
+            row.set_item("symbol", outcome.symbol())?;
+            row.set_item("si", outcome.quantity().si)?;
+            row.set_item("unit", outcome.unit())?;
+            row.set_item("doc", outcome.doc())?;
+            all.append(row)?;
+        }
+        Ok(all)
+    })
+}

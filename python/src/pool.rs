@@ -1,0 +1,90 @@
+//! Long work: on threads of this process's own, while the thread of Python waits and looks whether anyone presses Ctrl-C.
+
+use crate::boundary::{Answer, unpanicked};
+use pyo3::prelude::*;
+use rayon::{ThreadPool, ThreadPoolBuilder};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, AtomicPtr, Ordering};
+use std::sync::mpsc::{RecvTimeoutError, sync_channel};
+use std::time::Duration;
+
+/// How long the thread of Python waits before it looks.
+const LOOK: Duration = Duration::from_millis(40);
+
+/// The threads of one process. A child that is forked has a copy of this and none of the threads.
+struct Own {
+    process: u32,
+    pool: ThreadPool,
+}
+
+static OWN: AtomicPtr<Own> = AtomicPtr::new(std::ptr::null_mut());
+
+/// The threads of this process, as many as the processors that it may use (`available_parallelism` knows the quota of a container). There is no lock
+/// in it: another thread could hold one at the moment of a fork, and the child would wait for it forever.
+fn pool() -> std::io::Result<&'static ThreadPool> {
+    let process = std::process::id();
+    let known = OWN.load(Ordering::Acquire);
+    if let Some(own) = shared(known).filter(|own| own.process == process) {
+        return Ok(&own.pool);
+    }
+    let threads = std::thread::available_parallelism().map_or(1, usize::from);
+    let named = |thread| format!("longdrive {thread}");
+    let pool =
+        ThreadPoolBuilder::new().num_threads(threads).thread_name(named).build().map_err(std::io::Error::other)?;
+    let made = Box::into_raw(Box::new(Own { process, pool }));
+    // what a parent left stays: its threads are not here to be ended
+    let kept = match OWN.compare_exchange(known, made, Ordering::AcqRel, Ordering::Acquire) {
+        Ok(_) => made,
+        // another thread was first
+        Err(first) => first,
+    };
+    shared(kept).map(|own| &own.pool).ok_or_else(|| std::io::Error::other("no threads"))
+}
+
+/// What is in `OWN` is never freed.
+#[expect(unsafe_code, reason = "a pointer that Box::into_raw made, to what is never freed and only read")]
+fn shared(own: *const Own) -> Option<&'static Own> {
+    // SAFETY: null, or from Box::into_raw in `pool`, and never freed
+    unsafe { own.as_ref() }
+}
+
+/// Does some work on the threads of this process, so that what is parallel in it (rayon) is parallel there and never waits for threads that
+/// a fork has left behind. The thread of Python waits and lets others run; within 40 ms of a Ctrl-C it raises what Python makes of it,
+/// `stop` is then true, and the work ends by itself once it looks at it. `watch` is called as often as it looks.
+pub fn run<R: Send + 'static>(
+    py: Python<'_>,
+    work: impl FnOnce(&AtomicBool) -> R + Send + 'static,
+    mut watch: impl FnMut() -> PyResult<()>,
+) -> Answer<R> {
+    let pool = pool().map_err(longdrive::Error::Output)?;
+    let stop = Arc::new(AtomicBool::new(false));
+    let (finished, mut result) = sync_channel(1);
+    let stopped = Arc::clone(&stop);
+    pool.spawn(move || {
+        // nobody listens once Python has gone on
+        let _ = finished.send(unpanicked(|| work(&stopped)));
+    });
+    loop {
+        let heard;
+        (heard, result) = py.detach(move || (result.recv_timeout(LOOK), result));
+        match heard {
+            Ok(done) => return done,
+            Err(RecvTimeoutError::Timeout) => {
+                if let Err(raised) = look(py).and_then(|()| watch()) {
+                    stop.store(true, Ordering::Relaxed);
+                    return Err(raised.into());
+                }
+            }
+            Err(RecvTimeoutError::Disconnected) => {
+                return Err(crate::boundary::Failure::Panic("a thread ended without an answer".into()));
+            }
+        }
+    }
+}
+
+/// Lets Python do what it has put off: handlers of signals, and exceptions that other threads have sent to this one, which only running
+/// code sees.
+fn look(py: Python<'_>) -> PyResult<()> {
+    py.check_signals()?;
+    py.run(c"pass", None, None)
+}

@@ -1,0 +1,75 @@
+//! How the drives of a batch are integrated: as those of `longdrive sweep`.
+
+use crate::boundary::{Answer, Failure};
+use crate::setup::PySetup;
+use longdrive::parameters::Vary;
+use longdrive::study::{Accuracy, accuracy};
+use longdrive::units::Quantity;
+use longdrive::{Error, Outcome};
+use pyo3::prelude::*;
+use pyo3::types::PyString;
+
+/// The tolerance where none is asked for, m.
+const MICROMETRE: f64 = 1e-6;
+
+/// What is asked of the integration.
+#[derive(Clone, Copy)]
+pub enum Asked {
+    /// Lengths within so many m of their exact values.
+    Within(f64),
+    /// Within a micrometre, unless the setup says how to integrate or no step is that exact.
+    Usual,
+    /// As the setup has it.
+    Own,
+}
+
+impl Asked {
+    /// What the arguments `tolerance` and `own_step` ask for.
+    pub fn of(tolerance: Option<&Bound<'_, PyAny>>, own_step: bool) -> Answer<Self> {
+        let Some(given) = tolerance else { return Ok(if own_step { Self::Own } else { Self::Usual }) };
+        if own_step {
+            return Err(Failure::Input("tolerance and own_step are both given; keep one of the two".into()));
+        }
+        if let Ok(text) = given.cast::<PyString>() {
+            let read = Quantity::LENGTH.read(text.to_str()?);
+            return read.map(Self::Within).map_err(|error| Failure::Input(format!("tolerance: {error}")));
+        }
+        let refuse =
+            |_| Failure::Input(format!("tolerance = {given}; expected a length, in m or as a text like \"1 um\""));
+        given.extract().map(Self::Within).map_err(refuse)
+    }
+
+    /// Whether the step is known without flying drives.
+    pub fn is_known(self, setup: &PySetup) -> bool {
+        matches!(self, Self::Own) || (matches!(self, Self::Usual) && setup.gives_step)
+    }
+
+    /// The step for a setup whose parameters lie in these ranges, and what deserves a word about it; nothing where the setup's own is kept.
+    pub fn found(
+        self,
+        setup: &PySetup,
+        ranges: &[Vary],
+        of: &[Outcome],
+    ) -> longdrive::Result<(Option<Accuracy>, Option<String>)> {
+        let (tolerance, is_asked) = match self {
+            Self::Own => return Ok((None, None)),
+            Self::Usual if setup.gives_step => return Ok((None, None)),
+            Self::Usual => (MICROMETRE, false),
+            Self::Within(tolerance) => (tolerance, true),
+        };
+        match accuracy(&setup.setup, ranges, of, tolerance) {
+            Ok(found) => Ok((Some(found), None)),
+            // no drive lands: then there is nothing to be exact about
+            Err(Error::NoFlight { .. }) => Ok((None, None)),
+            Err(Error::Tolerance { reason, .. }) if !is_asked => Ok((
+                None,
+                Some(format!(
+                    "flown with flight.method = {} and flight.step = {} s of the setup, since no step is within 1 um: {reason}",
+                    setup.setup.method.name(),
+                    setup.setup.flight.step
+                )),
+            )),
+            Err(error) => Err(error),
+        }
+    }
+}

@@ -1,0 +1,39 @@
+"""What several tests share."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import subprocess
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+
+
+@pytest.fixture(scope="session")
+def independent_drives() -> list[dict[str, Any]]:
+    """Drives computed by code that shares nothing with longdrive (tests/data/README.md), printed to 12 digits."""
+    drives: list[dict[str, Any]] = json.loads((ROOT / "tests/data/reference_drives.json").read_text())["drives"]
+    for drive in drives:
+        drive["setup"] = {"preset": "winfield-tan", **drive["setup"]}
+    return drives
+
+
+@pytest.fixture(scope="session")
+def program() -> Callable[..., str]:
+    """The program `longdrive`: that of LONGDRIVE_PROGRAM, or on the path. A test that needs it is skipped where there is none."""
+    found = os.environ.get("LONGDRIVE_PROGRAM") or shutil.which("longdrive")
+    if not found:
+        pytest.skip("needs the program: put longdrive on the path, or name it in LONGDRIVE_PROGRAM")
+
+    def run(*arguments: str) -> str:
+        done = subprocess.run([found, *arguments], capture_output=True, text=True, check=False)
+        assert done.returncode in (0, 1), done.stderr
+        return done.stdout
+
+    return run

@@ -1,0 +1,115 @@
+"""Outcomes as functions for optimizers."""
+
+from __future__ import annotations
+
+import copy
+import math
+import pickle
+from typing import Any
+
+import numpy as np
+import pytest
+
+import longdrive
+from longdrive import InputError, NoAnswerError, Setup
+
+WRT = ["club.loft", "swing.attack_angle"]
+
+
+def test_value_gradient_and_hessian_are_those_of_the_drive_in_any_order() -> None:
+    value, gradient, hessian = longdrive.hessian("mae494", "carry", WRT)
+    for order in [["fun", "jac", "hess"], ["hess", "jac", "fun"], ["jac", "fun"], ["fun", "hess"]]:
+        carry = longdrive.objective("mae494", "carry", WRT)
+        for _ in range(3):
+            for name in order:
+                found = getattr(carry, name)(carry.x0)
+                expected = {"fun": value, "jac": gradient, "hess": hessian}[name]
+                np.testing.assert_allclose(found, expected, rtol=1e-12, atol=1e-9)
+            # another point in between
+            carry.fun([0.2, 0.0])
+
+
+def test_exact_lists_strides_and_types_of_x_give_the_same() -> None:
+    carry = longdrive.objective("mae494", "carry", WRT)
+    x = np.array([0.2, 0.01])
+    wide = np.zeros(4)
+    wide[::2] = x
+    read_only = x.copy()
+    read_only.flags.writeable = False
+    expected = carry.fun(x)
+    for same in (x.tolist(), tuple(x), wide[::2], x[::-1].copy()[::-1], read_only, x.astype(np.float64, order="F"), x.astype(">f8")):
+        assert carry.fun(same) == expected
+        assert carry.jac(same).tolist() == carry.jac(x).tolist()
+    assert carry(x) == expected
+
+
+def test_exact_the_sense_max_changes_every_sign() -> None:
+    up, down = longdrive.objective("mae494", "carry", WRT), longdrive.objective("mae494", "carry", WRT, "max")
+    assert down.fun(up.x0) == -up.fun(up.x0)
+    assert down.jac(up.x0).tolist() == (-up.jac(up.x0)).tolist()
+    assert down.hess(up.x0).tolist() == (-up.hess(up.x0)).tolist()
+    assert down.fun_and_jac(up.x0)[0] == down.fun(up.x0)
+
+
+def test_what_it_is_of_and_its_physical_bounds() -> None:
+    carry = longdrive.objective(Setup(), "carry", ["club.loft", "swing.speed"])
+    assert (carry.names, carry.of, carry.setup) == (["club.loft", "swing.speed"], "carry", Setup())
+    assert carry.x0.tolist() == [Setup()["club.loft"], Setup()["swing.speed"]]
+    ranges = {row["parameter"]: row["range"] for row in longdrive.parameters()["parameters"]}
+    for (low, high), name in zip(carry.bounds, carry.names):
+        known = ranges[name]
+        assert low == known["low"] if known["low_included"] else low > known["low"]
+        assert high == known["high"] if known["high_included"] or math.isinf(high) else high < known["high"]
+    # both ends belong to it, so that an optimizer may stand there
+    longdrive.Setup({"club.loft": carry.bounds[0][0]})
+    longdrive.Setup({"club.loft": carry.bounds[0][1]})
+
+
+def test_a_point_without_a_drive_raises_or_is_nan() -> None:
+    down = [0.1, math.radians(-40)]
+    with pytest.raises(NoAnswerError, match="no flight"):
+        longdrive.objective(Setup(), "carry", WRT).fun(down)
+    with pytest.raises(InputError, match="club.loft = 2 rad"):
+        longdrive.objective(Setup(), "carry", WRT).fun([2.0, 0.0])
+    carry = longdrive.objective(Setup(), "carry", WRT, invalid="nan")
+    for x in (down, [2.0, 0.0], [math.nan, 0.0]):
+        assert math.isnan(carry.fun(x)) and np.isnan(carry.jac(x)).all() and np.isnan(carry.hess(x)).all()
+    assert math.isfinite(carry.fun(carry.x0))
+
+
+@pytest.mark.parametrize(("x", "message"), [
+    ([0.1], r"x has shape \(1,\); expected shape \(2,\): club.loft, swing.attack_angle"),
+    ([[0.1, 0.2]], r"x has shape \(1, 2\)"),
+    (0.1, r"x has shape \(\)"),
+    (["a", "b"], "x is no array of numbers"),
+    (np.zeros((2, 1)), r"x has shape \(2, 1\)"),
+])
+def test_an_x_of_the_wrong_shape_is_refused(x: Any, message: str) -> None:
+    with pytest.raises(InputError, match=message):
+        longdrive.objective(Setup(), "carry", WRT).fun(x)
+
+
+def test_wrong_words_are_refused() -> None:
+    with pytest.raises(InputError, match="sense = 'up'; expected 'max', 'min' or None"):
+        longdrive.objective(Setup(), "carry", WRT, "up")  # type: ignore[arg-type]
+    with pytest.raises(InputError, match="invalid = 'zero'; expected 'raise' or 'nan'"):
+        longdrive.objective(Setup(), "carry", WRT, invalid="zero")  # type: ignore[arg-type]
+
+
+def test_exact_it_pickles_and_copies() -> None:
+    carry = longdrive.objective({"club.loft": 0.19}, "carry", WRT, "max", invalid="nan")
+    for other in (pickle.loads(pickle.dumps(carry)), copy.copy(carry), copy.deepcopy(carry)):
+        assert repr(other) == repr(carry) == "<longdrive.Objective carry of club.loft, swing.attack_angle, max>"
+        assert other.fun(carry.x0) == carry.fun(carry.x0) and math.isnan(other.fun([2.0, 0.0]))
+
+
+def test_scipy_reaches_the_optimum_that_the_gradient_proves() -> None:
+    optimize = pytest.importorskip("scipy.optimize")
+    # within 0..20 deg of loft at a fixed attack angle the best loft is inside: there the derivative is 0
+    carry = longdrive.objective("mae494", "carry", ["club.loft"], "max")
+    found = optimize.minimize(carry.fun, carry.x0, jac=carry.jac, hess=carry.hess, method="trust-constr", bounds=[(0.0, 0.5)],
+                              options={"gtol": 1e-11, "xtol": 1e-14})
+    # so far the optimum is away: one step of Newton's method
+    assert abs(carry.jac(found.x)[0] / carry.hess(found.x)[0, 0]) < 1e-7 and carry.hess(found.x)[0, 0] > 0
+    other = optimize.minimize(carry.fun_and_jac, carry.x0, jac=True, method="L-BFGS-B", bounds=[(0.0, 0.5)])
+    assert other.x[0] == pytest.approx(found.x[0], abs=1e-5)

@@ -1,0 +1,150 @@
+"""Setups: what they are made of, that they stay as they are, and what is told of a wrong one."""
+
+from __future__ import annotations
+
+import copy
+import math
+import pickle
+import random
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import longdrive
+from longdrive import InputError, Setup
+
+
+def test_exact_texts_and_numbers_give_the_same_setup() -> None:
+    nested = Setup({"preset": "tour-average", "club": {"loft": "10.5 deg", "inertia": {"xx": "5679 g cm^2"}}})
+    dotted = Setup({"preset": "tour-average", "club.loft": math.radians(10.5), "club.inertia.xx": np.float64(5.679e-4)})
+    assert nested == dotted and hash(nested) == hash(dotted)
+    assert nested["club.loft"] == math.radians(10.5)
+    assert nested != Setup() and Setup() == Setup("tour-average") == Setup(None)
+
+
+def test_a_dict_without_a_preset_starts_from_that_of_a_setup_file() -> None:
+    assert Setup({}) == Setup("modern-driver") == Setup.from_toml("")
+
+
+def test_exact_quantities_of_pint_are_converted() -> None:
+    pint = pytest.importorskip("pint")
+    unit = pint.UnitRegistry()
+    setup = Setup({"swing.speed": 110 * unit.mph, "club.inertia.xx": 5679 * unit("g * cm**2"), "club.mass": 0.2 * unit.kg,
+                   "air.temperature": unit.Quantity(20, "degC"), "impact.restitution": 0.8 * unit.dimensionless})
+    assert setup["swing.speed"] == pytest.approx(110 * 0.44704, rel=1e-15)
+    assert setup["club.inertia.xx"] == pytest.approx(5.679e-4, rel=1e-15)
+    assert setup["air.temperature"] == pytest.approx(293.15, rel=1e-15)
+    with pytest.raises(InputError, match="club.loft: Cannot convert"):
+        Setup({"club.loft": 10 * unit.kg})
+
+
+def random_setup(seed: int) -> Setup:
+    """A setup whose numbers have all digits."""
+    draw = random.Random(seed)
+    preset = draw.choice([row["name"] for row in longdrive.presets()["presets"]])
+    setup = Setup(preset)
+    changes: dict[str, Any] = {}
+    for name, value in setup.to_dict().items():
+        if isinstance(value, float) and math.isfinite(value) and value != 0 and not name.startswith("flight."):
+            changes[name] = value * (1 + 1e-3 * draw.random())
+    return setup.replace(changes)
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_exact_every_way_out_and_back_keeps_every_bit(seed: int, tmp_path: Path) -> None:
+    setup = random_setup(seed)
+    file = tmp_path / "setup.toml"
+    file.write_text(setup.to_toml())
+    same = [
+        pickle.loads(pickle.dumps(setup)),
+        copy.copy(setup),
+        copy.deepcopy(setup),
+        Setup.from_toml(setup.to_toml()),
+        Setup.read(file),
+        Setup.read(str(file)),
+        Setup(setup.to_dict()),
+    ]
+    for other in same:
+        assert other == setup and hash(other) == hash(setup)
+        assert other.to_dict() == setup.to_dict()
+        assert repr(other) == repr(setup)
+    carry = longdrive.simulate(setup)["carry"]
+    assert carry is not None and all(longdrive.simulate(other)["carry"] == carry for other in same)
+
+
+def test_exact_negative_zero_survives_a_file() -> None:
+    setup = Setup({"swing.attack_angle": -0.0})
+    assert math.copysign(1, Setup.from_toml(setup.to_toml())["swing.attack_angle"]) == -1
+    assert setup == Setup({"swing.attack_angle": 0.0}) and hash(setup) == hash(Setup({"swing.attack_angle": 0.0}))
+
+
+def test_a_setup_cannot_be_changed_and_replace_makes_another() -> None:
+    setup = Setup()
+    other = setup.replace({"club.loft": "11 deg"}, **{"swing.speed": 50}, strike={"toe": "5 mm"})
+    assert (other["club.loft"], other["swing.speed"], other["strike.toe"]) == (math.radians(11), 50.0, 0.005)
+    assert setup == Setup()
+    with pytest.raises(AttributeError):
+        setup.preset = "mae494"  # type: ignore[misc]
+
+
+def test_infinite_and_unset_values_and_choices() -> None:
+    setup = Setup({"club.bulge_radius": math.inf, "impact.friction": None, "aero.law": "ferguson", "golfer": "left"})
+    assert (setup["club.bulge_radius"], setup["impact.friction"]) == (math.inf, None)
+    assert (setup["aero.law"], setup["golfer"], setup["aero.table"]) == ("ferguson", "left", None)
+    assert Setup(setup.to_dict()) == setup
+    assert "club.loft" in setup and "aero.law" in setup and "club.lofft" not in setup
+
+
+@pytest.mark.parametrize(
+    ("given", "message"),
+    [
+        ({"club.lofft": 0.2}, r"unknown parameter 'club.lofft'; did you mean 'club.loft'\?"),
+        ({"club.loft": 10}, r'club.loft = 10 rad .*did you mean "10 deg"\?'),
+        ({"club.loft": "10"}, r'club.loft: "10" has no unit'),
+        ({"club.loft": "10 kg"}, r'club.loft: "10 kg" is not an angle'),
+        ({"club.loft": math.nan}, "club.loft"),
+        ({"club.loft": True}, "'club.loft' is a bool; expected a number"),
+        ({"club.loft": [0.2]}, "'club.loft' is a list; expected a number"),
+        ({"club.loft": None}, "club.loft"),
+        ({"club": {"loft": 0.2}, "club.loft": 0.2}, "'club.loft' is given twice; keep one"),
+        ({3: 0.2}, "the key 3 of a setup is no text"),
+        ({"preset": "mae"}, r"unknown preset 'mae'; did you mean 'mae494'\?"),
+        ({"preset": 3}, "'preset' is 3; expected the name"),
+        ({"aero.cd0": 0.3, "aero.law": "linear"}, "'aero.cd0' is a coefficient of robinson"),
+        ({"air.density": 1.2, "air.temperature": "20 degC"}, "air.density and air.temperature are both given"),
+        ({"club.inertia.xx": 1e-9}, "club.inertia"),
+        ("mine", "unknown preset 'mine'"),
+        (3.0, "a setup cannot be made of a float"),
+    ],
+)
+def test_bad_input_is_a_value_error_with_the_message_of_the_program(given: Any, message: str) -> None:
+    with pytest.raises(InputError, match=message) as caught:
+        Setup(given)
+    assert isinstance(caught.value, ValueError)
+
+
+def test_what_was_given_is_not_replaced_in_silence() -> None:
+    dense = Setup({"air.density": 1.1})
+    with pytest.raises(InputError, match="air.density and air.temperature are both given"):
+        dense.replace({"air.temperature": "20 degC"})
+
+
+def test_a_file_that_is_wrong_names_line_and_column(tmp_path: Path) -> None:
+    file = tmp_path / "mine.toml"
+    file.write_text("[club]\nloft = '10 kg'\n")
+    with pytest.raises(InputError, match=r"mine.toml:2:8: club.loft"):
+        Setup.read(file)
+    with pytest.raises(InputError, match="nothing.toml"):
+        Setup.read(tmp_path / "nothing.toml")
+
+
+def test_short_and_long_descriptions() -> None:
+    setup = Setup().replace({"club.loft": "10.5 deg"})
+    assert repr(setup) == "<longdrive.Setup tour-average with club loft 10.5°>"
+    assert "<td>club loft</td><td>10.5°</td><td>9.5°</td>" in setup._repr_html_()
+    assert repr(Setup()) == "<longdrive.Setup tour-average>"
+    assert any("not used" in text for text in Setup(
+        {"club.loft": "12 deg", "launch": {"ball_speed": "150 mph", "launch_angle": "12 deg", "backspin": "2600 rpm"}}
+    ).warnings())
