@@ -33,6 +33,7 @@
 //! | | |
 //! |---|---|
 //! | the commands of the program (feature `cli`) | `command` |
+//! | the parts of a sweep that is divided among processes and machines (feature `parquet`) | `parts` |
 //! | results to bytes | [`report`] |
 //! | published studies, computed anew | [`reproduce`] |
 //! | questions asked of a drive; of very many drives; of measured shots | [`study`], [`batch`], [`shots`] |
@@ -49,6 +50,8 @@
 pub mod aerodynamics;
 pub mod atmosphere;
 pub mod batch;
+#[cfg(any(feature = "cli", feature = "parquet"))]
+mod beside;
 mod cells;
 mod columns;
 #[cfg(feature = "cli")]
@@ -65,6 +68,8 @@ pub mod launch;
 pub mod number;
 pub mod optimize;
 pub mod parameters;
+#[cfg(feature = "parquet")]
+pub mod parts;
 pub mod report;
 pub mod reproduce;
 pub mod shots;

@@ -299,7 +299,7 @@ fn compute(
         });
         Ok(())
     };
-    let run = Run { first_row: first_row as u64, threads, stop: Some(stop) };
+    let run = Run { first_row: first_row as u64, threads, stop: Some(stop), ..Run::default() };
     if arrays.len() - first_row > CHUNK {
         batch.run(&mut arrays, &run, piece, sink)?;
         return Ok(());

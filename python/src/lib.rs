@@ -13,6 +13,7 @@ mod hessians;
 mod json;
 mod names;
 mod objective;
+mod parts;
 mod pool;
 mod setup;
 mod step;
@@ -38,6 +39,8 @@ mod _longdrive {
     use crate::names::{asked, outcomes, parameters, presets};
     #[pymodule_export]
     use crate::objective::PyObjective;
+    #[pymodule_export]
+    use crate::parts::{merge_parts, sweep_command};
     #[pymodule_export]
     use crate::setup::PySetup;
 

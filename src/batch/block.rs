@@ -161,7 +161,7 @@ impl Block {
     }
 
     /// A column of results: the outcomes, then the derivatives.
-    pub fn result(&self, column: usize) -> impl Iterator<Item = Option<f64>> {
+    pub fn result(&self, column: usize) -> impl Iterator<Item = Option<f64>> + Clone {
         let column = self.outcomes.iter().chain(&self.derivatives).nth(column);
         column.into_iter().flatten().map(|value| Some(*value).filter(|value| value.is_finite()))
     }

@@ -1,12 +1,12 @@
 use super::abreast::{Abreast, DIRECTIONS};
 use super::block::{Block, Status};
 use super::question::Kernel;
-use crate::derivative::{self, Order};
-use crate::drive::{Beyond, Drive, Looked};
+use crate::derivative::{Evaluator, Order};
+use crate::drive::{Beyond, Drive, Looked, Outcome};
 use crate::error::{Error, Result};
 use crate::flight::{Flight, NoFlight};
-use crate::number::Level;
-use crate::parameters::Setup;
+use crate::number::Taylor;
+use crate::parameters::{Parameter, Setup};
 
 /// Halvings of the step within which a drive has to get below the largest defect.
 const HALVINGS: usize = 12;
@@ -49,11 +49,11 @@ impl Kernel {
     /// Computes the drives of a block side by side; the rows that have to be looked at one by one are left over.
     fn abreast(&self, block: &mut Block) -> Vec<usize> {
         if self.wrt.is_empty() {
-            return Level::here().run(Abreast { kernel: self, block, wrt: &[], first: 0 });
+            return self.level.run(Abreast { kernel: self, block, wrt: &[], first: 0 });
         }
         let mut alone = vec![];
         for (chunk, wrt) in self.wrt.chunks(DIRECTIONS).enumerate() {
-            alone.extend(Level::here().run(Abreast { kernel: self, block, wrt, first: DIRECTIONS * chunk }));
+            alone.extend(self.level.run(Abreast { kernel: self, block, wrt, first: DIRECTIONS * chunk }));
         }
         alone.sort_unstable();
         alone.dedup();
@@ -118,6 +118,11 @@ impl Kernel {
         }
     }
 
+    /// Outcomes of one drive with their gradients.
+    fn gradients(&self, setup: &Setup<f64>, of: &[Outcome], wrt: &[&'static Parameter]) -> Result<Vec<Taylor>> {
+        Evaluator::new(setup, of, wrt, Order::First)?.at_level(self.level).at_setup(setup, &mut |_, _| ())
+    }
+
     /// The derivatives that exist: all at once, or where one is missing each by itself.
     fn differentiate(&self, setup: &Setup<f64>, row: usize, block: &mut Block) {
         let mut columns = block.derivatives.iter_mut();
@@ -126,14 +131,14 @@ impl Kernel {
                 column[row] = d;
             }
         };
-        match derivative::evaluate(setup, &self.of, &self.wrt, Order::First) {
+        match self.gradients(setup, &self.of, &self.wrt) {
             Ok(taylors) => taylors.iter().flat_map(|taylor| &taylor.gradient).for_each(|d| put(*d)),
             Err(_) => {
                 for (outcome, values) in self.of.iter().zip(&block.outcomes) {
                     for parameter in &self.wrt {
                         let exists = values[row].is_finite();
-                        let d = exists.then(|| derivative::gradient(setup, *outcome, &[parameter]));
-                        put(d.and_then(Result::ok).map_or(f64::NAN, |taylor| taylor.gradient[0]));
+                        let d = exists.then(|| self.gradients(setup, &[*outcome], &[parameter]));
+                        put(d.and_then(Result::ok).map_or(f64::NAN, |taylors| taylors[0].gradient[0]));
                     }
                 }
             }

@@ -32,18 +32,28 @@
 mod abreast;
 mod block;
 mod grid;
+mod histogram;
 mod in_order;
+mod instructions;
 mod kernel;
+mod moments;
 mod points;
 mod question;
+mod ranking;
 mod run;
 mod sequence;
+mod summary;
 mod table;
 
 pub use block::{Block, Status, Tally};
 pub use grid::{Axis, Grid};
+pub use histogram::{Bins, Histogram};
 pub(crate) use in_order::in_order;
+pub use instructions::Instructions;
+pub use moments::Moments;
 pub use points::Points;
+pub use ranking::{Coordinate, Infinite, RankedRow, Ranking, Sought};
 pub use run::{Batch, CHUNK, Run, gradient_batch, simulate_batch};
 pub use sequence::Sequence;
+pub use summary::{Summarized, Summary};
 pub use table::open_table;

@@ -1,4 +1,5 @@
 use crate::drive::Outcome;
+use crate::number::Level;
 use crate::parameters::{Parameter, Setup};
 
 /// What is asked of every drive of a batch.
@@ -12,6 +13,8 @@ pub(super) struct Kernel {
     pub wrt: Vec<&'static Parameter>,
     /// Drives with a larger defect are flown again, in shorter steps; infinite where the setup's own step is kept.
     pub largest_defect: f64,
+    /// The most that is used of what the processor can do.
+    pub level: Level,
 }
 
 impl Kernel {

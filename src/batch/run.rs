@@ -1,9 +1,11 @@
 use super::block::Block;
 use super::in_order::in_order;
+use super::instructions::Instructions;
 use super::points::Points;
 use super::question::Kernel;
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
+use crate::number::Level;
 use crate::parameters::{NO_CLUB, Parameter, Setup};
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -15,6 +17,8 @@ pub const CHUNK: usize = 1024;
 pub struct Run<'a> {
     /// The first row to compute (0): a multiple of [`CHUNK`] where the blocks are to be those of an undisturbed run.
     pub first_row: u64,
+    /// The row to end before (`None`: after the last point).
+    pub end_row: Option<u64>,
     /// Threads (0: as many as there are processors); never more than there are chunks to compute.
     pub threads: usize,
     /// Ends the batch, after the chunks under way, once it is true.
@@ -58,7 +62,9 @@ impl Batch {
             return Err(Error::NotVariable { name: of_club.name.into(), reason: NO_CLUB.into() });
         }
         let (parameters, of, wrt) = (parameters.to_vec(), of.to_vec(), wrt.to_vec());
-        Ok(Self { kernel: Kernel { setup: *setup, parameters, of, wrt, largest_defect: f64::INFINITY } })
+        Ok(Self {
+            kernel: Kernel { setup: *setup, parameters, of, wrt, largest_defect: f64::INFINITY, level: Level::here() },
+        })
     }
 
     /// The same with another step for each drive that the setup's own step does not follow closely enough: one whose steps have
@@ -67,6 +73,25 @@ impl Batch {
     pub fn with_largest_defect(mut self, defect: f64) -> Self {
         self.kernel.largest_defect = defect;
         self
+    }
+
+    /// The same with these instructions of the processor in place of the best it has.
+    ///
+    /// # Errors
+    /// [`Error::Together`] where the processor does not have them.
+    pub fn with_instructions(mut self, instructions: Instructions) -> Result<Self> {
+        self.kernel.level = instructions.checked()?.level();
+        Ok(self)
+    }
+
+    /// The instructions that it is computed with.
+    pub fn instructions(&self) -> Instructions {
+        Instructions::of(self.kernel.level)
+    }
+
+    /// The largest defect that a drive may have, m; infinite where the setup's own step is kept.
+    pub fn largest_defect(&self) -> f64 {
+        self.kernel.largest_defect
     }
 
     /// The setup that the points move.
@@ -89,6 +114,13 @@ impl Batch {
         &self.kernel.wrt
     }
 
+    /// The names of the columns of results, as in files: the outcomes, then their derivatives, as in `d_carry/d_club.loft`.
+    pub fn columns(&self) -> Vec<String> {
+        let derivative = |of: &Outcome| self.wrt().iter().map(|by| format!("d_{}/d_{}", of.name(), by.name)).collect();
+        let derivatives = self.outcomes().iter().flat_map::<Vec<_>, _>(derivative);
+        self.outcomes().iter().map(|of| of.name().to_owned()).chain(derivatives).collect()
+    }
+
     /// The drives of some points, given one after the other.
     pub fn evaluate(&self, first_row: u64, points: Vec<f64>) -> Block {
         self.kernel.evaluate(first_row, points)
@@ -96,7 +128,7 @@ impl Batch {
 
     /// Computes the drives of all points. Each block goes through `work` on the thread that computed it, and what that
     /// makes of it to `sink`, in the order of the points. Returns the row after the last one handed on: the number of
-    /// points, unless it was stopped.
+    /// points or the end that was asked for, unless it was stopped.
     ///
     /// # Errors
     /// What `points` and `sink` return; rows before an unreadable point are handed on first.
@@ -108,14 +140,16 @@ impl Batch {
         mut sink: impl FnMut(R) -> Result<()>,
     ) -> Result<u64> {
         points.seek(run.first_row)?;
+        let end = run.end_row.unwrap_or(u64::MAX).min(points.rows());
         // no more threads than there are chunks to compute
-        let chunks = points.rows().saturating_sub(run.first_row).div_ceil(CHUNK as u64).max(1);
+        let chunks = end.saturating_sub(run.first_row).div_ceil(CHUNK as u64).max(1);
         let threads = run.threads.min(usize::try_from(chunks).unwrap_or(usize::MAX));
         let is_stopped = || run.stop.is_some_and(|stop| stop.load(Ordering::Relaxed));
         let (mut row, mut done) = (run.first_row, run.first_row);
         let next = || {
             let mut values = Vec::with_capacity(CHUNK * self.kernel.parameters.len());
-            let rows = if is_stopped() { 0 } else { points.read(CHUNK, &mut values)? as u64 };
+            let most = end.saturating_sub(row).min(CHUNK as u64) as usize;
+            let rows = if is_stopped() || most == 0 { 0 } else { points.read(most, &mut values)? as u64 };
             let first_row = row;
             row += rows;
             Ok((rows > 0).then_some((first_row, rows, values)))

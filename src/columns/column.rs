@@ -80,16 +80,15 @@ impl Column {
         let is_given = |parameter: &str| is_replaced(setup, parameter);
         let meaning = launch_monitor::meaning_with(name, unit.as_deref());
         let is_of_given_air = matches!(meaning, Some(Meaning::Input(AIR)) if is_given(AIR));
-        let holds =
-            match (name.strip_prefix("sigma ").map(str::trim), meaning) {
-                (None, Some(Meaning::Outcome(outcome))) => Holds::Outcome(outcome),
-                // the weather that a setup has is the air of every row
-                (None, Some(Meaning::Input(parameter))) if is_given(parameter) => Holds::Note,
-                (None, Some(Meaning::Input(parameter))) => Holds::Input(setup.column(parameter)?),
-                (None, None) if is_of_flown(name) => Holds::Written,
-                (None, None) if is_foreign(name, format) => Holds::Note,
-                _ => named(setup, name)?,
-            };
+        let holds = match (name.strip_prefix("sigma ").map(str::trim), meaning) {
+            (None, Some(Meaning::Outcome(outcome))) => Holds::Outcome(outcome),
+            // the weather that a setup has is the air of every row
+            (None, Some(Meaning::Input(parameter))) if is_given(parameter) => Holds::Note,
+            (None, Some(Meaning::Input(parameter))) => Holds::Input(setup.column(parameter)?),
+            (None, None) if is_of_flown(name) => Holds::Written,
+            (None, None) if is_foreign(name, format) => Holds::Note,
+            _ => named(setup, name)?,
+        };
         let mut column = Self { unit, format, is_of_given_air, golfer: setup.golfer, ..Self::of(holds, name) };
         let is_of_an_export = format.is_export && launch_monitor::meaning(name).is_some();
         if is_of_an_export && column.unit.is_none() && column.quantity() == Some(Quantity::ANGLE) {

@@ -2,6 +2,7 @@
 //! output is an input of the same command, and a file is written beside its place and put there when it is whole. All of
 //! this is checked before the work begins.
 
+use crate::beside::{beside, folder_of};
 use crate::command::interrupt;
 use crate::{Error, Result};
 use std::fs;
@@ -252,21 +253,6 @@ impl Folder {
     }
 }
 
-/// A new file in the same folder, which is gone again unless it is put in place.
-pub fn beside(path: &Path) -> io::Result<tempfile::NamedTempFile> {
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".longdrive-");
-    #[cfg(unix)]
-    {
-        use std::os::unix::fs::PermissionsExt;
-        // those of the file that is replaced; of a new one, those that any new file has
-        let of_old = fs::metadata(path).ok().filter(fs::Metadata::is_file).map(|found| found.permissions());
-        builder.permissions(of_old.unwrap_or_else(|| fs::Permissions::from_mode(0o666)));
-    }
-    // the name of this file is nobody's business
-    builder.tempfile_in(folder_of(path)).map_err(|error| io::Error::from(error.kind()))
-}
-
 /// What is written into files that need names.
 fn refuse_standard_output(path: &Path, what: &str) -> Result<()> {
     match path == Path::new("-") {
@@ -282,10 +268,6 @@ fn in_a_folder(path: &Path) -> Result<()> {
         true => Ok(()),
         false => Err(refused(path, format!("it cannot be written: there is no folder '{}'", folder.display()))),
     }
-}
-
-fn folder_of(path: &Path) -> &Path {
-    path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
 /// Where a file is or will be, through links.

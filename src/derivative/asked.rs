@@ -18,6 +18,8 @@ pub(super) struct Asked<'a> {
     pub flies: bool,
     pub has_apex: bool,
     pub runs: bool,
+    /// The most that is used of what the processor can do.
+    pub level: Level,
 }
 
 /// By which places a pass differentiates: the lanes all hold the same drive, each with directions of its own.
@@ -32,13 +34,13 @@ pub(super) enum Directions<'a> {
 }
 
 impl Directions<'_> {
-    /// The level for as many as there are.
-    pub fn level(&self) -> Level {
-        Level::of(match self {
+    /// How many there are, and at least one.
+    fn count(&self) -> usize {
+        match self {
             Self::None => 1,
             Self::Each(places) => places.len(),
             Self::Pairs(pairs) => pairs.len(),
-        })
+        }
     }
 
     /// The places in a lane.
@@ -96,6 +98,11 @@ impl Directions<'_> {
 }
 
 impl Asked<'_> {
+    /// The level for these directions.
+    pub fn level_of(&self, directions: Directions<'_>) -> Level {
+        self.level.of(directions.count())
+    }
+
     /// The setup over the numbers of a pass.
     #[inline(always)]
     pub fn lifted<J: Lanes>(&self, directions: Directions<'_>, per_lane: usize) -> Setup<J> {

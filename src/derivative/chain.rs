@@ -7,7 +7,7 @@ use super::pass::{MOST_PER_LANE, most_in_a_pass, put, read_launches};
 use crate::drive::{self, Struck};
 use crate::error::Result;
 use crate::flight::Inputs;
-use crate::number::{Derivatives, Jet, Lanes, Level, MOST_LANES, Mask, Mixed, Number, Task};
+use crate::number::{Derivatives, Jet, Lanes, MOST_LANES, Mask, Mixed, Number, Task};
 
 /// By fewer parameters a flight may have more pairs of inputs than there are of these.
 pub(super) const MOST_INPUTS: usize = 24;
@@ -28,7 +28,7 @@ pub(super) fn gradients(asked: &Asked<'_>, progress: &mut dyn FnMut(usize, usize
     derivatives(
         asked,
         false,
-        &|n, pass| each(n).chunks(most_in_a_pass()).try_for_each(|d| pass(Directions::Each(d))),
+        &|n, pass| each(n).chunks(most_in_a_pass(asked.level)).try_for_each(|d| pass(Directions::Each(d))),
         progress,
     )
 }
@@ -39,7 +39,7 @@ pub(super) fn hessians(asked: &Asked<'_>, progress: &mut dyn FnMut(usize, usize)
     derivatives(
         asked,
         true,
-        &|n, pass| pairs(n).chunks(Level::here().width()).try_for_each(|d| pass(Directions::Pairs(d))),
+        &|n, pass| pairs(n).chunks(asked.level.width()).try_for_each(|d| pass(Directions::Pairs(d))),
         progress,
     )
 }
@@ -59,7 +59,7 @@ fn derivatives(
     let mut changes = None;
     passes(n, &mut |directions| {
         let part = Part::Impact { changes: &mut changes, taylors: &mut taylors };
-        directions.level().run(Pass { asked, directions, part })
+        asked.level_of(directions).run(Pass { asked, directions, part })
     })?;
     let Some(changes) = changes.filter(|_| asked.flies) else {
         progress(1, 1);
@@ -75,7 +75,7 @@ fn derivatives(
     })?;
     let mut fly = |directions: Directions<'_>| {
         let part = Part::Flight { changes: &changes, moving: &moving, slopes: &mut slopes };
-        directions.level().run(Pass { asked, directions, part })?;
+        asked.level_of(directions).run(Pass { asked, directions, part })?;
         done += 1;
         progress(done, all.max(1));
         Ok(())

@@ -5,6 +5,7 @@ use super::pass::{hessians, most_in_a_pass, values};
 use super::{chain, pass};
 use crate::drive::{Outcome, Part};
 use crate::error::{Error, Result};
+use crate::number::Level;
 use crate::parameters::{Parameter, Setup};
 
 /// A question asked of many drives: outcomes, with derivatives by parameters, of one setup at changing values of these
@@ -29,6 +30,7 @@ pub struct Evaluator {
     pairs: Pairs,
     /// The places of parameters of the inertia tensor, with the values that have been checked together.
     inertia: Vec<(usize, Option<f64>)>,
+    level: Level,
 }
 
 impl Evaluator {
@@ -51,12 +53,17 @@ impl Evaluator {
         let turns = wrt.iter().enumerate().filter(|(_, parameter)| parameter.is_of_inertia());
         let inertia = turns.map(|(place, parameter)| (place, setup.value(parameter))).collect();
         let (of, wrt) = (of.to_vec(), wrt.to_vec());
-        Ok(Self { setup: *setup, of, wrt, order, pairs: Pairs::All, inertia })
+        Ok(Self { setup: *setup, of, wrt, order, pairs: Pairs::All, inertia, level: Level::here() })
     }
 
     /// The same with those second derivatives alone.
     pub(super) fn of_pairs(self, pairs: Pairs) -> Self {
         Self { pairs, ..self }
+    }
+
+    /// The same with no more of what the processor can do than this level has.
+    pub(crate) fn at_level(self, level: Level) -> Self {
+        Self { level, ..self }
     }
 
     /// The parameters, in the order of the values and derivatives.
@@ -87,7 +94,7 @@ impl Evaluator {
     }
 
     /// The outcomes of the setup itself, telling `progress` how many passes of how many are done.
-    pub(super) fn at_setup(&self, setup: &Setup<f64>, progress: &mut dyn FnMut(usize, usize)) -> Result<Vec<Taylor>> {
+    pub(crate) fn at_setup(&self, setup: &Setup<f64>, progress: &mut dyn FnMut(usize, usize)) -> Result<Vec<Taylor>> {
         let values: Vec<f64> = self.wrt.iter().map(|row| setup.value(row).unwrap_or(f64::NAN)).collect();
         self.unchecked(&values, progress)
     }
@@ -101,10 +108,11 @@ impl Evaluator {
             flies: self.of.iter().any(|outcome| outcome.part() == Part::Flight),
             has_apex: self.of.iter().any(|outcome| outcome.is_of_the_apex()),
             runs: self.of.iter().any(|outcome| outcome.is_of_the_run()),
+            level: self.level,
         };
         let taylors = match self.order {
             Order::Value => values(&asked)?,
-            Order::First if self.wrt.len() <= most_in_a_pass() => {
+            Order::First if self.wrt.len() <= most_in_a_pass(self.level) => {
                 let taylors = pass::gradients(&asked)?;
                 progress(1, 1);
                 taylors

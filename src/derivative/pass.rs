@@ -94,7 +94,7 @@ pub(super) fn put<J: Derivatives>(taylor: &mut Taylor, places: &[usize], number:
 pub(super) fn values(asked: &Asked<'_>) -> Result<Vec<Taylor>> {
     let mut taylors = asked.blank(0, 0);
     let directions = Directions::None;
-    directions.level().run(Pass { asked, directions, taylors: &mut taylors })?;
+    asked.level_of(directions).run(Pass { asked, directions, taylors: &mut taylors })?;
     Ok(taylors)
 }
 
@@ -104,13 +104,13 @@ pub(super) fn gradients(asked: &Asked<'_>) -> Result<Vec<Taylor>> {
     let mut taylors = asked.blank(n, 0);
     let places: Vec<usize> = (0..n).collect();
     let directions = Directions::Each(&places);
-    directions.level().run(Pass { asked, directions, taylors: &mut taylors })?;
+    asked.level_of(directions).run(Pass { asked, directions, taylors: &mut taylors })?;
     Ok(taylors)
 }
 
-/// How many parameters these are on this machine.
-pub(super) fn most_in_a_pass() -> usize {
-    MOST_PER_LANE * Level::here().width()
+/// How many parameters these are at a level.
+pub(super) fn most_in_a_pass(level: Level) -> usize {
+    MOST_PER_LANE * level.width()
 }
 
 /// Each outcome with its gradient and the wanted part of its Hessian; `progress` is told how many passes of how many are done.
@@ -119,7 +119,7 @@ pub(super) fn hessians(asked: &Asked<'_>, pairs: Pairs, progress: &mut dyn FnMut
     let rows = if pairs == Pairs::WithLast { n - 1..n } else { 0..n };
     let wanted: Vec<[usize; 2]> = rows.flat_map(|i| (0..=i).map(move |j| [i, j])).collect();
     let mut taylors = asked.blank(n, n);
-    let level = Level::of(wanted.len());
+    let level = asked.level.of(wanted.len());
     let passes = wanted.chunks(level.width());
     let all = passes.len();
     for (done, pairs) in passes.enumerate() {

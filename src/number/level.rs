@@ -46,10 +46,10 @@ impl Level {
         Self::Baseline
     }
 
-    /// The level of this machine for so many numbers: what fits into few lanes is quicker in those.
+    /// This level or one below, for so many numbers: what fits into few lanes is quicker in those.
     #[inline]
-    pub fn of(count: usize) -> Self {
-        if count <= 4 { Self::here().min(Self::Four) } else { Self::here() }
+    pub fn of(self, count: usize) -> Self {
+        if count <= 4 { self.min(Self::Four) } else { self }
     }
 
     /// How many lanes there are.

@@ -176,21 +176,22 @@ impl ParquetTable {
         place().map(PlacedGroup).map_err(failed)
     }
 
-    /// The last bytes of a file of these row groups.
+    /// The last bytes of a file of these row groups, with further notes, by their keys.
     ///
     /// # Errors
     /// [`Error::Output`] where Parquet cannot hold them.
-    pub fn foot(&self, groups: &[PlacedGroup]) -> Result<Vec<u8>> {
+    pub fn foot(&self, groups: &[PlacedGroup], notes: &[(&str, String)]) -> Result<Vec<u8>> {
         let foot = || {
             let none: Option<fn(usize) -> Cells> = None;
             let like = ParquetMetaDataReader::decode_metadata(&metadata_of(&self.write(none)?))?;
             let like = like.file_metadata();
             let rows = groups.iter().map(|group| group.0.num_rows()).sum();
+            let further = notes.iter().map(|(key, note)| KeyValue::new((*key).to_owned(), note.clone()));
             let file = FileMetaData::new(
                 like.version(),
                 rows,
                 like.created_by().map(str::to_owned),
-                Some(self.notes.clone()),
+                Some(self.notes.iter().cloned().chain(further).collect()),
                 like.schema_descr_ptr(),
                 like.column_orders().cloned(),
             );

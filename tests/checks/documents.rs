@@ -215,7 +215,8 @@ fn rules_and_numbers_of_design_md_are_the_programs() {
 #[test]
 fn numbers_of_the_robust_example_of_swings_md_are_the_programs() {
     let text = document("docs/swings.md");
-    let command = text.lines().find(|line| line.starts_with("longdrive robust modern-driver")).unwrap().replace('"', "");
+    let command =
+        text.lines().find(|line| line.starts_with("longdrive robust modern-driver")).unwrap().replace('"', "");
     let words: Vec<&str> = command.split_whitespace().skip(1).collect();
     let (status, found) = crate::command_line::json(&words);
     assert_eq!((status, &found["holds_for_all"]), (0, &false.into()));
@@ -240,4 +241,49 @@ fn numbers_of_the_robust_example_of_swings_md_are_the_programs() {
     let worst = models.iter().map(|model| number(&model["losses"][0]) / 0.9144).fold(0.0, f64::max);
     near(text.split("that of rigid bodies, ").nth(1).unwrap(), worst - greatest, 0.051);
     assert!(models.iter().skip(1).all(|model| number(&model["share"]) > 0.4) && number(&models[0]["share"]) < 0.01);
+}
+
+/// What docs/scale.md reckons follows from the rate and size that docs/performance.md has measured.
+#[test]
+fn the_plan_in_scale_md_follows_from_the_rate_in_performance_md() {
+    let measured = table(&document("docs/performance.md"), "| Drives with gradients | File | Wall |");
+    let row = measured.iter().find(|row| row[0] == "100 000 000").unwrap();
+    let (drives, cores) = (1e8, 2.0);
+    let seconds = first_number(&row[2]);
+    let bytes = 1e9 * first_number(row[1].trim_start_matches("Parquet, "));
+    let scale = document("docs/scale.md");
+    assert!(scale.contains(&format!("took {seconds} s on two cores, and {} GB", bytes / 1e9)), "{row:?}");
+
+    let rate = drives / seconds / cores;
+    let in_units = |text: &str| {
+        let size =
+            [("min", 60.0), ("days", 86400.0), ("h", 3600.0), ("s", 1.0), ("TB", 1e12), ("GB", 1e9), ("MB", 1e6)];
+        let (_, size) = size.into_iter().find(|(unit, _)| text.ends_with(&format!(" {unit}"))).unwrap();
+        first_number(text) * size
+    };
+    // as many digits as are written
+    let is_about = |text: &str, value: f64| {
+        let written = in_units(text);
+        assert!((written / value - 1.0).abs() < 0.1, "{text} and {value}");
+    };
+    for row in table(&scale, "| drives with gradients | on 2 cores |") {
+        let exponent = row[0]
+            .chars()
+            .skip(2)
+            .fold(0, |exponent, c| 10 * exponent + "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().position(|digit| digit == c).unwrap() as i32);
+        let drives = 10_f64.powi(exponent);
+        is_about(&row[1], drives / (2.0 * rate));
+        is_about(&row[2], drives / (64.0 * rate));
+        is_about(&row[3], drives / 1e8 * bytes);
+    }
+    let plan = table(&scale, "| | |");
+    let stated = |what: &str| plan.iter().find(|row| row[0].starts_with(what)).unwrap()[1].clone();
+    let of_part: Vec<String> = stated("a part").split(", ").map(str::to_owned).collect();
+    is_about(&of_part[0].replace(" on one core", ""), 1e7 / rate);
+    is_about(&of_part[1], 1e7 / 1e8 * bytes);
+    let core_hours = 1e12 / rate / 3600.0;
+    assert!((first_number(&stated("all parts")) / core_hours - 1.0).abs() < 0.001, "{core_hours}");
+    is_about(&stated("on 1000 cores"), 3600.0 * core_hours / 1000.0);
+    assert!((first_number(&stated("at 0.04 $")) / (0.04 * core_hours) - 1.0).abs() < 0.03);
+    assert!((first_number(&stated("at 23 $")) / (23.0 * 1e12 / 1e8 * bytes / 1e12) - 1.0).abs() < 0.03);
 }

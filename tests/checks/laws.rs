@@ -342,7 +342,9 @@ fn exact_curves_and_points_of_a_plot_of_laws() {
         assert!((found.drag - drag).abs() < 1e-12, "{reynolds}: {drag}");
     }
     assert!(answer["note"].as_str().unwrap().starts_with("Solid within what a law was fitted to"), "{answer}");
-    let dots = |rows: &[(String, String, f64, f64)]| rows.iter().filter(|row| row.0 == "dots").map(|row| [row.2, row.3]).collect::<Vec<_>>();
+    let dots = |rows: &[(String, String, f64, f64)]| {
+        rows.iter().filter(|row| row.0 == "dots").map(|row| [row.2, row.3]).collect::<Vec<_>>()
+    };
     let table = cells_of_lyu();
     let drags: Vec<_> = table.iter().filter_map(|[re, _, drag, _]| Some([(*re)?, (*drag)?])).collect();
     assert_eq!(dots(&rows), drags);

@@ -8,6 +8,8 @@ mod command_line;
 mod command_line_calibrate;
 mod command_line_certainty;
 mod command_line_files;
+#[cfg(feature = "parquet")]
+mod command_line_parts;
 mod command_line_search;
 mod command_line_sweep;
 mod command_line_tables;

@@ -2,6 +2,8 @@
 
 use super::Question;
 use super::number::{U32, whole};
+use crate::batch::Instructions;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use std::path::PathBuf;
 
 #[derive(clap::Args)]
@@ -39,6 +41,37 @@ pub struct Sweep {
     #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
     pub wrt: Vec<String>,
 
+    /// Write one part of the sweep, K of M, as a Parquet file into the folder that -o names: each process of a job array another part, e.g. --part
+    /// 17/1000. Parts are counted from 1. Whoever computes a part, and however often, gets the same bytes; one that is there already stays.
+    #[arg(long, value_name = "K/M", requires = "output", conflicts_with_all = ["resume", "format", "max_size"], value_parser = PartOf::read)]
+    pub part: Option<PartOf>,
+
+    /// Look through the parts in this folder: whether all are there, and what all rows together are like. Nothing is computed. With the
+    /// options of the sweep its parts are also held against them.
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["part", "output", "resume", "overwrite", "format", "max_size"])]
+    pub check: Option<PathBuf>,
+
+    /// With --check: read the rows too, hold them against the SHA-256 in each part, and find the SHA-256 of the whole set.
+    #[arg(long, requires = "check")]
+    pub hash: bool,
+
+    /// With --part: count an outcome in bins of equal width, e.g. carry=200m..300m:64. Repeatable, once for each outcome.
+    #[arg(long, value_name = "OUTCOME=LOW..HIGH:BINS", allow_hyphen_values = true)]
+    pub histogram: Vec<String>,
+
+    /// With --part: keep the rows with the highest values of an outcome by themselves too, e.g. carry:10. Repeatable.
+    #[arg(long, value_name = "OUTCOME:N")]
+    pub highest: Vec<String>,
+
+    /// With --part: the same of the lowest values.
+    #[arg(long, value_name = "OUTCOME:N")]
+    pub lowest: Vec<String>,
+
+    /// The instructions of the processor to compute with [default: the most that it has]. Drives computed with others agree to rounding only:
+    /// where the machines of a cluster differ, name those that all of them have.
+    #[arg(long, value_name = "NAME", value_parser = instructions())]
+    pub instructions: Option<Instructions>,
+
     /// The file to write; its ending says in which format (.csv, .jsonl, .parquet). "-" is standard output.
     #[arg(long, short, value_name = "FILE", default_value = "-")]
     pub output: PathBuf,
@@ -63,6 +96,34 @@ pub struct Sweep {
     /// The number of threads (0: as many as there are processors); no more are used than there is work for. The results do not depend on it.
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = whole::<usize>(0..=u64::MAX, "--threads 4"), allow_negative_numbers = true)]
     pub threads: usize,
+}
+
+/// Reads the instructions of a processor.
+fn instructions() -> impl TypedValueParser<Value = Instructions> {
+    let named = |name: String| Instructions::ALL.into_iter().find(|known| known.name() == name);
+    PossibleValuesParser::new(Instructions::ALL.map(Instructions::name))
+        .map(move |name| named(name).unwrap_or(Instructions::Baseline))
+}
+
+/// A part of a sweep.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PartOf {
+    /// Its number, from 1.
+    pub part: u64,
+    /// How many there are.
+    pub parts: u64,
+}
+
+impl PartOf {
+    fn read(text: &str) -> Result<Self, String> {
+        let number = |text: &str| text.trim().parse::<u64>().ok().filter(|number| *number > 0);
+        let parts = text.split_once('/').and_then(|(part, parts)| Some((number(part)?, number(parts)?)));
+        match parts {
+            Some((part, parts)) if part <= parts => Ok(Self { part, parts }),
+            Some((_, parts)) => Err(format!("there are {parts} parts; give one from 1/{parts} to {parts}/{parts}")),
+            None => Err("write a number of a part, from 1, and how many there are, e.g. --part 17/1000".into()),
+        }
+    }
 }
 
 /// How rows are written.

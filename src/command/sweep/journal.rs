@@ -1,6 +1,6 @@
 use super::rows::Question;
 use crate::batch::Tally;
-use crate::command::files::beside;
+use crate::beside::beside;
 use crate::drive::BeyondCount;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;

@@ -1,21 +1,24 @@
 //! Very many drives, to a file.
 
+mod asked;
 mod journal;
 mod kept;
+#[cfg(feature = "parquet")]
+mod parts;
 mod points;
 mod room;
 mod rows;
 mod target;
 
-use crate::batch::{Batch, Run, Status, Tally};
+use crate::batch::{Run, Status, Tally};
 use crate::command::args::Sweep;
 use crate::command::interrupt;
-use crate::command::names::{outcomes, variables};
-use crate::command::output::{Answer, bar, say_error, system, tell, warn};
+use crate::command::output::{Answer, bar, say_error, tell, warn};
 use crate::drive::{Looked, Part};
 use crate::report::Reply;
 use crate::units::{Message, counted};
 use crate::{Error, Outcome, Result};
+use asked::Asked;
 use rows::{Rows, Writer};
 use serde::Serialize;
 use serde_json::{Map, Value};
@@ -24,35 +27,19 @@ use std::path::Path;
 use target::Target;
 
 pub fn run(args: &Sweep) -> Result<Answer> {
-    let setup = args.question.setup_of_points()?;
+    if let Some(path) = args.check.as_deref().or(args.part.and(Some(args.output.as_path()))) {
+        return of_parts(args, path);
+    }
+    let of_parts = [("--histogram", &args.histogram), ("--highest", &args.highest), ("--lowest", &args.lowest)];
+    if let Some((option, _)) = of_parts.into_iter().find(|(_, given)| !given.is_empty()) {
+        let reason = "it is kept with a part of a sweep; add --part 1/1 for a sweep in one part".into();
+        return Err(Error::Together { given: option.into(), reason });
+    }
     // from here on: all of a table is read before the first drive, which takes a while where it is long
     let stop = interrupt::stops("stopping after the drives under way");
-    let of = outcomes(&args.outcomes)?;
     let target = Target::new(args)?;
-    let mut points = points::points(&setup, args)?;
-    let notes = points.notes();
-    for note in &notes {
-        tell(&format!("note: {}: {}", described(args), note.in_units(system())));
-    }
-    if let (Some(table), 0) = (&args.points, points.rows()) {
-        let reason = "it has a head and no rows; give a row for each drive".into();
-        return Err(Error::Table { file: table.display().to_string(), place: String::new(), reason });
-    }
-    args.question.refuse_twice(&setup, points.parameters(), "every drive of the sweep has a value of its own")?;
-    args.question.refuse_replaced(&setup, points.parameters())?;
-    if !setup.launch.is_given() && points.parameters().iter().any(|parameter| parameter.is_of_launch()) {
-        args.question.refuse_club(&setup, "the points are launches")?;
-    }
-    let accuracy = args.question.accuracy(&setup, &points.ranges(), &of)?;
-    let setup = accuracy.map_or(setup, |found| found.applied_to(&setup));
-    let wrt = match args.wrt.as_slice() {
-        [] if args.gradient => points.parameters().to_vec(),
-        names => variables(&setup, names, &of)?,
-    };
-    let mut batch = Batch::new(&setup, points.parameters(), &of, &wrt)?;
-    if let Some(found) = accuracy {
-        batch = batch.with_largest_defect(found.largest_defect);
-    }
+    let Asked { setup, mut points, batch, notes } = Asked::of(args)?;
+    let of = batch.outcomes().to_vec();
     let writer = Writer::new(&batch, target.format, points.identity())?;
     room::check(args, &batch, points.as_mut(), &writer, &target)?;
     let mut output = target.open(&writer, args)?;
@@ -64,7 +51,7 @@ pub fn run(args: &Sweep) -> Result<Answer> {
     bar.set_length(total);
     bar.set_position(output.rows());
     bar.reset_eta();
-    let run = Run { first_row: output.rows(), threads: args.threads, stop: Some(&stop) };
+    let run = Run { first_row: output.rows(), threads: args.threads, stop: Some(&stop), ..Run::default() };
     let done = batch.run(
         points.as_mut(),
         &run,
@@ -127,9 +114,19 @@ pub fn run(args: &Sweep) -> Result<Answer> {
     .found(is_answered))
 }
 
-/// Where the points come from.
-fn described(args: &Sweep) -> String {
-    args.points.as_ref().map_or("--over".into(), |table| table.display().to_string())
+/// Writes a part of a sweep, or looks through those in a folder.
+#[cfg(feature = "parquet")]
+fn of_parts(args: &Sweep, folder: &Path) -> Result<Answer> {
+    match args.part {
+        Some(part) => parts::write(args, part, folder),
+        None => parts::check(args, folder),
+    }
+}
+
+/// The same where there is no Parquet.
+#[cfg(not(feature = "parquet"))]
+fn of_parts(_: &Sweep, folder: &Path) -> Result<Answer> {
+    Err(crate::command::files::refused(folder, crate::features::how_to_get("parquet")))
 }
 
 /// Whether any drive has an outcome that was asked for, or there are no drives: those of the launch are there also where the ball does

@@ -106,7 +106,7 @@ impl ShotParquet {
     /// As [`take`](Self::take).
     pub fn finish(&mut self) -> Result<Vec<u8>> {
         let mut bytes = if self.waiting.is_empty() { vec![] } else { self.group()? };
-        bytes.extend(self.table.foot(&self.placed)?);
+        bytes.extend(self.table.foot(&self.placed, &[])?);
         Ok(bytes)
     }
 

@@ -1,4 +1,4 @@
-use super::{STATUS, parameter_names, push_number, result_names};
+use super::{STATUS, parameter_names, push_number};
 use crate::batch::{Batch, Block};
 
 /// A batch as JSON lines: an object for each drive. What does not exist is `null`.
@@ -16,7 +16,7 @@ impl SweepJsonLines {
         let key = |name: &str| format!("\"{name}\":");
         Self {
             parameters: parameter_names(batch).into_iter().map(key).collect(),
-            results: result_names(batch).iter().map(|name| format!(",{}", key(name))).collect(),
+            results: batch.columns().iter().map(|name| format!(",{}", key(name))).collect(),
         }
     }
 

@@ -6,14 +6,17 @@ mod csv;
 mod json_lines;
 #[cfg(feature = "parquet")]
 mod parquet;
+#[cfg(feature = "parquet")]
+mod summary;
 
 pub use csv::SweepCsv;
 pub use json_lines::SweepJsonLines;
 #[cfg(feature = "parquet")]
 pub use parquet::SweepParquet;
+#[cfg(feature = "parquet")]
+pub use summary::summary_text;
 
 use crate::batch::Batch;
-use crate::drive::Outcome;
 
 /// The name of the column that says how a drive ended.
 const STATUS: &str = "status";
@@ -21,13 +24,6 @@ const STATUS: &str = "status";
 /// The names of the swept parameters.
 fn parameter_names(batch: &Batch) -> Vec<&'static str> {
     batch.parameters().iter().map(|parameter| parameter.name).collect()
-}
-
-/// The names of the outcomes, then of their derivatives.
-fn result_names(batch: &Batch) -> Vec<String> {
-    let derivative = |of: &Outcome| batch.wrt().iter().map(|by| format!("d_{}/d_{}", of.name(), by.name)).collect();
-    let derivatives = batch.outcomes().iter().flat_map::<Vec<_>, _>(derivative);
-    batch.outcomes().iter().map(|of| of.name().to_owned()).chain(derivatives).collect()
 }
 
 /// Appends a number in the shortest form that reads back equal.

@@ -1,4 +1,4 @@
-use super::{STATUS, parameter_names, result_names};
+use super::{STATUS, parameter_names};
 use crate::batch::{Batch, Block, CHUNK};
 use crate::error::Result;
 use crate::report::parquet::{Cells, Kind, ParquetGroup, ParquetTable, PlacedGroup};
@@ -26,7 +26,7 @@ impl SweepParquet {
     /// # Errors
     /// [`Error::Output`](crate::Error::Output) for columns that Parquet cannot have.
     pub fn new(batch: &Batch, question: &str) -> Result<Self> {
-        let (parameters, results) = (parameter_names(batch), result_names(batch));
+        let (parameters, results) = (parameter_names(batch), batch.columns());
         let columns = parameters.iter().map(|name| ((*name).to_owned(), Kind::Number));
         let columns = columns.chain([(STATUS.to_owned(), Kind::Text)]);
         let columns: Vec<_> = columns.chain(results.iter().map(|name| (name.clone(), Kind::SomeNumber))).collect();
@@ -83,6 +83,14 @@ impl SweepParquet {
     /// # Errors
     /// [`Error::Output`](crate::Error::Output) where Parquet cannot hold them.
     pub fn foot(&self, groups: &[PlacedGroup]) -> Result<Vec<u8>> {
-        self.table.foot(groups)
+        self.foot_with(groups, &[])
+    }
+
+    /// The same with further notes in the file, by their keys.
+    ///
+    /// # Errors
+    /// [`Error::Output`](crate::Error::Output) where Parquet cannot hold them.
+    pub fn foot_with(&self, groups: &[PlacedGroup], notes: &[(&str, String)]) -> Result<Vec<u8>> {
+        self.table.foot(groups, notes)
     }
 }

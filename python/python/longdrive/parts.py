@@ -1,0 +1,298 @@
+"""A sweep divided into parts, each a Parquet file whose bytes follow from the question and its number alone.
+
+Any engine may compute any part, twice and in any order: the files are the same to the last bit, and a file takes its place once it is whole.
+:mod:`longdrive.dask`, :mod:`longdrive.ray` and :mod:`longdrive.spark` do it on a cluster, :func:`sweep` of this module in processes of
+this machine, and ``longdrive sweep --part K/M`` from a job array.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+import os
+from collections.abc import Iterable, Mapping, Sequence
+from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
+from concurrent.futures.process import BrokenProcessPool
+from dataclasses import dataclass, field
+from multiprocessing import get_context
+from typing import Any, Union
+
+from . import _longdrive
+from ._longdrive import Setup
+from .errors import Error
+from .types import Names, SetupLike
+
+__all__ = ["Over", "PartError", "Parts", "Question", "check", "merge", "sweep"]
+
+Over = Union[Mapping[str, "str | Sequence[float | str | int]"], Sequence[str]]
+"""What is swept: names with ``"LOW..HIGH:COUNT"`` or (low, high, count), numbers in SI; with `sample` without the count."""
+
+
+class PartError(Error, RuntimeError):
+    """A part that could not be written, however often it was tried. ``part`` is its number, from 1."""
+
+    part: int
+
+    def __init__(self, message: str, part: int) -> None:
+        super().__init__(message)
+        self.part = part
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (type(self), (str(self), self.part))
+
+
+@dataclass(frozen=True)
+class Question:
+    """A sweep that is divided into parts; it pickles, and any process may write any of its parts."""
+
+    setup: str
+    """The setup, as the text of a setup file."""
+    options: tuple[str, ...]
+    """The options of ``longdrive sweep``."""
+    output: str
+    """The folder that every worker writes into."""
+    parts: int
+    """How many there are."""
+    threads: int = 1
+    """Threads that compute a part."""
+
+    @classmethod
+    def of(
+        cls,
+        setup: SetupLike = None,
+        *,
+        output: str | os.PathLike[str],
+        parts: int,
+        over: Over = (),
+        sample: int | None = None,
+        seed: int = 0,
+        points: str | os.PathLike[str] | None = None,
+        outcomes: Names = "carry",
+        wrt: Names = (),
+        histogram: Mapping[str, str] | None = None,
+        highest: Mapping[str, int] | None = None,
+        lowest: Mapping[str, int] | None = None,
+        instructions: str | None = None,
+        tolerance: str | None = None,
+        own_step: bool = False,
+        threads: int = 1,
+    ) -> Question:
+        """The sweep of a setup.
+
+        Args:
+            setup: a setup, the name of a preset, or a dict.
+            output: the folder for the files; every worker must see it under this name.
+            parts: how many; each has at least 1024 rows.
+            over: what is swept: ``{"club.loft": "5deg..15deg:101"}``, or ``(low, high, count)`` with numbers in SI.
+            sample: so many points of a quasi-random sequence in the ranges of `over`, which then have no counts.
+            seed: another seed gives other points.
+            points: a table of points in place of `over`.
+            outcomes: a name or several; ``"all"`` for every one.
+            wrt: parameters to differentiate by, a name or several.
+            histogram: outcomes with bins, ``{"carry": "200m..300m:64"}``.
+            highest: outcomes with how many rows of the highest values to keep by themselves.
+            lowest: the same of the lowest.
+            instructions: ``"baseline"``, ``"avx2"`` or ``"avx512"``: what every worker's processor has. Without it each takes the most it has, and
+                parts of different processors are refused.
+            tolerance: lengths are within it of their exact values, a text like ``"1 mm"``; without it 1 µm.
+            own_step: whether ``flight.method`` and ``flight.step`` of the setup are kept.
+            threads: threads that compute a part; a worker that computes several parts at a time has one for each.
+        """
+        options: list[str] = []
+        for text in _ranges(setup, over):
+            options.append(f"--over={text}")
+        if sample is not None:
+            options += [f"--sample={sample}", f"--seed={seed}"]
+        if points is not None:
+            options.append(f"--points={os.fspath(points)}")
+        options.append(f"--outcomes={_joined(outcomes)}")
+        if wrt:
+            options.append(f"--wrt={_joined(wrt)}")
+        options += [f"--histogram={name}={bins}" for name, bins in (histogram or {}).items()]
+        options += [f"--highest={name}:{rows}" for name, rows in (highest or {}).items()]
+        options += [f"--lowest={name}:{rows}" for name, rows in (lowest or {}).items()]
+        if instructions is not None:
+            options.append(f"--instructions={instructions}")
+        if tolerance is not None:
+            options.append(f"--tolerance={tolerance}")
+        if own_step:
+            options.append("--own-step")
+        made = setup if isinstance(setup, Setup) else Setup(setup)
+        return cls(made.to_toml(), tuple(options), os.fspath(output), parts, threads)
+
+    def write(self, part: int) -> dict[str, Any]:
+        """Writes a part, from 1, unless it is there already; its manifest row.
+
+        Raises:
+            PartError: with why it could not be written.
+        """
+        options = [*self.options, f"--output={self.output}", f"--part={part}/{self.parts}", f"--threads={self.threads}"]
+        try:
+            answer: dict[str, Any] = _longdrive.sweep_command(self.setup, options)
+        except Error as error:
+            raise PartError(f"part {part} of {self.parts}: {error}", part) from error
+        return {name: answer[name] for name in _MANIFEST}
+
+    def check(self, *, contents: bool = False) -> dict[str, Any]:
+        """Looks whether the folder has every part of this sweep and nothing else, as :func:`check` does."""
+        return check(self.output, contents=contents, question=self)
+
+
+_MANIFEST = (
+    "file", "bytes", "sha256", "part", "parts", "first_row", "rows", "question", "instructions", "data", "statuses",
+    "beyond", "moments", "histograms", "best",
+)  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Parts:
+    """A complete set of parts."""
+
+    output: str
+    """The folder."""
+    manifests: list[dict[str, Any]] = field(repr=False)
+    """A row for each part, in their order: its file with SHA-256, its rows, and what they are like."""
+    summary: dict[str, Any] = field(repr=False)
+    """What all rows are like: ``statuses``, ``moments``, ``histograms``, ``best``."""
+
+    @property
+    def rows(self) -> int:
+        """Rows of all parts."""
+        return sum(row["rows"] for row in self.manifests)
+
+    @classmethod
+    def of(cls, question: Question, rows: Iterable[dict[str, Any]]) -> Parts:
+        """The set, of the manifest rows of all its parts.
+
+        Raises:
+            Error: where a part is missing, or a file of the folder is not what it should be.
+        """
+        manifests = sorted(rows, key=lambda row: int(row["part"]))
+        found = question.check()
+        if found["status"] != "done":
+            raise Error(f"{question.output}: {found['message']}")
+        return cls(question.output, manifests, merge(manifests))
+
+
+def _joined(names: Names) -> str:
+    return names if isinstance(names, str) else ",".join(names)
+
+
+def _ranges(setup: SetupLike, over: Over) -> list[str]:
+    if not isinstance(over, Mapping):
+        return [over] if isinstance(over, str) else list(over)
+    units = {row["parameter"]: row["unit"] for row in _longdrive.parameters(setup)["parameters"]} if over else {}
+
+    def end(name: str, value: float | str) -> str:
+        return value if isinstance(value, str) else f"{float(value)!r} {units.get(name) or ''}".strip()
+
+    def text(name: str, given: str | Sequence[float | str | int]) -> str:
+        if isinstance(given, str):
+            return f"{name}={given}"
+        low, high, *count = given
+        ends = f"{name}={end(name, low)}..{end(name, high)}"
+        return f"{ends}:{count[0]}" if count else ends
+
+    return [text(name, given) for name, given in over.items()]
+
+
+def check(
+    output: str | os.PathLike[str], *, contents: bool = False, question: Question | None = None
+) -> dict[str, Any]:
+    """Looks through the footers of a folder of parts: the answer of ``longdrive sweep --check``.
+
+    ``status`` is ``"done"`` where every part is there and nothing else; ``missing``, ``faults`` and ``message`` say what is not as it should be.
+
+    Args:
+        output: the folder.
+        contents: whether the rows are read too, held against the SHA-256 of each part; ``sha256`` is then that of the whole set.
+        question: the sweep that the parts are to be of.
+    """
+    options = [f"--check={os.fspath(output)}"] + (["--hash"] if contents else [])
+    setup = ""
+    if question is not None:
+        setup, options = question.setup, [*question.options, *options]
+    answer: dict[str, Any] = _longdrive.sweep_command(setup or Setup().to_toml(), options)
+    return answer
+
+
+def merge(manifests: Iterable[Mapping[str, Any]]) -> dict[str, Any]:
+    """What the rows of some parts are like in all, without a look at the rows: ``statuses``, ``moments`` (``count``, ``mean``, ``m2``, the sum of
+    squared deviations, ``min`` and ``max`` of each column, SI), ``histograms`` and ``best`` rows.
+
+    The parts are merged in the order of their numbers, each once, so that the result is the same to the last bit whatever the order they came in.
+    """
+
+    def finite(value: Any) -> Any:
+        # JSON has no infinity: a flat face is "inf"
+        if isinstance(value, float) and not math.isfinite(value):
+            return "inf" if value > 0 else "-inf"
+        if isinstance(value, Mapping):
+            return {name: finite(item) for name, item in value.items()}
+        return [finite(item) for item in value] if isinstance(value, list) else value
+
+    merged: dict[str, Any] = _longdrive.merge_parts(json.dumps([finite(row) for row in manifests]))
+    return merged
+
+
+def sweep(setup: SetupLike = None, *, processes: int = 0, retries: int = 3, **question: Any) -> Parts:
+    """Computes all parts in processes of this machine.
+
+    >>> import longdrive.parts, tempfile
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     found = longdrive.parts.sweep(
+    ...         over={"club.loft": "5deg..15deg:3000"}, outcomes="ball_speed", output=folder, parts=2, processes=1)
+    >>> found.rows, found.summary["statuses"]["landed"]
+    (3000, 3000)
+
+    Args:
+        setup: a setup, the name of a preset, or a dict.
+        processes: how many; 0 for as many as there are processors.
+        retries: how often a part is tried again, after an error or the death of its process.
+        question: as :meth:`Question.of`: `output`, `parts`, `over`, `outcomes`, `wrt`, …
+
+    Raises:
+        PartError: for a part that could not be written.
+    """
+    asked = Question.of(setup, **question)
+    manifests: dict[int, dict[str, Any]] = {}
+    tries = dict.fromkeys(range(1, asked.parts + 1), 0)
+    while len(manifests) < asked.parts:
+        # a process that dies takes the pool with it: what is not done then is begun again in another
+        left = [part for part in tries if part not in manifests]
+        try:
+            _in_processes(asked, left, tries, manifests, processes or os.cpu_count() or 1, retries)
+        except BrokenProcessPool as error:
+            part = next(part for part in tries if part not in manifests)
+            tries[part] += 1
+            if tries[part] > retries:
+                raise PartError(f"part {part} of {asked.parts}: its process died, {retries + 1} times", part) from error
+    return Parts.of(asked, manifests.values())
+
+
+def _in_processes(
+    asked: Question, left: list[int], tries: dict[int, int], manifests: dict[int, dict[str, Any]], processes: int, retries: int
+) -> None:
+    with ProcessPoolExecutor(processes, mp_context=get_context("spawn")) as pool:
+        waiting = iter(left)
+        running: dict[Future[dict[str, Any]], int] = {}
+
+        def begin(part: int | None) -> None:
+            if part is not None:
+                running[pool.submit(asked.write, part)] = part
+
+        for _ in range(2 * processes):
+            begin(next(waiting, None))
+        while running:
+            done, _ = wait(running, return_when=FIRST_COMPLETED)
+            for future in done:
+                part = running.pop(future)
+                try:
+                    manifests[part] = future.result()
+                    begin(next(waiting, None))
+                except PartError:
+                    tries[part] += 1
+                    if tries[part] > retries:
+                        pool.shutdown(cancel_futures=True)
+                        raise
+                    begin(part)

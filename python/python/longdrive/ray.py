@@ -1,0 +1,52 @@
+"""A sweep in parts as tasks of Ray. Every task writes its own file and returns a manifest row."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from .parts import PartError, Parts, Question
+from .types import SetupLike
+
+__all__ = ["sweep"]
+
+# tasks that are under way or wait, for each processor of the cluster
+_AHEAD = 4
+
+
+def sweep(setup: SetupLike = None, *, retries: int = 3, **question: Any) -> Parts:
+    """Computes all parts on the cluster that ``ray.init`` has joined.
+
+    Args:
+        setup: a setup, the name of a preset, or a dict.
+        retries: how often a part is tried again, after an error or the death of its worker.
+        question: as :meth:`longdrive.parts.Question.of`: `output`, `parts`, `over` or `sample`, `outcomes`, `wrt`, `instructions`, …
+
+    Raises:
+        PartError: for a part that could not be written.
+    """
+    try:
+        import ray
+    except ImportError as error:
+        raise ImportError("longdrive.ray needs Ray: pip install ray") from error
+    asked = Question.of(setup, **question)
+    write = ray.remote(num_cpus=asked.threads, max_retries=retries, retry_exceptions=True)(Question.write)
+    shared = ray.put(asked)
+    waiting = iter(range(1, asked.parts + 1))
+    ahead = _AHEAD * max(1, int(ray.cluster_resources().get("CPU", 1)))
+    running: dict[Any, int] = {}
+    manifests = []
+    while True:
+        while len(running) < ahead and (part := next(waiting, None)) is not None:
+            running[write.remote(shared, part)] = part
+        if not running:
+            return Parts.of(asked, manifests)
+        for done in ray.wait(list(running))[0]:
+            part = running.pop(done)
+            try:
+                manifests.append(ray.get(done))
+            except ray.exceptions.RayError as error:
+                for task in running:
+                    ray.cancel(task)
+                cause = error.cause if isinstance(error, ray.exceptions.RayTaskError) else error
+                text = str(cause) if isinstance(cause, PartError) else f"part {part} of {asked.parts}: {cause}"
+                raise PartError(text, part) from error

@@ -1,0 +1,77 @@
+"""A sweep in parts on a cluster of Spark: ``mapInArrow`` over the numbers of the parts. Every row of what it gives is a manifest row."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Iterator
+from typing import TYPE_CHECKING, Any
+
+from .parts import PartError, Parts, Question
+from .types import SetupLike
+
+if TYPE_CHECKING:
+    import pyarrow
+    from pyspark.sql import DataFrame, SparkSession
+
+__all__ = ["manifests", "sweep"]
+
+_COLUMNS = "part long, file string, rows long, bytes long, sha256 string, manifest string"
+
+
+def _writer(asked: Question) -> Callable[[Iterator[pyarrow.RecordBatch]], Iterator[pyarrow.RecordBatch]]:
+    def write(batches: Iterator[pyarrow.RecordBatch]) -> Iterator[pyarrow.RecordBatch]:
+        import pyarrow
+
+        for batch in batches:
+            for part in batch.column(0).to_pylist():
+                row = asked.write(part)
+                of_row = {name: [row[name]] for name in ("part", "file", "rows", "bytes", "sha256")}
+                yield pyarrow.RecordBatch.from_pydict({**of_row, "manifest": [json.dumps(row)]})
+
+    return write
+
+
+def manifests(spark: SparkSession, asked: Question) -> DataFrame:
+    """The parts as a DataFrame that writes them when it is computed: `part`, `file`, `rows`, `bytes`, `sha256`, and all of the manifest row as JSON.
+
+    Args:
+        spark: the session. Every executor has longdrive and sees the folder under its name.
+        asked: the sweep.
+    """
+    # a partition for each part: a task that fails costs one
+    return spark.range(1, asked.parts + 1, 1, asked.parts).mapInArrow(_writer(asked), _COLUMNS)
+
+
+def sweep(spark: SparkSession, setup: SetupLike = None, **question: Any) -> Parts:
+    """Computes all parts on a cluster of Spark, which tries a part again as often as ``spark.task.maxFailures`` says.
+
+    Args:
+        spark: the session. Every executor has longdrive and pyarrow, and sees the folder `output` under its name.
+        setup: a setup, the name of a preset, or a dict.
+        question: as :meth:`longdrive.parts.Question.of`: `output`, `parts`, `over` or `sample`, `outcomes`, `wrt`, `instructions`, …
+
+    Raises:
+        PartError: for a part that could not be written.
+    """
+    try:
+        from pyspark.errors import PySparkException
+    except ImportError as error:
+        raise ImportError("longdrive.spark needs Spark and Arrow: pip install pyspark pyarrow") from error
+    from py4j.protocol import Py4JError
+
+    asked = Question.of(setup, **question)
+    try:
+        rows = manifests(spark, asked).select("manifest").collect()
+    except (PySparkException, Py4JError) as error:
+        raise _named(asked, error) from error
+    return Parts.of(asked, (json.loads(row.manifest) for row in rows))
+
+
+def _named(asked: Question, error: Exception) -> PartError:
+    """What a worker said, which Spark hands on as a text; the part is named in it."""
+    mark = f" of {asked.parts}: "
+    line = next((line for line in str(error).splitlines() if "part " in line and mark in line), "")
+    number = line.partition(mark)[0].rpartition(" ")[2]
+    if number.isdigit():
+        return PartError(line[line.index(f"part {number}{mark}") :], int(number))
+    return PartError(f"a part of {asked.output}: {error}", 0)

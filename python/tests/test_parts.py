@@ -1,0 +1,105 @@
+"""Sweeps in parts: the same files from processes, and from the program; what is missing, and what merges."""
+
+from __future__ import annotations
+
+import hashlib
+import math
+import pickle
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import longdrive
+from longdrive import InputError, parts
+from longdrive.parts import PartError, Question
+
+QUESTION: dict[str, Any] = {
+    "setup": {"preset": "tour-average", "flight.step": 0.5},
+    "over": {"club.loft": "-4deg..15deg:41", "swing.attack_angle": (math.radians(-5.0), math.radians(5.0), 200)},
+    "outcomes": ["carry", "launch_angle"],
+    "wrt": "club.loft",
+    "histogram": {"carry": "150m..290m:7"},
+    "highest": {"carry": 5},
+    "parts": 4,
+}
+
+
+def sha256_of_the_set(folder: Path) -> str:
+    """What ``sha256sum part-*.parquet | sha256sum`` prints."""
+    files = sorted(folder.glob("part-*.parquet"))
+    lines = [f"{hashlib.sha256(file.read_bytes()).hexdigest()}  {file.name}\n" for file in files]
+    return hashlib.sha256("".join(lines).encode()).hexdigest()
+
+
+@pytest.fixture(scope="session")
+def one_worker(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, list[dict[str, Any]]]:
+    """All parts, in order and in this process."""
+    folder = tmp_path_factory.mktemp("parts")
+    asked = Question.of(**QUESTION, output=folder)
+    return folder, [asked.write(part) for part in range(1, asked.parts + 1)]
+
+
+def test_exact_set_of_processes_is_that_of_one_worker(
+    one_worker: tuple[Path, list[dict[str, Any]]], tmp_path: Path
+) -> None:
+    folder, rows = one_worker
+    found = parts.sweep(**QUESTION, output=tmp_path, processes=2)
+    assert found.manifests == rows
+    assert found.rows == 8200 and found.summary["moments"]["carry"]["count"] == found.summary["statuses"]["landed"]
+    assert sha256_of_the_set(tmp_path) == sha256_of_the_set(folder)
+    # once more: all is there, and nothing is written
+    before = [file.stat().st_mtime_ns for file in sorted(tmp_path.iterdir())]
+    assert parts.sweep(**QUESTION, output=tmp_path, processes=1).manifests == rows
+    assert [file.stat().st_mtime_ns for file in sorted(tmp_path.iterdir())] == before
+
+
+def test_exact_set_of_the_program_is_that_of_python(
+    one_worker: tuple[Path, list[dict[str, Any]]], tmp_path: Path, program: Callable[..., str]
+) -> None:
+    folder, _ = one_worker
+    asked = Question.of(**QUESTION, output=tmp_path / "drives")
+    setup = tmp_path / "setup.toml"
+    setup.write_text(asked.setup)
+    for part in (3, 1, 4, 2):
+        program("sweep", str(setup), *asked.options, f"--output={asked.output}", f"--part={part}/{asked.parts}")
+    assert sha256_of_the_set(Path(asked.output)) == sha256_of_the_set(folder)
+
+
+def test_exact_hash_and_summary_of_a_check(one_worker: tuple[Path, list[dict[str, Any]]]) -> None:
+    folder, rows = one_worker
+    found = parts.check(folder, contents=True)
+    assert (found["status"], found["missing"], found["faults"]) == ("done", [], [])
+    assert found["sha256"] == sha256_of_the_set(folder)
+    for row in rows:
+        assert row["sha256"] == hashlib.sha256((folder / row["file"]).read_bytes()).hexdigest()
+    merged = parts.merge(reversed(rows))
+    assert all(found[name] == merged[name] for name in merged)
+
+
+def test_a_missing_part_is_named_and_other_questions_are_refused(tmp_path: Path) -> None:
+    asked = Question.of(**QUESTION, output=tmp_path)
+    asked.write(2)
+    found = asked.check()
+    assert (found["status"], found["missing"]) == ("partial", [1, 3, 4])
+    other = Question.of(**{**QUESTION, "wrt": ()}, output=tmp_path)
+    with pytest.raises(PartError, match="part 2 of 4: .*different derivatives") as caught:
+        other.write(2)
+    again = pickle.loads(pickle.dumps(caught.value))
+    assert (type(again), str(again), again.part) == (PartError, str(caught.value), 2)
+    with pytest.raises(PartError, match="parts of one"):
+        parts.sweep(**{**QUESTION, "wrt": ()}, output=tmp_path, processes=1, retries=0)
+    with pytest.raises(InputError, match="there is no part of a sweep"):
+        (tmp_path / "empty").mkdir()
+        parts.check(tmp_path / "empty")
+    with pytest.raises(longdrive.Error, match="at most 9 parts"):
+        Question.of(**{**QUESTION, "parts": 10}, output=tmp_path / "new").write(1)
+    with pytest.raises(InputError, match="manifests"):
+        parts.merge([{"part": 1}])
+
+
+def test_numbers_are_si_and_texts_carry_their_unit() -> None:
+    asked = Question.of(over={"swing.speed": (40.0, "50 m/s", 3), "aero.cd0": (0.2, 0.3)}, output="a", parts=1)
+    assert asked.options[:2] == ("--over=swing.speed=40.0 m/s..50 m/s:3", "--over=aero.cd0=0.2..0.3")
+    assert pickle.loads(pickle.dumps(asked)) == asked

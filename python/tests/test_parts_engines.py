@@ -1,0 +1,202 @@
+"""Sweeps in parts on Dask, Ray and Spark, with workers that die, parts that fail and disks that are full."""
+
+from __future__ import annotations
+
+import os
+import pickle
+import resource
+import signal
+import sys
+import threading
+import time
+from pathlib import Path
+from typing import Any
+
+import pytest
+from test_parts import QUESTION, sha256_of_the_set
+
+from longdrive import parts
+from longdrive.parts import PartError, Question
+
+# engines warn about themselves
+pytestmark = pytest.mark.filterwarnings("ignore")
+
+
+@pytest.fixture(scope="module")
+def many(tmp_path_factory: pytest.TempPathFactory) -> tuple[dict[str, Any], str]:
+    """More parts, and the SHA-256 of the set of one worker."""
+    question = {**QUESTION, "over": {**QUESTION["over"], "club.loft": "-4deg..15deg:205"}, "parts": 40}
+    folder = tmp_path_factory.mktemp("many")
+    asked = Question.of(**question, output=folder)
+    for part in range(asked.parts, 0, -1):
+        asked.write(part)
+    return question, sha256_of_the_set(folder)
+
+
+class Client:
+    """Two worker processes of Dask."""
+
+    def __enter__(self) -> Any:
+        distributed = pytest.importorskip("distributed")
+        import dask
+
+        dask.config.set({"distributed.admin.tick.limit": "1h"})
+        self.cluster = distributed.LocalCluster(
+            n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None, silence_logs=50
+        )
+        self.client = distributed.Client(self.cluster)
+        return self.client
+
+    def __exit__(self, *raised: object) -> None:
+        self.client.close()
+        self.cluster.close()
+
+
+def poison(path: str) -> None:
+    """In a worker: the next part that it writes fails."""
+    whole = Question.write
+
+    def once(self: Question, part: int) -> dict[str, Any]:
+        Question.write = whole  # type: ignore[method-assign]
+        Path(path).write_text(str(part))
+        raise RuntimeError("poisoned once")
+
+    Question.write = once  # type: ignore[method-assign]
+
+
+def fill_the_disk(bytes_left: int) -> None:
+    """In a worker: no file may grow beyond this, which fails as a full disk does."""
+    # Python ignores the signal that says so
+    _, most = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (bytes_left, most))
+
+
+def empty_the_disk() -> None:
+    _, most = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (most, most))
+
+
+def test_exact_set_of_dask_with_a_worker_killed_a_part_poisoned_and_a_disk_full(
+    many: tuple[dict[str, Any], str], tmp_path: Path
+) -> None:
+    import longdrive.dask
+
+    question, whole = many
+    folder = tmp_path / "drives"
+    with Client() as client:
+        pids = list(client.run(os.getpid).values())
+        client.run(fill_the_disk, 2000)
+        client.run(poison, str(tmp_path / "poisoned"))
+
+        def disturb() -> None:
+            # some parts have failed by now: the disk gets room
+            time.sleep(0.2)
+            client.run(empty_the_disk)
+            while len(list(folder.glob("part-*"))) < 5:
+                time.sleep(0.005)
+            os.kill(pids[0], signal.SIGKILL)
+
+        disturbance = threading.Thread(target=disturb)
+        disturbance.start()
+        found = longdrive.dask.sweep(client, **question, output=folder, retries=1000)
+        disturbance.join()
+        assert (tmp_path / "poisoned").exists()
+        assert pids[0] not in client.run(os.getpid).values()
+    assert [row["part"] for row in found.manifests] == list(range(1, 41))
+    assert found.rows == 205 * 200
+    assert sha256_of_the_set(folder) == whole
+    assert parts.check(folder, contents=True)["sha256"] == whole
+
+
+def test_a_part_that_always_fails_is_named_by_dask(tmp_path: Path) -> None:
+    import longdrive.dask
+
+    with Client() as client:
+        client.run(fill_the_disk, 2000)
+        with pytest.raises(PartError, match="part . of 4: .*it cannot be written") as caught:
+            longdrive.dask.sweep(client, **QUESTION, output=tmp_path / "drives", retries=1)
+        assert 1 <= caught.value.part <= 4
+        client.run(empty_the_disk)
+    assert not list((tmp_path / "drives").glob("*"))
+
+
+def test_what_comes_back_of_a_part_does_not_grow_with_its_rows(tmp_path: Path) -> None:
+    sizes = []
+    for rows in (2, 200):
+        question = {**QUESTION, "over": {"club.loft": f"5deg..15deg:{1024 * rows}"}, "outcomes": "carry", "parts": 2}
+        row = Question.of(**question, output=tmp_path / str(rows)).write(2)
+        assert row["rows"] == 512 * rows
+        sizes.append(len(pickle.dumps(row)))
+    # numbers of rows have more digits
+    assert abs(sizes[1] - sizes[0]) < 100 and max(sizes) < 5000, sizes
+
+
+def test_exact_set_of_processes_of_which_one_is_killed(many: tuple[dict[str, Any], str], tmp_path: Path) -> None:
+    import multiprocessing
+
+    question, whole = many
+
+    def kill() -> None:
+        while len(list(tmp_path.glob("part-*"))) < 3:
+            time.sleep(0.005)
+        os.kill(multiprocessing.active_children()[0].pid or 0, signal.SIGKILL)
+
+    killer = threading.Thread(target=kill)
+    killer.start()
+    found = parts.sweep(**question, output=tmp_path, processes=2)
+    killer.join()
+    assert [row["part"] for row in found.manifests] == list(range(1, 41))
+    assert sha256_of_the_set(tmp_path) == whole
+
+
+def test_exact_set_of_spark(many: tuple[dict[str, Any], str], tmp_path: Path) -> None:
+    sql = pytest.importorskip("pyspark.sql")
+    pytest.importorskip("pyarrow")
+    import longdrive.spark
+
+    os.environ["PYSPARK_PYTHON"] = sys.executable
+    question, whole = many
+    session = sql.SparkSession.builder.master("local[2, 4]").config("spark.ui.enabled", "false").getOrCreate()
+    session.sparkContext.setLogLevel("OFF")
+    try:
+        found = longdrive.spark.sweep(session, **question, output=tmp_path / "drives")
+        assert [row["part"] for row in found.manifests] == list(range(1, 41))
+        assert sha256_of_the_set(tmp_path / "drives") == whole
+        with pytest.raises(PartError, match="part [0-9]+ of 40: .*different outcomes") as caught:
+            longdrive.spark.sweep(session, **{**question, "outcomes": "carry", "wrt": ()}, output=tmp_path / "drives")
+        assert 1 <= caught.value.part <= 40
+    finally:
+        session.stop()
+
+
+def test_exact_set_of_ray(many: tuple[dict[str, Any], str], tmp_path: Path) -> None:
+    ray = pytest.importorskip("ray")
+    import longdrive.ray
+
+    question, whole = many
+    ray.init(num_cpus=2, include_dashboard=False, log_to_driver=False)
+    try:
+        found = longdrive.ray.sweep(**question, output=tmp_path / "drives")
+        assert [row["part"] for row in found.manifests] == list(range(1, 41))
+        assert sha256_of_the_set(tmp_path / "drives") == whole
+        with pytest.raises(PartError, match="different outcomes") as caught:
+            longdrive.ray.sweep(**{**question, "outcomes": "carry", "wrt": ()}, output=tmp_path / "drives", retries=0)
+        assert 1 <= caught.value.part <= 40
+    finally:
+        ray.shutdown()
+
+
+@pytest.mark.parametrize(
+    ("module", "engine", "said"),
+    [("dask", "distributed", "dask\\[distributed\\]"), ("ray", "ray", "pip install ray"), ("spark", "pyspark.errors", "pyspark pyarrow")],
+)
+def test_an_engine_that_is_not_there_says_how_to_get_it(
+    module: str, engine: str, said: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    import importlib
+
+    monkeypatch.setitem(sys.modules, engine, None)
+    sweep = importlib.import_module(f"longdrive.{module}").sweep
+    first = () if module == "ray" else (None,)
+    with pytest.raises(ImportError, match=said):
+        sweep(*first, **QUESTION, output="drives")

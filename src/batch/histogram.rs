@@ -1,0 +1,139 @@
+use crate::drive::Outcome;
+use crate::error::{Error, Result};
+use serde::{Deserialize, Serialize};
+
+/// Bins where their number is not given.
+const USUAL: usize = 64;
+/// Most bins: every part of a sweep keeps them all.
+const MOST: usize = 100_000;
+
+/// Bins of equal width for an outcome, SI: the first begins at `low`, the last ends at `high`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bins {
+    /// The outcome.
+    pub of: Outcome,
+    /// The lower end of the first bin.
+    pub low: f64,
+    /// The upper end of the last.
+    pub high: f64,
+    /// How many there are.
+    pub count: usize,
+}
+
+impl Bins {
+    /// Reads `OUTCOME=LOW..HIGH:COUNT`, for example `carry=200m..300m:64`; without a count there are 64. A low end without unit takes
+    /// that of the high end.
+    ///
+    /// ```
+    /// use longdrive::batch::Bins;
+    /// let bins = Bins::read("carry=200..300m:4").unwrap();
+    /// assert_eq!((0..=4).map(|i| bins.edge(i)).collect::<Vec<_>>(), [200.0, 225.0, 250.0, 275.0, 300.0]);
+    /// assert!(Bins::read("carry=300m..200m").is_err());
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::SearchRange`] for a range or a count that is none, [`Error::Unknown`], [`Error::Unreadable`].
+    pub fn read(text: &str) -> Result<Self> {
+        let refuse = |reason: String| Error::SearchRange { name: format!("of the histogram {}", text.trim()), reason };
+        let example = "write for example carry=200m..300m:64";
+        let (name, rest) = text.split_once('=').ok_or_else(|| refuse(example.into()))?;
+        let of = Outcome::named(name.trim())?;
+        let (range, count) = match rest.rsplit_once(':') {
+            None => (rest, USUAL),
+            Some((range, count)) => match count.trim().parse() {
+                Ok(count) if (1..=MOST).contains(&count) => (range, count),
+                _ => return Err(refuse(format!("'{count}' is not a number of bins from 1 to {MOST}; {example}"))),
+            },
+        };
+        let (low, high) =
+            range.split_once("..").ok_or_else(|| refuse(format!("'{range}' is not LOW..HIGH; {example}")))?;
+        let unreadable =
+            |error| Error::Unreadable { name: format!("the histogram {}", text.trim()), source: Box::new(error) };
+        let quantity = of.quantity();
+        let (_, unit) = quantity.split(high).map_err(unreadable)?;
+        let has_unit = !quantity.split(low).map_err(unreadable)?.1.is_empty();
+        let low = if has_unit { low.to_owned() } else { format!("{low} {unit}") };
+        let high = quantity.read(high).map_err(unreadable)?;
+        let low = quantity.read(&low).map_err(unreadable)?;
+        if !(low.is_finite() && high.is_finite() && low < high) {
+            return Err(refuse(format!("its ends must be finite, and the lower one below the upper one; {example}")));
+        }
+        Ok(Self { of, low, high, count })
+    }
+
+    /// Where bin number `i` begins: low + (high − low) i/count.
+    pub fn edge(&self, i: usize) -> f64 {
+        if i >= self.count { self.high } else { self.low + (self.high - self.low) * i as f64 / self.count as f64 }
+    }
+
+    /// The bin that a value from `low` to `high` is in: edge(i) ≤ value < edge(i + 1), and `high` itself is in the last.
+    fn bin(&self, value: f64) -> usize {
+        let at = ((value - self.low) / (self.high - self.low) * self.count as f64) as usize;
+        let mut at = at.min(self.count - 1);
+        // the edges decide, not the rounding of the quotient
+        while at > 0 && value < self.edge(at) {
+            at -= 1;
+        }
+        while at + 1 < self.count && value >= self.edge(at + 1) {
+            at += 1;
+        }
+        at
+    }
+
+    /// The bins in words that tell them from any others.
+    pub fn identity(&self) -> String {
+        format!("{}={:?}..{:?}:{}", self.of.name(), self.low, self.high, self.count)
+    }
+}
+
+/// How many values of an outcome lie in each of some bins.
+///
+/// ```
+/// use longdrive::batch::{Bins, Histogram};
+/// let bins = Bins::read("carry=200m..300m:4").unwrap();
+/// let mut histogram = Histogram::new(&bins);
+/// [199.9, 200.0, 224.9, 225.0, 300.0, 300.1].into_iter().for_each(|carry| histogram.add(&bins, carry));
+/// assert_eq!((histogram.below, &histogram.counts[..], histogram.above), (1, &[2, 1, 0, 1][..], 1));
+/// ```
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Histogram {
+    /// The outcome.
+    pub of: String,
+    /// The ends of the bins, SI: they have equal widths.
+    pub range: [f64; 2],
+    /// Values below the first bin.
+    pub below: u64,
+    /// Values in each bin; the upper end of the last one belongs to it.
+    pub counts: Vec<u64>,
+    /// Values above the last bin.
+    pub above: u64,
+}
+
+impl Histogram {
+    /// Empty bins.
+    pub fn new(bins: &Bins) -> Self {
+        Self {
+            of: bins.of.name().into(),
+            range: [bins.low, bins.high],
+            below: 0,
+            counts: vec![0; bins.count],
+            above: 0,
+        }
+    }
+
+    /// Counts a finite value.
+    pub fn add(&mut self, bins: &Bins, value: f64) {
+        match value {
+            value if value < bins.low => self.below += 1,
+            value if value > bins.high => self.above += 1,
+            value => self.counts[bins.bin(value)] += 1,
+        }
+    }
+
+    /// Adds the counts of other rows in the same bins.
+    pub fn merge(&mut self, other: &Self) {
+        self.below += other.below;
+        self.above += other.above;
+        self.counts.iter_mut().zip(&other.counts).for_each(|(ours, theirs)| *ours += theirs);
+    }
+}

@@ -1,0 +1,25 @@
+//! Files that are written beside their place and put there once they are whole.
+
+use std::fs;
+use std::io;
+use std::path::Path;
+
+/// A new file in the same folder, which is gone again unless it is put in place.
+pub(crate) fn beside(path: &Path) -> io::Result<tempfile::NamedTempFile> {
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".longdrive-");
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        // those of the file that is replaced; of a new one, those that any new file has
+        let of_old = fs::metadata(path).ok().filter(fs::Metadata::is_file).map(|found| found.permissions());
+        builder.permissions(of_old.unwrap_or_else(|| fs::Permissions::from_mode(0o666)));
+    }
+    // the name of this file is nobody's business
+    builder.tempfile_in(folder_of(path)).map_err(|error| io::Error::from(error.kind()))
+}
+
+/// The folder that a file is in.
+pub(crate) fn folder_of(path: &Path) -> &Path {
+    path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
+}

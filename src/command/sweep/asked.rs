@@ -1,0 +1,57 @@
+use super::points::points;
+use crate::batch::{Batch, Points};
+use crate::command::args::Sweep;
+use crate::command::names::{outcomes, variables};
+use crate::command::output::{system, tell};
+use crate::units::Message;
+use crate::{Error, Result, Setup};
+
+/// What is asked of the points of a sweep.
+pub struct Asked {
+    /// The setup, with the method and step that were chosen.
+    pub setup: Setup<f64>,
+    pub points: Box<dyn Points>,
+    pub batch: Batch,
+    /// What deserves a word about where the points come from.
+    pub notes: Vec<Message>,
+}
+
+impl Asked {
+    pub fn of(args: &Sweep) -> Result<Self> {
+        let setup = args.question.setup_of_points()?;
+        let of = outcomes(&args.outcomes)?;
+        let points = points(&setup, args)?;
+        let notes = points.notes();
+        for note in &notes {
+            tell(&format!("note: {}: {}", described(args), note.in_units(system())));
+        }
+        if let (Some(table), 0) = (&args.points, points.rows()) {
+            let reason = "it has a head and no rows; give a row for each drive".into();
+            return Err(Error::Table { file: table.display().to_string(), place: String::new(), reason });
+        }
+        args.question.refuse_twice(&setup, points.parameters(), "every drive of the sweep has a value of its own")?;
+        args.question.refuse_replaced(&setup, points.parameters())?;
+        if !setup.launch.is_given() && points.parameters().iter().any(|parameter| parameter.is_of_launch()) {
+            args.question.refuse_club(&setup, "the points are launches")?;
+        }
+        let accuracy = args.question.accuracy(&setup, &points.ranges(), &of)?;
+        let setup = accuracy.map_or(setup, |found| found.applied_to(&setup));
+        let wrt = match args.wrt.as_slice() {
+            [] if args.gradient => points.parameters().to_vec(),
+            names => variables(&setup, names, &of)?,
+        };
+        let mut batch = Batch::new(&setup, points.parameters(), &of, &wrt)?;
+        if let Some(found) = accuracy {
+            batch = batch.with_largest_defect(found.largest_defect);
+        }
+        if let Some(instructions) = args.instructions {
+            batch = batch.with_instructions(instructions)?;
+        }
+        Ok(Self { setup, points, batch, notes })
+    }
+}
+
+/// Where the points come from.
+fn described(args: &Sweep) -> String {
+    args.points.as_ref().map_or("--over".into(), |table| table.display().to_string())
+}

@@ -1,0 +1,186 @@
+//! A sweep in parts, each a file of its own.
+
+use super::asked::Asked;
+use crate::batch::{Bins, Run, Sought};
+use crate::command::args::{PartOf, Sweep};
+use crate::command::files::{refused, unwritable};
+use crate::command::interrupt;
+use crate::command::output::{Answer, bar, system, tell, warn};
+use crate::drive::Looked;
+use crate::parts::{self, Checked, Dataset, Manifest, Question, Written};
+use crate::report::{Reply, summary_text};
+use crate::units::{Message, counted};
+use crate::{Error, Result};
+use serde::Serialize;
+use std::io::ErrorKind;
+use std::path::Path;
+
+/// A part that is in its place, as JSON.
+#[derive(Serialize)]
+struct OfPart {
+    folder: String,
+    #[serde(flatten)]
+    manifest: Manifest,
+    /// What deserves a word about where the points come from.
+    remarks: Vec<Message>,
+}
+
+/// A folder of parts, as JSON.
+#[derive(Serialize)]
+struct OfParts {
+    folder: String,
+    #[serde(flatten)]
+    checked: Checked,
+}
+
+/// Writes a part.
+pub fn write(args: &Sweep, part: PartOf, folder: &Path) -> Result<Answer> {
+    let stop = interrupt::stops("stopping after the drives under way; nothing of the part is kept");
+    let Asked { setup, mut points, batch, notes } = Asked::of(args)?;
+    let dataset = of_question(args, batch, points.as_ref(), part.parts)?;
+    let rows = dataset.rows_of(part.part)?;
+    make(folder)?;
+    let mut warnings = setup.warnings();
+    warn(&warnings);
+    let bar = bar("drives");
+    bar.set_length(rows.end - rows.start);
+    let run = Run { threads: args.threads, stop: Some(&stop), ..Run::default() };
+    let progress = |done| bar.set_position(done);
+    let written = dataset.write(points.as_mut(), part.part, folder, &run, args.overwrite, progress);
+    bar.finish_and_clear();
+    let (manifest, is_new) = match written? {
+        Written::New(manifest) => (manifest, true),
+        Written::There(manifest) => (manifest, false),
+        Written::Stopped => {
+            let PartOf { part, parts } = part;
+            let told = format!("stopped: nothing of part {part} of {parts} is kept; the same command begins it again");
+            tell(&told);
+            let reply = match args.question.json {
+                true => Answer::json(&Reply::refused(Some("sweep"), "interrupted", told)),
+                false => Answer::text(String::new()),
+            };
+            return Ok(reply.found(false));
+        }
+    };
+    let beyond = manifest.part.summary.tally().beyond();
+    let beyond = beyond.warnings(&setup.law, ["drive that landed", "drives that landed"], Looked::AtLaunch);
+    warn(&beyond);
+    warnings.extend(beyond);
+    let there = (!is_new).then(|| "it was there already, whole and of the same question, and stays".to_owned());
+    if args.question.json {
+        let body = OfPart { folder: folder.display().to_string(), manifest, remarks: notes };
+        return Ok(Answer::json(&Reply::done("sweep", warnings, body).ended("done", there)));
+    }
+    let drives = counted(manifest.part.rows, "drive");
+    let path = folder.join(&manifest.file);
+    let there = there.map_or(String::new(), |there| format!("; {there}"));
+    Ok(Answer::text(format!("part {} of {}: {drives} in {}{there}\n", part.part, part.parts, path.display())))
+}
+
+fn of_question(
+    args: &Sweep,
+    batch: crate::batch::Batch,
+    points: &dyn crate::batch::Points,
+    parts: u64,
+) -> Result<Dataset> {
+    let bins: Vec<_> = args.histogram.iter().map(|text| Bins::read(text)).collect::<Result<_>>()?;
+    let highest = args.highest.iter().map(|text| Sought::read(text, true));
+    let sought: Vec<_> =
+        highest.chain(args.lowest.iter().map(|text| Sought::read(text, false))).collect::<Result<_>>()?;
+    Dataset::new(batch, points, parts, &bins, &sought)
+}
+
+/// The folder of the parts: other processes may make it at the same moment.
+fn make(folder: &Path) -> Result<()> {
+    if folder == Path::new("-") {
+        return Err(refused(folder, "a part is written into a folder; name one with -o, as in -o parts"));
+    }
+    match std::fs::create_dir(folder) {
+        Ok(()) => Ok(()),
+        Err(error) if error.kind() == ErrorKind::AlreadyExists && folder.is_dir() => Ok(()),
+        Err(error) if error.kind() == ErrorKind::AlreadyExists => {
+            Err(refused(folder, "it is a file; name a folder, into which the parts are written"))
+        }
+        Err(error) => Err(unwritable(folder, &error)),
+    }
+}
+
+/// Looks through the parts of a folder.
+pub fn check(args: &Sweep, folder: &Path) -> Result<Answer> {
+    let wanted = wanted(args)?;
+    let checked = parts::check(folder, wanted.as_ref(), args.hash)?;
+    if let (Some(wanted), Some(_)) = (&wanted, args.instructions)
+        && wanted.instructions != checked.question.instructions
+    {
+        let reason = format!(
+            "its parts are computed with the instructions {}, and not {}",
+            checked.question.instructions, wanted.instructions
+        );
+        return Err(refused(folder, reason));
+    }
+    let (is_complete, said) = (checked.is_complete(), said(&checked));
+    if args.question.json {
+        let reply = Reply::done("sweep", vec![], OfParts { folder: folder.display().to_string(), checked });
+        let reply = if is_complete { reply } else { reply.ended("partial", Some(said.join("; "))) };
+        return Ok(Answer::json(&reply).found(is_complete));
+    }
+    let text = said.join("\n") + "\n\n" + &summary_text(&checked.summary, system());
+    Ok(Answer::text(text).found(is_complete))
+}
+
+/// The question that the options ask, if they ask one.
+fn wanted(args: &Sweep) -> Result<Option<Question>> {
+    if args.over.is_empty() && args.points.is_none() {
+        return match args.instructions {
+            None => Ok(None),
+            Some(_) => Err(Error::Together {
+                given: "--check with --instructions".into(),
+                reason:
+                    "say what was swept too (--over or --points), or leave --instructions out: the answer names them"
+                        .into(),
+            }),
+        };
+    }
+    let Asked { points, batch, .. } = Asked::of(args)?;
+    // how many parts there are is told by the files
+    Ok(Some(of_question(args, batch, points.as_ref(), 1)?.question().clone()))
+}
+
+/// What is there and what is not, a sentence each.
+fn said(checked: &Checked) -> Vec<String> {
+    let Checked { question, present, missing, faults, unfinished, rows, bytes, sha256, .. } = checked;
+    let mut said = vec![match checked.is_complete() {
+        true => format!(
+            "complete: {} of {} with the instructions {}, {bytes} bytes",
+            counted(*present, "part"),
+            counted(*rows, "drive"),
+            question.instructions
+        ),
+        false => format!("not complete: {present} of {} are there and sound", counted(question.parts, "part")),
+    }];
+    if !missing.is_empty() {
+        said.push(format!("missing: {}", ranges(missing)));
+    }
+    said.extend(faults.iter().map(|fault| format!("{}: {}", fault.file, fault.reason)));
+    if !unfinished.is_empty() {
+        said.push(format!(
+            "{} of writers that are at work or were killed; where none is at work they can be deleted",
+            counted(unfinished.len() as u64, "file")
+        ));
+    }
+    said.extend(sha256.as_ref().map(|hash| format!("SHA-256 of the set: {hash}")));
+    said
+}
+
+/// Numbers as job arrays take them: `3,17-20`.
+fn ranges(numbers: &[u64]) -> String {
+    let mut ranges: Vec<(u64, u64)> = vec![];
+    for number in numbers {
+        match ranges.last_mut() {
+            Some((_, last)) if *last + 1 == *number => *last = *number,
+            _ => ranges.push((*number, *number)),
+        }
+    }
+    let range = |(first, last): &(u64, u64)| if first == last { first.to_string() } else { format!("{first}-{last}") };
+    ranges.iter().map(range).collect::<Vec<_>>().join(",")
+}

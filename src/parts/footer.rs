@@ -1,0 +1,106 @@
+use super::hash::Hash;
+use super::question::Question;
+use crate::batch::Summary;
+use crate::foreign::{of_io, of_parquet};
+use parquet::file::metadata::{KeyValue, ParquetMetaDataReader};
+use serde::{Deserialize, Serialize};
+use std::fs::File;
+use std::io::{Read, Seek, SeekFrom};
+use std::path::Path;
+
+/// The keys of a file's notes: the question, and what its part is.
+pub(super) const QUESTION: &str = "longdrive";
+pub(super) const PART: &str = "longdrive.part";
+
+/// What a file's footer says of its part of a sweep.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Part {
+    /// Which part it is, from 1.
+    pub part: u64,
+    /// Of how many.
+    pub parts: u64,
+    /// Its first row among those of the whole sweep, from 0.
+    pub first_row: u64,
+    /// How many rows it has.
+    pub rows: u64,
+    /// SHA-256 of the [`Question`].
+    pub question: String,
+    /// The processor's architecture and the instructions that were used: `x86_64 avx2`.
+    pub instructions: String,
+    /// SHA-256 of the bytes before the footer: the rows.
+    pub data: String,
+    /// What the rows are like in all.
+    #[serde(flatten)]
+    pub summary: Summary,
+}
+
+/// A part's file, and what is in it: the same for whoever writes it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Manifest {
+    /// The name of the file in its folder.
+    pub file: String,
+    /// Its length.
+    pub bytes: u64,
+    /// SHA-256 of all of it, as `sha256sum` prints it.
+    pub sha256: String,
+    /// Its footer.
+    #[serde(flatten)]
+    pub part: Part,
+}
+
+/// What a footer tells without a look at the rows.
+pub(super) struct Footer {
+    pub question: Question,
+    pub part: Part,
+    pub bytes: u64,
+    /// Bytes before the footer.
+    data: u64,
+}
+
+impl Footer {
+    /// Reads it; or why it cannot be read.
+    pub fn read(path: &Path) -> Result<Self, String> {
+        let mut file = File::open(path).map_err(|error| of_io(&error))?;
+        let metadata = ParquetMetaDataReader::new().parse_and_finish(&file);
+        let metadata = metadata.map_err(|error| format!("its footer cannot be read ({})", of_parquet(&error)))?;
+        let notes = metadata.file_metadata().key_value_metadata().map(Vec::as_slice).unwrap_or_default();
+        let (Some(question), Some(part)) = (note::<Question>(notes, QUESTION), note::<Part>(notes, PART)) else {
+            return Err("it is not a part of a sweep of longdrive".into());
+        };
+        let (bytes, data) = lengths(&mut file).map_err(|error| of_io(&error))?;
+        let rows: i64 = metadata.row_groups().iter().map(|group| group.num_rows()).sum();
+        let ends = metadata.row_groups().iter().flat_map(|group| group.columns()).map(|column| {
+            let (at, length) = column.byte_range();
+            at + length
+        });
+        if part.question != question.hash() || u64::try_from(rows) != Ok(part.rows) || ends.max() != Some(data) {
+            return Err("its footer does not belong to its rows".into());
+        }
+        Ok(Self { question, part, bytes, data })
+    }
+
+    /// The manifest of the file, whose bytes are all read.
+    pub fn manifest(self, path: &Path) -> Result<Manifest, String> {
+        let file = File::open(path).map_err(|error| of_io(&error))?;
+        let (data, sha256) = Hash::of_file(file, self.data).map_err(|error| of_io(&error))?;
+        if data != self.part.data {
+            return Err("its rows are not those that were written: their SHA-256 is not that in its footer".into());
+        }
+        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        Ok(Manifest { file: name, bytes: self.bytes, sha256, part: self.part })
+    }
+}
+
+fn note<T: for<'de> Deserialize<'de>>(notes: &[KeyValue], key: &str) -> Option<T> {
+    let note = notes.iter().find(|note| note.key == key)?;
+    serde_json::from_str(note.value.as_deref()?).ok()
+}
+
+/// How long a file is, and how much of it stands before the footer, whose length is in four of the last eight bytes.
+fn lengths(file: &mut File) -> std::io::Result<(u64, u64)> {
+    let mut tail = [0; 4];
+    let bytes = file.seek(SeekFrom::End(0))?;
+    file.seek(SeekFrom::Start(bytes.saturating_sub(8)))?;
+    file.read_exact(&mut tail)?;
+    Ok((bytes, bytes.saturating_sub(8 + u64::from(u32::from_le_bytes(tail)))))
+}

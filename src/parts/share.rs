@@ -1,0 +1,52 @@
+use crate::batch::CHUNK;
+use crate::error::{Error, Result};
+use std::ops::Range;
+
+/// Digits of a part's number in the name of its file, at least.
+const DIGITS: usize = 5;
+
+/// The most parts that so many rows can be divided into: a part has a block of [`CHUNK`] rows at least.
+pub fn most_parts(rows: u64) -> u64 {
+    rows.div_ceil(CHUNK as u64)
+}
+
+/// The rows of part K of M, from 0: whole blocks of [`CHUNK`] rows, shared out as evenly as they can be. With B blocks it has those from
+/// ⌊(K − 1)B/M⌋ on, before ⌊K B/M⌋.
+///
+/// ```
+/// use longdrive::parts::rows_of;
+/// // ten blocks, the last with 784 rows, in three parts
+/// let rows: Vec<_> = (1..=3).map(|part| rows_of(part, 3, 10_000).unwrap()).collect();
+/// assert_eq!(rows, [0..3072, 3072..6144, 6144..10_000]);
+/// ```
+///
+/// # Errors
+/// [`Error::Together`] for a part that is not from 1 to M, and for more parts than there are blocks.
+pub fn rows_of(part: u64, parts: u64, rows: u64) -> Result<Range<u64>> {
+    let refuse = |reason: String| Err(Error::Together { given: format!("part {part} of {parts}"), reason });
+    if part == 0 || part > parts {
+        return refuse(format!(
+            "parts are counted from 1; give one from 1 to {parts}, as a job array from 1 to {parts} does"
+        ));
+    }
+    let blocks = most_parts(rows);
+    if parts > blocks {
+        return refuse(format!(
+            "the sweep has {rows} rows, and a part has at least {CHUNK}; divide it into at most {blocks} parts"
+        ));
+    }
+    // the product of two numbers of 64 bits has 128
+    let begin = |part: u64| (u128::from(part) * u128::from(blocks) / u128::from(parts)) as u64 * CHUNK as u64;
+    Ok(begin(part - 1)..begin(part).min(rows))
+}
+
+/// The name of a part's file: its number, with as many digits as the number of parts and at least five.
+///
+/// ```
+/// assert_eq!(longdrive::parts::file_name(17, 1000), "part-00017.parquet");
+/// assert_eq!(longdrive::parts::file_name(17, 1_000_000), "part-0000017.parquet");
+/// ```
+pub fn file_name(part: u64, parts: u64) -> String {
+    let digits = parts.to_string().len().max(DIGITS);
+    format!("part-{part:0digits$}.parquet")
+}

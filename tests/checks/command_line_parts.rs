@@ -1,0 +1,459 @@
+//! `longdrive sweep` in parts as a user meets it: the same bytes from whoever writes a part, kills, full disks, and what a check of a
+//! folder finds.
+
+use crate::command_line::{json, longdrive, number};
+use assert_cmd::cargo::cargo_bin;
+use longdrive::batch::Instructions;
+use longdrive::parts::{Manifest, Question, check, file_name, merge};
+use parquet::file::reader::{FileReader, SerializedFileReader};
+use parquet::record::Field;
+use serde_json::Value;
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::sync::LazyLock;
+
+const PARTS: u64 = 4;
+const NAMES: [&str; 4] = ["part-00001.parquet", "part-00002.parquet", "part-00003.parquet", "part-00004.parquet"];
+
+/// Eight thousand drives in steps so coarse that they take no time, of which some do not fly.
+const DRIVES: [&str; 10] = [
+    "sweep",
+    "--set",
+    "flight.step=0.5s",
+    "--over",
+    "club.loft=-4deg..15deg:41",
+    "--over",
+    "swing.attack_angle=-5deg..5deg:200",
+    "--outcomes",
+    "carry,launch_angle",
+    "--gradient",
+];
+const SUMMARY: [&str; 6] = ["--histogram", "carry=150..290m:7", "--highest", "carry:5", "--lowest", "launch_angle:3"];
+
+fn question() -> Vec<&'static str> {
+    [&DRIVES[..], &SUMMARY[..]].concat()
+}
+
+/// Writes a part; what it answers.
+fn write(question: &[&str], part: u64, parts: u64, folder: &Path, more: &[&str]) -> (i32, Value) {
+    let part = format!("{part}/{parts}");
+    json(&[question, &["-o", folder.to_str().unwrap(), "--part", &part], more].concat())
+}
+
+/// All parts, written in order by one thread.
+struct Set {
+    folder: tempfile::TempDir,
+    answers: Vec<Value>,
+}
+
+impl Set {
+    fn new(question: &[&str]) -> Self {
+        let folder = tempfile::tempdir().unwrap();
+        let of = |part| write(question, part, PARTS, folder.path(), &["--threads", "1"]);
+        let answers = (1..=PARTS).map(of).map(|(status, answer)| {
+            assert_eq!((status, &answer["status"]), (0, &"done".into()), "{answer}");
+            answer
+        });
+        Self { answers: answers.collect(), folder }
+    }
+
+    fn path(&self) -> &Path {
+        self.folder.path()
+    }
+
+    /// A copy that a test may spoil.
+    fn copy(&self) -> tempfile::TempDir {
+        let copy = tempfile::tempdir().unwrap();
+        for name in NAMES {
+            fs::copy(self.path().join(name), copy.path().join(name)).unwrap();
+        }
+        copy
+    }
+}
+
+static SET: LazyLock<Set> = LazyLock::new(|| Set::new(&question()));
+
+fn bytes(folder: &Path) -> Vec<Vec<u8>> {
+    NAMES.iter().map(|name| fs::read(folder.join(name)).unwrap()).collect()
+}
+
+/// The rows of a file: numbers as their bits.
+fn rows(path: &Path) -> Vec<Vec<Option<String>>> {
+    let file = SerializedFileReader::new(fs::File::open(path).unwrap()).unwrap();
+    let cell = |field: &Field| match field {
+        Field::Null => None,
+        Field::Double(value) => Some(format!("{:x}", value.to_bits())),
+        other => Some(other.to_string()),
+    };
+    let rows = file.get_row_iter(None).unwrap();
+    rows.map(|row| row.unwrap().get_column_iter().map(|(_, field)| cell(field)).collect()).collect()
+}
+
+fn checked(folder: &Path, more: &[&str]) -> (i32, Value) {
+    json(&[&["sweep", "--check", folder.to_str().unwrap()], more].concat())
+}
+
+#[test]
+fn exact_a_part_has_the_same_bytes_whoever_writes_it_and_in_whatever_order() {
+    let folder = tempfile::tempdir().unwrap();
+    for (part, threads) in [(3, "3"), (1, "2"), (4, "1"), (2, "2")] {
+        let (status, answer) = write(&question(), part, PARTS, folder.path(), &["--threads", threads]);
+        assert_eq!((status, &answer["file"]), (0, &NAMES[part as usize - 1].into()));
+        let mut before = SET.answers[part as usize - 1].clone();
+        before["folder"] = answer["folder"].clone();
+        assert_eq!(answer, before);
+    }
+    assert!(bytes(folder.path()) == bytes(SET.path()));
+    // several at once, and each part twice
+    let folder = tempfile::tempdir().unwrap();
+    let program = |part: u64| {
+        let mut program = Command::new(cargo_bin!("longdrive"));
+        program.args(question()).arg("-o").arg(folder.path().join("made")).args(["--part", &format!("{part}/{PARTS}")]);
+        program.stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap()
+    };
+    let programs: Vec<_> = (1..=PARTS).chain(1..=PARTS).map(program).collect();
+    assert!(programs.into_iter().all(|mut program| program.wait().unwrap().success()));
+    assert!(bytes(&folder.path().join("made")) == bytes(SET.path()));
+    assert_eq!(fs::read_dir(folder.path().join("made")).unwrap().count(), NAMES.len());
+}
+
+#[test]
+fn exact_the_rows_of_all_parts_are_those_of_the_sweep_into_one_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let whole = folder.path().join("whole.parquet");
+    let said = longdrive(&[&DRIVES[..], &["-o", whole.to_str().unwrap()]].concat());
+    assert_eq!(said.status, 0, "{}", said.err);
+    let parts: Vec<_> = NAMES.iter().flat_map(|name| rows(&SET.path().join(name))).collect();
+    assert_eq!(parts.len(), 41 * 200);
+    assert!(parts == rows(&whole));
+}
+
+/// Sums in whole and halves, so that the mean is exact to the last digit but one.
+fn mean_and_squares(values: &[f64]) -> (f64, f64) {
+    // pairwise, in another order than the program's
+    fn sum(values: &[f64]) -> f64 {
+        match values {
+            [] => 0.0,
+            [one] => *one,
+            values => sum(&values[..values.len() / 2]) + sum(&values[values.len() / 2..]),
+        }
+    }
+    let mean = sum(values) / values.len() as f64;
+    (mean, sum(&values.iter().map(|value| (value - mean) * (value - mean)).collect::<Vec<_>>()))
+}
+
+#[test]
+fn independent_summary_of_a_set_is_that_of_its_rows() {
+    let (status, answer) = checked(SET.path(), &[]);
+    assert_eq!((status, &answer["status"], &answer["message"]), (0, &"done".into(), &Value::Null));
+    let all: Vec<_> = NAMES.iter().flat_map(|name| rows(&SET.path().join(name))).collect();
+    let columns = ["carry", "launch_angle", "d_carry/d_club.loft", "d_carry/d_swing.attack_angle"];
+    let value = |text: &String| f64::from_bits(u64::from_str_radix(text, 16).unwrap());
+    let column = |at: usize| all.iter().filter_map(|row| row[3 + at].as_ref().map(value)).collect::<Vec<_>>();
+    for (at, name) in columns.iter().enumerate() {
+        let (values, found) = (column(at), &answer["moments"][name]);
+        let (mean, squares) = mean_and_squares(&values);
+        assert_eq!(found["count"], values.len(), "{name}");
+        assert!((number(&found["mean"]) / mean - 1.0).abs() < 1e-13, "{name}: {found}, {mean}");
+        assert!((number(&found["m2"]) / squares - 1.0).abs() < 1e-12, "{name}: {found}, {squares}");
+        assert_eq!(number(&found["min"]), values.iter().copied().fold(f64::INFINITY, f64::min));
+        assert_eq!(number(&found["max"]), values.iter().copied().fold(f64::NEG_INFINITY, f64::max));
+    }
+    let mut statuses = BTreeMap::new();
+    all.iter().for_each(|row| *statuses.entry(row[2].clone().unwrap().replace('"', "")).or_insert(0) += 1);
+    assert!(statuses.len() > 1, "{statuses:?}");
+    for (status, count) in statuses {
+        assert_eq!(answer["statuses"][&status], count, "{status}");
+    }
+    let carries = column(0);
+    let histogram = &answer["histograms"][0];
+    let within = |low: f64, high: f64| carries.iter().filter(|carry| (low..high).contains(*carry)).count();
+    assert_eq!(histogram["below"], within(f64::NEG_INFINITY, 150.0));
+    assert_eq!(histogram["above"], within(290.0, f64::INFINITY));
+    for bin in 0..7 {
+        // edges 150, 170, … are exact, and no carry is on one
+        let low = 150.0 + 20.0 * f64::from(bin);
+        assert_eq!(histogram["counts"][bin as usize], within(low, low + 20.0), "{bin}");
+    }
+    for (which, (at, sign, most)) in [(0, -1.0, 5), (1, 1.0, 3)].into_iter().enumerate() {
+        let mut ranked: Vec<_> =
+            all.iter().enumerate().filter_map(|(row, cells)| Some((value(cells[3 + at].as_ref()?), row))).collect();
+        ranked.sort_by(|a, b| (sign * a.0).total_cmp(&(sign * b.0)).then(a.1.cmp(&b.1)));
+        let best = &answer["best"][which]["rows"];
+        assert_eq!(best.as_array().unwrap().len(), most);
+        for (found, (value_of, row)) in best.as_array().unwrap().iter().zip(ranked) {
+            assert_eq!((number(&found["value"]), &found["row"]), (value_of, &row.into()));
+            assert_eq!(number(&found["point"]["club.loft"]), value(all[row][0].as_ref().unwrap()));
+        }
+    }
+    // merged from what the parts answered, in any order and one of them twice
+    let mut manifests: Vec<Manifest> =
+        SET.answers.iter().map(|answer| serde_json::from_value(answer.clone()).unwrap()).collect();
+    manifests.reverse();
+    manifests.push(manifests[2].clone());
+    let merged = serde_json::to_value(merge(&manifests).unwrap()).unwrap();
+    for key in ["statuses", "beyond", "moments", "histograms", "best"] {
+        assert_eq!(merged[key], answer[key], "{key}");
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn independent_sha256sum_of_the_set_is_that_of_its_files() {
+    let (status, answer) = checked(SET.path(), &["--hash"]);
+    assert_eq!(status, 0, "{answer}");
+    let mut program = Command::new("bash");
+    program.args(["-c", "sha256sum part-*.parquet | tee /dev/stderr | sha256sum"]).current_dir(SET.path());
+    let output = program.output().unwrap();
+    let set = String::from_utf8(output.stdout).unwrap();
+    assert_eq!(answer["sha256"].as_str(), set.split(' ').next());
+    let files = String::from_utf8(output.stderr).unwrap();
+    for (line, answer) in files.lines().zip(&SET.answers) {
+        assert_eq!(line, format!("{}  {}", answer["sha256"].as_str().unwrap(), answer["file"].as_str().unwrap()));
+    }
+    assert_eq!(checked(SET.path(), &[]).1["sha256"], Value::Null);
+}
+
+#[test]
+fn a_part_that_is_there_stays_and_one_of_another_question_is_refused() {
+    let copy = SET.copy();
+    let before = fs::metadata(copy.path().join(NAMES[1])).unwrap().modified().unwrap();
+    let (status, answer) = write(&question(), 2, PARTS, copy.path(), &[]);
+    assert_eq!(status, 0);
+    assert!(answer["message"].as_str().unwrap().contains("there already"), "{answer}");
+    assert_eq!(answer["sha256"], SET.answers[1]["sha256"]);
+    assert_eq!(fs::metadata(copy.path().join(NAMES[1])).unwrap().modified().unwrap(), before);
+
+    let refused = |more: &[&str], why: &str| {
+        let (status, answer) = write(&question(), 2, PARTS, copy.path(), more);
+        let message = answer["message"].as_str().unwrap();
+        assert!(status == 2 && message.contains(why), "{more:?}: {message}");
+    };
+    refused(&["--set", "swing.speed=100mph"], "different setups");
+    refused(&["--wrt", "air.density"], "different derivatives");
+    refused(&["--highest", "launch_angle:2"], "different histograms or best rows");
+    // no part is written beside those of another sweep either
+    fs::remove_file(copy.path().join(NAMES[1])).unwrap();
+    refused(&["--set", "swing.speed=100mph"], "a folder holds the parts of one");
+    let (status, answer) = write(&question(), 2, 5, copy.path(), &[]);
+    assert!(status == 2 && answer["message"].as_str().unwrap().contains("numbers of parts 5 and 4"), "{answer}");
+    assert!(!copy.path().join(NAMES[1]).exists());
+    assert_eq!(write(&question(), 2, PARTS, copy.path(), &[]).0, 0);
+    assert!(bytes(copy.path()) == bytes(SET.path()));
+}
+
+/// The file as another version of longdrive would have written it.
+fn of_other_version(path: &Path) {
+    let text = fs::read(path).unwrap();
+    let find = |text: &[u8], part: &str| text.windows(part.len()).position(|window| window == part.as_bytes());
+    let at = find(&text, "{\"version\"").unwrap();
+    let length = find(&text[at..], "}").unwrap() + 1;
+    let question: Question = serde_json::from_slice(&text[at..at + length]).unwrap();
+    let other = Question { version: "0.0.9".into(), ..question.clone() };
+    let mut text = text;
+    text[at..at + length].copy_from_slice(serde_json::to_string(&other).unwrap().as_bytes());
+    let hash = question.hash();
+    let at = find(&text, &hash).unwrap();
+    text[at..at + hash.len()].copy_from_slice(other.hash().as_bytes());
+    fs::write(path, text).unwrap();
+}
+
+#[test]
+fn a_check_names_what_is_missing_doubled_damaged_or_of_something_else() {
+    let spoilt = |spoil: &dyn Fn(&Path), more: &[&str]| {
+        let copy = SET.copy();
+        spoil(copy.path());
+        let (status, answer) = checked(copy.path(), more);
+        assert_eq!((status, &answer["status"]), (1, &"partial".into()), "{answer}");
+        let faults = answer["faults"].as_array().unwrap().iter();
+        let faults: Vec<_> = faults.map(|fault| (fault["file"].clone(), fault["kind"].clone())).collect();
+        (answer["missing"].clone(), faults, answer)
+    };
+    let none: Vec<(Value, Value)> = vec![];
+    let fault = |file: &str, kind: &str| vec![(Value::from(file), Value::from(kind))];
+    let place = |folder: &Path| folder.join(NAMES[2]);
+    let (missing, faults, answer) = spoilt(
+        &|folder| {
+            fs::remove_file(folder.join(NAMES[0])).unwrap();
+            fs::remove_file(folder.join(NAMES[2])).unwrap();
+            fs::remove_file(folder.join(NAMES[3])).unwrap();
+        },
+        &[],
+    );
+    assert_eq!((missing, faults), (serde_json::json!([1, 3, 4]), none));
+    assert!(answer["message"].as_str().unwrap().contains("missing: 1,3-4"), "{answer}");
+    assert_eq!(answer["rows"], 2048);
+
+    let cut = |folder: &Path| {
+        let file = fs::OpenOptions::new().write(true).open(place(folder)).unwrap();
+        file.set_len(file.metadata().unwrap().len() - 9).unwrap();
+    };
+    assert_eq!(spoilt(&cut, &[]).0, serde_json::json!([3]));
+    assert_eq!(spoilt(&cut, &[]).1, fault(NAMES[2], "damaged"));
+    let doubled = |folder: &Path| drop(fs::copy(place(folder), folder.join("part-00003 (1).parquet")).unwrap());
+    assert_eq!(spoilt(&doubled, &[]).0, serde_json::json!([]));
+    assert_eq!(spoilt(&doubled, &[]).1, fault("part-00003 (1).parquet", "doubled"));
+    let swapped = |folder: &Path| fs::rename(place(folder), folder.join("part-00007.parquet")).unwrap();
+    assert_eq!(spoilt(&swapped, &[]).1, fault("part-00007.parquet", "foreign"));
+    let strange = |folder: &Path| fs::write(folder.join("mine.parquet"), "PAR1").unwrap();
+    assert_eq!(spoilt(&strange, &[]).1, fault("mine.parquet", "foreign"));
+    let other = |folder: &Path| {
+        fs::remove_file(place(folder)).unwrap();
+        let apart = tempfile::tempdir().unwrap();
+        let question = [&question()[..], &["--set", "swing.speed=100mph"]].concat();
+        assert_eq!(write(&question, 3, PARTS, apart.path(), &[]).0, 0);
+        fs::copy(place(apart.path()), place(folder)).unwrap();
+    };
+    assert_eq!(spoilt(&other, &[]).1, fault(NAMES[2], "other-question"));
+    let (missing, faults, answer) = spoilt(&|folder| of_other_version(&place(folder)), &[]);
+    assert_eq!((missing, faults), (serde_json::json!([3]), fault(NAMES[2], "other-version")));
+    let versions = concat!("versions of longdrive ", env!("CARGO_PKG_VERSION"), " and 0.0.9");
+    assert!(answer["message"].as_str().unwrap().contains(versions), "{answer}");
+    // a bit of a row: only a look at the rows finds it
+    let flipped = |folder: &Path| {
+        let mut bytes = fs::read(place(folder)).unwrap();
+        bytes[5000] ^= 1;
+        fs::write(place(folder), bytes).unwrap();
+    };
+    let copy = SET.copy();
+    flipped(copy.path());
+    assert_eq!(checked(copy.path(), &[]).0, 0);
+    assert_eq!(spoilt(&flipped, &["--hash"]).1, fault(NAMES[2], "damaged"));
+
+    // held against a question
+    let folder = SET.path().to_str().unwrap();
+    let (status, answer) = json(&[&question()[..], &["--check", folder]].concat());
+    assert_eq!((status, &answer["rows"]), (0, &8200.into()), "{answer}");
+    let (status, answer) = json(&[&question()[..], &["--check", folder, "--set", "gravity=9.8 m/s^2"]].concat());
+    assert_eq!((status, answer["missing"].as_array().unwrap().len()), (1, 4), "{answer}");
+    let empty = tempfile::tempdir().unwrap();
+    let (status, answer) = checked(empty.path(), &[]);
+    assert!(status == 2 && answer["message"].as_str().unwrap().contains("no part of a sweep in it"), "{answer}");
+    assert_eq!(checked(Path::new("/nowhere/at/all"), &[]).0, 2);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_kill_and_a_full_disk_leave_no_part_and_the_same_command_writes_it() {
+    let copy = SET.copy();
+    let place = copy.path().join(NAMES[2]);
+    fs::remove_file(&place).unwrap();
+    let part = ["-o", copy.path().to_str().unwrap(), "--part", "3/4"];
+    let most = fs::metadata(SET.path().join(NAMES[2])).unwrap().len() / 1024 / 2;
+    let limited = format!("trap '' XFSZ; ulimit -f {most}; exec \"$@\"");
+    let mut program = Command::new("bash");
+    program.args(["-c", &limited, "bash"]).arg(cargo_bin!("longdrive")).args(question()).args(part);
+    let output = program.output().unwrap();
+    let said = String::from_utf8(output.stderr).unwrap();
+    assert!(output.status.code() == Some(2) && said.contains("ask for part 3 again"), "{said}");
+    assert_eq!(fs::read_dir(copy.path()).unwrap().count(), 3);
+
+    // killed at several moments of its short life
+    for wait in [5, 50, 100, 200, 300] {
+        let mut program = Command::new(cargo_bin!("longdrive"));
+        let quiet = program.args(question()).args(part).stdout(Stdio::null()).stderr(Stdio::null());
+        let mut child = quiet.spawn().unwrap();
+        std::thread::sleep(std::time::Duration::from_millis(wait));
+        let _ = child.kill();
+        let _ = child.wait();
+        if place.exists() {
+            assert!(fs::read(&place).unwrap() == bytes(SET.path())[2]);
+        }
+    }
+    assert_eq!(write(&question(), 3, PARTS, copy.path(), &[]).0, 0);
+    assert!(bytes(copy.path()) == bytes(SET.path()));
+    // what a kill left counts for nothing, and is told
+    fs::write(copy.path().join(".longdrive-abc"), "PAR1").unwrap();
+    let (status, answer) = checked(copy.path(), &[]);
+    assert_eq!(status, 0, "{answer}");
+    assert!(answer["unfinished"].as_array().unwrap().contains(&".longdrive-abc".into()));
+}
+
+#[test]
+fn instructions_are_named_in_each_part_kept_apart_and_the_same_when_repeated() {
+    let most = Instructions::here();
+    let mut sets: Vec<Vec<Vec<Vec<Option<String>>>>> = vec![];
+    for instructions in Instructions::ALL.into_iter().filter(|known| *known <= most) {
+        let asked = [&question()[..], &["--instructions", instructions.name()]].concat();
+        let (set, again) = (Set::new(&asked), Set::new(&asked));
+        assert!(bytes(set.path()) == bytes(again.path()), "{instructions}");
+        let named = format!("{} {instructions}", std::env::consts::ARCH);
+        let (_, answer) = checked(set.path(), &[]);
+        assert_eq!(answer["question"]["instructions"], named.as_str());
+        assert_eq!(bytes(set.path()) == bytes(SET.path()), instructions == most, "the most is what is taken");
+        sets.push(NAMES.iter().map(|name| rows(&set.path().join(name))).collect());
+        // a mixture is refused where it would be made, and found where it was
+        if instructions < most {
+            fs::remove_file(set.path().join(NAMES[3])).unwrap();
+            let (status, answer) = write(&question(), 4, PARTS, set.path(), &[]);
+            assert!(status == 2 && answer["message"].as_str().unwrap().contains("instructions"), "{answer}");
+            fs::copy(SET.path().join(NAMES[3]), set.path().join(NAMES[3])).unwrap();
+            let (status, answer) = checked(set.path(), &[]);
+            assert_eq!((status, &answer["faults"][0]["kind"]), (1, &"other-instructions".into()), "{answer}");
+            let more = ["--check", set.path().to_str().unwrap(), "--instructions", most.name()];
+            assert_eq!(json(&[&question()[..], &more].concat()).0, 2);
+        }
+    }
+    // they agree to rounding
+    let value = |cell: &Option<String>| f64::from_bits(u64::from_str_radix(cell.as_ref().unwrap(), 16).unwrap());
+    for set in &sets[1..] {
+        for (row, first) in set.iter().flatten().zip(sets[0].iter().flatten()) {
+            assert_eq!(row[2], first[2]);
+            if row[2].as_deref() == Some("\"landed\"") {
+                assert!((value(&row[3]) - value(&first[3])).abs() < 1e-9, "{row:?} {first:?}");
+            }
+        }
+    }
+    if let Some(lacking) = Instructions::ALL.into_iter().find(|known| *known > most) {
+        let said = longdrive(&[&DRIVES[..], &["--instructions", lacking.name()]].concat());
+        assert_eq!(said.status, 2);
+        assert!(said.err.contains(&format!("the most it has is {most}")), "{}", said.err);
+    }
+}
+
+/// The processor's own choice among the C library's sines must not show: the level that is asked for is all that counts.
+#[cfg(all(target_os = "linux", target_arch = "x86_64", target_env = "gnu"))]
+#[test]
+fn exact_bytes_on_a_processor_whose_c_library_has_no_fma() {
+    let folder = tempfile::tempdir().unwrap();
+    let asked = [&question()[..], &["--instructions", "baseline"]].concat();
+    let of = |tunables: &str, to: &str| {
+        let folder: PathBuf = folder.path().join(to);
+        let mut program = Command::new(cargo_bin!("longdrive"));
+        program.args(&asked).args(["--part", "1/4", "-o"]).arg(&folder).env("GLIBC_TUNABLES", tunables);
+        assert!(program.output().unwrap().status.success());
+        fs::read(folder.join(NAMES[0])).unwrap()
+    };
+    assert!(of("", "a") == of("glibc.cpu.hwcaps=-AVX2,-FMA,-FMA4,-AVX512F", "b"));
+}
+
+#[test]
+fn a_question_that_cannot_be_divided_is_refused_with_what_can() {
+    let folder = tempfile::tempdir().unwrap();
+    let into = folder.path().join("parts");
+    let refused = |more: &[&str], why: &str| {
+        let said = longdrive(&[&DRIVES[..], &["-o", into.to_str().unwrap()], more].concat());
+        assert!(said.status == 2 && said.err.contains(why), "{more:?}: {}", said.err);
+        assert!(!into.exists());
+    };
+    // 8200 rows are eight blocks and a bit
+    refused(&["--part", "1/10"], "divide it into at most 9 parts");
+    refused(&["--part", "0/4"], "from 1");
+    refused(&["--part", "5/4"], "give one from 1/4 to 4/4");
+    refused(&["--part", "x"], "--part 17/1000");
+    refused(&["--part", "1/4", "--histogram", "carry=3m..2m"], "the lower one below the upper one");
+    refused(&["--part", "1/4", "--histogram", "apex_height=3m..20m"], "add it to --outcomes");
+    refused(&["--part", "1/4", "--highest", "carry:0"], "from 1 to 10000");
+    refused(&["--part", "1/4", "--highest", "carry:1", "--highest", "carry:2"], "asked for twice");
+    refused(&["--highest", "carry:3"], "add --part 1/1");
+    refused(&["--part", "1/4", "--resume"], "--resume");
+    let said =
+        longdrive(&[&DRIVES[..], &["--part", "1/4", "-o", folder.path().join("no/parts").to_str().unwrap()]].concat());
+    assert!(said.status == 2 && said.err.contains("no/parts"), "{}", said.err);
+    // the names sort in the order of the parts
+    let names: Vec<_> = [9, 10, 99_999].map(|part| file_name(part, 123_456)).to_vec();
+    assert!(names.is_sorted(), "{names:?}");
+    assert!(check(SET.path(), None, false).unwrap().is_complete());
+}
