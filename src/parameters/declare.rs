@@ -222,9 +222,13 @@ macro_rules! parameter_groups {
         impl Default for Setup<f64> {
             /// The preset `modern-driver`.
             fn default() -> Self {
-                let (law, method) = (Law::default(), Method::default());
-                let (golfer, speed_of) = (Golfer::default(), SpeedOf::default());
-                Self { $( $group: $Group::defaults(), )+ law, method, golfer, speed_of }
+                // the table's texts are read once: with their units that takes longer than a drive
+                static READ: std::sync::LazyLock<Setup<f64>> = std::sync::LazyLock::new(|| {
+                    let (law, method) = (Law::default(), Method::default());
+                    let (golfer, speed_of) = (Golfer::default(), SpeedOf::default());
+                    Setup { $( $group: $Group::defaults(), )+ law, method, golfer, speed_of }
+                });
+                *READ
             }
         }
 
