@@ -292,7 +292,9 @@ fn a_check_names_what_is_missing_doubled_damaged_or_of_something_else() {
     };
     assert_eq!(spoilt(&cut, &[]).0, serde_json::json!([3]));
     assert_eq!(spoilt(&cut, &[]).1, fault(NAMES[2], "damaged"));
-    let doubled = |folder: &Path| drop(fs::copy(place(folder), folder.join("part-00003 (1).parquet")).unwrap());
+    let doubled = |folder: &Path| {
+        fs::copy(place(folder), folder.join("part-00003 (1).parquet")).unwrap();
+    };
     assert_eq!(spoilt(&doubled, &[]).0, serde_json::json!([]));
     assert_eq!(spoilt(&doubled, &[]).1, fault("part-00003 (1).parquet", "doubled"));
     let swapped = |folder: &Path| fs::rename(place(folder), folder.join("part-00007.parquet")).unwrap();
