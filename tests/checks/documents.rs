@@ -224,7 +224,8 @@ fn the_plan_in_scale_md_follows_from_the_rate_in_performance_md() {
 
     let rate = drives / seconds / cores;
     let in_units = |text: &str| {
-        let size = [("min", 60.0), ("days", 86400.0), ("h", 3600.0), ("s", 1.0), ("TB", 1e12), ("GB", 1e9), ("MB", 1e6)];
+        let size =
+            [("min", 60.0), ("days", 86400.0), ("h", 3600.0), ("s", 1.0), ("TB", 1e12), ("GB", 1e9), ("MB", 1e6)];
         let (_, size) = size.into_iter().find(|(unit, _)| text.ends_with(&format!(" {unit}"))).unwrap();
         first_number(text) * size
     };
@@ -234,9 +235,10 @@ fn the_plan_in_scale_md_follows_from_the_rate_in_performance_md() {
         assert!((written / value - 1.0).abs() < 0.1, "{text} and {value}");
     };
     for row in table(&scale, "| drives with gradients | on 2 cores |") {
-        let exponent = row[0].chars().skip(2).fold(0, |exponent, c| {
-            10 * exponent + "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().position(|digit| digit == c).unwrap() as i32
-        });
+        let exponent = row[0]
+            .chars()
+            .skip(2)
+            .fold(0, |exponent, c| 10 * exponent + "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().position(|digit| digit == c).unwrap() as i32);
         let drives = 10_f64.powi(exponent);
         is_about(&row[1], drives / (2.0 * rate));
         is_about(&row[2], drives / (64.0 * rate));
