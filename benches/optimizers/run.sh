@@ -8,7 +8,8 @@ mkdir -p "$out"
 
 [ -x .venv/bin/python ] || python3 -m venv .venv
 .venv/bin/pip install --quiet --requirement requirements.txt
-cargo build --release -j1
+# all crates with full optimization, and thin local LTO, as Cargo builds them by default: what the library's own profile leaves out
+cargo build --release --locked -j1 --target-dir target --config profile.release.lto=false --config profile.release.package.libm.opt-level=3
 
 # one thread, on one processor where that can be asked for
 export OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 RAYON_NUM_THREADS=1

@@ -50,9 +50,9 @@ done
 if [ -e /usr/include/ceres/jet.h ]; then compile g++ ceres-jet ceres.cpp -DNDEBUG -I/usr/include/eigen3; fi
 gcc -O2 -march=native cpp/machine.c -o "$build/machine"
 
-# the library's side, and the program as it is installed
-cargo build --release --locked
-cargo build --release --locked --manifest-path ../../Cargo.toml --bin longdrive --target-dir target
+# the library's side with thin local LTO, as a package that depends on it is built by default, and the program as it is installed
+cargo build --release --locked --target-dir target --config profile.release.lto=false
+cargo build --release --locked --target-dir target --package longdrive --bin longdrive
 
 python=""
 if [ "${1:-}" = --python ]; then

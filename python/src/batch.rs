@@ -7,9 +7,11 @@ use crate::names::{listed, outcomes_named, variables};
 use crate::pool;
 use crate::setup::PySetup;
 use crate::step::Asked;
+use longdrive::Outcome;
 use longdrive::batch::{Batch, Block, CHUNK, Points, Run, Status, Tally};
 use longdrive::drive::Looked;
-use longdrive::units::System;
+use longdrive::parameters::Parameter;
+use longdrive::units::{System, ratio};
 use numpy::ndarray::{Array2, Array4};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArray4};
 use pyo3::prelude::*;
@@ -134,8 +136,8 @@ impl Shared {
     }
 }
 
-/// What Python gets: status, columns (outcomes, then derivatives; a row of the array each), Hessians, points, warnings, and the exception that
-/// ended it early.
+/// What Python gets: status, columns (outcomes, then derivatives; a row of the array each), Hessians, points, the names of outcomes, of what they
+/// are differentiated by, and of the points' parameters, the units of points and columns, warnings, and the exception that ended it early.
 type Found<'py> = (
     Bound<'py, PyArray1<i8>>,
     Bound<'py, PyArray2<f64>>,
@@ -144,6 +146,7 @@ type Found<'py> = (
     Vec<&'static str>,
     Vec<&'static str>,
     Vec<&'static str>,
+    Vec<String>,
     Vec<String>,
     Option<PyErr>,
 );
@@ -193,6 +196,7 @@ pub fn batch<'py>(
         let points = points_of(py, &arrays, first_row, rows);
 
         let (ranges, shape) = (arrays.ranges(), (of.len(), wrt.len()));
+        let units = units(&arrays, &of, &wrt);
         let names = (of.iter().map(|of| of.name()).collect(), wrt.iter().map(|row| row.name).collect(), given);
         let to = Arc::clone(&shared);
         let work = move |stop: &AtomicBool| -> longdrive::Result<Vec<String>> {
@@ -235,16 +239,12 @@ pub fn batch<'py>(
         warnings.extend(beyond.iter().map(|message| message.in_units(System::default())));
         let (of, wrt, given) = names;
         let (status, columns, seconds) = moved(py, results, width, shape, hessians)?;
-        Ok((status, columns, seconds, points?, of, wrt, given, warnings, raised))
+        Ok((status, columns, seconds, points?, of, wrt, given, units, warnings, raised))
     })
 }
 
 /// The parameters of a derivative: those of the points where it is asked for by all of them.
-fn by_names(
-    setup: &PySetup,
-    arrays: &Arrays,
-    wrt: &Bound<'_, PyAny>,
-) -> Answer<Vec<&'static longdrive::parameters::Parameter>> {
+fn by_names(setup: &PySetup, arrays: &Arrays, wrt: &Bound<'_, PyAny>) -> Answer<Vec<&'static Parameter>> {
     let names = listed("wrt", wrt)?;
     let of_points = arrays.parameters();
     if names == ["points"] {
@@ -268,6 +268,14 @@ fn by_names(
         return Ok(rows);
     }
     variables(&setup.setup, Some(wrt))
+}
+
+/// The SI units of the points' parameters, the outcomes and the derivatives.
+fn units(arrays: &Arrays, of: &[Outcome], wrt: &[&'static Parameter]) -> Vec<String> {
+    let points = arrays.parameters().iter().map(|row| row.quantity.si.to_owned());
+    let outcomes = of.iter().map(|of| of.quantity().si.to_owned());
+    let derivatives = of.iter().flat_map(|of| wrt.iter().map(|row| ratio(of.quantity().si, row.quantity.si)));
+    points.chain(outcomes).chain(derivatives).collect()
 }
 
 /// Computes the rows and puts them into what is shared, until someone has taken it away.

@@ -48,15 +48,15 @@ type Hessian<'py> = (f64, Bound<'py, PyArray1<f64>>, Bound<'py, PyArray2<f64>>);
 
 /// Value of an outcome and its gradient, shape (parameters,).
 #[pyfunction]
-#[pyo3(signature = (setup, of = "carry".to_owned(), wrt = None))]
+#[pyo3(signature = (setup, of = "carry", wrt = None))]
 pub fn gradient<'py>(
     py: Python<'py>,
     setup: &Bound<'py, PyAny>,
-    of: String,
+    of: &str,
     wrt: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Gradient<'py>> {
     answer(|| {
-        let taylor = one(asked(setup, &[of], wrt, Order::First)?)?;
+        let taylor = one(asked(setup, &[of.to_owned()], wrt, Order::First)?)?;
         Ok((taylor.value, vector(py, taylor.gradient)))
     })
 }
@@ -80,15 +80,15 @@ pub fn jacobian<'py>(
 
 /// Value of an outcome, its gradient, shape (parameters,), and its Hessian, shape (parameters, parameters).
 #[pyfunction]
-#[pyo3(signature = (setup, of = "carry".to_owned(), wrt = None))]
+#[pyo3(signature = (setup, of = "carry", wrt = None))]
 pub fn hessian<'py>(
     py: Python<'py>,
     setup: &Bound<'py, PyAny>,
-    of: String,
+    of: &str,
     wrt: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Hessian<'py>> {
     answer(|| {
-        let taylor = one(asked(setup, &[of], wrt, Order::Second)?)?;
+        let taylor = one(asked(setup, &[of.to_owned()], wrt, Order::Second)?)?;
         let columns = taylor.gradient.len();
         Ok((taylor.value, vector(py, taylor.gradient), matrix(py, &taylor.hessian, columns)?))
     })

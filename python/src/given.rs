@@ -61,7 +61,7 @@ pub fn flattened<'py>(dict: &Bound<'py, PyAny>) -> Answer<Vec<Given<'py>>> {
     Ok(all)
 }
 
-/// A name that stands twice in what was given is refused.
+/// Refuses a name that stands twice in what was given.
 pub fn refuse_repeated(all: &[Given<'_>]) -> Answer<()> {
     match all.iter().enumerate().find(|(at, given)| all[..*at].iter().any(|first| first.name == given.name)) {
         Some((_, twice)) => Err(Failure::Input(format!("'{}' is given twice; keep one", twice.name))),

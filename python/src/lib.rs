@@ -5,6 +5,7 @@ mod arrays;
 mod arrow;
 mod batch;
 mod boundary;
+mod command;
 mod derivatives;
 mod drive;
 mod given;
@@ -29,11 +30,13 @@ mod _longdrive {
     #[pymodule_export]
     use crate::boundary::panic_for_a_test;
     #[pymodule_export]
+    use crate::command::{command, described, main};
+    #[pymodule_export]
     use crate::derivatives::{gradient, hessian, jacobian};
     #[pymodule_export]
     use crate::drive::simulate;
     #[pymodule_export]
-    use crate::names::{outcomes, parameters, presets};
+    use crate::names::{asked, outcomes, parameters, presets};
     #[pymodule_export]
     use crate::objective::PyObjective;
     #[pymodule_export]

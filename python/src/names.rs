@@ -55,6 +55,20 @@ fn refuse_repeated(what: &str, names: &[&str]) -> Answer<()> {
     }
 }
 
+/// The names of outcomes and of parameters to differentiate by, as a question about a setup means them.
+#[pyfunction]
+pub fn asked<'py>(
+    setup: &Bound<'py, PyAny>,
+    of: &Bound<'py, PyAny>,
+    wrt: Option<&Bound<'py, PyAny>>,
+) -> PyResult<(Vec<&'static str>, Vec<&'static str>)> {
+    answer(|| {
+        let of = outcomes_named(&listed("of", of)?)?;
+        let wrt = variables(&PySetup::of(setup)?.setup, wrt)?;
+        Ok((of.iter().map(|of| of.name()).collect(), wrt.iter().map(|row| row.name).collect()))
+    })
+}
+
 /// Every parameter of a setup with its value, range, unit and meaning, as ``longdrive parameters --json`` gives it.
 #[pyfunction]
 #[pyo3(signature = (setup = None))]

@@ -128,17 +128,17 @@ fn value(found: Option<&Taylor>) -> f64 {
 #[pymethods]
 impl PyObjective {
     #[new]
-    #[pyo3(signature = (setup, of = "carry".to_owned(), wrt = None, sense = None, invalid = "raise"))]
+    #[pyo3(signature = (setup, of = "carry", wrt = None, sense = None, invalid = "raise"))]
     fn new(
         setup: &Bound<'_, PyAny>,
-        of: String,
+        of: &str,
         wrt: Option<&Bound<'_, PyAny>>,
         sense: Option<String>,
         invalid: &str,
     ) -> PyResult<Self> {
         answer(|| {
             let setup = PySetup::of(setup)?;
-            let named = outcomes_named(std::slice::from_ref(&of))?;
+            let named = outcomes_named(&[of.to_owned()])?;
             if named.len() != 1 {
                 return Err(Failure::Input("of = 'all': an objective is one outcome; name it".into()));
             }
@@ -158,7 +158,7 @@ impl PyObjective {
             };
             let [values, gradients, hessians] = ORDERS.map(|order| Evaluator::new(&setup.setup, &named, &wrt, order));
             let evaluators = [values?, gradients?, hessians?];
-            Ok(Self { setup, of, evaluators, sense, sign, gives_nan, last: Mutex::new(None) })
+            Ok(Self { setup, of: of.to_owned(), evaluators, sense, sign, gives_nan, last: Mutex::new(None) })
         })
     }
 

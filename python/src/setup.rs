@@ -28,7 +28,7 @@ const SHOWN: usize = 4;
 /// >>> setup["swing.speed"]
 /// 49.1744
 /// >>> setup
-/// <longdrive.Setup tour-average with club loft 10.5°, swing speed 110.0 mph>
+/// <longdrive.Setup tour-average with club speed 110 mph, club loft 10.5°>
 ///
 /// A number is SI (m, kg, s, rad, K); a text carries its unit; a quantity of pint is converted. None unsets what may be unset.
 /// A setup cannot be changed: ``replace`` makes another one. Setups are equal whose numbers and choices are.
@@ -243,6 +243,25 @@ impl PySetup {
         self.preset.name
     }
 
+    /// The setup as the program is asked about it: the name of its preset, where it is that, or else the text of a setup file; and whether
+    /// that is a text. Method and step stand in it where someone has said how to integrate.
+    fn _asked(&self) -> PyResult<(String, bool)> {
+        answer(|| {
+            if self.setup == longdrive::Setup::preset(self.preset.name)? {
+                return Ok((self.preset.name.to_owned(), false));
+            }
+            let text = self.toml()?;
+            if self.gives_step {
+                return Ok((text, true));
+            }
+            // those of the preset: they follow from its name, and nobody has chosen them
+            let (before, flight) = text.split_once("\n[flight]\n").unwrap_or((&text, ""));
+            let is_step = |line: &&str| line.starts_with("method = ") || line.starts_with("step = ");
+            let kept: Vec<_> = flight.lines().filter(|line| !is_step(line)).collect();
+            Ok((format!("{before}\n[flight]\n{}\n", kept.join("\n")), true))
+        })
+    }
+
     /// The setup as the text of a setup file, every number with its source; it reads back as the same setup to the last bit.
     fn to_toml(&self) -> PyResult<String> {
         answer(|| self.toml())
@@ -259,7 +278,7 @@ impl PySetup {
         })
     }
 
-    /// What is flown as it stands but deserves a word: a list of sentences.
+    /// What a user should know about the setup, although it is flown as it stands: a list of sentences.
     fn warnings(&self) -> PyResult<Vec<String>> {
         answer(|| {
             let mut told: Vec<_> =

@@ -44,7 +44,7 @@ impl Asked {
         matches!(self, Self::Own) || (matches!(self, Self::Usual) && setup.gives_step)
     }
 
-    /// The step for a setup whose parameters lie in these ranges, and what deserves a word about it; nothing where the setup's own is kept.
+    /// The step for a setup whose parameters lie in these ranges, and a warning where there is one; nothing where the setup's own is kept.
     pub fn found(
         self,
         setup: &PySetup,

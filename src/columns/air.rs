@@ -4,7 +4,7 @@ use super::column::{Column, Holds};
 use crate::units::Quantity;
 
 /// The parameter that it is.
-const AIR: &str = "air.density";
+pub(super) const AIR: &str = "air.density";
 
 /// The density of the air that golf is played in, kg/m³: from a course at 5000 m on a hot day to one by the sea at −40 °C.
 const RANGE: [f64; 2] = [0.6, 1.6];

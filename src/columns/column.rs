@@ -1,5 +1,6 @@
 //! What the head of a table says of a column.
 
+use super::air::AIR;
 use super::heads::Meaning;
 use super::launch_monitor::{self, without_side};
 use crate::drive::Outcome;
@@ -39,6 +40,8 @@ pub(crate) struct Column {
     is_in_degrees_untold: bool,
     /// Whether it is a launch condition by its dotted name.
     is_dotted_condition: bool,
+    /// Whether it states the air that the setup gives by its weather.
+    is_of_given_air: bool,
     /// The hand of the golfer whose swings it may hold.
     golfer: Golfer,
 }
@@ -74,17 +77,19 @@ impl Column {
         let head = head.trim();
         let (name, unit) = launch_monitor::split_unit(head);
         let unit = unit.or_else(|| below.map(str::to_owned)).map(|unit| launch_monitor::unit(&unit));
-        let holds =
-            match (name.strip_prefix("sigma ").map(str::trim), launch_monitor::meaning_with(name, unit.as_deref())) {
-                (None, Some(Meaning::Outcome(outcome))) => Holds::Outcome(outcome),
-                // the weather that a setup has is the air of every row
-                (None, Some(Meaning::Input(parameter))) if is_replaced(setup, parameter) => Holds::Note,
-                (None, Some(Meaning::Input(parameter))) => Holds::Input(setup.column(parameter)?),
-                (None, None) if is_of_flown(name) => Holds::Written,
-                (None, None) if is_foreign(name, format) => Holds::Note,
-                _ => named(setup, name)?,
-            };
-        let mut column = Self { unit, format, golfer: setup.golfer, ..Self::of(holds, name) };
+        let is_given = |parameter: &str| is_replaced(setup, parameter);
+        let meaning = launch_monitor::meaning_with(name, unit.as_deref());
+        let is_of_given_air = matches!(meaning, Some(Meaning::Input(AIR)) if is_given(AIR));
+        let holds = match (name.strip_prefix("sigma ").map(str::trim), meaning) {
+            (None, Some(Meaning::Outcome(outcome))) => Holds::Outcome(outcome),
+            // the weather that a setup has is the air of every row
+            (None, Some(Meaning::Input(parameter))) if is_given(parameter) => Holds::Note,
+            (None, Some(Meaning::Input(parameter))) => Holds::Input(setup.column(parameter)?),
+            (None, None) if is_of_flown(name) => Holds::Written,
+            (None, None) if is_foreign(name, format) => Holds::Note,
+            _ => named(setup, name)?,
+        };
+        let mut column = Self { unit, format, is_of_given_air, golfer: setup.golfer, ..Self::of(holds, name) };
         let is_of_an_export = format.is_export && launch_monitor::meaning(name).is_some();
         if is_of_an_export && column.unit.is_none() && column.quantity() == Some(Quantity::ANGLE) {
             (column.unit, column.is_in_degrees_untold) = (Some("deg".into()), true);
@@ -119,13 +124,19 @@ impl Column {
             format,
             is_in_degrees_untold: false,
             is_dotted_condition,
+            is_of_given_air: false,
             golfer: Golfer::Right,
         }
     }
 
     /// Whether it is left out because this program has no name for it.
     pub fn is_unknown(&self) -> bool {
-        self.holds == Holds::Note && self.head != NOTE
+        self.holds == Holds::Note && self.head != NOTE && !self.is_of_given_air
+    }
+
+    /// Whether it states the air that the setup gives by its weather.
+    pub fn is_of_given_air(&self) -> bool {
+        self.is_of_given_air
     }
 
     /// Whether it states no unit and is read in degrees, as launch monitors write angles.

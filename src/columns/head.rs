@@ -1,9 +1,10 @@
 use super::column::{Column, Format, Holds};
 use super::launch_monitor::{is_export, units_row};
 use super::left_out::{Club, Spin};
+use super::wrong::WrongColumns;
 use super::{CONDITIONS, left_out};
 use crate::drive::Outcome;
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::parameters::Setup;
 use crate::units::Message;
 
@@ -28,7 +29,7 @@ impl Head {
     /// `club` is what becomes of the club beside a measured launch, and `spin` where a spin is taken from that is stated twice.
     ///
     /// # Errors
-    /// The number of the column, from 0, and what is wrong with it.
+    /// The columns that cannot be read, and why.
     pub fn read<'a>(
         setup: &Setup<f64>,
         heads: impl Iterator<Item = &'a str> + Clone,
@@ -36,14 +37,14 @@ impl Head {
         separator: u8,
         club: Club,
         spin: Spin,
-    ) -> Result<Self, (usize, Error)> {
+    ) -> Result<Self, WrongColumns> {
         let format = Format { is_export: is_export(heads.clone()), has_decimal_comma: separator != b',' };
         let units = first.and_then(units_row);
         let column = |(at, head): (usize, &str)| {
             let below = units.as_ref().and_then(|units| units.get(at)?.as_deref());
-            Column::read(setup, head, below, format).map_err(|error| (at, error))
+            (at, Column::read(setup, head, below, format))
         };
-        let mut columns = heads.enumerate().map(column).collect::<Result<Vec<_>, _>>()?;
+        let mut columns = all(heads.enumerate().map(column))?;
         // a sweep needs a value in every row, and the delivery of a club none of the air
         let is_air_of_rows = club == Club::LeftOut && spin == Spin::OfRow;
         for column in columns.iter_mut().filter(|column| !is_air_of_rows && column.is_stated_air()) {
@@ -59,9 +60,8 @@ impl Head {
     /// # Errors
     /// As [`read`](Self::read).
     #[cfg(any(feature = "arrow", feature = "parquet"))]
-    pub fn in_si(setup: &Setup<f64>, names: &[String]) -> Result<Self, (usize, Error)> {
-        let column = |(at, name): (usize, &String)| Column::in_si(setup, name).map_err(|error| (at, error));
-        let mut columns = names.iter().enumerate().map(column).collect::<Result<Vec<_>, _>>()?;
+    pub fn in_si(setup: &Setup<f64>, names: &[String]) -> Result<Self, WrongColumns> {
+        let mut columns = all(names.iter().enumerate().map(|(at, name)| (at, Column::in_si(setup, name))))?;
         told_apart(&mut columns);
         let format = Format { is_export: false, has_decimal_comma: false };
         Ok(Self { columns, format, has_units_row: false, remarks: vec![] })
@@ -83,6 +83,18 @@ impl Head {
     pub fn named(&self, is: impl Fn(&Column) -> bool) -> Names<'_> {
         Names(self.columns.iter().filter(|column| is(column)).map(|column| column.head.as_str()).collect())
     }
+}
+
+/// The columns, where all can be read.
+fn all(read: impl Iterator<Item = (usize, Result<Column>)>) -> Result<Vec<Column>, WrongColumns> {
+    let (mut columns, mut faults) = (vec![], vec![]);
+    for (at, column) in read {
+        match column {
+            Ok(column) => columns.push(column),
+            Err(error) => faults.push((at, error)),
+        }
+    }
+    WrongColumns::of(faults).map_or(Ok(columns), Err)
 }
 
 /// What the same name is in tables that this program wrote itself. Beside launch conditions by their dotted names, those without a group

@@ -1,6 +1,8 @@
 //! What a launch monitor's export has and is not used.
 
+use super::air::air_as_given;
 use super::column::{Column, Holds};
+use super::launch_monitor::nearest_head;
 use crate::drive::Outcome;
 use crate::units::Message;
 
@@ -26,7 +28,22 @@ pub(crate) enum Spin {
 pub(super) fn remarks(columns: &mut [Column], club: Club, spin: Spin) -> Vec<Message> {
     let mut remarks = left_out(columns, club, spin);
     remarks.extend(in_degrees(columns).map(Message::from));
+    remarks.extend(given_air(columns).map(Message::from));
     remarks
+}
+
+/// The columns of an export that have no name here but are near one that has, as the end of a clause: "; near a known head: …".
+pub(crate) fn near_known(columns: &[Column]) -> String {
+    let near = columns.iter().filter(|column| column.is_unknown());
+    let near =
+        near.filter_map(|column| Some(format!("'{}' (did you mean '{}'?)", column.head, nearest_head(&column.head)?)));
+    let near: Vec<String> = near.collect();
+    if near.is_empty() { String::new() } else { format!("; near a known head: {}", near.join(", ")) }
+}
+
+/// What is told of an export that states the air of each row, where the setup gives its weather.
+pub(crate) fn given_air(columns: &[Column]) -> Option<String> {
+    columns.iter().find(|column| column.is_of_given_air()).map(|column| air_as_given(&column.head))
 }
 
 /// The angles whose unit is taken for granted.
@@ -51,7 +68,13 @@ fn left_out(columns: &mut [Column], club: Club, spin: Spin) -> Vec<Message> {
             .collect()
     };
     let mut remarks = vec![];
-    let unknown = named(columns, &Column::is_unknown);
+    let unknown = columns.iter().filter(|column| column.is_unknown() && !column.head.is_empty());
+    let unknown: Vec<String> = unknown
+        .map(|column| match nearest_head(&column.head) {
+            Some(near) => format!("{} (did you mean '{near}'?)", column.head),
+            None => column.head.clone(),
+        })
+        .collect();
     if !unknown.is_empty() {
         remarks.push(format!("columns without a name here are left out: {}", unknown.join(", ")).into());
     }

@@ -12,6 +12,7 @@ mod left_out;
 mod marks;
 mod plausible;
 mod unstated;
+mod wrong;
 
 pub(crate) use crate::cells::separated;
 pub(crate) use air::{air_as_given, air_of_rows, air_of_setup};
@@ -20,7 +21,7 @@ pub(crate) use conditions::{Fault, Stated, conditions, contradiction, is_sideway
 pub(crate) use encoding::decoded;
 pub(crate) use head::Head;
 pub(crate) use launch_monitor::{has_thousands, is_export, nearest_head, split_unit, summary, without_side, words};
-pub(crate) use left_out::{Club, Spin};
+pub(crate) use left_out::{Club, Spin, given_air, near_known};
 pub(crate) use marks::Marks;
 pub(crate) use plausible::{implausible, implausible_launch};
 pub(crate) use unstated::unstated;

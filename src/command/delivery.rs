@@ -1,7 +1,7 @@
 use crate::command::args::{DeliveryArgs, Question};
 use crate::command::files::{Destination, Rule};
 use crate::command::interrupt::{self, BEST_SO_FAR};
-use crate::command::output::{Answer, system, tell, warn};
+use crate::command::output::{Answer, command_line, system, tell, warn};
 use crate::parameters::Vary;
 use crate::report::{
     delivered_text, deliveries_text, delivery_reply, delivery_toml, parameter_text, population_warnings, recovered_csv,
@@ -12,6 +12,7 @@ use crate::study::calibrate::ShotTable;
 use crate::study::delivery::{Delivery, Population, Unknown, deliveries, delivery, launches, unknowns};
 use crate::units::{Message, counted};
 use crate::{Error, Result, Setup};
+use std::ffi::OsString;
 use std::path::Path;
 
 pub fn run(args: &DeliveryArgs) -> Result<Answer> {
@@ -63,9 +64,10 @@ pub fn run(args: &DeliveryArgs) -> Result<Answer> {
         population.iter().flatten().flat_map(|population| population_warnings(population, system())).collect();
     warn(&of_population);
     warnings.extend(of_population);
+    let is_setup_written = output.is_some() && found > 0 && left_out == 0;
     if let Some(output) = &output {
         let file = output.path().display();
-        if found > 0 && left_out == 0 {
+        if is_setup_written {
             output.write(delivery_toml(&setup, &all, args.question.preset()?, &from)?.as_bytes())?;
             tell(&format!(
                 "wrote the setup with this delivery into {file}; 'longdrive optimize {file} --vary club.loft=4deg..20deg' finds \
@@ -80,7 +82,12 @@ pub fn run(args: &DeliveryArgs) -> Result<Answer> {
     }
     let mut is_written = true;
     if let (Some((swings, is_table)), Some(population)) = (&swings, &population) {
-        let unwritten = write_swings(swings, *is_table, &all, population, left_out == 0, &from)?;
+        // swings are of one club, ball and air
+        let setup = match &output {
+            Some(output) if is_setup_written => vec![output.path().display().to_string()],
+            _ => args.question.as_arguments(&unknowns.iter().map(|unknown| unknown.parameter).collect::<Vec<_>>()),
+        };
+        let unwritten = write_swings((swings, *is_table), &all, population, left_out == 0, (&from, setup))?;
         is_written = unwritten.is_none();
         let unwritten: Vec<Message> = unwritten.into_iter().collect();
         warn(&unwritten);
@@ -116,12 +123,11 @@ fn is_table(file: &Path) -> Result<bool> {
 
 /// Writes the swings behind the shots, or says why not.
 fn write_swings(
-    output: &Destination,
-    is_table: bool,
+    (output, is_table): (&Destination, bool),
     all: &[Delivery],
     population: &Result<Population>,
     is_whole: bool,
-    from: &str,
+    (from, setup): (&str, Vec<String>),
 ) -> Result<Option<Message>> {
     let file = output.path().display();
     let unwritten = |why: &str| Ok(Some(Message::from(format!("{file} is not written: {why}"))));
@@ -148,8 +154,15 @@ fn write_swings(
     if all.len() > found {
         tell(&format!("left out of it: {} whose delivery was not found", counted((all.len() - found) as u64, "row")));
     }
-    tell(&format!("'longdrive optimize --swings {file}' finds the design that is best over them"));
+    tell(&format!("the design that is best over them: {}", optimize_over(output.path(), setup)));
     Ok(None)
+}
+
+/// The command that finds the best design over these swings, of the setup that these arguments give.
+fn optimize_over(swings: &Path, setup: Vec<String>) -> String {
+    let setup = setup.into_iter().map(OsString::from);
+    let arguments = std::iter::once("optimize".into()).chain(setup).chain(["--swings".into(), swings.into()]);
+    command_line(&arguments.collect::<Vec<_>>())
 }
 
 /// What is taken for the uncertainty of each parameter before the shot, where none was given.

@@ -1,7 +1,7 @@
 use crate::command::args::{OwnLaw, Question};
 use crate::command::output::{system, tell, warn_early};
 use crate::command::running::running;
-use crate::parameters::{GOLFER, Law, METHOD, PRESETS, Parameter, Preset, SetupFile, TABLE, Vary};
+use crate::parameters::{GOLFER, Law, METHOD, PRESETS, Parameter, Preset, SPEED_OF, SetupFile, TABLE, Vary};
 use crate::report::parameter_text;
 use crate::study::{Accuracy, accuracy};
 use crate::units::{Message, Quantity, counted};
@@ -21,6 +21,15 @@ impl Question {
         let setup = self.setup_of_points()?;
         setup.validate()?;
         Ok(setup)
+    }
+
+    /// The arguments that give this setup to another command, without what is set of these parameters.
+    pub fn as_arguments(&self, without: &[&Parameter]) -> Vec<String> {
+        let is_left_out = |text: &str| {
+            text.split_once('=').is_some_and(|(name, _)| without.iter().any(|parameter| parameter.name == name.trim()))
+        };
+        let set = self.set.iter().filter(|text| !is_left_out(text)).flat_map(|text| ["--set".to_owned(), text.clone()]);
+        std::iter::once(self.setup.clone()).chain(set).collect()
     }
 
     /// The setup of a search that varies parameters within ranges, `NAME=LOW..HIGH`: one of them without a value begins in the middle.
@@ -144,7 +153,7 @@ impl Question {
     pub fn refuse_club(&self, setup: &Setup<f64>, why: &str) -> Result<()> {
         for text in &self.set {
             let (name, _) = split("--set", text)?;
-            if name == GOLFER || setup.parameter(name).is_ok_and(Parameter::is_of_strike) {
+            if [GOLFER, SPEED_OF].contains(&name) || setup.parameter(name).is_ok_and(Parameter::is_of_strike) {
                 let source = format!(
                     "{why}: of the parameters of swing, club, strike and impact none is used; leave it out, or give the drive by its \
                      club"

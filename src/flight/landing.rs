@@ -176,12 +176,17 @@ impl<T: Numbers> Inputs<T> {
             ended.height = here.state.position.x.blend(ended.height, flying);
         }
         if let Some(turf) = &self.turf {
-            let Landed { carry: downrange, lateral: right, velocity, .. } = ended.landed;
-            let (radius, gravity, force_per_mass) = (self.radius, self.gravity, self.force_per_mass);
-            let ball = Landing { downrange, right, velocity, spin: self.axis * spin, radius, gravity, force_per_mass };
-            ended.landed.rest = Some(turf.rest(&ball, ended.has_landed));
+            ended.landed.rest = Some(turf.rest(&self.landing(&ended.landed, spin), ended.has_landed));
         }
         ended
+    }
+
+    /// The ball as it lands with this spin, rad/s.
+    #[inline(always)]
+    pub(super) fn landing(&self, landed: &Landed<T>, spin: T) -> Landing<T> {
+        let Landed { carry: downrange, lateral: right, velocity, .. } = *landed;
+        let (radius, gravity, force_per_mass) = (self.radius, self.gravity, self.force_per_mass);
+        Landing { downrange, right, velocity, spin: self.axis * spin, radius, gravity, force_per_mass }
     }
 
     /// Where drag and lift change the airspeed within a step by less than this part of itself.

@@ -3,6 +3,7 @@ use super::inputs::Inputs;
 use super::landing::Discretization;
 use super::septic::Path;
 use crate::error::Result;
+use crate::ground::Turf;
 use crate::launch::Launch;
 use crate::number::Vector;
 use crate::parameters::Setup;
@@ -18,6 +19,9 @@ pub struct Trajectory {
     pub points: Vec<TrajectoryPoint>,
     /// How the flight ends.
     pub flight: Flight<f64>,
+    /// The way from the landing through the bounces to where the ball rests, m in the ground frame: from the last bounce it goes straight to its
+    /// rest. Empty where it embeds, or does not land.
+    pub run: Vec<Vector<f64>>,
 }
 
 /// One point of a path, in the ground frame.
@@ -48,7 +52,9 @@ pub fn trajectory(setup: &Setup<f64>, launch: &Launch<f64>) -> Result<Trajectory
     let mut points = vec![start];
     let inputs = Inputs::new(setup, launch);
     let (h, parts) = (setup.flight.step, (setup.flight.step / MOST_APART).ceil().max(1.0));
+    let (mut last, mut run) = (None, vec![]);
     let flight = inputs.fly(&Discretization::of(setup), true, &mut |begin, step| {
+        last = Some((begin, *step));
         let path = Path::new(&inputs, step, h);
         let within = (1..parts as u32).map(|k| f64::from(k) / parts);
         points.extend(within.map(|s| TrajectoryPoint {
@@ -66,6 +72,10 @@ pub fn trajectory(setup: &Setup<f64>, launch: &Launch<f64>) -> Result<Trajectory
             position: Vector::new(setup.ground.height, landed.lateral, landed.carry),
             velocity: landed.velocity,
         });
+        if let Some((begin, step)) = last {
+            let spin = inputs.spin_within(&step, (landed.flight_time - begin) / h, h);
+            run = Turf::new(setup).path(&inputs.landing(landed, spin));
+        }
     }
-    Ok(Trajectory { points, flight })
+    Ok(Trajectory { points, flight, run })
 }

@@ -58,6 +58,8 @@ const LEAST_SPEED: f64 = 1e-6;
 const DRAG: f64 = 0.25;
 /// More bounces than any ground leaves a ball; after them it rolls.
 const MOST_BOUNCES: usize = 250;
+/// Parts of a hop that a path shows.
+const HOP_PARTS: u32 = 16;
 
 impl<T: Numbers> Turf<T> {
     /// Where balls rest, in the lanes of a mask. Called and not taken in: there is one copy for each number.
@@ -68,12 +70,19 @@ impl<T: Numbers> Turf<T> {
         };
         T::outlined(
             #[inline(always)]
-            || self.run(ball, restitution, lanes),
+            || self.run(ball, restitution, lanes, &mut |_, _| ()),
         )
     }
 
+    /// Shows each hop, with the place that it begins at from the landing, to `seen`.
     #[inline(always)]
-    fn run(&self, ball: &Landing<T>, restitution: T, lanes: T::Mask) -> Rest<T> {
+    fn run(
+        &self,
+        ball: &Landing<T>,
+        restitution: T,
+        lanes: T::Mask,
+        seen: &mut impl FnMut(Vector<T>, &Hop<T>),
+    ) -> Rest<T> {
         let slope = Slope::new(self.slope, self.side_slope, ball.gravity);
         let mut moving = Moving { velocity: ball.velocity, spin: ball.spin };
         let mut way = Vector::zero();
@@ -82,13 +91,14 @@ impl<T: Numbers> Turf<T> {
         let mut bounces = 0;
         while bouncing.any() && bounces < MOST_BOUNCES {
             let after = self.bounced(&moving, slope.normal, ball.radius, restitution);
-            let (leaving, hop, hops) = slope.hop(after.velocity, ball.force_per_mass * DRAG);
-            way = (way + hop).blend(way, bouncing);
+            let hop = slope.hop(after.velocity, ball.force_per_mass * DRAG);
+            seen(way, &hop);
+            way = (way + hop.way(1.0)).blend(way, bouncing);
             moving = Moving {
-                velocity: leaving.blend(moving.velocity, bouncing),
+                velocity: hop.back().blend(moving.velocity, bouncing),
                 spin: after.spin.blend(moving.spin, bouncing),
             };
-            bouncing = bouncing & hops;
+            bouncing = bouncing & hop.leaves;
             bounces += 1;
         }
         way = way + self.way_to_rest(&moving, &slope, ball.radius);
@@ -146,21 +156,71 @@ impl<T: Numbers> Slope<T> {
         Self { normal, press, pull, gravity }
     }
 
-    /// A hop of a ball that leaves the plane: its velocity as it comes back, or along the plane where it does not leave; its way, and where it
-    /// hops. `drag` is what the air takes from its velocity along the plane, 1/m: dv/dt = −`drag` v², so that v/(1 + `drag` v t) is left.
+    /// The hop of a ball that leaves the plane. `drag` is what the air takes from its velocity along the plane, 1/m: dv/dt = −`drag` v², so that
+    /// v/(1 + `drag` v t) is left.
     #[inline(always)]
-    fn hop(&self, velocity: Vector<T>, drag: T) -> (Vector<T>, Vector<T>, T::Mask) {
+    fn hop(&self, velocity: Vector<T>, drag: T) -> Hop<T> {
         let rise = self.normal.dot(velocity);
         let left = rise * risen(rise, STAYS, STAYS);
         let along = velocity - self.normal * rise;
         let time = left * 2.0 / self.press;
         let slowed = (along.dot(along) + LEAST_SPEED * LEAST_SPEED).sqrt() * drag * time;
-        let (fall, rising) = (self.gravity * time, self.normal * left);
+        Hop { along, rising: self.normal * left, time, slowed, gravity: self.gravity, leaves: (-left).below(0.0) }
+    }
+}
+
+/// A hop from the plane and back.
+struct Hop<T: Numbers> {
+    /// Velocities along the plane and out of it as the ball leaves, m/s.
+    along: Vector<T>,
+    rising: Vector<T>,
+    /// s.
+    time: T,
+    /// `drag` v t at its end.
+    slowed: T,
+    /// m/s².
+    gravity: T,
+    /// Where the ball leaves the plane at all.
+    leaves: T::Mask,
+}
+
+impl<T: Numbers> Hop<T> {
+    /// The way after a part of its time.
+    #[inline(always)]
+    fn way(&self, part: f64) -> Vector<T> {
+        let time = self.time * part;
+        let fall = self.gravity * time;
         // the mean of ln(1 + x)/x, within a hundredth up to x = 0.3
-        let way = along * (time / (slowed * 0.5 + 1.0)) + rising * time;
-        let back = along * (slowed + 1.0).recip() + rising;
-        let way = Vector::new(way.x - fall * time * 0.5, way.y, way.z);
-        (Vector::new(back.x - fall, back.y, back.z), way, (-left).below(0.0))
+        let way = self.along * (time / (self.slowed * (0.5 * part) + 1.0)) + self.rising * time;
+        Vector::new(way.x - fall * time * 0.5, way.y, way.z)
+    }
+
+    /// The velocity as it comes back, or along the plane where it does not leave.
+    #[inline(always)]
+    fn back(&self) -> Vector<T> {
+        let back = self.along * (self.slowed + 1.0).recip() + self.rising;
+        Vector::new(back.x - self.gravity * self.time, back.y, back.z)
+    }
+}
+
+impl Turf<f64> {
+    /// The way of a ball from its landing to rest: its hops, and from the last of them a straight line to where it rests; empty for one that embeds,
+    /// and the hops alone for one that does not come to rest.
+    pub fn path(&self, ball: &Landing<f64>) -> Vec<Vector<f64>> {
+        let Some(restitution) = self.restitution else { return vec![] };
+        let mut points = vec![];
+        let rest = self.run(ball, restitution, true, &mut |from, hop| {
+            if hop.leaves {
+                points.extend((0..=HOP_PARTS).map(|k| from + hop.way(f64::from(k) / f64::from(HOP_PARTS))));
+            }
+        });
+        let [right, downrange] = [rest.right - ball.right, rest.downrange - ball.downrange];
+        if right.is_finite() && downrange.is_finite() {
+            let Slope { normal, .. } = Slope::new(self.slope, self.side_slope, ball.gravity);
+            let up = -(normal.y * right + normal.z * downrange) / normal.x;
+            points.push(Vector::new(up, right, downrange));
+        }
+        points
     }
 }
 
@@ -175,7 +235,8 @@ mod tests {
         let (g, drag) = (9.81, 0.0184 * DRAG);
         let slope = Slope::new(0.0, 0.0, g);
         for (rise, along) in [(3.0, 8.0), (6.0, 14.0), (4.0, 28.0)] {
-            let (back, way, hops) = slope.hop(Vector::new(rise, 0.0, along), drag);
+            let hop = slope.hop(Vector::new(rise, 0.0, along), drag);
+            let (back, way, hops) = (hop.back(), hop.way(1.0), hop.leaves);
             let (mut v, mut far, h) = (along, 0.0, 1e-4);
             for _ in 0..(2.0 * rise / g / h) as usize {
                 far += v * h;

@@ -4,7 +4,7 @@ use crate::parameters::Swing;
 /// The club just before impact: its motion in the ground frame, and the axes of the head frame.
 #[derive(Clone, Copy, Debug)]
 pub struct Delivery<T> {
-    /// Velocity of the head's centre of mass, m/s.
+    /// Velocity of the head's centre of mass, or of the centre of its face, whichever the swing states, m/s.
     pub velocity: Vector<T>,
     /// Angular velocity of the head, rad/s.
     pub closure: Vector<T>,

@@ -57,6 +57,14 @@ impl<T: Numbers> Head<T> {
         Self { mass, depth: self.depth - moved.z, beside: Some([high + moved.x, toe + moved.y]), inertia }
     }
 
+    /// The centre of the face from the centre of mass, in the head frame, at this loft; where the centre of mass is not placed from it, the
+    /// sweet spot.
+    #[inline(always)]
+    pub(super) fn face_centre(&self, loft: T) -> Vector<T> {
+        let [high, toe] = self.beside.unwrap_or_else(|| [T::zero(); 2]);
+        pitched(loft.sin_cos(), Vector::new(-high, -toe, self.depth))
+    }
+
     /// The leading principal minors of the second moments of the mass, S = ½ tr I − I, each over the power of tr S that makes it a moment: a
     /// body has none below 0, and where all are above, I is positive definite and its principal moments keep the triangle inequality.
     pub fn minors(&self) -> [T; 3] {

@@ -3,7 +3,7 @@ use super::face::FacePoint;
 use super::head::Head;
 use crate::error::{Error, Result};
 use crate::number::{Number, Numbers, SymmetricFactors, Vector, solve};
-use crate::parameters::Setup;
+use crate::parameters::{Setup, SpeedOf};
 
 /// Two rigid bodies about to collide, in the head frame: a head that moves, and a ball at rest.
 #[derive(Clone, Copy, Debug)]
@@ -75,6 +75,14 @@ impl<T: Numbers> Collision<T> {
             tangential_restitution: setup.impact.tangential_restitution,
             gear_scale: setup.impact.gear_scale,
         };
+        if setup.speed_of == SpeedOf::FaceCentre {
+            // what the face centre moves by beside the centre of mass (docs/model.md, eq. 1a)
+            let turning = T::outlined(
+                #[inline(always)]
+                || collision.club_spin.cross(head.face_centre(setup.club.loft)),
+            );
+            collision.club_velocity = collision.club_velocity - turning;
+        }
         if let Some(slope) = setup.impact.restitution_slope {
             let closing = collision.approach().dot(collision.normal);
             collision.restitution = collision.restitution + (closing - SPEED_OF_RESTITUTION) * slope;

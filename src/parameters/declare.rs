@@ -215,13 +215,20 @@ macro_rules! parameter_groups {
             pub method: Method,
             /// The hand of the golfer (`golfer`).
             pub golfer: Golfer,
+            /// The point of the head whose motion the swing states (`swing.speed_of`).
+            pub speed_of: SpeedOf,
         }
 
         impl Default for Setup<f64> {
             /// The preset `modern-driver`.
             fn default() -> Self {
-                let (law, method, golfer) = (Law::default(), Method::default(), Golfer::default());
-                Self { $( $group: $Group::defaults(), )+ law, method, golfer }
+                // the table's texts are read once: with their units that takes longer than a drive
+                static READ: std::sync::LazyLock<Setup<f64>> = std::sync::LazyLock::new(|| {
+                    let (law, method) = (Law::default(), Method::default());
+                    let (golfer, speed_of) = (Golfer::default(), SpeedOf::default());
+                    Setup { $( $group: $Group::defaults(), )+ law, method, golfer, speed_of }
+                });
+                *READ
             }
         }
 
@@ -231,7 +238,8 @@ macro_rules! parameter_groups {
             #[inline(always)]
             pub fn map<U>(&self, mut f: impl FnMut(&'static Parameter, T) -> U) -> Setup<U> {
                 let f = &mut f;
-                Setup { $( $group: self.$group.map(f), )+ law: self.law.map(f), method: self.method, golfer: self.golfer }
+                let Self { method, golfer, speed_of, .. } = *self;
+                Setup { $( $group: self.$group.map(f), )+ law: self.law.map(f), method, golfer, speed_of }
             }
 
             /// The parameters that this setup has, in the table's order: all groups, then the coefficients of its law.

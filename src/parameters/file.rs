@@ -1,6 +1,7 @@
 //! Setup files: TOML whose keys are the parameters' dotted names. A string carries its unit, a bare number
 //! is SI; every mistake is reported with its line and column.
 
+use super::club_speed::{SPEED_OF, SpeedOf};
 use super::declare::{Parameter, UNSET};
 use super::golfer::{GOLFER, Golfer};
 use super::law_table::{TABLE, TABLE_LAW};
@@ -160,6 +161,10 @@ impl Setup<f64> {
         }
         if item.key == GOLFER {
             self.golfer = Golfer::named(string(item).map_err(at_value)?).map_err(at_value)?;
+            return Ok(());
+        }
+        if item.key == SPEED_OF {
+            self.speed_of = SpeedOf::named(string(item).map_err(at_value)?).map_err(at_value)?;
             return Ok(());
         }
         let group = format!("{}.", item.key);

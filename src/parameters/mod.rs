@@ -2,6 +2,7 @@
 //! sources, and setup files.
 
 mod air;
+mod club_speed;
 #[macro_use]
 mod declare;
 mod file;
@@ -20,6 +21,7 @@ mod weights;
 
 pub use air::Ways;
 pub(crate) use air::{given_otherwise, refuse_replaced};
+pub use club_speed::{SPEED_OF, SpeedOf};
 pub use declare::{Kind, Parameter, UNSET};
 pub use file::SetupFile;
 pub(crate) use file::{in_file, place_in};

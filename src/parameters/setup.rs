@@ -1,3 +1,4 @@
+use super::club_speed::{SPEED_OF, SpeedOf};
 use super::declare::{Kind, Parameter, Slot, UNSET};
 use super::golfer::{GOLFER, Golfer};
 use super::law_table::{LawTable, TABLE, TABLE_LAW};
@@ -126,7 +127,7 @@ impl Setup<f64> {
         Err(Error::unknown(
             "parameter",
             name,
-            rows.iter().map(|row| row.name).chain([LAW, TABLE, METHOD, TURF, GOLFER]),
+            rows.iter().map(|row| row.name).chain([LAW, TABLE, METHOD, TURF, GOLFER, SPEED_OF]),
             LISTING,
         ))
     }
@@ -164,6 +165,10 @@ impl Setup<f64> {
         }
         if name == GOLFER {
             self.golfer = Golfer::named(text)?;
+            return Ok(());
+        }
+        if name == SPEED_OF {
+            self.speed_of = SpeedOf::named(text)?;
             return Ok(());
         }
         let parameter = self.parameter(name)?;
@@ -321,7 +326,7 @@ impl Setup<f64> {
     /// parameter or an infinite radius.
     pub fn variable(&self, name: &str) -> Result<&'static Parameter> {
         let refuse = |reason: String| Err(Error::NotVariable { name: name.into(), reason });
-        if [LAW, TABLE, GOLFER].contains(&name) {
+        if [LAW, TABLE, GOLFER, SPEED_OF].contains(&name) {
             return refuse(format!("it is a choice, not a number; compare two runs with --set {name}=…"));
         }
         if name == TURF {

@@ -3,6 +3,7 @@
 //! documentation; the type is `T`, `Option<T>` for a parameter that may be unset, or `f64` for a setting of the
 //! computation. The defaults are the preset `modern-driver`; ranges are what is physically possible.
 
+use super::club_speed::SpeedOf;
 use super::declare::{Kind, Parameter, Slot};
 use super::golfer::Golfer;
 use super::law_table::{LawTable, TABLE_LAW};
@@ -311,7 +312,8 @@ law_coefficients! { $
         cl_exp: T = "aero.cl_exp", "cl_exp", NUMBER in "", Range::above_to(0.0, 10.0), "0.4", "Smits & Smith (1994)";
     }
 
-    /// Quadratics in the spin ratio: C_D = cd0 + cd1 s + cd2 s², C_L = cl0 + cl1 s + cl2 s² (smoothed below s = 0.02).
+    /// Quadratics in the spin ratio: C_D = cd0 + cd1 s + cd2 s², C_L = cl0 + cl1 s + cl2 s² (smoothed below s = 0.02; s held above
+    /// 0.75).
     "ferguson": Ferguson {
         /// Drag coefficient without spin.
         cd0: T = "aero.cd0", "cd0", NUMBER in "", Range::from_to(0.0, 100.0), "0.1304", "Ferguson, McNally & McPhee (2022)";

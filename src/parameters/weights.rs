@@ -37,15 +37,27 @@ fn weight<T: Numbers>([mass, depth, toe, high]: [Option<T>; 4]) -> Option<Weight
     })
 }
 
+/// The name of a weight's mass, without the weight.
+const MASS: &str = "mass";
+
 impl Setup<f64> {
-    /// Weights that have a place and no mass.
+    /// Weights that have a place and no mass, or one of 0.
     pub(super) fn weightless(&self) -> Vec<String> {
         let set: Vec<_> = self.parameters().into_iter().filter(|row| self.value(row).is_some()).collect();
         let weights = ["club.weight_1.", "club.weight_2."].into_iter();
         let told = weights.filter_map(|weight| {
             let of_it: Vec<_> = set.iter().filter_map(|row| row.name.strip_prefix(weight)).collect();
-            let place = of_it.first().filter(|_| !of_it.contains(&"mass"))?;
-            Some(format!("{weight}{place} changes nothing: the weight has no mass; set {weight}mass"))
+            let places: Vec<_> =
+                of_it.iter().filter(|name| **name != MASS).map(|name| format!("{weight}{name}")).collect();
+            let mass = format!("{weight}{MASS}");
+            let is_zero = self.parameter(&mass).ok().and_then(|row| self.value(row)).map(|mass| mass == 0.0);
+            let (why, advice) = match is_zero {
+                None => ("the weight has no mass", "set"),
+                Some(true) => ("the mass of the weight is 0 g", "raise"),
+                Some(false) => return None,
+            };
+            let change = if places.len() == 1 { "changes" } else { "change" };
+            (!places.is_empty()).then(|| format!("{} {change} nothing: {why}; {advice} {mass}", places.join(", ")))
         });
         told.collect()
     }

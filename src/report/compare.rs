@@ -92,7 +92,7 @@ impl DifferenceReport {
 fn shares(split: &Shares) -> Map<String, Value> {
     let value = |cause: Cause, setup: &Setup<f64>| match cause {
         Cause::Number(parameter) | Cause::AtOnce(parameter) => json::number(setup.value(parameter)),
-        Cause::Law | Cause::Golfer | Cause::Launch => json!(choice(cause, setup)),
+        Cause::Law | Cause::Golfer | Cause::SpeedOf | Cause::Launch => json!(choice(cause, setup)),
         Cause::Ways(ways) => {
             let given = ways.given_in(setup).into_iter();
             given.map(|parameter| (parameter.name, json::number(setup.value(parameter)))).collect()
@@ -114,6 +114,7 @@ fn shares(split: &Shares) -> Map<String, Value> {
 fn choice(cause: Cause, setup: &Setup<f64>) -> &'static str {
     match cause {
         Cause::Golfer => setup.golfer.name(),
+        Cause::SpeedOf => setup.speed_of.name(),
         Cause::Law => setup.law.table().map_or(setup.law.name(), |table| table.file()),
         _ if setup.launch.is_given() => "given",
         _ => "struck by a club",
@@ -193,7 +194,7 @@ fn shares_text(title: &str, difference: &Difference, split: &Shares, system: Sys
 fn cell(cause: Cause, setup: &Setup<f64>, system: System) -> String {
     match cause {
         Cause::Number(parameter) | Cause::AtOnce(parameter) => stated(parameter, setup, system),
-        Cause::Law | Cause::Golfer | Cause::Launch => choice(cause, setup).into(),
+        Cause::Law | Cause::Golfer | Cause::SpeedOf | Cause::Launch => choice(cause, setup).into(),
         Cause::Ways(ways) => {
             let line = |parameter: &&'static Parameter| {
                 let name = parameter.name.rsplit('.').next().unwrap_or(parameter.name);

@@ -1,6 +1,6 @@
 use crate::atmosphere::in_effect;
 use crate::number::Vector;
-use crate::parameters::{GOLFER, LAW, METHOD, Setup, TABLE};
+use crate::parameters::{GOLFER, LAW, METHOD, SPEED_OF, Setup, TABLE};
 use serde_json::{Map, Value, json};
 
 /// A number, `null` for one that does not exist. JSON has no infinity: a flat face's radius is `"inf"`, as
@@ -24,7 +24,7 @@ pub(super) fn named<'a>(pairs: impl IntoIterator<Item = (&'a str, Option<f64>)>)
     pairs.into_iter().map(|(name, value)| (name.to_owned(), number(value))).collect()
 }
 
-/// Every parameter of a setup by its dotted name, as the drive has it, with the hand of the golfer, the law and the method.
+/// Every parameter of a setup by its dotted name, as the drive has it, with the choices: hand, point of the club speed, law, method.
 pub(super) fn setup(setup: &Setup<f64>) -> Map<String, Value> {
     let setup = &in_effect(setup);
     let mut all = Map::new();
@@ -35,6 +35,9 @@ pub(super) fn setup(setup: &Setup<f64>) -> Map<String, Value> {
             all.extend(setup.law.table().map(|table| (TABLE.to_owned(), json!(table.file()))));
         }
         all.insert(parameter.name.into(), number(setup.value(parameter)));
+        if parameter.name == "swing.speed" {
+            all.insert(SPEED_OF.into(), json!(setup.speed_of.name()));
+        }
         if parameter.name == "flight.step" {
             all.insert(METHOD.into(), json!(setup.method.name()));
         }

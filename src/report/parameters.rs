@@ -2,7 +2,7 @@ use super::lines::{item, note};
 use super::{Reply, json};
 use crate::atmosphere::in_effect;
 use crate::parameters::{
-    GOLFER, Kind, LAW, Law, METHOD, Method, Parameter, Setup, TABLE, TABLE_LAW, TURF, TURFS, UNSET,
+    GOLFER, Kind, LAW, Law, METHOD, Method, Parameter, SPEED_OF, Setup, TABLE, TABLE_LAW, TURF, TURFS, UNSET,
 };
 use crate::units::{Message, System};
 use serde_json::{Value, json};
@@ -65,6 +65,12 @@ pub fn parameters_text(setup: &Setup<f64>, system: System) -> String {
         setup.golfer.name()
     );
     text += &format!("\n{}", item(&golfer));
+    let speed_of = format!(
+        "{SPEED_OF} = {} here; centre-of-mass or face-centre, the point of the head whose speed, attack angle and path the swing states \
+         (they differ where swing.closure turns the head)",
+        setup.speed_of.name()
+    );
+    text += &format!("\n{}", item(&speed_of));
     let turfs = TURFS.iter().map(|turf| format!("{} ({})", turf.name, turf.about)).collect::<Vec<_>>().join("; ");
     let here = setup.turf().map_or("none of them", |turf| turf.name);
     let told = format!(

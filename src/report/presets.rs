@@ -1,6 +1,6 @@
 use super::{Reply, json, shown, table::table};
 use crate::error::Result;
-use crate::parameters::{GOLFER, LAW, METHOD, PRESETS, Parameter, Preset, Setup, TABLE, UNSET};
+use crate::parameters::{GOLFER, LAW, METHOD, PRESETS, Parameter, Preset, SPEED_OF, Setup, TABLE, UNSET};
 use crate::units::System;
 use serde_json::{Value, json};
 
@@ -24,6 +24,8 @@ pub(super) fn sourced(preset: &Preset, setup: &Setup<f64>) -> Vec<(&'static str,
     let method_at = rows.iter().position(|(name, ..)| *name == "flight.step").unwrap_or(rows.len());
     let source = entry(METHOD).map_or("the classical method, which the sources use", |entry| entry.source);
     rows.insert(method_at, (METHOD, setup.method.name().into(), source));
+    let speed_at = after_speed(&rows);
+    rows.insert(speed_at, (SPEED_OF, setup.speed_of.name().into(), "as radars state it, within millimetres"));
     let source = "right-handed, as the golfers of the sources";
     rows.insert(0, (GOLFER, setup.golfer.name().into(), source));
     rows
@@ -77,8 +79,15 @@ pub fn sources(
     rows.insert(law_at, (LAW, setup.law.name().into(), source(LAW, base.law.name() == setup.law.name())));
     let method_at = rows.iter().position(|(name, ..)| *name == "flight.step").unwrap_or(rows.len());
     rows.insert(method_at, (METHOD, setup.method.name().into(), source(METHOD, base.method == setup.method)));
+    let speed_of = (SPEED_OF, setup.speed_of.name().into(), source(SPEED_OF, base.speed_of == setup.speed_of));
+    rows.insert(after_speed(&rows), speed_of);
     rows.insert(0, (GOLFER, setup.golfer.name().into(), source(GOLFER, base.golfer == setup.golfer)));
     Ok(rows)
+}
+
+/// The place behind the club speed.
+fn after_speed<S, V>(rows: &[(&'static str, S, V)]) -> usize {
+    rows.iter().position(|(name, ..)| *name == "swing.speed").map_or(0, |at| at + 1)
 }
 
 /// A number, or a choice such as the law, that differs from the preset's, as a person reads it.
@@ -126,6 +135,7 @@ pub fn changes(setup: &Setup<f64>, preset: &Preset, system: System) -> Result<Ve
         ("law of drag and lift", base.law.name(), law),
         ("method of integration", base.method.name(), setup.method.name()),
         ("hand of the golfer", base.golfer.name(), setup.golfer.name()),
+        ("point of the club speed", base.speed_of.name(), setup.speed_of.name()),
     ];
     let words = words.into_iter().filter(|(_, from, to)| from != to).map(|(name, from, to)| Change {
         parameter: None,

@@ -7,7 +7,8 @@ use super::maker::maker;
 use super::shot::{Club as ClubOfShot, Further, LAUNCH, Origin};
 use super::table::Table;
 use crate::columns::{
-    Club, Column, Format, Head, Holds, Spin, is_export, nearest_head, separated, split_unit, unstated, words,
+    Club, Column, Format, Head, Holds, Spin, given_air, is_export, near_known, nearest_head, separated, split_unit,
+    unstated, words,
 };
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
@@ -112,7 +113,7 @@ impl ExportHead {
             Club::LeftOut,
             Spin::OfRow,
         )
-        .map_err(at_column)?;
+        .map_err(|wrong| wrong.in_file(&table.0))?;
         let units = first.filter(|_| read.has_units_row);
         if units.is_none()
             && let Some(line) = below
@@ -218,11 +219,7 @@ impl ExportHead {
         if missing.is_empty() {
             return Ok(());
         }
-        let near = columns.iter().filter(|column| column.is_unknown());
-        let near = near
-            .filter_map(|column| Some(format!("'{}' (did you mean '{}'?)", column.head, nearest_head(&column.head)?)));
-        let near: Vec<String> = near.collect();
-        let near = if near.is_empty() { String::new() } else { format!("; near a known head: {}", near.join(", ")) };
+        let near = near_known(columns);
         let heads =
             self.heads.iter().filter(|head| !head.is_empty()).map(String::as_str).collect::<Vec<_>>().join(", ");
         Err(format!(
@@ -240,10 +237,11 @@ impl ExportHead {
                 || self.club.iter().flatten().any(|(club, _)| *club == at)
                 || [self.spin_type, self.condition].contains(&Some(at))
         };
+        let is_told = |column: &Column| column.holds == Holds::Written || column.is_of_given_air();
         let not_read = columns
             .iter()
             .enumerate()
-            .filter(|(at, column)| !is_read(*at) && !column.head.is_empty() && column.holds != Holds::Written);
+            .filter(|(at, column)| !is_read(*at) && !column.head.is_empty() && !is_told(column));
         let not_read = not_read.map(|(_, column)| {
             match nearest_head(&column.head).filter(|_| column.is_unknown() && origin(&column.head).is_none()) {
                 Some(known) => format!("{} (did you mean '{known}'?)", column.head),
@@ -255,7 +253,7 @@ impl ExportHead {
         if !in_degrees.is_empty() {
             remarks.push(format!("angles without a unit are read in degrees: {}", in_degrees.join(", ")));
         }
-        remarks.extend(self.air_told());
+        remarks.extend(self.air_told().or_else(|| given_air(columns)));
         if !not_read.is_empty() {
             remarks.push(format!("columns that are copied and not used: {}", not_read.join(", ")));
         }

@@ -20,7 +20,7 @@ pub use error::UnitError;
 pub(crate) use expression::Unit;
 pub use message::{Digits, Message};
 pub(crate) use spelling::{leading_number, with_unit};
-pub use spelling::{one, per, printed, typeset};
+pub use spelling::{one, per, printed, ratio, typeset};
 pub use system::System;
 
 use dimension::Dimension;

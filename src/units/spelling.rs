@@ -41,6 +41,21 @@ pub fn one(unit: &str) -> String {
     }
 }
 
+/// The SI unit of a derivative as the heads of tables have it, from the SI units of what changes and of what it changes by; empty where it has none.
+///
+/// ```
+/// use longdrive::units::ratio;
+/// assert_eq!([ratio("m", "rad"), ratio("m", "m/s"), ratio("", "s"), ratio("m", ""), ratio("", "")], ["m/rad", "m/(m/s)", "1/s", "m", ""]);
+/// ```
+pub fn ratio(of: &str, by: &str) -> String {
+    let unit = if of.is_empty() { "1" } else { of };
+    match by {
+        "" => of.into(),
+        by if by.contains([' ', '/']) => format!("{unit}/({by})"),
+        by => format!("{unit}/{by}"),
+    }
+}
+
 /// The unit of a derivative, from the units of what changes and of what it changes by.
 ///
 /// ```

@@ -252,6 +252,20 @@ fn shots_without_a_delivery_are_left_out_and_too_few_tell_no_distribution() {
     let words = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(words(&table.err).contains("left out of it: 1 row"), "{}", table.err);
     assert_eq!(std::fs::read_to_string(at("swings.csv")).unwrap().lines().count(), 4);
+    // the command that follows has the setup that the swings are of
+    let follows = |ran: &crate::command_line::Said| {
+        let told = words(&ran.err);
+        told.split("the design that is best over them: longdrive ")
+            .nth(1)
+            .map(|rest| rest.split(" --swings ").next().unwrap().to_owned())
+    };
+    assert_eq!(follows(&table).as_deref(), Some("optimize tour-average"));
+    let set = ["--set", "club.loft=10.5deg", "--set", "swing.speed=100mph", "--overwrite"];
+    let (table, golfer) = (at("swings.csv"), at("golfer.toml"));
+    let asked = [&["delivery", "--shots", &file, "--swings", &table], &SOUGHT[..], &set].concat();
+    assert_eq!(follows(&longdrive(&asked)).as_deref(), Some("optimize tour-average --set club.loft=10.5deg"));
+    let written = [&asked[..], &["-o", &golfer]].concat();
+    assert_eq!(follows(&longdrive(&written)), Some(format!("optimize {golfer}")));
     let (status, best) = json(&["optimize", "--swings", &at("swings.csv")]);
     assert_eq!((status, &best["swings"]["scenarios"]), (0, &3.into()), "{best}");
     let distribution = run("swings.toml");

@@ -118,8 +118,13 @@ fn a_variable_without_an_effect_is_named() {
 
 #[test]
 fn what_makes_no_design_is_refused_in_plain_words() {
-    let cases: [(&[&str], &str); 9] = [
-        (&["--subject-to=volume: 5 g <= 40 g"], "which is about a volume, and this is a mass"),
+    let cases: [(&[&str], &str); 11] = [
+        (
+            &["--distribution=club.inertia.xx=uniform(5000 g cm^2,6001 g cm^2)"],
+            "the swings reach head_moi = 6001 g cm^2",
+        ),
+        (&["--distribution=ball.mass=uniform(45 g,45.931 g)"], "the swings reach ball.mass = 45.931 g"),
+        (&["--subject-to=volume: 2*club.mass <= 600 g"], "which is about a volume, and this is a mass"),
         (&["--subject-to=volume: 120 cm^3 + 80 cm^2*club.cg_depth >= 400 cm^3"], "its upper limit is missing"),
         (
             &["--maximize=2*mean(carry) - std(carry)/2"],
@@ -149,6 +154,28 @@ fn what_makes_no_design_is_refused_in_plain_words() {
     assert!(!longdrive(&["design", "--help"]).out.contains("--starts"));
     let free = longdrive(&[&TWO[..], &["--rules=none", "--vary=club.loft=10deg..11deg"]].concat());
     assert!(free.status == 0 && !free.out.contains("held by"), "{}", free.out);
+}
+
+/// What the rules were not checked for, and what a weight without mass does.
+#[test]
+fn what_is_not_checked_and_what_has_no_effect_is_said() {
+    let swings = "--distribution=club.inertia.xx=normal(5700 g cm^2,10 g cm^2)";
+    let said = longdrive(&["design", "modern-driver", swings, "--vary=club.loft=10deg..12deg"]);
+    let told = "the rule on the moment of inertia is checked at 32 swings only, since the distribution of club.inertia.xx has no ends";
+    assert!(said.status == 0 && words(&(said.out + &said.err)).contains(told));
+    let bounded = swings.replace("normal(5700 g cm^2,10 g cm^2)", "uniform(5600 g cm^2,5999 g cm^2)");
+    let said = longdrive(&["design", "modern-driver", &bounded, "--vary=club.loft=10deg..12deg"]);
+    assert!(said.status == 0 && !words(&(said.out + &said.err)).contains("is checked at"));
+
+    let placed = ["--set=club.weight_1.depth=40mm", "--set=club.weight_1.toe=10mm"];
+    for (mass, why) in [("none", "the weight has no mass; set"), ("0g", "the mass of the weight is 0 g; raise")] {
+        let mass = format!("--set=club.weight_1.mass={mass}");
+        let said = longdrive(&[&["simulate", "modern-driver", &mass][..], &placed].concat());
+        let told = format!("club.weight_1.depth, club.weight_1.toe change nothing: {why} club.weight_1.mass");
+        assert!(words(&said.err).contains(&told), "{}", said.err);
+    }
+    let said = longdrive(&[&["simulate", "modern-driver", "--set=club.weight_1.mass=5g"][..], &placed].concat());
+    assert!(!said.err.contains("nothing"), "{}", said.err);
 }
 
 #[test]

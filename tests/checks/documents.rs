@@ -211,6 +211,38 @@ fn rules_and_numbers_of_design_md_are_the_programs() {
     }
 }
 
+/// docs/swings.md: the design for several gear effects.
+#[test]
+fn numbers_of_the_robust_example_of_swings_md_are_the_programs() {
+    let text = document("docs/swings.md");
+    let command =
+        text.lines().find(|line| line.starts_with("longdrive robust modern-driver")).unwrap().replace('"', "");
+    let words: Vec<&str> = command.split_whitespace().skip(1).collect();
+    let (status, found) = crate::command_line::json(&words);
+    assert_eq!((status, &found["holds_for_all"]), (0, &false.into()));
+    let number = |value: &serde_json::Value| value.as_f64().unwrap();
+    let near = |cell: &str, value: f64, by: f64| {
+        let said = first_number(cell);
+        assert!((said - value).abs() <= by, "docs/swings.md says {said}, the program {value}");
+    };
+    let head = "| gear effect | best bulge | rms(lateral) there | more with 334.0 mm | more with the best for 1 |";
+    let (rows, models) = (table(&text, head), found["models"].as_array().unwrap());
+    assert_eq!(rows.len(), models.len());
+    for (row, model) in rows.iter().zip(models) {
+        near(&row[1], 1e3 * number(&model["optimum"]["club.bulge_radius"]), 0.051);
+        near(&row[2], number(&model["value"]) / 0.9144, 0.0051);
+        near(&row[3], number(&model["loss"]) / 0.9144, 0.0051);
+        near(&row[4], number(&model["losses"][0]) / 0.9144, 0.0051);
+    }
+    let bulge = 1e3 * number(&found["optimum"]["club.bulge_radius"]);
+    near(text.split("the one that loses least, ").nth(1).unwrap(), bulge, 0.051);
+    let greatest = number(&found["greatest_loss"]) / 0.9144;
+    near(text.split("334.0 mm, loses ").nth(1).unwrap(), greatest, 0.0051);
+    let worst = models.iter().map(|model| number(&model["losses"][0]) / 0.9144).fold(0.0, f64::max);
+    near(text.split("that of rigid bodies, ").nth(1).unwrap(), worst - greatest, 0.051);
+    assert!(models.iter().skip(1).all(|model| number(&model["share"]) > 0.4) && number(&models[0]["share"]) < 0.01);
+}
+
 /// What docs/scale.md reckons follows from the rate and size that docs/performance.md has measured.
 #[test]
 fn the_plan_in_scale_md_follows_from_the_rate_in_performance_md() {

@@ -163,7 +163,10 @@ fn exact_c2_of_the_spline_across_every_line_of_the_grid() {
 }
 
 /// What is joined in the spin ratio (0), Reynolds number (1) or speed (2), and where.
-const JOINS: [(&str, usize, f64); 16] = [
+const JOINS: [(&str, usize, f64); 19] = [
+    ("ferguson", 0, 0.02),
+    ("ferguson", 0, 0.75),
+    ("ferguson", 0, 0.95),
     ("macdonald-hanzely", 0, 0.02),
     ("naruo-mizota", 0, 0.03),
     ("naruo-mizota", 0, 1.13),
@@ -193,6 +196,57 @@ fn exact_c2_at_every_join_of_a_law() {
         });
         for (a, b) in sides[0].iter().flatten().zip(sides[1].iter().flatten()) {
             assert!((a - b).abs() < 1e-9, "{law}, {variable} at {join}: {sides:?}");
+        }
+    }
+}
+
+/// Reynolds numbers, each with the speed that a ball of 42.68 mm has there in air of 1.184 kg/m³ and 1.85e-5 Pa s.
+fn streams() -> impl Iterator<Item = (f64, f64)> {
+    (1..=60).map(|k| 5e3 * f64::from(k)).map(|reynolds| (reynolds, reynolds * 1.85e-5 / (1.184 * 0.04268)))
+}
+
+#[test]
+fn exact_every_law_has_drag_at_every_spin_ratio_and_reynolds_number() {
+    for law in Law::NAMES {
+        for (reynolds, speed) in streams() {
+            for s in (0..=500).map(|k| f64::from(k) * 0.01) {
+                let c: Coefficients<f64> = at(law, [s, reynolds, speed]);
+                assert!(c.drag > 0.0 && c.drag.is_finite(), "{law} at s = {s}, Re = {reynolds}: {c:?}");
+            }
+        }
+    }
+}
+
+/// Within the measured spin ratios the law is its printed polynomials, to the last bit; from 0.95 on it is what they are at 0.85.
+#[test]
+fn exact_ferguson_is_its_polynomials_where_they_were_fitted() {
+    let drag = |s: f64| (-0.8259_f64).mul_add(s, 0.9287).mul_add(s, 0.1304);
+    let lift = |s: f64| (-1.1490_f64).mul_add(s, 1.2031).mul_add(s, 0.0504);
+    for s in (0..=7300).map(|k| 0.02 + f64::from(k) * 1e-4) {
+        let c: Coefficients<f64> = at("ferguson", [s, 1.5e5, 50.0]);
+        assert_eq!((c.drag.to_bits(), c.lift.to_bits()), (drag(s).to_bits(), lift(s).to_bits()), "s = {s}");
+    }
+    for s in [0.95, 1.1, 1.3, 5.0] {
+        let c: Coefficients<f64> = at("ferguson", [s, 1.5e5, 50.0]);
+        assert!((c.drag - drag(0.85)).abs() < 1e-15 && (c.lift - lift(0.85)).abs() < 1e-15, "s = {s}: {c:?}");
+    }
+}
+
+/// First and second derivatives by the spin ratio, through where it begins to be held and where it is held.
+#[test]
+fn differences_of_ferguson_where_the_spin_ratio_is_held() {
+    let h = 1e-4;
+    for s in (0..=40).map(|k| 0.7013 + f64::from(k) * 0.0071) {
+        let value = |s: f64| at::<f64>("ferguson", [s, 1.5e5, 50.0]);
+        let exact = at("ferguson", [Dual2_64::from(s).derivative(), 1.5e5.into(), 50.0.into()]);
+        let [below, here, above] = [s - h, s, s + h].map(value);
+        for (exact, [below, here, above]) in
+            [(exact.drag, [below.drag, here.drag, above.drag]), (exact.lift, [below.lift, here.lift, above.lift])]
+        {
+            // the third derivative is at most 150, and jumps at both ends
+            let [slope, bend] = [(above - below) / (2.0 * h), (above - 2.0 * here + below) / (h * h)];
+            assert!((exact.v1 - slope).abs() < 1e-6, "s = {s}: {} {slope}", exact.v1);
+            assert!((exact.v2 - bend).abs() < 0.03, "s = {s}: {} {bend}", exact.v2);
         }
     }
 }
@@ -288,6 +342,36 @@ fn exact_curves_and_points_of_a_plot_of_laws() {
         assert!((found.drag - drag).abs() < 1e-12, "{reynolds}: {drag}");
     }
     assert!(answer["note"].as_str().unwrap().starts_with("Solid within what a law was fitted to"), "{answer}");
+    let dots = |rows: &[(String, String, f64, f64)]| {
+        rows.iter().filter(|row| row.0 == "dots").map(|row| [row.2, row.3]).collect::<Vec<_>>()
+    };
+    let table = cells_of_lyu();
+    let drags: Vec<_> = table.iter().filter_map(|[re, _, drag, _]| Some([(*re)?, (*drag)?])).collect();
+    assert_eq!(dots(&rows), drags);
+    let (rows, _) = drawn(&["--laws", "lyu", "--show", "cl"]);
+    let lifts: Vec<_> = table.iter().filter_map(|[_, s, _, lift]| Some([(*s)?, (*lift)?])).collect();
+    assert_eq!(dots(&rows), lifts);
+}
+
+/// Re, s, C_D and C_L of the points of Lyu et al.
+fn cells_of_lyu() -> Vec<[Option<f64>; 4]> {
+    let row = |line: &str| {
+        let cells: Vec<_> = line.split(',').map(|cell| cell.parse().ok()).collect();
+        [cells[0], cells[1], cells[2], cells[3]]
+    };
+    include_str!("../data/lyu_2018.csv").lines().skip(1).map(row).collect()
+}
+
+/// Lift of 13 balls, which differ among each other by 0.02 to 0.03, and drag of one.
+#[test]
+fn paper_points_of_lyu_lie_about_its_law() {
+    let points = cells_of_lyu();
+    assert_eq!(points.len(), 12);
+    for [reynolds, s, drag, lift] in points {
+        let c: Coefficients<f64> = at("lyu", [s.unwrap_or(0.1), reynolds.unwrap_or(1.5e5), 40.0]);
+        assert!(drag.is_none_or(|drag: f64| (c.drag - drag).abs() < 0.031), "Re = {reynolds:?}: {c:?}");
+        assert!(lift.is_none_or(|lift: f64| (c.lift - lift).abs() < 0.02), "s = {s:?}: {c:?}");
+    }
 }
 
 fn rows_of_naruo() -> Vec<[f64; 4]> {

@@ -3,6 +3,7 @@
 
 mod analysis;
 mod calibration;
+mod club_speed;
 mod command_line;
 mod command_line_calibrate;
 mod command_line_certainty;

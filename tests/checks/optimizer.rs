@@ -543,3 +543,29 @@ fn exact_contradicting_constraints_stay_infeasible() {
     let found = solve_subject_to(apart, &[(0.0, 0.0), (1.0, 1.0)], [(-5.0, 5.0); 2], [0.3, 0.0]);
     assert_eq!(found.status, Status::Infeasible, "{}", found.message);
 }
+
+/// Without curvature the minimum is a corner. x + y on the unit square with 1 − gap ≤ x has it at (1 − gap, 0), where the limit and the lower
+/// bound of y each cost 1 for each unit; the start lies on the bound beside the limit.
+#[test]
+fn exact_corner_beside_a_bound_without_any_curvature() {
+    for exponent in 1..=12 {
+        let gap = 10_f64.powi(-exponent);
+        let plane = |x: &[f64]| {
+            let flat = vec![vec![0.0; 2]; 2];
+            Ok(Evaluation {
+                objective: Taylor { value: x[0] + x[1], gradient: vec![1.0, 1.0], hessian: flat.clone() },
+                constraints: vec![Taylor { value: -x[0], gradient: vec![-1.0, 0.0], hessian: flat }],
+            })
+        };
+        let limit = -1.0 + gap;
+        let domain = Domain::new(vec![0.0; 2], vec![1.0; 2]).unwrap();
+        let domain = domain.subject_to(vec![f64::NEG_INFINITY], vec![limit]).unwrap();
+        for y in [0.9, 0.5, 0.1] {
+            let found = minimize(&plane, &domain, &[1.0, y], &Options::default()).unwrap();
+            assert_eq!(found.status, Status::Converged, "gap {gap:e} from y = {y}: {}", found.message);
+            assert!((found.x[0] + limit).abs() <= 1e-15 && found.x[1] == 0.0, "gap {gap:e}: {:?}", found.x);
+            let multipliers = [found.constraints[0].multiplier, found.lower_multipliers[1]];
+            assert!(multipliers.iter().all(|price| (price - 1.0).abs() < 1e-9), "gap {gap:e}: {multipliers:?}");
+        }
+    }
+}

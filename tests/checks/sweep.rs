@@ -245,6 +245,17 @@ fn bad_tables_are_told_by_row_and_column_before_any_work() {
         ("a.csv", "club.loft [rad],air.density [kg/m^3]\n0.1\n", "row 1"),
         ("a.csv", "club.loft [rad]\n10 deg\n", "a unit is written in the head, as in 'club.loft [rad]'"),
         ("a.csv", "club.lofft\n0.1\n", "column 1: unknown column 'club.lofft'; did you mean 'club.loft'?"),
+        (
+            "a.csv",
+            "swing.sped [mph],club.lft [deg],xyz\n100,10,1\n",
+            "a.csv, columns 1, 2, 3: unknown columns 'swing.sped' (did you mean 'swing.speed'?), 'club.lft' (did you mean 'club.loft'?), 'xyz'; a \
+             column is a parameter",
+        ),
+        (
+            "a.csv",
+            "Ball Sped (mph),Lanch Angle (deg),Backspin (rpm)\n150,12,2600\n",
+            "near a known head: 'Ball Sped' (did you mean 'ball speed'?), 'Lanch Angle' (did you mean 'launch angle'?)",
+        ),
         ("a.csv", "club.loft [kg]\n0.1\n", "column 1: the column 'club.loft': \"1 kg\" is not an angle"),
         ("a.csv", "club.loft [deg],club.loft [rad]\n0.1,0.1\n", "club.loft has two columns"),
         (

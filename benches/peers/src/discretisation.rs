@@ -11,10 +11,7 @@ use serde_json::{Value, json};
 const PLACES: [[f64; 2]; 2] = [[10.0, 0.0], [14.682_922_531_9, 10.0]];
 const METHODS: [&str; 2] = ["rk4", "dp8"];
 /// Steps of the work–precision table, s, by method.
-const LADDERS: [[f64; 7]; 2] = [
-    [0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.3],
-    [0.05, 0.1, 0.2, 0.4, 0.8, 1.2, 1.6],
-];
+const LADDERS: [[f64; 7]; 2] = [[0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.3], [0.05, 0.1, 0.2, 0.4, 0.8, 1.2, 1.6]];
 /// The error of the rows 'at 1 µm', m.
 const MICROMETRE: f64 = 1e-6;
 /// Steps tried for them: this many, at equal distances up to 2 s.

@@ -1,7 +1,7 @@
 //! The tasks of a single drive.
 
 use longdrive::derivative::{Evaluator, Order, Taylor};
-use longdrive::optimize::{Status, Observer};
+use longdrive::optimize::{Observer, Status};
 use longdrive::parameters::Parameter;
 use longdrive::study::{Optimum, Search, Vary, accuracy, optimum};
 use longdrive::{Error, Outcome, Result, Setup};
@@ -76,7 +76,7 @@ const TABLE_2: [f64; 13] = [-10.0, -5.0, -4.0, -3.0, -2.0, -1.0, 0.0, 1.0, 2.0, 
 
 /// The optima of Winfield & Tan: the one of both angles from 10° of loft and 0° of attack angle, and those of their tables, each
 /// from the one before.
-fn winfield_tan(within: Option<f64>) -> Result<Box<dyn Fn() -> Result<Answer>>> {
+fn winfield_tan(within: Option<f64>) -> Result<Ready> {
     let mut setup = Setup::preset("winfield-tan")?;
     let vary = ["club.loft=2deg..18deg", "swing.attack_angle=-10deg..30deg"];
     let vary = vary.iter().map(|text| Vary::read(&setup, text)).collect::<Result<Vec<_>>>()?;
@@ -137,8 +137,11 @@ impl Answer {
     }
 }
 
+/// A task to be repeated.
+type Ready = Box<dyn Fn() -> Result<Answer>>;
+
 /// A task of a single drive made ready: what can be checked once has been.
-pub fn ready(task: &str, by: &Discretisation) -> Result<Option<Box<dyn Fn() -> Result<Answer>>>> {
+pub fn ready(task: &str, by: &Discretisation) -> Result<Option<Ready>> {
     match task {
         "W&T" => return winfield_tan(None).map(Some),
         "W&T-1um" => return winfield_tan(Some(1e-6)).map(Some),

@@ -17,11 +17,34 @@ Numbers are SI and radians; a text carries its unit. Bad input is an :class:`Inp
 
 from __future__ import annotations
 
+from . import plot
 from ._longdrive import Objective, Setup, __version__, outcomes, parameters, presets
-from .batch import Interrupted, batch
+from .batches import Interrupted, batch
+from .commands import (
+    calibrate,
+    chart,
+    compare,
+    delivery,
+    design,
+    fly,
+    laws,
+    optimize,
+    optimum_sensitivity,
+    pareto,
+    report,
+    reproduce,
+    robust,
+    sensitivity,
+    uncertainty,
+    validate,
+    verify,
+)
 from .derivatives import Gradient, Hessian, Jacobian, gradient, hessian, jacobian, objective
 from .drive import Drive, simulate
-from .errors import Error, InputError, InternalError, NoAnswerError
+from .errors import Error, InputError, InternalError, LongdriveWarning, NoAnswerError
+from .optimum import Optimum
+from .picture import Picture
+from .reply import Reply
 from .table import Status, Table
 
 __all__ = [
@@ -33,19 +56,41 @@ __all__ = [
     "InternalError",
     "Interrupted",
     "Jacobian",
+    "LongdriveWarning",
     "NoAnswerError",
     "Objective",
+    "Optimum",
+    "Picture",
+    "Reply",
     "Setup",
     "Status",
     "Table",
     "__version__",
     "batch",
+    "calibrate",
+    "chart",
+    "compare",
+    "delivery",
+    "design",
+    "fly",
     "gradient",
     "hessian",
     "jacobian",
+    "laws",
     "objective",
+    "optimize",
+    "optimum_sensitivity",
     "outcomes",
     "parameters",
+    "pareto",
+    "plot",
     "presets",
+    "report",
+    "reproduce",
+    "robust",
+    "sensitivity",
     "simulate",
+    "uncertainty",
+    "validate",
+    "verify",
 ]

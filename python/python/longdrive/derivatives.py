@@ -52,7 +52,7 @@ def gradient(setup: SetupLike, of: str = "carry", wrt: Names | None = None) -> G
     Args:
         setup: a setup, the name of a preset, or a dict.
         of: the outcome.
-        wrt: parameters to differentiate by, a name or several; ``"all"`` for every one that has a number here. Without it
+        wrt: parameters to differentiate by, a name or several; ``"all"`` for every one that can be varied in this setup. Without it
             loft and attack angle.
 
     Raises:

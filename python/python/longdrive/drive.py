@@ -35,7 +35,7 @@ class Drive(Mapping[str, "float | None"]):
 
     @property
     def warnings(self) -> list[str]:
-        """What deserves a word about the drive."""
+        """What a user should know about the drive."""
         warnings: list[str] = self.report["warnings"]
         return warnings
 

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import Any
 
-__all__ = ["Error", "InputError", "InternalError", "NoAnswerError"]
+__all__ = ["Error", "InputError", "InternalError", "LongdriveWarning", "NoAnswerError"]
 
 
 class Error(Exception):
@@ -40,3 +40,7 @@ class NoAnswerError(Error):
 
 class InternalError(Error, RuntimeError):
     """A mistake in longdrive itself, which could not go on. Please report it."""
+
+
+class LongdriveWarning(UserWarning):
+    """What deserves a word about a question or its answer: a drive that leaves what a law of drag and lift was fitted to."""

@@ -1,11 +1,43 @@
-"""How far long work has come, as a line on standard error: in a terminal and in a notebook."""
+"""Progress of long work, in notebooks and terminals."""
 
 from __future__ import annotations
 
 import sys
 import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import Any, Union
 
-__all__ = ["Bar"]
+__all__ = ["Bar", "Progress", "follower"]
+
+Show = Callable[[int, int], Any]
+
+Progress = Union[bool, Show]
+"""Whether a bar is shown (by tqdm, if it is installed, in notebooks too), or a function that is called with how many parts of how many are
+done (0 of 0 where they cannot be counted)."""
+
+
+@contextmanager
+def follower(doing: str, progress: Progress) -> Iterator[Show | None]:
+    """What is to be called with the progress of some work; None where nobody looks."""
+    if progress is False:
+        yield None
+    elif progress is not True:
+        yield progress
+    else:
+        try:
+            from tqdm.auto import tqdm
+        except ImportError:
+            yield Bar(doing)
+            return
+        with tqdm(desc=doing, total=None) as bar:
+
+            def show(done: int, of: int) -> None:
+                if bar.total != of and of > 0:
+                    bar.reset(total=of)
+                bar.update(done - bar.n)
+
+            yield show
 
 
 class Bar:
@@ -23,5 +55,5 @@ class Bar:
         self._next = now + 0.2
         left = f", {now * (total - done) / done:.0f} s left" if 0 < done < total else ""
         end = "\n" if done >= total else ""
-        sys.stderr.write(f"\r{done:,} of {total:,} {self._what}{left}   {end}")
+        sys.stderr.write(f"\r{self._what}: {done:,} of {total:,}{left}   {end}")
         sys.stderr.flush()

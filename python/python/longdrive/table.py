@@ -60,6 +60,7 @@ class Table:
         of: Sequence[str],
         wrt: Sequence[str],
         parameters: Sequence[str],
+        units: Sequence[str],
         hessians: Floats | None = None,
         first_row: int = 0,
         warnings: Sequence[str] = (),
@@ -77,23 +78,26 @@ class Table:
         """The parameters they are differentiated by."""
         self.parameters = tuple(parameters)
         """The parameters that have a value in each row."""
+        self._units = tuple(units)
         self.hessians = hessians
         """Second derivatives, shape (rows, outcomes, parameters, parameters); None where they were not asked for."""
         self.first_row = first_row
         """The number of its first row among all points."""
         self.warnings = list(warnings)
-        """What deserves a word about the drives."""
+        """What a user should know about the drives."""
 
     @property
     def values(self) -> Floats:
         """The outcomes, shape (rows, outcomes): a view."""
-        return self._columns[: len(self.of)].T
+        values: Floats = self._columns[: len(self.of)].T
+        return values
 
     @property
     def gradients(self) -> Floats:
         """The derivatives, shape (rows, outcomes, parameters): a view."""
         rows = self._columns[len(self.of) :]
-        return rows.reshape(len(self.of), len(self.wrt), len(self)).transpose(2, 0, 1)
+        gradients: Floats = rows.reshape(len(self.of), len(self.wrt), len(self)).transpose(2, 0, 1)
+        return gradients
 
     @property
     def points(self) -> dict[str, Floats]:
@@ -109,16 +113,24 @@ class Table:
         """The names of its columns: the parameters, ``status``, the outcomes, and ``d_carry/d_club.loft`` for each derivative."""
         return [*self.parameters, "status", *self._names]
 
+    @property
+    def units(self) -> dict[str, str]:
+        """The SI unit of each column of numbers; that of a number without one is empty."""
+        return dict(zip([*self.parameters, *self._names], self._units))
+
     def derivative(self, of: str, by: str) -> Floats:
         """The derivative of an outcome by a parameter, SI, shape (rows,)."""
         return self._column(f"d_{of}/d_{by}")
 
     def _column(self, name: str) -> Floats:
+        column: Floats
         if name in self._names:
-            return self._columns[self._names[name]]
-        if name in self.parameters:
-            return self._points[self.parameters.index(name)]
-        raise InputError(f"unknown column '{name}'; the columns are {', '.join(self.keys())}")
+            column = self._columns[self._names[name]]
+        elif name in self.parameters:
+            column = self._points[self.parameters.index(name)]
+        else:
+            raise InputError(f"unknown column '{name}'; the columns are {', '.join(self.keys())}")
+        return column
 
     def __getitem__(self, key: str | slice) -> Any:
         """A column by its name, or some rows as a table: views, not copies."""
@@ -134,6 +146,7 @@ class Table:
             of=self.of,
             wrt=self.wrt,
             parameters=self.parameters,
+            units=self._units,
             hessians=None if self.hessians is None else self.hessians[key],
             first_row=self.first_row + start if step == 1 else 0,
             warnings=self.warnings,
@@ -190,7 +203,7 @@ class Table:
                 first.hessians is None
             ):
                 raise InputError("the tables are not of the same outcomes, derivatives and parameters")
-        hessians = None if first.hessians is None else np.concatenate([table.hessians for table in tables])  # type: ignore[misc]
+        seconds = [table.hessians for table in tables if table.hessians is not None]
         return Table(
             status=np.concatenate([table.status for table in tables]),
             columns=np.concatenate([table._columns for table in tables], axis=1),
@@ -198,7 +211,8 @@ class Table:
             of=first.of,
             wrt=first.wrt,
             parameters=first.parameters,
-            hessians=hessians,
+            units=first._units,
+            hessians=np.concatenate(seconds) if seconds else None,
             first_row=first.first_row,
             warnings=list(dict.fromkeys(text for table in tables for text in table.warnings)),
         )
@@ -206,19 +220,11 @@ class Table:
     def __reduce__(self) -> tuple[Any, ...]:
         return (_unpickled, (dict(
             status=self.status, columns=self._columns, points=self._points, of=self.of, wrt=self.wrt, parameters=self.parameters,
-            hessians=self.hessians, first_row=self.first_row, warnings=self.warnings,
+            units=self._units, hessians=self.hessians, first_row=self.first_row, warnings=self.warnings,
         ),))
 
     def __arrow_c_stream__(self, requested_schema: object = None) -> Any:
-        units = {row["parameter"]: row["unit"] for row in _longdrive.parameters()["parameters"]}
-        of_outcome = {row["name"]: row["si"] for row in _longdrive.outcomes()}
-        columns = [(name, self._points[k], units.get(name, "")) for k, name in enumerate(self.parameters)]
-        columns += [(name, self._columns[k], of_outcome.get(name, "")) for name, k in self._names.items() if k < len(self.of)]
-        for of in self.of:
-            for by in self.wrt:
-                unit = f"{of_outcome.get(of) or 1}/({units.get(by) or 1})"
-                columns.append((f"d_{of}/d_{by}", self.derivative(of, by), unit))
-        whole = [(name, np.ascontiguousarray(column), unit) for name, column, unit in columns]
+        whole = [(name, np.ascontiguousarray(self._column(name)), unit) for name, unit in self.units.items()]
         names = [status.label for status in Status]
         status = np.ascontiguousarray(self.status)
         metadata = {"longdrive": _longdrive.__version__}

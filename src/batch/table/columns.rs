@@ -1,7 +1,7 @@
 //! The columns that every table of points has, whatever its format.
 
 use crate::batch::points::refuse_repeated;
-use crate::columns::{CONDITIONS, Column, Head, Holds};
+use crate::columns::{CONDITIONS, Column, Head, Holds, near_known};
 use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup};
 use crate::units::Message;
@@ -50,6 +50,11 @@ impl Columns {
             };
             refused(path, String::new(), reason)
         })?;
+        let near = near_known(&head.columns);
+        if !near.is_empty() {
+            let names: Vec<&str> = parameters.iter().map(|parameter| parameter.name).collect();
+            setup.check_launch(&names).map_err(|error| refused(path, String::new(), format!("{error}{near}")))?;
+        }
         let notes = head.remarks.iter().cloned().chain(not_read(head, &at)).collect();
         Ok(Self { at, parameters, notes })
     }

@@ -1,4 +1,4 @@
-use super::columns::{Columns, refused, refused_column};
+use super::columns::{Columns, refused};
 use super::rows::Rows;
 use crate::columns::Head;
 use crate::error::Result;
@@ -43,7 +43,7 @@ impl<P: Pieces> PieceRows<P> {
     pub fn open(setup: &Setup<f64>, path: &Path) -> Result<Self> {
         let pieces = P::open(path).map_err(|reason| refused(path, String::new(), reason))?;
         let names = pieces.names();
-        let head = Head::in_si(setup, &names).map_err(|wrong| refused_column(path, wrong))?;
+        let head = Head::in_si(setup, &names).map_err(|wrong| wrong.in_file(&path.display().to_string()))?;
         let columns = Columns::new(setup, path, &head)?;
         let refusal = columns.at.iter().find_map(|at| Some((&names[*at], pieces.refusal(*at)?)));
         match refusal {

@@ -1,4 +1,7 @@
+use crate::error::Error;
 use crate::optimize::sensitivity::Held;
+use crate::optimize::solution::Solution;
+use crate::optimize::status::Status;
 
 /// Compromises of which none is better than another in both functions, from the minimum of the first to that of the second.
 #[derive(Clone, Debug, PartialEq)]
@@ -45,4 +48,42 @@ pub enum FrontEvent {
     },
     /// The compromises before and after are not connected: from here on others are better.
     Jump,
+}
+
+/// Why there is no front.
+#[derive(Debug)]
+pub enum NoFront {
+    /// One of the two functions has no minimum that was found.
+    NoEnd {
+        /// Which of them, 0 or 1.
+        function: usize,
+        /// How its search ended.
+        found: Box<Solution>,
+    },
+    /// The question makes no sense, or has no value where one is needed.
+    Refused(Error),
+}
+
+impl From<Error> for NoFront {
+    fn from(error: Error) -> Self {
+        Self::Refused(error)
+    }
+}
+
+impl NoFront {
+    /// The same as an error.
+    pub fn into_error(self) -> Error {
+        match self {
+            Self::NoEnd { function, found } => {
+                let which = ["first", "second"][function];
+                let why = match (&found.undefined_at_start, found.status) {
+                    (Some(why), Status::Undefined) => why,
+                    _ => &found.message,
+                };
+                let message = format!("{which} function alone: {why}").into();
+                Error::NotConverged { status: found.status.name(), message }
+            }
+            Self::Refused(error) => error,
+        }
+    }
 }

@@ -18,7 +18,7 @@ use super::problem::Problem;
 use super::status::Status;
 use crate::error::{Error, Result};
 use combined::Combined;
-pub use found::{Front, FrontEvent, FrontPoint};
+pub use found::{Front, FrontEvent, FrontPoint, NoFront};
 use ground::{Ground, of};
 use std::cell::Cell;
 
@@ -29,14 +29,14 @@ use std::cell::Cell;
 /// `follow` is shown every search, with its number, and stops the work.
 ///
 /// # Errors
-/// [`Error::NotConverged`] where one of the two has no minimum that is found; as [`minimize`](super::minimize).
+/// [`NoFront::NoEnd`] where one of the two has no minimum that is found; else as [`minimize`](super::minimize).
 pub fn front(
     problem: &dyn Problem,
     domain: &Domain,
     start: &[f64],
     (options, count): (&Options, usize),
     follow: &Follow,
-) -> Result<Front> {
+) -> Result<Front, NoFront> {
     let others = domain.constraints.dimension().checked_sub(1);
     let others = others.ok_or_else(|| Error::Optimizer("a front needs a second function; give a constraint".into()))?;
     let mut limits = domain.constraints.clone();
@@ -46,16 +46,9 @@ pub fn front(
     let ground = Ground { problem, domain, options, follow, searches: Cell::new(0) };
     let alone = |k: usize, from: &[f64]| {
         let found = ground.search(&Combined::of(problem, of(k)), &ground.domain, from, options)?;
-        let what = match (&found.undefined_at_start, found.status) {
-            (Some(why), Status::Undefined) => why,
-            _ => &found.message,
-        };
         match found.status {
             Status::Converged => Ok(found),
-            status => {
-                let message = format!("{} goal alone: {what}", ["first", "second"][k]).into();
-                Err(Error::NotConverged { status: status.name(), message })
-            }
+            _ => Err(NoFront::NoEnd { function: k, found: Box::new(found) }),
         }
     };
     let ends = [alone(0, start)?, alone(1, start)?];
@@ -68,6 +61,6 @@ pub fn front(
     let values = ground.ends(&ends)?;
     match ground.best_for_both(&ends, values) {
         Some(best) => Ok(best),
-        None => follow::followed(&ground, ends, values, count),
+        None => Ok(follow::followed(&ground, ends, values, count)?),
     }
 }

@@ -2,13 +2,17 @@ use super::active_set::ActiveSet;
 use super::dual::Dual;
 use super::program::{End, Method, QuadraticProgram, Row, Step};
 
+/// Curvature that is little: over the whole box the slope changes by this part of itself.
+const LITTLE: f64 = 1e-6;
+
 impl QuadraticProgram {
     /// Solves the program; `None` where the rows cannot be met within the ends.
     ///
     /// The faces of the box come first: where they end the answer is proven and exact. For all else the dual active-set method tells
     /// which ends, rows and pieces are active. The polish then solves the remaining equations to rounding, and corrects the active set
     /// where they disagree with it. Where the method does not end, or what it says cannot be polished, Clarabel is asked, whose answer is
-    /// good to about 1e-8 and may lie that far outside, and then asked again with every row at length 1.
+    /// good to about 1e-8 and may lie that far outside, and then asked again with every row at length 1; last the dual method, with a
+    /// little curvature added.
     pub fn solve(&self) -> Option<Step> {
         if let Some(step) = self.by_faces() {
             return Some(step);
@@ -30,8 +34,26 @@ impl QuadraticProgram {
         let by_any = by_dual
             .or_else(|| exact(self.clarabel(), Method::Clarabel))
             .or_else(|| if has_rows { exact(self.rescaled().clarabel(), Method::Rescaled) } else { None })
+            .or_else(|| if has_rows { exact(self.corner(), Method::Dual) } else { None })
             .or(second_best);
         if has_rows { by_any } else { Some(by_any.unwrap_or_else(|| self.steepest())) }
+    }
+
+    /// The active set by the dual method of the same program with a little curvature in every direction. Without any the solution is a corner of
+    /// what ends and rows leave: the nearest of the solutions, which an interior point cannot tell from a corner beside it where two limits lie
+    /// as near as its own tolerance.
+    fn corner(&self) -> Option<ActiveSet> {
+        let reach = self.high.amax().max(self.low.amax());
+        let slope = self.pieces.iter().map(|piece| piece.gradient.amax()).fold(0.0, f64::max);
+        let least = LITTLE * slope / reach;
+        let mut bent = self.clone();
+        for i in 0..self.dimension() {
+            bent.curvature[(i, i)] += least;
+        }
+        match bent.dual_active_set() {
+            Dual::Active(active) => Some(active),
+            Dual::Infeasible | Dual::Undecided => None,
+        }
     }
 
     /// The same program with rows of length 1.

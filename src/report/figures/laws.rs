@@ -37,7 +37,8 @@ const NEAR: f64 = 0.1;
 struct Measured {
     spin_ratio: Option<f64>,
     reynolds: Option<f64>,
-    values: [f64; 2],
+    /// C_D and C_L.
+    values: [Option<f64>; 2],
 }
 
 /// Laws of drag and lift as curves: solid within what each was fitted to, dashed beyond and where that is not known, with measured points. Speeds and
@@ -110,7 +111,8 @@ pub fn laws_figure(laws: &[Law<f64>], setup: &Setup<f64>, over: Over, of: Coeffi
                     Over::Reynolds(held) => (point.reynolds?, point.spin_ratio, held),
                 };
                 let is_near = other.is_none_or(|other| (other - held).abs() <= NEAR * held);
-                (is_near && (low..=high).contains(&x)).then_some([x, point.values[which]])
+                let value = point.values[which]?;
+                (is_near && (low..=high).contains(&x)).then_some([x, value])
             })
             .collect();
         if !points.is_empty() {
@@ -153,7 +155,7 @@ fn measured(law: &Law<f64>, fitted: &Fitted, per_speed: f64, radius: f64) -> Vec
     let of_speed = |speed: f64, spin: f64, values: [f64; 2]| Measured {
         spin_ratio: Some(spin * radius / speed),
         reynolds: Some(per_speed * speed),
-        values,
+        values: values.map(Some),
     };
     match law {
         Law::BearmanHarvey(_) => rows(include_str!("../../../tests/data/bearman_harvey_1976.csv"))
@@ -161,10 +163,22 @@ fn measured(law: &Law<f64>, fitted: &Fitted, per_speed: f64, radius: f64) -> Vec
             .map(|[speed, rpm, drag, lift]| of_speed(speed, rpm * PI / 30.0, [drag, lift]))
             .collect(),
         Law::NaruoMizota(_) => rows(include_str!("../../../tests/data/naruo_2004.csv"))
-            .map(|[s, drag, lift, _]| Measured { spin_ratio: Some(s), reynolds: None, values: [drag, lift] })
+            .map(|[s, drag, lift, _]| Measured {
+                spin_ratio: Some(s),
+                reynolds: None,
+                values: [Some(drag), Some(lift)],
+            })
+            .collect(),
+        // lift over the spin ratio, as a mean of balls, and drag over the Reynolds number, of one of them, whatever the other
+        Law::Lyu(_) => cells(include_str!("../../../tests/data/lyu_2018.csv"))
+            .map(|[reynolds, spin_ratio, drag, lift]| Measured { spin_ratio, reynolds, values: [drag, lift] })
             .collect(),
         Law::UsgaItr(_) => rows(include_str!("../../../tests/data/usga_itr_test_ball.csv"))
-            .map(|[re, s, drag, lift]| Measured { spin_ratio: Some(s), reynolds: Some(re), values: [drag, lift] })
+            .map(|[re, s, drag, lift]| Measured {
+                spin_ratio: Some(s),
+                reynolds: Some(re),
+                values: [Some(drag), Some(lift)],
+            })
             .collect(),
         Law::Table(law) => {
             let has = |along: Along| law.table.axes().any(|axis| axis.along == along);
@@ -175,7 +189,7 @@ fn measured(law: &Law<f64>, fitted: &Fitted, per_speed: f64, radius: f64) -> Vec
                 let at_speed = reynolds.map(|reynolds| reynolds / per_speed);
                 let by_spin = at_speed.filter(|_| has(Along::Spin)).map(|speed| spin * radius / speed);
                 let spin_ratio = if has(Along::SpinRatio) { Some(*spin) } else { by_spin };
-                Measured { spin_ratio, reynolds, values: [*drag, *lift] }
+                Measured { spin_ratio, reynolds, values: [Some(*drag), Some(*lift)] }
             };
             law.table.nodes().iter().map(node).collect()
         }
@@ -185,8 +199,13 @@ fn measured(law: &Law<f64>, fitted: &Fitted, per_speed: f64, radius: f64) -> Vec
 
 /// The rows of a table of numbers below its head, cells beyond the fourth left out.
 fn rows(table: &str) -> impl Iterator<Item = [f64; 4]> + '_ {
-    table.lines().skip(1).filter_map(|line| {
-        let mut cells = line.split(',').map_while(|cell| cell.trim().parse::<f64>().ok());
-        Some([cells.next()?, cells.next()?, cells.next()?, cells.next()?])
+    cells(table).filter_map(|[a, b, c, d]| Some([a?, b?, c?, d?]))
+}
+
+/// The same with empty cells.
+fn cells(table: &str) -> impl Iterator<Item = [Option<f64>; 4]> + '_ {
+    table.lines().skip(1).map(|line| {
+        let mut cells = line.split(',').map(|cell| cell.trim().parse::<f64>().ok());
+        std::array::from_fn(|_| cells.next().flatten())
     })
 }

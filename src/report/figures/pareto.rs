@@ -38,7 +38,7 @@ pub fn pareto_figure(found: &Pareto, system: System) -> Figure {
         .with(Layer::Line { name: "best compromises".into(), hue: Hue::OPTIMUM, is_dashed: true, points: line })
         .with(Layer::Dots { name: String::new(), hue: Hue::OPTIMUM, points });
     for (i, point) in found.points.iter().enumerate() {
-        if let Some(name) = role(found, i) {
+        if let Some(name) = role(found, i).map(|role| shown::words(&role)) {
             figure.layers.push(Layer::Mark { name, hue: Hue::OPTIMUM, at: place(point) });
         }
     }
@@ -47,7 +47,7 @@ pub fn pareto_figure(found: &Pareto, system: System) -> Figure {
     }
     let beside = |i: usize, goal: &Goal| {
         let slope = found.points.get(i).and_then(slope_of)?;
-        Some(format!("{slope} beside the best {}", goal.expression))
+        Some(format!("{slope} beside the best {}", shown::words(&goal.expression)))
     };
     let near_ends = match found.points.len() {
         all @ 4.. => [beside(1, first), beside(all - 2, second)],
@@ -58,7 +58,8 @@ pub fn pareto_figure(found: &Pareto, system: System) -> Figure {
     let slopes: Vec<String> = [begins, at_knee, ends].into_iter().flatten().collect();
     let mut notes = vec![];
     if !slopes.is_empty() {
-        let what = format!("What {} changes by for each unit of {}", first.expression, second.expression);
+        let [first, second] = [first, second].map(|goal| shown::words(&goal.expression));
+        let what = format!("What {first} changes by for each unit of {second}");
         notes.push(format!("{what}, along the front: {}.", slopes.join(", ")));
     }
     notes.extend(found.no_knee().map(|why| format!("{}.", capital(&why))));

@@ -74,7 +74,15 @@ pub fn trajectory_figure(flown: &[Flown], view: View, system: System) -> Result<
     };
     let paths: Vec<Vec<[f64; 2]>> =
         flown.iter().map(|one| one.path.points.iter().map(|point| seen(point.position)).collect()).collect();
-    let all = || paths.iter().flatten();
+    // bounces and run go on from the landing
+    let runs = flown.iter().zip(&paths).map(|(one, path)| {
+        let from = one.path.points.last().map(|landing| landing.position);
+        let run = one.path.run.iter().filter_map(|way| Some(seen(from? + *way)));
+        let landing = path.last().copied().into_iter();
+        if one.path.run.is_empty() { vec![] } else { landing.chain(run).collect() }
+    });
+    let runs: Vec<Vec<[f64; 2]>> = runs.collect();
+    let all = || paths.iter().chain(&runs).flatten();
     let (x, y) = (extent(all().map(|at| at[0])), extent(all().map(|at| at[1])));
     if all().count() < 2 {
         return refuse("no drive flies, so that there is no path to draw");
@@ -102,6 +110,12 @@ pub fn trajectory_figure(flown: &[Flown], view: View, system: System) -> Result<
     for (i, (Flown { name, .. }, points)) in flown.iter().zip(&paths).enumerate() {
         let (hue, is_dashed) = style(name, i);
         lines.push(Layer::Line { name: name.clone(), hue, is_dashed, points: points.clone() });
+    }
+    for (i, (Flown { name, .. }, points)) in flown.iter().zip(&runs).enumerate().filter(|(_, (_, run))| !run.is_empty())
+    {
+        let (hue, is_dashed) = style(name, i);
+        let name = if name.is_empty() { "run".into() } else { format!("run ({name})") };
+        lines.push(Layer::Line { name, hue, is_dashed, points: points.clone() });
     }
     let [left, right] = figure.x.reach.unwrap_or(x);
     match view {
@@ -134,6 +148,9 @@ pub fn trajectory_figure(flown: &[Flown], view: View, system: System) -> Result<
         }
     };
     figure.note = note.into();
+    if runs.iter().any(|run| !run.is_empty()) {
+        figure.note += " Behind the carry the ball bounces and runs to its total, which is known within 10 yd at best.";
+    }
     if let Some(panel) = stretched {
         figure.note += &format!(" Below: {}.", panel.title.to_lowercase());
         figure.panels.push(panel);
@@ -160,6 +177,8 @@ fn marks(flown: &Flown, i: usize, view: View, system: System) -> Vec<Layer> {
                 told(Outcome::ApexHeight, "apex"),
             );
             mark(value(Outcome::Carry).map(|carry| [carry, up]), told(Outcome::Carry, "carry"));
+            let rest = flown.path.run.last().map(|way| [value(Outcome::Carry).unwrap_or_default() + way.z, up + way.x]);
+            mark(rest.filter(|_| value(Outcome::Total).is_some()), told(Outcome::Total, "total"));
         }
         View::Top => {
             let at = value(Outcome::Carry).zip(value(Outcome::Lateral)).map(<[f64; 2]>::from);

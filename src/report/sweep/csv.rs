@@ -1,5 +1,6 @@
 use super::{STATUS, push_number};
 use crate::batch::{Batch, Block};
+use crate::units::ratio;
 
 /// A batch as CSV. What does not exist is an empty cell.
 #[derive(Clone, Debug)]
@@ -15,11 +16,9 @@ impl SweepCsv {
         let derivatives = batch.outcomes().iter().flat_map(|of| batch.wrt().iter().map(move |by| (of, by)));
         let derivatives = derivatives.map(|(of, by)| {
             let name = format!("d_{}/d_{}", of.name(), by.name);
-            let unit = if of.quantity().si.is_empty() { "1" } else { of.quantity().si };
-            match by.quantity.si {
-                "" => of.quantity().head(&name),
-                by if by.contains([' ', '/']) => format!("{name} [{unit}/({by})]"),
-                by => format!("{name} [{unit}/{by}]"),
+            match ratio(of.quantity().si, by.quantity.si) {
+                unit if unit.is_empty() => name,
+                unit => format!("{name} [{unit}]"),
             }
         });
         Self { names: parameters.chain([STATUS.to_owned()]).chain(outcomes).chain(derivatives).collect() }

@@ -2,8 +2,8 @@ use super::reading::{Reading, Row};
 use super::shot::Shot;
 use super::statistics::Uncertainties;
 use crate::columns::{
-    Club, Column, Head, Holds, Marks, Spin, air_as_given, air_of_rows, air_of_setup, decoded, separated, summary,
-    unstated,
+    Club, Column, Head, Holds, Marks, Spin, air_as_given, air_of_rows, air_of_setup, decoded, near_known, separated,
+    summary, unstated,
 };
 use crate::error::{Error, Result};
 use crate::foreign::of_io;
@@ -93,7 +93,8 @@ impl ShotTable {
         let first = records.peek().map(apart);
         let first = first.as_ref().map(StringRecord::iter);
         let at_column = |(at, error): (usize, Error)| refused(format!(", column {}", at + 1), error.to_string());
-        let mut head = Head::read(setup, heads.iter(), first, separator, club, Spin::OfRow).map_err(at_column)?;
+        let mut head = Head::read(setup, heads.iter(), first, separator, club, Spin::OfRow)
+            .map_err(|wrong| wrong.in_file(file))?;
         if head.has_units_row {
             records.next();
         }
@@ -128,9 +129,12 @@ impl ShotTable {
             && !reading.is_launched
             && !reading.columns.iter().any(Column::is_of_the_strike)
         {
-            let reason = "it has neither a whole launch (ball speed, launch angle and spin) nor a column of the club, such as club \
-                          speed; add the missing columns";
-            return Err(refused(String::new(), reason.into()));
+            let near = near_known(&reading.columns);
+            let reason = format!(
+                "it has neither a whole launch (ball speed, launch angle and spin) nor a column of the club, such as club speed{near}; add \
+                 the missing columns"
+            );
+            return Err(refused(String::new(), reason));
         }
         let (mut shots, mut summaries, mut incomplete, mut unreadable) = (vec![], vec![], vec![], vec![]);
         let (mut sideways, mut contradictions) = (BTreeMap::<String, Vec<String>>::new(), vec![]);

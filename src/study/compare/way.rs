@@ -2,7 +2,7 @@ use super::quadrature::integrals;
 use crate::derivative::{Evaluator, Order, evaluate};
 use crate::drive::Outcome;
 use crate::error::Result;
-use crate::parameters::{GOLFER, Kind, LAW, Parameter, Setup, Ways, given_otherwise};
+use crate::parameters::{GOLFER, Kind, LAW, Parameter, SPEED_OF, Setup, Ways, given_otherwise};
 
 /// In what two drives differ.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -15,6 +15,8 @@ pub enum Cause {
     Law,
     /// The hand of the golfer, changed at once.
     Golfer,
+    /// The point of the head whose motion the swing states, changed at once.
+    SpeedOf,
     /// Whether a club strikes the ball or its launch is given, with all of the strike and of the launch, changed at once.
     Launch,
     /// The air or the wind, which the two give by different parameters: all of these, changed at once.
@@ -22,12 +24,13 @@ pub enum Cause {
 }
 
 impl Cause {
-    /// The name of the parameter; `aero.law`; `golfer`; `launch`; `air`; `wind`.
+    /// The name of the parameter; `aero.law`; `golfer`; `swing.speed_of`; `launch`; `air`; `wind`.
     pub fn name(self) -> &'static str {
         match self {
             Self::Number(parameter) | Self::AtOnce(parameter) => parameter.name,
             Self::Law => LAW,
             Self::Golfer => GOLFER,
+            Self::SpeedOf => SPEED_OF,
             Self::Launch => "launch",
             Self::Ways(ways) => ways.name,
         }
@@ -72,6 +75,9 @@ impl Way {
         // a given launch has no golfer
         if ends[0].golfer != ends[1].golfer && !are_given.contains(&true) {
             at_once.push(Cause::Golfer);
+        }
+        if ends[0].speed_of != ends[1].speed_of && !are_given.contains(&true) {
+            at_once.push(Cause::SpeedOf);
         }
         let otherwise = given_otherwise(&ends);
         at_once.extend(otherwise.iter().map(|ways| Cause::Ways(ways)));
@@ -168,9 +174,11 @@ impl Way {
         match cause {
             Cause::Law => setup.law = to.law,
             Cause::Golfer => setup.golfer = to.golfer,
+            Cause::SpeedOf => setup.speed_of = to.speed_of,
             Cause::Launch => {
                 (setup.launch, setup.swing, setup.strike) = (to.launch, to.swing, to.strike);
-                (setup.club, setup.impact, setup.golfer) = (to.club, to.impact, to.golfer);
+                (setup.club, setup.impact) = (to.club, to.impact);
+                (setup.golfer, setup.speed_of) = (to.golfer, to.speed_of);
             }
             Cause::Number(parameter) | Cause::AtOnce(parameter) => take(setup, to, parameter),
             Cause::Ways(ways) => {

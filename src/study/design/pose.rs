@@ -8,7 +8,7 @@ use crate::impact::Head;
 use crate::parameters::{Parameter, Setup, Vary};
 use crate::study::problem::moved;
 use crate::study::swings::{Goal, GoalLimit, Scenarios, SwingsOptimum, SwingsSearch};
-use crate::units::{Amount, Quantity};
+use crate::units::{Amount, Quantity, counted};
 
 /// What is varied where nothing is asked for: the face.
 const USUAL: [&str; 3] = ["club.bulge_radius=150mm..1000mm", "club.roll_radius=150mm..1000mm", "club.loft=6deg..16deg"];
@@ -20,6 +20,9 @@ const USUAL: [&str; 3] = ["club.bulge_radius=150mm..1000mm", "club.roll_radius=1
 pub fn usual_vary(setup: &Setup<f64>) -> Result<Vec<Vary>> {
     USUAL.iter().map(|text| Vary::read(setup, text)).collect()
 }
+
+/// What the swings, or the ends of their distributions, come to.
+const REACHED: &str = "the swings reach";
 
 /// A search for a design, and what holds it.
 #[derive(Clone, Debug)]
@@ -89,7 +92,9 @@ impl Design {
             Limited::Outcome(of) => {
                 let begun = Vary::begun(setup, &self.search.vary)?;
                 let moves = |row: &Parameter| changes_the_head(&begun, row);
-                let swung = scenarios.parameters.iter().find(|row| moves(row));
+                let places: Vec<_> =
+                    (0..scenarios.parameters.len()).filter(|k| moves(scenarios.parameters[*k])).collect();
+                let swung = places.first().map(|k| scenarios.parameters[*k]);
                 match (self.varies(moves), swung) {
                     (true, Some(swung)) => {
                         let source = format!(
@@ -105,12 +110,13 @@ impl Design {
                         return Ok(());
                     }
                     (false, Some(_)) => {
-                        let each = |point: &Vec<f64>| {
-                            Ok(Head::new(&moved(setup, &scenarios.parameters, point)?.club).inertia[0][0])
-                        };
-                        let each = scenarios.points.iter().map(each).collect::<Result<Vec<f64>>>()?;
+                        let each = scenarios.and_ends(&places).map(|point| {
+                            Ok(Head::new(&moved(setup, &scenarios.parameters, &point)?.club).inertia[0][0])
+                        });
+                        let each = each.collect::<Result<Vec<f64>>>()?;
                         let worst = each.into_iter().reduce(f64::max).unwrap_or(bound);
-                        By::Value(checked(rule, worst, "the swings reach", "give the distribution ends within it")?)
+                        self.note_endless(scenarios, rule, &places);
+                        By::Value(checked(rule, worst, REACHED, "give the distribution ends within it")?)
                     }
                     (false, None) => {
                         let value = Head::new(&setup.club).inertia[0][0];
@@ -190,13 +196,29 @@ impl Design {
             return Ok(By::Bound(i));
         }
         if let Some(k) = scenarios.parameters.iter().position(|swung| *swung == parameter) {
-            let values = scenarios.points.iter().map(|point| point[k]);
+            let values = scenarios.and_ends(&[k]).map(|point| point[k]);
             let worst = values.reduce(if rule.is_greatest { f64::max } else { f64::min }).unwrap_or(bound);
-            return Ok(By::Value(checked(rule, worst, "the swings reach", "give the distribution ends within it")?));
+            self.note_endless(scenarios, rule, &[k]);
+            return Ok(By::Value(checked(rule, worst, REACHED, "give the distribution ends within it")?));
         }
         let value = setup.value(parameter).unwrap_or_default();
         let advice = format!("set it, for example --set {}=\"{}\"{}", parameter.name, rule.show(bound), rule.hint);
         Ok(By::Value(checked(rule, value, "the setup has", &advice)?))
+    }
+
+    /// Says of which swung parameters a rule was checked at the swings alone, since their distributions have no ends.
+    fn note_endless(&mut self, scenarios: &Scenarios, rule: &Rule, places: &[usize]) {
+        let names = places.iter().filter(|k| scenarios.is_endless(**k)).map(|k| scenarios.parameters[*k].name);
+        let names: Vec<_> = names.collect();
+        if !names.is_empty() {
+            let count = counted(scenarios.points.len() as u64, "swing");
+            self.notes.push(format!(
+                "the rule on the {} is checked at {count} only, since the distribution of {} has no ends; give it ends with \
+                 truncated(MEAN,DEVIATION,LOW,HIGH)",
+                rule.name,
+                names.join(" and ")
+            ));
+        }
     }
 
     /// Adds a limit of an outcome of the head.

@@ -63,18 +63,7 @@ impl SwingsOptimum {
                 let why = self.solution.undefined_at_start.as_deref().unwrap_or("no drive flies");
                 format!("no design was found with which every swing flies; at the start: {why}")
             }
-            Status::Infeasible => {
-                let all = self.search.subject_to.iter().zip(&self.solution.constraints).enumerate();
-                let missed = all.filter(|(_, (_, constrained))| constrained.violation != 0.0);
-                let missed = missed.map(|(j, (limit, constrained))| {
-                    let value = limit.goal.quantity.show(constrained.value, limit.goal.unit);
-                    let is_fixed = self.solution.jacobian[j].iter().all(|slope| *slope == 0.0);
-                    let fixed = if is_fixed { "nothing that is varied changes it: " } else { "" };
-                    format!("{} ({fixed}it is {value})", limit.expression)
-                });
-                let missed: Vec<_> = missed.collect();
-                format!("the limits cannot all be met; the nearest design found violates {}", missed.join(" and "))
-            }
+            Status::Infeasible => violated(&self.search.subject_to, &self.solution),
             Status::Converged if self.is_flat() => {
                 format!(
                     "{} does not depend on what is varied here: every design is equally good",
@@ -136,6 +125,21 @@ impl SwingsOptimum {
             status => status.name(),
         }
     }
+}
+
+/// Which limits the nearest design found violates, with its values, where they cannot all be met.
+pub(super) fn violated(limits: &[GoalLimit], found: &Solution) -> String {
+    let all = limits.iter().zip(&found.constraints).enumerate();
+    let missed = all.filter(|(_, (_, constrained))| constrained.violation != 0.0);
+    let missed = missed.map(|(j, (limit, constrained))| {
+        let [value, outside] = [constrained.value, constrained.violation.abs()]
+            .map(|value| limit.goal.quantity.show(value, limit.goal.unit));
+        let is_fixed = found.jacobian[j].iter().all(|slope| *slope == 0.0);
+        let fixed = if is_fixed { "nothing that is varied changes it: " } else { "" };
+        format!("{} ({fixed}it is {value}, outside by {outside})", limit.expression)
+    });
+    let missed: Vec<_> = missed.collect();
+    format!("the limits cannot all be met; the nearest design found violates {}", missed.join(" and "))
 }
 
 /// Finds the design that makes a goal over many swings largest or smallest, from the setup's own values; a varied parameter that has none begins in the

@@ -1,10 +1,10 @@
-use super::optimum::{SwingsSearch, posed};
+use super::optimum::{SwingsSearch, posed, violated};
 use super::read::{Goal, GoalLimit};
 use super::scenarios::Scenarios;
 use crate::error::{Error, Result};
-use crate::optimize::front::{Front, FrontEvent, FrontPoint, front};
+use crate::optimize::front::{Front, FrontEvent, FrontPoint, NoFront, front};
 use crate::optimize::sensitivity::Held;
-use crate::optimize::{Evaluation, Follow, Options, Problem};
+use crate::optimize::{Evaluation, Follow, Options, Problem, Status};
 use crate::parameters::{Setup, Vary};
 use crate::study::{Active, ChartEvent, Sense};
 
@@ -162,15 +162,18 @@ impl ParetoSearch {
     }
 }
 
-/// What the search for the best of a goal says, in the goal's name.
-fn named(error: Error, search: &ParetoSearch) -> Error {
-    let Error::NotConverged { status, message } = error else { return error };
-    let message = message.to_string();
-    let places = ["first goal alone: ", "second goal alone: "];
-    let goal = places.iter().zip(&search.goals).find_map(|(place, (goal, sense))| {
-        let why = message.strip_prefix(place)?;
-        Some(format!("for the {} {}: {why}", sense.adjective(), goal.expression))
-    });
-    let status = if status == "undefined" { "no-flight" } else { status };
-    Error::NotConverged { status, message: goal.unwrap_or(message).into() }
+/// Why the best of a goal alone was not found, in the goal's name.
+fn named(none: NoFront, search: &ParetoSearch) -> Error {
+    let NoFront::NoEnd { function, found } = none else { return none.into_error() };
+    let (goal, sense) = &search.goals[function];
+    let why = match (&found.undefined_at_start, found.status) {
+        (Some(why), Status::Undefined) => why.clone(),
+        (_, Status::Infeasible) => violated(&search.subject_to, &found),
+        _ => found.message.clone(),
+    };
+    let status = match found.status {
+        Status::Undefined => "no-flight",
+        status => status.name(),
+    };
+    Error::NotConverged { status, message: format!("for the {} {}: {why}", sense.adjective(), goal.expression).into() }
 }

@@ -2,6 +2,7 @@
 
 use super::measure::Measure;
 use super::read::{Goal, GoalLimit, summands};
+use crate::drive::{self, Outcome};
 use crate::error::{Error, Result};
 use crate::parameters::Setup;
 use crate::study::comparison::{Compared, Part, at, compared};
@@ -28,13 +29,15 @@ impl GoalLimit {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Constraint`], which points into the expression.
+    /// [`Error::Constraint`], which points into the expression: for a relation without a name, with that of an outcome, or without a
+    /// parameter, and for what cannot be read.
     pub fn read_relation(setup: &Setup<f64>, expression: &str) -> Result<Self> {
         let (name, rest) = expression.split_once(':').unwrap_or(("", expression));
         let before = name.chars().count() + usize::from(rest.len() < expression.len());
         if name.trim().is_empty() {
             return Err(at(expression, &Part { text: name, column: 0 }, &format!("the relation has no name; {HOW}")));
         }
+        refuse_outcome(expression, name)?;
         let is_sum = |text: &str| text.contains('*') || text.contains(" + ") || setup.parameter(text).is_ok();
         let typed = Cell::new(None);
         let read = compared(rest, "volume: 120 cm^3 + 80 cm^2*club.cg_depth <= 460 cm^3", is_sum, |part| {
@@ -59,6 +62,17 @@ impl GoalLimit {
         let goal = Goal { unit: typed.get().unwrap_or(goal.unit), ..goal };
         Ok(Self { expression: expression.trim().into(), goal, low, high })
     }
+}
+
+/// Refuses a relation with the name of an outcome, which would be taken for a limit of it.
+fn refuse_outcome(expression: &str, name: &str) -> Result<()> {
+    let Ok(of) = Outcome::named(name.trim()) else { return Ok(()) };
+    let limit = if of.part() == drive::Part::Head { of.name().to_owned() } else { format!("mean({})", of.name()) };
+    let reason = format!(
+        "a relation cannot have the name of an outcome: to limit the outcome, write it without a colon, for example \"{limit} <= …\"; else give \
+         the relation another name"
+    );
+    Err(at(expression, &Part { text: name, column: 0 }, &reason))
 }
 
 fn sum(setup: &Setup<f64>, expression: &str, name: &str, part: &Part<'_>) -> Result<Goal> {
@@ -94,6 +108,10 @@ fn sum(setup: &Setup<f64>, expression: &str, name: &str, part: &Part<'_>) -> Res
             Some(kind) => same_kind(expression, &term, amount, kind)?,
         }
         terms.push((sign * amount.value, measure));
+    }
+    if terms.iter().all(|(_, measure)| *measure == Measure::One) {
+        let reason = format!("no parameter stands in it, so that nothing that is varied can change it; {HOW}");
+        return Err(at(expression, part, &reason));
     }
     let quantity = kind.unwrap_or(Quantity::NUMBER);
     Ok(Goal { expression: name.into(), terms, quantity, unit: quantity.usual_unit() })

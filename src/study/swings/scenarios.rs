@@ -33,6 +33,8 @@ pub struct Scenarios {
     pub weights: Vec<f64>,
     /// How they were taken.
     pub rule: Rule,
+    /// The ends of each parameter's distribution, SI, infinite where it has none; `None` for what was recorded.
+    pub ends: Vec<Option<[f64; 2]>>,
 }
 
 /// Up to so many parameters are integrated by Gauss's rules.
@@ -88,7 +90,7 @@ impl Rule {
 impl Scenarios {
     /// One drive, as a setup has it: outcomes are then their own means.
     pub fn one_drive() -> Self {
-        Self { parameters: vec![], points: vec![vec![]], weights: vec![1.0], rule: Rule::Quadrature(1) }
+        Self { parameters: vec![], points: vec![vec![]], weights: vec![1.0], rule: Rule::Quadrature(1), ends: vec![] }
     }
 
     /// Whether there is one drive alone, of which nothing varies.
@@ -153,13 +155,45 @@ impl Scenarios {
                 })?;
             }
         }
-        Ok(Self { parameters, points, weights, rule })
+        let ends = match swings {
+            Swings::Recorded { .. } => vec![None; parameters.len()],
+            Swings::Distributed { inputs, .. } => inputs.iter().map(|input| Some(input.distribution.ends())).collect(),
+        };
+        Ok(Self { parameters, points, weights, rule, ends })
+    }
+
+    /// The scenarios, and then all combinations of the ends that the distributions of these parameters have, with what else varies as in each
+    /// scenario.
+    pub(crate) fn and_ends<'a>(&'a self, of: &[usize]) -> impl Iterator<Item = Vec<f64>> + 'a {
+        let ends = |k: &usize| Some((*k, self.ends.get(*k).copied().flatten()?));
+        let (bounded, endless): (Vec<_>, Vec<_>) =
+            of.iter().filter_map(ends).partition(|(_, ends)| ends.iter().all(|end| end.is_finite()));
+        let corners = if bounded.is_empty() { 0 } else { 1_usize << bounded.len() };
+        // scenarios that differ in other parameters only have the same corners
+        let others = if endless.is_empty() { 1 } else { self.points.len() };
+        let cornered = (0..corners).flat_map(move |corner| {
+            let bounded = bounded.clone();
+            self.points.iter().take(others).map(move |point| {
+                let mut point = point.clone();
+                for (i, (k, ends)) in bounded.iter().enumerate() {
+                    point[*k] = ends[(corner >> i) & 1];
+                }
+                point
+            })
+        });
+        self.points.iter().cloned().chain(cornered)
+    }
+
+    /// Whether a parameter's distribution has no ends, so that the scenarios say nothing of values beyond them.
+    pub(crate) fn is_endless(&self, of: usize) -> bool {
+        self.ends.get(of).copied().flatten().is_some_and(|ends| ends.iter().any(|end| end.is_infinite()))
     }
 
     /// One scenario alone: the mean of each parameter.
     pub fn mean(swings: &Swings) -> Self {
         let (parameters, points) = (swings.parameters(), vec![swings.means()]);
-        Self { parameters, points, weights: vec![1.0], rule: Rule::Recorded }
+        let ends = vec![None; parameters.len()];
+        Self { parameters, points, weights: vec![1.0], rule: Rule::Recorded, ends }
     }
 }
 

@@ -65,6 +65,16 @@ impl Distribution {
         }
     }
 
+    /// The ends that no value lies beyond, infinite where there are none.
+    pub fn ends(&self) -> [f64; 2] {
+        match *self {
+            Self::Normal { .. } => [f64::NEG_INFINITY, f64::INFINITY],
+            Self::Uniform { low, high } | Self::Triangular { low, high, .. } | Self::Truncated { low, high, .. } => {
+                [low, high]
+            }
+        }
+    }
+
     /// The mean.
     pub fn mean(&self) -> f64 {
         match *self {

@@ -77,11 +77,11 @@ def batch(
         told = progress
     if hessians and wrt is None:
         wrt = "points"
-    status, columns, seconds, at, of, by, given, warnings, raised = _longdrive.batch(
+    status, columns, seconds, at, of, by, given, units, warnings, raised = _longdrive.batch(
         setup, points, of, wrt, tolerance, own_step, threads, told, first_row, hessians
     )
     table = Table(
-        status=status, columns=columns, points=at[:, : len(status)], of=of, wrt=by, parameters=given, hessians=seconds,
+        status=status, columns=columns, points=at[:, : len(status)], of=of, wrt=by, parameters=given, units=units, hessians=seconds,
         first_row=first_row, warnings=warnings,
     )
     if raised is None:

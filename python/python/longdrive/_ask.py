@@ -1,0 +1,212 @@
+"""How a command of the program is asked: its options as words of the command line, its answer as an object.
+
+The commands are the program's own, and so are their options, messages and answers; what Python gives (numbers, pairs, dicts, tables,
+quantities of pint) is written as the command line has it, numbers to the last digit.
+"""
+
+from __future__ import annotations
+
+import csv
+import logging
+import os
+import tempfile
+import warnings
+from collections.abc import Callable, Iterable, Mapping
+from pathlib import Path
+from typing import Any
+
+from . import _longdrive
+from ._longdrive import Setup
+from .errors import InputError, LongdriveWarning, NoAnswerError
+from .progress import Progress, follower
+from .reply import Reply
+
+LOG = logging.getLogger("longdrive")
+"""Remarks and progress of the commands, at the level INFO."""
+
+UNITS = {"LENGTH": "m", "SPEED": "m/s", "ANGLE": "rad", "SPIN": "rad/s"}
+"""The SI units of what single options take."""
+
+
+class Question:
+    """A command with its options, written as words."""
+
+    def __init__(self, command: str, folder: Path) -> None:
+        self.words = [*command.split(), "--json"]
+        self.text = ""
+        self.folder = folder
+        self.setup: Setup | None = None
+        self._units: dict[str, str] = {}
+
+    def take_setup(self, given: Any) -> None:
+        """The setup, in its place among the words."""
+        setup = given if isinstance(given, Setup) else Setup(given)
+        text, is_text = setup._asked()
+        self.setup, self.text = setup, text if is_text else ""
+        self.words.append("-" if is_text else text)
+
+    def take_file(self, name: str, given: Any) -> None:
+        """A file, or a table that is written into one."""
+        self.words.append(self.file(name, given))
+
+    def take_word(self, name: str, given: Any) -> None:
+        """A word that is not an option."""
+        if given is not None:
+            self.words.append(str(given))
+
+    def take_other(self, name: str, given: Any) -> None:
+        """A second setup, after the first."""
+        if given is not None:
+            self.words.append(self._one(name, given, "SETUP"))
+
+    def file(self, name: str, given: Any) -> str:
+        """The name of a file: the given one, or that of a table as CSV."""
+        if isinstance(given, (str, os.PathLike)):
+            return os.fspath(given)
+        path = self.folder / f"{name}.csv"
+        _write_table(name, given, path)
+        return str(path)
+
+    def option(self, name: str, value: Any, kind: str, what: str) -> None:
+        """An option as Python has it: `kind` is what it takes (nothing, one, several), `what` the name of its value."""
+        if value is None or value is False:
+            return
+        option = "--" + name.replace("_", "-")
+        if kind == "nothing":
+            self.words.append(option)
+        elif kind == "one":
+            self.words.append(f"{option}={self._one(name, value, what)}")
+        else:
+            self.words.extend(f"{option}={text}" for text in self._several(name, value, what))
+
+    def _one(self, name: str, value: Any, what: str) -> str:
+        if what in ("FILE", "DIR", "DIR or FILE.csv"):
+            return self.file(name, value)
+        if what == "SETUP":
+            path = self.folder / f"{name}.toml"
+            path.write_text((value if isinstance(value, Setup) else Setup(value)).to_toml(), encoding="utf-8")
+            return str(path)
+        if what in UNITS and not isinstance(value, str):
+            return _number(value, UNITS[what])
+        if isinstance(value, Mapping):
+            return ",".join(self._several(name, value, what))
+        return str(value)
+
+    def _several(self, name: str, value: Any, what: str) -> Iterable[str]:
+        if isinstance(value, str):
+            return [value]
+        if isinstance(value, Mapping):
+            return [self._pair(key, inner) for key, inner in value.items()]
+        try:
+            items = list(value)
+        except TypeError:
+            message = f"{name} is a {type(value).__name__}; expected a text, a list of texts, or a dict of names with values"
+            raise InputError(message) from None
+        # a dict among them is one value of several parts: the changes that make a model
+        return [",".join(self._several(name, item, what)) if isinstance(item, Mapping) else str(item) for item in items]
+
+    def _pair(self, key: Any, value: Any) -> str:
+        """A name with its value: a text as it is, a number with its SI unit, a pair as a range, a triple as one with a count."""
+        if isinstance(key, tuple):
+            return f"{','.join(map(str, key))}={value!r}"
+        if value is None:
+            return str(key)
+        if not isinstance(value, tuple):
+            return f"{key}={self._amount(key, value)}"
+        if value and isinstance(value[0], str) and value[0].isidentifier():
+            return f"{key}={value[0]}({','.join(self._amount(key, number) for number in value[1:])})"
+        count = f":{value[2]}" if len(value) == 3 else ""
+        if len(value) not in (2, 3):
+            raise InputError(f"{key}: {value!r} has {len(value)} parts; expected (low, high), or (low, high, count) where values are counted")
+        return f"{key}={self._amount(key, value[0])}..{self._amount(key, value[1])}{count}"
+
+    def _amount(self, name: str, value: Any) -> str:
+        return value if isinstance(value, str) else _number(value, self._unit(name))
+
+    def _unit(self, name: str) -> str:
+        if not self._units:
+            outcomes = {row["name"]: row["si"] for row in _longdrive.outcomes()}
+            self._units = outcomes | {row["parameter"]: row["unit"] for row in _longdrive.parameters(self.setup)["parameters"]}
+        # of a name that nothing bears the program says so
+        return self._units.get(name, "")
+
+
+def _number(value: Any, unit: str) -> str:
+    """A number with its SI unit, to the last digit; a quantity of pint is converted."""
+    if all(hasattr(value, name) for name in ("to", "magnitude", "units")):
+        value = value.to(unit or "dimensionless").magnitude
+    try:
+        return f"{float(value)!r} {unit}".strip()
+    except (TypeError, ValueError):
+        message = f"{value!r} is a {type(value).__name__}; expected a number (SI), or a text with its unit like '10.5 deg'"
+        raise InputError(message) from None
+
+
+def _write_table(name: str, table: Any, path: Path) -> None:
+    """A table of pandas, polars or pyarrow, or a dict of columns, as CSV."""
+    if hasattr(table, "to_csv"):
+        table.to_csv(path, index=False)
+    elif hasattr(table, "write_csv"):
+        table.write_csv(path)
+    elif hasattr(table, "to_pydict"):
+        _write_table(name, table.to_pydict(), path)
+    elif isinstance(table, Mapping):
+        columns = [list(column) for column in table.values()]
+        lengths = sorted({len(column) for column in columns})
+        if len(lengths) > 1:
+            raise InputError(f"{name}: its columns have {' and '.join(map(str, lengths))} rows; expected as many in each")
+        with path.open("w", newline="", encoding="utf-8") as file:
+            write = csv.writer(file)
+            write.writerow(table.keys())
+            write.writerows([_cell(value) for value in row] for row in zip(*columns))
+    else:
+        kind = type(table).__name__
+        raise InputError(f"{name} is a {kind}; expected a file, a dict of columns, or a table of pandas, polars or pyarrow")
+
+
+def _cell(value: Any) -> Any:
+    if value is None or value != value:
+        return ""
+    # numbers of NumPy print as Python's own
+    return repr(float(value)) if hasattr(value, "dtype") and value.dtype.kind in "fiu" else value
+
+
+def ask(
+    command: str,
+    write: Callable[[Question], None],
+    progress: Progress = False,
+    keep: tuple[str, Callable[[Path], Any]] | None = None,
+) -> Reply:
+    """Asks a command.
+
+    `write` gives it its options. `keep` names a key of the reply, and reads what is kept there from the folder of the question.
+    """
+    with tempfile.TemporaryDirectory(prefix="longdrive-") as name:
+        question = Question(command, Path(name))
+        write(question)
+        with follower(command, progress) as shown:
+            status, answer = _longdrive.command(question.words, question.text, _said, shown)
+        if not isinstance(answer, dict):
+            raise InputError(_last_error(answer))
+        own = {"command", "status", "message", "warnings"}
+        if status == 2 or (status == 1 and not answer.keys() - own):
+            message = answer["message"] or answer["status"]
+            raise InputError(message) if answer["status"] == "error" else NoAnswerError(message, answer["status"])
+        for warning in answer["warnings"]:
+            # at the line that asked: it called a function of commands.py, which called this one
+            warnings.warn(warning, LongdriveWarning, stacklevel=3)
+        reply = Reply(answer)
+        if keep is not None:
+            key, read = keep
+            reply[key] = read(question.folder)
+        return reply
+
+
+def _last_error(answer: Any) -> str:
+    return "the command has no answer" if answer is None else str(answer)
+
+
+def _said(kind: str, text: str) -> None:
+    # warnings and errors stand in the answer
+    if kind == "note":
+        LOG.info(text)

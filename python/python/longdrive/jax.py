@@ -1,0 +1,89 @@
+"""Outcomes of a drive as functions of JAX, exact under ``jit``, ``vmap``, ``grad``, ``jacfwd``, ``jacrev`` and ``hessian``.
+
+JAX is not a dependency of longdrive: this module needs it, and the rest does not.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+
+from .errors import InputError
+from .pointwise import Pointwise
+from .types import Names, SetupLike
+
+__all__ = ["outcome"]
+
+
+def outcome(setup: SetupLike, of: Names = "carry", wrt: Names | None = None) -> Callable[[Any], Any]:
+    """An outcome, or several, as a function of JAX.
+
+    The function takes x, shape (parameters,), SI, and returns a number, or for several outcomes an array, shape (outcomes,). Its first and
+    second derivatives are exact; third ones are refused. ``vmap`` makes one batched call of it, on all processors. Where there is no
+    drive (no flight, a value outside its range) it is NaN, since compiled code raises nothing; :func:`longdrive.simulate` says why.
+
+    The flight is integrated by ``flight.method`` and ``flight.step`` of the setup. Numbers have the precision of x: with JAX's usual
+    32 bits, carry is exact to some 1e-5 m; ``jax.config.update("jax_enable_x64", True)`` gives all digits.
+
+    Args:
+        setup: a setup, the name of a preset, or a dict.
+        of: the outcome, or several.
+        wrt: the parameters in the order of x; without it loft and attack angle.
+
+    Raises:
+        InputError: for a name that nothing bears; where x has another shape.
+    """
+    point = Pointwise(setup, of, wrt)
+    outcomes, parameters = len(point.of), len(point.wrt)
+
+    def called(order: int, x: Any) -> Any:
+        shapes = [(outcomes, *(parameters,) * k) for k in range(order + 1)]
+        results = [jax.ShapeDtypeStruct(shape, x.dtype) for shape in shapes]
+
+        # NumPy alone: a callback that asks JAX for something waits for itself
+        def host(x: Any) -> Sequence[Any]:
+            x = np.asarray(x)
+            return [np.asarray(found, dtype=x.dtype) for found in point(x, order)]
+
+        return tuple(jax.pure_callback(host, results, x, vmap_method="broadcast_all"))
+
+    @jax.custom_jvp
+    def values(x: Any) -> Any:
+        return called(0, x)[0]
+
+    @jax.custom_jvp
+    def slopes(x: Any) -> Any:
+        return called(1, x)
+
+    @jax.custom_jvp
+    def curvatures(x: Any) -> Any:
+        return called(2, x)
+
+    @values.defjvp
+    def _(at: Any, along: Any) -> Any:
+        value, jacobian = slopes(*at)
+        return value, jacobian @ along[0]
+
+    @slopes.defjvp
+    def _(at: Any, along: Any) -> Any:
+        value, jacobian, hessian = curvatures(*at)
+        return (value, jacobian), (jacobian @ along[0], hessian @ along[0])
+
+    @curvatures.defjvp
+    def _(at: Any, along: Any) -> Any:
+        raise InputError("longdrive.jax.outcome has first and second derivatives; third derivatives are not computed")
+
+    def function(x: Any) -> Any:
+        x = jnp.asarray(x)
+        point.check(x.shape, x.dtype.kind)
+        found = values(x)
+        return found[0] if point.is_single else found
+
+    function.__doc__ = f"{', '.join(point.of)} of x = ({', '.join(point.wrt)}), SI."
+    return function
+
+

@@ -1,0 +1,103 @@
+"""What searches answer."""
+
+from __future__ import annotations
+
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from . import _longdrive
+from ._longdrive import Setup
+from .reply import Reply
+from .types import Floats
+
+__all__ = ["Optimum", "optimum"]
+
+STATUSES = [
+    "converged",
+    "stalled",
+    "stalled-at-kink",
+    "iteration-limit",
+    "infeasible",
+    "unbounded",
+    "interrupted",
+    "undetermined",
+    "outweighed",
+    "no-flight",
+    "diverged",
+    "undefined",
+]
+"""How a search ends; the place in this list is the ``status`` of an optimum, -1 for any other."""
+
+
+class Optimum(Reply):
+    """An optimum, with the fields of SciPy's ``OptimizeResult`` and what exact derivatives tell beside them.
+
+    ========== =======================================================================================================
+    x          the values of the varied parameters, SI, shape (n,); ``names`` says which they are
+    fun        the value of what was looked for, as asked (not negated where it is maximized), SI
+    jac        its gradient there, shape (n,)
+    hess       its Hessian there, shape (n, n); None for an optimum over many swings
+    success    whether the search converged
+    status     0 where it did; else how it ended, a number
+    ended      the same in a word: ``converged``, ``stalled``, ``infeasible``, …
+    message    the same in a sentence
+    nit, nfev  iterations and evaluations
+    maxcv      the largest violation of a constraint, in its SI unit
+    ========== =======================================================================================================
+
+    ``multipliers`` are those of the bounds, by parameter; ``prices`` say what ``fun`` gains for each SI unit that a bound or constraint is
+    relaxed; ``setup`` is the setup at the optimum; ``reply`` is all that the program's ``--json`` prints.
+    """
+
+    @property
+    def setup(self) -> Setup:
+        """The setup at the optimum."""
+        started: Setup = self["started"]
+        return started.replace(self["optimum"])
+
+    @cached_property
+    def hess(self) -> Floats | None:
+        """The exact Hessian of what was looked for at the optimum, SI."""
+        if self["reply"].get("swings") is not None or self["optimum"] is None:
+            return None
+        return np.asarray(_longdrive.hessian(self.setup, self["reply"]["objective"], self["names"])[2])
+
+    def __getstate__(self) -> None:
+        return None
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (type(self), (dict(self),))
+
+
+def optimum(reply: Reply, started: Setup | None) -> Optimum:
+    """The answer of a search from this setup."""
+    place: dict[str, float] | None = reply.get("optimum")
+    gradient = reply.get("gradient") or {}
+    names = list(place or {})
+    multipliers = reply.get("multipliers") or {}
+    of_bounds = {f"{name} {side}": value for name, sides in multipliers.items() for side, value in sides.items() if value}
+    constraints = reply.get("constraints") or []
+    of_constraints = {row["expression"]: row["multiplier"] for row in constraints if row.get("multiplier")}
+    ended = reply["status"]
+    return Optimum(
+        x=np.array([(place or {})[name] for name in names]),
+        names=names,
+        fun=reply.get("value"),
+        jac=np.array([gradient.get(name, np.nan) for name in names]),
+        success=ended == "converged",
+        status=STATUSES.index(ended) if ended in STATUSES else -1,
+        ended=ended,
+        message=reply["message"],
+        nit=reply.get("iterations"),
+        nfev=reply.get("evaluations"),
+        optimum=place,
+        multipliers=multipliers,
+        prices={**of_bounds, **of_constraints},
+        constraints=constraints,
+        kkt_residual=reply.get("kkt_residual"),
+        warnings=reply["warnings"],
+        started=started,
+        reply=reply,
+    )

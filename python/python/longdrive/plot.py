@@ -1,0 +1,793 @@
+"""Plots, as pictures for notebooks and files: a function for each kind.
+
+Written by make_commands.py from what the program says of its commands; change it there.
+"""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from ._ask import Question, ask
+from .picture import Picture, picture, written_plot
+from .progress import Progress
+from .types import Amount, Given, Goals, Names, PathLike, SetupLike, TableLike
+
+__all__ = [
+    "chart",
+    "compare",
+    "contour",
+    "face",
+    "fairway",
+    "launch",
+    "laws",
+    "pareto",
+    "strike",
+    "tornado",
+    "trajectory",
+    "vcurve",
+]
+
+
+def trajectory(
+    setup: SetupLike = None,
+    *,
+    launch: Given | None = None,
+    tolerance: Amount | None = None,
+    own_step: bool = False,
+    output: PathLike | None = None,
+    overwrite: bool = False,
+    dark: bool = False,
+    width: int | None = None,
+    view: Literal["side", "top"] | None = None,
+    progress: Progress = False,
+) -> Picture:
+    """The path of the ball.
+
+    Args:
+        setup: a setup, the name of a preset, a dict, or None for the preset tour-average.
+        launch: compute the flight of a ball with these launch conditions, as a launch monitor reports them: ball_speed, launch_angle,
+            launch_direction, and backspin with sidespin or spin with spin_axis; e.g.
+            ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those of the setup file.
+        tolerance: choose the method and the time step so that every length asked for is within this length of its exact value (1um if no
+            length is given), at the least cost; they are chosen once, before the first drive. Commands that fly many drives (sweep,
+            optimize, chart, calibrate, uncertainty, report, maps) do so by themselves, for 1um, unless the setup or set gives flight.method
+            or flight.step.
+        own_step: integrate by flight.method and flight.step of the setup, also where the command would choose them.
+        output: the file to write: .svg or .png for a picture, .csv for its data (SI units and radians).
+        overwrite: replace files that exist.
+        dark: draw for a dark background.
+        width: the width of the picture in pixels; a PNG has twice the resolution. The size of the text does not change [default: 480].
+        view: the side from which the trajectory is shown [default: side].
+        progress: True for a bar, or a function that is called with how many parts of how many are done.
+
+    Raises:
+        InputError: bad input, with the program's message.
+        NoAnswerError: a sound question without an answer.
+    """
+
+    def write(question: Question) -> None:
+        question.take_setup(setup)
+        question.option("launch", launch, "several", "NAME=VALUE,…")
+        question.option("tolerance", tolerance, "one", "LENGTH")
+        question.option("own_step", own_step, "nothing", "OWN_STEP")
+        question.option("output", output or question.folder / "plot.svg", "one", "FILE")
+        question.option("overwrite", overwrite, "nothing", "OVERWRITE")
+        question.option("dark", dark, "nothing", "DARK")
+        question.option("width", width, "one", "PIXELS")
+        question.option("view", view, "one", "VIEW")
+
+    return picture(ask("plot trajectory", write, progress, written_plot(output)))
+
+
+def contour(
+    setup: SetupLike = None,
+    *,
+    launch: Given | None = None,
+    tolerance: Amount | None = None,
+    own_step: bool = False,
+    maximize: str | None = None,
+    minimize: str | None = None,
+    vary: Given | None = None,
+    subject_to: Names | None = None,
+    max_iterations: int | None = None,
+    output: PathLike | None = None,
+    overwrite: bool = False,
+    dark: bool = False,
+    width: int | None = None,
+    progress: Progress = False,
+) -> Picture:
+    """An outcome over two parameters, with its gradients and the optimum.
+
+    Args:
+        setup: a setup, the name of a preset, a dict, or None for the preset tour-average.
+        launch: compute the flight of a ball with these launch conditions, as a launch monitor reports them: ball_speed, launch_angle,
+            launch_direction, and backspin with sidespin or spin with spin_axis; e.g.
+            ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those of the setup file.
+        tolerance: choose the method and the time step so that every length asked for is within this length of its exact value (1um if no
+            length is given), at the least cost; they are chosen once, before the first drive. Commands that fly many drives (sweep,
+            optimize, chart, calibrate, uncertainty, report, maps) do so by themselves, for 1um, unless the setup or set gives flight.method
+            or flight.step.
+        own_step: integrate by flight.method and flight.step of the setup, also where the command would choose them.
+        maximize: the outcome to maximize [default: carry, unless minimize is given].
+        minimize: the outcome to minimize.
+        vary: a parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to 20 deg and attack angle -5 to 5 deg].
+        subject_to: a constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <= apex_height <= 35 yd" or "lateral == 0 m"; every
+            limit with its unit. Over many swings also a relation with a name, linear in parameters, e.g. "budget: club.weight_1.mass +
+            club.weight_2.mass <= 20 g". Repeatable.
+        max_iterations: the largest number of iterations of a search [default: 500].
+        output: the file to write: .svg or .png for a picture, .csv for its data (SI units and radians).
+        overwrite: replace files that exist.
+        dark: draw for a dark background.
+        width: the width of the picture in pixels; a PNG has twice the resolution. The size of the text does not change [default: 480].
+        progress: True for a bar, or a function that is called with how many parts of how many are done.
+
+    Raises:
+        InputError: bad input, with the program's message.
+        NoAnswerError: a sound question without an answer.
+    """
+
+    def write(question: Question) -> None:
+        question.take_setup(setup)
+        question.option("launch", launch, "several", "NAME=VALUE,…")
+        question.option("tolerance", tolerance, "one", "LENGTH")
+        question.option("own_step", own_step, "nothing", "OWN_STEP")
+        question.option("maximize", maximize, "one", "OUTCOME")
+        question.option("minimize", minimize, "one", "OUTCOME")
+        question.option("vary", vary, "several", "NAME=LOW..HIGH")
+        question.option("subject_to", subject_to, "several", "CONSTRAINT")
+        question.option("max_iterations", max_iterations, "one", "N")
+        question.option("output", output or question.folder / "plot.svg", "one", "FILE")
+        question.option("overwrite", overwrite, "nothing", "OVERWRITE")
+        question.option("dark", dark, "nothing", "DARK")
+        question.option("width", width, "one", "PIXELS")
+
+    return picture(ask("plot contour", write, progress, written_plot(output)))
+
+
+def chart(
+    setup: SetupLike = None,
+    *,
+    along: Given,
+    launch: Given | None = None,
+    tolerance: Amount | None = None,
+    own_step: bool = False,
+    maximize: str | None = None,
+    minimize: str | None = None,
+    vary: Given | None = None,
+    subject_to: Names | None = None,
+    max_iterations: int | None = None,
+    output: PathLike | None = None,
+    overwrite: bool = False,
+    dark: bool = False,
+    width: int | None = None,
+    show: str | None = None,
+    progress: Progress = False,
+) -> Picture:
+    """The optimum as a function of a parameter.
+
+    Args:
+        setup: a setup, the name of a preset, a dict, or None for the preset tour-average.
+        launch: compute the flight of a ball with these launch conditions, as a launch monitor reports them: ball_speed, launch_angle,
+            launch_direction, and backspin with sidespin or spin with spin_axis; e.g.
+            ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those of the setup file.
+        tolerance: choose the method and the time step so that every length asked for is within this length of its exact value (1um if no
+            length is given), at the least cost; they are chosen once, before the first drive. Commands that fly many drives (sweep,
+            optimize, chart, calibrate, uncertainty, report, maps) do so by themselves, for 1um, unless the setup or set gives flight.method
+            or flight.step.
+        own_step: integrate by flight.method and flight.step of the setup, also where the command would choose them.
+        maximize: the outcome to maximize [default: carry, unless minimize is given].
+        minimize: the outcome to minimize.
+        vary: a parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to 20 deg and attack angle -5 to 5 deg].
+        subject_to: a constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <= apex_height <= 35 yd" or "lateral == 0 m"; every
+            limit with its unit. Over many swings also a relation with a name, linear in parameters, e.g. "budget: club.weight_1.mass +
+            club.weight_2.mass <= 20 g". Repeatable.
+        max_iterations: the largest number of iterations of a search [default: 500].
+        output: the file to write: .svg or .png for a picture, .csv for its data (SI units and radians).
+        overwrite: replace files that exist.
+        dark: draw for a dark background.
+        width: the width of the picture in pixels; a PNG has twice the resolution. The size of the text does not change [default: 480].
+        along: the parameter to follow the optimum along, with its range, e.g. swing.speed=80mph..130mph.
+        show: the curve to draw: the outcome, or one of the parameters varied.
+        progress: True for a bar, or a function that is called with how many parts of how many are done.
+
+    Raises:
+        InputError: bad input, with the program's message.
+        NoAnswerError: a sound question without an answer.
+    """
+
+    def write(question: Question) -> None:
+        question.take_setup(setup)
+        question.option("launch", launch, "several", "NAME=VALUE,…")
+        question.option("tolerance", tolerance, "one", "LENGTH")
+        question.option("own_step", own_step, "nothing", "OWN_STEP")
+        question.option("maximize", maximize, "one", "OUTCOME")
+        question.option("minimize", minimize, "one", "OUTCOME")
+        question.option("vary", vary, "several", "NAME=LOW..HIGH")
+        question.option("subject_to", subject_to, "several", "CONSTRAINT")
+        question.option("max_iterations", max_iterations, "one", "N")
+        question.option("output", output or question.folder / "plot.svg", "one", "FILE")
+        question.option("overwrite", overwrite, "nothing", "OVERWRITE")
+        question.option("dark", dark, "nothing", "DARK")
+        question.option("width", width, "one", "PIXELS")
+        question.option("along", along, "one", "NAME=LOW..HIGH")
+        question.option("show", show, "one", "NAME")
+
+    return picture(ask("plot chart", write, progress, written_plot(output)))
+
+
+def pareto(
+    setup: SetupLike = None,
+    *,
+    launch: Given | None = None,
+    tolerance: Amount | None = None,
+    own_step: bool = False,
+    maximize: Goals | None = None,
+    minimize: Goals | None = None,
+    vary: Given | None = None,
+    subject_to: Names | None = None,
+    points: int | None = None,
+    max_iterations: int | None = None,
+    swings: TableLike | None = None,
+    distribution: Given | None = None,
+    correlation: Given | None = None,
+    scenarios: int | None = None,
+    seed: int | None = None,
+    strokes: TableLike | None = None,
+    output: PathLike | None = None,
+    overwrite: bool = False,
+    dark: bool = False,
+    width: int | None = None,
+    progress: Progress = False,
+) -> Picture:
+    """The best compromises between two goals, with their ends, the knee and the slope there.
+
+    Args:
+        setup: a setup, the name of a preset, a dict, or None for the preset tour-average.
+        launch: compute the flight of a ball with these launch conditions, as a launch monitor reports them: ball_speed, launch_angle,
+            launch_direction, and backspin with sidespin or spin with spin_axis; e.g.
+            ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those of the setup file.
+        tolerance: choose the method and the time step so that every length asked for is within this length of its exact value (1um if no
+            length is given), at the least cost; they are chosen once, before the first drive. Commands that fly many drives (sweep,
+            optimize, chart, calibrate, uncertainty, report, maps) do so by themselves, for 1um, unless the setup or set gives flight.method
+            or flight.step.
+        own_step: integrate by flight.method and flight.step of the setup, also where the command would choose them.
+        maximize: a goal to maximize: an outcome, or over many swings what of it, e.g. "mean(carry)". Give two goals in all, with maximize
+            and minimize.
+        minimize: a goal to minimize, e.g. "std(lateral)".
+        vary: a parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to 20 deg; for one drive also attack angle
+            -5 to 5 deg].
+        subject_to: a constraint on a goal, e.g. "apex_height <= 35 yd", over many swings "mean(carry) >= 240 yd"; every limit with its
+            unit. Repeatable.
+        points: the number of points, spread evenly from the best of one goal to the best of the other [default: 15].
+        max_iterations: the largest number of iterations of a search [default: 500].
+        swings: search for the best over many swings: a TOML file with [distributions] and [[correlations]], or a table (CSV, Parquet,
+            Arrow) of recorded swings, a column for each parameter. Goals are then written like "mean(carry)", "std(lateral)",
+            "lowest(carry, 10%)", "within(lateral, 15yd)" or "mean(carry) - 0.5*std(lateral)", and vary is the loft alone by default.
+        distribution: the distribution of a parameter from swing to swing: NAME=normal(MEAN,DEVIATION), NAME=uniform(LOW,HIGH),
+            NAME=triangular(LOW,MODE,HIGH) or NAME=truncated(MEAN,DEVIATION,LOW,HIGH). Repeatable.
+        correlation: the correlation of two parameters with distributions, e.g. swing.path,swing.face_angle=0.6. Repeatable.
+        scenarios: take this many swings of the distributions, by a quasi-random sequence [default: quadrature for up to 3 parameters, else
+            512 swings].
+        seed: the seed of the swings; the same seed gives the same swings [default: 0].
+        strokes: a CSV table of the strokes that are expected from a distance, with the columns "distance [yd]" and "strokes", for the goal
+            "strokes(400yd)": the expected strokes to hole out after this drive.
+        output: the file to write: .svg or .png for a picture, .csv for its data (SI units and radians).
+        overwrite: replace files that exist.
+        dark: draw for a dark background.
+        width: the width of the picture in pixels; a PNG has twice the resolution. The size of the text does not change [default: 480].
+        progress: True for a bar, or a function that is called with how many parts of how many are done.
+
+    Raises:
+        InputError: bad input, with the program's message.
+        NoAnswerError: a sound question without an answer.
+    """
+
+    def write(question: Question) -> None:
+        question.take_setup(setup)
+        question.option("launch", launch, "several", "NAME=VALUE,…")
+        question.option("tolerance", tolerance, "one", "LENGTH")
+        question.option("own_step", own_step, "nothing", "OWN_STEP")
+        question.option("maximize", maximize, "several", "GOAL")
+        question.option("minimize", minimize, "several", "GOAL")
+        question.option("vary", vary, "several", "NAME=LOW..HIGH")
+        question.option("subject_to", subject_to, "several", "CONSTRAINT")
+        question.option("points", points, "one", "N")
+        question.option("max_iterations", max_iterations, "one", "N")
+        question.option("swings", swings, "one", "FILE")
+        question.option("distribution", distribution, "several", "NAME=KIND(…)")
+        question.option("correlation", correlation, "several", "NAME,NAME=COEFFICIENT")
+        question.option("scenarios", scenarios, "one", "N")
+        question.option("seed", seed, "one", "SEED")
+        question.option("strokes", strokes, "one", "FILE")
+        question.option("output", output or question.folder / "plot.svg", "one", "FILE")
+        question.option("overwrite", overwrite, "nothing", "OVERWRITE")
+        question.option("dark", dark, "nothing", "DARK")
+        question.option("width", width, "one", "PIXELS")
+
+    return picture(ask("plot pareto", write, progress, written_plot(output)))
+
+
+def tornado(
+    setup: SetupLike = None,
+    *,
+    launch: Given | None = None,
+    tolerance: Amount | None = None,
+    own_step: bool = False,
+    output: PathLike | None = None,
+    overwrite: bool = False,
+    dark: bool = False,
+    width: int | None = None,
+    of: str | None = None,
+    sigma: Given | None = None,
+    show: Literal["control", "model", "all"] | None = None,
+    progress: Progress = False,
+) -> Picture:
+    """The effects of the uncertainties of parameters on an outcome.
+
+    Args:
+        setup: a setup, the name of a preset, a dict, or None for the preset tour-average.
+        launch: compute the flight of a ball with these launch conditions, as a launch monitor reports them: ball_speed, launch_angle,
+            launch_direction, and backspin with sidespin or spin with spin_axis; e.g.
+            ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those of the setup file.
+        tolerance: choose the method and the time step so that every length asked for is within this length of its exact value (1um if no
+            length is given), at the least cost; they are chosen once, before the first drive. Commands that fly many drives (sweep,
+            optimize, chart, calibrate, uncertainty, report, maps) do so by themselves, for 1um, unless the setup or set gives flight.method
+            or flight.step.
+        own_step: integrate by flight.method and flight.step of the setup, also where the command would choose them.
+        output: the file to write: .svg or .png for a picture, .csv for its data (SI units and radians).
+        overwrite: replace files that exist.
+        dark: draw for a dark background.
+        width: the width of the picture in pixels; a PNG has twice the resolution. The size of the text does not change [default: 480].
+        of: the outcome [default: carry].
+        sigma: the standard uncertainty of a parameter, e.g. swing.speed=1mph or air.density=0.5%. Repeatable; other parameters have the
+            default uncertainties of "longdrive sensitivity".
+        show: the uncertainties to draw [default: control].
+        progress: True for a bar, or a function that is called with how many parts of how many are done.
+
+    Raises:
+        InputError: bad input, with the program's message.
+        NoAnswerError: a sound question without an answer.
+    """
+
+    def write(question: Question) -> None:
+        question.take_setup(setup)
+        question.option("launch", launch, "several", "NAME=VALUE,…")
+        question.option("tolerance", tolerance, "one", "LENGTH")
+        question.option("own_step", own_step, "nothing", "OWN_STEP")
+        question.option("output", output or question.folder / "plot.svg", "one", "FILE")
+        question.option("overwrite", overwrite, "nothing", "OVERWRITE")
+        question.option("dark", dark, "nothing", "DARK")
+        question.option("width", width, "one", "PIXELS")
+        question.option("of", of, "one", "OUTCOME")
+        question.option("sigma", sigma, "several", "NAME=AMOUNT")
+        question.option("show", show, "one", "SHOW")
+
+    return picture(ask("plot tornado", write, progress, written_plot(output)))
+
+
+def compare(
+    setup: SetupLike = None,
+    other: SetupLike = None,
+    *,
+    launch: Given | None = None,
+    tolerance: Amount | None = None,
+    own_step: bool = False,
+    launch_a: Given | None = None,
+    launch_b: Given | None = None,
+    output: PathLike | None = None,
+    overwrite: bool = False,
+    dark: bool = False,
+    width: int | None = None,
+    of: str | None = None,
+    progress: Progress = False,
+) -> Picture:
+    """The difference between two drives, split into the parameters and launch conditions that differ.
+
+    Args:
+        setup: a setup, the name of a preset, a dict, or None for the preset tour-average.
+        other: the other setup; the same without it.
+        launch: compute the flight of a ball with these launch conditions, as a launch monitor reports them: ball_speed, launch_angle,
+            launch_direction, and backspin with sidespin or spin with spin_axis; e.g.
+            ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those of the setup file.
+        tolerance: choose the method and the time step so that every length asked for is within this length of its exact value (1um if no
+            length is given), at the least cost; they are chosen once, before the first drive. Commands that fly many drives (sweep,
+            optimize, chart, calibrate, uncertainty, report, maps) do so by themselves, for 1um, unless the setup or set gives flight.method
+            or flight.step.
+        own_step: integrate by flight.method and flight.step of the setup, also where the command would choose them.
+        launch_a: the launch conditions of a, as in launch.
+        launch_b: the launch conditions of b, as in launch.
+        output: the file to write: .svg or .png for a picture, .csv for its data (SI units and radians).
+        overwrite: replace files that exist.
+        dark: draw for a dark background.
+        width: the width of the picture in pixels; a PNG has twice the resolution. The size of the text does not change [default: 480].
+        of: the outcome [default: carry].
+        progress: True for a bar, or a function that is called with how many parts of how many are done.
+
+    Raises:
+        InputError: bad input, with the program's message.
+        NoAnswerError: a sound question without an answer.
+    """
+
+    def write(question: Question) -> None:
+        question.take_setup(setup)
+        question.take_other("setup_b", other)
+        question.option("launch", launch, "several", "NAME=VALUE,…")
+        question.option("tolerance", tolerance, "one", "LENGTH")
+        question.option("own_step", own_step, "nothing", "OWN_STEP")
+        question.option("launch_a", launch_a, "several", "NAME=VALUE,…")
+        question.option("launch_b", launch_b, "several", "NAME=VALUE,…")
+        question.option("output", output or question.folder / "plot.svg", "one", "FILE")
+        question.option("overwrite", overwrite, "nothing", "OVERWRITE")
+        question.option("dark", dark, "nothing", "DARK")
+        question.option("width", width, "one", "PIXELS")
+        question.option("of", of, "one", "OUTCOME")
+
+    return picture(ask("plot compare", write, progress, written_plot(output)))
+
+
+def vcurve(
+    setup: SetupLike = None,
+    *,
+    launch: Given | None = None,
+    tolerance: Amount | None = None,
+    own_step: bool = False,
+    output: PathLike | None = None,
+    overwrite: bool = False,
+    dark: bool = False,
+    width: int | None = None,
+    of: Names | None = None,
+    wrt: Names | None = None,
+    progress: Progress = False,
+) -> Picture:
+    """The error of central differences against exact derivatives, by step.
+
+    Args:
+        setup: a setup, the name of a preset, a dict, or None for the preset tour-average.
+        launch: compute the flight of a ball with these launch conditions, as a launch monitor reports them: ball_speed, launch_angle,
+            launch_direction, and backspin with sidespin or spin with spin_axis; e.g.
+            ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those of the setup file.
+        tolerance: choose the method and the time step so that every length asked for is within this length of its exact value (1um if no
+            length is given), at the least cost; they are chosen once, before the first drive. Commands that fly many drives (sweep,
+            optimize, chart, calibrate, uncertainty, report, maps) do so by themselves, for 1um, unless the setup or set gives flight.method
+            or flight.step.
+        own_step: integrate by flight.method and flight.step of the setup, also where the command would choose them.
+        output: the file to write: .svg or .png for a picture, .csv for its data (SI units and radians).
+        overwrite: replace files that exist.
+        dark: draw for a dark background.
+        width: the width of the picture in pixels; a PNG has twice the resolution. The size of the text does not change [default: 480].
+        of: the outcomes, separated by commas [default: carry].
+        wrt: the parameters, separated by commas. Without: loft and attack angle, or the launch conditions where these are given.
+        progress: True for a bar, or a function that is called with how many parts of how many are done.
+
+    Raises:
+        InputError: bad input, with the program's message.
+        NoAnswerError: a sound question without an answer.
+    """
+
+    def write(question: Question) -> None:
+        question.take_setup(setup)
+        question.option("launch", launch, "several", "NAME=VALUE,…")
+        question.option("tolerance", tolerance, "one", "LENGTH")
+        question.option("own_step", own_step, "nothing", "OWN_STEP")
+        question.option("output", output or question.folder / "plot.svg", "one", "FILE")
+        question.option("overwrite", overwrite, "nothing", "OVERWRITE")
+        question.option("dark", dark, "nothing", "DARK")
+        question.option("width", width, "one", "PIXELS")
+        question.option("of", of, "several", "OUTCOME,…")
+        question.option("wrt", wrt, "several", "NAME,…")
+
+    return picture(ask("plot vcurve", write, progress, written_plot(output)))
+
+
+def laws(
+    setup: SetupLike = None,
+    *,
+    launch: Given | None = None,
+    tolerance: Amount | None = None,
+    own_step: bool = False,
+    output: PathLike | None = None,
+    overwrite: bool = False,
+    dark: bool = False,
+    width: int | None = None,
+    laws: Names | None = None,
+    show: Literal["cd", "cl"] | None = None,
+    over: Literal["spin-ratio", "reynolds"] | None = None,
+    reynolds: Amount | None = None,
+    spin_ratio: Amount | None = None,
+    progress: Progress = False,
+) -> Picture:
+    """Laws of drag and lift over the spin ratio or the Reynolds number, with measured points.
+
+    Args:
+        setup: a setup, the name of a preset, a dict, or None for the preset tour-average.
+        launch: compute the flight of a ball with these launch conditions, as a launch monitor reports them: ball_speed, launch_angle,
+            launch_direction, and backspin with sidespin or spin with spin_axis; e.g.
+            ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those of the setup file.
+        tolerance: choose the method and the time step so that every length asked for is within this length of its exact value (1um if no
+            length is given), at the least cost; they are chosen once, before the first drive. Commands that fly many drives (sweep,
+            optimize, chart, calibrate, uncertainty, report, maps) do so by themselves, for 1um, unless the setup or set gives flight.method
+            or flight.step.
+        own_step: integrate by flight.method and flight.step of the setup, also where the command would choose them.
+        output: the file to write: .svg or .png for a picture, .csv for its data (SI units and radians).
+        overwrite: replace files that exist.
+        dark: draw for a dark background.
+        width: the width of the picture in pixels; a PNG has twice the resolution. The size of the text does not change [default: 480].
+        laws: the laws, separated by commas; "table" for your own of set aero.table. Without: all of them.
+        show: the coefficient to draw [default: cd].
+        over: what to draw it over [default: spin-ratio].
+        reynolds: the Reynolds number, over the spin ratio [default: 1.5e5].
+        spin_ratio: the spin ratio, over the Reynolds number [default: 0.1].
+        progress: True for a bar, or a function that is called with how many parts of how many are done.
+
+    Raises:
+        InputError: bad input, with the program's message.
+        NoAnswerError: a sound question without an answer.
+    """
+
+    def write(question: Question) -> None:
+        question.take_setup(setup)
+        question.option("launch", launch, "several", "NAME=VALUE,…")
+        question.option("tolerance", tolerance, "one", "LENGTH")
+        question.option("own_step", own_step, "nothing", "OWN_STEP")
+        question.option("output", output or question.folder / "plot.svg", "one", "FILE")
+        question.option("overwrite", overwrite, "nothing", "OVERWRITE")
+        question.option("dark", dark, "nothing", "DARK")
+        question.option("width", width, "one", "PIXELS")
+        question.option("laws", laws, "several", "LAW,…")
+        question.option("show", show, "one", "SHOW")
+        question.option("over", over, "one", "OVER")
+        question.option("reynolds", reynolds, "one", "NUMBER")
+        question.option("spin_ratio", spin_ratio, "one", "NUMBER")
+
+    return picture(ask("plot laws", write, progress, written_plot(output)))
+
+
+def fairway(
+    setup: SetupLike = None,
+    *,
+    launch: Given | None = None,
+    tolerance: Amount | None = None,
+    own_step: bool = False,
+    maximize: str | None = None,
+    minimize: str | None = None,
+    vary: Given | None = None,
+    subject_to: Names | None = None,
+    max_iterations: int | None = None,
+    output: PathLike | None = None,
+    overwrite: bool = False,
+    dark: bool = False,
+    width: int | None = None,
+    sigma: Given | None = None,
+    progress: Progress = False,
+) -> Picture:
+    """Where the drive and the best one land, from above at true scale, with the ellipses that hold half and 95 % of the landings.
+
+    Args:
+        setup: a setup, the name of a preset, a dict, or None for the preset tour-average.
+        launch: compute the flight of a ball with these launch conditions, as a launch monitor reports them: ball_speed, launch_angle,
+            launch_direction, and backspin with sidespin or spin with spin_axis; e.g.
+            ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those of the setup file.
+        tolerance: choose the method and the time step so that every length asked for is within this length of its exact value (1um if no
+            length is given), at the least cost; they are chosen once, before the first drive. Commands that fly many drives (sweep,
+            optimize, chart, calibrate, uncertainty, report, maps) do so by themselves, for 1um, unless the setup or set gives flight.method
+            or flight.step.
+        own_step: integrate by flight.method and flight.step of the setup, also where the command would choose them.
+        maximize: the outcome to maximize [default: carry, unless minimize is given].
+        minimize: the outcome to minimize.
+        vary: a parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to 20 deg and attack angle -5 to 5 deg].
+        subject_to: a constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <= apex_height <= 35 yd" or "lateral == 0 m"; every
+            limit with its unit. Over many swings also a relation with a name, linear in parameters, e.g. "budget: club.weight_1.mass +
+            club.weight_2.mass <= 20 g". Repeatable.
+        max_iterations: the largest number of iterations of a search [default: 500].
+        output: the file to write: .svg or .png for a picture, .csv for its data (SI units and radians).
+        overwrite: replace files that exist.
+        dark: draw for a dark background.
+        width: the width of the picture in pixels; a PNG has twice the resolution. The size of the text does not change [default: 480].
+        sigma: how much a parameter of the golfer varies from drive to drive, one standard deviation, e.g. swing.face_angle=2deg.
+            Repeatable; other parameters of swing, strike and club have the default uncertainties of "longdrive sensitivity".
+        progress: True for a bar, or a function that is called with how many parts of how many are done.
+
+    Raises:
+        InputError: bad input, with the program's message.
+        NoAnswerError: a sound question without an answer.
+    """
+
+    def write(question: Question) -> None:
+        question.take_setup(setup)
+        question.option("launch", launch, "several", "NAME=VALUE,…")
+        question.option("tolerance", tolerance, "one", "LENGTH")
+        question.option("own_step", own_step, "nothing", "OWN_STEP")
+        question.option("maximize", maximize, "one", "OUTCOME")
+        question.option("minimize", minimize, "one", "OUTCOME")
+        question.option("vary", vary, "several", "NAME=LOW..HIGH")
+        question.option("subject_to", subject_to, "several", "CONSTRAINT")
+        question.option("max_iterations", max_iterations, "one", "N")
+        question.option("output", output or question.folder / "plot.svg", "one", "FILE")
+        question.option("overwrite", overwrite, "nothing", "OVERWRITE")
+        question.option("dark", dark, "nothing", "DARK")
+        question.option("width", width, "one", "PIXELS")
+        question.option("sigma", sigma, "several", "NAME=AMOUNT")
+
+    return picture(ask("plot fairway", write, progress, written_plot(output)))
+
+
+def face(
+    setup: SetupLike = None,
+    *,
+    launch: Given | None = None,
+    tolerance: Amount | None = None,
+    own_step: bool = False,
+    output: PathLike | None = None,
+    overwrite: bool = False,
+    dark: bool = False,
+    width: int | None = None,
+    progress: Progress = False,
+) -> Picture:
+    """The club face from the front: the strike, the sweet spot, rings of carry lost, and the side to which the spin axis tilts.
+
+    Args:
+        setup: a setup, the name of a preset, a dict, or None for the preset tour-average.
+        launch: compute the flight of a ball with these launch conditions, as a launch monitor reports them: ball_speed, launch_angle,
+            launch_direction, and backspin with sidespin or spin with spin_axis; e.g.
+            ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those of the setup file.
+        tolerance: choose the method and the time step so that every length asked for is within this length of its exact value (1um if no
+            length is given), at the least cost; they are chosen once, before the first drive. Commands that fly many drives (sweep,
+            optimize, chart, calibrate, uncertainty, report, maps) do so by themselves, for 1um, unless the setup or set gives flight.method
+            or flight.step.
+        own_step: integrate by flight.method and flight.step of the setup, also where the command would choose them.
+        output: the file to write: .svg or .png for a picture, .csv for its data (SI units and radians).
+        overwrite: replace files that exist.
+        dark: draw for a dark background.
+        width: the width of the picture in pixels; a PNG has twice the resolution. The size of the text does not change [default: 480].
+        progress: True for a bar, or a function that is called with how many parts of how many are done.
+
+    Raises:
+        InputError: bad input, with the program's message.
+        NoAnswerError: a sound question without an answer.
+    """
+
+    def write(question: Question) -> None:
+        question.take_setup(setup)
+        question.option("launch", launch, "several", "NAME=VALUE,…")
+        question.option("tolerance", tolerance, "one", "LENGTH")
+        question.option("own_step", own_step, "nothing", "OWN_STEP")
+        question.option("output", output or question.folder / "plot.svg", "one", "FILE")
+        question.option("overwrite", overwrite, "nothing", "OVERWRITE")
+        question.option("dark", dark, "nothing", "DARK")
+        question.option("width", width, "one", "PIXELS")
+
+    return picture(ask("plot face", write, progress, written_plot(output)))
+
+
+def strike(
+    setup: SetupLike = None,
+    *,
+    launch: Given | None = None,
+    tolerance: Amount | None = None,
+    own_step: bool = False,
+    maximize: str | None = None,
+    minimize: str | None = None,
+    vary: Given | None = None,
+    subject_to: Names | None = None,
+    max_iterations: int | None = None,
+    after: SetupLike | None = None,
+    output: PathLike | None = None,
+    overwrite: bool = False,
+    dark: bool = False,
+    width: int | None = None,
+    progress: Progress = False,
+) -> Picture:
+    """Carry, lateral, ball speed and spin axis over the club face, of the drive as set up and of the best one, or of two designs.
+
+    Args:
+        setup: a setup, the name of a preset, a dict, or None for the preset tour-average.
+        launch: compute the flight of a ball with these launch conditions, as a launch monitor reports them: ball_speed, launch_angle,
+            launch_direction, and backspin with sidespin or spin with spin_axis; e.g.
+            ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those of the setup file.
+        tolerance: choose the method and the time step so that every length asked for is within this length of its exact value (1um if no
+            length is given), at the least cost; they are chosen once, before the first drive. Commands that fly many drives (sweep,
+            optimize, chart, calibrate, uncertainty, report, maps) do so by themselves, for 1um, unless the setup or set gives flight.method
+            or flight.step.
+        own_step: integrate by flight.method and flight.step of the setup, also where the command would choose them.
+        maximize: the outcome to maximize [default: carry, unless minimize is given].
+        minimize: the outcome to minimize.
+        vary: a parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to 20 deg and attack angle -5 to 5 deg].
+        subject_to: a constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <= apex_height <= 35 yd" or "lateral == 0 m"; every
+            limit with its unit. Over many swings also a relation with a name, linear in parameters, e.g. "budget: club.weight_1.mass +
+            club.weight_2.mass <= 20 g". Repeatable.
+        max_iterations: the largest number of iterations of a search [default: 500].
+        after: a preset or setup file of another design, drawn beside this one in place of the best one, e.g. best.toml of "longdrive
+            optimize -o".
+        output: the file to write: .svg or .png for a picture, .csv for its data (SI units and radians).
+        overwrite: replace files that exist.
+        dark: draw for a dark background.
+        width: the width of the picture in pixels; a PNG has twice the resolution. The size of the text does not change [default: 480].
+        progress: True for a bar, or a function that is called with how many parts of how many are done.
+
+    Raises:
+        InputError: bad input, with the program's message.
+        NoAnswerError: a sound question without an answer.
+    """
+
+    def write(question: Question) -> None:
+        question.take_setup(setup)
+        question.option("launch", launch, "several", "NAME=VALUE,…")
+        question.option("tolerance", tolerance, "one", "LENGTH")
+        question.option("own_step", own_step, "nothing", "OWN_STEP")
+        question.option("maximize", maximize, "one", "OUTCOME")
+        question.option("minimize", minimize, "one", "OUTCOME")
+        question.option("vary", vary, "several", "NAME=LOW..HIGH")
+        question.option("subject_to", subject_to, "several", "CONSTRAINT")
+        question.option("max_iterations", max_iterations, "one", "N")
+        question.option("after", after, "one", "SETUP")
+        question.option("output", output or question.folder / "plot.svg", "one", "FILE")
+        question.option("overwrite", overwrite, "nothing", "OVERWRITE")
+        question.option("dark", dark, "nothing", "DARK")
+        question.option("width", width, "one", "PIXELS")
+
+    return picture(ask("plot strike", write, progress, written_plot(output)))
+
+
+def launch(
+    setup: SetupLike = None,
+    *,
+    launch: Given | None = None,
+    tolerance: Amount | None = None,
+    own_step: bool = False,
+    maximize: str | None = None,
+    minimize: str | None = None,
+    vary: Given | None = None,
+    subject_to: Names | None = None,
+    max_iterations: int | None = None,
+    output: PathLike | None = None,
+    overwrite: bool = False,
+    dark: bool = False,
+    width: int | None = None,
+    progress: Progress = False,
+) -> Picture:
+    """Carry over launch angle and backspin at the drive's ball speed, with its launch and the best one.
+
+    Args:
+        setup: a setup, the name of a preset, a dict, or None for the preset tour-average.
+        launch: compute the flight of a ball with these launch conditions, as a launch monitor reports them: ball_speed, launch_angle,
+            launch_direction, and backspin with sidespin or spin with spin_axis; e.g.
+            ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those of the setup file.
+        tolerance: choose the method and the time step so that every length asked for is within this length of its exact value (1um if no
+            length is given), at the least cost; they are chosen once, before the first drive. Commands that fly many drives (sweep,
+            optimize, chart, calibrate, uncertainty, report, maps) do so by themselves, for 1um, unless the setup or set gives flight.method
+            or flight.step.
+        own_step: integrate by flight.method and flight.step of the setup, also where the command would choose them.
+        maximize: the outcome to maximize [default: carry, unless minimize is given].
+        minimize: the outcome to minimize.
+        vary: a parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to 20 deg and attack angle -5 to 5 deg].
+        subject_to: a constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <= apex_height <= 35 yd" or "lateral == 0 m"; every
+            limit with its unit. Over many swings also a relation with a name, linear in parameters, e.g. "budget: club.weight_1.mass +
+            club.weight_2.mass <= 20 g". Repeatable.
+        max_iterations: the largest number of iterations of a search [default: 500].
+        output: the file to write: .svg or .png for a picture, .csv for its data (SI units and radians).
+        overwrite: replace files that exist.
+        dark: draw for a dark background.
+        width: the width of the picture in pixels; a PNG has twice the resolution. The size of the text does not change [default: 480].
+        progress: True for a bar, or a function that is called with how many parts of how many are done.
+
+    Raises:
+        InputError: bad input, with the program's message.
+        NoAnswerError: a sound question without an answer.
+    """
+
+    def write(question: Question) -> None:
+        question.take_setup(setup)
+        question.option("launch", launch, "several", "NAME=VALUE,…")
+        question.option("tolerance", tolerance, "one", "LENGTH")
+        question.option("own_step", own_step, "nothing", "OWN_STEP")
+        question.option("maximize", maximize, "one", "OUTCOME")
+        question.option("minimize", minimize, "one", "OUTCOME")
+        question.option("vary", vary, "several", "NAME=LOW..HIGH")
+        question.option("subject_to", subject_to, "several", "CONSTRAINT")
+        question.option("max_iterations", max_iterations, "one", "N")
+        question.option("output", output or question.folder / "plot.svg", "one", "FILE")
+        question.option("overwrite", overwrite, "nothing", "OVERWRITE")
+        question.option("dark", dark, "nothing", "DARK")
+        question.option("width", width, "one", "PIXELS")
+
+    return picture(ask("plot launch", write, progress, written_plot(output)))

@@ -1,0 +1,50 @@
+"""Outcomes with their derivatives at points of any shape: what bindings to other libraries call."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from . import _longdrive
+from .batches import batch
+from .errors import InputError
+from .types import Floats, Names, SetupLike
+
+__all__ = ["Pointwise"]
+
+
+class Pointwise:
+    """Outcomes of a setup as a function of some parameters, NaN where there is no drive. The step of the setup is kept, so that it is one smooth function."""
+
+    def __init__(self, setup: SetupLike, of: Names, wrt: Names | None) -> None:
+        self.setup = setup if isinstance(setup, _longdrive.Setup) else _longdrive.Setup(setup)
+        self.is_single = isinstance(of, str) and of != "all"
+        asked = _longdrive.asked(self.setup, of, wrt)
+        self.of: list[str] = asked[0]
+        self.wrt: list[str] = asked[1]
+
+    def check(self, shape: tuple[int, ...], kind: str) -> None:
+        """One point has a number for each parameter.
+
+        Raises:
+            InputError: where it has not.
+        """
+        if shape != (len(self.wrt),):
+            raise InputError(f"x has shape {shape}; expected shape ({len(self.wrt)},): {', '.join(self.wrt)}, SI")
+        if kind != "f":
+            raise InputError(f"x is of kind '{kind}'; expected floats, in SI")
+
+    def __call__(self, x: Any, order: int) -> list[Floats]:
+        """Values, and derivatives up to an order: shapes (…, outcomes), (…, outcomes, parameters), (…, outcomes, parameters, parameters).
+
+        Args:
+            x: shape (…, parameters).
+            order: 0, 1 or 2.
+        """
+        lead = x.shape[:-1]
+        rows = np.asarray(x, dtype=np.float64).reshape(-1, len(self.wrt))
+        points = {name: rows[:, k] for k, name in enumerate(self.wrt)}
+        table = batch(self.setup, points, self.of, self.wrt if order else None, hessians=order > 1, own_step=True)
+        found = [table.values, table.gradients if order else None, table.hessians]
+        return [array.reshape(lead + array.shape[1:]) for array in found if array is not None]

@@ -1,0 +1,68 @@
+"""What commands answer."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from html import escape
+from typing import Any
+
+__all__ = ["Reply"]
+
+
+class Reply(dict[str, Any]):
+    """The answer of a command: what its ``--json`` prints, with attributes for the keys.
+
+    Numbers are SI; None stands where there is none. ``docs/json.md`` describes the keys of each command.
+    """
+
+    def __getattr__(self, name: str) -> Any:
+        try:
+            return self[name]
+        except KeyError:
+            kind, keys = type(self).__name__, ", ".join(self)
+            raise AttributeError(f"this {kind} has no {name!r}; it has {keys}") from None
+
+    def __dir__(self) -> list[str]:
+        return [*super().__dir__(), *self]
+
+    def __repr__(self) -> str:
+        def shown(value: Any) -> str:
+            if isinstance(value, Mapping) and value:
+                return f"{{{len(value)} keys}}"
+            if isinstance(value, list) and value:
+                return f"[{len(value)} items]"
+            return repr(value)
+
+        lines = "".join(f"\n  {key}: {shown(value)}" for key, value in self.items())
+        return f"<{type(self).__name__}{lines}>"
+
+    def _repr_html_(self) -> str:
+        return f"<table><tbody>{''.join(_row(key, value) for key, value in self.items())}</tbody></table>"
+
+
+def _row(key: str, value: Any) -> str:
+    return f"<tr><th style='text-align:left'>{escape(key)}</th><td style='text-align:left'>{_cell(value)}</td></tr>"
+
+
+def _cell(value: Any) -> str:
+    if isinstance(value, Mapping):
+        inner = "".join(_row(str(key), part) for key, part in value.items())
+        return f"<details><summary>{len(value)}</summary><table><tbody>{inner}</tbody></table></details>" if value else ""
+    if isinstance(value, list):
+        if value and isinstance(value[0], Mapping):
+            return f"<details><summary>{len(value)}</summary>{_listed(value)}</details>"
+        return escape(", ".join(_text(part) for part in value[:12])) + (", …" if len(value) > 12 else "")
+    return escape(_text(value))
+
+
+def _listed(rows: list[Any]) -> str:
+    heads = list(rows[0])
+    head = "".join(f"<th>{escape(str(key))}</th>" for key in heads)
+    body = "".join(f"<tr>{''.join(f'<td>{_cell(row.get(key))}</td>' for key in heads)}</tr>" for row in rows if isinstance(row, Mapping))
+    return f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
+
+
+def _text(value: Any) -> str:
+    if value is None:
+        return ""
+    return f"{value:.6g}" if isinstance(value, float) else str(value)

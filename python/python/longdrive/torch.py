@@ -1,0 +1,115 @@
+"""Outcomes of a drive as functions of PyTorch, exact under ``autograd`` twice, ``torch.func.vmap``, ``grad``, ``jacrev``, ``jacfwd`` and ``hessian``.
+
+PyTorch is not a dependency of longdrive: this module needs it, and the rest does not.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import torch
+from torch.autograd import Function
+
+from .errors import InputError
+from .pointwise import Pointwise
+from .types import Names, SetupLike
+
+__all__ = ["outcome"]
+
+
+def outcome(setup: SetupLike, of: Names = "carry", wrt: Names | None = None) -> Callable[[torch.Tensor], torch.Tensor]:
+    """An outcome, or several, as a function of PyTorch.
+
+    The function takes x, shape (parameters,), SI, and returns a tensor without dimensions, or for several outcomes one of shape
+    (outcomes,). Its first and second derivatives are exact; third ones are refused. ``torch.func.vmap`` makes one batched call of it, on
+    all processors. Where there is no drive (no flight, a value outside its range) it is NaN; :func:`longdrive.simulate` says why.
+
+    The flight is integrated by ``flight.method`` and ``flight.step`` of the setup. Numbers have the precision of x: ``torch.float64`` gives
+    all digits.
+
+    Args:
+        setup: a setup, the name of a preset, or a dict.
+        of: the outcome, or several.
+        wrt: the parameters in the order of x; without it loft and attack angle.
+
+    Raises:
+        InputError: for a name that nothing bears; where x has another shape.
+    """
+    point = Pointwise(setup, of, wrt)
+
+    def called(x: torch.Tensor, order: int) -> tuple[torch.Tensor, ...]:
+        found = point(x.detach().cpu().numpy(), order)
+        return tuple(torch.from_numpy(array.copy()).to(x) for array in found)
+
+    def along(matrix: torch.Tensor, vector: torch.Tensor) -> torch.Tensor:
+        return (matrix @ vector.unsqueeze(-1)).squeeze(-1)
+
+    class Curvatures(Function):
+        """Values, Jacobian and Hessians."""
+
+        @staticmethod
+        def forward(x: torch.Tensor) -> tuple[torch.Tensor, ...]:
+            return called(x, 2)
+
+        @staticmethod
+        def setup_context(ctx: Any, inputs: tuple[Any, ...], output: Any) -> None:
+            pass
+
+        @staticmethod
+        def backward(ctx: Any, *along: Any) -> Any:
+            raise InputError("longdrive.torch.outcome has first and second derivatives; third derivatives are not computed")
+
+        @staticmethod
+        def vmap(info: Any, in_dims: tuple[int | None, ...], x: torch.Tensor) -> Any:
+            return batched(Curvatures, info, in_dims, x), (0, 0, 0)
+
+    class Slopes(Function):
+        """Values and Jacobian: the Jacobian is a result of its own, so that it is computed with the values and differentiated again."""
+
+        @staticmethod
+        def forward(x: torch.Tensor) -> tuple[torch.Tensor, ...]:
+            return called(x, 1)
+
+        @staticmethod
+        def setup_context(ctx: Any, inputs: tuple[Any, ...], output: Any) -> None:
+            ctx.set_materialize_grads(False)
+            ctx.save_for_backward(inputs[0], output[1])
+            ctx.save_for_forward(inputs[0], output[1])
+
+        @staticmethod
+        def backward(ctx: Any, of_values: Any, of_jacobian: Any) -> Any:
+            x, jacobian = ctx.saved_tensors
+            found = None
+            if of_values is not None:
+                found = (of_values.unsqueeze(-1) * jacobian).sum(-2)
+            if of_jacobian is not None:
+                hessian = Curvatures.apply(x)[2]
+                more = (of_jacobian.unsqueeze(-1) * hessian).sum((-3, -2))
+                found = more if found is None else found + more
+            return found
+
+        @staticmethod
+        def jvp(ctx: Any, of_x: Any) -> Any:
+            x, jacobian = ctx.saved_tensors
+            hessian = Curvatures.apply(x)[2]
+            return along(jacobian, of_x), along(hessian, of_x.unsqueeze(-2).expand(hessian.shape[:-1]))
+
+        @staticmethod
+        def vmap(info: Any, in_dims: tuple[int | None, ...], x: torch.Tensor) -> Any:
+            return batched(Slopes, info, in_dims, x), (0, 0)
+
+    def batched(function: Any, info: Any, in_dims: tuple[int | None, ...], x: torch.Tensor) -> Any:
+        # one call for all points: every result has their dimensions first
+        at = in_dims[0]
+        return function.apply(x.expand(info.batch_size, *x.shape) if at is None else x.movedim(at, 0))
+
+    def function(x: torch.Tensor) -> torch.Tensor:
+        if not isinstance(x, torch.Tensor):
+            raise InputError(f"x is a {type(x).__name__}; expected a tensor, shape ({len(point.wrt)},)")
+        point.check(tuple(x.shape), "f" if x.is_floating_point() else str(x.dtype))
+        values: torch.Tensor = Slopes.apply(x)[0]
+        return values[0] if point.is_single else values
+
+    function.__doc__ = f"{', '.join(point.of)} of x = ({', '.join(point.wrt)}), SI."
+    return function

@@ -1,0 +1,248 @@
+"""The studies from Python: the program's own, with its options, messages and numbers."""
+
+from __future__ import annotations
+
+import copy
+import json
+import pickle
+import signal
+import subprocess
+import sys
+import threading
+import time
+import warnings
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import longdrive
+
+FOLDER = Path(__file__).parent.parent
+SEARCH = {"vary": {"club.loft": ("4 deg", "20 deg")}, "subject_to": ["descent_angle >= 38 deg"]}
+
+
+def program(*words: str) -> tuple[int, dict[str, object]]:
+    """What the program answers to these words."""
+    done = subprocess.run([sys.executable, "-m", "longdrive", *words, "--json"], capture_output=True, text=True, check=False)
+    return done.returncode, json.loads(done.stdout)
+
+
+def test_functions_are_as_the_commands_say_of_their_options():
+    done = subprocess.run([sys.executable, FOLDER / "make_commands.py", "--check"], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+
+
+def test_exact_optimum_is_the_programs():
+    found = longdrive.optimize("tour-average", **SEARCH)
+    status, said = program("optimize", "tour-average", "--vary", "club.loft=4 deg..20 deg", "--subject-to", "descent_angle >= 38 deg")
+    assert status == 0
+    assert found.reply == said
+    assert (found.fun, dict(zip(found.names, found.x))) == (said["value"], said["optimum"])
+    assert found.success and found.status == 0 and found.ended == "converged"
+    assert found.nit == said["iterations"] and found.nfev == said["evaluations"]
+
+
+def test_differences_of_new_searches_confirm_the_price_of_a_constraint():
+    limit, step = 42.0, 0.01
+    found = longdrive.optimize(subject_to=[f"descent_angle >= {limit} deg"])
+    (price,) = (value for name, value in found.prices.items() if name.startswith("descent_angle"))
+    relaxed, tightened = (longdrive.optimize(subject_to=[f"descent_angle >= {limit + by} deg"]).fun for by in (-step, step))
+    assert abs(price) > 0
+    assert (relaxed - tightened) / (2 * np.radians(step)) == pytest.approx(price, rel=1e-4)
+
+
+def test_differences_confirm_the_hessian_at_an_optimum():
+    found = longdrive.optimize("mae494", vary={"club.loft": (0.1, 0.4)})
+    step = 1e-4
+    at = [longdrive.gradient(found.setup.replace({"club.loft": found.x[0] + by}), wrt="club.loft").gradient[0] for by in (step, -step)]
+    assert found.hess[0, 0] == pytest.approx((at[0] - at[1]) / (2 * step), rel=1e-6)
+    assert abs(found.jac[0]) < 1e-8 * abs(found.hess[0, 0])
+
+
+@pytest.mark.parametrize(
+    ("call", "words"),
+    [
+        (lambda: longdrive.optimize(vary={"club.lofft": (0.1, 0.2)}), ["optimize", "--vary", "club.lofft=0.1..0.2"]),
+        (lambda: longdrive.optimize(maximize="cary"), ["optimize", "--maximize", "cary"]),
+        (lambda: longdrive.optimize(subject_to="apex_height <= 30"), ["optimize", "--subject-to=apex_height <= 30"]),
+        (lambda: longdrive.chart(along="swing.speed=90mph..80mph"), ["chart", "--along=swing.speed=90mph..80mph"]),
+        (lambda: longdrive.calibrate("missing.csv", fit="aero.cd0"), ["calibrate", "missing.csv", "--fit=aero.cd0"]),
+        (lambda: longdrive.uncertainty(samples=-3), ["uncertainty", "--samples=-3"]),
+        (lambda: longdrive.optimize(distribution={"swing.speed": ("normal", 50.0, -1.0)}), ["optimize", "--distribution=swing.speed=normal(50.0 m/s,-1.0 m/s)"]),
+        (lambda: longdrive.plot.trajectory(width=10), ["plot", "trajectory", "-o", "x.svg", "--width=10"]),
+        (lambda: longdrive.reproduce("nobody"), ["reproduce", "nobody"]),
+    ],
+)
+def test_bad_input_gets_the_programs_message(call, words):
+    status, said = program(*words)
+    assert (status, said["status"]) == (2, "error")
+    with pytest.raises(longdrive.InputError) as raised:
+        call()
+    assert str(raised.value) == said["message"]
+
+
+def test_a_question_without_an_answer_is_an_error_with_its_status():
+    with pytest.raises(longdrive.NoAnswerError) as raised:
+        longdrive.sensitivity({"preset": "tour-average", "swing.attack_angle": "-40 deg"})
+    assert raised.value.status == "no-flight"
+
+
+def test_an_infeasible_search_says_so_and_raises_nothing():
+    found = longdrive.optimize(subject_to=["carry >= 500 m"])
+    assert (found.success, found.ended) == (False, "infeasible")
+    assert found.message
+
+
+def test_a_setup_of_ones_own_is_asked_about_to_the_last_digit():
+    setup = longdrive.Setup("tour-average").replace({"swing.speed": 50.123456789012345, "club.loft": 0.1718281828459045})
+    (row,) = longdrive.sensitivity(setup, of="carry").outcomes
+    assert row["value"] == longdrive.gradient(setup, wrt="all").value
+    status, said = program("optimize", "tour-average", "--set=swing.speed=50.123456789012345 m/s", "--set=club.loft=0.1718281828459045 rad")
+    assert (status, longdrive.optimize(setup).reply) == (0, said)
+
+
+def test_a_step_that_was_set_is_kept():
+    setup = longdrive.Setup({"preset": "modern-driver", "flight.method": "rk4", "flight.step": 0.05})
+    found = longdrive.optimize(setup, vary={"club.loft": (0.1, 0.3)})
+    assert found.fun == longdrive.gradient(found.setup, wrt="club.loft").value
+
+
+def test_numbers_pairs_and_texts_say_the_same():
+    texts = longdrive.optimize(vary=["club.loft=0.1 rad..0.3 rad"])
+    numbers = longdrive.optimize(vary={"club.loft": (0.1, 0.3)})
+    assert texts.reply == numbers.reply
+
+
+class Degrees:
+    """A quantity as pint has it."""
+
+    def __init__(self, magnitude: float) -> None:
+        self.magnitude, self.units = magnitude, "degree"
+
+    def to(self, unit: str) -> Degrees:
+        assert unit == "rad"
+        turned = Degrees(np.radians(self.magnitude))
+        turned.units = "radian"
+        return turned
+
+
+def test_quantities_of_pint_are_converted():
+    quantities = longdrive.optimize(vary={"club.loft": (Degrees(4.0), Degrees(20.0))})
+    texts = longdrive.optimize(vary={"club.loft": (float(np.radians(4.0)), float(np.radians(20.0)))})
+    assert quantities.reply == texts.reply
+
+
+SHOTS = {
+    "ball_speed [m/s]": [60.0, 65.0, 70.0, 75.0],
+    "launch_angle [deg]": [10.0, 11.0, 12.0, 13.0],
+    "backspin [rpm]": [2500.0, 2600.0, 2700.0, 2800.0],
+}
+
+
+def flown(cd0: float) -> list[float]:
+    """Carries of these shots, m."""
+    rows = zip(*SHOTS.values())
+    launch = [{"launch.ball_speed": v, "launch.launch_angle": f"{a} deg", "launch.backspin": f"{s} rpm", "launch.sidespin": 0, "launch.launch_direction": 0} for v, a, s in rows]
+    base = {"preset": "modern-driver", "aero.law": "robinson", "aero.cd0": cd0}
+    return [longdrive.simulate({**base, **row})["carry"] for row in launch]
+
+
+def test_exact_coefficient_is_found_again_from_shots_in_a_dict_a_file_and_a_data_frame(tmp_path):
+    shots = {**SHOTS, "carry [m]": flown(0.31)}
+    file = tmp_path / "shots.csv"
+    file.write_text("\n".join([",".join(shots), *(",".join(map(repr, row)) for row in zip(*shots.values()))]), encoding="utf-8")
+    tables: list[object] = [shots, {name: np.array(column) for name, column in shots.items()}, file]
+    pandas = pytest.importorskip("pandas")
+    tables.append(pandas.DataFrame(shots))
+    setup = {"preset": "modern-driver", "aero.law": "robinson"}
+    for table in tables:
+        found = longdrive.calibrate(table, setup, fit="aero.cd0=0.1..0.5")
+        (estimate,) = (row["value"] for name, row in found.estimates.items() if name == "aero.cd0")
+        assert estimate == pytest.approx(0.31, abs=1e-6), type(table)
+
+
+def test_columns_of_different_length_are_named():
+    with pytest.raises(longdrive.InputError, match="its columns have 1 and 2 rows"):
+        longdrive.calibrate({"carry [m]": [1.0], "ball_speed [m/s]": [1.0, 2.0]}, fit="aero.cd0")
+
+
+def test_shots_come_back_row_by_row():
+    said = longdrive.fly({"ball speed [mph]": [160.0, 150.0], "launch angle [deg]": [12.0, 13.0], "spin [rpm]": [2600.0, None]})
+    assert [shot["flight"] for shot in said.shots] == ["landed", "refused"]
+    assert "every launch needs one" in said.shots[1]["reason"]
+
+
+def test_pictures_are_svg_and_are_saved(tmp_path):
+    picture = longdrive.plot.trajectory("tour-average")
+    assert picture.svg.startswith("<svg") and picture._repr_html_() == picture.svg
+    assert picture.save(tmp_path / "drive.svg").read_text(encoding="utf-8") == picture.svg
+    with pytest.raises(ValueError, match="give the plot itself output="):
+        picture.save(tmp_path / "drive.png")
+    image = longdrive.plot.trajectory("tour-average", output=tmp_path / "drive.png")
+    assert image._repr_png_().startswith(b"\x89PNG")
+
+
+def test_warnings_point_at_the_line_that_asked():
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        said = longdrive.chart(along={"swing.speed": ("80 mph", "90 mph")}, vary={"club.loft": (0.1, 0.3)})
+    assert [str(warning.message) for warning in caught] == said.warnings
+    assert said.warnings and {warning.filename for warning in caught} == {__file__}
+    assert {warning.category for warning in caught} == {longdrive.LongdriveWarning}
+
+
+def test_progress_is_told_to_whoever_asks():
+    told: list[tuple[int, int]] = []
+    longdrive.uncertainty(samples=20_000, progress=lambda done, of: told.append((done, of)))
+    assert told and all(0 <= done <= of for done, of in told)
+
+
+def test_answers_pickle_and_copy():
+    found = longdrive.optimize("mae494")
+    for again in (pickle.loads(pickle.dumps(found)), copy.deepcopy(found)):
+        assert type(again) is longdrive.Optimum
+        assert again.reply == found.reply and again.setup == found.setup and (again.x == found.x).all()
+    said = longdrive.sensitivity()
+    assert pickle.loads(pickle.dumps(said)) == said
+    picture = longdrive.plot.trajectory()
+    assert pickle.loads(pickle.dumps(picture)).svg == picture.svg
+
+
+def test_answers_show_themselves_in_notebooks():
+    found = longdrive.optimize("mae494")
+    assert "<table>" in found._repr_html_() and "club.loft" in found._repr_html_()
+    assert "fun" in repr(found) and "kkt_residual" in dir(found)
+    with pytest.raises(AttributeError, match="it has x, names, fun"):
+        found.nothing_of_this_name
+
+
+def test_ctrl_c_ends_a_search_long_before_it_would_end():
+    began = time.monotonic()
+    threading.Timer(0.5, lambda: signal.raise_signal(signal.SIGINT)).start()
+    with pytest.raises(KeyboardInterrupt):
+        # minutes of work
+        longdrive.optimize(
+            distribution={"swing.speed": ("normal", 50.0, 1.5), "swing.path": ("normal", 0.0, 0.04), "strike.toe": ("normal", 0.0, 0.01), "strike.high": ("normal", 0.0, 0.01)},
+            vary={name: low_high for name, low_high in {"club.loft": (0.1, 0.3), "club.bulge_radius": (0.2, 0.6), "club.roll_radius": (0.2, 0.6)}.items()},
+            maximize="mean(carry) - 0.5*std(lateral)",
+            scenarios=100_000,
+        )
+    assert time.monotonic() - began < 10
+    assert longdrive.optimize("mae494").success
+
+
+def test_two_searches_at_once_do_not_disturb_each_other():
+    found: dict[str, float] = {}
+    work = [threading.Thread(target=lambda name=name: found.__setitem__(name, longdrive.optimize(name, starts=4).fun)) for name in ("mae494", "tour-average")]
+    for thread in work:
+        thread.start()
+    for thread in work:
+        thread.join()
+    assert found == {name: longdrive.optimize(name, starts=4).fun for name in found}
+
+
+def test_the_program_is_there_too():
+    done = subprocess.run([sys.executable, "-m", "longdrive", "presets"], capture_output=True, text=True, check=False)
+    assert done.returncode == 0 and "tour-average" in done.stdout
+    assert program("simulate", "--set", "x=1")[0] == 2

@@ -1,0 +1,38 @@
+"""The examples run, and end where the program does."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+EXAMPLES = Path(__file__).parents[1] / "examples"
+NEEDS = {"jax_newton": "jax", "scipy_optimum": "scipy", "torch_ascent": "torch"}
+
+
+def run(name: str) -> str:
+    if name in NEEDS:
+        pytest.importorskip(NEEDS[name])
+    done = subprocess.run([sys.executable, EXAMPLES / f"{name}.py"], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+@pytest.mark.parametrize("name", sorted(path.stem for path in EXAMPLES.glob("*.py")))
+def test_an_example_runs(name: str) -> None:
+    assert run(name)
+
+
+def test_scipy_ends_at_the_programs_optimum() -> None:
+    # README: loft 6.70 deg, attack angle on its bound of 5 deg, carry 275.4 m
+    found = [float(number) for number in re.findall(r"-?\d+\.\d+", run("scipy_optimum"))]
+    assert found == pytest.approx([6.70, 5.00, 275.4], abs=0.05)
+
+
+def test_jax_and_torch_end_at_one_loft() -> None:
+    lofts = [float(number) for number in re.findall(r"\d+\.\d+", run("jax_newton").splitlines()[0])]
+    assert lofts == pytest.approx([lofts[0]] * len(lofts), abs=1e-8)
+    assert float(re.findall(r"\d+\.\d+", run("torch_ascent"))[0]) == pytest.approx(lofts[0], abs=1e-5)

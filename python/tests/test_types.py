@@ -1,0 +1,26 @@
+"""The types: the stub file is what the compiled module has, and the package is typed strictly."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+pytest.importorskip("mypy")
+
+PACKAGE = Path(__file__).parents[1] / "python/longdrive"
+
+
+def run(*arguments: str) -> None:
+    done = subprocess.run([sys.executable, "-m", *arguments], capture_output=True, text=True, check=False, cwd=PACKAGE.parents[1])
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
+def test_exact_the_stub_file_is_what_the_module_has() -> None:
+    run("mypy.stubtest", "longdrive._longdrive")
+
+
+def test_the_package_and_its_tests_pass_a_strict_type_checker() -> None:
+    run("mypy", "--strict", "--python-version", "3.10", str(PACKAGE))

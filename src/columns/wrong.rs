@@ -1,0 +1,36 @@
+use crate::error::Error;
+
+/// Heads of columns that cannot be read: all that have no meaning, or the first with another fault.
+#[derive(Debug)]
+pub(crate) struct WrongColumns {
+    /// Their numbers, from 0.
+    at: Vec<usize>,
+    reason: String,
+}
+
+impl WrongColumns {
+    /// Of the faults of columns, each with the number of its column, from 0; `None` without any.
+    pub(super) fn of(faults: Vec<(usize, Error)>) -> Option<Self> {
+        let mut unknown = vec![];
+        for (at, error) in &faults {
+            if let Error::Unknown { name, suggestion, advice, .. } = error {
+                let near = suggestion.as_ref().map(|near| format!(" (did you mean '{near}'?)")).unwrap_or_default();
+                unknown.push((*at, format!("'{name}'{near}"), advice.clone()));
+            }
+        }
+        if let [_, .., (_, _, advice)] = unknown.as_slice() {
+            let named: Vec<&str> = unknown.iter().map(|(_, named, _)| named.as_str()).collect();
+            let reason = format!("unknown columns {}; {advice}", named.join(", "));
+            return Some(Self { at: unknown.into_iter().map(|(at, ..)| at).collect(), reason });
+        }
+        let (at, error) = faults.into_iter().next()?;
+        Some(Self { at: vec![at], reason: error.to_string() })
+    }
+
+    /// The refusal of the table in this file.
+    pub fn in_file(self, file: &str) -> Error {
+        let numbers: Vec<String> = self.at.iter().map(|at| (at + 1).to_string()).collect();
+        let s = if numbers.len() == 1 { "" } else { "s" };
+        Error::Table { file: file.into(), place: format!(", column{s} {}", numbers.join(", ")), reason: self.reason }
+    }
+}
