@@ -40,7 +40,7 @@ mod _longdrive {
     #[pymodule_export]
     use crate::objective::PyObjective;
     #[pymodule_export]
-    use crate::parts::{merge_parts, sweep_command};
+    use crate::parts::merge_parts;
     #[pymodule_export]
     use crate::setup::PySetup;
 

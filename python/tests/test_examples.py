@@ -10,20 +10,28 @@ from pathlib import Path
 import pytest
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
-NEEDS = {"jax_newton": "jax", "scipy_optimum": "scipy", "torch_ascent": "torch"}
+NEEDS = {
+    "dask_sweep": "distributed",
+    "jax_newton": "jax",
+    "ray_sweep": "ray",
+    "scipy_optimum": "scipy",
+    "spark_sweep": "pyspark",
+    "torch_ascent": "torch",
+}
 
 
-def run(name: str) -> str:
+def run(name: str, *arguments: str) -> str:
     if name in NEEDS:
         pytest.importorskip(NEEDS[name])
-    done = subprocess.run([sys.executable, EXAMPLES / f"{name}.py"], capture_output=True, text=True, check=False)
+    done = subprocess.run([sys.executable, EXAMPLES / f"{name}.py", *arguments], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
     return done.stdout
 
 
 @pytest.mark.parametrize("name", sorted(path.stem for path in EXAMPLES.glob("*.py")))
-def test_an_example_runs(name: str) -> None:
-    assert run(name)
+def test_an_example_runs(name: str, tmp_path: Path) -> None:
+    # a sweep names the folder of its files
+    assert run(name, *([str(tmp_path / "drives")] if name.endswith("_sweep") else []))
 
 
 def test_scipy_ends_at_the_programs_optimum() -> None:

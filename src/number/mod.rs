@@ -10,6 +10,8 @@
 mod bits;
 mod derivatives;
 mod dual;
+#[cfg(feature = "parquet")]
+mod elementary;
 #[cfg(target_arch = "x86_64")]
 mod exponential;
 mod fingerprint;
@@ -31,6 +33,8 @@ mod taylor;
 mod vector;
 
 pub(crate) use derivatives::Derivatives;
+#[cfg(feature = "parquet")]
+pub(crate) use elementary::elementary_functions;
 pub(crate) use fingerprint::Fingerprint;
 pub(crate) use held::{held_above, held_below, risen};
 pub(crate) use inlined::inlined;

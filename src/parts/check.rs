@@ -19,7 +19,7 @@ pub enum FaultKind {
     OtherQuestion,
     /// The same sweep by another version of longdrive.
     OtherVersion,
-    /// The same sweep with other instructions of the processor.
+    /// The same sweep with other instructions of the processor, or another C library.
     OtherInstructions,
     /// A part that is there under its own name too.
     Doubled,
@@ -164,7 +164,12 @@ pub fn check(folder: &Path, wanted: Option<&Question>, contents: bool) -> Result
 fn question(found: &[(String, Footer)], wanted: Option<&Question>) -> Option<Question> {
     let like_wanted = |of: &&Question| {
         wanted.is_none_or(|wanted| {
-            let wanted = Question { parts: of.parts, instructions: of.instructions.clone(), ..wanted.clone() };
+            let wanted = Question {
+                parts: of.parts,
+                instructions: of.instructions.clone(),
+                functions: of.functions.clone(),
+                ..wanted.clone()
+            };
             wanted.difference(of).is_none()
         })
     };
@@ -178,6 +183,7 @@ fn question(found: &[(String, Footer)], wanted: Option<&Question>) -> Option<Que
         found.first().zip(wanted).map(|((_, other), wanted)| Question {
             parts: other.question.parts,
             instructions: other.question.instructions.clone(),
+            functions: other.question.functions.clone(),
             ..wanted.clone()
         })
     };
@@ -191,7 +197,9 @@ fn fault(question: &Question, hash: &str, footer: &Footer) -> Option<(FaultKind,
         let difference = question.difference(theirs).unwrap_or_default();
         let kind = match () {
             () if theirs.version != question.version => FaultKind::OtherVersion,
-            () if theirs.instructions != question.instructions => FaultKind::OtherInstructions,
+            () if (&theirs.instructions, &theirs.functions) != (&question.instructions, &question.functions) => {
+                FaultKind::OtherInstructions
+            }
             () => FaultKind::OtherQuestion,
         };
         return Some((kind, format!("it belongs to another sweep ({difference})")));

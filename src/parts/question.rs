@@ -1,5 +1,6 @@
 use super::hash::Hash;
 use crate::batch::{Batch, Points, Summarized};
+use crate::number::elementary_functions;
 use serde::{Deserialize, Serialize};
 
 /// What makes the files of a sweep different from those of another: the same question gives the same bytes of each part. Numbers are
@@ -22,6 +23,9 @@ pub struct Question {
     pub summary: String,
     /// The processor's architecture and the instructions that are used: `x86_64 avx2`.
     pub instructions: String,
+    /// A fingerprint of the C library's sine, cosine, arctangent, exponential and logarithm: other libraries, and the same on processors for which it
+    /// has other variants, round otherwise.
+    pub functions: String,
     /// Rows of all parts together.
     pub rows: u64,
     /// How many parts there are.
@@ -40,6 +44,7 @@ impl Question {
             largest_defect: format!("{:?}", batch.largest_defect()),
             summary: summarized.identity(),
             instructions: format!("{} {}", std::env::consts::ARCH, batch.instructions()),
+            functions: format!("{:016x}", elementary_functions()),
             rows: points.rows(),
             parts,
         }
@@ -64,6 +69,10 @@ impl Question {
         }
         if self.instructions != other.instructions {
             return Some(named("instructions", &self.instructions, &other.instructions));
+        }
+        if self.functions != other.functions {
+            let what = "C libraries or processors, which round sines and logarithms differently: functions";
+            return Some(named(what, &self.functions, &other.functions));
         }
         if self.parts != other.parts {
             return Some(named("numbers of parts", &self.parts.to_string(), &other.parts.to_string()));

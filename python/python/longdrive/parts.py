@@ -19,7 +19,7 @@ from typing import Any, Union
 
 from . import _longdrive
 from ._longdrive import Setup
-from .errors import Error
+from .errors import Error, InputError
 from .types import Names, SetupLike
 
 __all__ = ["Over", "PartError", "Parts", "Question", "check", "merge", "sweep"]
@@ -128,7 +128,7 @@ class Question:
         """
         options = [*self.options, f"--output={self.output}", f"--part={part}/{self.parts}", f"--threads={self.threads}"]
         try:
-            answer: dict[str, Any] = _longdrive.sweep_command(self.setup, options)
+            answer = _sweep(self.setup, options)
         except Error as error:
             raise PartError(f"part {part} of {self.parts}: {error}", part) from error
         return {name: answer[name] for name in _MANIFEST}
@@ -174,6 +174,17 @@ class Parts:
         return cls(question.output, manifests, merge(manifests))
 
 
+def _sweep(setup: str, options: Sequence[str]) -> dict[str, Any]:
+    """The answer of ``longdrive sweep`` for the text of a setup file; what the program warns of stands in it."""
+    status, answer = _longdrive.command(["sweep", "-", "--json", "--quiet", *options], setup, lambda kind, text: None)
+    if status == 2:
+        raise InputError(answer["message"])
+    if answer["status"] == "interrupted":
+        raise KeyboardInterrupt(answer["message"])
+    found: dict[str, Any] = answer
+    return found
+
+
 def _joined(names: Names) -> str:
     return names if isinstance(names, str) else ",".join(names)
 
@@ -212,8 +223,7 @@ def check(
     setup = ""
     if question is not None:
         setup, options = question.setup, [*question.options, *options]
-    answer: dict[str, Any] = _longdrive.sweep_command(setup or Setup().to_toml(), options)
-    return answer
+    return _sweep(setup or Setup().to_toml(), options)
 
 
 def merge(manifests: Iterable[Mapping[str, Any]]) -> dict[str, Any]:
