@@ -80,16 +80,15 @@ impl Column {
         let is_given = |parameter: &str| is_replaced(setup, parameter);
         let meaning = launch_monitor::meaning_with(name, unit.as_deref());
         let is_of_given_air = matches!(meaning, Some(Meaning::Input(AIR)) if is_given(AIR));
-        let holds =
-            match (name.strip_prefix("sigma ").map(str::trim), meaning) {
-                (None, Some(Meaning::Outcome(outcome))) => Holds::Outcome(outcome),
-                // the weather that a setup has is the air of every row
-                (None, Some(Meaning::Input(parameter))) if is_given(parameter) => Holds::Note,
-                (None, Some(Meaning::Input(parameter))) => Holds::Input(setup.column(parameter)?),
-                (None, None) if is_of_flown(name) => Holds::Written,
-                (None, None) if is_foreign(name, format) => Holds::Note,
-                _ => named(setup, name)?,
-            };
+        let holds = match (name.strip_prefix("sigma ").map(str::trim), meaning) {
+            (None, Some(Meaning::Outcome(outcome))) => Holds::Outcome(outcome),
+            // the weather that a setup has is the air of every row
+            (None, Some(Meaning::Input(parameter))) if is_given(parameter) => Holds::Note,
+            (None, Some(Meaning::Input(parameter))) => Holds::Input(setup.column(parameter)?),
+            (None, None) if is_of_flown(name) => Holds::Written,
+            (None, None) if is_foreign(name, format) => Holds::Note,
+            _ => named(setup, name)?,
+        };
         let mut column = Self { unit, format, is_of_given_air, golfer: setup.golfer, ..Self::of(holds, name) };
         let is_of_an_export = format.is_export && launch_monitor::meaning(name).is_some();
         if is_of_an_export && column.unit.is_none() && column.quantity() == Some(Quantity::ANGLE) {
@@ -173,7 +172,7 @@ impl Column {
     /// Whether its unit is one of what it holds, and stated where it must be.
     pub fn check_unit(&self) -> Result<()> {
         match (&self.unit, self.quantity()) {
-            _ if self.is_unknown() || self.holds == Holds::Written => Ok(()),
+            _ if self.is_unknown() || self.is_of_given_air || self.holds == Holds::Written => Ok(()),
             (None, Some(quantity)) if !quantity.si.is_empty() => {
                 let unit = self.usual_unit();
                 Err(self.unreadable(format!("it has no unit; write it into the head, as in '{} [{unit}]'", self.head)))

@@ -35,8 +35,8 @@ pub(super) fn remarks(columns: &mut [Column], club: Club, spin: Spin) -> Vec<Mes
 /// The columns of an export that have no name here but are near one that has, as the end of a clause: "; near a known head: …".
 pub(crate) fn near_known(columns: &[Column]) -> String {
     let near = columns.iter().filter(|column| column.is_unknown());
-    let near = near
-        .filter_map(|column| Some(format!("'{}' (did you mean '{}'?)", column.head, nearest_head(&column.head)?)));
+    let near =
+        near.filter_map(|column| Some(format!("'{}' (did you mean '{}'?)", column.head, nearest_head(&column.head)?)));
     let near: Vec<String> = near.collect();
     if near.is_empty() { String::new() } else { format!("; near a known head: {}", near.join(", ")) }
 }

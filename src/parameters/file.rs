@@ -1,8 +1,8 @@
 //! Setup files: TOML whose keys are the parameters' dotted names. A string carries its unit, a bare number
 //! is SI; every mistake is reported with its line and column.
 
-use super::declare::{Parameter, UNSET};
 use super::club_speed::{SPEED_OF, SpeedOf};
+use super::declare::{Parameter, UNSET};
 use super::golfer::{GOLFER, Golfer};
 use super::law_table::{TABLE, TABLE_LAW};
 use super::method::{METHOD, Method};

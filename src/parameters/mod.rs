@@ -21,10 +21,10 @@ mod weights;
 
 pub use air::Ways;
 pub(crate) use air::{given_otherwise, refuse_replaced};
+pub use club_speed::{SPEED_OF, SpeedOf};
 pub use declare::{Kind, Parameter, UNSET};
 pub use file::SetupFile;
 pub(crate) use file::{in_file, place_in};
-pub use club_speed::{SPEED_OF, SpeedOf};
 pub use golfer::{GOLFER, Golfer};
 pub(crate) use law_table::Grid;
 pub use law_table::{Along, Axis, LawTable, TABLE, TABLE_LAW};

@@ -3,8 +3,8 @@
 //! documentation; the type is `T`, `Option<T>` for a parameter that may be unset, or `f64` for a setting of the
 //! computation. The defaults are the preset `modern-driver`; ranges are what is physically possible.
 
-use super::declare::{Kind, Parameter, Slot};
 use super::club_speed::SpeedOf;
+use super::declare::{Kind, Parameter, Slot};
 use super::golfer::Golfer;
 use super::law_table::{LawTable, TABLE_LAW};
 use super::method::Method;

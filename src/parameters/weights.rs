@@ -47,7 +47,8 @@ impl Setup<f64> {
         let weights = ["club.weight_1.", "club.weight_2."].into_iter();
         let told = weights.filter_map(|weight| {
             let of_it: Vec<_> = set.iter().filter_map(|row| row.name.strip_prefix(weight)).collect();
-            let places: Vec<_> = of_it.iter().filter(|name| **name != MASS).map(|name| format!("{weight}{name}")).collect();
+            let places: Vec<_> =
+                of_it.iter().filter(|name| **name != MASS).map(|name| format!("{weight}{name}")).collect();
             let mass = format!("{weight}{MASS}");
             let is_zero = self.parameter(&mass).ok().and_then(|row| self.value(row)).map(|mass| mass == 0.0);
             let (why, advice) = match is_zero {

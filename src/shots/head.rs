@@ -7,8 +7,8 @@ use super::maker::maker;
 use super::shot::{Club as ClubOfShot, Further, LAUNCH, Origin};
 use super::table::Table;
 use crate::columns::{
-    Club, Column, Format, Head, Holds, Spin, given_air, is_export, near_known, nearest_head, separated, split_unit, unstated,
-    words,
+    Club, Column, Format, Head, Holds, Spin, given_air, is_export, near_known, nearest_head, separated, split_unit,
+    unstated, words,
 };
 use crate::drive::Outcome;
 use crate::error::{Error, Result};

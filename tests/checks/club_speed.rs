@@ -121,7 +121,8 @@ fn exact_both_points_are_one_where_the_head_does_not_turn() {
     let mut setup = turning();
     (setup.swing.closure_x, setup.swing.closure_y, setup.swing.closure_z) = (0.0, 0.0, 0.0);
     let [one, other] = SpeedOf::ALL else { panic!("two points") };
-    let carries = [*one, *other].map(|speed_of| Drive::new(&Setup { speed_of, ..setup }).unwrap().landed().unwrap().carry);
+    let carries =
+        [*one, *other].map(|speed_of| Drive::new(&Setup { speed_of, ..setup }).unwrap().landed().unwrap().carry);
     assert_eq!(carries[0].to_bits(), carries[1].to_bits());
 }
 

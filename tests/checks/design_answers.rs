@@ -119,7 +119,10 @@ fn a_variable_without_an_effect_is_named() {
 #[test]
 fn what_makes_no_design_is_refused_in_plain_words() {
     let cases: [(&[&str], &str); 11] = [
-        (&["--distribution=club.inertia.xx=uniform(5000 g cm^2,6001 g cm^2)"], "the swings reach head_moi = 6001 g cm^2"),
+        (
+            &["--distribution=club.inertia.xx=uniform(5000 g cm^2,6001 g cm^2)"],
+            "the swings reach head_moi = 6001 g cm^2",
+        ),
         (&["--distribution=ball.mass=uniform(45 g,45.931 g)"], "the swings reach ball.mass = 45.931 g"),
         (&["--subject-to=volume: 2*club.mass <= 600 g"], "which is about a volume, and this is a mass"),
         (&["--subject-to=volume: 120 cm^3 + 80 cm^2*club.cg_depth >= 400 cm^3"], "its upper limit is missing"),

@@ -215,7 +215,8 @@ fn rules_and_numbers_of_design_md_are_the_programs() {
 #[test]
 fn numbers_of_the_robust_example_of_swings_md_are_the_programs() {
     let text = document("docs/swings.md");
-    let command = text.lines().find(|line| line.starts_with("longdrive robust modern-driver")).unwrap().replace('"', "");
+    let command =
+        text.lines().find(|line| line.starts_with("longdrive robust modern-driver")).unwrap().replace('"', "");
     let words: Vec<&str> = command.split_whitespace().skip(1).collect();
     let (status, found) = crate::command_line::json(&words);
     assert_eq!((status, &found["holds_for_all"]), (0, &false.into()));

@@ -220,8 +220,8 @@ fn exact_every_law_has_drag_at_every_spin_ratio_and_reynolds_number() {
 /// Within the measured spin ratios the law is its printed polynomials, to the last bit; from 0.95 on it is what they are at 0.85.
 #[test]
 fn exact_ferguson_is_its_polynomials_where_they_were_fitted() {
-    let drag = |s: f64| (-0.8259_f64).mul_add(s, 0.9287).mul_add(s, 0.1304);
-    let lift = |s: f64| (-1.1490_f64).mul_add(s, 1.2031).mul_add(s, 0.0504);
+    let drag = |s: f64| (-0.8259 * s + 0.9287) * s + 0.1304;
+    let lift = |s: f64| (-1.1490 * s + 1.2031) * s + 0.0504;
     for s in (0..=7300).map(|k| 0.02 + f64::from(k) * 1e-4) {
         let c: Coefficients<f64> = at("ferguson", [s, 1.5e5, 50.0]);
         assert_eq!((c.drag.to_bits(), c.lift.to_bits()), (drag(s).to_bits(), lift(s).to_bits()), "s = {s}");
@@ -342,7 +342,9 @@ fn exact_curves_and_points_of_a_plot_of_laws() {
         assert!((found.drag - drag).abs() < 1e-12, "{reynolds}: {drag}");
     }
     assert!(answer["note"].as_str().unwrap().starts_with("Solid within what a law was fitted to"), "{answer}");
-    let dots = |rows: &[(String, String, f64, f64)]| rows.iter().filter(|row| row.0 == "dots").map(|row| [row.2, row.3]).collect::<Vec<_>>();
+    let dots = |rows: &[(String, String, f64, f64)]| {
+        rows.iter().filter(|row| row.0 == "dots").map(|row| [row.2, row.3]).collect::<Vec<_>>()
+    };
     let table = cells_of_lyu();
     let drags: Vec<_> = table.iter().filter_map(|[re, _, drag, _]| Some([(*re)?, (*drag)?])).collect();
     assert_eq!(dots(&rows), drags);

@@ -277,7 +277,12 @@ fn tables_without_a_launch_name_the_nearest_head() {
         assert!(error.contains(says), "no '{says}' in {error}");
     }
     let error = read("swing.sped [mph],club.lft [deg],carry [yd]\n100,10,200\n").err().unwrap().to_string();
-    assert!(error.contains("unknown columns 'swing.sped' (did you mean 'swing.speed'?), 'club.lft' (did you mean 'club.loft'?)"), "{error}");
+    assert!(
+        error.contains(
+            "unknown columns 'swing.sped' (did you mean 'swing.speed'?), 'club.lft' (did you mean 'club.loft'?)"
+        ),
+        "{error}"
+    );
     // columns that are not used are told, with the head that may have been meant
     let text = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Carri [yds]\n160,12,2500,262\n";
     let (shots, ..) = flown(text.as_bytes());

@@ -111,7 +111,8 @@ pub fn trajectory_figure(flown: &[Flown], view: View, system: System) -> Result<
         let (hue, is_dashed) = style(name, i);
         lines.push(Layer::Line { name: name.clone(), hue, is_dashed, points: points.clone() });
     }
-    for (i, (Flown { name, .. }, points)) in flown.iter().zip(&runs).enumerate().filter(|(_, (_, run))| !run.is_empty()) {
+    for (i, (Flown { name, .. }, points)) in flown.iter().zip(&runs).enumerate().filter(|(_, (_, run))| !run.is_empty())
+    {
         let (hue, is_dashed) = style(name, i);
         let name = if name.is_empty() { "run".into() } else { format!("run ({name})") };
         lines.push(Layer::Line { name, hue, is_dashed, points: points.clone() });

@@ -184,8 +184,9 @@ pub(super) fn verdicts(rows: &[Row]) -> Markup {
 /// Every number of the setup, with its source.
 pub(super) fn setup(findings: &Findings<'_>) -> Result<Markup> {
     let is_launched = findings.setup.launch.is_given();
-    let is_of_strike =
-        |name: &str| [GOLFER, SPEED_OF].contains(&name) || findings.setup.parameter(name).is_ok_and(Parameter::is_of_strike);
+    let is_of_strike = |name: &str| {
+        [GOLFER, SPEED_OF].contains(&name) || findings.setup.parameter(name).is_ok_and(Parameter::is_of_strike)
+    };
     let is_used = |name: &str| !(is_launched && is_of_strike(name));
     let (flown, stated) = (findings.setup, findings.stated);
     let is_chosen = |name: &str| match name {

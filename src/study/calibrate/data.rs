@@ -2,8 +2,8 @@ use super::reading::{Reading, Row};
 use super::shot::Shot;
 use super::statistics::Uncertainties;
 use crate::columns::{
-    Club, Column, Head, Holds, Marks, Spin, air_as_given, air_of_rows, air_of_setup, decoded, separated, summary,
-    near_known, unstated,
+    Club, Column, Head, Holds, Marks, Spin, air_as_given, air_of_rows, air_of_setup, decoded, near_known, separated,
+    summary, unstated,
 };
 use crate::error::{Error, Result};
 use crate::foreign::of_io;
