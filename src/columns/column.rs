@@ -1,6 +1,5 @@
 //! What the head of a table says of a column.
 
-use super::air::AIR;
 use super::heads::Meaning;
 use super::launch_monitor::{self, without_side};
 use crate::drive::Outcome;
@@ -65,6 +64,8 @@ const STATUS: &str = "status";
 const OF_FLOWN: [&str; 4] = ["Line", "Flight", "Reason", "Notes"];
 /// What stands before an outcome there.
 const FLOWN: [&str; 2] = ["Predicted ", "Residual "];
+/// The parameter of the air that launch monitors state.
+pub(super) const AIR: &str = "air.density";
 /// The group of the launch conditions.
 const LAUNCH: &str = "launch.";
 
