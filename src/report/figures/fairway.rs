@@ -103,7 +103,7 @@ fn spread(landings: &[Landing], system: System) -> Option<String> {
     let sigma = |sigma: &crate::study::Sigma| {
         let measure = Measure::parameter(sigma.parameter);
         let unit = system.unit(measure.unit);
-        let amount = significant(measure.in_units(sigma.value, system), 3);
+        let amount = significant(sigma.value / measure.unit_size(system), 3);
         format!("{} ± {}", measure.label, with_unit(&amount, unit))
     };
     let sigmas: Vec<String> = landing.sigmas.iter().map(sigma).collect();

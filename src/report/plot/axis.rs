@@ -35,9 +35,9 @@ impl Measure {
         Self::new(words(parameter.name), parameter.quantity, parameter.unit)
     }
 
-    /// An SI value in the unit of a system.
-    pub fn in_units(&self, value: f64, system: System) -> f64 {
-        value / self.quantity.size_of(system.unit(self.unit)).unwrap_or(1.0)
+    /// How many SI units the unit of a system is: what SI values are divided by. Reading a unit takes much longer than dividing by it.
+    pub fn unit_size(&self, system: System) -> f64 {
+        self.quantity.size_of(system.unit(self.unit)).unwrap_or(1.0)
     }
 
     /// An SI value in the unit of a system with the digits of a launch monitor: "251.1 yd".

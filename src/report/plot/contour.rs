@@ -49,7 +49,8 @@ impl Field {
 
 /// The grounds of a field, the lowest first: each covers a part of the one before.
 pub(super) fn grounds(field: &Field, system: System) -> Vec<Ground> {
-    let known = field.values.iter().flatten().chain(&field.beside).map(|value| field.measure.in_units(*value, system));
+    let unit = field.measure.unit_size(system);
+    let known = field.values.iter().flatten().chain(&field.beside).map(|value| value / unit);
     let mut known: Vec<f64> = known.filter(|value| value.is_finite()).collect();
     known.sort_by(f64::total_cmp);
     let (columns, rows) = (field.columns, field.rows());
@@ -58,7 +59,7 @@ pub(super) fn grounds(field: &Field, system: System) -> Vec<Ground> {
         return vec![];
     }
     let levels = levels(&known);
-    let values: Vec<f64> = continued(field).iter().map(|value| field.measure.in_units(*value, system)).collect();
+    let values: Vec<f64> = continued(field).iter().map(|value| value / unit).collect();
     // the lowest ground is everything
     let all = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]
         .map(|[x, y]: [f64; 2]| field.place(x * (columns - 1) as f64, y * (rows - 1) as f64));

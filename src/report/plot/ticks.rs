@@ -11,6 +11,8 @@ use std::ops::Range;
 pub(super) struct Drawn {
     axis: Axis,
     system: System,
+    /// The unit that the axis is in, SI.
+    unit: f64,
     pub low: f64,
     pub high: f64,
     pub ticks: Vec<f64>,
@@ -21,7 +23,8 @@ pub(super) struct Drawn {
 impl Drawn {
     /// An axis around these SI values, with about `count` ticks. `None` where nothing of them has a place on it.
     pub fn new(axis: &Axis, values: impl Iterator<Item = f64>, system: System, count: usize) -> Option<Self> {
-        let mut drawn = Self { axis: axis.clone(), system, low: 0.0, high: 1.0, ticks: vec![], decimals: 0 };
+        let unit = axis.measure.unit_size(system);
+        let mut drawn = Self { axis: axis.clone(), system, unit, low: 0.0, high: 1.0, ticks: vec![], decimals: 0 };
         if let Scale::Names(names) = &axis.scale {
             // the first on top; the names are written with the bars
             (drawn.low, drawn.high) = (names.len() as f64 - 0.5, -0.5);
@@ -74,8 +77,8 @@ impl Drawn {
     pub fn place(&self, value: f64) -> Option<f64> {
         let place = match self.axis.scale {
             Scale::Names(_) => value,
-            Scale::Linear | Scale::LeftRight => self.axis.measure.in_units(value, self.system),
-            Scale::Log => self.axis.measure.in_units(value, self.system).log10(),
+            Scale::Linear | Scale::LeftRight => value / self.unit,
+            Scale::Log => (value / self.unit).log10(),
         };
         place.is_finite().then_some(place)
     }
