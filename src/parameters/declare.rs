@@ -220,8 +220,12 @@ macro_rules! parameter_groups {
         impl Default for Setup<f64> {
             /// The preset `modern-driver`.
             fn default() -> Self {
-                let (law, method, golfer) = (Law::default(), Method::default(), Golfer::default());
-                Self { $( $group: $Group::defaults(), )+ law, method, golfer }
+                // the table's texts are read once: with their units that takes longer than a drive
+                static READ: std::sync::LazyLock<Setup<f64>> = std::sync::LazyLock::new(|| {
+                    let (law, method, golfer) = (Law::default(), Method::default(), Golfer::default());
+                    Setup { $( $group: $Group::defaults(), )+ law, method, golfer }
+                });
+                *READ
             }
         }
 
