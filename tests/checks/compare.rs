@@ -5,6 +5,7 @@ use crate::common::{close, random_setups};
 use longdrive::parameters::Method;
 use longdrive::study::{Comparison, Difference, Shares};
 use longdrive::{Drive, Outcome, Setup};
+use rayon::prelude::*;
 
 fn changed(from: &Setup<f64>, settings: &[(&str, &str)]) -> Setup<f64> {
     let mut setup = *from;
@@ -37,10 +38,9 @@ fn exact_shares_of_random_drives_add_up_and_change_sign_on_the_way_back() {
         .map(|setup| changed(&setup, &[("flight.method", "dp8"), ("flight.step", "50 ms")]))
         .filter(flies)
         .collect();
-    let mut compared = 0;
-    for pair in setups.windows(2) {
+    let is_compared = |pair: &[Setup<f64>]| {
         // a drive between two random ones may not fly
-        let Ok(there) = Comparison::new(&pair[0], &pair[1]).unwrap().of(Outcome::Carry) else { continue };
+        let Ok(there) = Comparison::new(&pair[0], &pair[1]).unwrap().of(Outcome::Carry) else { return false };
         let back = difference(&pair[1], &pair[0], Outcome::Carry);
         let splits =
             [&there, &back].map(|found| [Some(&found.by_parameter), found.by_launch.as_ref()].map(Option::unwrap));
@@ -67,8 +67,9 @@ fn exact_shares_of_random_drives_add_up_and_change_sign_on_the_way_back() {
             }
         }
         close(there.amount(), carry(&pair[1]) - carry(&pair[0]), 100.0, 1e-6, "difference");
-        compared += 1;
-    }
+        true
+    };
+    let compared = setups.par_windows(2).filter(|pair| is_compared(pair)).count();
     assert!(compared >= 5, "{compared} pairs");
 }
 
