@@ -46,7 +46,7 @@ def sweep(spark: SparkSession, setup: SetupLike = None, **question: Any) -> Part
     """Computes all parts on a cluster of Spark, which tries a part again as often as ``spark.task.maxFailures`` says.
 
     Args:
-        spark: the session. Every executor has longdrive and pyarrow, and sees the folder `output` under its name.
+        spark: the session. Every executor has longdrive, pandas and pyarrow, and sees the folder `output` under its name.
         setup: a setup, the name of a preset, or a dict.
         question: as :meth:`longdrive.parts.Question.of`: `output`, `parts`, `over` or `sample`, `outcomes`, `wrt`, `instructions`, …
 
@@ -54,9 +54,11 @@ def sweep(spark: SparkSession, setup: SetupLike = None, **question: Any) -> Part
         PartError: for a part that could not be written.
     """
     try:
+        import pandas  # noqa: F401
+        import pyarrow  # noqa: F401
         from pyspark.errors import PySparkException
     except ImportError as error:
-        raise ImportError("longdrive.spark needs Spark and Arrow: pip install pyspark pyarrow") from error
+        raise ImportError("longdrive.spark needs Spark, pandas and Arrow: pip install pyspark pandas pyarrow") from error
     from py4j.protocol import Py4JError
 
     asked = Question.of(setup, **question)
