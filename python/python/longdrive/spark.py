@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, Any
 
 from .parts import PartError, Parts, Question
@@ -18,13 +18,13 @@ __all__ = ["manifests", "sweep"]
 _COLUMNS = "part long, file string, rows long, bytes long, sha256 string, manifest string"
 
 
-def _writer(asked: Question) -> Callable[[Iterator[pyarrow.RecordBatch]], Iterator[pyarrow.RecordBatch]]:
-    def write(batches: Iterator[pyarrow.RecordBatch]) -> Iterator[pyarrow.RecordBatch]:
+def _writer(asked: Question) -> Callable[[Iterable[pyarrow.RecordBatch]], Iterable[pyarrow.RecordBatch]]:
+    def write(batches: Iterable[pyarrow.RecordBatch]) -> Iterable[pyarrow.RecordBatch]:
         import pyarrow
 
         for batch in batches:
             for part in batch.column(0).to_pylist():
-                row = asked.write(part)
+                row = asked.write(int(part))
                 of_row = {name: [row[name]] for name in ("part", "file", "rows", "bytes", "sha256")}
                 yield pyarrow.RecordBatch.from_pydict({**of_row, "manifest": [json.dumps(row)]})
 
