@@ -15,10 +15,11 @@ from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wai
 from concurrent.futures.process import BrokenProcessPool
 from dataclasses import dataclass, field
 from multiprocessing import get_context
+from pathlib import Path
 from typing import Any, Union
 
 from . import _longdrive
-from ._longdrive import Setup
+from ._ask import Question as Words
 from .errors import Error, InputError
 from .types import Names, SetupLike
 
@@ -45,10 +46,10 @@ class PartError(Error, RuntimeError):
 class Question:
     """A sweep that is divided into parts; it pickles, and any process may write any of its parts."""
 
+    words: tuple[str, ...]
+    """The command line of ``longdrive sweep``, without folder and part."""
     setup: str
-    """The setup, as the text of a setup file."""
-    options: tuple[str, ...]
-    """The options of ``longdrive sweep``."""
+    """The setup, as the text of a setup file, where it is no preset."""
     output: str
     """The folder that every worker writes into."""
     parts: int
@@ -98,27 +99,21 @@ class Question:
             own_step: whether ``flight.method`` and ``flight.step`` of the setup are kept.
             threads: threads that compute a part; a worker that computes several parts at a time has one for each.
         """
-        options: list[str] = []
-        for text in _ranges(setup, over):
-            options.append(f"--over={text}")
-        if sample is not None:
-            options += [f"--sample={sample}", f"--seed={seed}"]
-        if points is not None:
-            options.append(f"--points={os.fspath(points)}")
-        options.append(f"--outcomes={_joined(outcomes)}")
-        if wrt:
-            options.append(f"--wrt={_joined(wrt)}")
-        options += [f"--histogram={name}={bins}" for name, bins in (histogram or {}).items()]
-        options += [f"--highest={name}:{rows}" for name, rows in (highest or {}).items()]
-        options += [f"--lowest={name}:{rows}" for name, rows in (lowest or {}).items()]
-        if instructions is not None:
-            options.append(f"--instructions={instructions}")
-        if tolerance is not None:
-            options.append(f"--tolerance={tolerance}")
-        if own_step:
-            options.append("--own-step")
-        made = setup if isinstance(setup, Setup) else Setup(setup)
-        return cls(made.to_toml(), tuple(options), os.fspath(output), parts, threads)
+        asked = Words("sweep", Path())
+        asked.take_setup(setup)
+        asked.option("over", over or None, "several", "NAME=LOW..HIGH:COUNT")
+        asked.option("sample", sample, "one", "N")
+        asked.option("seed", None if sample is None else seed, "one", "SEED")
+        asked.option("points", None if points is None else os.fspath(points), "one", "FILE")
+        asked.option("outcomes", _joined(outcomes), "one", "OUTCOME,…")
+        asked.option("wrt", _joined(wrt) or None, "one", "NAME,…")
+        asked.option("histogram", histogram, "several", "OUTCOME=LOW..HIGH:COUNT")
+        asked.option("highest", [f"{name}:{rows}" for name, rows in (highest or {}).items()], "several", "OUTCOME:ROWS")
+        asked.option("lowest", [f"{name}:{rows}" for name, rows in (lowest or {}).items()], "several", "OUTCOME:ROWS")
+        asked.option("instructions", instructions, "one", "LEVEL")
+        asked.option("tolerance", tolerance, "one", "LENGTH")
+        asked.option("own_step", own_step, "nothing", "OWN_STEP")
+        return cls(tuple(asked.words), asked.text, os.fspath(output), parts, threads)
 
     def write(self, part: int) -> dict[str, Any]:
         """Writes a part, from 1, unless it is there already; its manifest row.
@@ -126,14 +121,70 @@ class Question:
         Raises:
             PartError: with why it could not be written.
         """
-        options = [*self.options, f"--output={self.output}", f"--part={part}/{self.parts}", f"--threads={self.threads}"]
+        words = [*self.words, f"--output={self.output}", f"--part={part}/{self.parts}", f"--threads={self.threads}"]
         try:
-            answer = _sweep(self.setup, options)
+            answer = _sweep(words, self.setup)
         except Error as error:
             raise PartError(f"part {part} of {self.parts}: {error}", part) from error
         return {name: answer[name] for name in _MANIFEST}
 
     def check(self, *, contents: bool = False) -> dict[str, Any]:
+        """Looks whether the folder has every part of this sweep and nothing else, as :func:`check` does."""
+        return check(self.output, contents=contents, question=self)
+
+
+_MANIFEST = (
+    "file", "bytes", "sha256", "part", "parts", "first_row", "rows", "question", "instructions", "data", "statuses",
+    "beyond", "moments", "histograms", "best",
+)  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Parts:
+    """A complete set of parts."""
+
+    output: str
+    """The folder."""
+    manifests: list[dict[str, Any]] = field(repr=False)
+    """A row for each part, in their order: its file with SHA-256, its rows, and what they are like."""
+    summary: dict[str, Any] = field(repr=False)
+    """What all rows are like: ``statuses``, ``moments``, ``histograms``, ``best``."""
+
+    @property
+    def rows(self) -> int:
+        """Rows of all parts."""
+        return sum(row["rows"] for row in self.manifests)
+
+    @classmethod
+    def of(cls, question: Question, rows: Iterable[dict[str, Any]]) -> Parts:
+        """The set, of the manifest rows of all its parts.
+
+        Raises:
+            Error: where a part is missing, or a file of the folder is not what it should be.
+        """
+        manifests = sorted(rows, key=lambda row: int(row["part"]))
+        found = question.check()
+        if found["status"] != "done":
+            raise Error(f"{question.output}: {found['message']}")
+        return cls(question.output, manifests, merge(manifests))
+
+
+def _sweep(words: list[str], setup: str) -> dict[str, Any]:
+    """The answer of ``longdrive sweep``; what the program warns of stands in it."""
+    status, answer = _longdrive.command([*words, "--quiet"], setup, lambda kind, text: None)
+    if status == 2:
+        raise InputError(answer["message"])
+    if answer["status"] == "interrupted":
+        raise KeyboardInterrupt(answer["message"])
+    found: dict[str, Any] = answer
+    return found
+
+
+def _joined(names: Names) -> str:
+    return names if isinstance(names, str) else ",".join(names)
+
+
+def check(self, *, contents: bool = False) -> dict[str, Any]:
         """Looks whether the folder has every part of this sweep and nothing else, as :func:`check` does."""
         return check(self.output, contents=contents, question=self)
 
@@ -220,10 +271,9 @@ def check(
         question: the sweep that the parts are to be of.
     """
     options = [f"--check={os.fspath(output)}"] + (["--hash"] if contents else [])
-    setup = ""
-    if question is not None:
-        setup, options = question.setup, [*question.options, *options]
-    return _sweep(setup or Setup().to_toml(), options)
+    if question is None:
+        return _sweep(["sweep", "--json", *options], "")
+    return _sweep([*question.words, *options], question.setup)
 
 
 def merge(manifests: Iterable[Mapping[str, Any]]) -> dict[str, Any]:
