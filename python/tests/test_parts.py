@@ -63,7 +63,8 @@ def test_exact_set_of_the_program_is_that_of_python(
     setup = tmp_path / "setup.toml"
     setup.write_text(asked.setup)
     for part in (3, 1, 4, 2):
-        program("sweep", str(setup), *asked.options, f"--output={asked.output}", f"--part={part}/{asked.parts}")
+        words = [str(setup) if word == "-" else word for word in asked.words]
+        program(*words, f"--output={asked.output}", f"--part={part}/{asked.parts}")
     assert sha256_of_the_set(Path(asked.output)) == sha256_of_the_set(folder)
 
 
@@ -101,5 +102,5 @@ def test_a_missing_part_is_named_and_other_questions_are_refused(tmp_path: Path)
 
 def test_numbers_are_si_and_texts_carry_their_unit() -> None:
     asked = Question.of(over={"swing.speed": (40.0, "50 m/s", 3), "aero.cd0": (0.2, 0.3)}, output="a", parts=1)
-    assert asked.options[:2] == ("--over=swing.speed=40.0 m/s..50 m/s:3", "--over=aero.cd0=0.2..0.3")
+    assert asked.words[3:5] == ("--over=swing.speed=40.0 m/s..50 m/s:3", "--over=aero.cd0=0.2..0.3")
     assert pickle.loads(pickle.dumps(asked)) == asked
