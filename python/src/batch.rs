@@ -11,6 +11,7 @@ use longdrive::Outcome;
 use longdrive::batch::{Batch, Block, CHUNK, Points, Run, Status, Tally};
 use longdrive::drive::Looked;
 use longdrive::parameters::Parameter;
+use longdrive::parameters::Vary;
 use longdrive::units::{System, ratio};
 use numpy::ndarray::{Array2, Array4};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArray4};
@@ -153,7 +154,7 @@ type Found<'py> = (
 
 /// The drives at the points of arrays; see :func:`longdrive.batch`.
 #[pyfunction]
-#[pyo3(signature = (setup, points, of, wrt, tolerance, own_step, threads, progress, first_row, hessians))]
+#[pyo3(signature = (setup, points, of, wrt, tolerance, own_step, threads, progress, first_row, hessians, ranges = None))]
 #[expect(clippy::too_many_arguments, reason = "it is called by longdrive.batch alone, with all of them")]
 pub fn batch<'py>(
     py: Python<'py>,
@@ -167,6 +168,7 @@ pub fn batch<'py>(
     progress: Option<&Bound<'py, PyAny>>,
     first_row: usize,
     hessians: bool,
+    ranges: Option<Vec<(String, f64, f64)>>,
 ) -> PyResult<Found<'py>> {
     answer(|| {
         let setup = PySetup::of(setup)?;
@@ -195,7 +197,11 @@ pub fn batch<'py>(
         });
         let points = points_of(py, &arrays, first_row, rows);
 
-        let (ranges, shape) = (arrays.ranges(), (of.len(), wrt.len()));
+        let ranges = match ranges {
+            None => arrays.ranges(),
+            Some(given) => given_ranges(&setup, &given)?,
+        };
+        let shape = (of.len(), wrt.len());
         let units = units(&arrays, &of, &wrt);
         let names = (of.iter().map(|of| of.name()).collect(), wrt.iter().map(|row| row.name).collect(), given);
         let to = Arc::clone(&shared);
@@ -241,6 +247,14 @@ pub fn batch<'py>(
         let (status, columns, seconds) = moved(py, results, width, shape, hessians)?;
         Ok((status, columns, seconds, points?, of, wrt, given, units, warnings, raised))
     })
+}
+
+/// The ranges that a sweep chooses its step for: those that were asked for, which the points need not reach.
+fn given_ranges(setup: &PySetup, given: &[(String, f64, f64)]) -> Answer<Vec<Vary>> {
+    let range = |(name, low, high): &(String, f64, f64)| {
+        Ok(Vary { parameter: setup.setup.column(name)?, low: *low, high: *high })
+    };
+    given.iter().map(range).collect()
 }
 
 /// The parameters of a derivative: those of the points where it is asked for by all of them.

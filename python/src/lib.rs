@@ -14,6 +14,7 @@ mod json;
 mod names;
 mod objective;
 mod parts;
+mod plan;
 mod pool;
 mod setup;
 mod step;
@@ -41,6 +42,8 @@ mod _longdrive {
     use crate::objective::PyObjective;
     #[pymodule_export]
     use crate::parts::merge_parts;
+    #[pymodule_export]
+    use crate::plan::plan;
     #[pymodule_export]
     use crate::setup::PySetup;
 

@@ -142,10 +142,18 @@ impl PySetup {
         [PRESET, GOLFER, LAW, METHOD].into_iter().chain(table).chain(used.map(|row| row.name)).collect()
     }
 
+    /// What tells the user's own table of drag and lift from others: setup files name the file alone.
+    fn table(&self) -> Option<String> {
+        self.setup.law.table().map(|table| format!("{table:?}"))
+    }
+
     fn toml(&self) -> Answer<String> {
         Ok(setup_toml(&self.setup, self.preset, &[], &[])?)
     }
 }
+
+/// What a pickled setup is made of: its text, whether it says how to integrate, and what its table contained.
+type State = (String, bool, Option<String>);
 
 fn is_of_step(name: &str) -> bool {
     matches!(name, METHOD | "flight.step")
@@ -191,8 +199,17 @@ impl PySetup {
     }
 
     #[staticmethod]
-    fn _from_state(toml: &str, gives_step: bool) -> PyResult<Self> {
-        answer(|| Ok(Self { gives_step, ..Self::of_file(SetupFile::read(toml, "a pickled setup")?)? }))
+    fn _from_state(toml: &str, gives_step: bool, table: Option<&str>) -> PyResult<Self> {
+        answer(|| {
+            let read = Self { gives_step, ..Self::of_file(SetupFile::read(toml, "a pickled setup")?)? };
+            if read.table().as_deref() == table {
+                return Ok(read);
+            }
+            let file = read.setup.law.table().map_or("", |table| table.file());
+            Err(Failure::Input(format!(
+                "the table of drag and lift '{file}' is not what it was when the setup was pickled; make the setup anew"
+            )))
+        })
     }
 
     /// Another setup, with other values of some parameters.
@@ -325,8 +342,11 @@ impl PySetup {
         })
     }
 
-    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, (String, bool))> {
-        answer(|| Ok((py.get_type::<Self>().getattr("_from_state")?, (self.toml()?, self.gives_step))))
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, State)> {
+        answer(|| {
+            let made = py.get_type::<Self>().getattr("_from_state")?;
+            Ok((made, (self.toml()?, self.gives_step, self.table())))
+        })
     }
 
     fn __copy__(slf: Py<Self>) -> Py<Self> {

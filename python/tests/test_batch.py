@@ -10,6 +10,8 @@ import multiprocessing
 import os
 import pickle
 import signal
+import subprocess
+import sys
 import threading
 import time
 from collections.abc import Callable
@@ -340,3 +342,17 @@ def test_exact_processes_of_every_kind_compute_the_same(method: str, table: Tabl
         stop.set()
         thread.join()
     assert all(other == bits(table) for other in found)
+
+
+@pytest.mark.skipif(not hasattr(os, "sched_setaffinity"), reason="asks Linux for one processor")
+def test_exact_no_more_threads_than_processors_that_the_process_may_use() -> None:
+    code = """
+import os
+os.sched_setaffinity(0, {min(os.sched_getaffinity(0))})
+import longdrive, numpy as np
+longdrive.batch("modern-driver", {"club.loft": np.full(5000, 0.2)})
+names = [open(f"/proc/self/task/{task}/comm").read() for task in os.listdir("/proc/self/task")]
+print(*sorted({name.strip() for name in names if name.startswith("longdrive")}), sep=",")
+"""
+    found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert found.stdout.strip() == "longdrive 0"

@@ -148,3 +148,16 @@ def test_short_and_long_descriptions() -> None:
     assert any("not used" in text for text in Setup(
         {"club.loft": "12 deg", "launch": {"ball_speed": "150 mph", "launch_angle": "12 deg", "backspin": "2600 rpm"}}
     ).warnings())
+
+
+def test_exact_a_table_of_ones_own_pickles_by_its_file_and_a_changed_file_is_refused(tmp_path: Path) -> None:
+    file = tmp_path / "mine.csv"
+    head, rows = "spin_ratio,cd,cl", [(0.0, 0.22, 0.0), (0.1, 0.24, 0.14), (0.2, 0.27, 0.21), (0.3, 0.31, 0.26)]
+    file.write_text("\n".join([head, *(",".join(map(str, row)) for row in rows)]))
+    setup = Setup({"aero.table": str(file)})
+    assert (setup["aero.law"], Path(setup["aero.table"])) == ("table", file)
+    pickled = pickle.dumps(setup)
+    assert pickle.loads(pickled) == setup == Setup(setup.to_dict())
+    file.write_text(file.read_text().replace("0.22", "0.23"))
+    with pytest.raises(InputError, match="mine.csv' is not what it was when the setup was pickled"):
+        pickle.loads(pickled)

@@ -1,10 +1,7 @@
 //! The air of each shot, as an export states it.
 
-use super::column::{Column, Holds};
+use super::column::{AIR, Column, Holds};
 use crate::units::Quantity;
-
-/// The parameter that it is.
-pub(super) const AIR: &str = "air.density";
 
 /// The density of the air that golf is played in, kg/m³: from a course at 5000 m on a hot day to one by the sea at −40 °C.
 const RANGE: [f64; 2] = [0.6, 1.6];

@@ -1,6 +1,5 @@
 //! What the head of a table says of a column.
 
-use super::air::AIR;
 use super::heads::Meaning;
 use super::launch_monitor::{self, without_side};
 use crate::drive::Outcome;
@@ -65,6 +64,8 @@ const STATUS: &str = "status";
 const OF_FLOWN: [&str; 4] = ["Line", "Flight", "Reason", "Notes"];
 /// What stands before an outcome there.
 const FLOWN: [&str; 2] = ["Predicted ", "Residual "];
+/// The parameter of the air that launch monitors state.
+pub(super) const AIR: &str = "air.density";
 /// The group of the launch conditions.
 const LAUNCH: &str = "launch.";
 
@@ -172,7 +173,7 @@ impl Column {
     /// Whether its unit is one of what it holds, and stated where it must be.
     pub fn check_unit(&self) -> Result<()> {
         match (&self.unit, self.quantity()) {
-            _ if self.is_unknown() || self.holds == Holds::Written => Ok(()),
+            _ if self.is_unknown() || self.is_of_given_air || self.holds == Holds::Written => Ok(()),
             (None, Some(quantity)) if !quantity.si.is_empty() => {
                 let unit = self.usual_unit();
                 Err(self.unreadable(format!("it has no unit; write it into the head, as in '{} [{unit}]'", self.head)))

@@ -261,7 +261,7 @@ fn shots_without_a_delivery_are_left_out_and_too_few_tell_no_distribution() {
     };
     assert_eq!(follows(&table).as_deref(), Some("optimize tour-average"));
     let set = ["--set", "club.loft=10.5deg", "--set", "swing.speed=100mph", "--overwrite"];
-    let (table, golfer) = (at("swings.csv"), at("golfer.toml"));
+    let (table, golfer) = (at("others.csv"), at("golfer.toml"));
     let asked = [&["delivery", "--shots", &file, "--swings", &table], &SOUGHT[..], &set].concat();
     assert_eq!(follows(&longdrive(&asked)).as_deref(), Some("optimize tour-average --set club.loft=10.5deg"));
     let written = [&asked[..], &["-o", &golfer]].concat();

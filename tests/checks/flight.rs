@@ -205,3 +205,25 @@ fn exact_carry_distance_is_the_same_in_every_direction() {
         close(right, carry * aim.sin() + lateral * aim.cos(), straight, 1e-13, "right");
     }
 }
+
+/// The way behind the landing leads to where the ball rests, and comes back to the plane of the ground after each bounce; a ball that embeds has
+/// none.
+#[test]
+fn exact_run_of_a_trajectory_ends_at_the_total() {
+    let mut setup = Setup::preset("tour-average").unwrap();
+    setup.set_all([("swing.face_angle", "2 deg"), ("ground.slope", "-2 deg"), ("ground.side_slope", "1 deg")]).unwrap();
+    let path = trajectory(&setup, &strike(&setup).unwrap().launch).unwrap();
+    let drive = Drive::new(&setup).unwrap();
+    let value = |of: Outcome| of.value(&drive).unwrap();
+    let rest = path.run.last().unwrap();
+    close(value(Outcome::Carry) + rest.z, value(Outcome::Total), 300.0, 1e-9, "total");
+    close(value(Outcome::Lateral) + rest.y, value(Outcome::LateralTotal), 300.0, 1e-9, "lateral total");
+    // n · way is the height above the plane with n ∝ (1, −tan β_y, −tan β_z)
+    let (side, along) = (setup.ground.side_slope.tan(), setup.ground.slope.tan());
+    let heights: Vec<f64> = path.run.iter().map(|way| way.x - side * way.y - along * way.z).collect();
+    assert!(heights.iter().all(|height| *height > -1e-9), "{heights:?}");
+    let on_the_ground = heights.iter().filter(|height| height.abs() < 1e-9).count();
+    assert!(on_the_ground >= 5 && heights.iter().any(|height| *height > 0.5), "{heights:?}");
+    setup.set("ground.turf", "wet").unwrap();
+    assert!(trajectory(&setup, &strike(&setup).unwrap().launch).unwrap().run.is_empty());
+}

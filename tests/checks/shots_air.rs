@@ -92,7 +92,8 @@ fn the_air_that_is_given_comes_before_that_of_the_export() {
     let words = told.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(cold < own - 10.0 && words.matches("Air Density").count() == 1 && words.contains(says), "{cold} {told}");
     let weather = ["calibrate", &file, "--fit", "aero.cd0", "--set", "air.temperature=0degC"];
-    let words = longdrive(&weather).err.split_whitespace().collect::<Vec<_>>().join(" ");
+    let said = longdrive(&weather);
+    let words = (said.out + &said.err).split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(words.matches("Air Density").count() == 1 && words.contains(says), "{words}");
     // calibrate too
     let (status, answer) = json(&["calibrate", &file, "--fit", "aero.cd0", "--set", "air.density=1.3kg/m^3"]);

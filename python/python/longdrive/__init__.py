@@ -45,6 +45,7 @@ from .errors import Error, InputError, InternalError, LongdriveWarning, NoAnswer
 from .optimum import Optimum
 from .picture import Picture
 from .reply import Reply
+from .sweeps import sweep
 from .table import Status, Table
 
 __all__ = [
@@ -90,6 +91,7 @@ __all__ = [
     "robust",
     "sensitivity",
     "simulate",
+    "sweep",
     "uncertainty",
     "validate",
     "verify",

@@ -79,6 +79,10 @@ class Question:
         else:
             self.words.extend(f"{option}={text}" for text in self._several(name, value, what))
 
+    def texts(self, name: str, value: Any) -> list[str]:
+        """What an option takes several times, as texts."""
+        return [] if value is None else list(self._several(name, value, ""))
+
     def _one(self, name: str, value: Any, what: str) -> str:
         if what in ("FILE", "DIR", "DIR or FILE.csv"):
             return self.file(name, value)

@@ -17,12 +17,16 @@ __all__ = [
     "arrow_stream",
     "asked",
     "batch",
+    "command",
+    "described",
     "gradient",
     "hessian",
     "jacobian",
+    "main",
     "merge_parts",
     "outcomes",
     "parameters",
+    "plan",
     "presets",
     "simulate",
 ]
@@ -38,8 +42,9 @@ class Setup:
     def read(path: str | PathLike[str]) -> Setup: ...
     @staticmethod
     def from_toml(text: str, file: str = "setup.toml") -> Setup: ...
+    def _asked(self) -> tuple[str, bool]: ...
     @staticmethod
-    def _from_state(toml: str, gives_step: bool) -> Setup: ...
+    def _from_state(toml: str, gives_step: bool, table: str | None) -> Setup: ...
     def replace(self, changes: Mapping[str, Any] | None = None, /, **named: Any) -> Setup: ...
     def keys(self) -> list[str]: ...
     @property
@@ -103,6 +108,7 @@ def batch(
     progress: Callable[[int, int], object] | None,
     first_row: int,
     hessians: bool,
+    ranges: Sequence[tuple[str, float, float]] | None = None,
 ) -> tuple[
     npt.NDArray[np.int8],
     Floats,
@@ -129,3 +135,18 @@ def presets() -> dict[str, Any]: ...
 def _panic_for_a_test(message: str) -> None: ...
 
 def merge_parts(manifests: str) -> dict[str, Any]: ...
+
+def plan(
+    setup: SetupLike, over: Sequence[str], sample: int | None, seed: int, file: str | PathLike[str] | None
+) -> tuple[dict[str, Floats], list[tuple[str, float, float]]]: ...
+
+def command(
+    words: Sequence[str],
+    setup: str,
+    say: Callable[[str, str], object],
+    progress: Callable[[int, int], object] | None = None,
+) -> tuple[int, Any]: ...
+
+def described() -> list[dict[str, Any]]: ...
+
+def main(words: Sequence[str]) -> int: ...

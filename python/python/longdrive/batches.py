@@ -8,7 +8,7 @@ from typing import Any
 import numpy.typing as npt
 
 from . import _longdrive
-from .progress import Bar
+from .progress import Progress, follower
 from .table import Table
 from .types import Names, SetupLike
 
@@ -38,7 +38,7 @@ def batch(
     tolerance: float | str | None = None,
     own_step: bool = False,
     threads: int = 0,
-    progress: bool | Callable[[int, int], object] = False,
+    progress: Progress = False,
     first_row: int = 0,
 ) -> Table:
     """Outcomes, and their exact derivatives, at very many points, on all processors.
@@ -63,22 +63,38 @@ def batch(
         tolerance: lengths are within it of their exact values, m or a text; without it 1 µm, unless the setup says how to integrate.
         own_step: whether ``flight.method`` and ``flight.step`` of the setup are kept.
         threads: how many; 0 for as many as there are processors that this process may use.
-        progress: True for a line on standard error, or a function of rows done and rows in all.
+        progress: True for a bar, or a function of rows done and rows in all.
         first_row: the first row to compute, to go on after an interruption.
 
     Raises:
         InputError: for a name that nothing bears, or an array of the wrong shape or type.
         Interrupted: where Ctrl-C was pressed; it has the rows that were done.
     """
-    told: Callable[[int, int], object] | None = None
-    if progress is True:
-        told = Bar("drives")
-    elif progress:
-        told = progress
     if hessians and wrt is None:
         wrt = "points"
+    with follower("drives", progress) as told:
+        return computed(
+            setup, points, of, wrt, tolerance=tolerance, own_step=own_step, threads=threads, told=told, first_row=first_row, hessians=hessians
+        )
+
+
+def computed(
+    setup: SetupLike,
+    points: Mapping[str, npt.ArrayLike | str],
+    of: Names,
+    wrt: Names | None,
+    *,
+    tolerance: float | str | None,
+    own_step: bool,
+    threads: int,
+    told: Callable[[int, int], object] | None,
+    first_row: int = 0,
+    hessians: bool = False,
+    ranges: list[tuple[str, float, float]] | None = None,
+) -> Table:
+    """The table of a batch. The step is chosen for `ranges`, or for those of the points."""
     status, columns, seconds, at, of, by, given, units, warnings, raised = _longdrive.batch(
-        setup, points, of, wrt, tolerance, own_step, threads, told, first_row, hessians
+        setup, points, of, wrt, tolerance, own_step, threads, told, first_row, hessians, ranges
     )
     table = Table(
         status=status, columns=columns, points=at[:, : len(status)], of=of, wrt=by, parameters=given, units=units, hessians=seconds,

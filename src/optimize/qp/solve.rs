@@ -34,15 +34,17 @@ impl QuadraticProgram {
         let by_any = by_dual
             .or_else(|| exact(self.clarabel(), Method::Clarabel))
             .or_else(|| if has_rows { exact(self.rescaled().clarabel(), Method::Rescaled) } else { None })
-            .or_else(|| if has_rows { exact(self.corner(), Method::Dual) } else { None })
-            .or(second_best);
+            .or(second_best)
+            .or_else(|| self.polished(self.corner().filter(|_| has_rows)?, Method::Dual).ok());
         if has_rows { by_any } else { Some(by_any.unwrap_or_else(|| self.steepest())) }
     }
 
-    /// The active set by the dual method of the same program with a little curvature in every direction. Without any the solution is a corner of
-    /// what ends and rows leave: the nearest of the solutions, which an interior point cannot tell from a corner beside it where two limits lie
-    /// as near as its own tolerance.
+    /// The active set of a program without curvature by the dual method, with a little curvature in every direction. Its solution is a corner of
+    /// what ends and rows leave, which an interior point cannot tell from one beside it where two limits lie as near as its own tolerance.
     fn corner(&self) -> Option<ActiveSet> {
+        if self.curvature.amax().is_normal() {
+            return None;
+        }
         let reach = self.high.amax().max(self.low.amax());
         let slope = self.pieces.iter().map(|piece| piece.gradient.amax()).fold(0.0, f64::max);
         let least = LITTLE * slope / reach;

@@ -1,0 +1,140 @@
+"""Sweeps: grids, quasi-random sequences and tables of points, into memory or into a file."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from pathlib import Path
+from typing import Union, overload
+
+from . import _longdrive
+from ._ask import Question, ask
+from ._longdrive import Setup
+from .batches import computed
+from .progress import Progress, follower
+from .reply import Reply
+from .table import Table
+from .types import Amount, Given, Names, PathLike, SetupLike, TableLike
+
+__all__ = ["sweep"]
+
+
+@overload
+def sweep(
+    setup: SetupLike = None,
+    over: Given | None = None,
+    *,
+    sample: int | None = None,
+    seed: int = 0,
+    points: TableLike | None = None,
+    outcomes: Names = "carry",
+    wrt: Names | None = None,
+    gradient: bool = False,
+    tolerance: Amount | None = None,
+    own_step: bool = False,
+    threads: int = 0,
+    output: None = None,
+    progress: Progress = False,
+) -> Table: ...
+
+
+@overload
+def sweep(
+    setup: SetupLike = None,
+    over: Given | None = None,
+    *,
+    sample: int | None = None,
+    seed: int = 0,
+    points: TableLike | None = None,
+    outcomes: Names = "carry",
+    wrt: Names | None = None,
+    gradient: bool = False,
+    tolerance: Amount | None = None,
+    own_step: bool = False,
+    threads: int = 0,
+    output: PathLike,
+    resume: bool = False,
+    overwrite: bool = False,
+    progress: Progress = False,
+) -> Reply: ...
+
+
+def sweep(
+    setup: SetupLike = None,
+    over: Given | None = None,
+    *,
+    sample: int | None = None,
+    seed: int = 0,
+    points: TableLike | None = None,
+    outcomes: Names = "carry",
+    wrt: Names | None = None,
+    gradient: bool = False,
+    tolerance: Amount | None = None,
+    own_step: bool = False,
+    threads: int = 0,
+    output: PathLike | None = None,
+    resume: bool = False,
+    overwrite: bool = False,
+    progress: Progress = False,
+) -> Union[Table, Reply]:
+    """Very many drives: the points of a grid, a quasi-random sequence or a table; the rows of ``longdrive sweep``, to the last bit.
+
+    >>> import longdrive
+    >>> table = longdrive.sweep("tour-average", {"club.loft": ("8 deg", "12 deg", 5), "swing.speed": (45.0, 50.0, 3)}, gradient=True)
+    >>> len(table), table.wrt
+    (15, ('club.loft', 'swing.speed'))
+
+    Args:
+        setup: a setup, the name of a preset, or a dict.
+        over: parameters with (low, high, count), numbers in SI, or a text like ``"5deg..15deg:101"``; the last changes fastest. With `sample`
+            (low, high).
+        sample: so many points of a quasi-random (Sobol') sequence in the ranges of `over`.
+        seed: another seed gives other points.
+        points: a table of points in place of `over`: a file, a dict of columns, or a table of pandas, polars or pyarrow.
+        outcomes: a name or several; ``"all"`` for every one.
+        wrt: parameters to differentiate by, a name or several.
+        gradient: whether to differentiate by the swept parameters.
+        tolerance: lengths are within it of their exact values, m or a text; without it 1 µm, unless the setup says how to integrate.
+        own_step: whether ``flight.method`` and ``flight.step`` of the setup are kept.
+        threads: how many; 0 for as many as there are processors that this process may use.
+        output: a file (.csv, .jsonl, .parquet) that the rows are written into as they are computed; without it they are returned as a table.
+        resume: whether a file that was left unfinished is gone on with.
+        overwrite: whether a file that exists is replaced.
+        progress: True for a bar, or a function of rows done and rows in all.
+
+    Raises:
+        InputError: bad input, with the program's message.
+        Interrupted: where Ctrl-C was pressed while a table was computed; it has the rows that were done. A file is gone on with by `resume`.
+    """
+    with tempfile.TemporaryDirectory(prefix="longdrive-") as name:
+        folder = Path(name)
+        if output is not None:
+
+            def write(question: Question) -> None:
+                question.take_setup(setup)
+                question.option("over", over, "several", "NAME=LOW..HIGH:COUNT")
+                question.option("sample", sample, "one", "N")
+                question.option("seed", seed if sample is not None else None, "one", "SEED")
+                question.option("points", points, "one", "FILE")
+                question.option("outcomes", _joined(outcomes), "one", "OUTCOME,…")
+                question.option("gradient", gradient, "nothing", "GRADIENT")
+                question.option("wrt", None if wrt is None else _joined(wrt), "one", "NAME,…")
+                question.option("tolerance", tolerance, "one", "LENGTH")
+                question.option("own_step", own_step, "nothing", "OWN_STEP")
+                question.option("threads", threads, "one", "N")
+                question.option("output", os.fspath(output), "one", "FILE")
+                question.option("resume", resume, "nothing", "RESUME")
+                question.option("overwrite", overwrite, "nothing", "OVERWRITE")
+
+            return ask("sweep", write, progress)
+        question = Question("sweep", folder)
+        question.setup = setup if isinstance(setup, Setup) else Setup(setup)
+        file = None if points is None else question.file("points", points)
+        at, ranges = _longdrive.plan(question.setup, question.texts("over", over), sample, seed, file)
+        by = list(at) if gradient and wrt is None else wrt
+        with follower("sweep", progress) as told:
+            return computed(question.setup, at, outcomes, by, tolerance=tolerance, own_step=own_step, threads=threads, told=told, ranges=ranges)
+
+
+def _joined(names: Names) -> str:
+    return names if isinstance(names, str) else ",".join(names)

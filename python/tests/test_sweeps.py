@@ -1,0 +1,57 @@
+"""Sweeps from Python: the rows of the program."""
+
+from __future__ import annotations
+
+import csv
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import longdrive
+
+OVER = {"club.loft": ("6 deg", 0.3, 41), "swing.attack_angle": (-0.1, 0.1, 50)}
+
+
+def rows_of(file: Path) -> dict[str, list[str]]:
+    with file.open(newline="", encoding="utf-8") as text:
+        rows = list(csv.DictReader(text))
+    return {head: [row[head] for row in rows] for head in rows[0]}
+
+
+@pytest.mark.parametrize("question", [{"over": OVER}, {"over": {name: ends[:2] for name, ends in OVER.items()}, "sample": 3000, "seed": 7}])
+def test_exact_rows_in_memory_are_those_of_the_file(question, tmp_path):
+    table = longdrive.sweep("tour-average", **question, outcomes=["carry", "lateral"], gradient=True)
+    said = longdrive.sweep("tour-average", **question, outcomes=["carry", "lateral"], gradient=True, output=tmp_path / "rows.csv")
+    rows = rows_of(tmp_path / "rows.csv")
+    assert said.rows == len(table) == len(rows["status"])
+    assert rows["status"] == [longdrive.Status(code).label for code in table.status]
+    columns = [head for head in rows if head != "status"]
+    names = [name for name in table.keys() if name != "status"]
+    assert len(columns) == len(names)
+    for head, name in zip(columns, names):
+        read = np.array([float(cell) if cell else np.nan for cell in rows[head]])
+        np.testing.assert_array_equal(read, table[name], err_msg=name)
+
+
+def test_points_of_a_table_are_flown():
+    loft = np.radians([8.0, 9.0, 10.0])
+    table = longdrive.sweep("tour-average", points={"club.loft [rad]": loft}, wrt="club.loft")
+    np.testing.assert_array_equal(table["club.loft"], loft)
+    assert table.gradients.shape == (3, 1, 1)
+
+
+def test_bad_ranges_get_the_programs_message(tmp_path):
+    for output in (None, tmp_path / "rows.csv"):
+        with pytest.raises(longdrive.InputError, match=r"did you mean 'club\.loft'\?"):
+            longdrive.sweep(over={"club.lofft": ("1 deg", "2 deg", 3)}, output=output)
+        with pytest.raises(longdrive.InputError):
+            longdrive.sweep(over={"club.loft": ("1 deg", "2 deg")}, output=output)
+
+
+def test_a_file_that_exists_is_kept(tmp_path):
+    file = tmp_path / "rows.csv"
+    file.write_text("mine", encoding="utf-8")
+    with pytest.raises(longdrive.InputError, match="overwrite"):
+        longdrive.sweep(over=OVER, output=file)
+    assert file.read_text(encoding="utf-8") == "mine"
