@@ -23,8 +23,8 @@ def _writer(asked: Question) -> Callable[[Iterable[pyarrow.RecordBatch]], Iterab
         import pyarrow
 
         for batch in batches:
-            for part in batch.column(0).to_pylist():
-                row = asked.write(int(part))
+            for part in batch.column(0).to_numpy().tolist():
+                row = asked.write(part)
                 of_row = {name: [row[name]] for name in ("part", "file", "rows", "bytes", "sha256")}
                 yield pyarrow.RecordBatch.from_pydict({**of_row, "manifest": [json.dumps(row)]})
 
