@@ -617,7 +617,7 @@ impl Question {
             self.push("--gradient");
         }
         if chance.is(0.1) {
-            self.option("--instructions", chance.of_or(&["baseline"], &["sse2", ""]));
+            self.option("--instructions", chance.of_or(&["baseline"], &["sse2", "avx1024"]));
         }
         if chance.is(0.1) {
             self.option("--wrt", list(2, chance, |chance| name_of(variable(chance), chance)));
