@@ -78,7 +78,7 @@ impl Checked {
 /// [`Error::Results`] for a folder that cannot be read, and one without a part that can be.
 pub fn check(folder: &Path, wanted: Option<&Question>, contents: bool) -> Result<Checked> {
     let refuse = |reason: String| Error::Results { file: folder.display().to_string(), reason };
-    let unreadable = |error: std::io::Error| refuse(format!("the folder of parts cannot be read ({})", of_io(&error)));
+    let unreadable = |error: std::io::Error| refuse(format!("{}; name the folder of the parts", of_io(&error)));
     let mut names = vec![];
     for entry in std::fs::read_dir(folder).map_err(unreadable)? {
         names.push(entry.map_err(unreadable)?.file_name().to_string_lossy().into_owned());

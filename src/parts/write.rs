@@ -158,7 +158,7 @@ impl Dataset {
     fn refuse_strangers(&self, folder: &Path, place: &Path) -> Result<()> {
         let entries = fs::read_dir(folder).map_err(|error| Error::Results {
             file: folder.display().to_string(),
-            reason: format!("the folder cannot be read ({})", crate::foreign::of_io(&error)),
+            reason: crate::foreign::of_io(&error),
         })?;
         let is_part = |path: &Path| {
             let name = path.file_name().unwrap_or_default().to_string_lossy();

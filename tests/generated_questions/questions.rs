@@ -617,6 +617,9 @@ impl Question {
             self.push("--gradient");
         }
         if chance.is(0.1) {
+            self.option("--instructions", chance.of_or(&["baseline"], &["sse2", "avx1024"]));
+        }
+        if chance.is(0.1) {
             self.option("--wrt", list(2, chance, |chance| name_of(variable(chance), chance)));
         }
         if chance.is(0.85) {

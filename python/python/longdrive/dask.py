@@ -36,17 +36,17 @@ def sweep(client: Client, setup: SetupLike = None, *, retries: int = 3, **questi
     # not pure: what another sweep has written says nothing about this folder
     futures = client.map(asked.write, range(1, asked.parts + 1), pure=False, retries=retries)
     part_of = {future.key: part for part, future in enumerate(futures, start=1)}
-    manifests = []
+    manifests: list[dict[str, Any]] = []
     try:
         for future in as_completed(futures):
-            error = future.exception()
-            if error is None:
+            failure = future.exception()
+            if failure is None:
                 manifests.append(future.result())
-            elif isinstance(error, PartError):
-                raise error
+            elif isinstance(failure, PartError):
+                raise failure
             else:
                 part = part_of[future.key]
-                raise PartError(f"part {part} of {asked.parts}: {type(error).__name__}: {error}", part) from error
+                raise PartError(f"part {part} of {asked.parts}: {type(failure).__name__}: {failure}", part) from failure
             # its manifest row is here
             future.release()
     finally:

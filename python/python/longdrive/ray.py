@@ -34,7 +34,7 @@ def sweep(setup: SetupLike = None, *, retries: int = 3, **question: Any) -> Part
     waiting = iter(range(1, asked.parts + 1))
     ahead = _AHEAD * max(1, int(ray.cluster_resources().get("CPU", 1)))
     running: dict[Any, int] = {}
-    manifests = []
+    manifests: list[dict[str, Any]] = []
     while True:
         while len(running) < ahead and (part := next(waiting, None)) is not None:
             running[write.remote(shared, part)] = part

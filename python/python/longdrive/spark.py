@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, Any
 
 from .parts import PartError, Parts, Question
@@ -18,12 +18,12 @@ __all__ = ["manifests", "sweep"]
 _COLUMNS = "part long, file string, rows long, bytes long, sha256 string, manifest string"
 
 
-def _writer(asked: Question) -> Callable[[Iterator[pyarrow.RecordBatch]], Iterator[pyarrow.RecordBatch]]:
-    def write(batches: Iterator[pyarrow.RecordBatch]) -> Iterator[pyarrow.RecordBatch]:
+def _writer(asked: Question) -> Callable[[Iterable[pyarrow.RecordBatch]], Iterable[pyarrow.RecordBatch]]:
+    def write(batches: Iterable[pyarrow.RecordBatch]) -> Iterable[pyarrow.RecordBatch]:
         import pyarrow
 
         for batch in batches:
-            for part in batch.column(0).to_pylist():
+            for part in batch.column(0).to_numpy().tolist():
                 row = asked.write(part)
                 of_row = {name: [row[name]] for name in ("part", "file", "rows", "bytes", "sha256")}
                 yield pyarrow.RecordBatch.from_pydict({**of_row, "manifest": [json.dumps(row)]})
@@ -46,7 +46,7 @@ def sweep(spark: SparkSession, setup: SetupLike = None, **question: Any) -> Part
     """Computes all parts on a cluster of Spark, which tries a part again as often as ``spark.task.maxFailures`` says.
 
     Args:
-        spark: the session. Every executor has longdrive and pyarrow, and sees the folder `output` under its name.
+        spark: the session. Every executor has longdrive, pandas and pyarrow, and sees the folder `output` under its name.
         setup: a setup, the name of a preset, or a dict.
         question: as :meth:`longdrive.parts.Question.of`: `output`, `parts`, `over` or `sample`, `outcomes`, `wrt`, `instructions`, …
 
@@ -54,9 +54,11 @@ def sweep(spark: SparkSession, setup: SetupLike = None, **question: Any) -> Part
         PartError: for a part that could not be written.
     """
     try:
+        import pandas  # noqa: F401
+        import pyarrow  # noqa: F401
         from pyspark.errors import PySparkException
     except ImportError as error:
-        raise ImportError("longdrive.spark needs Spark and Arrow: pip install pyspark pyarrow") from error
+        raise ImportError("longdrive.spark needs Spark, pandas and Arrow: pip install pyspark pandas pyarrow") from error
     from py4j.protocol import Py4JError
 
     asked = Question.of(setup, **question)

@@ -42,16 +42,16 @@ pub struct Sweep {
     pub wrt: Vec<String>,
 
     /// Write one part of the sweep, K of M, as a Parquet file into the folder that -o names: each process of a job array another part, e.g. --part
-    /// 17/1000. Parts are counted from 1. Whoever computes a part, and however often, gets the same bytes; one that is there already stays.
+    /// 17/1000. Parts are counted from 1. A part has the same bytes whichever machine computes it, and however often; one that is there already stays.
     #[arg(long, value_name = "K/M", requires = "output", conflicts_with_all = ["resume", "format", "max_size"], value_parser = PartOf::read)]
     pub part: Option<PartOf>,
 
     /// Look through the parts in this folder: whether all are there, and what all rows together are like. Nothing is computed. With the
-    /// options of the sweep its parts are also held against them.
+    /// options of the sweep its parts are also compared with them.
     #[arg(long, value_name = "DIR", conflicts_with_all = ["part", "output", "resume", "overwrite", "format", "max_size"])]
     pub check: Option<PathBuf>,
 
-    /// With --check: read the rows too, hold them against the SHA-256 in each part, and find the SHA-256 of the whole set.
+    /// With --check: read the rows too, compare them with the SHA-256 in each part, and compute the SHA-256 of the whole set.
     #[arg(long, requires = "check")]
     pub hash: bool,
 
