@@ -164,7 +164,7 @@ pub fn batch<'py>(
             None => vec![],
             Some(wrt) => by_names(&setup, &arrays, wrt)?,
         };
-        if first_row > arrays.len() || (first_row % CHUNK != 0 && first_row != arrays.len()) {
+        if first_row > arrays.len() || (!first_row.is_multiple_of(CHUNK) && first_row != arrays.len()) {
             let message = format!(
                 "first_row = {first_row}; expected a multiple of {CHUNK} up to the {} rows, as a table that was interrupted ends with",
                 arrays.len()
@@ -300,6 +300,9 @@ fn compute(
     }
 }
 
+/// Status, columns and Hessians.
+type Moved<'py> = (Bound<'py, PyArray1<i8>>, Bound<'py, PyArray2<f64>>, Option<Bound<'py, PyArray4<f64>>>);
+
 /// The numbers as arrays of Python, moved there.
 fn moved(
     py: Python<'_>,
@@ -307,7 +310,7 @@ fn moved(
     width: usize,
     (of, wrt): (usize, usize),
     hessians: bool,
-) -> Answer<(Bound<'_, PyArray1<i8>>, Bound<'_, PyArray2<f64>>, Option<Bound<'_, PyArray4<f64>>>)> {
+) -> Answer<Moved<'_>> {
     let rows = results.room;
     let columns = shaped(Array2::from_shape_vec((width, rows), results.columns))?.into_pyarray(py);
     let seconds = hessians.then(|| shaped(Array4::from_shape_vec((rows, of, wrt, wrt), results.hessians)));
