@@ -1,6 +1,7 @@
 //! Arrays of NumPy as the points of a batch.
 
 use crate::boundary::{Answer, Failure};
+use crate::pool::look;
 use longdrive::batch::Points;
 use longdrive::parameters::{Parameter, Vary};
 use longdrive::{Error, Setup};
@@ -11,6 +12,9 @@ use pyo3::types::{PyMapping, PyString};
 
 /// Rows that are gathered from the arrays at a time, with Python's lock.
 const GATHERED: usize = 65_536;
+
+/// Rows that are looked at before Python is let in.
+const LOOKED_AT: usize = 1 << 20;
 
 /// The values of one parameter: one for all rows, or one for each.
 enum Column {
@@ -68,7 +72,7 @@ impl Arrays {
         }
         let rows = rows.map_or(usize::from(!columns.is_empty()), |(_, rows)| rows);
         let mut arrays = Self { parameters, columns, rows, ranges: vec![], next: 0, gathered: vec![], first: 0 };
-        arrays.ranges = arrays.found_ranges(points.py());
+        arrays.ranges = arrays.found_ranges(points.py())?;
         Ok(arrays)
     }
 
@@ -77,20 +81,23 @@ impl Arrays {
         self.rows
     }
 
-    /// The ranges of the values that their parameters may have.
-    fn found_ranges(&self, py: Python<'_>) -> Vec<Vary> {
-        let of = |(parameter, column): (&&'static Parameter, &Column)| {
-            let parameter = *parameter;
+    /// The ranges of the values that their parameters may have. Python is let in between.
+    fn found_ranges(&self, py: Python<'_>) -> PyResult<Vec<Vary>> {
+        let mut ranges = vec![];
+        for (parameter, column) in self.parameters.iter().zip(&self.columns) {
             let mut range = None::<(f64, f64)>;
-            column.each(py, 0..self.rows, &mut |value| {
-                if parameter.range.contains(value) && value.is_finite() {
-                    let (low, high) = range.unwrap_or((value, value));
-                    range = Some((low.min(value), high.max(value)));
-                }
-            });
-            range.map(|(low, high)| Vary { parameter, low, high })
-        };
-        self.parameters.iter().zip(&self.columns).filter_map(of).collect()
+            for first in (0..self.rows).step_by(LOOKED_AT) {
+                look(py)?;
+                column.each(py, first..self.rows.min(first + LOOKED_AT), &mut |value| {
+                    if parameter.range.contains(value) && value.is_finite() {
+                        let (low, high) = range.unwrap_or((value, value));
+                        range = Some((low.min(value), high.max(value)));
+                    }
+                });
+            }
+            ranges.extend(range.map(|(low, high)| Vary { parameter, low, high }));
+        }
+        Ok(ranges)
     }
 
     /// Copies the next rows of the arrays, one row after the other.
@@ -107,13 +114,6 @@ impl Arrays {
                 }
             });
         }
-    }
-
-    /// A column of the points as it was given, for a table of results.
-    pub fn column(&self, py: Python<'_>, k: usize, rows: std::ops::Range<usize>) -> Vec<f64> {
-        let mut values = Vec::with_capacity(rows.len());
-        self.columns[k].each(py, rows, &mut |value| values.push(value));
-        values
     }
 }
 

@@ -27,7 +27,7 @@ struct Results {
     /// Rows there is room for, and rows that are done.
     room: usize,
     done: usize,
-    /// Outcomes, then derivatives, a column of `room` numbers each.
+    /// The points, then outcomes, then derivatives, a column of `room` numbers each.
     columns: Vec<f64>,
     status: Vec<i8>,
     /// Row after row.
@@ -47,6 +47,11 @@ impl Piece {
     fn of(block: &Block, width: usize, hessians: Option<&Hessians>) -> Self {
         let rows = block.rows();
         let mut status: Vec<i8> = (0..rows).map(|row| block.status(row) as i8).collect();
+        let of_point = if rows > 0 { block.point(0).len() } else { 0 };
+        let mut points = Vec::with_capacity(rows * (of_point + width));
+        for k in 0..of_point {
+            points.extend((0..rows).map(|row| block.point(row)[k]));
+        }
         let mut columns = Vec::with_capacity(rows * width);
         for column in 0..width {
             columns.extend(block.result(column).map(|value| value.unwrap_or(f64::NAN)));
@@ -71,7 +76,8 @@ impl Piece {
         }
         let mut tally = Tally::default();
         tally.add(block);
-        Self { columns, status, hessians: seconds, tally }
+        points.append(&mut columns);
+        Self { columns: points, status, hessians: seconds, tally }
     }
 }
 
@@ -79,22 +85,16 @@ impl Results {
     /// Room for so many rows of so many numbers.
     fn new(room: usize, width: usize, of_hessians: usize) -> Answer<Self> {
         let numbers = room.checked_mul(width).zip(room.checked_mul(of_hessians));
-        let (mut columns, mut status, mut hessians) = (vec![], vec![], vec![]);
-        let has_room = numbers.is_some_and(|(of_columns, of_hessians)| {
-            columns.try_reserve_exact(of_columns).is_ok()
-                && hessians.try_reserve_exact(of_hessians).is_ok()
-                && status.try_reserve_exact(room).is_ok()
-        });
-        let Some((of_columns, of_hessians)) = numbers.filter(|_| has_room) else {
+        let has_room = |numbers: usize| Vec::<f64>::new().try_reserve_exact(numbers).is_ok();
+        let Some((of_columns, of_hessians)) = numbers.filter(|(one, two)| has_room(one.saturating_add(*two))) else {
             let message = format!(
                 "{room} drives with {} numbers each do not fit into memory; compute fewer at a time, or let the program write them to a file (longdrive sweep)",
                 width + of_hessians
             );
             return Err(Failure::Input(message));
         };
-        columns.resize(of_columns, 0.0);
-        hessians.resize(of_hessians, 0.0);
-        status.resize(room, 0);
+        // zeros that the system makes once they are touched
+        let (columns, hessians, status) = (vec![0.0; of_columns], vec![0.0; of_hessians], vec![0; room]);
         Ok(Self { room, done: 0, columns, status, hessians, tally: Tally::default() })
     }
 
@@ -110,19 +110,6 @@ impl Results {
         self.tally.merge(piece.tally);
         self.done += rows;
     }
-
-    /// Without the room for rows that are not done.
-    fn closed(mut self) -> Self {
-        if self.done < self.room {
-            let columns = self.columns.chunks_exact(self.room.max(1));
-            self.columns = columns.flat_map(|column| &column[..self.done]).copied().collect();
-            let width = self.hessians.len() / self.room.max(1);
-            self.hessians.truncate(self.done * width);
-            self.status.truncate(self.done);
-            self.room = self.done;
-        }
-        self
-    }
 }
 
 /// What is shared between the thread of Python and those that compute.
@@ -137,18 +124,19 @@ impl Shared {
     }
 }
 
-/// What Python gets: status, columns (outcomes, then derivatives; a row of the array each), Hessians, points, the names of outcomes, of what they
-/// are differentiated by, and of the points' parameters, the units of points and columns, warnings, and the exception that ended it early.
+/// What Python gets: status, columns (points, outcomes, derivatives; a row of the array each), Hessians, the names of outcomes, of what they
+/// are differentiated by, and of the points' parameters, the units of the columns, warnings, how many rows are done and how many points there
+/// are, and the exception that ended it early. Behind the rows that are done there is room for the others.
 type Found<'py> = (
     Bound<'py, PyArray1<i8>>,
     Bound<'py, PyArray2<f64>>,
     Option<Bound<'py, PyArray4<f64>>>,
-    Bound<'py, PyArray2<f64>>,
     Vec<&'static str>,
     Vec<&'static str>,
     Vec<&'static str>,
     Vec<String>,
     Vec<String>,
+    (usize, usize),
     Option<PyErr>,
 );
 
@@ -187,15 +175,14 @@ pub fn batch<'py>(
         }
         let given: Vec<_> = arrays.parameters().iter().map(|row| row.name).collect();
         setup.setup.refuse_replaced(&given)?;
-        let rows = arrays.len().saturating_sub(first_row);
-        let width = of.len() * (1 + wrt.len());
+        let (whole, rows) = (arrays.len(), arrays.len().saturating_sub(first_row));
+        let width = arrays.parameters().len() + of.len() * (1 + wrt.len());
         let of_hessians = if hessians { of.len() * wrt.len() * wrt.len() } else { 0 };
         let asked = Asked::of(tolerance, own_step)?;
         let shared = Arc::new(Shared {
             results: Mutex::new(Some(Results::new(rows, width, of_hessians)?)),
             done: AtomicU64::new(0),
         });
-        let points = points_of(py, &arrays, first_row, rows);
 
         let ranges = match ranges {
             None => arrays.ranges(),
@@ -235,8 +222,8 @@ pub fn batch<'py>(
         if let (Some(progress), None) = (progress, &raised) {
             progress.call1((total, total))?;
         }
-        let results =
-            shared.with(Option::take).ok_or_else(|| Failure::Panic("a batch without results".into()))?.closed();
+        let results = shared.with(Option::take).ok_or_else(|| Failure::Panic("a batch without results".into()))?;
+        let done = results.done;
         let beyond = results.tally.beyond().warnings(
             &setup.setup.law,
             ["drive that landed", "drives that landed"],
@@ -245,7 +232,7 @@ pub fn batch<'py>(
         warnings.extend(beyond.iter().map(|message| message.in_units(System::default())));
         let (of, wrt, given) = names;
         let (status, columns, seconds) = moved(py, results, width, shape, hessians)?;
-        Ok((status, columns, seconds, points?, of, wrt, given, units, warnings, raised))
+        Ok((status, columns, seconds, of, wrt, given, units, warnings, (done, whole), raised))
     })
 }
 
@@ -327,20 +314,8 @@ fn compute(
     }
 }
 
-/// The points of the rows, a row of the array for each parameter.
-fn points_of<'py>(
-    py: Python<'py>,
-    arrays: &Arrays,
-    first_row: usize,
-    rows: usize,
-) -> Answer<Bound<'py, PyArray2<f64>>> {
-    let count = arrays.parameters().len();
-    let mut values = Vec::with_capacity(count * rows);
-    for k in 0..count {
-        values.extend(arrays.column(py, k, first_row..first_row + rows));
-    }
-    Ok(shaped(Array2::from_shape_vec((count, rows), values))?.into_pyarray(py))
-}
+/// Status, columns and Hessians.
+type Moved<'py> = (Bound<'py, PyArray1<i8>>, Bound<'py, PyArray2<f64>>, Option<Bound<'py, PyArray4<f64>>>);
 
 /// Status, columns and Hessians of a batch.
 type Moved<'py> = (Bound<'py, PyArray1<i8>>, Bound<'py, PyArray2<f64>>, Option<Bound<'py, PyArray4<f64>>>);

@@ -84,7 +84,7 @@ pub fn run<R: Send + 'static>(
 
 /// Lets Python do what it has put off: handlers of signals, and exceptions that other threads have sent to this one, which only running
 /// code sees.
-fn look(py: Python<'_>) -> PyResult<()> {
+pub fn look(py: Python<'_>) -> PyResult<()> {
     py.check_signals()?;
     py.run(c"pass", None, None)
 }

@@ -264,7 +264,8 @@ impl PySetup {
     /// that is a text. Method and step stand in it where someone has said how to integrate.
     fn _asked(&self) -> PyResult<(String, bool)> {
         answer(|| {
-            if self.setup == longdrive::Setup::preset(self.preset.name)? {
+            let is_chosen_anew = self.gives_step && !self.preset.entries.iter().any(|entry| is_of_step(entry.name));
+            if self.setup == longdrive::Setup::preset(self.preset.name)? && !is_chosen_anew {
                 return Ok((self.preset.name.to_owned(), false));
             }
             let text = self.toml()?;
@@ -280,13 +281,13 @@ impl PySetup {
     }
 
     /// The setup as the text of a setup file, every number with its source; it reads back as the same setup to the last bit.
-    #[expect(clippy::wrong_self_convention, reason = "PyO3 hands methods a reference")]
+    #[expect(clippy::wrong_self_convention, reason = "an object of Python is lent")]
     fn to_toml(&self) -> PyResult<String> {
         answer(|| self.toml())
     }
 
     /// The setup as a dict of dotted names: numbers in SI, None for what is unset, choices as texts. ``Setup(setup.to_dict())`` is the same setup.
-    #[expect(clippy::wrong_self_convention, reason = "PyO3 hands methods a reference")]
+    #[expect(clippy::wrong_self_convention, reason = "an object of Python is lent")]
     fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         answer(|| {
             let dict = PyDict::new(py);

@@ -113,12 +113,12 @@ def batch(
     npt.NDArray[np.int8],
     Floats,
     Floats | None,
-    Floats,
     list[str],
     list[str],
     list[str],
     list[str],
     list[str],
+    tuple[int, int],
     BaseException | None,
 ]: ...
 def arrow_stream(

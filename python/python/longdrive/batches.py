@@ -93,17 +93,16 @@ def computed(
     ranges: list[tuple[str, float, float]] | None = None,
 ) -> Table:
     """The table of a batch. The step is chosen for `ranges`, or for those of the points."""
-    status, columns, seconds, at, of, by, given, units, warnings, raised = _longdrive.batch(
+    status, columns, seconds, of, by, given, units, warnings, (done, whole), raised = _longdrive.batch(
         setup, points, of, wrt, tolerance, own_step, threads, told, first_row, hessians, ranges
     )
     table = Table(
-        status=status, columns=columns, points=at[:, : len(status)], of=of, wrt=by, parameters=given, units=units, hessians=seconds,
-        first_row=first_row, warnings=warnings,
+        status=status[:done], columns=columns[len(given) :, :done], points=columns[: len(given), :done], of=of, wrt=by, parameters=given, units=units,
+        hessians=None if seconds is None else seconds[:done], first_row=first_row, warnings=warnings,
     )
     if raised is None:
         return table
     if isinstance(raised, KeyboardInterrupt):
-        whole = at.shape[1] + first_row
         after = first_row + len(table)
         raise Interrupted(f"interrupted after {after} of {whole} rows; batch(…, first_row={after}) goes on", table) from raised
     raise raised
