@@ -16,6 +16,7 @@ import nbformat
 from mkdocs.config.defaults import MkDocsConfig
 from mkdocs.exceptions import PluginError
 from mkdocs.structure.files import File, Files
+from mkdocs.structure.nav import Navigation
 from mkdocs.structure.pages import Page
 from nbconvert import MarkdownExporter
 
@@ -31,13 +32,6 @@ LINK = re.compile(r"(?P<code>^ *```.*?^ *```|`[^`\n]+`)|(?P<before>!?\[[^\]]*\]\
 # where each file of the repository stands in the site, and what a page was made of
 in_site: dict[str, str] = {}
 made_of: dict[str, str] = {}
-
-
-def on_config(config: MkDocsConfig) -> MkDocsConfig:
-    if (RUST / "longdrive/index.html").exists():
-        project = next(group["Project"] for group in config.nav if "Project" in group)
-        next(entry for entry in project if "Rust API" in entry)["Rust API"] = "rust/longdrive/index.html"
-    return config
 
 
 def on_files(files: Files, config: MkDocsConfig) -> Files:
@@ -89,6 +83,14 @@ def page_of(path: Path) -> tuple[str, dict[str, bytes]]:
     text = re.sub(r"^<table.*?</table>$", lambda table: f'<div class="answer">{table[0]}</div>', text, flags=re.MULTILINE | re.DOTALL)
     title, _, rest = text.lstrip().partition("\n")
     return f"{title}\n\n[The notebook, to run it]({path.name})\n{rest}", pictures
+
+
+def on_nav(nav: Navigation, config: MkDocsConfig, files: Files) -> Navigation:
+    """Links to the Rust API in the site where cargo has written it."""
+    if (RUST / "longdrive/index.html").exists():
+        project = next(group for group in nav.items if group.title == "Project")
+        next(entry for entry in project.children if entry.title == "Rust API").url = "rust/longdrive/index.html"
+    return nav
 
 
 def on_page_markdown(markdown: str, page: Page, config: MkDocsConfig, files: Files) -> str:
