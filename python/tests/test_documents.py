@@ -10,11 +10,13 @@ import re
 import subprocess
 import sys
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 import longdrive
 
+ROOT = Path(__file__).parents[2]
 MODULES = [f"longdrive.{module.name}" for module in pkgutil.iter_modules(longdrive.__path__)]
 NEEDS = {"longdrive.jax": "jax", "longdrive.torch": "torch"}
 
@@ -40,10 +42,24 @@ def test_every_public_name_has_a_text() -> None:
                     assert inspect.getdoc(getattr(item, member)), f"{name}.{member}"
 
 
-def test_exact_the_readmes_python_runs() -> None:
-    text = (Path(__file__).parents[1] / "README.md").read_text()
-    for block in re.findall(r"```python\n(.*?)```", text, re.DOTALL):
-        exec(compile(block, "README.md", "exec"), {})  # noqa: S102
+def blocks() -> list[Any]:
+    """The Python of README.md and docs/python.md, block by block, with the line on which each begins."""
+    found = []
+    for path in (ROOT / "python/README.md", ROOT / "docs/python.md"):
+        text = path.read_text(encoding="utf-8")
+        for block in re.finditer(r"```python\n(.*?)```", text, re.DOTALL):
+            line = text[: block.start(1)].count("\n") + 1
+            found.append(pytest.param(path.name, line, block[1], id=f"{path.parent.name}/{path.name}:{line}"))
+    return found
+
+
+@pytest.mark.parametrize(("name", "line", "code"), blocks())
+def test_exact_the_python_of_the_documents_runs(name: str, line: int, code: str) -> None:
+    for library in re.findall(r"^(?:import|from) (\w+)", code, re.MULTILINE):
+        pytest.importorskip(library)
+    for needed in (library for module, library in NEEDS.items() if f"import {module}" in code):
+        pytest.importorskip(needed)
+    exec(compile("\n" * (line - 1) + code, name, "exec"), {})  # noqa: S102
 
 
 def test_nothing_but_numpy_is_imported() -> None:

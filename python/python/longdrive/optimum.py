@@ -34,18 +34,18 @@ STATUSES = [
 class Optimum(Reply):
     """An optimum, with the fields of SciPy's ``OptimizeResult`` and what exact derivatives tell beside them.
 
-    ========== =======================================================================================================
-    x          the values of the varied parameters, SI, shape (n,); ``names`` says which they are
-    fun        the value of what was looked for, as asked (not negated where it is maximized), SI
-    jac        its gradient there, shape (n,)
-    hess       its Hessian there, shape (n, n); None for an optimum over many swings
-    success    whether the search converged
-    status     0 where it did; else how it ended, a number
-    ended      the same in a word: ``converged``, ``stalled``, ``infeasible``, …
-    message    the same in a sentence
-    nit, nfev  iterations and evaluations
-    maxcv      the largest violation of a constraint, in its SI unit
-    ========== =======================================================================================================
+    | field | what it is |
+    |---|---|
+    | ``x`` | the values of the varied parameters, SI, shape (n,); ``names`` says which they are |
+    | ``fun`` | the value of what was looked for, as asked (not negated where it is maximized), SI |
+    | ``jac`` | its gradient there, shape (n,) |
+    | ``hess`` | its Hessian there, shape (n, n); None for an optimum over many swings |
+    | ``success`` | whether the search converged |
+    | ``status`` | 0 where it did; else how it ended, a number |
+    | ``ended`` | the same in a word: ``converged``, ``stalled``, ``infeasible``, … |
+    | ``message`` | the same in a sentence |
+    | ``nit``, ``nfev`` | iterations and evaluations |
+    | ``maxcv`` | the largest violation of a constraint, in its SI unit |
 
     ``multipliers`` are those of the bounds, by parameter; ``prices`` say what ``fun`` gains for each SI unit that a bound or constraint is
     relaxed; ``setup`` is the setup at the optimum; ``reply`` is all that the program's ``--json`` prints.

@@ -29,6 +29,9 @@ class Picture(Reply):
         path.write_bytes(self["data"])
         return path
 
+    def __repr__(self) -> str:
+        return f"<Picture {self['title']!r}, {self['form']}, {len(self['data'])} bytes>"
+
     def _repr_html_(self) -> str:
         return self.svg or super()._repr_html_()
 
