@@ -317,9 +317,6 @@ fn compute(
 /// Status, columns and Hessians.
 type Moved<'py> = (Bound<'py, PyArray1<i8>>, Bound<'py, PyArray2<f64>>, Option<Bound<'py, PyArray4<f64>>>);
 
-/// Status, columns and Hessians of a batch.
-type Moved<'py> = (Bound<'py, PyArray1<i8>>, Bound<'py, PyArray2<f64>>, Option<Bound<'py, PyArray4<f64>>>);
-
 /// The numbers as arrays of Python, moved there.
 fn moved(
     py: Python<'_>,

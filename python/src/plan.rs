@@ -9,6 +9,9 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::path::PathBuf;
 
+/// Points by parameter, and the names of the parameters with the ends of their ranges.
+type Plan<'py> = (Bound<'py, PyDict>, Vec<(&'static str, f64, f64)>);
+
 /// The points as a dict of arrays, and the range of each parameter that the step is chosen for.
 ///
 /// Args:
@@ -25,7 +28,7 @@ pub fn plan<'py>(
     sample: Option<u64>,
     seed: u32,
     file: Option<PathBuf>,
-) -> PyResult<(Bound<'py, PyDict>, Vec<(&'static str, f64, f64)>)> {
+) -> PyResult<Plan<'py>> {
     answer(|| {
         let setup = PySetup::of(setup)?.setup;
         let mut points: Box<dyn Points> = match (file, sample) {
