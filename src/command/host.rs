@@ -48,10 +48,9 @@ pub trait Host: Send + Sync {
     /// What follows cannot be stopped half-way.
     fn cannot_stop(&self) {}
 
-    /// Writes files that belong together by calling `write`, which says whether they are written. Whoever can end the process waits until
-    /// then.
-    fn whole(&self, _files: &[&Path], write: &mut dyn FnMut() -> bool) {
-        write();
+    /// Files that belong together are written while this is held: whoever can end the process waits until then.
+    fn hold(&self) -> Box<dyn Hold + '_> {
+        Box::new(())
     }
 
     /// Shows a bar, or how long work without parts takes, to whoever waits; `bar` is drawn on standard error where that is a terminal.
@@ -59,3 +58,11 @@ pub trait Host: Send + Sync {
         bar
     }
 }
+
+/// What is held while files are written.
+pub trait Hold {
+    /// Tells that these files are whole.
+    fn written(&mut self, _files: &[&Path]) {}
+}
+
+impl Hold for () {}

@@ -22,15 +22,9 @@ pub fn ends() {
 
 /// Writes a file, or files that belong together, whole.
 pub fn undisturbed<T, E>(files: &[&Path], write: impl FnOnce() -> Result<T, E>) -> Result<T, E> {
-    let (mut write, mut written) = (Some(write), None);
-    running().host.whole(files, &mut || {
-        written = written.take().or_else(|| write.take().map(|write| write()));
-        matches!(written, Some(Ok(_)))
-    });
-    match (written, write) {
-        (Some(written), _) => written,
-        // a host that does not write leaves it to us
-        (None, Some(write)) => write(),
-        (None, None) => unreachable!("a file is written once"),
-    }
+    let running = running();
+    let mut hold = running.host.hold();
+    let written = write()?;
+    hold.written(files);
+    Ok(written)
 }

@@ -71,7 +71,7 @@ mod validate;
 mod verify;
 
 pub use described::described;
-pub use host::{Host, Kind};
+pub use host::{Hold, Host, Kind};
 
 use crate::Result;
 use args::{Args, Command};

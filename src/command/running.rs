@@ -2,6 +2,7 @@
 
 use super::args::Shown;
 use super::host::{Host, Kind};
+use super::terminal::Terminal;
 use crate::units::{Message, System};
 use std::cell::RefCell;
 use std::ffi::OsString;
@@ -36,22 +37,24 @@ impl Drop for Ended {
 /// Does the work of a command.
 pub fn within<T>(host: Arc<dyn Host>, shown: Option<Shown>, words: &[OsString], work: impl FnOnce() -> T) -> T {
     let words = words.get(1..).unwrap_or_default().to_vec();
-    let running = Running { host, shown, words, early: Mutex::default(), input: Mutex::default() };
-    RUNNING.with_borrow_mut(|all| all.push(Arc::new(running)));
+    RUNNING.with_borrow_mut(|all| all.push(Arc::new(Running::of(host, shown, words))));
     let _ended = Ended;
     work()
 }
 
-/// The command on this thread. What runs on threads that the work makes takes it along.
-///
-/// # Panics
-/// On a thread that runs none: the commands' own code is all that asks.
+/// The command on this thread; a thread that runs none speaks to the terminal. What runs on threads that the work of a command makes takes it
+/// along.
 pub fn running() -> Arc<Running> {
-    #[allow(clippy::expect_used)]
-    RUNNING.with_borrow(|all| all.last().cloned()).expect("a command on this thread")
+    RUNNING
+        .with_borrow(|all| all.last().cloned())
+        .unwrap_or_else(|| Arc::new(Running::of(Arc::new(Terminal::default()), None, vec![])))
 }
 
 impl Running {
+    fn of(host: Arc<dyn Host>, shown: Option<Shown>, words: Vec<OsString>) -> Self {
+        Self { host, shown, words, early: Mutex::default(), input: Mutex::default() }
+    }
+
     /// The units that were asked for, if any.
     pub fn stated_system(&self) -> Option<System> {
         self.shown.as_ref().and_then(|shown| shown.units).map(System::from)

@@ -3,7 +3,7 @@
 //! written before are named. A second Ctrl-C ends the program at once.
 
 use super::colour;
-use super::host::{Host, Kind};
+use super::host::{Hold, Host, Kind};
 use crate::report::{Reply, remark};
 use std::io::{self, Read, Write};
 use std::path::Path;
@@ -134,10 +134,13 @@ impl Host for Terminal {
         self.now().work = None;
     }
 
-    fn whole(&self, files: &[&Path], write: &mut dyn FnMut() -> bool) {
-        let mut now = self.now();
-        if write() {
-            now.written.extend(files.iter().map(|file| file.display().to_string()));
-        }
+    fn hold(&self) -> Box<dyn Hold + '_> {
+        Box::new(self.now())
+    }
+}
+
+impl Hold for MutexGuard<'_, Now> {
+    fn written(&mut self, files: &[&Path]) {
+        self.written.extend(files.iter().map(|file| file.display().to_string()));
     }
 }
