@@ -27,7 +27,10 @@ class Docstrings(griffe.Extension):
         if text:
             text = FOR_MAINTAINERS.sub("", ROLE.sub(r"\1", text))
             text = EXAMPLE.sub(lambda example: f"```pycon\n{example[0].rstrip()}\n```\n", text)
-            obj.docstring = griffe.Docstring(text.strip(), parent=obj)
+            if obj.docstring:
+                obj.docstring.value = text.strip()
+            else:
+                obj.docstring = griffe.Docstring(text.strip(), parent=obj, parser="google")
 
 
 def compiled(path: str) -> str | None:

@@ -32,7 +32,7 @@ def main() -> int:
     parser.add_argument("--write", action="store_true", help="store the outputs in the notebooks")
     given = parser.parse_args()
     paths = [FOLDER / f"{name.removesuffix('.ipynb')}.ipynb" for name in given.names] or sorted(FOLDER.glob("*.ipynb"))
-    # pictures that are the same at every run
+    # no dates in pictures; matplotlibrc makes the rest of them the same at every run
     os.environ.setdefault("SOURCE_DATE_EPOCH", "0")
     faults = [fault for path in paths for fault in run(path, given.write)]
     for fault in faults:

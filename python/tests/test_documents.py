@@ -1,4 +1,4 @@
-"""What the documents of the package say is so: examples in docstrings and in the README, and every public name has a text."""
+"""What the documents of the package say is so: examples in docstrings, README and docs/python.md, and every public name has a text."""
 
 from __future__ import annotations
 

@@ -45,7 +45,6 @@ class Optimum(Reply):
     | ``ended`` | the same in a word: ``converged``, ``stalled``, ``infeasible``, … |
     | ``message`` | the same in a sentence |
     | ``nit``, ``nfev`` | iterations and evaluations |
-    | ``maxcv`` | the largest violation of a constraint, in its SI unit |
 
     ``multipliers`` are those of the bounds, by parameter; ``prices`` say what ``fun`` gains for each SI unit that a bound or constraint is
     relaxed; ``setup`` is the setup at the optimum; ``reply`` is all that the program's ``--json`` prints.

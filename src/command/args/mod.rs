@@ -17,7 +17,9 @@ pub use certainty::{SensitivityArgs, UncertaintyArgs, Verify};
 pub use compare::{Compare, Pair};
 pub use data::{Calibrate, DeliveryArgs, Published, Reproduce, Validate};
 pub use fly::{Fly, FlyFormat};
-pub use many::{Format, PartOf, Sweep};
+#[cfg(feature = "parquet")]
+pub use many::PartOf;
+pub use many::{Format, Sweep};
 pub use pareto::{ParetoArgs, ParetoAsked};
 pub use picture::{
     Drawing, Drawn, LawsOver, Moved, Plot, PlotChart, PlotCompare, PlotContour, PlotFace, PlotFairway, PlotKind,
