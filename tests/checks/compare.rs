@@ -35,7 +35,7 @@ fn exact_shares_of_random_drives_add_up_and_change_sign_on_the_way_back() {
     // where a law is C² in pieces, quadrature leaves a remainder above rounding, which is stated
     let smooth = ["launch-monitor", "linear", "robinson", "smits-smith", "winfield-tan"];
     let setups: Vec<_> = random_setups(26)
-        .map(|setup| changed(&setup, &[("flight.method", "dp8"), ("flight.step", "100 ms")]))
+        .map(|setup| changed(&setup, &[("flight.method", "dp8"), ("flight.step", "50 ms")]))
         .filter(flies)
         .collect();
     let is_compared = |pair: &[Setup<f64>]| {

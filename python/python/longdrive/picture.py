@@ -50,6 +50,8 @@ def written_plot(output: PathLike | None) -> tuple[str, Callable[[Path], Any]]:
 
 
 def picture(reply: Reply) -> Picture:
-    """The answer of a plot with what was written."""
+    """The answer of a plot with what was written. A file of its own is gone with its folder: it is not named."""
     form, data = reply.pop("written")
+    if not Path(reply["file"]).exists():
+        reply["file"] = None
     return Picture(reply, form=form, data=data)

@@ -148,8 +148,16 @@ pub fn trajectory_figure(flown: &[Flown], view: View, system: System) -> Result<
         }
     };
     figure.note = note.into();
-    if runs.iter().any(|run| !run.is_empty()) {
-        figure.note += " Behind the carry the ball bounces and runs to its total, which is known within 10 yd at best.";
+    // not at the points: they lie beside those of the carry, whose words would be in the way
+    let totals = flown.iter().zip(&runs).filter(|(_, run)| !run.is_empty()).filter_map(|(one, _)| {
+        let total = shown::outcome(Outcome::Total, Outcome::Total.value(&one.drive)?, system);
+        Some(if one.name.is_empty() { total } else { format!("{total} ({})", one.name) })
+    });
+    let totals = totals.collect::<Vec<_>>().join(" and ");
+    if !totals.is_empty() {
+        figure.note += &format!(
+            " Behind the carry the ball bounces and runs to its total, {totals}, which is known within 10 yd at best."
+        );
     }
     if let Some(panel) = stretched {
         figure.note += &format!(" Below: {}.", panel.title.to_lowercase());
@@ -177,8 +185,6 @@ fn marks(flown: &Flown, i: usize, view: View, system: System) -> Vec<Layer> {
                 told(Outcome::ApexHeight, "apex"),
             );
             mark(value(Outcome::Carry).map(|carry| [carry, up]), told(Outcome::Carry, "carry"));
-            let rest = flown.path.run.last().map(|way| [value(Outcome::Carry).unwrap_or_default() + way.z, up + way.x]);
-            mark(rest.filter(|_| value(Outcome::Total).is_some()), told(Outcome::Total, "total"));
         }
         View::Top => {
             let at = value(Outcome::Carry).zip(value(Outcome::Lateral)).map(<[f64; 2]>::from);
