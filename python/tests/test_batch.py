@@ -262,7 +262,7 @@ def test_progress_is_told_from_none_to_all() -> None:
 
 def test_a_line_of_progress_ends_whole(capsys: pytest.CaptureFixture[str]) -> None:
     longdrive.batch("tour-average", points(10), progress=True)
-    assert capsys.readouterr().err.endswith("10 of 10 drives   \n")
+    assert capsys.readouterr().err.endswith("drives: 10 of 10   \n")
 
 
 @pytest.mark.skipif(os.name != "posix", reason="sends a signal to itself")
