@@ -54,11 +54,15 @@ def blocks() -> list[Any]:
 
 
 @pytest.mark.parametrize(("name", "line", "code"), blocks())
-def test_exact_the_python_of_the_documents_runs(name: str, line: int, code: str) -> None:
+def test_exact_the_python_of_the_documents_runs(
+    name: str, line: int, code: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     for library in re.findall(r"^(?:import|from) (\w+)", code, re.MULTILINE):
         pytest.importorskip(library)
     for needed in (library for module, library in NEEDS.items() if f"import {module}" in code):
         pytest.importorskip(needed)
+    # what they write is left nowhere
+    monkeypatch.chdir(tmp_path)
     exec(compile("\n" * (line - 1) + code, name, "exec"), {})  # noqa: S102
 
 

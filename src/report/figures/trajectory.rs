@@ -47,6 +47,9 @@ impl Flown {
 /// A path that stays so near to the target line has nothing to see from above, m: a tenth of a yard.
 const STRAIGHT: f64 = 0.09144;
 
+/// How well a total is known at best, m: ten yards.
+const TOTAL_WITHIN: f64 = 9.144;
+
 /// What the view from above shows at least to each side, m.
 const CORRIDOR: f64 = 10.0;
 
@@ -155,8 +158,9 @@ pub fn trajectory_figure(flown: &[Flown], view: View, system: System) -> Result<
     });
     let totals = totals.collect::<Vec<_>>().join(" and ");
     if !totals.is_empty() {
+        let within = Quantity::LENGTH.read_off_difference(TOTAL_WITHIN, system.unit("yd"));
         figure.note += &format!(
-            " Behind the carry the ball bounces and runs to its total, {totals}, which is known within 10 yd at best."
+            " Behind the carry the ball bounces and runs to its total, {totals}, which is known within {within} at best."
         );
     }
     if let Some(panel) = stretched {
