@@ -115,3 +115,9 @@ def test_a_derivative_that_does_not_exist_is_no_answer() -> None:
     with pytest.raises(NoAnswerError) as caught:
         longdrive.gradient(launch, of="spin_axis", wrt="launch.launch_angle")
     assert caught.value.status == "undefined"
+
+
+def test_several_outcomes_of_a_gradient_are_refused_with_what_takes_them() -> None:
+    for derivative in (longdrive.gradient, longdrive.hessian):
+        with pytest.raises(longdrive.InputError, match="of is a list; expected one name"):
+            derivative("tour-average", of=["carry", "spin"])  # type: ignore[arg-type]

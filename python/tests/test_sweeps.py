@@ -49,6 +49,24 @@ def test_bad_ranges_get_the_programs_message(tmp_path):
             longdrive.sweep(over={"club.loft": ("1 deg", "2 deg")}, output=output)
 
 
+@pytest.mark.parametrize(
+    ("given", "words"),
+    [
+        ({"over": OVER, "points": {"club.loft [rad]": [0.2]}}, "keep one of the two"),
+        ({"points": {"club.loft [rad]": [0.2]}, "sample": 9}, "keep one of the two"),
+        ({"over": OVER, "resume": True}, "about a file"),
+        ({"over": {"club.loft": (0.1, 0.2)}, "sample": 0}, "sample = 0; expected a whole number of 1 or more"),
+        ({"over": {"club.loft": (0.1, 0.2)}, "sample": 3, "seed": -1}, "seed = -1; expected a whole number of 0 or more"),
+        ({"over": OVER, "threads": -2}, "threads = -2; expected"),
+        ({"over": OVER, "threads": 1.5}, "threads = 1.5; expected"),
+        ({}, "nothing to sweep"),
+    ],
+)
+def test_arguments_without_effect_are_refused(given, words):
+    with pytest.raises(longdrive.InputError, match=words):
+        longdrive.sweep("tour-average", **given)
+
+
 def test_a_file_that_exists_is_kept(tmp_path):
     file = tmp_path / "rows.csv"
     file.write_text("mine", encoding="utf-8")

@@ -8,6 +8,7 @@ from typing import Any
 import numpy.typing as npt
 
 from . import _longdrive
+from .arguments import count_of
 from .progress import Progress, follower
 from .table import Table
 from .types import Names, SetupLike
@@ -94,7 +95,7 @@ def computed(
 ) -> Table:
     """The table of a batch. The step is chosen for `ranges`, or for those of the points."""
     status, columns, seconds, of, by, given, units, warnings, (done, whole), raised = _longdrive.batch(
-        setup, points, of, wrt, tolerance, own_step, threads, told, first_row, hessians, ranges
+        setup, points, of, wrt, tolerance, own_step, count_of("threads", threads), told, count_of("first_row", first_row), hessians, ranges
     )
     table = Table(
         status=status[:done], columns=columns[len(given) :, :done], points=columns[: len(given), :done], of=of, wrt=by, parameters=given, units=units,

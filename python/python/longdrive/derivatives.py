@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from typing import Literal, NamedTuple
 
 from . import _longdrive
+from .arguments import one_name
 from .types import Floats, Names, Sense, SetupLike
 
 __all__ = ["Gradient", "Hessian", "Jacobian", "gradient", "hessian", "jacobian", "objective"]
@@ -59,7 +60,7 @@ def gradient(setup: SetupLike, of: str = "carry", wrt: Names | None = None) -> G
         InputError: for a name that nothing bears, or a value outside its range.
         NoAnswerError: where the ball does not fly, or the derivative does not exist.
     """
-    return Gradient(*_longdrive.gradient(setup, of, wrt))
+    return Gradient(*_longdrive.gradient(setup, one_name("of", of, "jacobian takes several"), wrt))
 
 
 def jacobian(setup: SetupLike, of: Names, wrt: Names | None = None) -> Jacobian:
@@ -99,7 +100,7 @@ def hessian(setup: SetupLike, of: str = "carry", wrt: Names | None = None) -> He
         InputError: as :func:`gradient`.
         NoAnswerError: as :func:`gradient`.
     """
-    return Hessian(*_longdrive.hessian(setup, of, wrt))
+    return Hessian(*_longdrive.hessian(setup, one_name("of", of, "batch with hessians=True takes several"), wrt))
 
 
 def objective(

@@ -10,7 +10,9 @@ from typing import Union, overload
 from . import _longdrive
 from ._ask import Question, ask
 from ._longdrive import Setup
+from .arguments import count_of
 from .batches import computed
+from .errors import InputError
 from .progress import Progress, follower
 from .reply import Reply
 from .table import Table
@@ -106,6 +108,7 @@ def sweep(
         InputError: bad input, with the program's message.
         Interrupted: where Ctrl-C was pressed while a table was computed; it has the rows that were done. A file is gone on with by `resume`.
     """
+    _refuse(over, sample, seed, points, output, resume or overwrite)
     with tempfile.TemporaryDirectory(prefix="longdrive-") as name:
         folder = Path(name)
         if output is not None:
@@ -134,6 +137,23 @@ def sweep(
         by = list(at) if gradient and wrt is None else wrt
         with follower("sweep", progress) as told:
             return computed(question.setup, at, outcomes, by, tolerance=tolerance, own_step=own_step, threads=threads, told=told, ranges=ranges)
+
+
+def _refuse(
+    over: Given | None, sample: int | None, seed: int, points: TableLike | None, output: PathLike | None, is_of_file: bool
+) -> None:
+    """Arguments of which one would leave another without effect."""
+    if points is not None and over is not None:
+        raise InputError("over and points both say what is swept; keep one of the two")
+    if points is not None and sample is not None:
+        raise InputError("sample takes points in the ranges of over, and points has its own; keep one of the two")
+    if over is None and points is None:
+        raise InputError('nothing to sweep: give over, as in over={"club.loft": ("5 deg", "15 deg", 101)}, or points')
+    if sample is not None:
+        count_of("sample", sample, 1)
+    count_of("seed", seed)
+    if output is None and is_of_file:
+        raise InputError("resume and overwrite are about a file; name it with output, or leave them out")
 
 
 def _joined(names: Names) -> str:
