@@ -66,8 +66,7 @@ fn paper_numbers_of_winfield_and_tan_stay_as_printed_and_computed_ones_are_in_th
 fn a_study_is_printed_in_its_own_units_where_none_are_asked_for() {
     let [metric, us] = System::ALL.map(|system| winfield_tan_document(&PAPER, system).text());
     assert!(us.contains("250.09 yd") && PAPER_SAID.out == us, "{}", PAPER_SAID.out);
-    let said = longdrive(&["reproduce", "winfield-tan", "-q", "--units", "metric"]);
-    assert!(metric.contains("250.09 yd (228.68 m)") && said.out == metric, "{}", said.out);
+    assert!(metric.contains("250.09 yd (228.68 m)"), "{metric}");
     let help = longdrive(&["reproduce", "--help"]).out;
     assert!(words(&help).contains("reproduce: those of the study"), "{help}");
 }
