@@ -62,7 +62,7 @@ class Drive(Mapping[str, "float | None"]):
             pass
         if any(row["name"] == name for row in _longdrive.outcomes()):
             raise UnknownKeyError(f"'{name}' was not asked for; simulate(…, of=[…]) gives {', '.join(self.outcomes)} here; add it to of")
-        raise UnknownKeyError(_longdrive.unknown_key(str(name), list(self.outcomes), "a drive has the outcomes that it was asked for"))
+        raise UnknownKeyError(_longdrive.unknown_key("outcome", str(name), list(self.outcomes), "a drive has the outcomes that it was asked for"))
 
     def __iter__(self) -> Iterator[str]:
         return iter(self.outcomes)

@@ -133,7 +133,7 @@ class Table:
         elif name in self.parameters:
             column = self._points[self.parameters.index(name)]
         else:
-            raise UnknownKeyError(_longdrive.unknown_key(name, self.keys(), f"the columns are {', '.join(self.keys())}"))
+            raise UnknownKeyError(_longdrive.unknown_key("column", name, self.keys(), f"the columns are {', '.join(self.keys())}"))
         return column
 
     def __getitem__(self, key: str | slice) -> Any:
@@ -269,9 +269,9 @@ def _refuse_difference(first: Table, other: Table, number: int) -> None:
             raise InputError(f"tables 1 and {number} differ in {what}: {both}; give tables of one question")
     if first.setup == other.setup:
         return
-    one, two = ({} if table.setup is None else table.setup.to_dict() for table in (first, other))
-    names = [name for name in dict.fromkeys([*one, *two]) if one.get(name) != two.get(name)]
-    shown = ", ".join(f"{name} = {one.get(name)} and {two.get(name)}" for name in names[:4])
+    here, there = ({} if table.setup is None else table.setup.to_dict() for table in (first, other))
+    names = [name for name in dict.fromkeys([*here, *there]) if here.get(name) != there.get(name)]
+    shown = ", ".join(f"{name} = {here.get(name)} and {there.get(name)}" for name in names[:4])
     more = f", and {len(names) - 4} more" if len(names) > 4 else ""
     raise InputError(
         f"tables 1 and {number} are of different setups: {shown}{more}; a table says of one setup what its points do: give what differs as a "

@@ -61,10 +61,6 @@ def outcome(setup: SetupLike, of: Names = "carry", wrt: Names | None = None) -> 
             raise InputError(NO_THIRD.format("torch"))
 
         @staticmethod
-        def jvp(ctx: Any, *along: Any) -> Any:
-            raise InputError(NO_THIRD.format("torch"))
-
-        @staticmethod
         def vmap(info: Any, in_dims: tuple[int | None, ...], x: torch.Tensor) -> Any:
             return batched(Curvatures, info, in_dims, x), (0, 0, 0)
 

@@ -28,7 +28,7 @@ COMMAND = re.compile(r"'longdrive ([a-z-]+)'")
 SHORT = re.compile(r"(?<![\w-])-o(?![\w-])")
 # a value is in quotes, has a sign that no word has, is a number, or a word in capitals that stands for one
 VALUE = r'"[^"]*"|[^\s,;()\'"]*(?:=|\.\.)(?:"[^"]*"|[^\s,;()\'"]*(?:\([^()]*\))?)|[\d.][^\s,;()\'"]*|[A-Z]{2,}\b|[a-z_]+\b'
-OPTION = re.compile(rf"(?<![\w-])--([a-z]+(?:-[a-z]+)*)(?![\w-])(?:[ =]({VALUE}))?")
+OPTION = re.compile(rf"(?<![\w-])--([a-z]+(?:-[a-z]+)*)(?![\w-])(?: <[^>]*>(?:\.\.\.)?|[ =]({VALUE}))?")
 
 
 def argument_of(option: str) -> str:
@@ -74,7 +74,8 @@ def _argument(found: re.Match[str]) -> str:
     if not options()[option]:
         return f"{argument_of(option)}=True{found[0][len(option) + 2 :]}"
     if value is None or not _is_value(option, value):
-        return f"{argument_of(option)}{found[0][len(option) + 2 :]}"
+        rest = found[0][len(option) + 2 :]
+        return argument_of(option) + ("" if rest.startswith(" <") else rest)
     text = value.rstrip(".:")
     is_plain = text.isupper() or text.startswith('"') or _is_number(text)
     shown = text if is_plain else f'"{text}"'
