@@ -32,6 +32,8 @@ struct Now {
     answer: String,
     said: Vec<(&'static str, String)>,
     stop: Option<Arc<AtomicBool>>,
+    /// Whether there was work that could stop: what follows it only makes an answer of what was found.
+    has_found: bool,
     /// The bar that was shown last.
     bar: Option<ProgressBar>,
 }
@@ -56,13 +58,11 @@ impl Caller {
 
     /// Tells the work that goes on to end, and says how long it may take to answer: no time where it cannot be told.
     fn stops(&self) -> Duration {
-        match &self.now().stop {
-            None => Duration::ZERO,
-            Some(stop) => {
-                stop.store(true, Ordering::Relaxed);
-                LAST_WORDS
-            }
+        let now = self.now();
+        if let Some(stop) = &now.stop {
+            stop.store(true, Ordering::Relaxed);
         }
+        if now.stop.is_some() || now.has_found { LAST_WORDS } else { Duration::ZERO }
     }
 }
 
@@ -92,7 +92,8 @@ impl Host for Caller {
     }
 
     fn cannot_stop(&self) {
-        self.now().stop = None;
+        let mut now = self.now();
+        now.has_found |= now.stop.take().is_some();
     }
 
     fn hold(&self) -> Box<dyn Hold + '_> {
@@ -174,7 +175,8 @@ fn asked<'py>(
             return Ok((None, written.into_pyobject(py)?, Some(raised)));
         }
     };
-    said(&caller, say)?;
+    // Ctrl-C may come now, too
+    let raised = raised.or(said(&caller, say).err());
     let text = std::mem::take(&mut caller.now().answer);
     Ok((status, parsed(py, &text)?, raised))
 }

@@ -55,6 +55,7 @@ def test_bad_ranges_get_the_programs_message(tmp_path):
         ({"over": OVER, "points": {"club.loft [rad]": [0.2]}}, "keep one of the two"),
         ({"points": {"club.loft [rad]": [0.2]}, "sample": 9}, "keep one of the two"),
         ({"over": OVER, "resume": True}, "about a file"),
+        ({"over": OVER, "overwrite": True}, "about a file"),
         ({"over": {"club.loft": (0.1, 0.2)}, "sample": 0}, "sample = 0; expected a whole number of 1 or more"),
         ({"over": {"club.loft": (0.1, 0.2)}, "sample": 3, "seed": -1}, "seed = -1; expected a whole number of 0 or more"),
         ({"over": OVER, "threads": -2}, "threads = -2; expected"),

@@ -60,7 +60,7 @@ class Question:
             if not option["positional"]:
                 self.option(option["name"], value, option["takes"], what)
             elif name == "setup":
-                self.take_setup(value)
+                self.take_setup(option["default"] if value is None else value)
             elif name == "other":
                 self.take_other(name, value)
             elif what in ("SHOTS", "DATA"):
