@@ -104,7 +104,7 @@ class Question:
         names = {option["name"] for option in commands()[self.command]}
         if "checkpoint" in names:
             return "the same call begins again; one with checkpoint=FILE saves every iteration, and goes on from there"
-        return "" if "resume" in names else "the same call begins again"
+        return "the rows so far are kept, and the same call with resume=True goes on" if "resume" in names else "the same call begins again"
 
     def take_setup(self, given: Any) -> None:
         """The setup, in its place among the words."""

@@ -77,7 +77,7 @@ def _argument(found: re.Match[str]) -> str:
         rest = found[0][len(option) + 2 :]
         return argument_of(option) + ("" if rest.startswith(" <") else rest)
     text = value.rstrip(".:")
-    is_plain = text.isupper() or text.startswith('"') or _is_number(text)
+    is_plain = (text.isupper() and "=" not in text) or text.startswith('"') or _is_number(text)
     shown = text if is_plain else f'"{text}"'
     return f"{argument_of(option)}={shown}{value[len(text) :]}"
 
