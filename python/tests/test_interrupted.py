@@ -126,10 +126,10 @@ def test_a_fit_has_the_values_that_it_had_come_to(pressing_at: Callable[[str], N
 
 def test_work_that_was_left_writes_no_file(tmp_path: Path) -> None:
     with pytest.raises(Interrupted):
-        longdrive.report("mae494", output=tmp_path / "page", progress=when(lambda done: True))
-    # the same threads do what comes after it
-    longdrive.report("mae494", output=tmp_path / "other")
-    assert not (tmp_path / "page" / "index.html").exists() and (tmp_path / "other" / "index.html").exists()
+        longdrive.plot.contour("mae494", output=tmp_path / "left.svg", progress=when(lambda done: True))
+    # as much work again, on the same threads
+    longdrive.plot.contour("mae494", output=tmp_path / "whole.svg")
+    assert [path.name for path in tmp_path.iterdir()] == ["whole.svg"]
 
 
 def test_exact_a_sweep_in_memory_has_the_rows_that_were_done_and_says_what_a_sweep_can() -> None:
