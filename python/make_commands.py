@@ -47,14 +47,14 @@ def main() -> int:
     written = {
         "commands.py": module(
             "The studies: a function for each command of the program.",
-            "from ._ask import Question, ask\nfrom .optimum import Optimum, optimum\nfrom .progress import Progress\nfrom .reply import Reply\n"
-            "from .rows import SHOTS\nfrom .types import Amount, Goals, Given, Names, PathLike, SetupLike, TableLike",
+            "from ._ask import ask\nfrom .optimum import Optimum, optimum\nfrom .progress import Progress\nfrom .reply import Reply, as_reply\n"
+            "from .rows import flown\nfrom .types import Amount, Goals, Given, Names, PathLike, SetupLike, TableLike",
             studies,
             "",
         ),
         "plot.py": module(
             "Plots, as pictures for notebooks and files: a function for each kind.",
-            "from ._ask import Question, ask\nfrom .picture import Picture, picture, written_plot\nfrom .progress import Progress\nfrom .reply import Reply\n"
+            "from ._ask import ask\nfrom .picture import Picture, picture\nfrom .progress import Progress\n"
             "from .types import Amount, Goals, Given, Names, PathLike, SetupLike, TableLike",
             plots,
             "plot ",
@@ -153,44 +153,13 @@ def function(command: dict[str, Any], before: str) -> str:
 
     returns = "Picture" if is_plot else "Optimum" if command["name"] in SEARCHES else "Reply"
     head = "".join(f"    {parameter},\n" for parameter in parameters)
-    return f"def {own}(\n{head}) -> {returns}:\n{docstring(command, required, setups, others)}\n{body(command, before, required, setups, others)}"
+    return f"def {own}(\n{head}) -> {returns}:\n{docstring(command, required, setups, others)}\n{body(command, before)}"
 
 
-def body(command: dict[str, Any], before: str, required: list[Any], setups: list[Any], others: list[Any]) -> str:
-    own = name(command)
-    is_plot, is_fly, is_search = before != "", own == "fly", command["name"] in SEARCHES
-    lines = ["started = []", ""] if is_search else [""]
-    lines += ["def write(question: Question) -> None:"]
-    for option in required:
-        take = "take_file" if type_of(option) == "TableLike" else "take_word"
-        lines.append(f'    question.{take}("{option["name"]}", {option["name"]})')
-    if setups:
-        lines.append("    question.take_setup(setup)")
-    if len(setups) > 1:
-        lines.append('    question.take_other("setup_b", other)')
-    if is_search:
-        lines.append("    started.append(question.setup)")
-    for option in others:
-        python = option["name"].replace("-", "_")
-        value = python
-        if python == "output" and is_plot:
-            value = 'output or question.folder / "plot.svg"'
-        if python == "output" and is_fly:
-            value = 'output or question.folder / "rows.jsonl"'
-        lines.append(f'    question.option("{python}", {value}, "{option["takes"]}", "{option["value"]}")')
-    if not lines[-1].startswith("    "):
-        lines.append("    pass")
-    lines.append("")
-    asked = f'"{before}{command["name"]}", write, progress'
-    if is_plot:
-        lines.append(f"return picture(ask({asked}, written_plot(output)))")
-    elif is_search:
-        lines.append(f"return optimum(ask({asked}), started[0])")
-    elif is_fly:
-        lines.append(f"return ask({asked}, None if output else SHOTS)")
-    else:
-        lines.append(f"return ask({asked})")
-    return "".join(f"    {line}".rstrip() + "\n" for line in lines)
+def body(command: dict[str, Any], before: str) -> str:
+    """One line: what the program says of the options tells how each argument is written."""
+    answered = "picture" if before else "optimum" if command["name"] in SEARCHES else "flown" if command["name"] == "fly" else "as_reply"
+    return f'    return ask("{before}{command["name"]}", locals(), {answered})\n'
 
 
 def docstring(command: dict[str, Any], required: list[Any], setups: list[Any], others: list[Any]) -> str:
@@ -212,6 +181,7 @@ def docstring(command: dict[str, Any], required: list[Any], setups: list[Any], o
         lines += wrapped(f"{python}: {lower(text).removesuffix('.')}.", "        ", "            ")
     lines += wrapped("progress: True for a bar, or a function that is called with how many parts of how many are done.", "        ", "            ")
     lines += ["", "    Raises:", "        InputError: bad input, with the program's message.", "        NoAnswerError: a sound question without an answer."]
+    lines.append("        Interrupted: after Ctrl-C, with what was found so far.")
     lines[0] = '    """' + lines[0].strip()
     return "\n".join(lines) + '\n    """'
 

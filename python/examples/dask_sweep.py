@@ -17,7 +17,7 @@ def main(output: str, scheduler: str | None = None) -> None:
             client,
             "tour-average",
             over={"club.loft": "5deg..15deg:1000", "swing.speed": "80mph..130mph:1000"},
-            outcomes=["carry", "lateral"],
+            of=["carry", "lateral"],
             wrt=["club.loft", "swing.speed"],
             highest={"carry": 3},
             output=output,

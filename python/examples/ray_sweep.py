@@ -16,7 +16,7 @@ def main(output: str, cluster: str | None = None) -> None:
     found = longdrive.ray.sweep(
         "tour-average",
         over={"club.loft": "5deg..15deg:1000", "swing.speed": "80mph..130mph:1000"},
-        outcomes=["carry", "lateral"],
+        of=["carry", "lateral"],
         wrt=["club.loft", "swing.speed"],
         output=output,
         parts=20,

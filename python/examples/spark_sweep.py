@@ -17,7 +17,7 @@ def main(output: str) -> None:
         spark,
         "tour-average",
         over={"club.loft": "5deg..15deg:1000", "swing.speed": "80mph..130mph:1000"},
-        outcomes=["carry", "lateral"],
+        of=["carry", "lateral"],
         wrt=["club.loft", "swing.speed"],
         output=output,
         parts=20,

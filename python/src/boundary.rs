@@ -12,6 +12,8 @@ pub enum Failure {
     Longdrive(Box<longdrive::Error>),
     /// What is wrong with an argument before longdrive sees it.
     Input(String),
+    /// A key that a mapping has not.
+    Key(String),
     /// An exception of Python's own.
     Python(PyErr),
     /// A panic: a mistake in longdrive.
@@ -38,6 +40,7 @@ impl From<Failure> for PyErr {
         match failure {
             Failure::Python(error) => error,
             Failure::Input(message) => raised("InputError", message, None),
+            Failure::Key(message) => raised("UnknownKeyError", message, None),
             Failure::Longdrive(error) if error.is_an_outcome() => {
                 raised("NoAnswerError", error.to_string(), Some(error.status()))
             }
@@ -47,10 +50,13 @@ impl From<Failure> for PyErr {
     }
 }
 
-/// An exception of `longdrive.errors`; they are classes of Python, so that they pickle as any other.
+/// An exception of `longdrive.errors`; they are classes of Python, so that they pickle as any other. Options of the command line in its
+/// message are named as the arguments that they are.
 fn raised(name: &str, message: String, status: Option<&str>) -> PyErr {
     Python::attach(|py| {
         let class = py.import("longdrive.errors").and_then(|module| module.getattr(name));
+        let wording = py.import("longdrive.wording").and_then(|module| module.getattr("in_python"));
+        let message = wording.and_then(|wording| wording.call1((&message,))?.extract()).unwrap_or(message);
         let made = class.and_then(|class| match status {
             Some(status) => class.call1((message, status)),
             None => class.call1((message,)),

@@ -1,24 +1,28 @@
 //! The studies: every command of the program, asked in its words and answered in its JSON.
 
-use crate::boundary::{Answer, Failure, answer};
+use crate::boundary::{Answer, answer};
 use crate::json::to_python;
-use crate::pool;
+use crate::pool::{self, Ended};
 use indicatif::{ProgressBar, ProgressDrawTarget};
-use longdrive::command::{Host, Kind, run, run_in_terminal};
+use longdrive::command::{Hold, Host, Kind, run, run_in_terminal};
+use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
 use std::ffi::OsString;
 use std::io;
+use std::panic::resume_unwind;
+use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
-/// How long work that was told to end may take to say what it has so far.
-const LAST_WORDS: Duration = Duration::from_millis(40);
+/// How long work that was told to end may take to answer with what it has so far: an iteration over many swings takes a second.
+const LAST_WORDS: Duration = Duration::from_secs(2);
 
 /// A program in Python, as the host of a command.
 #[derive(Default)]
 struct Caller {
     now: Mutex<Now>,
+    files: Mutex<Files>,
     /// The setup, as the text of a setup file.
     setup: String,
 }
@@ -28,8 +32,19 @@ struct Now {
     answer: String,
     said: Vec<(&'static str, String)>,
     stop: Option<Arc<AtomicBool>>,
+    /// Whether there was work that could stop: what follows it only makes an answer of what was found.
+    has_found: bool,
     /// The bar that was shown last.
     bar: Option<ProgressBar>,
+}
+
+/// The files of a command; locked while one is written.
+#[derive(Default)]
+struct Files {
+    /// Those that are whole.
+    written: Vec<String>,
+    /// Whether nobody waits for them any more.
+    is_left: bool,
 }
 
 impl Caller {
@@ -37,13 +52,17 @@ impl Caller {
         self.now.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// What work that was told to stop says within a moment.
-    fn last_words(&self) -> String {
-        let told = Instant::now();
-        while told.elapsed() < LAST_WORDS && self.now().answer.is_empty() {
-            std::thread::sleep(LAST_WORDS / 16);
+    fn files(&self) -> MutexGuard<'_, Files> {
+        self.files.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Tells the work that goes on to end, and says how long it may take to answer: no time where it cannot be told.
+    fn stops(&self) -> Duration {
+        let now = self.now();
+        if let Some(stop) = &now.stop {
+            stop.store(true, Ordering::Relaxed);
         }
-        std::mem::take(&mut self.now().answer)
+        if now.stop.is_some() || now.has_found { LAST_WORDS } else { Duration::ZERO }
     }
 }
 
@@ -73,7 +92,18 @@ impl Host for Caller {
     }
 
     fn cannot_stop(&self) {
-        self.now().stop = None;
+        let mut now = self.now();
+        now.has_found |= now.stop.take().is_some();
+    }
+
+    fn hold(&self) -> Box<dyn Hold + '_> {
+        let files = self.files();
+        if files.is_left {
+            drop(files);
+            // it ends here, without the message of a panic: who has gone on expects no more files
+            resume_unwind(Box::new("left"));
+        }
+        Box::new(Writing(files))
     }
 
     fn shows(&self, bar: ProgressBar) -> ProgressBar {
@@ -83,17 +113,28 @@ impl Host for Caller {
     }
 }
 
-/// Runs a command and waits for its answer: exit status, and answer (parsed where it is JSON, else a text).
+/// Files are written.
+struct Writing<'a>(MutexGuard<'a, Files>);
+
+impl Hold for Writing<'_> {
+    fn written(&mut self, files: &[&Path]) {
+        self.0.written.extend(files.iter().map(|file| file.display().to_string()));
+    }
+}
+
+/// What a command comes to: its exit status, None where it was left before its end; its answer, or the files that it had written then; and the
+/// exception that told it to end.
+type Asked<'py> = (Option<u8>, Bound<'py, PyAny>, Option<PyErr>);
+
+/// Runs a command and waits for its answer: exit status, answer (parsed where it is JSON, else a text), and the exception that told it to end
+/// before it was done, where there was one. After Ctrl-C work that can stop has two seconds to answer with what it has so far, or until Ctrl-C is
+/// pressed again; other work is left: in place of an answer is then a list of the files that it has written, and it writes no more.
 ///
 /// Args:
 ///     words: the command line, without the name of the program.
 ///     setup: the text of the setup file that is named ``-``.
 ///     say: called from the calling thread with what is said beside the answer: its kind (``note``, ``warning``, ``error``) and the text.
 ///     progress: called now and then from the calling thread with how many parts of how many are done (0 of 0 where they cannot be counted).
-///
-/// Raises:
-///     KeyboardInterrupt: after Ctrl-C, within a tenth of a second; work that can stop stops, and ``answer`` of the exception is what it had by then,
-///         or None.
 #[pyfunction]
 #[pyo3(signature = (words, setup, say, progress = None))]
 pub fn command<'py>(
@@ -102,7 +143,7 @@ pub fn command<'py>(
     setup: String,
     say: &Bound<'py, PyAny>,
     progress: Option<&Bound<'py, PyAny>>,
-) -> PyResult<(u8, Bound<'py, PyAny>)> {
+) -> PyResult<Asked<'py>> {
     answer(|| asked(py, words, setup, say, progress))
 }
 
@@ -112,26 +153,32 @@ fn asked<'py>(
     setup: String,
     say: &Bound<'py, PyAny>,
     progress: Option<&Bound<'py, PyAny>>,
-) -> Answer<(u8, Bound<'py, PyAny>)> {
-    let caller = Arc::new(Caller { setup, now: Mutex::default() });
+) -> Answer<Asked<'py>> {
+    let caller = Arc::new(Caller { setup, ..Caller::default() });
     let host = caller.clone();
     let words = [OsString::from("longdrive")].into_iter().chain(words).collect();
     let watch = || said(&caller, say).and_then(|()| shown(&caller, progress));
-    let status = match pool::run(py, move |_| run(words, host), watch) {
-        Ok(status) => status,
-        Err(Failure::Python(error)) => {
-            if let Some(stop) = &caller.now().stop {
-                stop.store(true, Ordering::Relaxed);
-            }
-            let answer = py.detach(|| caller.last_words());
-            error.value(py).setattr("answer", parsed(py, &answer)?)?;
-            return Err(error.into());
-        }
-        Err(failure) => return Err(failure),
+    let patience = |raised: &PyErr| {
+        let time = caller.stops();
+        // any other exception is the caller's own, and waits for nothing
+        if raised.is_instance_of::<PyKeyboardInterrupt>(py) { time } else { Duration::ZERO }
     };
-    said(&caller, say)?;
+    let (status, raised) = match pool::run_to_answer(py, move |_| run(words, host), watch, patience)? {
+        Ended::Done(status, raised) => (Some(status), raised),
+        Ended::Left(raised) => {
+            said(&caller, say)?;
+            let written = py.detach(|| {
+                let mut files = caller.files();
+                files.is_left = true;
+                std::mem::take(&mut files.written)
+            });
+            return Ok((None, written.into_pyobject(py)?, Some(raised)));
+        }
+    };
+    // Ctrl-C may come now, too
+    let raised = raised.or(said(&caller, say).err());
     let text = std::mem::take(&mut caller.now().answer);
-    Ok((status, parsed(py, &text)?))
+    Ok((status, parsed(py, &text)?, raised))
 }
 
 fn said(caller: &Caller, say: &Bound<'_, PyAny>) -> PyResult<()> {

@@ -2,7 +2,7 @@
 
 use crate::boundary::{Answer, Failure};
 use longdrive::Setup;
-use longdrive::parameters::{LAW, TABLE, UNSET};
+use longdrive::parameters::{GOLFER, Kind, LAW, METHOD, SPEED_OF, TABLE, TURF, UNSET};
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyMapping, PyString};
 
@@ -21,7 +21,11 @@ impl Given<'_> {
     fn text(&self, setup: &Setup<f64>) -> Answer<(String, bool)> {
         let value = &self.value;
         if value.is_none() {
-            return Ok((UNSET.into(), false));
+            return if may_be_unset(setup, &self.name) {
+                Ok((UNSET.into(), false))
+            } else {
+                Err(self.lacks_value(setup))
+            };
         }
         if let Ok(text) = value.cast::<PyString>() {
             return Ok((text.to_str()?.to_owned(), false));
@@ -38,6 +42,22 @@ impl Given<'_> {
                 Err(Failure::Input(format!("'{}' is a {kind}; {expected}", self.name)))
             }
         }
+    }
+
+    /// What is wrong with None where a value is needed.
+    fn lacks_value(&self, setup: &Setup<f64>) -> Failure {
+        let name = &self.name;
+        let wanted = match setup.parameter(name) {
+            Ok(row) if row.quantity.si.is_empty() => "a number".to_owned(),
+            Ok(row) => format!(
+                "a number in {}, or a text with its unit like \"{}\"",
+                row.quantity.si,
+                row.show(row.default_value())
+            ),
+            Err(_) if name == TABLE => "the name of a CSV file with a table of drag and lift".into(),
+            Err(_) => "a name in quotes".into(),
+        };
+        Failure::Input(format!("'{name}' is None, and cannot be unset; expected {wanted}, or leave it out"))
     }
 
     /// The number of a quantity of pint, SI. It is known by what it has: pint itself need not be there.
@@ -59,6 +79,14 @@ pub fn flattened<'py>(dict: &Bound<'py, PyAny>) -> Answer<Vec<Given<'py>>> {
     let mut all = vec![];
     flatten(dict.cast::<PyMapping>().map_err(|_| not_a_mapping(dict))?, "", &mut all)?;
     Ok(all)
+}
+
+/// Whether None may stand for a parameter: where it is one that may be unset, or no known name, which is told later.
+fn may_be_unset(setup: &Setup<f64>, name: &str) -> bool {
+    match setup.parameter(name) {
+        Ok(row) => row.kind == Kind::Optional,
+        Err(_) => ![LAW, TABLE, METHOD, TURF, GOLFER, SPEED_OF].contains(&name),
+    }
 }
 
 /// Refuses a name that stands twice in what was given.

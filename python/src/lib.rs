@@ -37,7 +37,7 @@ mod _longdrive {
     #[pymodule_export]
     use crate::drive::simulate;
     #[pymodule_export]
-    use crate::names::{asked, outcomes, parameters, presets};
+    use crate::names::{asked, outcomes, parameters, presets, unknown_key};
     #[pymodule_export]
     use crate::objective::PyObjective;
     #[pymodule_export]

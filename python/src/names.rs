@@ -69,6 +69,13 @@ pub fn asked<'py>(
     })
 }
 
+/// What is told of a key that a mapping of Python has not: the nearest of those that it has.
+#[pyfunction]
+pub fn unknown_key(what: &str, key: &str, keys: Vec<String>, advice: String) -> String {
+    let what = if what == "column" { "column" } else { "outcome" };
+    longdrive::Error::unknown(what, key, keys.iter().map(String::as_str), advice).to_string()
+}
+
 /// Every parameter of a setup with its value, range, unit and meaning, as ``longdrive parameters --json`` gives it.
 #[pyfunction]
 #[pyo3(signature = (setup = None))]

@@ -6,7 +6,7 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicPtr, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, sync_channel};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 /// How long the thread of Python waits before it looks.
 const LOOK: Duration = Duration::from_millis(40);
@@ -48,14 +48,36 @@ fn shared(own: *const Own) -> Option<&'static Own> {
     unsafe { own.as_ref() }
 }
 
+/// What became of work that Python may end.
+pub enum Ended<R> {
+    /// It is done; where Python told it to end, with the exception that did.
+    Done(R, Option<PyErr>),
+    /// It was left to itself.
+    Left(PyErr),
+}
+
 /// Does some work on the threads of this process, so that what is parallel in it (rayon) is parallel there and never waits for threads that
 /// a fork has left behind. The thread of Python waits and lets others run; within 40 ms of a Ctrl-C it raises what Python makes of it,
 /// `stop` is then true, and the work ends by itself once it looks at it. `watch` is called as often as it looks.
 pub fn run<R: Send + 'static>(
     py: Python<'_>,
     work: impl FnOnce(&AtomicBool) -> R + Send + 'static,
-    mut watch: impl FnMut() -> PyResult<()>,
+    watch: impl FnMut() -> PyResult<()>,
 ) -> Answer<R> {
+    match run_to_answer(py, work, watch, |_| Duration::ZERO)? {
+        Ended::Done(done, _) => Ok(done),
+        Ended::Left(raised) => Err(raised.into()),
+    }
+}
+
+/// The same for work that has an answer where it is told to end: `patience` tells the work to, and says how long it may take. A second Ctrl-C
+/// ends the waiting at once.
+pub fn run_to_answer<R: Send + 'static>(
+    py: Python<'_>,
+    work: impl FnOnce(&AtomicBool) -> R + Send + 'static,
+    mut watch: impl FnMut() -> PyResult<()>,
+    patience: impl Fn(&PyErr) -> Duration,
+) -> Answer<Ended<R>> {
     let pool = pool().map_err(longdrive::Error::Output)?;
     let stop = Arc::new(AtomicBool::new(false));
     let (finished, mut result) = sync_channel(1);
@@ -64,15 +86,27 @@ pub fn run<R: Send + 'static>(
         // nobody listens once Python has gone on
         let _ = finished.send(unpanicked(|| work(&stopped)));
     });
+    // the exception that ends it, and until when it may answer
+    let mut ending: Option<(PyErr, Instant)> = None;
     loop {
         let heard;
         (heard, result) = py.detach(move || (result.recv_timeout(LOOK), result));
         match heard {
-            Ok(done) => return done,
+            Ok(done) => return Ok(Ended::Done(done?, ending.map(|(raised, _)| raised))),
             Err(RecvTimeoutError::Timeout) => {
-                if let Err(raised) = look(py).and_then(|()| watch()) {
-                    stop.store(true, Ordering::Relaxed);
-                    return Err(raised.into());
+                let again = look(py).and_then(|()| watch()).err();
+                ending = match (ending, again) {
+                    (None, None) => None,
+                    (None, Some(raised)) => {
+                        stop.store(true, Ordering::Relaxed);
+                        let until = Instant::now() + patience(&raised);
+                        Some((raised, until))
+                    }
+                    (Some((first, _)), Some(_)) => return Ok(Ended::Left(first)),
+                    (ending, None) => ending,
+                };
+                if let Some((raised, _)) = ending.take_if(|(_, until)| Instant::now() >= *until) {
+                    return Ok(Ended::Left(raised));
                 }
             }
             Err(RecvTimeoutError::Disconnected) => {

@@ -2,14 +2,14 @@
 
 use crate::boundary::{Answer, Failure, answer};
 use crate::given::{self, PRESET};
-use longdrive::parameters::{GOLFER, LAW, METHOD, Parameter, Preset, SetupFile, TABLE};
-use longdrive::report::{Change, changes, setup_toml};
+use longdrive::parameters::{GOLFER, LAW, METHOD, Parameter, Preset, SPEED_OF, SetupFile, TABLE};
+use longdrive::report::{Change, changes, setup_toml, setup_toml_without_step};
 use longdrive::units::System;
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyString};
 use std::hash::{Hash, Hasher};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// The preset of a command without a setup.
 const USUAL: &str = "tour-average";
@@ -62,7 +62,7 @@ impl Hash for PySetup {
 impl PySetup {
     /// A preset as it is.
     pub fn of_preset(name: &str) -> Answer<Self> {
-        let setup = longdrive::Setup::preset(name)?;
+        let setup = longdrive::Setup::preset(name).map_err(|error| not_a_preset(name, error))?;
         let preset = Preset::named(name).ok_or_else(|| Failure::Input(format!("unknown preset '{name}'")))?;
         let gives_step = preset.entries.iter().any(|entry| is_of_step(entry.name));
         Ok(Self { setup, preset, gives_step })
@@ -124,6 +124,7 @@ impl PySetup {
             LAW => Some(setup.law.name()),
             METHOD => Some(setup.method.name()),
             GOLFER => Some(setup.golfer.name()),
+            SPEED_OF => Some(setup.speed_of.name()),
             PRESET => Some(self.preset.name),
             TABLE if setup.law.table().is_none() => return Ok(py.None().into_bound(py)),
             TABLE => setup.law.table().map(|table| table.file()),
@@ -131,7 +132,10 @@ impl PySetup {
         };
         Ok(match choice {
             Some(choice) => choice.into_bound_py_any(py)?,
-            None => setup.value(setup.parameter(name)?).into_bound_py_any(py)?,
+            None => {
+                let row = setup.parameter(name).map_err(|error| Failure::Key(error.to_string()))?;
+                setup.value(row).into_bound_py_any(py)?
+            }
         })
     }
 
@@ -139,7 +143,7 @@ impl PySetup {
     fn names(&self) -> Vec<&'static str> {
         let used = self.setup.parameters().into_iter().filter(|row| self.setup.why_replaced(row).is_none());
         let table = self.setup.law.table().map(|_| TABLE);
-        [PRESET, GOLFER, LAW, METHOD].into_iter().chain(table).chain(used.map(|row| row.name)).collect()
+        [PRESET, GOLFER, SPEED_OF, LAW, METHOD].into_iter().chain(table).chain(used.map(|row| row.name)).collect()
     }
 
     /// What tells the user's own table of drag and lift from others: setup files name the file alone.
@@ -154,6 +158,14 @@ impl PySetup {
 
 /// What a pickled setup is made of: its text, whether it says how to integrate, and what its table contained.
 type State = (String, bool, Option<String>);
+
+/// What is told of the name of no preset: that of a file is read by another function.
+fn not_a_preset(name: &str, error: longdrive::Error) -> Failure {
+    if name.ends_with(".toml") || Path::new(name).is_file() {
+        return Failure::Input(format!("{name:?} is a file, and no preset; Setup.read({name:?}) reads it"));
+    }
+    error.into()
+}
 
 fn is_of_step(name: &str) -> bool {
     matches!(name, METHOD | "flight.step")
@@ -246,7 +258,7 @@ impl PySetup {
     }
 
     fn __contains__(&self, name: &str) -> bool {
-        [LAW, METHOD, GOLFER, PRESET, TABLE].contains(&name) || self.setup.parameter(name).is_ok()
+        [LAW, METHOD, GOLFER, SPEED_OF, PRESET, TABLE].contains(&name) || self.setup.parameter(name).is_ok()
     }
 
     /// The names of its choices and parameters.
@@ -268,15 +280,11 @@ impl PySetup {
             if self.setup == longdrive::Setup::preset(self.preset.name)? && !is_chosen_anew {
                 return Ok((self.preset.name.to_owned(), false));
             }
-            let text = self.toml()?;
             if self.gives_step {
-                return Ok((text, true));
+                return Ok((self.toml()?, true));
             }
-            // those of the preset: they follow from its name, and nobody has chosen them
-            let (before, flight) = text.split_once("\n[flight]\n").unwrap_or((&text, ""));
-            let is_step = |line: &&str| line.starts_with("method = ") || line.starts_with("step = ");
-            let kept: Vec<_> = flight.lines().filter(|line| !is_step(line)).collect();
-            Ok((format!("{before}\n[flight]\n{}\n", kept.join("\n")), true))
+            // those of the preset follow from its name, and nobody has chosen them
+            Ok((setup_toml_without_step(&self.setup, self.preset)?, true))
         })
     }
 

@@ -99,7 +99,7 @@ def test_exact_views_and_columns_are_one(table: Table) -> None:
     assert (len(part), part.first_row) == (1000, 1000) and np.shares_memory(part["carry"], table["carry"])
     assert np.array_equal(part["carry"], table["carry"][1000:2000])
     assert Table.concatenate([table[:1000], part, table[2000:]]) == table
-    with pytest.raises(InputError, match="unknown column 'cary'; the columns are club.loft, swing.speed, status, carry"):
+    with pytest.raises(KeyError, match="unknown column 'cary'; did you mean 'carry'. the columns are club.loft, swing.speed, status, carry"):
         table["cary"]
     with pytest.raises(InputError, match="columns by name and rows by slice"):
         table[3]  # type: ignore[index]

@@ -17,6 +17,7 @@ import numpy as np
 import pytest
 
 import longdrive
+from longdrive.wording import in_python
 
 FOLDER = Path(__file__).parent.parent
 SEARCH = {"vary": {"club.loft": ("4 deg", "20 deg")}, "subject_to": ["descent_angle >= 38 deg"]}
@@ -79,7 +80,8 @@ def test_bad_input_gets_the_programs_message(call, words):
     assert (status, said["status"]) == (2, "error")
     with pytest.raises(longdrive.InputError) as raised:
         call()
-    assert str(raised.value) == said["message"]
+    # options are named as arguments: test_wording.py says how
+    assert str(raised.value) == in_python(said["message"])
 
 
 def test_a_question_without_an_answer_is_an_error_with_its_status():
@@ -92,6 +94,14 @@ def test_an_infeasible_search_says_so_and_raises_nothing():
     found = longdrive.optimize(subject_to=["carry >= 500 m"])
     assert (found.success, found.ended) == (False, "infeasible")
     assert found.message
+
+
+def test_exact_maxcv_is_what_the_constraint_is_missed_by():
+    missed = longdrive.optimize(subject_to=["carry >= 500 m"])
+    (row,) = missed.constraints
+    assert missed.maxcv == row["violation"] == pytest.approx(500 - row["value"], abs=1e-9) and missed.maxcv > 100
+    assert longdrive.optimize(subject_to=["descent_angle >= 42 deg"]).maxcv < 1e-9
+    assert longdrive.optimize("mae494").maxcv == 0.0
 
 
 def test_a_setup_of_ones_own_is_asked_about_to_the_last_digit():
@@ -187,7 +197,7 @@ def test_warnings_point_at_the_line_that_asked():
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         said = longdrive.chart(along={"swing.speed": ("80 mph", "90 mph")}, vary={"club.loft": (0.1, 0.3)})
-    assert [str(warning.message) for warning in caught] == said.warnings
+    assert [str(warning.message) for warning in caught] == ["\n".join(said.warnings)]
     assert said.warnings and {warning.filename for warning in caught} == {__file__}
     assert {warning.category for warning in caught} == {longdrive.LongdriveWarning}
 

@@ -73,8 +73,8 @@ def test_exact_a_batch_asks_longdrive_once(monkeypatch: pytest.MonkeyPatch) -> N
     import longdrive.pointwise
 
     asked: list[int] = []
-    batch = longdrive.pointwise.batch
-    monkeypatch.setattr(longdrive.pointwise, "batch", lambda *a, **k: asked.append(1) or batch(*a, **k))
+    batch = longdrive.pointwise.computed
+    monkeypatch.setattr(longdrive.pointwise, "computed", lambda *a, **k: asked.append(1) or batch(*a, **k))
     jax.block_until_ready(jax.vmap(jax.value_and_grad(outcome(SETUP, "carry", WRT)))(xs(100)))
     assert len(asked) == 1
 
@@ -104,7 +104,7 @@ def test_a_point_without_a_drive_is_nan() -> None:
 
 def test_third_derivatives_and_wrong_shapes_are_refused_in_words() -> None:
     carry = outcome(SETUP, "carry", WRT)
-    with pytest.raises(InputError, match="third derivatives are not computed"):
+    with pytest.raises(InputError, match=r"a third derivative was asked for; take it by differences of the Hessian: \(hessian\(x \+ h\)"):
         jax.jacfwd(jax.hessian(carry))(X)
     with pytest.raises(InputError, match=r"x has shape \(2,\); expected shape \(3,\): club.loft, swing.attack_angle, swing.speed"):
         carry(X[:2])
@@ -112,6 +112,18 @@ def test_third_derivatives_and_wrong_shapes_are_refused_in_words() -> None:
         carry(np.array([1, 2, 3]))
     with pytest.raises(InputError, match="did you mean 'club.loft'"):
         outcome(SETUP, "carry", "club.lofft")
+
+
+def test_differences_of_hessians_make_a_symmetric_third_derivative_as_the_message_advises() -> None:
+    # third derivatives are symmetric, which differences of an exact Hessian must show: each row is differenced along another parameter
+    hessian = jax.hessian(outcome(SETUP, "carry", WRT))
+
+    def asymmetry(h: float) -> float:
+        steps = h * np.eye(3)
+        third = np.stack([(hessian(X + step) - hessian(X - step)) / (2 * h) for step in steps])
+        return float(np.abs(third - third.transpose(1, 0, 2)).max() / np.abs(third).max())
+
+    assert asymmetry(1e-5) < 1e-5
 
 
 def test_numbers_have_the_precision_of_x() -> None:

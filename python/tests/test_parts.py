@@ -18,7 +18,7 @@ from longdrive.parts import PartError, Question
 QUESTION: dict[str, Any] = {
     "setup": {"preset": "tour-average", "flight.step": 0.5},
     "over": {"club.loft": "-4deg..15deg:41", "swing.attack_angle": (math.radians(-5.0), math.radians(5.0), 200)},
-    "outcomes": ["carry", "launch_angle"],
+    "of": ["carry", "launch_angle"],
     "wrt": "club.loft",
     "histogram": {"carry": "150m..290m:7"},
     "highest": {"carry": 5},

@@ -123,7 +123,7 @@ def test_a_part_that_always_fails_is_named_by_dask(tmp_path: Path) -> None:
 def test_what_comes_back_of_a_part_does_not_grow_with_its_rows(tmp_path: Path) -> None:
     sizes = []
     for rows in (2, 200):
-        question = {**QUESTION, "over": {"club.loft": f"5deg..15deg:{1024 * rows}"}, "outcomes": "carry", "parts": 2}
+        question = {**QUESTION, "over": {"club.loft": f"5deg..15deg:{1024 * rows}"}, "of": "carry", "parts": 2}
         row = Question.of(**question, output=tmp_path / str(rows)).write(2)
         assert row["rows"] == 512 * rows
         sizes.append(len(pickle.dumps(row)))
@@ -164,7 +164,7 @@ def test_exact_set_of_spark(many: tuple[dict[str, Any], str], tmp_path: Path) ->
         assert [row["part"] for row in found.manifests] == list(range(1, 41))
         assert sha256_of_the_set(tmp_path / "drives") == whole
         with pytest.raises(PartError, match="part [0-9]+ of 40: .*different outcomes") as caught:
-            longdrive.spark.sweep(session, **{**question, "outcomes": "carry", "wrt": ()}, output=tmp_path / "drives")
+            longdrive.spark.sweep(session, **{**question, "of": "carry", "wrt": ()}, output=tmp_path / "drives")
         assert 1 <= caught.value.part <= 40
     finally:
         session.stop()
@@ -181,7 +181,7 @@ def test_exact_set_of_ray(many: tuple[dict[str, Any], str], tmp_path: Path) -> N
         assert [row["part"] for row in found.manifests] == list(range(1, 41))
         assert sha256_of_the_set(tmp_path / "drives") == whole
         with pytest.raises(PartError, match="different outcomes") as caught:
-            longdrive.ray.sweep(**{**question, "outcomes": "carry", "wrt": ()}, output=tmp_path / "drives", retries=0)
+            longdrive.ray.sweep(**{**question, "of": "carry", "wrt": ()}, output=tmp_path / "drives", retries=0)
         assert 1 <= caught.value.part <= 40
     finally:
         ray.shutdown()

@@ -161,3 +161,22 @@ def test_exact_a_table_of_ones_own_pickles_by_its_file_and_a_changed_file_is_ref
     file.write_text(file.read_text().replace("0.22", "0.23"))
     with pytest.raises(InputError, match="mine.csv' is not what it was when the setup was pickled"):
         pickle.loads(pickled)
+
+
+@pytest.mark.parametrize("seed", range(10))
+def test_exact_a_setup_that_does_not_say_how_to_integrate_is_asked_about_without(seed: int) -> None:
+    setup = random_setup(seed).replace({"swing.speed": 47.0 + seed})
+    text, is_text = setup._asked()
+    keys = {line.split(" = ")[0] for line in text.splitlines() if " = " in line}
+    chosen = setup.replace({"flight.step": setup["flight.step"]})
+    assert is_text and Setup.from_toml(chosen._asked()[0]) == setup
+    if "method" not in keys:
+        # what reads the text takes method and step of the preset
+        assert "step" not in keys and Setup.from_toml(text) == setup
+    assert {"method", "step"} <= {line.split(" = ")[0] for line in chosen._asked()[0].splitlines()}
+
+
+def test_exact_how_the_club_speed_is_stated_is_kept_by_a_dict() -> None:
+    setup = Setup({"swing.speed_of": "face-centre", "swing.closure.z": "2000 deg/s"})
+    assert setup["swing.speed_of"] == "face-centre" and "swing.speed_of" in setup
+    assert Setup(setup.to_dict()) == setup != setup.replace({"swing.speed_of": "centre-of-mass"})

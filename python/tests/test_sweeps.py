@@ -21,8 +21,8 @@ def rows_of(file: Path) -> dict[str, list[str]]:
 
 @pytest.mark.parametrize("question", [{"over": OVER}, {"over": {name: ends[:2] for name, ends in OVER.items()}, "sample": 3000, "seed": 7}])
 def test_exact_rows_in_memory_are_those_of_the_file(question, tmp_path):
-    table = longdrive.sweep("mae494", **question, outcomes=["carry", "lateral"], gradient=True)
-    said = longdrive.sweep("mae494", **question, outcomes=["carry", "lateral"], gradient=True, output=tmp_path / "rows.csv")
+    table = longdrive.sweep("mae494", **question, of=["carry", "lateral"], wrt="points")
+    said = longdrive.sweep("mae494", **question, of=["carry", "lateral"], wrt="points", output=tmp_path / "rows.csv")
     rows = rows_of(tmp_path / "rows.csv")
     assert said.rows == len(table) == len(rows["status"])
     assert rows["status"] == [longdrive.Status(code).label for code in table.status]
@@ -55,6 +55,7 @@ def test_bad_ranges_get_the_programs_message(tmp_path):
         ({"over": OVER, "points": {"club.loft [rad]": [0.2]}}, "keep one of the two"),
         ({"points": {"club.loft [rad]": [0.2]}, "sample": 9}, "keep one of the two"),
         ({"over": OVER, "resume": True}, "about a file"),
+        ({"over": OVER, "overwrite": True}, "about a file"),
         ({"over": {"club.loft": (0.1, 0.2)}, "sample": 0}, "sample = 0; expected a whole number of 1 or more"),
         ({"over": {"club.loft": (0.1, 0.2)}, "sample": 3, "seed": -1}, "seed = -1; expected a whole number of 0 or more"),
         ({"over": OVER, "threads": -2}, "threads = -2; expected"),

@@ -60,6 +60,27 @@ pub(crate) fn implausible(of: Outcome, value: f64, name: impl FnOnce() -> String
     ))
 }
 
+/// What no drive has less of than nothing: a measured value below 0, or of a length or time 0 itself, is a mistake of the table.
+const POSITIVE: [Outcome; 9] = [
+    Outcome::Carry,
+    Outcome::CarryDistance,
+    Outcome::Total,
+    Outcome::ApexHeight,
+    Outcome::FlightTime,
+    Outcome::DescentAngle,
+    Outcome::LandingSpeed,
+    Outcome::BallSpeed,
+    Outcome::SmashFactor,
+];
+
+/// Why a value cannot have been measured of any drive that landed, in words.
+pub(crate) fn impossible(of: Outcome, value: f64) -> Option<String> {
+    let is_possible = if of == Outcome::Spin { value >= 0.0 } else { !POSITIVE.contains(&of) || value > 0.0 };
+    let advice = if value == 0.0 { "leave the cell empty where nothing was measured" } else { "check its sign" };
+    let least = if of == Outcome::Spin { "0 or more" } else { "above 0" };
+    (!is_possible).then(|| format!("{} is no {} of a drive, which is {least}; {advice}", of.show(value), of.name()))
+}
+
 /// Why the launch that a row states is none of a drive, in words: of what is taken of it, and of the spin that follows.
 pub(crate) fn implausible_launch(values: &Stated, name: impl Fn(Outcome) -> String) -> Option<String> {
     let used = taken(*values);

@@ -82,6 +82,11 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
         }
     }
     let report = CalibrationReport { table: &table, found: &found, held_out: &held };
+    if !report.is_found() {
+        let without_minimum = [Message::from(format!("the fit is {}: {}", report.status(), report.message()))];
+        warn(&without_minimum);
+        warnings.extend(without_minimum);
+    }
     let documents = System::ALL.map(|system| calibration_document(&report, system));
     let output = output.filter(|output| {
         let is_fitted = is_fitted(&found);

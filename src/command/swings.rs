@@ -19,6 +19,7 @@ use crate::units::Message;
 use crate::{Error, Outcome, Result, Setup};
 use std::path::PathBuf;
 use std::sync::Arc;
+use std::sync::atomic::Ordering;
 
 /// Resamples of recorded swings.
 const RESAMPLES: usize = 200;
@@ -159,13 +160,14 @@ pub fn found(args: &Optimize, Asked { setup, swings, scenarios, search }: Asked)
     }
     let follow = follow(args, &setup, &search, &scenarios)?;
     let best = swings_optimum(&setup, search, scenarios, &follow)?;
-    interrupt::ends();
     let is_found = best.solution.status == Status::Converged;
     // what the mean swing promises is told of an optimum only
-    let price = if is_found { Some(price(&setup, &swings, &best)?) } else { None };
-    let is_recorded = matches!(swings, Swings::Recorded { .. }) && is_found;
+    let price = if is_found { Some(price(&setup, &swings, &best, &follow.interrupt)?) } else { None };
+    let is_left = follow.interrupt.load(Ordering::Relaxed);
+    let is_recorded = matches!(swings, Swings::Recorded { .. }) && is_found && !is_left;
     let seed = u64::from(args.swings.seed.unwrap_or(0));
     let resampled = if is_recorded { resampled(&setup, &best, RESAMPLES, seed)? } else { None };
+    interrupt::ends();
     let mut warnings = best.setup.warnings();
     if let Some(share) = best.beyond_strokes.filter(|share| *share > 0.0) {
         let percent = (100.0 * share).max(0.1);

@@ -64,6 +64,8 @@ pub struct ConstraintReport {
     pub expression: String,
     /// The outcome's value, SI.
     pub value: f64,
+    /// How far it is beyond its limits, SI; 0 where it keeps them.
+    pub violation: f64,
     /// What the objective would gain per unit that the limit is relaxed, ≥ 0; for an equation, that it is raised.
     pub multiplier: f64,
 }
@@ -164,6 +166,7 @@ pub(super) fn constraints(optimum: &Optimum) -> Vec<ConstraintReport> {
     let one = |(constraint, at): (&Constraint, &Constrained)| ConstraintReport {
         expression: constraint.expression.clone(),
         value: at.value,
+        violation: at.violation.abs(),
         // what f falls by, the outcome gains
         multiplier: if constraint.is_equation() { at.multiplier } else { at.multiplier.abs() },
     };

@@ -2,7 +2,7 @@
 
 use super::presets::{sourced, sources};
 use crate::error::Result;
-use crate::parameters::{Parameter, Preset, Setup, TABLE, UNSET};
+use crate::parameters::{METHOD, Parameter, Preset, Setup, TABLE, UNSET};
 use crate::units::significant;
 
 /// Digits that tell any number from its neighbours.
@@ -28,6 +28,34 @@ pub fn setup_toml(
     about: &[String],
     remarks: &[(&'static Parameter, String)],
 ) -> Result<String> {
+    Ok(toml(preset, about, rows(setup, preset, remarks)?))
+}
+
+/// The same without `flight.method` and `flight.step`: who reads it has not been told how to integrate, and may choose.
+///
+/// ```
+/// use longdrive::{Setup, parameters::{Preset, SetupFile}, report::setup_toml_without_step};
+/// let mut setup = Setup::preset("mae494").unwrap();
+/// setup.set("club.loft", "10.5 deg").unwrap();
+/// let text = setup_toml_without_step(&setup, Preset::named("mae494").unwrap()).unwrap();
+/// let read = SetupFile::read(&text, "mine.toml").unwrap();
+/// assert_eq!((read.setup, read.gives_step), (setup, false));
+/// ```
+///
+/// # Errors
+/// As [`setup_toml`].
+pub fn setup_toml_without_step(setup: &Setup<f64>, preset: &Preset) -> Result<String> {
+    let mut rows = rows(setup, preset, &[])?;
+    rows.retain(|(name, ..)| ![METHOD, "flight.step"].contains(name));
+    Ok(toml(preset, &[], rows))
+}
+
+/// Every parameter and choice with its value and its remark.
+fn rows(
+    setup: &Setup<f64>,
+    preset: &Preset,
+    remarks: &[(&'static Parameter, String)],
+) -> Result<Vec<(&'static str, String, String)>> {
     let row = |(name, shown, source): (&'static str, String, String)| {
         // a table is looked for beside the setup file, which may be in any folder
         if name == TABLE {
@@ -38,7 +66,7 @@ pub fn setup_toml(
         let remark = remarks.iter().find(|(of, _)| *of == parameter).map(|(_, remark)| remark.clone());
         (name, exact(parameter, setup.value(parameter)), remark.unwrap_or(source))
     };
-    Ok(toml(preset, about, sources(setup, preset, None)?.into_iter().map(row).collect()))
+    Ok(sources(setup, preset, None)?.into_iter().map(row).collect())
 }
 
 /// A preset as a setup file in TOML, each number with its source.

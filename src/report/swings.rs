@@ -59,6 +59,7 @@ pub fn swings_reply(
         |(limit, at): (&crate::study::swings::GoalLimit, &crate::optimize::Constrained)| ConstraintReport {
             expression: limit.expression.clone(),
             value: at.value,
+            violation: at.violation.abs(),
             multiplier: if limit.low == limit.high { at.multiplier } else { at.multiplier.abs() },
         };
     let body = OptimumReport {

@@ -205,7 +205,10 @@ impl Optima {
     pub fn interrupted(&self) -> Option<String> {
         let (stopped, all) = (self.stopped(), self.starts);
         (stopped > 0).then(|| match all {
-            1 => "the search was stopped before its end".into(),
+            1 => {
+                let only = self.locals.first();
+                only.map_or_else(|| "stopped before it began".into(), |(best, _)| best.message().to_string())
+            }
             _ => format!("{} of {all} searches ended, and {stopped} were stopped before their end", all - stopped),
         })
     }

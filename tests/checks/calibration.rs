@@ -227,6 +227,8 @@ fn bad_tables_and_plans_are_refused_with_row_and_column() {
         ("carry [yd],club.loft [deg]\n200,10\n,11\n", &fit, vec!["row 2", "nothing is measured"]),
         ("carry [yd],club.loft [deg]\n200,10\n201,\n", &fit, vec!["row 2", "column club.loft", "empty"]),
         ("carry [yd],sigma carry [yd]\n200,0\n201,1\n", &fit, vec!["row 1", "sigma carry", "above 0"]),
+        ("carry [yd]\n200\n-201\n", &fit, vec!["row 2", "column carry", "above 0", "check its sign"]),
+        ("flight_time [s]\n6\n0\n", &fit, vec!["row 2", "column flight_time", "leave the cell empty"]),
         ("carry [yd]\n", &fit, vec!["no rows"]),
         ("carry [yd],aero.cd0\n200,0.2\n210,0.2\n", &fit, vec!["aero.cd0", "cannot be fitted"]),
         ("carry [yd]\n200\n", &["--fit", "aero.cd00"], vec!["did you mean 'aero.cd0'"]),

@@ -79,6 +79,8 @@ fn a_search_that_stalls_where_the_data_determine_nothing_ends_undetermined() {
     let (status, answer) =
         json(&["calibrate", path.to_str().unwrap(), "--fit", "wind.downrange", "--fit", "ball.radius"]);
     assert_eq!((status, answer["status"].as_str()), (1, Some("undetermined")), "{}", answer["message"]);
+    let warning = answer["warnings"].as_array().unwrap().last().unwrap().as_str().unwrap();
+    assert!(warning.starts_with("the fit is undetermined: the data do not determine"), "{warning}");
     let told = answer["message"].as_str().unwrap();
     assert!(told.contains("the data do not determine wind.downrange and ball.radius separately"), "{told}");
 }

@@ -19,7 +19,7 @@ from __future__ import annotations
 
 from . import plot
 from ._longdrive import Objective, Setup, __version__, outcomes, parameters, presets
-from .batches import Interrupted, batch
+from .batches import batch
 from .commands import (
     calibrate,
     chart,
@@ -41,7 +41,7 @@ from .commands import (
 )
 from .derivatives import Gradient, Hessian, Jacobian, gradient, hessian, jacobian, objective
 from .drive import Drive, simulate
-from .errors import Error, InputError, InternalError, LongdriveWarning, NoAnswerError
+from .errors import Error, InputError, InternalError, Interrupted, LongdriveWarning, NoAnswerError, UnknownKeyError
 from .optimum import Optimum
 from .picture import Picture
 from .reply import Reply
@@ -66,6 +66,7 @@ __all__ = [
     "Setup",
     "Status",
     "Table",
+    "UnknownKeyError",
     "__version__",
     "batch",
     "calibrate",

@@ -10,16 +10,19 @@ import csv
 import logging
 import os
 import tempfile
-import warnings
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 from . import _longdrive
 from ._longdrive import Setup
-from .errors import InputError, LongdriveWarning, NoAnswerError
-from .progress import Progress, follower
+from .described import commands
+from .errors import InputError, Interrupted, NoAnswerError, interruptible, warn_of
+from .interruption import interruption
+from .progress import follower
 from .reply import Reply
+from .wording import answer_in_python, argument_of, in_python
 
 LOG = logging.getLogger("longdrive")
 """Remarks and progress of the commands, at the level INFO."""
@@ -32,11 +35,76 @@ class Question:
     """A command with its options, written as words."""
 
     def __init__(self, command: str, folder: Path) -> None:
+        self.command = command
         self.words = [*command.split(), "--json"]
         self.text = ""
         self.folder = folder
         self.setup: Setup | None = None
         self._units: dict[str, str] = {}
+
+    def take(self, given: Mapping[str, Any]) -> None:
+        """All arguments of the command's function, as the program says of its options.
+
+        Raises:
+            InputError: for one that is not what the option takes.
+        """
+        for option in commands()[self.command]:
+            name = argument_of(option["name"])
+            if name not in given:
+                continue
+            value, what = given[name], str(option["value"])
+            if name == "output" and value is None:
+                value = self.scratch
+            if value is None and (option["required"] or name == "shots" and option["positional"]):
+                raise InputError(f"{name} is None, and {self.command} needs it: {in_python(option['help'])}")
+            if not option["positional"]:
+                self.option(option["name"], value, option["takes"], what)
+            elif name == "setup":
+                self.take_setup(option["default"] if value is None else value)
+            elif name == "other":
+                self.take_other(name, value)
+            elif what in ("SHOTS", "DATA"):
+                self.take_file(name, value)
+            else:
+                self.take_word(name, value)
+
+    @contextmanager
+    def named(self) -> Iterator[None]:
+        """What is wrong with a table that goes with this question is told of the argument."""
+        try:
+            yield
+        except InputError as error:
+            raise type(error)(self.shown(str(error))) from None
+
+    @property
+    def scratch(self) -> Path | None:
+        """What is written where no file is asked for: a picture, or the rows of shots."""
+        if self.command.startswith("plot "):
+            return self.folder / "plot.svg"
+        return self.folder / "rows.jsonl" if self.command == "fly" else None
+
+    def shown(self, answer: Any) -> Any:
+        """What the program says, without the names of files that go with this question: a table is called as its argument is."""
+        if isinstance(answer, dict):
+            return {name: self.shown(value) for name, value in answer.items()}
+        if isinstance(answer, list):
+            return [self.shown(value) for value in answer]
+        if not isinstance(answer, str) or str(self.folder) not in answer:
+            return answer
+        if answer == str(self.scratch):
+            return None
+        for path in self.folder.iterdir():
+            answer = answer.replace(str(path), path.stem)
+        return answer.replace(str(self.folder) + os.sep, "")
+
+    def continued(self, given: Mapping[str, Any]) -> str:
+        """How it can be gone on with after an interruption."""
+        if given.get("checkpoint") is not None:
+            return f"the same call goes on from the checkpoint '{os.fspath(given['checkpoint'])}'"
+        names = {option["name"] for option in commands()[self.command]}
+        if "checkpoint" in names:
+            return "the same call begins again; one with checkpoint=FILE saves every iteration, and goes on from there"
+        return "the rows so far are kept, and the same call with resume=True goes on" if "resume" in names else "the same call begins again"
 
     def take_setup(self, given: Any) -> None:
         """The setup, in its place among the words."""
@@ -51,8 +119,9 @@ class Question:
 
     def take_word(self, name: str, given: Any) -> None:
         """A word that is not an option."""
-        if given is not None:
-            self.words.append(str(given))
+        if not isinstance(given, str):
+            raise InputError(f"{name} is a {type(given).__name__}; expected a name in quotes")
+        self.words.append(given)
 
     def take_other(self, name: str, given: Any) -> None:
         """A second setup, after the first."""
@@ -175,42 +244,61 @@ def _cell(value: Any) -> Any:
     return repr(float(value)) if hasattr(value, "dtype") and value.dtype.kind in "fiu" else value
 
 
-def ask(
-    command: str,
-    write: Callable[[Question], None],
-    progress: Progress = False,
-    keep: tuple[str, Callable[[Path], Any]] | None = None,
-) -> Reply:
+T = TypeVar("T")
+
+
+def ask(command: str, given: Mapping[str, Any], answered: Callable[[Reply, Question], T]) -> T:
     """Asks a command.
 
-    `write` gives it its options. `keep` names a key of the reply, and reads what is kept there from the folder of the question.
+    `given` has the arguments of its function, by name: what the program says of its options tells how each is written. `answered` makes the
+    answer of the function, of the program's and the question.
     """
-    with tempfile.TemporaryDirectory(prefix="longdrive-") as name:
+    function = "longdrive." + command.replace("-", "_").replace(" ", ".")
+    with interruptible(f"{function} was interrupted before it began"), tempfile.TemporaryDirectory(prefix="longdrive-") as name:
         question = Question(command, Path(name))
-        write(question)
-        with follower(command, progress) as shown:
-            status, answer = _longdrive.command(question.words, question.text, _said, shown)
-        if not isinstance(answer, dict):
-            raise InputError(_last_error(answer))
-        own = {"command", "status", "message", "warnings"}
-        if status == 2 or (status == 1 and not answer.keys() - own):
-            message = answer["message"] or answer["status"]
-            raise InputError(message) if answer["status"] == "error" else NoAnswerError(message, answer["status"])
-        for warning in answer["warnings"]:
-            # at the line that asked: it called a function of commands.py, which called this one
-            warnings.warn(warning, LongdriveWarning, stacklevel=3)
-        reply = Reply(answer)
-        if keep is not None:
-            key, read = keep
-            reply[key] = read(question.folder)
-        return reply
+        question.take(given)
+        reply = asked(function, question, given, answered)
+        # at the line that asked: it called a function of commands.py, which called this one
+        warn_of(reply["warnings"], stacklevel=3)
+        return answered(reply, question)
 
 
-def _last_error(answer: Any) -> str:
-    return "the command has no answer" if answer is None else str(answer)
+def asked(function: str, question: Question, given: Mapping[str, Any], answered: Callable[[Reply, Question], Any]) -> Reply:
+    """The program's answer to a question.
+
+    Raises:
+        Interrupted: after Ctrl-C; it has what was found so far.
+    """
+    notes: list[str] = []
+
+    def said(kind: str, text: str) -> None:
+        # warnings and errors stand in the answer
+        if kind == "note":
+            notes.append(in_python(question.shown(text)))
+            LOG.info(notes[-1])
+
+    with follower(question.command, given.get("progress", False)) as shown:
+        status, answer, raised = _longdrive.command(question.words, question.text, said, shown)
+    if raised is not None and not isinstance(raised, KeyboardInterrupt):
+        raise raised
+    if isinstance(answer, dict):
+        answer = question.shown(answer_in_python(answer))
+    if raised is None:
+        return _reply(status, answer)
+    has_answer = isinstance(answer, dict) and answer.keys() - OF_EVERY
+    found = answered(Reply(answer), question) if has_answer else None
+    message = interruption(function, answer, notes, question.continued(given))
+    raise Interrupted(message, answer=found) from raised
 
 
-def _said(kind: str, text: str) -> None:
-    # warnings and errors stand in the answer
-    if kind == "note":
-        LOG.info(text)
+OF_EVERY = {"command", "status", "message", "warnings"}
+"""What every answer has; one that was not found has nothing else."""
+
+
+def _reply(status: int | None, answer: Any) -> Reply:
+    if not isinstance(answer, dict):
+        raise InputError("the command has no answer" if answer is None else in_python(str(answer)))
+    if status == 2 or (status == 1 and not answer.keys() - OF_EVERY):
+        message = answer["message"] or answer["status"]
+        raise InputError(message) if answer["status"] == "error" else NoAnswerError(message, answer["status"])
+    return Reply(answer)

@@ -3,30 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import Any
 
 import numpy.typing as npt
 
 from . import _longdrive
+from ._longdrive import Setup
 from .arguments import count_of
+from .errors import Interrupted, interruptible, warn_of
 from .progress import Progress, follower
 from .table import Table
 from .types import Names, SetupLike
 
-__all__ = ["Interrupted", "batch"]
-
-
-class Interrupted(KeyboardInterrupt):
-    """A batch that Ctrl-C has ended. ``table`` has the rows that were done; ``batch(…, first_row=len(table))`` goes on."""
-
-    table: Table
-
-    def __init__(self, message: str, table: Table) -> None:
-        super().__init__(message)
-        self.table = table
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return (type(self), (str(self), self.table))
+__all__ = ["batch"]
 
 
 def batch(
@@ -70,13 +58,23 @@ def batch(
     Raises:
         InputError: for a name that nothing bears, or an array of the wrong shape or type.
         Interrupted: where Ctrl-C was pressed; it has the rows that were done.
+
+    Warns:
+        LongdriveWarning: once, with all of ``warnings`` of the table.
     """
     if hessians and wrt is None:
         wrt = "points"
-    with follower("drives", progress) as told:
-        return computed(
+    with interruptible("longdrive.batch was interrupted before the first row"), follower("drives", progress) as told:
+        table = computed(
             setup, points, of, wrt, tolerance=tolerance, own_step=own_step, threads=threads, told=told, first_row=first_row, hessians=hessians
         )
+    warn_of(table.warnings, stacklevel=2)
+    return table
+
+
+def _interrupted(after: int, whole: int) -> str:
+    rest = f"goes on, and Table.concatenate([table, rest]) joins both" if after < whole else "has nothing left to do"
+    return f"longdrive.batch was interrupted after {after} of {whole} rows, which `table` of this exception has; batch(…, first_row={after}) {rest}"
 
 
 def computed(
@@ -92,18 +90,20 @@ def computed(
     first_row: int = 0,
     hessians: bool = False,
     ranges: list[tuple[str, float, float]] | None = None,
+    interrupted: Callable[[int, int], str] = _interrupted,
 ) -> Table:
-    """The table of a batch. The step is chosen for `ranges`, or for those of the points."""
+    """The table of a batch. The step is chosen for `ranges`, or for those of the points; `interrupted` says how one goes on after so many rows."""
+    setup = setup if isinstance(setup, Setup) else Setup(setup)
     status, columns, seconds, of, by, given, units, warnings, (done, whole), raised = _longdrive.batch(
         setup, points, of, wrt, tolerance, own_step, count_of("threads", threads), told, count_of("first_row", first_row), hessians, ranges
     )
     table = Table(
         status=status[:done], columns=columns[len(given) :, :done], points=columns[: len(given), :done], of=of, wrt=by, parameters=given, units=units,
-        hessians=None if seconds is None else seconds[:done], first_row=first_row, warnings=warnings,
+        hessians=None if seconds is None else seconds[:done], first_row=first_row, warnings=warnings, setup=setup,
     )
     if raised is None:
         return table
     if isinstance(raised, KeyboardInterrupt):
         after = first_row + len(table)
-        raise Interrupted(f"interrupted after {after} of {whole} rows; batch(…, first_row={after}) goes on", table) from raised
+        raise Interrupted(interrupted(after, whole), table) from raised
     raise raised

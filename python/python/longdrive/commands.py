@@ -7,11 +7,11 @@ from __future__ import annotations
 
 from typing import Literal
 
-from ._ask import Question, ask
+from ._ask import ask
 from .optimum import Optimum, optimum
 from .progress import Progress
-from .reply import Reply
-from .rows import SHOTS
+from .reply import Reply, as_reply
+from .rows import flown
 from .types import Amount, Given, Goals, Names, PathLike, SetupLike, TableLike
 
 __all__ = [
@@ -68,19 +68,9 @@ def compare(
     Raises:
         InputError: bad input, with the program's message.
         NoAnswerError: a sound question without an answer.
+        Interrupted: after Ctrl-C, with what was found so far.
     """
-
-    def write(question: Question) -> None:
-        question.take_setup(setup)
-        question.take_other("setup_b", other)
-        question.option("launch", launch, "several", "NAME=VALUE,…")
-        question.option("tolerance", tolerance, "one", "LENGTH")
-        question.option("own_step", own_step, "nothing", "OWN_STEP")
-        question.option("launch_a", launch_a, "several", "NAME=VALUE,…")
-        question.option("launch_b", launch_b, "several", "NAME=VALUE,…")
-        question.option("of", of, "several", "OUTCOME,…")
-
-    return ask("compare", write, progress)
+    return ask("compare", locals(), as_reply)
 
 
 def optimize(
@@ -146,32 +136,9 @@ def optimize(
     Raises:
         InputError: bad input, with the program's message.
         NoAnswerError: a sound question without an answer.
+        Interrupted: after Ctrl-C, with what was found so far.
     """
-    started = []
-
-    def write(question: Question) -> None:
-        question.take_setup(setup)
-        started.append(question.setup)
-        question.option("launch", launch, "several", "NAME=VALUE,…")
-        question.option("tolerance", tolerance, "one", "LENGTH")
-        question.option("own_step", own_step, "nothing", "OWN_STEP")
-        question.option("maximize", maximize, "one", "OUTCOME")
-        question.option("minimize", minimize, "one", "OUTCOME")
-        question.option("vary", vary, "several", "NAME=LOW..HIGH")
-        question.option("subject_to", subject_to, "several", "CONSTRAINT")
-        question.option("max_iterations", max_iterations, "one", "N")
-        question.option("swings", swings, "one", "FILE")
-        question.option("distribution", distribution, "several", "NAME=KIND(…)")
-        question.option("correlation", correlation, "several", "NAME,NAME=COEFFICIENT")
-        question.option("scenarios", scenarios, "one", "N")
-        question.option("seed", seed, "one", "SEED")
-        question.option("strokes", strokes, "one", "FILE")
-        question.option("starts", starts, "one", "N")
-        question.option("checkpoint", checkpoint, "one", "FILE")
-        question.option("output", output, "one", "FILE")
-        question.option("overwrite", overwrite, "nothing", "OVERWRITE")
-
-    return optimum(ask("optimize", write, progress), started[0])
+    return ask("optimize", locals(), optimum)
 
 
 def optimum_sensitivity(
@@ -246,35 +213,9 @@ def optimum_sensitivity(
     Raises:
         InputError: bad input, with the program's message.
         NoAnswerError: a sound question without an answer.
+        Interrupted: after Ctrl-C, with what was found so far.
     """
-    started = []
-
-    def write(question: Question) -> None:
-        question.take_setup(setup)
-        started.append(question.setup)
-        question.option("launch", launch, "several", "NAME=VALUE,…")
-        question.option("tolerance", tolerance, "one", "LENGTH")
-        question.option("own_step", own_step, "nothing", "OWN_STEP")
-        question.option("maximize", maximize, "one", "OUTCOME")
-        question.option("minimize", minimize, "one", "OUTCOME")
-        question.option("vary", vary, "several", "NAME=LOW..HIGH")
-        question.option("subject_to", subject_to, "several", "CONSTRAINT")
-        question.option("max_iterations", max_iterations, "one", "N")
-        question.option("swings", swings, "one", "FILE")
-        question.option("distribution", distribution, "several", "NAME=KIND(…)")
-        question.option("correlation", correlation, "several", "NAME,NAME=COEFFICIENT")
-        question.option("scenarios", scenarios, "one", "N")
-        question.option("seed", seed, "one", "SEED")
-        question.option("strokes", strokes, "one", "FILE")
-        question.option("starts", starts, "one", "N")
-        question.option("checkpoint", checkpoint, "one", "FILE")
-        question.option("output", output, "one", "FILE")
-        question.option("overwrite", overwrite, "nothing", "OVERWRITE")
-        question.option("wrt", wrt, "several", "NAME,…")
-        question.option("change", change, "several", "NAME=AMOUNT")
-        question.option("loss", loss, "one", "AMOUNT")
-
-    return optimum(ask("optimum-sensitivity", write, progress), started[0])
+    return ask("optimum-sensitivity", locals(), optimum)
 
 
 def design(
@@ -339,32 +280,9 @@ def design(
     Raises:
         InputError: bad input, with the program's message.
         NoAnswerError: a sound question without an answer.
+        Interrupted: after Ctrl-C, with what was found so far.
     """
-    started = []
-
-    def write(question: Question) -> None:
-        question.take_setup(setup)
-        started.append(question.setup)
-        question.option("launch", launch, "several", "NAME=VALUE,…")
-        question.option("tolerance", tolerance, "one", "LENGTH")
-        question.option("own_step", own_step, "nothing", "OWN_STEP")
-        question.option("max_iterations", max_iterations, "one", "N")
-        question.option("distribution", distribution, "several", "NAME=KIND(…)")
-        question.option("correlation", correlation, "several", "NAME,NAME=COEFFICIENT")
-        question.option("scenarios", scenarios, "one", "N")
-        question.option("seed", seed, "one", "SEED")
-        question.option("strokes", strokes, "one", "FILE")
-        question.option("checkpoint", checkpoint, "one", "FILE")
-        question.option("overwrite", overwrite, "nothing", "OVERWRITE")
-        question.option("rules", rules, "one", "RULES")
-        question.option("maximize", maximize, "one", "OUTCOME")
-        question.option("minimize", minimize, "one", "OUTCOME")
-        question.option("vary", vary, "several", "NAME=LOW..HIGH")
-        question.option("subject_to", subject_to, "several", "CONSTRAINT")
-        question.option("swings", swings, "one", "FILE")
-        question.option("output", output, "one", "FILE")
-
-    return optimum(ask("design", write, progress), started[0])
+    return ask("design", locals(), optimum)
 
 
 def calibrate(
@@ -413,25 +331,9 @@ def calibrate(
     Raises:
         InputError: bad input, with the program's message.
         NoAnswerError: a sound question without an answer.
+        Interrupted: after Ctrl-C, with what was found so far.
     """
-
-    def write(question: Question) -> None:
-        question.take_file("data", data)
-        question.take_setup(setup)
-        question.option("launch", launch, "several", "NAME=VALUE,…")
-        question.option("tolerance", tolerance, "one", "LENGTH")
-        question.option("own_step", own_step, "nothing", "OWN_STEP")
-        question.option("fit", fit, "several", "NAME[=LOW..HIGH]")
-        question.option("huber", huber, "nothing", "HUBER")
-        question.option("starts", starts, "one", "N")
-        question.option("folds", folds, "one", "K")
-        question.option("compare", compare, "several", "LAW")
-        question.option("max_iterations", max_iterations, "one", "N")
-        question.option("output", output, "one", "FILE")
-        question.option("plot", plot, "one", "DIR")
-        question.option("overwrite", overwrite, "nothing", "OVERWRITE")
-
-    return ask("calibrate", write, progress)
+    return ask("calibrate", locals(), as_reply)
 
 
 def delivery(
@@ -489,28 +391,9 @@ def delivery(
     Raises:
         InputError: bad input, with the program's message.
         NoAnswerError: a sound question without an answer.
+        Interrupted: after Ctrl-C, with what was found so far.
     """
-
-    def write(question: Question) -> None:
-        question.take_setup(setup)
-        question.option("launch", launch, "several", "NAME=VALUE,…")
-        question.option("tolerance", tolerance, "one", "LENGTH")
-        question.option("own_step", own_step, "nothing", "OWN_STEP")
-        question.option("ball_speed", ball_speed, "one", "SPEED")
-        question.option("launch_angle", launch_angle, "one", "ANGLE")
-        question.option("launch_direction", launch_direction, "one", "ANGLE")
-        question.option("spin", spin, "one", "SPIN")
-        question.option("spin_axis", spin_axis, "one", "ANGLE")
-        question.option("backspin", backspin, "one", "SPIN")
-        question.option("sidespin", sidespin, "one", "SPIN")
-        question.option("shots", shots, "one", "FILE")
-        question.option("vary", vary, "several", "NAME=LOW..HIGH")
-        question.option("sigma", sigma, "several", "NAME=AMOUNT")
-        question.option("output", output, "one", "FILE")
-        question.option("swings", swings, "one", "FILE")
-        question.option("overwrite", overwrite, "nothing", "OVERWRITE")
-
-    return ask("delivery", write, progress)
+    return ask("delivery", locals(), as_reply)
 
 
 def chart(
@@ -555,22 +438,9 @@ def chart(
     Raises:
         InputError: bad input, with the program's message.
         NoAnswerError: a sound question without an answer.
+        Interrupted: after Ctrl-C, with what was found so far.
     """
-
-    def write(question: Question) -> None:
-        question.take_setup(setup)
-        question.option("launch", launch, "several", "NAME=VALUE,…")
-        question.option("tolerance", tolerance, "one", "LENGTH")
-        question.option("own_step", own_step, "nothing", "OWN_STEP")
-        question.option("maximize", maximize, "one", "OUTCOME")
-        question.option("minimize", minimize, "one", "OUTCOME")
-        question.option("vary", vary, "several", "NAME=LOW..HIGH")
-        question.option("subject_to", subject_to, "several", "CONSTRAINT")
-        question.option("max_iterations", max_iterations, "one", "N")
-        question.option("along", along, "one", "NAME=LOW..HIGH")
-        question.option("at", at, "several", "VALUE,…")
-
-    return ask("chart", write, progress)
+    return ask("chart", locals(), as_reply)
 
 
 def pareto(
@@ -637,30 +507,9 @@ def pareto(
     Raises:
         InputError: bad input, with the program's message.
         NoAnswerError: a sound question without an answer.
+        Interrupted: after Ctrl-C, with what was found so far.
     """
-
-    def write(question: Question) -> None:
-        question.take_setup(setup)
-        question.option("launch", launch, "several", "NAME=VALUE,…")
-        question.option("tolerance", tolerance, "one", "LENGTH")
-        question.option("own_step", own_step, "nothing", "OWN_STEP")
-        question.option("maximize", maximize, "several", "GOAL")
-        question.option("minimize", minimize, "several", "GOAL")
-        question.option("vary", vary, "several", "NAME=LOW..HIGH")
-        question.option("subject_to", subject_to, "several", "CONSTRAINT")
-        question.option("points", points, "one", "N")
-        question.option("max_iterations", max_iterations, "one", "N")
-        question.option("swings", swings, "one", "FILE")
-        question.option("distribution", distribution, "several", "NAME=KIND(…)")
-        question.option("correlation", correlation, "several", "NAME,NAME=COEFFICIENT")
-        question.option("scenarios", scenarios, "one", "N")
-        question.option("seed", seed, "one", "SEED")
-        question.option("strokes", strokes, "one", "FILE")
-        question.option("output", output, "one", "FILE")
-        question.option("at", at, "one", "POINT")
-        question.option("overwrite", overwrite, "nothing", "OVERWRITE")
-
-    return ask("pareto", write, progress)
+    return ask("pareto", locals(), as_reply)
 
 
 def robust(
@@ -726,32 +575,9 @@ def robust(
     Raises:
         InputError: bad input, with the program's message.
         NoAnswerError: a sound question without an answer.
+        Interrupted: after Ctrl-C, with what was found so far.
     """
-    started = []
-
-    def write(question: Question) -> None:
-        question.take_setup(setup)
-        started.append(question.setup)
-        question.option("launch", launch, "several", "NAME=VALUE,…")
-        question.option("tolerance", tolerance, "one", "LENGTH")
-        question.option("own_step", own_step, "nothing", "OWN_STEP")
-        question.option("maximize", maximize, "one", "OUTCOME")
-        question.option("minimize", minimize, "one", "OUTCOME")
-        question.option("vary", vary, "several", "NAME=LOW..HIGH")
-        question.option("subject_to", subject_to, "several", "CONSTRAINT")
-        question.option("max_iterations", max_iterations, "one", "N")
-        question.option("swings", swings, "one", "FILE")
-        question.option("distribution", distribution, "several", "NAME=KIND(…)")
-        question.option("correlation", correlation, "several", "NAME,NAME=COEFFICIENT")
-        question.option("scenarios", scenarios, "one", "N")
-        question.option("seed", seed, "one", "SEED")
-        question.option("strokes", strokes, "one", "FILE")
-        question.option("model", model, "several", "NAME=VALUE,…")
-        question.option("within", within, "one", "AMOUNT")
-        question.option("output", output, "one", "FILE")
-        question.option("overwrite", overwrite, "nothing", "OVERWRITE")
-
-    return optimum(ask("robust", write, progress), started[0])
+    return ask("robust", locals(), optimum)
 
 
 def report(
@@ -802,24 +628,9 @@ def report(
     Raises:
         InputError: bad input, with the program's message.
         NoAnswerError: a sound question without an answer.
+        Interrupted: after Ctrl-C, with what was found so far.
     """
-
-    def write(question: Question) -> None:
-        question.take_setup(setup)
-        question.option("launch", launch, "several", "NAME=VALUE,…")
-        question.option("tolerance", tolerance, "one", "LENGTH")
-        question.option("own_step", own_step, "nothing", "OWN_STEP")
-        question.option("maximize", maximize, "one", "OUTCOME")
-        question.option("minimize", minimize, "one", "OUTCOME")
-        question.option("vary", vary, "several", "NAME=LOW..HIGH")
-        question.option("subject_to", subject_to, "several", "CONSTRAINT")
-        question.option("max_iterations", max_iterations, "one", "N")
-        question.option("output", output, "one", "DIR")
-        question.option("overwrite", overwrite, "nothing", "OVERWRITE")
-        question.option("sigma", sigma, "several", "NAME=AMOUNT")
-        question.option("along", along, "one", "NAME=LOW..HIGH")
-
-    return ask("report", write, progress)
+    return ask("report", locals(), as_reply)
 
 
 def fly(
@@ -863,21 +674,9 @@ def fly(
     Raises:
         InputError: bad input, with the program's message.
         NoAnswerError: a sound question without an answer.
+        Interrupted: after Ctrl-C, with what was found so far.
     """
-
-    def write(question: Question) -> None:
-        question.take_file("shots", shots)
-        question.take_setup(setup)
-        question.option("launch", launch, "several", "NAME=VALUE,…")
-        question.option("tolerance", tolerance, "one", "LENGTH")
-        question.option("own_step", own_step, "nothing", "OWN_STEP")
-        question.option("of", of, "several", "OUTCOME,…")
-        question.option("output", output or question.folder / "rows.jsonl", "one", "FILE")
-        question.option("format", format, "one", "FORMAT")
-        question.option("overwrite", overwrite, "nothing", "OVERWRITE")
-        question.option("threads", threads, "one", "N")
-
-    return ask("fly", write, progress, None if output else SHOTS)
+    return ask("fly", locals(), flown)
 
 
 def reproduce(
@@ -898,14 +697,9 @@ def reproduce(
     Raises:
         InputError: bad input, with the program's message.
         NoAnswerError: a sound question without an answer.
+        Interrupted: after Ctrl-C, with what was found so far.
     """
-
-    def write(question: Question) -> None:
-        question.take_word("study", study)
-        question.option("output", output, "one", "DIR")
-        question.option("overwrite", overwrite, "nothing", "OVERWRITE")
-
-    return ask("reproduce", write, progress)
+    return ask("reproduce", locals(), as_reply)
 
 
 def validate(
@@ -925,13 +719,9 @@ def validate(
     Raises:
         InputError: bad input, with the program's message.
         NoAnswerError: a sound question without an answer.
+        Interrupted: after Ctrl-C, with what was found so far.
     """
-
-    def write(question: Question) -> None:
-        question.option("output", output, "one", "DIR or FILE.csv")
-        question.option("overwrite", overwrite, "nothing", "OVERWRITE")
-
-    return ask("validate", write, progress)
+    return ask("validate", locals(), as_reply)
 
 
 def verify(
@@ -963,17 +753,9 @@ def verify(
     Raises:
         InputError: bad input, with the program's message.
         NoAnswerError: a sound question without an answer.
+        Interrupted: after Ctrl-C, with what was found so far.
     """
-
-    def write(question: Question) -> None:
-        question.take_setup(setup)
-        question.option("launch", launch, "several", "NAME=VALUE,…")
-        question.option("tolerance", tolerance, "one", "LENGTH")
-        question.option("own_step", own_step, "nothing", "OWN_STEP")
-        question.option("of", of, "several", "OUTCOME,…")
-        question.option("wrt", wrt, "several", "NAME,…")
-
-    return ask("verify", write, progress)
+    return ask("verify", locals(), as_reply)
 
 
 def sensitivity(
@@ -1021,24 +803,9 @@ def sensitivity(
     Raises:
         InputError: bad input, with the program's message.
         NoAnswerError: a sound question without an answer.
+        Interrupted: after Ctrl-C, with what was found so far.
     """
-
-    def write(question: Question) -> None:
-        question.take_setup(setup)
-        question.option("launch", launch, "several", "NAME=VALUE,…")
-        question.option("tolerance", tolerance, "one", "LENGTH")
-        question.option("own_step", own_step, "nothing", "OWN_STEP")
-        question.option("of", of, "several", "OUTCOME,…")
-        question.option("sigma", sigma, "several", "NAME=AMOUNT")
-        question.option("no_defaults", no_defaults, "nothing", "NO_DEFAULTS")
-        question.option("at_optimum", at_optimum, "nothing", "AT_OPTIMUM")
-        question.option("maximize", maximize, "one", "OUTCOME")
-        question.option("minimize", minimize, "one", "OUTCOME")
-        question.option("vary", vary, "several", "NAME=LOW..HIGH")
-        question.option("subject_to", subject_to, "several", "CONSTRAINT")
-        question.option("max_iterations", max_iterations, "one", "N")
-
-    return ask("sensitivity", write, progress)
+    return ask("sensitivity", locals(), as_reply)
 
 
 def uncertainty(
@@ -1079,20 +846,9 @@ def uncertainty(
     Raises:
         InputError: bad input, with the program's message.
         NoAnswerError: a sound question without an answer.
+        Interrupted: after Ctrl-C, with what was found so far.
     """
-
-    def write(question: Question) -> None:
-        question.take_setup(setup)
-        question.option("launch", launch, "several", "NAME=VALUE,…")
-        question.option("tolerance", tolerance, "one", "LENGTH")
-        question.option("own_step", own_step, "nothing", "OWN_STEP")
-        question.option("of", of, "several", "OUTCOME,…")
-        question.option("sigma", sigma, "several", "NAME=AMOUNT")
-        question.option("distribution", distribution, "several", "NAME=KIND(…)")
-        question.option("samples", samples, "one", "N")
-        question.option("seed", seed, "one", "SEED")
-
-    return ask("uncertainty", write, progress)
+    return ask("uncertainty", locals(), as_reply)
 
 
 def laws(
@@ -1107,9 +863,6 @@ def laws(
     Raises:
         InputError: bad input, with the program's message.
         NoAnswerError: a sound question without an answer.
+        Interrupted: after Ctrl-C, with what was found so far.
     """
-
-    def write(question: Question) -> None:
-        pass
-
-    return ask("laws", write, progress)
+    return ask("laws", locals(), as_reply)

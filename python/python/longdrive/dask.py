@@ -23,7 +23,7 @@ def sweep(client: Client, setup: SetupLike = None, *, retries: int = 3, **questi
         client: of the cluster. Every worker has longdrive and sees the folder `output` under its name.
         setup: a setup, the name of a preset, or a dict.
         retries: how often a part that fails is tried again.
-        question: as :meth:`longdrive.parts.Question.of`: `output`, `parts`, `over` or `sample`, `outcomes`, `wrt`, `instructions`, …
+        question: as :meth:`longdrive.parts.Question.of`: `output`, `parts`, `over` or `sample`, `of`, `wrt`, `instructions`, …
 
     Raises:
         PartError: for a part that could not be written.

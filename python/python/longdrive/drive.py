@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from html import escape
+from types import MappingProxyType
 from typing import Any
 
 from . import _longdrive
+from .errors import UnknownKeyError, warn_of
 from .types import Names, SetupLike
 
 __all__ = ["Drive", "simulate"]
@@ -17,10 +19,19 @@ __all__ = ["Drive", "simulate"]
 class Drive(Mapping[str, "float | None"]):
     """The outcomes of one drive, by name, in SI; None where the drive has none."""
 
-    outcomes: dict[str, float | None]
-    """The outcomes that were asked for."""
+    outcomes: Mapping[str, float | None]
+    """The outcomes that were asked for; it cannot be changed."""
     report: dict[str, Any] = field(repr=False)
     """All that ``longdrive simulate --json`` says of the drive."""
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "outcomes", MappingProxyType(dict(self.outcomes)))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (type(self), (dict(self.outcomes), self.report))
+
+    def __repr__(self) -> str:
+        return f"Drive(outcomes={dict(self.outcomes)})"
 
     @property
     def status(self) -> str:
@@ -40,7 +51,18 @@ class Drive(Mapping[str, "float | None"]):
         return warnings
 
     def __getitem__(self, name: str) -> float | None:
-        return self.outcomes[name]
+        """An outcome.
+
+        Raises:
+            UnknownKeyError: for one that was not asked for; it is a KeyError.
+        """
+        try:
+            return self.outcomes[name]
+        except KeyError:
+            pass
+        if any(row["name"] == name for row in _longdrive.outcomes()):
+            raise UnknownKeyError(f"'{name}' was not asked for; simulate(…, of=[…]) gives {', '.join(self.outcomes)} here; add it to of")
+        raise UnknownKeyError(_longdrive.unknown_key("outcome", str(name), list(self.outcomes), "a drive has the outcomes that it was asked for"))
 
     def __iter__(self) -> Iterator[str]:
         return iter(self.outcomes)
@@ -80,5 +102,10 @@ def simulate(setup: SetupLike = None, of: Names | None = None) -> Drive:
 
     Raises:
         InputError: for a name that nothing bears, or a value outside its range.
+
+    Warns:
+        LongdriveWarning: once, with all of ``warnings`` of the drive.
     """
-    return Drive(*_longdrive.simulate(setup, of))
+    drive = Drive(*_longdrive.simulate(setup, of))
+    warn_of(drive.warnings, stacklevel=2)
+    return drive

@@ -5,9 +5,26 @@ Every exception is an ordinary class of Python: it pickles, so that a pool of pr
 
 from __future__ import annotations
 
-from typing import Any
+import warnings
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any
 
-__all__ = ["Error", "InputError", "InternalError", "LongdriveWarning", "NoAnswerError"]
+if TYPE_CHECKING:
+    from .reply import Reply
+    from .table import Table
+
+__all__ = [
+    "Error",
+    "InputError",
+    "InternalError",
+    "Interrupted",
+    "LongdriveWarning",
+    "NoAnswerError",
+    "UnknownKeyError",
+    "interruptible",
+    "warn_of",
+]
 
 
 class Error(Exception):
@@ -19,6 +36,14 @@ class InputError(Error, ValueError):
 
     The message is that of the program: it names the thing, its value, what is allowed, and what to do.
     """
+
+
+class UnknownKeyError(InputError, KeyError):
+    """A key that a setup, a drive or a table has not; the message has the nearest one that it has."""
+
+    def __str__(self) -> str:
+        # a KeyError would quote its message
+        return str(self.args[0])
 
 
 class NoAnswerError(Error):
@@ -42,5 +67,42 @@ class InternalError(Error, RuntimeError):
     """A mistake in longdrive itself, which could not go on. Please report it."""
 
 
+class Interrupted(KeyboardInterrupt):
+    """Work that Ctrl-C has ended. The message says how far it was, what is the best so far, and how it can be gone on with.
+
+    ``except KeyboardInterrupt`` catches it, and as any KeyboardInterrupt it is no ``Exception``.
+    """
+
+    table: Table | None
+    """The rows that were done, of ``batch`` and of ``sweep`` without a file; None elsewhere."""
+    answer: Reply | None
+    """The answer with what was found so far, of the functions of commands; None where there was none yet."""
+
+    def __init__(self, message: str, table: Table | None = None, answer: Reply | None = None) -> None:
+        super().__init__(message)
+        self.table = table
+        self.answer = answer
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (type(self), (str(self), self.table, self.answer))
+
+
 class LongdriveWarning(UserWarning):
     """What deserves a word about a question or its answer: a drive that leaves what a law of drag and lift was fitted to."""
+
+
+@contextmanager
+def interruptible(message: str) -> Iterator[None]:
+    """Ctrl-C within is :class:`Interrupted`, also where it comes before there is anything to show."""
+    try:
+        yield
+    except Interrupted:
+        raise
+    except KeyboardInterrupt as raised:
+        raise Interrupted(message) from raised
+
+
+def warn_of(texts: Sequence[str], stacklevel: int) -> None:
+    """Warns once of all that there is to say; ``stacklevel`` counts from the caller."""
+    if texts:
+        warnings.warn("\n".join(texts), LongdriveWarning, stacklevel=stacklevel + 1)

@@ -13,7 +13,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from .errors import InputError
-from .pointwise import Pointwise
+from .pointwise import NO_THIRD, Pointwise
 from .types import Names, SetupLike
 
 __all__ = ["outcome"]
@@ -75,7 +75,7 @@ def outcome(setup: SetupLike, of: Names = "carry", wrt: Names | None = None) -> 
 
     @curvatures.defjvp
     def _(at: Any, along: Any) -> Any:
-        raise InputError("longdrive.jax.outcome has first and second derivatives; third derivatives are not computed")
+        raise InputError(NO_THIRD.format("jax"))
 
     def function(x: Any) -> Any:
         x = jnp.asarray(x)

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from . import _longdrive
+from ._ask import Question
 from ._longdrive import Setup
 from .reply import Reply
 from .types import Floats
@@ -45,6 +46,7 @@ class Optimum(Reply):
     | ``ended`` | the same in a word: ``converged``, ``stalled``, ``infeasible``, … |
     | ``message`` | the same in a sentence |
     | ``nit``, ``nfev`` | iterations and evaluations |
+    | ``maxcv`` | the largest violation of a constraint, SI of its outcome; 0 without any, None where nothing was found, and for ``robust`` |
 
     ``multipliers`` are those of the bounds, by parameter; ``prices`` say what ``fun`` gains for each SI unit that a bound or constraint is
     relaxed; ``setup`` is the setup at the optimum; ``reply`` is all that the program's ``--json`` prints.
@@ -70,8 +72,8 @@ class Optimum(Reply):
         return (type(self), (dict(self),))
 
 
-def optimum(reply: Reply, started: Setup | None) -> Optimum:
-    """The answer of a search from this setup."""
+def optimum(reply: Reply, question: Question) -> Optimum:
+    """The answer of a search."""
     place: dict[str, float] | None = reply.get("optimum")
     gradient = reply.get("gradient") or {}
     names = list(place or {})
@@ -95,8 +97,9 @@ def optimum(reply: Reply, started: Setup | None) -> Optimum:
         multipliers=multipliers,
         prices={**of_bounds, **of_constraints},
         constraints=constraints,
+        maxcv=max((row["violation"] for row in constraints), default=0.0) if "constraints" in reply and place else None,
         kkt_residual=reply.get("kkt_residual"),
         warnings=reply["warnings"],
-        started=started,
+        started=question.setup,
         reply=reply,
     )

@@ -20,8 +20,9 @@ from typing import Any, Union
 
 from . import _longdrive
 from ._ask import Question as Words
-from .errors import Error, InputError
+from .errors import Error, InputError, Interrupted
 from .types import Names, SetupLike
+from .wording import in_python
 
 __all__ = ["Over", "PartError", "Parts", "Question", "check", "merge", "sweep"]
 
@@ -68,7 +69,7 @@ class Question:
         sample: int | None = None,
         seed: int = 0,
         points: str | os.PathLike[str] | None = None,
-        outcomes: Names = "carry",
+        of: Names = "carry",
         wrt: Names = (),
         histogram: Mapping[str, str] | None = None,
         highest: Mapping[str, int] | None = None,
@@ -88,8 +89,8 @@ class Question:
             sample: so many points of a quasi-random sequence in the ranges of `over`, which then have no counts.
             seed: another seed gives other points.
             points: a table of points in place of `over`.
-            outcomes: a name or several; ``"all"`` for every one.
-            wrt: parameters to differentiate by, a name or several.
+            of: outcomes, a name or several; ``"all"`` for every one.
+            wrt: parameters to differentiate by, a name or several; ``"points"`` for those that are swept.
             histogram: outcomes with bins, ``{"carry": "200m..300m:64"}``.
             highest: outcomes with how many rows of the highest values to keep by themselves.
             lowest: the same of the lowest.
@@ -105,8 +106,11 @@ class Question:
         asked.option("sample", sample, "one", "N")
         asked.option("seed", None if sample is None else seed, "one", "SEED")
         asked.option("points", None if points is None else os.fspath(points), "one", "FILE")
-        asked.option("outcomes", _joined(outcomes), "one", "OUTCOME,…")
-        asked.option("wrt", _joined(wrt) or None, "one", "NAME,…")
+        asked.option("outcomes", _joined(of), "one", "OUTCOME,…")
+        if wrt == "points":
+            asked.option("gradient", True, "nothing", "GRADIENT")
+        else:
+            asked.option("wrt", _joined(wrt) or None, "one", "NAME,…")
         asked.option("histogram", histogram, "several", "OUTCOME=LOW..HIGH:COUNT")
         asked.option("highest", [f"{name}:{rows}" for name, rows in (highest or {}).items()], "several", "OUTCOME:ROWS")
         asked.option("lowest", [f"{name}:{rows}" for name, rows in (lowest or {}).items()], "several", "OUTCOME:ROWS")
@@ -171,11 +175,12 @@ class Parts:
 
 def _sweep(words: list[str], setup: str) -> dict[str, Any]:
     """The answer of ``longdrive sweep``; what the program warns of stands in it."""
-    status, answer = _longdrive.command([*words, "--quiet"], setup, lambda kind, text: None)
+    status, answer, raised = _longdrive.command([*words, "--quiet"], setup, lambda kind, text: None)
+    if raised is not None:
+        why = answer["message"] if isinstance(answer, dict) and answer["message"] else "interrupted before there was an answer"
+        raise Interrupted(in_python(why)) from raised
     if status == 2:
-        raise InputError(answer["message"])
-    if answer["status"] == "interrupted":
-        raise KeyboardInterrupt(answer["message"])
+        raise InputError(in_python(answer["message"]))
     found: dict[str, Any] = answer
     return found
 
@@ -227,7 +232,7 @@ def sweep(setup: SetupLike = None, *, processes: int = 0, retries: int = 3, **qu
     >>> import longdrive.parts, tempfile
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     found = longdrive.parts.sweep(
-    ...         over={"club.loft": "5deg..15deg:3000"}, outcomes="ball_speed", output=folder, parts=2, processes=1)
+    ...         over={"club.loft": "5deg..15deg:3000"}, of="ball_speed", output=folder, parts=2, processes=1)
     >>> found.rows, found.summary["statuses"]["landed"]
     (3000, 3000)
 
@@ -235,10 +240,11 @@ def sweep(setup: SetupLike = None, *, processes: int = 0, retries: int = 3, **qu
         setup: a setup, the name of a preset, or a dict.
         processes: how many; 0 for as many as there are processors.
         retries: how often a part is tried again, after an error or the death of its process.
-        question: as :meth:`Question.of`: `output`, `parts`, `over`, `outcomes`, `wrt`, …
+        question: as :meth:`Question.of`: `output`, `parts`, `over`, `of`, `wrt`, …
 
     Raises:
         PartError: for a part that could not be written.
+        Interrupted: after Ctrl-C; parts that are whole stay, and the same call goes on.
     """
     asked = Question.of(setup, **question)
     manifests: dict[int, dict[str, Any]] = {}
@@ -248,6 +254,9 @@ def sweep(setup: SetupLike = None, *, processes: int = 0, retries: int = 3, **qu
         left = [part for part in tries if part not in manifests]
         try:
             _in_processes(asked, left, tries, manifests, processes or os.cpu_count() or 1, retries)
+        except KeyboardInterrupt as raised:
+            done = f"{len(manifests)} of {asked.parts} parts are known to be whole in {asked.output}"
+            raise Interrupted(f"longdrive.parts.sweep was interrupted: {done}; the same call writes those that are missing") from raised
         except BrokenProcessPool as error:
             part = next(part for part in tries if part not in manifests)
             tries[part] += 1

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from ._ask import Question
 from .reply import Reply
-from .types import PathLike
 
-__all__ = ["Picture", "picture", "written_plot"]
+__all__ = ["Picture", "picture"]
 
 
 class Picture(Reply):
@@ -39,19 +38,8 @@ class Picture(Reply):
         return self["data"] if self["form"] == ".png" else None
 
 
-def written_plot(output: PathLike | None) -> tuple[str, Callable[[Path], Any]]:
-    """What is kept of a plot: its own file, or the one in the folder of the question."""
-
-    def read(folder: Path) -> tuple[str, bytes]:
-        path = folder / "plot.svg" if output is None else Path(output)
-        return path.suffix.lower(), path.read_bytes()
-
-    return "written", read
-
-
-def picture(reply: Reply) -> Picture:
-    """The answer of a plot with what was written. A file of its own is gone with its folder: it is not named."""
-    form, data = reply.pop("written")
-    if not Path(reply["file"]).exists():
-        reply["file"] = None
-    return Picture(reply, form=form, data=data)
+def picture(reply: Reply, question: Question) -> Picture:
+    """The answer of a plot, with what was written: into its own file, or into one that goes with the question."""
+    path = question.scratch if reply["file"] is None else Path(reply["file"])
+    assert path is not None
+    return Picture(reply, form=path.suffix.lower(), data=path.read_bytes())

@@ -7,8 +7,8 @@ from __future__ import annotations
 
 from typing import Literal
 
-from ._ask import Question, ask
-from .picture import Picture, picture, written_plot
+from ._ask import ask
+from .picture import Picture, picture
 from .progress import Progress
 from .types import Amount, Given, Goals, Names, PathLike, SetupLike, TableLike
 
@@ -63,20 +63,9 @@ def trajectory(
     Raises:
         InputError: bad input, with the program's message.
         NoAnswerError: a sound question without an answer.
+        Interrupted: after Ctrl-C, with what was found so far.
     """
-
-    def write(question: Question) -> None:
-        question.take_setup(setup)
-        question.option("launch", launch, "several", "NAME=VALUE,…")
-        question.option("tolerance", tolerance, "one", "LENGTH")
-        question.option("own_step", own_step, "nothing", "OWN_STEP")
-        question.option("output", output or question.folder / "plot.svg", "one", "FILE")
-        question.option("overwrite", overwrite, "nothing", "OVERWRITE")
-        question.option("dark", dark, "nothing", "DARK")
-        question.option("width", width, "one", "PIXELS")
-        question.option("view", view, "one", "VIEW")
-
-    return picture(ask("plot trajectory", write, progress, written_plot(output)))
+    return ask("plot trajectory", locals(), picture)
 
 
 def contour(
@@ -124,24 +113,9 @@ def contour(
     Raises:
         InputError: bad input, with the program's message.
         NoAnswerError: a sound question without an answer.
+        Interrupted: after Ctrl-C, with what was found so far.
     """
-
-    def write(question: Question) -> None:
-        question.take_setup(setup)
-        question.option("launch", launch, "several", "NAME=VALUE,…")
-        question.option("tolerance", tolerance, "one", "LENGTH")
-        question.option("own_step", own_step, "nothing", "OWN_STEP")
-        question.option("maximize", maximize, "one", "OUTCOME")
-        question.option("minimize", minimize, "one", "OUTCOME")
-        question.option("vary", vary, "several", "NAME=LOW..HIGH")
-        question.option("subject_to", subject_to, "several", "CONSTRAINT")
-        question.option("max_iterations", max_iterations, "one", "N")
-        question.option("output", output or question.folder / "plot.svg", "one", "FILE")
-        question.option("overwrite", overwrite, "nothing", "OVERWRITE")
-        question.option("dark", dark, "nothing", "DARK")
-        question.option("width", width, "one", "PIXELS")
-
-    return picture(ask("plot contour", write, progress, written_plot(output)))
+    return ask("plot contour", locals(), picture)
 
 
 def chart(
@@ -193,26 +167,9 @@ def chart(
     Raises:
         InputError: bad input, with the program's message.
         NoAnswerError: a sound question without an answer.
+        Interrupted: after Ctrl-C, with what was found so far.
     """
-
-    def write(question: Question) -> None:
-        question.take_setup(setup)
-        question.option("launch", launch, "several", "NAME=VALUE,…")
-        question.option("tolerance", tolerance, "one", "LENGTH")
-        question.option("own_step", own_step, "nothing", "OWN_STEP")
-        question.option("maximize", maximize, "one", "OUTCOME")
-        question.option("minimize", minimize, "one", "OUTCOME")
-        question.option("vary", vary, "several", "NAME=LOW..HIGH")
-        question.option("subject_to", subject_to, "several", "CONSTRAINT")
-        question.option("max_iterations", max_iterations, "one", "N")
-        question.option("output", output or question.folder / "plot.svg", "one", "FILE")
-        question.option("overwrite", overwrite, "nothing", "OVERWRITE")
-        question.option("dark", dark, "nothing", "DARK")
-        question.option("width", width, "one", "PIXELS")
-        question.option("along", along, "one", "NAME=LOW..HIGH")
-        question.option("show", show, "one", "NAME")
-
-    return picture(ask("plot chart", write, progress, written_plot(output)))
+    return ask("plot chart", locals(), picture)
 
 
 def pareto(
@@ -280,31 +237,9 @@ def pareto(
     Raises:
         InputError: bad input, with the program's message.
         NoAnswerError: a sound question without an answer.
+        Interrupted: after Ctrl-C, with what was found so far.
     """
-
-    def write(question: Question) -> None:
-        question.take_setup(setup)
-        question.option("launch", launch, "several", "NAME=VALUE,…")
-        question.option("tolerance", tolerance, "one", "LENGTH")
-        question.option("own_step", own_step, "nothing", "OWN_STEP")
-        question.option("maximize", maximize, "several", "GOAL")
-        question.option("minimize", minimize, "several", "GOAL")
-        question.option("vary", vary, "several", "NAME=LOW..HIGH")
-        question.option("subject_to", subject_to, "several", "CONSTRAINT")
-        question.option("points", points, "one", "N")
-        question.option("max_iterations", max_iterations, "one", "N")
-        question.option("swings", swings, "one", "FILE")
-        question.option("distribution", distribution, "several", "NAME=KIND(…)")
-        question.option("correlation", correlation, "several", "NAME,NAME=COEFFICIENT")
-        question.option("scenarios", scenarios, "one", "N")
-        question.option("seed", seed, "one", "SEED")
-        question.option("strokes", strokes, "one", "FILE")
-        question.option("output", output or question.folder / "plot.svg", "one", "FILE")
-        question.option("overwrite", overwrite, "nothing", "OVERWRITE")
-        question.option("dark", dark, "nothing", "DARK")
-        question.option("width", width, "one", "PIXELS")
-
-    return picture(ask("plot pareto", write, progress, written_plot(output)))
+    return ask("plot pareto", locals(), picture)
 
 
 def tornado(
@@ -347,22 +282,9 @@ def tornado(
     Raises:
         InputError: bad input, with the program's message.
         NoAnswerError: a sound question without an answer.
+        Interrupted: after Ctrl-C, with what was found so far.
     """
-
-    def write(question: Question) -> None:
-        question.take_setup(setup)
-        question.option("launch", launch, "several", "NAME=VALUE,…")
-        question.option("tolerance", tolerance, "one", "LENGTH")
-        question.option("own_step", own_step, "nothing", "OWN_STEP")
-        question.option("output", output or question.folder / "plot.svg", "one", "FILE")
-        question.option("overwrite", overwrite, "nothing", "OVERWRITE")
-        question.option("dark", dark, "nothing", "DARK")
-        question.option("width", width, "one", "PIXELS")
-        question.option("of", of, "one", "OUTCOME")
-        question.option("sigma", sigma, "several", "NAME=AMOUNT")
-        question.option("show", show, "one", "SHOW")
-
-    return picture(ask("plot tornado", write, progress, written_plot(output)))
+    return ask("plot tornado", locals(), picture)
 
 
 def compare(
@@ -406,23 +328,9 @@ def compare(
     Raises:
         InputError: bad input, with the program's message.
         NoAnswerError: a sound question without an answer.
+        Interrupted: after Ctrl-C, with what was found so far.
     """
-
-    def write(question: Question) -> None:
-        question.take_setup(setup)
-        question.take_other("setup_b", other)
-        question.option("launch", launch, "several", "NAME=VALUE,…")
-        question.option("tolerance", tolerance, "one", "LENGTH")
-        question.option("own_step", own_step, "nothing", "OWN_STEP")
-        question.option("launch_a", launch_a, "several", "NAME=VALUE,…")
-        question.option("launch_b", launch_b, "several", "NAME=VALUE,…")
-        question.option("output", output or question.folder / "plot.svg", "one", "FILE")
-        question.option("overwrite", overwrite, "nothing", "OVERWRITE")
-        question.option("dark", dark, "nothing", "DARK")
-        question.option("width", width, "one", "PIXELS")
-        question.option("of", of, "one", "OUTCOME")
-
-    return picture(ask("plot compare", write, progress, written_plot(output)))
+    return ask("plot compare", locals(), picture)
 
 
 def vcurve(
@@ -462,21 +370,9 @@ def vcurve(
     Raises:
         InputError: bad input, with the program's message.
         NoAnswerError: a sound question without an answer.
+        Interrupted: after Ctrl-C, with what was found so far.
     """
-
-    def write(question: Question) -> None:
-        question.take_setup(setup)
-        question.option("launch", launch, "several", "NAME=VALUE,…")
-        question.option("tolerance", tolerance, "one", "LENGTH")
-        question.option("own_step", own_step, "nothing", "OWN_STEP")
-        question.option("output", output or question.folder / "plot.svg", "one", "FILE")
-        question.option("overwrite", overwrite, "nothing", "OVERWRITE")
-        question.option("dark", dark, "nothing", "DARK")
-        question.option("width", width, "one", "PIXELS")
-        question.option("of", of, "several", "OUTCOME,…")
-        question.option("wrt", wrt, "several", "NAME,…")
-
-    return picture(ask("plot vcurve", write, progress, written_plot(output)))
+    return ask("plot vcurve", locals(), picture)
 
 
 def laws(
@@ -522,24 +418,9 @@ def laws(
     Raises:
         InputError: bad input, with the program's message.
         NoAnswerError: a sound question without an answer.
+        Interrupted: after Ctrl-C, with what was found so far.
     """
-
-    def write(question: Question) -> None:
-        question.take_setup(setup)
-        question.option("launch", launch, "several", "NAME=VALUE,…")
-        question.option("tolerance", tolerance, "one", "LENGTH")
-        question.option("own_step", own_step, "nothing", "OWN_STEP")
-        question.option("output", output or question.folder / "plot.svg", "one", "FILE")
-        question.option("overwrite", overwrite, "nothing", "OVERWRITE")
-        question.option("dark", dark, "nothing", "DARK")
-        question.option("width", width, "one", "PIXELS")
-        question.option("laws", laws, "several", "LAW,…")
-        question.option("show", show, "one", "SHOW")
-        question.option("over", over, "one", "OVER")
-        question.option("reynolds", reynolds, "one", "NUMBER")
-        question.option("spin_ratio", spin_ratio, "one", "NUMBER")
-
-    return picture(ask("plot laws", write, progress, written_plot(output)))
+    return ask("plot laws", locals(), picture)
 
 
 def fairway(
@@ -590,25 +471,9 @@ def fairway(
     Raises:
         InputError: bad input, with the program's message.
         NoAnswerError: a sound question without an answer.
+        Interrupted: after Ctrl-C, with what was found so far.
     """
-
-    def write(question: Question) -> None:
-        question.take_setup(setup)
-        question.option("launch", launch, "several", "NAME=VALUE,…")
-        question.option("tolerance", tolerance, "one", "LENGTH")
-        question.option("own_step", own_step, "nothing", "OWN_STEP")
-        question.option("maximize", maximize, "one", "OUTCOME")
-        question.option("minimize", minimize, "one", "OUTCOME")
-        question.option("vary", vary, "several", "NAME=LOW..HIGH")
-        question.option("subject_to", subject_to, "several", "CONSTRAINT")
-        question.option("max_iterations", max_iterations, "one", "N")
-        question.option("output", output or question.folder / "plot.svg", "one", "FILE")
-        question.option("overwrite", overwrite, "nothing", "OVERWRITE")
-        question.option("dark", dark, "nothing", "DARK")
-        question.option("width", width, "one", "PIXELS")
-        question.option("sigma", sigma, "several", "NAME=AMOUNT")
-
-    return picture(ask("plot fairway", write, progress, written_plot(output)))
+    return ask("plot fairway", locals(), picture)
 
 
 def face(
@@ -644,19 +509,9 @@ def face(
     Raises:
         InputError: bad input, with the program's message.
         NoAnswerError: a sound question without an answer.
+        Interrupted: after Ctrl-C, with what was found so far.
     """
-
-    def write(question: Question) -> None:
-        question.take_setup(setup)
-        question.option("launch", launch, "several", "NAME=VALUE,…")
-        question.option("tolerance", tolerance, "one", "LENGTH")
-        question.option("own_step", own_step, "nothing", "OWN_STEP")
-        question.option("output", output or question.folder / "plot.svg", "one", "FILE")
-        question.option("overwrite", overwrite, "nothing", "OVERWRITE")
-        question.option("dark", dark, "nothing", "DARK")
-        question.option("width", width, "one", "PIXELS")
-
-    return picture(ask("plot face", write, progress, written_plot(output)))
+    return ask("plot face", locals(), picture)
 
 
 def strike(
@@ -707,25 +562,9 @@ def strike(
     Raises:
         InputError: bad input, with the program's message.
         NoAnswerError: a sound question without an answer.
+        Interrupted: after Ctrl-C, with what was found so far.
     """
-
-    def write(question: Question) -> None:
-        question.take_setup(setup)
-        question.option("launch", launch, "several", "NAME=VALUE,…")
-        question.option("tolerance", tolerance, "one", "LENGTH")
-        question.option("own_step", own_step, "nothing", "OWN_STEP")
-        question.option("maximize", maximize, "one", "OUTCOME")
-        question.option("minimize", minimize, "one", "OUTCOME")
-        question.option("vary", vary, "several", "NAME=LOW..HIGH")
-        question.option("subject_to", subject_to, "several", "CONSTRAINT")
-        question.option("max_iterations", max_iterations, "one", "N")
-        question.option("after", after, "one", "SETUP")
-        question.option("output", output or question.folder / "plot.svg", "one", "FILE")
-        question.option("overwrite", overwrite, "nothing", "OVERWRITE")
-        question.option("dark", dark, "nothing", "DARK")
-        question.option("width", width, "one", "PIXELS")
-
-    return picture(ask("plot strike", write, progress, written_plot(output)))
+    return ask("plot strike", locals(), picture)
 
 
 def launch(
@@ -773,21 +612,6 @@ def launch(
     Raises:
         InputError: bad input, with the program's message.
         NoAnswerError: a sound question without an answer.
+        Interrupted: after Ctrl-C, with what was found so far.
     """
-
-    def write(question: Question) -> None:
-        question.take_setup(setup)
-        question.option("launch", launch, "several", "NAME=VALUE,…")
-        question.option("tolerance", tolerance, "one", "LENGTH")
-        question.option("own_step", own_step, "nothing", "OWN_STEP")
-        question.option("maximize", maximize, "one", "OUTCOME")
-        question.option("minimize", minimize, "one", "OUTCOME")
-        question.option("vary", vary, "several", "NAME=LOW..HIGH")
-        question.option("subject_to", subject_to, "several", "CONSTRAINT")
-        question.option("max_iterations", max_iterations, "one", "N")
-        question.option("output", output or question.folder / "plot.svg", "one", "FILE")
-        question.option("overwrite", overwrite, "nothing", "OVERWRITE")
-        question.option("dark", dark, "nothing", "DARK")
-        question.option("width", width, "one", "PIXELS")
-
-    return picture(ask("plot launch", write, progress, written_plot(output)))
+    return ask("plot launch", locals(), picture)

@@ -19,7 +19,7 @@ def sweep(setup: SetupLike = None, *, retries: int = 3, **question: Any) -> Part
     Args:
         setup: a setup, the name of a preset, or a dict.
         retries: how often a part is tried again, after an error or the death of its worker.
-        question: as :meth:`longdrive.parts.Question.of`: `output`, `parts`, `over` or `sample`, `outcomes`, `wrt`, `instructions`, …
+        question: as :meth:`longdrive.parts.Question.of`: `output`, `parts`, `over` or `sample`, `of`, `wrt`, `instructions`, …
 
     Raises:
         PartError: for a part that could not be written.

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from html import escape
 from typing import Any
 
-__all__ = ["Reply"]
+__all__ = ["Reply", "as_reply"]
 
 
 class Reply(dict[str, Any]):
@@ -38,6 +38,11 @@ class Reply(dict[str, Any]):
 
     def _repr_html_(self) -> str:
         return f"<table><tbody>{''.join(_row(key, value) for key, value in self.items())}</tbody></table>"
+
+
+def as_reply(reply: Reply, _question: object) -> Reply:
+    """The answer of a function that answers as the program does."""
+    return reply
 
 
 def _row(key: str, value: Any) -> str:

@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 import json
-from pathlib import Path
-from typing import Any
 
-__all__ = ["SHOTS"]
+from ._ask import Question
+from .reply import Reply
 
-
-def _read_rows(folder: Path) -> list[dict[str, Any]]:
-    """The rows of a command, a dict each, SI."""
-    with (folder / "rows.jsonl").open(encoding="utf-8") as file:
-        return [json.loads(line) for line in file]
+__all__ = ["flown"]
 
 
-SHOTS = ("shots", _read_rows)
-"""Rows of shots, kept in a reply under ``shots``."""
+def flown(reply: Reply, question: Question) -> Reply:
+    """The answer of ``fly``: without a file of its own, with the rows under ``shots``, a dict each, SI."""
+    path = question.scratch
+    if reply["file"] is None and path is not None and path.exists():
+        with path.open(encoding="utf-8") as file:
+            reply["shots"] = [json.loads(line) for line in file]
+    return reply

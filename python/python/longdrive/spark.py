@@ -48,7 +48,7 @@ def sweep(spark: SparkSession, setup: SetupLike = None, **question: Any) -> Part
     Args:
         spark: the session. Every executor has longdrive, pandas and pyarrow, and sees the folder `output` under its name.
         setup: a setup, the name of a preset, or a dict.
-        question: as :meth:`longdrive.parts.Question.of`: `output`, `parts`, `over` or `sample`, `outcomes`, `wrt`, `instructions`, …
+        question: as :meth:`longdrive.parts.Question.of`: `output`, `parts`, `over` or `sample`, `of`, `wrt`, `instructions`, …
 
     Raises:
         PartError: for a part that could not be written.

@@ -12,9 +12,9 @@ from ._ask import Question, ask
 from ._longdrive import Setup
 from .arguments import count_of
 from .batches import computed
-from .errors import InputError
+from .errors import InputError, interruptible, warn_of
 from .progress import Progress, follower
-from .reply import Reply
+from .reply import Reply, as_reply
 from .table import Table
 from .types import Amount, Given, Names, PathLike, SetupLike, TableLike
 
@@ -29,9 +29,8 @@ def sweep(
     sample: int | None = None,
     seed: int = 0,
     points: TableLike | None = None,
-    outcomes: Names = "carry",
+    of: Names = "carry",
     wrt: Names | None = None,
-    gradient: bool = False,
     tolerance: Amount | None = None,
     own_step: bool = False,
     threads: int = 0,
@@ -48,9 +47,8 @@ def sweep(
     sample: int | None = None,
     seed: int = 0,
     points: TableLike | None = None,
-    outcomes: Names = "carry",
+    of: Names = "carry",
     wrt: Names | None = None,
-    gradient: bool = False,
     tolerance: Amount | None = None,
     own_step: bool = False,
     threads: int = 0,
@@ -68,9 +66,8 @@ def sweep(
     sample: int | None = None,
     seed: int = 0,
     points: TableLike | None = None,
-    outcomes: Names = "carry",
+    of: Names = "carry",
     wrt: Names | None = None,
-    gradient: bool = False,
     tolerance: Amount | None = None,
     own_step: bool = False,
     threads: int = 0,
@@ -82,7 +79,7 @@ def sweep(
     """Very many drives: the points of a grid, a quasi-random sequence or a table; the rows of ``longdrive sweep``, to the last bit.
 
     >>> import longdrive
-    >>> table = longdrive.sweep("tour-average", {"club.loft": ("8 deg", "12 deg", 5), "swing.speed": (45.0, 50.0, 3)}, gradient=True)
+    >>> table = longdrive.sweep("tour-average", {"club.loft": ("8 deg", "12 deg", 5), "swing.speed": (45.0, 50.0, 3)}, wrt="points")
     >>> len(table), table.wrt
     (15, ('club.loft', 'swing.speed'))
 
@@ -93,9 +90,8 @@ def sweep(
         sample: so many points of a quasi-random (Sobol') sequence in the ranges of `over`.
         seed: another seed gives other points.
         points: a table of points in place of `over`: a file, a dict of columns, or a table of pandas, polars or pyarrow.
-        outcomes: a name or several; ``"all"`` for every one.
-        wrt: parameters to differentiate by, a name or several.
-        gradient: whether to differentiate by the swept parameters.
+        of: outcomes, a name or several; ``"all"`` for every one.
+        wrt: parameters to differentiate by, a name or several; ``"points"`` for those that are swept; without it no derivatives.
         tolerance: lengths are within it of their exact values, m or a text; without it 1 µm, unless the setup says how to integrate.
         own_step: whether ``flight.method`` and ``flight.step`` of the setup are kept.
         threads: how many; 0 for as many as there are processors that this process may use.
@@ -106,37 +102,37 @@ def sweep(
 
     Raises:
         InputError: bad input, with the program's message.
-        Interrupted: where Ctrl-C was pressed while a table was computed; it has the rows that were done. A file is gone on with by `resume`.
+        Interrupted: where Ctrl-C was pressed: of a table with the rows that were done; a file is gone on with by `resume`.
+
+    Warns:
+        LongdriveWarning: once, with all of ``warnings`` of the table or the reply.
     """
     _refuse(over, sample, seed, points, output, resume or overwrite)
-    with tempfile.TemporaryDirectory(prefix="longdrive-") as name:
-        folder = Path(name)
-        if output is not None:
-
-            def write(question: Question) -> None:
-                question.take_setup(setup)
-                question.option("over", over, "several", "NAME=LOW..HIGH:COUNT")
-                question.option("sample", sample, "one", "N")
-                question.option("seed", seed if sample is not None else None, "one", "SEED")
-                question.option("points", points, "one", "FILE")
-                question.option("outcomes", _joined(outcomes), "one", "OUTCOME,…")
-                question.option("gradient", gradient, "nothing", "GRADIENT")
-                question.option("wrt", None if wrt is None else _joined(wrt), "one", "NAME,…")
-                question.option("tolerance", tolerance, "one", "LENGTH")
-                question.option("own_step", own_step, "nothing", "OWN_STEP")
-                question.option("threads", threads, "one", "N")
-                question.option("output", os.fspath(output), "one", "FILE")
-                question.option("resume", resume, "nothing", "RESUME")
-                question.option("overwrite", overwrite, "nothing", "OVERWRITE")
-
-            return ask("sweep", write, progress)
-        question = Question("sweep", folder)
+    if output is not None:
+        by = {"gradient": True} if wrt == "points" else {"wrt": wrt}
+        file = {"output": os.fspath(output), "resume": resume, "overwrite": overwrite, "progress": progress}
+        given = {"setup": setup, "over": over, "sample": sample, "seed": seed if sample is not None else None, "points": points, "of": of, **by}
+        return ask("sweep", {**given, "tolerance": tolerance, "own_step": own_step, "threads": threads, **file}, as_reply)
+    with interruptible("longdrive.sweep was interrupted before the first row"), tempfile.TemporaryDirectory(prefix="longdrive-") as name:
+        question = Question("sweep", Path(name))
         question.setup = setup if isinstance(setup, Setup) else Setup(setup)
-        file = None if points is None else question.file("points", points)
-        at, ranges = _longdrive.plan(question.setup, question.texts("over", over), sample, seed, file)
-        by = list(at) if gradient and wrt is None else wrt
+        table = None if points is None else question.file("points", points)
+        with question.named():
+            at, ranges = _longdrive.plan(question.setup, question.texts("over", over), sample, seed, table)
         with follower("sweep", progress) as told:
-            return computed(question.setup, at, outcomes, by, tolerance=tolerance, own_step=own_step, threads=threads, told=told, ranges=ranges)
+            found = computed(
+                question.setup, at, of, wrt, tolerance=tolerance, own_step=own_step, threads=threads, told=told, ranges=ranges,
+                interrupted=_interrupted,
+            )
+    warn_of(found.warnings, stacklevel=2)
+    return found
+
+
+def _interrupted(after: int, whole: int) -> str:
+    return (
+        f"longdrive.sweep was interrupted after {after} of {whole} rows, which `table` of this exception has; the same call begins again; one with "
+        "output=FILE keeps its rows, and goes on with resume=True"
+    )
 
 
 def _refuse(
@@ -154,7 +150,3 @@ def _refuse(
     count_of("seed", seed)
     if output is None and is_of_file:
         raise InputError("resume and overwrite are about a file; name it with output, or leave them out")
-
-
-def _joined(names: Names) -> str:
-    return names if isinstance(names, str) else ",".join(names)

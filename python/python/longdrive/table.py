@@ -12,7 +12,8 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _longdrive
-from .errors import InputError
+from ._longdrive import Setup
+from .errors import InputError, UnknownKeyError
 from .types import Floats
 
 __all__ = ["Status", "Table"]
@@ -64,6 +65,7 @@ class Table:
         hessians: Floats | None = None,
         first_row: int = 0,
         warnings: Sequence[str] = (),
+        setup: Setup | None = None,
     ) -> None:
         for array in (status, columns, points, hessians):
             if array is not None:
@@ -85,6 +87,8 @@ class Table:
         """The number of its first row among all points."""
         self.warnings = list(warnings)
         """What a user should know about the drives."""
+        self.setup = setup
+        """The setup that they have in common, without what the points give."""
 
     @property
     def values(self) -> Floats:
@@ -129,7 +133,7 @@ class Table:
         elif name in self.parameters:
             column = self._points[self.parameters.index(name)]
         else:
-            raise InputError(f"unknown column '{name}'; the columns are {', '.join(self.keys())}")
+            raise UnknownKeyError(_longdrive.unknown_key("column", name, self.keys(), f"the columns are {', '.join(self.keys())}"))
         return column
 
     def __getitem__(self, key: str | slice) -> Any:
@@ -150,6 +154,7 @@ class Table:
             hessians=None if self.hessians is None else self.hessians[key],
             first_row=self.first_row + start if step == 1 else 0,
             warnings=self.warnings,
+            setup=self.setup,
         )
 
     def __len__(self) -> int:
@@ -193,16 +198,13 @@ class Table:
         """One table of the rows of several, in their order: what was done before an interruption and what was done after it.
 
         Raises:
-            InputError: where they are not of the same outcomes and parameters.
+            InputError: where they are not of one question: the same outcomes, derivatives, parameters and setup; it names what differs.
         """
         if not tables:
             raise InputError("nothing to concatenate: give at least one table")
         first = tables[0]
-        for table in tables[1:]:
-            if (table.of, table.wrt, table.parameters) != (first.of, first.wrt, first.parameters) or (table.hessians is None) != (
-                first.hessians is None
-            ):
-                raise InputError("the tables are not of the same outcomes, derivatives and parameters")
+        for number, table in enumerate(tables[1:], start=2):
+            _refuse_difference(first, table, number)
         seconds = [table.hessians for table in tables if table.hessians is not None]
         return Table(
             status=np.concatenate([table.status for table in tables]),
@@ -215,12 +217,13 @@ class Table:
             hessians=np.concatenate(seconds) if seconds else None,
             first_row=first.first_row,
             warnings=list(dict.fromkeys(text for table in tables for text in table.warnings)),
+            setup=first.setup,
         )
 
     def __reduce__(self) -> tuple[Any, ...]:
         return (_unpickled, (dict(
             status=self.status, columns=self._columns, points=self._points, of=self.of, wrt=self.wrt, parameters=self.parameters,
-            units=self._units, hessians=self.hessians, first_row=self.first_row, warnings=self.warnings,
+            units=self._units, hessians=self.hessians, first_row=self.first_row, warnings=self.warnings, setup=self.setup,
         ),))
 
     def __arrow_c_stream__(self, requested_schema: object = None) -> Any:
@@ -250,6 +253,30 @@ class Table:
         rows = "".join(line(row) for row in range(min(_SHOWN, len(self))))
         caption = escape(repr(self).strip("<>"))
         return f"<table><caption>{caption}</caption><thead><tr>{head}</tr></thead><tbody>{rows}</tbody></table>"
+
+
+def _refuse_difference(first: Table, other: Table, number: int) -> None:
+    """What differs between the question of the first of several tables and that of another."""
+    told = {
+        "outcomes": (first.of, other.of),
+        "derivatives by": (first.wrt, other.wrt),
+        "parameters of the points": (first.parameters, other.parameters),
+        "second derivatives": ((first.hessians is not None,), (other.hessians is not None,)),
+    }
+    for what, (one, two) in told.items():
+        if one != two:
+            both = " and ".join(", ".join(map(str, names)) or "none" for names in (one, two))
+            raise InputError(f"tables 1 and {number} differ in {what}: {both}; give tables of one question")
+    if first.setup == other.setup:
+        return
+    here, there = ({} if table.setup is None else table.setup.to_dict() for table in (first, other))
+    names = [name for name in dict.fromkeys([*here, *there]) if here.get(name) != there.get(name)]
+    shown = ", ".join(f"{name} = {here.get(name)} and {there.get(name)}" for name in names[:4])
+    more = f", and {len(names) - 4} more" if len(names) > 4 else ""
+    raise InputError(
+        f"tables 1 and {number} are of different setups: {shown}{more}; a table says of one setup what its points do: give what differs as a "
+        "parameter of the points, or keep the tables apart"
+    )
 
 
 def _unpickled(fields: dict[str, Any]) -> Table:

@@ -12,7 +12,7 @@ import torch
 from torch.autograd import Function
 
 from .errors import InputError
-from .pointwise import Pointwise
+from .pointwise import NO_THIRD, Pointwise
 from .types import Names, SetupLike
 
 __all__ = ["outcome"]
@@ -58,7 +58,7 @@ def outcome(setup: SetupLike, of: Names = "carry", wrt: Names | None = None) -> 
 
         @staticmethod
         def backward(ctx: Any, *along: Any) -> Any:
-            raise InputError("longdrive.torch.outcome has first and second derivatives; third derivatives are not computed")
+            raise InputError(NO_THIRD.format("torch"))
 
         @staticmethod
         def vmap(info: Any, in_dims: tuple[int | None, ...], x: torch.Tensor) -> Any:

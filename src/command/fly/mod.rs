@@ -4,6 +4,7 @@ mod listen;
 mod target;
 
 use crate::batch::Run;
+use crate::columns::UNSTATED;
 use crate::command::args::{Fly, Question};
 use crate::command::interrupt;
 use crate::command::names::outcomes;
@@ -101,7 +102,13 @@ fn fly(args: &Fly) -> Result<Answer> {
     let beyond = tally.beyond.warnings(&setup.law, ["shot that landed", "shots that landed"], Looked::AtLaunch);
     warn(&beyond);
     warnings.extend(beyond);
-    Ok(answer(args, &target, &tally, source, warnings, &remarks, is_stopped))
+    let missing = Missing { stopped: is_stopped.then(|| stopped(&tally, &target)), nothing: nothing(&tally, &remarks) };
+    if args.question.json {
+        let nothing: Vec<Message> = missing.nothing.iter().cloned().map(Message::from).collect();
+        warn(&nothing);
+        warnings.extend(nothing);
+    }
+    Ok(answer(args, &target, &tally, source, warnings, &remarks, missing))
 }
 
 /// Flies the shots into the output; it is still to be ended.
@@ -125,6 +132,34 @@ fn written(target: &Target, flying: &Flying, shots: &mut Shots, run: &Run<'_>) -
     }
 }
 
+/// Why rows that were asked for are not there.
+struct Missing {
+    /// Where it was stopped, and what became of the file.
+    stopped: Option<String>,
+    /// That none of the rows flies.
+    nothing: Option<String>,
+}
+
+fn stopped(tally: &Tally, target: &Target) -> String {
+    let rows = counted(tally.rows, "row");
+    match target.file() {
+        Some(file) => format!("stopped after {rows}; {} is not written", file.display()),
+        None => format!("stopped after {rows}"),
+    }
+}
+
+/// Where no row could be flown: why the first could not, and in which units columns were read that state none.
+fn nothing(tally: &Tally, remarks: &[Message]) -> Option<String> {
+    (tally.flown == 0 && tally.rows > 0).then(|| {
+        let first = tally.refused.values().min_by_key(|refused| refused.line);
+        let first = first.map_or(String::new(), |first| format!("; line {}: {}", first.line, first.reason));
+        let remarks = remarks.iter().map(|remark| remark.in_units(system()));
+        let units: String =
+            remarks.filter(|remark| remark.starts_with(UNSTATED)).map(|remark| format!("; {remark}")).collect();
+        format!("none of {} could be flown{first}{units}", counted(tally.rows, "row"))
+    })
+}
+
 fn answer(
     args: &Fly,
     target: &Target,
@@ -132,24 +167,12 @@ fn answer(
     source: Option<&'static str>,
     warnings: Vec<Message>,
     remarks: &[Message],
-    is_stopped: bool,
+    Missing { stopped, nothing }: Missing,
 ) -> Answer {
-    let stopped = is_stopped.then(|| {
-        let rows = counted(tally.rows, "row");
-        match target.file() {
-            Some(file) => format!("stopped after {rows}; {} is not written", file.display()),
-            None => format!("stopped after {rows}"),
-        }
-    });
-    let nothing = (tally.flown == 0).then(|| {
-        let first = tally.refused.values().min_by_key(|refused| refused.line);
-        let first = first.map_or(String::new(), |first| format!("; line {}: {}", first.line, first.reason));
-        format!("none of {} could be flown{first}", counted(tally.rows, "row"))
-    });
     let text = shots_text(tally, source, system());
     let is_answered = stopped.is_none() && nothing.is_none();
     if args.question.json {
-        let file = target.file().filter(|_| !is_stopped).map(|file| file.display().to_string());
+        let file = target.file().filter(|_| stopped.is_none()).map(|file| file.display().to_string());
         let reply = Reply::done("fly", warnings, ShotsReport::new(tally, source, file, remarks));
         let reply = match (stopped, nothing) {
             (Some(stopped), _) => reply.ended("interrupted", Some(stopped)),

@@ -5,7 +5,7 @@ use super::shot::{Measurement, Shot, Stationary};
 use super::statistics::Uncertainties;
 use crate::columns::{
     CONDITIONS, Club, Column, Fault, Holds, Stated, conditions, contradiction, implausible, implausible_launch,
-    is_sideways, is_straight_by_assumption,
+    impossible, is_sideways, is_straight_by_assumption,
 };
 use crate::drive::{Outcome, Part};
 use crate::error::Error;
@@ -137,6 +137,9 @@ impl Reading<'_> {
                         if let Some(why) = implausible(outcome, value, name).filter(|_| self.is_export) {
                             beyond.push(why);
                             continue;
+                        }
+                        if let Some(why) = impossible(outcome, value) {
+                            return Err((here(), why).into());
                         }
                         if value.abs() > MOST {
                             let (shown, most) = (outcome.show(value), outcome.show(MOST));

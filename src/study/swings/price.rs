@@ -8,6 +8,7 @@ use crate::optimize::minimize;
 use crate::parameters::Setup;
 use crate::study::uncertainty::Interval;
 use statrs::distribution::{ContinuousCDF, StudentsT};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// What it costs to ignore that swings vary.
 #[derive(Clone, Debug)]
@@ -45,18 +46,21 @@ const SEQUENCES: u32 = 8;
 
 /// The price of ignoring that swings vary, and how far the goal is known.
 ///
+/// Once `stop` is true, what is not known yet is left out.
+///
 /// Neither the mean swing nor the other scenarios were asked about: where they do not fly, that is told in place of what they would say.
 ///
 /// # Errors
 /// As [`swings_optimum`](super::swings_optimum).
-pub fn price(setup: &Setup<f64>, swings: &Swings, best: &SwingsOptimum) -> Result<Price> {
+pub fn price(setup: &Setup<f64>, swings: &Swings, best: &SwingsOptimum, stop: &AtomicBool) -> Result<Price> {
+    let goes_on = || !stop.load(Ordering::Relaxed);
     let search = &best.search;
     let alone = posed(setup, search, Scenarios::mean(swings))?;
     let design = minimize(&alone, &alone.domain, &alone.start(), &search.options)?.x;
-    let kept = posed(setup, search, best.scenarios.clone())?.values(&design).ok();
+    let kept = if goes_on() { posed(setup, search, best.scenarios.clone())?.values(&design).ok() } else { None };
     let nominal = alone.values(&design).map(|promised| Nominal { design, promised, kept });
     let nominal = nominal.map_err(|error| error.to_string());
-    let others = (0..SEQUENCES).map_while(|round| best.scenarios.rule.other(round));
+    let others = (0..SEQUENCES).map_while(|round| best.scenarios.rule.other(round).filter(|_| goes_on()));
     let others = others.map(|rule| {
         let problem = posed(setup, search, Scenarios::new(swings, rule)?)?;
         Ok(problem.values(&best.solution.x)?[0])
@@ -64,6 +68,8 @@ pub fn price(setup: &Setup<f64>, swings: &Swings, best: &SwingsOptimum) -> Resul
     let others = others.collect::<Result<Vec<f64>>>();
     let doubt = match (best.value(), others.as_deref()) {
         (None, _) | (_, Ok([])) => None,
+        // fewer than an interval is made of
+        (_, Ok(_)) if !goes_on() => None,
         (_, Err(error)) => Some(Doubt::Unknown(error.to_string())),
         (Some(value), Ok([other])) => Some(Doubt::Quadrature((other - value).abs())),
         (Some(value), Ok(others)) => Some(Doubt::Sampling(interval(&search.of, value, others), others.len())),

@@ -1,0 +1,187 @@
+"""Ctrl-C: what was found so far, how far it was, and how to go on."""
+
+from __future__ import annotations
+
+import logging
+import pickle
+import signal
+import threading
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import longdrive
+from longdrive import Interrupted
+
+SWINGS: dict[str, Any] = {
+    "distribution": {"swing.speed": ("normal", 50.0, 1.5), "swing.path": ("normal", 0.0, 0.04), "strike.toe": ("normal", 0.0, 0.01)},
+    "vary": {"club.loft": (0.1, 0.3), "club.bulge_radius": (0.2, 0.6)},
+    "maximize": "mean(carry) - 0.5*std(lateral)",
+    "scenarios": 4000,
+}
+
+
+def press() -> None:
+    signal.raise_signal(signal.SIGINT)
+
+
+def when(is_time: Callable[[int], bool]) -> Callable[[int, int], None]:
+    """Presses Ctrl-C once so many parts are done."""
+    pressed: list[int] = []
+
+    def look(done: int, of: int) -> None:
+        if is_time(done) and not pressed:
+            pressed.append(done)
+            press()
+
+    return look
+
+
+@pytest.fixture
+def pressing_at() -> Iterator[Callable[[str], None]]:
+    """Presses Ctrl-C once a remark of a command contains a text."""
+    log, handlers = logging.getLogger("longdrive"), []
+    level = log.level
+    log.setLevel(logging.INFO)
+
+    class Pressing(logging.Handler):
+        def __init__(self, text: str) -> None:
+            super().__init__()
+            self.text, self.pressed = text, False
+
+        def emit(self, record: logging.LogRecord) -> None:
+            if self.text in record.getMessage() and not self.pressed:
+                self.pressed = True
+                press()
+
+    def at(text: str) -> None:
+        handlers.append(Pressing(text))
+        log.addHandler(handlers[-1])
+
+    yield at
+    log.setLevel(level)
+    for handler in handlers:
+        log.removeHandler(handler)
+
+
+def test_a_search_has_the_best_so_far_and_says_how_far_it_was() -> None:
+    with pytest.raises(Interrupted) as caught:
+        longdrive.optimize("mae494", starts=2000, vary={"club.loft": (0.05, 0.5), "swing.attack_angle": (-0.1, 0.1)}, progress=when(lambda done: done > 10))
+    error, found = caught.value, caught.value.answer
+    assert isinstance(found, longdrive.Optimum) and not found.success
+    assert found.ended == "interrupted" and "of 2000 searches ended" in found.message
+    # the drive at the best point so far, computed anew
+    assert longdrive.gradient(found.setup, "carry", "club.loft").value == pytest.approx(found.fun, abs=1e-5)
+    for word in ("longdrive.optimize was interrupted", found.message, f"carry = {found.fun:.6g}", f"club.loft = {found.x[0]:.6g}", "checkpoint=FILE"):
+        assert word in str(error)
+    again = pickle.loads(pickle.dumps(error))
+    assert str(again) == str(error) and again.answer.fun == found.fun
+
+
+def test_a_search_goes_on_from_its_checkpoint(pressing_at: Callable[[str], None], tmp_path: Path) -> None:
+    file = tmp_path / "search.json"
+    pressing_at("KKT")
+    with pytest.raises(Interrupted) as caught:
+        longdrive.optimize("tour-average", **SWINGS, checkpoint=file)
+    assert f"the same call goes on from the checkpoint '{file}'" in str(caught.value)
+    assert "mean(carry) - 0.5*std(lateral) = " in str(caught.value) or "it told last" in str(caught.value)
+    kept = file.read_bytes()
+    gone_on = longdrive.optimize("tour-average", **SWINGS, checkpoint=file)
+    assert gone_on.success and file.read_bytes() != kept
+    np.testing.assert_allclose(gone_on.x, longdrive.optimize("tour-average", **SWINGS).x, rtol=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("call", "words"),
+    [
+        (lambda look: longdrive.uncertainty(samples=100_000, progress=look), "longdrive.uncertainty was interrupted before there was an answer"),
+        (lambda look: longdrive.plot.contour(progress=look), "longdrive.plot.contour was interrupted"),
+        (lambda look: longdrive.pareto(maximize="carry", minimize="apex_height", points=500, progress=look), "points so far"),
+    ],
+)
+def test_every_command_is_interrupted_in_its_own_words(call: Callable[[Any], Any], words: str) -> None:
+    with pytest.raises(Interrupted, match="interrupted") as caught:
+        call(when(lambda done: True))
+    assert words in str(caught.value)
+    assert "batch" not in str(caught.value) and caught.value.table is None
+
+
+def test_a_fit_has_the_values_that_it_had_come_to(pressing_at: Callable[[str], None]) -> None:
+    draw, rows = np.random.default_rng(3), 2000
+    shots = {
+        "ball_speed [m/s]": 60 + 15 * draw.random(rows), "launch_angle [deg]": 8 + 8 * draw.random(rows), "backspin [rpm]": 2000 + 1500 * draw.random(rows),
+        "carry [m]": 180 + 60 * draw.random(rows),
+    }  # fmt: skip
+    pressing_at("iteration")
+    with pytest.raises(Interrupted, match="longdrive.calibrate was interrupted") as caught:
+        longdrive.calibrate(shots, {"preset": "modern-driver", "aero.law": "robinson"}, fit=["aero.cd0", "aero.cl_max"], folds=20)
+    found = caught.value.answer
+    assert found is not None and found.interrupted and 0 < found.estimates["aero.cd0"]["value"] < 1
+    assert f"aero.cd0 = {found.estimates['aero.cd0']['value']:.6g}" in str(caught.value)
+    assert "begins again" in str(caught.value)
+
+
+def test_work_that_was_left_writes_no_file(tmp_path: Path) -> None:
+    with pytest.raises(Interrupted):
+        longdrive.plot.contour("mae494", output=tmp_path / "left.svg", progress=when(lambda done: True))
+    # as much work again, on the same threads
+    longdrive.plot.contour("mae494", output=tmp_path / "whole.svg")
+    assert [path.name for path in tmp_path.iterdir()] == ["whole.svg"]
+
+
+def test_exact_a_sweep_in_memory_has_the_rows_that_were_done_and_says_what_a_sweep_can() -> None:
+    over = {"club.loft": (0.1, 0.2, 3000), "swing.speed": (40.0, 50.0, 300)}
+    with pytest.raises(Interrupted) as caught:
+        longdrive.sweep("mae494", over, progress=when(lambda done: done > 0))
+    table = caught.value.table
+    assert table is not None and 0 < len(table) < 900_000
+    assert str(caught.value).startswith(f"longdrive.sweep was interrupted after {len(table)} of 900000 rows")
+    assert "first_row" not in str(caught.value) and "resume=True" in str(caught.value)
+    assert longdrive.batch("mae494", table.points, own_step=True)["carry"][:100] == pytest.approx(table["carry"][:100], abs=1e-3)
+
+
+def test_exact_a_sweep_into_a_file_goes_on_with_resume(tmp_path: Path) -> None:
+    asked: dict[str, Any] = {"over": {"club.loft": (0.1, 0.2, 1000), "swing.speed": (40.0, 50.0, 300)}, "output": tmp_path / "rows.csv"}
+    with pytest.raises(Interrupted, match="rows so far are kept, and the same call with resume=True goes on") as caught:
+        longdrive.sweep("mae494", **asked, progress=when(lambda done: done > 0))
+    assert "--" not in str(caught.value)
+    longdrive.sweep("mae494", **asked, resume=True)
+    whole = tmp_path / "whole.csv"
+    longdrive.sweep("mae494", **{**asked, "output": whole})
+    assert whole.read_bytes() == (tmp_path / "rows.csv").read_bytes()
+
+
+def test_ctrl_c_before_the_first_row_is_interrupted_too() -> None:
+    class Pressing(dict[str, Any]):
+        def items(self) -> Any:
+            press()
+            return super().items()
+
+    with pytest.raises(Interrupted, match="longdrive.batch was interrupted before the first row") as caught:
+        longdrive.batch(Pressing(preset="mae494"), {"club.loft": [0.1, 0.2]})
+    assert caught.value.table is None
+    with pytest.raises(Interrupted, match="longdrive.optimize was interrupted before it began"):
+        longdrive.optimize(Pressing(preset="mae494"))
+
+
+def test_what_progress_raises_is_raised_as_it_is() -> None:
+    def refuse(done: int, of: int) -> None:
+        raise RuntimeError("enough")
+
+    with pytest.raises(RuntimeError, match="enough"):
+        longdrive.uncertainty(samples=100_000, progress=refuse)
+    with pytest.raises(RuntimeError, match="enough"):
+        longdrive.batch("mae494", {"club.loft": np.linspace(0.1, 0.2, 500_000)}, progress=refuse)
+
+
+def test_another_thread_is_not_interrupted() -> None:
+    found: list[Any] = []
+    other = threading.Thread(target=lambda: found.append(longdrive.optimize("mae494", starts=300)))
+    with pytest.raises(Interrupted):
+        other.start()
+        longdrive.batch("mae494", {"club.loft": np.linspace(0.1, 0.2, 500_000)}, progress=when(lambda done: True))
+    other.join()
+    assert found[0].success

@@ -1,0 +1,185 @@
+"""Messages in the words of Python: arguments for options, and no file that is not there."""
+
+from __future__ import annotations
+
+import json
+import logging
+import re
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import longdrive
+from longdrive import InputError
+from longdrive.wording import in_python
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("--subject-to: expected a limit", "subject_to: expected a limit"),
+        ("it already exists; use --overwrite to replace it", "it already exists; use overwrite=True to replace it"),
+        ("as in --vary club.loft=4deg..20deg", 'as in vary="club.loft=4deg..20deg"'),
+        ('with --subject-to "head_mass <= 205 g"', 'with subject_to="head_mass <= 205 g"'),
+        ("for example --minimize \"strokes(400yd)\", or", 'for example minimize="strokes(400yd)", or'),
+        ("with --swings FILE or --distribution NAME=KIND(…)", 'with swings=FILE or distribution="NAME=KIND(…)"'),
+        ("give two with --maximize and --minimize, for example --maximize carry --minimize apex_height", 'give two with maximize and minimize, for example maximize="carry" minimize="apex_height"'),
+        ("or leave the Rules of Golf out with --rules none", 'or leave the Rules of Golf out with rules="none"'),
+        ("write for example --width 800", "write for example width=800"),
+        ("invalid value '10' for '--width <PIXELS>': it must be", "invalid value '10' for 'width': it must be"),
+        ("name it with --set ground.turf=average, or another", 'name it with setup.replace({"ground.turf": "average"}), or another'),
+        ("check the club (--set) and the ranges (--vary)", "check the club (set) and the ranges (vary)"),
+        ("add it to --outcomes", "add it to of"),
+        ("the same command with --resume continues", "the same command with resume=True continues"),
+        ("name a file with -o, or take --format csv", 'name a file with output, or take format="csv"'),
+        ("'longdrive parameters' lists them all", "longdrive.parameters() lists them all"),
+        # these are for a shell, or no options of longdrive
+        ("'longdrive optimize a.toml --vary club.loft=4deg..20deg' finds", "'longdrive optimize a.toml --vary club.loft=4deg..20deg' finds"),
+        ("cargo install --path . --features png", "cargo install --path . --features png"),
+        ("the file 'a--vary.csv' is -0.5 m -- or not", "the file 'a--vary.csv' is -0.5 m -- or not"),
+    ],
+)
+def test_exact_options_are_named_as_arguments(text: str, words: str) -> None:
+    assert in_python(text) == words
+
+
+@pytest.mark.parametrize(
+    ("call", "words"),
+    [
+        (lambda: longdrive.optimize(subject_to="apex_height <= 30"), "subject_to: "),
+        (lambda: longdrive.optimize(correlation={("swing.path", "swing.speed"): 0.5}), r'swings=FILE or distribution="NAME=KIND\(…\)"'),
+        (lambda: longdrive.optimize(distribution={"swing.speed": ("normal", 50.0, -1.0)}), 'distribution="swing.speed=normal'),
+        (lambda: longdrive.optimize(maximize="carry", minimize="carry"), "'maximize'.*'minimize'"),
+        (lambda: longdrive.pareto(maximize="carry"), "give two with maximize and minimize"),
+        (lambda: longdrive.uncertainty(samples=-3), "samples"),
+        (lambda: longdrive.plot.trajectory(width=10), "width=800"),
+        (lambda: longdrive.sensitivity(maximize="carry"), "add at_optimum=True"),
+        (lambda: longdrive.chart(along="club.loft=5deg..9deg", vary={"club.loft": (0.1, 0.2)}), "take it out of those"),
+        (lambda: longdrive.design("tour-average"), 'rules="none"'),
+        (lambda: longdrive.Setup({"club.lofft": 1}), r"longdrive\.parameters\(\) lists them all"),
+        (lambda: longdrive.batch(None, {"club.lofft": [1.0]}), r"longdrive\.parameters\(\) lists them all"),
+    ],
+)
+def test_no_message_of_a_command_names_an_option_of_the_command_line(call: Callable[[], Any], words: str) -> None:
+    with pytest.raises(InputError, match=words) as raised:
+        call()
+    assert not re.search(r"(?<![\w-])--[a-z]", str(raised.value)), raised.value
+
+
+SHOTS = {"ball_speed [m/s]": [60.0, 65.0, 70.0], "launch_angle [deg]": [10.0, 11.0, 12.0], "backspin [rpm]": [2500.0, 2600.0, 2700.0]}
+
+
+def test_no_answer_names_a_file_that_is_not_there(tmp_path: Path, caplog: pytest.LogCaptureFixture) -> None:
+    caplog.set_level(logging.INFO)
+    carry = {**SHOTS, "carry [m]": [180.0, 200.0, 221.0]}
+    mine = {"preset": "modern-driver", "club.loft": 0.17}
+    answers = [
+        longdrive.fly(SHOTS),
+        longdrive.calibrate(carry, {"preset": "modern-driver", "aero.law": "robinson"}, fit="aero.cd0"),
+        longdrive.delivery(shots={name: values for name, values in SHOTS.items()}),
+        longdrive.compare("tour-average", mine),
+        longdrive.plot.trajectory(mine),
+        longdrive.optimize(mine, swings={"swing.speed [m/s]": list(np.linspace(48, 52, 12)), "swing.path [rad]": list(np.linspace(-0.02, 0.02, 12))}),
+    ]
+    for answer in answers:
+        told = json.dumps({name: value for name, value in answer.items() if isinstance(value, (str, dict, list, type(None)))}, default=str)
+        assert "longdrive-" not in told and "/tmp/longdrive" not in told, told
+    assert answers[0].file is None and answers[4].file is None
+    assert answers[1].data["file"] == "data"
+    assert not [record.getMessage() for record in caplog.records if "/longdrive-" in record.getMessage()]
+
+
+@pytest.mark.parametrize(
+    ("call", "words"),
+    [
+        (lambda: longdrive.fly({**SHOTS, "nonsense [kg]": [1.0, 2.0, 3.0], "backspin [deg]": [1.0, 2.0, 3.0]}), "^shots"),
+        (lambda: longdrive.calibrate({**SHOTS, "carry [kg]": [1.0, 2.0, 3.0]}, fit="aero.cd0"), "^data"),
+        (lambda: longdrive.sweep(points={"club.loft [kg]": [0.1]}), "^points"),
+        (lambda: longdrive.sweep(points={"club.lofft [rad]": [0.1]}, output="never.csv"), "^points"),
+    ],
+)
+def test_a_table_in_a_message_is_called_as_its_argument(call: Callable[[], Any], words: str) -> None:
+    with pytest.raises(InputError, match=words) as raised:
+        call()
+    assert "longdrive-" not in str(raised.value)
+
+
+@pytest.mark.parametrize(
+    ("call", "words"),
+    [
+        (lambda: longdrive.calibrate(None, fit="aero.cd0"), "data is None, and calibrate needs it: Measured shots"),
+        (lambda: longdrive.calibrate(SHOTS, fit=None), "fit is None, and calibrate needs it: .*parameter"),
+        (lambda: longdrive.chart(along=None), "along is None, and chart needs it: .*range"),
+        (lambda: longdrive.report(output=None), "output is None, and report needs it"),
+        (lambda: longdrive.reproduce(None), "study is None, and reproduce needs it"),
+        (lambda: longdrive.fly(None), "shots is None, and fly needs it"),
+        (lambda: longdrive.Setup({"club.loft": None}), "'club.loft' is None, and cannot be unset; expected a number in rad, or a text with its unit like \"9.8 deg\""),
+        (lambda: longdrive.Setup({"impact.restitution": None}), "'impact.restitution' is None, and cannot be unset; expected a number, or"),
+        (lambda: longdrive.Setup({"aero.table": None}), "'aero.table' is None, .*expected the name of a CSV file with a table of drag and lift"),
+        (lambda: longdrive.Setup().replace({"aero.law": None}), "'aero.law' is None, .*a name in quotes"),
+    ],
+)
+def test_none_where_a_value_is_needed_names_the_argument_and_what_is_wanted(call: Callable[[], Any], words: str) -> None:
+    with pytest.raises(InputError, match=words):
+        call()
+
+
+@pytest.mark.parametrize(
+    ("look", "words"),
+    [
+        (lambda: longdrive.Setup()["club.lofft"], "unknown parameter 'club.lofft'; did you mean 'club.loft'"),
+        (lambda: longdrive.simulate()["cary"], "unknown outcome 'cary'; did you mean 'carry'"),
+        (lambda: longdrive.simulate(of="spin")["carry"], "'carry' was not asked for; .*gives spin here"),
+        (lambda: longdrive.batch(None, {"club.loft": [0.2]})["cary"], "unknown column 'cary'; did you mean 'carry'"),
+        (lambda: longdrive.batch(None, {"club.loft": [0.2]}).derivative("carry", "club.loft"), "unknown column 'd_carry/d_club.loft'"),
+    ],
+)
+def test_an_unknown_key_is_a_key_error_with_the_nearest(look: Callable[[], Any], words: str) -> None:
+    with pytest.raises(KeyError, match=words) as raised:
+        look()
+    # both what Python expects of a mapping and what longdrive raises
+    assert isinstance(raised.value, longdrive.UnknownKeyError) and isinstance(raised.value, InputError)
+    assert not str(raised.value).startswith(("'unknown", '"'))
+
+
+def test_get_of_a_mapping_has_its_default() -> None:
+    drive = longdrive.simulate(of="carry")
+    assert drive.get("cary") is None and drive.get("cary", 3.0) == 3.0 and "cary" not in drive
+
+
+def test_a_file_given_as_a_preset_is_told_how_to_be_read() -> None:
+    with pytest.raises(InputError, match=r'"mine.toml" is a file, and no preset; Setup.read\("mine.toml"\) reads it'):
+        longdrive.Setup("mine.toml")
+    with pytest.raises(InputError, match="Setup.read"):
+        longdrive.simulate("mine.toml")
+
+
+def test_outcomes_of_a_drive_cannot_be_changed() -> None:
+    drive = longdrive.simulate(of=["carry", "spin"])
+    kept = (hash(drive), drive["carry"])
+    with pytest.raises(TypeError):
+        drive.outcomes["carry"] = 1.0  # type: ignore[index]
+    assert (hash(drive), drive["carry"]) == kept
+
+
+def test_tables_of_different_questions_are_not_joined() -> None:
+    points = {"club.loft": [0.15, 0.16]}
+    table = longdrive.batch("tour-average", points)
+    others = {
+        "differ in outcomes: carry and spin": longdrive.batch("tour-average", points, of="spin"),
+        "differ in derivatives by: none and club.loft": longdrive.batch("tour-average", points, wrt="club.loft"),
+        "differ in parameters of the points: club.loft and swing.speed": longdrive.batch("tour-average", {"swing.speed": [45.0]}),
+        "are of different setups: swing.speed = .* and 45.0": longdrive.batch({"preset": "tour-average", "swing.speed": 45.0}, points),
+    }
+    for words, other in others.items():
+        with pytest.raises(InputError, match=words):
+            longdrive.Table.concatenate([table, other])
+    assert len(longdrive.Table.concatenate([table, longdrive.batch("tour-average", {"club.loft": [0.17]})])) == 3
+
+
+def test_design_begins_with_the_programs_preset() -> None:
+    found = longdrive.design(max_iterations=1)
+    assert found.setup.preset == "modern-driver"
