@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import copy
 import pickle
+import subprocess
+import sys
 from concurrent.futures import ProcessPoolExecutor
 from multiprocessing import get_context
 
@@ -54,3 +56,11 @@ def test_errors_come_back_from_another_process(method: str) -> None:
         assert caught.value.status == "no-flight"
         with pytest.raises(InputError, match="did you mean 'club.loft'"):
             pool.submit(bad_input, 0).result(60)
+
+
+def test_a_free_threaded_python_is_refused_with_what_to_use() -> None:
+    # what such a build says of itself, in 3.13 and in 3.14
+    for version in ("3.13.5 experimental free-threading build (main, Jun 11 2025)", "3.14.0 free-threading build (main, Oct 7 2025)"):
+        said = subprocess.run([sys.executable, "-c", f"import sys; sys.version = {version!r}; import longdrive"], capture_output=True, text=True)
+        assert said.returncode == 1 and "Traceback" in said.stderr
+        assert "ImportError: longdrive needs Python with the global interpreter lock" in said.stderr and "use the ordinary build" in said.stderr

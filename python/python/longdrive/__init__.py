@@ -17,6 +17,7 @@ Numbers are SI and radians; a text carries its unit. Bad input is an :class:`Inp
 
 from __future__ import annotations
 
+from . import _supported  # noqa: F401  before anything that is compiled
 from . import plot
 from ._longdrive import Objective, Setup, __version__, outcomes, parameters, presets
 from .batches import batch

@@ -6,10 +6,8 @@ quantities of pint) is written as the command line has it, numbers to the last d
 
 from __future__ import annotations
 
-import csv
 import logging
 import os
-import tempfile
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
@@ -229,6 +227,8 @@ def _write_table(name: str, table: Any, path: Path) -> None:
         if len(lengths) > 1:
             raise InputError(f"{name}: its columns have {' and '.join(map(str, lengths))} rows; expected as many in each")
         with path.open("w", newline="", encoding="utf-8") as file:
+            import csv  # as below: `import longdrive` does not wait for what only some calls need
+
             write = csv.writer(file)
             write.writerow(table.keys())
             write.writerows([_cell(value) for value in row] for row in zip(*columns))
@@ -253,6 +253,8 @@ def ask(command: str, given: Mapping[str, Any], answered: Callable[[Reply, Quest
     `given` has the arguments of its function, by name: what the program says of its options tells how each is written. `answered` makes the
     answer of the function, of the program's and the question.
     """
+    import tempfile
+
     function = "longdrive." + command.replace("-", "_").replace(" ", ".")
     with interruptible(f"{function} was interrupted before it began"), tempfile.TemporaryDirectory(prefix="longdrive-") as name:
         question = Question(command, Path(name))
