@@ -203,11 +203,7 @@ impl Optima {
 
     /// How far the searches came, if any was stopped from outside before it ended.
     pub fn interrupted(&self) -> Option<String> {
-        let (stopped, all) = (self.stopped(), self.starts);
-        (stopped > 0).then(|| match all {
-            1 => "the search was stopped before its end".into(),
-            _ => format!("{} of {all} searches ended, and {stopped} were stopped before their end", all - stopped),
-        })
+        stopped_of(self.stopped(), self.starts)
     }
 
     /// The best of them.
@@ -218,6 +214,14 @@ impl Optima {
         let first = self.locals.first().map(|(best, _)| best);
         first.ok_or(Error::Nothing { doing: "search from", what: "start" })
     }
+}
+
+/// How far searches came of which some were stopped from outside.
+pub(super) fn stopped_of(stopped: usize, all: usize) -> Option<String> {
+    (stopped > 0).then(|| match all {
+        1 => "the search was stopped before its end".into(),
+        _ => format!("{} of {all} searches ended, and {stopped} were stopped before their end", all - stopped),
+    })
 }
 
 /// Searches from the setup's own values and from starts spread evenly over the ranges, side by side.
