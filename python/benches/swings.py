@@ -50,7 +50,7 @@ def ranges() -> tuple[Any, Any]:
     """The lower ends and the widths of the ranges, SI."""
     ends = []
     for text in VARY:
-        low, unit, high = re.match(r"[\w.]+=([\d.]+)(\D+?)\.\.([\d.]+)", text).groups()  # type: ignore[union-attr]
+        low, unit, high = re.match(r"[\w.]+=(\d+)(\D.*?)\.\.(\d+)", text).groups()  # type: ignore[union-attr]
         ends.append((float(low) * SI[unit], float(high) * SI[unit]))
     low, high = np.array(ends).T
     return low, high - low

@@ -127,7 +127,8 @@ def test_exact_goals_over_swings_are_those_of_the_search() -> None:
     best = longdrive.optimize("mae494", maximize="mean(carry) - 0.5*std(carry)", vary="club.loft=4deg..20deg", **SWINGS)
     chosen = {name: best.reply["setup"][name] for name in ("flight.method", "flight.step")}
     goal = longdrive.objective({"preset": "mae494", **chosen}, "mean(carry) - 0.5*std(carry)", "club.loft", "max", **SWINGS)
-    assert goal.fun(best.x) == pytest.approx(-best.fun, abs=1e-9) and abs(goal.jac(best.x)[0]) < 1e-5 and goal.hess(best.x)[0, 0] > 0
+    assert goal.fun(best.x) == pytest.approx(-best.fun, abs=1e-9)
+    np.testing.assert_allclose(goal.jac(best.x), -best.jac, rtol=1e-12)
     again = pickle.loads(pickle.dumps(goal))
     assert again.fun(best.x) == goal.fun(best.x) and repr(again) == repr(goal)
 
