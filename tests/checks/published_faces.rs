@@ -222,6 +222,7 @@ fn published_golfer_scatters_in_carry_and_direction_as_computed_but_tilts_the_sp
 /// The same golfer's loft at impact, and the launch: means and standard deviations of ball speed, mph; launch angle and direction, °; spin, rpm;
 /// its axis, °.
 const LOFT: f64 = 2.91;
+#[expect(clippy::approx_constant, reason = "a speed of 6.28 mph, and no angle")]
 const LAUNCH: [(Outcome, f64, f64, f64); 5] = [
     (Outcome::BallSpeed, 0.44704, 153.82, 6.28),
     (Outcome::LaunchAngle, DEGREE, 13.61, 2.92),
