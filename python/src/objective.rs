@@ -26,7 +26,7 @@ struct Point {
 /// What is asked of a point.
 enum Function {
     /// An outcome of one drive, by an evaluator for each order of derivatives.
-    Drive([Evaluator; 3]),
+    Drive(Box<[Evaluator; 3]>),
     /// A goal over swings.
     Swings(Box<GoalFunction>),
 }
@@ -41,7 +41,7 @@ impl Function {
 
     fn parameters(&self) -> &[&'static Parameter] {
         match self {
-            Self::Drive([values, ..]) => values.parameters(),
+            Self::Drive(evaluators) => evaluators[0].parameters(),
             Self::Swings(goal) => goal.parameters(),
         }
     }
@@ -236,7 +236,7 @@ impl PyObjective {
                 }
                 let evaluators = ORDERS.map(|order| Evaluator::new(&setup.setup, &named, &wrt, order));
                 let [values, gradients, hessians] = evaluators;
-                Function::Drive([values?, gradients?, hessians?])
+                Function::Drive(Box::new([values?, gradients?, hessians?]))
             };
             let sign = match sense.as_deref() {
                 None | Some("min") => 1.0,
