@@ -18,8 +18,3 @@ if command -v taskset >/dev/null; then pin="taskset -c 0"; fi
 
 $pin .venv/bin/python scipy_peer.py target/release/optimizers >"$out/scipy.jsonl"
 $pin target/release/optimizers --scipy "$out/scipy.jsonl" -o "$out"
-
-# the design of a head for many swings, on all processors
-unset RAYON_NUM_THREADS
-.venv/bin/python swings_peer.py target/release/optimizers >"$out/swings.md"
-cat "$out/swings.md"

@@ -1,13 +1,17 @@
-//! An outcome as a function of some parameters, for optimizers that take functions.
+//! An outcome, or a goal over swings, as a function of some parameters, for optimizers that take functions.
 
 use crate::boundary::{Answer, Failure, answer};
 use crate::derivatives::{matrix, vector};
 use crate::names::{outcomes_named, variables};
 use crate::setup::PySetup;
 use longdrive::derivative::{Evaluator, Order, Taylor};
-use longdrive::parameters::Range;
+use longdrive::parameters::{Parameter, Range};
+use longdrive::study::swings::{Correlation, Goal, GoalFunction, Rule, Scenarios, Swings};
+use longdrive::study::uncertainty::Uncertain;
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
+use pyo3::types::{PySequenceMethods, PyTuple};
+use std::path::PathBuf;
 use std::sync::{Mutex, PoisonError};
 
 /// The point asked about last, and what is known of it.
@@ -19,14 +23,90 @@ struct Point {
     found: Option<Taylor>,
 }
 
-/// An outcome as a function of some parameters, for ``scipy.optimize`` and the like: ``fun``, ``jac`` and ``hess`` of a point.
+/// What is asked of a point.
+enum Function {
+    /// An outcome of one drive, by an evaluator for each order of derivatives.
+    Drive(Box<[Evaluator; 3]>),
+    /// A goal over swings.
+    Swings(Box<GoalFunction>),
+}
+
+impl Function {
+    fn at(&self, x: &[f64], order: Order) -> longdrive::Result<Option<Taylor>> {
+        match self {
+            Self::Drive(evaluators) => evaluators[order as usize].at(x).map(|mut taylors| taylors.pop()),
+            Self::Swings(goal) => goal.at(x, order).map(Some),
+        }
+    }
+
+    fn parameters(&self) -> &[&'static Parameter] {
+        match self {
+            Self::Drive(evaluators) => evaluators[0].parameters(),
+            Self::Swings(goal) => goal.parameters(),
+        }
+    }
+}
+
+/// The swings that a goal is over, as they were given.
+#[derive(Clone, Default)]
+struct Over {
+    swings: Option<PathBuf>,
+    distribution: Vec<String>,
+    correlation: Vec<String>,
+    scenarios: Option<usize>,
+    seed: Option<u32>,
+}
+
+impl Over {
+    /// Whether any swings are given.
+    fn is_given(&self) -> bool {
+        self.swings.is_some() || !self.distribution.is_empty()
+    }
+
+    /// The swings that stand for all.
+    fn taken(&self, setup: &longdrive::Setup<f64>) -> Answer<Scenarios> {
+        let swings = match &self.swings {
+            Some(_) if !self.distribution.is_empty() || !self.correlation.is_empty() => {
+                let what = "swings: a file gives the distributions and correlations; leave distribution and correlation out, or swings";
+                return Err(Failure::Input(what.into()));
+            }
+            Some(file) => Swings::open(setup, file)?,
+            None => {
+                let inputs = self.distribution.iter().map(|text| Uncertain::read(setup, text));
+                let correlations = self.correlation.iter().map(|text| Correlation::read(setup, text));
+                let inputs = inputs.collect::<longdrive::Result<Vec<_>>>()?;
+                Swings::distributed(inputs, &correlations.collect::<longdrive::Result<Vec<_>>>()?)?
+            }
+        };
+        Ok(Scenarios::new(&swings, Rule::of(&swings, self.scenarios, self.seed.unwrap_or(0))?)?)
+    }
+
+    /// # Errors
+    /// For an argument about swings where none are given.
+    fn refuse_stray(&self) -> Answer<()> {
+        let given = [
+            ("correlation", !self.correlation.is_empty()),
+            ("scenarios", self.scenarios.is_some()),
+            ("seed", self.seed.is_some()),
+        ];
+        match given.into_iter().find(|(_, is_given)| *is_given) {
+            Some((name, _)) => Err(Failure::Input(format!(
+                "{name}: it is about many swings; give these too, with swings or distribution"
+            ))),
+            None => Ok(()),
+        }
+    }
+}
+
+/// An outcome as a function of some parameters, for ``scipy.optimize`` and the like: ``fun``, ``jac`` and ``hess`` of a point. Or a goal over swings.
 ///
 /// See :func:`longdrive.objective`, which makes one.
 #[pyclass(name = "Objective", module = "longdrive", frozen)]
 pub struct PyObjective {
     setup: PySetup,
     of: String,
-    evaluators: [Evaluator; 3],
+    function: Function,
+    over: Over,
     /// The sense as it was given, and the factor that turns a greatest value into a least one.
     sense: Option<String>,
     sign: f64,
@@ -63,25 +143,24 @@ impl PyObjective {
                 to = order.max(point.asked);
             }
         }
-        let found = match self.evaluators[to as usize].at(&x) {
-            Ok(mut taylors) => taylors.pop(),
+        let found = match self.function.at(&x, to) {
+            Ok(found) => found,
             // derivatives may be missing where the value is not
             Err(_) if to > order => {
                 to = order;
-                self.lone(&x, order)?
+                self.lone(self.function.at(&x, order))?
             }
-            Err(_) if self.gives_nan => None,
-            Err(error) => return Err(error.into()),
+            found => self.lone(found)?,
         };
         let found = found.map(|taylor| if self.sign < 0.0 { taylor.negated() } else { taylor });
         *last = Some(Point { x, order: to, asked, found: found.clone() });
         Ok(found)
     }
 
-    /// As much as is asked for, and no more.
-    fn lone(&self, x: &[f64], order: Order) -> Answer<Option<Taylor>> {
-        match self.evaluators[order as usize].at(x) {
-            Ok(mut taylors) => Ok(taylors.pop()),
+    /// What was found, or none where that is NaN.
+    fn lone(&self, found: longdrive::Result<Option<Taylor>>) -> Answer<Option<Taylor>> {
+        match found {
+            Ok(found) => Ok(found),
             Err(_) if self.gives_nan => Ok(None),
             Err(error) => Err(error.into()),
         }
@@ -112,8 +191,8 @@ impl PyObjective {
         if values.len() == wanted { Ok(values) } else { Err(refuse(format!("has shape ({},)", values.len()))) }
     }
 
-    fn wrt(&self) -> &[&'static longdrive::parameters::Parameter] {
-        self.evaluators[0].parameters()
+    fn wrt(&self) -> &[&'static Parameter] {
+        self.function.parameters()
     }
 
     fn gradient<'py>(&self, py: Python<'py>, found: Option<&Taylor>) -> Bound<'py, PyArray1<f64>> {
@@ -128,21 +207,37 @@ fn value(found: Option<&Taylor>) -> f64 {
 #[pymethods]
 impl PyObjective {
     #[new]
-    #[pyo3(signature = (setup, of = "carry", wrt = None, sense = None, invalid = "raise"))]
+    #[pyo3(signature = (setup, of = "carry", wrt = None, sense = None, invalid = "raise", swings = None, distribution = vec![], correlation = vec![], scenarios = None, seed = None))]
+    #[expect(clippy::too_many_arguments, reason = "each is one that Python names")]
     fn new(
         setup: &Bound<'_, PyAny>,
         of: &str,
         wrt: Option<&Bound<'_, PyAny>>,
         sense: Option<String>,
         invalid: &str,
+        swings: Option<PathBuf>,
+        distribution: Vec<String>,
+        correlation: Vec<String>,
+        scenarios: Option<usize>,
+        seed: Option<u32>,
     ) -> PyResult<Self> {
         answer(|| {
             let setup = PySetup::of(setup)?;
-            let named = outcomes_named(&[of.to_owned()])?;
-            if named.len() != 1 {
-                return Err(Failure::Input("of = 'all': an objective is one outcome; name it".into()));
-            }
             let wrt = variables(&setup.setup, wrt)?;
+            let over = Over { swings, distribution, correlation, scenarios, seed };
+            let function = if over.is_given() {
+                let scenarios = over.taken(&setup.setup)?;
+                Function::Swings(Box::new(GoalFunction::new(&setup.setup, &Goal::read(of, None)?, &wrt, scenarios)?))
+            } else {
+                over.refuse_stray()?;
+                let named = outcomes_named(&[of.to_owned()])?;
+                if named.len() != 1 {
+                    return Err(Failure::Input("of = 'all': an objective is one outcome; name it".into()));
+                }
+                let evaluators = ORDERS.map(|order| Evaluator::new(&setup.setup, &named, &wrt, order));
+                let [values, gradients, hessians] = evaluators;
+                Function::Drive(Box::new([values?, gradients?, hessians?]))
+            };
             let sign = match sense.as_deref() {
                 None | Some("min") => 1.0,
                 Some("max") => -1.0,
@@ -156,9 +251,7 @@ impl PyObjective {
                 "nan" => true,
                 other => return Err(Failure::Input(format!("invalid = '{other}'; expected 'raise' or 'nan'"))),
             };
-            let [values, gradients, hessians] = ORDERS.map(|order| Evaluator::new(&setup.setup, &named, &wrt, order));
-            let evaluators = [values?, gradients?, hessians?];
-            Ok(Self { setup, of: of.to_owned(), evaluators, sense, sign, gives_nan, last: Mutex::new(None) })
+            Ok(Self { setup, of: of.to_owned(), function, over, sense, sign, gives_nan, last: Mutex::new(None) })
         })
     }
 
@@ -204,7 +297,7 @@ impl PyObjective {
         self.wrt().iter().map(|row| row.name).collect()
     }
 
-    /// The outcome.
+    /// The outcome, or the goal over swings.
     #[getter]
     fn of(&self) -> &str {
         &self.of
@@ -231,17 +324,16 @@ impl PyObjective {
 
     fn __repr__(&self) -> PyResult<String> {
         let sense = self.sense.as_ref().map_or_else(String::new, |sense| format!(", {sense}"));
-        Ok(format!("<longdrive.Objective {} of {}{sense}>", self.of, self.names().join(", ")))
+        let over = if self.over.is_given() { " over swings" } else { "" };
+        Ok(format!("<longdrive.Objective {}{over} of {}{sense}>", self.of, self.names().join(", ")))
     }
 
-    #[expect(clippy::type_complexity, reason = "what pickle asks for")]
-    fn __reduce__<'py>(
-        &self,
-        py: Python<'py>,
-    ) -> (Bound<'py, PyAny>, (PySetup, &str, Vec<&'static str>, Option<&str>, &'static str)) {
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
         let invalid = if self.gives_nan { "nan" } else { "raise" };
-        let class = py.get_type::<Self>().into_any();
-        (class, (self.setup, &self.of, self.names(), self.sense.as_deref(), invalid))
+        let Over { swings, distribution, correlation, scenarios, seed } = self.over.clone();
+        let of_swings = (swings, distribution, correlation, scenarios, seed).into_pyobject(py)?;
+        let own = (self.setup, &self.of, self.names(), self.sense.as_deref(), invalid).into_pyobject(py)?;
+        Ok((py.get_type::<Self>().into_any(), own.as_sequence().concat(of_swings.as_sequence())?.to_tuple()?))
     }
 
     fn __copy__(slf: Py<Self>) -> Py<Self> {

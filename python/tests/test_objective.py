@@ -103,6 +103,51 @@ def test_exact_it_pickles_and_copies() -> None:
         assert other.fun(carry.x0) == carry.fun(carry.x0) and math.isnan(other.fun([2.0, 0.0]))
 
 
+SWINGS: dict[str, Any] = {"distribution": ["swing.attack_angle=uniform(-2deg, 6deg)"]}
+
+
+def test_independent_a_mean_over_uniform_swings_is_that_of_gauss_legendre() -> None:
+    nodes, weights = np.polynomial.legendre.leggauss(32)
+    attack = np.radians(2 + 4 * nodes)
+    mean = longdrive.objective("mae494", "mean(carry)", ["club.loft", "club.mass"], **SWINGS)
+    x = [0.2, 0.195]
+    rows = [longdrive.hessian({"preset": "mae494", "swing.attack_angle": angle, "club.loft": x[0], "club.mass": x[1]}, "carry", mean.names)
+            for angle in attack]
+    for found, expected in [(mean.fun(x), [row.value for row in rows]), (mean.jac(x), [row.gradient for row in rows]),
+                            (mean.hess(x), [row.hessian for row in rows])]:
+        np.testing.assert_allclose(found, np.tensordot(weights / 2, np.asarray(expected), 1), rtol=1e-9)
+    deviation = longdrive.objective("mae494", "std(carry)", ["club.loft", "club.mass"], "max", **SWINGS)
+    carry = np.asarray([row.value for row in rows])
+    scatter = np.sqrt(weights / 2 @ (carry - weights / 2 @ carry) ** 2)
+    assert deviation.fun(x) == pytest.approx(-scatter, rel=1e-9)
+    assert repr(deviation) == "<longdrive.Objective std(carry) over swings of club.loft, club.mass, max>"
+
+
+def test_exact_goals_over_swings_are_those_of_the_search() -> None:
+    best = longdrive.optimize("mae494", maximize="mean(carry) - 0.5*std(carry)", vary="club.loft=4deg..20deg", **SWINGS)
+    chosen = {name: best.reply["setup"][name] for name in ("flight.method", "flight.step")}
+    goal = longdrive.objective({"preset": "mae494", **chosen}, "mean(carry) - 0.5*std(carry)", "club.loft", "max", **SWINGS)
+    assert goal.fun(best.x) == pytest.approx(-best.fun, abs=1e-9)
+    np.testing.assert_allclose(goal.jac(best.x), -best.jac, rtol=1e-12)
+    again = pickle.loads(pickle.dumps(goal))
+    assert again.fun(best.x) == goal.fun(best.x) and repr(again) == repr(goal)
+
+
+def test_swings_that_are_wrong_are_refused() -> None:
+    cases: list[tuple[dict[str, Any], str]] = [
+        ({"distribution": "swing.speed=normal(100mph)"}, "normal"),
+        ({"scenarios": 64}, "scenarios: it is about many swings"),
+        ({"swings": "nowhere.toml"}, "nowhere.toml"),
+        ({"swings": "nowhere.toml", "distribution": "swing.speed=normal(100mph,2mph)"}, "leave distribution and correlation out"),
+        ({"distribution": "club.loft=normal(10deg,1deg)"}, "the swings have values of it"),
+    ]
+    for words, message in cases:
+        with pytest.raises(InputError, match=message):
+            longdrive.objective("mae494", "mean(carry)", "club.loft", **words)
+    with pytest.raises(InputError, match="mean\\(carry\\)"):
+        longdrive.objective("mae494", "carry", "club.loft", **SWINGS)
+
+
 def test_scipy_reaches_the_optimum_that_the_gradient_proves() -> None:
     optimize = pytest.importorskip("scipy.optimize")
     # within 0..20 deg of loft at a fixed attack angle the best loft is inside: there the derivative is 0

@@ -4,7 +4,7 @@ use crate::command::args::DesignArgs;
 use crate::command::output::{Answer, system};
 use crate::command::swings::{Asked, found, sought};
 use crate::parameters::Parameter;
-use crate::report::{Designed, swings_text};
+use crate::report::Designed;
 use crate::study::Sense;
 use crate::study::design::{Design, GOLFER, golfer, parts, usual_vary};
 use crate::study::swings::{Goal, Rule, Scenarios, Swings};
@@ -52,8 +52,7 @@ pub fn run(args: &DesignArgs) -> Result<Answer> {
     let answer = if search.question.json {
         Answer::json(&designed.reply(found.reply()))
     } else {
-        let text = swings_text(&found.best, found.price.as_ref(), found.resampled.as_ref(), system());
-        Answer::text(text + &designed.text(system()))
+        Answer::text(found.text() + &designed.text(system()))
     };
     Ok(answer.found(found.is_found()))
 }

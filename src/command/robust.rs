@@ -32,7 +32,8 @@ pub fn run(args: &RobustArgs) -> Result<Answer> {
     }
     let spinner = spinner("searching for one design for all models");
     let interrupt = interrupt::stops("stopping with the best design so far");
-    let found = robust(models, search, &scenarios, &Follow { interrupt, ..Follow::default() });
+    let follow = Follow { interrupt, ..Follow::default() };
+    let found = robust(models, search, &scenarios, args.starts as usize, &follow);
     spinner.finish_and_clear();
     interrupt::ends();
     let found = found?;

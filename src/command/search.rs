@@ -67,7 +67,11 @@ impl WorkArgs {
             None => None,
         };
         let mut follow = Follow { interrupt: interrupt::stops(BEST_SO_FAR), checkpoint, ..Follow::default() };
-        let bar = if self.starts > 1 { self.many(search, &mut follow) } else { one(search, &mut follow) };
+        let (of, sense, system) = (search.of, search.sense, system());
+        let bar = match self.starts {
+            1 => one(search, &mut follow),
+            _ => self.many(&mut follow, move |value| outcome_text(of, sense.sign() * value, system)),
+        };
         let found = optima(setup, search, self.starts as usize, &follow);
         bar.finish_and_clear();
         interrupt::ends();
@@ -79,16 +83,16 @@ impl WorkArgs {
         found
     }
 
-    /// A bar of the searches that have ended, with the best value so far.
-    fn many(&self, search: &Search, follow: &mut Follow) -> ProgressBar {
+    /// A bar of the searches that have ended, with the best value so far as `show` has what is minimized.
+    pub fn many(&self, follow: &mut Follow, show: impl Fn(f64) -> String + Send + Sync + 'static) -> ProgressBar {
         let bar = bar_of(u64::from(self.starts), "{bar:40} {pos}/{len} searches, {eta} left, best {msg}");
         let best: Mutex<Option<f64>> = Mutex::new(None);
-        let (shown, of, sense, system) = (bar.clone(), search.of, search.sense, system());
+        let shown = bar.clone();
         follow.end = Some(Arc::new(move |_, solution| {
             let mut best = best.lock().unwrap_or_else(PoisonError::into_inner);
             let is_feasible = solution.residual.feasibility <= 1e-6;
             *best = [*best, solution.value.filter(|_| is_feasible)].into_iter().flatten().reduce(f64::min);
-            shown.set_message(best.map_or("–".into(), |value| outcome_text(of, sense.sign() * value, system)));
+            shown.set_message(best.map_or("–".into(), &show));
             shown.inc(1);
         }));
         bar

@@ -8,15 +8,16 @@ use crate::command::output::{Answer, system, tell, warn};
 use crate::command::running::running;
 use crate::optimize::{Checkpoint, Follow, Options, Status};
 use crate::parameters::Vary;
-use crate::report::{OptimumReport, Reply, swings_reply, swings_text, swings_toml};
+use crate::report::{OptimumReport, Reply, swings_reply, swings_text, swings_toml, value_text};
 use crate::study::swings::{
     Correlation, Goal, GoalLimit, Price, Resampled, Rule, Scenarios, Strokes, Swings, SwingsOptimum, SwingsSearch,
-    price, resampled, swings_optimum,
+    price, resampled, swings_optima,
 };
 use crate::study::uncertainty::Uncertain;
 use crate::study::{Search, Sense};
 use crate::units::Message;
 use crate::{Error, Outcome, Result, Setup};
+use indicatif::ProgressBar;
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
@@ -124,7 +125,14 @@ pub struct Found {
 
 impl Found {
     pub fn is_found(&self) -> bool {
-        self.best.solution.status == Status::Converged
+        self.best.solution.status == Status::Converged && self.best.stopped() == 0
+    }
+
+    /// The answer as text.
+    pub fn text(&self) -> String {
+        let stopped = self.best.interrupted().filter(|_| self.best.starts() > 1);
+        let stopped = stopped.map_or(String::new(), |stopped| format!("interrupted: {stopped}; the best so far:\n"));
+        stopped + &swings_text(&self.best, self.price.as_ref(), self.resampled.as_ref(), system())
     }
 
     /// The answer in JSON.
@@ -141,11 +149,7 @@ pub fn run(args: &Optimize) -> Result<Answer> {
     let (setup, swings, scenarios) = asked.taken(&args.question)?;
     let search = searched(&args.search, asked, &args.question.varied(setup, &args.search.vary)?)?;
     let found = found(args, Asked { setup, swings, scenarios, search })?;
-    let answer = if args.question.json {
-        Answer::json(&found.reply())
-    } else {
-        Answer::text(swings_text(&found.best, found.price.as_ref(), found.resampled.as_ref(), system()))
-    };
+    let answer = if args.question.json { Answer::json(&found.reply()) } else { Answer::text(found.text()) };
     Ok(answer.found(found.is_found()))
 }
 
@@ -154,12 +158,13 @@ pub fn found(args: &Optimize, Asked { setup, swings, scenarios, search }: Asked)
     tell_of_the_run(&search.of.outcomes());
     let setup = args.question.for_many(setup, &ranges(&search.vary, &scenarios))?;
     let output = args.destination()?;
-    if args.work.starts > 1 {
-        let source = "a search over many swings begins at the setup's own design; leave it out";
-        return Err(Error::Unreadable { name: "--starts".into(), source: source.into() });
+    let (follow, bar) = follow(args, &setup, &search, &scenarios)?;
+    let best = swings_optima(&setup, search, scenarios, args.work.starts as usize, &follow);
+    bar.finish_and_clear();
+    let best = best?;
+    if let Some(interrupted) = best.interrupted().filter(|_| best.starts() > 1) {
+        tell(&interrupted);
     }
-    let follow = follow(args, &setup, &search, &scenarios)?;
-    let best = swings_optimum(&setup, search, scenarios, &follow)?;
     let is_found = best.solution.status == Status::Converged;
     // what the mean swing promises is told of an optimum only
     let price = if is_found { Some(price(&setup, &swings, &best, &follow.interrupt)?) } else { None };
@@ -252,17 +257,29 @@ pub fn ranges(vary: &[Vary], scenarios: &Scenarios) -> Vec<Vary> {
     vary.iter().copied().chain(swung).collect()
 }
 
-/// Every iteration as a line, a checkpoint if one is asked for, and an end on Ctrl-C.
-fn follow(args: &Optimize, setup: &Setup<f64>, search: &SwingsSearch, scenarios: &Scenarios) -> Result<Follow> {
+/// Every iteration as a line, or of several searches a bar; a checkpoint if one is asked for, and an end on Ctrl-C.
+fn follow(
+    args: &Optimize,
+    setup: &Setup<f64>,
+    search: &SwingsSearch,
+    scenarios: &Scenarios,
+) -> Result<(Follow, ProgressBar)> {
     let checkpoint = match &args.work.checkpoint {
         Some(path) => {
             let search =
                 SwingsSearch { options: Options { max_iterations: 0, ..search.options.clone() }, ..search.clone() };
-            Some(Arc::new(Checkpoint::open(path, &format!("{setup:?} {search:?} {scenarios:?}"))?))
+            let starts = args.work.starts;
+            Some(Arc::new(Checkpoint::open(path, &format!("{setup:?} {search:?} {scenarios:?} {starts}"))?))
         }
         None => None,
     };
+    let mut follow = Follow { interrupt: interrupt::stops(BEST_SO_FAR), checkpoint, ..Follow::default() };
     let (goal, sign) = (search.of.clone(), search.sense.sign());
+    if args.work.starts > 1 {
+        let system = system();
+        let bar = args.work.many(&mut follow, move |value| value_text(&goal, sign * value, system));
+        return Ok((follow, bar));
+    }
     let shown = search.vary.clone();
     let running = running();
     let iteration = Arc::new(move |_: usize, iteration: &crate::optimize::Iteration| {
@@ -279,7 +296,8 @@ fn follow(args: &Optimize, setup: &Setup<f64>, search: &SwingsSearch, scenarios:
             x.collect::<Vec<_>>().join(", ")
         ));
     });
-    Ok(Follow { iteration: Some(iteration), interrupt: interrupt::stops(BEST_SO_FAR), checkpoint, ..Follow::default() })
+    follow.iteration = Some(iteration);
+    Ok((follow, ProgressBar::hidden()))
 }
 
 /// Writes the setup with the best design, into the file returned; where there is none, nothing.

@@ -1,5 +1,5 @@
-//! The chain rule between impact and flight. A flight depends on some twenty quantities, whatever number of parameters
-//! made them: by many parameters, derivatives of the flight are taken by its inputs.
+//! The chain rule between impact and flight. A flight depends on some twenty quantities, and on six where the club alone changes, whatever
+//! number of parameters made them: by more parameters, derivatives of the flight are taken by these.
 
 use super::Taylor;
 use super::asked::{Asked, Directions};
@@ -7,16 +7,33 @@ use super::pass::{MOST_PER_LANE, most_in_a_pass, put, read_launches};
 use crate::drive::{self, Struck};
 use crate::error::Result;
 use crate::flight::Inputs;
-use crate::number::{Derivatives, Jet, Lanes, MOST_LANES, Mask, Mixed, Number, Task};
+use crate::launch::Launch;
+use crate::number::{Derivatives, Jet, Lanes, MOST_LANES, Mask, Mixed, Number, Task, inlined};
+use crate::parameters::Parameter;
 
 /// By fewer parameters a flight may have more pairs of inputs than there are of these.
-pub(super) const MOST_INPUTS: usize = 24;
+const MOST_INPUTS: usize = 24;
+/// Velocity and spin of the ball: all that the club and its strike change of a flight.
+const OF_A_LAUNCH: usize = 6;
 
-/// The flight's inputs, and how they change with the parameters.
+/// Whether Hessians by these parameters take fewer flights by what stands between impact and flight.
+pub(super) fn pays(wrt: &[&'static Parameter]) -> bool {
+    wrt.len() > if by_the_launch(wrt) { OF_A_LAUNCH } else { MOST_INPUTS }
+}
+
+/// Whether these parameters change a flight through its launch alone.
+fn by_the_launch(wrt: &[&'static Parameter]) -> bool {
+    wrt.iter().all(|parameter| parameter.is_of_strike())
+}
+
+/// What the flight depends on, and how it changes with the parameters.
 struct Changes {
     inputs: Inputs<f64>,
+    /// The ball as it leaves, where nothing else of the flight changes: then its velocity and spin are what is differentiated by, else the
+    /// inputs.
+    launch: Option<Launch<f64>>,
     parameters: usize,
-    /// The gradients of the inputs, one after the other.
+    /// The gradients of these quantities, one after the other.
     gradients: Vec<f64>,
     /// Their Hessians likewise, row by row, where these are asked for.
     hessians: Vec<f64>,
@@ -132,20 +149,18 @@ impl Pass<'_> {
                     return Err(asked.refusal());
                 }
                 let to_second = !taylors[0].hessian.is_empty();
-                changes.get_or_insert_with(|| Changes::blank(&struck.inputs, asked.wrt.len(), to_second)).take(
-                    &struck.inputs,
-                    directions,
-                    per_lane,
-                );
+                changes
+                    .get_or_insert_with(|| Changes::blank(&struck, asked.wrt, to_second))
+                    .take(&struck, directions, per_lane);
                 read_launches(asked, &setup, &struck, lanes, |lane, outcome, number| {
                     put(&mut taylors[outcome], directions.in_lane(lane, per_lane), &number);
                 })
             }
             Part::Flight { changes, moving, slopes } => {
                 let mut input = 0;
-                let inputs = changes.inputs.map(
+                let seeded = inlined(
                     #[inline(always)]
-                    |value| {
+                    |value: f64| {
                         // called for each of them, and not taken in
                         let number = J::outlined(
                             #[inline(always)]
@@ -158,6 +173,10 @@ impl Pass<'_> {
                         number
                     },
                 );
+                let inputs = match &changes.launch {
+                    Some(launch) => changes.inputs.map(J::constant).leaving(&launch.map(seeded)),
+                    None => changes.inputs.map(seeded),
+                };
                 asked.fly(&inputs, lanes, |lane, outcome, number| {
                     put(&mut slopes[outcome], directions.in_lane(lane, per_lane), &number);
                 })
@@ -167,27 +186,29 @@ impl Pass<'_> {
 }
 
 impl Changes {
-    /// The inputs with room for gradients by so many parameters, and for Hessians.
-    fn blank<J: Lanes>(inputs: &Inputs<J>, parameters: usize, to_second: bool) -> Self {
-        let mut count = 0;
-        let inputs = inputs.map(|number| {
-            count += 1;
+    /// The ball as it leaves, with room for gradients by these parameters, and for Hessians.
+    fn blank<J: Lanes>(struck: &Struck<J>, wrt: &[&'static Parameter], to_second: bool) -> Self {
+        let mut inputs = 0;
+        let values = struck.inputs.map(|number| {
+            inputs += 1;
             number.lane(0).re()
         });
-        let hessians = if to_second { count * parameters * parameters } else { 0 };
-        Self { inputs, parameters, gradients: vec![0.0; count * parameters], hessians: vec![0.0; hessians] }
+        let launch = by_the_launch(wrt).then(|| struck.launch.map(|number| number.lane(0).re()));
+        let (count, n) = (if launch.is_some() { OF_A_LAUNCH } else { inputs }, wrt.len());
+        let hessians = if to_second { count * n * n } else { 0 };
+        Self { inputs: values, launch, parameters: n, gradients: vec![0.0; count * n], hessians: vec![0.0; hessians] }
     }
 
     /// Takes over the derivatives by the parameters in some directions.
     #[inline(always)]
-    fn take<J: Lanes<Lane: Derivatives>>(&mut self, inputs: &Inputs<J>, directions: Directions<'_>, per_lane: usize) {
+    fn take<J: Lanes<Lane: Derivatives>>(&mut self, struck: &Struck<J>, directions: Directions<'_>, per_lane: usize) {
         let (n, lanes) = (self.parameters, directions.lanes(per_lane));
         let places: [&[usize]; MOST_LANES] = std::array::from_fn(|lane| directions.in_lane(lane, per_lane));
         let mut gradients = self.gradients.chunks_exact_mut(n);
         let mut hessians = self.hessians.chunks_exact_mut(n * n);
-        inputs.map(
+        let take = inlined(
             #[inline(always)]
-            |number| {
+            |number: J| {
                 // called for each of them, and not taken in
                 J::outlined(
                     #[inline(always)]
@@ -207,6 +228,10 @@ impl Changes {
                 );
             },
         );
+        match self.launch {
+            Some(_) => _ = struck.launch.map(take),
+            None => _ = struck.inputs.map(take),
+        }
     }
 
     /// The derivatives by parameters of what has these by the inputs that move.
@@ -230,6 +255,12 @@ impl Changes {
             for (i, row) in taylor.hessian.iter_mut().enumerate() {
                 add(row, by_inputs.gradient[a], &self.hessians[(input * n + i) * n..][..n]);
                 add(row, gradient(input)[i], &bent);
+            }
+        }
+        // symmetric to the last bit, as its terms are
+        for i in 0..taylor.hessian.len() {
+            for j in 0..i {
+                taylor.hessian[j][i] = taylor.hessian[i][j];
             }
         }
     }

@@ -81,6 +81,11 @@ impl Evaluator {
     /// # Panics
     /// Where there are not as many values as parameters.
     pub fn at(&self, values: &[f64]) -> Result<Vec<Taylor>> {
+        self.at_order(values, self.order)
+    }
+
+    /// The same with derivatives to this order, which is not beyond its own.
+    pub(crate) fn at_order(&self, values: &[f64], order: Order) -> Result<Vec<Taylor>> {
         assert_eq!(values.len(), self.wrt.len(), "a value for each parameter");
         for (parameter, value) in self.wrt.iter().zip(values) {
             parameter.check(*value)?;
@@ -90,16 +95,16 @@ impl Evaluator {
             moved.put(&self.wrt, |i| values[i]);
             moved.club.check_inertia()?;
         }
-        self.unchecked(values, &mut |_, _| ())
+        self.unchecked(values, order.min(self.order), &mut |_, _| ())
     }
 
     /// The outcomes of the setup itself, telling `progress` how many passes of how many are done.
     pub(crate) fn at_setup(&self, setup: &Setup<f64>, progress: &mut dyn FnMut(usize, usize)) -> Result<Vec<Taylor>> {
         let values: Vec<f64> = self.wrt.iter().map(|row| setup.value(row).unwrap_or(f64::NAN)).collect();
-        self.unchecked(&values, progress)
+        self.unchecked(&values, self.order, progress)
     }
 
-    fn unchecked(&self, x: &[f64], progress: &mut dyn FnMut(usize, usize)) -> Result<Vec<Taylor>> {
+    fn unchecked(&self, x: &[f64], order: Order, progress: &mut dyn FnMut(usize, usize)) -> Result<Vec<Taylor>> {
         let asked = Asked {
             setup: &self.setup,
             of: &self.of,
@@ -110,7 +115,7 @@ impl Evaluator {
             runs: self.of.iter().any(|outcome| outcome.is_of_the_run()),
             level: self.level,
         };
-        let taylors = match self.order {
+        let taylors = match order {
             Order::Value => values(&asked)?,
             Order::First if self.wrt.len() <= most_in_a_pass(self.level) => {
                 let taylors = pass::gradients(&asked)?;
@@ -118,9 +123,7 @@ impl Evaluator {
                 taylors
             }
             Order::First => chain::gradients(&asked, progress)?,
-            Order::Second if self.pairs == Pairs::All && self.wrt.len() > chain::MOST_INPUTS => {
-                chain::hessians(&asked, progress)?
-            }
+            Order::Second if self.pairs == Pairs::All && chain::pays(&self.wrt) => chain::hessians(&asked, progress)?,
             Order::Second => hessians(&asked, self.pairs, progress)?,
         };
         for (outcome, taylor) in self.of.iter().zip(&taylors) {

@@ -43,11 +43,11 @@ impl<T: Numbers> Inputs<T> {
     pub fn new(setup: &Setup<T>, launch: &Launch<T>) -> Self {
         let radius = setup.ball.radius;
         let AirState { density, viscosity } = AirState::of(&setup.air);
-        let (spin, per_spin) = (launch.spin.dot(launch.spin) + LEAST_SPIN * LEAST_SPIN).sqrt_recip();
+        let (spin, axis) = Self::spinning(launch);
         Self {
             velocity: launch.velocity,
             spin,
-            axis: launch.spin * per_spin,
+            axis,
             force_per_mass: density * radius * radius * (0.5 * PI) / setup.ball.mass,
             gravity: setup.flight.gravity,
             radius,
@@ -62,6 +62,20 @@ impl<T: Numbers> Inputs<T> {
             law: setup.law,
             turf: None,
         }
+    }
+
+    /// |ω₀| and the axis of a ball as it leaves.
+    #[inline(always)]
+    fn spinning(launch: &Launch<T>) -> (T, Vector<T>) {
+        let (spin, per_spin) = (launch.spin.dot(launch.spin) + LEAST_SPIN * LEAST_SPIN).sqrt_recip();
+        (spin, launch.spin * per_spin)
+    }
+
+    /// The same for a ball that leaves like this.
+    #[inline(always)]
+    pub fn leaving(self, launch: &Launch<T>) -> Self {
+        let (spin, axis) = Self::spinning(launch);
+        Self { velocity: launch.velocity, spin, axis, ..self }
     }
 
     /// The same with the run on the ground of a setup.

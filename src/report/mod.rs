@@ -73,7 +73,7 @@ pub use shown::{outcome as outcome_text, stated as parameter_text};
 pub use sweep::{SweepCsv, SweepJsonLines};
 #[cfg(feature = "parquet")]
 pub use sweep::{SweepParquet, summary_text};
-pub use swings::{swings_reply, swings_text, swings_toml};
+pub use swings::{swings_reply, swings_text, swings_toml, value_text};
 pub use uncertainty::{UncertaintyReport, uncertainty_text};
 pub use validation::{validation_csv, validation_document, validation_reply};
 pub use winfield_tan::{winfield_tan_document, winfield_tan_reply};

@@ -6,7 +6,7 @@ use crate::drive::Outcome;
 use crate::error::Result;
 use crate::optimize::{Constrained, Effort, Iteration, Status};
 use crate::parameters::Preset;
-use crate::study::{Constraint, Optima, Optimum, Search, Sense};
+use crate::study::{Constraint, Optima, Optimum, Search, Sense, Vary};
 use crate::units::{Message, Quantity, System, counted, counted_of, fixed, signed, with_unit};
 use serde::Serialize;
 use serde_json::{Map, Value};
@@ -291,23 +291,36 @@ pub(super) fn best_toml(optimum: &Optimum, interrupted: Option<String>, preset: 
 /// The ends of the searches as a table, best first, and how many searches were stopped before theirs.
 pub fn optima_text(optima: &Optima, system: System) -> String {
     let Some((first, _)) = optima.locals.first() else { return String::new() };
-    let names = first.search.vary.iter().map(|vary| vary.parameter.name);
-    let head: Vec<&str> = [first.search.of.name()].into_iter().chain(names).chain(["starts", ""]).collect();
+    let search = &first.search;
     let rows = optima.ended().map(|(best, starts)| {
-        let value = shown::outcome_or_dash(best.search.of, best.value(), system);
-        let x = best.search.vary.iter().zip(&best.solution.x);
-        let x = x.map(|(vary, x)| shown::parameter(vary.parameter, *x, system));
-        let count = format!("{} of {}", starts.len(), optima.starts);
-        std::iter::once(value).chain(x).chain([count, best.status().into()]).collect()
+        let value = shown::outcome_or_dash(search.of, best.value(), system);
+        (value, &best.solution.x[..], starts.len(), best.status())
+    });
+    ends_text((search.of.name(), &search.vary), rows, (optima.starts, optima.stopped()), system)
+}
+
+/// The ends of searches for what is named, each with its value, place, number of starts and status, as a table, and how many of all searches
+/// were stopped before theirs.
+pub(super) fn ends_text<'a>(
+    (of, vary): (&str, &[Vary]),
+    ends: impl Iterator<Item = (String, &'a [f64], usize, &'static str)>,
+    (all, stopped): (usize, usize),
+    system: System,
+) -> String {
+    let names = vary.iter().map(|vary| vary.parameter.name);
+    let head: Vec<&str> = [of].into_iter().chain(names).chain(["starts", ""]).collect();
+    let rows = ends.map(|(value, x, starts, status)| {
+        let x = vary.iter().zip(x).map(|(vary, x)| shown::parameter(vary.parameter, *x, system));
+        std::iter::once(value).chain(x).chain([format!("{starts} of {all}"), status.into()]).collect()
     });
     let right: Vec<usize> = (0..head.len() - 1).collect();
     let rows: Vec<Vec<String>> = rows.collect();
     let listed = if rows.is_empty() { String::new() } else { format!("\n{}", table(&head, &right, rows)) };
-    let stopped = match optima.stopped() {
+    let stopped = match stopped {
         0 => String::new(),
         stopped => format!(
             "\nnot listed: {} stopped before the end\n",
-            counted_of(stopped as u64, optima.starts as u64, ["search", "searches"])
+            counted_of(stopped as u64, all as u64, ["search", "searches"])
         ),
     };
     listed + &stopped

@@ -1,13 +1,13 @@
 use super::lines::paragraph;
-use super::optimum::{ConstraintReport, Multipliers};
+use super::optimum::{ConstraintReport, LocalReport, Multipliers, ends_text};
 use super::table::table;
 use super::uncertainty::distribution_text;
 use super::{OptimumReport, Reply, json, shown};
 use crate::error::Result;
-use crate::optimize::Status;
+use crate::optimize::{Local, Status};
 use crate::parameters::Preset;
 use crate::study::Sense;
-use crate::study::swings::{Doubt, Goal, Price, Resampled, Rule, Scenarios, Swings, SwingsOptimum};
+use crate::study::swings::{Doubt, Goal, Price, Resampled, Rule, Scenarios, Swings, SwingsOptimum, status_of};
 use crate::study::uncertainty::Interval;
 use crate::units::{Message, System, counted, signed, significant};
 use serde_json::{Map, Value, json};
@@ -74,7 +74,7 @@ pub fn swings_reply(
         iterations: solution.iterations,
         evaluations: solution.evaluations,
         steps: solution.effort,
-        optima: None,
+        optima: (best.starts() > 1).then(|| locals(best)),
         setup: found.then(|| json::setup(&best.setup)),
         launch: None,
         flight: None,
@@ -83,7 +83,24 @@ pub fn swings_reply(
         swings: Some(Value::Object(swings)),
         design: None,
     };
-    Reply::done("optimize", warnings, body).ended(best.status(), Some(best.message()))
+    let reply = Reply::done("optimize", warnings, body);
+    match best.interrupted().filter(|_| best.starts() > 1) {
+        None => reply.ended(best.status(), Some(best.message())),
+        interrupted => reply.ended("interrupted", interrupted),
+    }
+}
+
+/// The local optima of a search from several starts.
+fn locals(best: &SwingsOptimum) -> Vec<LocalReport> {
+    let sign = best.search.sense.sign();
+    let names = || best.search.vary.iter().map(|vary| vary.parameter.name);
+    let local = |local: &Local| LocalReport {
+        status: status_of(&local.solution),
+        value: json::number(local.solution.value.map(|value| sign * value)),
+        optimum: json::named(names().zip(local.solution.x.iter().map(|x| Some(*x)))),
+        starts: local.starts.len(),
+    };
+    best.ended().map(local).collect()
 }
 
 /// What could not be found beside the best design, in sentences.
@@ -184,6 +201,13 @@ pub fn swings_text(
     let head = ["over all swings", "best", "best of the mean swing", "which promises", "as set up"];
     let mut text = format!("{ending}\n{place}\n{}", table(&head, &[1, 2, 3, 4], rows));
     text += &doubts(best, price, resampled, system);
+    if best.starts() > 1 {
+        let ends = best.ended().map(|Local { solution, starts }| {
+            let value = solution.value.map(|value| value_text(&search.of, search.sense.sign() * value, system));
+            (value.unwrap_or(shown::NONE.into()), &solution.x[..], starts.len(), status_of(solution))
+        });
+        text += &ends_text((&search.of.expression, &search.vary), ends, (best.starts(), best.stopped()), system);
+    }
     text
 }
 
@@ -262,7 +286,7 @@ fn doubts(best: &SwingsOptimum, price: Option<&Price>, resampled: Option<&Resamp
 }
 
 /// A goal as people read it.
-pub(super) fn value_text(goal: &Goal, value: f64, system: System) -> String {
+pub fn value_text(goal: &Goal, value: f64, system: System) -> String {
     match goal.unit {
         "" => significant(value, 4),
         unit => goal.quantity.read_off(value, system.unit(unit)),
@@ -304,6 +328,8 @@ pub fn swings_toml(best: &SwingsOptimum, swings: &Swings, preset: &Preset) -> Re
         Swings::Recorded { .. } => vec!["over recorded swings".into()],
     });
     about.extend(search.subject_to.iter().map(|limit| format!("subject to {}", limit.expression)));
+    let interrupted = best.interrupted().filter(|_| best.starts() > 1);
+    about.extend(interrupted.map(|interrupted| format!("interrupted: {interrupted}; the best so far:")));
     about.push(format!("{}: {}", best.status(), best.message()));
     let remarks = search.vary.iter().zip(&best.solution.x).map(|(vary, x)| {
         let show = |value: f64| vary.parameter.show(Some(value));

@@ -203,13 +203,9 @@ impl Optima {
 
     /// How far the searches came, if any was stopped from outside before it ended.
     pub fn interrupted(&self) -> Option<String> {
-        let (stopped, all) = (self.stopped(), self.starts);
-        (stopped > 0).then(|| match all {
-            1 => {
-                let only = self.locals.first();
-                only.map_or_else(|| "stopped before it began".into(), |(best, _)| best.message().to_string())
-            }
-            _ => format!("{} of {all} searches ended, and {stopped} were stopped before their end", all - stopped),
+        stopped_of(self.stopped(), self.starts, || match self.locals.first() {
+            None => "stopped before it began".into(),
+            Some((best, _)) => best.message().to_string(),
         })
     }
 
@@ -221,6 +217,14 @@ impl Optima {
         let first = self.locals.first().map(|(best, _)| best);
         first.ok_or(Error::Nothing { doing: "search from", what: "start" })
     }
+}
+
+/// How far searches came of which some were stopped from outside; `only` says it where there was one.
+pub(super) fn stopped_of(stopped: usize, all: usize, only: impl FnOnce() -> String) -> Option<String> {
+    (stopped > 0).then(|| match all {
+        1 => only(),
+        _ => format!("{} of {all} searches ended, and {stopped} were stopped before their end", all - stopped),
+    })
 }
 
 /// Searches from the setup's own values and from starts spread evenly over the ranges, side by side.

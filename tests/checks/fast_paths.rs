@@ -128,6 +128,38 @@ fn exact_chain_rule_between_impact_and_flight() {
 }
 
 #[test]
+fn exact_chain_rule_between_the_launch_and_the_flight() {
+    // Hessians by more parameters of club and swing than a launch has quantities, which go through these, and pair by pair, which do not
+    let groups = ["swing.", "club.", "strike.", "impact."];
+    let of_strike = |row: &&'static Parameter| groups.iter().any(|group| row.name.starts_with(group));
+    for_random_setups(12, |setup| {
+        if !Drive::new(&setup).is_ok_and(|drive| drive.landed().is_ok()) {
+            return;
+        }
+        let all: Vec<_> = setup.variables().into_iter().filter(of_strike).collect();
+        let eight: Vec<_> = all.iter().copied().step_by(all.len() / 8).take(8).collect();
+        for of in [Outcome::Carry, Outcome::ApexTime, Outcome::Lateral, Outcome::Sidespin, Outcome::Total] {
+            let chained = fast(&setup, of, &eight, Order::Second);
+            let size = |i: usize| chained.gradient[i].abs().max(1e-3 * setup.value(eight[i]).unwrap().abs());
+            let curved = |i: usize| chained.hessian[i][i].abs().sqrt().max(1e-3);
+            for (i, j) in (0..8).flat_map(|i| (0..i).map(move |j| (i, j))) {
+                let direct = fast(&setup, of, &[eight[i], eight[j]], Order::Second);
+                let names = format!("{} by {} and {}", of.name(), eight[i].name, eight[j].name);
+                close(chained.value, direct.value, direct.value.abs().max(1.0), 1e-12, &names);
+                let bent = direct.hessian[0][1].abs().max(1e-3 * curved(i) * curved(j));
+                close(chained.hessian[i][j], direct.hessian[0][1], bent, 1e-8, &names);
+                assert_eq!(chained.hessian[i][j], chained.hessian[j][i]);
+                for (k, place) in [i, j].into_iter().enumerate() {
+                    close(chained.gradient[place], direct.gradient[k], size(place).max(1e-6), 1e-10, &names);
+                    let bent = direct.hessian[k][k].abs().max(1e-3 * curved(place).powi(2)).max(1e-6);
+                    close(chained.hessian[place][place], direct.hessian[k][k], bent, 1e-8, &names);
+                }
+            }
+        }
+    });
+}
+
+#[test]
 fn exact_agreement_of_drives_side_by_side_with_drives_alone() {
     let ranges = ["club.loft=1deg..25deg", "swing.attack_angle=-12deg..10deg", "swing.speed=25m/s..60m/s"];
     for_every_way(|setup| {

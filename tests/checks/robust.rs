@@ -16,7 +16,7 @@ fn search(setup: &Setup<f64>) -> SwingsSearch {
 fn found(setup: &Setup<f64>, changes: &[&str]) -> Robust {
     let own = [Model::as_set_up(setup)].into_iter();
     let models = own.chain(changes.iter().map(|text| Model::read(setup, text).unwrap())).collect();
-    robust(models, search(setup), &Scenarios::one_drive(), &Follow::default()).unwrap()
+    robust(models, search(setup), &Scenarios::one_drive(), 1, &Follow::default()).unwrap()
 }
 
 /// Two models whose best lofts differ: at the design that loses least both lose the same, and a fine grid of lofts has none that loses less.
@@ -94,6 +94,33 @@ fn bad_models_say_what_is_wrong() {
         assert!(failed.status == 2 && told.contains(said), "{args:?}: {told}");
     }
     let setup = Setup::default();
-    let alone = robust(vec![Model::as_set_up(&setup)], search(&setup), &Scenarios::one_drive(), &Follow::default());
+    let alone = robust(vec![Model::as_set_up(&setup)], search(&setup), &Scenarios::one_drive(), 1, &Follow::default());
     assert!(matches!(alone, Err(Error::Unreadable { .. })));
+}
+
+/// A goal that grows to either side has two best designs, of which the setup's own is nearer to the worse: from several starts the better one is found
+/// for every model, and for all of them.
+#[test]
+fn exact_several_starts_find_the_better_end_for_every_model() {
+    let args = [
+        "robust",
+        "mae494",
+        "--maximize",
+        "rms(lateral)",
+        "--distribution",
+        "swing.speed=normal(100mph,2mph)",
+        "--set",
+        "swing.face_angle=1deg",
+        "--vary",
+        "swing.face_angle=-5deg..3deg",
+        "--model",
+        "ball.mass=45g",
+    ];
+    let face = |more: &[&str]| {
+        let (status, found) = json(&[&args[..], more].concat());
+        assert_eq!(status, 0, "{found}");
+        number(&found["optimum"]["swing.face_angle"]).to_degrees()
+    };
+    close(face(&[]), 3.0, 1.0, 1e-9, "the nearer end");
+    close(face(&["--starts", "8"]), -5.0, 1.0, 1e-9, "the better end");
 }

@@ -2,9 +2,11 @@
 
 use crate::command_line::{json, longdrive, number};
 use crate::common::close;
-use longdrive::derivative::hessian;
+use longdrive::derivative::{Order, Taylor, hessian};
 use longdrive::optimize::{Follow, Options};
-use longdrive::study::swings::{Goal, Rule, Scenarios, Swings, SwingsOptimum, SwingsSearch, resampled, swings_optimum};
+use longdrive::study::swings::{
+    Goal, GoalFunction, Rule, Scenarios, Swings, SwingsOptimum, SwingsSearch, resampled, swings_optimum,
+};
 use longdrive::study::uncertainty::{Distribution, Uncertain};
 use longdrive::study::{Sense, Vary};
 use longdrive::{Drive, Outcome, Setup};
@@ -230,6 +232,117 @@ fn exact_a_search_over_swings_that_was_stopped_goes_on_to_the_same_bits() {
     let kept = ["--checkpoint", &kept];
     assert_eq!(longdrive(&[&args[..], &kept, &["--max-iterations", "2"]].concat()).status, 1);
     assert_eq!(whole, json(&[&args[..], &kept].concat()));
+}
+
+/// A goal that grows to either side has a local best at each end of the range: from one side one search finds the nearer end alone. Of a range that is
+/// turned about, the best is the mirror image.
+#[test]
+fn exact_several_starts_find_both_ends_of_a_goal_that_grows_to_either_side() {
+    let asked = |set: &str, vary: &str, starts: &str| {
+        let vary = format!("swing.face_angle={vary}");
+        let args =
+            ["optimize", "mae494", "--distribution", "swing.speed=normal(100mph,2mph)", "--maximize", "rms(lateral)"];
+        let (status, found) = json(
+            &[&args[..], &["--set", &format!("swing.face_angle={set}"), "--vary", &vary, "--starts", starts]].concat(),
+        );
+        assert_eq!(status, 0, "{found}");
+        found
+    };
+    let face = |found: &serde_json::Value| number(&found["optimum"]["swing.face_angle"]).to_degrees();
+    let one = asked("1deg", "-5deg..3deg", "1");
+    close(face(&one), 3.0, 1.0, 1e-12, "the nearer end");
+    assert!(one["optima"].is_null());
+    let many = asked("1deg", "-5deg..3deg", "8");
+    close(face(&many), -5.0, 1.0, 1e-12, "the better end");
+    let optima = many["optima"].as_array().unwrap();
+    assert_eq!(optima.len(), 2, "{optima:?}");
+    assert_eq!(optima.iter().map(|local| number(&local["starts"])).sum::<f64>(), 8.0);
+    assert_eq!((&optima[0]["value"], &optima[1]["value"]), (&many["value"], &one["value"]));
+    let turned = asked("-1deg", "-3deg..5deg", "8");
+    close(face(&turned), 5.0, 1.0, 1e-12, "the better end, turned about");
+    close(number(&turned["value"]), number(&many["value"]), 1.0, 1e-9, "its mirror image");
+    let text = longdrive(&[
+        "optimize",
+        "mae494",
+        "--distribution",
+        "swing.speed=normal(100mph,2mph)",
+        "--maximize",
+        "rms(lateral)",
+        "--set",
+        "swing.face_angle=1deg",
+        "--vary",
+        "swing.face_angle=-5deg..3deg",
+        "--starts",
+        "8",
+    ]);
+    assert!(text.out.contains("of 8") && text.out.contains("-5.00°") && text.out.contains("3.00°"), "{}", text.out);
+    let design =
+        ["design", "--set", "club.loft=12deg", "--vary", "club.bulge_radius=150mm..1000mm", "--scenarios", "64"];
+    let (_, one) = json(&design);
+    let (_, many) = json(&[&design[..], &["--starts", "4"]].concat());
+    assert_eq!(many["optima"].as_array().unwrap().iter().map(|local| number(&local["starts"])).sum::<f64>(), 4.0);
+    close(number(&many["value"]), number(&one["value"]), 100.0, 1e-9, "one bulge is best");
+}
+
+/// Value, gradient and Hessian of goals as functions beside the searched problem's own and beside sums over single drives; without swings that vary,
+/// beside the drive.
+#[test]
+fn exact_goals_as_functions_are_the_sums_over_single_drives_to_every_order() {
+    let setup = Setup::preset("mae494").unwrap();
+    let swings = swings(&setup, &["swing.attack_angle=normal(1 deg, 2 deg)", "swing.speed=uniform(95 mph, 110 mph)"]);
+    let scenarios = Scenarios::new(&swings, Rule::Quadrature(5)).unwrap();
+    let wrt = ["club.loft", "club.mass"].map(|name| setup.variable(name).unwrap());
+    let goal = Goal::read("2*mean(carry) - 3*std(flight_time)", None);
+    assert!(goal.is_err(), "a length and a time are no one goal");
+    let goal = Goal::read("2*mean(carry) - 0.5*std(carry)", None).unwrap();
+    let function = GoalFunction::new(&setup, &goal, &wrt, scenarios.clone()).unwrap();
+    let x = [12.0_f64.to_radians(), 0.195];
+    let all: Vec<Taylor> = scenarios
+        .points
+        .iter()
+        .map(|point| {
+            let mut swung = setup;
+            for (parameter, at) in scenarios.parameters.iter().chain(&wrt).zip(point.iter().chain(&x)) {
+                swung.set_value(parameter, Some(*at)).unwrap();
+            }
+            hessian(&swung, Outcome::Carry, &wrt).unwrap()
+        })
+        .collect();
+    let mean =
+        |f: &dyn Fn(&Taylor) -> f64| all.iter().zip(&scenarios.weights).map(|(drive, w)| w * f(drive)).sum::<f64>();
+    let carry = mean(&|drive| drive.value);
+    let slope = [0, 1].map(|i| mean(&|drive| drive.gradient[i]));
+    let deviation = mean(&|drive| (drive.value - carry).powi(2)).sqrt();
+    // of σ² = E f² − (E f)² the derivatives, and of its root
+    let of_variance = [0, 1].map(|i| 2.0 * mean(&|drive| (drive.value - carry) * (drive.gradient[i] - slope[i])));
+    let bent = |i: usize, j: usize| {
+        let variance = 2.0
+            * mean(&|drive| {
+                (drive.gradient[i] - slope[i]) * (drive.gradient[j] - slope[j])
+                    + (drive.value - carry) * drive.hessian[i][j]
+            });
+        variance / (2.0 * deviation) - of_variance[i] * of_variance[j] / (4.0 * deviation.powi(3))
+    };
+    for order in [Order::Value, Order::First, Order::Second] {
+        let found = function.at(&x, order).unwrap();
+        close(found.value, 2.0 * carry - 0.5 * deviation, carry, 1e-14, "value");
+        assert_eq!(found.gradient.is_empty(), order == Order::Value);
+        for (i, d) in found.gradient.iter().enumerate() {
+            close(*d, 2.0 * slope[i] - 0.5 * of_variance[i] / (2.0 * deviation), 1e3, 1e-11, "gradient");
+        }
+        for (i, j) in [(0, 0), (0, 1), (1, 1)].into_iter().filter(|_| order == Order::Second) {
+            let expected = 2.0 * mean(&|drive| drive.hessian[i][j]) - 0.5 * bent(i, j);
+            close(found.hessian[i][j], expected, expected.abs().max(1.0), 1e-9, "Hessian");
+        }
+    }
+    let refused =
+        |goal: Option<f64>| function.at(&[goal.unwrap_or(x[0]), 0.195], Order::Value).unwrap_err().to_string();
+    assert!(refused(Some(2.0)).contains("club.loft"), "{}", refused(Some(2.0)));
+    let own = setup.variable("swing.speed").unwrap();
+    assert!(
+        GoalFunction::new(&setup, &goal, &[own], scenarios)
+            .is_err_and(|e| e.to_string().contains("the swings have values of it"))
+    );
 }
 
 #[test]

@@ -174,6 +174,9 @@ impl Question {
                 if chance.is(0.5) {
                     self.option("--model", chance.of_or(&["aero.law=ferguson", "impact.friction=0.3"], &["x", "a=1"]));
                 }
+                if chance.is(0.2) {
+                    self.option("--starts", chance.of_or(&["1", "2"], &["0", "x"]));
+                }
             }
             "pareto" => {
                 for _ in 0..2 {

@@ -11,7 +11,6 @@ mod oracle;
 mod outcome;
 mod peers;
 mod serve;
-mod swings;
 mod tables;
 
 use outcome::Outcome;
@@ -21,7 +20,6 @@ use std::path::PathBuf;
 
 const USAGE: &str = "usage: optimizers [--scipy OUTCOMES.jsonl] [-o DIR]   compare all solvers
        optimizers --serve                              evaluate problems: JSON lines in and out
-       optimizers --swings N | --serve-swings N        longdrive over N swings, or their evaluation for another solver
        optimizers --solve SOLVER PROBLEM               one solver on one problem (used by the comparison)";
 
 fn all() -> Vec<Case> {
@@ -33,8 +31,6 @@ fn main() -> Result<(), Box<dyn Error>> {
     let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
     match words.as_slice() {
         ["--serve"] => serve::serve(),
-        ["--swings", scenarios] => swings::solve(scenarios),
-        ["--serve-swings", scenarios] => swings::serve(scenarios),
         ["--solve", solver, problem] => child::solve(solver, problem),
         options => compare(options),
     }

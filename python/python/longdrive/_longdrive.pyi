@@ -65,7 +65,7 @@ class Setup:
 
 @final
 class Objective:
-    """An outcome as a function of some parameters."""
+    """An outcome, or a goal over swings, as a function of some parameters."""
 
     def __new__(
         cls,
@@ -74,6 +74,11 @@ class Objective:
         wrt: Names | None = None,
         sense: Sense | None = None,
         invalid: Literal["raise", "nan"] = "raise",
+        swings: str | PathLike[str] | None = None,
+        distribution: Sequence[str] = [],
+        correlation: Sequence[str] = [],
+        scenarios: int | None = None,
+        seed: int | None = None,
     ) -> Objective: ...
     def fun(self, x: npt.ArrayLike) -> float: ...
     def jac(self, x: npt.ArrayLike) -> Floats: ...

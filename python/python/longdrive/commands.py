@@ -126,8 +126,8 @@ def optimize(
         seed: the seed of the swings; the same seed gives the same swings [default: 0].
         strokes: a CSV table of the strokes that are expected from a distance, with the columns "distance [yd]" and "strokes", for the goal
             "strokes(400yd)": the expected strokes to hole out after this drive.
-        starts: search for the best of one drive from this many starts, spread evenly over the ranges (the first is the setup's own), and
-            list the local optima [default: 1].
+        starts: search from this many starts, spread evenly over the ranges (the first is the setup's own), and list the local optima
+            [default: 1].
         checkpoint: save the search to this file after every iteration; if the file exists, continue from it.
         output: write the setup at the optimum into this setup file.
         overwrite: replace the file if it exists.
@@ -197,8 +197,8 @@ def optimum_sensitivity(
         seed: the seed of the swings; the same seed gives the same swings [default: 0].
         strokes: a CSV table of the strokes that are expected from a distance, with the columns "distance [yd]" and "strokes", for the goal
             "strokes(400yd)": the expected strokes to hole out after this drive.
-        starts: search for the best of one drive from this many starts, spread evenly over the ranges (the first is the setup's own), and
-            list the local optima [default: 1].
+        starts: search from this many starts, spread evenly over the ranges (the first is the setup's own), and list the local optima
+            [default: 1].
         checkpoint: save the search to this file after every iteration; if the file exists, continue from it.
         output: write the setup at the optimum into this setup file.
         overwrite: replace the file if it exists.
@@ -230,6 +230,7 @@ def design(
     scenarios: int | None = None,
     seed: int | None = None,
     strokes: TableLike | None = None,
+    starts: int | None = None,
     checkpoint: PathLike | None = None,
     overwrite: bool = False,
     rules: Literal["golf", "none"] | None = None,
@@ -263,6 +264,8 @@ def design(
         seed: the seed of the swings; the same seed gives the same swings [default: 0].
         strokes: a CSV table of the strokes that are expected from a distance, with the columns "distance [yd]" and "strokes", for the goal
             "strokes(400yd)": the expected strokes to hole out after this drive.
+        starts: search from this many starts, spread evenly over the ranges (the first is the setup's own), and list the local optima
+            [default: 1].
         checkpoint: save the search to this file after every iteration; if the file exists, continue from it.
         overwrite: replace the file if it exists.
         rules: the rules that hold the design: those of golf (moment of inertia, volume, spring effect, ball), or none [default: golf].
@@ -529,6 +532,7 @@ def robust(
     scenarios: int | None = None,
     seed: int | None = None,
     strokes: TableLike | None = None,
+    starts: int | None = None,
     model: Given | None = None,
     within: Amount | None = None,
     output: PathLike | None = None,
@@ -565,6 +569,7 @@ def robust(
         seed: the seed of the swings; the same seed gives the same swings [default: 0].
         strokes: a CSV table of the strokes that are expected from a distance, with the columns "distance [yd]" and "strokes", for the goal
             "strokes(400yd)": the expected strokes to hole out after this drive.
+        starts: make each search from this many starts, spread evenly over the ranges (the first is the setup's own) [default: 1].
         model: a model beside the setup as it is: its changes, e.g. "aero.law=ferguson" or "impact.friction=0.3,impact.gear_scale=0.5".
             [default: the laws launch-monitor and ferguson, a friction of 0.3 and half the gear effect, each alone].
         within: the loss beside the best for each model that is allowed [default: 1 yd for a distance].

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from os import PathLike
 from typing import Literal, NamedTuple
 
 from . import _longdrive
@@ -110,8 +111,13 @@ def objective(
     sense: Sense | None = None,
     *,
     invalid: Literal["raise", "nan"] = "raise",
+    swings: str | PathLike[str] | None = None,
+    distribution: Names | None = None,
+    correlation: Names | None = None,
+    scenarios: int | None = None,
+    seed: int | None = None,
 ) -> _longdrive.Objective:
-    """An outcome as a function of some parameters, for optimizers that take functions.
+    """An outcome as a function of some parameters, for optimizers that take functions; with ``swings`` or ``distribution`` a goal over swings.
 
     It has ``fun(x)``, ``jac(x)``, ``hess(x)`` and ``fun_and_jac(x)``, ``x0``, ``bounds`` and ``names``; x has a value for each parameter in SI. What
     is asked of one point in turn is computed once. A value that is computed together with derivatives may differ in its last bit from one that is
@@ -124,18 +130,33 @@ def objective(
     >>> carry.jac([0.18, 0.0]).shape
     (2,)
 
+    Goals over swings are those of :func:`optimize`, over the same swings, with exact gradients and Hessians:
+
+    >>> attack = "swing.attack_angle=uniform(0deg, 10deg)"
+    >>> mean = longdrive.objective("mae494", "mean(carry)", "club.loft", distribution=attack)
+    >>> alone = longdrive.objective("mae494", "mean(carry)", "club.loft", distribution=attack, scenarios=64)
+    >>> abs(mean.fun([0.19]) - alone.fun([0.19])) < 0.1
+    True
+
     Args:
         setup: a setup, the name of a preset, or a dict.
-        of: the outcome.
+        of: the outcome; over swings the goal, as ``"mean(carry) - 0.5*std(lateral)"`` (all but ``strokes``).
         wrt: as for :func:`gradient`.
         sense: ``"max"`` changes the sign of everything, since optimizers look for the least; ``"min"`` and None leave it.
         invalid: what becomes of a point without an answer (no flight, a value outside its range): ``"raise"`` an exception, or ``"nan"``, which makes
             optimizers of SciPy refuse the step.
+        swings: a file of swings, as for :func:`optimize`: TOML with distributions and correlations, or a table of recorded swings.
+        distribution: distributions of parameters from swing to swing, one or several, as ``"swing.speed=normal(107mph,3mph)"``.
+        correlation: correlations of these, one or several, as ``"swing.path,swing.face_angle=0.6"``.
+        scenarios: how many swings of the distributions are taken, as for :func:`optimize`.
+        seed: the seed of the swings.
 
     Raises:
-        InputError: as :func:`gradient`.
+        InputError: as :func:`gradient`; for swings that cannot be read, and for a parameter that they have values of.
     """
-    return _longdrive.Objective(setup, of, _listed(wrt), sense, invalid)
+    return _longdrive.Objective(
+        setup, of, _listed(wrt), sense, invalid, swings, _listed(distribution) or [], _listed(correlation) or [], scenarios, seed
+    )
 
 
 def _listed(names: Names | None) -> Sequence[str] | None:

@@ -34,8 +34,7 @@ pub struct SearchArgs {
 /// How much is searched.
 #[derive(clap::Args)]
 pub struct WorkArgs {
-    /// Search for the best of one drive from this many starts, spread evenly over the ranges (the first is the setup's own),
-    /// and list the local optima.
+    /// Search from this many starts, spread evenly over the ranges (the first is the setup's own), and list the local optima.
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = whole::<u32>(1..=U32, "--starts 8"), allow_negative_numbers = true)]
     pub starts: u32,
 
@@ -116,7 +115,6 @@ pub struct Optimize {
         "The swings to design for: a TOML file with [distributions] and [[correlations]], or a table (CSV, Parquet, Arrow) of recorded \
          swings [default: a golfer whose drives were measured, about the setup's own swing]"
     )),
-    mut_arg("starts", |arg| arg.hide(true)),
     mut_arg("output", |arg| arg.help("Write the setup with the best design into this setup file"))
 )]
 pub struct DesignArgs {

@@ -1,4 +1,5 @@
 use super::optimum::{SwingsOptimum, posed};
+use crate::derivative::Order;
 use crate::error::Result;
 use crate::optimize::{Status, minimize};
 use crate::parameters::Setup;
@@ -52,7 +53,7 @@ pub fn resampled(setup: &Setup<f64>, best: &SwingsOptimum, rounds: usize, seed: 
             // n is small beside 2⁶⁴: no index is likelier by a visible amount
             weights[(random.next_u64() % n as u64) as usize] += 1.0 / n as f64;
         }
-        let better = |x: &[f64]| problem.each(x, &weights).ok().map(|goals| goals[0].value);
+        let better = |x: &[f64]| problem.goals_at(x, &weights, Order::Value).ok().map(|goals| goals[0].value);
         let own = problem.as_set_up(&weights).ok().map(|goals| goals[0]);
         let gain = better(&best.solution.x).zip(own).map(|(best, own)| -sign * (best - own));
         let found = minimize(&problem.weighted(weights), &problem.domain, &best.solution.x, &best.search.options);
@@ -66,7 +67,7 @@ pub fn resampled(setup: &Setup<f64>, best: &SwingsOptimum, rounds: usize, seed: 
     let goal = interval(value, found.iter().filter_map(|(_, value, _)| value.map(|value| sign * value)).collect());
     let gains: Vec<f64> = found.iter().filter_map(|(.., gain)| *gain).collect();
     let all = vec![1.0 / n as f64; n];
-    let both = problem.each(&best.solution.x, &all).ok().zip(problem.as_set_up(&all).ok());
+    let both = problem.goals_at(&best.solution.x, &all, Order::Value).ok().zip(problem.as_set_up(&all).ok());
     let apart = both.filter(|_| gains.len() >= 2).map(|(best, own)| {
         let mean = -sign * (best[0].value - own[0]);
         let better = interval(mean, gains.clone());

@@ -9,6 +9,7 @@
 mod apart;
 mod chained;
 mod file;
+mod function;
 mod golfer;
 mod measure;
 mod optimum;
@@ -23,9 +24,10 @@ mod scenarios;
 mod strokes;
 
 pub use apart::{Apart, Resampled, resampled};
+pub use function::GoalFunction;
 pub use golfer::{Correlation, Swings};
 pub use measure::Measure;
-pub use optimum::{SwingsOptimum, SwingsSearch, goals_of, swings_optimum, swings_problem};
+pub use optimum::{SwingsOptimum, SwingsSearch, goals_of, status_of, swings_optima, swings_optimum, swings_problem};
 pub use pareto::{Pareto, ParetoPoint, ParetoSearch, pareto};
 pub use price::{Doubt, Nominal, Price, price};
 pub use read::{Goal, GoalLimit};

@@ -2,9 +2,10 @@ use super::problem::SwingsProblem;
 use super::read::{Goal, GoalLimit};
 use super::scenarios::Scenarios;
 use crate::error::{Error, Result};
-use crate::optimize::{Domain, Follow, Options, Problem, Solution, Status, minimize_from};
+use crate::optimize::{Domain, Follow, Local, Options, Problem, Solution, Status, minimize_from, starts};
 use crate::parameters::{Setup, Vary};
 use crate::study::Sense;
+use crate::study::optimum::stopped_of;
 use crate::units::Quantity;
 
 /// What to look for over many swings.
@@ -29,8 +30,10 @@ pub struct SwingsOptimum {
     pub search: SwingsSearch,
     /// The swings.
     pub scenarios: Scenarios,
-    /// How the search ended; its objective is the goal times [`Sense::sign`].
+    /// How the best search ended; its objective is the goal times [`Sense::sign`].
     pub solution: Solution,
+    /// Where the searches from all starts ended, the best first.
+    pub locals: Vec<Local>,
     /// The setup with the best design.
     pub setup: Setup<f64>,
     /// The goals over the swings with the setup's own design: the objective, then what is limited; `None` where a swing does not fly.
@@ -43,6 +46,26 @@ impl SwingsOptimum {
     /// The goal at the optimum, SI.
     pub fn value(&self) -> Option<f64> {
         self.solution.value.map(|value| self.search.sense.sign() * value)
+    }
+
+    /// How many searches there were.
+    pub fn starts(&self) -> usize {
+        self.locals.iter().map(|local| local.starts.len()).sum()
+    }
+
+    /// The ends of the searches that came to one, the best first.
+    pub fn ended(&self) -> impl Iterator<Item = &Local> {
+        self.locals.iter().filter(|local| local.solution.status != Status::Interrupted)
+    }
+
+    /// How many searches were stopped from outside before they ended.
+    pub fn stopped(&self) -> usize {
+        self.starts() - self.ended().map(|local| local.starts.len()).sum::<usize>()
+    }
+
+    /// How far the searches came, if any was stopped from outside before it ended.
+    pub fn interrupted(&self) -> Option<String> {
+        stopped_of(self.stopped(), self.starts(), || self.message())
     }
 
     /// The goal's gradient at the optimum by what is varied, SI.
@@ -120,10 +143,15 @@ impl SwingsOptimum {
 
     /// The status in a word.
     pub fn status(&self) -> &'static str {
-        match self.solution.status {
-            Status::Undefined => "no-flight",
-            status => status.name(),
-        }
+        status_of(&self.solution)
+    }
+}
+
+/// How a search over swings ended, in a word.
+pub fn status_of(solution: &Solution) -> &'static str {
+    match solution.status {
+        Status::Undefined => "no-flight",
+        status => status.name(),
     }
 }
 
@@ -176,17 +204,33 @@ pub fn swings_optimum(
     scenarios: Scenarios,
     follow: &Follow,
 ) -> Result<SwingsOptimum> {
+    swings_optima(setup, search, scenarios, 1, follow)
+}
+
+/// The same from `count` starts side by side: the setup's own values, and others spread evenly over the ranges.
+///
+/// # Errors
+/// As [`swings_optimum`]; more starts than can be spread.
+pub fn swings_optima(
+    setup: &Setup<f64>,
+    search: SwingsSearch,
+    scenarios: Scenarios,
+    count: usize,
+    follow: &Follow,
+) -> Result<SwingsOptimum> {
     let problem = posed(setup, &search, scenarios)?;
-    let start = problem.domain.variables.project(&problem.start());
-    let found = minimize_from(&problem, &problem.domain, &[start], &search.options, follow)?;
-    let solution = found.into_iter().next().ok_or(Error::Nothing { doing: "search from", what: "start" })?.solution;
+    let starts = starts(&problem.domain, &problem.start(), count.max(1))?;
+    let locals = minimize_from(&problem, &problem.domain, &starts, &search.options, follow)?;
+    let best = locals.first().ok_or(Error::Nothing { doing: "search from", what: "start" })?;
+    let solution = best.solution.clone();
     let as_set_up = problem.as_set_up(&problem.scenarios().weights).ok();
     let beyond_strokes = match solution.value {
         Some(_) => problem.beyond_strokes(&solution.x)?,
         None => None,
     };
     let setup = problem.moved(&solution.x)?;
-    Ok(SwingsOptimum { search, scenarios: problem.scenarios().clone(), solution, setup, as_set_up, beyond_strokes })
+    let scenarios = problem.scenarios().clone();
+    Ok(SwingsOptimum { search, scenarios, solution, locals, setup, as_set_up, beyond_strokes })
 }
 
 /// What a search minimizes, with where it begins: the goal times [`Sense::sign`], and what is limited, with exact derivatives, over the

@@ -69,18 +69,16 @@ impl SwingsProblem {
         let (set_up, setup) = (*setup, Vary::begun(setup, vary)?);
         let vary: Vec<_> = vary.iter().map(|vary| vary.parameter).collect();
         let mut problem = Self { set_up, setup, vary, scenarios, of, goals, sense, drives: vec![], domain };
-        problem.drives = problem.evaluators(Order::Second)?;
+        problem.drives = problem.evaluators(&problem.setup, &problem.vary, Order::Second)?;
         Ok(problem)
     }
 
-    fn evaluators(&self, order: Order) -> Result<Vec<Evaluator>> {
-        let one = |point: &Vec<f64>| Evaluator::new(&self.swung(point)?, &self.of, &self.vary, order);
-        self.scenarios.points.iter().map(one).collect()
-    }
-
-    /// The setup in a scenario.
-    fn swung(&self, point: &[f64]) -> Result<Setup<f64>> {
-        moved(&self.setup, &self.scenarios.parameters, point)
+    /// A question for each scenario of a setup. Of several mistakes always the first is told.
+    fn evaluators(&self, setup: &Setup<f64>, wrt: &[&'static Parameter], order: Order) -> Result<Vec<Evaluator>> {
+        let swung = |point: &Vec<f64>| moved(setup, &self.scenarios.parameters, point);
+        let points = self.scenarios.points.par_iter();
+        let all = points.map(|point| Evaluator::new(&swung(point)?, &self.of, wrt, order));
+        all.collect::<Vec<Result<_>>>().into_iter().collect()
     }
 
     /// Where the search begins: the setup's own values of what is varied, and the middle of the range of what has none.
@@ -93,14 +91,13 @@ impl SwingsProblem {
         moved(&self.setup, &self.vary, x)
     }
 
-    /// The outcomes of every scenario.
-    fn flown(&self, drives: &[Evaluator], x: &[f64]) -> std::result::Result<Vec<Vec<Taylor>>, String> {
-        // in the order of the scenarios, whichever thread flies them: sums are the same to the last bit
-        drives
-            .par_iter()
-            .zip(&self.scenarios.points)
-            .map(|(drive, point)| drive.at(x).map_err(|error| format!("{}{error}", self.named(point))))
-            .collect()
+    /// The outcomes of every scenario, with derivatives to an order.
+    fn flown(&self, drives: &[Evaluator], x: &[f64], order: Order) -> std::result::Result<Vec<Vec<Taylor>>, String> {
+        // in the order of the scenarios, whichever thread flies them: sums are the same to the last bit, and of several swings that do not
+        // fly always the first is named
+        let flown = drives.par_iter().map(|drive| drive.at_order(x, order));
+        let flown = flown.collect::<Vec<Result<_>>>().into_iter().zip(&self.scenarios.points);
+        flown.map(|(drive, point)| drive.map_err(|error| format!("{}{error}", self.named(point)))).collect()
     }
 
     /// A scenario in words before what is said of it; one drive alone needs none.
@@ -165,9 +162,8 @@ impl SwingsProblem {
     /// # Errors
     /// Where a swing does not fly.
     pub fn values(&self, x: &[f64]) -> Result<Vec<f64>> {
-        let drives = self.evaluators(Order::Value)?;
-        let flown = self.flown(&drives, x).map_err(|reason| Error::NoFlight { reason: reason.into() })?;
-        Ok(self.measured(x, &flown, &self.scenarios.weights).into_iter().map(|goal| goal.value).collect())
+        let weights = &self.scenarios.weights;
+        Ok(self.goals_at(x, weights, Order::Value)?.into_iter().map(|goal| goal.value).collect())
     }
 
     /// The values of the goals with the design as set up, in which a parameter that has no value is left without.
@@ -175,24 +171,22 @@ impl SwingsProblem {
     /// # Errors
     /// Where a swing does not fly.
     pub fn as_set_up(&self, weights: &[f64]) -> Result<Vec<f64>> {
-        let swung = |point: &Vec<f64>| moved(&self.set_up, &self.scenarios.parameters, point);
-        let drives =
-            self.scenarios.points.iter().map(|point| Evaluator::new(&swung(point)?, &self.of, &[], Order::Value));
-        let drives = drives.collect::<Result<Vec<_>>>()?;
+        let drives = self.evaluators(&self.set_up, &[], Order::Value)?;
         let own = |parameter: &&'static Parameter| {
             self.set_up.value(parameter).or_else(|| parameter.value_unset()).unwrap_or(f64::NAN)
         };
         let own: Vec<f64> = self.vary.iter().map(own).collect();
-        let flown = self.flown(&drives, &[]).map_err(|reason| Error::NoFlight { reason: reason.into() })?;
+        let flown =
+            self.flown(&drives, &[], Order::Value).map_err(|reason| Error::NoFlight { reason: reason.into() })?;
         Ok(self.measured(&own, &flown, weights).into_iter().map(|goal| goal.value).collect())
     }
 
-    /// The value of one outcome in every scenario at `x`.
+    /// The goals at `x` with other weights of the scenarios and derivatives to an order: the objective, then what is limited.
     ///
     /// # Errors
     /// Where a swing does not fly.
-    pub fn each(&self, x: &[f64], weights: &[f64]) -> Result<Vec<Taylor>> {
-        let flown = self.flown(&self.drives, x).map_err(|reason| Error::NoFlight { reason: reason.into() })?;
+    pub fn goals_at(&self, x: &[f64], weights: &[f64], order: Order) -> Result<Vec<Taylor>> {
+        let flown = self.flown(&self.drives, x, order).map_err(|reason| Error::NoFlight { reason: reason.into() })?;
         Ok(self.measured(x, &flown, weights))
     }
 
@@ -205,7 +199,8 @@ impl SwingsProblem {
         if tables.is_empty() {
             return Ok(None);
         }
-        let flown = self.flown(&self.drives, x).map_err(|reason| Error::NoFlight { reason: reason.into() })?;
+        let flown = self.flown(&self.drives, x, Order::Value);
+        let flown = flown.map_err(|reason| Error::NoFlight { reason: reason.into() })?;
         let value = |outcomes: &[Taylor], of: Outcome| {
             self.of.iter().position(|it| *it == of).map_or(f64::NAN, |place| outcomes[place].value)
         };
@@ -229,7 +224,7 @@ impl SwingsProblem {
     }
 
     fn evaluated(&self, x: &[f64], weights: &[f64]) -> std::result::Result<Evaluation, String> {
-        let mut goals = self.measured(x, &self.flown(&self.drives, x)?, weights);
+        let mut goals = self.measured(x, &self.flown(&self.drives, x, Order::Second)?, weights);
         let constraints = goals.split_off(1);
         let objective = goals.pop().unwrap_or_default();
         let objective = if self.sense == Sense::Maximize { objective.negated() } else { objective };

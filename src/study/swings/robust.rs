@@ -1,10 +1,10 @@
-use super::optimum::{SwingsOptimum, SwingsSearch, posed, swings_optimum};
+use super::optimum::{SwingsOptimum, SwingsSearch, posed, swings_optima};
 use super::problem::SwingsProblem;
 use super::read::GoalLimit;
 use super::scenarios::Scenarios;
 use crate::error::{Error, Result};
 use crate::number::Taylor;
-use crate::optimize::{Bounds, Domain, Evaluation, Follow, Problem, Solution, Status, minimize_from};
+use crate::optimize::{Bounds, Domain, Evaluation, Follow, Problem, Solution, Status, minimize_from, starts};
 use crate::parameters::{LAW, Setup};
 
 /// One of several ways in which drives may be computed: the setup with some changes.
@@ -107,12 +107,19 @@ impl Robust {
 }
 
 /// The design that loses least, beside the best design for each model, with the model that loses most: min t subject to
-/// f*ₖ − fₖ(x) ≤ t for every model k, which is smooth, with exact derivatives. Limits hold for all models.
+/// f*ₖ − fₖ(x) ≤ t for every model k, which is smooth, with exact derivatives. Limits hold for all models. Each search is from `count`
+/// starts: the setup's own design and others spread evenly over the ranges; that for t also from the best design of each model and their mean.
 ///
 /// # Errors
 /// [`Error::Unreadable`] for fewer than two models; [`Error::NotConverged`] where the best design of a model is not found; as
-/// [`swings_optimum`].
-pub fn robust(models: Vec<Model>, search: SwingsSearch, scenarios: &Scenarios, follow: &Follow) -> Result<Robust> {
+/// [`swings_optima`].
+pub fn robust(
+    models: Vec<Model>,
+    search: SwingsSearch,
+    scenarios: &Scenarios,
+    count: usize,
+    follow: &Follow,
+) -> Result<Robust> {
     if models.len() < 2 {
         let source =
             "one design for several models needs two or more; give --model once for each beside the setup".into();
@@ -120,7 +127,7 @@ pub fn robust(models: Vec<Model>, search: SwingsSearch, scenarios: &Scenarios, f
     }
     let mut found = vec![];
     for model in models {
-        let best = swings_optimum(&model.setup, search.clone(), scenarios.clone(), follow)?;
+        let best = swings_optima(&model.setup, search.clone(), scenarios.clone(), count, follow)?;
         if best.solution.status != Status::Converged {
             let message = format!("with the model '{}': {}", model.name, best.message()).into();
             return Err(Error::NotConverged { status: best.status(), message });
@@ -138,12 +145,12 @@ pub fn robust(models: Vec<Model>, search: SwingsSearch, scenarios: &Scenarios, f
     let at = |k: usize, x: &[f64]| rival(k, &problems[k].values(x).ok()?);
     let matrix: Vec<Vec<Option<f64>>> =
         (0..problems.len()).map(|k| designs.iter().map(|x| at(k, x)).collect()).collect();
-    // from each model's own design, their mean and the setup's own, well inside of the greatest loss there: at least a tenth of a unit
+    // from each model's own design, their mean, the setup's own and others, well inside of the greatest loss there: at least a tenth of a unit
     let unit = search.of.quantity.size_of(search.of.unit).unwrap_or(1.0);
-    let count = designs.len() as f64;
-    let mean = (0..search.vary.len()).map(|i| designs.iter().map(|x| x[i]).sum::<f64>() / count).collect::<Vec<_>>();
-    let set_up = problems[0].domain.variables.project(&problems[0].start());
-    let starts = designs.iter().copied().chain([&mean[..], &set_up[..]]).filter_map(|x| {
+    let of = designs.len() as f64;
+    let mean = (0..search.vary.len()).map(|i| designs.iter().map(|x| x[i]).sum::<f64>() / of).collect::<Vec<_>>();
+    let spread = starts(&problems[0].domain, &problems[0].start(), count.max(1))?;
+    let starts = designs.iter().copied().chain([&mean[..]]).chain(spread.iter().map(|x| &x[..])).filter_map(|x| {
         let greatest = (0..problems.len()).try_fold(0.0_f64, |most, k| Some(most.max(loss(k, x)?)))?;
         Some(x.iter().copied().chain([greatest + greatest.max(0.1 * unit)]).collect::<Vec<_>>())
     });

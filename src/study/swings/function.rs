@@ -1,0 +1,66 @@
+use super::problem::SwingsProblem;
+use super::read::Goal;
+use super::scenarios::Scenarios;
+use crate::derivative::{Order, Taylor};
+use crate::error::{Error, Result};
+use crate::parameters::{Parameter, Setup, Vary};
+use crate::study::Sense;
+
+/// A goal over swings as a function of some parameters of the design, with as many derivatives as are asked for: for optimizers that take
+/// functions. The drives are integrated as the setup says.
+///
+/// ```
+/// use longdrive::Setup;
+/// use longdrive::derivative::Order;
+/// use longdrive::study::swings::{Goal, GoalFunction, Rule, Scenarios, Swings};
+/// use longdrive::study::uncertainty::Uncertain;
+///
+/// let setup = Setup::preset("mae494").unwrap();
+/// let attack = Uncertain::read(&setup, "swing.attack_angle=uniform(0deg, 10deg)").unwrap();
+/// let swings = Swings::distributed(vec![attack], &[]).unwrap();
+/// let scenarios = Scenarios::new(&swings, Rule::of(&swings, None, 0).unwrap()).unwrap();
+/// let loft = setup.variable("club.loft").unwrap();
+/// let mean = GoalFunction::new(&setup, &Goal::read("mean(carry)", None).unwrap(), &[loft], scenarios).unwrap();
+/// let at_ten_degrees = mean.at(&[10.0_f64.to_radians()], Order::First).unwrap();
+/// assert!(at_ten_degrees.gradient[0] > 0.0); // of these swings the best loft is higher
+/// ```
+pub struct GoalFunction {
+    problem: SwingsProblem,
+    wrt: Vec<&'static Parameter>,
+}
+
+impl GoalFunction {
+    /// # Errors
+    /// [`Error::Nothing`] without a parameter; [`Error::Unreadable`] for one that the swings have values of; what [`Setup::validate`] refuses.
+    pub fn new(setup: &Setup<f64>, goal: &Goal, wrt: &[&'static Parameter], scenarios: Scenarios) -> Result<Self> {
+        if wrt.is_empty() {
+            return Err(Error::Nothing { doing: "differentiate by", what: "parameter" });
+        }
+        let whole =
+            |parameter: &&'static Parameter| Vary { parameter, low: parameter.range.low, high: parameter.range.high };
+        let vary: Vec<Vary> = wrt.iter().map(whole).collect();
+        let problem = SwingsProblem::new(setup, (goal, Sense::Minimize), &[], &vary, scenarios)?;
+        Ok(Self { problem, wrt: wrt.to_vec() })
+    }
+
+    /// The parameters, in the order of the values and derivatives.
+    pub fn parameters(&self) -> &[&'static Parameter] {
+        &self.wrt
+    }
+
+    /// The goal with these values of the parameters, SI, with derivatives to an order.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] for a value that no drive can have; [`Error::NoFlight`] where a swing does not fly, with the first that does not.
+    ///
+    /// # Panics
+    /// Where there are not as many values as parameters.
+    pub fn at(&self, x: &[f64], order: Order) -> Result<Taylor> {
+        assert_eq!(x.len(), self.wrt.len(), "a value for each parameter");
+        for (parameter, value) in self.wrt.iter().zip(x) {
+            parameter.check(*value)?;
+        }
+        let goals = self.problem.goals_at(x, &self.problem.scenarios().weights, order)?;
+        goals.into_iter().next().ok_or(Error::Nothing { doing: "look for", what: "goal" })
+    }
+}
