@@ -135,7 +135,7 @@ def objective(
     Raises:
         InputError: as :func:`gradient`.
     """
-    return _longdrive.Objective(setup, of, _listed(wrt), sense, invalid)
+    return _longdrive.Objective(setup, one_name("of", of, "jacobian takes several"), _listed(wrt), sense, invalid)
 
 
 def _listed(names: Names | None) -> Sequence[str] | None:
