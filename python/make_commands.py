@@ -25,7 +25,18 @@ LEFT_OUT = {"set", "set-a", "set-b", "json", "csv"}
 OF_THE_PROGRAM = {"fly": {"listen", "address"}}
 SEARCHES = {"optimize", "optimum-sensitivity", "design", "robust"}
 
+TEXTS = {
+    "tolerance": "every length is within this length of its exact value, m or a text; without it 1 um where many drives are flown, unless the setup gives "
+    "flight.method or flight.step.",
+    "own-step": "integrate by flight.method and flight.step of the setup in every case.",
+}
+"""What options mean in Python, where the program speaks of its other commands and options."""
+
 HEAD = '''"""{title}
+
+Each of them raises :class:`longdrive.InputError` for bad input, with the program's message, :class:`longdrive.NoAnswerError` for a sound question
+without an answer, and :class:`longdrive.Interrupted` after Ctrl-C, with what was found so far. ``progress`` is True for a bar, or a function that is
+called with how many parts of how many are done.
 
 Written by make_commands.py from what the program says of its commands; change it there.
 """
@@ -168,7 +179,7 @@ def docstring(command: dict[str, Any], required: list[Any], setups: list[Any], o
     lines.append("    Args:")
     for option in [*required, *setups, *others]:
         python = option["name"].replace("-", "_")
-        text = as_python(option["help"] or "")
+        text = TEXTS.get(option["name"]) or as_python(option["help"] or "")
         if option["name"] == "setup":
             text = "A setup, the name of a preset, a dict, or None for the preset tour-average."
             if command["name"] == "design":
@@ -179,9 +190,7 @@ def docstring(command: dict[str, Any], required: list[Any], setups: list[Any], o
         if default not in (None, "false") and not option["positional"] and option["takes"] != "nothing" and default != "-":
             text += f" [default: {default}]"
         lines += wrapped(f"{python}: {lower(text).removesuffix('.')}.", "        ", "            ")
-    lines += wrapped("progress: True for a bar, or a function that is called with how many parts of how many are done.", "        ", "            ")
-    lines += ["", "    Raises:", "        InputError: bad input, with the program's message.", "        NoAnswerError: a sound question without an answer."]
-    lines.append("        Interrupted: after Ctrl-C, with what was found so far.")
+    lines += wrapped("progress: True for a bar, or a function of parts done and parts in all.", "        ", "            ")
     lines[0] = '    """' + lines[0].strip()
     return "\n".join(lines) + '\n    """'
 
@@ -193,6 +202,7 @@ def wrapped(text: str, first: str, then: str | None = None) -> list[str]:
 def as_python(text: str) -> str:
     """Help in the words of Python: options as names of arguments."""
     text = re.sub(r"--([a-z]+(?:-[a-z]+)*)", lambda match: match[1].replace("-", "_"), text)
+    text = re.sub(r"\.? Repeatable\.?$", "", text)
     return " ".join(text.replace("Repeatable. ", "").replace(" Repeatable [", " [").replace(" Repeatable.", "").replace("\\", "\\\\").split())
 
 

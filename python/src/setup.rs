@@ -2,7 +2,7 @@
 
 use crate::boundary::{Answer, Failure, answer};
 use crate::given::{self, PRESET};
-use longdrive::parameters::{GOLFER, LAW, METHOD, Parameter, Preset, SPEED_OF, SetupFile, TABLE};
+use longdrive::parameters::{GOLFER, LAW, METHOD, Parameter, Preset, SPEED_OF, SetupFile, TABLE, TURF};
 use longdrive::report::{Change, changes, setup_toml, setup_toml_without_step};
 use longdrive::units::System;
 use pyo3::IntoPyObjectExt;
@@ -132,6 +132,12 @@ impl PySetup {
         };
         Ok(match choice {
             Some(choice) => choice.into_bound_py_any(py)?,
+            None if name == TURF => {
+                let told = format!(
+                    "'{TURF}' only chooses the other numbers of the ground, which the setup has: setup[\"ground.restitution\"]"
+                );
+                return Err(Failure::Key(told));
+            }
             None => {
                 let row = setup.parameter(name).map_err(|error| Failure::Key(error.to_string()))?;
                 setup.value(row).into_bound_py_any(py)?
@@ -158,6 +164,12 @@ impl PySetup {
 
 /// What a pickled setup is made of: its text, whether it says how to integrate, and what its table contained.
 type State = (String, bool, Option<String>);
+
+/// What is told of an argument of a wrong kind.
+fn kind_of(name: &str, given: &Bound<'_, PyAny>, expected: &str) -> Failure {
+    let kind = given.get_type().name().map_or_else(|_| "?".into(), |kind| kind.to_string());
+    Failure::Input(format!("{name} is a {kind}; expected {expected}"))
+}
 
 /// What is told of the name of no preset: that of a file is read by another function.
 fn not_a_preset(name: &str, error: longdrive::Error) -> Failure {
@@ -191,8 +203,11 @@ impl PySetup {
     /// Raises:
     ///     InputError: for a file that cannot be read, with line and column of what is wrong.
     #[staticmethod]
-    fn read(path: PathBuf) -> PyResult<Self> {
-        answer(|| Self::of_file(SetupFile::open(&path)?))
+    fn read(path: &Bound<'_, PyAny>) -> PyResult<Self> {
+        answer(|| {
+            let file: PathBuf = path.extract().map_err(|_| kind_of("path", path, "the name of a file"))?;
+            Self::of_file(SetupFile::open(&file)?)
+        })
     }
 
     /// Reads the text of a setup file.
@@ -206,8 +221,11 @@ impl PySetup {
     ///     file: what messages call it.
     #[staticmethod]
     #[pyo3(signature = (text, file = "setup.toml"))]
-    fn from_toml(text: &str, file: &str) -> PyResult<Self> {
-        answer(|| Self::of_file(SetupFile::read(text, file)?))
+    fn from_toml(text: &Bound<'_, PyAny>, file: &str) -> PyResult<Self> {
+        answer(|| {
+            let toml: String = text.extract().map_err(|_| kind_of("text", text, "the text of a setup file"))?;
+            Self::of_file(SetupFile::read(&toml, file)?)
+        })
     }
 
     #[staticmethod]
@@ -253,8 +271,13 @@ impl PySetup {
     }
 
     /// The value of a parameter in SI, None where it is unset; a choice such as ``aero.law`` as a text.
-    fn __getitem__<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyAny>> {
-        answer(|| self.item(py, name))
+    fn __getitem__<'py>(&self, py: Python<'py>, name: &Bound<'_, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        answer(|| match name.cast::<PyString>() {
+            Ok(name) => self.item(py, name.to_str()?),
+            Err(_) => {
+                Err(Failure::Key(format!("{} is no name of a setup; expected one like 'club.loft'", name.repr()?)))
+            }
+        })
     }
 
     fn __contains__(&self, name: &str) -> bool {

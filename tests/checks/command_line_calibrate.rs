@@ -87,9 +87,8 @@ fn a_search_that_stalls_where_the_data_determine_nothing_ends_undetermined() {
 
 #[test]
 fn a_row_that_decides_alone_outweighs_the_others() {
-    for (carry, huber, ends) in
-        [("1e9", false, "outweighed"), ("-1e9", false, "outweighed"), ("1e9", true, "converged")]
-    {
+    // one of the other sign is refused before any fit
+    for (carry, huber, ends) in [("1e9", false, "outweighed"), ("1e9", true, "converged")] {
         let (_folder, path) = deliveries(carry);
         let loss = if huber { &["--huber"][..] } else { &[] };
         let (_, answer) = json(&[&["calibrate", path.to_str().unwrap(), "--fit", "aero.cd0"], loss].concat());

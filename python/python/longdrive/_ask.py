@@ -54,7 +54,7 @@ class Question:
             if name == "output" and value is None:
                 value = self.scratch
             if value is None and (option["required"] or name == "shots" and option["positional"]):
-                raise InputError(f"{name} is None, and {self.command} needs it: {in_python(option['help'])}")
+                raise InputError(f"{name} is None, and {self.command} needs it: {in_python(option['help']).removesuffix('. Repeatable')}")
             if not option["positional"]:
                 self.option(option["name"], value, option["takes"], what)
             elif name == "setup":
@@ -192,6 +192,8 @@ class Question:
         return f"{key}={self._amount(key, value[0])}..{self._amount(key, value[1])}{count}"
 
     def _amount(self, name: str, value: Any) -> str:
+        if value is None:
+            raise InputError(f"{name} has None where a value is needed; give a number (SI), or a text with its unit like '10.5 deg'")
         return value if isinstance(value, str) else _number(value, self._unit(name))
 
     def _unit(self, name: str) -> str:

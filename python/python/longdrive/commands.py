@@ -1,5 +1,9 @@
 """The studies: a function for each command of the program.
 
+Each of them raises :class:`longdrive.InputError` for bad input, with the program's message, :class:`longdrive.NoAnswerError` for a sound question
+without an answer, and :class:`longdrive.Interrupted` after Ctrl-C, with what was found so far. ``progress`` is True for a bar, or a function that is
+called with how many parts of how many are done.
+
 Written by make_commands.py from what the program says of its commands; change it there.
 """
 
@@ -55,20 +59,13 @@ def compare(
         launch: compute the flight of a ball with these launch conditions, as a launch monitor reports them: ball_speed, launch_angle,
             launch_direction, and backspin with sidespin or spin with spin_axis; e.g.
             ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those of the setup file.
-        tolerance: choose the method and the time step so that every length asked for is within this length of its exact value (1um if no
-            length is given), at the least cost; they are chosen once, before the first drive. Commands that fly many drives (sweep,
-            optimize, chart, calibrate, uncertainty, report, maps) do so by themselves, for 1um, unless the setup or set gives flight.method
-            or flight.step.
-        own_step: integrate by flight.method and flight.step of the setup, also where the command would choose them.
+        tolerance: every length is within this length of its exact value, m or a text; without it 1 um where many drives are flown, unless
+            the setup gives flight.method or flight.step.
+        own_step: integrate by flight.method and flight.step of the setup in every case.
         launch_a: the launch conditions of a, as in launch.
         launch_b: the launch conditions of b, as in launch.
         of: the outcomes whose difference is split, separated by commas; "all" for every one [default: carry].
-        progress: True for a bar, or a function that is called with how many parts of how many are done.
-
-    Raises:
-        InputError: bad input, with the program's message.
-        NoAnswerError: a sound question without an answer.
-        Interrupted: after Ctrl-C, with what was found so far.
+        progress: True for a bar, or a function of parts done and parts in all.
     """
     return ask("compare", locals(), as_reply)
 
@@ -103,24 +100,22 @@ def optimize(
         launch: compute the flight of a ball with these launch conditions, as a launch monitor reports them: ball_speed, launch_angle,
             launch_direction, and backspin with sidespin or spin with spin_axis; e.g.
             ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those of the setup file.
-        tolerance: choose the method and the time step so that every length asked for is within this length of its exact value (1um if no
-            length is given), at the least cost; they are chosen once, before the first drive. Commands that fly many drives (sweep,
-            optimize, chart, calibrate, uncertainty, report, maps) do so by themselves, for 1um, unless the setup or set gives flight.method
-            or flight.step.
-        own_step: integrate by flight.method and flight.step of the setup, also where the command would choose them.
+        tolerance: every length is within this length of its exact value, m or a text; without it 1 um where many drives are flown, unless
+            the setup gives flight.method or flight.step.
+        own_step: integrate by flight.method and flight.step of the setup in every case.
         maximize: the outcome to maximize [default: carry, unless minimize is given].
         minimize: the outcome to minimize.
         vary: a parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to 20 deg and attack angle -5 to 5 deg].
         subject_to: a constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <= apex_height <= 35 yd" or "lateral == 0 m"; every
             limit with its unit. Over many swings also a relation with a name, linear in parameters, e.g. "budget: club.weight_1.mass +
-            club.weight_2.mass <= 20 g". Repeatable.
+            club.weight_2.mass <= 20 g".
         max_iterations: the largest number of iterations of a search [default: 500].
         swings: search for the best over many swings: a TOML file with [distributions] and [[correlations]], or a table (CSV, Parquet,
             Arrow) of recorded swings, a column for each parameter. Goals are then written like "mean(carry)", "std(lateral)",
             "lowest(carry, 10%)", "within(lateral, 15yd)" or "mean(carry) - 0.5*std(lateral)", and vary is the loft alone by default.
         distribution: the distribution of a parameter from swing to swing: NAME=normal(MEAN,DEVIATION), NAME=uniform(LOW,HIGH),
-            NAME=triangular(LOW,MODE,HIGH) or NAME=truncated(MEAN,DEVIATION,LOW,HIGH). Repeatable.
-        correlation: the correlation of two parameters with distributions, e.g. swing.path,swing.face_angle=0.6. Repeatable.
+            NAME=triangular(LOW,MODE,HIGH) or NAME=truncated(MEAN,DEVIATION,LOW,HIGH).
+        correlation: the correlation of two parameters with distributions, e.g. swing.path,swing.face_angle=0.6.
         scenarios: take this many swings of the distributions, by a quasi-random sequence [default: quadrature for up to 3 parameters, else
             512 swings].
         seed: the seed of the swings; the same seed gives the same swings [default: 0].
@@ -131,12 +126,7 @@ def optimize(
         checkpoint: save the search to this file after every iteration; if the file exists, continue from it.
         output: write the setup at the optimum into this setup file.
         overwrite: replace the file if it exists.
-        progress: True for a bar, or a function that is called with how many parts of how many are done.
-
-    Raises:
-        InputError: bad input, with the program's message.
-        NoAnswerError: a sound question without an answer.
-        Interrupted: after Ctrl-C, with what was found so far.
+        progress: True for a bar, or a function of parts done and parts in all.
     """
     return ask("optimize", locals(), optimum)
 
@@ -174,24 +164,22 @@ def optimum_sensitivity(
         launch: compute the flight of a ball with these launch conditions, as a launch monitor reports them: ball_speed, launch_angle,
             launch_direction, and backspin with sidespin or spin with spin_axis; e.g.
             ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those of the setup file.
-        tolerance: choose the method and the time step so that every length asked for is within this length of its exact value (1um if no
-            length is given), at the least cost; they are chosen once, before the first drive. Commands that fly many drives (sweep,
-            optimize, chart, calibrate, uncertainty, report, maps) do so by themselves, for 1um, unless the setup or set gives flight.method
-            or flight.step.
-        own_step: integrate by flight.method and flight.step of the setup, also where the command would choose them.
+        tolerance: every length is within this length of its exact value, m or a text; without it 1 um where many drives are flown, unless
+            the setup gives flight.method or flight.step.
+        own_step: integrate by flight.method and flight.step of the setup in every case.
         maximize: the outcome to maximize [default: carry, unless minimize is given].
         minimize: the outcome to minimize.
         vary: a parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to 20 deg and attack angle -5 to 5 deg].
         subject_to: a constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <= apex_height <= 35 yd" or "lateral == 0 m"; every
             limit with its unit. Over many swings also a relation with a name, linear in parameters, e.g. "budget: club.weight_1.mass +
-            club.weight_2.mass <= 20 g". Repeatable.
+            club.weight_2.mass <= 20 g".
         max_iterations: the largest number of iterations of a search [default: 500].
         swings: search for the best over many swings: a TOML file with [distributions] and [[correlations]], or a table (CSV, Parquet,
             Arrow) of recorded swings, a column for each parameter. Goals are then written like "mean(carry)", "std(lateral)",
             "lowest(carry, 10%)", "within(lateral, 15yd)" or "mean(carry) - 0.5*std(lateral)", and vary is the loft alone by default.
         distribution: the distribution of a parameter from swing to swing: NAME=normal(MEAN,DEVIATION), NAME=uniform(LOW,HIGH),
-            NAME=triangular(LOW,MODE,HIGH) or NAME=truncated(MEAN,DEVIATION,LOW,HIGH). Repeatable.
-        correlation: the correlation of two parameters with distributions, e.g. swing.path,swing.face_angle=0.6. Repeatable.
+            NAME=triangular(LOW,MODE,HIGH) or NAME=truncated(MEAN,DEVIATION,LOW,HIGH).
+        correlation: the correlation of two parameters with distributions, e.g. swing.path,swing.face_angle=0.6.
         scenarios: take this many swings of the distributions, by a quasi-random sequence [default: quadrature for up to 3 parameters, else
             512 swings].
         seed: the seed of the swings; the same seed gives the same swings [default: 0].
@@ -205,15 +193,9 @@ def optimum_sensitivity(
         wrt: the parameters that the optimum depends on, separated by commas; "all" for every one that has a value in this setup and is not
             varied [default: all].
         change: a change of a parameter, e.g. swing.speed=+5mph: its effect on the optimum is predicted, and compared with a new search.
-            Repeatable.
         loss: the loss of the outcome for which tolerances of the optimum are computed [default: 1 yd for a distance, or 1 % of the carry
             where that is below 10 yd; 1 % of the outcome otherwise].
-        progress: True for a bar, or a function that is called with how many parts of how many are done.
-
-    Raises:
-        InputError: bad input, with the program's message.
-        NoAnswerError: a sound question without an answer.
-        Interrupted: after Ctrl-C, with what was found so far.
+        progress: True for a bar, or a function of parts done and parts in all.
     """
     return ask("optimum-sensitivity", locals(), optimum)
 
@@ -250,15 +232,13 @@ def design(
         launch: compute the flight of a ball with these launch conditions, as a launch monitor reports them: ball_speed, launch_angle,
             launch_direction, and backspin with sidespin or spin with spin_axis; e.g.
             ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those of the setup file.
-        tolerance: choose the method and the time step so that every length asked for is within this length of its exact value (1um if no
-            length is given), at the least cost; they are chosen once, before the first drive. Commands that fly many drives (sweep,
-            optimize, chart, calibrate, uncertainty, report, maps) do so by themselves, for 1um, unless the setup or set gives flight.method
-            or flight.step.
-        own_step: integrate by flight.method and flight.step of the setup, also where the command would choose them.
+        tolerance: every length is within this length of its exact value, m or a text; without it 1 um where many drives are flown, unless
+            the setup gives flight.method or flight.step.
+        own_step: integrate by flight.method and flight.step of the setup in every case.
         max_iterations: the largest number of iterations of a search [default: 500].
         distribution: the distribution of a parameter from swing to swing: NAME=normal(MEAN,DEVIATION), NAME=uniform(LOW,HIGH),
-            NAME=triangular(LOW,MODE,HIGH) or NAME=truncated(MEAN,DEVIATION,LOW,HIGH). Repeatable.
-        correlation: the correlation of two parameters with distributions, e.g. swing.path,swing.face_angle=0.6. Repeatable.
+            NAME=triangular(LOW,MODE,HIGH) or NAME=truncated(MEAN,DEVIATION,LOW,HIGH).
+        correlation: the correlation of two parameters with distributions, e.g. swing.path,swing.face_angle=0.6.
         scenarios: take this many swings of the distributions, by a quasi-random sequence [default: quadrature for up to 3 parameters, else
             512 swings].
         seed: the seed of the swings; the same seed gives the same swings [default: 0].
@@ -274,16 +254,11 @@ def design(
         vary: a parameter of the head to vary, with its range, e.g. club.bulge_radius=200mm..600mm or club.weight_1.toe=-50mm..50mm.
             [default: bulge and roll 150 to 1000 mm, loft 6 to 16 deg].
         subject_to: a limit of a goal or of the head, e.g. "std(lateral) <= 20yd" or "head_mass <= 205 g"; or a relation with a name, linear
-            in parameters, e.g. "volume: 120 cm^3 + 80 cm^2*club.cg_depth <= 460 cm^3". Repeatable.
+            in parameters, e.g. "volume: 120 cm^3 + 80 cm^2*club.cg_depth <= 460 cm^3".
         swings: the swings to design for: a TOML file with [distributions] and [[correlations]], or a table (CSV, Parquet, Arrow) of
             recorded swings [default: a golfer whose drives were measured, about the setup's own swing].
         output: write the setup with the best design into this setup file.
-        progress: True for a bar, or a function that is called with how many parts of how many are done.
-
-    Raises:
-        InputError: bad input, with the program's message.
-        NoAnswerError: a sound question without an answer.
-        Interrupted: after Ctrl-C, with what was found so far.
+        progress: True for a bar, or a function of parts done and parts in all.
     """
     return ask("design", locals(), optimum)
 
@@ -315,26 +290,19 @@ def calibrate(
         launch: compute the flight of a ball with these launch conditions, as a launch monitor reports them: ball_speed, launch_angle,
             launch_direction, and backspin with sidespin or spin with spin_axis; e.g.
             ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those of the setup file.
-        tolerance: choose the method and the time step so that every length asked for is within this length of its exact value (1um if no
-            length is given), at the least cost; they are chosen once, before the first drive. Commands that fly many drives (sweep,
-            optimize, chart, calibrate, uncertainty, report, maps) do so by themselves, for 1um, unless the setup or set gives flight.method
-            or flight.step.
-        own_step: integrate by flight.method and flight.step of the setup, also where the command would choose them.
-        fit: a parameter to fit, e.g. aero.cd0 or aero.cd0=0.1..0.4. Repeatable.
+        tolerance: every length is within this length of its exact value, m or a text; without it 1 um where many drives are flown, unless
+            the setup gives flight.method or flight.step.
+        own_step: integrate by flight.method and flight.step of the setup in every case.
+        fit: a parameter to fit, e.g. aero.cd0 or aero.cd0=0.1..0.4.
         huber: limit the influence of outliers to that of a residual of 1.345 σ (Huber's loss).
         starts: search from this many starts, spread evenly over the ranges; the first is the setup's own [default: 1].
         folds: Cross-validate: fit K times, each time without a K-th of the rows, and show how well those rows are predicted [default: 0].
-        compare: compare with another aerodynamic law, as published and fitted, by its cross-validation error. Repeatable.
+        compare: compare with another aerodynamic law, as published and fitted, by its cross-validation error.
         max_iterations: the largest number of iterations of a search [default: 200].
         output: write the fitted setup into this file.
         plot: write the report into this folder too: a page (index.html), Markdown, and plots of the residuals with their data.
         overwrite: replace files that exist.
-        progress: True for a bar, or a function that is called with how many parts of how many are done.
-
-    Raises:
-        InputError: bad input, with the program's message.
-        NoAnswerError: a sound question without an answer.
-        Interrupted: after Ctrl-C, with what was found so far.
+        progress: True for a bar, or a function of parts done and parts in all.
     """
     return ask("calibrate", locals(), as_reply)
 
@@ -367,11 +335,9 @@ def delivery(
         launch: compute the flight of a ball with these launch conditions, as a launch monitor reports them: ball_speed, launch_angle,
             launch_direction, and backspin with sidespin or spin with spin_axis; e.g.
             ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those of the setup file.
-        tolerance: choose the method and the time step so that every length asked for is within this length of its exact value (1um if no
-            length is given), at the least cost; they are chosen once, before the first drive. Commands that fly many drives (sweep,
-            optimize, chart, calibrate, uncertainty, report, maps) do so by themselves, for 1um, unless the setup or set gives flight.method
-            or flight.step.
-        own_step: integrate by flight.method and flight.step of the setup, also where the command would choose them.
+        tolerance: every length is within this length of its exact value, m or a text; without it 1 um where many drives are flown, unless
+            the setup gives flight.method or flight.step.
+        own_step: integrate by flight.method and flight.step of the setup in every case.
         ball_speed: the measured speed of the ball, e.g. 167mph.
         launch_angle: the measured angle of the launch above horizontal, e.g. 10.9deg.
         launch_direction: the measured direction of the launch, + right of the target line [default: not measured].
@@ -384,17 +350,12 @@ def delivery(
         vary: a parameter to find and its range, e.g. club.loft=4deg..20deg. [default: the speed, attack angle, shaft lean, path and face
             angle of the swing, and where the face strikes the ball].
         sigma: how well a parameter is known before the shot: the standard uncertainty of its value in the setup, e.g.
-            swing.attack_angle=1deg. Repeatable.
+            swing.attack_angle=1deg.
         output: write the setup with the delivery found into this file; of several shots, with their mean.
         swings: write the swings behind the shots into this file, for "longdrive optimize swings": as a table, a row for each shot (.csv),
             or as distributions with correlations, without the errors of the launch monitor (.toml).
         overwrite: replace files that exist.
-        progress: True for a bar, or a function that is called with how many parts of how many are done.
-
-    Raises:
-        InputError: bad input, with the program's message.
-        NoAnswerError: a sound question without an answer.
-        Interrupted: after Ctrl-C, with what was found so far.
+        progress: True for a bar, or a function of parts done and parts in all.
     """
     return ask("delivery", locals(), as_reply)
 
@@ -421,27 +382,20 @@ def chart(
         launch: compute the flight of a ball with these launch conditions, as a launch monitor reports them: ball_speed, launch_angle,
             launch_direction, and backspin with sidespin or spin with spin_axis; e.g.
             ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those of the setup file.
-        tolerance: choose the method and the time step so that every length asked for is within this length of its exact value (1um if no
-            length is given), at the least cost; they are chosen once, before the first drive. Commands that fly many drives (sweep,
-            optimize, chart, calibrate, uncertainty, report, maps) do so by themselves, for 1um, unless the setup or set gives flight.method
-            or flight.step.
-        own_step: integrate by flight.method and flight.step of the setup, also where the command would choose them.
+        tolerance: every length is within this length of its exact value, m or a text; without it 1 um where many drives are flown, unless
+            the setup gives flight.method or flight.step.
+        own_step: integrate by flight.method and flight.step of the setup in every case.
         maximize: the outcome to maximize [default: carry, unless minimize is given].
         minimize: the outcome to minimize.
         vary: a parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to 20 deg and attack angle -5 to 5 deg].
         subject_to: a constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <= apex_height <= 35 yd" or "lateral == 0 m"; every
             limit with its unit. Over many swings also a relation with a name, linear in parameters, e.g. "budget: club.weight_1.mass +
-            club.weight_2.mass <= 20 g". Repeatable.
+            club.weight_2.mass <= 20 g".
         max_iterations: the largest number of iterations of a search [default: 500].
         along: the parameter to follow the optimum along, with its range, e.g. swing.speed=80mph..130mph.
         at: the values of that parameter at which the optimum is computed, separated by commas, e.g. 90mph,100mph,110mph; along may then be
             the name alone [default: as many values as the curve needs].
-        progress: True for a bar, or a function that is called with how many parts of how many are done.
-
-    Raises:
-        InputError: bad input, with the program's message.
-        NoAnswerError: a sound question without an answer.
-        Interrupted: after Ctrl-C, with what was found so far.
+        progress: True for a bar, or a function of parts done and parts in all.
     """
     return ask("chart", locals(), as_reply)
 
@@ -476,26 +430,24 @@ def pareto(
         launch: compute the flight of a ball with these launch conditions, as a launch monitor reports them: ball_speed, launch_angle,
             launch_direction, and backspin with sidespin or spin with spin_axis; e.g.
             ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those of the setup file.
-        tolerance: choose the method and the time step so that every length asked for is within this length of its exact value (1um if no
-            length is given), at the least cost; they are chosen once, before the first drive. Commands that fly many drives (sweep,
-            optimize, chart, calibrate, uncertainty, report, maps) do so by themselves, for 1um, unless the setup or set gives flight.method
-            or flight.step.
-        own_step: integrate by flight.method and flight.step of the setup, also where the command would choose them.
+        tolerance: every length is within this length of its exact value, m or a text; without it 1 um where many drives are flown, unless
+            the setup gives flight.method or flight.step.
+        own_step: integrate by flight.method and flight.step of the setup in every case.
         maximize: a goal to maximize: an outcome, or over many swings what of it, e.g. "mean(carry)". Give two goals in all, with maximize
             and minimize.
         minimize: a goal to minimize, e.g. "std(lateral)".
         vary: a parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to 20 deg; for one drive also attack angle
             -5 to 5 deg].
         subject_to: a constraint on a goal, e.g. "apex_height <= 35 yd", over many swings "mean(carry) >= 240 yd"; every limit with its
-            unit. Repeatable.
+            unit.
         points: the number of points, spread evenly from the best of one goal to the best of the other [default: 15].
         max_iterations: the largest number of iterations of a search [default: 500].
         swings: search for the best over many swings: a TOML file with [distributions] and [[correlations]], or a table (CSV, Parquet,
             Arrow) of recorded swings, a column for each parameter. Goals are then written like "mean(carry)", "std(lateral)",
             "lowest(carry, 10%)", "within(lateral, 15yd)" or "mean(carry) - 0.5*std(lateral)", and vary is the loft alone by default.
         distribution: the distribution of a parameter from swing to swing: NAME=normal(MEAN,DEVIATION), NAME=uniform(LOW,HIGH),
-            NAME=triangular(LOW,MODE,HIGH) or NAME=truncated(MEAN,DEVIATION,LOW,HIGH). Repeatable.
-        correlation: the correlation of two parameters with distributions, e.g. swing.path,swing.face_angle=0.6. Repeatable.
+            NAME=triangular(LOW,MODE,HIGH) or NAME=truncated(MEAN,DEVIATION,LOW,HIGH).
+        correlation: the correlation of two parameters with distributions, e.g. swing.path,swing.face_angle=0.6.
         scenarios: take this many swings of the distributions, by a quasi-random sequence [default: quadrature for up to 3 parameters, else
             512 swings].
         seed: the seed of the swings; the same seed gives the same swings [default: 0].
@@ -505,12 +457,7 @@ def pareto(
             chooses.
         at: the point whose setup is written: "knee", or its number in the table [default: knee].
         overwrite: replace the file if it exists.
-        progress: True for a bar, or a function that is called with how many parts of how many are done.
-
-    Raises:
-        InputError: bad input, with the program's message.
-        NoAnswerError: a sound question without an answer.
-        Interrupted: after Ctrl-C, with what was found so far.
+        progress: True for a bar, or a function of parts done and parts in all.
     """
     return ask("pareto", locals(), as_reply)
 
@@ -546,24 +493,22 @@ def robust(
         launch: compute the flight of a ball with these launch conditions, as a launch monitor reports them: ball_speed, launch_angle,
             launch_direction, and backspin with sidespin or spin with spin_axis; e.g.
             ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those of the setup file.
-        tolerance: choose the method and the time step so that every length asked for is within this length of its exact value (1um if no
-            length is given), at the least cost; they are chosen once, before the first drive. Commands that fly many drives (sweep,
-            optimize, chart, calibrate, uncertainty, report, maps) do so by themselves, for 1um, unless the setup or set gives flight.method
-            or flight.step.
-        own_step: integrate by flight.method and flight.step of the setup, also where the command would choose them.
+        tolerance: every length is within this length of its exact value, m or a text; without it 1 um where many drives are flown, unless
+            the setup gives flight.method or flight.step.
+        own_step: integrate by flight.method and flight.step of the setup in every case.
         maximize: the outcome to maximize [default: carry, unless minimize is given].
         minimize: the outcome to minimize.
         vary: a parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to 20 deg and attack angle -5 to 5 deg].
         subject_to: a constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <= apex_height <= 35 yd" or "lateral == 0 m"; every
             limit with its unit. Over many swings also a relation with a name, linear in parameters, e.g. "budget: club.weight_1.mass +
-            club.weight_2.mass <= 20 g". Repeatable.
+            club.weight_2.mass <= 20 g".
         max_iterations: the largest number of iterations of a search [default: 500].
         swings: search for the best over many swings: a TOML file with [distributions] and [[correlations]], or a table (CSV, Parquet,
             Arrow) of recorded swings, a column for each parameter. Goals are then written like "mean(carry)", "std(lateral)",
             "lowest(carry, 10%)", "within(lateral, 15yd)" or "mean(carry) - 0.5*std(lateral)", and vary is the loft alone by default.
         distribution: the distribution of a parameter from swing to swing: NAME=normal(MEAN,DEVIATION), NAME=uniform(LOW,HIGH),
-            NAME=triangular(LOW,MODE,HIGH) or NAME=truncated(MEAN,DEVIATION,LOW,HIGH). Repeatable.
-        correlation: the correlation of two parameters with distributions, e.g. swing.path,swing.face_angle=0.6. Repeatable.
+            NAME=triangular(LOW,MODE,HIGH) or NAME=truncated(MEAN,DEVIATION,LOW,HIGH).
+        correlation: the correlation of two parameters with distributions, e.g. swing.path,swing.face_angle=0.6.
         scenarios: take this many swings of the distributions, by a quasi-random sequence [default: quadrature for up to 3 parameters, else
             512 swings].
         seed: the seed of the swings; the same seed gives the same swings [default: 0].
@@ -575,12 +520,7 @@ def robust(
         within: the loss beside the best for each model that is allowed [default: 1 yd for a distance].
         output: write the setup with the robust design into this setup file.
         overwrite: replace the file if it exists.
-        progress: True for a bar, or a function that is called with how many parts of how many are done.
-
-    Raises:
-        InputError: bad input, with the program's message.
-        NoAnswerError: a sound question without an answer.
-        Interrupted: after Ctrl-C, with what was found so far.
+        progress: True for a bar, or a function of parts done and parts in all.
     """
     return ask("robust", locals(), optimum)
 
@@ -609,17 +549,15 @@ def report(
         launch: compute the flight of a ball with these launch conditions, as a launch monitor reports them: ball_speed, launch_angle,
             launch_direction, and backspin with sidespin or spin with spin_axis; e.g.
             ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those of the setup file.
-        tolerance: choose the method and the time step so that every length asked for is within this length of its exact value (1um if no
-            length is given), at the least cost; they are chosen once, before the first drive. Commands that fly many drives (sweep,
-            optimize, chart, calibrate, uncertainty, report, maps) do so by themselves, for 1um, unless the setup or set gives flight.method
-            or flight.step.
-        own_step: integrate by flight.method and flight.step of the setup, also where the command would choose them.
+        tolerance: every length is within this length of its exact value, m or a text; without it 1 um where many drives are flown, unless
+            the setup gives flight.method or flight.step.
+        own_step: integrate by flight.method and flight.step of the setup in every case.
         maximize: the outcome to maximize [default: carry, unless minimize is given].
         minimize: the outcome to minimize.
         vary: a parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to 20 deg and attack angle -5 to 5 deg].
         subject_to: a constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <= apex_height <= 35 yd" or "lateral == 0 m"; every
             limit with its unit. Over many swings also a relation with a name, linear in parameters, e.g. "budget: club.weight_1.mass +
-            club.weight_2.mass <= 20 g". Repeatable.
+            club.weight_2.mass <= 20 g".
         max_iterations: the largest number of iterations of a search [default: 500].
         output: the folder to write: index.html, the best drive as setup.toml, and each plot as NAME-metric.svg, NAME-us.svg and NAME.csv.
             The folder is created if it does not exist; other files in it are not touched.
@@ -628,12 +566,7 @@ def report(
             default uncertainties of "longdrive sensitivity".
         along: the parameter to follow the optimum along, with its range [default: swing.speed=80mph..130mph; with launch,
             launch.ball_speed=120mph..190mph; around the drive's own speed where that lies outside].
-        progress: True for a bar, or a function that is called with how many parts of how many are done.
-
-    Raises:
-        InputError: bad input, with the program's message.
-        NoAnswerError: a sound question without an answer.
-        Interrupted: after Ctrl-C, with what was found so far.
+        progress: True for a bar, or a function of parts done and parts in all.
     """
     return ask("report", locals(), as_reply)
 
@@ -662,11 +595,9 @@ def fly(
         launch: compute the flight of a ball with these launch conditions, as a launch monitor reports them: ball_speed, launch_angle,
             launch_direction, and backspin with sidespin or spin with spin_axis; e.g.
             ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those of the setup file.
-        tolerance: choose the method and the time step so that every length asked for is within this length of its exact value (1um if no
-            length is given), at the least cost; they are chosen once, before the first drive. Commands that fly many drives (sweep,
-            optimize, chart, calibrate, uncertainty, report, maps) do so by themselves, for 1um, unless the setup or set gives flight.method
-            or flight.step.
-        own_step: integrate by flight.method and flight.step of the setup, also where the command would choose them.
+        tolerance: every length is within this length of its exact value, m or a text; without it 1 um where many drives are flown, unless
+            the setup gives flight.method or flight.step.
+        own_step: integrate by flight.method and flight.step of the setup in every case.
         of: the outcomes to predict, separated by commas: those of the flight; "all" for every one of them [default:
             carry_distance,lateral,apex_height,flight_time,descent_angle,total].
         output: the file to write the rows into; its ending says in which format (.csv, .jsonl, .parquet; .json for Open Connect). "-" is
@@ -674,12 +605,7 @@ def fly(
         format: the format, whatever the name of the file ends in [default for standard output: csv].
         overwrite: replace the file if it exists.
         threads: the number of threads (0: as many as there are processors). The results do not depend on it [default: 0].
-        progress: True for a bar, or a function that is called with how many parts of how many are done.
-
-    Raises:
-        InputError: bad input, with the program's message.
-        NoAnswerError: a sound question without an answer.
-        Interrupted: after Ctrl-C, with what was found so far.
+        progress: True for a bar, or a function of parts done and parts in all.
     """
     return ask("fly", locals(), flown)
 
@@ -697,12 +623,7 @@ def reproduce(
         study: the study.
         output: write the study into this folder too: a page (index.html), Markdown, and every plot as SVG with its data as CSV.
         overwrite: replace files that exist.
-        progress: True for a bar, or a function that is called with how many parts of how many are done.
-
-    Raises:
-        InputError: bad input, with the program's message.
-        NoAnswerError: a sound question without an answer.
-        Interrupted: after Ctrl-C, with what was found so far.
+        progress: True for a bar, or a function of parts done and parts in all.
     """
     return ask("reproduce", locals(), as_reply)
 
@@ -719,12 +640,7 @@ def validate(
         output: write the comparison too: into this folder as a page (index.html) and Markdown with pictures and their data, or, where the
             name ends in .csv, every law on every drive into this file.
         overwrite: replace files that exist.
-        progress: True for a bar, or a function that is called with how many parts of how many are done.
-
-    Raises:
-        InputError: bad input, with the program's message.
-        NoAnswerError: a sound question without an answer.
-        Interrupted: after Ctrl-C, with what was found so far.
+        progress: True for a bar, or a function of parts done and parts in all.
     """
     return ask("validate", locals(), as_reply)
 
@@ -746,19 +662,12 @@ def verify(
         launch: compute the flight of a ball with these launch conditions, as a launch monitor reports them: ball_speed, launch_angle,
             launch_direction, and backspin with sidespin or spin with spin_axis; e.g.
             ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those of the setup file.
-        tolerance: choose the method and the time step so that every length asked for is within this length of its exact value (1um if no
-            length is given), at the least cost; they are chosen once, before the first drive. Commands that fly many drives (sweep,
-            optimize, chart, calibrate, uncertainty, report, maps) do so by themselves, for 1um, unless the setup or set gives flight.method
-            or flight.step.
-        own_step: integrate by flight.method and flight.step of the setup, also where the command would choose them.
+        tolerance: every length is within this length of its exact value, m or a text; without it 1 um where many drives are flown, unless
+            the setup gives flight.method or flight.step.
+        own_step: integrate by flight.method and flight.step of the setup in every case.
         of: the outcomes, separated by commas; "all" for every one [default: carry,lateral].
         wrt: the parameters, separated by commas; "all" for every one that has a value in this setup [default: all].
-        progress: True for a bar, or a function that is called with how many parts of how many are done.
-
-    Raises:
-        InputError: bad input, with the program's message.
-        NoAnswerError: a sound question without an answer.
-        Interrupted: after Ctrl-C, with what was found so far.
+        progress: True for a bar, or a function of parts done and parts in all.
     """
     return ask("verify", locals(), as_reply)
 
@@ -787,13 +696,11 @@ def sensitivity(
         launch: compute the flight of a ball with these launch conditions, as a launch monitor reports them: ball_speed, launch_angle,
             launch_direction, and backspin with sidespin or spin with spin_axis; e.g.
             ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those of the setup file.
-        tolerance: choose the method and the time step so that every length asked for is within this length of its exact value (1um if no
-            length is given), at the least cost; they are chosen once, before the first drive. Commands that fly many drives (sweep,
-            optimize, chart, calibrate, uncertainty, report, maps) do so by themselves, for 1um, unless the setup or set gives flight.method
-            or flight.step.
-        own_step: integrate by flight.method and flight.step of the setup, also where the command would choose them.
+        tolerance: every length is within this length of its exact value, m or a text; without it 1 um where many drives are flown, unless
+            the setup gives flight.method or flight.step.
+        own_step: integrate by flight.method and flight.step of the setup in every case.
         of: the outcomes, separated by commas; "all" for every one [default: carry].
-        sigma: the standard uncertainty of a parameter, e.g. swing.speed=1mph or air.density=0.5% of its value. Repeatable.
+        sigma: the standard uncertainty of a parameter, e.g. swing.speed=1mph or air.density=0.5% of its value.
         no_defaults: use no default uncertainties: only parameters with a sigma are uncertain.
         at_optimum: compute the slopes and effects at the optimum of a search, and show the slopes of the optimum beside those of the drive.
         maximize: the outcome to maximize [default: carry, unless minimize is given].
@@ -801,14 +708,9 @@ def sensitivity(
         vary: a parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to 20 deg and attack angle -5 to 5 deg].
         subject_to: a constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <= apex_height <= 35 yd" or "lateral == 0 m"; every
             limit with its unit. Over many swings also a relation with a name, linear in parameters, e.g. "budget: club.weight_1.mass +
-            club.weight_2.mass <= 20 g". Repeatable.
+            club.weight_2.mass <= 20 g".
         max_iterations: the largest number of iterations of a search [default: 500].
-        progress: True for a bar, or a function that is called with how many parts of how many are done.
-
-    Raises:
-        InputError: bad input, with the program's message.
-        NoAnswerError: a sound question without an answer.
-        Interrupted: after Ctrl-C, with what was found so far.
+        progress: True for a bar, or a function of parts done and parts in all.
     """
     return ask("sensitivity", locals(), as_reply)
 
@@ -833,25 +735,18 @@ def uncertainty(
         launch: compute the flight of a ball with these launch conditions, as a launch monitor reports them: ball_speed, launch_angle,
             launch_direction, and backspin with sidespin or spin with spin_axis; e.g.
             ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those of the setup file.
-        tolerance: choose the method and the time step so that every length asked for is within this length of its exact value (1um if no
-            length is given), at the least cost; they are chosen once, before the first drive. Commands that fly many drives (sweep,
-            optimize, chart, calibrate, uncertainty, report, maps) do so by themselves, for 1um, unless the setup or set gives flight.method
-            or flight.step.
-        own_step: integrate by flight.method and flight.step of the setup, also where the command would choose them.
+        tolerance: every length is within this length of its exact value, m or a text; without it 1 um where many drives are flown, unless
+            the setup gives flight.method or flight.step.
+        own_step: integrate by flight.method and flight.step of the setup in every case.
         of: the outcomes, separated by commas; "all" for every one. For carry and lateral together, landing ellipses are computed [default:
             carry,lateral].
         sigma: the standard deviation of a parameter that is normally distributed about its value, e.g. swing.speed=1mph or air.density=0.5%
             of its value. [default, without distribution: the uncertainties that "sensitivity" uses].
         distribution: the distribution of a parameter: NAME=normal(MEAN,DEVIATION), NAME=uniform(LOW,HIGH), NAME=triangular(LOW,MODE,HIGH)
-            or NAME=truncated(MEAN,DEVIATION,LOW,HIGH). Repeatable.
+            or NAME=truncated(MEAN,DEVIATION,LOW,HIGH).
         samples: the number of points N of the sample; with k uncertain parameters, N (k + 2) drives are computed [default: 4096].
         seed: the seed of the sample; the same seed gives the same sample [default: 0].
-        progress: True for a bar, or a function that is called with how many parts of how many are done.
-
-    Raises:
-        InputError: bad input, with the program's message.
-        NoAnswerError: a sound question without an answer.
-        Interrupted: after Ctrl-C, with what was found so far.
+        progress: True for a bar, or a function of parts done and parts in all.
     """
     return ask("uncertainty", locals(), as_reply)
 
@@ -863,11 +758,6 @@ def laws(
     """List the laws of drag and lift: authors, formula, ball, source, and what each was fitted to.
 
     Args:
-        progress: True for a bar, or a function that is called with how many parts of how many are done.
-
-    Raises:
-        InputError: bad input, with the program's message.
-        NoAnswerError: a sound question without an answer.
-        Interrupted: after Ctrl-C, with what was found so far.
+        progress: True for a bar, or a function of parts done and parts in all.
     """
     return ask("laws", locals(), as_reply)

@@ -155,7 +155,16 @@ def objective(
         InputError: as :func:`gradient`; for swings that cannot be read, and for a parameter that they have values of.
     """
     return _longdrive.Objective(
-        setup, of, _listed(wrt), sense, invalid, swings, _listed(distribution) or [], _listed(correlation) or [], scenarios, seed
+        setup,
+        one_name("of", of, "jacobian takes several"),
+        _listed(wrt),
+        sense,
+        invalid,
+        swings,
+        _listed(distribution) or [],
+        _listed(correlation) or [],
+        scenarios,
+        seed,
     )
 
 

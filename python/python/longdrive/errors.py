@@ -22,8 +22,6 @@ __all__ = [
     "LongdriveWarning",
     "NoAnswerError",
     "UnknownKeyError",
-    "interruptible",
-    "warn_of",
 ]
 
 

@@ -1,5 +1,9 @@
 """Plots, as pictures for notebooks and files: a function for each kind.
 
+Each of them raises :class:`longdrive.InputError` for bad input, with the program's message, :class:`longdrive.NoAnswerError` for a sound question
+without an answer, and :class:`longdrive.Interrupted` after Ctrl-C, with what was found so far. ``progress`` is True for a bar, or a function that is
+called with how many parts of how many are done.
+
 Written by make_commands.py from what the program says of its commands; change it there.
 """
 
@@ -48,22 +52,15 @@ def trajectory(
         launch: compute the flight of a ball with these launch conditions, as a launch monitor reports them: ball_speed, launch_angle,
             launch_direction, and backspin with sidespin or spin with spin_axis; e.g.
             ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those of the setup file.
-        tolerance: choose the method and the time step so that every length asked for is within this length of its exact value (1um if no
-            length is given), at the least cost; they are chosen once, before the first drive. Commands that fly many drives (sweep,
-            optimize, chart, calibrate, uncertainty, report, maps) do so by themselves, for 1um, unless the setup or set gives flight.method
-            or flight.step.
-        own_step: integrate by flight.method and flight.step of the setup, also where the command would choose them.
+        tolerance: every length is within this length of its exact value, m or a text; without it 1 um where many drives are flown, unless
+            the setup gives flight.method or flight.step.
+        own_step: integrate by flight.method and flight.step of the setup in every case.
         output: the file to write: .svg or .png for a picture, .csv for its data (SI units and radians).
         overwrite: replace files that exist.
         dark: draw for a dark background.
         width: the width of the picture in pixels; a PNG has twice the resolution. The size of the text does not change [default: 480].
         view: the side from which the trajectory is shown [default: side].
-        progress: True for a bar, or a function that is called with how many parts of how many are done.
-
-    Raises:
-        InputError: bad input, with the program's message.
-        NoAnswerError: a sound question without an answer.
-        Interrupted: after Ctrl-C, with what was found so far.
+        progress: True for a bar, or a function of parts done and parts in all.
     """
     return ask("plot trajectory", locals(), picture)
 
@@ -92,28 +89,21 @@ def contour(
         launch: compute the flight of a ball with these launch conditions, as a launch monitor reports them: ball_speed, launch_angle,
             launch_direction, and backspin with sidespin or spin with spin_axis; e.g.
             ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those of the setup file.
-        tolerance: choose the method and the time step so that every length asked for is within this length of its exact value (1um if no
-            length is given), at the least cost; they are chosen once, before the first drive. Commands that fly many drives (sweep,
-            optimize, chart, calibrate, uncertainty, report, maps) do so by themselves, for 1um, unless the setup or set gives flight.method
-            or flight.step.
-        own_step: integrate by flight.method and flight.step of the setup, also where the command would choose them.
+        tolerance: every length is within this length of its exact value, m or a text; without it 1 um where many drives are flown, unless
+            the setup gives flight.method or flight.step.
+        own_step: integrate by flight.method and flight.step of the setup in every case.
         maximize: the outcome to maximize [default: carry, unless minimize is given].
         minimize: the outcome to minimize.
         vary: a parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to 20 deg and attack angle -5 to 5 deg].
         subject_to: a constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <= apex_height <= 35 yd" or "lateral == 0 m"; every
             limit with its unit. Over many swings also a relation with a name, linear in parameters, e.g. "budget: club.weight_1.mass +
-            club.weight_2.mass <= 20 g". Repeatable.
+            club.weight_2.mass <= 20 g".
         max_iterations: the largest number of iterations of a search [default: 500].
         output: the file to write: .svg or .png for a picture, .csv for its data (SI units and radians).
         overwrite: replace files that exist.
         dark: draw for a dark background.
         width: the width of the picture in pixels; a PNG has twice the resolution. The size of the text does not change [default: 480].
-        progress: True for a bar, or a function that is called with how many parts of how many are done.
-
-    Raises:
-        InputError: bad input, with the program's message.
-        NoAnswerError: a sound question without an answer.
-        Interrupted: after Ctrl-C, with what was found so far.
+        progress: True for a bar, or a function of parts done and parts in all.
     """
     return ask("plot contour", locals(), picture)
 
@@ -144,17 +134,15 @@ def chart(
         launch: compute the flight of a ball with these launch conditions, as a launch monitor reports them: ball_speed, launch_angle,
             launch_direction, and backspin with sidespin or spin with spin_axis; e.g.
             ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those of the setup file.
-        tolerance: choose the method and the time step so that every length asked for is within this length of its exact value (1um if no
-            length is given), at the least cost; they are chosen once, before the first drive. Commands that fly many drives (sweep,
-            optimize, chart, calibrate, uncertainty, report, maps) do so by themselves, for 1um, unless the setup or set gives flight.method
-            or flight.step.
-        own_step: integrate by flight.method and flight.step of the setup, also where the command would choose them.
+        tolerance: every length is within this length of its exact value, m or a text; without it 1 um where many drives are flown, unless
+            the setup gives flight.method or flight.step.
+        own_step: integrate by flight.method and flight.step of the setup in every case.
         maximize: the outcome to maximize [default: carry, unless minimize is given].
         minimize: the outcome to minimize.
         vary: a parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to 20 deg and attack angle -5 to 5 deg].
         subject_to: a constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <= apex_height <= 35 yd" or "lateral == 0 m"; every
             limit with its unit. Over many swings also a relation with a name, linear in parameters, e.g. "budget: club.weight_1.mass +
-            club.weight_2.mass <= 20 g". Repeatable.
+            club.weight_2.mass <= 20 g".
         max_iterations: the largest number of iterations of a search [default: 500].
         output: the file to write: .svg or .png for a picture, .csv for its data (SI units and radians).
         overwrite: replace files that exist.
@@ -162,12 +150,7 @@ def chart(
         width: the width of the picture in pixels; a PNG has twice the resolution. The size of the text does not change [default: 480].
         along: the parameter to follow the optimum along, with its range, e.g. swing.speed=80mph..130mph.
         show: the curve to draw: the outcome, or one of the parameters varied.
-        progress: True for a bar, or a function that is called with how many parts of how many are done.
-
-    Raises:
-        InputError: bad input, with the program's message.
-        NoAnswerError: a sound question without an answer.
-        Interrupted: after Ctrl-C, with what was found so far.
+        progress: True for a bar, or a function of parts done and parts in all.
     """
     return ask("plot chart", locals(), picture)
 
@@ -203,26 +186,24 @@ def pareto(
         launch: compute the flight of a ball with these launch conditions, as a launch monitor reports them: ball_speed, launch_angle,
             launch_direction, and backspin with sidespin or spin with spin_axis; e.g.
             ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those of the setup file.
-        tolerance: choose the method and the time step so that every length asked for is within this length of its exact value (1um if no
-            length is given), at the least cost; they are chosen once, before the first drive. Commands that fly many drives (sweep,
-            optimize, chart, calibrate, uncertainty, report, maps) do so by themselves, for 1um, unless the setup or set gives flight.method
-            or flight.step.
-        own_step: integrate by flight.method and flight.step of the setup, also where the command would choose them.
+        tolerance: every length is within this length of its exact value, m or a text; without it 1 um where many drives are flown, unless
+            the setup gives flight.method or flight.step.
+        own_step: integrate by flight.method and flight.step of the setup in every case.
         maximize: a goal to maximize: an outcome, or over many swings what of it, e.g. "mean(carry)". Give two goals in all, with maximize
             and minimize.
         minimize: a goal to minimize, e.g. "std(lateral)".
         vary: a parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to 20 deg; for one drive also attack angle
             -5 to 5 deg].
         subject_to: a constraint on a goal, e.g. "apex_height <= 35 yd", over many swings "mean(carry) >= 240 yd"; every limit with its
-            unit. Repeatable.
+            unit.
         points: the number of points, spread evenly from the best of one goal to the best of the other [default: 15].
         max_iterations: the largest number of iterations of a search [default: 500].
         swings: search for the best over many swings: a TOML file with [distributions] and [[correlations]], or a table (CSV, Parquet,
             Arrow) of recorded swings, a column for each parameter. Goals are then written like "mean(carry)", "std(lateral)",
             "lowest(carry, 10%)", "within(lateral, 15yd)" or "mean(carry) - 0.5*std(lateral)", and vary is the loft alone by default.
         distribution: the distribution of a parameter from swing to swing: NAME=normal(MEAN,DEVIATION), NAME=uniform(LOW,HIGH),
-            NAME=triangular(LOW,MODE,HIGH) or NAME=truncated(MEAN,DEVIATION,LOW,HIGH). Repeatable.
-        correlation: the correlation of two parameters with distributions, e.g. swing.path,swing.face_angle=0.6. Repeatable.
+            NAME=triangular(LOW,MODE,HIGH) or NAME=truncated(MEAN,DEVIATION,LOW,HIGH).
+        correlation: the correlation of two parameters with distributions, e.g. swing.path,swing.face_angle=0.6.
         scenarios: take this many swings of the distributions, by a quasi-random sequence [default: quadrature for up to 3 parameters, else
             512 swings].
         seed: the seed of the swings; the same seed gives the same swings [default: 0].
@@ -232,12 +213,7 @@ def pareto(
         overwrite: replace files that exist.
         dark: draw for a dark background.
         width: the width of the picture in pixels; a PNG has twice the resolution. The size of the text does not change [default: 480].
-        progress: True for a bar, or a function that is called with how many parts of how many are done.
-
-    Raises:
-        InputError: bad input, with the program's message.
-        NoAnswerError: a sound question without an answer.
-        Interrupted: after Ctrl-C, with what was found so far.
+        progress: True for a bar, or a function of parts done and parts in all.
     """
     return ask("plot pareto", locals(), picture)
 
@@ -264,11 +240,9 @@ def tornado(
         launch: compute the flight of a ball with these launch conditions, as a launch monitor reports them: ball_speed, launch_angle,
             launch_direction, and backspin with sidespin or spin with spin_axis; e.g.
             ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those of the setup file.
-        tolerance: choose the method and the time step so that every length asked for is within this length of its exact value (1um if no
-            length is given), at the least cost; they are chosen once, before the first drive. Commands that fly many drives (sweep,
-            optimize, chart, calibrate, uncertainty, report, maps) do so by themselves, for 1um, unless the setup or set gives flight.method
-            or flight.step.
-        own_step: integrate by flight.method and flight.step of the setup, also where the command would choose them.
+        tolerance: every length is within this length of its exact value, m or a text; without it 1 um where many drives are flown, unless
+            the setup gives flight.method or flight.step.
+        own_step: integrate by flight.method and flight.step of the setup in every case.
         output: the file to write: .svg or .png for a picture, .csv for its data (SI units and radians).
         overwrite: replace files that exist.
         dark: draw for a dark background.
@@ -277,12 +251,7 @@ def tornado(
         sigma: the standard uncertainty of a parameter, e.g. swing.speed=1mph or air.density=0.5%. Repeatable; other parameters have the
             default uncertainties of "longdrive sensitivity".
         show: the uncertainties to draw [default: control].
-        progress: True for a bar, or a function that is called with how many parts of how many are done.
-
-    Raises:
-        InputError: bad input, with the program's message.
-        NoAnswerError: a sound question without an answer.
-        Interrupted: after Ctrl-C, with what was found so far.
+        progress: True for a bar, or a function of parts done and parts in all.
     """
     return ask("plot tornado", locals(), picture)
 
@@ -311,11 +280,9 @@ def compare(
         launch: compute the flight of a ball with these launch conditions, as a launch monitor reports them: ball_speed, launch_angle,
             launch_direction, and backspin with sidespin or spin with spin_axis; e.g.
             ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those of the setup file.
-        tolerance: choose the method and the time step so that every length asked for is within this length of its exact value (1um if no
-            length is given), at the least cost; they are chosen once, before the first drive. Commands that fly many drives (sweep,
-            optimize, chart, calibrate, uncertainty, report, maps) do so by themselves, for 1um, unless the setup or set gives flight.method
-            or flight.step.
-        own_step: integrate by flight.method and flight.step of the setup, also where the command would choose them.
+        tolerance: every length is within this length of its exact value, m or a text; without it 1 um where many drives are flown, unless
+            the setup gives flight.method or flight.step.
+        own_step: integrate by flight.method and flight.step of the setup in every case.
         launch_a: the launch conditions of a, as in launch.
         launch_b: the launch conditions of b, as in launch.
         output: the file to write: .svg or .png for a picture, .csv for its data (SI units and radians).
@@ -323,12 +290,7 @@ def compare(
         dark: draw for a dark background.
         width: the width of the picture in pixels; a PNG has twice the resolution. The size of the text does not change [default: 480].
         of: the outcome [default: carry].
-        progress: True for a bar, or a function that is called with how many parts of how many are done.
-
-    Raises:
-        InputError: bad input, with the program's message.
-        NoAnswerError: a sound question without an answer.
-        Interrupted: after Ctrl-C, with what was found so far.
+        progress: True for a bar, or a function of parts done and parts in all.
     """
     return ask("plot compare", locals(), picture)
 
@@ -354,23 +316,16 @@ def vcurve(
         launch: compute the flight of a ball with these launch conditions, as a launch monitor reports them: ball_speed, launch_angle,
             launch_direction, and backspin with sidespin or spin with spin_axis; e.g.
             ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those of the setup file.
-        tolerance: choose the method and the time step so that every length asked for is within this length of its exact value (1um if no
-            length is given), at the least cost; they are chosen once, before the first drive. Commands that fly many drives (sweep,
-            optimize, chart, calibrate, uncertainty, report, maps) do so by themselves, for 1um, unless the setup or set gives flight.method
-            or flight.step.
-        own_step: integrate by flight.method and flight.step of the setup, also where the command would choose them.
+        tolerance: every length is within this length of its exact value, m or a text; without it 1 um where many drives are flown, unless
+            the setup gives flight.method or flight.step.
+        own_step: integrate by flight.method and flight.step of the setup in every case.
         output: the file to write: .svg or .png for a picture, .csv for its data (SI units and radians).
         overwrite: replace files that exist.
         dark: draw for a dark background.
         width: the width of the picture in pixels; a PNG has twice the resolution. The size of the text does not change [default: 480].
         of: the outcomes, separated by commas [default: carry].
         wrt: the parameters, separated by commas. Without: loft and attack angle, or the launch conditions where these are given.
-        progress: True for a bar, or a function that is called with how many parts of how many are done.
-
-    Raises:
-        InputError: bad input, with the program's message.
-        NoAnswerError: a sound question without an answer.
-        Interrupted: after Ctrl-C, with what was found so far.
+        progress: True for a bar, or a function of parts done and parts in all.
     """
     return ask("plot vcurve", locals(), picture)
 
@@ -399,11 +354,9 @@ def laws(
         launch: compute the flight of a ball with these launch conditions, as a launch monitor reports them: ball_speed, launch_angle,
             launch_direction, and backspin with sidespin or spin with spin_axis; e.g.
             ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those of the setup file.
-        tolerance: choose the method and the time step so that every length asked for is within this length of its exact value (1um if no
-            length is given), at the least cost; they are chosen once, before the first drive. Commands that fly many drives (sweep,
-            optimize, chart, calibrate, uncertainty, report, maps) do so by themselves, for 1um, unless the setup or set gives flight.method
-            or flight.step.
-        own_step: integrate by flight.method and flight.step of the setup, also where the command would choose them.
+        tolerance: every length is within this length of its exact value, m or a text; without it 1 um where many drives are flown, unless
+            the setup gives flight.method or flight.step.
+        own_step: integrate by flight.method and flight.step of the setup in every case.
         output: the file to write: .svg or .png for a picture, .csv for its data (SI units and radians).
         overwrite: replace files that exist.
         dark: draw for a dark background.
@@ -413,12 +366,7 @@ def laws(
         over: what to draw it over [default: spin-ratio].
         reynolds: the Reynolds number, over the spin ratio [default: 1.5e5].
         spin_ratio: the spin ratio, over the Reynolds number [default: 0.1].
-        progress: True for a bar, or a function that is called with how many parts of how many are done.
-
-    Raises:
-        InputError: bad input, with the program's message.
-        NoAnswerError: a sound question without an answer.
-        Interrupted: after Ctrl-C, with what was found so far.
+        progress: True for a bar, or a function of parts done and parts in all.
     """
     return ask("plot laws", locals(), picture)
 
@@ -448,17 +396,15 @@ def fairway(
         launch: compute the flight of a ball with these launch conditions, as a launch monitor reports them: ball_speed, launch_angle,
             launch_direction, and backspin with sidespin or spin with spin_axis; e.g.
             ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those of the setup file.
-        tolerance: choose the method and the time step so that every length asked for is within this length of its exact value (1um if no
-            length is given), at the least cost; they are chosen once, before the first drive. Commands that fly many drives (sweep,
-            optimize, chart, calibrate, uncertainty, report, maps) do so by themselves, for 1um, unless the setup or set gives flight.method
-            or flight.step.
-        own_step: integrate by flight.method and flight.step of the setup, also where the command would choose them.
+        tolerance: every length is within this length of its exact value, m or a text; without it 1 um where many drives are flown, unless
+            the setup gives flight.method or flight.step.
+        own_step: integrate by flight.method and flight.step of the setup in every case.
         maximize: the outcome to maximize [default: carry, unless minimize is given].
         minimize: the outcome to minimize.
         vary: a parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to 20 deg and attack angle -5 to 5 deg].
         subject_to: a constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <= apex_height <= 35 yd" or "lateral == 0 m"; every
             limit with its unit. Over many swings also a relation with a name, linear in parameters, e.g. "budget: club.weight_1.mass +
-            club.weight_2.mass <= 20 g". Repeatable.
+            club.weight_2.mass <= 20 g".
         max_iterations: the largest number of iterations of a search [default: 500].
         output: the file to write: .svg or .png for a picture, .csv for its data (SI units and radians).
         overwrite: replace files that exist.
@@ -466,12 +412,7 @@ def fairway(
         width: the width of the picture in pixels; a PNG has twice the resolution. The size of the text does not change [default: 480].
         sigma: how much a parameter of the golfer varies from drive to drive, one standard deviation, e.g. swing.face_angle=2deg.
             Repeatable; other parameters of swing, strike and club have the default uncertainties of "longdrive sensitivity".
-        progress: True for a bar, or a function that is called with how many parts of how many are done.
-
-    Raises:
-        InputError: bad input, with the program's message.
-        NoAnswerError: a sound question without an answer.
-        Interrupted: after Ctrl-C, with what was found so far.
+        progress: True for a bar, or a function of parts done and parts in all.
     """
     return ask("plot fairway", locals(), picture)
 
@@ -495,21 +436,14 @@ def face(
         launch: compute the flight of a ball with these launch conditions, as a launch monitor reports them: ball_speed, launch_angle,
             launch_direction, and backspin with sidespin or spin with spin_axis; e.g.
             ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those of the setup file.
-        tolerance: choose the method and the time step so that every length asked for is within this length of its exact value (1um if no
-            length is given), at the least cost; they are chosen once, before the first drive. Commands that fly many drives (sweep,
-            optimize, chart, calibrate, uncertainty, report, maps) do so by themselves, for 1um, unless the setup or set gives flight.method
-            or flight.step.
-        own_step: integrate by flight.method and flight.step of the setup, also where the command would choose them.
+        tolerance: every length is within this length of its exact value, m or a text; without it 1 um where many drives are flown, unless
+            the setup gives flight.method or flight.step.
+        own_step: integrate by flight.method and flight.step of the setup in every case.
         output: the file to write: .svg or .png for a picture, .csv for its data (SI units and radians).
         overwrite: replace files that exist.
         dark: draw for a dark background.
         width: the width of the picture in pixels; a PNG has twice the resolution. The size of the text does not change [default: 480].
-        progress: True for a bar, or a function that is called with how many parts of how many are done.
-
-    Raises:
-        InputError: bad input, with the program's message.
-        NoAnswerError: a sound question without an answer.
-        Interrupted: after Ctrl-C, with what was found so far.
+        progress: True for a bar, or a function of parts done and parts in all.
     """
     return ask("plot face", locals(), picture)
 
@@ -539,17 +473,15 @@ def strike(
         launch: compute the flight of a ball with these launch conditions, as a launch monitor reports them: ball_speed, launch_angle,
             launch_direction, and backspin with sidespin or spin with spin_axis; e.g.
             ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those of the setup file.
-        tolerance: choose the method and the time step so that every length asked for is within this length of its exact value (1um if no
-            length is given), at the least cost; they are chosen once, before the first drive. Commands that fly many drives (sweep,
-            optimize, chart, calibrate, uncertainty, report, maps) do so by themselves, for 1um, unless the setup or set gives flight.method
-            or flight.step.
-        own_step: integrate by flight.method and flight.step of the setup, also where the command would choose them.
+        tolerance: every length is within this length of its exact value, m or a text; without it 1 um where many drives are flown, unless
+            the setup gives flight.method or flight.step.
+        own_step: integrate by flight.method and flight.step of the setup in every case.
         maximize: the outcome to maximize [default: carry, unless minimize is given].
         minimize: the outcome to minimize.
         vary: a parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to 20 deg and attack angle -5 to 5 deg].
         subject_to: a constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <= apex_height <= 35 yd" or "lateral == 0 m"; every
             limit with its unit. Over many swings also a relation with a name, linear in parameters, e.g. "budget: club.weight_1.mass +
-            club.weight_2.mass <= 20 g". Repeatable.
+            club.weight_2.mass <= 20 g".
         max_iterations: the largest number of iterations of a search [default: 500].
         after: a preset or setup file of another design, drawn beside this one in place of the best one, e.g. best.toml of "longdrive
             optimize -o".
@@ -557,12 +489,7 @@ def strike(
         overwrite: replace files that exist.
         dark: draw for a dark background.
         width: the width of the picture in pixels; a PNG has twice the resolution. The size of the text does not change [default: 480].
-        progress: True for a bar, or a function that is called with how many parts of how many are done.
-
-    Raises:
-        InputError: bad input, with the program's message.
-        NoAnswerError: a sound question without an answer.
-        Interrupted: after Ctrl-C, with what was found so far.
+        progress: True for a bar, or a function of parts done and parts in all.
     """
     return ask("plot strike", locals(), picture)
 
@@ -591,27 +518,20 @@ def launch(
         launch: compute the flight of a ball with these launch conditions, as a launch monitor reports them: ball_speed, launch_angle,
             launch_direction, and backspin with sidespin or spin with spin_axis; e.g.
             ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those of the setup file.
-        tolerance: choose the method and the time step so that every length asked for is within this length of its exact value (1um if no
-            length is given), at the least cost; they are chosen once, before the first drive. Commands that fly many drives (sweep,
-            optimize, chart, calibrate, uncertainty, report, maps) do so by themselves, for 1um, unless the setup or set gives flight.method
-            or flight.step.
-        own_step: integrate by flight.method and flight.step of the setup, also where the command would choose them.
+        tolerance: every length is within this length of its exact value, m or a text; without it 1 um where many drives are flown, unless
+            the setup gives flight.method or flight.step.
+        own_step: integrate by flight.method and flight.step of the setup in every case.
         maximize: the outcome to maximize [default: carry, unless minimize is given].
         minimize: the outcome to minimize.
         vary: a parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to 20 deg and attack angle -5 to 5 deg].
         subject_to: a constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <= apex_height <= 35 yd" or "lateral == 0 m"; every
             limit with its unit. Over many swings also a relation with a name, linear in parameters, e.g. "budget: club.weight_1.mass +
-            club.weight_2.mass <= 20 g". Repeatable.
+            club.weight_2.mass <= 20 g".
         max_iterations: the largest number of iterations of a search [default: 500].
         output: the file to write: .svg or .png for a picture, .csv for its data (SI units and radians).
         overwrite: replace files that exist.
         dark: draw for a dark background.
         width: the width of the picture in pixels; a PNG has twice the resolution. The size of the text does not change [default: 480].
-        progress: True for a bar, or a function that is called with how many parts of how many are done.
-
-    Raises:
-        InputError: bad input, with the program's message.
-        NoAnswerError: a sound question without an answer.
-        Interrupted: after Ctrl-C, with what was found so far.
+        progress: True for a bar, or a function of parts done and parts in all.
     """
     return ask("plot launch", locals(), picture)

@@ -202,6 +202,9 @@ class Table:
         """
         if not tables:
             raise InputError("nothing to concatenate: give at least one table")
+        for number, table in enumerate(tables, start=1):
+            if not isinstance(table, Table):
+                raise InputError(f"table {number} is a {type(table).__name__}; expected a Table, as batch and sweep give it")
         first = tables[0]
         for number, table in enumerate(tables[1:], start=2):
             _refuse_difference(first, table, number)
