@@ -75,8 +75,8 @@ class Objective:
         sense: Sense | None = None,
         invalid: Literal["raise", "nan"] = "raise",
         swings: str | PathLike[str] | None = None,
-        distribution: Sequence[str] = [],
-        correlation: Sequence[str] = [],
+        distribution: Sequence[str] = ...,
+        correlation: Sequence[str] = ...,
         scenarios: int | None = None,
         seed: int | None = None,
     ) -> Objective: ...
