@@ -7,7 +7,6 @@ use longdrive::study::swings::{Goal, Rule, Scenarios, Swings, SwingsSearch, pric
 use longdrive::study::uncertainty::Uncertain;
 use longdrive::study::{Sense, Vary};
 use longdrive::{Outcome, Result, Setup};
-use std::sync::atomic::AtomicBool;
 
 fn main() -> Result<()> {
     // the spreads are assumed; yours come from a launch monitor: longdrive delivery --shots
@@ -36,7 +35,7 @@ fn main() -> Result<()> {
             options: Options::default(),
         };
         let best = swings_optimum(&setup, search, scenarios, &Follow::default())?;
-        let alone = price(&setup, &swings, &best, &AtomicBool::new(false))?.nominal;
+        let alone = price(&setup, &swings, &best)?.nominal;
         let show = |x: &[f64]| x.first().map_or("none".into(), |x| format!("{:.2} deg", x.to_degrees()));
         println!(
             "{golfer}: best loft {} over all swings, {} for the mean swing",

@@ -16,6 +16,15 @@ const GATHERED: usize = 65_536;
 /// Rows that are looked at before Python is let in.
 const LOOKED_AT: usize = 1 << 20;
 
+/// Looks NumPy's functions up while nobody waits for work: the first use of an array does so, and a Ctrl-C within that would be a panic. Where
+/// there is no NumPy, it is told by whoever needs an array.
+pub fn prepared(py: Python<'_>) {
+    if py.import("numpy").is_ok() {
+        let array = PyArray1::<f64>::zeros(py, [0], false);
+        drop(array.readonly());
+    }
+}
+
 /// The values of one parameter: one for all rows, or one for each.
 enum Column {
     Same(f64),

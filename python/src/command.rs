@@ -56,6 +56,16 @@ impl Caller {
         self.files.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
+    /// Tells how far work with a bar had come, and what stands beside it: the best value so far.
+    fn tell_of_bar(&self) {
+        let mut now = self.now();
+        let Some(bar) = now.bar.clone().filter(|bar| bar.length().is_some_and(|of| of > 0)) else { return };
+        let best = bar.message();
+        let best = if best.is_empty() { best } else { format!(", best {best}") };
+        let told = format!("{} of {} done{best}", bar.position(), bar.length().unwrap_or(0));
+        now.said.push(("note", told));
+    }
+
     /// Tells the work that goes on to end, and says how long it may take to answer: no time where it cannot be told.
     fn stops(&self) -> Duration {
         let now = self.now();
@@ -166,6 +176,7 @@ fn asked<'py>(
     let (status, raised) = match pool::run_to_answer(py, move |_| run(words, host), watch, patience)? {
         Ended::Done(status, raised) => (Some(status), raised),
         Ended::Left(raised) => {
+            caller.tell_of_bar();
             said(&caller, say)?;
             let written = py.detach(|| {
                 let mut files = caller.files();

@@ -52,6 +52,7 @@ mod _longdrive {
     /// The version of longdrive, that of the program.
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        arrays::prepared(module.py());
         module.add("__version__", env!("CARGO_PKG_VERSION"))
     }
 }

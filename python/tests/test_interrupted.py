@@ -5,6 +5,8 @@ from __future__ import annotations
 import logging
 import pickle
 import signal
+import subprocess
+import sys
 import threading
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -165,6 +167,16 @@ def test_ctrl_c_before_the_first_row_is_interrupted_too() -> None:
     assert caught.value.table is None
     with pytest.raises(Interrupted, match="longdrive.optimize was interrupted before it began"):
         longdrive.optimize(Pressing(preset="mae494"))
+
+
+def test_functions_of_numpy_are_known_before_ctrl_c_can_come_between() -> None:
+    # what is looked up later would not be found
+    code = (
+        "import longdrive, numpy; del numpy._core.multiarray._ARRAY_API; "
+        "print(len(longdrive.sweep('mae494', {'club.loft': (0.1, 0.2, 3)}, wrt='points')))"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    assert done.stdout == "3\n", done.stderr
 
 
 def test_what_progress_raises_is_raised_as_it_is() -> None:

@@ -11,7 +11,7 @@ use crate::parameters::Vary;
 use crate::report::{OptimumReport, Reply, swings_reply, swings_text, swings_toml, value_text};
 use crate::study::swings::{
     Correlation, Goal, GoalLimit, Price, Resampled, Rule, Scenarios, Strokes, Swings, SwingsOptimum, SwingsSearch,
-    price, resampled, swings_optima,
+    price_until, resampled, swings_optima,
 };
 use crate::study::uncertainty::Uncertain;
 use crate::study::{Search, Sense};
@@ -167,7 +167,7 @@ pub fn found(args: &Optimize, Asked { setup, swings, scenarios, search }: Asked)
     }
     let is_found = best.solution.status == Status::Converged;
     // what the mean swing promises is told of an optimum only
-    let price = if is_found { Some(price(&setup, &swings, &best, &follow.interrupt)?) } else { None };
+    let price = if is_found { price_until(&setup, &swings, &best, &follow.interrupt)? } else { None };
     let is_left = follow.interrupt.load(Ordering::Relaxed);
     let is_recorded = matches!(swings, Swings::Recorded { .. }) && is_found && !is_left;
     let seed = u64::from(args.swings.seed.unwrap_or(0));

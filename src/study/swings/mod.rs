@@ -29,7 +29,7 @@ pub use golfer::{Correlation, Swings};
 pub use measure::Measure;
 pub use optimum::{SwingsOptimum, SwingsSearch, goals_of, status_of, swings_optima, swings_optimum, swings_problem};
 pub use pareto::{Pareto, ParetoPoint, ParetoSearch, pareto};
-pub use price::{Doubt, Nominal, Price, price};
+pub use price::{Doubt, Nominal, Price, price, price_until};
 pub use read::{Goal, GoalLimit};
 pub use robust::{Model, Robust, robust};
 pub use scenarios::{Rule, Scenarios};

@@ -46,14 +46,31 @@ const SEQUENCES: u32 = 8;
 
 /// The price of ignoring that swings vary, and how far the goal is known.
 ///
-/// Once `stop` is true, what is not known yet is left out.
-///
 /// Neither the mean swing nor the other scenarios were asked about: where they do not fly, that is told in place of what they would say.
 ///
 /// # Errors
 /// As [`swings_optimum`](super::swings_optimum).
-pub fn price(setup: &Setup<f64>, swings: &Swings, best: &SwingsOptimum, stop: &AtomicBool) -> Result<Price> {
+pub fn price(setup: &Setup<f64>, swings: &Swings, best: &SwingsOptimum) -> Result<Price> {
+    computed(setup, swings, best, &|| true)
+}
+
+/// The same; nothing where `stop` became true before all of it was known.
+///
+/// # Errors
+/// As [`price`].
+pub fn price_until(
+    setup: &Setup<f64>,
+    swings: &Swings,
+    best: &SwingsOptimum,
+    stop: &AtomicBool,
+) -> Result<Option<Price>> {
     let goes_on = || !stop.load(Ordering::Relaxed);
+    let found = computed(setup, swings, best, &goes_on)?;
+    Ok(goes_on().then_some(found))
+}
+
+/// The price; once `goes_on` is false, without what takes long.
+fn computed(setup: &Setup<f64>, swings: &Swings, best: &SwingsOptimum, goes_on: &dyn Fn() -> bool) -> Result<Price> {
     let search = &best.search;
     let alone = posed(setup, search, Scenarios::mean(swings))?;
     let design = minimize(&alone, &alone.domain, &alone.start(), &search.options)?.x;
@@ -68,8 +85,6 @@ pub fn price(setup: &Setup<f64>, swings: &Swings, best: &SwingsOptimum, stop: &A
     let others = others.collect::<Result<Vec<f64>>>();
     let doubt = match (best.value(), others.as_deref()) {
         (None, _) | (_, Ok([])) => None,
-        // fewer than an interval is made of
-        (_, Ok(_)) if !goes_on() => None,
         (_, Err(error)) => Some(Doubt::Unknown(error.to_string())),
         (Some(value), Ok([other])) => Some(Doubt::Quadrature((other - value).abs())),
         (Some(value), Ok(others)) => Some(Doubt::Sampling(interval(&search.of, value, others), others.len())),
