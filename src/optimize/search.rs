@@ -7,7 +7,7 @@ use super::plan::{Around, Plan};
 use super::qp::{Method, QuadraticProgram};
 use super::quasi_newton;
 use super::scaling::{Point, Residual, Scaling, norm};
-use super::sparse::SparseModel;
+use super::sparse::{SparseModel, first_multipliers};
 use nalgebra::DMatrix;
 use serde::{Deserialize, Serialize};
 
@@ -114,7 +114,10 @@ impl Outcome {
 
 impl Search {
     pub fn new(scaling: Scaling, at: Point, radius: f64) -> Self {
-        let multipliers = vec![0.0; at.f.constraints.len()];
+        let multipliers = match &at.f.sparse {
+            None => vec![0.0; at.f.constraints.len()],
+            Some(derivatives) => first_multipliers(&scaling, &at, derivatives),
+        };
         let residual = scaling.residual(&at, &multipliers);
         Self {
             multipliers,

@@ -10,6 +10,7 @@ mod curvature;
 mod interior_point;
 mod kkt;
 mod model;
+mod multipliers;
 mod polish;
 mod problem;
 mod program;
@@ -19,5 +20,6 @@ mod terms;
 
 pub(super) use curvature::{of_lagrangian, of_violation};
 pub(super) use model::SparseModel;
+pub(super) use multipliers::first_multipliers;
 pub use problem::{SparseEvaluation, SparseProblem, SparseTaylor};
 pub use terms::{Function, Term, Terms};
