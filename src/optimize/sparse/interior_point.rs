@@ -54,6 +54,7 @@ impl SparseProgram {
         let mut solver = DefaultSolver::new(p.upper(), &q, &a, &limits, &cones, settings).ok()?;
         solver.solve();
         let solution = &solver.solution;
+        if std::env::var("DBG").is_ok() { eprintln!("clarabel {:?} {} {} eq {}", solution.status, solution.iterations, n, equations.len()); }
         if !matches!(solution.status, SolverStatus::Solved | SolverStatus::AlmostSolved) {
             return None;
         }
