@@ -88,9 +88,13 @@ fn downward(
     for _ in 0..STEPS {
         let mut right = direction;
         right.resize(f + rows.len(), 0.0);
-        direction = kkt.solve(&right)?;
+        // the matrix is nearly singular: its solution is long, and only the direction counts
+        direction = kkt.refined(&right).0;
         direction.truncate(f);
         let length = direction.iter().map(|d| d * d).sum::<f64>().sqrt();
+        if length == 0.0 {
+            return None;
+        }
         direction.iter_mut().for_each(|d| *d /= length);
     }
     let mut whole = DVector::zeros(n);

@@ -5,8 +5,11 @@ use clarabel::algebra::CscMatrix;
 use clarabel::solver::{DefaultSettings, DefaultSolver, IPSolver, SolverStatus, SupportedConeT};
 use nalgebra::DVector;
 
+/// Clarabel's tolerances, tighter than its own 1e-8: of many constraints the active ones are then told better.
+const TIGHT: f64 = 1e-10;
+
 impl SparseProgram {
-    /// Clarabel's solution with B, good to about 1e-8, and its active set; `None` where it finds none.
+    /// Clarabel's solution with B, good to about 1e-10, and its active set; `None` where it finds none.
     pub(super) fn clarabel(&self) -> Option<(Step, SparseActive)> {
         let (n, m) = (self.dimension(), self.rows.len());
         // steps in units of the box, the objective in units of its slope over the box: Clarabel's tolerances are absolute
@@ -50,11 +53,17 @@ impl SparseProgram {
             SupportedConeT::ZeroConeT(equations.len()),
             SupportedConeT::NonnegativeConeT(whose.len()),
         ];
-        let settings = DefaultSettings { verbose: false, presolve_enable: false, ..DefaultSettings::default() };
+        let settings = DefaultSettings {
+            verbose: false,
+            presolve_enable: false,
+            tol_gap_abs: TIGHT,
+            tol_gap_rel: TIGHT,
+            tol_feas: TIGHT,
+            ..DefaultSettings::default()
+        };
         let mut solver = DefaultSolver::new(p.upper(), &q, &a, &limits, &cones, settings).ok()?;
         solver.solve();
         let solution = &solver.solution;
-        if std::env::var("DBG").is_ok() { eprintln!("clarabel {:?} {} {} eq {}", solution.status, solution.iterations, n, equations.len()); }
         if !matches!(solution.status, SolverStatus::Solved | SolverStatus::AlmostSolved) {
             return None;
         }

@@ -47,6 +47,12 @@ impl Kkt {
 
     /// Solves the system; `None` where its equations contradict each other, or not accurately enough.
     pub fn solve(&mut self, right: &[f64]) -> Option<Vec<f64>> {
+        let (x, left) = self.refined(right);
+        (left <= CONTRADICTS).then_some(x)
+    }
+
+    /// Solves the system as far as that goes; and the part of the right-hand side that is left over.
+    pub fn refined(&mut self, right: &[f64]) -> (Vec<f64>, f64) {
         let size = |a: &[f64]| a.iter().fold(0.0, |most: f64, a| most.max(a.abs()));
         let right: Vec<f64> = right.iter().zip(&self.lengths).map(|(right, length)| right * length).collect();
         let whole = size(&right);
@@ -61,14 +67,14 @@ impl Kkt {
             let better: Vec<f64> = x.iter().zip(&change).map(|(x, change)| x + change).collect();
             let product = self.matrix.times(&better);
             let over: Vec<f64> = right.iter().zip(&product).map(|(right, product)| right - product).collect();
-            let over_size = over.iter().fold(0.0, |most: f64, a| if a.is_nan() { f64::NAN } else { most.max(a.abs()) });
-            // of rounding a few last digits come and go
-            if !over_size.is_finite() || over_size >= left {
+            let over_size = size(&over);
+            if !over.iter().all(|over| over.is_finite()) || over_size >= left {
                 break;
             }
             (x, rest, left) = (better, over, over_size);
         }
-        (left <= CONTRADICTS * whole).then(|| x.iter().zip(&self.lengths).map(|(x, length)| x * length).collect())
+        let part = if whole > 0.0 { left / whole } else { 0.0 };
+        (x.iter().zip(&self.lengths).map(|(x, length)| x * length).collect(), part)
     }
 }
 

@@ -1,4 +1,4 @@
-use super::program::{SparseActive, SparseProgram};
+use super::program::{SparseActive, SparseProgram, SparseRow};
 use crate::optimize::plan::Program;
 use crate::optimize::qp::{End, Method, Step};
 use nalgebra::DVector;
@@ -17,30 +17,23 @@ impl Program for SparseProgram {
     /// active, the step with H itself is taken in place of that with B, if it is better: with it comes Newton's rate.
     fn solve(&self) -> Option<Step> {
         let by_guess = self.settled(&self.convex, self.guess(), MOST_CORRECTIONS, Method::Faces);
-        let step = by_guess.or_else(|| {
+        let (step, active) = by_guess.or_else(|| {
             let (point, active) = self.clarabel()?;
-            let exact = self.settled(&self.convex, active, MOST_CORRECTIONS, Method::Clarabel);
             let accuracy = ACCURACY * self.high.amax().max(self.low.amax());
-            let is_met = |j: usize| {
-                let (row, value) = (&self.rows[j], self.rows[j].value(&point.d));
-                (row.low - value).max(value - row.high) <= accuracy * row.largest()
+            let is_missed = |row: &SparseRow| {
+                let value = row.value(&point.d);
+                (row.low - value).max(value - row.high) > accuracy * row.largest()
             };
-            let is_near = (0..self.rows.len()).all(is_met);
-            exact.or_else(|| is_near.then_some(point))
+            let is_near = !self.rows.iter().any(is_missed);
+            let exact = self.settled(&self.convex, active.clone(), MOST_CORRECTIONS, Method::Clarabel);
+            exact.or_else(|| is_near.then_some((point, active)))
         })?;
         if self.shift == 0.0 {
             return Some(step);
         }
-        let mut active = self.equations();
-        active.ends.clone_from(&step.ends);
-        for ((end, multiplier), row) in active.rows.iter_mut().zip(&step.multipliers).zip(&self.rows) {
-            if row.low < row.high && *multiplier != 0.0 {
-                *end = if *multiplier > 0.0 { End::High } else { End::Low };
-            }
-        }
         let by_own = self.settled(&self.hessian, active, MOST_CORRECTIONS, step.by);
         let is_better = |own: &Step| self.value(&self.hessian, &own.d) <= self.value(&self.hessian, &step.d);
-        Some(by_own.filter(is_better).unwrap_or(step))
+        Some(by_own.map(|(own, _)| own).filter(is_better).unwrap_or(step))
     }
 
     fn limits(&mut self) -> impl Iterator<Item = (&mut f64, &mut f64)> {
