@@ -78,6 +78,6 @@ pub use options::Options;
 pub use problem::{Evaluation, Problem};
 pub use scaling::Residual;
 pub use search::Effort;
-pub use sparse::{SparseEvaluation, SparseProblem, SparseTaylor};
 pub use solution::{Constrained, Iteration, Solution};
+pub use sparse::{SparseEvaluation, SparseProblem, SparseTaylor};
 pub use status::Status;

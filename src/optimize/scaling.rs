@@ -113,9 +113,9 @@ impl Scaling {
         }
     }
 
-    /// The variable with the largest [rate](Outward::rate); `None` where nothing falls.
-    pub fn outward(&self, at: &Point, multipliers: &[f64]) -> Option<Outward> {
-        let (bounds, slopes) = (&self.domain.variables, at.lagrangian_gradient(multipliers));
+    /// The variable with the largest [rate](Outward::rate), with these slopes of the Lagrangian; `None` where nothing falls.
+    pub fn outward(&self, at: &Point, slopes: &[f64]) -> Option<Outward> {
+        let bounds = &self.domain.variables;
         let of = |variable: usize| {
             let (x, slope) = (at.x[variable], self.projected(at, slopes[variable], variable));
             let room = if slope > 0.0 { x - bounds.low[variable] } else { bounds.high[variable] - x };
@@ -128,6 +128,11 @@ impl Scaling {
 
     /// How far a point is from optimal with these multipliers.
     pub fn residual(&self, at: &Point, multipliers: &[f64]) -> Residual {
+        self.residual_of_slopes(at, multipliers, &at.lagrangian_gradient(multipliers))
+    }
+
+    /// As [`residual`](Self::residual), where the slopes of the Lagrangian are known.
+    pub fn residual_of_slopes(&self, at: &Point, multipliers: &[f64], slopes: &[f64]) -> Residual {
         let size = self.size(at);
         let limits = &self.domain.constraints;
         let distance = |(j, multiplier): (usize, &f64)| {
@@ -141,7 +146,6 @@ impl Scaling {
                 _ => (multiplier * (value - limit)).abs() / size * f64::from(limits.excess(j, value) == 0.0),
             }
         };
-        let slopes = at.lagrangian_gradient(multipliers);
         let projected = slopes.iter().enumerate().map(|(i, slope)| self.projected(at, *slope, i));
         Residual {
             stationarity: self.largest(projected) / size,

@@ -3,9 +3,9 @@
 use super::bundle::Bundle;
 use super::domain::Domain;
 use super::kink::{self, Kink};
-use super::plan::Plan;
-use super::options::Options;
 use super::known::Known;
+use super::options::Options;
+use super::plan::Plan;
 use super::problem::Problem;
 use super::saddle;
 use super::scaling::{Residual, Scaling};
@@ -86,7 +86,8 @@ impl Sqp {
         let tolerance = self.options.kkt_tolerance;
         let size = search.scaling.size(&search.at);
         let promised = plan.map_or(f64::INFINITY, |plan| search.promised(plan) / size);
-        let residual = search.scaling.residual(&search.at, &search.multipliers);
+        let slopes = search.at.lagrangian_gradient(&search.multipliers);
+        let residual = search.scaling.residual_of_slopes(&search.at, &search.multipliers, &slopes);
         let is_idle = promised <= NOISE && residual.largest() > 0.5 * search.residual.largest();
         search.residual = residual;
         search.idle = if is_idle { search.idle + 1 } else { 0 };
@@ -97,7 +98,7 @@ impl Sqp {
             .filter(|plan| plan.is_relaxed)
             .and_then(|plan| infeasible_test(plan.violation, plan.violation_left, radius, tolerance, is_sparse));
         let stuck = radius_test(radius, largest).or_else(|| progress_test(search.idle, promised, largest));
-        let outward = search.scaling.outward(&search.at, &search.multipliers);
+        let outward = search.scaling.outward(&search.at, &slopes);
         let is_there = |tolerance: f64| !is_running_off(outward, tolerance);
         let value = search.at.f.objective.value;
         let verdict = unbounded_test(outward, value, search.scaling.first_size, residual, search.multipliers.len())
@@ -125,7 +126,9 @@ impl Sqp {
             return Ok(());
         }
         let verdict = match verdict.status {
-            Status::Infeasible if search.settle(&self.progress.begun_at, evaluate)? => infeasible(search.violation(), is_sparse),
+            Status::Infeasible if search.settle(&self.progress.begun_at, evaluate)? => {
+                infeasible(search.violation(), is_sparse)
+            }
             _ => verdict,
         };
         let verdict = self.examined(search, verdict, evaluate)?;
@@ -201,7 +204,11 @@ impl Solver<Asked<'_>, SqpState> for Sqp {
         Ok((state, None))
     }
 
-    fn next_iter(&mut self, problem: &mut Counted<Asked<'_>>, state: SqpState) -> Result<(SqpState, Option<KV>), Error> {
+    fn next_iter(
+        &mut self,
+        problem: &mut Counted<Asked<'_>>,
+        state: SqpState,
+    ) -> Result<(SqpState, Option<KV>), Error> {
         let Some(mut search) = self.progress.search.take() else { return Ok((state, None)) };
         let m = self.domain.constraints.dimension();
         let (plan, kept) = search.step(&mut |x| evaluate(problem, x, m))?;
@@ -236,10 +243,6 @@ fn stored(mut state: SqpState, search: &Search, kept: bool) -> SqpState {
 }
 
 /// Evaluates. The outer error is argmin's.
-fn evaluate(
-    problem: &mut Counted<Asked<'_>>,
-    x: &[f64],
-    constraints: usize,
-) -> Result<Result<Known, String>, Error> {
+fn evaluate(problem: &mut Counted<Asked<'_>>, x: &[f64], constraints: usize) -> Result<Result<Known, String>, Error> {
     problem.problem("evaluations", |p| Ok(p.evaluate(x, constraints)))
 }

@@ -143,9 +143,7 @@ impl QuadraticProgram {
             let Piece { offset, gradient } = &self.pieces[k];
             if active.pieces[k] { weights[k] >= 0.0 } else { offset + gradient.dot(d) > level + tolerance }
         };
-        let end = |i: usize| {
-            corrected_end((self.low[i], self.high[i]), active.ends[i], d[i], pull[i], || d.amax())
-        };
+        let end = |i: usize| corrected_end((self.low[i], self.high[i]), active.ends[i], d[i], pull[i], || d.amax());
         ActiveSet {
             ends: (0..self.dimension()).map(end).collect(),
             rows: (0..self.rows.len()).map(row).collect(),

@@ -13,7 +13,8 @@ const MARGIN: f64 = 1e-13;
 /// Wright 2006, algorithm 3.3, with the signs of the pivots of LDLᵀ). `size` is that of a curvature where the Hessian has none.
 pub(in crate::optimize) fn convex(hessian: &Symmetric, size: f64) -> (Symmetric, f64) {
     let (n, unit) = (hessian.size(), hessian.largest().max(size).max(f64::MIN_POSITIVE));
-    let lowered = Symmetric::sum(n, hessian.entries().map(|(i, j, a)| (i, j, if i == j { a * (1.0 - MARGIN) } else { a })));
+    let lowered =
+        Symmetric::sum(n, hessian.entries().map(|(i, j, a)| (i, j, if i == j { a * (1.0 - MARGIN) } else { a })));
     // the order of elimination is found once
     let settings = QDLDLSettings { logical: true, regularize_enable: false, ..QDLDLSettings::default() };
     if let Ok(mut factors) = QDLDLFactorisation::new(lowered.upper(), Some(settings)) {

@@ -35,7 +35,8 @@ impl SparseProgram {
         }
         let longest = |j: usize| self.rows[j].largest().max(f64::MIN_POSITIVE);
         let (mut at, mut of, mut entries, mut limits) = (vec![], vec![], vec![], vec![]);
-        let all = equations.iter().map(|&j| (n + j, 1.0, self.rows[j].low)).chain(whose.iter().map(|w| (w.0, w.1, w.2)));
+        let all =
+            equations.iter().map(|&j| (n + j, 1.0, self.rows[j].low)).chain(whose.iter().map(|w| (w.0, w.1, w.2)));
         for (k, (holder, sign, limit)) in all.enumerate() {
             let (normal, length) = match holder.checked_sub(n) {
                 None => (&[(holder, 1.0)][..], 1.0),
@@ -49,10 +50,7 @@ impl SparseProgram {
             }
         }
         let a = CscMatrix::new_from_triplets(limits.len(), n, at, of, entries);
-        let cones = [
-            SupportedConeT::ZeroConeT(equations.len()),
-            SupportedConeT::NonnegativeConeT(whose.len()),
-        ];
+        let cones = [SupportedConeT::ZeroConeT(equations.len()), SupportedConeT::NonnegativeConeT(whose.len())];
         let settings = DefaultSettings {
             verbose: false,
             presolve_enable: false,

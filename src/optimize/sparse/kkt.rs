@@ -30,7 +30,8 @@ impl Kkt {
             return None;
         }
         let lengths = balance(matrix);
-        let balanced = Symmetric::sum(size, matrix.entries().map(|(i, j, value)| (i, j, value * lengths[i] * lengths[j])));
+        let balanced =
+            Symmetric::sum(size, matrix.entries().map(|(i, j, value)| (i, j, value * lengths[i] * lengths[j])));
         let sign = |i: usize| if i < variables { 1.0 } else { -1.0 };
         let shifts = (0..size).map(|i| (i, i, REGULARIZATION * sign(i)));
         let regularized = Symmetric::sum(size, balanced.entries().chain(shifts));

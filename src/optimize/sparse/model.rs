@@ -59,7 +59,11 @@ impl SparseModel<'_> {
         let scaling = self.around.scaling;
         let slopes = self.derivatives.constraints[j].gradient.iter();
         let (low, high) = self.around.row_limits(j, value);
-        SparseRow { normal: slopes.map(|(i, slope)| (*i, slope * scaling.scale[*i] / scaling.gamma[j])).collect(), low, high }
+        SparseRow {
+            normal: slopes.map(|(i, slope)| (*i, slope * scaling.scale[*i] / scaling.gamma[j])).collect(),
+            low,
+            high,
+        }
     }
 
     /// What holds the point.
@@ -132,11 +136,7 @@ impl SparseModel<'_> {
 }
 
 /// The Hessian of the Lagrangian in scaled variables.
-pub(super) fn lagrangian_hessian(
-    scaling: &Scaling,
-    derivatives: &SparseDerivatives,
-    multipliers: &[f64],
-) -> Symmetric {
+pub(super) fn lagrangian_hessian(scaling: &Scaling, derivatives: &SparseDerivatives, multipliers: &[f64]) -> Symmetric {
     let objective = derivatives.bend.iter().map(|entry| (entry, 1.0));
     weighted(scaling, objective.chain(of_constraints(derivatives, multipliers)))
 }

@@ -12,7 +12,13 @@ const ROUNDING: f64 = 1e-11;
 impl SparseProgram {
     /// The exact solution with one of the two matrices from an active set to begin with, corrected so often at most; `None` where the
     /// active set does not settle, and where the matrix is not convex along it. With the active set that it ends with.
-    pub(super) fn settled(&self, matrix: &Symmetric, mut active: SparseActive, most: usize, by: Method) -> Option<(Step, SparseActive)> {
+    pub(super) fn settled(
+        &self,
+        matrix: &Symmetric,
+        mut active: SparseActive,
+        most: usize,
+        by: Method,
+    ) -> Option<(Step, SparseActive)> {
         for _ in 0..most {
             let (d, multipliers) = self.equality_step(matrix, &active)?;
             let corrected = self.corrected(matrix, &active, &d, &multipliers);

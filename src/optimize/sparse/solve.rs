@@ -52,7 +52,8 @@ impl SparseProgram {
     /// What is guessed to hold the step, with what holds any.
     fn guess(&self) -> SparseActive {
         let mut active = self.equations();
-        let guessed = active.ends.iter_mut().chain(&mut active.rows).zip(self.guess.ends.iter().chain(&self.guess.rows));
+        let guessed =
+            active.ends.iter_mut().chain(&mut active.rows).zip(self.guess.ends.iter().chain(&self.guess.rows));
         for (end, guessed) in guessed.filter(|(end, _)| **end == End::Free) {
             *end = *guessed;
         }

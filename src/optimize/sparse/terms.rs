@@ -92,13 +92,7 @@ impl<F: Terms> SparseProblem for Exact<F> {
 }
 
 /// Adds a term with its derivatives.
-fn add(
-    terms: &impl Terms,
-    term: usize,
-    variables: &[usize],
-    x: &[f64],
-    sum: &mut SparseTaylor,
-) -> Result<(), String> {
+fn add(terms: &impl Terms, term: usize, variables: &[usize], x: &[f64], sum: &mut SparseTaylor) -> Result<(), String> {
     let count = x.len();
     if count == 0 {
         sum.value += terms.evaluate::<f64>(term, x)?;
