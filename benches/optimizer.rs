@@ -106,11 +106,9 @@ fn main() {
         print(&format!("{size}, constraints"), &all, |one| is_of_size(one) && one.is_constrained);
     }
     println!("\nmany variables                variables constraints iterations        s  residual   status");
-    for few in [1, 4] {
-        print_sparse(chained_rosenbrock(1000 * few, true));
-        print_sparse(hanging_chain(500 * few));
-        print_sparse(bryson_denham(333 * few));
-        print_sparse(membrane(1000 * few));
-        print_sparse(double_wells(1000 * few));
+    for problem in
+        [chained_rosenbrock(1000, true), hanging_chain(500), bryson_denham(333), membrane(1000), double_wells(1000)]
+    {
+        print_sparse(problem);
     }
 }

@@ -11,7 +11,8 @@
 //! run by argmin's `Executor`.
 //!
 //! A problem is a set of [`Functions`] written over any number, whose derivatives are then exact by themselves, or
-//! whatever implements [`Problem`], with Hessians or gradients alone.
+//! whatever implements [`Problem`], with Hessians or gradients alone. Problems of many variables, where each function depends on
+//! few of them, are [sparse].
 //!
 //! ```
 //! use longdrive::number::Number;
