@@ -6,7 +6,8 @@ use super::observer::{Keep, Observer, Snapshot};
 use super::options::Options;
 use super::problem::Problem;
 use super::solution::{Iteration, Solution};
-use super::sqp::{Progress, Sqp, SqpState, Standing};
+use super::sparse::SparseProblem;
+use super::sqp::{Asked, Progress, Sqp, SqpState, Standing};
 use super::status::Status;
 use crate::error::{Error, Result};
 use argmin::core::checkpointing::{Checkpoint, CheckpointingFrequency};
@@ -34,6 +35,55 @@ pub fn minimize_observed(
     options: &Options,
     observer: Observer,
 ) -> Result<Solution> {
+    search(Asked::Dense(problem), domain, start, options, observer)
+}
+
+/// As [`minimize_observed`], of a [sparse](super::sparse) problem: of a thousand variables, say. Corners are not looked for, and where the
+/// constraints cannot be met no other points are tried. The solution has neither Jacobian nor Hessian: the problem's own evaluation at the
+/// point has them.
+///
+/// ```
+/// use longdrive::optimize::{Domain, Observer, Options, SparseEvaluation, SparseTaylor, Status, minimize_sparse};
+///
+/// // the point of x₁ + … + xₙ = n nearest to 0, with x₁ ≤ ½: all others are n − ½ over n − 1
+/// let n = 1000;
+/// let problem = |x: &[f64]| {
+///     let objective = SparseTaylor {
+///         value: x.iter().map(|x| 0.5 * x * x).sum(),
+///         gradient: x.iter().copied().enumerate().collect(),
+///         hessian: (0..x.len()).map(|i| (i, i, 1.0)).collect(),
+///     };
+///     let gradient = (0..x.len()).map(|i| (i, 1.0)).collect();
+///     let constraints = vec![SparseTaylor { value: x.iter().sum(), gradient, hessian: vec![] }];
+///     Ok(SparseEvaluation { objective, constraints })
+/// };
+/// let mut domain = Domain::new(vec![-10.0; n], vec![10.0; n]).unwrap();
+/// domain.variables.high[0] = 0.5;
+/// let domain = domain.subject_to(vec![n as f64], vec![n as f64]).unwrap();
+/// let found = minimize_sparse(&problem, &domain, &vec![0.0; n], &Options::default(), Observer::default()).unwrap();
+/// assert_eq!((found.status, found.x[0]), (Status::Converged, 0.5));
+/// assert!((found.x[1] - 999.5 / 999.0).abs() < 1e-12);
+/// ```
+///
+/// # Errors
+/// As [`minimize_observed`].
+pub fn minimize_sparse(
+    problem: &dyn SparseProblem,
+    domain: &Domain,
+    start: &[f64],
+    options: &Options,
+    observer: Observer,
+) -> Result<Solution> {
+    search(Asked::Sparse(problem), domain, start, options, observer)
+}
+
+fn search(
+    problem: Asked<'_>,
+    domain: &Domain,
+    start: &[f64],
+    options: &Options,
+    observer: Observer,
+) -> Result<Solution> {
     options.validate()?;
     let n = domain.variables.dimension();
     if start.len() != n || !start.iter().all(|x| x.is_finite()) {
@@ -51,7 +101,7 @@ pub fn minimize_observed(
 
 /// One run of argmin's executor.
 fn run(
-    problem: &dyn Problem,
+    problem: Asked<'_>,
     domain: &Domain,
     start: &[f64],
     options: &Options,
@@ -67,7 +117,7 @@ fn run(
         resumed: observer.resume.map(|snapshot| (resumed(&solver, snapshot.clone()), at_iteration(&fresh, &snapshot))),
         failure: failure.clone(),
     };
-    let mut executor = Executor::new(ByReference(problem), solver)
+    let mut executor = Executor::new(problem, solver)
         .configure(|_| fresh)
         .add_observer(IterationObserver::new(observer.iteration), ObserverMode::Always)
         .timer(false);
@@ -86,7 +136,7 @@ fn run(
 /// Where a corner of the objective lies on a bound that it falls towards, that variable stays on the bound, at the price
 /// of the slope inside, and the others are searched on.
 fn held_at_corner(
-    problem: &dyn Problem,
+    problem: Asked<'_>,
     domain: &Domain,
     options: &Options,
     found: Solution,
@@ -110,15 +160,6 @@ fn held_at_corner(
     end.iterations += found.iterations;
     end.evaluations += found.evaluations;
     Solution { kink: Some(kink), begun_at: found.begun_at, undefined_at_start: found.undefined_at_start, ..end }
-}
-
-/// argmin owns its problem; several runs share one.
-struct ByReference<'a>(&'a dyn Problem);
-
-impl Problem for ByReference<'_> {
-    fn evaluate(&self, x: &[f64]) -> std::result::Result<super::Evaluation, String> {
-        self.0.evaluate(x)
-    }
 }
 
 fn resumed(solver: &Sqp, snapshot: Snapshot) -> Sqp {

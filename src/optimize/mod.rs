@@ -11,7 +11,8 @@
 //! run by argmin's `Executor`.
 //!
 //! A problem is a set of [`Functions`] written over any number, whose derivatives are then exact by themselves, or
-//! whatever implements [`Problem`], with Hessians or gradients alone.
+//! whatever implements [`Problem`], with Hessians or gradients alone. Problems of many variables, where each function depends on
+//! few of them, are [sparse].
 //!
 //! ```
 //! use longdrive::number::Number;
@@ -42,6 +43,7 @@ mod domain;
 pub mod front;
 mod functions;
 mod kink;
+mod known;
 pub mod least_squares;
 mod minimize;
 mod model;
@@ -49,6 +51,7 @@ mod multistart;
 mod null_space;
 mod observer;
 mod options;
+mod plan;
 mod problem;
 pub mod qp;
 mod quasi_newton;
@@ -59,6 +62,7 @@ mod search;
 pub mod sensitivity;
 pub(crate) mod sobol;
 mod solution;
+pub mod sparse;
 pub mod sqp;
 mod start;
 pub mod status;
@@ -68,7 +72,7 @@ pub use checkpoint::{Checkpoint, Run};
 pub use domain::{Bounds, Domain};
 pub use functions::{Exact, Functions, Gradients, Values};
 pub use kink::Kink;
-pub use minimize::{minimize, minimize_observed};
+pub use minimize::{minimize, minimize_observed, minimize_sparse};
 pub use multistart::{Follow, Local, Shown, minimize_from, starts};
 pub use observer::{Keep, Observer, Snapshot};
 pub use options::Options;
@@ -76,4 +80,5 @@ pub use problem::{Evaluation, Problem};
 pub use scaling::Residual;
 pub use search::Effort;
 pub use solution::{Constrained, Iteration, Solution};
+pub use sparse::{SparseEvaluation, SparseProblem, SparseTaylor};
 pub use status::Status;

@@ -1,5 +1,6 @@
 use super::bundle::Bundle;
 use super::convex::convexify;
+use super::plan::{Around, NORMAL_PART, Plan, Program};
 use super::qp::{End, Method, Piece, QuadraticProgram, Row, Step, quadratic_form};
 use super::scaling::{Point, Scaling, norm};
 use nalgebra::{DMatrix, DVector};
@@ -15,42 +16,6 @@ pub(super) struct Model<'a> {
     pub radius: f64,
 }
 
-/// A step that the model leads to.
-#[derive(Clone)]
-pub(super) struct Plan {
-    /// Where it ends; a variable that ends at a bound is there exactly.
-    pub x: Vec<f64>,
-    /// Its largest component, in units of the scale.
-    pub length: f64,
-    /// What the model says f falls by; it may rise where constraints ask for it.
-    pub descent: f64,
-    /// The norm of the constraints' violations before it, in units of γ.
-    pub violation: f64,
-    /// What the linearised constraints leave of it.
-    pub violation_left: f64,
-    /// The multipliers that go with the step.
-    pub multipliers: Vec<f64>,
-    /// How many sides of a corner hold it; 1 away from corners.
-    pub sides: usize,
-    /// Whether the linearised constraints could not all be met.
-    pub is_relaxed: bool,
-    /// Who found its active set.
-    pub by: Method,
-}
-
-impl Plan {
-    /// Whether the trust region kept it from going further.
-    pub fn is_limited_by(&self, radius: f64) -> bool {
-        let part = if self.is_relaxed { NORMAL_PART } else { 1.0 };
-        self.length >= 0.99 * part * radius
-    }
-}
-
-/// Of the trust region, the part that serves to meet the constraints where they cannot all be met; the rest is left
-/// to the objective (Omojokun 1989: 0.8).
-const NORMAL_PART: f64 = 0.8;
-/// Room for the rounding of what is left, where a relaxed row is met with nothing to spare.
-const ROUNDING: f64 = 1e-12;
 /// Weight that keeps the step of least violation short, against the squared violations.
 const SHORT: f64 = 1e-8;
 
@@ -64,7 +29,7 @@ impl Model<'_> {
     /// The second-order correction: the plan with the constraints as they turned out at its end, so that their
     /// curvature along the way is made up for (Fletcher 1982).
     pub fn corrected(&self, tried: &Point, program: &mut QuadraticProgram) -> Plan {
-        let d = self.steps_to(&tried.x);
+        let d = self.around().steps_to(&tried.x);
         let value = |j: usize| {
             let slope = self.normal(j).dot(&d) * self.scaling.gamma[j];
             tried.f.constraints[j].value - slope
@@ -75,46 +40,19 @@ impl Model<'_> {
     /// The plan with the constraints linearised around these values; `program` is written over.
     fn plan_from(&self, value: impl Fn(usize) -> f64, program: &mut QuadraticProgram) -> Plan {
         self.pose(value, program);
-        let (step, is_relaxed) = match program.solve() {
-            Some(step) => (step, false),
-            None => {
-                let (nearest, left) = self.least_violation(program);
-                let mut relaxed = program.clone();
-                for (row, left) in relaxed.rows.iter_mut().zip(&left) {
-                    if row.low == row.high {
-                        row.low -= left;
-                        row.high = row.low;
-                    } else {
-                        row.low -= left.max(0.0) + ROUNDING;
-                        row.high += (-left).max(0.0) + ROUNDING;
-                    }
-                }
-                (relaxed.solve().unwrap_or(nearest), true)
-            }
-        };
-        let x = self.end_of(&step);
-        let d = self.steps_to(&x);
-        let left = program.rows.iter().map(|row| {
-            let value = row.normal.dot(&d);
-            value - value.clamp(row.low, row.high)
-        });
-        Plan {
-            length: step.d.amax(),
-            descent: self.descent(program, &d),
-            violation: norm(self.scaling.violations(&self.at.f)),
-            violation_left: norm(left),
-            multipliers: step.multipliers.iter().zip(&self.scaling.gamma).map(|(m, gamma)| m / gamma).collect(),
-            sides: step.weights.iter().filter(|weight| **weight > 1e-6).count(),
-            by: step.by,
-            is_relaxed,
-            x,
-        }
+        let program = &*program;
+        self.around().plan(program, || self.least_violation(program), |d| self.descent(program, d))
+    }
+
+    fn around(&self) -> Around<'_> {
+        Around { scaling: self.scaling, at: self.at, radius: self.radius }
     }
 
     /// Poses the program in scaled variables: the point's own piece, those of other sides of corners nearby, and the
     /// constraints linearised around these values.
     fn pose(&self, value: impl Fn(usize) -> f64, program: &mut QuadraticProgram) {
-        let Self { scaling, at, radius, .. } = *self;
+        let around = self.around();
+        let Self { scaling, at, .. } = *self;
         program.resize(at.x.len(), at.f.constraints.len());
         convexify(self.hessian, || self.held(), &mut program.curvature);
 
@@ -122,20 +60,15 @@ impl Model<'_> {
         own.iter_mut().enumerate().for_each(|(i, slope)| *slope = at.f.objective.gradient[i] * scaling.scale[i]);
         program.pieces.extend(self.bundle.pieces(scaling, at, self.hessian));
 
-        let bounds = &scaling.domain.variables;
-        let limit = |i: usize, bound: f64| ((bound - at.x[i]) / scaling.scale[i]).clamp(-radius, radius);
         for i in 0..at.x.len() {
-            program.low[i] = limit(i, bounds.low[i]);
-            program.high[i] = limit(i, bounds.high[i]);
+            (program.low[i], program.high[i]) = around.ends(i);
         }
         for (j, row) in program.rows.iter_mut().enumerate() {
-            let (limits, gamma) = (&scaling.domain.constraints, scaling.gamma[j]);
-            let low = (limits.low[j] - value(j)) / gamma;
-            let high = if limits.is_fixed(j) { low } else { (limits.high[j] - value(j)) / gamma };
+            let gamma = scaling.gamma[j];
             row.normal.resize_vertically_mut(at.x.len(), 0.0);
             let slopes = at.f.constraints[j].gradient.iter().zip(&scaling.scale);
             row.normal.iter_mut().zip(slopes).for_each(|(normal, (slope, scale))| *normal = slope * scale / gamma);
-            (row.low, row.high) = (low, high);
+            (row.low, row.high) = around.row_limits(j, value(j));
         }
     }
 
@@ -219,52 +152,18 @@ impl Model<'_> {
         DVector::from_fn(gradient.len(), |i, _| gradient[i] * self.scaling.scale[i] / self.scaling.gamma[j])
     }
 
-    /// Variables held by a bound that f falls towards the outside of.
-    fn held_variables(&self) -> impl Iterator<Item = usize> {
-        let Self { scaling, at, multipliers, .. } = *self;
-        let is_held =
-            move |i: &usize| scaling.is_at_a_bound(at, *i) && scaling.projected_slope(at, multipliers, *i) == 0.0;
-        (0..at.x.len()).filter(is_held)
-    }
-
-    /// Equations, and constraints with multipliers.
-    fn held_rows(&self) -> impl Iterator<Item = usize> {
-        let Self { scaling, multipliers, .. } = *self;
-        let is_held = move |j: &usize| multipliers[*j] != 0.0 || scaling.domain.constraints.is_fixed(*j);
-        (0..multipliers.len()).filter(is_held)
-    }
-
-    /// The normals of what holds the point.
+    /// The normals of what holds the point: of bounds that f falls towards the outside of, of equations, and of constraints with
+    /// multipliers.
     fn held(&self) -> Vec<DVector<f64>> {
-        let n = self.at.x.len();
+        let Self { scaling, at, multipliers, .. } = *self;
+        let n = at.x.len();
         let unit = |i: usize| DVector::from_fn(n, |k, _| f64::from(k == i));
-        let rows = self.held_rows().map(|j| {
+        let rows = scaling.held_rows(multipliers).map(|j| {
             let normal = self.normal(j);
             let length = normal.norm();
             if length > 0.0 { normal / length } else { normal }
         });
-        self.held_variables().map(unit).chain(rows).collect()
-    }
-
-    /// The point a step ends at.
-    fn end_of(&self, step: &Step) -> Vec<f64> {
-        let Self { scaling, at, radius, .. } = *self;
-        // a bound over the scale, times the scale, may fall short of it by rounding
-        let nearly = 1.0 - 4.0 * f64::EPSILON;
-        let coordinate = |i: usize| {
-            let (low, high) = (scaling.domain.variables.low[i], scaling.domain.variables.high[i]);
-            match step.ends[i] {
-                End::Low if step.d[i] > -radius && step.d[i] * scaling.scale[i] <= nearly * (low - at.x[i]) => low,
-                End::High if step.d[i] < radius && step.d[i] * scaling.scale[i] >= nearly * (high - at.x[i]) => high,
-                _ => (at.x[i] + step.d[i] * scaling.scale[i]).clamp(low, high),
-            }
-        };
-        (0..at.x.len()).map(coordinate).collect()
-    }
-
-    /// The way to a point, in scaled variables.
-    fn steps_to(&self, x: &[f64]) -> DVector<f64> {
-        DVector::from_fn(x.len(), |i, _| (x[i] - self.at.x[i]) / self.scaling.scale[i])
+        scaling.held_variables(at, multipliers).map(unit).chain(rows).collect()
     }
 
     /// What the model says f falls by. With the true Hessian where there is one piece: it promises at least as much as
@@ -274,6 +173,23 @@ impl Model<'_> {
             return -program.value(d);
         }
         -(program.pieces[0].gradient.dot(d) + 0.5 * quadratic_form(self.hessian, d))
+    }
+}
+
+impl Program for QuadraticProgram {
+    fn solve(&self) -> Option<Step> {
+        Self::solve(self)
+    }
+
+    fn limits(&mut self) -> impl Iterator<Item = (&mut f64, &mut f64)> {
+        self.rows.iter_mut().map(|row| (&mut row.low, &mut row.high))
+    }
+
+    fn left_over(&self, d: &DVector<f64>) -> impl Iterator<Item = f64> {
+        self.rows.iter().map(|row| {
+            let value = row.normal.dot(d);
+            value - value.clamp(row.low, row.high)
+        })
     }
 }
 

@@ -4,6 +4,7 @@ use super::model::lagrangian_hessian;
 use super::null_space::free_moves;
 use super::scaling::{Point, Scaling, norm};
 use super::search::{Evaluate, Search};
+use super::sparse::{of_lagrangian, of_violation};
 use nalgebra::{DMatrix, DVector};
 
 /// Curvature below zero by less than this, in units of φ over the scale squared, is rounding.
@@ -69,6 +70,16 @@ impl Search {
     /// The direction of most negative curvature, with that curvature, in scaled variables; `None` where there is none.
     fn downward(&self, goal: Goal) -> Option<(DVector<f64>, f64)> {
         let Self { scaling, at, multipliers, .. } = self;
+        if let Some(derivatives) = &at.f.sparse {
+            return match goal {
+                Goal::Merit => {
+                    let (holds, tight) = held(scaling, at, multipliers);
+                    let least = LEAST * scaling.size(at);
+                    of_lagrangian(scaling, at, derivatives, multipliers, |i| holds[i], &tight, least)
+                }
+                Goal::Feasibility => of_violation(scaling, at, derivatives, LEAST),
+            };
+        }
         let (hessian, free, size) = match goal {
             Goal::Merit => {
                 let hessian = lagrangian_hessian(scaling, at, multipliers)?;
@@ -111,19 +122,24 @@ fn violation_hessian(scaling: &Scaling, at: &Point) -> Option<DMatrix<f64>> {
 /// An orthonormal basis, in scaled variables, of the moves that keep every active bound and constraint active.
 pub(super) fn tangents(scaling: &Scaling, at: &Point, multipliers: &[f64]) -> DMatrix<f64> {
     let n = at.x.len();
-    let size = scaling.size(at);
+    let (is_held, tight) = held(scaling, at, multipliers);
+    let free: Vec<usize> = (0..n).filter(|&i| !is_held[i]).collect();
+    let rows = DMatrix::from_fn(tight.len(), free.len(), |r, c| {
+        at.f.constraints[tight[r]].gradient[free[c]] * scaling.scale[free[c]] / scaling.gamma[tight[r]]
+    });
+    free_moves(n, &free, &rows)
+}
+
+/// Whether a bound holds each variable, and which constraints are active: where a multiplier presses, or there is no choice.
+fn held(scaling: &Scaling, at: &Point, multipliers: &[f64]) -> (Vec<bool>, Vec<usize>) {
+    let (size, slopes) = (scaling.size(at), at.lagrangian_gradient(multipliers));
     let is_held = |i: usize| {
-        let presses = (at.lagrangian_slope(multipliers, i) * scaling.scale[i]).abs() > IDLE * size;
+        let presses = (slopes[i] * scaling.scale[i]).abs() > IDLE * size;
         scaling.domain.variables.is_fixed(i) || scaling.is_at_a_bound(at, i) && presses
     };
     let is_tight = |j: &usize| {
         let presses = (multipliers[*j] * scaling.gamma[*j]).abs() > IDLE * size;
         presses || scaling.domain.constraints.is_fixed(*j)
     };
-    let free: Vec<usize> = (0..n).filter(|&i| !is_held(i)).collect();
-    let tight: Vec<usize> = (0..at.f.constraints.len()).filter(is_tight).collect();
-    let rows = DMatrix::from_fn(tight.len(), free.len(), |r, c| {
-        at.f.constraints[tight[r]].gradient[free[c]] * scaling.scale[free[c]] / scaling.gamma[tight[r]]
-    });
-    free_moves(n, &free, &rows)
+    ((0..at.x.len()).map(is_held).collect(), (0..at.f.constraints.len()).filter(is_tight).collect())
 }

@@ -1,5 +1,5 @@
 use super::domain::Domain;
-use super::problem::Evaluation;
+use super::known::Known;
 use crate::number::Taylor;
 use serde::{Deserialize, Serialize};
 
@@ -7,19 +7,23 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub(super) struct Point {
     pub x: Vec<f64>,
-    pub f: Evaluation,
+    pub f: Known,
 }
 
 impl Point {
-    /// A component of the Lagrangian's gradient.
-    pub fn lagrangian_slope(&self, multipliers: &[f64], i: usize) -> f64 {
-        let pulls = self.f.constraints.iter().zip(multipliers);
-        pulls.fold(self.f.objective.gradient[i], |sum, (constraint, m)| sum + m * constraint.gradient[i])
-    }
-
     /// The gradient of the Lagrangian.
     pub fn lagrangian_gradient(&self, multipliers: &[f64]) -> Vec<f64> {
-        (0..self.x.len()).map(|i| self.lagrangian_slope(multipliers, i)).collect()
+        let mut sum = self.f.objective.gradient.clone();
+        if let Some(sparse) = &self.f.sparse {
+            for (constraint, m) in sparse.constraints.iter().zip(multipliers).filter(|(_, m)| **m != 0.0) {
+                constraint.gradient.iter().for_each(|(i, slope)| sum[*i] += m * slope);
+            }
+        } else {
+            for (constraint, m) in self.f.constraints.iter().zip(multipliers) {
+                sum.iter_mut().zip(&constraint.gradient).for_each(|(sum, slope)| *sum += m * slope);
+            }
+        }
+        sum
     }
 }
 
@@ -78,7 +82,14 @@ impl Scaling {
         let first_size = first.f.objective.value.abs().max(largest(&first.f.objective.gradient));
         let gamma = |j: usize| {
             let constraint = &first.f.constraints[j];
-            let change = largest(&constraint.gradient).max(domain.constraints.excess(j, constraint.value).abs());
+            let slope = match &first.f.sparse {
+                None => largest(&constraint.gradient),
+                Some(sparse) => {
+                    let slopes = sparse.constraints[j].gradient.iter().map(|(i, g)| (g * scale[*i]).abs());
+                    slopes.fold(0.0, f64::max)
+                }
+            };
+            let change = slope.max(domain.constraints.excess(j, constraint.value).abs());
             if change > 0.0 { change } else { 1.0 }
         };
         let gamma = (0..first.f.constraints.len()).map(gamma).collect();
@@ -91,10 +102,10 @@ impl Scaling {
         at.f.objective.value.abs().max(self.first_size.min(1.0))
     }
 
-    /// The slope of the projected Lagrangian: its component where a move inside the bounds can use it, 0 elsewhere.
-    pub fn projected_slope(&self, at: &Point, multipliers: &[f64], i: usize) -> f64 {
+    /// A slope of the Lagrangian as projected: its component where a move inside the bounds can use it, 0 elsewhere.
+    fn projected(&self, at: &Point, slope: f64, i: usize) -> f64 {
         let bounds = &self.domain.variables;
-        match at.lagrangian_slope(multipliers, i) {
+        match slope {
             _ if bounds.is_fixed(i) => 0.0,
             slope if slope > 0.0 && at.x[i] <= bounds.low[i] => 0.0,
             slope if slope < 0.0 && at.x[i] >= bounds.high[i] => 0.0,
@@ -102,11 +113,11 @@ impl Scaling {
         }
     }
 
-    /// The variable with the largest [rate](Outward::rate); `None` where nothing falls.
-    pub fn outward(&self, at: &Point, multipliers: &[f64]) -> Option<Outward> {
+    /// The variable with the largest [rate](Outward::rate), with these slopes of the Lagrangian; `None` where nothing falls.
+    pub fn outward(&self, at: &Point, slopes: &[f64]) -> Option<Outward> {
         let bounds = &self.domain.variables;
         let of = |variable: usize| {
-            let (x, slope) = (at.x[variable], self.projected_slope(at, multipliers, variable));
+            let (x, slope) = (at.x[variable], self.projected(at, slopes[variable], variable));
             let room = if slope > 0.0 { x - bounds.low[variable] } else { bounds.high[variable] - x };
             let rate = slope.abs() * x.abs().min(room) / self.size(at);
             let reach = x.abs() / self.scale[variable];
@@ -117,6 +128,11 @@ impl Scaling {
 
     /// How far a point is from optimal with these multipliers.
     pub fn residual(&self, at: &Point, multipliers: &[f64]) -> Residual {
+        self.residual_of_slopes(at, multipliers, &at.lagrangian_gradient(multipliers))
+    }
+
+    /// As [`residual`](Self::residual), where the slopes of the Lagrangian are known.
+    pub fn residual_of_slopes(&self, at: &Point, multipliers: &[f64], slopes: &[f64]) -> Residual {
         let size = self.size(at);
         let limits = &self.domain.constraints;
         let distance = |(j, multiplier): (usize, &f64)| {
@@ -130,15 +146,16 @@ impl Scaling {
                 _ => (multiplier * (value - limit)).abs() / size * f64::from(limits.excess(j, value) == 0.0),
             }
         };
+        let projected = slopes.iter().enumerate().map(|(i, slope)| self.projected(at, *slope, i));
         Residual {
-            stationarity: self.largest((0..at.x.len()).map(|i| self.projected_slope(at, multipliers, i))) / size,
+            stationarity: self.largest(projected) / size,
             feasibility: self.violations(&at.f).fold(0.0, |most, v| v.abs().max(most)),
             complementarity: multipliers.iter().enumerate().map(distance).fold(0.0, f64::max),
         }
     }
 
     /// What each constraint is violated by, in units of γⱼ; below the lower limit < 0.
-    pub fn violations<'a>(&'a self, f: &'a Evaluation) -> impl Iterator<Item = f64> + 'a {
+    pub fn violations<'a>(&'a self, f: &'a Known) -> impl Iterator<Item = f64> + 'a {
         let limits = &self.domain.constraints;
         let excess = |(j, constraint): (usize, &Taylor)| limits.excess(j, constraint.value) / self.gamma[j];
         f.constraints.iter().enumerate().map(excess)
@@ -153,6 +170,19 @@ impl Scaling {
     pub fn distance(&self, a: &Point, b: &Point) -> f64 {
         let apart = a.x.iter().zip(&b.x).zip(&self.scale).map(|((a, b), s)| ((a - b) / s).abs());
         apart.fold(0.0, f64::max)
+    }
+
+    /// Variables held by a bound that f falls towards the outside of.
+    pub fn held_variables<'a>(&'a self, at: &'a Point, multipliers: &[f64]) -> impl Iterator<Item = usize> + 'a {
+        let slopes = at.lagrangian_gradient(multipliers);
+        let is_held = move |i: &usize| self.is_at_a_bound(at, *i) && self.projected(at, slopes[*i], *i) == 0.0;
+        (0..at.x.len()).filter(is_held)
+    }
+
+    /// Equations, and constraints with multipliers.
+    pub fn held_rows<'a>(&'a self, multipliers: &'a [f64]) -> impl Iterator<Item = usize> + 'a {
+        let is_held = |j: &usize| multipliers[*j] != 0.0 || self.domain.constraints.is_fixed(*j);
+        (0..multipliers.len()).filter(is_held)
     }
 
     /// Whether a variable lies on one of its bounds.

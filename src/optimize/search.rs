@@ -1,11 +1,13 @@
 //! What a search knows between two iterations, and what it does with a step.
 
 use super::bundle::Bundle;
-use super::model::{Model, Plan, sum_hessians};
-use super::problem::Evaluation;
+use super::known::Known;
+use super::model::{Model, sum_hessians};
+use super::plan::{Around, Plan};
 use super::qp::{Method, QuadraticProgram};
 use super::quasi_newton;
 use super::scaling::{Point, Residual, Scaling, norm};
+use super::sparse::{SparseModel, first_multipliers};
 use nalgebra::DMatrix;
 use serde::{Deserialize, Serialize};
 
@@ -84,7 +86,7 @@ struct Workspace {
 }
 
 /// Evaluates a problem's functions; the outer error is argmin's.
-pub(super) type Evaluate<'a> = dyn FnMut(&[f64]) -> Result<Result<Evaluation, String>, argmin::core::Error> + 'a;
+pub(super) type Evaluate<'a> = dyn FnMut(&[f64]) -> Result<Result<Known, String>, argmin::core::Error> + 'a;
 
 /// What became of a step.
 struct Outcome {
@@ -112,7 +114,10 @@ impl Outcome {
 
 impl Search {
     pub fn new(scaling: Scaling, at: Point, radius: f64) -> Self {
-        let multipliers = vec![0.0; at.f.constraints.len()];
+        let multipliers = match &at.f.sparse {
+            None => vec![0.0; at.f.constraints.len()],
+            Some(derivatives) => first_multipliers(&scaling, &at, derivatives),
+        };
         let residual = scaling.residual(&at, &multipliers);
         Self {
             multipliers,
@@ -169,7 +174,7 @@ impl Search {
     /// forgotten and looked at again.
     fn plan(&mut self) -> Plan {
         loop {
-            let plan = self.planned(|model, program| model.plan(program));
+            let plan = self.planned(None);
             let is_hopeless = self.promised(&plan) <= LITTLE * self.scaling.size(&self.at);
             if !(is_hopeless && self.bundle.forget_one_too_far(&self.scaling, &self.at)) {
                 return plan;
@@ -177,17 +182,31 @@ impl Search {
         }
     }
 
-    /// A plan by the model around the point, counted.
-    fn planned(&mut self, by: impl FnOnce(&Model, &mut QuadraticProgram) -> Plan) -> Plan {
+    /// A plan by the model around the point, counted; made up for the constraints' curvature where a point was tried.
+    fn planned(&mut self, tried: Option<&Point>) -> Plan {
+        let plan = if let Some(derivatives) = &self.at.f.sparse {
+            let around = Around { scaling: &self.scaling, at: &self.at, radius: self.radius };
+            SparseModel { around, derivatives, multipliers: &self.multipliers }.plan(tried)
+        } else {
+            self.densely_planned(tried)
+        };
+        self.count(&plan);
+        plan
+    }
+
+    fn densely_planned(&mut self, tried: Option<&Point>) -> Plan {
         let mut workspace = std::mem::take(&mut self.workspace);
         let Workspace { hessian, program } = &mut workspace;
         if !sum_hessians(&self.scaling, &self.at, &self.multipliers, hessian) {
             *hessian = self.own().0;
         }
         let Self { scaling, bundle, at, multipliers, radius, .. } = &*self;
-        let plan = by(&Model { scaling, bundle, at, multipliers, hessian, radius: *radius }, program);
+        let model = Model { scaling, bundle, at, multipliers, hessian, radius: *radius };
+        let plan = match tried {
+            None => model.plan(program),
+            Some(tried) => model.corrected(tried, program),
+        };
         self.workspace = workspace;
-        self.count(&plan);
         plan
     }
 
@@ -198,7 +217,7 @@ impl Search {
             return None;
         }
         self.effort.corrections += 1;
-        Some(self.planned(|model, program| model.corrected(tried, program)))
+        Some(self.planned(Some(tried)))
     }
 
     /// The point at the end of a plan; where the functions are not defined there, why is remembered.
@@ -271,7 +290,7 @@ impl Search {
     /// Goes on from a point with the multipliers that led there; returns the point left.
     pub fn move_to(&mut self, to: Point, multipliers: Vec<f64>) -> Point {
         self.multipliers = multipliers;
-        if to.f.objective.hessian.is_empty() {
+        if to.f.objective.hessian.is_empty() && to.f.sparse.is_none() {
             let (before, updates) = self.own();
             let after = quasi_newton::updated(&before, &self.scaling, &self.at, &to, &self.multipliers, updates == 0);
             self.own_hessian = Some((rows(&after), updates + 1));

@@ -20,7 +20,8 @@ pub struct Solution {
     pub value: Option<f64>,
     /// Gradient of f there.
     pub gradient: Vec<f64>,
-    /// Hessian of the Lagrangian there; of f alone where there are no constraints. Empty for a problem that gives none.
+    /// Hessian of the Lagrangian there; of f alone where there are no constraints. Empty for a problem that gives none, and for a sparse
+    /// one.
     pub hessian: Vec<Vec<f64>>,
     /// Multipliers of the lower bounds, ≥ 0: what f would fall by per unit that the bound is lowered.
     pub lower_multipliers: Vec<f64>,
@@ -28,7 +29,7 @@ pub struct Solution {
     pub upper_multipliers: Vec<f64>,
     /// The constraints, in order.
     pub constraints: Vec<Constrained>,
-    /// ∂cⱼ/∂xᵢ, a row for each constraint.
+    /// ∂cⱼ/∂xᵢ, a row for each constraint; empty for a sparse problem.
     pub jacobian: Vec<Vec<f64>>,
     /// The KKT residual, relative (see [`status`](super::status)): the largest of its parts.
     pub kkt_residual: f64,
@@ -94,7 +95,10 @@ impl Solution {
             hessian: if constraints_are_idle(&multipliers) { f.objective.hessian } else { hessian },
             gradient: f.objective.gradient,
             constraints,
-            jacobian: f.constraints.into_iter().map(|constraint| constraint.gradient).collect(),
+            jacobian: match f.sparse {
+                None => f.constraints.into_iter().map(|constraint| constraint.gradient).collect(),
+                Some(_) => vec![],
+            },
             x,
             kkt_residual: residual.largest(),
             residual,

@@ -3,12 +3,14 @@
 use super::bundle::Bundle;
 use super::domain::Domain;
 use super::kink::{self, Kink};
-use super::model::Plan;
+use super::known::Known;
 use super::options::Options;
-use super::problem::{Evaluation, Problem};
+use super::plan::Plan;
+use super::problem::Problem;
 use super::saddle;
 use super::scaling::{Residual, Scaling};
 use super::search::{Evaluate, NOISE, Search};
+use super::sparse::SparseProblem;
 use super::start::first_point;
 use super::status::{
     Status, Verdict, corner_test, gradient_test, infeasible, infeasible_test, is_running_off, progress_test,
@@ -34,6 +36,25 @@ pub struct Standing {
     pub radius: f64,
     /// Whether the step was kept.
     pub kept: bool,
+}
+
+/// Whose functions are asked for. argmin owns its problem; several runs share one.
+#[derive(Clone, Copy)]
+pub(super) enum Asked<'a> {
+    Dense(&'a dyn Problem),
+    Sparse(&'a dyn SparseProblem),
+}
+
+impl Asked<'_> {
+    /// What is not finite or not of the right shape counts as not defined.
+    fn evaluate(&self, x: &[f64], constraints: usize) -> Result<Known, String> {
+        match self {
+            Self::Dense(problem) => Ok(problem.evaluate(x)?.checked(x.len(), constraints)?.into()),
+            Self::Sparse(problem) => {
+                Ok(Known::from_sparse(problem.evaluate(x)?.checked(x.len(), constraints)?, x.len()))
+            }
+        }
+    }
 }
 
 /// The solver. [`minimize`](super::minimize) builds and runs it.
@@ -65,17 +86,19 @@ impl Sqp {
         let tolerance = self.options.kkt_tolerance;
         let size = search.scaling.size(&search.at);
         let promised = plan.map_or(f64::INFINITY, |plan| search.promised(plan) / size);
-        let residual = search.scaling.residual(&search.at, &search.multipliers);
+        let slopes = search.at.lagrangian_gradient(&search.multipliers);
+        let residual = search.scaling.residual_of_slopes(&search.at, &search.multipliers, &slopes);
         let is_idle = promised <= NOISE && residual.largest() > 0.5 * search.residual.largest();
         search.residual = residual;
         search.idle = if is_idle { search.idle + 1 } else { 0 };
 
         let (radius, largest, shrunk) = (search.radius, residual.largest(), search.scaling.first_size / size);
+        let is_sparse = search.at.f.sparse.is_some();
         let is_infeasible = plan
             .filter(|plan| plan.is_relaxed)
-            .and_then(|plan| infeasible_test(plan.violation, plan.violation_left, radius, tolerance));
+            .and_then(|plan| infeasible_test(plan.violation, plan.violation_left, radius, tolerance, is_sparse));
         let stuck = radius_test(radius, largest).or_else(|| progress_test(search.idle, promised, largest));
-        let outward = search.scaling.outward(&search.at, &search.multipliers);
+        let outward = search.scaling.outward(&search.at, &slopes);
         let is_there = |tolerance: f64| !is_running_off(outward, tolerance);
         let value = search.at.f.objective.value;
         let verdict = unbounded_test(outward, value, search.scaling.first_size, residual, search.multipliers.len())
@@ -103,7 +126,9 @@ impl Sqp {
             return Ok(());
         }
         let verdict = match verdict.status {
-            Status::Infeasible if search.settle(&self.progress.begun_at, evaluate)? => infeasible(search.violation()),
+            Status::Infeasible if search.settle(&self.progress.begun_at, evaluate)? => {
+                infeasible(search.violation(), is_sparse)
+            }
             _ => verdict,
         };
         let verdict = self.examined(search, verdict, evaluate)?;
@@ -125,7 +150,8 @@ impl Sqp {
     ) -> Result<Verdict, Error> {
         let is_worth_a_look = match verdict.status {
             Status::Converged => kink::is_suspected(&search.scaling, &search.at),
-            Status::Stalled => true,
+            // a sparse problem is taken for smooth
+            Status::Stalled => search.at.f.sparse.is_none(),
             _ => false,
         };
         if is_worth_a_look {
@@ -146,12 +172,12 @@ impl Sqp {
     }
 }
 
-impl<P: Problem> Solver<P, SqpState> for Sqp {
+impl Solver<Asked<'_>, SqpState> for Sqp {
     fn name(&self) -> &str {
         "SQP"
     }
 
-    fn init(&mut self, problem: &mut Counted<P>, mut state: SqpState) -> Result<(SqpState, Option<KV>), Error> {
+    fn init(&mut self, problem: &mut Counted<Asked<'_>>, mut state: SqpState) -> Result<(SqpState, Option<KV>), Error> {
         let start = self.domain.variables.project(&state.take_param().unwrap_or_default());
         let (trials, m) = (self.options.start_trials, self.domain.constraints.dimension());
         let mut count = 0;
@@ -178,7 +204,11 @@ impl<P: Problem> Solver<P, SqpState> for Sqp {
         Ok((state, None))
     }
 
-    fn next_iter(&mut self, problem: &mut Counted<P>, state: SqpState) -> Result<(SqpState, Option<KV>), Error> {
+    fn next_iter(
+        &mut self,
+        problem: &mut Counted<Asked<'_>>,
+        state: SqpState,
+    ) -> Result<(SqpState, Option<KV>), Error> {
         let Some(mut search) = self.progress.search.take() else { return Ok((state, None)) };
         let m = self.domain.constraints.dimension();
         let (plan, kept) = search.step(&mut |x| evaluate(problem, x, m))?;
@@ -212,11 +242,7 @@ fn stored(mut state: SqpState, search: &Search, kept: bool) -> SqpState {
     state.param(x).cost(search.at.f.objective.value).residuals(standing)
 }
 
-/// Evaluates. What is not finite or not of the right shape counts as not defined. The outer error is argmin's.
-fn evaluate<P: Problem>(
-    problem: &mut Counted<P>,
-    x: &[f64],
-    constraints: usize,
-) -> Result<Result<Evaluation, String>, Error> {
-    problem.problem("evaluations", |p| Ok(p.evaluate(x).and_then(|f| f.checked(x.len(), constraints))))
+/// Evaluates. The outer error is argmin's.
+fn evaluate(problem: &mut Counted<Asked<'_>>, x: &[f64], constraints: usize) -> Result<Result<Known, String>, Error> {
+    problem.problem("evaluations", |p| Ok(p.evaluate(x, constraints)))
 }

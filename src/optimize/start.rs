@@ -1,5 +1,5 @@
 use super::domain::Bounds;
-use super::problem::Evaluation;
+use super::known::Known;
 use super::scaling::Point;
 
 /// Of the points tried where f is not defined at the start, the best of this many is taken; if none is defined,
@@ -13,7 +13,7 @@ pub(super) fn first_point<E>(
     start: &[f64],
     trials: u32,
     is_interrupted: impl Fn() -> bool,
-    mut evaluate: impl FnMut(&[f64]) -> Result<Result<Evaluation, String>, E>,
+    mut evaluate: impl FnMut(&[f64]) -> Result<Result<Known, String>, E>,
 ) -> Result<(Option<Point>, Option<String>), E> {
     let why = match evaluate(start)? {
         Ok(f) => return Ok((Some(Point { x: start.to_vec(), f }), None)),

@@ -176,17 +176,23 @@ pub(super) fn unbounded_test(
 }
 
 /// Infeasible: the constraints are violated, and the linearised ones say that no step makes it less.
-pub(super) fn infeasible_test(violation: f64, least: f64, radius: f64, tolerance: f64) -> Option<Verdict> {
+pub(super) fn infeasible_test(
+    violation: f64,
+    least: f64,
+    radius: f64,
+    tolerance: f64,
+    is_sparse: bool,
+) -> Option<Verdict> {
     const HOPELESS: f64 = 1e-6;
     let is_least = violation - least <= HOPELESS * violation * radius.min(1.0);
-    (violation > tolerance && is_least).then(|| infeasible(violation))
+    (violation > tolerance && is_least).then(|| infeasible(violation, is_sparse))
 }
 
-/// The constraints cannot all be met: this is the least that they were violated by.
-pub(super) fn infeasible(violation: f64) -> Verdict {
+/// The constraints cannot all be met: this is the least that they were violated by. Of a sparse problem no other points were tried.
+pub(super) fn infeasible(violation: f64, is_sparse: bool) -> Verdict {
+    let tried = if is_sparse { "near here; start elsewhere too" } else { "from here and from other points of the box" };
     let message = format!(
-        "the constraints cannot all be met: their violation {violation:.3e} (relative) is the least found, from here and \
-         from other points of the box"
+        "the constraints cannot all be met: their violation {violation:.3e} (relative) is the least found, {tried}"
     );
     Verdict::new(Status::Infeasible, message)
 }

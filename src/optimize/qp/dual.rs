@@ -63,15 +63,14 @@ impl QuadraticProgram {
     fn constraints(&self) -> Constraints {
         let (n, has_level) = (self.dimension(), self.pieces.len() > 1);
         let size = n + usize::from(has_level);
-        let most = 2 * (n + self.rows.len()) + self.pieces.len();
-        let mut all = Constraints::with_capacity(size, most);
+        let dense = 2 * self.rows.len() + self.pieces.len();
+        let mut all = Constraints::with_capacity(size, dense, 2 * n + dense);
         let sides = |low: f64, high: f64| {
             [(1.0, low, End::Low), (-1.0, -high, End::High)].into_iter().take(if low == high { 1 } else { 2 })
         };
         for i in 0..n {
             for (sign, limit, end) in sides(self.low[i], self.high[i]) {
-                let normal = all.add(limit, self.low[i] == self.high[i], Holder::Variable(i, end));
-                normal[i] = sign;
+                all.add_end(i, sign, limit, self.low[i] == self.high[i], end);
             }
         }
         for (j, row) in self.rows.iter().enumerate() {
@@ -93,18 +92,28 @@ impl QuadraticProgram {
 /// normal · x ≥ limit, or = for an equation.
 struct Constraints {
     size: usize,
-    /// One after the other.
-    normals: Vec<f64>,
+    /// Those that are not of one variable alone, one after the other.
+    dense: Vec<f64>,
+    normals: Vec<Normal>,
     limits: Vec<f64>,
     are_equations: Vec<bool>,
     holders: Vec<Holder>,
 }
 
+#[derive(Clone, Copy)]
+enum Normal {
+    /// A sign on the axis of a variable.
+    Axis(usize, f64),
+    /// So many come before it.
+    Dense(usize),
+}
+
 impl Constraints {
-    fn with_capacity(size: usize, count: usize) -> Self {
+    fn with_capacity(size: usize, dense: usize, count: usize) -> Self {
         Self {
             size,
-            normals: Vec::with_capacity(size * count),
+            dense: Vec::with_capacity(size * dense),
+            normals: Vec::with_capacity(count),
             limits: Vec::with_capacity(count),
             are_equations: Vec::with_capacity(count),
             holders: Vec::with_capacity(count),
@@ -113,16 +122,49 @@ impl Constraints {
 
     /// Adds one, and hands out its normal of zeros.
     fn add(&mut self, limit: f64, is_equation: bool, holder: Holder) -> &mut [f64] {
+        let before = self.dense.len();
+        self.push(Normal::Dense(before / self.size), limit, is_equation, holder);
+        self.dense.resize(before + self.size, 0.0);
+        &mut self.dense[before..]
+    }
+
+    /// Adds the end of a variable.
+    fn add_end(&mut self, i: usize, sign: f64, limit: f64, is_equation: bool, end: End) {
+        self.push(Normal::Axis(i, sign), limit, is_equation, Holder::Variable(i, end));
+    }
+
+    fn push(&mut self, normal: Normal, limit: f64, is_equation: bool, holder: Holder) {
+        self.normals.push(normal);
         self.limits.push(limit);
         self.are_equations.push(is_equation);
         self.holders.push(holder);
-        let before = self.normals.len();
-        self.normals.resize(before + self.size, 0.0);
-        &mut self.normals[before..]
     }
 
-    fn normal(&self, k: usize) -> &[f64] {
-        &self.normals[k * self.size..(k + 1) * self.size]
+    fn row(&self, at: usize) -> &[f64] {
+        &self.dense[at * self.size..(at + 1) * self.size]
+    }
+
+    /// normal · x.
+    fn value(&self, k: usize, x: &[f64]) -> f64 {
+        match self.normals[k] {
+            Normal::Axis(i, sign) => sign * x[i],
+            Normal::Dense(at) => dot(self.row(at), x),
+        }
+    }
+
+    fn length(&self, k: usize) -> f64 {
+        match self.normals[k] {
+            Normal::Axis(..) => 1.0,
+            Normal::Dense(at) => dot(self.row(at), self.row(at)).sqrt().max(f64::MIN_POSITIVE),
+        }
+    }
+
+    /// Jᵀ normal.
+    fn turned(&self, k: usize, j: &DMatrix<f64>) -> DVector<f64> {
+        match self.normals[k] {
+            Normal::Axis(i, sign) => DVector::from_fn(j.ncols(), |column, _| sign * j[(i, column)]),
+            Normal::Dense(at) => j.tr_mul(&DVector::from_column_slice(self.row(at))),
+        }
     }
 }
 
@@ -151,7 +193,6 @@ impl<'a> Walk<'a> {
         }
         let x = -(&j * j.tr_mul(slope));
         let count = all.limits.len();
-        let length = |k: usize| dot(all.normal(k), all.normal(k)).sqrt().max(f64::MIN_POSITIVE);
         x.iter().all(|x| x.is_finite()).then(|| Self {
             all,
             x,
@@ -161,12 +202,12 @@ impl<'a> Walk<'a> {
             multipliers: Vec::with_capacity(n),
             signs: vec![1.0; count],
             is_active: vec![false; count],
-            lengths: (0..count).map(length).collect(),
+            lengths: (0..count).map(|k| all.length(k)).collect(),
         })
     }
 
     fn slack(&self, k: usize) -> f64 {
-        self.signs[k] * (dot(self.all.normal(k), self.x.as_slice()) - self.all.limits[k])
+        self.signs[k] * (self.all.value(k, self.x.as_slice()) - self.all.limits[k])
     }
 
     /// The constraint that is missed by most, equations before the others; an equation that is missed from above is turned round.
@@ -195,7 +236,7 @@ impl<'a> Walk<'a> {
         let mut weight = 0.0;
         loop {
             let q = self.active.len();
-            let mut d = self.j.tr_mul(&DVector::from_column_slice(self.all.normal(added))) * self.signs[added];
+            let mut d = self.all.turned(added, &self.j) * self.signs[added];
             let size = d.norm_squared();
             let curvature = d.rows(q, n - q).norm_squared();
             // what the active multipliers lose for a unit of the added one's

@@ -1,5 +1,6 @@
 //! A program of bounds alone, from face to face of its box: what a search without constraints asks for at every step.
 
+use super::ends::{clamp, corrected_end};
 use super::program::{End, Method, Piece, QuadraticProgram, Step};
 use nalgebra::{Cholesky, DMatrix, DVector};
 
@@ -28,12 +29,12 @@ impl QuadraticProgram {
             let mut is_settled = true;
             for i in 0..n {
                 let pull = gradient[i] + self.curvature.column(i).dot(&step.d);
-                let end = self.corrected_end(i, step.ends[i], &step.d, pull);
+                let end = corrected_end((self.low[i], self.high[i]), step.ends[i], step.d[i], pull, || step.d.amax());
                 is_settled &= end == step.ends[i];
                 step.ends[i] = end;
             }
             if is_settled {
-                self.clamp(&mut step);
+                clamp(&self.low, &self.high, &mut step);
                 return self.is_worth_it(&step).then_some(step);
             }
         }

@@ -31,8 +31,8 @@ impl Balanced {
             return None;
         }
         let lengths = balance(&matrix);
-        for (mut column, own) in matrix.column_iter_mut().zip(&lengths) {
-            column.iter_mut().zip(&lengths).for_each(|(entry, length)| *entry = *entry * length * own);
+        for (column, own) in matrix.as_mut_slice().chunks_exact_mut(lengths.len().max(1)).zip(lengths.as_slice()) {
+            column.iter_mut().zip(lengths.as_slice()).for_each(|(entry, length)| *entry = *entry * length * own);
         }
         right.component_mul_assign(&lengths);
         Some(Self { matrix, right, lengths })
@@ -78,9 +78,12 @@ fn balance(matrix: &DMatrix<f64>) -> DVector<f64> {
     let mut lengths = DVector::from_element(n, 1.0);
     let mut factors = lengths.clone();
     for _ in 0..4 {
-        for ((column, length), factor) in matrix.column_iter().zip(&lengths).zip(&mut factors) {
-            let largest = column.iter().zip(&lengths).map(|(entry, other)| (entry * other).abs()).fold(0.0, f64::max);
-            let largest = largest * length;
+        let columns = matrix.as_slice().chunks_exact(n.max(1));
+        for ((column, length), factor) in columns.zip(lengths.as_slice()).zip(factors.as_mut_slice()) {
+            // finite all of them
+            let larger = |most: f64, a: f64| if a > most { a } else { most };
+            let entries = column.iter().zip(lengths.as_slice()).map(|(entry, other)| (entry * other).abs());
+            let largest = entries.fold(0.0, larger) * length;
             *factor = if largest == 0.0 { 1.0 } else { largest.sqrt().recip() };
         }
         lengths.component_mul_assign(&factors);

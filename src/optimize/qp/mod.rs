@@ -3,6 +3,7 @@
 
 mod active_set;
 mod dual;
+mod ends;
 mod faces;
 mod interior_point;
 mod linear;
@@ -10,6 +11,7 @@ mod polish;
 mod program;
 mod solve;
 
+pub(super) use ends::{clamp, corrected_end};
 pub(super) use program::quadratic_form;
 pub use program::{End, Method, Piece, QuadraticProgram, Row, Step};
 

@@ -1,6 +1,7 @@
 //! From an active set to the exact solution it implies, and from there to a better active set.
 
 use super::active_set::ActiveSet;
+use super::ends::{clamp, corrected_end};
 use super::linear::solved;
 use super::program::{End, Method, Piece, QuadraticProgram, Row, Step};
 use nalgebra::{DMatrix, DVector};
@@ -16,8 +17,6 @@ pub(super) struct Candidate {
 
 /// Rounding allowed where a row is compared with its ends.
 const ROUNDING: f64 = 1e-11;
-/// Rounding of a variable, of the largest of the step.
-const BEYOND: f64 = 1e-14;
 
 impl QuadraticProgram {
     /// The exact solution from an active set to begin with. `Err` where none is consistent: the best step met on the
@@ -144,24 +143,11 @@ impl QuadraticProgram {
             let Piece { offset, gradient } = &self.pieces[k];
             if active.pieces[k] { weights[k] >= 0.0 } else { offset + gradient.dot(d) > level + tolerance }
         };
+        let end = |i: usize| corrected_end((self.low[i], self.high[i]), active.ends[i], d[i], pull[i], || d.amax());
         ActiveSet {
-            ends: (0..self.dimension()).map(|i| self.corrected_end(i, active.ends[i], d, pull[i])).collect(),
+            ends: (0..self.dimension()).map(end).collect(),
             rows: (0..self.rows.len()).map(row).collect(),
             pieces: (0..self.pieces.len()).map(piece).collect(),
-        }
-    }
-
-    /// Where a variable ends instead, with what its place and its pull contradict put right. Beyond an end by rounding it is at it,
-    /// and needs nothing to hold it there.
-    pub(super) fn corrected_end(&self, i: usize, end: End, d: &DVector<f64>, pull: f64) -> End {
-        let beyond = |excess: f64| excess > 0.0 && excess > BEYOND * d.amax();
-        match end {
-            _ if self.low[i] == self.high[i] => End::Low,
-            End::Free if beyond(self.low[i] - d[i]) => End::Low,
-            End::Free if beyond(d[i] - self.high[i]) => End::High,
-            End::Low if pull < 0.0 => End::Free,
-            End::High if pull > 0.0 => End::Free,
-            same => same,
         }
     }
 
@@ -175,20 +161,7 @@ impl QuadraticProgram {
             multipliers: multipliers.clone(),
             by,
         };
-        self.clamp(&mut step);
+        clamp(&self.low, &self.high, &mut step);
         step
-    }
-
-    /// Moves a step inside the ends; what is within rounding of an end is at it.
-    pub(super) fn clamp(&self, step: &mut Step) {
-        let rounding = BEYOND * step.d.amax();
-        for i in 0..self.dimension() {
-            let (low, high) = (self.low[i], self.high[i]);
-            (step.ends[i], step.d[i]) = match step.d[i] {
-                d if d - low <= rounding => (End::Low, low),
-                d if high - d <= rounding => (End::High, high),
-                d => (End::Free, d),
-            };
-        }
     }
 }

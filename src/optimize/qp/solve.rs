@@ -1,5 +1,6 @@
 use super::active_set::ActiveSet;
 use super::dual::Dual;
+use super::ends::clamp;
 use super::program::{End, Method, QuadraticProgram, Row, Step};
 
 /// Curvature that is little: over the whole box the slope changes by this part of itself.
@@ -83,7 +84,7 @@ impl QuadraticProgram {
             by: Method::Descent,
         };
         step.weights[0] = 1.0;
-        self.clamp(&mut step);
+        clamp(&self.low, &self.high, &mut step);
         step
     }
 }
