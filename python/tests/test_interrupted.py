@@ -146,7 +146,7 @@ def test_exact_a_sweep_in_memory_has_the_rows_that_were_done_and_says_what_a_swe
 
 
 def test_exact_a_sweep_into_a_file_goes_on_with_resume(tmp_path: Path) -> None:
-    asked: dict[str, Any] = {"over": {"club.loft": (0.1, 0.2, 1000), "swing.speed": (40.0, 50.0, 300)}, "output": tmp_path / "rows.csv"}
+    asked: dict[str, Any] = {"over": {"club.loft": (0.1, 0.2, 1000), "swing.speed": (40.0, 50.0, 150)}, "output": tmp_path / "rows.csv"}
     with pytest.raises(Interrupted, match="rows so far are kept, and the same call with resume=True goes on") as caught:
         longdrive.sweep("mae494", **asked, progress=when(lambda done: done > 0))
     assert "--" not in str(caught.value)
