@@ -99,7 +99,7 @@ def test_a_search_goes_on_from_its_checkpoint(pressing_at: Callable[[str], None]
 @pytest.mark.parametrize(
     ("call", "words"),
     [
-        (lambda look: longdrive.uncertainty(samples=100_000, progress=look), "longdrive.uncertainty was interrupted before there was an answer"),
+        (lambda look: longdrive.uncertainty(samples=4000, progress=look), "longdrive.uncertainty was interrupted before there was an answer"),
         (lambda look: longdrive.plot.contour(progress=look), "longdrive.plot.contour was interrupted"),
         (lambda look: longdrive.pareto(maximize="carry", minimize="apex_height", points=500, progress=look), "points so far"),
     ],
@@ -184,7 +184,7 @@ def test_what_progress_raises_is_raised_as_it_is() -> None:
         raise RuntimeError("enough")
 
     with pytest.raises(RuntimeError, match="enough"):
-        longdrive.uncertainty(samples=100_000, progress=refuse)
+        longdrive.uncertainty(samples=4000, progress=refuse)
     with pytest.raises(RuntimeError, match="enough"):
         longdrive.batch("mae494", {"club.loft": np.linspace(0.1, 0.2, 500_000)}, progress=refuse)
 
