@@ -99,7 +99,7 @@ def test_a_search_goes_on_from_its_checkpoint(pressing_at: Callable[[str], None]
 @pytest.mark.parametrize(
     ("call", "words"),
     [
-        (lambda look: longdrive.uncertainty(samples=100_000, progress=look), "longdrive.uncertainty was interrupted before there was an answer"),
+        (lambda look: longdrive.uncertainty(samples=4000, progress=look), "longdrive.uncertainty was interrupted before there was an answer"),
         (lambda look: longdrive.plot.contour(progress=look), "longdrive.plot.contour was interrupted"),
         (lambda look: longdrive.pareto(maximize="carry", minimize="apex_height", points=500, progress=look), "points so far"),
     ],
@@ -146,7 +146,7 @@ def test_exact_a_sweep_in_memory_has_the_rows_that_were_done_and_says_what_a_swe
 
 
 def test_exact_a_sweep_into_a_file_goes_on_with_resume(tmp_path: Path) -> None:
-    asked: dict[str, Any] = {"over": {"club.loft": (0.1, 0.2, 1000), "swing.speed": (40.0, 50.0, 300)}, "output": tmp_path / "rows.csv"}
+    asked: dict[str, Any] = {"over": {"club.loft": (0.1, 0.2, 1000), "swing.speed": (40.0, 50.0, 150)}, "output": tmp_path / "rows.csv"}
     with pytest.raises(Interrupted, match="rows so far are kept, and the same call with resume=True goes on") as caught:
         longdrive.sweep("mae494", **asked, progress=when(lambda done: done > 0))
     assert "--" not in str(caught.value)
@@ -184,7 +184,7 @@ def test_what_progress_raises_is_raised_as_it_is() -> None:
         raise RuntimeError("enough")
 
     with pytest.raises(RuntimeError, match="enough"):
-        longdrive.uncertainty(samples=100_000, progress=refuse)
+        longdrive.uncertainty(samples=4000, progress=refuse)
     with pytest.raises(RuntimeError, match="enough"):
         longdrive.batch("mae494", {"club.loft": np.linspace(0.1, 0.2, 500_000)}, progress=refuse)
 
