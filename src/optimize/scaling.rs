@@ -2,6 +2,7 @@ use super::domain::Domain;
 use super::known::Known;
 use crate::number::Taylor;
 use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
 
 /// A point with what is known of the functions there.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -11,8 +12,11 @@ pub(super) struct Point {
 }
 
 impl Point {
-    /// The gradient of the Lagrangian.
-    pub fn lagrangian_gradient(&self, multipliers: &[f64]) -> Vec<f64> {
+    /// The gradient of the Lagrangian; without constraints that of the objective, as it is.
+    pub fn lagrangian_gradient(&self, multipliers: &[f64]) -> Cow<'_, [f64]> {
+        if multipliers.is_empty() {
+            return Cow::Borrowed(&self.f.objective.gradient);
+        }
         let mut sum = self.f.objective.gradient.clone();
         if let Some(sparse) = &self.f.sparse {
             for (constraint, m) in sparse.constraints.iter().zip(multipliers).filter(|(_, m)| **m != 0.0) {
@@ -23,7 +27,7 @@ impl Point {
                 sum.iter_mut().zip(&constraint.gradient).for_each(|(sum, slope)| *sum += m * slope);
             }
         }
-        sum
+        Cow::Owned(sum)
     }
 }
 

@@ -71,7 +71,7 @@ impl Solution {
             return Self::nowhere(domain, status, message, start, undefined_at_start);
         };
         let Search { scaling, at, multipliers, residual, effort, .. } = search;
-        let slopes = at.lagrangian_gradient(&multipliers);
+        let slopes = at.lagrangian_gradient(&multipliers).into_owned();
         let bounds = &domain.variables;
         let price = |i: usize, is_held: bool, outward: f64| if is_held { (slopes[i] * outward).max(0.0) } else { 0.0 };
         let n = at.x.len();
