@@ -24,7 +24,9 @@ pub(crate) use launch_monitor::{has_thousands, is_export, nearest_head, split_un
 pub(crate) use left_out::{Club, Spin, given_air, near_known};
 pub(crate) use marks::Marks;
 pub(crate) use plausible::{implausible, implausible_launch, impossible};
-pub(crate) use unstated::{UNSTATED, unstated};
+#[cfg(feature = "cli")]
+pub(crate) use unstated::UNSTATED;
+pub(crate) use unstated::unstated;
 
 use crate::drive::Outcome;
 

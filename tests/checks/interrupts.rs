@@ -20,7 +20,7 @@ use std::time::{Duration, Instant};
 fn interrupted(args: &[&str]) -> Said {
     let mut program = Command::new(assert_cmd::cargo::cargo_bin!("longdrive"));
     let child = program.args(args).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
-    std::thread::sleep(Duration::from_millis(700));
+    wait_for_work(child.id());
     let asked = Instant::now();
     assert!(Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap().success());
     let output = child.wait_with_output().unwrap();
@@ -28,6 +28,23 @@ fn interrupted(args: &[&str]) -> Said {
     let text = |bytes| String::from_utf8(bytes).unwrap();
     let (out, err) = (text(output.stdout), text(output.stderr));
     Said { status: output.status.code().unwrap_or_else(|| panic!("{args:?} died: {err}")), out, err }
+}
+
+/// Waits until a program has computed for a second, however busy the machine is; where no /proc tells that, for as long.
+fn wait_for_work(id: u32) {
+    let begun = Instant::now();
+    while begun.elapsed() < Duration::from_secs(20) {
+        std::thread::sleep(Duration::from_millis(20));
+        let Ok(stat) = std::fs::read_to_string(format!("/proc/{id}/stat")) else {
+            return std::thread::sleep(Duration::from_secs(1));
+        };
+        // behind the name: the state, ten numbers, and the time in the program and in the system, in hundredths of a second
+        let fields: Vec<&str> = stat.rsplit(')').next().unwrap().split_whitespace().collect();
+        let used: u64 = fields[11..13].iter().map(|ticks| ticks.parse::<u64>().unwrap()).sum();
+        if fields[0] == "Z" || used >= 100 {
+            return;
+        }
+    }
 }
 
 /// The same in JSON, as docs/schema describes it.
