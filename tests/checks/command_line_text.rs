@@ -79,7 +79,7 @@ fn no_line_of_an_answer_is_wider_than_a_terminal() {
         vec!["compare", "mae494", "winfield-tan", "--of", "all"],
         vec!["sensitivity", "--at-optimum"],
         vec!["uncertainty", "--samples", "16"],
-        vec!["verify", "--of", "carry,landing_speed"],
+        vec!["verify", "--of", "carry,landing_speed", "--wrt", "swing.speed,club.loft,aero.cd0"],
         vec!["parameters"],
     ] {
         for units in ["us", "metric"] {
