@@ -6,12 +6,10 @@ quantities of pint) is written as the command line has it, numbers to the last d
 
 from __future__ import annotations
 
-import logging
 import os
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
-from pathlib import Path
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from . import _longdrive
 from ._longdrive import Setup
@@ -22,8 +20,8 @@ from .progress import follower
 from .reply import Reply
 from .wording import answer_in_python, argument_of, in_python
 
-LOG = logging.getLogger("longdrive")
-"""Remarks and progress of the commands, at the level INFO."""
+if TYPE_CHECKING:
+    from pathlib import Path
 
 UNITS = {"LENGTH": "m", "SPEED": "m/s", "ANGLE": "rad", "SPIN": "rad/s"}
 """The SI units of what single options take."""
@@ -256,6 +254,7 @@ def ask(command: str, given: Mapping[str, Any], answered: Callable[[Reply, Quest
     answer of the function, of the program's and the question.
     """
     import tempfile
+    from pathlib import Path
 
     function = "longdrive." + command.replace("-", "_").replace(" ", ".")
     with interruptible(f"{function} was interrupted before it began"), tempfile.TemporaryDirectory(prefix="longdrive-") as name:
@@ -279,7 +278,9 @@ def asked(function: str, question: Question, given: Mapping[str, Any], answered:
         # warnings and errors stand in the answer
         if kind == "note":
             notes.append(in_python(question.shown(text)))
-            LOG.info(notes[-1])
+            import logging
+
+            logging.getLogger("longdrive").info(notes[-1])
 
     with follower(question.command, given.get("progress", False)) as shown:
         status, answer, raised = _longdrive.command(question.words, question.text, said, shown)

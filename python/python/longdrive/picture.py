@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from ._ask import Question
 from .reply import Reply
+
+if TYPE_CHECKING:
+    from pathlib import Path
 
 __all__ = ["Picture", "picture"]
 
@@ -22,6 +24,8 @@ class Picture(Reply):
 
     def save(self, path: str | Path) -> Path:
         """Writes the picture, in the form that it was made in (SVG, unless ``output`` named another)."""
+        from pathlib import Path
+
         path = Path(path)
         if path.suffix != self["form"]:
             raise ValueError(f"{path}: this plot is {self['form']}; give the plot itself output='{path}' to have it in another form")
@@ -40,6 +44,8 @@ class Picture(Reply):
 
 def picture(reply: Reply, question: Question) -> Picture:
     """The answer of a plot, with what was written: into its own file, or into one that goes with the question."""
+    from pathlib import Path
+
     path = question.scratch if reply["file"] is None else Path(reply["file"])
     assert path is not None
     return Picture(reply, form=path.suffix.lower(), data=path.read_bytes())

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-from pathlib import Path
 from typing import Union, overload
 
 from . import _longdrive
@@ -112,7 +111,8 @@ def sweep(
         file = {"output": os.fspath(output), "resume": resume, "overwrite": overwrite, "progress": progress}
         given = {"setup": setup, "over": over, "sample": sample, "seed": seed if sample is not None else None, "points": points, "of": of, **by}
         return ask("sweep", {**given, "tolerance": tolerance, "own_step": own_step, "threads": threads, **file}, as_reply)
-    import tempfile  # `import longdrive` does not wait for it
+    import tempfile  # `import longdrive` does not wait for these
+    from pathlib import Path
 
     with interruptible("longdrive.sweep was interrupted before the first row"), tempfile.TemporaryDirectory(prefix="longdrive-") as name:
         question = Question("sweep", Path(name))
