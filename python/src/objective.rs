@@ -128,7 +128,15 @@ impl PyObjective {
     /// What it is at a point, to an order. Optimizers ask for value, gradient and Hessian of a point one after the other: what was asked for at
     /// the point before is computed together at this one, and kept until the next.
     fn at(&self, x: &Bound<'_, PyAny>, order: Order) -> Answer<Option<Taylor>> {
-        let x = self.point(x)?;
+        let point = self.point(x)?;
+        match self.function {
+            Function::Drive(_) => self.known(point, order),
+            // many drives: other threads of Python go on meanwhile
+            Function::Swings(_) => x.py().detach(|| self.known(point, order)),
+        }
+    }
+
+    fn known(&self, x: Vec<f64>, order: Order) -> Answer<Option<Taylor>> {
         let mut last = self.last.lock().unwrap_or_else(PoisonError::into_inner);
         let mut to = order;
         let mut asked = order;

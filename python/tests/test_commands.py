@@ -59,6 +59,8 @@ def test_differences_confirm_the_hessian_at_an_optimum():
     at = [longdrive.gradient(found.setup.replace({"club.loft": found.x[0] + by}), wrt="club.loft").gradient[0] for by in (step, -step)]
     assert found.hess[0, 0] == pytest.approx((at[0] - at[1]) / (2 * step), rel=1e-6)
     assert abs(found.jac[0]) < 1e-8 * abs(found.hess[0, 0])
+    # as keys too, as of SciPy's own
+    assert found["hess"][0, 0] == found.hess[0, 0] and found["setup"] == found.setup
 
 
 @pytest.mark.parametrize(

@@ -5,6 +5,7 @@ from __future__ import annotations
 import copy
 import math
 import pickle
+import threading
 from typing import Any
 
 import numpy as np
@@ -146,6 +147,36 @@ def test_swings_that_are_wrong_are_refused() -> None:
             longdrive.objective("mae494", "mean(carry)", "club.loft", **words)
     with pytest.raises(InputError, match="mean\\(carry\\)"):
         longdrive.objective("mae494", "carry", "club.loft", **SWINGS)
+
+
+def test_swings_are_written_as_for_optimize_and_counts_are_named() -> None:
+    text = longdrive.objective("mae494", "mean(carry)", "club.loft", distribution="swing.attack_angle=uniform(0deg, 10deg)")
+    named = longdrive.objective("mae494", "mean(carry)", "club.loft", distribution={"swing.attack_angle": ("uniform", "0 deg", "10 deg")})
+    assert text.fun([0.19]) == named.fun([0.19])
+    cases: list[tuple[dict[str, Any], str]] = [
+        ({"scenarios": -3}, "scenarios = -3; expected a whole number of 1 or more"),
+        ({"seed": 2.5}, "seed = 2.5; expected a whole number"),
+        ({"swings": {}}, "swings is a dict; expected the name of a file"),
+    ]
+    for words, message in cases:
+        with pytest.raises(InputError, match=message):
+            longdrive.objective("mae494", "mean(carry)", "club.loft", **{**SWINGS, **words})
+
+
+def test_other_threads_of_python_run_while_an_objective_flies_swings() -> None:
+    goal = longdrive.objective("tour-average", "mean(carry)", "club.loft", **{**SWINGS, "scenarios": 20_000})
+    ticks, done = [], threading.Event()
+
+    def tick() -> None:
+        while not done.wait(0.001):
+            ticks.append(len(ticks))
+
+    ticker = threading.Thread(target=tick)
+    ticker.start()
+    goal.hess(goal.x0)
+    done.set()
+    ticker.join()
+    assert len(ticks) > 5
 
 
 def test_scipy_reaches_the_optimum_that_the_gradient_proves() -> None:

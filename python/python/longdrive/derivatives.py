@@ -7,8 +7,10 @@ from os import PathLike
 from typing import Literal, NamedTuple
 
 from . import _longdrive
-from .arguments import one_name
-from .types import Floats, Names, Sense, SetupLike
+from ._ask import Question
+from .arguments import count_of, one_name
+from .errors import InputError
+from .types import Floats, Given, Names, Sense, SetupLike
 
 __all__ = ["Gradient", "Hessian", "Jacobian", "gradient", "hessian", "jacobian", "objective"]
 
@@ -112,8 +114,8 @@ def objective(
     *,
     invalid: Literal["raise", "nan"] = "raise",
     swings: str | PathLike[str] | None = None,
-    distribution: Names | None = None,
-    correlation: Names | None = None,
+    distribution: Given | None = None,
+    correlation: Given | None = None,
     scenarios: int | None = None,
     seed: int | None = None,
 ) -> _longdrive.Objective:
@@ -146,7 +148,7 @@ def objective(
         invalid: what becomes of a point without an answer (no flight, a value outside its range): ``"raise"`` an exception, or ``"nan"``, which makes
             optimizers of SciPy refuse the step.
         swings: a file of swings, as for :func:`optimize`: TOML with distributions and correlations, or a table of recorded swings.
-        distribution: distributions of parameters from swing to swing, one or several, as ``"swing.speed=normal(107mph,3mph)"``.
+        distribution: distributions of parameters from swing to swing, as for :func:`optimize`: texts as ``"swing.speed=normal(107mph,3mph)"``, or a dict.
         correlation: correlations of these, one or several, as ``"swing.path,swing.face_angle=0.6"``.
         scenarios: how many swings of the distributions are taken, as for :func:`optimize`.
         seed: the seed of the swings.
@@ -154,6 +156,12 @@ def objective(
     Raises:
         InputError: as :func:`gradient`; for swings that cannot be read, and for a parameter that they have values of.
     """
+    from pathlib import Path
+
+    over = Question("optimize", Path())
+    over.take_setup(setup)
+    if not (swings is None or isinstance(swings, (str, PathLike))):
+        raise InputError(f"swings is a {type(swings).__name__}; expected the name of a file; distribution takes dicts")
     return _longdrive.Objective(
         setup,
         one_name("of", of, "jacobian takes several"),
@@ -161,10 +169,10 @@ def objective(
         sense,
         invalid,
         swings,
-        _listed(distribution) or [],
-        _listed(correlation) or [],
-        scenarios,
-        seed,
+        over.texts("distribution", distribution),
+        over.texts("correlation", correlation),
+        None if scenarios is None else count_of("scenarios", scenarios, 1),
+        None if seed is None else count_of("seed", seed),
     )
 
 

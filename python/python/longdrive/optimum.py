@@ -65,6 +65,12 @@ class Optimum(Reply):
             return None
         return np.asarray(_longdrive.hessian(self.setup, self["reply"]["objective"], self["names"])[2])
 
+    def __missing__(self, key: str) -> Any:
+        # computed when asked for, as keys too
+        if key in ("hess", "setup"):
+            return getattr(self, key)
+        raise KeyError(key)
+
     def __getstate__(self) -> None:
         return None
 
