@@ -86,7 +86,7 @@ def test_no_answer_names_a_file_that_is_not_there(tmp_path: Path, caplog: pytest
     ]
     for answer in answers:
         told = json.dumps({name: value for name, value in answer.items() if isinstance(value, (str, dict, list, type(None)))}, default=str)
-        assert "longdrive-" not in told and "/tmp/longdrive" not in told, told
+        assert "longdrive-" not in told, told
     assert answers[0].file is None and answers[4].file is None
     assert answers[1].data["file"] == "data"
     assert not [record.getMessage() for record in caplog.records if "/longdrive-" in record.getMessage()]
