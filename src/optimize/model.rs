@@ -1,7 +1,7 @@
 use super::bundle::Bundle;
 use super::convex::convexify;
 use super::plan::{Around, NORMAL_PART, Plan, Program};
-use super::qp::{End, Method, Piece, QuadraticProgram, Row, Step, quadratic_form};
+use super::qp::{Piece, QuadraticProgram, Row, Step, quadratic_form};
 use super::scaling::{Point, Scaling, norm};
 use nalgebra::{DMatrix, DVector};
 
@@ -97,14 +97,7 @@ impl Model<'_> {
             high: DVector::from_fn(n + m, |i, _| if i < n { program.high[i].min(reach) } else { farthest }),
             rows: (0..m).map(wide).collect(),
         };
-        let stay = || Step {
-            d: DVector::zeros(n + m),
-            ends: vec![End::Free; n + m],
-            weights: vec![1.0],
-            multipliers: vec![0.0; m],
-            by: Method::Descent,
-        };
-        let mut step = elastic.solve().unwrap_or_else(stay);
+        let mut step = elastic.solve().unwrap_or_else(|| Step::none(n + m, m));
         let squares = |d: &DVector<f64>| 0.5 * d.rows(n, m).norm_squared();
         let before = 0.5 * norm(self.scaling.violations(&self.at.f)).powi(2);
         if let Some(bend) = self.violation_bend()
@@ -112,7 +105,7 @@ impl Model<'_> {
         {
             let mut corner = elastic.curvature.view_mut((0, 0), (n, n));
             corner += bend;
-            step = elastic.solve().unwrap_or_else(stay);
+            step = elastic.solve().unwrap_or_else(|| Step::none(n + m, m));
         }
         step.d = step.d.rows(0, n).into_owned();
         step.ends.truncate(n);

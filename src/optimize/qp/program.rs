@@ -65,6 +65,19 @@ pub struct Step {
     pub by: Method,
 }
 
+impl Step {
+    /// That of a program without a solution: it stays where it is.
+    pub fn none(variables: usize, rows: usize) -> Self {
+        Self {
+            d: DVector::zeros(variables),
+            ends: vec![End::Free; variables],
+            weights: vec![1.0],
+            multipliers: vec![0.0; rows],
+            by: Method::Descent,
+        }
+    }
+}
+
 /// Who found the active set of a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Method {

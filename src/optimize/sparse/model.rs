@@ -3,7 +3,7 @@ use super::program::{SparseActive, SparseProgram, SparseRow};
 use super::symmetric::Symmetric;
 use crate::optimize::known::SparseDerivatives;
 use crate::optimize::plan::{Around, NORMAL_PART, Plan, Program};
-use crate::optimize::qp::{End, Method, Step};
+use crate::optimize::qp::{End, Step};
 use crate::optimize::scaling::{Point, Scaling, norm};
 use nalgebra::DVector;
 
@@ -109,14 +109,7 @@ impl SparseModel<'_> {
             rows: program.rows.iter().enumerate().map(wide).collect(),
             guess: SparseActive { ends: vec![End::Free; n + m], rows: vec![End::Free; m] },
         };
-        let stay = || Step {
-            d: DVector::zeros(n + m),
-            ends: vec![End::Free; n + m],
-            weights: vec![1.0],
-            multipliers: vec![0.0; m],
-            by: Method::Descent,
-        };
-        let mut step = elastic.solve().unwrap_or_else(stay);
+        let mut step = elastic.solve().unwrap_or_else(|| Step::none(n + m, m));
         let own = |step: &Step| step.d.rows(0, n).into_owned();
         let left: Vec<f64> = scaling.violations(&at.f).collect();
         let bend = violation_bend(scaling, self.derivatives, &left);
@@ -126,7 +119,7 @@ impl SparseModel<'_> {
             let (bend, _) = convex(&bend, 0.0);
             elastic.convex = Symmetric::sum(n + m, squares.entries().chain(bend.entries()));
             elastic.hessian = elastic.convex.clone();
-            step = elastic.solve().unwrap_or_else(stay);
+            step = elastic.solve().unwrap_or_else(|| Step::none(n + m, m));
         }
         step.d = own(&step);
         step.ends.truncate(n);
