@@ -40,6 +40,29 @@ def test_exact_quantities_of_pint_are_converted() -> None:
         Setup({"club.loft": 10 * unit.kg})
 
 
+# a value in SI, and the symbols in which each parameter may state it
+STATED: list[tuple[str, float, str, list[str]]] = [
+    ("club.bulge_radius", 0.3, "m", ["m", "um", "mm", "cm", "km", "in", "ft", "yd", "mi"]),
+    ("club.mass", 0.2, "kg", ["kg", "g", "mg", "oz", "lb"]),
+    ("swing.speed", 50.0, "m/s", ["m/s", "m/ms", "m/min", "m/h", "mph", "kph", "kn"]),
+    ("club.loft", 0.2, "rad", ["rad", "mrad", "deg", "rev"]),
+    ("swing.closure.x", 20.0, "rad/s", ["rpm"]),
+    ("impact.restitution", 0.8, "", ["1", "%"]),
+    ("air.pressure", 1e5, "Pa", ["Pa", "hPa", "kPa", "bar", "mbar", "mmHg", "inHg", "N/m^2"]),
+    ("air.density", 1.2, "kg/m^3", ["g/L"]),
+    ("air.viscosity", 1.8e-5, "Pa s", ["P", "cP"]),
+    ("air.temperature", 290.0, "K", ["K", "degC", "degF"]),
+]
+
+
+@pytest.mark.parametrize(("parameter", "value", "si", "symbols"), STATED)
+def test_independent_sizes_of_units_are_those_of_pint(parameter: str, value: float, si: str, symbols: list[str]) -> None:
+    pint = pytest.importorskip("pint")
+    quantity = pint.UnitRegistry().Quantity(value, si)
+    for symbol in symbols:
+        number = quantity.to({"1": "", "rev": "turn"}.get(symbol, symbol)).magnitude
+        assert Setup({parameter: f"{number!r} {symbol}"})[parameter] == pytest.approx(value, rel=4 * np.finfo(float).eps), symbol
+
 def random_setup(seed: int) -> Setup:
     """A setup whose numbers have all digits."""
     draw = random.Random(seed)

@@ -1,6 +1,6 @@
 //! Quantity strings to and from SI: `"110 mph"`, `"10.5 deg"`, `"5679 g cm^2"`. Nothing else converts.
 //!
-//! The sizes of the units are their definitions; a test holds them against the library `uom`. Beside them there is the grammar that puts
+//! The sizes of the units are their definitions; tests hold them against those that NIST prints and those of Python's library pint. Beside them there is the grammar that puts
 //! them together (`kg/m^3`, `g cm^2`) and the check that the result is the kind of quantity wanted.
 
 mod amount;
