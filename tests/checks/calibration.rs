@@ -140,6 +140,50 @@ fn exact_parameters_that_cannot_be_told_apart_are_named() {
     assert!(found.estimates.iter().all(|estimate| estimate.standard_error.is_none()), "{:?}", found.estimates);
 }
 
+/// With as many data as parameters nothing is left over, and what a datum's standard uncertainty moves is a column of J⁻¹, of which (JᵀJ)⁻¹ is
+/// made. No derivative enters the fits that this compares the covariance with: they only have to end where nothing is left over.
+#[test]
+fn differences_of_fits_match_the_covariance_with_measured_and_stationary_rows() {
+    let head = "club.loft [deg],swing.attack_angle [deg],stationary,sigma stationary [deg],carry [yd],sigma carry [yd],\
+                flight_time [s],sigma flight_time [s]";
+    let (setup, names) = (Setup::preset("winfield-tan").unwrap(), ["aero.cd0", "aero.cl_hill", "aero.spin_decay"]);
+    let fit = |[attack, carry, time]: [f64; 3]| {
+        let rows = format!("12,{attack},swing.attack_angle,0.05,{carry},2,,\n9,13,,,,,{time},0.1\n");
+        let table = ShotTable::read(&setup, "optima.csv", format!("{head}\n{rows}").as_bytes()).unwrap();
+        let plan = Plan::read(&setup, &names.map(str::to_owned)).unwrap();
+        let found = calibrate(&setup, &table, &plan, &Follow::default()).unwrap();
+        assert!(found.statistics.is_exact, "{attack} {carry} {time}: {:?}", found.remainders);
+        found
+    };
+    let computed = |outcome: Outcome, loft: f64, attack: f64| {
+        let mut setup = setup;
+        (setup.club.loft, setup.swing.attack_angle) = (loft.to_radians(), attack.to_radians());
+        evaluate(&setup, &[outcome], &[], Order::Value).unwrap()[0].value
+    };
+    let carry = yards(computed(Outcome::CarryDistance, 12.0, 8.3));
+    let (data, sigmas) = ([8.3, carry, computed(Outcome::FlightTime, 9.0, 13.0)], [0.05, 2.0, 0.1]);
+    let part = 1e-3;
+    let columns: Vec<Vec<f64>> = (0..3)
+        .map(|k| {
+            let at = |by: f64| {
+                let mut moved = data;
+                moved[k] += by * sigmas[k];
+                fit(moved).estimates.into_iter().map(|estimate| estimate.value)
+            };
+            at(part).zip(at(-part)).map(|(above, below)| (above - below) / (2.0 * part)).collect()
+        })
+        .collect();
+    let found = fit(data);
+    for a in 0..3 {
+        for b in 0..3 {
+            let difference: f64 = columns.iter().map(|column| column[a] * column[b]).sum();
+            let size = [a, b].map(|i| found.statistics.standard_error(i).unwrap()).iter().product::<f64>();
+            let covariance = found.statistics.covariance[a][b].unwrap();
+            assert!((difference - covariance).abs() < 1e-5 * size, "{a} {b}: {difference} {covariance}");
+        }
+    }
+}
+
 fn yards(metres: f64) -> f64 {
     metres / 0.9144
 }
