@@ -237,6 +237,19 @@ fn independent_right_derivatives_that_were_called_wrong() {
     }
 }
 
+/// A method of order 4 that is held to order 5, and its derivatives, is found out.
+#[test]
+fn order_of_the_flight_is_found_short_of_one_more() {
+    let mut setup = Setup::default();
+    setup.set_all([("strike.toe", "8 mm"), ("wind.right", "3 m/s"), ("swing.path", "-2 deg")]).unwrap();
+    let of = [Outcome::Carry, Outcome::CarryDistance, Outcome::FlightTime];
+    let found = certificate(&setup, &of, &[setup.variable("club.loft").unwrap()]).convergence;
+    assert_eq!(found.len(), of.len());
+    for outcome in found {
+        assert!(outcome.passed() && outcome.would_show == [true; 2], "{outcome:?}");
+    }
+}
+
 /// In a logarithmic wind the time step leaves an error in derivatives that no check of them against differences can show: it is measured, and
 /// told; in still air there is nothing to tell.
 #[test]
