@@ -126,11 +126,11 @@ fn independent_dense_search_ends_at_the_same_points() {
         let off = apart(&prices(&sparse), &prices(&dense));
         assert!(off < 1e-7, "{name}: multipliers {off:e} apart");
     };
-    both(&|| chained_rosenbrock(50, true));
-    both(&|| chained_rosenbrock(50, false));
-    both(&|| hanging_chain(24));
-    both(&|| membrane(48));
-    both(&|| bryson_denham(18));
+    both(&|| chained_rosenbrock(20, true));
+    both(&|| chained_rosenbrock(20, false));
+    both(&|| hanging_chain(12));
+    both(&|| membrane(32));
+    both(&|| bryson_denham(12));
 }
 
 /// x₁ + … + xₙ = 2 n, with every x at most 1.

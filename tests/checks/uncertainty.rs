@@ -280,11 +280,11 @@ fn exact_an_outcome_that_does_not_depend_on_what_is_uncertain_says_so() {
 
 #[test]
 fn exact_a_constant_that_is_off_by_rounding_is_a_constant() {
-    let constant = statistics(&[CIRCLE], Plan { samples: 1000, seed: 0 }, |x| Some(0.1 + x[0].sin() * 1e-17));
+    let constant = statistics(&[CIRCLE], Plan { samples: 100, seed: 0 }, |x| Some(0.1 + x[0].sin() * 1e-17));
     assert!(constant.indices[0].is_none() && constant.deviation.value == 0.0);
-    let rounded = statistics(&[CIRCLE], Plan { samples: 1000, seed: 0 }, |x| Some(0.1 * (1.0 + 1e-15 * x[0].signum())));
+    let rounded = statistics(&[CIRCLE], Plan { samples: 100, seed: 0 }, |x| Some(0.1 * (1.0 + 1e-15 * x[0].signum())));
     assert!(rounded.indices[0].is_none() && rounded.deviation.value == 0.0);
-    let varies = statistics(&[CIRCLE], Plan { samples: 1000, seed: 0 }, |x| Some(0.1 * (1.0 + 1e-12 * x[0])));
+    let varies = statistics(&[CIRCLE], Plan { samples: 100, seed: 0 }, |x| Some(0.1 * (1.0 + 1e-12 * x[0])));
     assert!(varies.indices[0].is_some() && varies.deviation.value > 0.0);
 }
 
