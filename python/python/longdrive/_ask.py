@@ -7,12 +7,13 @@ quantities of pint) is written as the command line has it, numbers to the last d
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Set
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from . import _longdrive
 from ._longdrive import Setup
+from .arguments import count_of, kind_of
 from .described import commands
 from .errors import InputError, Interrupted, NoAnswerError, interruptible, warn_of
 from .interruption import interruption
@@ -53,6 +54,10 @@ class Question:
                 value = self.scratch
             if value is None and (option["required"] or name == "shots" and option["positional"]):
                 raise InputError(f"{name} is None, and {self.command} needs it: {in_python(option['help']).removesuffix('. Repeatable')}")
+            if not option["positional"] and _is_empty(value):
+                _refuse_empty(name, option)
+            if name == "at" and not isinstance(value, str) and value is not None and "along" in given:
+                value = self.places(name, value, given["along"])
             if not option["positional"]:
                 self.option(option["name"], value, option["takes"], what)
             elif name == "setup":
@@ -116,7 +121,7 @@ class Question:
     def take_word(self, name: str, given: Any) -> None:
         """A word that is not an option."""
         if not isinstance(given, str):
-            raise InputError(f"{name} is a {type(given).__name__}; expected a name in quotes")
+            raise InputError(f"{name} is {kind_of(given)}; expected a name in quotes")
         self.words.append(given)
 
     def take_other(self, name: str, given: Any) -> None:
@@ -169,7 +174,7 @@ class Question:
         try:
             items = list(value)
         except TypeError:
-            message = f"{name} is a {type(value).__name__}; expected a text, a list of texts, or a dict of names with values"
+            message = f"{name} is {kind_of(value)}; expected a text, a list of texts, or a dict of names with values"
             raise InputError(message) from None
         # a dict among them is one value of several parts: the changes that make a model
         return [",".join(self._several(name, item, what)) if isinstance(item, Mapping) else str(item) for item in items]
@@ -180,19 +185,26 @@ class Question:
             return f"{','.join(map(str, key))}={value!r}"
         if value is None:
             return str(key)
-        if not isinstance(value, tuple):
+        parts = _parts(value)
+        if parts is None:
             return f"{key}={self._amount(key, value)}"
-        if value and isinstance(value[0], str) and value[0].isidentifier():
-            return f"{key}={value[0]}({','.join(self._amount(key, number) for number in value[1:])})"
-        count = f":{value[2]}" if len(value) == 3 else ""
-        if len(value) not in (2, 3):
-            raise InputError(f"{key}: {value!r} has {len(value)} parts; expected (low, high), or (low, high, count) where values are counted")
-        return f"{key}={self._amount(key, value[0])}..{self._amount(key, value[1])}{count}"
+        if parts and isinstance(parts[0], str) and parts[0].isidentifier():
+            return f"{key}={parts[0]}({','.join(self._amount(key, number) for number in parts[1:])})"
+        if len(parts) not in (2, 3):
+            raise InputError(f"{key}: {value!r} has {len(parts)} parts; expected (low, high), or (low, high, count) where values are counted")
+        count = f":{_count(key, parts[2])}" if len(parts) == 3 else ""
+        return f"{key}={self._amount(key, parts[0])}..{self._amount(key, parts[1])}{count}"
 
     def _amount(self, name: str, value: Any) -> str:
         if value is None:
             raise InputError(f"{name} has None where a value is needed; give a number (SI), or a text with its unit like '10.5 deg'")
         return value if isinstance(value, str) else _number(value, self._unit(name))
+
+    def places(self, name: str, values: Any, along: Any) -> list[str]:
+        """Values along a parameter, numbers in its SI unit."""
+        parameter = str(next(iter(along), "")) if isinstance(along, Mapping) else str(along).split("=")[0].strip()
+        parts = _parts(values)
+        return [self._amount(parameter, value) for value in ([values] if parts is None else parts)]
 
     def _unit(self, name: str) -> str:
         if not self._units:
@@ -202,6 +214,35 @@ class Question:
         return self._units.get(name, "")
 
 
+def _is_empty(value: Any) -> bool:
+    return not isinstance(value, str) and hasattr(value, "__len__") and hasattr(value, "__iter__") and len(value) == 0
+
+
+def _refuse_empty(name: str, option: Mapping[str, Any]) -> None:
+    """An empty dict or list of what has a default, which nobody asked for: no constraints are what an empty list of them says."""
+    if option["required"] or option["default"] or "default" in option["help"]:
+        left_out = "" if option["required"] else ", or leave it out"
+        about = in_python(option["help"]).removesuffix(". Repeatable").replace(". Repeatable [", " [")
+        raise InputError(f"{name} is empty; give one or more{left_out}: {about}")
+
+
+def _parts(value: Any) -> tuple[Any, ...] | None:
+    """The parts of a sequence, whatever its type: a tuple, a list, an array; None of what is no sequence."""
+    if isinstance(value, (str, bytes, Mapping, Set)):
+        return None
+    try:
+        return tuple(value)
+    except TypeError:
+        return None
+
+
+def _count(name: str, value: Any) -> str:
+    """How many values a range has; an array has it as a float."""
+    if isinstance(value, str):
+        return value
+    return str(count_of(f"the count of {name}", int(value) if isinstance(value, float) and value.is_integer() else value, 1))
+
+
 def _number(value: Any, unit: str) -> str:
     """A number with its SI unit, to the last digit; a quantity of pint is converted."""
     if all(hasattr(value, name) for name in ("to", "magnitude", "units")):
@@ -209,7 +250,7 @@ def _number(value: Any, unit: str) -> str:
     try:
         return f"{float(value)!r} {unit}".strip()
     except (TypeError, ValueError):
-        message = f"{value!r} is a {type(value).__name__}; expected a number (SI), or a text with its unit like '10.5 deg'"
+        message = f"{value!r} is {kind_of(value)}; expected a number (SI), or a text with its unit like '10.5 deg'"
         raise InputError(message) from None
 
 
@@ -233,8 +274,7 @@ def _write_table(name: str, table: Any, path: Path) -> None:
             write.writerow(table.keys())
             write.writerows([_cell(value) for value in row] for row in zip(*columns))
     else:
-        kind = type(table).__name__
-        raise InputError(f"{name} is a {kind}; expected a file, a dict of columns, or a table of pandas, polars or pyarrow")
+        raise InputError(f"{name} is {kind_of(table)}; expected a file, a dict of columns, or a table of pandas, polars or pyarrow")
 
 
 def _cell(value: Any) -> Any:
@@ -261,9 +301,10 @@ def ask(command: str, given: Mapping[str, Any], answered: Callable[[Reply, Quest
         question = Question(command, Path(name))
         question.take(given)
         reply = asked(function, question, given, answered)
+        answer = answered(reply, question)
         # at the line that asked: it called a function of commands.py, which called this one
-        warn_of(reply["warnings"], stacklevel=3)
-        return answered(reply, question)
+        warn_of(reply["warnings"], answer, stacklevel=3)
+        return answer
 
 
 def asked(function: str, question: Question, given: Mapping[str, Any], answered: Callable[[Reply, Question], Any]) -> Reply:

@@ -13,6 +13,7 @@ import numpy.typing as npt
 
 from . import _longdrive
 from ._longdrive import Setup
+from .arguments import kind_of
 from .errors import InputError, UnknownKeyError
 from .types import Floats
 
@@ -204,7 +205,7 @@ class Table:
             raise InputError("nothing to concatenate: give at least one table")
         for number, table in enumerate(tables, start=1):
             if not isinstance(table, Table):
-                raise InputError(f"table {number} is a {type(table).__name__}; expected a Table, as batch and sweep give it")
+                raise InputError(f"table {number} is {kind_of(table)}; expected a Table, as batch and sweep give it")
         first = tables[0]
         for number, table in enumerate(tables[1:], start=2):
             _refuse_difference(first, table, number)
