@@ -142,7 +142,10 @@ def test_none_where_a_value_is_needed_names_the_argument_and_what_is_wanted(call
         (lambda: longdrive.simulate()["cary"], "unknown outcome 'cary'; did you mean 'carry'"),
         (lambda: longdrive.simulate(of="spin")["carry"], "'carry' was not asked for; .*gives spin here"),
         (lambda: longdrive.batch(None, {"club.loft": [0.2]})["cary"], "unknown column 'cary'; did you mean 'carry'"),
-        (lambda: longdrive.batch(None, {"club.loft": [0.2]}).derivative("carry", "club.loft"), "unknown column 'd_carry/d_club.loft'"),
+        (lambda: longdrive.batch(None, {"club.loft": [0.2]}).derivative("carry", "club.loft"), "no derivatives by 'club.loft'; it has none; ask for others with wrt, as in wrt='club.loft'"),
+        (lambda: longdrive.batch(None, {"club.loft": [0.2]}, wrt="points").derivative("carry", "gravity"), "it has those by club.loft; ask for others with wrt"),
+        (lambda: longdrive.batch(None, {"club.loft": [0.2]}, wrt="points").derivative("cary", "club.loft"), "unknown outcome 'cary'; did you mean 'carry'"),
+        (lambda: longdrive.batch(None, {"club.loft": [0.2]}, wrt="points").derivative("spin", "club.loft"), "the table has carry; ask for others with of"),
     ],
 )
 def test_an_unknown_key_is_a_key_error_with_the_nearest(look: Callable[[], Any], words: str) -> None:

@@ -124,7 +124,16 @@ class Table:
         return dict(zip([*self.parameters, *self._names], self._units))
 
     def derivative(self, of: str, by: str) -> Floats:
-        """The derivative of an outcome by a parameter, SI, shape (rows,)."""
+        """The derivative of an outcome by a parameter, SI, shape (rows,).
+
+        Raises:
+            UnknownKeyError: for one that was not asked for; it says with what it is.
+        """
+        if of not in self.of:
+            raise UnknownKeyError(_longdrive.unknown_key("outcome", of, list(self.of), f"the table has {', '.join(self.of)}; ask for others with of"))
+        if by not in self.wrt:
+            has = f"those by {', '.join(self.wrt)}" if self.wrt else "none"
+            raise UnknownKeyError(f"the table has no derivatives by '{by}'; it has {has}; ask for others with wrt, as in wrt='{by}'")
         return self._column(f"d_{of}/d_{by}")
 
     def _column(self, name: str) -> Floats:
