@@ -7,19 +7,20 @@ quantities of pint) is written as the command line has it, numbers to the last d
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterable, Iterator, Mapping, Set
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from . import _longdrive
 from ._longdrive import Setup
-from .arguments import count_of, kind_of
+from .arguments import kind_of
 from .described import commands
 from .errors import InputError, Interrupted, NoAnswerError, interruptible, warn_of
 from .interruption import interruption
 from .progress import follower
 from .reply import Reply
 from .wording import answer_in_python, argument_of, in_python
+from .written import count_text, number_text, parts_of, write_table
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -134,7 +135,7 @@ class Question:
         if isinstance(given, (str, os.PathLike)):
             return os.fspath(given)
         path = self.folder / f"{name}.csv"
-        _write_table(name, given, path)
+        write_table(name, given, path)
         return str(path)
 
     def option(self, name: str, value: Any, kind: str, what: str) -> None:
@@ -161,7 +162,7 @@ class Question:
             path.write_text((value if isinstance(value, Setup) else Setup(value)).to_toml(), encoding="utf-8")
             return str(path)
         if what in UNITS and not isinstance(value, str):
-            return _number(value, UNITS[what])
+            return number_text(value, UNITS[what])
         if isinstance(value, Mapping):
             return ",".join(self._several(name, value, what))
         return str(value)
@@ -185,25 +186,25 @@ class Question:
             return f"{','.join(map(str, key))}={value!r}"
         if value is None:
             return str(key)
-        parts = _parts(value)
+        parts = parts_of(value)
         if parts is None:
             return f"{key}={self._amount(key, value)}"
         if parts and isinstance(parts[0], str) and parts[0].isidentifier():
             return f"{key}={parts[0]}({','.join(self._amount(key, number) for number in parts[1:])})"
         if len(parts) not in (2, 3):
             raise InputError(f"{key}: {value!r} has {len(parts)} parts; expected (low, high), or (low, high, count) where values are counted")
-        count = f":{_count(key, parts[2])}" if len(parts) == 3 else ""
+        count = f":{count_text(key, parts[2])}" if len(parts) == 3 else ""
         return f"{key}={self._amount(key, parts[0])}..{self._amount(key, parts[1])}{count}"
 
     def _amount(self, name: str, value: Any) -> str:
         if value is None:
             raise InputError(f"{name} has None where a value is needed; give a number (SI), or a text with its unit like '10.5 deg'")
-        return value if isinstance(value, str) else _number(value, self._unit(name))
+        return value if isinstance(value, str) else number_text(value, self._unit(name))
 
     def places(self, name: str, values: Any, along: Any) -> list[str]:
         """Values along a parameter, numbers in its SI unit."""
         parameter = str(next(iter(along), "")) if isinstance(along, Mapping) else str(along).split("=")[0].strip()
-        parts = _parts(values)
+        parts = parts_of(values)
         return [self._amount(parameter, value) for value in ([values] if parts is None else parts)]
 
     def _unit(self, name: str) -> str:
@@ -224,64 +225,6 @@ def _refuse_empty(name: str, option: Mapping[str, Any]) -> None:
         left_out = "" if option["required"] else ", or leave it out"
         about = in_python(option["help"]).removesuffix(". Repeatable").replace(". Repeatable [", " [")
         raise InputError(f"{name} is empty; give one or more{left_out}: {about}")
-
-
-def _parts(value: Any) -> tuple[Any, ...] | None:
-    """The parts of a sequence, whatever its type: a tuple, a list, an array; None of what is no sequence."""
-    if isinstance(value, (str, bytes, Mapping, Set)):
-        return None
-    try:
-        return tuple(value)
-    except TypeError:
-        return None
-
-
-def _count(name: str, value: Any) -> str:
-    """How many values a range has; an array has it as a float."""
-    if isinstance(value, str):
-        return value
-    return str(count_of(f"the count of {name}", int(value) if isinstance(value, float) and value.is_integer() else value, 1))
-
-
-def _number(value: Any, unit: str) -> str:
-    """A number with its SI unit, to the last digit; a quantity of pint is converted."""
-    if all(hasattr(value, name) for name in ("to", "magnitude", "units")):
-        value = value.to(unit or "dimensionless").magnitude
-    try:
-        return f"{float(value)!r} {unit}".strip()
-    except (TypeError, ValueError):
-        message = f"{value!r} is {kind_of(value)}; expected a number (SI), or a text with its unit like '10.5 deg'"
-        raise InputError(message) from None
-
-
-def _write_table(name: str, table: Any, path: Path) -> None:
-    """A table of pandas, polars or pyarrow, or a dict of columns, as CSV."""
-    if hasattr(table, "to_csv"):
-        table.to_csv(path, index=False)
-    elif hasattr(table, "write_csv"):
-        table.write_csv(path)
-    elif hasattr(table, "to_pydict"):
-        _write_table(name, table.to_pydict(), path)
-    elif isinstance(table, Mapping):
-        columns = [list(column) for column in table.values()]
-        lengths = sorted({len(column) for column in columns})
-        if len(lengths) > 1:
-            raise InputError(f"{name}: its columns have {' and '.join(map(str, lengths))} rows; expected as many in each")
-        with path.open("w", newline="", encoding="utf-8") as file:
-            import csv  # as below: `import longdrive` does not wait for what only some calls need
-
-            write = csv.writer(file)
-            write.writerow(table.keys())
-            write.writerows([_cell(value) for value in row] for row in zip(*columns))
-    else:
-        raise InputError(f"{name} is {kind_of(table)}; expected a file, a dict of columns, or a table of pandas, polars or pyarrow")
-
-
-def _cell(value: Any) -> Any:
-    if value is None or value != value:
-        return ""
-    # numbers of NumPy print as Python's own
-    return repr(float(value)) if hasattr(value, "dtype") and value.dtype.kind in "fiu" else value
 
 
 T = TypeVar("T")
