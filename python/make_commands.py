@@ -184,8 +184,10 @@ def docstring(command: dict[str, Any], required: list[Any], setups: list[Any], o
             text = "A setup, the name of a preset, a dict, or None for the preset tour-average."
             if command["name"] == "design":
                 text = text.replace("tour-average", "modern-driver")
+            if command["name"] == "compare":
+                text = "The first drive, which messages call a: " + lower(text)
         if option["name"] == "other":
-            text = "The other setup; the same without it."
+            text = "The second drive, b, as setup is given: for example setup.replace({\"club.loft\": \"11 deg\"}). Without it launch_a or launch_b says in what it differs."
         default = option["default"]
         if default not in (None, "false") and not option["positional"] and option["takes"] != "nothing" and default != "-":
             text += f" [default: {default}]"
@@ -202,7 +204,7 @@ def wrapped(text: str, first: str, then: str | None = None) -> list[str]:
 def as_python(text: str) -> str:
     """Help in the words of Python: options as names of arguments."""
     text = re.sub(r"--([a-z]+(?:-[a-z]+)*)", lambda match: match[1].replace("-", "_"), text)
-    text = re.sub(r"\.? Repeatable\.?$", "", text)
+    text = re.sub(r"\.? Repeatable\.?$", "", text).replace(", separated by commas", ", one or several")
     return " ".join(text.replace("Repeatable. ", "").replace(" Repeatable [", " [").replace(" Repeatable.", "").replace("\\", "\\\\").split())
 
 

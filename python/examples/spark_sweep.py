@@ -2,6 +2,8 @@
 
     python spark_sweep.py drives
     spark-submit spark_sweep.py /shared/drives
+
+Its workers take the python3 of their path, or the Python that PYSPARK_PYTHON names.
 """
 
 import sys

@@ -1,6 +1,7 @@
 //! Arrays of NumPy as the points of a batch.
 
-use crate::boundary::{Answer, Failure};
+use crate::boundary::{Answer, Failure, kind_of};
+use crate::degrees::Degrees;
 use crate::pool::look;
 use longdrive::batch::Points;
 use longdrive::parameters::{Parameter, Vary};
@@ -37,6 +38,8 @@ pub struct Arrays {
     columns: Vec<Column>,
     rows: usize,
     ranges: Vec<Vary>,
+    /// Columns that look like degrees, in words.
+    in_degrees: Vec<String>,
     next: usize,
     /// Rows that were gathered, one after the other, from row `first` on.
     gathered: Vec<f64>,
@@ -48,9 +51,9 @@ impl Arrays {
     /// and whole numbers are converted.
     pub fn of(setup: &Setup<f64>, points: &Bound<'_, PyAny>) -> Answer<Self> {
         let Ok(points) = points.cast::<PyMapping>() else {
-            let kind = points.get_type().name()?.to_string();
+            let kind = kind_of(points);
             return Err(Failure::Input(format!(
-                "points is a {kind}; expected a dict of parameters with arrays, like {{\"club.loft\": array}}, SI"
+                "points is {kind}; expected a dict of parameters with arrays, like {{\"club.loft\": array}}, SI"
             )));
         };
         let (mut parameters, mut columns, mut rows) = (vec![], vec![], None::<(&'static str, usize)>);
@@ -80,8 +83,9 @@ impl Arrays {
             columns.push(column);
         }
         let rows = rows.map_or(usize::from(!columns.is_empty()), |(_, rows)| rows);
-        let mut arrays = Self { parameters, columns, rows, ranges: vec![], next: 0, gathered: vec![], first: 0 };
-        arrays.ranges = arrays.found_ranges(points.py())?;
+        let (ranges, in_degrees, gathered) = (vec![], vec![], vec![]);
+        let mut arrays = Self { parameters, columns, rows, ranges, in_degrees, next: 0, gathered, first: 0 };
+        arrays.look(points.py())?;
         Ok(arrays)
     }
 
@@ -90,23 +94,33 @@ impl Arrays {
         self.rows
     }
 
-    /// The ranges of the values that their parameters may have. Python is let in between.
-    fn found_ranges(&self, py: Python<'_>) -> PyResult<Vec<Vary>> {
-        let mut ranges = vec![];
+    /// What deserves a word about them: degrees that were given for radians.
+    pub fn in_degrees(&self) -> Vec<String> {
+        self.in_degrees.clone()
+    }
+
+    /// Finds the ranges of the values that their parameters may have, and columns that look like degrees. Python is let in between.
+    fn look(&mut self, py: Python<'_>) -> PyResult<()> {
         for (parameter, column) in self.parameters.iter().zip(&self.columns) {
             let mut range = None::<(f64, f64)>;
+            let mut degrees = Degrees::default();
             for first in (0..self.rows).step_by(LOOKED_AT) {
                 look(py)?;
                 column.each(py, first..self.rows.min(first + LOOKED_AT), &mut |value| {
                     if parameter.range.contains(value) && value.is_finite() {
                         let (low, high) = range.unwrap_or((value, value));
                         range = Some((low.min(value), high.max(value)));
+                    } else {
+                        degrees.look(parameter, value);
                     }
                 });
             }
-            ranges.extend(range.map(|(low, high)| Vary { parameter, low, high }));
+            match range {
+                Some((low, high)) => self.ranges.push(Vary { parameter, low, high }),
+                None => self.in_degrees.extend(degrees.told(parameter)),
+            }
         }
-        Ok(ranges)
+        Ok(())
     }
 
     /// Copies the next rows of the arrays, one row after the other.

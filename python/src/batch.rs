@@ -189,7 +189,7 @@ pub fn batch<'py>(
             Some(given) => given_ranges(&setup, &given)?,
         };
         let shape = (of.len(), wrt.len());
-        let units = units(&arrays, &of, &wrt);
+        let (units, in_degrees) = (units(&arrays, &of, &wrt), arrays.in_degrees());
         let names = (of.iter().map(|of| of.name()).collect(), wrt.iter().map(|row| row.name).collect(), given);
         let to = Arc::clone(&shared);
         let work = move |stop: &AtomicBool| -> longdrive::Result<Vec<String>> {
@@ -230,6 +230,7 @@ pub fn batch<'py>(
             Looked::AtLaunch,
         );
         warnings.extend(beyond.iter().map(|message| message.in_units(System::default())));
+        warnings.extend(in_degrees);
         let (of, wrt, given) = names;
         let (status, columns, seconds) = moved(py, results, width, shape, hessians)?;
         Ok((status, columns, seconds, of, wrt, given, units, warnings, (done, whole), raised))

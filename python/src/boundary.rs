@@ -81,6 +81,15 @@ pub fn unpanicked<T>(work: impl FnOnce() -> T) -> Answer<T> {
     })
 }
 
+/// The type of a value with its article, for messages: `an int`, `a list`.
+pub fn kind_of(value: &Bound<'_, PyAny>) -> String {
+    let kind = value
+        .py()
+        .import("longdrive.arguments")
+        .and_then(|module| module.getattr("kind_of")?.call1((value,))?.extract());
+    kind.unwrap_or_else(|_: PyErr| "something else".into())
+}
+
 /// Panics, so that a test can see what becomes of it. With `in_python`, as a panic outside of longdrive's own code would.
 #[pyfunction(name = "_panic_for_a_test")]
 pub fn panic_for_a_test(message: String) -> PyResult<()> {

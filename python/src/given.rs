@@ -1,6 +1,6 @@
 //! What Python gives for the parameters of a setup: numbers, texts with units, quantities of pint, nested or dotted dicts.
 
-use crate::boundary::{Answer, Failure};
+use crate::boundary::{Answer, Failure, kind_of};
 use longdrive::Setup;
 use longdrive::parameters::{GOLFER, Kind, LAW, METHOD, SPEED_OF, TABLE, TURF, UNSET};
 use pyo3::prelude::*;
@@ -37,9 +37,9 @@ impl Given<'_> {
             // a truth is a number to Python, and no quantity
             Ok(number) if !value.is_instance_of::<PyBool>() => Ok((format!("{number:?}"), true)),
             _ => {
-                let kind = value.get_type().name()?.to_string();
+                let kind = kind_of(value);
                 let expected = "expected a number (SI), a text like \"10.5 deg\", or None for what may be unset";
-                Err(Failure::Input(format!("'{}' is a {kind}; {expected}", self.name)))
+                Err(Failure::Input(format!("'{}' is {kind}; {expected}", self.name)))
             }
         }
     }
@@ -116,9 +116,9 @@ fn flatten<'py>(dict: &Bound<'py, PyMapping>, prefix: &str, all: &mut Vec<Given<
 }
 
 fn not_a_mapping(value: &Bound<'_, PyAny>) -> Failure {
-    let kind = value.get_type().name().map_or_else(|_| "?".into(), |name| name.to_string());
+    let kind = kind_of(value);
     Failure::Input(format!(
-        "a setup cannot be made of a {kind}; give the name of a preset, or a dict like {{\"preset\": \"tour-average\", \
+        "a setup cannot be made of {kind}; give the name of a preset, or a dict like {{\"preset\": \"tour-average\", \
          \"club.loft\": \"10.5 deg\"}}; a file is read by Setup.read"
     ))
 }

@@ -6,6 +6,7 @@ mod arrow;
 mod batch;
 mod boundary;
 mod command;
+mod degrees;
 mod derivatives;
 mod drive;
 mod given;

@@ -1,6 +1,6 @@
 //! Outcomes and parameters by name, one or several of them; and what there is of both.
 
-use crate::boundary::{Answer, Failure, answer};
+use crate::boundary::{Answer, Failure, answer, kind_of};
 use crate::json::to_python;
 use crate::setup::PySetup;
 use longdrive::parameters::Parameter;
@@ -15,8 +15,8 @@ pub fn listed(what: &str, given: &Bound<'_, PyAny>) -> Answer<Vec<String>> {
         return Ok(vec![name.to_str()?.to_owned()]);
     }
     given.extract().map_err(|_| {
-        let kind = given.get_type().name().map_or_else(|_| "?".into(), |name| name.to_string());
-        Failure::Input(format!("{what} is a {kind}; expected a name or a list of names"))
+        let kind = kind_of(given);
+        Failure::Input(format!("{what} is {kind}; expected a name or a list of names"))
     })
 }
 

@@ -4,9 +4,10 @@ use crate::boundary::{Answer, Failure, answer};
 use crate::derivatives::{matrix, vector};
 use crate::names::{outcomes_named, variables};
 use crate::setup::PySetup;
+use longdrive::Error;
 use longdrive::derivative::{Evaluator, Order, Taylor};
 use longdrive::parameters::{Parameter, Range};
-use longdrive::study::swings::{Correlation, Goal, GoalFunction, Rule, Scenarios, Swings};
+use longdrive::study::swings::{Correlation, Goal, GoalFunction, Rule, Scenarios, Strokes, Swings};
 use longdrive::study::uncertainty::Uncertain;
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
@@ -55,6 +56,8 @@ struct Over {
     correlation: Vec<String>,
     scenarios: Option<usize>,
     seed: Option<u32>,
+    /// The table of expected strokes.
+    strokes: Option<PathBuf>,
 }
 
 impl Over {
@@ -78,7 +81,26 @@ impl Over {
                 Swings::distributed(inputs, &correlations.collect::<longdrive::Result<Vec<_>>>()?)?
             }
         };
-        Ok(Scenarios::new(&swings, Rule::of(&swings, self.scenarios, self.seed.unwrap_or(0))?)?)
+        let rule = Rule::of(&swings, self.scenarios, self.seed.unwrap_or(0))?;
+        rule.refuse_idle_seed(self.seed)?;
+        Ok(Scenarios::new(&swings, rule)?)
+    }
+
+    /// The goal over the swings; what is wrong with it is pointed at.
+    fn goal(&self, of: &str) -> Answer<Goal> {
+        let strokes = self.strokes.as_ref().map(|file| Strokes::open(file, false)).transpose()?;
+        let goal = Goal::read(of, strokes.as_ref()).map_err(|error| match error {
+            Error::Constraint { expression, column, reason } => {
+                Failure::Input(format!("of: {reason}\n  {expression}\n  {}^", " ".repeat(column)))
+            }
+            error => error.into(),
+        })?;
+        if strokes.is_some() && goal.strokes().next().is_none() {
+            let what =
+                "strokes: the goal does not ask for strokes; write for example of=\"strokes(400yd)\", or leave it out";
+            return Err(Failure::Input(what.into()));
+        }
+        Ok(goal)
     }
 
     /// # Errors
@@ -88,6 +110,7 @@ impl Over {
             ("correlation", !self.correlation.is_empty()),
             ("scenarios", self.scenarios.is_some()),
             ("seed", self.seed.is_some()),
+            ("strokes", self.strokes.is_some()),
         ];
         match given.into_iter().find(|(_, is_given)| *is_given) {
             Some((name, _)) => Err(Failure::Input(format!(
@@ -215,7 +238,7 @@ fn value(found: Option<&Taylor>) -> f64 {
 #[pymethods]
 impl PyObjective {
     #[new]
-    #[pyo3(signature = (setup, of = "carry", wrt = None, sense = None, invalid = "raise", swings = None, distribution = vec![], correlation = vec![], scenarios = None, seed = None))]
+    #[pyo3(signature = (setup, of = "carry", wrt = None, sense = None, invalid = "raise", swings = None, distribution = vec![], correlation = vec![], scenarios = None, seed = None, strokes = None))]
     #[expect(clippy::too_many_arguments, reason = "each is one that Python names")]
     fn new(
         setup: &Bound<'_, PyAny>,
@@ -228,14 +251,19 @@ impl PyObjective {
         correlation: Vec<String>,
         scenarios: Option<usize>,
         seed: Option<u32>,
+        strokes: Option<PathBuf>,
     ) -> PyResult<Self> {
         answer(|| {
             let setup = PySetup::of(setup)?;
-            let wrt = variables(&setup.setup, wrt)?;
-            let over = Over { swings, distribution, correlation, scenarios, seed };
+            let over = Over { swings, distribution, correlation, scenarios, seed, strokes };
+            let wrt = match wrt {
+                // the attack angle is the golfer's, and varies from swing to swing
+                None if over.is_given() && !setup.setup.launch.is_given() => vec![setup.setup.variable("club.loft")?],
+                wrt => variables(&setup.setup, wrt)?,
+            };
             let function = if over.is_given() {
                 let scenarios = over.taken(&setup.setup)?;
-                Function::Swings(Box::new(GoalFunction::new(&setup.setup, &Goal::read(of, None)?, &wrt, scenarios)?))
+                Function::Swings(Box::new(GoalFunction::new(&setup.setup, &over.goal(of)?, &wrt, scenarios)?))
             } else {
                 over.refuse_stray()?;
                 let named = outcomes_named(&[of.to_owned()])?;
@@ -338,8 +366,8 @@ impl PyObjective {
 
     fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
         let invalid = if self.gives_nan { "nan" } else { "raise" };
-        let Over { swings, distribution, correlation, scenarios, seed } = self.over.clone();
-        let of_swings = (swings, distribution, correlation, scenarios, seed).into_pyobject(py)?;
+        let Over { swings, distribution, correlation, scenarios, seed, strokes } = self.over.clone();
+        let of_swings = (swings, distribution, correlation, scenarios, seed, strokes).into_pyobject(py)?;
         let own = (self.setup, &self.of, self.names(), self.sense.as_deref(), invalid).into_pyobject(py)?;
         Ok((py.get_type::<Self>().into_any(), own.as_sequence().concat(of_swings.as_sequence())?.to_tuple()?))
     }

@@ -1,6 +1,6 @@
 //! `Setup`: everything a drive depends on.
 
-use crate::boundary::{Answer, Failure, answer};
+use crate::boundary::{Answer, Failure, answer, kind_of};
 use crate::given::{self, PRESET};
 use longdrive::parameters::{GOLFER, LAW, METHOD, Parameter, Preset, SPEED_OF, SetupFile, TABLE, TURF};
 use longdrive::report::{Change, changes, setup_toml, setup_toml_without_step};
@@ -166,9 +166,8 @@ impl PySetup {
 type State = (String, bool, Option<String>);
 
 /// What is told of an argument of a wrong kind.
-fn kind_of(name: &str, given: &Bound<'_, PyAny>, expected: &str) -> Failure {
-    let kind = given.get_type().name().map_or_else(|_| "?".into(), |kind| kind.to_string());
-    Failure::Input(format!("{name} is a {kind}; expected {expected}"))
+fn not_of_the_kind(name: &str, given: &Bound<'_, PyAny>, expected: &str) -> Failure {
+    Failure::Input(format!("{name} is {}; expected {expected}", kind_of(given)))
 }
 
 /// What is told of the name of no preset: that of a file is read by another function.
@@ -205,7 +204,7 @@ impl PySetup {
     #[staticmethod]
     fn read(path: &Bound<'_, PyAny>) -> PyResult<Self> {
         answer(|| {
-            let file: PathBuf = path.extract().map_err(|_| kind_of("path", path, "the name of a file"))?;
+            let file: PathBuf = path.extract().map_err(|_| not_of_the_kind("path", path, "the name of a file"))?;
             Self::of_file(SetupFile::open(&file)?)
         })
     }
@@ -223,7 +222,7 @@ impl PySetup {
     #[pyo3(signature = (text, file = "setup.toml"))]
     fn from_toml(text: &Bound<'_, PyAny>, file: &str) -> PyResult<Self> {
         answer(|| {
-            let toml: String = text.extract().map_err(|_| kind_of("text", text, "the text of a setup file"))?;
+            let toml: String = text.extract().map_err(|_| not_of_the_kind("text", text, "the text of a setup file"))?;
             Self::of_file(SetupFile::read(&toml, file)?)
         })
     }

@@ -101,7 +101,7 @@ def test_a_drive_is_a_mapping_that_pickles_and_shows_itself() -> None:
     ("carry", "club.lofft", "unknown parameter 'club.lofft'; did you mean 'club.loft'"),
     ("carry", ["club.loft", "club.loft"], "wrt names 'club.loft' twice"),
     ("carry", [], "nothing to differentiate by"),
-    ("carry", 3, "wrt is a int; expected a name or a list of names"),
+    ("carry", 3, "wrt is an int; expected a name or a list of names"),
     ("carry", "aero.law", "it is a choice, not a number"),
     ("all", "club.loft", "name one"),
 ])

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 import subprocess
 import sys
@@ -23,7 +24,11 @@ NEEDS = {
 def run(name: str, *arguments: str) -> str:
     if name in NEEDS:
         pytest.importorskip(NEEDS[name])
-    done = subprocess.run([sys.executable, EXAMPLES / f"{name}.py", *arguments], capture_output=True, text=True, check=False)
+    # workers of Spark take the python3 of the path otherwise, which need not be this one
+    done = subprocess.run(
+        [sys.executable, EXAMPLES / f"{name}.py", *arguments],
+        capture_output=True, text=True, check=False, env={**os.environ, "PYSPARK_PYTHON": sys.executable},
+    )  # fmt: skip
     assert done.returncode == 0, done.stderr
     return done.stdout
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pickle
 import warnings
 from collections.abc import Callable
 from typing import Any
@@ -36,11 +37,53 @@ def test_a_call_warns_once_of_all_that_its_answer_warns_of(call: Callable[[], An
 
 
 @pytest.mark.parametrize("call", CALLS)
-def test_a_warning_may_be_an_error(call: Callable[[], Any]) -> None:
+def test_a_warning_may_be_an_error_and_has_the_answer(call: Callable[[], Any]) -> None:
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        with pytest.raises(LongdriveWarning, match="fitted"):
+        with pytest.raises(LongdriveWarning, match="fitted") as raised:
             call()
+        warnings.simplefilter("ignore")
+        answer = raised.value.answer
+        # whatever it is, it is the same as without the warning, also behind a pool of processes
+        assert type(answer) is type(call()) and answer.warnings and "\n".join(answer.warnings) == str(raised.value)
+        other = pickle.loads(pickle.dumps(raised.value))
+    assert str(other) == str(raised.value) and type(other.answer) is type(answer) and other.answer.warnings == answer.warnings
+
+
+def test_exact_the_optimum_of_a_search_whose_warning_is_an_error_is_kept() -> None:
+    with warnings.catch_warnings(record=True):
+        warnings.simplefilter("always")
+        found = longdrive.optimize(FAST)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        with pytest.raises(LongdriveWarning) as raised:
+            longdrive.optimize(FAST)
+    assert raised.value.answer.success and (raised.value.answer.x == found.x).all()
+    assert LongdriveWarning("alone").answer is None
+
+
+def test_degrees_given_for_radians_are_told() -> None:
+    degrees = {"club.loft": [8.0, 10.0, 12.0], "swing.attack_angle": np.radians([1.0, 2.0, 3.0])}
+    with pytest.warns(LongdriveWarning, match=r"points: every value of club.loft is out of range: 8 to 12, .*look like degrees: give numpy.radians") as told:
+        table = longdrive.batch("tour-average", degrees)
+    assert table.counts() == {"out-of-range": 3} and "swing.attack_angle" not in str(told[0].message)
+    with pytest.warns(LongdriveWarning, match="every value of swing.path is out of range: 2, "):
+        longdrive.batch("tour-average", {"club.loft": [0.1, 0.2], "swing.path": 2.0})
+    quiet: list[dict[str, Any]] = [
+        {"club.loft": [0.14, 0.17, np.nan]},  # radians
+        {"club.loft": [0.14, 10.0]},  # one that is a slip
+        {"club.loft": [1000.0, 2000.0]},  # no degrees either
+        {"club.loft": [np.nan]},
+        {"swing.speed": [5000.0]},  # no angle
+    ]
+    for points in quiet:
+        assert not any("degrees" in text for text in longdrive.batch("winfield-tan", points).warnings), points
+
+
+def test_swings_that_leave_the_law_warn() -> None:
+    fast = "swing.speed=truncated(150mph,3mph,140mph,160mph)"
+    with pytest.warns(LongdriveWarning, match="100 % of the swings: in 1 % of the flight or more outside"):
+        longdrive.optimize("tour-average", vary="club.loft=4deg..20deg", distribution=fast)
 
 
 def test_a_drive_without_warnings_warns_of_nothing() -> None:
@@ -61,7 +104,7 @@ def test_what_an_optimizer_calls_warns_of_nothing() -> None:
 def test_a_fit_without_a_minimum_warns() -> None:
     # carry does not tell drag from lift at one launch
     shots = {"ball_speed [m/s]": [70.0, 70.0, 70.0], "launch_angle [deg]": [11.0, 11.0, 11.0], "backspin [rpm]": [2600.0, 2600.0, 2600.0], "carry [m]": [230.0, 231.0, 229.0]}
-    with pytest.warns(LongdriveWarning, match="the fit is undetermined: the data do not determine"):
+    with pytest.warns(LongdriveWarning, match="the fit ended as 'undetermined': the data do not determine"):
         found = longdrive.calibrate(shots, {"preset": "modern-driver", "aero.law": "robinson"}, fit=["aero.cd0=0.1..0.5", "aero.cl_max=0.05..0.5"])
     assert found.status == "undetermined"
 
@@ -83,3 +126,11 @@ def test_a_measurement_that_no_drive_has_is_refused(head: str, value: float, wor
     with pytest.raises(longdrive.InputError, match=words) as raised:
         longdrive.calibrate(shots, {"preset": "modern-driver", "aero.law": "robinson"}, fit="aero.cd0")
     assert str(raised.value).startswith(f"data, row 2, column {head.split()[0]}: ")
+
+
+def test_a_fit_names_the_value_that_no_drive_has_and_the_swing_that_all_rows_have() -> None:
+    launch = {"ball_speed [mph]": [150.0, 160.0], "launch_angle [deg]": [12.0, 12.0], "spin [rpm]": [2500.0, 2500.0]}
+    with pytest.raises(longdrive.InputError, match="^data, row 2, column carry: 825 yd is outside of what a drive has, above 0 to 600 yd; check"):
+        longdrive.calibrate({**launch, "carry [yd]": [240.0, 825.0]}, fit="aero.cd0")
+    with pytest.warns(LongdriveWarning, match="^data has neither a whole launch .* all 2 rows are compared with one drive, .* swing.speed 115 mph"):
+        longdrive.calibrate({"carry [yd]": [270.0, 275.0]}, fit="aero.cd0")

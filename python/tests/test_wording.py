@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 import longdrive
-from longdrive import InputError
+from longdrive import InputError, parts
 from longdrive.wording import in_python
 
 
@@ -120,6 +120,7 @@ def test_a_table_in_a_message_is_called_as_its_argument(call: Callable[[], Any],
         (lambda: longdrive.Setup({"impact.restitution": None}), "'impact.restitution' is None, and cannot be unset; expected a number, or"),
         (lambda: longdrive.Setup({"aero.table": None}), "'aero.table' is None, .*expected the name of a CSV file with a table of drag and lift"),
         (lambda: longdrive.objective(None, None), "of is a NoneType; expected one name"),
+        (lambda: longdrive.objective(None, 3), "of is an int; expected one name"),
         (lambda: longdrive.Setup.read(None), "path is a NoneType; expected the name of a file"),
         (lambda: longdrive.Setup.from_toml(None), "text is a NoneType; expected the text of a setup file"),
         (lambda: longdrive.optimize(vary={"club.loft": (None, 0.2)}), "club.loft has None where a value is needed"),
@@ -141,7 +142,10 @@ def test_none_where_a_value_is_needed_names_the_argument_and_what_is_wanted(call
         (lambda: longdrive.simulate()["cary"], "unknown outcome 'cary'; did you mean 'carry'"),
         (lambda: longdrive.simulate(of="spin")["carry"], "'carry' was not asked for; .*gives spin here"),
         (lambda: longdrive.batch(None, {"club.loft": [0.2]})["cary"], "unknown column 'cary'; did you mean 'carry'"),
-        (lambda: longdrive.batch(None, {"club.loft": [0.2]}).derivative("carry", "club.loft"), "unknown column 'd_carry/d_club.loft'"),
+        (lambda: longdrive.batch(None, {"club.loft": [0.2]}).derivative("carry", "club.loft"), "no derivatives by 'club.loft'; it has none; ask for others with wrt, as in wrt='club.loft'"),
+        (lambda: longdrive.batch(None, {"club.loft": [0.2]}, wrt="points").derivative("carry", "gravity"), "it has those by club.loft; ask for others with wrt"),
+        (lambda: longdrive.batch(None, {"club.loft": [0.2]}, wrt="points").derivative("cary", "club.loft"), "unknown outcome 'cary'; did you mean 'carry'"),
+        (lambda: longdrive.batch(None, {"club.loft": [0.2]}, wrt="points").derivative("spin", "club.loft"), "the table has carry; ask for others with of"),
     ],
 )
 def test_an_unknown_key_is_a_key_error_with_the_nearest(look: Callable[[], Any], words: str) -> None:
@@ -190,3 +194,71 @@ def test_tables_of_different_questions_are_not_joined() -> None:
 def test_design_begins_with_the_programs_preset() -> None:
     found = longdrive.design(max_iterations=1)
     assert found.setup.preset == "modern-driver"
+
+
+RECORDED = {"swing.speed [m/s]": [48.0, 49.0, 50.0, 51.0]}
+ATTACK = "swing.attack_angle=truncated(-1deg,2deg,-5deg,3deg)"
+
+
+@pytest.mark.parametrize(
+    ("call", "words"),
+    [
+        (lambda: longdrive.optimize(vary={}), "^vary is empty; give one or more, or leave it out: A parameter to vary, with its range, .*default: loft 4 to 20 deg"),
+        (lambda: longdrive.optimize(vary=[]), "^vary is empty"),
+        (lambda: longdrive.robust(model=[]), "^model is empty"),
+        (lambda: longdrive.calibrate(SHOTS, fit=[]), "^fit is empty; give one or more: A parameter to fit"),
+        (lambda: longdrive.compare("mae494", "tour-average", of=[]), "^of is empty"),
+        (lambda: longdrive.sweep("mae494", {"club.loft": (0.1, 0.2, 3)}, seed=4), "^seed = 4 chooses the points of a sample, and nothing is sampled"),
+        (lambda: longdrive.sweep("mae494", {"club.loft": (0.1, 0.2, 3)}, seed=-4), "^seed = -4; expected a whole number of 0 or more"),
+        (lambda: parts.Question.of("mae494", output="a", parts=1, over={"club.loft": (0.1, 0.2, 3)}, seed=4), "^seed = 4 chooses the points"),
+        (lambda: longdrive.optimize(distribution=ATTACK, vary="club.loft=4deg..20deg", seed=4), "^seed: up to 3 distributed parameters are integrated.*give scenarios"),
+        (lambda: longdrive.objective("mae494", "mean(carry)", distribution=ATTACK, seed=4), "^seed: up to 3 distributed parameters are integrated"),
+        (lambda: longdrive.robust(swings=RECORDED, vary="club.loft=4deg..20deg", seed=4), "^seed: recorded swings are the scenarios themselves"),
+    ],
+)
+def test_what_would_have_no_effect_is_refused(call: Callable[[], Any], words: str) -> None:
+    with pytest.raises(InputError, match=words):
+        call()
+
+
+def test_what_is_empty_by_its_own_right_is_taken() -> None:
+    # no constraints, no distributions, no correlations
+    assert longdrive.optimize("mae494", subject_to=[], distribution={}, correlation=[]).success
+    assert len(longdrive.sweep("mae494", {"club.loft": (0.1, 0.2)}, sample=4, seed=4)) == 4
+
+
+@pytest.mark.parametrize("shape", [tuple, list, np.array])
+def test_exact_a_range_is_any_sequence_of_two_numbers(shape: Callable[[Any], Any]) -> None:
+    ends = np.radians([4.0, 20.0])
+    wanted = longdrive.optimize("mae494", vary=f"club.loft={float(ends[0])!r} rad..{float(ends[1])!r} rad")
+    assert (longdrive.optimize("mae494", vary={"club.loft": shape(ends)}).x == wanted.x).all()
+    table = longdrive.sweep("mae494", {"club.loft": shape([0.1, 0.2, 3])})
+    assert (table.points["club.loft"] == [0.1, 0.15000000000000002, 0.2]).all()
+    chart = longdrive.chart("mae494", along={"swing.speed": shape([45.0, 50.0])}, at=shape([45.0, 47.0, 50.0]), vary={"club.loft": shape(ends)})
+    assert [point["at"] for point in chart.points] == [45.0, 47.0, 50.0]
+
+
+@pytest.mark.parametrize("given", [{4.0, 20.0}, 3, [0.1], [0.1, 0.2, 0.3, 0.4], [0.1, None], [0.1, 0.2, 2.5]])
+def test_what_is_no_range_is_refused(given: Any) -> None:
+    with pytest.raises(InputError, match="club.loft|expected"):
+        longdrive.sweep("mae494", {"club.loft": given})
+
+
+@pytest.mark.parametrize(
+    ("call", "words"),
+    [
+        (lambda: longdrive.objective(None, "carry >= 3 yd", distribution=ATTACK), "^of: 'carry >= 3 yd' is no measure"),
+        (lambda: longdrive.objective(None, "mean(cary)", distribution=ATTACK), "^of: unknown outcome 'cary'; did you mean 'carry'"),
+        (lambda: longdrive.objective(None, "strokes(400yd)", distribution=ATTACK), "^of: expected strokes need a table of them; give it with strokes=FILE"),
+        (lambda: longdrive.objective(None, "mean(carry)", distribution=ATTACK, strokes={}), "^strokes is a dict; expected the name of a file$"),
+        (lambda: longdrive.objective(None, "carry", strokes="a.csv"), "^strokes: it is about many swings"),
+        (lambda: longdrive.optimize(vary=3), "^vary is an int; expected"),
+        (lambda: longdrive.batch("mae494", 3), "^points is an int; expected"),
+        (lambda: longdrive.Setup(3), "a setup cannot be made of an int;"),
+        (lambda: longdrive.gradient(wrt=3), "^wrt is an int; expected"),
+    ],
+)
+def test_a_message_names_arguments_that_the_function_has(call: Callable[[], Any], words: str) -> None:
+    with pytest.raises(InputError, match=words) as raised:
+        call()
+    assert "subject_to" not in str(raised.value)

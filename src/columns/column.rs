@@ -268,7 +268,7 @@ impl Column {
         self.unit.as_deref().or_else(|| self.quantity().map(|quantity| quantity.si)).unwrap_or_default()
     }
 
-    /// The SI value of a cell, in the golfer's own terms; `None` for one that is empty.
+    /// The SI value of a cell, in the golfer's own terms; `None` for one that is empty, or has the NaN that other programs write of a missing number.
     ///
     /// # Errors
     /// A sentence for a cell that is no finite number.
@@ -286,7 +286,7 @@ impl Column {
     }
 
     fn stated(&self, cell: &str) -> std::result::Result<Option<f64>, String> {
-        if cell.is_empty() {
+        if cell.is_empty() || cell.trim().parse().is_ok_and(f64::is_nan) {
             return Ok(None);
         }
         // a flat face has an infinite radius

@@ -23,7 +23,7 @@ pub(crate) use head::Head;
 pub(crate) use launch_monitor::{has_thousands, is_export, nearest_head, split_unit, summary, without_side, words};
 pub(crate) use left_out::{Club, Spin, given_air, near_known};
 pub(crate) use marks::Marks;
-pub(crate) use plausible::{implausible, implausible_launch, impossible};
+pub(crate) use plausible::{implausible, implausible_launch, impossible, outside};
 #[cfg(feature = "cli")]
 pub(crate) use unstated::UNSTATED;
 pub(crate) use unstated::unstated;

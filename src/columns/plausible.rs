@@ -48,16 +48,19 @@ static IN_SI: LazyLock<Vec<(Outcome, f64, f64)>> = LazyLock::new(|| {
 
 /// Why a value is none of a drive, in words; `name` is that of its column.
 pub(crate) fn implausible(of: Outcome, value: f64, name: impl FnOnce() -> String) -> Option<String> {
+    outside(of, value).map(|why| format!("{}: {why}", name()))
+}
+
+/// The same without the name of the column.
+pub(crate) fn outside(of: Outcome, value: f64) -> Option<String> {
     let (at, (_, lowest, highest)) = IN_SI.iter().enumerate().find(|(_, (outcome, ..))| *outcome == of)?;
     if (*lowest..=*highest).contains(&value) {
         return None;
     }
     let (_, low, high, unit) = RANGES[at];
-    let (name, shown) = (name(), of.quantity().show(value, unit));
+    let shown = of.quantity().show(value, unit);
     let from = if ABOVE.contains(&of) { "above " } else { "" };
-    Some(format!(
-        "{name}: {shown} is outside of what a drive has, {from}{low} to {high} {unit}; check the value and its unit"
-    ))
+    Some(format!("{shown} is outside of what a drive has, {from}{low} to {high} {unit}; check the value and its unit"))
 }
 
 /// What no drive has less of than nothing: a measured value below 0, or of a length or time 0 itself, is a mistake of the table.

@@ -61,6 +61,9 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
         check_folds(&table, plan, folds)
             .map_err(|error| Error::Unreadable { name: format!("--compare {law}"), source: error.into() })?;
     }
+    let one_drive: Vec<_> = table.one_drive(&setup, &plan.fit).into_iter().collect();
+    warn(&one_drive);
+    warnings.extend(one_drive);
     let follow = Follow { iteration: Some(Arc::new(shown())), interrupt: interrupt::stops(BEST_SO_FAR) };
     let found = calibrate(&setup, &table, &plan, &follow)?;
     let shots = beyond(&found.setup, &table.shots);
@@ -83,7 +86,7 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
     }
     let report = CalibrationReport { table: &table, found: &found, held_out: &held };
     if !report.is_found() {
-        let without_minimum = [Message::from(format!("the fit is {}: {}", report.status(), report.message()))];
+        let without_minimum = [Message::from(format!("the fit ended as '{}': {}", report.status(), report.message()))];
         warn(&without_minimum);
         warnings.extend(without_minimum);
     }

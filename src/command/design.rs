@@ -7,7 +7,7 @@ use crate::parameters::Parameter;
 use crate::report::Designed;
 use crate::study::Sense;
 use crate::study::design::{Design, GOLFER, golfer, parts, usual_vary};
-use crate::study::swings::{Goal, Rule, Scenarios, Swings};
+use crate::study::swings::{Goal, Scenarios, Swings};
 use crate::{Error, Result};
 
 /// What is sought where nothing is asked for.
@@ -42,8 +42,7 @@ pub fn run(args: &DesignArgs) -> Result<Answer> {
     if search.search.vary.is_empty() {
         notes.push("nothing was asked to vary: bulge, roll and loft are varied; others: --vary NAME=LOW..HIGH".into());
     }
-    let rule = Rule::of(&swings, search.swings.scenarios, search.swings.seed.unwrap_or(0))?;
-    let scenarios = Scenarios::new(&swings, rule)?;
+    let scenarios = Scenarios::new(&swings, search.swings.rule(&swings, true)?)?;
     let design = Design::new(&setup, &scenarios, asked, args.rules == "golf")?;
     notes.extend(design.notes.iter().cloned());
     let found = found(search, Asked { setup, swings, scenarios, search: design.search.clone() })?;

@@ -22,7 +22,7 @@ use std::time::{Duration, Instant};
 pub fn run(args: &ParetoArgs) -> Result<Answer> {
     let output = Output::new(args)?;
     let (setup, found) = followed(&args.question, &args.asked)?;
-    let mut warnings = setup.warnings();
+    let mut warnings = warnings(&setup, &found);
     let written = match &output {
         Some(output) => output.write(&found, args, &mut warnings)?,
         None => None,
@@ -46,7 +46,12 @@ pub fn draw(args: &PlotPareto) -> Result<Answer> {
         let message = "stopped before the whole front was found".into();
         return Err(Error::NotConverged { status: "interrupted", message });
     }
-    target.put(args.question.json, &args.drawing, &pareto_figure(&found, system()), setup.warnings())
+    target.put(args.question.json, &args.drawing, &pareto_figure(&found, system()), warnings(&setup, &found))
+}
+
+/// What deserves a word about the setup, and about the drives of the front.
+fn warnings(setup: &Setup<f64>, found: &Pareto) -> Vec<Message> {
+    setup.warnings().into_iter().chain(found.warnings()).collect()
 }
 
 /// The setup asked about, and the front.
@@ -79,7 +84,7 @@ fn followed(question: &Question, asked: &ParetoAsked) -> Result<(Setup<f64>, Par
 
 /// Goals over many swings.
 fn over_swings(question: &Question, asked: &ParetoAsked) -> Result<(Setup<f64>, ParetoSearch, Scenarios)> {
-    let (set_up, _, scenarios) = asked.swings.taken(question)?;
+    let (set_up, _, scenarios) = asked.swings.taken(question, false)?;
     let setup = question.varied(set_up, &asked.vary)?;
     let strokes = asked.swings.strokes()?;
     let strokes = strokes.as_ref();

@@ -6,7 +6,7 @@ use crate::command::interrupt;
 use crate::command::names::tell_of_the_run;
 use crate::command::output::{Answer, spinner, system, tell, warn};
 use crate::command::swings::{ranges, searched};
-use crate::optimize::{Follow, Status};
+use crate::optimize::Follow;
 use crate::report::{robust_reply, robust_text, robust_toml};
 use crate::study::Search;
 use crate::study::swings::{Goal, GoalLimit, Model, Scenarios, SwingsSearch, robust};
@@ -37,8 +37,8 @@ pub fn run(args: &RobustArgs) -> Result<Answer> {
     spinner.finish_and_clear();
     interrupt::ends();
     let found = found?;
-    let is_found = found.solution.status == Status::Converged;
-    let mut warnings = found.setup.warnings();
+    let is_found = found.is_found();
+    let mut warnings = found.warnings();
     let mut written = None;
     if let Some(output) = &output {
         let file = output.path().display().to_string();
@@ -63,7 +63,7 @@ impl RobustArgs {
     /// The setup, what is looked for, and over which swings.
     fn asked(&self) -> Result<(Setup<f64>, SwingsSearch, Scenarios)> {
         if self.swings.is_given() {
-            let (set_up, _, scenarios) = self.swings.taken(&self.question)?;
+            let (set_up, _, scenarios) = self.swings.taken(&self.question, false)?;
             let setup = self.question.varied(set_up, &self.search.vary)?;
             let search = searched(&self.search, &self.swings, &setup)?;
             tell_of_the_run(&search.of.outcomes());

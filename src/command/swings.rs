@@ -61,13 +61,22 @@ impl SwingsArgs {
         if self.correlation.is_empty() { Ok(()) } else { self.refuse_stray() }
     }
 
+    /// How the swings that stand for all are taken. The seed is also that of the resamples of recorded swings, where there are any.
+    pub fn rule(&self, swings: &Swings, is_resampled: bool) -> Result<Rule> {
+        let rule = Rule::of(swings, self.scenarios, self.seed.unwrap_or(0))?;
+        if !(is_resampled && rule == Rule::Recorded) {
+            rule.refuse_idle_seed(self.seed)?;
+        }
+        Ok(rule)
+    }
+
     /// The swings and those of them that stand for all, with the setup, in which what varies from swing to swing has a value.
-    pub fn taken(&self, question: &Question) -> Result<(Setup<f64>, Swings, Scenarios)> {
+    pub fn taken(&self, question: &Question, is_resampled: bool) -> Result<(Setup<f64>, Swings, Scenarios)> {
         let setup = question.setup()?;
         let swings = self.read(&setup)?;
         question.refuse_twice(&setup, &swings.parameters(), "the swings have values of it")?;
         let setup = question.begun(setup, swings.parameters().into_iter().zip(swings.means()), "varies about")?;
-        let scenarios = Scenarios::new(&swings, Rule::of(&swings, self.scenarios, self.seed.unwrap_or(0))?)?;
+        let scenarios = Scenarios::new(&swings, self.rule(&swings, is_resampled)?)?;
         Ok((setup, swings, scenarios))
     }
 
@@ -146,7 +155,7 @@ impl Found {
 /// Searches over many swings.
 pub fn run(args: &Optimize) -> Result<Answer> {
     let asked = &args.swings;
-    let (setup, swings, scenarios) = asked.taken(&args.question)?;
+    let (setup, swings, scenarios) = asked.taken(&args.question, true)?;
     let search = searched(&args.search, asked, &args.question.varied(setup, &args.search.vary)?)?;
     let found = found(args, Asked { setup, swings, scenarios, search })?;
     let answer = if args.question.json { Answer::json(&found.reply()) } else { Answer::text(found.text()) };
@@ -173,7 +182,7 @@ pub fn found(args: &Optimize, Asked { setup, swings, scenarios, search }: Asked)
     let seed = u64::from(args.swings.seed.unwrap_or(0));
     let resampled = if is_recorded { resampled(&setup, &best, RESAMPLES, seed)? } else { None };
     interrupt::ends();
-    let mut warnings = best.setup.warnings();
+    let mut warnings = best.warnings();
     if let Some(share) = best.beyond_strokes.filter(|share| *share > 0.0) {
         let percent = (100.0 * share).max(0.1);
         warnings.push(Message::from(format!(

@@ -95,30 +95,71 @@ impl BeyondCount {
 
     /// What deserves a word: a sentence for each kind of which there are any. `of` is what they are: "drive", "optimum".
     pub fn warnings(&self, law: &Law<f64>, of: [&str; 2], looked: Looked) -> Vec<Message> {
-        let some = |count: u64| counted_of(count, self.all, of);
-        let mut warnings = vec![];
-        if self.law > 0 {
-            let fitted = AerodynamicLaw::<f64>::fitted(law);
-            let (when, rest) = match looked {
-                Looked::AtLaunch => ("at launch", "; the rest of the flight was not checked"),
-                Looked::AtFlight => ("in 1 % of the flight or more", ""),
-            };
-            let which = some(self.law);
-            let name = law.name();
-            let before = Message::from(format!("{which}: {when} outside of what the law {name} was fitted to ("));
-            let how = fitted.beyond(fitted.left([[f64::NEG_INFINITY, f64::INFINITY]; 4]));
-            warnings.push(fitted.in_words(before).words(format!("; {}), where it is {how}{rest}", fitted.to)));
-        }
-        if self.face > 0 {
-            let which = some(self.face);
-            warnings.push(
-                format!("{which}: the strike lies outside {}: no club strikes the ball there", any_face()).into(),
-            );
-        }
-        if self.flat > 0 {
-            let lands = if self.flat == 1 { "the ball lands" } else { "the balls land" };
-            warnings.push(assumed(format!("{}: {lands} at less than ", some(self.flat)).into()));
-        }
-        warnings
+        let some = |count: u64| (count > 0).then(|| counted_of(count, self.all, of));
+        in_words([self.law, self.face, self.flat].map(some), self.flat == 1, law, looked)
     }
+}
+
+/// Which shares of some drives lie beyond, from 0 to 1.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct BeyondShare {
+    /// The share that flies with what the law was not fitted to.
+    pub law: f64,
+    /// The share struck beside any face.
+    pub face: f64,
+    /// The share that lands flatter than any whose bounce was measured.
+    pub flat: f64,
+}
+
+impl BeyondShare {
+    /// Less than this share of drives that vary is not worth a word, as less than 1 % of a flight is not.
+    const WORTH_A_WORD: f64 = 0.01;
+
+    /// Adds a drive that is this share of all.
+    pub fn add(&mut self, drive: Beyond, share: f64) {
+        self.law += share * f64::from(u8::from(drive.law));
+        self.face += share * f64::from(u8::from(drive.face));
+        self.flat += share * f64::from(u8::from(drive.flat));
+    }
+
+    /// What 1 % of the drives or more lie beyond.
+    pub fn worth_a_word(&self) -> Beyond {
+        let is = |share: f64| share >= Self::WORTH_A_WORD;
+        Beyond { law: is(self.law), face: is(self.face), flat: is(self.flat) }
+    }
+
+    /// What deserves a word of drives that were looked at along their flights: a sentence for each kind that 1 % of them or more are of. `of` is
+    /// what they are: "the swings".
+    pub fn warnings(&self, law: &Law<f64>, of: &str) -> Vec<Message> {
+        let Beyond { law: of_law, face, flat } = self.worth_a_word();
+        let shares = [(of_law, self.law), (face, self.face), (flat, self.flat)];
+        let which = shares.map(|(is_told, share)| is_told.then(|| format!("{:.0} % of {of}", 100.0 * share)));
+        in_words(which, false, law, Looked::AtFlight)
+    }
+}
+
+/// A sentence for each kind of which there are any: those beyond the law, beside any face, and landed flat.
+fn in_words(which: [Option<String>; 3], is_one_flat: bool, law: &Law<f64>, looked: Looked) -> Vec<Message> {
+    let [of_law, face, flat] = which;
+    let mut warnings = vec![];
+    if let Some(which) = of_law {
+        let fitted = AerodynamicLaw::<f64>::fitted(law);
+        let (when, rest) = match looked {
+            Looked::AtLaunch => ("at launch", "; the rest of the flight was not checked"),
+            Looked::AtFlight => ("in 1 % of the flight or more", ""),
+        };
+        let name = law.name();
+        let before = Message::from(format!("{which}: {when} outside of what the law {name} was fitted to ("));
+        let how = fitted.beyond(fitted.left([[f64::NEG_INFINITY, f64::INFINITY]; 4]));
+        warnings.push(fitted.in_words(before).words(format!("; {}), where it is {how}{rest}", fitted.to)));
+    }
+    if let Some(which) = face {
+        warnings
+            .push(format!("{which}: the strike lies outside {}: no club strikes the ball there", any_face()).into());
+    }
+    if let Some(which) = flat {
+        let lands = if is_one_flat { "the ball lands" } else { "the balls land" };
+        warnings.push(assumed(format!("{which}: {lands} at less than ").into()));
+    }
+    warnings
 }

@@ -6,7 +6,7 @@ mod outcome;
 mod struck;
 mod warnings;
 
-pub use beyond::{Beyond, BeyondCount, Looked};
+pub use beyond::{Beyond, BeyondCount, BeyondShare, Looked};
 pub(crate) use beyond::{any_face, is_beside_any_face};
 pub(crate) use flat::flat;
 pub use warnings::Within;

@@ -54,13 +54,15 @@ fn verdict(found: &Robust, within: Option<f64>, system: System) -> String {
         goal.expression,
         show(found.greatest().max(0.0))
     );
-    match within {
-        Some(within) if found.greatest() <= within => {
-            format!("one design is within {} of the best for every model: {least}", show(within))
+    let stopped = found.interrupted().map_or(String::new(), |stopped| format!("{stopped}; so far "));
+    stopped
+        + &match within {
+            Some(within) if found.greatest() <= within => {
+                format!("one design is within {} of the best for every model: {least}", show(within))
+            }
+            Some(within) => format!("no design is within {} of the best for every model: {least}", show(within)),
+            None => least,
         }
-        Some(within) => format!("no design is within {} of the best for every model: {least}", show(within)),
-        None => least,
-    }
 }
 
 /// The design, what each model loses with it, and what each loses at the best designs of the others.

@@ -80,24 +80,28 @@ fn a_search_that_stalls_where_the_data_determine_nothing_ends_undetermined() {
         json(&["calibrate", path.to_str().unwrap(), "--fit", "wind.downrange", "--fit", "ball.radius"]);
     assert_eq!((status, answer["status"].as_str()), (1, Some("undetermined")), "{}", answer["message"]);
     let warning = answer["warnings"].as_array().unwrap().last().unwrap().as_str().unwrap();
-    assert!(warning.starts_with("the fit is undetermined: the data do not determine"), "{warning}");
+    assert!(warning.starts_with("the fit ended as 'undetermined': the data do not determine"), "{warning}");
     let told = answer["message"].as_str().unwrap();
     assert!(told.contains("the data do not determine wind.downrange and ball.radius separately"), "{told}");
 }
 
 #[test]
 fn a_row_that_decides_alone_outweighs_the_others() {
-    // one of the other sign is refused before any fit
-    for (carry, huber, ends) in [("1e9", false, "outweighed"), ("1e9", true, "converged")] {
-        let (_folder, path) = deliveries(carry);
+    let apexes = |last: &str| {
+        let head = "swing.speed [mph],club.loft [deg],apex_downrange [yd],sigma apex_downrange [yd]";
+        crate::sweep::table("apexes.csv", format!("{head}\n100,10.5,155,3\n105,10.5,162,3\n110,10.5,{last},3\n"))
+    };
+    for (apex, huber, ends) in [("1e9", false, "outweighed"), ("1e9", true, "converged")] {
+        let (_folder, path) = apexes(apex);
         let loss = if huber { &["--huber"][..] } else { &[] };
         let (_, answer) = json(&[&["calibrate", path.to_str().unwrap(), "--fit", "aero.cd0"], loss].concat());
-        assert_eq!(answer["status"], ends, "{carry} {huber}: {}", answer["message"]);
-        assert_eq!(answer["message"].as_str().unwrap().contains("row 3: carry_distance differs by 3.3e8"), !huber);
+        assert_eq!(answer["status"], ends, "{apex} {huber}: {}", answer["message"]);
+        assert_eq!(answer["message"].as_str().unwrap().contains("row 3: apex_downrange differs by 3.3e8"), !huber);
     }
     // an ordinary outlier is seen in χ², and the others still count
-    let (_folder, path) = deliveries("300");
-    assert_eq!(json(&["calibrate", path.to_str().unwrap(), "--fit", "aero.cd0"]).1["status"], "converged");
+    for (_folder, path) in [deliveries("300"), apexes("190")] {
+        assert_eq!(json(&["calibrate", path.to_str().unwrap(), "--fit", "aero.cd0"]).1["status"], "converged");
+    }
 }
 
 #[test]
@@ -153,4 +157,66 @@ fn rows_that_do_not_fly_are_told_by_an_example_and_without_a_club_that_is_not_th
     let words = said.err.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(words.contains("rows 3, 4, for example row 3: no flight"), "{words}");
     assert!(words.contains("increase the launch angle (with a club: by more loft or attack angle)"), "{words}");
+}
+
+/// A table of launches with another column, three of its rows alike, and the last as given.
+fn launches(head: &str, usual: &str, last: &str) -> (tempfile::TempDir, std::path::PathBuf) {
+    let rows = format!("150,12,2500,{usual}\n155,12,2500,{usual}\n160,12,2500,{usual}\n{last}\n");
+    crate::sweep::table("launches.csv", format!("ball_speed [mph],launch_angle [deg],spin [rpm],{head}\n{rows}"))
+}
+
+#[test]
+fn what_no_drive_has_is_refused_with_row_column_value_and_range() {
+    let carry = ["carry [yd]", "246"];
+    for ([head, usual], last, says) in [
+        (carry, "160,12,2500,825", "row 4, column carry: 825 yd is outside of what a drive has, above 0 to 600 yd"),
+        (
+            ["descent_angle [deg]", "38"],
+            "160,12,2500,195",
+            "row 4, column descent_angle: 195 deg is outside of what a drive has, above 0 to 90 deg",
+        ),
+        (["flight_time [s]", "6"], "160,12,2500,65", "row 4, column flight_time: 65 s is outside"),
+        (
+            ["carry [yd],spin_axis [deg]", "246,1"],
+            "160,12,2500,250,195",
+            "row 4: spin_axis: 195 deg is outside of what a drive has, -180 to 180 deg",
+        ),
+        (carry, "160,195,2500,250", "row 4: launch_angle: 195 deg is outside of what a drive has, -90 to 90 deg"),
+        (carry, "420,12,2500,250", "row 4: ball_speed: 420 mph is outside of what a drive has, above 0 to 270 mph"),
+        (carry, "160,12,25000,250", "row 4: spin: 25000 rpm is outside"),
+    ] {
+        let (_folder, path) = launches(head, usual, last);
+        let said = longdrive(&["calibrate", path.to_str().unwrap(), "--fit", "aero.cd0"]);
+        assert!(said.status == 2 && said.err.contains(says), "{says}: {}", said.err);
+        assert!(said.err.contains("check the value and its unit"), "{}", said.err);
+    }
+    // a ball that does not spin may be measured, of which an export says that nothing was
+    let (_folder, path) = launches("carry [yd]", "246", "160,20,0,200");
+    let said = longdrive(&["calibrate", path.to_str().unwrap(), "--fit", "aero.cd0"]);
+    assert!(said.status == 0, "{}", said.err);
+}
+
+#[test]
+fn a_table_without_a_swing_says_which_swing_all_its_rows_are_compared_with() {
+    let (_folder, path) = crate::sweep::table("carries.csv", "carry [yd],apex_height [yd]\n280,33\n285,34\n282,32\n");
+    let file = path.to_str().unwrap();
+    let (_, found) = json(&["calibrate", file, "--fit", "aero.cd0"]);
+    let told = found["warnings"][0].as_str().unwrap();
+    for says in [
+        "has neither a whole launch (ball_speed, launch_angle, and spin or backspin) nor a column of swing, club",
+        "all 3 rows are compared with one drive, that of the setup: swing.speed 115 mph, swing.attack_angle -0.9 deg, club.loft 9.5 deg",
+    ] {
+        assert!(told.contains(says), "{says}: {told}");
+    }
+    let said = longdrive(&["calibrate", file, "--fit", "aero.cd0", "--fit", "swing.speed=100mph..120mph"]);
+    assert!(said.err.contains("swing.speed as it is fitted, swing.attack_angle"), "{}", said.err);
+    // a launch without its spin is none: it is compared with the launch of the setup's swing
+    let (_folder, path) =
+        crate::sweep::table("shots.csv", "ball_speed [mph],launch_angle [deg],carry [yd]\n165,12,270\n170,11,280\n");
+    let (_, found) = json(&["calibrate", path.to_str().unwrap(), "--fit", "aero.cd0"]);
+    assert!(found["warnings"].to_string().contains("all 2 rows are compared with one drive"), "{found}");
+    for whole in [launches("carry [yd]", "246", "160,12,2500,255"), deliveries("262")] {
+        let (_, found) = json(&["calibrate", whole.1.to_str().unwrap(), "--fit", "aero.cd0"]);
+        assert!(!found["warnings"].to_string().contains("one drive"), "{found}");
+    }
 }

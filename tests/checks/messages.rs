@@ -61,7 +61,7 @@ fn what_is_not_a_number_is_called_so() {
     };
     let bare = file("bare.toml", "[club]\nloft = nan\n");
     let quoted = file("quoted.toml", "[club]\nloft = \"nan deg\"\n");
-    let table = file("table.csv", "club.loft [deg]\nNaN\n");
+    let table = file("table.csv", "club.loft [deg]\nN/A\n");
     let infinite = file("infinite.csv", "club.loft [deg]\n-inf\n");
     for (args, says) in [
         (&["simulate", "--set", "club.loft=NaN"][..], "club.loft: \"NaN\" is not a number; write for example"),
@@ -70,7 +70,7 @@ fn what_is_not_a_number_is_called_so() {
         (&["simulate", &quoted], "club.loft: \"nan deg\" is not a number"),
         (
             &["sweep", "--points", &table],
-            "row 1, column club.loft: 'NaN' is not a number; a unit is written in the head",
+            "row 1, column club.loft: 'N/A' is not a number; a unit is written in the head",
         ),
         (&["sweep", "--points", &infinite], "row 1, column club.loft: '-inf' is not finite"),
         (&["optimize", "--subject-to", "carry >= nan yd"], "\"nan yd\" is not a number"),

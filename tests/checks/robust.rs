@@ -2,10 +2,13 @@
 
 use crate::command_line::{json, longdrive, number};
 use crate::common::close;
-use longdrive::optimize::{Follow, Options};
+use longdrive::optimize::{Follow, Iteration, Options};
+use longdrive::report::robust_reply;
 use longdrive::study::swings::{Goal, Model, Robust, Scenarios, SwingsSearch, robust};
 use longdrive::study::{Sense, Vary};
 use longdrive::{Drive, Error, Outcome, Setup};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 fn search(setup: &Setup<f64>) -> SwingsSearch {
     let vary = vec![Vary::read(setup, "club.loft=4deg..20deg").unwrap()];
@@ -123,4 +126,38 @@ fn exact_several_starts_find_the_better_end_for_every_model() {
     };
     close(face(&[]), 3.0, 1.0, 1e-9, "the nearer end");
     close(face(&["--starts", "8"]), -5.0, 1.0, 1e-9, "the better end");
+}
+
+/// Ctrl-C in the search for all models ends interrupted, whatever the searches that had ended found, and says how many they are; before it, in which
+/// model's search.
+#[test]
+fn a_search_that_is_stopped_says_how_far_it_was() {
+    let setup = Setup::preset("mae494").unwrap();
+    let stopping_at = |dimension: usize| {
+        let interrupt = Arc::new(AtomicBool::new(false));
+        let flag = Arc::clone(&interrupt);
+        let look = move |_: usize, iteration: &Iteration| {
+            if iteration.x.len() == dimension {
+                flag.store(true, Ordering::Relaxed);
+            }
+        };
+        let follow = Follow { iteration: Some(Arc::new(look)), interrupt, ..Follow::default() };
+        let models = vec![Model::as_set_up(&setup), Model::read(&setup, "swing.attack_angle=-4 deg").unwrap()];
+        robust(models, search(&setup), &Scenarios::one_drive(), 4, &follow)
+    };
+    // the loft and the greatest loss
+    let found = stopping_at(2).unwrap();
+    assert!(found.stopped > 0 && !found.is_found() && found.status() == "interrupted", "{found:?}");
+    let (ended, stopped) = (found.searches - found.stopped, found.stopped);
+    let says = format!("{ended} of {} searches ended, and {stopped} were stopped before their end", found.searches);
+    assert_eq!(found.interrupted().unwrap(), says);
+    let told = robust_reply(&found, Some(0.9144), vec![], None);
+    assert!(told.message.unwrap().to_string().starts_with(&format!("{says}; so far ")));
+    let early = stopping_at(1).unwrap_err();
+    assert_eq!(early.status(), "interrupted");
+    assert!(
+        early.to_string().contains("with the model 'as set up': ")
+            && early.to_string().contains(" of 4 searches ended"),
+        "{early}"
+    );
 }

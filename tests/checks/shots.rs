@@ -157,7 +157,7 @@ const BAD: [(&str, &str, &str); 13] = [
     ("160,12,,3,262", "missing value", "Spin Rate: the cells of the spin are empty"),
     ("N/A,12,2500,3,262", "missing value", "Ball Speed: the cell is empty"),
     ("fast,12,2500,3,262", "not a number", "Ball Speed: 'fast' is not a number"),
-    ("nan,12,2500,3,262", "not a number", "Ball Speed: 'nan' is not a number"),
+    ("nan,12,2500,3,262", "missing value", "Ball Speed: the cell is empty"),
     ("500,12,2500,3,262", "out of range", "500 mph is outside of what a drive has, above 0 to 270 mph"),
     ("0,12,2500,3,262", "out of range", "Ball Speed: 0 mph"),
     ("160,95,2500,3,262", "out of range", "Launch Angle: 95 deg"),

@@ -286,3 +286,71 @@ fn a_flat_landing_is_told_with_the_total_and_at_an_optimum() {
         assert_eq!(found, is_told, "{of}: {answer}");
     }
 }
+
+/// The share of a normal distribution of the club speed from the speed on from which the drive with the best loft leaves what the law was fitted to:
+/// the mean swing is well within it.
+#[test]
+fn exact_share_of_the_swings_that_leave_the_law_at_the_best_design() {
+    let swings = "swing.speed=truncated(120mph,10mph,90mph,150mph)";
+    let asked = ["--distribution", swings, "--vary", "club.loft=4deg..20deg", "--scenarios", "2000"];
+    let (status, found) = json(&[&["optimize"], &asked[..]].concat());
+    assert_eq!(status, 0, "{found}");
+    let told =
+        warning_of(&found, " % of the swings: in 1 % of the flight or more outside of what the law launch-monitor");
+    let share: f64 = told.split(' ').next().unwrap().parse().unwrap();
+    let mut setup = Setup::preset("tour-average").unwrap();
+    setup.set("club.loft", &format!("{} rad", found["optimum"]["club.loft"])).unwrap();
+    let is_outside = |mph: f64| {
+        let mut setup = setup;
+        setup.set("swing.speed", &format!("{mph} mph")).unwrap();
+        Drive::new(&setup).unwrap().warnings(&setup).iter().any(|it| it.to_string().contains("fitted to"))
+    };
+    assert!(!is_outside(120.0) && !is_outside(90.0) && is_outside(150.0));
+    let (mut within, mut outside) = (120.0, 150.0);
+    while outside - within > 1e-3 {
+        let middle = 0.5 * (within + outside);
+        *(if is_outside(middle) { &mut outside } else { &mut within }) = middle;
+    }
+    let normal = statrs::distribution::Normal::standard();
+    let below = |mph: f64| statrs::distribution::ContinuousCDF::cdf(&normal, (mph - 120.0) / 10.0);
+    let expected = 100.0 * (below(150.0) - below(outside)) / (below(150.0) - below(90.0));
+    assert!(expected > 2.0 && (share - expected).abs() < 1.0, "{share} beside {expected}");
+    // swings within it say nothing
+    let slower =
+        ["--distribution", "swing.speed=truncated(110mph,2mph,105mph,115mph)", "--vary", "club.loft=4deg..20deg"];
+    assert_eq!(json(&[&["optimize"], &slower[..]].concat()).1["warnings"], serde_json::json!([]));
+}
+
+fn warning_of(found: &serde_json::Value, says: &str) -> String {
+    let all = found["warnings"].as_array().unwrap().iter().map(|it| it.as_str().unwrap());
+    let told: Vec<_> = all.filter(|it| it.contains(says)).collect();
+    assert_eq!(told.len(), 1, "{says}: {found}");
+    told[0].to_owned()
+}
+
+#[test]
+fn designs_models_and_fronts_beyond_the_law_are_told() {
+    let fast = ["--set", "swing.speed=160mph"];
+    let says = "outside of what the law";
+    let (_, found) = json(&[&["design", "--scenarios", "64", "--vary", "club.loft=6deg..16deg"], &fast[..]].concat());
+    assert!(warning_of(&found, says).contains(" % of the swings: in 1 % of the flight or more outside"), "{found}");
+    let models = ["robust", "--model", "aero.law=ferguson", "--vary", "club.loft=4deg..20deg"];
+    let (_, found) = json(&[&models, &fast[..]].concat());
+    let told = warning_of(&found, "with the model 'as set up': the law launch-monitor was fitted to");
+    assert!(told.contains("of the time outside"), "{found}");
+    let front = ["pareto", "--maximize", "carry", "--minimize", "apex_height", "--points", "5"];
+    let (_, found) = json(&[&front, &fast[..]].concat());
+    let points = found["points"].as_array().unwrap().len();
+    let told = warning_of(&found, says);
+    assert!(told.starts_with(&format!("{points} of {points} points of the front: in 1 % of the flight")), "{told}");
+    let swings =
+        ["--distribution", "swing.attack_angle=truncated(0deg,1deg,-3deg,3deg)", "--vary", "club.loft=1deg..16deg"];
+    let goals = ["pareto", "--maximize", "mean(carry)", "--minimize", "mean(apex_height)", "--points", "4"];
+    let (_, found) = json(&[&goals[..], &swings, &fast].concat());
+    let told = warning_of(&found, says);
+    assert!(told.contains(" points of the front, with 1 % of the swings or more: in 1 % of the flight"), "{told}");
+    // at usual speeds none of them says anything
+    let usual = json(&[&front[..], &["--vary", "club.loft=8deg..11deg"]].concat()).1;
+    assert_eq!(usual["warnings"], serde_json::json!([]));
+    assert_eq!(json(&models).1["warnings"], serde_json::json!([]));
+}

@@ -13,12 +13,14 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 from . import _longdrive
 from ._longdrive import Setup
+from .arguments import kind_of
 from .described import commands
 from .errors import InputError, Interrupted, NoAnswerError, interruptible, warn_of
 from .interruption import interruption
 from .progress import follower
 from .reply import Reply
 from .wording import answer_in_python, argument_of, in_python
+from .written import count_text, number_text, parts_of, write_table
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -53,6 +55,10 @@ class Question:
                 value = self.scratch
             if value is None and (option["required"] or name == "shots" and option["positional"]):
                 raise InputError(f"{name} is None, and {self.command} needs it: {in_python(option['help']).removesuffix('. Repeatable')}")
+            if not option["positional"] and _is_empty(value):
+                _refuse_empty(name, option)
+            if name == "at" and not isinstance(value, str) and value is not None and "along" in given:
+                value = self.places(name, value, given["along"])
             if not option["positional"]:
                 self.option(option["name"], value, option["takes"], what)
             elif name == "setup":
@@ -116,7 +122,7 @@ class Question:
     def take_word(self, name: str, given: Any) -> None:
         """A word that is not an option."""
         if not isinstance(given, str):
-            raise InputError(f"{name} is a {type(given).__name__}; expected a name in quotes")
+            raise InputError(f"{name} is {kind_of(given)}; expected a name in quotes")
         self.words.append(given)
 
     def take_other(self, name: str, given: Any) -> None:
@@ -129,7 +135,7 @@ class Question:
         if isinstance(given, (str, os.PathLike)):
             return os.fspath(given)
         path = self.folder / f"{name}.csv"
-        _write_table(name, given, path)
+        write_table(name, given, path)
         return str(path)
 
     def option(self, name: str, value: Any, kind: str, what: str) -> None:
@@ -156,7 +162,7 @@ class Question:
             path.write_text((value if isinstance(value, Setup) else Setup(value)).to_toml(), encoding="utf-8")
             return str(path)
         if what in UNITS and not isinstance(value, str):
-            return _number(value, UNITS[what])
+            return number_text(value, UNITS[what])
         if isinstance(value, Mapping):
             return ",".join(self._several(name, value, what))
         return str(value)
@@ -169,7 +175,7 @@ class Question:
         try:
             items = list(value)
         except TypeError:
-            message = f"{name} is a {type(value).__name__}; expected a text, a list of texts, or a dict of names with values"
+            message = f"{name} is {kind_of(value)}; expected a text, a list of texts, or a dict of names with values"
             raise InputError(message) from None
         # a dict among them is one value of several parts: the changes that make a model
         return [",".join(self._several(name, item, what)) if isinstance(item, Mapping) else str(item) for item in items]
@@ -180,19 +186,26 @@ class Question:
             return f"{','.join(map(str, key))}={value!r}"
         if value is None:
             return str(key)
-        if not isinstance(value, tuple):
+        parts = parts_of(value)
+        if parts is None:
             return f"{key}={self._amount(key, value)}"
-        if value and isinstance(value[0], str) and value[0].isidentifier():
-            return f"{key}={value[0]}({','.join(self._amount(key, number) for number in value[1:])})"
-        count = f":{value[2]}" if len(value) == 3 else ""
-        if len(value) not in (2, 3):
-            raise InputError(f"{key}: {value!r} has {len(value)} parts; expected (low, high), or (low, high, count) where values are counted")
-        return f"{key}={self._amount(key, value[0])}..{self._amount(key, value[1])}{count}"
+        if parts and isinstance(parts[0], str) and parts[0].isidentifier():
+            return f"{key}={parts[0]}({','.join(self._amount(key, number) for number in parts[1:])})"
+        if len(parts) not in (2, 3):
+            raise InputError(f"{key}: {value!r} has {len(parts)} parts; expected (low, high), or (low, high, count) where values are counted")
+        count = f":{count_text(key, parts[2])}" if len(parts) == 3 else ""
+        return f"{key}={self._amount(key, parts[0])}..{self._amount(key, parts[1])}{count}"
 
     def _amount(self, name: str, value: Any) -> str:
         if value is None:
             raise InputError(f"{name} has None where a value is needed; give a number (SI), or a text with its unit like '10.5 deg'")
-        return value if isinstance(value, str) else _number(value, self._unit(name))
+        return value if isinstance(value, str) else number_text(value, self._unit(name))
+
+    def places(self, name: str, values: Any, along: Any) -> list[str]:
+        """Values along a parameter, numbers in its SI unit."""
+        parameter = str(next(iter(along), "")) if isinstance(along, Mapping) else str(along).split("=")[0].strip()
+        parts = parts_of(values)
+        return [self._amount(parameter, value) for value in ([values] if parts is None else parts)]
 
     def _unit(self, name: str) -> str:
         if not self._units:
@@ -202,46 +215,16 @@ class Question:
         return self._units.get(name, "")
 
 
-def _number(value: Any, unit: str) -> str:
-    """A number with its SI unit, to the last digit; a quantity of pint is converted."""
-    if all(hasattr(value, name) for name in ("to", "magnitude", "units")):
-        value = value.to(unit or "dimensionless").magnitude
-    try:
-        return f"{float(value)!r} {unit}".strip()
-    except (TypeError, ValueError):
-        message = f"{value!r} is a {type(value).__name__}; expected a number (SI), or a text with its unit like '10.5 deg'"
-        raise InputError(message) from None
+def _is_empty(value: Any) -> bool:
+    return not isinstance(value, str) and hasattr(value, "__len__") and hasattr(value, "__iter__") and len(value) == 0
 
 
-def _write_table(name: str, table: Any, path: Path) -> None:
-    """A table of pandas, polars or pyarrow, or a dict of columns, as CSV."""
-    if hasattr(table, "to_csv"):
-        table.to_csv(path, index=False)
-    elif hasattr(table, "write_csv"):
-        table.write_csv(path)
-    elif hasattr(table, "to_pydict"):
-        _write_table(name, table.to_pydict(), path)
-    elif isinstance(table, Mapping):
-        columns = [list(column) for column in table.values()]
-        lengths = sorted({len(column) for column in columns})
-        if len(lengths) > 1:
-            raise InputError(f"{name}: its columns have {' and '.join(map(str, lengths))} rows; expected as many in each")
-        with path.open("w", newline="", encoding="utf-8") as file:
-            import csv  # as below: `import longdrive` does not wait for what only some calls need
-
-            write = csv.writer(file)
-            write.writerow(table.keys())
-            write.writerows([_cell(value) for value in row] for row in zip(*columns))
-    else:
-        kind = type(table).__name__
-        raise InputError(f"{name} is a {kind}; expected a file, a dict of columns, or a table of pandas, polars or pyarrow")
-
-
-def _cell(value: Any) -> Any:
-    if value is None or value != value:
-        return ""
-    # numbers of NumPy print as Python's own
-    return repr(float(value)) if hasattr(value, "dtype") and value.dtype.kind in "fiu" else value
+def _refuse_empty(name: str, option: Mapping[str, Any]) -> None:
+    """An empty dict or list of what has a default, which nobody asked for: no constraints are what an empty list of them says."""
+    if option["required"] or option["default"] or "default" in option["help"]:
+        left_out = "" if option["required"] else ", or leave it out"
+        about = in_python(option["help"]).removesuffix(". Repeatable").replace(". Repeatable [", " [")
+        raise InputError(f"{name} is empty; give one or more{left_out}: {about}")
 
 
 T = TypeVar("T")
@@ -261,9 +244,10 @@ def ask(command: str, given: Mapping[str, Any], answered: Callable[[Reply, Quest
         question = Question(command, Path(name))
         question.take(given)
         reply = asked(function, question, given, answered)
+        answer = answered(reply, question)
         # at the line that asked: it called a function of commands.py, which called this one
-        warn_of(reply["warnings"], stacklevel=3)
-        return answered(reply, question)
+        warn_of(reply["warnings"], answer, stacklevel=3)
+        return answer
 
 
 def asked(function: str, question: Question, given: Mapping[str, Any], answered: Callable[[Reply, Question], Any]) -> Reply:

@@ -7,7 +7,26 @@ from typing import Any
 
 from .errors import InputError
 
-__all__ = ["count_of", "one_name"]
+__all__ = ["count_of", "kind_of", "one_name", "refuse_idle_seed"]
+
+
+def kind_of(value: Any) -> str:
+    """The type of a value with its article, for messages: ``an int``, ``a list``."""
+    name = type(value).__name__
+    return f"{'an' if name[0].lower() in 'aeio' or name == 'ndarray' else 'a'} {name}"
+
+
+def refuse_idle_seed(seed: Any, sample: Any) -> None:
+    """A seed where nothing is sampled.
+
+    Raises:
+        InputError: for one that would have no effect.
+    """
+    if seed is None:
+        return
+    count_of("seed", seed)
+    if sample is None:
+        raise InputError(f"seed = {seed!r} chooses the points of a sample, and nothing is sampled; give sample too, or leave seed out")
 
 
 def count_of(name: str, value: Any, least: int = 0) -> int:
@@ -32,5 +51,5 @@ def one_name(name: str, value: Any, several: str) -> str:
         InputError: for anything else.
     """
     if not isinstance(value, str):
-        raise InputError(f"{name} is a {type(value).__name__}; expected one name, as in {name}='carry'; {several}")
+        raise InputError(f"{name} is {kind_of(value)}; expected one name, as in {name}='carry'; {several}")
     return value

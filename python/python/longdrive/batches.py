@@ -48,7 +48,8 @@ def batch(
             of any strides, also read-only ones, are not copied as a whole: 65 536 rows at a time are put in order.
         of: outcomes, a name or several; ``"all"`` for every one.
         wrt: parameters to differentiate by, a name or several; ``"points"`` for those of the points; without it no derivatives.
-        hessians: whether second derivatives are computed too; they are those of the step that is chosen for all rows.
+        hessians: whether second derivatives are computed too, without ``wrt`` those by the parameters of the points; they are those of the step
+            that is chosen for all rows.
         tolerance: lengths are within it of their exact values, m or a text; without it 1 µm, unless the setup says how to integrate.
         own_step: whether ``flight.method`` and ``flight.step`` of the setup are kept.
         threads: how many; 0 for as many as there are processors that this process may use.
@@ -68,7 +69,7 @@ def batch(
         table = computed(
             setup, points, of, wrt, tolerance=tolerance, own_step=own_step, threads=threads, told=told, first_row=first_row, hessians=hessians
         )
-    warn_of(table.warnings, stacklevel=2)
+    warn_of(table.warnings, table, stacklevel=2)
     return table
 
 

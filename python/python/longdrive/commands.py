@@ -54,8 +54,9 @@ def compare(
     """Compare two drives: their outcomes, and which part of the difference is due to which parameter and launch condition.
 
     Args:
-        setup: a setup, the name of a preset, a dict, or None for the preset tour-average.
-        other: the other setup; the same without it.
+        setup: the first drive, which messages call a: a setup, the name of a preset, a dict, or None for the preset tour-average.
+        other: the second drive, b, as setup is given: for example setup.replace({"club.loft": "11 deg"}). Without it launch_a or launch_b
+            says in what it differs.
         launch: compute the flight of a ball with these launch conditions, as a launch monitor reports them: ball_speed, launch_angle,
             launch_direction, and backspin with sidespin or spin with spin_axis; e.g.
             ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those of the setup file.
@@ -64,7 +65,7 @@ def compare(
         own_step: integrate by flight.method and flight.step of the setup in every case.
         launch_a: the launch conditions of a, as in launch.
         launch_b: the launch conditions of b, as in launch.
-        of: the outcomes whose difference is split, separated by commas; "all" for every one [default: carry].
+        of: the outcomes whose difference is split, one or several; "all" for every one [default: carry].
         progress: True for a bar, or a function of parts done and parts in all.
     """
     return ask("compare", locals(), as_reply)
@@ -190,7 +191,7 @@ def optimum_sensitivity(
         checkpoint: save the search to this file after every iteration; if the file exists, continue from it.
         output: write the setup at the optimum into this setup file.
         overwrite: replace the file if it exists.
-        wrt: the parameters that the optimum depends on, separated by commas; "all" for every one that has a value in this setup and is not
+        wrt: the parameters that the optimum depends on, one or several; "all" for every one that has a value in this setup and is not
             varied [default: all].
         change: a change of a parameter, e.g. swing.speed=+5mph: its effect on the optimum is predicted, and compared with a new search.
         loss: the loss of the outcome for which tolerances of the optimum are computed [default: 1 yd for a distance, or 1 % of the carry
@@ -393,8 +394,8 @@ def chart(
             club.weight_2.mass <= 20 g".
         max_iterations: the largest number of iterations of a search [default: 500].
         along: the parameter to follow the optimum along, with its range, e.g. swing.speed=80mph..130mph.
-        at: the values of that parameter at which the optimum is computed, separated by commas, e.g. 90mph,100mph,110mph; along may then be
-            the name alone [default: as many values as the curve needs].
+        at: the values of that parameter at which the optimum is computed, one or several, e.g. 90mph,100mph,110mph; along may then be the
+            name alone [default: as many values as the curve needs].
         progress: True for a bar, or a function of parts done and parts in all.
     """
     return ask("chart", locals(), as_reply)
@@ -598,7 +599,7 @@ def fly(
         tolerance: every length is within this length of its exact value, m or a text; without it 1 um where many drives are flown, unless
             the setup gives flight.method or flight.step.
         own_step: integrate by flight.method and flight.step of the setup in every case.
-        of: the outcomes to predict, separated by commas: those of the flight; "all" for every one of them [default:
+        of: the outcomes to predict, one or several: those of the flight; "all" for every one of them [default:
             carry_distance,lateral,apex_height,flight_time,descent_angle,total].
         output: the file to write the rows into; its ending says in which format (.csv, .jsonl, .parquet; .json for Open Connect). "-" is
             standard output. With json and without a file only the summary is printed.
@@ -665,8 +666,8 @@ def verify(
         tolerance: every length is within this length of its exact value, m or a text; without it 1 um where many drives are flown, unless
             the setup gives flight.method or flight.step.
         own_step: integrate by flight.method and flight.step of the setup in every case.
-        of: the outcomes, separated by commas; "all" for every one [default: carry,lateral].
-        wrt: the parameters, separated by commas; "all" for every one that has a value in this setup [default: all].
+        of: the outcomes, one or several; "all" for every one [default: carry,lateral].
+        wrt: the parameters, one or several; "all" for every one that has a value in this setup [default: all].
         progress: True for a bar, or a function of parts done and parts in all.
     """
     return ask("verify", locals(), as_reply)
@@ -699,7 +700,7 @@ def sensitivity(
         tolerance: every length is within this length of its exact value, m or a text; without it 1 um where many drives are flown, unless
             the setup gives flight.method or flight.step.
         own_step: integrate by flight.method and flight.step of the setup in every case.
-        of: the outcomes, separated by commas; "all" for every one [default: carry].
+        of: the outcomes, one or several; "all" for every one [default: carry].
         sigma: the standard uncertainty of a parameter, e.g. swing.speed=1mph or air.density=0.5% of its value.
         no_defaults: use no default uncertainties: only parameters with a sigma are uncertain.
         at_optimum: compute the slopes and effects at the optimum of a search, and show the slopes of the optimum beside those of the drive.
@@ -738,7 +739,7 @@ def uncertainty(
         tolerance: every length is within this length of its exact value, m or a text; without it 1 um where many drives are flown, unless
             the setup gives flight.method or flight.step.
         own_step: integrate by flight.method and flight.step of the setup in every case.
-        of: the outcomes, separated by commas; "all" for every one. For carry and lateral together, landing ellipses are computed [default:
+        of: the outcomes, one or several; "all" for every one. For carry and lateral together, landing ellipses are computed [default:
             carry,lateral].
         sigma: the standard deviation of a parameter that is normally distributed about its value, e.g. swing.speed=1mph or air.density=0.5%
             of its value. [default, without distribution: the uncertainties that "sensitivity" uses].

@@ -8,7 +8,7 @@ from typing import Literal, NamedTuple
 
 from . import _longdrive
 from ._ask import Question
-from .arguments import count_of, one_name
+from .arguments import count_of, kind_of, one_name
 from .errors import InputError
 from .types import Floats, Given, Names, Sense, SetupLike
 
@@ -42,7 +42,7 @@ class Hessian(NamedTuple):
     """Shape (parameters, parameters), symmetric."""
 
 
-def gradient(setup: SetupLike, of: str = "carry", wrt: Names | None = None) -> Gradient:
+def gradient(setup: SetupLike = None, of: str = "carry", wrt: Names | None = None) -> Gradient:
     """Value and exact gradient of an outcome.
 
     In a vacuum the ball flies along a parabola, and carry is in inverse proportion to gravity:
@@ -54,7 +54,7 @@ def gradient(setup: SetupLike, of: str = "carry", wrt: Names | None = None) -> G
     True
 
     Args:
-        setup: a setup, the name of a preset, or a dict.
+        setup: a setup, the name of a preset, a dict, or None for the preset ``tour-average``.
         of: the outcome.
         wrt: parameters to differentiate by, a name or several; ``"all"`` for every one that can be varied in this setup. Without it
             loft and attack angle.
@@ -66,7 +66,7 @@ def gradient(setup: SetupLike, of: str = "carry", wrt: Names | None = None) -> G
     return Gradient(*_longdrive.gradient(setup, one_name("of", of, "jacobian takes several"), wrt))
 
 
-def jacobian(setup: SetupLike, of: Names, wrt: Names | None = None) -> Jacobian:
+def jacobian(setup: SetupLike = None, of: Names = "carry", wrt: Names | None = None) -> Jacobian:
     """Values of several outcomes of one drive, and their exact Jacobian.
 
     >>> import longdrive
@@ -75,7 +75,7 @@ def jacobian(setup: SetupLike, of: Names, wrt: Names | None = None) -> Jacobian:
     ((2,), (2, 3))
 
     Args:
-        setup: a setup, the name of a preset, or a dict.
+        setup: a setup, the name of a preset, a dict, or None for the preset ``tour-average``.
         of: outcomes, a name or several; ``"all"`` for every one.
         wrt: as for :func:`gradient`.
 
@@ -86,7 +86,7 @@ def jacobian(setup: SetupLike, of: Names, wrt: Names | None = None) -> Jacobian:
     return Jacobian(*_longdrive.jacobian(setup, of, wrt))
 
 
-def hessian(setup: SetupLike, of: str = "carry", wrt: Names | None = None) -> Hessian:
+def hessian(setup: SetupLike = None, of: str = "carry", wrt: Names | None = None) -> Hessian:
     """Value, exact gradient and exact Hessian of an outcome.
 
     >>> import longdrive
@@ -95,7 +95,7 @@ def hessian(setup: SetupLike, of: str = "carry", wrt: Names | None = None) -> He
     True
 
     Args:
-        setup: a setup, the name of a preset, or a dict.
+        setup: a setup, the name of a preset, a dict, or None for the preset ``tour-average``.
         of: the outcome.
         wrt: as for :func:`gradient`.
 
@@ -107,7 +107,7 @@ def hessian(setup: SetupLike, of: str = "carry", wrt: Names | None = None) -> He
 
 
 def objective(
-    setup: SetupLike,
+    setup: SetupLike = None,
     of: str = "carry",
     wrt: Names | None = None,
     sense: Sense | None = None,
@@ -118,6 +118,7 @@ def objective(
     correlation: Given | None = None,
     scenarios: int | None = None,
     seed: int | None = None,
+    strokes: str | PathLike[str] | None = None,
 ) -> _longdrive.Objective:
     """An outcome as a function of some parameters, for optimizers that take functions; with ``swings`` or ``distribution`` a goal over swings.
 
@@ -141,9 +142,9 @@ def objective(
     True
 
     Args:
-        setup: a setup, the name of a preset, or a dict.
-        of: the outcome; over swings the goal, as ``"mean(carry) - 0.5*std(lateral)"`` (all but ``strokes``).
-        wrt: as for :func:`gradient`.
+        setup: a setup, the name of a preset, a dict, or None for the preset ``tour-average``.
+        of: the outcome; over swings the goal, as ``"mean(carry) - 0.5*std(lateral)"``.
+        wrt: as for :func:`gradient`; over swings without it the loft alone, as :func:`optimize` varies it: the attack angle is the golfer's.
         sense: ``"max"`` changes the sign of everything, since optimizers look for the least; ``"min"`` and None leave it.
         invalid: what becomes of a point without an answer (no flight, a value outside its range): ``"raise"`` an exception, or ``"nan"``, which makes
             optimizers of SciPy refuse the step.
@@ -152,6 +153,7 @@ def objective(
         correlation: correlations of these, one or several, as ``"swing.path,swing.face_angle=0.6"``.
         scenarios: how many swings of the distributions are taken, as for :func:`optimize`.
         seed: the seed of the swings.
+        strokes: a file with the table of expected strokes, as for :func:`optimize`, for a goal of ``strokes(400yd)``.
 
     Raises:
         InputError: as :func:`gradient`; for swings that cannot be read, and for a parameter that they have values of.
@@ -160,8 +162,9 @@ def objective(
 
     over = Question("optimize", Path())
     over.take_setup(setup)
-    if not (swings is None or isinstance(swings, (str, PathLike))):
-        raise InputError(f"swings is a {type(swings).__name__}; expected the name of a file; distribution takes dicts")
+    for name, file, instead in (("swings", swings, "; distribution takes dicts"), ("strokes", strokes, "")):
+        if not (file is None or isinstance(file, (str, PathLike))):
+            raise InputError(f"{name} is {kind_of(file)}; expected the name of a file{instead}")
     return _longdrive.Objective(
         setup,
         one_name("of", of, "jacobian takes several"),
@@ -173,6 +176,7 @@ def objective(
         over.texts("correlation", correlation),
         None if scenarios is None else count_of("scenarios", scenarios, 1),
         None if seed is None else count_of("seed", seed),
+        strokes,
     )
 
 

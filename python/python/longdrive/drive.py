@@ -107,5 +107,5 @@ def simulate(setup: SetupLike = None, of: Names | None = None) -> Drive:
         LongdriveWarning: once, with all of ``warnings`` of the drive.
     """
     drive = Drive(*_longdrive.simulate(setup, of))
-    warn_of(drive.warnings, stacklevel=2)
+    warn_of(drive.warnings, drive, stacklevel=2)
     return drive

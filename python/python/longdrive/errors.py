@@ -86,7 +86,21 @@ class Interrupted(KeyboardInterrupt):
 
 
 class LongdriveWarning(UserWarning):
-    """What deserves a word about a question or its answer: a drive that leaves what a law of drag and lift was fitted to."""
+    """What deserves a word about a question or its answer: a drive that leaves what a law of drag and lift was fitted to.
+
+    Where warnings are errors the answer is not lost: it is in `answer`.
+    """
+
+    answer: Any
+    """What the function would have returned: a :class:`Drive`, a :class:`Table`, an :class:`Optimum` or another :class:`Reply`, a
+    :class:`Picture`."""
+
+    def __init__(self, message: str, answer: Any = None) -> None:
+        super().__init__(message)
+        self.answer = answer
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (type(self), (str(self), self.answer))
 
 
 @contextmanager
@@ -100,7 +114,7 @@ def interruptible(message: str) -> Iterator[None]:
         raise Interrupted(message) from raised
 
 
-def warn_of(texts: Sequence[str], stacklevel: int) -> None:
-    """Warns once of all that there is to say; ``stacklevel`` counts from the caller."""
+def warn_of(texts: Sequence[str], answer: Any, stacklevel: int) -> None:
+    """Warns once of all that there is to say of an answer; ``stacklevel`` counts from the caller."""
     if texts:
-        warnings.warn("\n".join(texts), LongdriveWarning, stacklevel=stacklevel + 1)
+        warnings.warn(LongdriveWarning("\n".join(texts), answer), stacklevel=stacklevel + 1)

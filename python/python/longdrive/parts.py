@@ -20,6 +20,7 @@ from typing import Any, Union
 
 from . import _longdrive
 from ._ask import Question as Words
+from .arguments import refuse_idle_seed
 from .errors import Error, InputError, Interrupted
 from .types import Names, SetupLike
 from .wording import in_python
@@ -67,7 +68,7 @@ class Question:
         parts: int,
         over: Over = (),
         sample: int | None = None,
-        seed: int = 0,
+        seed: int | None = None,
         points: str | os.PathLike[str] | None = None,
         of: Names = "carry",
         wrt: Names = (),
@@ -87,7 +88,7 @@ class Question:
             parts: how many; each has at least 1024 rows.
             over: what is swept: ``{"club.loft": "5deg..15deg:101"}``, or ``(low, high, count)`` with numbers in SI.
             sample: so many points of a quasi-random sequence in the ranges of `over`, which then have no counts.
-            seed: another seed gives other points.
+            seed: another seed gives other points of the sample [default: 0].
             points: a table of points in place of `over`.
             of: outcomes, a name or several; ``"all"`` for every one.
             wrt: parameters to differentiate by, a name or several; ``"points"`` for those that are swept.
@@ -104,7 +105,8 @@ class Question:
         asked.take_setup(setup)
         asked.option("over", over or None, "several", "NAME=LOW..HIGH:COUNT")
         asked.option("sample", sample, "one", "N")
-        asked.option("seed", None if sample is None else seed, "one", "SEED")
+        refuse_idle_seed(seed, sample)
+        asked.option("seed", seed, "one", "SEED")
         asked.option("points", None if points is None else os.fspath(points), "one", "FILE")
         asked.option("outcomes", _joined(of), "one", "OUTCOME,…")
         if wrt == "points":

@@ -275,8 +275,9 @@ def compare(
     """The difference between two drives, split into the parameters and launch conditions that differ.
 
     Args:
-        setup: a setup, the name of a preset, a dict, or None for the preset tour-average.
-        other: the other setup; the same without it.
+        setup: the first drive, which messages call a: a setup, the name of a preset, a dict, or None for the preset tour-average.
+        other: the second drive, b, as setup is given: for example setup.replace({"club.loft": "11 deg"}). Without it launch_a or launch_b
+            says in what it differs.
         launch: compute the flight of a ball with these launch conditions, as a launch monitor reports them: ball_speed, launch_angle,
             launch_direction, and backspin with sidespin or spin with spin_axis; e.g.
             ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those of the setup file.
@@ -323,8 +324,8 @@ def vcurve(
         overwrite: replace files that exist.
         dark: draw for a dark background.
         width: the width of the picture in pixels; a PNG has twice the resolution. The size of the text does not change [default: 480].
-        of: the outcomes, separated by commas [default: carry].
-        wrt: the parameters, separated by commas. Without: loft and attack angle, or the launch conditions where these are given.
+        of: the outcomes, one or several [default: carry].
+        wrt: the parameters, one or several. Without: loft and attack angle, or the launch conditions where these are given.
         progress: True for a bar, or a function of parts done and parts in all.
     """
     return ask("plot vcurve", locals(), picture)
@@ -361,7 +362,7 @@ def laws(
         overwrite: replace files that exist.
         dark: draw for a dark background.
         width: the width of the picture in pixels; a PNG has twice the resolution. The size of the text does not change [default: 480].
-        laws: the laws, separated by commas; "table" for your own of set aero.table. Without: all of them.
+        laws: the laws, one or several; "table" for your own of set aero.table. Without: all of them.
         show: the coefficient to draw [default: cd].
         over: what to draw it over [default: spin-ratio].
         reynolds: the Reynolds number, over the spin ratio [default: 1.5e5].

@@ -46,7 +46,8 @@ def sweep(spark: SparkSession, setup: SetupLike = None, **question: Any) -> Part
     """Computes all parts on a cluster of Spark, which tries a part again as often as ``spark.task.maxFailures`` says.
 
     Args:
-        spark: the session. Every executor has longdrive, pandas and pyarrow, and sees the folder `output` under its name.
+        spark: the session. Every executor has longdrive, pandas and pyarrow in its Python, which ``PYSPARK_PYTHON`` names (without it the
+            ``python3`` of its path), and sees the folder `output` under its name.
         setup: a setup, the name of a preset, or a dict.
         question: as :meth:`longdrive.parts.Question.of`: `output`, `parts`, `over` or `sample`, `of`, `wrt`, `instructions`, …
 

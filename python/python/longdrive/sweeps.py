@@ -8,7 +8,7 @@ from typing import Union, overload
 from . import _longdrive
 from ._ask import Question, ask
 from ._longdrive import Setup
-from .arguments import count_of
+from .arguments import count_of, refuse_idle_seed
 from .batches import computed
 from .errors import InputError, interruptible, warn_of
 from .progress import Progress, follower
@@ -25,7 +25,7 @@ def sweep(
     over: Given | None = None,
     *,
     sample: int | None = None,
-    seed: int = 0,
+    seed: int | None = None,
     points: TableLike | None = None,
     of: Names = "carry",
     wrt: Names | None = None,
@@ -43,7 +43,7 @@ def sweep(
     over: Given | None = None,
     *,
     sample: int | None = None,
-    seed: int = 0,
+    seed: int | None = None,
     points: TableLike | None = None,
     of: Names = "carry",
     wrt: Names | None = None,
@@ -62,7 +62,7 @@ def sweep(
     over: Given | None = None,
     *,
     sample: int | None = None,
-    seed: int = 0,
+    seed: int | None = None,
     points: TableLike | None = None,
     of: Names = "carry",
     wrt: Names | None = None,
@@ -86,7 +86,7 @@ def sweep(
         over: parameters with (low, high, count), numbers in SI, or a text like ``"5deg..15deg:101"``; the last changes fastest. With `sample`
             (low, high).
         sample: so many points of a quasi-random (Sobol') sequence in the ranges of `over`.
-        seed: another seed gives other points.
+        seed: another seed gives other points of the sample [default: 0].
         points: a table of points in place of `over`: a file, a dict of columns, or a table of pandas, polars or pyarrow.
         of: outcomes, a name or several; ``"all"`` for every one.
         wrt: parameters to differentiate by, a name or several; ``"points"`` for those that are swept; without it no derivatives.
@@ -109,7 +109,7 @@ def sweep(
     if output is not None:
         by = {"gradient": True} if wrt == "points" else {"wrt": wrt}
         file = {"output": os.fspath(output), "resume": resume, "overwrite": overwrite, "progress": progress}
-        given = {"setup": setup, "over": over, "sample": sample, "seed": seed if sample is not None else None, "points": points, "of": of, **by}
+        given = {"setup": setup, "over": over, "sample": sample, "seed": seed, "points": points, "of": of, **by}
         return ask("sweep", {**given, "tolerance": tolerance, "own_step": own_step, "threads": threads, **file}, as_reply)
     import tempfile  # `import longdrive` does not wait for these
     from pathlib import Path
@@ -119,13 +119,13 @@ def sweep(
         question.setup = setup if isinstance(setup, Setup) else Setup(setup)
         table = None if points is None else question.file("points", points)
         with question.named():
-            at, ranges = _longdrive.plan(question.setup, question.texts("over", over), sample, seed, table)
+            at, ranges = _longdrive.plan(question.setup, question.texts("over", over), sample, seed or 0, table)
         with follower("sweep", progress) as told:
             found = computed(
                 question.setup, at, of, wrt, tolerance=tolerance, own_step=own_step, threads=threads, told=told, ranges=ranges,
                 interrupted=_interrupted,
             )
-    warn_of(found.warnings, stacklevel=2)
+    warn_of(found.warnings, found, stacklevel=2)
     return found
 
 
@@ -137,7 +137,7 @@ def _interrupted(after: int, whole: int) -> str:
 
 
 def _refuse(
-    over: Given | None, sample: int | None, seed: int, points: TableLike | None, output: PathLike | None, is_of_file: bool
+    over: Given | None, sample: int | None, seed: int | None, points: TableLike | None, output: PathLike | None, is_of_file: bool
 ) -> None:
     """Arguments of which one would leave another without effect."""
     if points is not None and over is not None:
@@ -148,6 +148,6 @@ def _refuse(
         raise InputError('nothing to sweep: give over, as in over={"club.loft": ("5 deg", "15 deg", 101)}, or points')
     if sample is not None:
         count_of("sample", sample, 1)
-    count_of("seed", seed)
+    refuse_idle_seed(seed, sample)
     if output is None and is_of_file:
         raise InputError("resume and overwrite are about a file; name it with output, or leave them out")

@@ -13,6 +13,7 @@ import numpy.typing as npt
 
 from . import _longdrive
 from ._longdrive import Setup
+from .arguments import kind_of
 from .errors import InputError, UnknownKeyError
 from .types import Floats
 
@@ -123,7 +124,16 @@ class Table:
         return dict(zip([*self.parameters, *self._names], self._units))
 
     def derivative(self, of: str, by: str) -> Floats:
-        """The derivative of an outcome by a parameter, SI, shape (rows,)."""
+        """The derivative of an outcome by a parameter, SI, shape (rows,).
+
+        Raises:
+            UnknownKeyError: for one that was not asked for; it says with what it is.
+        """
+        if of not in self.of:
+            raise UnknownKeyError(_longdrive.unknown_key("outcome", of, list(self.of), f"the table has {', '.join(self.of)}; ask for others with of"))
+        if by not in self.wrt:
+            has = f"those by {', '.join(self.wrt)}" if self.wrt else "none"
+            raise UnknownKeyError(f"the table has no derivatives by '{by}'; it has {has}; ask for others with wrt, as in wrt='{by}'")
         return self._column(f"d_{of}/d_{by}")
 
     def _column(self, name: str) -> Floats:
@@ -204,7 +214,7 @@ class Table:
             raise InputError("nothing to concatenate: give at least one table")
         for number, table in enumerate(tables, start=1):
             if not isinstance(table, Table):
-                raise InputError(f"table {number} is a {type(table).__name__}; expected a Table, as batch and sweep give it")
+                raise InputError(f"table {number} is {kind_of(table)}; expected a Table, as batch and sweep give it")
         first = tables[0]
         for number, table in enumerate(tables[1:], start=2):
             _refuse_difference(first, table, number)

@@ -11,6 +11,7 @@ from typing import Any
 import torch
 from torch.autograd import Function
 
+from .arguments import kind_of
 from .errors import InputError
 from .pointwise import NO_THIRD, Pointwise
 from .types import Names, SetupLike
@@ -106,7 +107,7 @@ def outcome(setup: SetupLike, of: Names = "carry", wrt: Names | None = None) -> 
 
     def function(x: torch.Tensor) -> torch.Tensor:
         if not isinstance(x, torch.Tensor):
-            raise InputError(f"x is a {type(x).__name__}; expected a tensor, shape ({len(point.wrt)},)")
+            raise InputError(f"x is {kind_of(x)}; expected a tensor, shape ({len(point.wrt)},)")
         point.check(tuple(x.shape), "f" if x.is_floating_point() else str(x.dtype))
         values: torch.Tensor = Slopes.apply(x)[0]
         return values[0] if point.is_single else values

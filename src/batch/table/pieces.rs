@@ -39,7 +39,7 @@ pub(super) struct PieceRows<P> {
 impl<P: Pieces> PieceRows<P> {
     /// # Errors
     /// [`Error::Table`](crate::Error::Table) for a file that cannot be read, is cut short, a column that is no parameter, given twice or not
-    /// of numbers. Of its rows: NaN, and an infinite one of a parameter that must be finite.
+    /// of numbers. Of its rows: an infinite one of a parameter that must be finite.
     pub fn open(setup: &Setup<f64>, path: &Path) -> Result<Self> {
         let pieces = P::open(path).map_err(|reason| refused(path, String::new(), reason))?;
         let names = pieces.names();
@@ -100,12 +100,11 @@ impl<P: Pieces> Rows for PieceRows<P> {
     }
 }
 
-/// A value that may stand in a column: NaN never, an infinite one only where the parameter may be that (a flat face). NaN stands for one that is missing.
+/// A value that may stand in a column: an infinite one only where the parameter may be that (a flat face). NaN is one that is missing.
 fn sound(parameter: &Parameter, value: Option<f64>) -> Result<f64, String> {
     let Some(value) = value else { return Ok(f64::NAN) };
-    if value.is_finite() || parameter.range.contains(value) {
+    if value.is_finite() || value.is_nan() || parameter.range.contains(value) {
         return Ok(value);
     }
-    let what = if value.is_nan() { "not a number" } else { "not finite" };
-    Err(format!("{value} is {what}; every row needs a finite number"))
+    Err(format!("{value} is not finite; every row needs a finite number"))
 }

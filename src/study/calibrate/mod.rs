@@ -7,6 +7,7 @@ mod data;
 mod estimate;
 mod folds;
 mod instrument;
+mod one_drive;
 mod ranges;
 mod reading;
 mod refusal;

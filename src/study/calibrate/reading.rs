@@ -5,7 +5,7 @@ use super::shot::{Measurement, Shot, Stationary};
 use super::statistics::Uncertainties;
 use crate::columns::{
     CONDITIONS, Club, Column, Fault, Holds, Stated, conditions, contradiction, implausible, implausible_launch,
-    impossible, is_sideways, is_straight_by_assumption,
+    impossible, is_sideways, is_straight_by_assumption, outside,
 };
 use crate::drive::{Outcome, Part};
 use crate::error::Error;
@@ -138,7 +138,7 @@ impl Reading<'_> {
                             beyond.push(why);
                             continue;
                         }
-                        if let Some(why) = impossible(outcome, value) {
+                        if let Some(why) = impossible(outcome, value).or_else(|| self.outside(outcome, value)) {
                             return Err((here(), why).into());
                         }
                         if value.abs() > MOST {
@@ -206,15 +206,29 @@ impl Reading<'_> {
         Ok(values)
     }
 
-    /// Why an export's row is no launch of a drive, as `fly` refuses it.
+    /// Why the launch that a row states is none of a drive, as `fly` refuses it.
     fn refused(&self, stated: &Stated) -> Option<Wrong> {
+        let mut looked_at = *stated;
+        for (value, of) in looked_at.iter_mut().zip(CONDITIONS) {
+            *value = value.filter(|value| !self.may_be_none(of, *value));
+        }
+        if let Some(why) = implausible_launch(&looked_at, |of| self.head(of)) {
+            return Some((None, why).into());
+        }
         if !self.is_export {
             return None;
         }
-        if let Some(why) = implausible_launch(stated, |of| self.head(of)) {
-            return Some((None, why).into());
-        }
         self.launch(*stated).err().filter(|wrong| !wrong.is_incomplete)
+    }
+
+    /// Why a measured value is none of a drive, in words.
+    fn outside(&self, of: Outcome, value: f64) -> Option<String> {
+        if self.may_be_none(of, value) { None } else { outside(of, value) }
+    }
+
+    /// Whether a value says that a ball does not spin: a launch monitor's 0 says that no spin was measured.
+    fn may_be_none(&self, of: Outcome, value: f64) -> bool {
+        of == Outcome::Spin && value == 0.0 && !self.is_export
     }
 
     /// The launch that they make, by the parameters that it is.

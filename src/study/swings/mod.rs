@@ -7,6 +7,7 @@
 //! ```
 
 mod apart;
+mod beyond;
 mod chained;
 mod file;
 mod function;
@@ -24,6 +25,7 @@ mod scenarios;
 mod strokes;
 
 pub use apart::{Apart, Resampled, resampled};
+pub use beyond::beyond_share;
 pub use function::GoalFunction;
 pub use golfer::{Correlation, Swings};
 pub use measure::Measure;

@@ -6,6 +6,7 @@ use crate::error::{Error, Result};
 use crate::number::Taylor;
 use crate::optimize::{Bounds, Domain, Evaluation, Follow, Problem, Solution, Status, minimize_from, starts};
 use crate::parameters::{LAW, Setup};
+use crate::study::optimum::stopped_of;
 
 /// One of several ways in which drives may be computed: the setup with some changes.
 #[derive(Clone, Debug)]
@@ -92,6 +93,10 @@ pub struct Robust {
     pub shares: Vec<f64>,
     /// What each model loses with the design as set up, `None` where a limit is not met or a swing does not fly.
     pub as_set_up: Vec<Option<f64>>,
+    /// How many searches for the smallest greatest loss there were.
+    pub searches: usize,
+    /// How many of them were stopped from outside before they ended.
+    pub stopped: usize,
 }
 
 impl Robust {
@@ -100,9 +105,19 @@ impl Robust {
         self.losses.iter().copied().fold(f64::NEG_INFINITY, f64::max)
     }
 
+    /// Whether all searches ended, the best of them at an optimum.
+    pub fn is_found(&self) -> bool {
+        self.solution.status == Status::Converged && self.stopped == 0
+    }
+
+    /// How far the searches came, if any was stopped from outside before it ended.
+    pub fn interrupted(&self) -> Option<String> {
+        stopped_of(self.stopped, self.searches, || self.solution.message.clone())
+    }
+
     /// The status in a word.
     pub fn status(&self) -> &'static str {
-        self.solution.status.name()
+        if self.stopped > 0 { Status::Interrupted.name() } else { self.solution.status.name() }
     }
 }
 
@@ -128,6 +143,10 @@ pub fn robust(
     let mut found = vec![];
     for model in models {
         let best = swings_optima(&model.setup, search.clone(), scenarios.clone(), count, follow)?;
+        if let Some(interrupted) = best.interrupted() {
+            let message = format!("with the model '{}': {interrupted}", model.name).into();
+            return Err(Error::NotConverged { status: Status::Interrupted.name(), message });
+        }
         if best.solution.status != Status::Converged {
             let message = format!("with the model '{}': {}", model.name, best.message()).into();
             return Err(Error::NotConverged { status: best.status(), message });
@@ -161,6 +180,9 @@ pub fn robust(
     }
     let greatest = GreatestLoss { problems: &problems, least: &least };
     let ends = minimize_from(&greatest, &greatest.domain()?, &starts, &search.options, follow)?;
+    let stopped =
+        ends.iter().filter(|end| end.solution.status == Status::Interrupted).map(|end| end.starts.len()).sum();
+    let searches = starts.len();
     let solution = ends.into_iter().next().ok_or(Error::Nothing { doing: "search from", what: "start" })?.solution;
     let design = solution.x[..search.vary.len()].to_vec();
     let losses = (0..problems.len()).map(|k| loss(k, &design).unwrap_or(f64::NAN)).collect();
@@ -169,7 +191,7 @@ pub fn robust(
     let own = |k: usize| problems[k].as_set_up(&scenarios.weights).ok();
     let as_set_up = (0..problems.len()).map(|k| rival(k, &own(k)?)).collect();
     let setup = problems[0].moved(&design)?;
-    Ok(Robust { search, models: found, matrix, solution, design, setup, losses, shares, as_set_up })
+    Ok(Robust { search, models: found, matrix, solution, design, setup, losses, shares, as_set_up, searches, stopped })
 }
 
 /// Whether limits are met, but for the rounding of a search.

@@ -74,6 +74,23 @@ impl Rule {
         }
     }
 
+    /// Refuses a seed that would have no effect on which swings are taken.
+    ///
+    /// # Errors
+    /// [`Error::Unreadable`] for a seed of what is integrated by Gauss's rules, and of recorded swings.
+    pub fn refuse_idle_seed(self, seed: Option<u32>) -> Result<()> {
+        let why = match (self, seed) {
+            (Self::Sequence { .. }, _) | (_, None) => return Ok(()),
+            (Self::Quadrature(_), _) => {
+                "up to 3 distributed parameters are integrated by Gauss's rules, in which nothing is random; give --scenarios too, or leave it out"
+            }
+            (Self::Recorded, _) => {
+                "recorded swings are the scenarios themselves, in which nothing is random; leave it out"
+            }
+        };
+        Err(Error::Unreadable { name: "--seed".into(), source: why.into() })
+    }
+
     /// The same of other points, or of twice as many nodes: what a result should not depend on. `None` where there is no other.
     pub fn other(self, round: u32) -> Option<Self> {
         match self {

@@ -1,0 +1,72 @@
+"""Values of Python as the program reads them: numbers with their unit, ranges, tables."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Set
+from typing import TYPE_CHECKING, Any
+
+from .arguments import count_of, kind_of
+from .errors import InputError
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+__all__ = ["count_text", "number_text", "parts_of", "write_table"]
+
+
+def parts_of(value: Any) -> tuple[Any, ...] | None:
+    """The parts of a sequence, whatever its type: a tuple, a list, an array; None of what is no sequence."""
+    if isinstance(value, (str, bytes, Mapping, Set)):
+        return None
+    try:
+        return tuple(value)
+    except TypeError:
+        return None
+
+
+def count_text(name: str, value: Any) -> str:
+    """How many values a range has; an array has it as a float."""
+    if isinstance(value, str):
+        return value
+    return str(count_of(f"the count of {name}", int(value) if isinstance(value, float) and value.is_integer() else value, 1))
+
+
+def number_text(value: Any, unit: str) -> str:
+    """A number with its SI unit, to the last digit; a quantity of pint is converted."""
+    if all(hasattr(value, name) for name in ("to", "magnitude", "units")):
+        value = value.to(unit or "dimensionless").magnitude
+    try:
+        return f"{float(value)!r} {unit}".strip()
+    except (TypeError, ValueError):
+        message = f"{value!r} is {kind_of(value)}; expected a number (SI), or a text with its unit like '10.5 deg'"
+        raise InputError(message) from None
+
+
+def write_table(name: str, table: Any, path: Path) -> None:
+    """A table of pandas, polars or pyarrow, or a dict of columns, as CSV."""
+    if hasattr(table, "to_csv"):
+        table.to_csv(path, index=False)
+    elif hasattr(table, "write_csv"):
+        table.write_csv(path)
+    elif hasattr(table, "to_pydict"):
+        write_table(name, table.to_pydict(), path)
+    elif isinstance(table, Mapping):
+        columns = [list(column) for column in table.values()]
+        lengths = sorted({len(column) for column in columns})
+        if len(lengths) > 1:
+            raise InputError(f"{name}: its columns have {' and '.join(map(str, lengths))} rows; expected as many in each")
+        with path.open("w", newline="", encoding="utf-8") as file:
+            import csv  # as below: `import longdrive` does not wait for what only some calls need
+
+            write = csv.writer(file)
+            write.writerow(table.keys())
+            write.writerows([_cell(value) for value in row] for row in zip(*columns))
+    else:
+        raise InputError(f"{name} is {kind_of(table)}; expected a file, a dict of columns, or a table of pandas, polars or pyarrow")
+
+
+def _cell(value: Any) -> Any:
+    if value is None or value != value:
+        return ""
+    # numbers of NumPy print as Python's own
+    return repr(float(value)) if hasattr(value, "dtype") and value.dtype.kind in "fiu" else value

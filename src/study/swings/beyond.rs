@@ -1,0 +1,103 @@
+//! What deserves a word about the drives of a design: a law beyond what it was fitted to, strikes beside the face, balls that land flat.
+
+use super::optimum::{SwingsOptimum, SwingsSearch};
+use super::pareto::Pareto;
+use super::robust::Robust;
+use super::scenarios::Scenarios;
+use crate::drive::{Beyond, BeyondCount, BeyondShare, Drive, Looked, Outcome};
+use crate::parameters::Setup;
+use crate::study::problem::moved;
+use crate::units::Message;
+use rayon::prelude::*;
+
+/// Which shares of the swings lie beyond with the design of a setup; those that do not land are not among them.
+pub fn beyond_share(setup: &Setup<f64>, scenarios: &Scenarios, of: &[Outcome]) -> BeyondShare {
+    let looked_at = |point: &Vec<f64>| {
+        let setup = moved(setup, &scenarios.parameters, point).ok()?;
+        let drive = Drive::new(&setup).ok()?;
+        drive.landed().is_ok().then(|| drive.beyond(&setup, Looked::AtFlight, of))
+    };
+    let drives: Vec<Option<Beyond>> = scenarios.points.par_iter().map(looked_at).collect();
+    let mut share = BeyondShare::default();
+    for (drive, weight) in drives.into_iter().zip(&scenarios.weights) {
+        share.add(drive.unwrap_or_default(), *weight);
+    }
+    share
+}
+
+/// What deserves a word about a setup and its drives: of one drive as [`Drive::warnings_about`], of many swings with their share.
+fn warnings(setup: &Setup<f64>, scenarios: &Scenarios, of: &[Outcome]) -> Vec<Message> {
+    if scenarios.is_one_drive() {
+        return Drive::new(setup).map_or_else(|_| setup.warnings(), |drive| drive.warnings_about(setup, of));
+    }
+    let mut warnings = setup.warnings();
+    warnings.extend(beyond_share(setup, scenarios, of).warnings(&setup.law, "the swings"));
+    warnings
+}
+
+impl SwingsSearch {
+    /// The outcomes that it asks for: of what is looked for, then of what is limited.
+    pub fn outcomes(&self) -> Vec<Outcome> {
+        let limited = self.subject_to.iter().flat_map(|limit| limit.goal.outcomes());
+        self.of.outcomes().into_iter().chain(limited).collect()
+    }
+}
+
+impl SwingsOptimum {
+    /// What deserves a word about the setup with the best design, and about its drives; without an optimum about the setup alone.
+    pub fn warnings(&self) -> Vec<Message> {
+        match self.solution.value {
+            Some(_) => warnings(&self.setup, &self.scenarios, &self.search.outcomes()),
+            None => self.setup.warnings(),
+        }
+    }
+}
+
+impl Robust {
+    /// What deserves a word about the setup with the design, and about its drives with each model.
+    pub fn warnings(&self) -> Vec<Message> {
+        let of = self.search.outcomes();
+        let mut all: Vec<Message> = vec![];
+        for (model, best) in &self.models {
+            let design: Vec<_> = self.search.vary.iter().map(|vary| vary.parameter).collect();
+            let Ok(setup) = moved(&model.setup, &design, &self.design) else { continue };
+            let told = warnings(&setup, &best.scenarios, &of);
+            let of_setup = setup.warnings();
+            for message in told {
+                // what is odd in the setup is so with every model
+                let message = match of_setup.contains(&message) {
+                    true => message,
+                    false => Message::from(format!("with the model '{}': ", model.name)).message(message),
+                };
+                if !all.contains(&message) {
+                    all.push(message);
+                }
+            }
+        }
+        all
+    }
+}
+
+impl Pareto {
+    /// What deserves a word about the drives of the compromises: at how many of them.
+    pub fn warnings(&self) -> Vec<Message> {
+        let Some(first) = self.points.first() else { return vec![] };
+        let goals = self.search.goals.iter().map(|(goal, _)| goal);
+        let of: Vec<_> = goals
+            .chain(self.search.subject_to.iter().map(|limit| &limit.goal))
+            .flat_map(|goal| goal.outcomes())
+            .collect();
+        let mut count = BeyondCount::default();
+        for point in &self.points {
+            count.add(beyond_share(&point.setup, &self.scenarios, &of).worth_a_word());
+        }
+        let what = match self.scenarios.is_one_drive() {
+            true => ["point of the front", "points of the front"],
+            false => [
+                "point of the front, with 1 % of the swings or more",
+                "points of the front, with 1 % of the swings or more",
+            ],
+        };
+        count.warnings(&first.setup.law, what, Looked::AtFlight)
+    }
+}
