@@ -1,4 +1,15 @@
-use nalgebra::{Cholesky, DMatrix, DVector, SymmetricEigen};
+use super::cholesky::factorise;
+use nalgebra::{DMatrix, DVector, SymmetricEigen};
+
+/// Least curvature kept by the reflection, of the largest.
+const FLOOR: f64 = 1e-8;
+/// The Hessian is raised by its size first, then by this factor more …
+const GROWTH: f64 = 4.0;
+/// … so often at most: beyond that the sum is no longer told from singular.
+const MOST_RAISES: u32 = 15;
+/// Before its eigenvalues are reflected it is raised by so many times its size, which sets those of the normals apart from those of the
+/// directions along them.
+const APART: f64 = 100.0;
 
 /// A positive definite stand-in for a Hessian, equal to it where the search converges.
 ///
@@ -6,51 +17,52 @@ use nalgebra::{Cholesky, DMatrix, DVector, SymmetricEigen};
 /// 1. the Hessian itself, where it is positive definite;
 /// 2. where only directions that are held make it indefinite: the Hessian raised along their normals. On what is free
 ///    it stays exact, and with it Newton's rate (the augmented Lagrangian's term; Nocedal & Wright 2006, §18.3);
-/// 3. its eigenvalues reflected to |λ| (Gill, Murray & Wright 1981, §4.4.2.1, with reflection for truncation),
-///    no smaller than 1e-8 of the largest.
+/// 3. raised along them, and its eigenvalues then reflected to |λ| (Gill, Murray & Wright 1981, §4.4.2.1, with reflection for
+///    truncation), no smaller than 1e-8 of the largest. So what is free has its own curvature, with the sign turned, and not that of the
+///    normals, which may be far larger.
 ///
-/// It is written to `convex`.
-pub(super) fn convexify(hessian: &DMatrix<f64>, held: impl FnOnce() -> Vec<DVector<f64>>, convex: &mut DMatrix<f64>) {
-    if is_positive_definite(hessian, convex) {
+/// A Hessian of zeros stays as it is: what it leaves of a program is linear. It is written to `convex`. Returns what was added along each normal of length 1 before the reflection; 0 without one.
+pub(super) fn convexify(
+    hessian: &DMatrix<f64>,
+    held: impl FnOnce() -> Vec<DVector<f64>>,
+    convex: &mut DMatrix<f64>,
+) -> f64 {
+    if is_positive_definite(hessian, convex) || !hessian.amax().is_normal() {
         convex.copy_from(hessian);
-    } else {
-        *convex = raised(hessian, &held()).unwrap_or_else(|| reflected(hessian));
+        return 0.0;
     }
-}
-
-/// The Hessian raised along normals until it is positive definite, if they are to blame.
-fn raised(hessian: &DMatrix<f64>, held: &[DVector<f64>]) -> Option<DMatrix<f64>> {
-    if !held.is_empty() {
-        let n = hessian.nrows();
-        let mut normals = DMatrix::zeros(n, n);
-        held.iter().for_each(|normal| normals.ger(1.0, normal, normal, 1.0));
-        // some finite amount is enough (Debreu 1952) if anything is; doubling finds it
-        let (mut raised, mut room) = (hessian.clone(), DMatrix::default());
-        let mut raise = hessian.amax().max(f64::MIN_POSITIVE);
-        for _ in 0..MOST_DOUBLINGS {
-            raised.zip_zip_apply(hessian, &normals, |entry, own, normals| *entry = own + normals * raise);
-            if is_positive_definite(&raised, &mut room) {
-                return Some(raised);
-            }
-            raise *= 2.0;
+    let held = held();
+    if held.is_empty() {
+        *convex = reflected(hessian.clone());
+        return 0.0;
+    }
+    let mut normals = DMatrix::zeros(hessian.nrows(), hessian.nrows());
+    held.iter().for_each(|normal| normals.ger(1.0, normal, normal, 1.0));
+    let raised = |convex: &mut DMatrix<f64>, by: f64| {
+        convex.zip_zip_apply(hessian, &normals, |entry, own, normals| *entry = own + normals * by);
+    };
+    let size = hessian.amax();
+    // some finite amount is enough (Debreu 1952) if anything is
+    let (mut raise, mut room) = (size, DMatrix::default());
+    for _ in 0..MOST_RAISES {
+        raised(convex, raise);
+        if is_positive_definite(convex, &mut room) {
+            return 0.0;
         }
+        raise *= GROWTH;
     }
-    None
+    raised(convex, APART * size);
+    *convex = reflected(std::mem::take(convex));
+    APART * size
 }
 
-/// The Hessian with its eigenvalues reflected to |λ|.
-fn reflected(hessian: &DMatrix<f64>) -> DMatrix<f64> {
-    let SymmetricEigen { eigenvectors, eigenvalues } = hessian.clone().symmetric_eigen();
+/// A matrix with its eigenvalues reflected to |λ|.
+fn reflected(matrix: DMatrix<f64>) -> DMatrix<f64> {
+    let SymmetricEigen { eigenvectors, eigenvalues } = matrix.symmetric_eigen();
     let floor = FLOOR * eigenvalues.amax().max(f64::MIN_POSITIVE);
     let reflected = eigenvalues.map(|value| value.abs().max(floor));
     &eigenvectors * DMatrix::from_diagonal(&reflected) * eigenvectors.transpose()
 }
-
-/// Least curvature kept by the reflection, of the largest.
-const FLOOR: f64 = 1e-8;
-
-/// Beyond 2³⁰ times the Hessian's size the sum is no longer told from singular.
-const MOST_DOUBLINGS: u32 = 30;
 
 /// Whether a symmetric matrix is positive definite by a margin that survives rounding: each entry of the diagonal can
 /// be smaller by that part of itself, so that curvatures of very different sizes do not hide each other. It is
@@ -61,15 +73,11 @@ fn is_positive_definite(matrix: &DMatrix<f64>, room: &mut DMatrix<f64>) -> bool 
     if room.nrows() != n {
         *room = DMatrix::zeros(n, n);
     }
-    let mut lowered = std::mem::take(room);
-    lowered.copy_from(matrix);
+    room.copy_from(matrix);
     for i in 0..n {
-        lowered[(i, i)] *= 1.0 - MARGIN;
+        room[(i, i)] *= 1.0 - MARGIN;
     }
-    let factors = Cholesky::new(lowered);
-    let is_found = factors.is_some();
-    *room = factors.map(Cholesky::unpack_dirty).unwrap_or_default();
-    is_found
+    factorise(room)
 }
 
 #[cfg(test)]

@@ -37,6 +37,7 @@
 
 mod bundle;
 mod checkpoint;
+mod cholesky;
 pub(crate) mod continuation;
 mod convex;
 mod domain;

@@ -39,9 +39,28 @@ impl Model<'_> {
 
     /// The plan with the constraints linearised around these values; `program` is written over.
     fn plan_from(&self, value: impl Fn(usize) -> f64, program: &mut QuadraticProgram) -> Plan {
-        self.pose(value, program);
+        let raise = self.pose(value, program);
         let program = &*program;
-        self.around().plan(program, || self.least_violation(program), |d| self.descent(program, d))
+        let mut plan = self.around().plan(program, || self.least_violation(program), |d| self.descent(program, d));
+        if raise > 0.0 {
+            self.take_off(raise, program, &mut plan);
+        }
+        plan
+    }
+
+    /// Takes off the multipliers what raising the Hessian along normals of length 1 has done to them: it pulls a step back along each of
+    /// them, by as much as the step goes there; of rows that hold the step, the multipliers have that too little.
+    fn take_off(&self, raise: f64, program: &QuadraticProgram, plan: &mut Plan) {
+        let d = self.around().steps_to(&plan.x);
+        for j in self.scaling.held_rows(self.multipliers) {
+            let (normal, is_equation) = (&program.rows[j].normal, self.scaling.domain.constraints.is_fixed(j));
+            let (square, before) = (normal.norm_squared(), plan.multipliers[j]);
+            if square > 0.0 && (is_equation || before != 0.0) {
+                let own = before + raise * normal.dot(&d) / (square * self.scaling.gamma[j]);
+                // that of an inequality keeps its sign
+                plan.multipliers[j] = if is_equation || own * before > 0.0 { own } else { before };
+            }
+        }
     }
 
     fn around(&self) -> Around<'_> {
@@ -49,12 +68,13 @@ impl Model<'_> {
     }
 
     /// Poses the program in scaled variables: the point's own piece, those of other sides of corners nearby, and the
-    /// constraints linearised around these values.
-    fn pose(&self, value: impl Fn(usize) -> f64, program: &mut QuadraticProgram) {
+    /// constraints linearised around these values. Returns what was added to the Hessian along the normals of what holds the point
+    /// before its eigenvalues were reflected.
+    fn pose(&self, value: impl Fn(usize) -> f64, program: &mut QuadraticProgram) -> f64 {
         let around = self.around();
         let Self { scaling, at, .. } = *self;
         program.resize(at.x.len(), at.f.constraints.len());
-        convexify(self.hessian, || self.held(), &mut program.curvature);
+        let raise = convexify(self.hessian, || self.held(), &mut program.curvature);
 
         let own = &mut program.pieces[0].gradient;
         own.iter_mut().enumerate().for_each(|(i, slope)| *slope = at.f.objective.gradient[i] * scaling.scale[i]);
@@ -70,6 +90,7 @@ impl Model<'_> {
             row.normal.iter_mut().zip(slopes).for_each(|(normal, (slope, scale))| *normal = slope * scale / gamma);
             (row.low, row.high) = around.row_limits(j, value(j));
         }
+        raise
     }
 
     /// The step of least squared violation in the normal part of the trust region, and what it leaves of each row: what
@@ -205,9 +226,16 @@ pub(super) fn sum_hessians(scaling: &Scaling, at: &Point, multipliers: &[f64], s
         if function.hessian.is_empty() {
             return false;
         }
-        for (i, j) in (0..n).flat_map(|i| (0..n).map(move |j| (i, j))).filter(|_| weight != 0.0) {
-            sum[(i, j)] += weight * function.hessian[i][j] * scaling.scale[i] * scaling.scale[j];
+        if weight == 0.0 {
+            continue;
         }
+        // the matrix is symmetric: its columns are the rows
+        for (column, row) in sum.as_mut_slice().chunks_exact_mut(n).zip(&function.hessian) {
+            column.iter_mut().zip(row).for_each(|(sum, bend)| *sum += weight * bend);
+        }
+    }
+    for (column, own) in sum.as_mut_slice().chunks_exact_mut(n).zip(&scaling.scale) {
+        column.iter_mut().zip(&scaling.scale).for_each(|(entry, scale)| *entry *= scale * own);
     }
     true
 }

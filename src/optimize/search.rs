@@ -18,6 +18,8 @@ const KEEP: f64 = 1e-4;
 const SHRINK: f64 = 0.25;
 /// … and grows by this factor where more than three quarters were, by a step that it limited (ibid., §17.1).
 const GROW: f64 = 2.0;
+/// A step that fails is corrected up to so often, while that makes it better and not yet good.
+const MOST_CORRECTIONS: u32 = 3;
 /// Largest trust region, in units of the variables' scale.
 const LARGEST_RADIUS: f64 = 1e16;
 /// Rounding of the functions, relative to φ and γ.
@@ -145,14 +147,19 @@ impl Search {
         let mut tried = self.tried(std::mem::take(&mut plan.x), evaluate)?;
         let mut outcome = self.outcome(&plan, tried.as_ref());
 
-        if !outcome.is_kept()
-            && let Some(first) = &tried
-            && let Some(corrected) = self.corrected(&plan, first)
-        {
-            let again = self.tried(corrected.x, evaluate)?;
-            let second = self.outcome(&plan, again.as_ref());
-            if second.is_kept() {
-                (tried, outcome) = (again, second);
+        if !outcome.is_kept() {
+            for _ in 0..MOST_CORRECTIONS {
+                if outcome.is_good() {
+                    break;
+                }
+                let corrected = tried.as_ref().and_then(|tried| self.corrected(&plan, tried));
+                let Some(corrected) = corrected else { break };
+                let again = self.tried(corrected.x, evaluate)?;
+                let now = self.outcome(&plan, again.as_ref());
+                if now.fell <= outcome.fell {
+                    break;
+                }
+                (tried, outcome) = (again, now);
                 plan.multipliers = corrected.multipliers;
             }
         }

@@ -2,7 +2,8 @@
 
 use super::ends::{clamp, corrected_end};
 use super::program::{End, Method, Piece, QuadraticProgram, Step};
-use nalgebra::{Cholesky, DMatrix, DVector};
+use crate::optimize::cholesky::{factorise, solve};
+use nalgebra::{DMatrix, DVector};
 
 /// Faces looked at before the program is left to Clarabel; a few are enough wherever the walk ends at all.
 const MOST_FACES: usize = 20;
@@ -54,13 +55,14 @@ impl QuadraticProgram {
             d[i] = -gradient[i] - held.map(|j| self.curvature[(i, j)] * d[j]).sum::<f64>();
         }
         // what is held stays by an equation d = d of its own
-        for (i, j) in (0..n).flat_map(|i| (0..n).map(move |j| (i, j))) {
+        for (i, j) in (0..n).flat_map(|j| (j..n).map(move |i| (i, j))) {
             let is_free = is_free(i) && is_free(j);
             room[(i, j)] = if is_free { self.curvature[(i, j)] } else { f64::from(i == j) };
         }
-        let factors = Cholesky::new(std::mem::take(room))?;
-        factors.solve_mut(d);
-        *room = factors.unpack_dirty();
+        if !factorise(room) {
+            return None;
+        }
+        solve(room, d.as_mut_slice());
         d.iter().all(|x| x.is_finite()).then_some(())
     }
 }
@@ -88,7 +90,7 @@ mod tests {
                 rows: vec![],
             };
             let walked = qp.by_faces().unwrap();
-            let clarabel = qp.polished(qp.clarabel().unwrap(), Method::Clarabel).unwrap();
+            let clarabel = qp.polished(qp.clarabel().unwrap(), None, Method::Clarabel).unwrap();
             assert!((&walked.d - &clarabel.d).amax() < 1e-10, "case {case}: {walked:?} against {clarabel:?}");
             assert_eq!(walked.ends, clarabel.ends, "case {case}");
         }

@@ -1,12 +1,14 @@
 //! Small symmetric systems of equations, balanced so that curvatures and normals of very different sizes do not hide each
 //! other.
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
 /// Pivots below this part of the largest, after balancing, show equations that depend on each other.
 const DEPENDENT: f64 = 1e-14;
-/// Singular values below this, after balancing, are none.
+/// Eigenvalues below this, after balancing, are none.
 const RANK: f64 = 1e-13;
+/// Rows whose largest entries differ from 1 by less than this factor's square are balanced.
+const ALIKE: f64 = 4.0;
 /// What dependent equations may miss, of the largest right-hand side.
 const CONTRADICTS: f64 = 1e-9;
 
@@ -55,7 +57,11 @@ impl Balanced {
     }
 
     fn shortest_solution(&self) -> Option<DVector<f64>> {
-        let shortest = self.matrix.clone().try_svd(true, true, f64::EPSILON, 1000)?.solve(&self.right, RANK).ok()?;
+        let SymmetricEigen { eigenvalues, eigenvectors } =
+            self.matrix.clone().try_symmetric_eigen(f64::EPSILON, 1000)?;
+        let mut parts = eigenvectors.tr_mul(&self.right);
+        parts.zip_apply(&eigenvalues, |part, value| *part = if value.abs() > RANK { *part / value } else { 0.0 });
+        let shortest = eigenvectors * parts;
         let is_met = self.left_over(&shortest).amax() <= CONTRADICTS * self.right.amax().max(f64::MIN_POSITIVE);
         self.whole(shortest).filter(|_| is_met)
     }
@@ -72,7 +78,8 @@ impl Balanced {
     }
 }
 
-/// Factors for rows and columns of a symmetric matrix that make the largest entry of each about 1 (Ruiz 2001).
+/// Factors for rows and columns of a symmetric matrix that make the largest entry of each about 1 (Ruiz 2001); they end where all
+/// are within [`ALIKE`] of it.
 fn balance(matrix: &DMatrix<f64>) -> DVector<f64> {
     let n = matrix.nrows();
     let mut lengths = DVector::from_element(n, 1.0);
@@ -85,6 +92,9 @@ fn balance(matrix: &DMatrix<f64>) -> DVector<f64> {
             let entries = column.iter().zip(lengths.as_slice()).map(|(entry, other)| (entry * other).abs());
             let largest = entries.fold(0.0, larger) * length;
             *factor = if largest == 0.0 { 1.0 } else { largest.sqrt().recip() };
+        }
+        if factors.iter().all(|factor| (ALIKE.recip()..=ALIKE).contains(factor)) {
+            break;
         }
         lengths.component_mul_assign(&factors);
     }

@@ -10,6 +10,7 @@ mod linear;
 mod polish;
 mod program;
 mod solve;
+mod walk;
 
 pub(super) use ends::{clamp, corrected_end};
 pub(super) use program::quadratic_form;
@@ -121,7 +122,7 @@ mod tests {
         let (mut infeasible, mut compared) = (0, 0);
         for (case, qp) in random_programs_with_rows(400).enumerate() {
             let n = qp.low.len();
-            let clarabel = qp.clarabel().map(|active| qp.polished(active, super::Method::Clarabel).unwrap());
+            let clarabel = qp.clarabel().map(|active| qp.polished(active, None, super::Method::Clarabel).unwrap());
             match (qp.solve(), clarabel) {
                 (Some(step), Some(clarabel)) => {
                     compared += 1;

@@ -9,8 +9,8 @@ use nalgebra::{DMatrix, DVector};
 /// What an active set implies, perhaps outside the ends.
 pub(super) struct Candidate {
     pub d: DVector<f64>,
-    weights: Vec<f64>,
-    multipliers: Vec<f64>,
+    pub weights: Vec<f64>,
+    pub multipliers: Vec<f64>,
     /// The pieces' common value.
     pub level: f64,
 }
@@ -19,12 +19,19 @@ pub(super) struct Candidate {
 const ROUNDING: f64 = 1e-11;
 
 impl QuadraticProgram {
-    /// The exact solution from an active set to begin with. `Err` where none is consistent: the best step met on the
-    /// way, if one is worth taking.
-    pub(super) fn polished(&self, mut active: ActiveSet, by: Method) -> Result<Step, Option<Step>> {
+    /// The exact solution from an active set to begin with, and from what it implies if that is known. `Err` where none is consistent:
+    /// the best step met on the way, if one is worth taking.
+    pub(super) fn polished(
+        &self,
+        mut active: ActiveSet,
+        mut implied: Option<Candidate>,
+        by: Method,
+    ) -> Result<Step, Option<Step>> {
         let mut best: Option<(f64, Step)> = None;
-        for _ in 0..self.most_corrections() {
-            let Some(candidate) = self.equality_step(&active) else { break };
+        // a set that comes again would come again and again
+        let mut seen = vec![];
+        while seen.len() < self.most_corrections() && !seen.contains(&active) {
+            let Some(candidate) = implied.take().or_else(|| self.equality_step(&active)) else { break };
             let corrected = self.corrected(&active, &candidate);
             let step = self.taken(&candidate, &active, by);
             if corrected == active {
@@ -34,7 +41,7 @@ impl QuadraticProgram {
             if self.is_worth_it(&step) && best.as_ref().is_none_or(|(least, _)| value < *least) {
                 best = Some((value, step));
             }
-            active = corrected;
+            seen.push(std::mem::replace(&mut active, corrected));
         }
         Err(best.map(|(_, step)| step))
     }
