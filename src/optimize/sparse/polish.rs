@@ -6,6 +6,11 @@ use super::symmetric::Symmetric;
 use crate::optimize::qp::{End, Method, Step, clamp, corrected_end};
 use nalgebra::DVector;
 
+/// What the equations of a step may miss of their right-hand side …
+const EXACT: f64 = 1e-10;
+/// … and those of an active set on the way, which are only asked what contradicts it: of very many places held side by side they are
+/// nearly singular.
+const ROUGH: f64 = 1e-6;
 /// Rounding allowed where a row is compared with its ends.
 const ROUNDING: f64 = 1e-11;
 
@@ -19,21 +24,24 @@ impl SparseProgram {
         most: usize,
         by: Method,
     ) -> Option<(Step, SparseActive)> {
-        for _ in 0..most {
-            let (d, multipliers) = self.equality_step(matrix, &active)?;
+        // a set that comes again would come again and again
+        let mut seen = vec![];
+        while seen.len() < most && !seen.contains(&active) {
+            let (d, multipliers, left) = self.equality_step(matrix, &active)?;
             let corrected = self.corrected(matrix, &active, &d, &multipliers);
             if corrected == active {
                 let mut step = Step { d, ends: active.ends.clone(), weights: vec![1.0], multipliers, by };
                 clamp(&self.low, &self.high, &mut step);
-                return self.is_worth_it(matrix, &step).then_some((step, active));
+                return (left <= EXACT && self.is_worth_it(matrix, &step)).then_some((step, active));
             }
-            active = corrected;
+            seen.push(std::mem::replace(&mut active, corrected));
         }
         None
     }
 
-    /// Solves the program with the active ends and rows as equations: M d + gradient + Σ μⱼ normalⱼ = 0 on the free variables.
-    fn equality_step(&self, matrix: &Symmetric, active: &SparseActive) -> Option<(DVector<f64>, Vec<f64>)> {
+    /// Solves the program with the active ends and rows as equations: M d + gradient + Σ μⱼ normalⱼ = 0 on the free variables; and the part of
+    /// the right-hand side that this misses.
+    fn equality_step(&self, matrix: &Symmetric, active: &SparseActive) -> Option<(DVector<f64>, Vec<f64>, f64)> {
         let n = self.dimension();
         let mut place = vec![None; n];
         let free: Vec<usize> = (0..n).filter(|&i| active.ends[i] == End::Free).collect();
@@ -53,14 +61,18 @@ impl SparseProgram {
             right.push(if active.rows[j] == End::Low { row.low } else { row.high } - row.value(&d));
             entries.extend(row.normal.iter().filter_map(|(i, a)| Some((place[*i]?, free.len() + at, *a))));
         }
-        let mut multipliers = vec![0.0; self.rows.len()];
+        let (mut multipliers, mut left) = (vec![0.0; self.rows.len()], 0.0);
         if !right.is_empty() {
             let mut kkt = Kkt::new(free.len(), &Symmetric::sum(right.len(), entries))?;
-            let solution = kkt.is_convex().then(|| kkt.solve(&right))??;
+            let (solution, missed) = kkt.is_convex().then(|| kkt.refined(&right))?;
+            if missed > ROUGH {
+                return None;
+            }
+            left = missed;
             free.iter().zip(&solution).for_each(|(&i, value)| d[i] = *value);
             tight.iter().zip(&solution[free.len()..]).for_each(|(&j, multiplier)| multipliers[j] = *multiplier);
         }
-        Some((d, multipliers))
+        Some((d, multipliers, left))
     }
 
     /// The active set with what its solution contradicts put right: free variables and rows beyond an end are held, held ones that pull

@@ -4,7 +4,7 @@ use crate::optimize::qp::{End, Method, Step};
 use nalgebra::DVector;
 
 /// Corrections of an active set after which Clarabel is asked.
-const MOST_CORRECTIONS: usize = 20;
+const MOST_CORRECTIONS: usize = 1000;
 /// What Clarabel's own point may miss a row by, in units of the box.
 const ACCURACY: f64 = 1e-7;
 
