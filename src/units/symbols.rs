@@ -80,6 +80,7 @@ fn symbols() -> Vec<Symbol> {
 #[cfg(test)]
 mod tests {
     use super::{SYMBOLS, symbol};
+    use std::f64::consts::TAU;
 
     /// Exact by definition.
     const EXACT: f64 = f64::EPSILON;
@@ -115,7 +116,7 @@ mod tests {
             ("rad", 1.0, EXACT),
             ("mrad", 1e-3, EXACT),
             ("deg", 1.745329e-2, SEVEN_DIGITS),
-            ("rev", 6.283185, SEVEN_DIGITS),
+            ("rev", TAU, EXACT),
             ("rpm", 1.047198e-1, SEVEN_DIGITS),
             ("mph", 4.4704e-1, EXACT),
             ("kph", 2.777778e-1, SEVEN_DIGITS),
