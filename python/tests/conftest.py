@@ -41,3 +41,8 @@ def program() -> Callable[..., str]:
         return done.stdout
 
     return run
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """The type checkers first: they take longest, and at the end one process would wait for them."""
+    items.sort(key=lambda item: item.path.name != "test_types.py")
