@@ -34,18 +34,6 @@ impl<T: Numbers> WindField<T> {
         Self { reference: Vector::new(wind.up, right, downrange), profile }
     }
 
-    /// The same over another number.
-    #[inline(always)]
-    pub(crate) fn map<U>(&self, f: &mut impl FnMut(T) -> U) -> WindField<U> {
-        let reference = self.reference.map(&mut *f);
-        let profile = self.profile.map(|Profile { roughness, ground, scale }| Profile {
-            roughness: f(roughness),
-            ground: f(ground),
-            scale: f(scale),
-        });
-        WindField { reference, profile }
-    }
-
     /// Whether it is a profile, and not the same everywhere.
     #[inline(always)]
     pub(crate) fn depends_on_height(&self) -> bool {

@@ -4,7 +4,7 @@ use super::block::{Block, Status};
 use super::question::Kernel;
 use crate::aerodynamics::AerodynamicLaw;
 use crate::drive::{Beyond, Part, Shown, Struck, flat, is_beside_any_face};
-use crate::flight::{Discretization, Flight};
+use crate::flight::{Discretization, Flight, Inputs};
 use crate::impact::Head;
 use crate::number::{Derivatives, Jet, Lanes, Mask, Number, Task, inlined};
 use crate::parameters::{Parameter, Setup};
@@ -56,7 +56,7 @@ impl Abreast<'_> {
             let row_of = |lane: usize| rows[lane.min(rows.len() - 1)];
             let block = &*self.block;
             setup.put(&kernel.parameters, |k| V::with_values(|lane| block.point(row_of(lane))[k]));
-            let struck = Struck::new(&setup, false);
+            let struck = Struck::new(&setup);
             for (lane, &row) in rows.iter().enumerate() {
                 let (up, ground) = (struck.launch.velocity.x.lane(lane), setup.ground.height.lane(lane));
                 if !struck.is_sound.holds(lane) {
@@ -110,8 +110,9 @@ impl Abreast<'_> {
             |k| changing(J::with_values(|lane| block.point(row_of(lane))[k]), directions[k]),
         );
         let runs = kernel.of.iter().any(|outcome| outcome.is_of_the_run());
-        let struck = Struck::new(setup, runs);
-        let [spin_ratio, spin, reynolds, air_speed] = struck.inputs.stream();
+        let struck = Struck::new(setup);
+        let inputs = Inputs::new(setup, &struck.launch, runs);
+        let [spin_ratio, spin, reynolds, air_speed] = inputs.stream();
         let (toe, high) = (setup.strike.toe, setup.strike.high);
         let (slope, side_slope) = (setup.ground.slope, setup.ground.side_slope);
         let fitted = AerodynamicLaw::<f64>::fitted(&kernel.setup.law);
@@ -119,13 +120,13 @@ impl Abreast<'_> {
         let has_head = struck.club_speed.is_some() && kernel.of.iter().any(|outcome| outcome.part() == Part::Head);
         let head = has_head.then(|| J::outlined(|| Head::new(&setup.club)));
         let how = Discretization::of(&kernel.setup);
-        let ended = struck.inputs.follow(&how, J::Mask::first(group.len()), has_apex, &mut |_, _| ());
+        let ended = inputs.follow(&how, J::Mask::first(group.len()), has_apex, &mut |_, _| ());
         for (lane, &(_, row)) in group.iter().enumerate() {
             let in_lane = inlined(
                 #[inline(always)]
                 |number: J| number.lane(lane),
             );
-            let Ok(Flight::Landed(landed)) = ended.flight(&how, &struck.inputs, lane, in_lane) else {
+            let Ok(Flight::Landed(landed)) = ended.flight(&how, &inputs, lane, in_lane) else {
                 alone.push(row);
                 continue;
             };

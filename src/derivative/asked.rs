@@ -9,6 +9,7 @@ use crate::parameters::{Parameter, Setup};
 
 /// A question, at one place.
 pub(super) struct Asked<'a> {
+    /// The setup at this place.
     pub setup: &'a Setup<f64>,
     pub of: &'a [Outcome],
     pub wrt: &'a [&'static Parameter],
@@ -62,36 +63,38 @@ impl Directions<'_> {
         }
     }
 
-    /// The number of a place, in each lane the independent variable of the direction that it has there.
+    /// Shows each place with its number to `put`: its value, in each lane the independent variable of the direction that it has there.
     #[inline(always)]
-    pub fn seeded<J: Lanes>(&self, place: usize, value: J, per_lane: usize) -> J {
+    pub fn seeded<J: Lanes>(&self, per_lane: usize, value: impl Fn(usize) -> f64, mut put: impl FnMut(usize, J)) {
         match self {
-            Self::None => value,
-            Self::Each(places) => match places.iter().position(|at| *at == place) {
-                None => value,
-                Some(at) => {
+            Self::None => (),
+            Self::Each(places) => {
+                for (at, &place) in places.iter().enumerate() {
                     let (in_lane, in_direction) = (at / per_lane, at % per_lane);
                     let changes_in = inlined(
                         #[inline(always)]
                         |direction: usize| J::Mask::only(if direction == in_direction { in_lane } else { MOST_LANES }),
                     );
-                    J::seeded(value, &changes_in, 0)
+                    put(place, J::constant(value(place)).seeded(&changes_in, 0));
                 }
-            },
+            }
+            // a place of several pairs is shown as often
             Self::Pairs(pairs) => {
-                let changes_in = inlined(
-                    #[inline(always)]
-                    |direction: usize| {
-                        let mut lanes = J::Mask::first(0);
-                        for (lane, pair) in pairs.iter().enumerate() {
-                            if pair[direction] == place {
-                                lanes = lanes | J::Mask::only(lane);
+                for &place in pairs.iter().flatten() {
+                    let changes_in = inlined(
+                        #[inline(always)]
+                        |direction: usize| {
+                            let mut lanes = J::Mask::first(0);
+                            for (lane, pair) in pairs.iter().enumerate() {
+                                if pair[direction] == place {
+                                    lanes = lanes | J::Mask::only(lane);
+                                }
                             }
-                        }
-                        lanes
-                    },
-                );
-                J::seeded(value, &changes_in, 0)
+                            lanes
+                        },
+                    );
+                    put(place, J::constant(value(place)).seeded(&changes_in, 0));
+                }
             }
         }
     }
@@ -103,36 +106,36 @@ impl Asked<'_> {
         self.level.of(directions.count())
     }
 
-    /// The setup over the numbers of a pass.
+    /// Puts the parameters of a pass into the setup over its numbers.
     #[inline(always)]
-    pub fn lifted<J: Lanes>(&self, directions: Directions<'_>, per_lane: usize) -> Setup<J> {
-        let mut setup = self.setup.constant();
-        setup.put(
-            self.wrt,
+    pub fn seed<J: Lanes>(&self, setup: &mut Setup<J>, directions: Directions<'_>, per_lane: usize) {
+        directions.seeded(
+            per_lane,
+            |place| self.x[place],
             #[inline(always)]
-            |place| directions.seeded(place, J::constant(self.x[place]), per_lane),
+            |place, number| setup.put(&self.wrt[place..=place], |_| number),
         );
-        setup
     }
 
-    /// Flies a ball, whose drive `lanes` lanes hold, and shows each lane's outcomes to `take`, with their places.
+    /// Flies a ball that leaves like this, whose drive `lanes` lanes hold, and shows each lane's outcomes to `take`, with their places.
     #[inline(always)]
     pub fn fly<J: Lanes>(
         &self,
-        inputs: &Inputs<J>,
+        setup: &Setup<J>,
+        launch: &Launch<J>,
         lanes: usize,
         mut take: impl FnMut(usize, usize, J::Lane),
     ) -> Result<()> {
         let how = Discretization::of(self.setup);
+        let inputs = Inputs::new(setup, launch, self.runs);
         let ended = inputs.follow(&how, J::Mask::first(lanes), self.has_apex, &mut |_, _| ());
         for lane in 0..lanes {
             let in_lane = inlined(
                 #[inline(always)]
                 |number: J| number.lane(lane),
             );
-            let flight = ended.flight(&how, inputs, lane, in_lane)?;
-            let velocity = inputs.velocity.map(in_lane);
-            let launch = Launch { velocity, spin: velocity };
+            let flight = ended.flight(&how, &inputs, lane, in_lane)?;
+            let launch = launch.map(in_lane);
             for (i, outcome) in self.of.iter().enumerate().filter(|(_, outcome)| outcome.part() == Part::Flight) {
                 take(lane, i, read(*outcome, &launch, (None, None), Some(&flight))?);
             }
@@ -142,19 +145,17 @@ impl Asked<'_> {
 
     /// Why there is no drive, where a pass has found none.
     pub fn refusal(&self) -> Error {
-        let mut setup = *self.setup;
-        setup.put(self.wrt, |place| self.x[place]);
-        strike(&setup).err().unwrap_or_else(|| Error::Undefined {
+        strike(self.setup).err().unwrap_or_else(|| Error::Undefined {
             what: "the impact".into(),
             reason: "it lies on the edge of where the club strikes the ball".into(),
         })
     }
+}
 
-    /// A Taylor polynomial to be filled in for each outcome, with so many columns and rows of second derivatives.
-    pub fn blank(&self, columns: usize, rows: usize) -> Vec<Taylor> {
-        let blank = || Taylor { value: 0.0, gradient: vec![0.0; columns], hessian: vec![vec![0.0; columns]; rows] };
-        std::iter::repeat_with(blank).take(self.of.len()).collect()
-    }
+/// Taylor polynomials to be filled in, with so many columns and rows of second derivatives.
+pub(super) fn blank(count: usize, columns: usize, rows: usize) -> Vec<Taylor> {
+    let blank = || Taylor { value: 0.0, gradient: vec![0.0; columns], hessian: vec![vec![0.0; columns]; rows] };
+    std::iter::repeat_with(blank).take(count).collect()
 }
 
 /// An outcome of a launch and what followed, with the speed of the head before it and the head.

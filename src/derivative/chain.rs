@@ -1,97 +1,73 @@
-//! The chain rule between impact and flight. A flight depends on some twenty quantities, and on six where the club alone changes, whatever
-//! number of parameters made them: by more parameters, derivatives of the flight are taken by these.
+//! The chain rule between impact and flight. Club and strike change a flight through the launch alone: by more parameters than the
+//! six components of its velocity and spin, derivatives of the flight are taken by these, and by what changes it besides.
 
 use super::Taylor;
-use super::asked::{Asked, Directions};
-use super::pass::{MOST_PER_LANE, most_in_a_pass, put, read_launches};
+use super::asked::{Asked, Directions, blank};
+use super::pass::{MOST_PER_LANE, put, read_launches};
+use super::ways::Ways;
 use crate::drive::{self, Struck};
 use crate::error::Result;
-use crate::flight::Inputs;
 use crate::launch::Launch;
-use crate::number::{Derivatives, Jet, Lanes, MOST_LANES, Mask, Mixed, Number, Task, inlined};
-use crate::parameters::Parameter;
-
-/// By fewer parameters a flight may have more pairs of inputs than there are of these.
-const MOST_INPUTS: usize = 24;
-/// Velocity and spin of the ball: all that the club and its strike change of a flight.
-const OF_A_LAUNCH: usize = 6;
-
-/// Whether Hessians by these parameters take fewer flights by what stands between impact and flight.
-pub(super) fn pays(wrt: &[&'static Parameter]) -> bool {
-    wrt.len() > if by_the_launch(wrt) { OF_A_LAUNCH } else { MOST_INPUTS }
-}
-
-/// Whether these parameters change a flight through its launch alone.
-fn by_the_launch(wrt: &[&'static Parameter]) -> bool {
-    wrt.iter().all(|parameter| parameter.is_of_strike())
-}
-
-/// What the flight depends on, and how it changes with the parameters.
-struct Changes {
-    inputs: Inputs<f64>,
-    /// The ball as it leaves, where nothing else of the flight changes: then its velocity and spin are what is differentiated by, else the
-    /// inputs.
-    launch: Option<Launch<f64>>,
-    parameters: usize,
-    /// The gradients of these quantities, one after the other.
-    gradients: Vec<f64>,
-    /// Their Hessians likewise, row by row, where these are asked for.
-    hessians: Vec<f64>,
-}
+use crate::number::{Derivatives, Jet, Lanes, Mask, Mixed, Task, Vector};
 
 /// Values and gradients by many parameters. `progress` is told how many passes of how many are done.
-pub(super) fn gradients(asked: &Asked<'_>, progress: &mut dyn FnMut(usize, usize)) -> Result<Vec<Taylor>> {
-    let each = |count: usize| (0..count).collect::<Vec<_>>();
-    derivatives(
-        asked,
-        false,
-        &|n, pass| each(n).chunks(most_in_a_pass(asked.level)).try_for_each(|d| pass(Directions::Each(d))),
-        progress,
-    )
+pub(super) fn gradients(asked: &Asked<'_>, ways: &Ways, progress: &mut dyn FnMut(usize, usize)) -> Result<Vec<Taylor>> {
+    let most = MOST_PER_LANE * asked.level.width();
+    let passes: Passes<'_> = &|places, pass| places.chunks(most).try_for_each(|places| pass(Directions::Each(places)));
+    derivatives(asked, ways, false, passes, progress)
 }
 
 /// The same with Hessians.
-pub(super) fn hessians(asked: &Asked<'_>, progress: &mut dyn FnMut(usize, usize)) -> Result<Vec<Taylor>> {
-    let pairs = |count: usize| (0..count).flat_map(|i| (0..=i).map(move |j| [i, j])).collect::<Vec<_>>();
-    derivatives(
-        asked,
-        true,
-        &|n, pass| pairs(n).chunks(asked.level.width()).try_for_each(|d| pass(Directions::Pairs(d))),
-        progress,
-    )
+pub(super) fn hessians(asked: &Asked<'_>, ways: &Ways, progress: &mut dyn FnMut(usize, usize)) -> Result<Vec<Taylor>> {
+    let passes: Passes<'_> = &|places, pass| {
+        let pairs: Vec<[usize; 2]> =
+            (0..places.len()).flat_map(|i| (0..=i).map(move |j| [places[i], places[j]])).collect();
+        pairs.chunks(asked.level.width()).try_for_each(|pairs| pass(Directions::Pairs(pairs)))
+    };
+    derivatives(asked, ways, true, passes, progress)
 }
 
-/// Makes a pass for each part of the directions in so many variables.
-type Passes<'a> = &'a dyn Fn(usize, &mut dyn FnMut(Directions<'_>) -> Result<()>) -> Result<()>;
+/// Makes a pass for each part of the directions in these variables.
+type Passes<'a> = &'a dyn Fn(&[usize], &mut dyn FnMut(Directions<'_>) -> Result<()>) -> Result<()>;
 
 fn derivatives(
     asked: &Asked<'_>,
+    ways: &Ways,
     to_second: bool,
     passes: Passes<'_>,
     progress: &mut dyn FnMut(usize, usize),
 ) -> Result<Vec<Taylor>> {
     let n = asked.wrt.len();
     let rows = |n: usize| if to_second { n } else { 0 };
-    let mut taylors = asked.blank(n, rows(n));
-    let mut changes = None;
-    passes(n, &mut |directions| {
-        let part = Part::Impact { changes: &mut changes, taylors: &mut taylors };
+    let mut taylors = blank(asked.of.len(), n, rows(n));
+    let mut launch = blank(6, n, rows(n));
+    let mut strike = |directions: Directions<'_>| {
+        let part = Part::Impact { launch: &mut launch, taylors: &mut taylors };
         asked.level_of(directions).run(Pass { asked, directions, part })
-    })?;
-    let Some(changes) = changes.filter(|_| asked.flies) else {
+    };
+    if ways.through_launch.is_empty() {
+        strike(Directions::None)?;
+    } else {
+        passes(&ways.through_launch, &mut strike)?;
+    }
+    if !asked.flies {
         progress(1, 1);
         return Ok(taylors);
+    }
+    let moves = |component: &usize| {
+        launch[*component].gradient.iter().chain(launch[*component].hessian.iter().flatten()).any(|d| *d != 0.0)
     };
-    let moves = |(input, gradient): (usize, &[f64])| gradient.iter().any(|d| *d != 0.0).then_some(input);
-    let moving: Vec<usize> = changes.gradients.chunks_exact(n).enumerate().filter_map(moves).collect();
-    let mut slopes = asked.blank(moving.len(), rows(moving.len()));
+    let components = (0..launch.len()).filter(moves).map(Variable::Launch);
+    let variables: Vec<_> = components.chain(ways.besides.iter().copied().map(Variable::Parameter)).collect();
+    let each: Vec<usize> = (0..variables.len()).collect();
+    let mut slopes = blank(asked.of.len(), each.len(), rows(each.len()));
     let (mut done, mut all) = (0, 0);
-    passes(moving.len(), &mut |_| {
+    passes(&each, &mut |_| {
         all += 1;
         Ok(())
     })?;
     let mut fly = |directions: Directions<'_>| {
-        let part = Part::Flight { changes: &changes, moving: &moving, slopes: &mut slopes };
+        let part = Part::Flight { launch: &launch, variables: &variables, slopes: &mut slopes };
         asked.level_of(directions).run(Pass { asked, directions, part })?;
         done += 1;
         progress(done, all.max(1));
@@ -100,14 +76,23 @@ fn derivatives(
     match all {
         // a flight that no parameter changes is flown too, for its value
         0 => fly(Directions::None)?,
-        _ => passes(moving.len(), &mut fly)?,
+        _ => passes(&each, &mut fly)?,
     }
     for (outcome, (taylor, slopes)) in asked.of.iter().zip(taylors.iter_mut().zip(slopes)) {
         if outcome.part() == drive::Part::Flight {
-            changes.chain(taylor, &slopes, &moving);
+            chain(taylor, &slopes, &variables, &launch);
         }
     }
     Ok(taylors)
+}
+
+/// What a flight is differentiated by.
+#[derive(Clone, Copy)]
+enum Variable {
+    /// A component of the launch: of its velocity, then of its spin.
+    Launch(usize),
+    /// The parameter in this place.
+    Parameter(usize),
 }
 
 /// A pass in some directions.
@@ -119,9 +104,9 @@ struct Pass<'a> {
 
 enum Part<'a> {
     /// The impact by the parameters; outcomes of the launch are filled in.
-    Impact { changes: &'a mut Option<Changes>, taylors: &'a mut [Taylor] },
-    /// The flight by its inputs that move.
-    Flight { changes: &'a Changes, moving: &'a [usize], slopes: &'a mut [Taylor] },
+    Impact { launch: &'a mut [Taylor], taylors: &'a mut [Taylor] },
+    /// The flight by its variables.
+    Flight { launch: &'a [Taylor], variables: &'a [Variable], slopes: &'a mut [Taylor] },
 }
 
 impl Task for Pass<'_> {
@@ -131,6 +116,7 @@ impl Task for Pass<'_> {
     fn run<V: Lanes<Lane = f64>>(self) -> Result<()> {
         match self.directions {
             Directions::Pairs(_) => self.over::<Mixed<V>>(2),
+            Directions::Each(places) if places.len() <= V::WIDTH => self.over::<Jet<1, V>>(1),
             _ => self.over::<Jet<MOST_PER_LANE, V>>(MOST_PER_LANE),
         }
     }
@@ -142,42 +128,42 @@ impl Pass<'_> {
         let Self { asked, directions, part } = self;
         let lanes = directions.lanes(per_lane);
         match part {
-            Part::Impact { changes, taylors } => {
-                let setup = asked.lifted::<J>(directions, per_lane);
-                let struck = Struck::new(&setup, asked.runs);
+            Part::Impact { launch, taylors } => {
+                let mut setup = asked.setup.constant::<J>();
+                asked.seed(&mut setup, directions, per_lane);
+                let struck = Struck::new(&setup);
                 if !struck.is_sound.holds(0) {
                     return Err(asked.refusal());
                 }
-                let to_second = !taylors[0].hessian.is_empty();
-                changes
-                    .get_or_insert_with(|| Changes::blank(&struck, asked.wrt, to_second))
-                    .take(&struck, directions, per_lane);
+                let Launch { velocity, spin } = struck.launch;
+                for lane in 0..lanes {
+                    let components = velocity.to_array().into_iter().chain(spin.to_array());
+                    for (component, number) in launch.iter_mut().zip(components) {
+                        put(component, directions.in_lane(lane, per_lane), &number.lane(lane));
+                    }
+                }
                 read_launches(asked, &setup, &struck, lanes, |lane, outcome, number| {
                     put(&mut taylors[outcome], directions.in_lane(lane, per_lane), &number);
                 })
             }
-            Part::Flight { changes, moving, slopes } => {
-                let mut input = 0;
-                let seeded = inlined(
+            Part::Flight { launch, variables, slopes } => {
+                let mut setup = asked.setup.constant::<J>();
+                let mut left: [J; 6] = std::array::from_fn(|component| J::constant(launch[component].value));
+                directions.seeded(
+                    per_lane,
+                    |variable| match variables[variable] {
+                        Variable::Launch(component) => launch[component].value,
+                        Variable::Parameter(place) => asked.x[place],
+                    },
                     #[inline(always)]
-                    |value: f64| {
-                        // called for each of them, and not taken in
-                        let number = J::outlined(
-                            #[inline(always)]
-                            || match moving.iter().position(|moves| *moves == input) {
-                                Some(place) => directions.seeded(place, J::constant(value), per_lane),
-                                None => J::constant(value),
-                            },
-                        );
-                        input += 1;
-                        number
+                    |variable, number| match variables[variable] {
+                        Variable::Launch(component) => left[component] = number,
+                        Variable::Parameter(place) => setup.put(&asked.wrt[place..=place], |_| number),
                     },
                 );
-                let inputs = match &changes.launch {
-                    Some(launch) => changes.inputs.map(J::constant).leaving(&launch.map(seeded)),
-                    None => changes.inputs.map(seeded),
-                };
-                asked.fly(&inputs, lanes, |lane, outcome, number| {
+                let [up, right, downrange, spin @ ..] = left;
+                let launch = Launch { velocity: Vector::new(up, right, downrange), spin: Vector::from_array(spin) };
+                asked.fly(&setup, &launch, lanes, |lane, outcome, number| {
                     put(&mut slopes[outcome], directions.in_lane(lane, per_lane), &number);
                 })
             }
@@ -185,83 +171,43 @@ impl Pass<'_> {
     }
 }
 
-impl Changes {
-    /// The ball as it leaves, with room for gradients by these parameters, and for Hessians.
-    fn blank<J: Lanes>(struck: &Struck<J>, wrt: &[&'static Parameter], to_second: bool) -> Self {
-        let mut inputs = 0;
-        let values = struck.inputs.map(|number| {
-            inputs += 1;
-            number.lane(0).re()
-        });
-        let launch = by_the_launch(wrt).then(|| struck.launch.map(|number| number.lane(0).re()));
-        let (count, n) = (if launch.is_some() { OF_A_LAUNCH } else { inputs }, wrt.len());
-        let hessians = if to_second { count * n * n } else { 0 };
-        Self { inputs: values, launch, parameters: n, gradients: vec![0.0; count * n], hessians: vec![0.0; hessians] }
-    }
-
-    /// Takes over the derivatives by the parameters in some directions.
-    #[inline(always)]
-    fn take<J: Lanes<Lane: Derivatives>>(&mut self, struck: &Struck<J>, directions: Directions<'_>, per_lane: usize) {
-        let (n, lanes) = (self.parameters, directions.lanes(per_lane));
-        let places: [&[usize]; MOST_LANES] = std::array::from_fn(|lane| directions.in_lane(lane, per_lane));
-        let mut gradients = self.gradients.chunks_exact_mut(n);
-        let mut hessians = self.hessians.chunks_exact_mut(n * n);
-        let take = inlined(
-            #[inline(always)]
-            |number: J| {
-                // called for each of them, and not taken in
-                J::outlined(
-                    #[inline(always)]
-                    || {
-                        let (Some(gradient), mut hessian) = (gradients.next(), hessians.next()) else { return };
-                        for (lane, places) in places.iter().take(lanes).enumerate() {
-                            let number = number.lane(lane);
-                            for (i, &place) in places.iter().enumerate() {
-                                gradient[place] = number.first(i);
-                            }
-                            if let (&&[i, j], Some(second), Some(hessian)) = (places, number.second(), hessian.as_mut())
-                            {
-                                (hessian[i * n + j], hessian[j * n + i]) = (second, second);
-                            }
-                        }
-                    },
-                );
-            },
-        );
-        match self.launch {
-            Some(_) => _ = struck.launch.map(take),
-            None => _ = struck.inputs.map(take),
+/// The derivatives by parameters of what has these by the variables of a flight.
+fn chain(taylor: &mut Taylor, by_variables: &Taylor, variables: &[Variable], launch: &[Taylor]) {
+    let add = |sums: &mut [f64], factor: f64, terms: &[f64]| {
+        sums.iter_mut().zip(terms).for_each(|(sum, term)| *sum += factor * term);
+    };
+    // adds how a variable changes with the parameters
+    let add_change = |sums: &mut [f64], factor: f64, variable: Variable| match variable {
+        Variable::Launch(component) => add(sums, factor, &launch[component].gradient),
+        Variable::Parameter(place) => sums[place] += factor,
+    };
+    taylor.value = by_variables.value;
+    for (a, &variable) in variables.iter().enumerate() {
+        let slope = by_variables.gradient[a];
+        add_change(&mut taylor.gradient, slope, variable);
+        if taylor.hessian.is_empty() {
+            continue;
+        }
+        // how the slope by this variable changes with the parameters
+        let mut bent = vec![0.0; taylor.gradient.len()];
+        for (b, &other) in variables.iter().enumerate() {
+            add_change(&mut bent, by_variables.hessian[a][b], other);
+        }
+        match variable {
+            Variable::Launch(component) => {
+                let Taylor { gradient, hessian, .. } = &launch[component];
+                for (row, (change, second)) in taylor.hessian.iter_mut().zip(gradient.iter().zip(hessian)) {
+                    add(row, *change, &bent);
+                    add(row, slope, second);
+                }
+            }
+            Variable::Parameter(place) => add(&mut taylor.hessian[place], 1.0, &bent),
         }
     }
-
-    /// The derivatives by parameters of what has these by the inputs that move.
-    fn chain(&self, taylor: &mut Taylor, by_inputs: &Taylor, moving: &[usize]) {
-        let n = self.parameters;
-        let gradient = |input: usize| &self.gradients[input * n..][..n];
-        let add = |sums: &mut [f64], factor: f64, terms: &[f64]| {
-            sums.iter_mut().zip(terms).for_each(|(sum, term)| *sum += factor * term);
-        };
-        taylor.value = by_inputs.value;
-        for (a, &input) in moving.iter().enumerate() {
-            add(&mut taylor.gradient, by_inputs.gradient[a], gradient(input));
-            if taylor.hessian.is_empty() {
-                continue;
-            }
-            // how the slope by this input changes with the parameters
-            let mut bent = vec![0.0; n];
-            for (b, &other) in moving.iter().enumerate() {
-                add(&mut bent, by_inputs.hessian[a][b], gradient(other));
-            }
-            for (i, row) in taylor.hessian.iter_mut().enumerate() {
-                add(row, by_inputs.gradient[a], &self.hessians[(input * n + i) * n..][..n]);
-                add(row, gradient(input)[i], &bent);
-            }
-        }
-        // symmetric to the last bit, as its terms are
-        for i in 0..taylor.hessian.len() {
-            for j in 0..i {
-                taylor.hessian[j][i] = taylor.hessian[i][j];
-            }
+    // symmetric to the last bit, as its terms are
+    for i in 0..taylor.hessian.len() {
+        for j in 0..i {
+            taylor.hessian[j][i] = taylor.hessian[i][j];
         }
     }
 }

@@ -1,8 +1,9 @@
 use super::Taylor;
 use super::asked::Asked;
+use super::chain;
 use super::order::{Order, Pairs};
-use super::pass::{hessians, most_in_a_pass, values};
-use super::{chain, pass};
+use super::pass::{self, hessians, values};
+use super::ways::Ways;
 use crate::drive::{Outcome, Part};
 use crate::error::{Error, Result};
 use crate::number::Level;
@@ -28,6 +29,7 @@ pub struct Evaluator {
     wrt: Vec<&'static Parameter>,
     order: Order,
     pairs: Pairs,
+    ways: Ways,
     /// The places of parameters of the inertia tensor, with the values that have been checked together.
     inertia: Vec<(usize, Option<f64>)>,
     level: Level,
@@ -52,8 +54,8 @@ impl Evaluator {
         }
         let turns = wrt.iter().enumerate().filter(|(_, parameter)| parameter.is_of_inertia());
         let inertia = turns.map(|(place, parameter)| (place, setup.value(parameter))).collect();
-        let (of, wrt) = (of.to_vec(), wrt.to_vec());
-        Ok(Self { setup: *setup, of, wrt, order, pairs: Pairs::All, inertia, level: Level::here() })
+        let (of, wrt, ways) = (of.to_vec(), wrt.to_vec(), Ways::of(wrt));
+        Ok(Self { setup: *setup, of, wrt, order, ways, pairs: Pairs::All, inertia, level: Level::here() })
     }
 
     /// The same with those second derivatives alone.
@@ -105,8 +107,10 @@ impl Evaluator {
     }
 
     fn unchecked(&self, x: &[f64], order: Order, progress: &mut dyn FnMut(usize, usize)) -> Result<Vec<Taylor>> {
+        let mut setup = self.setup;
+        setup.put(&self.wrt, |i| x[i]);
         let asked = Asked {
-            setup: &self.setup,
+            setup: &setup,
             of: &self.of,
             wrt: &self.wrt,
             x,
@@ -117,13 +121,15 @@ impl Evaluator {
         };
         let taylors = match order {
             Order::Value => values(&asked)?,
-            Order::First if self.wrt.len() <= most_in_a_pass(self.level) => {
+            Order::First if self.ways.pay_for_gradients(self.level) => chain::gradients(&asked, &self.ways, progress)?,
+            Order::First => {
                 let taylors = pass::gradients(&asked)?;
                 progress(1, 1);
                 taylors
             }
-            Order::First => chain::gradients(&asked, progress)?,
-            Order::Second if self.pairs == Pairs::All && chain::pays(&self.wrt) => chain::hessians(&asked, progress)?,
+            Order::Second if self.pairs == Pairs::All && self.ways.pay_for_hessians() => {
+                chain::hessians(&asked, &self.ways, progress)?
+            }
             Order::Second => hessians(&asked, self.pairs, progress)?,
         };
         for (outcome, taylor) in self.of.iter().zip(&taylors) {

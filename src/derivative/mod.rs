@@ -7,6 +7,7 @@ pub mod check;
 mod evaluator;
 mod order;
 mod pass;
+mod ways;
 
 pub use crate::number::Taylor;
 pub use evaluator::Evaluator;

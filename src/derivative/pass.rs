@@ -1,10 +1,10 @@
 use super::Taylor;
-use super::asked::{Asked, Directions, read};
+use super::asked::{Asked, Directions, blank, read};
 use super::order::Pairs;
 use crate::drive::{Outcome, Part, Struck};
 use crate::error::Result;
 use crate::impact::Head;
-use crate::number::{Derivatives, Jet, Lanes, Level, Mask, Mixed, Task, inlined};
+use crate::number::{Derivatives, Jet, Lanes, Mask, Mixed, Task, inlined};
 use crate::parameters::Setup;
 
 /// The most directions in a lane.
@@ -35,8 +35,9 @@ impl Pass<'_> {
     #[inline(always)]
     fn over<J: Lanes<Lane: Derivatives>>(self, per_lane: usize) -> Result<()> {
         let Self { asked, directions, taylors } = self;
-        let setup = asked.lifted::<J>(directions, per_lane);
-        let struck = Struck::new(&setup, asked.runs);
+        let mut setup = asked.setup.constant::<J>();
+        asked.seed(&mut setup, directions, per_lane);
+        let struck = Struck::new(&setup);
         if !struck.is_sound.holds(0) {
             return Err(asked.refusal());
         }
@@ -45,7 +46,7 @@ impl Pass<'_> {
             put(&mut taylors[outcome], directions.in_lane(lane, per_lane), &number);
         };
         read_launches(asked, &setup, &struck, lanes, &mut take)?;
-        if asked.flies { asked.fly(&struck.inputs, lanes, take) } else { Ok(()) }
+        if asked.flies { asked.fly(&setup, &struck.launch, lanes, take) } else { Ok(()) }
     }
 }
 
@@ -92,7 +93,7 @@ pub(super) fn put<J: Derivatives>(taylor: &mut Taylor, places: &[usize], number:
 
 /// Each outcome, alone.
 pub(super) fn values(asked: &Asked<'_>) -> Result<Vec<Taylor>> {
-    let mut taylors = asked.blank(0, 0);
+    let mut taylors = blank(asked.of.len(), 0, 0);
     let directions = Directions::None;
     asked.level_of(directions).run(Pass { asked, directions, taylors: &mut taylors })?;
     Ok(taylors)
@@ -101,16 +102,11 @@ pub(super) fn values(asked: &Asked<'_>) -> Result<Vec<Taylor>> {
 /// Each outcome with its gradient by few enough parameters for one pass.
 pub(super) fn gradients(asked: &Asked<'_>) -> Result<Vec<Taylor>> {
     let n = asked.wrt.len();
-    let mut taylors = asked.blank(n, 0);
+    let mut taylors = blank(asked.of.len(), n, 0);
     let places: Vec<usize> = (0..n).collect();
     let directions = Directions::Each(&places);
     asked.level_of(directions).run(Pass { asked, directions, taylors: &mut taylors })?;
     Ok(taylors)
-}
-
-/// How many parameters these are at a level.
-pub(super) fn most_in_a_pass(level: Level) -> usize {
-    MOST_PER_LANE * level.width()
 }
 
 /// Each outcome with its gradient and the wanted part of its Hessian; `progress` is told how many passes of how many are done.
@@ -118,7 +114,7 @@ pub(super) fn hessians(asked: &Asked<'_>, pairs: Pairs, progress: &mut dyn FnMut
     let n = asked.wrt.len();
     let rows = if pairs == Pairs::WithLast { n - 1..n } else { 0..n };
     let wanted: Vec<[usize; 2]> = rows.flat_map(|i| (0..=i).map(move |j| [i, j])).collect();
-    let mut taylors = asked.blank(n, n);
+    let mut taylors = blank(asked.of.len(), n, n);
     let level = asked.level.of(wanted.len());
     let passes = wanted.chunks(level.width());
     let all = passes.len();

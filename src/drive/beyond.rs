@@ -49,7 +49,7 @@ impl Drive<f64> {
     pub fn beyond(&self, setup: &Setup<f64>, looked: Looked, of: &[Outcome]) -> Beyond {
         let law = match looked {
             Looked::AtLaunch => {
-                !AerodynamicLaw::<f64>::fitted(&setup.law).holds(Inputs::new(setup, &self.launch).stream())
+                !AerodynamicLaw::<f64>::fitted(&setup.law).holds(Inputs::new(setup, &self.launch, false).stream())
             }
             Looked::AtFlight => !self.outside_of_the_law(setup).is_empty(),
         };

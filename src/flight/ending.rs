@@ -28,7 +28,7 @@ pub struct Landed<T> {
     pub apex: Option<Apex<T>>,
     /// Where the ball rests; `None` where it was not asked for.
     pub rest: Option<Rest<T>>,
-    /// What tells of the error of the integration: the defects of the steps, over the sine of the descent angle, m.
+    /// What tells of the error of the integration, without derivatives: the defects of the steps, over the sine of the descent angle, m.
     pub(crate) defect: T,
     /// Steps of the integration, the last one cut by the landing.
     pub steps: usize,
@@ -56,7 +56,7 @@ impl<T: Copy> Landed<T> {
             lateral: f(self.lateral),
             flight_time: f(self.flight_time),
             velocity: self.velocity.map(&mut f),
-            apex: self.apex.map(|apex| Apex {
+            apex: self.apex.as_ref().map(|apex| Apex {
                 height: f(apex.height),
                 time: f(apex.time),
                 downrange: f(apex.downrange),

@@ -6,7 +6,7 @@ use crate::parameters::{Law, Setup};
 use std::f64::consts::PI;
 
 /// All that a flight depends on (docs/model.md, eqs. 12–15): a few quantities, into which whatever made the launch enters
-/// only through these. Derivatives of the flight are taken by them and chained with theirs.
+/// only through these.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Inputs<T> {
     /// Velocity at launch, m/s.
@@ -38,16 +38,25 @@ pub(crate) struct Inputs<T> {
 }
 
 impl<T: Numbers> Inputs<T> {
-    /// What the flight of a ball depends on that leaves like this, in the air of a setup; not what its run does.
+    /// What the flight of a ball depends on that leaves like this, in the air of a setup, and where it `runs` what its run does. Called
+    /// and not taken in: there is one copy for each number.
     #[inline(always)]
-    pub fn new(setup: &Setup<T>, launch: &Launch<T>) -> Self {
+    pub fn new(setup: &Setup<T>, launch: &Launch<T>, runs: bool) -> Self {
+        T::outlined(
+            #[inline(always)]
+            || Self::of(setup, launch, runs),
+        )
+    }
+
+    #[inline(always)]
+    fn of(setup: &Setup<T>, launch: &Launch<T>, runs: bool) -> Self {
         let radius = setup.ball.radius;
         let AirState { density, viscosity } = AirState::of(&setup.air);
-        let (spin, axis) = Self::spinning(launch);
+        let (spin, per_spin) = (launch.spin.dot(launch.spin) + LEAST_SPIN * LEAST_SPIN).sqrt_recip();
         Self {
             velocity: launch.velocity,
             spin,
-            axis,
+            axis: launch.spin * per_spin,
             force_per_mass: density * radius * radius * (0.5 * PI) / setup.ball.mass,
             gravity: setup.flight.gravity,
             radius,
@@ -60,28 +69,11 @@ impl<T: Numbers> Inputs<T> {
             wind: WindField::new(&setup.wind, &setup.ground),
             ground: setup.ground.height,
             law: setup.law,
-            turf: None,
+            turf: runs.then(
+                #[inline(always)]
+                || Turf::new(setup),
+            ),
         }
-    }
-
-    /// |ω₀| and the axis of a ball as it leaves.
-    #[inline(always)]
-    fn spinning(launch: &Launch<T>) -> (T, Vector<T>) {
-        let (spin, per_spin) = (launch.spin.dot(launch.spin) + LEAST_SPIN * LEAST_SPIN).sqrt_recip();
-        (spin, launch.spin * per_spin)
-    }
-
-    /// The same for a ball that leaves like this.
-    #[inline(always)]
-    pub fn leaving(self, launch: &Launch<T>) -> Self {
-        let (spin, axis) = Self::spinning(launch);
-        Self { velocity: launch.velocity, spin, axis, ..self }
-    }
-
-    /// The same with the run on the ground of a setup.
-    #[inline(always)]
-    pub fn with_run(self, setup: &Setup<T>) -> Self {
-        Self { turf: Some(Turf::new(setup)), ..self }
     }
 
     /// Spin ratio, spin, Reynolds number and speed through the air as the ball leaves.
@@ -89,26 +81,5 @@ impl<T: Numbers> Inputs<T> {
     pub fn stream(&self) -> [T; 4] {
         let speed = (self.velocity - self.wind.at(T::zero())).norm();
         [self.spin * self.radius / speed, self.spin, self.reynolds_per_speed * speed, speed]
-    }
-
-    /// The same over another number: `f` makes it from each quantity, always in the same order.
-    #[inline(always)]
-    pub fn map<U>(&self, mut f: impl FnMut(T) -> U) -> Inputs<U> {
-        let f = &mut f;
-        Inputs {
-            velocity: self.velocity.map(&mut *f),
-            spin: f(self.spin),
-            axis: self.axis.map(&mut *f),
-            force_per_mass: f(self.force_per_mass),
-            gravity: f(self.gravity),
-            radius: f(self.radius),
-            reynolds_per_speed: f(self.reynolds_per_speed),
-            decay: f(self.decay),
-            damping: self.damping.map(&mut *f),
-            wind: self.wind.map(f),
-            ground: f(self.ground),
-            law: self.law.map(&mut |_, value| f(value)),
-            turf: self.turf.as_ref().map(|turf| turf.map(f)),
-        }
     }
 }

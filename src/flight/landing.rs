@@ -52,7 +52,7 @@ pub(crate) struct Ended<T: Numbers> {
 /// # Errors
 /// [`Error::Diverged`] where the numbers overflow.
 pub fn fly<T: Number>(setup: &Setup<T>, launch: &Launch<T>) -> Result<Flight<T>> {
-    Inputs::new(setup, launch).with_run(setup).fly(&Discretization::of(setup), true, &mut |_, _| ())
+    Inputs::new(setup, launch, true).fly(&Discretization::of(setup), true, &mut |_, _| ())
 }
 
 impl<T: Numbers> Inputs<T> {
@@ -117,7 +117,7 @@ impl<T: Numbers> Inputs<T> {
             flying = flying & is_followed;
 
             let defect = &mut ended.landed.defect;
-            *defect = (*defect + step.defect(h)).blend(*defect, flying);
+            *defect = (*defect + step.defect(h).without_derivatives()).blend(*defect, flying);
 
             let is_above = (ground - step.to.state.position.x).below(0.0);
             let has_top = flying & is_rising(&here) & !is_rising(&step.to);
@@ -158,7 +158,8 @@ impl<T: Numbers> Inputs<T> {
                     old.velocity = v.blend(old.velocity, lands);
                     // an error of the height is one of the landing place, the larger the flatter the ball comes down
                     let (speed, _) = v.dot(v).sqrt_recip();
-                    old.defect = (old.defect * speed / -v.x).blend(old.defect, lands);
+                    let per_sine = (speed / -v.x).without_derivatives();
+                    old.defect = (old.defect * per_sine).blend(old.defect, lands);
                     if self.turf.is_some() {
                         spin = self.spin_within(&step, s, h).blend(spin, lands);
                     }

@@ -27,6 +27,14 @@ pub(crate) struct Rate<T> {
     pub speed: T,
 }
 
+impl<T: Numbers> Rate<T> {
+    /// That of a ball at rest without forces.
+    #[inline(always)]
+    pub fn none() -> Self {
+        Self { acceleration: Vector::zero(), speed: T::zero() }
+    }
+}
+
 /// A ball in a state, with how it changes there: a node of the integration.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Node<T> {
@@ -35,13 +43,14 @@ pub(crate) struct Node<T> {
 }
 
 impl<T: Numbers> Inputs<T> {
-    /// The equation of motion (docs/model.md, eqs. 12–15). Called and not taken in: there is one copy for each number.
+    /// The equation of motion (docs/model.md, eqs. 12–15). Called and not taken in: there is one copy for each number. What it finds
+    /// is written to its place, as a rate with many derivatives is long to copy.
     #[inline(always)]
-    pub(super) fn rate(&self, velocity: Vector<T>, spin: T, height: T) -> Rate<T> {
+    pub(super) fn find_rate(&self, velocity: Vector<T>, spin: T, height: T, rate: &mut Rate<T>) {
         T::outlined(
             #[inline(always)]
-            || self.forces(velocity, spin, height),
-        )
+            || *rate = self.forces(velocity, spin, height),
+        );
     }
 
     #[inline(always)]
@@ -72,7 +81,9 @@ impl<T: Numbers> Inputs<T> {
     /// The node of a state.
     #[inline(always)]
     pub(super) fn node(&self, state: State<T>) -> Node<T> {
-        Node { state, rate: self.rate(state.velocity, state.spin, state.position.x) }
+        let mut node = Node { state, rate: Rate::none() };
+        self.find_rate(state.velocity, state.spin, state.position.x, &mut node.rate);
+        node
     }
 
     /// d²v/dt² at a node: the central difference of the equation of motion along the path. It is a smooth function of the node
@@ -105,7 +116,7 @@ impl<T: Numbers> Inputs<T> {
         let mut beside = [node.rate; 2];
         for (there, time) in beside.iter_mut().zip([-APART, APART]) {
             let height = velocity.x.scale_add(time, position.x);
-            *there = self.rate(acceleration.scale_add(time, velocity), faded.scale_add(time, spin), height);
+            self.find_rate(acceleration.scale_add(time, velocity), faded.scale_add(time, spin), height, there);
         }
         beside
     }

@@ -87,13 +87,13 @@ impl<T: Numbers> Septic<T> {
 }
 
 /// The root in [low, 1] of a function that is positive at `low` and not at 1, given with its slope: Newton's method kept inside
-/// a bracket. Once the value has settled, a step each makes first and second derivatives exact (the implicit function theorem).
+/// a bracket. Once the value has settled, which needs no derivatives, a step each makes first and second derivatives exact (the implicit function theorem).
 #[inline(always)]
-fn falling_root<T: Numbers>(mut low: T, lanes: T::Mask, f: impl Fn(T) -> (T, T)) -> T {
+fn falling_root<T: Numbers>(low: T, lanes: T::Mask, f: impl Fn(T) -> (T, T)) -> T {
     // bisection alone needs 53
     const MOST_STEPS: usize = 60;
     const DERIVATIVE_STEPS: usize = 2;
-    let mut high = T::constant(1.0);
+    let (mut low, mut high) = (low.without_derivatives(), T::constant(1.0));
     let mut s = high;
     let (mut left, mut is_settled) = (MOST_STEPS, false);
     while left > 0 {
@@ -104,6 +104,7 @@ fn falling_root<T: Numbers>(mut low: T, lanes: T::Mask, f: impl Fn(T) -> (T, T))
             s = newton;
             continue;
         }
+        let newton = newton.without_derivatives();
         let is_before = (-value).below(0.0);
         low = s.blend(low, is_before);
         high = high.blend(s, is_before);

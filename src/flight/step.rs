@@ -43,8 +43,7 @@ impl<'a, T: Numbers> Stepper<'a, T> {
         for (left, time) in fading.iter_mut().zip(tableau.time).take(tableau.stages + 1).skip(1) {
             *left = (inputs.decay * (-time * h)).exp();
         }
-        let none = Rate { acceleration: Vector::zero(), speed: T::zero() };
-        Self { inputs, tableau, h, fading, rates: [none; MOST_STAGES] }
+        Self { inputs, tableau, h, fading, rates: [Rate::none(); MOST_STAGES] }
     }
 
     /// The step from a node.
@@ -61,7 +60,8 @@ impl<'a, T: Numbers> Stepper<'a, T> {
                     height = rate.acceleration.x.scale_add(h * h * weight, height);
                 }
             }
-            self.rates[i] = inputs.rate(velocity, self.spin(spin, i), height);
+            let spin = self.spin(spin, i);
+            inputs.find_rate(velocity, spin, height, &mut self.rates[i]);
         }
         let end = tableau.stages;
         let gained = self.sum(tableau.velocity[end], h, Vector::zero());

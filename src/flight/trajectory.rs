@@ -50,7 +50,7 @@ pub struct TrajectoryPoint {
 pub fn trajectory(setup: &Setup<f64>, launch: &Launch<f64>) -> Result<Trajectory> {
     let start = TrajectoryPoint { time: 0.0, position: Vector::zero(), velocity: launch.velocity };
     let mut points = vec![start];
-    let inputs = Inputs::new(setup, launch);
+    let inputs = Inputs::new(setup, launch, false);
     let (h, parts) = (setup.flight.step, (setup.flight.step / MOST_APART).ceil().max(1.0));
     let (mut last, mut run) = (None, vec![]);
     let flight = inputs.fly(&Discretization::of(setup), true, &mut |begin, step| {

@@ -39,20 +39,6 @@ impl<T: Numbers> Turf<T> {
         }
     }
 
-    /// The same over another number.
-    #[inline(always)]
-    pub fn map<U>(&self, f: &mut impl FnMut(T) -> U) -> Turf<U> {
-        Turf {
-            restitution: self.restitution.map(&mut *f),
-            friction: f(self.friction),
-            compliance: f(self.compliance),
-            rolling: f(self.rolling),
-            slope: f(self.slope),
-            side_slope: f(self.side_slope),
-            inertia: f(self.inertia),
-        }
-    }
-
     /// The part of a slip that the ball's centre loses where the contact sticks: 2/7 of it for a homogeneous ball.
     #[inline(always)]
     pub fn stuck(&self) -> T {

@@ -52,6 +52,10 @@ impl<D: DualNum<Primitive = f64> + Copy> Numbers for D {
         if mask { self } else { other }
     }
     #[inline(always)]
+    fn without_derivatives(self) -> Self {
+        D::from(num_dual::DualStruct::re(&self))
+    }
+    #[inline(always)]
     fn is_finite(self) -> bool {
         num_dual::DualStruct::re(&self).is_finite()
     }

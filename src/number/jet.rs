@@ -212,6 +212,10 @@ impl<const K: usize, B: Numbers> Numbers for Jet<K, B> {
         Self { re: self.re.blend(other.re, mask), gradient }
     }
     #[inline(always)]
+    fn without_derivatives(self) -> Self {
+        Self { re: self.re.without_derivatives(), gradient: filled(B::zero()) }
+    }
+    #[inline(always)]
     fn is_finite(self) -> Self::Mask {
         self.re.is_finite()
     }

@@ -91,6 +91,8 @@ pub trait Numbers: Copy + Debug + 'static + Neg<Output = Self> + Arithmetic<Self
     fn below(self, limit: f64) -> Self::Mask;
     /// `self` where the mask holds, `other` where it does not.
     fn blend(self, other: Self, mask: Self::Mask) -> Self;
+    /// The value without its derivatives: what is not to be differentiated costs no more than over plain numbers.
+    fn without_derivatives(self) -> Self;
     /// Whether the value, and that of each of several, is finite.
     fn is_finite(self) -> Self::Mask;
     /// What a table holds for a pair of values, `self` and `other`, without derivatives: of several, for each its own.

@@ -167,6 +167,10 @@ macro_rules! pack {
                 Self(unsafe { $blend })
             }
             #[inline(always)]
+            fn without_derivatives(self) -> Self {
+                self
+            }
+            #[inline(always)]
             fn is_finite(self) -> Bits<$width> {
                 // x − x is 0 where x is finite and NaN, below nothing, where it is not
                 (self - self).below(1.0)

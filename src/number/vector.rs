@@ -27,7 +27,10 @@ impl<T> Vector<T> {
 
     /// The same over another number.
     #[inline(always)]
-    pub(crate) fn map<U>(self, mut f: impl FnMut(T) -> U) -> Vector<U> {
+    pub(crate) fn map<U>(&self, mut f: impl FnMut(T) -> U) -> Vector<U>
+    where
+        T: Copy,
+    {
         Vector::new(f(self.x), f(self.y), f(self.z))
     }
 }

@@ -12,6 +12,11 @@ impl super::Parameter {
         ["swing.", "strike.", "club.", "impact."].iter().any(|group| self.name.starts_with(group))
     }
 
+    /// Whether it is of the ball, on which impact and flight depend.
+    pub(crate) fn is_of_ball(&self) -> bool {
+        self.name.starts_with("ball.")
+    }
+
     /// Whether it is a launch condition.
     pub fn is_of_launch(&self) -> bool {
         self.name.starts_with(GROUP)
