@@ -84,9 +84,9 @@ impl<T: Numbers> Inputs<T> {
         let none = T::constant(1.0).below(0.0);
         let start = State { position: Vector::zero(), velocity: self.velocity, spin: self.spin };
         let mut stepper = Stepper::new(self, tableau, h);
-        let mut here = self.node(start);
+        let mut step = Step::at(start, self);
         let mut has_been_above = ground.below(0.0);
-        let mut flying = lanes & (has_been_above | is_rising(&here));
+        let mut flying = lanes & (has_been_above | is_rising(&step.to));
         let apex = Apex { height: T::zero(), time: T::zero(), downrange: T::zero() };
         let landed = Landed {
             carry: T::zero(),
@@ -109,10 +109,10 @@ impl<T: Numbers> Inputs<T> {
         };
         let mut spin = T::zero();
         while flying.any() && ended.time < how.time_limit {
-            let step = stepper.step(&here);
+            stepper.advance(&mut step);
             observe(ended.time, &step);
             // a comparison with NaN does not hold: what is lost is not followed
-            let is_followed = self.is_fine(&here, h, tableau.reach) & step.to.state.position.x.is_finite();
+            let is_followed = self.is_fine(&step.from, h, tableau.reach) & step.to.state.position.x.is_finite();
             ended.diverges = ended.diverges | flying & !is_followed;
             flying = flying & is_followed;
 
@@ -120,7 +120,7 @@ impl<T: Numbers> Inputs<T> {
             *defect = (*defect + step.defect(h).without_derivatives()).blend(*defect, flying);
 
             let is_above = (ground - step.to.state.position.x).below(0.0);
-            let has_top = flying & is_rising(&here) & !is_rising(&step.to);
+            let has_top = flying & is_rising(&step.from) & !is_rising(&step.to);
             let is_low = flying & !is_above & (has_been_above | has_top);
             let asks_for_top = has_top & !(has_been_above & is_above);
             if is_low.any() || asks_for_top.any() || has_apex && has_top.any() {
@@ -168,13 +168,12 @@ impl<T: Numbers> Inputs<T> {
                 }
             }
             has_been_above = has_been_above | is_above;
-            here = step.to;
             ended.landed.steps += 1;
             ended.time = ended.landed.steps as f64 * h;
         }
         if flying.any() {
             ended.is_aloft = flying;
-            ended.height = here.state.position.x.blend(ended.height, flying);
+            ended.height = step.to.state.position.x.blend(ended.height, flying);
         }
         if let Some(turf) = &self.turf {
             ended.landed.rest = Some(turf.rest(&self.landing(&ended.landed, spin), ended.has_landed));

@@ -78,12 +78,11 @@ impl<T: Numbers> Inputs<T> {
         Rate { acceleration, speed }
     }
 
-    /// The node of a state.
+    /// Makes a node that of a state.
     #[inline(always)]
-    pub(super) fn node(&self, state: State<T>) -> Node<T> {
-        let mut node = Node { state, rate: Rate::none() };
+    pub(super) fn find_node(&self, state: State<T>, node: &mut Node<T>) {
+        node.state = state;
         self.find_rate(state.velocity, state.spin, state.position.x, &mut node.rate);
-        node
     }
 
     /// d²v/dt² at a node: the central difference of the equation of motion along the path. It is a smooth function of the node

@@ -26,6 +26,14 @@ pub(crate) struct Step<T> {
 }
 
 impl<T: Numbers> Step<T> {
+    /// No step yet: at a state.
+    #[inline(always)]
+    pub fn at(state: State<T>, inputs: &Inputs<T>) -> Self {
+        let mut node = Node { state, rate: Rate::none() };
+        inputs.find_node(state, &mut node);
+        Self { from: node, to: node, bent: Vector::zero(), gained: Vector::zero() }
+    }
+
     /// How far a step of length h is from Hermite's quadrature between its ends (docs/model.md, eq. 16a), squared over the way
     /// through the air, m. It grows with the eighth power of h.
     #[inline(always)]
@@ -46,12 +54,13 @@ impl<'a, T: Numbers> Stepper<'a, T> {
         Self { inputs, tableau, h, fading, rates: [Rate::none(); MOST_STAGES] }
     }
 
-    /// The step from a node.
+    /// Makes a step the one that follows it.
     #[inline(always)]
-    pub fn step(&mut self, from: &Node<T>) -> Step<T> {
+    pub fn advance(&mut self, step: &mut Step<T>) {
+        step.from = step.to;
         let (inputs, tableau, h) = (self.inputs, self.tableau, self.h);
-        let State { position: x, velocity: v, spin } = from.state;
-        self.rates[0] = from.rate;
+        let State { position: x, velocity: v, spin } = step.from.state;
+        self.rates[0] = step.from.rate;
         for i in 1..tableau.stages {
             let velocity = self.sum(tableau.velocity[i], h, v);
             let mut height = v.x.scale_add(h * tableau.time[i], x.x);
@@ -70,7 +79,8 @@ impl<'a, T: Numbers> Stepper<'a, T> {
             bent = rate.acceleration.scale_add(h * h * weight, bent);
         }
         let state = State { position: v.scale_add(h, x + bent), velocity: v + gained, spin: self.spin(spin, end) };
-        Step { from: *from, to: inputs.node(state), bent, gained }
+        (step.bent, step.gained) = (bent, gained);
+        inputs.find_node(state, &mut step.to);
     }
 
     /// The spin at a stage, of what it was at the start of the step: ω exp(−δ t − κ ℓ/R), ℓ the way through the air since.
