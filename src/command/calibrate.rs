@@ -4,7 +4,6 @@ use crate::command::interrupt::{self, BEST_SO_FAR};
 use crate::command::output::{Answer, system, tell, warn};
 use crate::command::reproduce::{DOCUMENT, chosen, write};
 use crate::command::running::running;
-use crate::drive::Looked;
 use crate::optimize::least_squares::{Follow, Loss, Status};
 use crate::parameters::{Law, Vary};
 use crate::report::{CalibrationReport, calibration_document, calibration_reply, calibration_toml};
@@ -66,8 +65,7 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
     warnings.extend(one_drive);
     let follow = Follow { iteration: Some(Arc::new(shown())), interrupt: interrupt::stops(BEST_SO_FAR) };
     let found = calibrate(&setup, &table, &plan, &follow)?;
-    let shots = beyond(&found.setup, &table.shots);
-    let shots = shots.warnings(&setup.law, ["shot", "shots"], Looked::AtFlight);
+    let shots = beyond(&found.setup, &table.shots, &follow.interrupt);
     warn(&shots);
     warnings.extend(shots);
 
@@ -80,7 +78,7 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
         let name = format!("{}, fitted as above", setup.law.name());
         held.push((name, held_out(&setup, &table, &plan, folds, &quiet)?));
         for Compared { law, as_it_stands, setup, plan } in &compared {
-            held.push((format!("{law}, {as_it_stands}"), HeldOut::as_it_stands(setup, &table)?));
+            held.push((format!("{law}, {as_it_stands}"), HeldOut::as_it_stands(setup, &table, &quiet)?));
             held.push((format!("{law}, all coefficients fitted"), held_out(setup, &table, plan, folds, &quiet)?));
         }
     }

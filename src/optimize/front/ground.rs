@@ -44,8 +44,11 @@ impl Ground<'_> {
 
     /// The two functions at a point.
     pub fn values(&self, x: &[f64]) -> Result<[f64; 2]> {
-        let undefined = |reason: String| Error::NotConverged { status: "undefined", message: reason.into() };
-        let at = self.problem.evaluate(x).map_err(undefined)?;
+        let none = |reason: String| {
+            let status = if self.is_interrupted() { Status::Interrupted } else { Status::Undefined };
+            Error::NotConverged { status: status.name(), message: reason.into() }
+        };
+        let at = self.problem.evaluate(x).map_err(none)?;
         Ok([at.objective.value, at.constraints.last().map_or(f64::NAN, |second| second.value)])
     }
 

@@ -5,6 +5,7 @@ use crate::derivative::{Order, Taylor};
 use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup, Vary};
 use crate::study::Sense;
+use std::sync::Arc;
 
 /// A goal over swings as a function of some parameters of the design, with as many derivatives as are asked for: for optimizers that take
 /// functions. The drives are integrated as the setup says.
@@ -39,7 +40,7 @@ impl GoalFunction {
         let whole =
             |parameter: &&'static Parameter| Vary { parameter, low: parameter.range.low, high: parameter.range.high };
         let vary: Vec<Vary> = wrt.iter().map(whole).collect();
-        let problem = SwingsProblem::new(setup, (goal, Sense::Minimize), &[], &vary, scenarios)?;
+        let problem = SwingsProblem::new(setup, (goal, Sense::Minimize), &[], &vary, scenarios, &Arc::default())?;
         Ok(Self { problem, wrt: wrt.to_vec() })
     }
 
