@@ -2,7 +2,7 @@ use crate::command::args::Calibrate;
 use crate::command::files::Rule;
 use crate::command::interrupt::{self, BEST_SO_FAR};
 use crate::command::output::{Answer, system, tell, warn};
-use crate::command::reproduce::{DOCUMENT, chosen, write};
+use crate::command::reproduce::{DOCUMENT, write};
 use crate::command::running::running;
 use crate::optimize::least_squares::{Follow, Loss, Status};
 use crate::parameters::{Law, Vary};
@@ -88,7 +88,6 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
         warn(&without_minimum);
         warnings.extend(without_minimum);
     }
-    let documents = System::ALL.map(|system| calibration_document(&report, system));
     let output = output.filter(|output| {
         let is_fitted = is_fitted(&found);
         if !is_fitted {
@@ -104,7 +103,7 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
         tell(&format!("wrote the fitted setup into {}", output.path().display()));
     }
     if let Some(folder) = &folder {
-        write(folder, &documents, system())?;
+        write(folder, &System::ALL.map(|system| calibration_document(&report, system)), system())?;
     }
     let answer = if args.question.json {
         let mut reply = calibration_reply(&report, warnings);
@@ -113,7 +112,7 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
         reply.body["folder"] = named(&args.plot);
         Answer::json(&reply)
     } else {
-        Answer::text(chosen(&documents, system()).text())
+        Answer::text(calibration_document(&report, system()).text())
     };
     Ok(answer.found(report.is_found()))
 }

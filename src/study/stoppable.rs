@@ -18,9 +18,14 @@ pub(super) fn each_until<T: Sync, R: Send>(
     items.par_iter().map(|item| (!stop.load(Ordering::Relaxed)).then(|| work(item))).collect()
 }
 
-/// The error of work that was stopped before it had anything to answer with.
+/// That work was stopped before something, as an error.
 pub(super) fn stopped(before: &str) -> Error {
-    Error::NotConverged { status: Status::Interrupted.name(), message: format!("stopped before {before}").into() }
+    Error::NotConverged { status: Status::Interrupted.name(), message: stopped_before(before).into() }
+}
+
+/// The same in words.
+pub(super) fn stopped_before(what: &str) -> String {
+    format!("stopped before {what}")
 }
 
 #[cfg(test)]

@@ -9,9 +9,9 @@ use crate::optimize::{Domain, Evaluation, Problem};
 use crate::parameters::{Parameter, Setup, Vary};
 use crate::study::Sense;
 use crate::study::problem::{moved, values};
-use crate::study::stoppable::{each_until, stopped};
+use crate::study::stoppable::{each_until, stopped, stopped_before};
 use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Goals as functions of what is varied: every scenario is hit and flown with exact derivatives, and the goals are made of them.
 pub(super) struct SwingsProblem {
@@ -99,11 +99,17 @@ impl SwingsProblem {
     }
 
     /// The outcomes of every scenario, with derivatives to an order.
-    fn flown(&self, drives: &[Evaluator], x: &[f64], order: Order) -> std::result::Result<Vec<Vec<Taylor>>, String> {
+    fn flown(
+        &self,
+        drives: &[Evaluator],
+        x: &[f64],
+        order: Order,
+        stop: &AtomicBool,
+    ) -> std::result::Result<Vec<Vec<Taylor>>, String> {
         // in the order of the scenarios, whichever thread flies them: sums are the same to the last bit, and of several swings that do not
         // fly always the first is named
-        let flown = each_until(drives, &self.stop, |drive| drive.at_order(x, order));
-        let flown = flown.ok_or_else(|| stopped("all swings were flown").to_string())?.into_iter();
+        let flown = each_until(drives, stop, |drive| drive.at_order(x, order));
+        let flown = flown.ok_or_else(|| stopped_before("all swings were flown"))?.into_iter();
         flown
             .zip(&self.scenarios.points)
             .map(|(drive, point)| drive.map_err(|error| format!("{}{error}", self.named(point))))
@@ -186,8 +192,9 @@ impl SwingsProblem {
             self.set_up.value(parameter).or_else(|| parameter.value_unset()).unwrap_or(f64::NAN)
         };
         let own: Vec<f64> = self.vary.iter().map(own).collect();
-        let flown =
-            self.flown(&drives, &[], Order::Value).map_err(|reason| Error::NoFlight { reason: reason.into() })?;
+        let flown = self
+            .flown(&drives, &[], Order::Value, &self.stop)
+            .map_err(|reason| Error::NoFlight { reason: reason.into() })?;
         Ok(self.measured(&own, &flown, weights).into_iter().map(|goal| goal.value).collect())
     }
 
@@ -196,7 +203,19 @@ impl SwingsProblem {
     /// # Errors
     /// Where a swing does not fly, or the work is stopped.
     pub fn goals_at(&self, x: &[f64], weights: &[f64], order: Order) -> Result<Vec<Taylor>> {
-        let flown = self.flown(&self.drives, x, order).map_err(|reason| Error::NoFlight { reason: reason.into() })?;
+        self.goals_until(x, weights, order, &self.stop)
+    }
+
+    /// The same until this flag is true.
+    ///
+    /// # Errors
+    /// As [`goals_at`](Self::goals_at).
+    pub fn goals_until(&self, x: &[f64], weights: &[f64], order: Order, stop: &AtomicBool) -> Result<Vec<Taylor>> {
+        let flown = self.flown(&self.drives, x, order, stop);
+        let flown = flown.map_err(|reason| match stop.load(Ordering::Relaxed) {
+            true => stopped("all swings were flown"),
+            false => Error::NoFlight { reason: reason.into() },
+        })?;
         Ok(self.measured(x, &flown, weights))
     }
 
@@ -209,7 +228,7 @@ impl SwingsProblem {
         if tables.is_empty() {
             return Ok(None);
         }
-        let flown = self.flown(&self.drives, x, Order::Value);
+        let flown = self.flown(&self.drives, x, Order::Value, &self.stop);
         let flown = flown.map_err(|reason| Error::NoFlight { reason: reason.into() })?;
         let value = |outcomes: &[Taylor], of: Outcome| {
             self.of.iter().position(|it| *it == of).map_or(f64::NAN, |place| outcomes[place].value)
@@ -234,7 +253,7 @@ impl SwingsProblem {
     }
 
     fn evaluated(&self, x: &[f64], weights: &[f64]) -> std::result::Result<Evaluation, String> {
-        let mut goals = self.measured(x, &self.flown(&self.drives, x, Order::Second)?, weights);
+        let mut goals = self.measured(x, &self.flown(&self.drives, x, Order::Second, &self.stop)?, weights);
         let constraints = goals.split_off(1);
         let objective = goals.pop().unwrap_or_default();
         let objective = if self.sense == Sense::Maximize { objective.negated() } else { objective };
