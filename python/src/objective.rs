@@ -5,11 +5,11 @@ use crate::derivatives::{matrix, vector};
 use crate::names::{outcomes_named, variables};
 use crate::pool;
 use crate::setup::PySetup;
-use longdrive::Error;
 use longdrive::derivative::{Evaluator, Order, Taylor};
 use longdrive::parameters::{Parameter, Range};
 use longdrive::study::swings::{Correlation, Goal, GoalFunction, Rule, Scenarios, Strokes, Swings};
 use longdrive::study::uncertainty::Uncertain;
+use longdrive::{Error, Outcome};
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::types::{PySequenceMethods, PyTuple};
@@ -269,6 +269,10 @@ impl PyObjective {
                 Function::Swings(Arc::new(GoalFunction::new(&setup.setup, &over.goal(of)?, &wrt, scenarios)?))
             } else {
                 over.refuse_stray()?;
+                if of.contains('(') && Outcome::named(of).is_err() {
+                    let what = format!("of: {of} is of many swings; give these too, with swings or distribution");
+                    return Err(Failure::Input(what));
+                }
                 let named = outcomes_named(&[of.to_owned()])?;
                 if named.len() != 1 {
                     return Err(Failure::Input("of = 'all': an objective is one outcome; name it".into()));

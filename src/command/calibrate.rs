@@ -34,6 +34,8 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
     warn(&warnings);
     let file = args.data.display().to_string();
     let mut table = ShotTable::open(&setup, &args.data)?;
+    warn(&table.warnings);
+    warnings.extend(table.warnings.clone());
     if args.question.gives_air()? {
         table.in_given_air();
     }
@@ -66,6 +68,7 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
     let follow = Follow { iteration: Some(Arc::new(shown())), interrupt: interrupt::stops(BEST_SO_FAR) };
     let found = calibrate(&setup, &table, &plan, &follow)?;
     let shots = beyond(&found.setup, &table.shots, &follow.interrupt);
+    let shots = [shots, found.warnings(&table)].concat();
     warn(&shots);
     warnings.extend(shots);
 

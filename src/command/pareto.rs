@@ -7,6 +7,7 @@ use crate::command::names::tell_of_the_run;
 use crate::command::output::{Answer, spinner, system, tell, warn};
 use crate::command::picture::Target;
 use crate::command::running::running;
+use crate::command::search::of_a_drive;
 use crate::command::swings::{goal, limit, ranges, refuse_idle_strokes};
 use crate::optimize::{Follow, Iteration, Options};
 use crate::parameters::Vary;
@@ -106,15 +107,7 @@ fn over_swings(question: &Question, asked: &ParetoAsked) -> Result<(Setup<f64>, 
 /// Outcomes of the drive as set up.
 fn of_one_drive(question: &Question, asked: &ParetoAsked) -> Result<(Setup<f64>, ParetoSearch, Scenarios)> {
     let setup = question.setup_varied(&asked.vary)?;
-    let goals = asked.goals(|option, text| match Outcome::named(text.trim()) {
-        Ok(of) => Ok(Goal::outcome(of)),
-        Err(_) if text.contains('(') => {
-            let source =
-                format!("{text} is of many swings; give these too, with --swings FILE or --distribution NAME=KIND(…)");
-            Err(Error::Unreadable { name: option.into(), source: source.into() })
-        }
-        Err(error) => Err(error),
-    })?;
+    let goals = asked.goals(|option, text| Ok(Goal::outcome(of_a_drive(option, text)?)))?;
     let (vary, subject_to) = (asked.vary.clone(), asked.subject_to.clone());
     let one = SearchArgs { maximize: None, minimize: None, vary, subject_to, max_iterations: asked.max_iterations };
     let Search { vary, subject_to, options, .. } = one.search(&setup)?;

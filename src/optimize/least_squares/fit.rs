@@ -286,9 +286,9 @@ impl Search {
                     );
                     return Some((Status::Converged, message));
                 }
-                return self
-                    .rounding(domain)
-                    .or_else(|| stalled("the steps are too short to tell whether the sum still falls"));
+                return self.rounding(domain).or_else(|| {
+                    stalled("the next change of what is fitted is too small to tell whether the sum still falls")
+                });
             }
             self.evaluations += 1;
             match evaluate(to) {

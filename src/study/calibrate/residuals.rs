@@ -7,6 +7,7 @@ use crate::error::{Error, Result};
 use crate::optimize::least_squares::{Residuals, Rows};
 use crate::parameters::{Parameter, Setup};
 use crate::study::stoppable::{each_until, stopped};
+use crate::units::significant;
 use std::sync::atomic::AtomicBool;
 
 /// What stopped work came before.
@@ -29,10 +30,15 @@ fn too_far(measurement: &Measurement, computed: f64) -> Error {
     }
 }
 
-/// Why a row has no residuals, without saying again that it is of a calibration.
+/// Why a row has no residuals at values that were tried, without saying again that it is of a calibration.
 fn why(error: Error) -> String {
     match error {
         Error::Calibration { reason } => reason,
+        // the step is chosen for values that a ball may have, and no shorter one would help
+        Error::Diverged { time, .. } => format!(
+            "with these values of what is fitted the flight diverges at t = {} s: drag or lift is far too large",
+            significant(time, 3)
+        ),
         error => error.to_string(),
     }
 }
