@@ -48,8 +48,9 @@ pub struct Arrays {
 
 impl Arrays {
     /// The points of a dict of names with arrays or numbers. Arrays of 64-bit floats are taken as they are, whatever their strides; other floats
-    /// and whole numbers are converted. `bare` are the parameters whose numbers were given without a unit, where these are not all.
-    pub fn of(setup: &Setup<f64>, points: &Bound<'_, PyAny>, bare: Option<&[String]>) -> Answer<Self> {
+    /// and whole numbers are converted. `is_bare` tells whether the numbers are given without a
+    /// unit: those of a sweep have one.
+    pub fn of(setup: &Setup<f64>, points: &Bound<'_, PyAny>, is_bare: bool) -> Answer<Self> {
         let Ok(points) = points.cast::<PyMapping>() else {
             let kind = kind_of(points);
             return Err(Failure::Input(format!(
@@ -90,7 +91,7 @@ impl Arrays {
         let rows = rows.map_or(usize::from(!columns.is_empty()), |(_, rows)| rows);
         let (ranges, in_degrees, gathered) = (vec![], vec![], vec![]);
         let mut arrays = Self { parameters, columns, rows, ranges, in_degrees, next: 0, gathered, first: 0 };
-        arrays.look(points.py(), bare)?;
+        arrays.look(points.py(), is_bare)?;
         Ok(arrays)
     }
 
@@ -105,7 +106,7 @@ impl Arrays {
     }
 
     /// Finds the ranges of the values that their parameters may have, and columns that look like degrees. Python is let in between.
-    fn look(&mut self, py: Python<'_>, bare: Option<&[String]>) -> PyResult<()> {
+    fn look(&mut self, py: Python<'_>, is_bare: bool) -> PyResult<()> {
         for (parameter, column) in self.parameters.iter().zip(&self.columns) {
             let mut range = None::<(f64, f64)>;
             let mut degrees = Degrees::default();
@@ -121,8 +122,7 @@ impl Arrays {
                 });
             }
             self.ranges.extend(range.map(|(low, high)| Vary { parameter, low, high }));
-            let is_without_unit = bare.is_none_or(|bare| bare.iter().any(|name| name == parameter.name));
-            self.in_degrees.extend(degrees.told(parameter, self.rows as u64).filter(|_| is_without_unit));
+            self.in_degrees.extend(degrees.told(parameter, self.rows as u64).filter(|_| is_bare));
         }
         Ok(())
     }

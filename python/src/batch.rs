@@ -142,7 +142,7 @@ type Found<'py> = (
 
 /// The drives at the points of arrays; see :func:`longdrive.batch`.
 #[pyfunction]
-#[pyo3(signature = (setup, points, of, wrt, tolerance, own_step, threads, progress, first_row, hessians, ranges = None, bare = None))]
+#[pyo3(signature = (setup, points, of, wrt, tolerance, own_step, threads, progress, first_row, hessians, ranges = None))]
 #[expect(clippy::too_many_arguments, reason = "it is called by longdrive.batch alone, with all of them")]
 pub fn batch<'py>(
     py: Python<'py>,
@@ -157,12 +157,11 @@ pub fn batch<'py>(
     first_row: usize,
     hessians: bool,
     ranges: Option<Vec<(String, f64, f64)>>,
-    bare: Option<Vec<String>>,
 ) -> PyResult<Found<'py>> {
     answer(|| {
         let setup = PySetup::of(setup)?;
         let of = outcomes_named(&listed("of", of)?)?;
-        let arrays = Arrays::of(&setup.setup, points, bare.as_deref())?;
+        let arrays = Arrays::of(&setup.setup, points, ranges.is_none())?;
         let wrt = match wrt {
             None => vec![],
             Some(wrt) => by_names(&setup, &arrays, wrt)?,

@@ -116,7 +116,6 @@ def batch(
     first_row: int,
     hessians: bool,
     ranges: Sequence[tuple[str, float, float]] | None = None,
-    bare: Sequence[str] | None = None,
 ) -> tuple[
     npt.NDArray[np.int8],
     Floats,

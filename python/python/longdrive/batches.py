@@ -91,14 +91,12 @@ def computed(
     first_row: int = 0,
     hessians: bool = False,
     ranges: list[tuple[str, float, float]] | None = None,
-    bare: list[str] | None = None,
     interrupted: Callable[[int, int], str] = _interrupted,
 ) -> Table:
-    """The table of a batch. The step is chosen for `ranges`, or for those of the points; `interrupted` says how one goes on after so many rows.
-    `bare` are the parameters whose numbers were given without a unit, where these are not all."""
+    """The table of a batch. The step is chosen for `ranges`, or for those of the points; `interrupted` says how one goes on after so many rows."""
     setup = setup if isinstance(setup, Setup) else Setup(setup)
     status, columns, seconds, of, by, given, units, warnings, (done, whole), raised = _longdrive.batch(
-        setup, points, of, wrt, tolerance, own_step, count_of("threads", threads), told, count_of("first_row", first_row), hessians, ranges, bare
+        setup, points, of, wrt, tolerance, own_step, count_of("threads", threads), told, count_of("first_row", first_row), hessians, ranges
     )
     table = Table(
         status=status[:done], columns=columns[len(given) :, :done], points=columns[: len(given), :done], of=of, wrt=by, parameters=given, units=units,

@@ -123,18 +123,10 @@ def sweep(
         with follower("sweep", progress) as told:
             found = computed(
                 question.setup, at, of, wrt, tolerance=tolerance, own_step=own_step, threads=threads, told=told, ranges=ranges,
-                bare=_heads(points), interrupted=_interrupted,
+                interrupted=_interrupted,
             )
     warn_of(found.warnings, found, stacklevel=2)
     return found
-
-
-def _heads(points: TableLike | None) -> list[str]:
-    """The heads of a table; a parameter by its name alone has numbers without a unit."""
-    if points is None or isinstance(points, (str, os.PathLike)):
-        return []
-    heads = getattr(points, "column_names", None) or getattr(points, "columns", points)
-    return [str(head) for head in heads]
 
 
 def _interrupted(after: int, whole: int) -> str:

@@ -72,7 +72,7 @@ def _column(name: str, head: Any, values: Any) -> list[Any]:
         InputError: for what has not a value for each row.
     """
     parts = parts_of(values)
-    shape = getattr(values, "shape", None if parts is None else (len(parts),))
+    shape: tuple[int, ...] = getattr(values, "shape", (len(parts or ()),))
     if parts is None or len(shape) != 1:
         found = kind_of(values) if parts is None else f"of shape {shape}"
         raise InputError(f"{name}: the column '{head}' is {found}; expected a value for each row, shape (rows,)")
