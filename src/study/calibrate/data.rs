@@ -141,6 +141,7 @@ impl ShotTable {
         }
         let (mut shots, mut summaries, mut incomplete, mut unreadable) = (vec![], vec![], vec![], vec![]);
         let (mut sideways, mut contradictions) = (BTreeMap::<String, Vec<String>>::new(), vec![]);
+        let mut lacking = None;
         let (mut marks, mut not_drives, mut airless) = (Marks::default(), vec![], vec![]);
         for (at, record) in records.enumerate() {
             let row = at + 1;
@@ -173,6 +174,10 @@ impl ShotTable {
                     shots.push(shot);
                 }
                 Err(wrong) if wrong.is_incomplete => {
+                    if !is_export {
+                        let column = wrong.column.as_ref().map_or(String::new(), |name| format!(", column {name}"));
+                        lacking.get_or_insert_with(|| refused(format!(", row {row}{column}"), wrong.why.clone()));
+                    }
                     let column = wrong.column.unwrap_or_else(|| "nothing is measured".into());
                     incomplete.push(format!("row {row} ({column})"));
                 }
@@ -196,6 +201,10 @@ impl ShotTable {
         .map(|(rows, what)| format!("rows left out, since they {what}: {}", rows.join(", ")))
         .collect();
         if shots.is_empty() {
+            // of a table of one's own the first row says best what is wanted
+            if let Some(first) = lacking {
+                return Err(first);
+            }
             let reason = match left_out.is_empty() {
                 true => "it has no rows; give one for each shot".into(),
                 false => format!("no shot is left in it ({}); give a row for each shot", left_out.join("; ")),

@@ -145,7 +145,10 @@ pub fn calibrate(setup: &Setup<f64>, table: &ShotTable, plan: &Plan, follow: &Fo
             });
         }
         let renewed = match problem.curvatures_at(&best.x) {
-            Err(_) if follow.is_interrupted() => break (fits, false),
+            // without optima among the rows there is nothing to renew
+            Err(_) if follow.is_interrupted() => {
+                break (fits, table.shots.iter().all(|shot| shot.stationary.is_empty()));
+            }
             renewed => renewed?,
         };
         let pairs = renewed.iter().flatten().zip(problem.curvatures.iter().flatten());
