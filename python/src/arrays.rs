@@ -54,7 +54,8 @@ impl Arrays {
         let Ok(points) = points.cast::<PyMapping>() else {
             let kind = kind_of(points);
             return Err(Failure::Input(format!(
-                "points is {kind}; expected a dict of parameters with arrays, like {{\"club.loft\": array}}, SI"
+                "points is {kind}; expected a dict of parameters with arrays, like {{\"club.loft\": array}}, SI; sweep(points=…) takes tables, with \
+                 their units in the heads"
             )));
         };
         if points.len()? == 0 {
@@ -188,7 +189,9 @@ fn column(parameter: &'static Parameter, given: &Bound<'_, PyAny>) -> Answer<Col
     let kind = array.dtype().kind();
     // whole numbers and floats; a truth, a text, a time or a complex number is no quantity
     if !matches!(kind, b'i' | b'u' | b'f') {
-        return Err(refuse(format!("has dtype {}", array.dtype())));
+        // a None among numbers makes objects of them
+        let objects = if kind == b'O' { " (a NaN, not None, makes a row without a drive)" } else { "" };
+        return Err(refuse(format!("has dtype {}{objects}", array.dtype())));
     }
     let converted = array.call_method1("astype", ("f8", "K", "safe", true, false));
     let array =

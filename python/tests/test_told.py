@@ -146,6 +146,8 @@ def test_a_batch_of_which_nothing_flies_says_why_the_first_does_not() -> None:
         longdrive.batch("tour-average", {"club.loft": np.array([])})
 
 
+TABLE = longdrive.batch("mae494", {"club.loft": [0.15, 0.2]})
+
 REFUSED: list[tuple[Callable[[], Any], str]] = [
     (lambda: longdrive.batch("tour-average", {}), "points is empty; give at least one parameter with its values"),
     (lambda: longdrive.sweep("tour-average", {"club.loft": np.array([0.1, 0.2, 3])}), "club.loft in over is an ndarray of 3; expected a tuple (low, high, count)"),
@@ -163,6 +165,11 @@ REFUSED: list[tuple[Callable[[], Any], str]] = [
     (lambda: longdrive.optimize(maximize="mean(carry)"), "mean(carry) is of many swings; give these too, with swings=FILE or distribution"),
     (lambda: longdrive.robust(minimize="std(lateral)"), "std(lateral) is of many swings"),
     (lambda: longdrive.objective("mae494", "mean(carry)"), "of: mean(carry) is of many swings; give these too, with swings or distribution"),
+    (lambda: np.asarray(TABLE), "a table is no one array: take columns by name"),
+    (lambda: TABLE[TABLE["carry"] > 0], "an ndarray is neither: index its columns, as in table['carry'][…]"),
+    (lambda: TABLE[["carry"]], "a list is neither: index its columns"),
+    (lambda: longdrive.batch("mae494", {"club.loft": [0.1, None]}), "has dtype object (a NaN, not None, makes a row without a drive)"),
+    (lambda: longdrive.batch("mae494", [0.1]), "sweep(points=…) takes tables, with their units in the heads"),
     (lambda: longdrive.Setup({"aero.cdo": 0.3}), "did you mean 'aero.cd0'?"),
 ]  # fmt: skip
 
@@ -193,3 +200,12 @@ def test_exact_a_search_that_finds_nothing_has_arrays_of_the_right_shape(swings:
     setup = longdrive.Setup({})
     assert found.names == ["club.loft", "swing.face_angle"] and found.x.tolist() == [setup["club.loft"], setup["swing.face_angle"]]
     assert found.jac.shape == (2,) and np.isnan(found.jac).all() and found.setup["club.loft"] == setup["club.loft"]
+
+
+def test_exact_a_data_frame_of_a_table_has_its_columns() -> None:
+    pandas = pytest.importorskip("pandas")
+    # by its names alone it would have one column, of these
+    with pytest.raises(InputError, match=r"pandas.DataFrame\(dict\(table\)\)"):
+        pandas.DataFrame(TABLE)
+    frame = pandas.DataFrame(dict(TABLE))
+    assert list(frame) == TABLE.keys() and (frame["carry"].to_numpy() == TABLE["carry"]).all()

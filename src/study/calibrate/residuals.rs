@@ -43,6 +43,9 @@ fn why(error: Error) -> String {
     }
 }
 
+/// The residuals of a shot, each with its row of the Jacobian.
+type OfShot = Vec<(f64, Vec<f64>)>;
+
 /// Shots, and what is fitted to them.
 pub(super) struct ShotResiduals<'a> {
     pub setup: Setup<f64>,
@@ -81,7 +84,7 @@ impl ShotResiduals<'_> {
     }
 
     /// The residuals of one shot, each with its row of the Jacobian.
-    fn of(&self, moved: &Setup<f64>, shot: &Shot, curvatures: &[f64]) -> Result<Vec<(f64, Vec<f64>)>> {
+    fn of(&self, moved: &Setup<f64>, shot: &Shot, curvatures: &[f64]) -> Result<OfShot> {
         let setup = at_shot(moved, shot)?;
         let mut rows = vec![];
         if !shot.measured.is_empty() {
@@ -110,7 +113,7 @@ impl ShotResiduals<'_> {
     }
 
     /// The residuals of each shot with a setup, or why it has none.
-    fn by_shot(&self, moved: &Setup<f64>) -> Result<Vec<Result<Vec<(f64, Vec<f64>)>>>> {
+    fn by_shot(&self, moved: &Setup<f64>) -> Result<Vec<Result<OfShot>>> {
         let all: Vec<_> = self.shots.iter().enumerate().collect();
         // where no curvatures are known yet, it is asked only whether there is an answer
         let of =
@@ -138,7 +141,7 @@ impl ShotResiduals<'_> {
     /// The residuals of each shot by itself at `x`, or why it has none.
     pub fn each(&self, x: &[f64]) -> Result<Vec<Result<Vec<f64>>>> {
         let moved = self.moved(x)?;
-        let of = |rows: Result<Vec<(f64, _)>>| Ok(rows?.into_iter().map(|(residual, _)| residual).collect());
+        let of = |rows: Result<OfShot>| Ok(rows?.into_iter().map(|(residual, _)| residual).collect());
         Ok(self.by_shot(&moved)?.into_iter().map(of).collect())
     }
 }
