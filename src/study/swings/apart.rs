@@ -59,6 +59,9 @@ pub fn resampled(
     let n = best.scenarios.points.len();
     let sign = best.search.sense.sign();
     let round = |stream: u64| {
+        if is_stopped() {
+            return None;
+        }
         let observer = Observer { interrupt: Arc::clone(stop), ..Observer::default() };
         let mut random =
             Xoshiro256PlusPlus::seed_from_u64(seed.wrapping_add(stream.wrapping_mul(0x9e37_79b9_7f4a_7c15)));
