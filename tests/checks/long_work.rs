@@ -10,7 +10,7 @@ use longdrive::{Error, Setup};
 use std::cell::{Cell, RefCell};
 use std::rc::Rc;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 /// Rosenbrock's valley within a disc: curved, constrained, and some twenty iterations long.
 struct Valley;
@@ -229,6 +229,27 @@ fn exact_same_answer_of_the_program_when_it_is_killed_again_and_again() {
     }
     assert!(killed.exists(), "nothing was kept before the first kill");
     assert_eq!(run(&killed), alone);
+}
+
+/// Of ten thousand searches those that had not begun are told together: one by one they would be compared with all others.
+#[test]
+fn exact_searches_that_had_not_begun_are_one_end_with_all_their_starts() {
+    let (domain, options) = (disc(), Options::default());
+    let starts = starts(&domain, &START, 10_000).unwrap();
+    let follow = Follow::default();
+    follow.interrupt.store(true, Ordering::Relaxed);
+    let none = minimize_from(&Exact(Valley), &domain, &starts, &options, &follow).unwrap();
+    assert_eq!((none.len(), none[0].starts.len(), none[0].solution.value), (1, 10_000, None));
+    let (flag, ended) = (Arc::new(AtomicBool::new(false)), AtomicUsize::new(0));
+    let stop = flag.clone();
+    let end = move |_: usize, _: &Solution| stop.store(ended.fetch_add(1, Ordering::Relaxed) >= 20, Ordering::Relaxed);
+    let follow = Follow { interrupt: flag, end: Some(Arc::new(end)), ..Follow::default() };
+    let some = minimize_from(&Exact(Valley), &domain, &starts, &options, &follow).unwrap();
+    assert_eq!(some.iter().map(|local| local.starts.len()).sum::<usize>(), 10_000);
+    assert_eq!(
+        (some[0].solution.status, some.iter().filter(|local| local.solution.value.is_none()).count()),
+        (Status::Converged, 1)
+    );
 }
 
 #[test]
