@@ -415,7 +415,11 @@ fn how_to(doing: &str) -> &'static str {
 
 /// The name that is most like a given one, and how alike they are, 0 to 1.
 pub(crate) fn nearest<'a>(name: &str, names: impl IntoIterator<Item = &'a str>) -> Option<(f64, &'a str)> {
-    names.into_iter().map(|known| (similarity(name, known), known)).max_by(|a, b| a.0.total_cmp(&b.0))
+    // of names that are equally alike the one that looks like it: o is not 0, but looks so
+    let looks = |text: &str| text.replace('0', "o").replace('1', "l");
+    let alike = |known: &'a str| (similarity(name, known), similarity(&looks(name), &looks(known)), known);
+    let order = |a: &(f64, f64, _), b: &(f64, f64, _)| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1));
+    names.into_iter().map(alike).max_by(order).map(|(likeness, _, known)| (likeness, known))
 }
 
 /// How alike two names are, 0 to 1; a name without its group ("loft") is held against the last part too.
@@ -442,6 +446,9 @@ mod tests {
             let message = Error::unknown("parameter", given, names, "list").to_string();
             assert!(message.contains(&format!("did you mean '{meant}'?")), "{message}");
         }
+        let coefficients = ["aero.cd0", "aero.cd1", "aero.cd2"];
+        let message = Error::unknown("parameter", "aero.cdo", coefficients, "list").to_string();
+        assert!(message.contains("did you mean 'aero.cd0'?"), "{message}");
         let message = Error::unknown("parameter", "xyzzy", names, "list").to_string();
         assert!(!message.contains("did you mean"), "{message}");
     }

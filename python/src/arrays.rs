@@ -48,14 +48,21 @@ pub struct Arrays {
 
 impl Arrays {
     /// The points of a dict of names with arrays or numbers. Arrays of 64-bit floats are taken as they are, whatever their strides; other floats
-    /// and whole numbers are converted.
-    pub fn of(setup: &Setup<f64>, points: &Bound<'_, PyAny>) -> Answer<Self> {
+    /// and whole numbers are converted. `is_bare` tells whether the numbers are given without a
+    /// unit: those of a sweep have one.
+    pub fn of(setup: &Setup<f64>, points: &Bound<'_, PyAny>, is_bare: bool) -> Answer<Self> {
         let Ok(points) = points.cast::<PyMapping>() else {
             let kind = kind_of(points);
             return Err(Failure::Input(format!(
-                "points is {kind}; expected a dict of parameters with arrays, like {{\"club.loft\": array}}, SI"
+                "points is {kind}; expected a dict of parameters with arrays, like {{\"club.loft\": array}}, SI; sweep(points=…) takes tables, with \
+                 their units in the heads"
             )));
         };
+        if points.len()? == 0 {
+            let what =
+                "points is empty; give at least one parameter with its values, as in {\"club.loft\": [0.16, 0.18]}";
+            return Err(Failure::Input(what.into()));
+        }
         let (mut parameters, mut columns, mut rows) = (vec![], vec![], None::<(&'static str, usize)>);
         for item in points.items()?.iter() {
             let (name, value): (Bound<'_, PyAny>, Bound<'_, PyAny>) = item.extract()?;
@@ -85,7 +92,7 @@ impl Arrays {
         let rows = rows.map_or(usize::from(!columns.is_empty()), |(_, rows)| rows);
         let (ranges, in_degrees, gathered) = (vec![], vec![], vec![]);
         let mut arrays = Self { parameters, columns, rows, ranges, in_degrees, next: 0, gathered, first: 0 };
-        arrays.look(points.py())?;
+        arrays.look(points.py(), is_bare)?;
         Ok(arrays)
     }
 
@@ -100,7 +107,7 @@ impl Arrays {
     }
 
     /// Finds the ranges of the values that their parameters may have, and columns that look like degrees. Python is let in between.
-    fn look(&mut self, py: Python<'_>) -> PyResult<()> {
+    fn look(&mut self, py: Python<'_>, is_bare: bool) -> PyResult<()> {
         for (parameter, column) in self.parameters.iter().zip(&self.columns) {
             let mut range = None::<(f64, f64)>;
             let mut degrees = Degrees::default();
@@ -115,10 +122,8 @@ impl Arrays {
                     }
                 });
             }
-            match range {
-                Some((low, high)) => self.ranges.push(Vary { parameter, low, high }),
-                None => self.in_degrees.extend(degrees.told(parameter)),
-            }
+            self.ranges.extend(range.map(|(low, high)| Vary { parameter, low, high }));
+            self.in_degrees.extend(degrees.told(parameter, self.rows as u64).filter(|_| is_bare));
         }
         Ok(())
     }
@@ -184,7 +189,9 @@ fn column(parameter: &'static Parameter, given: &Bound<'_, PyAny>) -> Answer<Col
     let kind = array.dtype().kind();
     // whole numbers and floats; a truth, a text, a time or a complex number is no quantity
     if !matches!(kind, b'i' | b'u' | b'f') {
-        return Err(refuse(format!("has dtype {}", array.dtype())));
+        // a None among numbers makes objects of them
+        let objects = if kind == b'O' { " (a NaN, not None, makes a row without a drive)" } else { "" };
+        return Err(refuse(format!("has dtype {}{objects}", array.dtype())));
     }
     let converted = array.call_method1("astype", ("f8", "K", "safe", true, false));
     let array =

@@ -7,12 +7,12 @@ use crate::names::{listed, outcomes_named, variables};
 use crate::pool;
 use crate::setup::PySetup;
 use crate::step::Asked;
-use longdrive::Outcome;
 use longdrive::batch::{Batch, Block, CHUNK, Points, Run, Status, Tally};
 use longdrive::drive::Looked;
 use longdrive::parameters::Parameter;
 use longdrive::parameters::Vary;
 use longdrive::units::{System, ratio};
+use longdrive::{Drive, Outcome, Setup};
 use numpy::ndarray::{Array2, Array4};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArray4};
 use pyo3::prelude::*;
@@ -161,7 +161,7 @@ pub fn batch<'py>(
     answer(|| {
         let setup = PySetup::of(setup)?;
         let of = outcomes_named(&listed("of", of)?)?;
-        let arrays = Arrays::of(&setup.setup, points)?;
+        let arrays = Arrays::of(&setup.setup, points, ranges.is_none())?;
         let wrt = match wrt {
             None => vec![],
             Some(wrt) => by_names(&setup, &arrays, wrt)?,
@@ -191,15 +191,17 @@ pub fn batch<'py>(
         let shape = (of.len(), wrt.len());
         let (units, in_degrees) = (units(&arrays, &of, &wrt), arrays.in_degrees());
         let names = (of.iter().map(|of| of.name()).collect(), wrt.iter().map(|row| row.name).collect(), given);
-        let to = Arc::clone(&shared);
+        let parameters = arrays.parameters().to_vec();
+        let (to, sought) = (Arc::clone(&shared), of.clone());
         let work = move |stop: &AtomicBool| -> longdrive::Result<Vec<String>> {
-            let (found, told) = asked.found(&setup, &ranges, &of)?;
+            let (found, told) = asked.found(&setup, &ranges, &sought)?;
             let integrated = found.map_or(setup.setup, |found| found.applied_to(&setup.setup));
-            let mut batch = Batch::new(&integrated, arrays.parameters(), &of, &wrt)?;
+            let mut batch = Batch::new(&integrated, arrays.parameters(), &sought, &wrt)?;
             if let Some(found) = found {
                 batch = batch.with_largest_defect(found.largest_defect);
             }
-            let seconds = hessians.then(|| Hessians::new(&integrated, arrays.parameters(), &of, &wrt)).transpose()?;
+            let seconds =
+                hessians.then(|| Hessians::new(&integrated, arrays.parameters(), &sought, &wrt)).transpose()?;
             compute(&batch, arrays, seconds.as_ref(), first_row, threads, stop, &to)?;
             Ok(setup.setup.warnings().iter().map(|message| message.in_units(System::default())).chain(told).collect())
         };
@@ -230,11 +232,35 @@ pub fn batch<'py>(
             Looked::AtLaunch,
         );
         warnings.extend(beyond.iter().map(|message| message.in_units(System::default())));
+        let is_whole = raised.is_none();
+        if is_whole && first_row == 0 && !results.tally.has_any(&of) {
+            warnings.push(none(&setup.setup, &parameters, &results, &of));
+        }
         warnings.extend(in_degrees);
-        let (of, wrt, given) = names;
+        let (of_names, wrt, given) = names;
         let (status, columns, seconds) = moved(py, results, width, shape, hessians)?;
-        Ok((status, columns, seconds, of, wrt, given, units, warnings, (done, whole), raised))
+        Ok((status, columns, seconds, of_names, wrt, given, units, warnings, (done, whole), raised))
     })
+}
+
+/// What deserves a word where no drive has what was asked for: how they ended, and why the first did.
+fn none(setup: &Setup<f64>, parameters: &[&'static Parameter], results: &Results, of: &[Outcome]) -> String {
+    let ended = results.tally.counts().filter(|(_, count)| *count > 0);
+    let ended: Vec<_> = ended.map(|(status, count)| format!("{count} {status}")).collect();
+    let which = if of.len() == 1 { "the outcome" } else { "any of the outcomes" };
+    let why = (|| {
+        let mut first = *setup;
+        for (parameter, column) in parameters.iter().zip(results.columns.chunks_exact(results.room.max(1))) {
+            if column[0].is_nan() {
+                return Err(format!("{} is NaN", parameter.name));
+            }
+            first.set_value(parameter, Some(column[0])).map_err(|error| error.to_string())?;
+        }
+        let drive = Drive::new(&first).map_err(|error| error.to_string())?;
+        drive.landed().map(drop).map_err(|error| error.to_string())
+    })();
+    let why = why.err().map_or(String::new(), |why| format!("; row 0: {why}"));
+    format!("no drive has {which} that was asked for: {}{why}", ended.join(", "))
 }
 
 /// The ranges that a sweep chooses its step for: those that were asked for, which the points need not reach.

@@ -1,12 +1,13 @@
 //! Degrees that were given for radians.
 
 use longdrive::parameters::Parameter;
-use longdrive::units::Quantity;
+use longdrive::units::{Quantity, counted_of};
 
 /// The values of an angle that lie outside of its range.
 #[derive(Default)]
 pub struct Degrees {
     range: Option<(f64, f64)>,
+    count: u64,
     /// Whether one of them lies outside of it in degrees too.
     is_beyond: bool,
 }
@@ -19,18 +20,20 @@ impl Degrees {
         }
         let (low, high) = self.range.unwrap_or((value, value));
         self.range = Some((low.min(value), high.max(value)));
+        self.count += 1;
         self.is_beyond |= !parameter.range.contains(value.to_radians());
     }
 
-    /// What deserves a word where all values of a parameter lie outside of its range, and in degrees within it.
-    pub fn told(&self, parameter: &Parameter) -> Option<String> {
+    /// What deserves a word where values of a parameter, of so many, lie outside of its range, and in degrees within it.
+    pub fn told(&self, parameter: &Parameter, all: u64) -> Option<String> {
         let (low, high) = self.range.filter(|_| !self.is_beyond)?;
         let name = parameter.name;
+        let which = counted_of(self.count, all, ["value", "values"]);
         let values = if low == high { format!("{low}") } else { format!("{low} to {high}") };
         let allowed = parameter.range.show(parameter.quantity, "rad");
         Some(format!(
-            "points: every value of {name} is out of range: {values}, and it may be {allowed}; numbers are radians, and these look like degrees: give \
-             numpy.radians(…) of them"
+            "points: out of range: {which} of {name} ({values}; it may be {allowed}); numbers are radians, and these look like degrees: if they are, \
+             give numpy.radians(…) of them"
         ))
     }
 }

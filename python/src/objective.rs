@@ -3,17 +3,18 @@
 use crate::boundary::{Answer, Failure, answer};
 use crate::derivatives::{matrix, vector};
 use crate::names::{outcomes_named, variables};
+use crate::pool;
 use crate::setup::PySetup;
-use longdrive::Error;
 use longdrive::derivative::{Evaluator, Order, Taylor};
 use longdrive::parameters::{Parameter, Range};
 use longdrive::study::swings::{Correlation, Goal, GoalFunction, Rule, Scenarios, Strokes, Swings};
 use longdrive::study::uncertainty::Uncertain;
+use longdrive::{Error, Outcome};
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::types::{PySequenceMethods, PyTuple};
 use std::path::PathBuf;
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// The point asked about last, and what is known of it.
 struct Point {
@@ -29,14 +30,18 @@ enum Function {
     /// An outcome of one drive, by an evaluator for each order of derivatives.
     Drive(Box<[Evaluator; 3]>),
     /// A goal over swings.
-    Swings(Box<GoalFunction>),
+    Swings(Arc<GoalFunction>),
 }
 
 impl Function {
-    fn at(&self, x: &[f64], order: Order) -> longdrive::Result<Option<Taylor>> {
+    /// What it is at a point; many swings are flown on threads of their own, while Python looks for Ctrl-C and lets others run.
+    fn at(&self, py: Python<'_>, x: &[f64], order: Order) -> Answer<longdrive::Result<Option<Taylor>>> {
         match self {
-            Self::Drive(evaluators) => evaluators[order as usize].at(x).map(|mut taylors| taylors.pop()),
-            Self::Swings(goal) => goal.at(x, order).map(Some),
+            Self::Drive(evaluators) => Ok(evaluators[order as usize].at(x).map(|mut taylors| taylors.pop())),
+            Self::Swings(goal) => {
+                let (goal, x) = (Arc::clone(goal), x.to_vec());
+                pool::run(py, move |stop| goal.at_until(&x, order, stop).map(Some), || Ok(()))
+            }
         }
     }
 
@@ -151,19 +156,11 @@ impl PyObjective {
     /// What it is at a point, to an order. Optimizers ask for value, gradient and Hessian of a point one after the other: what was asked for at
     /// the point before is computed together at this one, and kept until the next.
     fn at(&self, x: &Bound<'_, PyAny>, order: Order) -> Answer<Option<Taylor>> {
-        let point = self.point(x)?;
-        match self.function {
-            Function::Drive(_) => self.known(point, order),
-            // many drives: other threads of Python go on meanwhile
-            Function::Swings(_) => x.py().detach(|| self.known(point, order)),
-        }
-    }
-
-    fn known(&self, x: Vec<f64>, order: Order) -> Answer<Option<Taylor>> {
-        let mut last = self.last.lock().unwrap_or_else(PoisonError::into_inner);
+        let (py, x) = (x.py(), self.point(x)?);
         let mut to = order;
         let mut asked = order;
-        if let Some(point) = &mut *last {
+        // not held while anything is computed: what Python runs meanwhile may ask, too
+        if let Some(point) = &mut *self.last() {
             if point.x == x {
                 point.asked = point.asked.max(order);
                 asked = point.asked;
@@ -174,18 +171,22 @@ impl PyObjective {
                 to = order.max(point.asked);
             }
         }
-        let found = match self.function.at(&x, to) {
+        let found = match self.function.at(py, &x, to)? {
             Ok(found) => found,
             // derivatives may be missing where the value is not
             Err(_) if to > order => {
                 to = order;
-                self.lone(self.function.at(&x, order))?
+                self.lone(self.function.at(py, &x, order)?)?
             }
             found => self.lone(found)?,
         };
         let found = found.map(|taylor| if self.sign < 0.0 { taylor.negated() } else { taylor });
-        *last = Some(Point { x, order: to, asked, found: found.clone() });
+        *self.last() = Some(Point { x, order: to, asked, found: found.clone() });
         Ok(found)
+    }
+
+    fn last(&self) -> MutexGuard<'_, Option<Point>> {
+        self.last.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// What was found, or none where that is NaN.
@@ -210,9 +211,11 @@ impl PyObjective {
                 Err(_) => array.to_owned_array().to_vec(),
             },
             Err(_) => {
-                let array = x.py().import("numpy")?.call_method1("asarray", (x, "f8"));
-                let array =
-                    array.map_err(|error| refuse(format!("is no array of numbers ({})", error.value(x.py()))))?;
+                let py = x.py();
+                let array = py.import("numpy")?.call_method1("asarray", (x, "f8"));
+                let array = array.map_err(|error| refuse(format!("is no array of numbers ({})", error.value(py))))?;
+                // a search along one variable, as SciPy's minimize_scalar, gives a number alone
+                let array = if wanted == 1 { py.import("numpy")?.call_method1("atleast_1d", (array,))? } else { array };
                 match array.extract::<PyReadonlyArray1<'_, f64>>() {
                     Ok(array) => array.as_array().to_vec(),
                     Err(_) => return Err(refuse(format!("has shape {}", array.getattr("shape")?))),
@@ -263,9 +266,13 @@ impl PyObjective {
             };
             let function = if over.is_given() {
                 let scenarios = over.taken(&setup.setup)?;
-                Function::Swings(Box::new(GoalFunction::new(&setup.setup, &over.goal(of)?, &wrt, scenarios)?))
+                Function::Swings(Arc::new(GoalFunction::new(&setup.setup, &over.goal(of)?, &wrt, scenarios)?))
             } else {
                 over.refuse_stray()?;
+                if of.contains('(') && Outcome::named(of).is_err() {
+                    let what = format!("of: {of} is of many swings; give these too, with swings or distribution");
+                    return Err(Failure::Input(what));
+                }
                 let named = outcomes_named(&[of.to_owned()])?;
                 if named.len() != 1 {
                     return Err(Failure::Input("of = 'all': an objective is one outcome; name it".into()));

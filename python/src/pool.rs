@@ -9,7 +9,7 @@ use std::sync::mpsc::{RecvTimeoutError, sync_channel};
 use std::time::{Duration, Instant};
 
 /// How long the thread of Python waits before it looks.
-const LOOK: Duration = Duration::from_millis(40);
+const LOOK: Duration = Duration::from_millis(20);
 
 /// The threads of one process. A child that is forked has a copy of this and none of the threads.
 struct Own {
@@ -57,7 +57,7 @@ pub enum Ended<R> {
 }
 
 /// Does some work on the threads of this process, so that what is parallel in it (rayon) is parallel there and never waits for threads that
-/// a fork has left behind. The thread of Python waits and lets others run; within 40 ms of a Ctrl-C it raises what Python makes of it,
+/// a fork has left behind. The thread of Python waits and lets others run; within 20 ms of a Ctrl-C it raises what Python makes of it,
 /// `stop` is then true, and the work ends by itself once it looks at it. `watch` is called as often as it looks.
 pub fn run<R: Send + 'static>(
     py: Python<'_>,

@@ -179,7 +179,7 @@ def test_a_landed_drive_without_a_direction_is_undefined_not_nan_without_a_word(
     ({"club.lofft": [0.1]}, "unknown parameter 'club.lofft'; did you mean 'club.loft'"),
     ({"flight.step": [0.1]}, "flight.step cannot be varied"),
     ({1: [0.1]}, "points: the key 1 is no text"),
-    ({}, "nothing to sweep"),
+    ({}, "points is empty"),
     ([1.0], "points is a list; expected a dict of parameters with arrays"),
 ])
 def test_wrong_points_are_refused_in_words(given: Any, message: str) -> None:

@@ -84,6 +84,35 @@ def test_a_search_has_the_best_so_far_and_says_how_far_it_was() -> None:
     assert str(again) == str(error) and again.answer.fun == found.fun
 
 
+def test_a_search_that_is_stopped_within_an_iteration_has_the_point_before(pressing_at: Callable[[str], None]) -> None:
+    # once the first iteration is told, the next one is under way: an evaluation of 100,000 swings
+    pressing_at("  1  mean(carry)")
+    asked: dict[str, Any] = {**SWINGS, "scenarios": 100_000}
+    with pytest.raises(Interrupted) as caught:
+        longdrive.optimize("tour-average", **asked)
+    found = caught.value.answer
+    assert isinstance(found, longdrive.Optimum) and found.ended == "interrupted"
+    assert found.nit >= 1 and found.message.startswith(f"stopped after {found.nit} iteration")
+    # its value is that of its point
+    goal, wrt = asked.pop("maximize"), list(asked.pop("vary"))
+    assert found.names == wrt and longdrive.objective("tour-average", goal, wrt, **asked).fun(found.x) == pytest.approx(found.fun, rel=1e-6)
+
+
+def test_a_search_that_has_finished_no_point_has_no_answer_and_says_so() -> None:
+    looks: list[int] = []
+
+    def look(done: int, of: int) -> None:
+        looks.append(done)
+        if len(looks) == 2:
+            press()
+
+    with pytest.raises(Interrupted) as caught:
+        longdrive.optimize("tour-average", **{**SWINGS, "scenarios": 100_000, "starts": 2}, progress=look)
+    error = caught.value
+    assert error.answer is None and "`answer`" not in str(error) and "begins again" in str(error)
+    assert "0 of 2 searches ended" in str(error) or "stopped before" in str(error)
+
+
 def test_a_search_goes_on_from_its_checkpoint(pressing_at: Callable[[str], None], tmp_path: Path) -> None:
     file = tmp_path / "search.json"
     pressing_at("KKT")

@@ -5,6 +5,7 @@ from __future__ import annotations
 import copy
 import math
 import pickle
+import signal
 import threading
 from typing import Any
 
@@ -88,6 +89,48 @@ def test_a_point_without_a_drive_raises_or_is_nan() -> None:
 def test_an_x_of_the_wrong_shape_is_refused(x: Any, message: str) -> None:
     with pytest.raises(InputError, match=message):
         longdrive.objective(Setup(), "carry", WRT).fun(x)
+
+
+def test_exact_one_variable_is_a_number_too_as_scipy_gives_it() -> None:
+    carry = longdrive.objective(Setup(), "carry", "club.loft", sense="max")
+    values = [carry.fun(x) for x in (0.16, np.float64(0.16), np.array(0.16), [0.16], np.array([0.16]))]
+    assert set(values) == {values[0]} and carry.jac(0.16).shape == (1,) and carry.hess(0.16).shape == (1, 1)
+    with pytest.raises(InputError, match=r"x has shape \(1, 1\)"):
+        carry.fun([[0.16]])
+    optimize = pytest.importorskip("scipy.optimize")
+    found = optimize.minimize_scalar(carry.fun, bounds=(0.05, 0.4), method="bounded", options={"xatol": 1e-10})
+    # the gradient proves it: it vanishes there
+    assert abs(carry.jac(found.x)[0]) < 1e-4 and 0.06 < found.x < 0.39
+
+
+def test_ctrl_c_ends_a_goal_over_many_swings_in_the_midst() -> None:
+    swings: dict[str, Any] = {"distribution": {"swing.speed": ("normal", 50.0, 1.5), "swing.path": ("normal", 0.0, 0.04)}}
+    mean = longdrive.objective("mae494", "mean(carry)", "club.loft", scenarios=100_000, **swings)
+    heard, is_over = [], threading.Event()
+
+    def hear(*_: object) -> None:
+        heard.append(True)
+        # once it is heard for the third time within one call, which a call that does not look would hear once, at its end
+        if len(heard) == 3:
+            raise KeyboardInterrupt
+
+    def press() -> None:
+        while not is_over.wait(0.005):
+            signal.raise_signal(signal.SIGINT)
+
+    before = signal.signal(signal.SIGINT, hear)
+    presser = threading.Thread(target=press)
+    try:
+        presser.start()
+        with pytest.raises(KeyboardInterrupt):
+            mean.hess([0.2])
+    finally:
+        is_over.set()
+        presser.join()
+        signal.signal(signal.SIGINT, before)
+    # and it goes on being right
+    alone = longdrive.objective("mae494", "mean(carry)", "club.loft", **swings)
+    assert mean.fun([0.19]) == pytest.approx(alone.fun([0.19]), rel=1e-3)
 
 
 def test_wrong_words_are_refused() -> None:

@@ -1,4 +1,4 @@
-use crate::drive::{Beyond, BeyondCount};
+use crate::drive::{Beyond, BeyondCount, Outcome, Part};
 use std::fmt;
 
 /// How a drive of a batch ended.
@@ -83,6 +83,18 @@ impl Tally {
     /// How many of the landed drives lie beyond what the model is made for.
     pub fn beyond(&self) -> BeyondCount {
         self.beyond
+    }
+
+    /// Whether any drive has one of these outcomes, or there are no drives: those of the launch are there also where the ball does not land.
+    pub fn has_any(&self, of: &[Outcome]) -> bool {
+        let is_of_the_launch = of.iter().any(|outcome| outcome.part() != Part::Flight);
+        let has = |status| match status {
+            Status::Landed => true,
+            Status::NoFlight | Status::Aloft => is_of_the_launch,
+            _ => false,
+        };
+        let all: u64 = self.statuses.iter().sum();
+        all == 0 || self.counts().any(|(status, count)| count > 0 && has(status))
     }
 
     /// Each status with its number of drives.

@@ -2,6 +2,7 @@
 
 use super::heads::Meaning;
 use super::launch_monitor::{self, without_side};
+use super::wrong::OF_SHOTS;
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::parameters::{Golfer, Parameter, Setup};
@@ -384,9 +385,7 @@ fn known(setup: &Setup<f64>, name: &str) -> Result<&'static Parameter> {
         Error::Unknown { .. } => {
             let names: Vec<_> = setup.parameters().iter().map(|row| row.name).collect();
             let outcomes = Outcome::ALL.iter().map(|outcome| outcome.name());
-            let advice =
-                "a column is a parameter, an outcome, 'sigma OUTCOME', 'stationary', 'sigma stationary' or 'note'";
-            Error::unknown("column", name, names.into_iter().chain(outcomes), advice)
+            Error::unknown("column", name, names.into_iter().chain(outcomes), OF_SHOTS)
         }
         error => error,
     })

@@ -46,7 +46,8 @@ pub(crate) fn is_sideways(of: Outcome) -> bool {
     matches!(of, Outcome::Lateral | Outcome::LateralTotal)
 }
 
-/// What is used and what is not, where a row states spins that contradict each other; `back` and `side` are what is taken of them.
+/// What is used and what is not, where a row states spins that contradict each other, or of which one cannot be used; `back` and `side` are what is
+/// taken of them.
 pub(crate) fn contradiction(
     values: Stated,
     [back, side]: [f64; 2],
@@ -73,7 +74,18 @@ pub(crate) fn contradiction(
     });
     let not_used: Vec<String> = not_used.collect();
     if not_used.is_empty() {
-        return None;
+        let [_, _, _, whole, part, ..] = values;
+        let less = whole.zip(part).filter(|(whole, part)| !is_tilted && part.abs() < (1.0 - ROUNDING) * whole);
+        return less.map(|(whole, part)| {
+            format!(
+                "the {} ({}) is flown without a tilt, and the {} ({}) is not used: without spin axis or sidespin the side that it is tilted to \
+                 is not known; add one of these, or leave one of the two spins out",
+                name(Outcome::Spin),
+                Outcome::Spin.show(whole),
+                name(Outcome::Backspin),
+                Outcome::Backspin.show(part)
+            )
+        });
     }
     let of_spin = CONDITIONS.iter().zip(used).skip(3).filter(|(_, value)| value.is_some());
     let of_spin: Vec<String> = of_spin.map(|(of, _)| name(*of)).collect();

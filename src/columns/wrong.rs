@@ -8,6 +8,13 @@ pub(crate) struct WrongColumns {
     reason: String,
 }
 
+/// The columns of a table of measured shots.
+pub(super) const OF_SHOTS: &str =
+    "a column is a parameter, an outcome, 'sigma OUTCOME', 'stationary', 'sigma stationary' or 'note'";
+
+/// Those of a table of points, or of swings.
+const OF_POINTS: &str = "a column is a parameter, with its unit as in 'swing.speed [mph]', or one that a sweep has written, which is not read";
+
 impl WrongColumns {
     /// Of the faults of columns, each with the number of its column, from 0; `None` without any.
     pub(super) fn of(faults: Vec<(usize, Error)>) -> Option<Self> {
@@ -25,6 +32,11 @@ impl WrongColumns {
         }
         let (at, error) = faults.into_iter().next()?;
         Some(Self { at: vec![at], reason: error.to_string() })
+    }
+
+    /// The same of a table of points or of swings, in which nothing is measured.
+    pub fn of_points(self) -> Self {
+        Self { reason: self.reason.replace(OF_SHOTS, OF_POINTS), ..self }
     }
 
     /// The refusal of the table in this file.

@@ -2,9 +2,8 @@ use crate::command::args::Calibrate;
 use crate::command::files::Rule;
 use crate::command::interrupt::{self, BEST_SO_FAR};
 use crate::command::output::{Answer, system, tell, warn};
-use crate::command::reproduce::{DOCUMENT, chosen, write};
+use crate::command::reproduce::{DOCUMENT, write};
 use crate::command::running::running;
-use crate::drive::Looked;
 use crate::optimize::least_squares::{Follow, Loss, Status};
 use crate::parameters::{Law, Vary};
 use crate::report::{CalibrationReport, calibration_document, calibration_reply, calibration_toml};
@@ -35,6 +34,8 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
     warn(&warnings);
     let file = args.data.display().to_string();
     let mut table = ShotTable::open(&setup, &args.data)?;
+    warn(&table.warnings);
+    warnings.extend(table.warnings.clone());
     if args.question.gives_air()? {
         table.in_given_air();
     }
@@ -66,8 +67,8 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
     warnings.extend(one_drive);
     let follow = Follow { iteration: Some(Arc::new(shown())), interrupt: interrupt::stops(BEST_SO_FAR) };
     let found = calibrate(&setup, &table, &plan, &follow)?;
-    let shots = beyond(&found.setup, &table.shots);
-    let shots = shots.warnings(&setup.law, ["shot", "shots"], Looked::AtFlight);
+    let shots = beyond(&found.setup, &table.shots, &follow.interrupt);
+    let shots = [shots, found.warnings(&table)].concat();
     warn(&shots);
     warnings.extend(shots);
 
@@ -80,7 +81,7 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
         let name = format!("{}, fitted as above", setup.law.name());
         held.push((name, held_out(&setup, &table, &plan, folds, &quiet)?));
         for Compared { law, as_it_stands, setup, plan } in &compared {
-            held.push((format!("{law}, {as_it_stands}"), HeldOut::as_it_stands(setup, &table)?));
+            held.push((format!("{law}, {as_it_stands}"), HeldOut::as_it_stands(setup, &table, &quiet)?));
             held.push((format!("{law}, all coefficients fitted"), held_out(setup, &table, plan, folds, &quiet)?));
         }
     }
@@ -90,7 +91,6 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
         warn(&without_minimum);
         warnings.extend(without_minimum);
     }
-    let documents = System::ALL.map(|system| calibration_document(&report, system));
     let output = output.filter(|output| {
         let is_fitted = is_fitted(&found);
         if !is_fitted {
@@ -106,7 +106,7 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
         tell(&format!("wrote the fitted setup into {}", output.path().display()));
     }
     if let Some(folder) = &folder {
-        write(folder, &documents, system())?;
+        write(folder, &System::ALL.map(|system| calibration_document(&report, system)), system())?;
     }
     let answer = if args.question.json {
         let mut reply = calibration_reply(&report, warnings);
@@ -115,7 +115,7 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
         reply.body["folder"] = named(&args.plot);
         Answer::json(&reply)
     } else {
-        Answer::text(chosen(&documents, system()).text())
+        Answer::text(calibration_document(&report, system()).text())
     };
     Ok(answer.found(report.is_found()))
 }

@@ -1,6 +1,7 @@
 //! The design of a head and its face.
 
 use crate::command::args::DesignArgs;
+use crate::command::interrupt;
 use crate::command::output::{Answer, system};
 use crate::command::swings::{Asked, found, sought};
 use crate::parameters::Parameter;
@@ -46,7 +47,8 @@ pub fn run(args: &DesignArgs) -> Result<Answer> {
     let design = Design::new(&setup, &scenarios, asked, args.rules == "golf")?;
     notes.extend(design.notes.iter().cloned());
     let found = found(search, Asked { setup, swings, scenarios, search: design.search.clone() })?;
-    let parts = if found.best.value().is_some() { parts(&found.setup, &found.best)? } else { vec![] };
+    let parts = if found.best.value().is_some() { parts(&found.setup, &found.best, &found.stop)? } else { vec![] };
+    interrupt::ends();
     let designed = Designed { design: &design, setup: &found.setup, best: &found.best, parts: &parts, notes: &notes };
     let answer = if search.question.json {
         Answer::json(&designed.reply(found.reply()))

@@ -7,6 +7,7 @@ use crate::command::names::tell_of_the_run;
 use crate::command::output::{Answer, spinner, system, tell, warn};
 use crate::command::picture::Target;
 use crate::command::running::running;
+use crate::command::search::of_a_drive;
 use crate::command::swings::{goal, limit, ranges, refuse_idle_strokes};
 use crate::optimize::{Follow, Iteration, Options};
 use crate::parameters::Vary;
@@ -21,8 +22,7 @@ use std::time::{Duration, Instant};
 
 pub fn run(args: &ParetoArgs) -> Result<Answer> {
     let output = Output::new(args)?;
-    let (setup, found) = followed(&args.question, &args.asked)?;
-    let mut warnings = warnings(&setup, &found);
+    let Followed { found, mut warnings } = followed(&args.question, &args.asked)?;
     let written = match &output {
         Some(output) => output.write(&found, args, &mut warnings)?,
         None => None,
@@ -41,21 +41,21 @@ pub fn run(args: &ParetoArgs) -> Result<Answer> {
 /// Draws the front.
 pub fn draw(args: &PlotPareto) -> Result<Answer> {
     let target = Target::new(&args.question, &args.drawing)?;
-    let (setup, found) = followed(&args.question, &args.asked)?;
+    let Followed { found, warnings } = followed(&args.question, &args.asked)?;
     if found.interrupted {
         let message = "stopped before the whole front was found".into();
         return Err(Error::NotConverged { status: "interrupted", message });
     }
-    target.put(args.question.json, &args.drawing, &pareto_figure(&found, system()), warnings(&setup, &found))
+    target.put(args.question.json, &args.drawing, &pareto_figure(&found, system()), warnings)
 }
 
-/// What deserves a word about the setup, and about the drives of the front.
-fn warnings(setup: &Setup<f64>, found: &Pareto) -> Vec<Message> {
-    setup.warnings().into_iter().chain(found.warnings()).collect()
+/// The front, and what deserves a word about the setup and its drives.
+struct Followed {
+    found: Pareto,
+    warnings: Vec<Message>,
 }
 
-/// The setup asked about, and the front.
-fn followed(question: &Question, asked: &ParetoAsked) -> Result<(Setup<f64>, Pareto)> {
+fn followed(question: &Question, asked: &ParetoAsked) -> Result<Followed> {
     asked.swings.refuse_stray()?;
     let (setup, search, scenarios) =
         if asked.swings.is_given() { over_swings(question, asked)? } else { of_one_drive(question, asked)? };
@@ -75,11 +75,13 @@ fn followed(question: &Question, asked: &ParetoAsked) -> Result<(Setup<f64>, Par
         }
     });
     let interrupt = interrupt::stops("stopping with the points so far");
-    let found =
-        pareto(&setup, search, scenarios, &Follow { iteration: Some(iteration), interrupt, ..Follow::default() });
+    let follow = Follow { iteration: Some(iteration), interrupt: interrupt.clone(), ..Follow::default() };
+    let found = pareto(&setup, search, scenarios, &follow);
     spinner.finish_and_clear();
+    let found = found?;
+    let warnings = setup.warnings().into_iter().chain(found.warnings(&interrupt)).collect();
     interrupt::ends();
-    Ok((setup, found?))
+    Ok(Followed { found, warnings })
 }
 
 /// Goals over many swings.
@@ -105,15 +107,7 @@ fn over_swings(question: &Question, asked: &ParetoAsked) -> Result<(Setup<f64>, 
 /// Outcomes of the drive as set up.
 fn of_one_drive(question: &Question, asked: &ParetoAsked) -> Result<(Setup<f64>, ParetoSearch, Scenarios)> {
     let setup = question.setup_varied(&asked.vary)?;
-    let goals = asked.goals(|option, text| match Outcome::named(text.trim()) {
-        Ok(of) => Ok(Goal::outcome(of)),
-        Err(_) if text.contains('(') => {
-            let source =
-                format!("{text} is of many swings; give these too, with --swings FILE or --distribution NAME=KIND(…)");
-            Err(Error::Unreadable { name: option.into(), source: source.into() })
-        }
-        Err(error) => Err(error),
-    })?;
+    let goals = asked.goals(|option, text| Ok(Goal::outcome(of_a_drive(option, text)?)))?;
     let (vary, subject_to) = (asked.vary.clone(), asked.subject_to.clone());
     let one = SearchArgs { maximize: None, minimize: None, vary, subject_to, max_iterations: asked.max_iterations };
     let Search { vary, subject_to, options, .. } = one.search(&setup)?;

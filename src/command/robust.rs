@@ -32,13 +32,13 @@ pub fn run(args: &RobustArgs) -> Result<Answer> {
     }
     let spinner = spinner("searching for one design for all models");
     let interrupt = interrupt::stops("stopping with the best design so far");
-    let follow = Follow { interrupt, ..Follow::default() };
+    let follow = Follow { interrupt: interrupt.clone(), ..Follow::default() };
     let found = robust(models, search, &scenarios, args.starts as usize, &follow);
     spinner.finish_and_clear();
-    interrupt::ends();
     let found = found?;
     let is_found = found.is_found();
-    let mut warnings = found.warnings();
+    let mut warnings = found.warnings(&interrupt);
+    interrupt::ends();
     let mut written = None;
     if let Some(output) = &output {
         let file = output.path().display().to_string();

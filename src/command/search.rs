@@ -40,8 +40,8 @@ impl SearchArgs {
     /// The outcome that is looked at, and which value of it is sought.
     pub fn sought(&self) -> Result<(Outcome, Sense)> {
         Ok(match (&self.maximize, &self.minimize) {
-            (_, Some(of)) => (Outcome::named(of)?, Sense::Minimize),
-            (Some(of), None) => (Outcome::named(of)?, Sense::Maximize),
+            (_, Some(of)) => (of_a_drive("--minimize", of)?, Sense::Minimize),
+            (Some(of), None) => (of_a_drive("--maximize", of)?, Sense::Maximize),
             (None, None) => (Outcome::Carry, Sense::Maximize),
         })
     }
@@ -97,6 +97,18 @@ impl WorkArgs {
         }));
         bar
     }
+}
+
+/// The outcome of one drive that an option asks for; what is asked of many swings needs these.
+pub fn of_a_drive(option: &str, text: &str) -> Result<Outcome> {
+    Outcome::named(text.trim()).map_err(|error| match text.contains('(') {
+        true => {
+            let source =
+                format!("{text} is of many swings; give these too, with --swings FILE or --distribution NAME=KIND(…)");
+            Error::Unreadable { name: option.into(), source: source.into() }
+        }
+        false => error,
+    })
 }
 
 /// The question in words that tell it from any other: every number of the setup and the search is in their debug form,

@@ -20,7 +20,7 @@ use crate::{Error, Outcome, Result, Setup};
 use indicatif::ProgressBar;
 use std::path::PathBuf;
 use std::sync::Arc;
-use std::sync::atomic::Ordering;
+use std::sync::atomic::AtomicBool;
 
 /// Resamples of recorded swings.
 const RESAMPLES: usize = 200;
@@ -127,6 +127,8 @@ pub struct Found {
     pub best: SwingsOptimum,
     pub price: Option<Price>,
     pub resampled: Option<Resampled>,
+    /// Becomes true when what is left of the work is to be left out.
+    pub stop: Arc<AtomicBool>,
     warnings: Vec<Message>,
     /// The file that was written.
     file: Option<String>,
@@ -158,11 +160,12 @@ pub fn run(args: &Optimize) -> Result<Answer> {
     let (setup, swings, scenarios) = asked.taken(&args.question, true)?;
     let search = searched(&args.search, asked, &args.question.varied(setup, &args.search.vary)?)?;
     let found = found(args, Asked { setup, swings, scenarios, search })?;
+    interrupt::ends();
     let answer = if args.question.json { Answer::json(&found.reply()) } else { Answer::text(found.text()) };
     Ok(answer.found(found.is_found()))
 }
 
-/// Searches, and writes what is found where that is asked for.
+/// Searches, and writes what is found where that is asked for. It can be stopped until its caller says that it cannot.
 pub fn found(args: &Optimize, Asked { setup, swings, scenarios, search }: Asked) -> Result<Found> {
     tell_of_the_run(&search.of.outcomes());
     let setup = args.question.for_many(setup, &ranges(&search.vary, &scenarios))?;
@@ -177,12 +180,11 @@ pub fn found(args: &Optimize, Asked { setup, swings, scenarios, search }: Asked)
     let is_found = best.solution.status == Status::Converged;
     // what the mean swing promises is told of an optimum only
     let price = if is_found { price_until(&setup, &swings, &best, &follow.interrupt)? } else { None };
-    let is_left = follow.interrupt.load(Ordering::Relaxed);
-    let is_recorded = matches!(swings, Swings::Recorded { .. }) && is_found && !is_left;
+    let is_recorded = matches!(swings, Swings::Recorded { .. }) && is_found;
     let seed = u64::from(args.swings.seed.unwrap_or(0));
-    let resampled = if is_recorded { resampled(&setup, &best, RESAMPLES, seed)? } else { None };
-    interrupt::ends();
-    let mut warnings = best.warnings();
+    let stop = follow.interrupt;
+    let resampled = if is_recorded { resampled(&setup, &best, RESAMPLES, seed, &stop)? } else { None };
+    let mut warnings = best.warnings(&stop);
     if let Some(share) = best.beyond_strokes.filter(|share| *share > 0.0) {
         let percent = (100.0 * share).max(0.1);
         warnings.push(Message::from(format!(
@@ -191,7 +193,7 @@ pub fn found(args: &Optimize, Asked { setup, swings, scenarios, search }: Asked)
     }
     warn(&warnings);
     let file = output.as_ref().map(|output| write(output, &best, &swings, args)).transpose()?.flatten();
-    Ok(Found { setup, best, price, resampled, warnings, file })
+    Ok(Found { setup, best, price, resampled, stop, warnings, file })
 }
 
 /// What is looked for where nothing is asked.

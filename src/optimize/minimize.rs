@@ -89,11 +89,12 @@ fn search(
     if start.len() != n || !start.iter().all(|x| x.is_finite()) {
         return Err(Error::Optimizer(format!("the start {start:?} must be {n} finite numbers, one per variable")));
     }
-    let failure = Arc::default();
+    let (failure, interrupt) = (Arc::default(), observer.interrupt.clone());
     let found = run(problem, domain, start, options, observer, &failure)?;
     match found.kink.and_then(|kink| Some((kink, kink.slope_towards_bound()?))) {
         Some((kink, (price, is_lower))) if found.status == Status::StalledAtKink => {
-            Ok(held_at_corner(problem, domain, options, found, kink, price, is_lower))
+            let observer = Observer { interrupt, ..Observer::default() };
+            Ok(held_at_corner(problem, domain, options, observer, found, (kink, price, is_lower)))
         }
         _ => Ok(found),
     }
@@ -108,9 +109,13 @@ fn run(
     observer: Observer,
     failure: &Arc<std::sync::Mutex<Option<Error>>>,
 ) -> Result<Solution> {
-    let progress = Progress::default();
-    let solver =
-        Sqp { domain: domain.clone(), options: options.clone(), interrupt: observer.interrupt.clone(), progress };
+    let solver = Sqp {
+        domain: domain.clone(),
+        options: options.clone(),
+        interrupt: observer.interrupt.clone(),
+        progress: Progress::default(),
+        is_stopped_within: false,
+    };
     let fresh = SqpState::new().param(start.to_vec()).max_iters(options.max_iterations);
     let keeper = Keeper {
         keep: observer.keep.map(RefCell::new),
@@ -128,7 +133,7 @@ fn run(
         let own = failure.lock().ok().and_then(|mut failure| failure.take());
         own.unwrap_or_else(|| Error::Optimizer(e.to_string()))
     })?;
-    let iterations = result.state.get_iter();
+    let iterations = result.state.get_iter() - u64::from(result.solver.is_stopped_within);
     let start = result.state.param.unwrap_or_default();
     Ok(Solution::new(domain, result.solver.progress, start, iterations))
 }
@@ -139,15 +144,14 @@ fn held_at_corner(
     problem: Asked<'_>,
     domain: &Domain,
     options: &Options,
+    observer: Observer,
     found: Solution,
-    kink: Kink,
-    price: f64,
-    is_lower: bool,
+    (kink, price, is_lower): (Kink, f64, bool),
 ) -> Solution {
     let (i, mut held) = (kink.variable, domain.clone());
     let bound = if is_lower { domain.variables.low[i] } else { domain.variables.high[i] };
     (held.variables.low[i], held.variables.high[i]) = (bound, bound);
-    let Ok(mut end) = run(problem, &held, &found.x, options, Observer::default(), &Arc::default()) else {
+    let Ok(mut end) = run(problem, &held, &found.x, options, observer, &Arc::default()) else {
         return found;
     };
     if end.status != Status::Converged {
@@ -188,7 +192,8 @@ struct Keeper {
 
 impl Checkpoint<Sqp, SqpState> for Keeper {
     fn save(&self, solver: &Sqp, state: &SqpState) -> std::result::Result<(), argmin::core::Error> {
-        let Some(keep) = &self.keep else { return Ok(()) };
+        // an iteration that was stopped within is done anew by whoever goes on
+        let Some(keep) = self.keep.as_ref().filter(|_| !solver.is_stopped_within) else { return Ok(()) };
         let snapshot = Snapshot { iterations: state.get_iter(), progress: solver.progress.clone() };
         (keep.borrow_mut())(&snapshot).map_err(|error| {
             let message = error.to_string();

@@ -20,7 +20,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 pub struct Local {
     /// The optimum.
     pub solution: Solution,
-    /// The starts that ended here, by number.
+    /// The starts that ended here, by number; those that were stopped before they had a value are together.
     pub starts: Vec<usize>,
 }
 
@@ -136,6 +136,10 @@ fn collected(domain: &Domain, solutions: Vec<Solution>) -> Vec<Local> {
     for (number, solution) in solutions.into_iter().enumerate() {
         let scale = domain.variables.scale(&solution.x);
         let is_same = |local: &Local| {
+            // of what was stopped before it had a value nothing is known to tell it apart by
+            if solution.value.is_none() && solution.status == Status::Interrupted {
+                return local.solution.value.is_none() && local.solution.status == Status::Interrupted;
+            }
             let mut apart = local.solution.x.iter().zip(&solution.x).zip(&scale).map(|((a, b), s)| ((a - b) / s).abs());
             local.solution.status == solution.status && apart.all(|apart| apart <= SAME)
         };

@@ -11,7 +11,8 @@ use std::sync::atomic::AtomicBool;
 pub struct Observer {
     /// Is shown every iteration.
     pub iteration: Box<dyn FnMut(&Iteration)>,
-    /// Ends the search, with the best point so far, once it is true.
+    /// Ends the search, with the best point so far, once it is true: before the next evaluation, or within one that
+    /// [looks at it](super::Problem::evaluate).
     pub interrupt: Arc<AtomicBool>,
     /// Is given the search after every iteration, to keep it.
     pub keep: Option<Box<Keep>>,

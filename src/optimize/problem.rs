@@ -9,7 +9,9 @@ pub trait Problem {
     /// The functions and their derivatives at `x`; where they are not defined, the reason.
     ///
     /// # Errors
-    /// A sentence saying why there is no value at `x`. The search then steps back.
+    /// A sentence saying why there is no value at `x`. The search then steps back. Where its
+    /// [`interrupt`](super::Observer::interrupt) is true by then, it ends instead, with the point before: an evaluation that takes long may
+    /// look at the same flag, and fail once it is true.
     fn evaluate(&self, x: &[f64]) -> std::result::Result<Evaluation, String>;
 }
 

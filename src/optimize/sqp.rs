@@ -64,6 +64,8 @@ pub struct Sqp {
     pub(super) options: Options,
     pub(super) interrupt: Arc<AtomicBool>,
     pub(super) progress: Progress,
+    /// Whether it was stopped within an iteration, which then does not count.
+    pub(super) is_stopped_within: bool,
 }
 
 /// How far a search has come: all that a resumed one needs to end as if it had never stopped.
@@ -80,6 +82,19 @@ pub(super) struct Progress {
 }
 
 impl Sqp {
+    fn is_interrupted(&self) -> bool {
+        self.interrupt.load(Ordering::Relaxed)
+    }
+
+    /// The verdict where the evaluations of an iteration were stopped: the point is the last that was finished.
+    fn stopped_by(&mut self, error: Error, search: &Search, iterations: u64) -> Result<(), Error> {
+        if !self.is_interrupted() {
+            return Err(error);
+        }
+        self.progress.verdict = Some(Verdict::interrupted(iterations, search.residual.largest()));
+        Ok(())
+    }
+
     /// Judges where the search stands by each of the stopping tests. A verdict of convergence is checked for a saddle,
     /// one that is not for a corner.
     fn judge(&mut self, search: &mut Search, plan: Option<&Plan>, evaluate: &mut Evaluate<'_>) -> Result<(), Error> {
@@ -180,25 +195,29 @@ impl Solver<Asked<'_>, SqpState> for Sqp {
     fn init(&mut self, problem: &mut Counted<Asked<'_>>, mut state: SqpState) -> Result<(SqpState, Option<KV>), Error> {
         let start = self.domain.variables.project(&state.take_param().unwrap_or_default());
         let (trials, m) = (self.options.start_trials, self.domain.constraints.dimension());
+        let interrupt = self.interrupt.clone();
+        let mut evaluate = |x: &[f64]| evaluate(problem, &interrupt, x, m);
         let mut count = 0;
-        let is_interrupted = || self.interrupt.load(Ordering::Relaxed);
-        let (first, why) = first_point(&self.domain.variables, &start, trials, is_interrupted, |x| {
+        let (first, why) = first_point(&self.domain.variables, &start, trials, |x| {
+            let found = evaluate(x).ok()?;
             count += 1;
-            evaluate(problem, x, m)
-        })?;
+            Some(found)
+        });
         self.progress.undefined_at_start.clone_from(&why);
         let Some(at) = first else {
-            self.progress.verdict = match is_interrupted() {
-                true => Some(Verdict::without_start(count)),
-                false => why.map(|why| Verdict::undefined(trials, &why)),
-            };
+            self.progress.verdict = Some(match why {
+                Some(why) if !self.is_interrupted() => Verdict::undefined(trials, &why),
+                _ => Verdict::without_start(count),
+            });
             return Ok((state.param(start), None));
         };
         self.progress.begun_at.clone_from(&at.x);
         let scaling = Scaling::new(self.domain.clone(), self.domain.variables.scale(&start), &at);
         let mut search = Search::new(scaling, at, self.options.initial_radius);
         search.effort.evaluations = count;
-        self.judge(&mut search, None, &mut |x| evaluate(problem, x, m))?;
+        if let Err(error) = self.judge(&mut search, None, &mut evaluate) {
+            self.stopped_by(error, &search, 0)?;
+        }
         let state = stored(state, &search, true);
         self.progress.search = Some(search);
         Ok((state, None))
@@ -210,16 +229,29 @@ impl Solver<Asked<'_>, SqpState> for Sqp {
         state: SqpState,
     ) -> Result<(SqpState, Option<KV>), Error> {
         let Some(mut search) = self.progress.search.take() else { return Ok((state, None)) };
-        let m = self.domain.constraints.dimension();
-        let (plan, kept) = search.step(&mut |x| evaluate(problem, x, m))?;
-        self.judge(&mut search, Some(&plan), &mut |x| evaluate(problem, x, m))?;
-        let state = stored(state, &search, kept);
+        let (m, interrupt) = (self.domain.constraints.dimension(), self.interrupt.clone());
+        let mut evaluate = |x: &[f64]| evaluate(problem, &interrupt, x, m);
+        let stepped = search.step(&mut evaluate).and_then(|(plan, kept)| {
+            self.judge(&mut search, Some(&plan), &mut evaluate)?;
+            Ok(kept)
+        });
+        let state = match stepped {
+            Ok(kept) => stored(state, &search, kept),
+            Err(error) => {
+                self.stopped_by(error, &search, state.iter)?;
+                self.is_stopped_within = true;
+                // what is not finished is not shown
+                let mut state = state;
+                state.take_residuals();
+                state
+            }
+        };
         self.progress.search = Some(search);
         Ok((state, None))
     }
 
     fn terminate(&mut self, state: &SqpState) -> TerminationStatus {
-        if self.progress.verdict.is_none() && self.interrupt.load(Ordering::Relaxed) {
+        if self.progress.verdict.is_none() && self.is_interrupted() {
             let residual = self.progress.search.as_ref().map_or(f64::INFINITY, |search| search.residual.largest());
             self.progress.verdict = Some(Verdict::interrupted(state.iter, residual));
         }
@@ -242,7 +274,20 @@ fn stored(mut state: SqpState, search: &Search, kept: bool) -> SqpState {
     state.param(x).cost(search.at.f.objective.value).residuals(standing)
 }
 
-/// Evaluates. The outer error is argmin's.
-fn evaluate(problem: &mut Counted<Asked<'_>>, x: &[f64], constraints: usize) -> Result<Result<Known, String>, Error> {
-    problem.problem("evaluations", |p| Ok(p.evaluate(x, constraints)))
+/// Evaluates. The outer error is argmin's: it ends the iteration, once the search is to stop. What fails then may fail for that alone, and is
+/// not told as undefined.
+fn evaluate(
+    problem: &mut Counted<Asked<'_>>,
+    interrupt: &AtomicBool,
+    x: &[f64],
+    constraints: usize,
+) -> Result<Result<Known, String>, Error> {
+    let is_interrupted = || interrupt.load(Ordering::Relaxed);
+    if !is_interrupted() {
+        let found = problem.problem("evaluations", |p| Ok(p.evaluate(x, constraints)))?;
+        if found.is_ok() || !is_interrupted() {
+            return Ok(found);
+        }
+    }
+    Err(Error::msg("the search is stopped"))
 }

@@ -6,32 +6,33 @@ use super::scaling::Point;
 /// the first that is.
 const CHOICE: u32 = 8;
 
-/// f at the start, or at another point of the box where it is not defined there; and why it is not. No other points are tried once it
-/// is interrupted.
-pub(super) fn first_point<E>(
+/// f at the start, or at another point of the box where it is not defined there; and why it is not. No other points are tried once an
+/// evaluation is stopped, which is then `None`.
+pub(super) fn first_point(
     bounds: &Bounds,
     start: &[f64],
     trials: u32,
-    is_interrupted: impl Fn() -> bool,
-    mut evaluate: impl FnMut(&[f64]) -> Result<Result<Known, String>, E>,
-) -> Result<(Option<Point>, Option<String>), E> {
-    let why = match evaluate(start)? {
-        Ok(f) => return Ok((Some(Point { x: start.to_vec(), f }), None)),
-        Err(why) => why,
+    mut evaluate: impl FnMut(&[f64]) -> Option<Result<Known, String>>,
+) -> (Option<Point>, Option<String>) {
+    let why = match evaluate(start) {
+        None => return (None, None),
+        Some(Ok(f)) => return (Some(Point { x: start.to_vec(), f }), None),
+        Some(Err(why)) => why,
     };
     let mut best: Option<Point> = None;
     for trial in 0..trials {
-        if trial >= CHOICE && best.is_some() || is_interrupted() {
+        if trial >= CHOICE && best.is_some() {
             break;
         }
         let x = spread(bounds, start, trial);
-        if let Ok(f) = evaluate(&x)?
+        let Some(found) = evaluate(&x) else { break };
+        if let Ok(f) = found
             && best.as_ref().is_none_or(|best| f.objective.value < best.f.objective.value)
         {
             best = Some(Point { x, f });
         }
     }
-    Ok((best, Some(why)))
+    (best, Some(why))
 }
 
 /// Point `k` of an even spread over the box: multiples of powers of the generalised golden ratio (Roberts 2018),

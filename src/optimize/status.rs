@@ -80,9 +80,12 @@ impl Verdict {
     }
 
     pub fn without_start(tried: u64) -> Self {
-        let message = format!(
-            "stopped before a start was found: the functions are defined at none of the points tried so far ({tried})"
-        );
+        let message = match tried {
+            0 => "stopped before the functions were evaluated once".into(),
+            _ => format!(
+                "stopped before a start was found: the functions are defined at none of the points tried so far ({tried})"
+            ),
+        };
         Self::new(Status::Interrupted, message)
     }
 

@@ -23,6 +23,9 @@ pub struct OptimumReport {
     pub value: Value,
     /// Where it is, by parameter.
     pub optimum: Option<Map<String, Value>>,
+    /// Where the search began, by parameter, if no point of it has a value; left out elsewhere.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub start: Option<Map<String, Value>>,
     /// The outcome's gradient there.
     pub gradient: Option<Map<String, Value>>,
     /// The price of each bound, ≥ 0: what a unit beyond it would bring.
@@ -131,7 +134,7 @@ impl OptimumReport {
         let found = optimum.value().is_some();
         let by_name = |values: &[f64]| {
             let names = vary.iter().map(|vary| vary.parameter.name);
-            found.then(|| json::named(names.zip(values.iter().map(|value| Some(*value)))))
+            json::named(names.zip(values.iter().map(|value| Some(*value))))
         };
         let multipliers = |i: usize| {
             let (lower, upper) = (solution.lower_multipliers[i], solution.upper_multipliers[i]);
@@ -141,8 +144,9 @@ impl OptimumReport {
             objective: optimum.search.of.name().into(),
             sense: optimum.search.sense.name(),
             value: json::number(optimum.value()),
-            optimum: by_name(&solution.x),
-            gradient: by_name(&optimum.gradient()),
+            optimum: found.then(|| by_name(&solution.x)),
+            start: (!found).then(|| by_name(&solution.x)),
+            gradient: found.then(|| by_name(&optimum.gradient())),
             multipliers: found.then(|| (0..vary.len()).map(multipliers).collect()),
             constraints: constraints(optimum),
             kkt_residual: json::number(found.then_some(solution.kkt_residual)),

@@ -67,6 +67,7 @@ pub fn swings_reply(
         sense: search.sense.name(),
         value: json::number(best.value()),
         optimum: found.then(|| by_name(&solution.x)),
+        start: (!found).then(|| by_name(&solution.x)),
         gradient: found.then(|| by_name(&best.gradient())),
         multipliers: found.then(|| (0..search.vary.len()).map(multipliers).collect()),
         constraints: search.subject_to.iter().zip(&solution.constraints).map(constraint).collect(),

@@ -22,6 +22,7 @@ mod region;
 mod search;
 mod sensitivity;
 mod sigma;
+mod stoppable;
 pub mod swings;
 pub mod uncertainty;
 pub mod validation;

@@ -269,7 +269,12 @@ fn bad_tables_and_plans_are_refused_with_row_and_column() {
         ("carry [yd]\n200\n", &fit, vec!["1 measured value, fewer than the 2 parameters"]),
         ("carry [yd],club.loft [deg]\n200,10\n210,95\n", &fit, vec!["row 2", "column club.loft", "outside its range"]),
         ("carry [yd],club.loft [deg]\n200,10\n,11\n", &fit, vec!["row 2", "nothing is measured"]),
-        ("carry [yd],club.loft [deg]\n200,10\n201,\n", &fit, vec!["row 2", "column club.loft", "empty"]),
+        (
+            "carry [yd],club.loft [deg]\n200,10\n201,\n",
+            &fit,
+            vec!["left out", "row 2 (club.loft)", "1 measured value, fewer"],
+        ),
+        ("carry [yd],club.loft [deg]\n201,\n", &fit, vec!["row 1", "column club.loft", "empty"]),
         ("carry [yd],sigma carry [yd]\n200,0\n201,1\n", &fit, vec!["row 1", "sigma carry", "above 0"]),
         ("carry [yd]\n200\n-201\n", &fit, vec!["row 2", "column carry", "above 0", "check its sign"]),
         ("flight_time [s]\n6\n0\n", &fit, vec!["row 2", "column flight_time", "leave the cell empty"]),
@@ -310,7 +315,7 @@ fn exact_exports_leave_out_summaries_and_incomplete_rows_by_name_and_read_angles
     ] {
         assert!(table.remarks.iter().any(|remark| remark.to_string().contains(told)), "{told}: {:?}", table.remarks);
     }
-    // nothing but a summary is no table; and no other table has rows that are left out
+    // nothing but a summary is no table; and of a table of one's own of which no row is left, the first says why
     let error = read(&[head, below].concat()).unwrap_err().to_string();
     assert!(error.contains("no shot is left in it (rows left out, since they sum up other rows: "), "{error}");
     let error = read("ball_speed [mph],launch_angle [deg],backspin [rpm],carry [yd]\n,12,2500,262\n").unwrap_err();
@@ -639,4 +644,49 @@ fn the_sample_of_shots_is_fitted() {
         assert!((number(&estimate["value"]) - truth).abs() < 3.0 * error && error < 0.1, "{name}: {estimate} {truth}");
     }
     assert_eq!((&found["data"]["shots"], &found["data"]["launch_conditions"]), (&12.into(), &true.into()));
+}
+
+/// Carries of a ball whose drag is 0.27, and 40 yd more: beyond what is allowed to be fitted. The command says it on standard error and in JSON.
+#[test]
+fn a_fit_that_describes_nothing_or_ends_on_a_bound_is_warned_of() {
+    let flown = |launch: [f64; 3]| {
+        let [speed, angle, spin] = launch;
+        let launch = format!("ball_speed={speed}m/s,launch_angle={angle}deg,backspin={spin}rpm");
+        let law = ["--set", "aero.law=robinson", "--set", "aero.cd0=0.27"];
+        let (_, drive) = json(&[&["simulate", "modern-driver", "--launch", &launch], &law[..]].concat());
+        number(&drive["flight"]["carry"]) / 0.9144
+    };
+    let launches = [[66.0, 11.0, 2600.0], [70.0, 13.0, 2300.0], [73.0, 9.5, 3100.0], [75.0, 12.0, 2500.0]];
+    let rows = |more: f64| {
+        let row =
+            |launch: &[f64; 3]| format!("{},{},{},{},1\n", launch[0], launch[1], launch[2], flown(*launch) + more);
+        launches.iter().map(row).collect::<String>()
+    };
+    let head = "ball_speed [m/s],launch_angle [deg],backspin [rpm],carry [yd],sigma carry [yd]\n";
+    let told = |rows: &str, fit: &str| {
+        let file = table(&format!("{head}{rows}"));
+        let asked =
+            ["calibrate", file.path().to_str().unwrap(), "modern-driver", "--set", "aero.law=robinson", "--fit", fit];
+        let (_, found) = json(&asked);
+        let in_words = longdrive(&asked).err.split_whitespace().collect::<Vec<_>>().join(" ");
+        let warnings = found["warnings"].as_array().unwrap().iter().map(|one| one.as_str().unwrap().to_owned());
+        let warnings: Vec<_> = warnings.collect();
+        for warning in &warnings {
+            assert!(in_words.contains(&format!("warning: {warning}")), "{warning}: {in_words}");
+        }
+        (found, warnings.join("\n"))
+    };
+    let (found, warnings) = told(&rows(0.0), "aero.cd0");
+    assert!(
+        warnings.is_empty() && (number(&found["estimates"]["aero.cd0"]["value"]) - 0.27).abs() < 1e-6,
+        "{warnings}"
+    );
+    let (found, warnings) = told(&rows(40.0), "aero.cd0=0.25..0.6");
+    // 40 yd of 1 yd each, but for what the bound gives: √(χ²/ν) of the answer
+    let off = (number(&found["chi_square"]) / number(&found["degrees_of_freedom"])).sqrt();
+    assert!(
+        off > 20.0 && warnings.contains(&format!("the values miss the fit by {off:.1} of their standard")),
+        "{off}: {warnings}"
+    );
+    assert!(warnings.contains("aero.cd0 ended at 0.25, the end of its range"), "{warnings}");
 }

@@ -153,3 +153,42 @@ fn shots_that_are_flown_before_are_counted_and_no_file_is_written() {
     let left: Vec<_> = std::fs::read_dir(folder.path()).unwrap().map(|entry| entry.unwrap().file_name()).collect();
     assert_eq!(left, ["shots.csv"]);
 }
+
+/// An evaluation over so many swings takes seconds: it stops between any two of them.
+#[test]
+fn searches_over_very_many_swings_are_told_as_interrupted_within_an_evaluation() {
+    let swings = ["--scenarios", "100000", "--distribution", "swing.speed=normal(110mph,3mph)"];
+    let swings = [&swings[..], &["--distribution", "swing.path=normal(0deg,2deg)"]].concat();
+    let goals = ["--maximize", "mean(carry)", "--minimize", "std(lateral)"];
+    for args in [vec!["optimize"], vec!["design"], vec!["robust"], [&["pareto"], &goals[..]].concat()] {
+        let found = interrupted_json(&[&args[..], &swings].concat());
+        assert!(found["message"].as_str().is_some_and(|message| message.contains("stopped")), "{found:#}");
+        // a point that was not finished is none
+        assert_eq!(found["optimum"].is_object(), found["value"].is_number(), "{found:#}");
+    }
+}
+
+#[test]
+fn exact_same_answer_over_swings_when_ctrl_c_stops_it_within_iterations_again_and_again() {
+    let folder = tempfile::tempdir().unwrap();
+    let program = |checkpoint: &std::path::Path| {
+        let mut program = Command::new(assert_cmd::cargo::cargo_bin!("longdrive"));
+        program.args(["optimize", "--json", "--scenarios", "8000", "--distribution", "swing.path=normal(0deg,2deg)"]);
+        program.args(["--distribution", "swing.speed=normal(110mph,3mph)", "--vary", "club.loft=4deg..20deg"]);
+        program.args(["--vary", "club.bulge_radius=200mm..600mm", "--maximize", "mean(carry) - 0.5*std(lateral)"]);
+        program.arg("--checkpoint").arg(checkpoint);
+        program
+    };
+    let alone = program(&folder.path().join("alone.json")).output().unwrap();
+    assert!(alone.status.success(), "{}", String::from_utf8_lossy(&alone.stderr));
+    let stopped = folder.path().join("stopped.json");
+    for wait in [150, 300, 450, 600] {
+        let child = program(&stopped).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+        std::thread::sleep(Duration::from_millis(wait));
+        Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
+        let output = child.wait_with_output().unwrap();
+        assert!(output.status.code().is_some(), "{}", String::from_utf8_lossy(&output.stderr));
+    }
+    let resumed = program(&stopped).output().unwrap();
+    assert_eq!(String::from_utf8_lossy(&resumed.stdout), String::from_utf8_lossy(&alone.stdout));
+}

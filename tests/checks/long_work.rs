@@ -2,14 +2,15 @@
 
 use longdrive::number::Number;
 use longdrive::optimize::{
-    Checkpoint, Domain, Exact, Follow, Functions, Observer, Options, Run, Snapshot, Solution, Status, Values,
+    Checkpoint, Domain, Evaluation, Exact, Follow, Functions, Observer, Options, Problem, Run, Snapshot, Solution,
+    Status, Values,
 };
-use longdrive::optimize::{minimize_from, minimize_observed, starts};
+use longdrive::optimize::{least_squares, minimize_from, minimize_observed, starts};
 use longdrive::{Error, Setup};
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::rc::Rc;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 /// Rosenbrock's valley within a disc: curved, constrained, and some twenty iterations long.
 struct Valley;
@@ -65,6 +66,110 @@ fn exact_same_end_whenever_a_search_is_stopped_and_resumed() {
         let observer = Observer { resume: snapshot, ..Observer::default() };
         let resumed = minimize_observed(&Exact(Valley), &disc(), &START, &Options::default(), observer).unwrap();
         assert_eq!(resumed, whole, "resumed after {most} iterations");
+    }
+}
+
+/// An evaluation in ten blocks, each of which looks at the flag first, as one over many drives does; in one block of them the flag is raised.
+struct InBlocks {
+    flag: Arc<AtomicBool>,
+    /// The block that raises it, counted from 1.
+    raised_in: usize,
+    blocks: Cell<usize>,
+    finished: RefCell<Vec<Vec<f64>>>,
+}
+
+impl Problem for InBlocks {
+    fn evaluate(&self, x: &[f64]) -> Result<Evaluation, String> {
+        for _ in 0..10 {
+            if self.flag.load(Ordering::Relaxed) {
+                return Err("stopped".into());
+            }
+            self.blocks.set(self.blocks.get() + 1);
+            if self.blocks.get() == self.raised_in {
+                self.flag.store(true, Ordering::Relaxed);
+            }
+        }
+        self.finished.borrow_mut().push(x.to_vec());
+        Exact(Valley).evaluate(x)
+    }
+}
+
+#[test]
+fn exact_no_block_is_begun_after_the_flag_and_the_search_ends_with_a_finished_point() {
+    let whole = whole();
+    let evaluations = usize::try_from(whole.evaluations).unwrap();
+    for raised_in in (1..10 * evaluations).step_by(3) {
+        let flag = Arc::new(AtomicBool::new(false));
+        let problem = InBlocks { flag: flag.clone(), raised_in, blocks: Cell::default(), finished: RefCell::default() };
+        let kept: Rc<RefCell<Option<Snapshot>>> = Rc::default();
+        let (keeper, shown) = (Rc::clone(&kept), Rc::new(Cell::new(0)));
+        let counted = Rc::clone(&shown);
+        let observer = Observer {
+            interrupt: flag,
+            iteration: Box::new(move |iteration| counted.set(iteration.number)),
+            keep: Some(Box::new(move |snapshot| {
+                *keeper.borrow_mut() = Some(snapshot.clone());
+                Ok(())
+            })),
+            resume: None,
+        };
+        let stopped = minimize_observed(&problem, &disc(), &START, &Options::default(), observer).unwrap();
+        assert_eq!(problem.blocks.get(), raised_in, "blocks after the flag");
+        assert_eq!((stopped.status, stopped.iterations), (Status::Interrupted, shown.get()), "raised in {raised_in}");
+        assert_eq!(stopped.value.is_some(), raised_in >= 10, "{}", stopped.message);
+        if stopped.value.is_some() {
+            assert!(problem.finished.borrow().contains(&stopped.x), "raised in {raised_in}");
+        } else {
+            assert_eq!(
+                (&stopped.x[..], &stopped.message[..]),
+                (&START[..], "stopped before the functions were evaluated once")
+            );
+        }
+        let resume = kept.borrow_mut().take();
+        assert_eq!(resume.as_ref().map_or(0, Snapshot::iterations), stopped.iterations);
+        let observer = Observer { resume, ..Observer::default() };
+        let resumed = minimize_observed(&Exact(Valley), &disc(), &START, &Options::default(), observer).unwrap();
+        assert_eq!(resumed, whole, "resumed after a stop in block {raised_in}");
+    }
+}
+
+#[test]
+fn exact_no_block_of_a_fit_is_begun_after_the_flag() {
+    // Misra's curve through three of its points: 1 − e^(−b x), fitted in a few evaluations
+    let rows = |b: &[f64]| {
+        let at =
+            |x: &f64| (b[0] * (1.0 - (-b[1] * x).exp()), vec![1.0 - (-b[1] * x).exp(), b[0] * x * (-b[1] * x).exp()]);
+        let (values, jacobian): (Vec<f64>, _) = [77.6, 332.8, 760.0].iter().map(at).unzip();
+        least_squares::Rows {
+            residuals: values.iter().zip([10.07, 40.02, 81.78]).map(|(v, y)| v - y).collect(),
+            jacobian,
+        }
+    };
+    let domain = Domain::new(vec![0.0; 2], vec![1000.0, 1.0]).unwrap();
+    let start = [250.0, 5e-4];
+    let options = least_squares::Options::default();
+    let whole = least_squares::fit(&|b: &[f64]| Ok(rows(b)), &domain, &start, &options).unwrap();
+    assert_eq!(whole.status, least_squares::Status::Converged);
+    for raised_in in 1..5 * usize::try_from(whole.evaluations).unwrap() {
+        let follow = least_squares::Follow::default();
+        let blocks = Cell::new(0);
+        let in_blocks = |b: &[f64]| {
+            for _ in 0..5 {
+                if follow.is_interrupted() {
+                    return Err("stopped".to_owned());
+                }
+                blocks.set(blocks.get() + 1);
+                if blocks.get() == raised_in {
+                    follow.interrupt.store(true, Ordering::Relaxed);
+                }
+            }
+            Ok(rows(b))
+        };
+        let stopped = least_squares::fit_observed(&in_blocks, &domain, &start, &options, &follow).unwrap();
+        assert_eq!(blocks.get(), raised_in, "blocks after the flag");
+        assert_eq!(stopped.status, least_squares::Status::Interrupted, "{}", stopped.message);
+        assert_eq!(stopped.rows.residuals.is_empty(), raised_in < 5);
+        assert!(stopped.refused == 0 && (raised_in < 5 || stopped.rows == rows(&stopped.x)));
     }
 }
 
@@ -124,6 +229,27 @@ fn exact_same_answer_of_the_program_when_it_is_killed_again_and_again() {
     }
     assert!(killed.exists(), "nothing was kept before the first kill");
     assert_eq!(run(&killed), alone);
+}
+
+/// Of ten thousand searches those that had not begun are told together: one by one they would be compared with all others.
+#[test]
+fn exact_searches_that_had_not_begun_are_one_end_with_all_their_starts() {
+    let (domain, options) = (disc(), Options::default());
+    let starts = starts(&domain, &START, 10_000).unwrap();
+    let follow = Follow::default();
+    follow.interrupt.store(true, Ordering::Relaxed);
+    let none = minimize_from(&Exact(Valley), &domain, &starts, &options, &follow).unwrap();
+    assert_eq!((none.len(), none[0].starts.len(), none[0].solution.value), (1, 10_000, None));
+    let (flag, ended) = (Arc::new(AtomicBool::new(false)), AtomicUsize::new(0));
+    let stop = flag.clone();
+    let end = move |_: usize, _: &Solution| stop.store(ended.fetch_add(1, Ordering::Relaxed) >= 20, Ordering::Relaxed);
+    let follow = Follow { interrupt: flag, end: Some(Arc::new(end)), ..Follow::default() };
+    let some = minimize_from(&Exact(Valley), &domain, &starts, &options, &follow).unwrap();
+    assert_eq!(some.iter().map(|local| local.starts.len()).sum::<usize>(), 10_000);
+    assert_eq!(
+        (some[0].solution.status, some.iter().filter(|local| local.solution.value.is_none()).count()),
+        (Status::Converged, 1)
+    );
 }
 
 #[test]

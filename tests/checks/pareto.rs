@@ -2,8 +2,11 @@
 
 use crate::common::close;
 use longdrive::number::Number;
-use longdrive::optimize::front::{Front, FrontEvent, front};
-use longdrive::optimize::{Domain, Exact, Follow, Functions, Options, Values};
+use longdrive::optimize::front::{Front, FrontEvent, NoFront, front};
+use longdrive::optimize::{Domain, Exact, Follow, Functions, Options, Problem, Status, Values};
+use std::cell::Cell;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// |x − p|² and |x − q|², p = 0, q = (2, 1).
 struct Distances;
@@ -86,6 +89,51 @@ fn exact_front_of_two_distances() {
         .collect();
     let mean = steps.iter().sum::<f64>() / steps.len() as f64;
     assert!(steps.iter().all(|step| (step / mean - 1.0).abs() < 0.03), "{steps:?}");
+}
+
+/// Stopped in whichever evaluation: none is begun after it, before the first end is known that is said, and from then on there are points, all of them
+/// on the front.
+#[test]
+fn exact_points_of_a_front_that_is_stopped_within_any_evaluation() {
+    let free = (vec![f64::NEG_INFINITY], vec![f64::INFINITY]);
+    let domain = Domain::new(vec![-5.0; 2], vec![5.0; 2]).unwrap().subject_to(free.0, free.1).unwrap();
+    let options = Options::default();
+    let stopped_in = |evaluation: usize| {
+        let (flag, begun) = (Arc::new(AtomicBool::new(false)), Cell::new(0));
+        let problem = |x: &[f64]| {
+            if flag.load(Ordering::Relaxed) {
+                return Err("stopped".to_owned());
+            }
+            begun.set(begun.get() + 1);
+            flag.store(begun.get() == evaluation, Ordering::Relaxed);
+            Exact(Distances).evaluate(x)
+        };
+        let follow = Follow { interrupt: flag.clone(), ..Follow::default() };
+        (front(&problem, &domain, &[0.3, 0.9], (&options, 6), &follow), begun.get())
+    };
+    let (whole, evaluations) = stopped_in(usize::MAX);
+    let whole = whole.unwrap();
+    let mut most = 0;
+    for evaluation in 1..evaluations {
+        let (found, begun) = stopped_in(evaluation);
+        assert_eq!(begun, evaluation, "evaluations after the flag");
+        match found {
+            Err(NoFront::NoEnd { function, found }) => {
+                assert_eq!((function, found.status, most), (0, Status::Interrupted, 0), "in evaluation {evaluation}");
+            }
+            Err(NoFront::Refused(error)) => assert_eq!((error.status(), most), ("interrupted", 0), "{error}"),
+            Ok(found) => {
+                assert!(found.interrupted && found.ended.is_some() && !found.points.is_empty());
+                assert_eq!(found.points[0].values, whole.points[0].values, "the first end");
+                for point in &found.points {
+                    let [first, second] = point.values;
+                    close(first.max(0.0).sqrt() + second.max(0.0).sqrt(), 5.0_f64.sqrt(), 1.0, 1e-6, "on the front");
+                }
+                most = most.max(found.points.len());
+            }
+        }
+    }
+    assert!(most > 3, "{most} of {}", whole.points.len());
 }
 
 /// With x ≤ 1 the front leaves the line between the two at (1, ½) and goes up along the bound.

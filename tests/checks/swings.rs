@@ -10,6 +10,7 @@ use longdrive::study::swings::{
 use longdrive::study::uncertainty::{Distribution, Uncertain};
 use longdrive::study::{Sense, Vary};
 use longdrive::{Drive, Outcome, Setup};
+use std::sync::Arc;
 
 fn swings(setup: &Setup<f64>, distributions: &[&str]) -> Swings {
     Swings::distributed(distributions.iter().map(|text| Uncertain::read(setup, text).unwrap()).collect(), &[]).unwrap()
@@ -181,7 +182,7 @@ fn measured_interval_of_the_best_loft_from_recorded_swings() {
         let recorded = Swings::recorded(vec![parameter], rows.collect()).unwrap();
         let scenarios = Scenarios::new(&recorded, Rule::Recorded).unwrap();
         let best = searched(&setup, "mean(carry)", &["club.loft=4deg..30deg"], scenarios);
-        let found = resampled(&setup, &best, 40, 0).unwrap().unwrap();
+        let found = resampled(&setup, &best, 40, 0, &Arc::default()).unwrap().unwrap();
         let design = found.design[0];
         assert!(design.low < best.solution.x[0] && best.solution.x[0] < design.high);
         assert!(design.contains(truth.solution.x[0]), "{count}: {design:?} {}", truth.solution.x[0]);

@@ -152,7 +152,12 @@ class Question:
 
     def texts(self, name: str, value: Any) -> list[str]:
         """What an option takes several times, as texts."""
-        return [] if value is None else list(self._several(name, value, ""))
+        if value is None:
+            return []
+        option = next(option for option in commands()[self.command] if argument_of(option["name"]) == name)
+        if _is_empty(value):
+            _refuse_empty(name, option)
+        return list(self._several(name, value, str(option["value"])))
 
     def _one(self, name: str, value: Any, what: str) -> str:
         if what in ("FILE", "DIR", "DIR or FILE.csv"):
@@ -171,7 +176,7 @@ class Question:
         if isinstance(value, str):
             return [value]
         if isinstance(value, Mapping):
-            return [self._pair(key, inner) for key, inner in value.items()]
+            return [self._pair(name, key, inner, what) for key, inner in value.items()]
         try:
             items = list(value)
         except TypeError:
@@ -180,8 +185,8 @@ class Question:
         # a dict among them is one value of several parts: the changes that make a model
         return [",".join(self._several(name, item, what)) if isinstance(item, Mapping) else str(item) for item in items]
 
-    def _pair(self, key: Any, value: Any) -> str:
-        """A name with its value: a text as it is, a number with its SI unit, a pair as a range, a triple as one with a count."""
+    def _pair(self, name: str, key: Any, value: Any, what: str) -> str:
+        """A name with its value: a text as it is, a number with its SI unit, a pair as a range, a triple as one with a count, a kind with numbers."""
         if isinstance(key, tuple):
             return f"{','.join(map(str, key))}={value!r}"
         if value is None:
@@ -189,17 +194,22 @@ class Question:
         parts = parts_of(value)
         if parts is None:
             return f"{key}={self._amount(key, value)}"
-        if parts and isinstance(parts[0], str) and parts[0].isidentifier():
+        if "KIND" in what and parts and isinstance(parts[0], str) and parts[0].isidentifier():
             return f"{key}={parts[0]}({','.join(self._amount(key, number) for number in parts[1:])})"
-        if len(parts) not in (2, 3):
-            raise InputError(f"{key}: {value!r} has {len(parts)} parts; expected (low, high), or (low, high, count) where values are counted")
-        count = f":{count_text(key, parts[2])}" if len(parts) == 3 else ""
+        # an array or a list of three is values of one's own, and no (low, high, count)
+        is_counted = len(parts) == 3 and isinstance(value, tuple) and ":" in what
+        if ".." not in what or not (len(parts) == 2 or is_counted):
+            raise InputError(f"{key} in {name} is {kind_of(value)} of {len(parts)}; expected {_wanted(name, key, what)}")
+        count = f":{count_text(key, parts[2])}" if is_counted else ""
         return f"{key}={self._amount(key, parts[0])}..{self._amount(key, parts[1])}{count}"
 
     def _amount(self, name: str, value: Any) -> str:
         if value is None:
             raise InputError(f"{name} has None where a value is needed; give a number (SI), or a text with its unit like '10.5 deg'")
-        return value if isinstance(value, str) else number_text(value, self._unit(name))
+        try:
+            return value if isinstance(value, str) else number_text(value, self._unit(name))
+        except InputError as error:
+            raise InputError(f"{name}: {error}") from None
 
     def places(self, name: str, values: Any, along: Any) -> list[str]:
         """Values along a parameter, numbers in its SI unit."""
@@ -219,9 +229,25 @@ def _is_empty(value: Any) -> bool:
     return not isinstance(value, str) and hasattr(value, "__len__") and hasattr(value, "__iter__") and len(value) == 0
 
 
+def _wanted(name: str, key: Any, what: str) -> str:
+    """What a dict of an argument has for a name."""
+    if "KIND" in what:
+        return "a kind with its numbers, as in ('normal', mean, deviation) or ('uniform', low, high), or a text like 'normal(50 m/s, 1.5 m/s)'"
+    if ".." not in what:
+        return "one number (SI), or a text with its unit"
+    if ":" in what:
+        own = f"; values of your own, a drive each, go into points={{'{key}': …}}, or to longdrive.batch" if name == "over" else ""
+        return f"a tuple (low, high, count), for values spread evenly{own}"
+    return "(low, high)" + ("; values of your own go into at=…" if name == "along" else "")
+
+
+REFUSED_EMPTY = {"distribution", "sigma", "model"}
+"""Arguments without which something else is asked: an empty one is taken for a mistake."""
+
+
 def _refuse_empty(name: str, option: Mapping[str, Any]) -> None:
-    """An empty dict or list of what has a default, which nobody asked for: no constraints are what an empty list of them says."""
-    if option["required"] or option["default"] or "default" in option["help"]:
+    """An empty dict or list of what has a default, or stands for another question, which nobody asked for: no constraints are what an empty list of them says."""
+    if name in REFUSED_EMPTY or option["required"] or option["default"] or "default" in option["help"]:
         left_out = "" if option["required"] else ", or leave it out"
         about = in_python(option["help"]).removesuffix(". Repeatable").replace(". Repeatable [", " [")
         raise InputError(f"{name} is empty; give one or more{left_out}: {about}")
@@ -274,7 +300,8 @@ def asked(function: str, question: Question, given: Mapping[str, Any], answered:
         answer = question.shown(answer_in_python(answer))
     if raised is None:
         return _reply(status, answer)
-    has_answer = isinstance(answer, dict) and answer.keys() - OF_EVERY
+    # a search that had not finished one point has none
+    has_answer = isinstance(answer, dict) and answer.keys() - OF_EVERY and answer.get("optimum", answer) is not None
     found = answered(Reply(answer), question) if has_answer else None
     message = interruption(function, answer, notes, question.continued(given))
     raise Interrupted(message, answer=found) from raised

@@ -34,8 +34,10 @@ def _how_far(function: str, answer: Any, notes: Sequence[str]) -> str:
 
 def _best(answer: Mapping[str, Any]) -> list[str]:
     """The best so far, in words; the answer itself has every digit."""
-    found = answer.get("optimum")
-    if isinstance(found, Mapping) and found:
+    found = answer.get("optimum", answer)
+    if found is None:
+        return []
+    if found is not answer and isinstance(found, Mapping) and found:
         goal = f"{answer.get('objective')} = {_number(answer.get('value'))} at " if answer.get("value") is not None else ""
         return [f"the best so far, in SI, which `answer` of this exception has: {goal}{_named(found)}"]
     estimates = answer.get("estimates")

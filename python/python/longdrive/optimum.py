@@ -37,9 +37,9 @@ class Optimum(Reply):
 
     | field | what it is |
     |---|---|
-    | ``x`` | the values of the varied parameters, SI, shape (n,); ``names`` says which they are |
-    | ``fun`` | the value of what was looked for, as asked (not negated where it is maximized), SI |
-    | ``jac`` | its gradient there, shape (n,) |
+    | ``x`` | the values of the varied parameters, SI, shape (n,); ``names`` says which they are; where nothing was found, where the search began |
+    | ``fun`` | the value of what was looked for, as asked (not negated where it is maximized), SI; NaN where nothing was found |
+    | ``jac`` | its gradient there, shape (n,); NaN where nothing was found |
     | ``hess`` | its Hessian there, shape (n, n); None for an optimum over many swings |
     | ``success`` | whether the search converged |
     | ``status`` | 0 where it did; else how it ended, a number |
@@ -56,7 +56,7 @@ class Optimum(Reply):
     def setup(self) -> Setup:
         """The setup at the optimum."""
         started: Setup = self["started"]
-        return started.replace(self["optimum"])
+        return started.replace(dict(zip(self["names"], self["x"])))
 
     @cached_property
     def hess(self) -> Floats | None:
@@ -81,17 +81,19 @@ class Optimum(Reply):
 def optimum(reply: Reply, question: Question) -> Optimum:
     """The answer of a search."""
     place: dict[str, float] | None = reply.get("optimum")
+    at: dict[str, float] = place or reply.get("start") or {}
+    value = reply.get("value")
     gradient = reply.get("gradient") or {}
-    names = list(place or {})
+    names = list(at)
     multipliers = reply.get("multipliers") or {}
     of_bounds = {f"{name} {side}": value for name, sides in multipliers.items() for side, value in sides.items() if value}
     constraints = reply.get("constraints") or []
     of_constraints = {row["expression"]: row["multiplier"] for row in constraints if row.get("multiplier")}
     ended = reply["status"]
     return Optimum(
-        x=np.array([(place or {})[name] for name in names]),
+        x=np.array([at[name] for name in names]),
         names=names,
-        fun=reply.get("value"),
+        fun=np.nan if value is None else value,
         jac=np.array([gradient.get(name, np.nan) for name in names]),
         success=ended == "converged",
         status=STATUSES.index(ended) if ended in STATUSES else -1,

@@ -151,7 +151,8 @@ class Table:
         if isinstance(key, str):
             return self.status if key == "status" else self._column(key)
         if not isinstance(key, slice):
-            raise InputError(f"a table has columns by name and rows by slice; {key!r} is neither")
+            kind = kind_of(key) if hasattr(key, "__len__") else repr(key)
+            raise InputError(f"a table has columns by name and rows by slice; {kind} is neither: index its columns, as in table['{self.of[0]}'][…]")
         start, _, step = key.indices(len(self))
         return Table(
             status=self.status[key],
@@ -238,6 +239,13 @@ class Table:
             status=self.status, columns=self._columns, points=self._points, of=self.of, wrt=self.wrt, parameters=self.parameters,
             units=self._units, hessians=self.hessians, first_row=self.first_row, warnings=self.warnings, setup=self.setup,
         ),))
+
+    def __array__(self, *_: object, **__: object) -> Any:
+        # as a sequence it would be an array of the names of its columns, and so would a DataFrame of it
+        raise InputError(
+            "a table is no one array: take columns by name, table.values or table.gradients; a DataFrame of it is pandas.DataFrame(dict(table)), or "
+            "pandas.DataFrame.from_arrow(table)"
+        )
 
     def __arrow_c_stream__(self, requested_schema: object = None) -> Any:
         whole = [(name, np.ascontiguousarray(self._column(name)), unit) for name, unit in self.units.items()]

@@ -51,7 +51,7 @@ def write_table(name: str, table: Any, path: Path) -> None:
     elif hasattr(table, "to_pydict"):
         write_table(name, table.to_pydict(), path)
     elif isinstance(table, Mapping):
-        columns = [list(column) for column in table.values()]
+        columns = [_column(name, head, values) for head, values in table.items()]
         lengths = sorted({len(column) for column in columns})
         if len(lengths) > 1:
             raise InputError(f"{name}: its columns have {' and '.join(map(str, lengths))} rows; expected as many in each")
@@ -63,6 +63,20 @@ def write_table(name: str, table: Any, path: Path) -> None:
             write.writerows([_cell(value) for value in row] for row in zip(*columns))
     else:
         raise InputError(f"{name} is {kind_of(table)}; expected a file, a dict of columns, or a table of pandas, polars or pyarrow")
+
+
+def _column(name: str, head: Any, values: Any) -> list[Any]:
+    """The cells of a column.
+
+    Raises:
+        InputError: for what has not a value for each row.
+    """
+    parts = parts_of(values)
+    shape: tuple[int, ...] = getattr(values, "shape", (len(parts or ()),))
+    if parts is None or len(shape) != 1:
+        found = kind_of(values) if parts is None else f"of shape {shape}"
+        raise InputError(f"{name}: the column '{head}' is {found}; expected a value for each row, shape (rows,)")
+    return list(parts)
 
 
 def _cell(value: Any) -> Any:

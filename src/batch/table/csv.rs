@@ -47,7 +47,7 @@ impl CsvRows {
         let has_first = reader.read_record(&mut record).unwrap_or(false);
         let below = has_first.then(|| record.iter());
         let head = Head::read(setup, heads.iter(), below, separator, Club::LeftOut, Spin::OfTable)
-            .map_err(|wrong| wrong.in_file(&path.display().to_string()))?;
+            .map_err(|wrong| wrong.of_points().in_file(&path.display().to_string()))?;
         if head.has_units_row {
             first = reader.position().clone();
         }

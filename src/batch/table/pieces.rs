@@ -43,7 +43,8 @@ impl<P: Pieces> PieceRows<P> {
     pub fn open(setup: &Setup<f64>, path: &Path) -> Result<Self> {
         let pieces = P::open(path).map_err(|reason| refused(path, String::new(), reason))?;
         let names = pieces.names();
-        let head = Head::in_si(setup, &names).map_err(|wrong| wrong.in_file(&path.display().to_string()))?;
+        let head =
+            Head::in_si(setup, &names).map_err(|wrong| wrong.of_points().in_file(&path.display().to_string()))?;
         let columns = Columns::new(setup, path, &head)?;
         let refusal = columns.at.iter().find_map(|at| Some((&names[*at], pieces.refusal(*at)?)));
         match refusal {

@@ -10,14 +10,14 @@ mod room;
 mod rows;
 mod target;
 
-use crate::batch::{Run, Status, Tally};
+use crate::batch::{Run, Tally};
 use crate::command::args::Sweep;
 use crate::command::interrupt;
 use crate::command::output::{Answer, bar, say_error, tell, warn};
-use crate::drive::{Looked, Part};
+use crate::drive::Looked;
 use crate::report::Reply;
 use crate::units::{Message, counted};
-use crate::{Error, Outcome, Result};
+use crate::{Error, Result};
 use asked::Asked;
 use rows::{Rows, Writer};
 use serde::Serialize;
@@ -90,7 +90,7 @@ pub fn run(args: &Sweep) -> Result<Answer> {
             None => format!("stopped: {drives}; with -o FILE it could be resumed"),
         });
     }
-    let nothing = (is_complete && !has_answers(output.tally(), &of)).then(|| {
+    let nothing = (is_complete && !output.tally().has_any(&of)).then(|| {
         let which = if of.len() == 1 { "the outcome" } else { "any of the outcomes" };
         format!("no drive has {which} that was asked for: {}", summary.text(None))
     });
@@ -127,19 +127,6 @@ fn of_parts(args: &Sweep, folder: &Path) -> Result<Answer> {
 #[cfg(not(feature = "parquet"))]
 fn of_parts(_: &Sweep, folder: &Path) -> Result<Answer> {
     Err(crate::command::files::refused(folder, crate::features::how_to_get("parquet")))
-}
-
-/// Whether any drive has an outcome that was asked for, or there are no drives: those of the launch are there also where the ball does
-/// not land.
-fn has_answers(tally: Tally, of: &[Outcome]) -> bool {
-    let is_of_the_launch = of.iter().any(|outcome| outcome.part() != Part::Flight);
-    let has = |status| match status {
-        Status::Landed => true,
-        Status::NoFlight | Status::Aloft => is_of_the_launch,
-        _ => false,
-    };
-    let all: u64 = tally.counts().map(|(_, count)| count).sum();
-    all == 0 || tally.counts().any(|(status, count)| count > 0 && has(status))
 }
 
 /// What a sweep did, as JSON.

@@ -1,7 +1,7 @@
 //! The front from one end to the other, and points spread evenly over it.
 
 use super::found::{Front, FrontEvent, FrontPoint};
-use super::ground::{Ground, SAME, STRAIGHT, given_up};
+use super::ground::{Ground, PART_MISSING, SAME, STRAIGHT, given_up};
 use super::places::{Place, Plane};
 use crate::error::Result;
 use crate::optimize::continuation::{Stride, TOO_FAR, located};
@@ -36,7 +36,7 @@ pub(super) fn followed(ground: &Ground<'_>, ends: [Solution; 2], values: [[f64; 
     let knee = if interrupted { None } else { knee(&plane, &path) };
     interrupted = interrupted || ground.is_interrupted();
     if interrupted {
-        ended = Some("interrupted: a part of the front is missing".into());
+        ended = Some(PART_MISSING.into());
     }
     let bend = path.iter().map(|(place, _)| place.sum).chain(knee.iter().map(|knee| knee.sum)).fold(1.0, f64::min);
     let knee_at = knee.as_ref().map(|knee| knee.at);

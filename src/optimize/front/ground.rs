@@ -19,6 +19,8 @@ pub(super) const SAME: f64 = 1e-9;
 const GIVEN_UP: f64 = 1e-7;
 /// A minimum whose least curvature is below this part of its greatest is not one point.
 const FLAT: f64 = 1e-9;
+/// Why a front that was stopped has not all of its points.
+pub(super) const PART_MISSING: &str = "interrupted: a part of the front is missing";
 /// A front that bends less than this off a straight line, as a part of its length, has no knee.
 pub(super) const STRAIGHT: f64 = 0.01;
 
@@ -44,8 +46,11 @@ impl Ground<'_> {
 
     /// The two functions at a point.
     pub fn values(&self, x: &[f64]) -> Result<[f64; 2]> {
-        let undefined = |reason: String| Error::NotConverged { status: "undefined", message: reason.into() };
-        let at = self.problem.evaluate(x).map_err(undefined)?;
+        let none = |reason: String| {
+            let status = if self.is_interrupted() { Status::Interrupted } else { Status::Undefined };
+            Error::NotConverged { status: status.name(), message: reason.into() }
+        };
+        let at = self.problem.evaluate(x).map_err(none)?;
         Ok([at.objective.value, at.constraints.last().map_or(f64::NAN, |second| second.value)])
     }
 
@@ -58,10 +63,21 @@ impl Ground<'_> {
         let size = |k: usize| values[0][k].abs().max(values[1][k].abs());
         let gives_up_nothing = |k: &usize| given_up(values, *k) <= SAME * size(*k);
         let end = 1 - (0..2).find(gives_up_nothing)?;
-        let held = Held::new(&ends[end], &self.domain);
-        let (x, rates) = (ends[end].x.clone(), vec![0.0; ends[end].x.len()]);
-        let point = FrontPoint { x, values: values[end], slope: None, rates, held, event: None };
-        Some(Front { points: vec![point], knee: None, bend: 0.0, dominated: 0, ended: None, interrupted: false })
+        let points = vec![self.end(&ends[end], values[end])];
+        Some(Front { points, knee: None, bend: 0.0, dominated: 0, ended: None, interrupted: false })
+    }
+
+    /// The minimum of one function, as a point of the front.
+    fn end(&self, end: &Solution, values: [f64; 2]) -> FrontPoint {
+        let held = Held::new(end, &self.domain);
+        FrontPoint { x: end.x.clone(), values, slope: None, rates: vec![0.0; end.x.len()], held, event: None }
+    }
+
+    /// What there is of a front that was stopped before it was followed.
+    pub fn ends_alone(&self, ends: impl IntoIterator<Item = (Solution, [f64; 2])>) -> Front {
+        let points = ends.into_iter().map(|(end, values)| self.end(&end, values)).collect();
+        let ended = Some(PART_MISSING.into());
+        Front { points, knee: None, bend: 0.0, dominated: 0, ended, interrupted: true }
     }
 
     /// A minimum that is not one point, as where a function does not depend on a variable: of all that are as good, the one that is best for

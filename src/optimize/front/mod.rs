@@ -51,14 +51,27 @@ pub fn front(
             _ => Err(NoFront::NoEnd { function: k, found: Box::new(found) }),
         }
     };
-    let ends = [alone(0, start)?, alone(1, start)?];
-    let values = ground.ends(&ends)?;
+    let first = alone(0, start)?;
+    let at_first = ground.values(&first.x)?;
+    // what it is stopped after is an end alone, or both
+    let second = alone(1, start).and_then(|second| Ok((ground.values(&second.x)?, second)));
+    let (at_second, second) = match second {
+        Err(_) if ground.is_interrupted() => return Ok(ground.ends_alone([(first, at_first)])),
+        second => second?,
+    };
+    let (values, ends) = ([at_first, at_second], [first, second]);
     if let Some(best) = ground.best_for_both(&ends, values) {
         return Ok(best);
     }
-    let [first, second] = ends;
-    let ends = [ground.one_point(0, first, values)?, ground.one_point(1, second, values)?];
-    let values = ground.ends(&ends)?;
+    let [first, second] = ends.clone();
+    let sharper = ground.one_point(0, first, values).and_then(|first| {
+        let ends = [first, ground.one_point(1, second, values)?];
+        Ok((ground.ends(&ends)?, ends))
+    });
+    let (values, ends) = match sharper {
+        Err(_) if ground.is_interrupted() => return Ok(ground.ends_alone(ends.into_iter().zip(values))),
+        sharper => sharper?,
+    };
     match ground.best_for_both(&ends, values) {
         Some(best) => Ok(best),
         None => Ok(follow::followed(&ground, ends, values, count)?),

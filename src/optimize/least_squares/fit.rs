@@ -99,7 +99,8 @@ pub struct Fit {
 pub struct Follow {
     /// Is shown the number of each iteration and F.
     pub iteration: Option<Arc<dyn Fn(u64, f64) + Send + Sync>>,
-    /// Ends the fit, with the best point so far, once it is true.
+    /// Ends the fit, with the best point so far, once it is true: after the evaluation under way, or within one that
+    /// [looks at it](super::Residuals::evaluate).
     pub interrupt: Arc<AtomicBool>,
 }
 
@@ -174,6 +175,7 @@ pub fn fit_observed(
     };
     let at = match evaluate(start.clone()) {
         Ok(at) => at,
+        Err(_) if follow.is_interrupted() => return Ok(not_begun(start)),
         Err(why) => return Ok(nowhere(start, why)),
     };
     let mut search = Search::new(at);
@@ -185,7 +187,7 @@ pub fn fit_observed(
         if let Some(verdict) = search.verdict(cosine, options, follow.is_interrupted()) {
             break verdict;
         }
-        if let Some(verdict) = search.advance(domain, cosine, &evaluate) {
+        if let Some(verdict) = search.advance(domain, (cosine, options.tolerance), &evaluate, follow) {
             break verdict;
         }
     };
@@ -238,10 +240,7 @@ impl Search {
             ));
         }
         if is_interrupted {
-            return Some((
-                Status::Interrupted,
-                format!("stopped before the lowest sum: {COSINE} {cosine:.1e} > {tolerance:.0e}"),
-            ));
+            return Some(interrupted(cosine, tolerance));
         }
         (self.iterations >= options.max_iterations).then(|| {
             let limit = counted(self.iterations, "iteration");
@@ -254,8 +253,9 @@ impl Search {
     fn advance(
         &mut self,
         domain: &Domain,
-        cosine: f64,
+        (cosine, tolerance): (f64, f64),
         evaluate: &impl Fn(Vec<f64>) -> Result<Point, String>,
+        follow: &Follow,
     ) -> Option<(Status, String)> {
         self.iterations += 1;
         loop {
@@ -286,9 +286,9 @@ impl Search {
                     );
                     return Some((Status::Converged, message));
                 }
-                return self
-                    .rounding(domain)
-                    .or_else(|| stalled("the steps are too short to tell whether the sum still falls"));
+                return self.rounding(domain).or_else(|| {
+                    stalled("the next change of what is fitted is too small to tell whether the sum still falls")
+                });
             }
             self.evaluations += 1;
             match evaluate(to) {
@@ -303,6 +303,11 @@ impl Search {
                         self.at = next;
                         return None;
                     }
+                }
+                Err(_) if follow.is_interrupted() => {
+                    // what is not finished is not counted
+                    self.iterations -= 1;
+                    return Some(interrupted(cosine, tolerance));
                 }
                 Err(why) => {
                     self.refused += 1;
@@ -336,6 +341,16 @@ impl Search {
         self.damping *= self.growth;
         self.growth *= 2.0;
     }
+}
+
+fn interrupted(cosine: f64, tolerance: f64) -> (Status, String) {
+    (Status::Interrupted, format!("stopped before the lowest sum: {COSINE} {cosine:.1e} > {tolerance:.0e}"))
+}
+
+/// The end of a fit that was stopped before its residuals were known once.
+fn not_begun(x: Vec<f64>) -> Fit {
+    let message = "stopped before the residuals were evaluated once".into();
+    Fit { status: Status::Interrupted, message, refused: 0, why_refused: None, ..nowhere(x, String::new()) }
 }
 
 fn nowhere(x: Vec<f64>, why: String) -> Fit {

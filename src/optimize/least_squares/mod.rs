@@ -44,7 +44,8 @@ pub trait Residuals {
     /// The residuals and their Jacobian at `x`.
     ///
     /// # Errors
-    /// A sentence saying why there are none at `x`. The search then steps back.
+    /// A sentence saying why there are none at `x`. The search then steps back; where its [`interrupt`](Follow::interrupt) is true by then, it
+    /// ends with the point before.
     fn evaluate(&self, x: &[f64]) -> Result<Rows, String>;
 }
 

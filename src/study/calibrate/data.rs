@@ -9,7 +9,7 @@ use crate::error::{Error, Result};
 use crate::foreign::of_io;
 use crate::parameters::{Parameter, Setup};
 use crate::shots::{Record, cells, miscounted, records, tabled};
-use crate::units::Message;
+use crate::units::{Message, counted};
 use csv::StringRecord;
 use std::collections::BTreeMap;
 use std::fs::File;
@@ -33,6 +33,10 @@ pub struct ShotTable {
     pub is_launched: bool,
     /// What deserves a word: outcomes without a sigma column.
     pub remarks: Vec<Message>,
+    /// What deserves more than that, of a table that is no launch monitor's export: rows that were left out, and spins of which one is not used.
+    pub warnings: Vec<Message>,
+    /// The heads of a measured launch, and of the columns of the club beside it, where both are there: the rows are then deliveries.
+    pub(super) launch_beside_club: Option<[String; 2]>,
     /// What the standard uncertainties of the measured values are worth.
     pub uncertainties: Uncertainties,
     /// The head of the column of each row's air, of an export that states it.
@@ -71,10 +75,9 @@ impl ShotTable {
     ///
     /// # Errors
     /// [`Error::Table`] with row and column for a column that is unknown, given twice or in a wrong unit, a cell that is no number or whose
-    /// decimal mark is uncertain, a sigma that is not positive, a value outside its range, a row without a measurement, and a table without
-    /// rows. Of a
-    /// launch monitor's export, rows that sum up others, lack a value that every shot needs or have one that cannot be used are left out, and named in the
-    /// remarks; so are measured values that no drive has, which are not compared. Messages of GSPro Open Connect, and exports with title lines before their head, are read too.
+    /// decimal mark is uncertain, a sigma that is not positive, a value outside its range, and a table without rows. Rows that lack a value that
+    /// every shot needs, or a measurement, are left out and named in the remarks. Of a
+    /// launch monitor's export so are rows that sum up others or have a value that cannot be used, and measured values that no drive has, which are not compared. Messages of GSPro Open Connect, and exports with title lines before their head, are read too.
     pub fn read(setup: &Setup<f64>, file: &str, source: impl Read) -> Result<Self> {
         Self::read_rows(setup, file, source, Club::LeftOut)
     }
@@ -138,6 +141,7 @@ impl ShotTable {
         }
         let (mut shots, mut summaries, mut incomplete, mut unreadable) = (vec![], vec![], vec![], vec![]);
         let (mut sideways, mut contradictions) = (BTreeMap::<String, Vec<String>>::new(), vec![]);
+        let mut lacking = None;
         let (mut marks, mut not_drives, mut airless) = (Marks::default(), vec![], vec![]);
         for (at, record) in records.enumerate() {
             let row = at + 1;
@@ -169,7 +173,11 @@ impl ShotTable {
                     contradictions.extend(contradiction.map(|told| format!("row {row}: {told}")));
                     shots.push(shot);
                 }
-                Err(wrong) if is_export && wrong.is_incomplete => {
+                Err(wrong) if wrong.is_incomplete => {
+                    if !is_export {
+                        let column = wrong.column.as_ref().map_or(String::new(), |name| format!(", column {name}"));
+                        lacking.get_or_insert_with(|| refused(format!(", row {row}{column}"), wrong.why.clone()));
+                    }
                     let column = wrong.column.unwrap_or_else(|| "nothing is measured".into());
                     incomplete.push(format!("row {row} ({column})"));
                 }
@@ -193,13 +201,25 @@ impl ShotTable {
         .map(|(rows, what)| format!("rows left out, since they {what}: {}", rows.join(", ")))
         .collect();
         if shots.is_empty() {
+            // of a table of one's own the first row says best what is wanted
+            if let Some(first) = lacking {
+                return Err(first);
+            }
             let reason = match left_out.is_empty() {
                 true => "it has no rows; give one for each shot".into(),
                 false => format!("no shot is left in it ({}); give a row for each shot", left_out.join("; ")),
             };
             return Err(refused(String::new(), reason));
         }
-        remarks.extend(left_out.into_iter().map(Message::from));
+        let left_out = left_out.into_iter().map(Message::from);
+        let mut warnings: Vec<Message> = if is_export { vec![] } else { left_out.clone().collect() };
+        if let Some(first) = contradictions.first().filter(|_| !is_export) {
+            let others = contradictions.len() - 1;
+            let others =
+                if others > 0 { format!(" (so in {})", counted(others as u64, "other row")) } else { String::new() };
+            warnings.push(format!("{first}{others}").into());
+        }
+        remarks.extend(left_out);
         remarks.extend(sideways.into_iter().map(|(head, rows)| {
             let why = "in rows without a measured launch direction or spin axis (or sidespin)";
             format!("{head} is not compared {why}: {}", rows.join(", ")).into()
@@ -211,8 +231,18 @@ impl ShotTable {
         remarks.extend(airless.into_iter().map(Message::from));
         let (assumed, uncertainties) = reading.assumed(&shots);
         remarks.extend(assumed);
+        let launch_beside_club = reading.launch_beside_club();
         let Reading { is_launched, .. } = reading;
-        Ok(Self { file: file.into(), shots, is_launched, remarks, uncertainties, stated_air })
+        Ok(Self {
+            file: file.into(),
+            shots,
+            is_launched,
+            remarks,
+            warnings,
+            launch_beside_club,
+            uncertainties,
+            stated_air,
+        })
     }
 
     /// Leaves the air out that an export states of each row, where it is given otherwise.

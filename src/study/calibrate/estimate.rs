@@ -10,7 +10,9 @@ use crate::error::{Error, Result};
 use crate::optimize::least_squares::{Fit, Follow, Options, Residuals, Status, fit_from};
 use crate::optimize::{Domain, starts};
 use crate::parameters::{Setup, Vary, refuse_replaced};
+use crate::study::stoppable::stopped;
 use crate::units::counted;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// What to fit, and how.
 #[derive(Clone, Debug)]
@@ -101,7 +103,8 @@ impl Plan {
 /// held while the search runs, and renewed until it stays.
 ///
 /// # Errors
-/// [`Error::Calibration`] for a plan that does not fit the table; [`Error::NoFit`] where rows do not fly at any start, with each of them.
+/// [`Error::Calibration`] for a plan that does not fit the table; [`Error::NoFit`] where rows do not fly at any start, with each of them;
+/// [`Error::NotConverged`] where it is stopped before the fit has begun.
 pub fn calibrate(setup: &Setup<f64>, table: &ShotTable, plan: &Plan, follow: &Follow) -> Result<Calibration> {
     /// Curvatures are renewed at most so often, until none changes by more than this part.
     const RENEWALS: usize = 8;
@@ -114,15 +117,20 @@ pub fn calibrate(setup: &Setup<f64>, table: &ShotTable, plan: &Plan, follow: &Fo
     let domain = Domain::new(ends(|vary| vary.low), ends(|vary| vary.high))?;
     let own: Vec<f64> = fitted.iter().filter_map(|parameter| setup.value(parameter)).collect();
     let own = domain.variables.project(&own);
-    let mut problem = ShotResiduals { setup: *setup, shots: &table.shots, fitted, curvatures: vec![] };
+    let mut problem =
+        ShotResiduals { setup: *setup, shots: &table.shots, fitted, curvatures: vec![], stop: &follow.interrupt };
     let options = Options { rounding: table.rounding(), ..plan.options.clone() };
     let mut from = starts(&domain, &own, plan.starts)?;
     if !from.iter().any(|start| problem.begin(start)) {
+        let unbegun = || follow.is_interrupted().then(|| stopped("the fit began"));
+        if let Some(stopped) = unbegun() {
+            return Err(stopped);
+        }
         // as a search does whose functions are not defined at its start, others are tried
         let others = starts(&domain, &own, START_TRIALS)?;
         from = others.into_iter().filter(|start| problem.begin(start)).take(1).collect();
         if from.is_empty() {
-            return Err(missing(NO_START, &problem, &own));
+            return Err(unbegun().unwrap_or_else(|| missing(NO_START, &problem, &own)));
         }
     }
     let mut renewals = 0;
@@ -130,9 +138,19 @@ pub fn calibrate(setup: &Setup<f64>, table: &ShotTable, plan: &Plan, follow: &Fo
         let fits = fit_from(&problem, &domain, &from, &options, follow)?;
         let best = &fits[0];
         if best.rows.residuals.is_empty() {
-            return Err(missing(NO_START, &problem, &own));
+            return Err(if follow.is_interrupted() {
+                stopped("the fit began")
+            } else {
+                missing(NO_START, &problem, &own)
+            });
         }
-        let renewed = problem.curvatures_at(&best.x)?;
+        let renewed = match problem.curvatures_at(&best.x) {
+            // without optima among the rows there is nothing to renew
+            Err(_) if follow.is_interrupted() => {
+                break (fits, table.shots.iter().all(|shot| shot.stationary.is_empty()));
+            }
+            renewed => renewed?,
+        };
         let pairs = renewed.iter().flatten().zip(problem.curvatures.iter().flatten());
         let is_same = pairs.clone().all(|(new, old)| (new / old - 1.0).abs() <= SAME);
         if is_same || renewals == RENEWALS || follow.is_interrupted() {
@@ -227,12 +245,19 @@ pub(super) fn remainders(shots: &[Shot], residuals: &[f64]) -> Vec<Remainder> {
     .collect()
 }
 
-/// The residuals of shots flown with a setup as it stands.
-pub(super) fn flown(setup: &Setup<f64>, shots: &[Shot]) -> Result<Vec<Remainder>> {
-    let mut problem = ShotResiduals { setup: *setup, shots, fitted: vec![], curvatures: vec![] };
-    if !problem.begin(&[]) {
+/// The residuals of shots flown with a setup as it stands; nothing once `stop` is true.
+pub(super) fn flown(setup: &Setup<f64>, shots: &[Shot], stop: &AtomicBool) -> Result<Option<Vec<Remainder>>> {
+    let mut problem = ShotResiduals { setup: *setup, shots, fitted: vec![], curvatures: vec![], stop };
+    let is_begun = problem.begin(&[]);
+    if stop.load(Ordering::Relaxed) {
+        return Ok(None);
+    }
+    if !is_begun {
         return Err(missing("rows to be predicted have no answer", &problem, &[]));
     }
-    let rows = problem.evaluate(&[]).map_err(|reason| Error::Calibration { reason })?;
-    Ok(remainders(shots, &rows.residuals))
+    let rows = match problem.evaluate(&[]) {
+        Err(_) if stop.load(Ordering::Relaxed) => return Ok(None),
+        rows => rows.map_err(|reason| Error::Calibration { reason })?,
+    };
+    Ok(Some(remainders(shots, &rows.residuals)))
 }

@@ -36,12 +36,15 @@ impl HeldOut {
         self.count(Status::Interrupted) > 0
     }
 
-    /// Shots flown with a setup as it stands: of shots it was not fitted to, that is their held-out error.
+    /// Shots flown with a setup as it stands: of shots it was not fitted to, that is their held-out error. Once it is interrupted, that
+    /// counts as one fit that was, and nothing is told of the rows.
     ///
     /// # Errors
     /// [`Error::NoFit`] with the rows that have no answer.
-    pub fn as_it_stands(setup: &Setup<f64>, table: &ShotTable) -> Result<Self> {
-        Ok(Self { folds: 0, ended: vec![], remainders: flown(setup, &table.shots)? })
+    pub fn as_it_stands(setup: &Setup<f64>, table: &ShotTable, follow: &Follow) -> Result<Self> {
+        let flown = flown(setup, &table.shots, &follow.interrupt)?;
+        let ended = if flown.is_none() { vec![Status::Interrupted] } else { vec![] };
+        Ok(Self { folds: 0, ended, remainders: flown.unwrap_or_default() })
     }
 }
 
@@ -93,11 +96,18 @@ pub fn held_out(setup: &Setup<f64>, table: &ShotTable, plan: &Plan, folds: usize
             table.shots.iter().cloned().enumerate().partition(|(at, _)| at % folds == fold);
         let strip = |shots: Vec<(usize, _)>| shots.into_iter().map(|(_, shot)| shot).collect::<Vec<_>>();
         let seen = ShotTable { shots: strip(seen), ..table.clone() };
-        let found = calibrate(setup, &seen, plan, follow)?;
-        ended.push(found.fit.status);
-        if found.fit.status != Status::Interrupted {
-            remainders.extend(flown(&found.setup, &strip(told))?);
-        }
+        let found = match calibrate(setup, &seen, plan, follow) {
+            // before it had begun
+            Err(_) if follow.is_interrupted() => None,
+            found => Some(found?).filter(|found| found.fit.status != Status::Interrupted),
+        };
+        let told = match &found {
+            Some(found) => flown(&found.setup, &strip(told), &follow.interrupt)?,
+            None => None,
+        };
+        let status = found.filter(|_| told.is_some()).map_or(Status::Interrupted, |found| found.fit.status);
+        ended.push(status);
+        remainders.extend(told.into_iter().flatten());
     }
     remainders.sort_by_key(|remainder| remainder.row);
     Ok(HeldOut { folds, ended, remainders })

@@ -4,6 +4,7 @@
 mod beyond;
 mod calibration;
 mod data;
+mod doubts;
 mod estimate;
 mod folds;
 mod instrument;

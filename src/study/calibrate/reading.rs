@@ -191,6 +191,19 @@ impl Reading<'_> {
         self.columns.iter().any(|column| column.holds == Holds::Outcome(outcome))
     }
 
+    /// The heads of a whole launch and of the columns of the club beside it, where both are there.
+    pub fn launch_beside_club(&self) -> Option<[String; 2]> {
+        let has_spin = self.has(Outcome::Spin) || self.has(Outcome::Backspin);
+        let is_whole = self.has(Outcome::BallSpeed) && self.has(Outcome::LaunchAngle) && has_spin;
+        let heads = |is: &dyn Fn(&Column) -> bool| {
+            let heads = self.columns.iter().filter(|column| is(column)).map(|column| column.head.as_str());
+            heads.collect::<Vec<_>>().join(", ")
+        };
+        let launch = heads(&|column| matches!(column.holds, Holds::Outcome(of) if CONDITIONS.contains(&of)));
+        let club = heads(&Column::is_of_the_strike);
+        (is_whole && !club.is_empty()).then_some([launch, club])
+    }
+
     /// The head of an outcome's column, for messages.
     fn head(&self, of: Outcome) -> String {
         let column = self.columns.iter().find(|column| column.holds == Holds::Outcome(of));

@@ -6,7 +6,12 @@ use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::optimize::least_squares::{Residuals, Rows};
 use crate::parameters::{Parameter, Setup};
-use rayon::prelude::*;
+use crate::study::stoppable::{each_until, stopped};
+use crate::units::significant;
+use std::sync::atomic::AtomicBool;
+
+/// What stopped work came before.
+const FLOWN: &str = "all shots were flown";
 
 /// Residuals beyond this have no sum of squares.
 const TOO_FAR: f64 = 1e150;
@@ -25,13 +30,21 @@ fn too_far(measurement: &Measurement, computed: f64) -> Error {
     }
 }
 
-/// Why a row has no residuals, without saying again that it is of a calibration.
+/// Why a row has no residuals at values that were tried, without saying again that it is of a calibration.
 fn why(error: Error) -> String {
     match error {
         Error::Calibration { reason } => reason,
+        // the step is chosen for values that a ball may have, and no shorter one would help
+        Error::Diverged { time, .. } => format!(
+            "with these values of what is fitted the flight diverges at t = {} s: drag or lift is far too large",
+            significant(time, 3)
+        ),
         error => error.to_string(),
     }
 }
+
+/// The residuals of a shot, each with its row of the Jacobian.
+type OfShot = Vec<(f64, Vec<f64>)>;
 
 /// Shots, and what is fitted to them.
 pub(super) struct ShotResiduals<'a> {
@@ -41,6 +54,8 @@ pub(super) struct ShotResiduals<'a> {
     /// |∂²carry/∂q²| of each stationary parameter of each shot, m/rad²: what turns a slope into an angle. Held fixed during a
     /// fit, so that Jacobians stay exact.
     pub curvatures: Vec<Vec<f64>>,
+    /// Once it is true, no more shots are flown, and what needs them fails.
+    pub stop: &'a AtomicBool,
 }
 
 impl ShotResiduals<'_> {
@@ -64,12 +79,12 @@ impl ShotResiduals<'_> {
             };
             shot.stationary.iter().map(one).collect::<Result<Vec<f64>>>()
         };
-        self.shots.par_iter().map(of).collect()
+        let all = each_until(self.shots, self.stop, of).ok_or_else(|| stopped(FLOWN))?;
+        all.into_iter().collect()
     }
 
     /// The residuals of one shot, each with its row of the Jacobian.
-    fn of(&self, moved: &Setup<f64>, at: usize) -> Result<Vec<(f64, Vec<f64>)>> {
-        let shot = &self.shots[at];
+    fn of(&self, moved: &Setup<f64>, shot: &Shot, curvatures: &[f64]) -> Result<OfShot> {
         let setup = at_shot(moved, shot)?;
         let mut rows = vec![];
         if !shot.measured.is_empty() {
@@ -86,7 +101,7 @@ impl ShotResiduals<'_> {
                 rows.push((residual, taylor.gradient.iter().map(|d| d / measurement.sigma).collect()));
             }
         }
-        for (stationary, curvature) in shot.stationary.iter().zip(&self.curvatures[at]) {
+        for (stationary, curvature) in shot.stationary.iter().zip(curvatures.iter().chain(std::iter::repeat(&1.0))) {
             let wrt: Vec<_> = self.fitted.iter().copied().chain([stationary.parameter]).collect();
             let last = self.fitted.len();
             let carry = derivative::towards_last(&setup, &[Outcome::Carry], &wrt)?.swap_remove(0);
@@ -97,10 +112,21 @@ impl ShotResiduals<'_> {
         Ok(rows)
     }
 
+    /// The residuals of each shot with a setup, or why it has none.
+    fn by_shot(&self, moved: &Setup<f64>) -> Result<Vec<Result<OfShot>>> {
+        let all: Vec<_> = self.shots.iter().enumerate().collect();
+        // where no curvatures are known yet, it is asked only whether there is an answer
+        let of =
+            |&(at, shot): &(usize, &Shot)| self.of(moved, shot, self.curvatures.get(at).map_or(&[], Vec::as_slice));
+        each_until(&all, self.stop, of).ok_or_else(|| stopped(FLOWN))
+    }
+
     fn all(&self, x: &[f64]) -> std::result::Result<Rows, String> {
         let moved = self.moved(x).map_err(|error| error.to_string())?;
-        let of = |at: usize| self.of(&moved, at).map_err(|error| format!("row {}: {}", self.shots[at].row, why(error)));
-        let shots: Vec<_> = (0..self.shots.len()).into_par_iter().map(of).collect::<std::result::Result<_, _>>()?;
+        let rows = self.by_shot(&moved).map_err(|error| error.to_string())?.into_iter().zip(self.shots);
+        let named =
+            |(rows, shot): (Result<_>, &Shot)| rows.map_err(|error| format!("row {}: {}", shot.row, why(error)));
+        let shots = rows.map(named).collect::<std::result::Result<Vec<_>, _>>()?;
         let (residuals, jacobian) = shots.into_iter().flatten().unzip();
         Ok(Rows { residuals, jacobian })
     }
@@ -115,11 +141,8 @@ impl ShotResiduals<'_> {
     /// The residuals of each shot by itself at `x`, or why it has none.
     pub fn each(&self, x: &[f64]) -> Result<Vec<Result<Vec<f64>>>> {
         let moved = self.moved(x)?;
-        let of = |at: usize| {
-            let rows = self.of(&moved, at)?;
-            Ok(rows.into_iter().map(|(residual, _)| residual).collect())
-        };
-        Ok((0..self.shots.len()).into_par_iter().map(of).collect())
+        let of = |rows: Result<OfShot>| Ok(rows?.into_iter().map(|(residual, _)| residual).collect());
+        Ok(self.by_shot(&moved)?.into_iter().map(of).collect())
     }
 }
 

@@ -47,19 +47,26 @@ impl Continuity {
     }
 }
 
-/// The nearest change of the number of steps along `wrt[0]`, if there is one near by; derivatives are by all of `wrt`.
+/// The nearest change of the number of steps along `wrt[0]`, if there is one near by; derivatives are by all of `wrt`. Nothing once `goes_on` says
+/// so.
 ///
 /// # Errors
 /// As [`evaluate`].
-pub(super) fn continuity(setup: &Setup<f64>, of: &[Outcome], wrt: &[&'static Parameter]) -> Result<Vec<Continuity>> {
+pub(super) fn continuity(
+    setup: &Setup<f64>,
+    of: &[Outcome],
+    wrt: &[&'static Parameter],
+    goes_on: &dyn Fn() -> bool,
+) -> Result<Vec<Continuity>> {
     let Some(&parameter) = wrt.first() else { return Ok(vec![]) };
-    let Some([low, high]) = change(setup, parameter) else { return Ok(vec![]) };
+    let Some([low, high]) = change(setup, parameter, goes_on) else { return Ok(vec![]) };
     let spacing = SPACING * scale(setup, parameter);
     let neighbours = |from: f64, sign: f64| {
         let offsets = (0..NEIGHBOURS).map(|k| sign * spacing * k as f64);
         // at the end of a range there are none beyond it
         let offsets = offsets.filter(|offset| parameter.range.contains(from + offset));
         offsets
+            .take_while(|_| goes_on())
             .map(|offset| {
                 let value = from + offset;
                 let taylors = evaluate(&moved(setup, parameter, value)?, of, wrt, Order::Second)?;
@@ -68,6 +75,9 @@ pub(super) fn continuity(setup: &Setup<f64>, of: &[Outcome], wrt: &[&'static Par
             .collect::<Result<Vec<Vec<Taylor>>>>()
     };
     let (before, after) = (neighbours(low, -1.0)?, neighbours(high, 1.0)?);
+    if !goes_on() {
+        return Ok(vec![]);
+    }
     let steps = [low, high].map(|value| steps(setup, parameter, value).unwrap_or_default());
     let scales: Vec<f64> = wrt.iter().map(|parameter| scale(setup, parameter)).collect();
     let drive = Drive::new(setup)?;
@@ -142,12 +152,12 @@ fn steps(setup: &Setup<f64>, parameter: &'static Parameter, value: f64) -> Optio
     }
 }
 
-/// Adjacent values of the parameter, the lower first, that differ in the number of steps.
-fn change(setup: &Setup<f64>, parameter: &'static Parameter) -> Option<[f64; 2]> {
+/// Adjacent values of the parameter, the lower first, that differ in the number of steps; none is looked for once `goes_on` is false.
+fn change(setup: &Setup<f64>, parameter: &'static Parameter, goes_on: &dyn Fn() -> bool) -> Option<[f64; 2]> {
     let at = setup.value(parameter)?;
     let here = steps(setup, parameter, at)?;
     let spacing = 0.1 * scale(setup, parameter) / f64::from(LOOKED_AT);
-    for k in 1..=LOOKED_AT {
+    for k in (1..=LOOKED_AT).take_while(|_| goes_on()) {
         for sign in [1.0, -1.0] {
             let (mut same, mut other) = (at + sign * spacing * f64::from(k - 1), at + sign * spacing * f64::from(k));
             if steps(setup, parameter, other).is_none_or(|steps| steps == here) {

@@ -59,11 +59,16 @@ impl Convergence {
 
 /// How the outcomes of the flight, and their derivatives by `wrt`, converge with the step. A logarithmic wind is left out: it changes
 /// within centimetres of the ground, and no order shows at steps that are longer. Steps within which the spin fades show none either; where too few
-/// are left, nothing is measured.
+/// are left, nothing is measured, nor once `goes_on` is false.
 ///
 /// # Errors
 /// As [`jacobian`].
-pub(super) fn convergence(setup: &Setup<f64>, of: &[Outcome], wrt: &[&'static Parameter]) -> Result<Vec<Convergence>> {
+pub(super) fn convergence(
+    setup: &Setup<f64>,
+    of: &[Outcome],
+    wrt: &[&'static Parameter],
+    goes_on: &dyn Fn() -> bool,
+) -> Result<Vec<Convergence>> {
     if setup.wind.roughness.is_some() {
         return Ok(vec![]);
     }
@@ -76,7 +81,7 @@ pub(super) fn convergence(setup: &Setup<f64>, of: &[Outcome], wrt: &[&'static Pa
         setup.flight.step = time / (f64::from(steps) - 0.5);
         // too coarse a step may not follow the flight: an error at that step there is none
         let is_short = setup.flight.step <= 1.0 && setup.flight.step * fading <= 1.0;
-        let taylors = is_short.then(|| jacobian(&setup, of, wrt).ok()).flatten();
+        let taylors = (is_short && goes_on()).then(|| jacobian(&setup, of, wrt).ok()).flatten();
         taylors.map(|taylors| (setup.flight.step, taylors))
     };
     let (Some((_, reference)), Some((_, beside))) = (at(REFERENCE), at(BESIDE_THE_REFERENCE)) else {
@@ -88,7 +93,7 @@ pub(super) fn convergence(setup: &Setup<f64>, of: &[Outcome], wrt: &[&'static Pa
         .filter_map(|(level, flown)| Some((level, flown?)))
         .collect();
     let coarsest = flown.iter().map(|(level, _)| *level).min().unwrap_or(STEPS.len());
-    if coarsest + MEASURED > STEPS.len() {
+    if coarsest + MEASURED > STEPS.len() || !goes_on() {
         return Ok(vec![]);
     }
     let scales: Vec<f64> = wrt.iter().map(|parameter| scale(setup, parameter)).collect();

@@ -117,8 +117,8 @@ impl Certificate {
     }
 }
 
-/// Certifies the derivatives of some outcomes by some parameters, telling `progress` how many parameters of how many are done. It ends with what
-/// there is once `progress` says that it is not to go on.
+/// Certifies the derivatives of some outcomes by some parameters, telling `progress`, again and again, how many parameters of how many are done. It
+/// ends with what there is once `progress` says that it is not to go on: between any two drives.
 ///
 /// # Errors
 /// What [`evaluate`] refuses. Outcomes that the drive does not have are listed as missing; where it has none of them, the first says why.
@@ -147,9 +147,12 @@ pub fn certify(
         if is_stopped(done.load(Ordering::Relaxed)) {
             return Ok(vec![]);
         }
-        let rows = rows::rows(setup, &drive, &of, parameter, &slopes);
+        let is_stopped_now = || is_stopped(done.load(Ordering::Relaxed));
+        let Some(rows) = rows::rows(setup, &drive, &of, parameter, &slopes, &is_stopped_now)? else {
+            return Ok(vec![]);
+        };
         is_stopped(done.fetch_add(1, Ordering::Relaxed) + 1);
-        rows
+        Ok(rows)
     });
     let mut rows = by_parameter.collect::<Result<Vec<_>>>()?.concat();
     let planted = planted::planted(setup, &rows, LandingTerms::new(setup, wrt).as_ref());
@@ -163,8 +166,8 @@ pub fn certify(
     let goes_on = || is_smooth && !is_stopped(done);
     let pair = &wrt[..wrt.len().min(2)];
     let landing = if goes_on() { landing::at_landing(setup, wrt)? } else { vec![] };
-    let continuity = if goes_on() { continuity::continuity(setup, &flown, pair)? } else { vec![] };
-    let convergence = if goes_on() { convergence::convergence(setup, &flown, pair)? } else { vec![] };
+    let continuity = if goes_on() { continuity::continuity(setup, &flown, pair, &goes_on)? } else { vec![] };
+    let convergence = if goes_on() { convergence::convergence(setup, &flown, pair, &goes_on)? } else { vec![] };
     let step = if flown.is_empty() || is_stopped(done) { vec![] } else { step::step_errors(setup, &flown, wrt)? };
     let (is_interrupted, has_log_wind) = (stopped.load(Ordering::Relaxed), setup.wind.roughness.is_some());
     let why = |otherwise: &'static str| match (is_interrupted, has_corner, has_log_wind) {

@@ -42,8 +42,8 @@ pub(super) fn demand(setup: &Setup<f64>) -> Demand {
     if setup.wind.roughness.is_some() { Demand { least_bar: 1e-7, ..Demand::FIRST } } else { Demand::FIRST }
 }
 
-/// The rows of some outcomes of a drive by one parameter. `exact` are the outcomes' derivatives by it, as they come of the question that is
-/// certified.
+/// The rows of some outcomes of a drive by one parameter; `None` once `is_stopped` says so. `exact` are the outcomes' derivatives by it, as they
+/// come of the question that is certified.
 ///
 /// # Errors
 /// What [`Evaluator::new`] refuses. Where a drive around the setup has no outcome there is no sample.
@@ -53,7 +53,8 @@ pub(super) fn rows(
     of: &[Outcome],
     parameter: &'static Parameter,
     exact: &[f64],
-) -> Result<Vec<Row>> {
+    is_stopped: &dyn Fn() -> bool,
+) -> Result<Option<Vec<Row>>> {
     let (has_corners, is_without_spin) = (!drive.corners(setup).is_empty(), drive.is_without_spin());
     let judge = |of: Outcome, ladder: &Ladder, exact: f64| {
         let is_on_a_corner = has_corners || of == Outcome::Spin && is_without_spin;
@@ -65,22 +66,30 @@ pub(super) fn rows(
     let (values, gradients) = (evaluator(Order::Value)?, evaluator(Order::First)?);
     let curvatures = evaluate(setup, of, &[parameter], Order::Second).ok();
     let own: Vec<f64> = of.iter().map(|of| of.value(drive).unwrap_or_default()).collect();
-    let told = |taylors: Result<Vec<Taylor>>, f: &dyn Fn(usize, &Taylor) -> f64| {
-        taylors.map_or(vec![f64::NAN; of.len()], |all| all.iter().enumerate().map(|(i, taylor)| f(i, taylor)).collect())
+    let told = |evaluator: &Evaluator, x: f64, f: &dyn Fn(usize, &Taylor) -> f64| {
+        if is_stopped() {
+            return vec![];
+        }
+        evaluator
+            .at(&[x])
+            .map_or(vec![f64::NAN; of.len()], |all| all.iter().enumerate().map(|(i, taylor)| f(i, taylor)).collect())
     };
     let beside = |i: usize, taylor: &Taylor| of[i].beside(taylor.value, own[i]);
-    let of_values = Ladder::sample(at, scale, STEPS, |x| told(values.at(&[x]), &beside));
+    let of_values = Ladder::sample(at, scale, STEPS, |x| told(&values, x, &beside));
     let of_values: Vec<Ladder> =
         of_values.into_iter().zip(of).map(|(ladder, of)| ladder.rounded_as(size(*of, setup, drive))).collect();
     let curvature = |i: usize| curvatures.as_ref().map(|taylors| taylors[i].hessian[0][0]);
     let seconds = in_few_steps(
-        |steps| Ladder::sample(at, scale, steps, |x| told(gradients.at(&[x]), &|_, taylor| taylor.gradient[0])),
+        |steps| Ladder::sample(at, scale, steps, |x| told(&gradients, x, &|_, taylor| taylor.gradient[0])),
         |(i, gradients)| {
             let (size, rounded) = (of_values[i].size / scale, of_values[i].rounded / scale);
             curvature(i).map(|d| gradients.made_of(size).rounded_as(rounded).judge(d, Demand::SECOND))
         },
         |second| second.as_ref().is_some_and(Check::failed),
     );
+    if is_stopped() {
+        return Ok(None);
+    }
     let row = |(i, (ladder, second)): (usize, (Ladder, Option<Check>))| Row {
         of: of[i],
         parameter,
@@ -89,7 +98,7 @@ pub(super) fn rows(
         slopes: taylor_slopes(&ladder, exact[i], curvature(i).unwrap_or_default()),
         ladder,
     };
-    Ok(of_values.iter().cloned().zip(seconds).enumerate().map(row).collect())
+    Ok(Some(of_values.iter().cloned().zip(seconds).enumerate().map(row).collect()))
 }
 
 /// What is judged by the few steps that mostly suffice; where any of it fails by these, by all steps: an outcome may turn within the least of the few.

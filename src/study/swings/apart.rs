@@ -1,12 +1,14 @@
 use super::optimum::{SwingsOptimum, posed};
 use crate::derivative::Order;
 use crate::error::Result;
-use crate::optimize::{Status, minimize};
+use crate::optimize::{Observer, Status, minimize_observed};
 use crate::parameters::Setup;
 use crate::study::uncertainty::Interval;
 use rand_xoshiro::Xoshiro256PlusPlus;
 use rand_xoshiro::rand_core::{RngCore, SeedableRng};
 use rayon::prelude::*;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// What recorded swings tell of the best design: the same search over resamples of them (bootstrap).
 #[derive(Clone, Debug, PartialEq)]
@@ -33,19 +35,34 @@ pub struct Apart {
 /// z₀.₉₇₅ + z₀.₈.
 const POWER: f64 = 1.959_963_985 + 0.841_621_234;
 
-/// The optima of resamples; `None` where fewer than half of them came to one, or all swings are alike: they tell of no others.
+/// The optima of resamples; `None` where fewer than half of them came to one, or all swings are alike: they tell of no others; or where `stop`
+/// became true before the end.
 ///
 /// # Errors
 /// As [`swings_optimum`](super::swings_optimum).
-pub fn resampled(setup: &Setup<f64>, best: &SwingsOptimum, rounds: usize, seed: u64) -> Result<Option<Resampled>> {
+pub fn resampled(
+    setup: &Setup<f64>,
+    best: &SwingsOptimum,
+    rounds: usize,
+    seed: u64,
+    stop: &Arc<AtomicBool>,
+) -> Result<Option<Resampled>> {
     let points = &best.scenarios.points;
     if points.iter().all(|point| *point == points[0]) {
         return Ok(None);
     }
-    let problem = posed(setup, &best.search, best.scenarios.clone())?;
+    let is_stopped = || stop.load(Ordering::Relaxed);
+    let problem = match posed(setup, &best.search, best.scenarios.clone(), stop) {
+        Err(_) if is_stopped() => return Ok(None),
+        posed => posed?,
+    };
     let n = best.scenarios.points.len();
     let sign = best.search.sense.sign();
     let round = |stream: u64| {
+        if is_stopped() {
+            return None;
+        }
+        let observer = Observer { interrupt: Arc::clone(stop), ..Observer::default() };
         let mut random =
             Xoshiro256PlusPlus::seed_from_u64(seed.wrapping_add(stream.wrapping_mul(0x9e37_79b9_7f4a_7c15)));
         let mut weights = vec![0.0; n];
@@ -56,7 +73,8 @@ pub fn resampled(setup: &Setup<f64>, best: &SwingsOptimum, rounds: usize, seed: 
         let better = |x: &[f64]| problem.goals_at(x, &weights, Order::Value).ok().map(|goals| goals[0].value);
         let own = problem.as_set_up(&weights).ok().map(|goals| goals[0]);
         let gain = better(&best.solution.x).zip(own).map(|(best, own)| -sign * (best - own));
-        let found = minimize(&problem.weighted(weights), &problem.domain, &best.solution.x, &best.search.options);
+        let (weighted, domain, options) = (problem.weighted(weights), &problem.domain, &best.search.options);
+        let found = minimize_observed(&weighted, domain, &best.solution.x, options, observer);
         found.ok().filter(|found| found.status == Status::Converged).map(|found| (found.x, found.value, gain))
     };
     let found: Vec<_> = (0..rounds as u64).into_par_iter().filter_map(round).collect();
@@ -77,6 +95,9 @@ pub fn resampled(setup: &Setup<f64>, best: &SwingsOptimum, rounds: usize, seed: 
         let swings = (POWER / mean).powi(2) * variance * n as f64;
         Apart { better, swings: (mean > 0.0 && swings.is_finite()).then(|| swings.ceil() as u64) }
     });
+    if is_stopped() {
+        return Ok(None);
+    }
     Ok(Some(Resampled { design, goal, rounds: found.len(), apart }))
 }
 

@@ -7,31 +7,40 @@ use super::scenarios::Scenarios;
 use crate::drive::{Beyond, BeyondCount, BeyondShare, Drive, Looked, Outcome};
 use crate::parameters::Setup;
 use crate::study::problem::moved;
+use crate::study::stoppable::{NOT_LOOKED_AT, each_until};
 use crate::units::Message;
-use rayon::prelude::*;
+use std::sync::atomic::AtomicBool;
 
-/// Which shares of the swings lie beyond with the design of a setup; those that do not land are not among them.
-pub fn beyond_share(setup: &Setup<f64>, scenarios: &Scenarios, of: &[Outcome]) -> BeyondShare {
+/// Which shares of the swings lie beyond with the design of a setup; those that do not land are not among them. `None` once `stop` is true.
+pub fn beyond_share(
+    setup: &Setup<f64>,
+    scenarios: &Scenarios,
+    of: &[Outcome],
+    stop: &AtomicBool,
+) -> Option<BeyondShare> {
     let looked_at = |point: &Vec<f64>| {
         let setup = moved(setup, &scenarios.parameters, point).ok()?;
         let drive = Drive::new(&setup).ok()?;
         drive.landed().is_ok().then(|| drive.beyond(&setup, Looked::AtFlight, of))
     };
-    let drives: Vec<Option<Beyond>> = scenarios.points.par_iter().map(looked_at).collect();
+    let drives: Vec<Option<Beyond>> = each_until(&scenarios.points, stop, looked_at)?;
     let mut share = BeyondShare::default();
     for (drive, weight) in drives.into_iter().zip(&scenarios.weights) {
         share.add(drive.unwrap_or_default(), *weight);
     }
-    share
+    Some(share)
 }
 
 /// What deserves a word about a setup and its drives: of one drive as [`Drive::warnings_about`], of many swings with their share.
-fn warnings(setup: &Setup<f64>, scenarios: &Scenarios, of: &[Outcome]) -> Vec<Message> {
+fn warnings(setup: &Setup<f64>, scenarios: &Scenarios, of: &[Outcome], stop: &AtomicBool) -> Vec<Message> {
     if scenarios.is_one_drive() {
         return Drive::new(setup).map_or_else(|_| setup.warnings(), |drive| drive.warnings_about(setup, of));
     }
     let mut warnings = setup.warnings();
-    warnings.extend(beyond_share(setup, scenarios, of).warnings(&setup.law, "the swings"));
+    match beyond_share(setup, scenarios, of, stop) {
+        Some(share) => warnings.extend(share.warnings(&setup.law, "the swings")),
+        None => warnings.push(NOT_LOOKED_AT.into()),
+    }
     warnings
 }
 
@@ -44,28 +53,29 @@ impl SwingsSearch {
 }
 
 impl SwingsOptimum {
-    /// What deserves a word about the setup with the best design, and about its drives; without an optimum about the setup alone.
-    pub fn warnings(&self) -> Vec<Message> {
+    /// What deserves a word about the setup with the best design, and about its drives; without an optimum about the setup alone. Once `stop` is
+    /// true, that many swings were not looked at.
+    pub fn warnings(&self, stop: &AtomicBool) -> Vec<Message> {
         match self.solution.value {
-            Some(_) => warnings(&self.setup, &self.scenarios, &self.search.outcomes()),
+            Some(_) => warnings(&self.setup, &self.scenarios, &self.search.outcomes(), stop),
             None => self.setup.warnings(),
         }
     }
 }
 
 impl Robust {
-    /// What deserves a word about the setup with the design, and about its drives with each model.
-    pub fn warnings(&self) -> Vec<Message> {
+    /// What deserves a word about the setup with the design, and about its drives with each model; of many swings until `stop` is true.
+    pub fn warnings(&self, stop: &AtomicBool) -> Vec<Message> {
         let of = self.search.outcomes();
         let mut all: Vec<Message> = vec![];
         for (model, best) in &self.models {
             let design: Vec<_> = self.search.vary.iter().map(|vary| vary.parameter).collect();
             let Ok(setup) = moved(&model.setup, &design, &self.design) else { continue };
-            let told = warnings(&setup, &best.scenarios, &of);
+            let told = warnings(&setup, &best.scenarios, &of, stop);
             let of_setup = setup.warnings();
             for message in told {
-                // what is odd in the setup is so with every model
-                let message = match of_setup.contains(&message) {
+                // what is odd in the setup is so with every model, and so is what was left out
+                let message = match of_setup.contains(&message) || message == NOT_LOOKED_AT.into() {
                     true => message,
                     false => Message::from(format!("with the model '{}': ", model.name)).message(message),
                 };
@@ -79,8 +89,8 @@ impl Robust {
 }
 
 impl Pareto {
-    /// What deserves a word about the drives of the compromises: at how many of them.
-    pub fn warnings(&self) -> Vec<Message> {
+    /// What deserves a word about the drives of the compromises: at how many of them. Nothing once `stop` is true, but that it was not looked at.
+    pub fn warnings(&self, stop: &AtomicBool) -> Vec<Message> {
         let Some(first) = self.points.first() else { return vec![] };
         let goals = self.search.goals.iter().map(|(goal, _)| goal);
         let of: Vec<_> = goals
@@ -89,7 +99,10 @@ impl Pareto {
             .collect();
         let mut count = BeyondCount::default();
         for point in &self.points {
-            count.add(beyond_share(&point.setup, &self.scenarios, &of).worth_a_word());
+            let Some(share) = beyond_share(&point.setup, &self.scenarios, &of, stop) else {
+                return vec![NOT_LOOKED_AT.into()];
+            };
+            count.add(share.worth_a_word());
         }
         let what = match self.scenarios.is_one_drive() {
             true => ["point of the front", "points of the front"],

@@ -5,6 +5,8 @@ use crate::derivative::{Order, Taylor};
 use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup, Vary};
 use crate::study::Sense;
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 
 /// A goal over swings as a function of some parameters of the design, with as many derivatives as are asked for: for optimizers that take
 /// functions. The drives are integrated as the setup says.
@@ -39,7 +41,7 @@ impl GoalFunction {
         let whole =
             |parameter: &&'static Parameter| Vary { parameter, low: parameter.range.low, high: parameter.range.high };
         let vary: Vec<Vary> = wrt.iter().map(whole).collect();
-        let problem = SwingsProblem::new(setup, (goal, Sense::Minimize), &[], &vary, scenarios)?;
+        let problem = SwingsProblem::new(setup, (goal, Sense::Minimize), &[], &vary, scenarios, &Arc::default())?;
         Ok(Self { problem, wrt: wrt.to_vec() })
     }
 
@@ -56,11 +58,22 @@ impl GoalFunction {
     /// # Panics
     /// Where there are not as many values as parameters.
     pub fn at(&self, x: &[f64], order: Order) -> Result<Taylor> {
+        self.at_until(x, order, &AtomicBool::new(false))
+    }
+
+    /// The same; once `stop` is true no more drives are hit.
+    ///
+    /// # Errors
+    /// As [`at`](Self::at); [`Error::NotConverged`], with the status `interrupted`, where it is stopped.
+    ///
+    /// # Panics
+    /// As [`at`](Self::at).
+    pub fn at_until(&self, x: &[f64], order: Order, stop: &AtomicBool) -> Result<Taylor> {
         assert_eq!(x.len(), self.wrt.len(), "a value for each parameter");
         for (parameter, value) in self.wrt.iter().zip(x) {
             parameter.check(*value)?;
         }
-        let goals = self.problem.goals_at(x, &self.problem.scenarios().weights, order)?;
+        let goals = self.problem.goals_until(x, &self.problem.scenarios().weights, order, stop)?;
         goals.into_iter().next().ok_or(Error::Nothing { doing: "look for", what: "goal" })
     }
 }

@@ -6,7 +6,10 @@ use crate::optimize::{Domain, Follow, Local, Options, Problem, Solution, Status,
 use crate::parameters::{Setup, Vary};
 use crate::study::Sense;
 use crate::study::optimum::stopped_of;
+use crate::study::stoppable::stopped;
 use crate::units::Quantity;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// What to look for over many swings.
 #[derive(Clone, Debug)]
@@ -38,7 +41,8 @@ pub struct SwingsOptimum {
     pub setup: Setup<f64>,
     /// The goals over the swings with the setup's own design: the objective, then what is limited; `None` where a swing does not fly.
     pub as_set_up: Option<Vec<f64>>,
-    /// The share of the swings whose ball ends at the optimum where the table of strokes does not reach, and is continued straight.
+    /// The share of the swings whose ball ends at the optimum where the table of strokes does not reach, and is continued straight; `None` too
+    /// where the search was stopped.
     pub beyond_strokes: Option<f64>,
 }
 
@@ -87,6 +91,9 @@ impl SwingsOptimum {
                 format!("no design was found with which every swing flies; at the start: {why}")
             }
             Status::Infeasible => violated(&self.search.subject_to, &self.solution),
+            Status::Interrupted if self.solution.value.is_none() => {
+                "stopped before a design was found with which every swing flies".into()
+            }
             Status::Converged if self.is_flat() => {
                 format!(
                     "{} does not depend on what is varied here: every design is equally good",
@@ -197,7 +204,7 @@ pub(super) fn violated(limits: &[GoalLimit], found: &Solution) -> String {
 ///
 /// # Errors
 /// [`Error::Nothing`] where nothing is varied; [`Error::SearchRange`] for a parameter that is varied twice, or that the swings have values
-/// of; what [`Setup::validate`] refuses.
+/// of; what [`Setup::validate`] refuses; [`Error::NotConverged`] where it is stopped before the search begins.
 pub fn swings_optimum(
     setup: &Setup<f64>,
     search: SwingsSearch,
@@ -218,14 +225,20 @@ pub fn swings_optima(
     count: usize,
     follow: &Follow,
 ) -> Result<SwingsOptimum> {
-    let problem = posed(setup, &search, scenarios)?;
+    let problem = posed(setup, &search, scenarios, &follow.interrupt)?;
     let starts = starts(&problem.domain, &problem.start(), count.max(1))?;
+    let is_stopped = || follow.interrupt.load(Ordering::Relaxed);
+    let as_set_up = problem.as_set_up(&problem.scenarios().weights).ok();
+    if as_set_up.is_none() && is_stopped() {
+        return Err(stopped("the search began"));
+    }
     let locals = minimize_from(&problem, &problem.domain, &starts, &search.options, follow)?;
     let best = locals.first().ok_or(Error::Nothing { doing: "search from", what: "start" })?;
     let solution = best.solution.clone();
-    let as_set_up = problem.as_set_up(&problem.scenarios().weights).ok();
     let beyond_strokes = match solution.value {
-        Some(_) => problem.beyond_strokes(&solution.x)?,
+        Some(_) => {
+            problem.beyond_strokes(&solution.x).or_else(|error| if is_stopped() { Ok(None) } else { Err(error) })?
+        }
         None => None,
     };
     let setup = problem.moved(&solution.x)?;
@@ -243,14 +256,19 @@ pub fn swings_problem(
     search: &SwingsSearch,
     scenarios: Scenarios,
 ) -> Result<(impl Problem + use<>, Domain, Vec<f64>)> {
-    let problem = posed(setup, search, scenarios)?;
+    let problem = posed(setup, search, scenarios, &Arc::default())?;
     let (domain, start) = (problem.domain.clone(), problem.start());
     let start = domain.variables.project(&start);
     Ok((problem, domain, start))
 }
 
-/// The search as a problem, if it makes sense.
-pub(super) fn posed(setup: &Setup<f64>, search: &SwingsSearch, scenarios: Scenarios) -> Result<SwingsProblem> {
+/// The search as a problem, if it makes sense; it fails once `stop` is true.
+pub(super) fn posed(
+    setup: &Setup<f64>,
+    search: &SwingsSearch,
+    scenarios: Scenarios,
+    stop: &Arc<AtomicBool>,
+) -> Result<SwingsProblem> {
     if search.vary.iter().all(|vary| vary.low == vary.high) {
         return Err(Error::Nothing { doing: "vary", what: "parameter" });
     }
@@ -260,16 +278,22 @@ pub(super) fn posed(setup: &Setup<f64>, search: &SwingsSearch, scenarios: Scenar
             return Err(Error::SearchRange { name: vary.parameter.name.into(), reason });
         }
     }
-    SwingsProblem::new(setup, (&search.of, search.sense), &search.subject_to, &search.vary, scenarios)
+    SwingsProblem::new(setup, (&search.of, search.sense), &search.subject_to, &search.vary, scenarios, stop)
 }
 
-/// Some goals over the swings with a setup's own design, each SI; `None` where a swing does not fly.
+/// Some goals over the swings with a setup's own design, each SI; `None` where a swing does not fly, or once `stop` is true.
 ///
 /// # Errors
 /// As [`swings_optimum`].
-pub fn goals_of(setup: &Setup<f64>, goals: &[Goal], vary: &[Vary], scenarios: &Scenarios) -> Result<Option<Vec<f64>>> {
+pub fn goals_of(
+    setup: &Setup<f64>,
+    goals: &[Goal],
+    vary: &[Vary],
+    scenarios: &Scenarios,
+    stop: &Arc<AtomicBool>,
+) -> Result<Option<Vec<f64>>> {
     let one = |goal: &Goal| {
-        let problem = SwingsProblem::new(setup, (goal, Sense::Maximize), &[], vary, scenarios.clone())?;
+        let problem = SwingsProblem::new(setup, (goal, Sense::Maximize), &[], vary, scenarios.clone(), stop)?;
         Ok(problem.as_set_up(&scenarios.weights).ok().map(|values| values[0]))
     };
     let found = goals.iter().map(one).collect::<Result<Vec<_>>>()?;

@@ -6,7 +6,9 @@ use crate::optimize::front::{Front, FrontEvent, FrontPoint, NoFront, front};
 use crate::optimize::sensitivity::Held;
 use crate::optimize::{Evaluation, Follow, Options, Problem, Status};
 use crate::parameters::{Setup, Vary};
+use crate::study::stoppable::stopped;
 use crate::study::{Active, ChartEvent, Sense};
+use std::sync::atomic::Ordering;
 
 /// Two goals to be weighed against each other.
 #[derive(Clone, Debug)]
@@ -104,7 +106,11 @@ pub fn pareto(setup: &Setup<f64>, search: ParetoSearch, scenarios: Scenarios, fo
     let limits = search.subject_to.iter().cloned().chain([GoalLimit { expression, goal: second, low, high }]);
     let (vary, options) = (search.vary.clone(), search.options.clone());
     let alone = SwingsSearch { of: first, sense, vary, subject_to: limits.collect(), options };
-    let problem = posed(setup, &alone, scenarios)?;
+    let problem = posed(setup, &alone, scenarios, &follow.interrupt)?;
+    let own = problem.as_set_up(&problem.scenarios().weights);
+    if own.is_err() && follow.interrupt.load(Ordering::Relaxed) {
+        return Err(stopped("the search began"));
+    }
     let minimised = |x: &[f64]| {
         let Evaluation { objective, mut constraints } = problem.evaluate(x)?;
         if against == Sense::Maximize {
@@ -141,8 +147,7 @@ pub fn pareto(setup: &Setup<f64>, search: ParetoSearch, scenarios: Scenarios, fo
         })
     };
     let points = points.into_iter().map(point).collect::<Result<Vec<_>>>()?;
-    let own = problem.as_set_up(&problem.scenarios().weights).ok();
-    let as_set_up = own.and_then(|values| Some([*values.first()?, *values.last()?]));
+    let as_set_up = own.ok().and_then(|values| Some([*values.first()?, *values.last()?]));
     let scenarios = problem.scenarios().clone();
     Ok(Pareto { search, scenarios, points, knee, bend, as_set_up, dominated, ended, interrupted })
 }

@@ -4,10 +4,11 @@ use super::optimum::{SwingsOptimum, posed};
 use super::read::Goal;
 use super::scenarios::Scenarios;
 use crate::error::Result;
-use crate::optimize::minimize;
+use crate::optimize::{Observer, minimize_observed};
 use crate::parameters::Setup;
 use crate::study::uncertainty::Interval;
 use statrs::distribution::{ContinuousCDF, StudentsT};
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// What it costs to ignore that swings vary.
@@ -51,7 +52,7 @@ const SEQUENCES: u32 = 8;
 /// # Errors
 /// As [`swings_optimum`](super::swings_optimum).
 pub fn price(setup: &Setup<f64>, swings: &Swings, best: &SwingsOptimum) -> Result<Price> {
-    computed(setup, swings, best, &|| true)
+    computed(setup, swings, best, &Arc::default())
 }
 
 /// The same; nothing where `stop` became true before all of it was known.
@@ -62,24 +63,24 @@ pub fn price_until(
     setup: &Setup<f64>,
     swings: &Swings,
     best: &SwingsOptimum,
-    stop: &AtomicBool,
+    stop: &Arc<AtomicBool>,
 ) -> Result<Option<Price>> {
-    let goes_on = || !stop.load(Ordering::Relaxed);
-    let found = computed(setup, swings, best, &goes_on)?;
-    Ok(goes_on().then_some(found))
+    let found = computed(setup, swings, best, stop);
+    if stop.load(Ordering::Relaxed) { Ok(None) } else { found.map(Some) }
 }
 
-/// The price; once `goes_on` is false, without what takes long.
-fn computed(setup: &Setup<f64>, swings: &Swings, best: &SwingsOptimum, goes_on: &dyn Fn() -> bool) -> Result<Price> {
+/// The price; of no use once `stop` is true.
+fn computed(setup: &Setup<f64>, swings: &Swings, best: &SwingsOptimum, stop: &Arc<AtomicBool>) -> Result<Price> {
     let search = &best.search;
-    let alone = posed(setup, search, Scenarios::mean(swings))?;
-    let design = minimize(&alone, &alone.domain, &alone.start(), &search.options)?.x;
-    let kept = if goes_on() { posed(setup, search, best.scenarios.clone())?.values(&design).ok() } else { None };
+    let alone = posed(setup, search, Scenarios::mean(swings), stop)?;
+    let observer = Observer { interrupt: Arc::clone(stop), ..Observer::default() };
+    let design = minimize_observed(&alone, &alone.domain, &alone.start(), &search.options, observer)?.x;
+    let kept = posed(setup, search, best.scenarios.clone(), stop)?.values(&design).ok();
     let nominal = alone.values(&design).map(|promised| Nominal { design, promised, kept });
     let nominal = nominal.map_err(|error| error.to_string());
-    let others = (0..SEQUENCES).map_while(|round| best.scenarios.rule.other(round).filter(|_| goes_on()));
+    let others = (0..SEQUENCES).map_while(|round| best.scenarios.rule.other(round));
     let others = others.map(|rule| {
-        let problem = posed(setup, search, Scenarios::new(swings, rule)?)?;
+        let problem = posed(setup, search, Scenarios::new(swings, rule)?, stop)?;
         Ok(problem.values(&best.solution.x)?[0])
     });
     let others = others.collect::<Result<Vec<f64>>>();

@@ -9,7 +9,9 @@ use crate::optimize::{Domain, Evaluation, Problem};
 use crate::parameters::{Parameter, Setup, Vary};
 use crate::study::Sense;
 use crate::study::problem::{moved, values};
-use rayon::prelude::*;
+use crate::study::stoppable::{each_until, stopped, stopped_before};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Goals as functions of what is varied: every scenario is hit and flown with exact derivatives, and the goals are made of them.
 pub(super) struct SwingsProblem {
@@ -24,18 +26,22 @@ pub(super) struct SwingsProblem {
     sense: Sense,
     /// A question for each scenario.
     drives: Vec<Evaluator>,
+    /// Once it is true, no more drives are hit, and what needs them fails.
+    stop: Arc<AtomicBool>,
     pub domain: Domain,
 }
 
 impl SwingsProblem {
     /// # Errors
-    /// [`Error::Unreadable`] for a parameter that is both varied and distributed; what [`Evaluator::new`] refuses.
+    /// [`Error::Unreadable`] for a parameter that is both varied and distributed; what [`Evaluator::new`] refuses; [`Error::NotConverged`] once
+    /// `stop` is true.
     pub fn new(
         setup: &Setup<f64>,
         (objective, sense): (&Goal, Sense),
         limits: &[GoalLimit],
         vary: &[Vary],
         scenarios: Scenarios,
+        stop: &Arc<AtomicBool>,
     ) -> Result<Self> {
         for vary in vary {
             if scenarios.parameters.contains(&vary.parameter) {
@@ -68,7 +74,8 @@ impl SwingsProblem {
         }
         let (set_up, setup) = (*setup, Vary::begun(setup, vary)?);
         let vary: Vec<_> = vary.iter().map(|vary| vary.parameter).collect();
-        let mut problem = Self { set_up, setup, vary, scenarios, of, goals, sense, drives: vec![], domain };
+        let stop = Arc::clone(stop);
+        let mut problem = Self { set_up, setup, vary, scenarios, of, goals, sense, drives: vec![], stop, domain };
         problem.drives = problem.evaluators(&problem.setup, &problem.vary, Order::Second)?;
         Ok(problem)
     }
@@ -76,9 +83,9 @@ impl SwingsProblem {
     /// A question for each scenario of a setup. Of several mistakes always the first is told.
     fn evaluators(&self, setup: &Setup<f64>, wrt: &[&'static Parameter], order: Order) -> Result<Vec<Evaluator>> {
         let swung = |point: &Vec<f64>| moved(setup, &self.scenarios.parameters, point);
-        let points = self.scenarios.points.par_iter();
-        let all = points.map(|point| Evaluator::new(&swung(point)?, &self.of, wrt, order));
-        all.collect::<Vec<Result<_>>>().into_iter().collect()
+        let of = |point: &Vec<f64>| Evaluator::new(&swung(point)?, &self.of, wrt, order);
+        let all = each_until(&self.scenarios.points, &self.stop, of);
+        all.ok_or_else(|| stopped("all swings were set up"))?.into_iter().collect()
     }
 
     /// Where the search begins: the setup's own values of what is varied, and the middle of the range of what has none.
@@ -92,12 +99,21 @@ impl SwingsProblem {
     }
 
     /// The outcomes of every scenario, with derivatives to an order.
-    fn flown(&self, drives: &[Evaluator], x: &[f64], order: Order) -> std::result::Result<Vec<Vec<Taylor>>, String> {
+    fn flown(
+        &self,
+        drives: &[Evaluator],
+        x: &[f64],
+        order: Order,
+        stop: &AtomicBool,
+    ) -> std::result::Result<Vec<Vec<Taylor>>, String> {
         // in the order of the scenarios, whichever thread flies them: sums are the same to the last bit, and of several swings that do not
         // fly always the first is named
-        let flown = drives.par_iter().map(|drive| drive.at_order(x, order));
-        let flown = flown.collect::<Vec<Result<_>>>().into_iter().zip(&self.scenarios.points);
-        flown.map(|(drive, point)| drive.map_err(|error| format!("{}{error}", self.named(point)))).collect()
+        let flown = each_until(drives, stop, |drive| drive.at_order(x, order));
+        let flown = flown.ok_or_else(|| stopped_before("all swings were flown"))?.into_iter();
+        flown
+            .zip(&self.scenarios.points)
+            .map(|(drive, point)| drive.map_err(|error| format!("{}{error}", self.named(point))))
+            .collect()
     }
 
     /// A scenario in words before what is said of it; one drive alone needs none.
@@ -160,7 +176,7 @@ impl SwingsProblem {
     /// The values of the goals at `x`: the objective, then what is limited.
     ///
     /// # Errors
-    /// Where a swing does not fly.
+    /// Where a swing does not fly, or the work is stopped.
     pub fn values(&self, x: &[f64]) -> Result<Vec<f64>> {
         let weights = &self.scenarios.weights;
         Ok(self.goals_at(x, weights, Order::Value)?.into_iter().map(|goal| goal.value).collect())
@@ -169,24 +185,37 @@ impl SwingsProblem {
     /// The values of the goals with the design as set up, in which a parameter that has no value is left without.
     ///
     /// # Errors
-    /// Where a swing does not fly.
+    /// Where a swing does not fly, or the work is stopped.
     pub fn as_set_up(&self, weights: &[f64]) -> Result<Vec<f64>> {
         let drives = self.evaluators(&self.set_up, &[], Order::Value)?;
         let own = |parameter: &&'static Parameter| {
             self.set_up.value(parameter).or_else(|| parameter.value_unset()).unwrap_or(f64::NAN)
         };
         let own: Vec<f64> = self.vary.iter().map(own).collect();
-        let flown =
-            self.flown(&drives, &[], Order::Value).map_err(|reason| Error::NoFlight { reason: reason.into() })?;
+        let flown = self
+            .flown(&drives, &[], Order::Value, &self.stop)
+            .map_err(|reason| Error::NoFlight { reason: reason.into() })?;
         Ok(self.measured(&own, &flown, weights).into_iter().map(|goal| goal.value).collect())
     }
 
     /// The goals at `x` with other weights of the scenarios and derivatives to an order: the objective, then what is limited.
     ///
     /// # Errors
-    /// Where a swing does not fly.
+    /// Where a swing does not fly, or the work is stopped.
     pub fn goals_at(&self, x: &[f64], weights: &[f64], order: Order) -> Result<Vec<Taylor>> {
-        let flown = self.flown(&self.drives, x, order).map_err(|reason| Error::NoFlight { reason: reason.into() })?;
+        self.goals_until(x, weights, order, &self.stop)
+    }
+
+    /// The same until this flag is true.
+    ///
+    /// # Errors
+    /// As [`goals_at`](Self::goals_at).
+    pub fn goals_until(&self, x: &[f64], weights: &[f64], order: Order, stop: &AtomicBool) -> Result<Vec<Taylor>> {
+        let flown = self.flown(&self.drives, x, order, stop);
+        let flown = flown.map_err(|reason| match stop.load(Ordering::Relaxed) {
+            true => stopped("all swings were flown"),
+            false => Error::NoFlight { reason: reason.into() },
+        })?;
         Ok(self.measured(x, &flown, weights))
     }
 
@@ -199,7 +228,7 @@ impl SwingsProblem {
         if tables.is_empty() {
             return Ok(None);
         }
-        let flown = self.flown(&self.drives, x, Order::Value);
+        let flown = self.flown(&self.drives, x, Order::Value, &self.stop);
         let flown = flown.map_err(|reason| Error::NoFlight { reason: reason.into() })?;
         let value = |outcomes: &[Taylor], of: Outcome| {
             self.of.iter().position(|it| *it == of).map_or(f64::NAN, |place| outcomes[place].value)
@@ -224,7 +253,7 @@ impl SwingsProblem {
     }
 
     fn evaluated(&self, x: &[f64], weights: &[f64]) -> std::result::Result<Evaluation, String> {
-        let mut goals = self.measured(x, &self.flown(&self.drives, x, Order::Second)?, weights);
+        let mut goals = self.measured(x, &self.flown(&self.drives, x, Order::Second, &self.stop)?, weights);
         let constraints = goals.split_off(1);
         let objective = goals.pop().unwrap_or_default();
         let objective = if self.sense == Sense::Maximize { objective.negated() } else { objective };

@@ -7,6 +7,8 @@ use crate::number::Taylor;
 use crate::optimize::{Bounds, Domain, Evaluation, Follow, Problem, Solution, Status, minimize_from, starts};
 use crate::parameters::{LAW, Setup};
 use crate::study::optimum::stopped_of;
+use crate::study::stoppable::stopped;
+use std::sync::atomic::Ordering;
 
 /// One of several ways in which drives may be computed: the setup with some changes.
 #[derive(Clone, Debug)]
@@ -126,7 +128,8 @@ impl Robust {
 /// starts: the setup's own design and others spread evenly over the ranges; that for t also from the best design of each model and their mean.
 ///
 /// # Errors
-/// [`Error::Unreadable`] for fewer than two models; [`Error::NotConverged`] where the best design of a model is not found; as
+/// [`Error::Unreadable`] for fewer than two models; [`Error::NotConverged`] where the best design of a model is not found, or the search for
+/// all of them is stopped before it has begun; as
 /// [`swings_optima`].
 pub fn robust(
     models: Vec<Model>,
@@ -153,7 +156,7 @@ pub fn robust(
         }
         found.push((model, best));
     }
-    let problems = found.iter().map(|(model, _)| posed(&model.setup, &search, scenarios.clone()));
+    let problems = found.iter().map(|(model, _)| posed(&model.setup, &search, scenarios.clone(), &follow.interrupt));
     let problems = problems.collect::<Result<Vec<_>>>()?;
     let least: Vec<f64> = found.iter().map(|(_, best)| best.solution.value.unwrap_or(f64::NAN)).collect();
     let sign = search.sense.sign();
@@ -174,9 +177,14 @@ pub fn robust(
         Some(x.iter().copied().chain([greatest + greatest.max(0.1 * unit)]).collect::<Vec<_>>())
     });
     let starts: Vec<_> = starts.collect();
-    if starts.is_empty() {
+    if starts.is_empty() && !follow.interrupt.load(Ordering::Relaxed) {
         let message = "with the best design of each model some swing of another does not fly; vary less".into();
         return Err(Error::NotConverged { status: "no-flight", message });
+    }
+    let own = |k: usize| problems[k].as_set_up(&scenarios.weights).ok();
+    let as_set_up = (0..problems.len()).map(|k| rival(k, &own(k)?)).collect();
+    if follow.interrupt.load(Ordering::Relaxed) {
+        return Err(stopped("the search for one design for all models began"));
     }
     let greatest = GreatestLoss { problems: &problems, least: &least };
     let ends = minimize_from(&greatest, &greatest.domain()?, &starts, &search.options, follow)?;
@@ -184,12 +192,16 @@ pub fn robust(
         ends.iter().filter(|end| end.solution.status == Status::Interrupted).map(|end| end.starts.len()).sum();
     let searches = starts.len();
     let solution = ends.into_iter().next().ok_or(Error::Nothing { doing: "search from", what: "start" })?.solution;
+    if solution.value.is_none() {
+        let message = solution.message.into();
+        return Err(Error::NotConverged { status: solution.status.name(), message });
+    }
     let design = solution.x[..search.vary.len()].to_vec();
-    let losses = (0..problems.len()).map(|k| loss(k, &design).unwrap_or(f64::NAN)).collect();
+    // each model's first constraint is its loss less t
     let each = 1 + search.subject_to.len();
-    let shares = solution.constraints.iter().step_by(each).map(|constrained| constrained.multiplier.max(0.0)).collect();
-    let own = |k: usize| problems[k].as_set_up(&scenarios.weights).ok();
-    let as_set_up = (0..problems.len()).map(|k| rival(k, &own(k)?)).collect();
+    let of_models = || solution.constraints.iter().step_by(each);
+    let losses = of_models().map(|constrained| constrained.value + solution.x[search.vary.len()]).collect();
+    let shares = of_models().map(|constrained| constrained.multiplier.max(0.0)).collect();
     let setup = problems[0].moved(&design)?;
     Ok(Robust { search, models: found, matrix, solution, design, setup, losses, shares, as_set_up, searches, stopped })
 }

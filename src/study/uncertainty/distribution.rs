@@ -185,6 +185,10 @@ impl Uncertain {
         let (name, rest) = text.split_once('=').ok_or_else(|| unreadable(how.into()))?;
         let parameter = setup.column(name.trim())?;
         let (kind, rest) = rest.split_once('(').ok_or_else(|| unreadable(how.into()))?;
+        if let Some((_, next)) = rest.split_once(')').filter(|(_, next)| next.contains('=')) {
+            let next = next.trim_matches([',', ';', ' ']);
+            return Err(unreadable(format!("it has a second distribution, {next}; give each by itself").into()));
+        }
         let inside = rest.trim().strip_suffix(')').ok_or_else(|| unreadable("the closing ) is missing".into()))?;
         // the second number of a normal distribution is a difference
         let is_difference = |at: usize| matches!(kind.trim(), "normal" | "truncated") && at == 1;
