@@ -12,6 +12,7 @@ const PENNER: &str = "Penner (2002)";
 const ROLLING: &str = "Penner (2001)";
 const FIRM: &str = "chosen beside TrackMan's chart of 2010: runs of its 60 drives within 6 yd (rms), docs/sources.md";
 const SOFT: &str = "assumed, so that a drive of the PGA tour runs 10 yd, as FlightScope has it, docs/sources.md";
+const SOFT_ROLLING: &str = "assumed: half as much again as Penner (2001) fits on a fairway, docs/sources.md";
 const EMBEDS: &str = "the ball embeds";
 
 /// The kinds of ground. None of them is measured: a run is known to 10 yd at best.
@@ -42,8 +43,8 @@ pub static TURFS: &[Preset] = &[
         entries: &[
             entry("ground.restitution", "0.4", SOFT),
             entry("ground.friction", "0.4", PENNER),
-            entry("ground.compliance", "27 deg", SOFT),
-            entry("ground.rolling", "1", ROLLING),
+            entry("ground.compliance", "26 deg", SOFT),
+            entry("ground.rolling", "1.5", SOFT_ROLLING),
         ],
     },
     Preset {

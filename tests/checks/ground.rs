@@ -272,6 +272,14 @@ fn published_runs_of_launch_monitors() {
         println!("{turf}: bias {bias:.1} yd, rms {rms:.1} yd of {} drives", off.len());
         assert!(off.len() == 60 && (low..high).contains(&bias) && rms < most, "{turf}: {bias} {rms}");
     }
+    // a ball that lands at 4 to 60° runs no farther on softer ground
+    for speed in ["120 mph", "150 mph", "170 mph"] {
+        for angle in [2, 4, 6, 8, 10, 12, 15, 20, 30, 40] {
+            let runs = ["firm", "average", "soft"]
+                .map(|turf| run(turf, [speed.into(), format!("{angle} deg"), "2400 rpm".into()]));
+            assert!(runs.is_sorted_by(|a, b| a >= b), "{speed}, {angle}°: {runs:?}");
+        }
+    }
     let tour = || ["171 mph".to_owned(), "10.4 deg".to_owned(), "2545 rpm".to_owned()];
     for (turf, low, high) in [("soft", 9.0, 11.5), ("average", 20.0, 27.0), ("firm", 28.0, 34.0), ("wet", 0.0, 1e-9)] {
         let run = run(turf, tour());
