@@ -15,7 +15,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
-/// How long work that was told to end may take to answer with what it has so far: an iteration over many swings takes a second.
+/// How long work that was told to end may take to answer with what it has so far: it stops between two drives, and one alone may take long.
 const LAST_WORDS: Duration = Duration::from_secs(2);
 
 /// A program in Python, as the host of a command.

@@ -209,3 +209,12 @@ def test_exact_a_data_frame_of_a_table_has_its_columns() -> None:
         pandas.DataFrame(TABLE)
     frame = pandas.DataFrame(dict(TABLE))
     assert list(frame) == TABLE.keys() and (frame["carry"].to_numpy() == TABLE["carry"]).all()
+
+
+def test_rows_without_any_value_are_left_out_of_deliveries_and_named() -> None:
+    shots = {"ball_speed [mph]": [150.0, np.nan, 155.0], "launch_angle [deg]": [12.0, np.nan, 12.5], "spin [rpm]": [2600.0, np.nan, 2550.0]}
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        found = longdrive.delivery("modern-driver", shots=shots)
+    assert any("rows left out" in text and "row 2 (nothing is measured)" in text for text in found.warnings)
+    assert len(caught) == 1 and found.warnings[0] in str(caught[0].message)

@@ -42,7 +42,10 @@ pub fn run(args: &DeliveryArgs) -> Result<Answer> {
                 &given,
                 &format!("every row of {} has a value of its own", table.file),
             )?;
-            table.remarks.iter().for_each(|remark| tell(&remark.in_units(system())));
+            warn(&table.warnings);
+            warnings.extend(table.warnings.clone());
+            let remarks = table.remarks.iter().filter(|remark| !table.warnings.contains(remark));
+            remarks.for_each(|remark| tell(&remark.in_units(system())));
             tell(&format!("{}: of each row the launch is used, and not the flight", table.file));
             let (measured, assumed): (Vec<_>, Vec<_>) =
                 unknowns.iter().partition(|unknown| table.gives(unknown.parameter));

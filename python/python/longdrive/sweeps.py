@@ -83,7 +83,7 @@ def sweep(
 
     Args:
         setup: a setup, the name of a preset, or a dict.
-        over: parameters with (low, high, count), numbers in SI, or a text like ``"5deg..15deg:101"``; the last changes fastest. With `sample`
+        over: parameters with tuples (low, high, count), numbers in SI, or a text like ``"5deg..15deg:101"``; the last changes fastest. With `sample`
             (low, high).
         sample: so many points of a quasi-random (Sobol') sequence in the ranges of `over`.
         seed: another seed gives other points of the sample [default: 0].
