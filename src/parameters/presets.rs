@@ -34,7 +34,8 @@ const REPORT: &str = "MAE 494 report, listing";
 const NOT_IN_REPORT: &str = "MAE 494 report: not part of the model";
 const PGA: &str = "TrackMan, PGA TOUR averages 2023, driver";
 const LPGA: &str = "TrackMan, LPGA Tour averages 2023, driver";
-const AMATEUR: &str = "TrackMan (2014), Performance of the Average Male Amateur Golfer, as others cite it (docs/sources.md)";
+const AMATEUR: &str =
+    "TrackMan (2014), Performance of the Average Male Amateur Golfer, as others cite it (docs/sources.md)";
 const LOFT_SOLD: &str = "chosen to agree with the launch angle; drivers are sold with 9 to 10.5 deg";
 const BEND: &str = "assumed: within 2 to 5 deg, docs/sources.md; the loft was chosen with it";
 const GROWTH: &str = "assumed: the load on the shaft grows with the square of the head speed";
