@@ -99,11 +99,15 @@ fn in_own_words(said: &str) -> Option<&'static str> {
     OF_TOML.iter().find(|(begins, _)| said.starts_with(begins)).map(|(_, what)| *what)
 }
 
+/// What is said of bytes that are no text.
+pub(crate) const NOT_UTF_8: &str =
+    "it holds bytes that are not text in UTF-8; save it as text in UTF-8 (it may be in Windows-1252, ANSI or Latin-1)";
+
 /// Why a file cannot be read.
 pub(crate) fn of_io(error: &std::io::Error) -> String {
     use std::io::ErrorKind;
     let why = match error.kind() {
-        ErrorKind::InvalidData => return "it holds bytes that are not text in UTF-8; save it as text in UTF-8".into(),
+        ErrorKind::InvalidData => return NOT_UTF_8.into(),
         ErrorKind::NotFound => "there is no such file".to_owned(),
         ErrorKind::IsADirectory => "it is a folder".into(),
         ErrorKind::PermissionDenied => "its permissions do not allow it".into(),

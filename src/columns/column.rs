@@ -304,6 +304,14 @@ impl Column {
                 Ok(number) if number.is_infinite() => "not finite",
                 _ => "not a number",
             };
+            if let Some((whole, decimals)) = cell.split_once(',').filter(|_| !self.format.has_decimal_comma)
+                && format!("{whole}.{decimals}").parse::<f64>().is_ok()
+            {
+                return Err(format!(
+                    "'{cell}' is {what}: decimals stand behind a comma only in tables whose cells are separated by semicolons or tabs; \
+                     write {whole}.{decimals}, or separate the cells so"
+                ));
+            }
             return Err(format!(
                 "'{cell}' is {what}; a unit is written in the head, as in '{} [{}]', and a missing value is an empty cell",
                 self.head,

@@ -20,7 +20,7 @@ pub(crate) struct Decoded<R> {
     at: usize,
 }
 
-/// A text in UTF-8, or in UTF-16 with a byte-order mark.
+/// A text in UTF-8, or in UTF-16, with a byte-order mark or one that begins as tables do.
 ///
 /// # Errors
 /// What the source returns.
@@ -28,14 +28,14 @@ pub(crate) fn decoded<R: Read>(mut source: R) -> io::Result<Decoded<R>> {
     let mut raw = vec![];
     // twice the mark, and a byte that is none
     (&mut source).take(2 * MARK.len() as u64 + 1).read_to_end(&mut raw)?;
-    let pairs: Option<fn([u8; 2]) -> u16> = match raw.get(..2) {
-        Some([0xff, 0xfe]) => Some(u16::from_le_bytes),
-        Some([0xfe, 0xff]) => Some(u16::from_be_bytes),
+    // without a mark every other byte of what a table begins with is 0, which is in no text in UTF-8
+    let pairs: Option<fn([u8; 2]) -> u16> = match raw.get(..4).or(raw.get(..2)) {
+        Some([0xff, 0xfe, ..] | [1..=0xff, 0, 1..=0xff, 0]) => Some(u16::from_le_bytes),
+        Some([0xfe, 0xff, ..] | [0, 1..=0xff, 0, 1..=0xff]) => Some(u16::from_be_bytes),
         _ => None,
     };
     let mut decoded = Decoded { source, pairs, raw, text: vec![], at: 0 };
     if pairs.is_some() {
-        decoded.raw.drain(..2);
         decoded.decode(false);
     } else {
         decoded.text = std::mem::take(&mut decoded.raw);
@@ -119,6 +119,8 @@ mod tests {
             with(2).into_bytes(),
             wide(&with(1), u16::to_le_bytes),
             wide(&with(2), u16::to_le_bytes),
+            wide(&with(0), u16::to_le_bytes),
+            wide(&with(0), u16::to_be_bytes),
             wide(&with(1), u16::to_be_bytes),
         ] {
             assert!(read(&bytes) == text);

@@ -15,6 +15,10 @@ pub(super) const OF_SHOTS: &str =
 /// Those of a table of points, or of swings.
 const OF_POINTS: &str = "a column is a parameter, with its unit as in 'swing.speed [mph]', or one that a sweep has written, which is not read";
 
+/// Those of a table of shots that are flown.
+const OF_LAUNCHES: &str = "give the columns of the launch heads that are known, as in 'Ball Speed [mph]', 'Launch Angle [deg]', 'Spin Rate [rpm]'; the heads \
+                           stand in one of the first lines, in English";
+
 impl WrongColumns {
     /// Of the faults of columns, each with the number of its column, from 0; `None` without any.
     pub(super) fn of(faults: Vec<(usize, Error)>) -> Option<Self> {
@@ -37,6 +41,11 @@ impl WrongColumns {
     /// The same of a table of points or of swings, in which nothing is measured.
     pub fn of_points(self) -> Self {
         Self { reason: self.reason.replace(OF_SHOTS, OF_POINTS), ..self }
+    }
+
+    /// The same of a table of shots that are flown from their launch.
+    pub fn of_launches(self) -> Self {
+        Self { reason: self.reason.replace(OF_SHOTS, OF_LAUNCHES), ..self }
     }
 
     /// The refusal of the table in this file.

@@ -1,7 +1,7 @@
 use crate::command::args::{OwnLaw, Question};
 use crate::command::output::{system, tell, warn_early};
 use crate::command::running::running;
-use crate::parameters::{GOLFER, Law, METHOD, PRESETS, Parameter, Preset, SPEED_OF, SetupFile, TABLE, Vary};
+use crate::parameters::{GOLFER, Law, METHOD, PRESETS, Parameter, Preset, SPEED_OF, SetupFile, TABLE, Vary, is_unset};
 use crate::report::parameter_text;
 use crate::study::{Accuracy, accuracy};
 use crate::units::{Message, Quantity, counted};
@@ -184,7 +184,10 @@ impl Question {
         for path in self.setup_file() {
             given.extend(SetupFile::open(path)?.given);
         }
-        given.extend(settings(&self.set)?.into_iter().filter_map(|(name, _)| setup.parameter(name).ok()));
+        let settings = settings(&self.set)?;
+        given.retain(|parameter| !settings.iter().any(|(name, text)| *name == parameter.name && is_unset(text)));
+        let set = settings.iter().filter(|(_, text)| !is_unset(text));
+        given.extend(set.filter_map(|(name, _)| setup.parameter(name).ok()));
         given.retain(|parameter| setup.value(parameter).is_some());
         setup.refuse_replaced(&given.iter().chain(more).map(|parameter| parameter.name).collect::<Vec<_>>())
     }

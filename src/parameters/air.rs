@@ -1,6 +1,6 @@
 //! Which ways to give the air and the wind go together.
 
-use super::declare::Parameter;
+use super::declare::{Parameter, is_unset};
 use super::table::{Air, Setup};
 use crate::error::{Error, Result};
 use crate::units::Message;
@@ -60,15 +60,35 @@ impl<T> Air<T> {
     }
 }
 
-/// Whether nothing of these names is replaced by something else of them, or by what is set.
+/// Whether `none` takes this parameter back: another way can give what it gives.
+pub(super) fn is_taken_back(name: &str, text: &str) -> bool {
+    is_unset(text) && WAYS.iter().any(|ways| ways.replaced.contains(&name))
+}
+
+/// What else may be given in place of this parameter, as the end of a sentence; empty where nothing else may.
+pub(super) fn instead(name: &str) -> String {
+    let ways = WAYS.iter().find(|ways| ways.replaced.contains(&name));
+    ways.map_or_else(String::new, |ways| format!(", or give what it follows from as well: {}", ways.rule))
+}
+
+/// Whether nothing of these names, in the order in which they were given, is replaced by something else of them, or by what is set.
 ///
 /// # Errors
-/// [`Error::Together`].
+/// [`Error::Together`], with how to take back what was given first.
 pub(crate) fn refuse_replaced(names: &[&str], is_set: impl Fn(&str) -> bool) -> Result<()> {
-    for Ways { by, replaced, rule, .. } in &WAYS {
+    for Ways { by: by_all, replaced, rule, .. } in &WAYS {
         let Some(given) = replaced.iter().find(|name| names.contains(name)) else { continue };
-        if let Some(by) = by.iter().find(|name| names.contains(name) || is_set(name)) {
-            let reason = format!("{rule}; keep one of the two (--set {by}=none unsets {by})");
+        if let Some(by) = by_all.iter().find(|name| names.contains(name) || is_set(name)) {
+            let place = |name: &&&str| names.iter().position(|given| *given == **name);
+            // what is set and not named was given before
+            let is_by_first = place(&by) < place(&given);
+            let is_given = |name: &&&str| names.contains(*name) || is_by_first && is_set(name);
+            let first = if is_by_first { by_all } else { replaced };
+            let back: Vec<_> = first.iter().filter(is_given).map(|name| format!("--set {name}=none")).collect();
+            let reason = format!(
+                "{rule}; keep one of the two: leave one out, or take back what the setup gives with {}",
+                back.join(" ")
+            );
             return Err(Error::Together { given: format!("{given} and {by} are both given"), reason });
         }
     }
@@ -136,8 +156,8 @@ impl Setup<f64> {
         if has("air.pressure", air.pressure) && has("air.altitude", air.altitude) {
             return refuse(
                 "air.pressure and air.altitude are both given",
-                "the altitude gives a pressure too, that of the standard atmosphere; keep one of the two \
-                 (--set air.altitude=none unsets air.altitude)",
+                "the altitude gives a pressure too, that of the standard atmosphere; keep one of the two: \
+                 leave one out, or take back what the setup gives with --set air.altitude=none or --set air.pressure=none",
             );
         }
         match [has("wind.speed", wind.speed), has("wind.from", wind.from)] {

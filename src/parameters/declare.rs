@@ -77,6 +77,11 @@ impl PartialEq for Parameter {
 /// How an optional parameter is unset: `impact.friction = "none"`.
 pub const UNSET: &str = "none";
 
+/// Whether a text unsets a parameter.
+pub(crate) fn is_unset(text: &str) -> bool {
+    [UNSET, "default"].contains(&text.trim())
+}
+
 /// A mutable place of a parameter in a setup.
 pub(super) enum Slot<'a, T> {
     Required(&'a mut T),

@@ -1,14 +1,16 @@
 //! Setup files: TOML whose keys are the parameters' dotted names. A string carries its unit, a bare number
 //! is SI; every mistake is reported with its line and column.
 
+use super::air::is_taken_back;
 use super::club_speed::{SPEED_OF, SpeedOf};
 use super::declare::{Parameter, UNSET};
 use super::golfer::{GOLFER, Golfer};
 use super::law_table::{TABLE, TABLE_LAW};
 use super::method::{METHOD, Method};
 use super::presets::{PRESETS, Preset};
-use super::setup::{LAW, TURF, table_beside};
+use super::setup::{LAW, table_beside};
 use super::table::{Law, Setup};
+use super::turf::{TURF, refuse_idle_turf};
 use crate::error::{Error, Result};
 use crate::foreign::of_toml;
 use std::path::Path;
@@ -23,6 +25,13 @@ struct Item<'a> {
     key_at: usize,
     value: &'a DeValue<'a>,
     value_at: usize,
+}
+
+impl Item<'_> {
+    /// Whether it takes its parameter back, which something else gives.
+    fn is_taken_back(&self) -> bool {
+        self.value.as_str().is_some_and(|text| is_taken_back(&self.key, text))
+    }
 }
 
 /// What a setup file says.
@@ -76,7 +85,7 @@ impl SetupFile {
                 3
             }
         };
-        items.sort_by_key(|item| (rank(&item.key), item.key_at));
+        items.sort_by_key(|item| (rank(&item.key), item.is_taken_back(), item.key_at));
 
         for (i, item) in items.iter().enumerate() {
             if let Some(first) = items[..i].iter().find(|first| first.key == item.key) {
@@ -90,11 +99,19 @@ impl SetupFile {
         for item in &items {
             setup.apply(item, folder).map_err(|(at, source)| in_file(text, file, at, source))?;
         }
-        for item in &items {
+        if let Some(turf) = items.iter().find(|item| item.key == TURF) {
+            refuse_idle_turf(|name| items.iter().any(|item| item.key == name))
+                .map_err(|source| in_file(text, file, turf.key_at, source))?;
+        }
+        for item in items.iter().filter(|item| !item.is_taken_back()) {
             setup.refuse_replaced(&[&item.key]).map_err(|source| in_file(text, file, item.key_at, source))?;
         }
         let named = items.iter().find(|item| item.key == PRESET).and_then(|item| item.value.as_str());
-        let given = items.iter().filter_map(|item| setup.parameter(&item.key).ok()).collect();
+        let given = items
+            .iter()
+            .filter(|item| !item.is_taken_back())
+            .filter_map(|item| setup.parameter(&item.key).ok())
+            .collect();
         let bare = items.iter().filter(|item| matches!(item.value, DeValue::Integer(_) | DeValue::Float(_)));
         let bare = bare.filter_map(|item| setup.parameter(&item.key).ok());
         let has_unit = |parameter: &&Parameter| !parameter.quantity.si.is_empty();
@@ -173,6 +190,7 @@ impl Setup<f64> {
         }
         let parameter = self.parameter(&item.key).map_err(|e| (item.key_at, e))?;
         let value = match item.value {
+            DeValue::String(_) if item.is_taken_back() => Ok(None),
             DeValue::String(text) => parameter.read(text, false),
             DeValue::Integer(number) => parameter.read(&number.to_string(), true),
             DeValue::Float(number) => parameter.read(number.as_str(), true),

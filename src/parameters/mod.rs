@@ -22,6 +22,8 @@ mod weights;
 pub use air::Ways;
 pub(crate) use air::{given_otherwise, refuse_replaced};
 pub use club_speed::{SPEED_OF, SpeedOf};
+#[cfg(feature = "cli")]
+pub(crate) use declare::is_unset;
 pub use declare::{Kind, Parameter, UNSET};
 pub use file::SetupFile;
 pub(crate) use file::{in_file, place_in};
@@ -31,14 +33,14 @@ pub use law_table::{Along, Axis, LawTable, TABLE, TABLE_LAW};
 pub use method::{METHOD, Method};
 pub use presets::{PRESETS, Preset, PresetEntry};
 pub use range::Range;
+pub use setup::LAW;
 pub(crate) use setup::NO_CLUB;
-pub use setup::{LAW, TURF};
 pub(crate) use table::with_law;
 pub use table::{
     Aero, Air, Ball, BearmanHarvey, Club, Contact, Ferguson, FlightConditions, Ground, LaunchConditions, LaunchMonitor,
     Law, Linear, Lyu, MacdonaldHanzely, NaruoMizota, Nathan, Robinson, Setup, SmitsSmith, Strike, Swing, Table,
     TableFactors, UsgaItr, Wind, WinfieldTan,
 };
-pub use turf::TURFS;
+pub use turf::{TURF, TURFS};
 pub use vary::Vary;
 pub(crate) use weights::Weight;

@@ -1,10 +1,12 @@
+use super::air::{instead, is_taken_back};
 use super::club_speed::{SPEED_OF, SpeedOf};
-use super::declare::{Kind, Parameter, Slot, UNSET};
+use super::declare::{Kind, Parameter, Slot, is_unset};
 use super::golfer::{GOLFER, Golfer};
 use super::law_table::{LawTable, TABLE, TABLE_LAW};
 use super::method::{METHOD, Method};
 use super::range::Range;
 use super::table::{Law, Setup};
+use super::turf::{TURF, refuse_idle_turf};
 use crate::error::{Error, Result};
 use crate::number::Numbers;
 use crate::units::Message;
@@ -12,9 +14,6 @@ use std::path::Path;
 
 /// The name by which the aerodynamic law is chosen: `aero.law = "robinson"`.
 pub const LAW: &str = "aero.law";
-
-/// The name by which a kind of ground is chosen: `ground.turf = "firm"`.
-pub const TURF: &str = "ground.turf";
 
 /// Why a parameter of the club has no effect.
 pub(crate) const NO_CLUB: &str =
@@ -30,16 +29,17 @@ impl Parameter {
     /// [`Error::Unreadable`] for a wrong or missing unit, [`Error::OutOfRange`].
     pub fn read(&self, text: &str, bare: bool) -> Result<Option<f64>> {
         let text = text.trim();
-        if self.kind == Kind::Optional && (text == UNSET || text == "default") {
+        if self.kind == Kind::Optional && is_unset(text) {
             return Ok(None);
         }
         let value = if bare { self.quantity.read_bare(text) } else { self.quantity.read(text) };
         let value = value.map_err(|e| Error::Unreadable { name: self.name.into(), source: Box::new(e) })?;
-        self.check(value).map_err(|error| match (error, self.meant_in_display_unit(text)) {
-            (Error::OutOfRange { name, value, range, .. }, Some(advice)) => {
-                Error::OutOfRange { name, value, range, advice }
+        self.check(value).map_err(|error| match error {
+            Error::OutOfRange { name, value, range, advice } => {
+                let advice = self.meant_in_another_unit(text).unwrap_or(advice);
+                Error::OutOfRange { name, value: self.as_given(value, text), range, advice }
             }
-            (error, _) => error,
+            error => error,
         })?;
         Ok(Some(value))
     }
@@ -75,9 +75,22 @@ impl Parameter {
         if same { si } else { format!("{si} ({})", self.show(Some(value))) }
     }
 
-    /// A bare number is SI: "10" for a loft is 10 rad, and most likely 10 deg was meant.
-    fn meant_in_display_unit(&self, text: &str) -> Option<String> {
+    /// A value as it is shown, and as it was given where that is in neither of the units that are shown.
+    fn as_given(&self, shown: String, text: &str) -> String {
+        let is_another =
+            |unit: &str| ![self.quantity.si, self.unit].iter().any(|known| unit.is_empty() || *known == unit);
+        match self.quantity.split(text) {
+            Ok((number, unit)) if number.is_finite() && is_another(unit) => format!("{shown} ({text})"),
+            _ => shown,
+        }
+    }
+
+    /// A bare number is SI: "10" for a loft is 10 rad, and most likely 10 deg was meant; so is "50" for a share of 50 %.
+    fn meant_in_another_unit(&self, text: &str) -> Option<String> {
         let (number, unit) = self.quantity.split(text).ok()?;
+        if self.range == Range::from_to(0.0, 1.0) && unit.is_empty() && self.range.contains(number / 100.0) {
+            return Some(format!("a number without a unit is a share of 1; did you mean \"{number} %\"?"));
+        }
         let meant = number * self.quantity.size_of(self.unit)?;
         let is_likely = unit.is_empty() && self.unit != self.quantity.si && self.range.contains(meant);
         is_likely.then(|| format!("a number without a unit is SI; did you mean \"{number} {}\"?", self.unit))
@@ -145,7 +158,9 @@ impl Setup<f64> {
     /// [`Error::Unknown`], [`Error::OtherLaw`], [`Error::Unreadable`], [`Error::OutOfRange`]; [`Error::Together`] for what follows
     /// from other parameters that are set.
     pub fn set(&mut self, name: &str, text: &str) -> Result<()> {
-        self.refuse_replaced(&[name])?;
+        if !is_taken_back(name, text) {
+            self.refuse_replaced(&[name])?;
+        }
         self.apply_text(name, text, false)
     }
 
@@ -172,7 +187,7 @@ impl Setup<f64> {
             return Ok(());
         }
         let parameter = self.parameter(name)?;
-        let value = parameter.read(text, bare)?;
+        let value = if is_taken_back(name, text) { None } else { parameter.read(text, bare)? };
         self.set_value(parameter, value)
     }
 
@@ -208,10 +223,15 @@ impl Setup<f64> {
         for (name, text, bare) in of(LAW).chain(of(TURF)) {
             self.apply_text(name, text, *bare)?;
         }
-        for (name, text, bare) in settings.iter().filter(|(name, ..)| ![LAW, TABLE, TURF].contains(name)) {
+        refuse_idle_turf(|known| settings.iter().any(|(name, ..)| *name == known))?;
+        // what is taken back needs what is given instead, so that it comes last
+        let is_back = |(name, text, _): &&(&str, &str, bool)| is_taken_back(name, text);
+        let numbers = || settings.iter().filter(|(name, ..)| ![LAW, TABLE, TURF].contains(name));
+        for (name, text, bare) in numbers().filter(|one| !is_back(one)).chain(numbers().filter(is_back)) {
             self.apply_text(name, text, *bare)?;
         }
-        let given: Vec<&str> = settings.iter().map(|(name, ..)| *name).filter(|name| self.is_set(name)).collect();
+        let given = settings.iter().filter(|one| !is_back(one)).map(|(name, ..)| *name);
+        let given: Vec<&str> = given.filter(|name| self.is_set(name)).collect();
         self.refuse_replaced(&given)
     }
 
@@ -254,20 +274,22 @@ impl Setup<f64> {
         Ok(())
     }
 
-    /// Sets a parameter to an SI value; `None` unsets an optional one.
+    /// Sets a parameter to an SI value; `None` unsets an optional one, and takes back one that follows from others which are set.
     ///
     /// # Errors
     /// [`Error::OutOfRange`]; [`Error::Unreadable`] where a parameter that needs a value is to be unset.
     pub fn set_value(&mut self, parameter: &Parameter, value: Option<f64>) -> Result<()> {
         if let Some(value) = value {
             parameter.check(value)?;
-        } else if parameter.kind != Kind::Optional {
-            let source = "it cannot be unset; give it a value".into();
-            return Err(Error::Unreadable { name: parameter.name.into(), source });
+        } else if parameter.kind != Kind::Optional && self.why_replaced(parameter).is_none() {
+            let source = format!("it cannot be unset; give it a value{}", instead(parameter.name));
+            return Err(Error::Unreadable { name: parameter.name.into(), source: source.into() });
         }
         match (self.slot(parameter), value) {
             (Some(Slot::Required(place) | Slot::Setting(place)), Some(value)) => *place = value,
             (Some(Slot::Optional(place)), value) => *place = value,
+            // not used while others give it
+            (Some(Slot::Required(place)), None) => *place = parameter.default_value().unwrap_or(*place),
             _ => {}
         }
         Ok(())

@@ -4,6 +4,9 @@ use super::presets::{Preset, PresetEntry, entry};
 use super::table::Setup;
 use crate::error::{Error, Result};
 
+/// The name by which a kind of ground is chosen: `ground.turf = "firm"`.
+pub const TURF: &str = "ground.turf";
+
 /// Group of the parameters of the ground, and the one of them that the flight depends on too.
 const GROUP: &str = "ground.";
 const HEIGHT: &str = "ground.height";
@@ -66,6 +69,23 @@ impl super::Parameter {
     }
 }
 
+/// A kind of ground says nothing where each of its numbers is given beside it.
+///
+/// # Errors
+/// [`Error::Together`].
+pub(super) fn refuse_idle_turf(is_given: impl Fn(&str) -> bool) -> Result<()> {
+    let names: Vec<_> = TURFS[0].entries.iter().map(|entry| entry.name).collect();
+    if !is_given(TURF) || !names.iter().all(|name| is_given(name)) {
+        return Ok(());
+    }
+    let names = names.join(", ");
+    let given = format!("{TURF} is given beside all of its numbers ({names})");
+    let reason = format!(
+        "a number that is given comes before that of the turf, so that the turf says nothing; delete {TURF}, or delete the numbers that it is to give"
+    );
+    Err(Error::Together { given, reason })
+}
+
 impl Setup<f64> {
     /// Sets the numbers of a kind of ground: restitution, friction, compliance and rolling. The slopes stay.
     ///
@@ -124,5 +144,28 @@ mod tests {
         let text = "[ground]\nrolling = 0.4\nturf = 'firm'";
         assert_eq!(Setup::from_toml(text, "a.toml").unwrap(), setup);
         assert!(setup.variable("ground.turf").is_err());
+    }
+
+    #[test]
+    fn a_kind_of_ground_beside_all_of_its_numbers_is_refused() {
+        let numbers = "friction = '0.4'\ncompliance = '15.4 deg'\nrolling = '1'\nslope = '0 deg'\n";
+        let text = |restitution: &str| format!("[ground]\nrestitution = '{restitution}'\nturf = 'firm'\n{numbers}");
+        for restitution in ["0.51", "none"] {
+            let message = Setup::from_toml(&text(restitution), "a.toml").unwrap_err().to_string();
+            let says = "ground.turf is given beside all of its numbers (ground.restitution, ground.friction, ground.compliance, \
+                        ground.rolling): a number that is given comes before that of the turf, so that the turf says nothing; \
+                        delete ground.turf, or delete the numbers that it is to give";
+            assert_eq!(message, format!("a.toml:3:1: {says}"));
+            let remedied = text(restitution).replace("turf = 'firm'\n", "");
+            assert!(Setup::from_toml(&remedied, "a.toml").is_ok());
+        }
+        let firm = Setup::from_toml("[ground]\nturf = 'firm'\nslope = '0 deg'", "a.toml").unwrap();
+        assert_eq!(firm.turf().unwrap().name, "firm");
+        let all = ["restitution", "friction", "compliance", "rolling"].map(|name| format!("ground.{name}"));
+        let all = all.iter().map(|name| (&**name, if name.ends_with("e") { "15 deg" } else { "0.5" }));
+        let mut settings: Vec<(&str, &str)> = all.chain([("ground.turf", "firm")]).collect();
+        assert!(Setup::default().set_all(settings.clone()).unwrap_err().to_string().contains("the turf says nothing"));
+        settings.remove(0);
+        assert!(Setup::default().set_all(settings).is_ok());
     }
 }

@@ -113,7 +113,7 @@ impl ExportHead {
             Club::LeftOut,
             Spin::OfRow,
         )
-        .map_err(|wrong| wrong.in_file(&table.0))?;
+        .map_err(|wrong| wrong.of_launches().in_file(&table.0))?;
         let units = first.filter(|_| read.has_units_row);
         if units.is_none()
             && let Some(line) = below
@@ -237,7 +237,10 @@ impl ExportHead {
                 || self.club.iter().flatten().any(|(club, _)| *club == at)
                 || [self.spin_type, self.condition].contains(&Some(at))
         };
-        let is_told = |column: &Column| column.holds == Holds::Written || column.is_of_given_air();
+        let is_told = |column: &Column| {
+            let is_twice = || self.read.iter().any(|read| read.column.holds == column.holds);
+            column.holds == Holds::Written || column.is_of_given_air() || is_twice()
+        };
         let not_read = columns
             .iter()
             .enumerate()
@@ -254,10 +257,22 @@ impl ExportHead {
             remarks.push(format!("angles without a unit are read in degrees: {}", in_degrees.join(", ")));
         }
         remarks.extend(self.air_told().or_else(|| given_air(columns)));
+        remarks.extend(self.given_twice(columns));
         if !not_read.is_empty() {
             remarks.push(format!("columns that are copied and not used: {}", not_read.join(", ")));
         }
         self.remarks = remarks.into_iter().map(Message::from).collect();
+    }
+
+    /// The columns of what an earlier one gives too, which are not used.
+    fn given_twice(&self, columns: &[Column]) -> Option<String> {
+        let twice = self.read.iter().flat_map(|first| {
+            let is_again = |(at, column): &(usize, &Column)| *at != first.at && column.holds == first.column.holds;
+            let again = columns.iter().enumerate().filter(is_again);
+            again.map(|(at, _)| format!("'{}' beside '{}'", self.heads[at], self.heads[first.at]))
+        });
+        let twice: Vec<String> = twice.collect();
+        (!twice.is_empty()).then(|| format!("given twice; the first is used, and not {}", twice.join(", ")))
     }
 
     /// The parameters that every row has a value of.

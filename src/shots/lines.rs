@@ -1,6 +1,7 @@
 //! The records of a text of comma-separated values, one after the other.
 
 use super::cells::is_open;
+use crate::foreign::NOT_UTF_8;
 use std::collections::VecDeque;
 use std::io::{self, BufRead, Read};
 
@@ -52,7 +53,8 @@ impl Lines {
         while matches!(bytes.last(), Some(b'\n' | b'\r')) {
             bytes.pop();
         }
-        let text = String::from_utf8(bytes).unwrap_or_else(|error| String::from_utf8_lossy(error.as_bytes()).into());
+        let text =
+            String::from_utf8(bytes).map_err(|_| io::Error::other(format!("line {}: {NOT_UTF_8}", self.read)))?;
         Ok((count > 0).then_some((self.read, text)))
     }
 

@@ -263,11 +263,40 @@ fn tables_without_a_launch_name_the_nearest_head() {
             "Ball Speed [mph],Launch Angle [deg],Carry [yds]\n1,2,3\n",
             "no column has the spin (spin rate, total spin or backspin)",
         ),
+        (
+            "Foo,Bar,Baz\n1,2,3\n",
+            "unknown columns 'Foo', 'Bar', 'Baz'; give the columns of the launch heads that are known, as in 'Ball Speed [mph]', 'Launch \
+             Angle [deg]', 'Spin Rate [rpm]'",
+        ),
+        ("Ballgeschwindigkeit;Abflugwinkel;Spinrate\n165;11,2;2600\n", "as in 'Ball Speed [mph]'"),
         ("ball_sped [mph],launch_angle [deg],backspin [rpm]\n1,2,3\n", "did you mean 'ball_speed'?"),
         ("Ball Speed [kg],Launch Angle [deg],Spin Rate [rpm]\n1,2,3\n", "is not a speed"),
         ("ball_speed,launch_angle [deg],backspin [rpm]\n1,2,3\n", "it has no unit"),
     ] {
         assert!(refused(text).contains(says), "{text}: {}", refused(text));
+    }
+    // bytes of Windows-1252, in the head and in a row
+    for (bytes, says) in [
+        (
+            &b"Ball (mph),Launch V (\xb0),Spin (rpm)\n150,12,2500\n"[..],
+            "a.csv: line 1: it holds bytes that are not text in UTF-8; save it as text in UTF-8",
+        ),
+        (
+            b"Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Player\n150,12,2500,A\n150,12,2500,J\xfcrg\n",
+            "line 3: it holds bytes",
+        ),
+    ] {
+        let mut shots = match Shots::read(&Setup::default(), "a.csv", bytes) {
+            Err(error) => {
+                assert!(error.to_string().contains(says) && error.to_string().contains("Windows-1252"), "{error}");
+                continue;
+            }
+            Ok(shots) => shots,
+        };
+        let of = [Outcome::CarryDistance];
+        let flying = Flying::new(&Setup::default(), &shots, &of).unwrap();
+        let error = flying.fly(&mut shots, &Run::default(), |flown| flown, |_| Ok(())).err().unwrap().to_string();
+        assert!(error.contains(says) && error.contains("Windows-1252"), "{error}");
     }
     // so do calibrate and delivery
     let read = |text: &str| longdrive::study::calibrate::ShotTable::read(&Setup::default(), "a.csv", text.as_bytes());
@@ -283,6 +312,11 @@ fn tables_without_a_launch_name_the_nearest_head() {
         ),
         "{error}"
     );
+    // of two columns of the same the first is used, and the other is named
+    let text = "Ball Speed [mph],Ball Speed [m/s],Launch Angle [deg],Spin Rate [rpm]\n165,73.8,11,2500\n";
+    let (shots, ..) = flown(text.as_bytes());
+    let told: Vec<String> = shots.remarks().iter().map(ToString::to_string).collect();
+    assert_eq!(told, ["given twice; the first is used, and not 'Ball Speed [m/s]' beside 'Ball Speed [mph]'"]);
     // columns that are not used are told, with the head that may have been meant
     let text = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Carri [yds]\n160,12,2500,262\n";
     let (shots, ..) = flown(text.as_bytes());
@@ -296,6 +330,13 @@ fn tables_without_a_launch_name_the_nearest_head() {
 
 #[test]
 fn decimals_and_thousands_that_cannot_be_told_apart_are_refused() {
+    // a comma that parts no thousands, in a table whose cells it separates
+    let quoted = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm]\n\"165,5\",\"11,2\",\"2,600\"\n";
+    let (_, all, _) = flown(quoted.as_bytes());
+    let reason = &all[0].shots()[0].refusal().unwrap().reason;
+    let says = "Ball Speed: '165,5' is not a number: decimals stand behind a comma only in tables whose cells are separated by semicolons or \
+                tabs; write 165.5, or separate the cells so";
+    assert_eq!(reason, says);
     let (_, flown, _) = file("decimal-commas.csv");
     let refusal = flown.shots()[1].refusal().unwrap();
     assert!(refusal.reason.contains("'2.500' may have decimals or thousands"), "{refusal:?}");
@@ -461,6 +502,11 @@ fn the_command_writes_rows_and_says_how_well_they_are_predicted() {
             "give the launch of each ball",
         ),
         (vec!["fly", &shots, "--address", "0.0.0.0"], "--listen"),
+        (
+            vec!["fly", &shots, "--listen", "0"],
+            "trackman.csv are both given: beside --listen the one file is the setup of all messages",
+        ),
+        (vec!["fly", &shots, "mae494", "--listen", "0"], "a setup stands behind it); to fly the shots"),
         (vec!["fly", "--listen", "x"], "it must be a whole number from 0 to 65535"),
     ] {
         let said = longdrive(&args);

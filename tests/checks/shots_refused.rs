@@ -66,6 +66,31 @@ fn calibrate_and_delivery_leave_out_the_rows_that_fly_refuses() {
 }
 
 #[test]
+fn delivery_leaves_out_the_rows_without_a_whole_launch_that_fly_refuses() {
+    let bad = [",12,0,2600,3,245,5", "150,,0,2600,3,245,5", "150,12,0,,3,245,5"];
+    let text = bad.iter().fold(HEAD.to_owned(), |text, row| text + GOOD + row + "\n") + GOOD;
+    let (flies, reasons) = of_fly(&text);
+    assert_eq!((&flies, reasons.len()), (&vec![1, 3, 5, 7], bad.len()));
+    let folder = tempfile::tempdir().unwrap();
+    let with_club = text.replace("Side [yd]\n", "Side [yd],Club Speed [mph]\n").replace(",5\n", ",5,103\n");
+    for (name, text) in [("shots.csv", &text), ("club.csv", &with_club)] {
+        let file = place(folder.path(), name, text);
+        let table = ShotTable::open_launches(&Setup::default(), Path::new(&file)).unwrap();
+        assert_eq!(rows(&table), flies, "{name}");
+        let told = "rows left out, since they lack a value that every shot needs: row 2 (Ball Speed), row 4 (Launch Angle), row 6 (Total Spin)";
+        assert!(remarks(&table).contains(told), "{name}: {}", remarks(&table));
+    }
+    // a table that states no spin has no whole launch: what it states is explained
+    let file = place(
+        folder.path(),
+        "slow.csv",
+        "Ball Speed [mph],Launch Angle [deg],Club Speed [mph]\n150,12,103\n150,,103\n",
+    );
+    let table = ShotTable::open_launches(&Setup::default(), Path::new(&file)).unwrap();
+    assert_eq!(rows(&table), [1, 2]);
+}
+
+#[test]
 fn a_measured_value_that_no_drive_has_is_not_compared() {
     let table = read(&format!("{HEAD}{GOOD}150,12,0,2600,3,-10,5\n150,12,0,2600,3,9999,5\n150,12,0,2600,3,0,5\n"));
     assert_eq!(rows(&table), [1, 2, 3, 4]);

@@ -22,6 +22,16 @@ fn differences(of: &SetScores, law: &str, compared: Compared) -> Vec<f64> {
 }
 
 #[test]
+fn a_part_of_pictures_alone_is_left_out_of_the_text() {
+    let document = validation_document(&FOUND, System::Us);
+    let (text, markdown) = (document.text(), document.markdown(System::Us));
+    assert!(document.figures().next().is_some() && markdown.contains("In pictures") && !text.contains("In pictures"));
+    for set in FOUND.iter() {
+        assert!(text.contains(set.set.name), "{}", set.set.name);
+    }
+}
+
+#[test]
 fn exact_number_of_published_drives_of_every_set() {
     let counts: Vec<_> = FOUND.iter().map(|set| (set.set.name, set.cases.len())).collect();
     let chart = ["chart-optima", "chart-optima-centred", "chart-optima-impact"].map(|name| (name, 30));

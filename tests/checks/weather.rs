@@ -278,15 +278,23 @@ fn what_replaces_something_else_is_refused_beside_it() {
             &["gradient", &warm, "--of", "carry", "--wrt", "air.humidity"],
             "it is unset here, which means: dry air where other weather is set; give it a value",
         ),
-        (&["simulate", "--set", "air.humidity=50"], "air.humidity = 50 is outside its range 0 ≤ … ≤ 1"),
-        (&["simulate", "--set", "air.humidity=-1%"], "air.humidity = -0.01 is outside its range"),
+        (
+            &["simulate", "--set", "air.humidity=50"],
+            "air.humidity = 50 is outside its range 0 ≤ … ≤ 1; a number without a unit is a share of 1; did you mean \"50 %\"?",
+        ),
+        (&["simulate", "--set", "air.humidity=150"], "is outside its range 0 ≤ … ≤ 1; it must be at most 1"),
+        (
+            &["simulate", "--set", "air.temperature=500degF"],
+            "air.temperature = 533.15 K (500degF) is outside its range",
+        ),
+        (&["simulate", "--set", "air.humidity=-1%"], "air.humidity = -0.01 (-1%) is outside its range"),
         (
             &["simulate", "--set", "air.temperature=20K"],
             "air.temperature = 20 K is outside its range 183.15 K ≤ … ≤ 333.15 K",
         ),
         (&["simulate", "--set", "air.temperature=20"], "\"20\" has no unit; a temperature takes degC, degF, K"),
         (&["simulate", "--set", "air.temperature=20 deg"], "\"20 deg\" is not a temperature"),
-        (&["simulate", "--set", "air.altitude=20km"], "air.altitude = 20000 m is outside its range"),
+        (&["simulate", "--set", "air.altitude=20km"], "air.altitude = 20000 m (20km) is outside its range"),
         (
             &["simulate", "--set", "air.pressure=29.9hPa"],
             "air.pressure = 2990 Pa (29.9 hPa) is outside its range 220 hPa",
@@ -296,6 +304,50 @@ fn what_replaces_something_else_is_refused_beside_it() {
         let text = format!("{}{}", said.out, said.err);
         assert!(said.status == 2 && text.contains(says), "{args:?}: {}: no '{says}': {text}", said.status);
     }
+    // each remedy names what was given first, and is taken
+    let presets = longdrive(&["presets", "tour-average"]).out;
+    let printed = file("printed.toml", &presets);
+    let (air, wind) = (["air.temperature=50degF", "air.humidity=40%"], ["wind.speed=10mph", "wind.from=0deg"]);
+    let weather = file("weather.toml", "[air]\ntemperature = '50 degF'\nhumidity = '40 %'\n");
+    let blown = file("blown.toml", "[wind]\nspeed = '10 mph'\nfrom = '0 deg'\n");
+    let pressed = file("pressed.toml", "[air]\npressure = '900 hPa'\n");
+    for (setup, set, remedy) in [
+        (&printed, &air[..], "--set air.density=none --set air.viscosity=none"),
+        (&printed, &wind, "--set wind.right=none --set wind.downrange=none"),
+        (&weather, &["air.density=1.1kg/m^3"], "--set air.temperature=none --set air.humidity=none"),
+        (&blown, &["wind.right=2m/s"], "--set wind.speed=none --set wind.from=none"),
+        (&pressed, &["air.altitude=1000m"], "--set air.altitude=none or --set air.pressure=none"),
+    ] {
+        let set = set.iter().flat_map(|text| ["--set", text]);
+        let args: Vec<&str> = ["simulate", setup].into_iter().chain(set).collect();
+        let said = longdrive(&args);
+        assert!(
+            said.status == 2 && said.err.trim_end().ends_with(&format!("setup gives with {remedy}")),
+            "{}",
+            said.err
+        );
+        let back = remedy.split(" or ").last().unwrap().split(' ');
+        let followed = longdrive(&args.iter().copied().chain(back).collect::<Vec<_>>());
+        assert_eq!(followed.status, 0, "{args:?}: {}", followed.err);
+        // and it is the drive in that air and wind, with nothing of the other way
+        if *setup == printed {
+            let asked: Vec<&str> = ["simulate"].into_iter().chain(args[2..].iter().copied()).collect();
+            assert_eq!(followed.out, longdrive(&asked).out);
+        }
+    }
+    let none = presets.lines().map(|line| match line.split(" = ").next().unwrap() {
+        name @ ("density" | "viscosity" | "right" | "downrange") => format!("{name} = \"none\"\n"),
+        "temperature" => "temperature = \"50 degF\"\n".into(),
+        "speed" if line.contains("none") => "speed = \"10 mph\"\n".into(),
+        "from" => "from = \"0 deg\"\n".into(),
+        _ => format!("{line}\n"),
+    });
+    let none = file("none.toml", &none.collect::<String>());
+    let set = ["--set", "air.temperature=50degF", "--set", "wind.speed=10mph", "--set", "wind.from=0deg"];
+    assert_eq!(longdrive(&["simulate", &none]).out, longdrive(&[&["simulate"][..], &set].concat()).out);
+    let said = longdrive(&["simulate", &printed, "--set", "air.density=none"]);
+    let says = "air.density: it cannot be unset; give it a value, or give what it follows from as well: density and viscosity follow from";
+    assert!(said.status == 2 && said.err.contains(says), "{}", said.err);
     // the other way round, and with the one unset, it is allowed
     for args in [
         &["simulate", &warm, "--set", "air.temperature=none", "--set", "air.density=1.1kg/m^3"][..],

@@ -26,7 +26,7 @@ pub use picture::{
     PlotLaunch, PlotLaws, PlotPareto, PlotStrike, PlotTornado, PlotTrajectory, PlotVcurve, Report, Seen,
 };
 pub use program::{Completions, Man, Shown};
-pub use question::{Gradient, Laws, OwnLaw, Parameters, Presets, Question, Simulate};
+pub use question::{Gradient, Laws, OwnLaw, Parameters, Presets, Question, SETUP, Simulate};
 pub use robust::RobustArgs;
 pub use search::{ChartArgs, DesignArgs, Optimize, OptimumSensitivity, SearchArgs, SwingsArgs, WorkArgs};
 

@@ -1,10 +1,13 @@
 //! What every question starts from, and the questions about one drive.
 
+/// The setup where none is named.
+pub const SETUP: &str = "tour-average";
+
 /// What every question starts from.
 #[derive(Clone, clap::Args)]
 pub struct Question {
     /// A preset's name, a TOML file, or - for the text of one on standard input. A file that names no preset starts from modern-driver.
-    #[arg(value_name = "SETUP", default_value = "tour-average")]
+    #[arg(value_name = "SETUP", default_value = SETUP)]
     pub setup: String,
 
     /// Set a parameter, in place of the value of the setup, e.g. club.loft=10.5deg; a quantity with a dimension needs its unit. Repeatable.

@@ -1,7 +1,7 @@
 //! Shots that are sent while the program runs.
 
 use crate::batch::Status;
-use crate::command::args::{Fly, Question};
+use crate::command::args::{Fly, Question, SETUP};
 use crate::command::interrupt;
 use crate::command::output::{Answer, tell, warn};
 use crate::report::{Reply, open_connect_answer};
@@ -11,6 +11,7 @@ use crate::{Error, Result};
 use serde::Serialize;
 use std::io::{self, ErrorKind, Read, Write};
 use std::net::{SocketAddr, TcpListener, TcpStream};
+use std::path::Path;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::time::Duration;
 
@@ -41,14 +42,29 @@ struct Summary {
     refused: u64,
 }
 
+/// A file that is no setup stands beside `--listen`: most likely shots.
+fn both_given(file: &Path, why: &str) -> Error {
+    let file = file.display();
+    let source = format!(
+        "beside --listen the one file is the setup of all messages, and {file} is not one ({why}); to fly the shots of {file} leave --listen out"
+    );
+    Error::Unreadable { name: format!("--listen and the shots {file} are both given"), source: source.into() }
+}
+
 pub fn run(args: &Fly, port: u16) -> Result<Answer> {
+    if let Some(shots) = args.shots.as_ref().filter(|_| args.question.setup != SETUP) {
+        return Err(both_given(shots, "a setup stands behind it"));
+    }
     let question = match &args.shots {
         // of a listener the one argument is the setup
         Some(setup) => Question { setup: setup.display().to_string(), ..args.question.clone() },
         None => args.question.clone(),
     };
     let of = super::asked(args)?;
-    let setup = super::setup(&question, "the messages")?;
+    let setup = super::setup(&question, "the messages").map_err(|error| match (&args.shots, error) {
+        (Some(shots), Error::Toml { message, .. }) => both_given(shots, &message),
+        (_, error) => error,
+    })?;
     let flying = super::followed(&question, &setup, &of, |setup| Flying::of_messages(setup, &of))?;
     let warnings = setup.warnings();
     warn(&warnings);

@@ -5,7 +5,13 @@ use crate::report::table::table;
 impl Document {
     /// As plain text.
     pub fn text(&self) -> String {
-        let blocks = self.blocks.iter().filter_map(|block| match block {
+        // a part of figures alone has nothing to show here
+        let is_of_figures = |at: usize| {
+            let part = self.blocks[at + 1..].iter().take_while(|block| !matches!(block, Block::Heading(_)));
+            self.blocks.get(at + 1).is_some_and(Block::is_figure) && part.clone().all(Block::is_figure)
+        };
+        let blocks = self.blocks.iter().enumerate().filter_map(|(at, block)| match block {
+            Block::Heading(_) if is_of_figures(at) => None,
             Block::Heading(text) => Some(format!("\n{text}\n{}\n", "-".repeat(text.chars().count()))),
             Block::Paragraph(text) => Some(paragraph(text)),
             Block::Table(Table { head, rows, is_right }) => {

@@ -191,17 +191,21 @@ impl Reading<'_> {
         self.columns.iter().any(|column| column.holds == Holds::Outcome(outcome))
     }
 
+    /// Whether it has the columns of a whole launch.
+    fn has_whole_launch(&self) -> bool {
+        let has_spin = self.has(Outcome::Spin) || self.has(Outcome::Backspin);
+        self.has(Outcome::BallSpeed) && self.has(Outcome::LaunchAngle) && has_spin
+    }
+
     /// The heads of a whole launch and of the columns of the club beside it, where both are there.
     pub fn launch_beside_club(&self) -> Option<[String; 2]> {
-        let has_spin = self.has(Outcome::Spin) || self.has(Outcome::Backspin);
-        let is_whole = self.has(Outcome::BallSpeed) && self.has(Outcome::LaunchAngle) && has_spin;
         let heads = |is: &dyn Fn(&Column) -> bool| {
             let heads = self.columns.iter().filter(|column| is(column)).map(|column| column.head.as_str());
             heads.collect::<Vec<_>>().join(", ")
         };
         let launch = heads(&|column| matches!(column.holds, Holds::Outcome(of) if CONDITIONS.contains(&of)));
         let club = heads(&Column::is_of_the_strike);
-        (is_whole && !club.is_empty()).then_some([launch, club])
+        (self.has_whole_launch() && !club.is_empty()).then_some([launch, club])
     }
 
     /// The head of an outcome's column, for messages.
@@ -231,7 +235,9 @@ impl Reading<'_> {
         if !self.is_export {
             return None;
         }
-        self.launch(*stated).err().filter(|wrong| !wrong.is_incomplete)
+        // a delivery is looked for behind a whole launch, where the table has one
+        let is_whole = self.club == Club::Kept && self.has_whole_launch();
+        self.launch(*stated).err().filter(|wrong| !wrong.is_incomplete || is_whole)
     }
 
     /// Why a measured value is none of a drive, in words.
