@@ -1,7 +1,10 @@
 use crate::command::args::{OwnLaw, Question};
 use crate::command::output::{system, tell, warn_early};
 use crate::command::running::running;
-use crate::parameters::{GOLFER, Law, METHOD, PRESETS, Parameter, Preset, SPEED_OF, SetupFile, TABLE, Vary, is_unset};
+use crate::parameters::{
+    GOLFER, Law, METHOD, PRESETS, Parameter, Preset, SPEED_OF, SetupFile, TABLE, Vary, follows_from, is_taken_back,
+    is_unset,
+};
 use crate::report::parameter_text;
 use crate::study::{Accuracy, accuracy};
 use crate::units::{Message, Quantity, counted};
@@ -19,6 +22,7 @@ impl Question {
     /// The setup asked about: a preset or a file, with the overrides applied, checked.
     pub fn setup(&self) -> Result<Setup<f64>> {
         let setup = self.setup_of_points()?;
+        self.refuse_idle_back(&setup, &[])?;
         setup.validate()?;
         Ok(setup)
     }
@@ -58,6 +62,7 @@ impl Question {
         values: impl IntoIterator<Item = (&'static Parameter, f64)>,
         how: &str,
     ) -> Result<Setup<f64>> {
+        let mut begun = vec![];
         for (parameter, value) in values {
             if setup.value(parameter).is_some() {
                 continue;
@@ -67,10 +72,11 @@ impl Question {
                 setup.variable(parameter.name)?;
             }
             setup.set_value(parameter, Some(value))?;
+            begun.push(parameter);
             let shown = parameter_text(parameter, value, system());
             tell(&format!("note: {} has no value in {}; it {how} {shown}", parameter.name, self.name()));
         }
-        self.refuse_replaced(&setup, &[])?;
+        self.refuse_replaced(&setup, &begun)?;
         setup.validate()?;
         Ok(setup)
     }
@@ -89,12 +95,18 @@ impl Question {
             settings.iter().any(|(set, _)| *set == name) || launch.iter().any(|(condition, _)| condition.name == name)
         };
         let read: Vec<_> = without_unit.into_iter().filter(|parameter| !is_replaced(parameter.name)).collect();
+        // what columns give may take the place of it
+        let (back, settings): (Vec<_>, Vec<_>) =
+            settings.into_iter().partition(|(name, text)| is_taken_back(name, text));
         setup.set_all(settings)?;
+        for (name, _) in back {
+            setup.take_back(setup.parameter(name)?);
+        }
         for (condition, value) in launch {
             setup.set(condition.name, value)?;
         }
         self.tell_read_as_si(&setup, &read);
-        self.refuse_replaced(&setup, &[])?;
+        self.refuse_both(&setup, &[])?;
         setup.validate_but_launch()?;
         if setup.launch.is_given() {
             self.refuse_club(&setup, "the drive is given by its launch")?;
@@ -180,6 +192,21 @@ impl Question {
 
     /// What the setup file or `--set` gives may not be replaced by other parameters that are given, here or by `more`.
     pub fn refuse_replaced(&self, setup: &Setup<f64>, more: &[&'static Parameter]) -> Result<()> {
+        self.refuse_both(setup, more)?;
+        self.refuse_idle_back(setup, more)
+    }
+
+    /// What `--set NAME=none` takes back needs what it follows from, in the setup or in `more`.
+    fn refuse_idle_back(&self, setup: &Setup<f64>, more: &[&'static Parameter]) -> Result<()> {
+        let mut own = *setup;
+        let back = settings(&self.set)?.into_iter().filter(|(name, text)| is_taken_back(name, text));
+        for (name, _) in back.filter(|(name, _)| !more.iter().any(|other| follows_from(name, other.name))) {
+            own.set_value(setup.parameter(name)?, None)?;
+        }
+        Ok(())
+    }
+
+    fn refuse_both(&self, setup: &Setup<f64>, more: &[&'static Parameter]) -> Result<()> {
         let mut given: Vec<&'static Parameter> = vec![];
         for path in self.setup_file() {
             given.extend(SetupFile::open(path)?.given);

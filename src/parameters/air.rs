@@ -61,8 +61,13 @@ impl<T> Air<T> {
 }
 
 /// Whether `none` takes this parameter back: another way can give what it gives.
-pub(super) fn is_taken_back(name: &str, text: &str) -> bool {
+pub(crate) fn is_taken_back(name: &str, text: &str) -> bool {
     is_unset(text) && WAYS.iter().any(|ways| ways.replaced.contains(&name))
+}
+
+/// Whether a parameter follows from this other one, where that is given.
+pub(crate) fn follows_from(name: &str, other: &str) -> bool {
+    WAYS.iter().any(|ways| ways.replaced.contains(&name) && ways.by.contains(&other))
 }
 
 /// What else may be given in place of this parameter, as the end of a sentence; empty where nothing else may.

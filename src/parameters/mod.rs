@@ -20,6 +20,8 @@ mod vary;
 mod weights;
 
 pub use air::Ways;
+#[cfg(feature = "cli")]
+pub(crate) use air::{follows_from, is_taken_back};
 pub(crate) use air::{given_otherwise, refuse_replaced};
 pub use club_speed::{SPEED_OF, SpeedOf};
 #[cfg(feature = "cli")]

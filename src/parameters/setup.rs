@@ -288,11 +288,17 @@ impl Setup<f64> {
         match (self.slot(parameter), value) {
             (Some(Slot::Required(place) | Slot::Setting(place)), Some(value)) => *place = value,
             (Some(Slot::Optional(place)), value) => *place = value,
-            // not used while others give it
-            (Some(Slot::Required(place)), None) => *place = parameter.default_value().unwrap_or(*place),
+            (Some(Slot::Required(_)), None) => self.take_back(parameter),
             _ => {}
         }
         Ok(())
+    }
+
+    /// Gives a parameter that follows from others the value that it has where it is not given: it is not used.
+    pub(crate) fn take_back(&mut self, parameter: &Parameter) {
+        if let (Some(Slot::Required(place)), Some(default)) = (self.slot(parameter), parameter.default_value()) {
+            *place = default;
+        }
     }
 
     /// Checks every value against its range, the inertia tensor, and what must be given together.

@@ -348,6 +348,16 @@ fn what_replaces_something_else_is_refused_beside_it() {
     let said = longdrive(&["simulate", &printed, "--set", "air.density=none"]);
     let says = "air.density: it cannot be unset; give it a value, or give what it follows from as well: density and viscosity follow from";
     assert!(said.status == 2 && said.err.contains(says), "{}", said.err);
+    // of a sweep each drive has the weather
+    let over = ["sweep", &dense, "--over", "air.temperature=0degC..30degC:3", "--outcomes", "carry"];
+    let swept = longdrive(&[&over[..], &["--set", "air.density=none"]].concat());
+    let alike = longdrive(&[&["sweep", "modern-driver"][..], &over[2..]].concat());
+    assert_eq!((swept.status, &swept.out), (0, &alike.out), "{}", swept.err);
+    let idle = longdrive(&["sweep", &dense, "--over", "club.loft=9deg..11deg:3", "--set", "air.density=none"]);
+    assert!(idle.status == 2 && idle.err.contains("air.density: it cannot be unset"), "{}", idle.err);
+    // and so has a drive that is differentiated by it
+    let vary = ["gradient", &dense, "--of", "carry", "--wrt", "air.temperature", "--set", "air.temperature=20degC"];
+    assert_eq!(longdrive(&[&vary[..], &["--set", "air.density=none"]].concat()).status, 0);
     // the other way round, and with the one unset, it is allowed
     for args in [
         &["simulate", &warm, "--set", "air.temperature=none", "--set", "air.density=1.1kg/m^3"][..],

@@ -65,6 +65,7 @@ pub fn run(args: &Fly, port: u16) -> Result<Answer> {
         (Some(shots), Error::Toml { message, .. }) => both_given(shots, &message),
         (_, error) => error,
     })?;
+    question.refuse_replaced(&setup, &[])?;
     let flying = super::followed(&question, &setup, &of, |setup| Flying::of_messages(setup, &of))?;
     let warnings = setup.warnings();
     warn(&warnings);
