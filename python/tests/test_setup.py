@@ -48,7 +48,7 @@ STATED: list[tuple[str, float, str, list[str]]] = [
     ("club.loft", 0.2, "rad", ["rad", "mrad", "deg", "rev"]),
     ("swing.closure.x", 20.0, "rad/s", ["rpm"]),
     ("impact.restitution", 0.8, "", ["1", "%"]),
-    ("air.pressure", 1e5, "Pa", ["Pa", "hPa", "kPa", "bar", "mbar", "mmHg", "inHg", "N/m^2"]),
+    ("air.pressure", 1e5, "Pa", ["Pa", "hPa", "kPa", "bar", "mbar", "mmHg", "inHg", "psi", "N/m^2"]),
     ("air.density", 1.2, "kg/m^3", ["g/L"]),
     ("air.viscosity", 1.8e-5, "Pa s", ["P", "cP"]),
     ("air.temperature", 290.0, "K", ["K", "degC", "degF"]),
