@@ -206,6 +206,7 @@ impl PyObjective {
             Failure::Input(format!("x {found}; expected shape ({wanted},): {}, SI", names.join(", ")))
         };
         let values = match x.cast::<PyArray1<f64>>() {
+            Ok(array) if array.hasattr("mask")? => return Err(refuse("is a masked array".into())),
             Ok(array) => match array.readonly().as_slice() {
                 Ok(values) => values.to_vec(),
                 Err(_) => array.to_owned_array().to_vec(),

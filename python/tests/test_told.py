@@ -218,3 +218,71 @@ def test_rows_without_any_value_are_left_out_of_deliveries_and_named() -> None:
         found = longdrive.delivery("modern-driver", shots=shots)
     assert any("rows left out" in text and "row 2 (nothing is measured)" in text for text in found.warnings)
     assert len(caught) == 1 and found.warnings[0] in str(caught[0].message)
+
+
+@pytest.mark.parametrize("off", [0, "no", np.float64(0)])
+def test_switches_take_true_and_false_alone(off: Any, tmp_path: Path) -> None:
+    kept = tmp_path / "kept.toml"
+    kept.write_text("mine")
+    with pytest.raises(InputError, match="overwrite = .*; expected True or False"):
+        longdrive.optimize(output=kept, overwrite=off)
+    for call in (longdrive.batch, longdrive.sweep):
+        points = {"club.loft": [0.2]} if call is longdrive.batch else {"club.loft": (0.1, 0.2, 3)}
+        with pytest.raises(InputError, match="own_step = .*; expected True or False"):
+            call("tour-average", points, own_step=off)
+    assert kept.read_text() == "mine"
+
+
+def test_switches_of_numpy_are_on_and_off(tmp_path: Path) -> None:
+    kept = tmp_path / "kept.toml"
+    kept.write_text("mine")
+    with pytest.raises(InputError, match="exists"):
+        longdrive.optimize(output=kept, overwrite=np.False_)
+    assert kept.read_text() == "mine"
+    longdrive.optimize(output=kept, overwrite=np.True_)
+    assert kept.read_text() != "mine"
+
+
+def test_values_that_are_missing_in_a_dict_of_columns_are_missing_rows() -> None:
+    class NAType:
+        """As pandas.NA, which no comparison takes."""
+
+        def __ne__(self, other: object) -> Any:
+            return self
+
+        def __bool__(self) -> bool:
+            raise TypeError("boolean value of NA is ambiguous")
+
+    shots = {"launch_angle [deg]": [11.0, 10.0], "spin [rpm]": [2500, 2400]}
+    for missing in (NAType(), None, float("nan"), np.ma.masked):
+        found = longdrive.fly({**shots, "ball_speed [mph]": [165, missing]})
+        assert [row["flight"] for row in found["shots"]] == ["landed", "refused"]
+    with pytest.raises(InputError, match="format = 'csv' is of a file"):
+        longdrive.fly({**shots, "ball_speed [mph]": [165, 160]}, format="csv")
+
+
+def test_a_masked_array_is_no_point_of_an_objective() -> None:
+    with pytest.raises(InputError, match="masked"):
+        longdrive.objective("tour-average", "carry", "club.loft").fun(np.ma.array([0.2], mask=[1]))
+
+
+def test_arguments_of_parts_are_told_by_name(tmp_path: Path) -> None:
+    import longdrive.parts
+
+    good: dict[str, Any] = {"output": tmp_path / "parts", "parts": 2, "over": {"club.loft": (0.1, 0.3, 3000)}}
+    for change, said in [
+        ({"parts": 0}, "parts = 0; expected a whole number of 1 or more"),
+        ({"parts": "2"}, "parts = '2'"),
+        ({"output": None}, "output is a NoneType; expected the name of a folder"),
+        ({"points": {"club.loft": [0.2]}}, "points is a dict; expected the name of a file"),
+        ({"retries": -1}, "retries = -1"),
+        ({"processes": 1.5}, "processes = 1.5"),
+    ]:
+        with pytest.raises(InputError, match=said):
+            longdrive.parts.sweep("tour-average", **{**good, **change})
+    with pytest.raises(InputError, match="needs output and parts"):
+        longdrive.parts.sweep("tour-average", over=good["over"])
+    with pytest.raises(InputError, match="manifests is a str"):
+        longdrive.parts.merge("folder")
+    assert longdrive.parts.Question.of(**good, highest="carry:3").words[-1] == "--highest=carry:3"
+    assert not (tmp_path / "parts").exists()

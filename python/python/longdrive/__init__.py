@@ -98,3 +98,12 @@ __all__ = [
     "validate",
     "verify",
 ]
+
+
+def __getattr__(name: str) -> object:
+    """Modules that not every call needs: ``longdrive.parts``, and what works with other packages, are imported where they are asked for."""
+    if name in ("dask", "jax", "parts", "ray", "spark", "torch"):
+        import importlib
+
+        return importlib.import_module(f"{__name__}.{name}")
+    raise AttributeError(f"module '{__name__}' has no attribute '{name}'", name=name, obj=__import__("sys").modules[__name__])

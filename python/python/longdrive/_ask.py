@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 from . import _longdrive
 from ._longdrive import Setup
-from .arguments import kind_of
+from .arguments import kind_of, switch_of
 from .described import commands
 from .errors import InputError, Interrupted, NoAnswerError, interruptible, warn_of
 from .interruption import interruption
@@ -53,6 +53,8 @@ class Question:
             value, what = given[name], str(option["value"])
             if name == "output" and value is None:
                 value = self.scratch
+                if value is not None and given.get("format") is not None:
+                    raise InputError(f"format = {given['format']!r} is of a file, and no file is written; give output too, or leave format out")
             if value is None and (option["required"] or name == "shots" and option["positional"]):
                 raise InputError(f"{name} is None, and {self.command} needs it: {in_python(option['help']).removesuffix('. Repeatable')}")
             if not option["positional"] and _is_empty(value):
@@ -144,7 +146,7 @@ class Question:
             return
         option = "--" + name.replace("_", "-")
         if kind == "nothing":
-            self.words.append(option)
+            self.words.extend([option] if switch_of(name, value) else [])
         elif kind == "one":
             self.words.append(f"{option}={self._one(name, value, what)}")
         else:

@@ -5,9 +5,11 @@ from __future__ import annotations
 import operator
 from typing import Any
 
+import numpy as np
+
 from .errors import InputError
 
-__all__ = ["count_of", "kind_of", "one_name", "refuse_idle_seed"]
+__all__ = ["count_of", "kind_of", "one_name", "refuse_idle_seed", "switch_of"]
 
 
 def kind_of(value: Any) -> str:
@@ -42,6 +44,17 @@ def count_of(name: str, value: Any, least: int = 0) -> int:
     if isinstance(value, bool) or number < least:
         raise InputError(f"{name} = {value!r}; expected a whole number of {least} or more")
     return number
+
+
+def switch_of(name: str, value: Any) -> bool:
+    """Whether something is switched on: True or False, NumPy's too.
+
+    Raises:
+        InputError: for anything else, which is not guessed at: ``overwrite="no"`` must not replace a file.
+    """
+    if not isinstance(value, (bool, np.bool_)):
+        raise InputError(f"{name} = {value!r}; expected True or False")
+    return bool(value)
 
 
 def one_name(name: str, value: Any, several: str) -> str:

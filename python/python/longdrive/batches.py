@@ -8,7 +8,7 @@ import numpy.typing as npt
 
 from . import _longdrive
 from ._longdrive import Setup
-from .arguments import count_of
+from .arguments import count_of, switch_of
 from .errors import Interrupted, interruptible, warn_of
 from .progress import Progress, follower
 from .table import Table
@@ -63,7 +63,7 @@ def batch(
     Warns:
         LongdriveWarning: once, with all of ``warnings`` of the table.
     """
-    if hessians and wrt is None:
+    if switch_of("hessians", hessians) and wrt is None:
         wrt = "points"
     with interruptible("longdrive.batch was interrupted before the first row"), follower("drives", progress) as told:
         table = computed(
@@ -96,7 +96,8 @@ def computed(
     """The table of a batch. The step is chosen for `ranges`, or for those of the points; `interrupted` says how one goes on after so many rows."""
     setup = setup if isinstance(setup, Setup) else Setup(setup)
     status, columns, seconds, of, by, given, units, warnings, (done, whole), raised = _longdrive.batch(
-        setup, points, of, wrt, tolerance, own_step, count_of("threads", threads), told, count_of("first_row", first_row), hessians, ranges
+        setup, points, of, wrt, tolerance, switch_of("own_step", own_step), count_of("threads", threads), told,
+        count_of("first_row", first_row), switch_of("hessians", hessians), ranges,
     )
     table = Table(
         status=status[:done], columns=columns[len(given) :, :done], points=columns[: len(given), :done], of=of, wrt=by, parameters=given, units=units,

@@ -20,7 +20,7 @@ from typing import Any, Union
 
 from . import _longdrive
 from ._ask import Question as Words
-from .arguments import refuse_idle_seed
+from .arguments import count_of, kind_of, refuse_idle_seed
 from .errors import Error, InputError, Interrupted
 from .types import Names, SetupLike
 from .wording import in_python
@@ -73,8 +73,8 @@ class Question:
         of: Names = "carry",
         wrt: Names = (),
         histogram: Mapping[str, str] | None = None,
-        highest: Mapping[str, int] | None = None,
-        lowest: Mapping[str, int] | None = None,
+        highest: Mapping[str, int] | str | None = None,
+        lowest: Mapping[str, int] | str | None = None,
         instructions: str | None = None,
         tolerance: str | None = None,
         own_step: bool = False,
@@ -93,7 +93,7 @@ class Question:
             of: outcomes, a name or several; ``"all"`` for every one.
             wrt: parameters to differentiate by, a name or several; ``"points"`` for those that are swept.
             histogram: outcomes with bins, ``{"carry": "200m..300m:64"}``.
-            highest: outcomes with how many rows of the highest values to keep by themselves.
+            highest: outcomes with how many rows of the highest values to keep by themselves, ``{"carry": 10}``.
             lowest: the same of the lowest.
             instructions: ``"baseline"``, ``"avx2"`` or ``"avx512"``: what every worker's processor has. Without it each takes the most it has, and
                 parts of different processors are refused.
@@ -101,6 +101,11 @@ class Question:
             own_step: whether ``flight.method`` and ``flight.step`` of the setup are kept.
             threads: threads that compute a part; a worker that computes several parts at a time has one for each.
         """
+        count_of("parts", parts, 1)
+        count_of("threads", threads, 1)
+        for name, value in {"output": output, "points": points}.items():
+            if not isinstance(value, (str, os.PathLike)) and not (name == "points" and value is None):
+                raise InputError(f"{name} is {kind_of(value)}; expected the name of a {'file that every worker can read' if name == 'points' else 'folder'}")
         asked = Words("sweep", Path())
         asked.take_setup(setup)
         asked.option("over", over or None, "several", "NAME=LOW..HIGH:COUNT")
@@ -114,8 +119,8 @@ class Question:
         else:
             asked.option("wrt", _joined(wrt) or None, "one", "NAME,…")
         asked.option("histogram", histogram, "several", "OUTCOME=LOW..HIGH:COUNT")
-        asked.option("highest", [f"{name}:{rows}" for name, rows in (highest or {}).items()], "several", "OUTCOME:ROWS")
-        asked.option("lowest", [f"{name}:{rows}" for name, rows in (lowest or {}).items()], "several", "OUTCOME:ROWS")
+        asked.option("highest", _best(highest), "several", "OUTCOME:ROWS")
+        asked.option("lowest", _best(lowest), "several", "OUTCOME:ROWS")
         asked.option("instructions", instructions, "one", "LEVEL")
         asked.option("tolerance", tolerance, "one", "LENGTH")
         asked.option("own_step", own_step, "nothing", "OWN_STEP")
@@ -187,6 +192,13 @@ def _sweep(words: list[str], setup: str) -> dict[str, Any]:
     return found
 
 
+def _best(rows: Mapping[str, int] | str | None) -> list[str]:
+    """Outcomes with their number of rows, as the program has them; a text as it is."""
+    if isinstance(rows, str):
+        return [rows]
+    return [f"{name}:{count}" for name, count in (rows or {}).items()]
+
+
 def _joined(names: Names) -> str:
     return names if isinstance(names, str) else ",".join(names)
 
@@ -215,6 +227,9 @@ def merge(manifests: Iterable[Mapping[str, Any]]) -> dict[str, Any]:
 
     The parts are merged in the order of their numbers, each once, so that the result is the same to the last bit whatever the order they came in.
     """
+
+    if isinstance(manifests, (str, os.PathLike)):
+        raise InputError(f"manifests is {kind_of(manifests)}; expected the `manifests` of parts; longdrive.parts.check tells of a folder what its rows are like")
 
     def finite(value: Any) -> Any:
         # JSON has no infinity: a flat face is "inf"
@@ -246,8 +261,14 @@ def sweep(setup: SetupLike = None, *, processes: int = 0, retries: int = 3, **qu
 
     Raises:
         PartError: for a part that could not be written.
+        InputError: for arguments that are none.
         Interrupted: after Ctrl-C; parts that are whole stay, and the same call goes on.
     """
+    count_of("processes", processes)
+    count_of("retries", retries)
+    missing = [name for name in ("output", "parts") if name not in question]
+    if missing:
+        raise InputError(f"a sweep in parts needs {' and '.join(missing)}: the folder of the files, and how many there are")
     asked = Question.of(setup, **question)
     manifests: dict[int, dict[str, Any]] = {}
     tries = dict.fromkeys(range(1, asked.parts + 1), 0)

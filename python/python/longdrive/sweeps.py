@@ -8,7 +8,7 @@ from typing import Union, overload
 from . import _longdrive
 from ._ask import Question, ask
 from ._longdrive import Setup
-from .arguments import count_of, refuse_idle_seed
+from .arguments import count_of, refuse_idle_seed, switch_of
 from .batches import computed
 from .errors import InputError, interruptible, warn_of
 from .progress import Progress, follower
@@ -105,7 +105,7 @@ def sweep(
     Warns:
         LongdriveWarning: once, with all of ``warnings`` of the table or the reply.
     """
-    _refuse(over, sample, seed, points, output, resume or overwrite)
+    _refuse(over, sample, seed, points, output, switch_of("resume", resume) or switch_of("overwrite", overwrite))
     if output is not None:
         by = {"gradient": True} if wrt == "points" else {"wrt": wrt}
         file = {"output": os.fspath(output), "resume": resume, "overwrite": overwrite, "progress": progress}

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Set
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from .arguments import count_of, kind_of
 from .errors import InputError
 
@@ -80,7 +82,8 @@ def _column(name: str, head: Any, values: Any) -> list[Any]:
 
 
 def _cell(value: Any) -> Any:
-    if value is None or value != value:
+    # a masked element of NumPy, pandas.NA and NaT are no values either
+    if value is None or value is np.ma.masked or type(value).__name__ in ("NAType", "NaTType") or value != value:
         return ""
     # numbers of NumPy print as Python's own
     return repr(float(value)) if hasattr(value, "dtype") and value.dtype.kind in "fiu" else value
