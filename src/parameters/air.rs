@@ -66,6 +66,7 @@ pub(crate) fn is_taken_back(name: &str, text: &str) -> bool {
 }
 
 /// Whether a parameter follows from this other one, where that is given.
+#[cfg(feature = "cli")]
 pub(crate) fn follows_from(name: &str, other: &str) -> bool {
     WAYS.iter().any(|ways| ways.replaced.contains(&name) && ways.by.contains(&other))
 }
