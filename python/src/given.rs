@@ -17,6 +17,11 @@ pub struct Given<'py> {
 }
 
 impl Given<'_> {
+    /// Whether it is the text that unsets a parameter.
+    pub fn is_unset(&self) -> bool {
+        self.value.cast::<PyString>().is_ok_and(|text| text == UNSET)
+    }
+
     /// The value as a text, and whether a number in it is SI without a unit.
     fn text(&self, setup: &Setup<f64>) -> Answer<(String, bool)> {
         let value = &self.value;

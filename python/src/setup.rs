@@ -105,9 +105,11 @@ impl PySetup {
             given.iter().any(|given| given.name == row.name)
                 || base.parameter(row.name).is_ok_and(|_| base.value(row) != self.setup.value(row))
         };
+        // nor is one given that "none" takes back
+        let is_back = |row: &Parameter| given.iter().any(|given| given.name == row.name && given.is_unset());
         let rows = self.setup.parameters();
-        let names: Vec<_> =
-            rows.iter().filter(is_given).filter(|row| self.setup.value(row).is_some()).map(|row| row.name).collect();
+        let set = rows.iter().filter(is_given).filter(|row| self.setup.value(row).is_some() && !is_back(row));
+        let names: Vec<_> = set.map(|row| row.name).collect();
         self.setup.refuse_replaced(&names)?;
         self.setup.validate_but_launch()?;
         Ok(self)

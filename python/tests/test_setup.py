@@ -152,6 +152,9 @@ def test_what_was_given_is_not_replaced_in_silence() -> None:
     dense = Setup({"air.density": 1.1})
     with pytest.raises(InputError, match="air.density and air.temperature are both given"):
         dense.replace({"air.temperature": "20 degC"})
+    # what the message says to write
+    warm = dense.replace({"air.density": "none", "air.temperature": "20 degC"})
+    assert longdrive.simulate(warm)["carry"] == longdrive.simulate(Setup({"air.temperature": "20 degC"}))["carry"]
 
 
 def test_a_file_that_is_wrong_names_line_and_column(tmp_path: Path) -> None:
