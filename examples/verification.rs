@@ -19,7 +19,7 @@ fn main() -> Result<()> {
     let mut certificates = vec![];
     for preset in PRESETS {
         let setup = Setup::preset(preset.name)?;
-        certificates.push((preset.name, certify(&setup, Outcome::ALL, &setup.variables(), |_, _| true)?));
+        certificates.push((preset.name, certify(&setup, Outcome::ALL, &setup.variables(), &|_, _| true)?));
     }
     println!("## Every outcome by every parameter\n");
     println!(
@@ -33,7 +33,7 @@ fn main() -> Result<()> {
 
     let setup = Setup::preset("mae494")?;
     let loft = [setup.variable("club.loft")?];
-    let carry = certify(&setup, &[Outcome::Carry], &loft, |_, _| true)?;
+    let carry = certify(&setup, &[Outcome::Carry], &loft, &|_, _| true)?;
     v_curve(&carry);
     let loops = while_loop(&setup, &carry.rows);
     the_loop(&loops);

@@ -180,7 +180,7 @@ pub fn simulate_batch(
     run: &Run<'_>,
     mut sink: impl FnMut(&Block) -> Result<()>,
 ) -> Result<u64> {
-    Batch::new(setup, points.parameters(), of, &[])?.run(points, run, |block| block, |block| sink(&block))
+    of_batch(&Batch::new(setup, points.parameters(), of, &[])?, points, run, &mut sink)
 }
 
 /// As [`simulate_batch`], with the exact derivatives of every outcome by each parameter of `wrt`.
@@ -198,5 +198,15 @@ pub fn gradient_batch(
     if wrt.is_empty() {
         return Err(Error::Nothing { doing: "differentiate by", what: "parameter" });
     }
-    Batch::new(setup, points.parameters(), of, wrt)?.run(points, run, |block| block, |block| sink(&block))
+    of_batch(&Batch::new(setup, points.parameters(), of, wrt)?, points, run, &mut sink)
+}
+
+/// Compiled once, whatever becomes of the blocks.
+fn of_batch(
+    batch: &Batch,
+    points: &mut dyn Points,
+    run: &Run<'_>,
+    sink: &mut dyn FnMut(&Block) -> Result<()>,
+) -> Result<u64> {
+    batch.run(points, run, |block| block, |block| sink(&block))
 }

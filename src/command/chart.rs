@@ -36,7 +36,7 @@ pub fn run(args: &ChartArgs) -> Result<Answer> {
         beginning: Some(Rc::new(beginning)),
         iteration: Some(Rc::new(progress(&search, &spinner))),
     };
-    let chart = chart_at(&setup, &search, along, &at, &observer, |point| {
+    let chart = chart_at(&setup, &search, along, &at, &observer, &mut |point| {
         if at.is_empty() || at.contains(&point.at) {
             let value = point.best.value().map_or("–".into(), |value| outcome_text(of, value, system()));
             let place = parameter_text(along.parameter, point.at, system());

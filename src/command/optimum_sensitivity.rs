@@ -78,7 +78,7 @@ fn analysed(best: &Optimum, wrt: &[&'static Parameter], changes: &[Change], loss
     let wrt: Vec<_> =
         wrt.iter().copied().filter(|p| best.search.vary.iter().all(|vary| vary.parameter != *p)).collect();
     let bar = bar("parameters");
-    let sensitivities = sensitivities(best, &wrt, |done, of| show(&bar, done, of));
+    let sensitivities = sensitivities(best, &wrt, &mut |done, of| show(&bar, done, of));
     bar.finish_and_clear();
     if let (None, Some((_, said))) = (loss, short_drive(best)) {
         tell(said);

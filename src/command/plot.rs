@@ -131,7 +131,7 @@ fn along(args: &PlotChart) -> Result<Answer> {
     let ranges: Vec<_> = search.vary.iter().copied().chain([along]).collect();
     let setup = args.question.for_many(setup, &ranges)?;
     let bar = bar("optima");
-    let chart = chart(&setup, &search, along, |_| {
+    let chart = chart(&setup, &search, along, &mut |_| {
         bar.inc(1);
         true
     });
@@ -162,7 +162,7 @@ fn tornado(args: &PlotTornado) -> Result<Answer> {
     let of = Outcome::named(&args.of)?;
     let given = args.sigma.iter().map(|text| Sigma::read(&setup, text)).collect::<Result<Vec<_>>>()?;
     let bar = bar("uncertainties");
-    let found = effects(&setup, &[of], &with_defaults(&setup, &given, &[of])?, |done, all| show(&bar, done, all));
+    let found = effects(&setup, &[of], &with_defaults(&setup, &given, &[of])?, &mut |done, all| show(&bar, done, all));
     bar.finish_and_clear();
     let found = found?;
     let causes = match args.show {
@@ -201,7 +201,7 @@ fn vcurve(args: &PlotVcurve) -> Result<Answer> {
     let of = outcomes(&args.of)?;
     let wrt = if args.wrt.is_empty() { usual(&setup)? } else { variables(&setup, &args.wrt, &of)? };
     let bar = bar("parameters");
-    let certificate = certify(&setup, &of, &wrt, |done, all| {
+    let certificate = certify(&setup, &of, &wrt, &|done, all| {
         show(&bar, done, all);
         true
     });

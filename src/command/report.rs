@@ -88,11 +88,11 @@ pub fn run(args: &Report) -> Result<Answer> {
     let is_fixed = |(search, along): &&(Search, Vary)| search.vary.iter().all(|vary| vary.parameter != along.parameter);
     let chart = match sought.as_ref().filter(is_fixed) {
         Some((search, along)) if best.is_some() => {
-            let on_point = |_: &_| {
+            let mut on_point = |_: &_| {
                 bar.inc(1);
                 true
             };
-            said(chart(&setup, search, *along, on_point), &mut remarks)?
+            said(chart(&setup, search, *along, &mut on_point), &mut remarks)?
         }
         _ => None,
     };
@@ -100,7 +100,7 @@ pub fn run(args: &Report) -> Result<Answer> {
     remarks.extend(chart.as_ref().map_or_else(Vec::new, Chart::warnings));
 
     let shown = if of == Outcome::Lateral { vec![Outcome::Carry] } else { vec![of, Outcome::Lateral] };
-    let moved = |setup: &Setup<f64>, of: &[Outcome]| effects(setup, of, &sigmas, |_, _| ());
+    let moved = |setup: &Setup<f64>, of: &[Outcome]| effects(setup, of, &sigmas, &mut |_, _| ());
     let effects = said(moved(&setup, &shown), &mut remarks)?.unwrap_or_default();
     bar.inc(1);
     let at_best = best.map(|best| said(moved(&best.setup, &[of]), &mut remarks)).transpose()?;
@@ -250,7 +250,7 @@ fn rows(setup: &Setup<f64>, of: Outcome, search: Option<&Search>) -> Result<Vec<
     if !wrt.contains(&speed) {
         wrt.push(speed);
     }
-    let mut rows = certify(setup, &[of], &wrt, |_, _| true)?.rows;
+    let mut rows = certify(setup, &[of], &wrt, &|_, _| true)?.rows;
     // not those of the landing, which are looked at beside
     rows.retain(|row| row.of == of);
     Ok(rows)

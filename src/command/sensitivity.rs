@@ -33,7 +33,7 @@ pub fn run(args: &SensitivityArgs) -> Result<Answer> {
     let mut warnings = drive.warnings_about(&setup, &of);
     warn(&warnings);
     let bar = bar("uncertainties");
-    let found = effects(&setup, &of, &sigmas, |done, all| show(&bar, done, all));
+    let found = effects(&setup, &of, &sigmas, &mut |done, all| show(&bar, done, all));
     bar.finish_and_clear();
     let found = found?;
     let totals = match &best {
@@ -42,7 +42,7 @@ pub fn run(args: &SensitivityArgs) -> Result<Answer> {
             let runs = best.search.outcomes().iter().any(|of| of.is_of_the_run());
             let counts = |row: &&Parameter| runs || !row.is_of_the_run();
             let wrt: Vec<_> = setup.variables().into_iter().filter(varied).filter(counts).collect();
-            Some((best.search.of, sensitivities(best, &wrt, |_, _| ())?))
+            Some((best.search.of, sensitivities(best, &wrt, &mut |_, _| ())?))
         }
         None => None,
     };

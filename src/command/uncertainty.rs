@@ -17,7 +17,7 @@ pub fn run(args: &UncertaintyArgs) -> Result<Answer> {
     warn(&warnings);
     let plan = Plan { samples: args.samples as usize, seed: args.seed };
     let bar = bar("drives");
-    let found = uncertainty(&setup, &of, &inputs, plan, |done, all| show(&bar, done, all));
+    let found = uncertainty(&setup, &of, &inputs, plan, &|done, all| show(&bar, done, all));
     bar.finish_and_clear();
     let found = found?;
     let is_found = found.outcomes.iter().all(|outcome| outcome.sampled.is_some());

@@ -22,7 +22,7 @@ pub fn run(args: &Verify) -> Result<Answer> {
     let wrt = variables(&setup, &args.wrt, &of)?;
     let bar = bar("parameters");
     let stop = interrupt::stops("stopping after the parameters under way");
-    let certificate = certify(&setup, &of, &wrt, |done, all| {
+    let certificate = certify(&setup, &of, &wrt, &|done, all| {
         show(&bar, done, all);
         !stop.load(Ordering::Relaxed)
     });

@@ -46,7 +46,7 @@ pub fn while_loop(setup: &Setup<f64>, rows: &[Row]) -> Vec<LoopRow> {
         .filter(known)
         .filter_map(|row| {
             let (parameter, scale) = (row.parameter, row.ladder.scale);
-            let carry = |x: f64| {
+            let mut carry = |x: f64| {
                 let mut moved = *setup;
                 let flown = moved
                     .set_value(parameter, Some(x))
@@ -54,7 +54,7 @@ pub fn while_loop(setup: &Setup<f64>, rows: &[Row]) -> Vec<LoopRow> {
                     .and_then(|()| fly_past_the_ground(&moved, setup.flight.step));
                 vec![flown.map_or(f64::NAN, |stop| stop.overshot)]
             };
-            let ladder = Ladder::sample(setup.value(parameter)?, scale, STEPS, carry).pop()?;
+            let ladder = Ladder::sample(setup.value(parameter)?, scale, STEPS, &mut carry).pop()?;
             Some(LoopRow { parameter, scale, check: ladder.judge(row.first.exact, Demand::FIRST) })
         })
         .collect()

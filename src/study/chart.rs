@@ -137,7 +137,7 @@ pub fn chart(
     setup: &Setup<f64>,
     search: &Search,
     along: Vary,
-    on_point: impl FnMut(&ChartPoint) -> bool,
+    on_point: &mut dyn FnMut(&ChartPoint) -> bool,
 ) -> Result<Chart> {
     chart_at(setup, search, along, &[], &ChartObserver::default(), on_point)
 }
@@ -183,7 +183,7 @@ pub fn chart_at(
     along: Vary,
     at: &[f64],
     observer: &ChartObserver,
-    mut on_point: impl FnMut(&ChartPoint) -> bool,
+    on_point: &mut dyn FnMut(&ChartPoint) -> bool,
 ) -> Result<Chart> {
     if let Some(outside) = at.iter().find(|at| !(along.low..=along.high).contains(*at)) {
         let show = |value: f64| along.parameter.show(Some(value));

@@ -80,7 +80,7 @@ pub fn effects(
     setup: &Setup<f64>,
     of: &[Outcome],
     sigmas: &[Sigma],
-    mut progress: impl FnMut(usize, usize),
+    progress: &mut dyn FnMut(usize, usize),
 ) -> Result<Vec<Effects>> {
     let mut parameters = setup.variables();
     // what only the run depends on, where none is asked for

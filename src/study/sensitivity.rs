@@ -42,7 +42,7 @@ pub fn sensitivity(best: &Optimum, parameter: &'static Parameter) -> Result<Sens
 pub fn sensitivities(
     best: &Optimum,
     wrt: &[&'static Parameter],
-    mut progress: impl FnMut(usize, usize),
+    progress: &mut dyn FnMut(usize, usize),
 ) -> Result<Vec<(&'static Parameter, Result<Sensitivity>)>> {
     converged(best)?;
     let one = |(done, parameter): (usize, &&'static Parameter)| {

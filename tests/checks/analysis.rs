@@ -53,7 +53,7 @@ fn differences_agree(setup: &Setup<f64>, search: &Search) {
     let wrt: Vec<_> =
         parameters.into_iter().filter(|p| search.vary.iter().all(|vary| vary.parameter.name != p.name)).collect();
     let mut compared = 0;
-    for (parameter, sensitivity) in sensitivities(&best, &wrt, |_, _| ()).unwrap() {
+    for (parameter, sensitivity) in sensitivities(&best, &wrt, &mut |_, _| ()).unwrap() {
         let exact = sensitivity.unwrap_or_else(|e| panic!("{}: {e}", parameter.name));
         let value = best.setup.value(parameter).unwrap();
         // a change of the parameter that is small but far above rounding
@@ -283,7 +283,7 @@ fn independent_optima_lie_on_the_chart_and_its_events_are_where_the_active_set_c
     let search =
         search(&setup, &["club.loft=4deg..20deg", "swing.attack_angle=-5deg..5deg"], &["apex_height <= 35 yd"]);
     let along = Vary::read(&setup, "swing.speed=80mph..130mph").unwrap();
-    let chart = chart(&setup, &search, along, |_| true).unwrap();
+    let chart = chart(&setup, &search, along, &mut |_| true).unwrap();
     assert!(chart.ended.is_none());
     assert_eq!((chart.points[0].at, chart.points.last().unwrap().at), (along.low, along.high));
     assert!(chart.points.windows(2).all(|pair| pair[0].at < pair[1].at));
@@ -300,7 +300,10 @@ fn independent_optima_lie_on_the_chart_and_its_events_are_where_the_active_set_c
     before.swing.speed = event.at - 1e-6;
     assert!(!names(&best(&before, &search)).contains(&"apex_height <= 35 yd".to_owned()));
     let along_itself = Vary::read(&setup, "club.loft=5deg..6deg").unwrap();
-    assert!(matches!(longdrive::study::chart(&setup, &search, along_itself, |_| true), Err(Error::Unreadable { .. })));
+    assert!(matches!(
+        longdrive::study::chart(&setup, &search, along_itself, &mut |_| true),
+        Err(Error::Unreadable { .. })
+    ));
 }
 
 #[test]

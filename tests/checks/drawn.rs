@@ -206,7 +206,7 @@ fn a_chart_marks_your_drive_and_says_in_words_what_a_bound_holds() {
     let setup = setup();
     let search = Search::longest_drive(&setup).unwrap();
     let along = Vary::read(&setup, "swing.speed=90mph..125mph").unwrap();
-    let found = chart(&setup, &search, along, |_| true).unwrap();
+    let found = chart(&setup, &search, along, &mut |_| true).unwrap();
     let best = optimum(&setup, search, Observer::default()).unwrap();
     let figures = chart_figures(&found, Some(&best), System::Us);
     assert_eq!(figures.drawn.len(), 2, "the attack angle has none");
@@ -240,7 +240,7 @@ fn events_of_a_chart_are_told_in_words_and_in_the_units_chosen() {
     let limit = Constraint::read("apex_height <= 35 yd").unwrap();
     let search = Search { subject_to: vec![limit], ..Search::longest_drive(&setup).unwrap() };
     let along = Vary::read(&setup, "swing.speed=80mph..130mph").unwrap();
-    let found = chart(&setup, &search, along, |_| true).unwrap();
+    let found = chart(&setup, &search, along, &mut |_| true).unwrap();
     for (system, limit) in
         [(System::Us, "apex height ≤ 35 yd begins"), (System::Metric, "apex height ≤ 32.004 m begins")]
     {
@@ -362,7 +362,7 @@ fn exact_ellipses_on_the_fairway_are_those_of_uncertainty() {
     let landing = Landing::of("as set up", &setup, &sigmas).unwrap();
     assert!(landing.sigmas.iter().all(|sigma| !sigma.parameter.name.starts_with("aero.")));
     let inputs: Vec<Uncertain> = landing.sigmas.iter().map(|sigma| Uncertain::normal(&setup, sigma)).collect();
-    let found = uncertainty(&setup, &of, &inputs, Plan { samples: 16, seed: 0 }, |_, _| ()).unwrap();
+    let found = uncertainty(&setup, &of, &inputs, Plan { samples: 16, seed: 0 }, &|_, _| ()).unwrap();
     let by_gradient: Vec<_> = found.ellipses.iter().filter(|one| one.by_gradient).collect();
     assert_eq!(by_gradient.len(), landing.ellipses.len());
     for (ours, theirs) in landing.ellipses.iter().zip(by_gradient) {

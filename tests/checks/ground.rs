@@ -178,7 +178,7 @@ fn differences_confirm_the_derivatives_of_the_run() {
         let of_ground = of_ground.map(|name| format!("ground.{name}"));
         let names = names.into_iter().chain(of_ground.iter().map(String::as_str));
         let wrt: Vec<_> = names.map(|name| setup.variable(name).unwrap()).collect();
-        let certificate = certify(&setup, &OF_THE_RUN, &wrt, |_, _| true).unwrap();
+        let certificate = certify(&setup, &OF_THE_RUN, &wrt, &|_, _| true).unwrap();
         for row in &certificate.rows {
             assert!(row.verdict() != Verdict::Fail, "{} {}: {:?}", row.of.name(), row.parameter.name, row.first);
         }

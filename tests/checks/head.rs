@@ -102,7 +102,7 @@ fn differences_certify_derivatives_by_weights_and_centre_of_mass() {
     let of = [&[Outcome::Carry, Outcome::Lateral, Outcome::Spin], Outcome::OF_HEAD].concat();
     let wrt: Vec<_> = setup.variables().into_iter().filter(|row| row.name.starts_with("club.")).collect();
     assert!(wrt.len() > 18, "{}", wrt.len());
-    let certificate = certify(&setup, &of, &wrt, |_, _| true).unwrap();
+    let certificate = certify(&setup, &of, &wrt, &|_, _| true).unwrap();
     assert!(certificate.passed(), "{:?}", certificate.failures());
     // two ways through the chain rule
     let one_by_one =

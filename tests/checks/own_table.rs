@@ -142,7 +142,7 @@ fn exact_derivatives_with_a_table_pass_verification() {
     let wrt = ["club.loft", "swing.speed", "air.density", "aero.cd_factor", "aero.cl_factor", "wind.downrange"];
     let wrt = wrt.map(|name| setup.variable(name).unwrap());
     let certificate =
-        certify(&setup, &[Outcome::Carry, Outcome::Lateral, Outcome::DescentAngle], &wrt, |_, _| true).unwrap();
+        certify(&setup, &[Outcome::Carry, Outcome::Lateral, Outcome::DescentAngle], &wrt, &|_, _| true).unwrap();
     assert!(certificate.passed(), "{certificate:?}");
     // and the drive is that of the law
     let carry = |setup: &Setup<f64>| Outcome::Carry.of(&Drive::new(setup).unwrap()).unwrap();

@@ -80,7 +80,7 @@ fn exact_the_change_to_the_same_drive_has_no_uncertainty() {
     use longdrive::{Outcome, Setup};
     let setup = Setup::default();
     let sigmas = with_defaults(&setup, &[], &[Outcome::Carry]).unwrap();
-    let of = |setup: &Setup<f64>| effects(setup, &[Outcome::Carry], &sigmas, |_, _| ()).unwrap().pop().unwrap();
+    let of = |setup: &Setup<f64>| effects(setup, &[Outcome::Carry], &sigmas, &mut |_, _| ()).unwrap().pop().unwrap();
     let here = of(&setup);
     assert_eq!(here.uncertainty_of_change(&here), 0.0);
     let mut other = setup;

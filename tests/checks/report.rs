@@ -51,9 +51,9 @@ fn figures() -> Vec<Figure> {
     crooked.set("swing.path", "3 deg").unwrap();
     let flown = [Flown::new("as <set> & \"up\"", &crooked).unwrap()];
     let sigmas = with_defaults(&setup, &[], &[Outcome::Carry]).unwrap();
-    let effects = effects(&setup, &[Outcome::Carry], &sigmas, |_, _| ()).unwrap();
+    let effects = effects(&setup, &[Outcome::Carry], &sigmas, &mut |_, _| ()).unwrap();
     let loft = setup.variable("club.loft").unwrap();
-    let certificate = certify(&setup, &[Outcome::Carry], &[loft], |_, _| true).unwrap();
+    let certificate = certify(&setup, &[Outcome::Carry], &[loft], &|_, _| true).unwrap();
     vec![
         trajectory_figure(&flown, View::Side, System::Us).unwrap(),
         trajectory_figure(&flown, View::Top, System::Us).unwrap(),

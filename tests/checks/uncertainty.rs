@@ -125,7 +125,7 @@ fn exact_gradients_and_flown_drives_agree_where_the_drive_is_nearly_linear() {
     let (setup, inputs) = drive();
     let of = [Outcome::Carry, Outcome::Lateral];
     let plan = Plan { samples: 2048, seed: 7 };
-    let found = uncertainty(&setup, &of, &inputs, plan, |_, _| ()).unwrap();
+    let found = uncertainty(&setup, &of, &inputs, plan, &|_, _| ()).unwrap();
     for outcome in &found.outcomes {
         let (first, second) = outcome.delta.unwrap();
         let (second, sampled) = (second.unwrap(), outcome.sampled.as_ref().unwrap());
@@ -148,9 +148,9 @@ fn exact_gradients_and_flown_drives_agree_where_the_drive_is_nearly_linear() {
     assert_eq!(found.tally.counts().map(|(_, count)| count).sum::<u64>(), 6 * 2048);
 
     // the same seed, the same bits; another, others
-    let again = uncertainty(&setup, &of, &inputs, plan, |_, _| ()).unwrap();
+    let again = uncertainty(&setup, &of, &inputs, plan, &|_, _| ()).unwrap();
     assert_eq!(format!("{:?}", again.outcomes), format!("{:?}", found.outcomes));
-    let other = uncertainty(&setup, &of, &inputs, Plan { seed: 8, ..plan }, |_, _| ()).unwrap();
+    let other = uncertainty(&setup, &of, &inputs, Plan { seed: 8, ..plan }, &|_, _| ()).unwrap();
     assert_ne!(format!("{:?}", other.outcomes), format!("{:?}", found.outcomes));
 }
 
@@ -159,7 +159,7 @@ fn exact_drives_that_do_not_fly_are_counted() {
     let mut setup = Setup::default();
     setup.set_all([("club.loft", "1 deg"), ("swing.attack_angle", "0 deg")]).unwrap();
     let inputs = [Uncertain::read(&setup, "club.loft=uniform(-2 deg, 4 deg)").unwrap()];
-    let found = uncertainty(&setup, &[Outcome::Carry], &inputs, Plan { samples: 300, seed: 0 }, |_, _| ()).unwrap();
+    let found = uncertainty(&setup, &[Outcome::Carry], &inputs, Plan { samples: 300, seed: 0 }, &|_, _| ()).unwrap();
     let count = |wanted: Status| found.tally.counts().find(|(status, _)| *status == wanted).unwrap().1;
     // a third of the range launches downwards
     assert!(count(Status::NoFlight) > 200 && count(Status::NoFlight) < 400, "{:?}", found.tally);
@@ -173,7 +173,7 @@ fn exact_effects_are_slopes_times_uncertainties_ranked_by_size() {
     let given = [Sigma::read(&setup, "swing.speed=2 mph").unwrap(), Sigma::read(&setup, "ball.mass=1%").unwrap()];
     let sigmas = with_defaults(&setup, &given, &[Outcome::Carry]).unwrap();
     assert!(sigmas.len() > 8 && sigmas.iter().skip(2).all(|sigma| sigma.source.is_some()));
-    let found = effects(&setup, &[Outcome::Carry], &sigmas, |_, _| ()).unwrap().remove(0);
+    let found = effects(&setup, &[Outcome::Carry], &sigmas, &mut |_, _| ()).unwrap().remove(0);
     let carry = Outcome::Carry.of(&Drive::new(&setup).unwrap()).unwrap();
     close(found.value, carry, carry, 1e-14, "value");
     let bars: Vec<_> = found.effects.iter().filter_map(|effect| Some((effect, effect.bar?))).collect();
@@ -203,7 +203,7 @@ fn exact_effects_are_slopes_times_uncertainties_ranked_by_size() {
         }
     }
     // ball speed is in proportion to club speed: an elasticity of 1
-    let speed = effects(&setup, &[Outcome::BallSpeed], &given, |_, _| ()).unwrap().remove(0);
+    let speed = effects(&setup, &[Outcome::BallSpeed], &given, &mut |_, _| ()).unwrap().remove(0);
     let of_speed = speed.effects.iter().find(|effect| effect.parameter.name == "swing.speed").unwrap();
     close(of_speed.elasticity.unwrap(), 1.0, 1.0, 1e-12, "elasticity");
 }
@@ -240,11 +240,11 @@ fn mistakes_in_uncertainties_are_named() {
     let twice = [inputs[0], inputs[0]];
     let plan = Plan { samples: 100, seed: 0 };
     let of = [Outcome::Carry];
-    assert!(matches!(uncertainty(&setup, &of, &twice, plan, |_, _| ()), Err(Error::SearchRange { .. })));
-    assert!(matches!(uncertainty(&setup, &of, &[], plan, |_, _| ()), Err(Error::Nothing { .. })));
-    assert!(matches!(uncertainty(&setup, &[], &inputs, plan, |_, _| ()), Err(Error::Nothing { .. })));
+    assert!(matches!(uncertainty(&setup, &of, &twice, plan, &|_, _| ()), Err(Error::SearchRange { .. })));
+    assert!(matches!(uncertainty(&setup, &of, &[], plan, &|_, _| ()), Err(Error::Nothing { .. })));
+    assert!(matches!(uncertainty(&setup, &[], &inputs, plan, &|_, _| ()), Err(Error::Nothing { .. })));
     let too_small = Plan { samples: 1, seed: 0 };
-    assert!(matches!(uncertainty(&setup, &of, &inputs, too_small, |_, _| ()), Err(Error::SearchRange { .. })));
+    assert!(matches!(uncertainty(&setup, &of, &inputs, too_small, &|_, _| ()), Err(Error::SearchRange { .. })));
 }
 
 /// Ball speed does not depend on the air: it is the same in every drive, has no share of a variance, and nothing is to be measured first.
@@ -254,7 +254,7 @@ fn exact_an_outcome_that_does_not_depend_on_what_is_uncertain_says_so() {
     let density = Uncertain::normal(&setup, &Sigma::read(&setup, "air.density=1%").unwrap());
     let plan = Plan { samples: 300, seed: 0 };
     let of = [Outcome::BallSpeed, Outcome::Lateral, Outcome::Carry];
-    let found = uncertainty(&setup, &of, &[density], plan, |_, _| ()).unwrap();
+    let found = uncertainty(&setup, &of, &[density], plan, &|_, _| ()).unwrap();
     let drive = Drive::new(&setup).unwrap();
     for outcome in &found.outcomes[..2] {
         let sampled = outcome.sampled.as_ref().unwrap();
@@ -295,14 +295,14 @@ fn exact_uncertainties_beyond_all_measure_leave_no_infinity() {
     let sigma = Sigma::read(&setup, "wind.downrange=1e200 m/s").unwrap();
     let input = [Uncertain::normal(&setup, &sigma)];
     let plan = Plan { samples: 10, seed: 0 };
-    let found = uncertainty(&setup, &[Outcome::Carry, Outcome::Lateral], &input, plan, |_, _| ()).unwrap();
+    let found = uncertainty(&setup, &[Outcome::Carry, Outcome::Lateral], &input, plan, &|_, _| ()).unwrap();
     for outcome in &found.outcomes {
         let (first, second) = outcome.delta.unwrap();
         assert!(first.deviation.is_finite() && second.is_none(), "{outcome:?}");
     }
     let text = uncertainty_text(&found, longdrive::units::System::Us);
     assert!(!text.contains("NaN") && !text.contains("inf"), "{text}");
-    let found = effects(&setup, &[Outcome::Carry], &[sigma], |_, _| ()).unwrap().remove(0);
+    let found = effects(&setup, &[Outcome::Carry], &[sigma], &mut |_, _| ()).unwrap().remove(0);
     let bar = found.effects[0].bar.unwrap();
     assert!(bar.first_order > 1e199 && bar.second_order.is_none());
     close(found.standard_uncertainty(), bar.first_order, bar.first_order, 1e-15, "of one bar");

@@ -13,7 +13,7 @@ use proptest::test_runner::TestRunner;
 use rayon::prelude::*;
 
 fn certificate(setup: &Setup<f64>, of: &[Outcome], wrt: &[&'static Parameter]) -> Certificate {
-    certify(setup, of, wrt, |_, _| true).unwrap()
+    certify(setup, of, wrt, &|_, _| true).unwrap()
 }
 
 fn failures(certificate: &Certificate) -> Vec<String> {
@@ -351,25 +351,25 @@ fn exact_derivatives_of_a_function_of_ones_own_pass_and_slips_are_found() {
         }
     };
     let at = [0.7, 1.9];
-    let right = check(|x| Some(f(x, 1.0, 1.0)), &at, &at);
+    let right = check(&|x| Some(f(x, 1.0, 1.0)), &at, &at);
     assert!(right.passed());
     for slopes in right.slopes {
         for (slope, expected) in slopes.into_iter().zip([1.0, 2.0, 3.0]) {
             close(slope.unwrap(), expected, 1.0, 0.05, "slope");
         }
     }
-    let wrong = check(|x| Some(f(x, 1.0 + 1e-6, 1.0)), &at, &at);
+    let wrong = check(&|x| Some(f(x, 1.0 + 1e-6, 1.0)), &at, &at);
     assert_eq!([0, 1].map(|i| wrong.gradient[i].verdict), [Verdict::Pass, Verdict::Fail]);
-    let wrong = check(|x| Some(f(x, 1.0, 1.0 + 1e-6)), &at, &at);
+    let wrong = check(&|x| Some(f(x, 1.0, 1.0 + 1e-6)), &at, &at);
     assert!(wrong.gradient.iter().all(|check| check.verdict == Verdict::Pass));
     assert_eq!(wrong.hessian[0][1].verdict, Verdict::Fail);
     // |x| at 0 has a corner, a function without values is certified by nothing
-    let corner = check(|x| Some(Taylor { value: x[0].abs(), gradient: vec![0.0], hessian: vec![] }), &[0.0], &[1.0]);
+    let corner = check(&|x| Some(Taylor { value: x[0].abs(), gradient: vec![0.0], hessian: vec![] }), &[0.0], &[1.0]);
     assert_eq!(
         (corner.gradient[0].verdict, corner.gradient[0].sides),
         (Verdict::Corner, Some([Some(-1.0), Some(1.0)]))
     );
-    let nothing = check(|_| None, &[1.0], &[1.0]);
+    let nothing = check(&|_| None, &[1.0], &[1.0]);
     assert!(!nothing.passed());
 }
 
@@ -390,7 +390,7 @@ fn differences_to_one_side_certify_at_the_end_of_a_range() {
 fn paper_while_loop_has_the_wrong_sign_beside_the_certificate() {
     let setup = Setup::preset("mae494").unwrap();
     let loft = setup.variable("club.loft").unwrap();
-    let certificate = certify(&setup, &[Outcome::Carry], &[loft], |_, _| true).unwrap();
+    let certificate = certify(&setup, &[Outcome::Carry], &[loft], &|_, _| true).unwrap();
     let loops = longdrive::reproduce::while_loop(&setup, &certificate.rows);
     let [row] = &loops[..] else { panic!("{loops:?}") };
     let small = row.small_difference().unwrap();
@@ -408,7 +408,7 @@ fn exact_slopes_beside_a_corner_pass() {
     let mut setup = Setup::preset("mae494").unwrap();
     setup.set_all([("club.loft", "0 deg"), ("swing.attack_angle", "10 deg")]).unwrap();
     let wrt = ["strike.toe", "swing.path", "club.loft"].map(|name| setup.variable(name).unwrap());
-    let certificate = certify(&setup, &[Outcome::Carry, Outcome::Lateral], &wrt, |_, _| true).unwrap();
+    let certificate = certify(&setup, &[Outcome::Carry, Outcome::Lateral], &wrt, &|_, _| true).unwrap();
     for row in &certificate.rows {
         let expected = if row.of == Outcome::Carry { Verdict::Corner } else { Verdict::Pass };
         assert_eq!(row.verdict(), expected, "d {}/d {}", row.of.name(), row.parameter.name);

@@ -10,7 +10,7 @@ use rayon::prelude::*;
 const OF: [Outcome; 5] = [Outcome::Carry, Outcome::Lateral, Outcome::FlightTime, Outcome::Backspin, Outcome::Spin];
 
 fn certificate(setup: &Setup<f64>, of: &[Outcome], by: &str) -> Certificate {
-    certify(setup, of, &[setup.variable(by).unwrap()], |_, _| true).unwrap()
+    certify(setup, of, &[setup.variable(by).unwrap()], &|_, _| true).unwrap()
 }
 
 /// What failed, if anything did.
@@ -169,7 +169,7 @@ fn a_drive_without_any_outcome_asked_for_says_why() {
     let mut setup = Setup::default();
     setup.set("club.loft", "-1.73663 deg").unwrap();
     let wind = [setup.variable("wind.downrange").unwrap()];
-    let asked = |of: &[Outcome]| certify(&setup, of, &wind, |_, _| true);
+    let asked = |of: &[Outcome]| certify(&setup, of, &wind, &|_, _| true);
     assert!(matches!(asked(&[Outcome::Carry, Outcome::Lateral]), Err(Error::NoFlight { .. })));
     // what there is of it is certified
     let found = asked(&[Outcome::Carry, Outcome::BallSpeed]).unwrap();
@@ -180,7 +180,7 @@ fn a_drive_without_any_outcome_asked_for_says_why() {
 fn a_certificate_that_is_stopped_has_the_rows_that_were_done_and_is_not_passed() {
     let setup = Setup::default();
     let wrt = setup.variables();
-    let found = certify(&setup, &[Outcome::Carry], &wrt, |done, _| done < 3).unwrap();
+    let found = certify(&setup, &[Outcome::Carry], &wrt, &|done, _| done < 3).unwrap();
     let [done, all] = found.stopped.unwrap();
     assert!(done >= 3 && done < all && found.rows.len() == done, "{done} of {all}, {} rows", found.rows.len());
     assert!(!found.passed() && found.rows.iter().all(|row| row.verdict() == Verdict::Pass));

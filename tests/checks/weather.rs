@@ -143,7 +143,7 @@ fn differences_certify_every_derivative_by_weather_and_wind() {
         let names = weather.iter().chain(&winds).map(|(name, _)| *name);
         let wrt: Vec<&'static Parameter> = names.map(|name| setup.variable(name).unwrap()).collect();
         let of = [Outcome::Carry, Outcome::Lateral, Outcome::FlightTime, Outcome::DescentAngle];
-        let certificate = certify(&setup, &of, &wrt, |_, _| true).unwrap();
+        let certificate = certify(&setup, &of, &wrt, &|_, _| true).unwrap();
         assert!(certificate.passed() && certificate.rows.len() == 4 * wrt.len(), "{weather:?}");
         // by all parameters the derivatives go over the inputs of the flight, by these few they do not
         let (all, found) = (setup.variables(), evaluate(&setup, &of, &wrt, Order::Second).unwrap());

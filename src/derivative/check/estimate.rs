@@ -121,7 +121,7 @@ mod tests {
         ];
         for (name, f, at, exact) in cases {
             let scale = if at == 0.0 { 1.0 } else { at };
-            let ladder = Ladder::sample(at, scale, STEPS, |x| vec![f(x)]).pop().unwrap();
+            let ladder = Ladder::sample(at, scale, STEPS, &mut |x| vec![f(x)]).pop().unwrap();
             let found = ladder.slope(Side::Both, 0.0).unwrap();
             assert!((found.value - exact).abs() <= 2.0 * found.uncertainty, "{name}: {found:?} against {exact}");
             assert!(found.uncertainty <= 1e-6 * exact.abs().max(1.0), "{name}: {found:?}");

@@ -50,7 +50,7 @@ impl Ladder {
         at: f64,
         scale: f64,
         steps: impl IntoIterator<Item = i32>,
-        mut f: impl FnMut(f64) -> Vec<f64>,
+        f: &mut dyn FnMut(f64) -> Vec<f64>,
     ) -> Vec<Self> {
         let centre = f(at);
         let blank =
@@ -147,13 +147,13 @@ mod tests {
     fn exact_rounding_is_seen_from_one_side() {
         let noise = |x: f64| 1e-12 * ((x * 1e15).sin() * 43_758.545_3).fract();
         let rounding = |lowest: f64| {
-            let f = |x: f64| vec![if x < lowest { f64::NAN } else { 1.0 + x + x * x + noise(x) }];
-            Ladder::sample(1.0, 1.0, STEPS, f)[0].rounding()
+            let mut f = |x: f64| vec![if x < lowest { f64::NAN } else { 1.0 + x + x * x + noise(x) }];
+            Ladder::sample(1.0, 1.0, STEPS, &mut f)[0].rounding()
         };
         for rounding in [rounding(1.0), rounding(0.0)] {
             assert!((1e-13..3e-12).contains(&rounding), "{rounding}");
         }
-        let smooth = Ladder::sample(1.0, 1.0, STEPS, |x| vec![if x < 1.0 { f64::NAN } else { 1.0 + x }]);
+        let smooth = Ladder::sample(1.0, 1.0, STEPS, &mut |x| vec![if x < 1.0 { f64::NAN } else { 1.0 + x }]);
         assert!(smooth[0].rounding() < 5e-15, "{}", smooth[0].rounding());
     }
 }

@@ -17,9 +17,9 @@
 //!     gradient: vec![2.0 * x[0] * x[1].powi(3) * slip, 3.0 * x[0] * x[0] * x[1] * x[1]],
 //!     hessian: vec![],
 //! };
-//! let right = check(|x| Some(f(x, 1.0)), &[2.0, 1.0], &[2.0, 1.0]);
+//! let right = check(&|x| Some(f(x, 1.0)), &[2.0, 1.0], &[2.0, 1.0]);
 //! assert!(right.gradient.iter().all(|check| check.verdict == Verdict::Pass));
-//! let wrong = check(|x| Some(f(x, 1.0 + 1e-6)), &[2.0, 1.0], &[2.0, 1.0]);
+//! let wrong = check(&|x| Some(f(x, 1.0 + 1e-6)), &[2.0, 1.0], &[2.0, 1.0]);
 //! assert_eq!(wrong.gradient[0].verdict, Verdict::Fail);
 //! ```
 
@@ -58,7 +58,7 @@ impl Checked {
 ///
 /// # Panics
 /// Where there are not as many scales as variables, or a scale is not above 0.
-pub fn check(f: impl Fn(&[f64]) -> Option<Taylor>, x: &[f64], scale: &[f64]) -> Checked {
+pub fn check(f: &dyn Fn(&[f64]) -> Option<Taylor>, x: &[f64], scale: &[f64]) -> Checked {
     assert_eq!(x.len(), scale.len(), "a scale for each variable");
     assert!(scale.iter().all(|scale| *scale > 0.0), "scales above 0: {scale:?}");
     let exact = f(x).unwrap_or(Taylor { value: f64::NAN, gradient: vec![f64::NAN; x.len()], hessian: vec![] });
@@ -69,15 +69,15 @@ pub fn check(f: impl Fn(&[f64]) -> Option<Taylor>, x: &[f64], scale: &[f64]) -> 
     };
     let mut checked = Checked { gradient: vec![], hessian: vec![], slopes: vec![] };
     for i in 0..x.len() {
-        let values = |value: f64| vec![along(i, value).map_or(f64::NAN, |taylor| taylor.value)];
-        for ladder in Ladder::sample(x[i], scale[i], STEPS, values) {
+        let mut values = |value: f64| vec![along(i, value).map_or(f64::NAN, |taylor| taylor.value)];
+        for ladder in Ladder::sample(x[i], scale[i], STEPS, &mut values) {
             let second = exact.hessian.get(i).map_or(0.0, |row| row[i]);
             checked.gradient.push(ladder.judge(exact.gradient[i], Demand::FIRST));
             checked.slopes.push(taylor_slopes(&ladder, exact.gradient[i], second));
         }
         if let Some(row) = exact.hessian.get(i) {
-            let gradients = |value: f64| along(i, value).map_or(vec![], |taylor| taylor.gradient);
-            let ladders = Ladder::sample(x[i], scale[i], FEW_STEPS, gradients);
+            let mut gradients = |value: f64| along(i, value).map_or(vec![], |taylor| taylor.gradient);
+            let ladders = Ladder::sample(x[i], scale[i], FEW_STEPS, &mut gradients);
             let judged = |(j, ladder): (usize, Ladder)| {
                 ladder.made_of(exact.value.abs() / scale[j]).judge(row[j], Demand::SECOND)
             };

@@ -69,7 +69,7 @@ pub(super) fn at_landing(setup: &Setup<f64>, wrt: &[&'static Parameter]) -> Resu
             Some(to_ground(path.points.last()?.position, landed.velocity, ground, time))
         };
         let sample = |steps| {
-            Ladder::sample(at, scale(&setup, parameter), steps, |value| {
+            Ladder::sample(at, scale(&setup, parameter), steps, &mut |value| {
                 moved(value).map_or(vec![f64::NAN; 3], |outcomes| outcomes.to_vec())
             })
         };

@@ -126,7 +126,7 @@ pub fn certify(
     setup: &Setup<f64>,
     of: &[Outcome],
     wrt: &[&'static Parameter],
-    progress: impl Fn(usize, usize) -> bool + Sync,
+    progress: &(dyn Fn(usize, usize) -> bool + Sync),
 ) -> Result<Certificate> {
     if of.is_empty() {
         return Err(Error::Nothing { doing: "evaluate", what: "outcome" });

@@ -75,12 +75,12 @@ pub(super) fn rows(
             .map_or(vec![f64::NAN; of.len()], |all| all.iter().enumerate().map(|(i, taylor)| f(i, taylor)).collect())
     };
     let beside = |i: usize, taylor: &Taylor| of[i].beside(taylor.value, own[i]);
-    let of_values = Ladder::sample(at, scale, STEPS, |x| told(&values, x, &beside));
+    let of_values = Ladder::sample(at, scale, STEPS, &mut |x| told(&values, x, &beside));
     let of_values: Vec<Ladder> =
         of_values.into_iter().zip(of).map(|(ladder, of)| ladder.rounded_as(size(*of, setup, drive))).collect();
     let curvature = |i: usize| curvatures.as_ref().map(|taylors| taylors[i].hessian[0][0]);
     let seconds = in_few_steps(
-        |steps| Ladder::sample(at, scale, steps, |x| told(&gradients, x, &|_, taylor| taylor.gradient[0])),
+        |steps| Ladder::sample(at, scale, steps, &mut |x| told(&gradients, x, &|_, taylor| taylor.gradient[0])),
         |(i, gradients)| {
             let (size, rounded) = (of_values[i].size / scale, of_values[i].rounded / scale);
             curvature(i).map(|d| gradients.made_of(size).rounded_as(rounded).judge(d, Demand::SECOND))

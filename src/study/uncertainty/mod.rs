@@ -110,7 +110,7 @@ pub fn uncertainty(
     of: &[Outcome],
     inputs: &[Uncertain],
     plan: Plan,
-    progress: impl Fn(usize, usize) + Sync,
+    progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Uncertainty> {
     if plan.samples < 2 {
         let reason = "the sample needs at least 2 points".into();
