@@ -7,13 +7,14 @@ quantities of pint) is written as the command line has it, numbers to the last d
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterable, Iterator, Mapping
+import re
+from collections.abc import Callable, Iterable, Iterator, Mapping, Set
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from . import _longdrive
 from ._longdrive import Setup
-from .arguments import kind_of, switch_of
+from .arguments import kind_of, path_of, switch_of
 from .described import commands
 from .errors import InputError, Interrupted, NoAnswerError, interruptible, warn_of
 from .interruption import interruption
@@ -38,6 +39,7 @@ class Question:
         self.text = ""
         self.folder = folder
         self.setup: Setup | None = None
+        self.goal = "carry"
         self._units: dict[str, str] = {}
 
     def take(self, given: Mapping[str, Any]) -> None:
@@ -46,6 +48,7 @@ class Question:
         Raises:
             InputError: for one that is not what the option takes.
         """
+        self.goal = str(next((given[name] for name in ("maximize", "minimize") if given.get(name) is not None), self.goal))
         for option in commands()[self.command]:
             name = argument_of(option["name"])
             if name not in given:
@@ -144,7 +147,7 @@ class Question:
         """An option as Python has it: `kind` is what it takes (nothing, one, several), `what` the name of its value."""
         if value is None or value is False:
             return
-        option = "--" + name.replace("_", "-")
+        option, name = "--" + name.replace("_", "-"), argument_of(name)
         if kind == "nothing":
             self.words.extend([option] if switch_of(name, value) else [])
         elif kind == "one":
@@ -162,17 +165,28 @@ class Question:
         return list(self._several(name, value, str(option["value"])))
 
     def _one(self, name: str, value: Any, what: str) -> str:
-        if what in ("FILE", "DIR", "DIR or FILE.csv"):
-            return self.file(name, value)
+        if what in PATHS:
+            return self.file(name, value) if name in TABLES else path_of(name, value, PATHS[what])
         if what == "SETUP":
             path = self.folder / f"{name}.toml"
             path.write_text((value if isinstance(value, Setup) else Setup(value)).to_toml(), encoding="utf-8")
             return str(path)
-        if what in UNITS and not isinstance(value, str):
-            return number_text(value, UNITS[what])
-        if isinstance(value, Mapping):
-            return ",".join(self._several(name, value, what))
+        if what in UNITS or what == "AMOUNT":
+            return self._amount(name, value, UNITS.get(what) or self._unit(_outcome_of(self.goal)))
+        if "=" in what:
+            return self._only(name, value, what)
+        if isinstance(value, (Mapping, Set)) or parts_of(value) is not None:
+            raise InputError(f"{name} is {kind_of(value)}; expected {ONE.get(what, 'one text').format(name)}")
         return str(value)
+
+    def _only(self, name: str, value: Any, what: str) -> str:
+        """A name with its value, of which there is one."""
+        texts = list(self._several(name, value, what))
+        names = [part.rpartition(",")[2].strip() for text in texts for part in text.split("=")[:-1]] or texts
+        if len(names) != 1:
+            found = f"has {len(names)} parameters ({', '.join(names)})" if names else "is empty"
+            raise InputError(f"{name} {found}; expected one, as in {name}={{'swing.speed': (40.0, 50.0)}}")
+        return texts[0]
 
     def _several(self, name: str, value: Any, what: str) -> Iterable[str]:
         if isinstance(value, str):
@@ -205,17 +219,18 @@ class Question:
         count = f":{count_text(key, parts[2])}" if is_counted else ""
         return f"{key}={self._amount(key, parts[0])}..{self._amount(key, parts[1])}{count}"
 
-    def _amount(self, name: str, value: Any) -> str:
+    def _amount(self, name: str, value: Any, unit: str | None = None) -> str:
         if value is None:
             raise InputError(f"{name} has None where a value is needed; give a number (SI), or a text with its unit like '10.5 deg'")
         try:
-            return value if isinstance(value, str) else number_text(value, self._unit(name))
+            return value if isinstance(value, str) else number_text(value, self._unit(name) if unit is None else unit)
         except InputError as error:
             raise InputError(f"{name}: {error}") from None
 
     def places(self, name: str, values: Any, along: Any) -> list[str]:
         """Values along a parameter, numbers in its SI unit."""
-        parameter = str(next(iter(along), "")) if isinstance(along, Mapping) else str(along).split("=")[0].strip()
+        first = along if isinstance(along, str) else str(next(iter(along), "")) if isinstance(along, Iterable) else ""
+        parameter = first.split("=")[0].strip()
         parts = parts_of(values)
         return [self._amount(parameter, value) for value in ([values] if parts is None else parts)]
 
@@ -227,8 +242,34 @@ class Question:
         return self._units.get(name, "")
 
 
+PATHS = {"FILE": "file", "DIR": "folder", "DIR or FILE.csv": "folder or of a CSV file"}
+"""What an option names, by the name of its value."""
+
+TABLES = {"points", "shots", "strokes", "swings"}
+"""Options that are tables: a file, or columns."""
+
+ONE = {
+    "OUTCOME": "one outcome or goal, as in {}='carry'",
+    **dict.fromkeys(("N", "K", "SEED", "PIXELS"), "a whole number"),
+    **dict.fromkeys(("NUMBER", "POINT"), "a number"),
+}
+"""What is expected where an option takes one value, by the name of the value."""
+
+
+def _outcome_of(goal: str) -> str:
+    """The outcome whose unit a goal has: none of a share of the drives, nor of strokes."""
+    words = re.findall("[a-z_]+", re.sub(r"\b(?:within|strokes)\s*\([^)]*\)", "", goal))
+    names = {row["name"] for row in _longdrive.outcomes()}
+    return next((word for word in words if word in names), "")
+
+
 def _is_empty(value: Any) -> bool:
-    return not isinstance(value, str) and hasattr(value, "__len__") and hasattr(value, "__iter__") and len(value) == 0
+    if isinstance(value, str) or not (hasattr(value, "__len__") and hasattr(value, "__iter__")):
+        return False
+    try:
+        return len(value) == 0
+    except TypeError:  # a number with a unit of pint has these, and no length
+        return False
 
 
 def _wanted(name: str, key: Any, what: str) -> str:

@@ -162,9 +162,13 @@ def objective(
 
     over = Question("optimize", Path())
     over.take_setup(setup)
-    for name, file, instead in (("swings", swings, "; distribution takes dicts"), ("strokes", strokes, "")):
+    for name, file in (("swings", swings), ("strokes", strokes)):
         if not (file is None or isinstance(file, (str, PathLike))):
-            raise InputError(f"{name} is {kind_of(file)}; expected the name of a file{instead}")
+            instead = "" if name == "strokes" else "; distribution takes dicts of distributions"
+            raise InputError(
+                f"{name} is {kind_of(file)}; expected the name of a file, which an objective reads again where it is unpickled: write a table with "
+                f"pandas.DataFrame(…).to_csv('{name}.csv', index=False), and give that name{instead}"
+            )
     return _longdrive.Objective(
         setup,
         one_name("of", of, "jacobian takes several"),

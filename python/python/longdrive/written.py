@@ -36,8 +36,14 @@ def count_text(name: str, value: Any) -> str:
 def number_text(value: Any, unit: str) -> str:
     """A number with its SI unit, to the last digit; a quantity of pint is converted."""
     if all(hasattr(value, name) for name in ("to", "magnitude", "units")):
-        value = value.to(unit or "dimensionless").magnitude
+        try:
+            value = value.to(unit or "dimensionless").magnitude
+        except Exception as error:  # pint is no dependency: its exceptions have no name here
+            raise InputError(str(error)) from None
     try:
+        # a truth is a number to Python, and no quantity
+        if isinstance(value, (bool, np.bool_)):
+            raise TypeError
         return f"{float(value)!r} {unit}".strip()
     except (TypeError, ValueError):
         message = f"{value!r} is {kind_of(value)}; expected a number (SI), or a text with its unit like '10.5 deg'"
