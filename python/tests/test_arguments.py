@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import copy
 import math
 import os
+import pickle
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -115,6 +117,9 @@ REFUSED: list[tuple[Callable[[], Any], str]] = [
     (lambda: longdrive.report("mae494", output=3), "^output is an int; expected the name of a folder$"),
     (lambda: longdrive.optimize("mae494", tolerance=True), "^tolerance: True is a bool; expected a number"),
     (lambda: longdrive.optimum_sensitivity("mae494", loss=[1.0]), r"^loss: \[1.0\] is a list; expected a number"),
+    (lambda: longdrive.optimize("mae494", vary=[("club.loft", 0.1, 0.3)]), r"^vary has a tuple in its list: \('club.loft', 0.1, 0.3\); expected texts, or one dict for all, as in vary={'club.loft': …}$"),
+    (lambda: longdrive.optimize("mae494", subject_to={"descent_angle": 0.6}), r"^subject_to is a dict; expected a text or a list of texts, as in subject_to=\['descent_angle >= 38 deg'\]$"),
+    (lambda: longdrive.reproduce("other"), "^invalid value 'other' for 'study'"),
     *[
         (lambda off=off: longdrive.optimize("mae494", progress=off), "^progress = .*; expected True or False, or a function of parts done and parts in all$")  # type: ignore[misc]
         for off in (0, 1, "yes")
@@ -150,3 +155,39 @@ def test_exact_a_quantity_of_pint_is_a_loss() -> None:
     assert asked.reply["window_loss"] == pytest.approx(2 * YARD, rel=1e-15)
     with pytest.raises(InputError, match="^loss: .*gram"):
         longdrive.optimum_sensitivity("mae494", loss=2 * unit.gram)
+
+
+DEGREES: list[Callable[[], Any]] = [
+    lambda: longdrive.optimize("mae494", vary={"club.loft": (4, 20)}),
+    lambda: longdrive.sweep("mae494", {"club.loft": (4.0, 20.0, 5)}),
+    lambda: longdrive.chart("mae494", along="club.loft", at=[0.1, 20], vary="swing.attack_angle=-5deg..5deg"),
+    lambda: longdrive.delivery(ball_speed=67.0, launch_angle=20, spin=260.0),
+    lambda: longdrive.optimize("mae494", distribution={"swing.attack_angle": ("uniform", 0, 20)}),
+]
+
+
+@pytest.mark.parametrize("call", DEGREES)
+def test_degrees_without_their_unit_are_told_what_was_meant(call: Callable[[], Any]) -> None:
+    with pytest.raises(InputError, match=r' = 20 rad \(1145.916 deg\) is outside its range .*; a number without a unit is SI; did you mean "20 deg"\?$'):
+        call()
+
+
+def test_an_angle_with_its_unit_was_meant_as_it_is() -> None:
+    for low in (0.1, "4 deg"):
+        with pytest.raises(InputError, match="outside its range") as raised:
+            longdrive.optimize("mae494", vary={"club.loft": (low, "95 deg")})
+        assert "did you mean" not in str(raised.value)
+
+
+def test_what_is_no_attribute_says_where_it_is() -> None:
+    drive, table = longdrive.simulate("mae494", of="spin"), longdrive.batch("mae494", {"club.loft": [0.2]})
+    for call, words in [
+        (lambda: drive.spin, r"^a Drive has no attribute 'spin'; outcomes go by name, as in drive\['spin'\]$"),
+        (lambda: table.carry, r"^a Table has no attribute 'carry'; columns go by name, as in table\['carry'\]; pandas"),
+        (lambda: table.to_pandas(), r"no attribute 'to_pandas'; .*; pandas.DataFrame.from_arrow\(table\)"),
+    ]:
+        with pytest.raises(AttributeError, match=words):
+            call()
+    assert not hasattr(drive, "spin") and getattr(table, "carry", None) is None
+    assert pickle.loads(pickle.dumps(drive)) == copy.deepcopy(drive) == drive
+    assert copy.copy(table) == pickle.loads(pickle.dumps(table)) == table

@@ -6,6 +6,7 @@ quantities of pint) is written as the command line has it, numbers to the last d
 
 from __future__ import annotations
 
+import math
 import os
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Set
@@ -30,6 +31,10 @@ UNITS = {"LENGTH": "m", "SPEED": "m/s", "ANGLE": "rad", "SPIN": "rad/s"}
 """The SI units of what single options take."""
 
 
+OUTSIDE = re.compile(r" = (-?[\d.]+) rad \(.*\) is outside its range")
+"""What the program says of an angle that is too large."""
+
+
 class Question:
     """A command with its options, written as words."""
 
@@ -41,6 +46,7 @@ class Question:
         self.setup: Setup | None = None
         self.goal = "carry"
         self._units: dict[str, str] = {}
+        self._radians: list[float] = []
 
     def take(self, given: Mapping[str, Any]) -> None:
         """All arguments of the command's function, as the program says of its options.
@@ -81,7 +87,14 @@ class Question:
         try:
             yield
         except InputError as error:
-            raise type(error)(self.shown(str(error))) from None
+            raise type(error)(self.meant(self.shown(str(error)))) from None
+
+    def meant(self, message: str) -> str:
+        """What is wrong with a number of radians, with what was meant where it was given without a unit."""
+        found = OUTSIDE.search(message)
+        if found is None or not any(math.isclose(float(found[1]), number, rel_tol=1e-5) for number in self._radians):
+            return message
+        return f'{message}; a number without a unit is SI; did you mean "{found[1]} deg"?'
 
     @property
     def scratch(self) -> Path | None:
@@ -192,12 +205,18 @@ class Question:
         if isinstance(value, str):
             return [value]
         if isinstance(value, Mapping):
+            if what == "CONSTRAINT":
+                raise InputError(f"{name} is {kind_of(value)}; expected a text or a list of texts, as in {name}=['descent_angle >= 38 deg']")
             return [self._pair(name, key, inner, what) for key, inner in value.items()]
         try:
             items = list(value)
         except TypeError:
             message = f"{name} is {kind_of(value)}; expected a text, a list of texts, or a dict of names with values"
             raise InputError(message) from None
+        strange = next((item for item in items if not isinstance(item, (str, Mapping))), None)
+        if strange is not None:
+            instead = f", or one dict for all, as in {name}={{'club.loft': …}}" if "=" in what else ""
+            raise InputError(f"{name} has {kind_of(strange)} in its {type(value).__name__}: {strange!r}; expected texts{instead}")
         # a dict among them is one value of several parts: the changes that make a model
         return [",".join(self._several(name, item, what)) if isinstance(item, Mapping) else str(item) for item in items]
 
@@ -222,10 +241,16 @@ class Question:
     def _amount(self, name: str, value: Any, unit: str | None = None) -> str:
         if value is None:
             raise InputError(f"{name} has None where a value is needed; give a number (SI), or a text with its unit like '10.5 deg'")
+        if isinstance(value, str):
+            return value
+        unit = self._unit(name) if unit is None else unit
         try:
-            return value if isinstance(value, str) else number_text(value, self._unit(name) if unit is None else unit)
+            text = number_text(value, unit)
         except InputError as error:
             raise InputError(f"{name}: {error}") from None
+        if unit == "rad":
+            self._radians.append(float(text.split()[0]))
+        return text
 
     def places(self, name: str, values: Any, along: Any) -> list[str]:
         """Values along a parameter, numbers in its SI unit."""
@@ -342,7 +367,7 @@ def asked(function: str, question: Question, given: Mapping[str, Any], answered:
     if isinstance(answer, dict):
         answer = question.shown(answer_in_python(answer))
     if raised is None:
-        return _reply(status, answer)
+        return _reply(status, answer, question)
     # a search that had not finished one point has none
     has_answer = isinstance(answer, dict) and answer.keys() - OF_EVERY and answer.get("optimum", answer) is not None
     found = answered(Reply(answer), question) if has_answer else None
@@ -354,10 +379,10 @@ OF_EVERY = {"command", "status", "message", "warnings"}
 """What every answer has; one that was not found has nothing else."""
 
 
-def _reply(status: int | None, answer: Any) -> Reply:
+def _reply(status: int | None, answer: Any, question: Question) -> Reply:
     if not isinstance(answer, dict):
         raise InputError("the command has no answer" if answer is None else in_python(str(answer)))
     if status == 2 or (status == 1 and not answer.keys() - OF_EVERY):
         message = answer["message"] or answer["status"]
-        raise InputError(message) if answer["status"] == "error" else NoAnswerError(message, answer["status"])
+        raise InputError(question.meant(message)) if answer["status"] == "error" else NoAnswerError(message, answer["status"])
     return Reply(answer)

@@ -10,13 +10,18 @@ import numpy as np
 
 from .errors import InputError
 
-__all__ = ["count_of", "kind_of", "one_name", "path_of", "refuse_idle_seed", "switch_of"]
+__all__ = ["count_of", "kind_of", "no_attribute", "one_name", "path_of", "refuse_idle_seed", "switch_of"]
 
 
 def kind_of(value: Any) -> str:
     """The type of a value with its article, for messages: ``an int``, ``a list``."""
     name = type(value).__name__
     return f"{'an' if name[0].lower() in 'aeio' or name == 'ndarray' else 'a'} {name}"
+
+
+def no_attribute(owner: object, name: str, instead: str) -> AttributeError:
+    """What is raised for an attribute that there is not, with what there is instead."""
+    return AttributeError(f"a {type(owner).__name__} has no attribute '{name}'; {instead}", name=name, obj=owner)
 
 
 def refuse_idle_seed(seed: Any, sample: Any) -> None:

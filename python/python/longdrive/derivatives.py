@@ -146,8 +146,8 @@ def objective(
         of: the outcome; over swings the goal, as ``"mean(carry) - 0.5*std(lateral)"``.
         wrt: as for :func:`gradient`; over swings without it the loft alone, as :func:`optimize` varies it: the attack angle is the golfer's.
         sense: ``"max"`` changes the sign of everything, since optimizers look for the least; ``"min"`` and None leave it.
-        invalid: what becomes of a point without an answer (no flight, a value outside its range): ``"raise"`` an exception, or ``"nan"``, which makes
-            optimizers of SciPy refuse the step.
+        invalid: what becomes of a point without an answer (no flight, a value outside its range): ``"raise"`` an exception, or ``"nan"``, from which
+            SLSQP, COBYLA and COBYQA of SciPy step back; give other methods bounds within which every drive flies.
         swings: a file of swings, as for :func:`optimize`: TOML with distributions and correlations, or a table of recorded swings.
         distribution: distributions of parameters from swing to swing, as for :func:`optimize`: texts as ``"swing.speed=normal(107mph,3mph)"``, or a dict.
         correlation: correlations of these, one or several, as ``"swing.path,swing.face_angle=0.6"``.

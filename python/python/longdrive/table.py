@@ -6,14 +6,15 @@ from collections.abc import Iterator, Sequence
 from enum import IntEnum
 from functools import cached_property
 from html import escape
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _longdrive
 from ._longdrive import Setup
-from .arguments import kind_of
+from .arguments import kind_of, no_attribute
+from .described import name_or_carry
 from .errors import InputError, UnknownKeyError
 from .types import Floats
 
@@ -145,6 +146,12 @@ class Table:
         else:
             raise UnknownKeyError(_longdrive.unknown_key("column", name, self.keys(), f"the columns are {', '.join(self.keys())}"))
         return column
+
+    if not TYPE_CHECKING:  # what is no attribute is none to type checkers, too
+
+        def __getattr__(self, name: str) -> Any:
+            columns = f"columns go by name, as in table['{name_or_carry(name)}']"
+            raise no_attribute(self, name, f"{columns}; pandas.DataFrame.from_arrow(table) and polars.DataFrame(table) take all of it")
 
     def __getitem__(self, key: str | slice) -> Any:
         """A column by its name, or some rows as a table: views, not copies."""
