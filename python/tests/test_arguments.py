@@ -191,3 +191,34 @@ def test_what_is_no_attribute_says_where_it_is() -> None:
     assert not hasattr(drive, "spin") and getattr(table, "carry", None) is None
     assert pickle.loads(pickle.dumps(drive)) == copy.deepcopy(drive) == drive
     assert copy.copy(table) == pickle.loads(pickle.dumps(table)) == table
+
+
+def test_exact_quantities_of_pint_are_points_of_a_batch() -> None:
+    pint = pytest.importorskip("pint")
+    unit = pint.UnitRegistry()
+    speeds = np.array([100.0, 110.0])
+    table = longdrive.batch("mae494", {"swing.speed": speeds * unit.mph, "club.loft": 12 * unit.deg}, tolerance=1 * unit.mm)
+    # a mile is 1609.344 m
+    wanted = longdrive.batch("mae494", {"swing.speed": speeds * (1609.344 / 3600), "club.loft": np.full(2, math.radians(12.0))}, tolerance=1e-3)
+    assert table["swing.speed"] == pytest.approx(wanted["swing.speed"], rel=1e-15)
+    assert table["carry"] == pytest.approx(wanted["carry"], rel=1e-12)
+    with pytest.raises(InputError, match="^points: swing.speed: .*gram"):
+        longdrive.batch("mae494", {"swing.speed": speeds * unit.gram})
+    with pytest.raises(InputError, match="did you mean 'swing.speed'"):
+        longdrive.batch("mae494", {"swing.sped": speeds * unit.mph})
+    with pytest.raises(InputError, match="^tolerance = True; expected a length"):
+        longdrive.batch("mae494", {"swing.speed": speeds}, tolerance=True)
+
+
+def test_a_column_of_a_table_that_is_a_quantity_of_pint_says_where_its_unit_stands() -> None:
+    pint = pytest.importorskip("pint")
+    speeds = np.array([70.0]) * pint.UnitRegistry().meter
+    with pytest.raises(InputError, match=r"^shots: the column 'ball_speed \[mph\]' is a Quantity, and its unit stands in its head; give the numbers"):
+        longdrive.fly({"ball_speed [mph]": speeds, "launch_angle [deg]": [11.0], "spin [rpm]": [2500.0]})
+
+
+def test_exact_tables_of_a_generator_are_joined() -> None:
+    tables = [longdrive.batch("mae494", {"club.loft": [loft]}) for loft in (0.1, 0.2)]
+    assert longdrive.Table.concatenate(table for table in tables) == longdrive.Table.concatenate(tables)
+    with pytest.raises(InputError, match="^tables is an int; expected several tables"):
+        longdrive.Table.concatenate(3)  # type: ignore[arg-type]

@@ -146,6 +146,24 @@ def test_a_sound_question_is_asked_and_nothing_is_written(tmp_path: Path) -> Non
     assert not list(tmp_path.iterdir())
 
 
+def test_exact_a_relative_folder_is_that_of_the_caller(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    elsewhere = tmp_path / "elsewhere"
+    elsewhere.mkdir()
+    begun = parts._in_processes
+
+    def moved(asked: Question, left: list[int], tries: dict[int, int], manifests: dict[int, dict[str, Any]], processes: int, retries: int) -> None:
+        # as workers of a cluster that were started in another folder
+        monkeypatch.chdir(elsewhere)
+        begun(asked, left, tries, manifests, processes, retries)
+        monkeypatch.chdir(tmp_path)
+
+    monkeypatch.setattr(parts, "_in_processes", moved)
+    found = parts.sweep("mae494", **GOOD, output="drives", processes=1)
+    assert found.output == str(tmp_path / "drives") and len(list((tmp_path / "drives").glob("part-*"))) == 2
+    assert not list(elsewhere.iterdir())
+
+
 def test_an_engine_is_told_as_an_argument_is() -> None:
     pytest.importorskip("distributed")
     import longdrive.dask

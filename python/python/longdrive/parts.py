@@ -13,7 +13,7 @@ import os
 from collections.abc import Iterable, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from multiprocessing import get_context
 from pathlib import Path
 from typing import Any, Union
@@ -72,7 +72,7 @@ class Question:
         seed: int | None = None,
         points: str | os.PathLike[str] | None = None,
         of: Names = "carry",
-        wrt: Names = (),
+        wrt: Names | None = None,
         histogram: Given | None = None,
         highest: Mapping[str, int] | str | None = None,
         lowest: Mapping[str, int] | str | None = None,
@@ -92,7 +92,7 @@ class Question:
             seed: another seed gives other points of the sample [default: 0].
             points: a table of points in place of `over`.
             of: outcomes, a name or several; ``"all"`` for every one.
-            wrt: parameters to differentiate by, a name or several; ``"points"`` for those that are swept.
+            wrt: parameters to differentiate by, a name or several; ``"points"`` for those that are swept; without it no derivatives.
             histogram: outcomes with bins, ``{"carry": "200m..300m:64"}``, or ``(low, high, count)`` with numbers in SI.
             highest: outcomes with how many rows of the highest values to keep by themselves, ``{"carry": 10}``.
             lowest: the same of the lowest.
@@ -117,7 +117,7 @@ class Question:
         if wrt == "points":
             asked.option("gradient", True, "nothing", "GRADIENT")
         else:
-            asked.option("wrt", _joined("wrt", wrt) or None, "one", "NAMES")
+            asked.option("wrt", _joined("wrt", () if wrt is None else wrt) or None, "one", "NAMES")
         asked.option("histogram", histogram, "several", "OUTCOME=LOW..HIGH:COUNT")
         asked.option("highest", _best("highest", highest), "several", "OUTCOME:ROWS")
         asked.option("lowest", _best("lowest", lowest), "several", "OUTCOME:ROWS")
@@ -235,7 +235,8 @@ def question_of(setup: SetupLike, question: Mapping[str, Any]) -> Question:
         raise InputError(f"a sweep in parts needs {' and '.join(missing)}: the folder of the files, and how many there are")
     found = Question.of(setup, **question)
     found.refuse_unsound()
-    return found
+    # workers may have been started in other folders
+    return replace(found, output=os.path.abspath(found.output))
 
 
 def check(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from enum import IntEnum
 from functools import cached_property
 from html import escape
@@ -17,6 +17,7 @@ from .arguments import kind_of, no_attribute
 from .described import name_or_carry
 from .errors import InputError, UnknownKeyError
 from .types import Floats
+from .written import parts_of
 
 __all__ = ["Status", "Table"]
 
@@ -212,12 +213,16 @@ class Table:
         return {status.label: int(counts[status]) for status in Status if counts[status]}
 
     @staticmethod
-    def concatenate(tables: Sequence[Table]) -> Table:
+    def concatenate(tables: Iterable[Table]) -> Table:
         """One table of the rows of several, in their order: what was done before an interruption and what was done after it.
 
         Raises:
             InputError: where they are not of one question: the same outcomes, derivatives, parameters and setup; it names what differs.
         """
+        parts = parts_of(tables)
+        if parts is None:
+            raise InputError(f"tables is {kind_of(tables)}; expected several tables, as in Table.concatenate([table, rest])")
+        tables = parts
         if not tables:
             raise InputError("nothing to concatenate: give at least one table")
         for number, table in enumerate(tables, start=1):
