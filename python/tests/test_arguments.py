@@ -210,10 +210,10 @@ def test_exact_quantities_of_pint_are_points_of_a_batch() -> None:
         longdrive.batch("mae494", {"swing.speed": speeds}, tolerance=True)
 
 
-def test_a_column_of_a_table_that_is_a_quantity_of_pint_says_where_its_unit_stands() -> None:
+def test_a_column_of_a_table_that_is_a_quantity_of_pint_says_what_names_its_unit() -> None:
     pint = pytest.importorskip("pint")
     speeds = np.array([70.0]) * pint.UnitRegistry().meter
-    with pytest.raises(InputError, match=r"^shots: the column 'ball_speed \[mph\]' is a Quantity, and its unit stands in its head; give the numbers"):
+    with pytest.raises(InputError, match=r"^shots: the column 'ball_speed \[mph\]' is a Quantity; the head of a column names the unit, so give the numbers"):
         longdrive.fly({"ball_speed [mph]": speeds, "launch_angle [deg]": [11.0], "spin [rpm]": [2500.0]})
 
 

@@ -28,7 +28,7 @@ def sweep(client: Client, setup: SetupLike = None, *, retries: int = 3, **questi
         question: as :meth:`longdrive.parts.Question.of`: `output`, `parts`, `over` or `sample`, `of`, `wrt`, `instructions`, …
 
     Raises:
-        InputError: for a client that is none, and for what is wrong with the question, before any part is sent.
+        InputError: for another kind of client, and for what is wrong with the question, before any part is sent.
         PartError: for a part that could not be written.
     """
     try:

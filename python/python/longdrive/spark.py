@@ -54,7 +54,7 @@ def sweep(spark: SparkSession, setup: SetupLike = None, **question: Any) -> Part
         question: as :meth:`longdrive.parts.Question.of`: `output`, `parts`, `over` or `sample`, `of`, `wrt`, `instructions`, …
 
     Raises:
-        InputError: for a session that is none, and for what is wrong with the question, before any part is sent.
+        InputError: for another kind of session, and for what is wrong with the question, before any part is sent.
         PartError: for a part that could not be written.
     """
     try:

@@ -95,7 +95,7 @@ def _column(name: str, head: Any, values: Any) -> list[Any]:
         InputError: for what has not a value for each row.
     """
     if is_quantity(values):
-        raise InputError(f"{name}: the column '{head}' is {kind_of(values)}, and its unit stands in its head; give the numbers in that unit, as in values.to('mph').magnitude")
+        raise InputError(f"{name}: the column '{head}' is {kind_of(values)}; the head of a column names the unit, so give the numbers in that unit, as in values.to('mph').magnitude")
     parts = parts_of(values)
     shape: tuple[int, ...] = getattr(values, "shape", (len(parts or ()),))
     if parts is None or len(shape) != 1:
