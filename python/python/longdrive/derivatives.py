@@ -7,7 +7,7 @@ from os import PathLike
 from typing import Literal, NamedTuple
 
 from . import _longdrive
-from ._ask import Question
+from ._question import Question
 from .arguments import count_of, kind_of, one_name
 from .errors import InputError
 from .types import Floats, Given, Names, Sense, SetupLike

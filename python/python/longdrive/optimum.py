@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 
 from . import _longdrive
-from ._ask import Question
 from ._longdrive import Setup
+from ._question import Question
 from .reply import Reply
 from .types import Floats
 

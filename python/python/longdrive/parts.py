@@ -19,7 +19,7 @@ from pathlib import Path
 from typing import Any, Union
 
 from . import _longdrive
-from ._ask import Question as Words
+from ._question import Question as Words
 from .arguments import count_of, kind_of, path_of, refuse_idle_seed
 from .errors import Error, InputError, Interrupted
 from .types import Amount, Given, Names, SetupLike

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from ._ask import Question
+from ._question import Question
 from .arguments import path_of, switch_of
 from .errors import InputError
 from .reply import Reply

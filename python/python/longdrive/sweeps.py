@@ -6,8 +6,9 @@ import os
 from typing import Union, overload
 
 from . import _longdrive
-from ._ask import Question, ask
+from ._ask import ask
 from ._longdrive import Setup
+from ._question import Question
 from .arguments import count_of, refuse_idle_seed, switch_of
 from .batches import computed
 from .errors import InputError, interruptible, warn_of
