@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import pickle
 from typing import Any
 
 import numpy as np
@@ -124,6 +125,32 @@ def test_differences_of_hessians_make_a_symmetric_third_derivative_as_the_messag
         return float(np.abs(third - third.transpose(1, 0, 2)).max() / np.abs(third).max())
 
     assert asymmetry(1e-5) < 1e-5
+
+
+@pytest.mark.parametrize("of", ["carry", ["carry", "spin"]])
+def test_exact_a_function_that_was_pickled_has_the_same_values_and_derivatives(of: Any) -> None:
+    own = outcome(SETUP, of, WRT)
+    kept = pickle.loads(pickle.dumps(own))
+    for way in (lambda f: f, jax.jit, jax.jacrev, jax.hessian):
+        assert (np.asarray(way(kept)(X)) == np.asarray(way(own)(X))).all()
+    assert repr(kept) == repr(own) and kept.__doc__ == own.__doc__
+
+
+def test_exact_cloudpickle_takes_what_jit_and_grad_make() -> None:
+    cloudpickle = pytest.importorskip("cloudpickle")
+    own = outcome(SETUP, "carry", WRT)
+    for function in (jax.jit(own), jax.grad(own), jax.jit(jax.hessian(own))):
+        assert (np.asarray(pickle.loads(cloudpickle.dumps(function))(X)) == np.asarray(function(X))).all()
+
+
+def test_exact_processes_take_the_function() -> None:
+    from concurrent.futures import ProcessPoolExecutor
+    from multiprocessing import get_context
+
+    own = outcome(SETUP, "carry", WRT)
+    # in 32 bits, as a fresh process of JAX has them
+    with ProcessPoolExecutor(1, mp_context=get_context("spawn")) as pool:
+        assert float(pool.submit(own, X).result()) == pytest.approx(float(own(X)), rel=1e-6)
 
 
 def test_numbers_have_the_precision_of_x() -> None:

@@ -7,6 +7,7 @@ import math
 import pickle
 import signal
 import threading
+import warnings
 from typing import Any
 
 import numpy as np
@@ -232,3 +233,28 @@ def test_scipy_reaches_the_optimum_that_the_gradient_proves() -> None:
     assert abs(carry.jac(found.x)[0] / carry.hess(found.x)[0, 0]) < 1e-7 and carry.hess(found.x)[0, 0] > 0
     other = optimize.minimize(carry.fun_and_jac, carry.x0, jac=True, method="L-BFGS-B", bounds=[(0.0, 0.5)])
     assert other.x[0] == pytest.approx(found.x[0], abs=1e-5)
+
+
+@pytest.mark.parametrize("method", ["SLSQP", "COBYLA", "COBYQA", "Nelder-Mead", "trust-constr", "TNC", "L-BFGS-B", "Powell", "BFGS", "CG", "Newton-CG"])
+def test_scipy_steps_back_from_a_point_without_a_drive_or_says_that_it_ended_there(method: str) -> None:
+    optimize = pytest.importorskip("scipy.optimize")
+    carry = longdrive.objective("tour-average", "carry", "club.loft", "max", invalid="nan")
+    values = []
+
+    def fun(x: Any) -> float:
+        values.append(carry.fun(x))
+        return values[-1]
+
+    slopes = {} if method in ("COBYLA", "COBYQA", "Nelder-Mead", "Powell") else {"jac": carry.jac}
+    slopes |= {"hess": carry.hess} if method in ("trust-constr", "Newton-CG") else {}
+    bounds = {} if method in ("BFGS", "CG", "Newton-CG") else {"bounds": [(-1.5, 1.5)]}
+    with np.errstate(all="ignore"), warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        found = optimize.minimize(fun, [0.4], method=method, **slopes, **bounds)
+    # the optimizer of longdrive, whose answer is proven by its KKT residual
+    best = longdrive.optimize("tour-average", vary="club.loft=0deg..30deg")
+    is_there = abs(-found.fun - best.fun) < 1e-3
+    if method in ("SLSQP", "COBYLA", "COBYQA"):
+        assert any(map(math.isnan, values)) and found.success and is_there
+    else:
+        assert is_there or not found.success

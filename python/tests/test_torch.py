@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import pickle
 from typing import Any
 
 import numpy as np
@@ -123,3 +124,12 @@ def test_an_optimizer_of_torch_climbs() -> None:
 
     climber.step(closure)
     assert abs(longdrive.gradient(Setup("mae494").replace({"club.loft": x.item()}), wrt="club.loft")[1][0]) < 1e-5
+
+
+def test_exact_a_function_that_was_pickled_has_the_same_values_and_derivatives() -> None:
+    for of in ("carry", ["carry", "spin"]):
+        own = outcome(SETUP, of, WRT)
+        kept = pickle.loads(pickle.dumps(own))
+        assert torch.equal(kept(at()), own(at()))
+        assert torch.equal(torch.func.jacrev(kept)(at()), torch.func.jacrev(own)(at()))
+        assert repr(kept) == repr(own) and kept.__doc__ == own.__doc__

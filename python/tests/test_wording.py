@@ -250,7 +250,7 @@ def test_what_is_no_range_is_refused(given: Any) -> None:
         (lambda: longdrive.objective(None, "carry >= 3 yd", distribution=ATTACK), "^of: 'carry >= 3 yd' is no measure"),
         (lambda: longdrive.objective(None, "mean(cary)", distribution=ATTACK), "^of: unknown outcome 'cary'; did you mean 'carry'"),
         (lambda: longdrive.objective(None, "strokes(400yd)", distribution=ATTACK), "^of: expected strokes need a table of them; give it with strokes=FILE"),
-        (lambda: longdrive.objective(None, "mean(carry)", distribution=ATTACK, strokes={}), "^strokes is a dict; expected the name of a file$"),
+        (lambda: longdrive.objective(None, "mean(carry)", distribution=ATTACK, strokes={}), r"^strokes is a dict; expected the name of a file, which an objective reads again .*to_csv\('strokes.csv', index=False\)"),
         (lambda: longdrive.objective(None, "carry", strokes="a.csv"), "^strokes: it is about many swings"),
         (lambda: longdrive.optimize(vary=3), "^vary is an int; expected"),
         (lambda: longdrive.batch("mae494", 3), "^points is an int; expected"),

@@ -1,259 +1,22 @@
-"""How a command of the program is asked: its options as words of the command line, its answer as an object.
+"""How a command of the program is asked, and its answer as an object.
 
-The commands are the program's own, and so are their options, messages and answers; what Python gives (numbers, pairs, dicts, tables,
-quantities of pint) is written as the command line has it, numbers to the last digit.
+The commands are the program's own, and so are their options, messages and answers.
 """
 
 from __future__ import annotations
 
-import os
-from collections.abc import Callable, Iterable, Iterator, Mapping
-from contextlib import contextmanager
-from typing import TYPE_CHECKING, Any, TypeVar
+from collections.abc import Callable, Mapping
+from typing import Any, TypeVar
 
 from . import _longdrive
-from ._longdrive import Setup
-from .arguments import kind_of, switch_of
-from .described import commands
+from ._question import Question
 from .errors import InputError, Interrupted, NoAnswerError, interruptible, warn_of
 from .interruption import interruption
 from .progress import follower
 from .reply import Reply
-from .wording import answer_in_python, argument_of, in_python
-from .written import count_text, number_text, parts_of, write_table
+from .wording import answer_in_python, in_python
 
-if TYPE_CHECKING:
-    from pathlib import Path
-
-UNITS = {"LENGTH": "m", "SPEED": "m/s", "ANGLE": "rad", "SPIN": "rad/s"}
-"""The SI units of what single options take."""
-
-
-class Question:
-    """A command with its options, written as words."""
-
-    def __init__(self, command: str, folder: Path) -> None:
-        self.command = command
-        self.words = [*command.split(), "--json"]
-        self.text = ""
-        self.folder = folder
-        self.setup: Setup | None = None
-        self._units: dict[str, str] = {}
-
-    def take(self, given: Mapping[str, Any]) -> None:
-        """All arguments of the command's function, as the program says of its options.
-
-        Raises:
-            InputError: for one that is not what the option takes.
-        """
-        for option in commands()[self.command]:
-            name = argument_of(option["name"])
-            if name not in given:
-                continue
-            value, what = given[name], str(option["value"])
-            if name == "output" and value is None:
-                value = self.scratch
-                if value is not None and given.get("format") is not None:
-                    raise InputError(f"format = {given['format']!r} is of a file, and no file is written; give output too, or leave format out")
-            if value is None and (option["required"] or name == "shots" and option["positional"]):
-                raise InputError(f"{name} is None, and {self.command} needs it: {in_python(option['help']).removesuffix('. Repeatable')}")
-            if not option["positional"] and _is_empty(value):
-                _refuse_empty(name, option)
-            if name == "at" and not isinstance(value, str) and value is not None and "along" in given:
-                value = self.places(name, value, given["along"])
-            if not option["positional"]:
-                self.option(option["name"], value, option["takes"], what)
-            elif name == "setup":
-                self.take_setup(option["default"] if value is None else value)
-            elif name == "other":
-                self.take_other(name, value)
-            elif what in ("SHOTS", "DATA"):
-                self.take_file(name, value)
-            else:
-                self.take_word(name, value)
-
-    @contextmanager
-    def named(self) -> Iterator[None]:
-        """What is wrong with a table that goes with this question is told of the argument."""
-        try:
-            yield
-        except InputError as error:
-            raise type(error)(self.shown(str(error))) from None
-
-    @property
-    def scratch(self) -> Path | None:
-        """What is written where no file is asked for: a picture, or the rows of shots."""
-        if self.command.startswith("plot "):
-            return self.folder / "plot.svg"
-        return self.folder / "rows.jsonl" if self.command == "fly" else None
-
-    def shown(self, answer: Any) -> Any:
-        """What the program says, without the names of files that go with this question: a table is called as its argument is."""
-        if isinstance(answer, dict):
-            return {name: self.shown(value) for name, value in answer.items()}
-        if isinstance(answer, list):
-            return [self.shown(value) for value in answer]
-        if not isinstance(answer, str) or str(self.folder) not in answer:
-            return answer
-        if answer == str(self.scratch):
-            return None
-        for path in self.folder.iterdir():
-            answer = answer.replace(str(path), path.stem)
-        return answer.replace(str(self.folder) + os.sep, "")
-
-    def continued(self, given: Mapping[str, Any]) -> str:
-        """How it can be gone on with after an interruption."""
-        if given.get("checkpoint") is not None:
-            return f"the same call goes on from the checkpoint '{os.fspath(given['checkpoint'])}'"
-        names = {option["name"] for option in commands()[self.command]}
-        if "checkpoint" in names:
-            return "the same call begins again; one with checkpoint=FILE saves every iteration, and goes on from there"
-        return "the rows so far are kept, and the same call with resume=True goes on" if "resume" in names else "the same call begins again"
-
-    def take_setup(self, given: Any) -> None:
-        """The setup, in its place among the words."""
-        setup = given if isinstance(given, Setup) else Setup(given)
-        text, is_text = setup._asked()
-        self.setup, self.text = setup, text if is_text else ""
-        self.words.append("-" if is_text else text)
-
-    def take_file(self, name: str, given: Any) -> None:
-        """A file, or a table that is written into one."""
-        self.words.append(self.file(name, given))
-
-    def take_word(self, name: str, given: Any) -> None:
-        """A word that is not an option."""
-        if not isinstance(given, str):
-            raise InputError(f"{name} is {kind_of(given)}; expected a name in quotes")
-        self.words.append(given)
-
-    def take_other(self, name: str, given: Any) -> None:
-        """A second setup, after the first."""
-        if given is not None:
-            self.words.append(self._one(name, given, "SETUP"))
-
-    def file(self, name: str, given: Any) -> str:
-        """The name of a file: the given one, or that of a table as CSV."""
-        if isinstance(given, (str, os.PathLike)):
-            return os.fspath(given)
-        path = self.folder / f"{name}.csv"
-        write_table(name, given, path)
-        return str(path)
-
-    def option(self, name: str, value: Any, kind: str, what: str) -> None:
-        """An option as Python has it: `kind` is what it takes (nothing, one, several), `what` the name of its value."""
-        if value is None or value is False:
-            return
-        option = "--" + name.replace("_", "-")
-        if kind == "nothing":
-            self.words.extend([option] if switch_of(name, value) else [])
-        elif kind == "one":
-            self.words.append(f"{option}={self._one(name, value, what)}")
-        else:
-            self.words.extend(f"{option}={text}" for text in self._several(name, value, what))
-
-    def texts(self, name: str, value: Any) -> list[str]:
-        """What an option takes several times, as texts."""
-        if value is None:
-            return []
-        option = next(option for option in commands()[self.command] if argument_of(option["name"]) == name)
-        if _is_empty(value):
-            _refuse_empty(name, option)
-        return list(self._several(name, value, str(option["value"])))
-
-    def _one(self, name: str, value: Any, what: str) -> str:
-        if what in ("FILE", "DIR", "DIR or FILE.csv"):
-            return self.file(name, value)
-        if what == "SETUP":
-            path = self.folder / f"{name}.toml"
-            path.write_text((value if isinstance(value, Setup) else Setup(value)).to_toml(), encoding="utf-8")
-            return str(path)
-        if what in UNITS and not isinstance(value, str):
-            return number_text(value, UNITS[what])
-        if isinstance(value, Mapping):
-            return ",".join(self._several(name, value, what))
-        return str(value)
-
-    def _several(self, name: str, value: Any, what: str) -> Iterable[str]:
-        if isinstance(value, str):
-            return [value]
-        if isinstance(value, Mapping):
-            return [self._pair(name, key, inner, what) for key, inner in value.items()]
-        try:
-            items = list(value)
-        except TypeError:
-            message = f"{name} is {kind_of(value)}; expected a text, a list of texts, or a dict of names with values"
-            raise InputError(message) from None
-        # a dict among them is one value of several parts: the changes that make a model
-        return [",".join(self._several(name, item, what)) if isinstance(item, Mapping) else str(item) for item in items]
-
-    def _pair(self, name: str, key: Any, value: Any, what: str) -> str:
-        """A name with its value: a text as it is, a number with its SI unit, a pair as a range, a triple as one with a count, a kind with numbers."""
-        if isinstance(key, tuple):
-            return f"{','.join(map(str, key))}={value!r}"
-        if value is None:
-            return str(key)
-        parts = parts_of(value)
-        if parts is None:
-            return f"{key}={self._amount(key, value)}"
-        if "KIND" in what and parts and isinstance(parts[0], str) and parts[0].isidentifier():
-            return f"{key}={parts[0]}({','.join(self._amount(key, number) for number in parts[1:])})"
-        # an array or a list of three is values of one's own, and no (low, high, count)
-        is_counted = len(parts) == 3 and isinstance(value, tuple) and ":" in what
-        if ".." not in what or not (len(parts) == 2 or is_counted):
-            raise InputError(f"{key} in {name} is {kind_of(value)} of {len(parts)}; expected {_wanted(name, key, what)}")
-        count = f":{count_text(key, parts[2])}" if is_counted else ""
-        return f"{key}={self._amount(key, parts[0])}..{self._amount(key, parts[1])}{count}"
-
-    def _amount(self, name: str, value: Any) -> str:
-        if value is None:
-            raise InputError(f"{name} has None where a value is needed; give a number (SI), or a text with its unit like '10.5 deg'")
-        try:
-            return value if isinstance(value, str) else number_text(value, self._unit(name))
-        except InputError as error:
-            raise InputError(f"{name}: {error}") from None
-
-    def places(self, name: str, values: Any, along: Any) -> list[str]:
-        """Values along a parameter, numbers in its SI unit."""
-        parameter = str(next(iter(along), "")) if isinstance(along, Mapping) else str(along).split("=")[0].strip()
-        parts = parts_of(values)
-        return [self._amount(parameter, value) for value in ([values] if parts is None else parts)]
-
-    def _unit(self, name: str) -> str:
-        if not self._units:
-            outcomes = {row["name"]: row["si"] for row in _longdrive.outcomes()}
-            self._units = outcomes | {row["parameter"]: row["unit"] for row in _longdrive.parameters(self.setup)["parameters"]}
-        # of a name that nothing bears the program says so
-        return self._units.get(name, "")
-
-
-def _is_empty(value: Any) -> bool:
-    return not isinstance(value, str) and hasattr(value, "__len__") and hasattr(value, "__iter__") and len(value) == 0
-
-
-def _wanted(name: str, key: Any, what: str) -> str:
-    """What a dict of an argument has for a name."""
-    if "KIND" in what:
-        return "a kind with its numbers, as in ('normal', mean, deviation) or ('uniform', low, high), or a text like 'normal(50 m/s, 1.5 m/s)'"
-    if ".." not in what:
-        return "one number (SI), or a text with its unit"
-    if ":" in what:
-        own = f"; values of your own, a drive each, go into points={{'{key}': …}}, or to longdrive.batch" if name == "over" else ""
-        return f"a tuple (low, high, count), for values spread evenly{own}"
-    return "(low, high)" + ("; values of your own go into at=…" if name == "along" else "")
-
-
-REFUSED_EMPTY = {"distribution", "sigma", "model"}
-"""Arguments without which something else is asked: an empty one is taken for a mistake."""
-
-
-def _refuse_empty(name: str, option: Mapping[str, Any]) -> None:
-    """An empty dict or list of what has a default, or stands for another question, which nobody asked for: no constraints are what an empty list of them says."""
-    if name in REFUSED_EMPTY or option["required"] or option["default"] or "default" in option["help"]:
-        left_out = "" if option["required"] else ", or leave it out"
-        about = in_python(option["help"]).removesuffix(". Repeatable").replace(". Repeatable [", " [")
-        raise InputError(f"{name} is empty; give one or more{left_out}: {about}")
-
+__all__ = ["ask"]
 
 T = TypeVar("T")
 
@@ -301,7 +64,7 @@ def asked(function: str, question: Question, given: Mapping[str, Any], answered:
     if isinstance(answer, dict):
         answer = question.shown(answer_in_python(answer))
     if raised is None:
-        return _reply(status, answer)
+        return _reply(status, answer, question)
     # a search that had not finished one point has none
     has_answer = isinstance(answer, dict) and answer.keys() - OF_EVERY and answer.get("optimum", answer) is not None
     found = answered(Reply(answer), question) if has_answer else None
@@ -313,10 +76,10 @@ OF_EVERY = {"command", "status", "message", "warnings"}
 """What every answer has; one that was not found has nothing else."""
 
 
-def _reply(status: int | None, answer: Any) -> Reply:
+def _reply(status: int | None, answer: Any, question: Question) -> Reply:
     if not isinstance(answer, dict):
         raise InputError("the command has no answer" if answer is None else in_python(str(answer)))
     if status == 2 or (status == 1 and not answer.keys() - OF_EVERY):
         message = answer["message"] or answer["status"]
-        raise InputError(message) if answer["status"] == "error" else NoAnswerError(message, answer["status"])
+        raise InputError(question.meant(message)) if answer["status"] == "error" else NoAnswerError(message, answer["status"])
     return Reply(answer)

@@ -3,19 +3,25 @@
 from __future__ import annotations
 
 import operator
+import os
 from typing import Any
 
 import numpy as np
 
 from .errors import InputError
 
-__all__ = ["count_of", "kind_of", "one_name", "refuse_idle_seed", "switch_of"]
+__all__ = ["count_of", "kind_of", "no_attribute", "one_name", "path_of", "refuse_idle_seed", "switch_of"]
 
 
 def kind_of(value: Any) -> str:
     """The type of a value with its article, for messages: ``an int``, ``a list``."""
     name = type(value).__name__
     return f"{'an' if name[0].lower() in 'aeio' or name == 'ndarray' else 'a'} {name}"
+
+
+def no_attribute(owner: object, name: str, instead: str) -> AttributeError:
+    """What is raised for an attribute that there is not, with what there is instead."""
+    return AttributeError(f"a {type(owner).__name__} has no attribute '{name}'; {instead}", name=name, obj=owner)
 
 
 def refuse_idle_seed(seed: Any, sample: Any) -> None:
@@ -46,14 +52,14 @@ def count_of(name: str, value: Any, least: int = 0) -> int:
     return number
 
 
-def switch_of(name: str, value: Any) -> bool:
-    """Whether something is switched on: True or False, NumPy's too.
+def switch_of(name: str, value: Any, instead: str = "") -> bool:
+    """Whether something is switched on: True or False, NumPy's too; `instead` says what else is taken.
 
     Raises:
         InputError: for anything else, which is not guessed at: ``overwrite="no"`` must not replace a file.
     """
     if not isinstance(value, (bool, np.bool_)):
-        raise InputError(f"{name} = {value!r}; expected True or False")
+        raise InputError(f"{name} = {value!r}; expected True or False{f', or {instead}' if instead else ''}")
     return bool(value)
 
 
@@ -66,3 +72,14 @@ def one_name(name: str, value: Any, several: str) -> str:
     if not isinstance(value, str):
         raise InputError(f"{name} is {kind_of(value)}; expected one name, as in {name}='carry'; {several}")
     return value
+
+
+def path_of(name: str, value: Any, what: str = "file") -> str:
+    """The name of a file or a folder.
+
+    Raises:
+        InputError: for anything else; `what` says what is expected.
+    """
+    if not isinstance(value, (str, os.PathLike)):
+        raise InputError(f"{name} is {kind_of(value)}; expected the name of a {what}")
+    return os.fsdecode(value)

@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from typing import Any
 
+import numpy as np
 import numpy.typing as npt
 
 from . import _longdrive
 from ._longdrive import Setup
 from .arguments import count_of, switch_of
-from .errors import Interrupted, interruptible, warn_of
+from .errors import InputError, Interrupted, interruptible, warn_of
 from .progress import Progress, follower
 from .table import Table
 from .types import Names, SetupLike
+from .written import in_si, is_quantity
 
 __all__ = ["batch"]
 
@@ -44,8 +47,8 @@ def batch(
 
     Args:
         setup: a setup, the name of a preset, or a dict.
-        points: parameters with arrays of one length, shape (rows,), or numbers for all rows, in SI; a text carries its unit. 64-bit floats
-            of any strides, also read-only ones, are not copied as a whole: 65 536 rows at a time are put in order.
+        points: parameters with arrays of one length, shape (rows,), or numbers for all rows, in SI; a text carries its unit, and quantities of
+            pint are converted. 64-bit floats of any strides, also read-only ones, are not copied as a whole: 65 536 rows at a time are put in order.
         of: outcomes, a name or several; ``"all"`` for every one.
         wrt: parameters to differentiate by, a name or several; ``"points"`` for those of the points; without it no derivatives.
         hessians: whether second derivatives are computed too, without ``wrt`` those by the parameters of the points; they are those of the step
@@ -73,6 +76,22 @@ def batch(
     return table
 
 
+def _without_units(setup: Setup, points: Any) -> Any:
+    """The points with quantities of pint as numbers in SI: an array of NumPy would lose their unit."""
+    if not isinstance(points, Mapping) or not any(map(is_quantity, points.values())):
+        return points
+    units = {row["parameter"]: row["unit"] for row in _longdrive.parameters(setup)["parameters"]}
+
+    def converted(name: str, values: Any) -> Any:
+        try:
+            return in_si(values, units.get(name, ""))
+        except InputError as error:
+            raise InputError(f"points: {name}: {error}") from None
+
+    # of a name that nothing bears the batch says so
+    return {name: converted(name, values) if name in units else values for name, values in points.items()}
+
+
 def _interrupted(after: int, whole: int) -> str:
     rest = f"goes on, and Table.concatenate([table, rest]) joins both" if after < whole else "has nothing left to do"
     return f"longdrive.batch was interrupted after {after} of {whole} rows, which `table` of this exception has; batch(…, first_row={after}) {rest}"
@@ -95,6 +114,9 @@ def computed(
 ) -> Table:
     """The table of a batch. The step is chosen for `ranges`, or for those of the points; `interrupted` says how one goes on after so many rows."""
     setup = setup if isinstance(setup, Setup) else Setup(setup)
+    points, tolerance = _without_units(setup, points), in_si(tolerance, "m")
+    if isinstance(tolerance, (bool, np.bool_)):
+        raise InputError(f'tolerance = {tolerance!r}; expected a length, in m or as a text like "1 um"')
     status, columns, seconds, of, by, given, units, warnings, (done, whole), raised = _longdrive.batch(
         setup, points, of, wrt, tolerance, switch_of("own_step", own_step), count_of("threads", threads), told,
         count_of("first_row", first_row), switch_of("hessians", hessians), ranges,

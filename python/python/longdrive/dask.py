@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from .parts import PartError, Parts, Question
+from .arguments import count_of, kind_of
+from .errors import InputError
+from .parts import PartError, Parts, question_of
 from .types import SetupLike
 
 if TYPE_CHECKING:
@@ -26,13 +28,17 @@ def sweep(client: Client, setup: SetupLike = None, *, retries: int = 3, **questi
         question: as :meth:`longdrive.parts.Question.of`: `output`, `parts`, `over` or `sample`, `of`, `wrt`, `instructions`, …
 
     Raises:
+        InputError: for another kind of client, and for what is wrong with the question, before any part is sent.
         PartError: for a part that could not be written.
     """
     try:
-        from distributed import as_completed
+        from distributed import Client, as_completed
     except ImportError as error:
         raise ImportError("longdrive.dask needs Dask: pip install 'dask[distributed]'") from error
-    asked = Question.of(setup, **question)
+    if not isinstance(client, Client):
+        raise InputError(f"client is {kind_of(client)}; expected a distributed.Client of the cluster, as in longdrive.dask.sweep(Client(), 'tour-average', …)")
+    count_of("retries", retries)
+    asked = question_of(setup, question)
     # not pure: what another sweep has written says nothing about this folder
     futures = client.map(asked.write, range(1, asked.parts + 1), pure=False, retries=retries)
     part_of = {future.key: part for part, future in enumerate(futures, start=1)}

@@ -7,7 +7,7 @@ from os import PathLike
 from typing import Literal, NamedTuple
 
 from . import _longdrive
-from ._ask import Question
+from ._question import Question
 from .arguments import count_of, kind_of, one_name
 from .errors import InputError
 from .types import Floats, Given, Names, Sense, SetupLike
@@ -146,8 +146,8 @@ def objective(
         of: the outcome; over swings the goal, as ``"mean(carry) - 0.5*std(lateral)"``.
         wrt: as for :func:`gradient`; over swings without it the loft alone, as :func:`optimize` varies it: the attack angle is the golfer's.
         sense: ``"max"`` changes the sign of everything, since optimizers look for the least; ``"min"`` and None leave it.
-        invalid: what becomes of a point without an answer (no flight, a value outside its range): ``"raise"`` an exception, or ``"nan"``, which makes
-            optimizers of SciPy refuse the step.
+        invalid: what becomes of a point without an answer (no flight, a value outside its range): ``"raise"`` an exception, or ``"nan"``, from which
+            SLSQP, COBYLA and COBYQA of SciPy step back; give other methods bounds within which every drive flies.
         swings: a file of swings, as for :func:`optimize`: TOML with distributions and correlations, or a table of recorded swings.
         distribution: distributions of parameters from swing to swing, as for :func:`optimize`: texts as ``"swing.speed=normal(107mph,3mph)"``, or a dict.
         correlation: correlations of these, one or several, as ``"swing.path,swing.face_angle=0.6"``.
@@ -162,9 +162,13 @@ def objective(
 
     over = Question("optimize", Path())
     over.take_setup(setup)
-    for name, file, instead in (("swings", swings, "; distribution takes dicts"), ("strokes", strokes, "")):
+    for name, file in (("swings", swings), ("strokes", strokes)):
         if not (file is None or isinstance(file, (str, PathLike))):
-            raise InputError(f"{name} is {kind_of(file)}; expected the name of a file{instead}")
+            instead = "" if name == "strokes" else "; distribution takes dicts of distributions"
+            raise InputError(
+                f"{name} is {kind_of(file)}; expected the name of a file, which an objective reads again where it is unpickled: write a table with "
+                f"pandas.DataFrame(…).to_csv('{name}.csv', index=False), and give that name{instead}"
+            )
     return _longdrive.Objective(
         setup,
         one_name("of", of, "jacobian takes several"),

@@ -7,7 +7,7 @@ from typing import Any
 
 from . import _longdrive
 
-__all__ = ["commands", "options"]
+__all__ = ["commands", "name_or_carry", "options", "places"]
 
 
 @cache
@@ -30,3 +30,14 @@ def options() -> dict[str, bool]:
                 name = option["name"]
                 found[name] = found.get(name, False) or option["takes"] != "nothing"
     return found
+
+
+@cache
+def places() -> dict[str, str]:
+    """The arguments that are no options, by what stands for their values in messages: ``STUDY``."""
+    return {option["value"]: option["name"] for command in commands().values() for option in command if option["positional"]}
+
+
+def name_or_carry(name: str) -> str:
+    """The name of an outcome, for an example: that which was asked for, or carry."""
+    return name if any(row["name"] == name for row in _longdrive.outcomes()) else "carry"

@@ -6,9 +6,11 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from html import escape
 from types import MappingProxyType
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from . import _longdrive
+from .arguments import no_attribute
+from .described import name_or_carry
 from .errors import UnknownKeyError, warn_of
 from .types import Names, SetupLike
 
@@ -63,6 +65,11 @@ class Drive(Mapping[str, "float | None"]):
         if any(row["name"] == name for row in _longdrive.outcomes()):
             raise UnknownKeyError(f"'{name}' was not asked for; simulate(…, of=[…]) gives {', '.join(self.outcomes)} here; add it to of")
         raise UnknownKeyError(_longdrive.unknown_key("outcome", str(name), list(self.outcomes), "a drive has the outcomes that it was asked for"))
+
+    if not TYPE_CHECKING:  # what is no attribute is none to type checkers, too
+
+        def __getattr__(self, name: str) -> Any:
+            raise no_attribute(self, name, f"outcomes go by name, as in drive['{name_or_carry(name)}']")
 
     def __iter__(self) -> Iterator[str]:
         return iter(self.outcomes)

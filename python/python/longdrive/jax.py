@@ -13,7 +13,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from .errors import InputError
-from .pointwise import NO_THIRD, Pointwise
+from .pointwise import NO_THIRD, OutcomeFunction, Pointwise
 from .types import Names, SetupLike
 
 __all__ = ["outcome"]
@@ -28,6 +28,9 @@ def outcome(setup: SetupLike, of: Names = "carry", wrt: Names | None = None) -> 
 
     The flight is integrated by ``flight.method`` and ``flight.step`` of the setup. Numbers have the precision of x: with JAX's usual
     32 bits, carry is exact to some 1e-5 m; ``jax.config.update("jax_enable_x64", True)`` gives all digits.
+
+    The function pickles, for processes and clusters. What ``jit``, ``grad`` and ``vmap`` make of it is pickled by ``cloudpickle`` alone, which
+    Dask and joblib take; elsewhere pickle the function, and make it again there.
 
     Args:
         setup: a setup, the name of a preset, or a dict.
@@ -83,7 +86,6 @@ def outcome(setup: SetupLike, of: Names = "carry", wrt: Names | None = None) -> 
         found = values(x)
         return found[0] if point.is_single else found
 
-    function.__doc__ = f"{', '.join(point.of)} of x = ({', '.join(point.wrt)}), SI."
-    return function
+    return OutcomeFunction(outcome, point, function)
 
 

@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 
 from . import _longdrive
-from ._ask import Question
 from ._longdrive import Setup
+from ._question import Question
 from .reply import Reply
 from .types import Floats
 
@@ -38,9 +38,9 @@ class Optimum(Reply):
     | field | what it is |
     |---|---|
     | ``x`` | the values of the varied parameters, SI, shape (n,); ``names`` says which they are; where nothing was found, where the search began |
-    | ``fun`` | the value of what was looked for, as asked (not negated where it is maximized), SI; NaN where nothing was found |
-    | ``jac`` | its gradient there, shape (n,); NaN where nothing was found |
-    | ``hess`` | its Hessian there, shape (n, n); None for an optimum over many swings |
+    | ``fun`` | the value of what was looked for, as asked (not negated where it is maximized), SI; of ``robust`` that with the setup's own model; NaN where nothing was found |
+    | ``jac`` | its gradient there, shape (n,); NaN where nothing was found; None for ``robust``, whose design holds several models in balance |
+    | ``hess`` | its Hessian there, shape (n, n); of ``robust`` that with the setup's own model; None for an optimum over many swings |
     | ``success`` | whether the search converged |
     | ``status`` | 0 where it did; else how it ended, a number |
     | ``ended`` | the same in a word: ``converged``, ``stalled``, ``infeasible``, … |
@@ -82,7 +82,8 @@ def optimum(reply: Reply, question: Question) -> Optimum:
     """The answer of a search."""
     place: dict[str, float] | None = reply.get("optimum")
     at: dict[str, float] = place or reply.get("start") or {}
-    value = reply.get("value")
+    models = reply.get("models")
+    value = reply.get("value") if models is None else _with_own_model(reply)
     gradient = reply.get("gradient") or {}
     names = list(at)
     multipliers = reply.get("multipliers") or {}
@@ -94,7 +95,7 @@ def optimum(reply: Reply, question: Question) -> Optimum:
         x=np.array([at[name] for name in names]),
         names=names,
         fun=np.nan if value is None else value,
-        jac=np.array([gradient.get(name, np.nan) for name in names]),
+        jac=np.array([gradient.get(name, np.nan) for name in names]) if models is None else None,
         success=ended == "converged",
         status=STATUSES.index(ended) if ended in STATUSES else -1,
         ended=ended,
@@ -111,3 +112,12 @@ def optimum(reply: Reply, question: Question) -> Optimum:
         started=question.setup,
         reply=reply,
     )
+
+
+def _with_own_model(reply: Reply) -> float | None:
+    """What was looked for, of a robust design with the model of the setup, which is the first: its best less what is lost beside it."""
+    own = reply["models"][0]
+    if own["value"] is None or own["loss"] is None:
+        return None
+    value: float = own["value"] + (own["loss"] if reply["sense"] == "minimize" else -own["loss"])
+    return value

@@ -13,17 +13,18 @@ import os
 from collections.abc import Iterable, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from multiprocessing import get_context
 from pathlib import Path
 from typing import Any, Union
 
 from . import _longdrive
-from ._ask import Question as Words
-from .arguments import count_of, kind_of, refuse_idle_seed
+from ._question import Question as Words
+from .arguments import count_of, kind_of, path_of, refuse_idle_seed
 from .errors import Error, InputError, Interrupted
-from .types import Names, SetupLike
+from .types import Amount, Given, Names, SetupLike
 from .wording import in_python
+from .written import parts_of
 
 __all__ = ["Over", "PartError", "Parts", "Question", "check", "merge", "sweep"]
 
@@ -71,12 +72,12 @@ class Question:
         seed: int | None = None,
         points: str | os.PathLike[str] | None = None,
         of: Names = "carry",
-        wrt: Names = (),
-        histogram: Mapping[str, str] | None = None,
+        wrt: Names | None = None,
+        histogram: Given | None = None,
         highest: Mapping[str, int] | str | None = None,
         lowest: Mapping[str, int] | str | None = None,
         instructions: str | None = None,
-        tolerance: str | None = None,
+        tolerance: Amount | None = None,
         own_step: bool = False,
         threads: int = 1,
     ) -> Question:
@@ -91,40 +92,55 @@ class Question:
             seed: another seed gives other points of the sample [default: 0].
             points: a table of points in place of `over`.
             of: outcomes, a name or several; ``"all"`` for every one.
-            wrt: parameters to differentiate by, a name or several; ``"points"`` for those that are swept.
-            histogram: outcomes with bins, ``{"carry": "200m..300m:64"}``.
+            wrt: parameters to differentiate by, a name or several; ``"points"`` for those that are swept; without it no derivatives.
+            histogram: outcomes with bins, ``{"carry": "200m..300m:64"}``, or ``(low, high, count)`` with numbers in SI.
             highest: outcomes with how many rows of the highest values to keep by themselves, ``{"carry": 10}``.
             lowest: the same of the lowest.
             instructions: ``"baseline"``, ``"avx2"`` or ``"avx512"``: what every worker's processor has. Without it each takes the most it has, and
                 parts of different processors are refused.
-            tolerance: lengths are within it of their exact values, a text like ``"1 mm"``; without it 1 µm.
+            tolerance: lengths are within it of their exact values, m or a text like ``"1 mm"``; without it 1 µm.
             own_step: whether ``flight.method`` and ``flight.step`` of the setup are kept.
             threads: threads that compute a part; a worker that computes several parts at a time has one for each.
         """
         count_of("parts", parts, 1)
         count_of("threads", threads, 1)
-        for name, value in {"output": output, "points": points}.items():
-            if not isinstance(value, (str, os.PathLike)) and not (name == "points" and value is None):
-                raise InputError(f"{name} is {kind_of(value)}; expected the name of a {'file that every worker can read' if name == 'points' else 'folder'}")
+        folder = path_of("output", output, "folder")
+        file = None if points is None else path_of("points", points, "file that every worker can read")
         asked = Words("sweep", Path())
         asked.take_setup(setup)
         asked.option("over", over or None, "several", "NAME=LOW..HIGH:COUNT")
         asked.option("sample", sample, "one", "N")
         refuse_idle_seed(seed, sample)
         asked.option("seed", seed, "one", "SEED")
-        asked.option("points", None if points is None else os.fspath(points), "one", "FILE")
-        asked.option("outcomes", _joined(of), "one", "OUTCOME,…")
+        asked.option("points", file, "one", "FILE")
+        asked.option("outcomes", _joined("of", of), "one", "OUTCOMES")
         if wrt == "points":
             asked.option("gradient", True, "nothing", "GRADIENT")
         else:
-            asked.option("wrt", _joined(wrt) or None, "one", "NAME,…")
+            asked.option("wrt", _joined("wrt", () if wrt is None else wrt) or None, "one", "NAMES")
         asked.option("histogram", histogram, "several", "OUTCOME=LOW..HIGH:COUNT")
-        asked.option("highest", _best(highest), "several", "OUTCOME:ROWS")
-        asked.option("lowest", _best(lowest), "several", "OUTCOME:ROWS")
+        asked.option("highest", _best("highest", highest), "several", "OUTCOME:ROWS")
+        asked.option("lowest", _best("lowest", lowest), "several", "OUTCOME:ROWS")
         asked.option("instructions", instructions, "one", "LEVEL")
         asked.option("tolerance", tolerance, "one", "LENGTH")
         asked.option("own_step", own_step, "nothing", "OWN_STEP")
-        return cls(tuple(asked.words), asked.text, os.fspath(output), parts, threads)
+        return cls(tuple(asked.words), asked.text, folder, parts, threads)
+
+    def refuse_unsound(self) -> None:
+        """Asks the question without computing anything, so that what is wrong with it is told before there are workers.
+
+        Raises:
+            InputError: as :func:`longdrive.sweep` does.
+        """
+        import tempfile
+
+        # the program looks at the folder after the question, and before the first drive: a file in its place ends the work there
+        with tempfile.NamedTemporaryFile(prefix="longdrive-") as file:
+            try:
+                _sweep([*self.words, f"--output={file.name}", f"--part={self.parts}/{self.parts}"], self.setup)
+            except InputError as error:
+                if file.name not in str(error):
+                    raise
 
     def write(self, part: int) -> dict[str, Any]:
         """Writes a part, from 1, unless it is there already; its manifest row.
@@ -192,15 +208,35 @@ def _sweep(words: list[str], setup: str) -> dict[str, Any]:
     return found
 
 
-def _best(rows: Mapping[str, int] | str | None) -> list[str]:
+def _best(name: str, rows: Mapping[str, int] | str | None) -> list[str]:
     """Outcomes with their number of rows, as the program has them; a text as it is."""
     if isinstance(rows, str):
         return [rows]
-    return [f"{name}:{count}" for name, count in (rows or {}).items()]
+    if not (rows is None or isinstance(rows, Mapping)):
+        raise InputError(f"{name} is {kind_of(rows)}; expected a dict of outcomes with their number of rows, as in {{'carry': 10}}")
+    return [f"{of}:{count_of(f'{name} of {of}', count, 1)}" for of, count in (rows or {}).items()]
 
 
-def _joined(names: Names) -> str:
-    return names if isinstance(names, str) else ",".join(names)
+def _joined(name: str, names: Names) -> str:
+    parts = (names,) if isinstance(names, str) else parts_of(names)
+    if parts is None or not all(isinstance(part, str) for part in parts):
+        raise InputError(f"{name} is {kind_of(names)}; expected a name or several")
+    return ",".join(parts)
+
+
+def question_of(setup: SetupLike, question: Mapping[str, Any]) -> Question:
+    """A sound question, of the arguments of a function that sends its parts to workers.
+
+    Raises:
+        InputError: for what is wrong with it, before any work is sent.
+    """
+    missing = [name for name in ("output", "parts") if name not in question]
+    if missing:
+        raise InputError(f"a sweep in parts needs {' and '.join(missing)}: the folder of the files, and how many there are")
+    found = Question.of(setup, **question)
+    found.refuse_unsound()
+    # workers may have been started in other folders
+    return replace(found, output=os.path.abspath(found.output))
 
 
 def check(
@@ -266,10 +302,7 @@ def sweep(setup: SetupLike = None, *, processes: int = 0, retries: int = 3, **qu
     """
     count_of("processes", processes)
     count_of("retries", retries)
-    missing = [name for name in ("output", "parts") if name not in question]
-    if missing:
-        raise InputError(f"a sweep in parts needs {' and '.join(missing)}: the folder of the files, and how many there are")
-    asked = Question.of(setup, **question)
+    asked = question_of(setup, question)
     manifests: dict[int, dict[str, Any]] = {}
     tries = dict.fromkeys(range(1, asked.parts + 1), 0)
     while len(manifests) < asked.parts:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -11,7 +12,7 @@ from .batches import computed
 from .errors import InputError
 from .types import Floats, Names, SetupLike
 
-__all__ = ["NO_THIRD", "Pointwise"]
+__all__ = ["NO_THIRD", "OutcomeFunction", "Pointwise"]
 
 NO_THIRD = (
     "longdrive.{}.outcome has exact first and second derivatives, and a third derivative was asked for; take it by differences of the Hessian: "
@@ -56,3 +57,24 @@ class Pointwise:
         table = computed(self.setup, points, self.of, by, tolerance=None, own_step=True, threads=0, told=None, hessians=order > 1)
         found = [table.values, table.gradients if order else None, table.hessians]
         return [array.reshape(lead + array.shape[1:]) for array in found if array is not None]
+
+
+class OutcomeFunction:
+    """Outcomes of a setup as a function of x, of another library. It pickles as what it was made of, since its derivatives are functions within functions."""
+
+    def __init__(self, outcome: Callable[..., Callable[[Any], Any]], point: Pointwise, call: Callable[[Any], Any]) -> None:
+        self._outcome = outcome
+        self._point = point
+        self._call = call
+        self.__name__ = "outcome"
+        self.__doc__ = f"{', '.join(point.of)} of x = ({', '.join(point.wrt)}), SI."
+
+    def __call__(self, x: Any) -> Any:
+        return self._call(x)
+
+    def __repr__(self) -> str:
+        return f"<{self._outcome.__module__}.outcome {', '.join(self._point.of)} of {', '.join(self._point.wrt)}>"
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        point = self._point
+        return (self._outcome, (point.setup, point.of[0] if point.is_single else point.of, point.wrt))

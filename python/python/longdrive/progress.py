@@ -8,22 +8,28 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any, Union
 
+from .arguments import switch_of
+
 __all__ = ["Bar", "Progress", "follower"]
 
 Show = Callable[[int, int], Any]
 
-Progress = Union[bool, Show]
+Progress = Union[bool, Show, None]
 """Whether a bar is shown (by tqdm, if it is installed, in notebooks too), or a function that is called with how many parts of how many are
-done (0 of 0 where they cannot be counted)."""
+done (0 of 0 where they cannot be counted). None is False."""
 
 
 @contextmanager
 def follower(doing: str, progress: Progress) -> Iterator[Show | None]:
-    """What is to be called with the progress of some work; None where nobody looks."""
-    if progress is False:
-        yield None
-    elif progress is not True:
+    """What is to be called with the progress of some work; None where nobody looks.
+
+    Raises:
+        InputError: for what is none of these.
+    """
+    if callable(progress):
         yield progress
+    elif progress is None or not switch_of("progress", progress, "a function of parts done and parts in all"):
+        yield None
     else:
         try:
             from tqdm.auto import tqdm

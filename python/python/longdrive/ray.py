@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from .parts import PartError, Parts, Question
+from .arguments import count_of
+from .parts import PartError, Parts, Question, question_of
 from .types import SetupLike
 
 __all__ = ["sweep"]
@@ -22,13 +23,15 @@ def sweep(setup: SetupLike = None, *, retries: int = 3, **question: Any) -> Part
         question: as :meth:`longdrive.parts.Question.of`: `output`, `parts`, `over` or `sample`, `of`, `wrt`, `instructions`, …
 
     Raises:
+        InputError: for what is wrong with the question, before any part is sent.
         PartError: for a part that could not be written.
     """
     try:
         import ray
     except ImportError as error:
         raise ImportError("longdrive.ray needs Ray: pip install ray") from error
-    asked = Question.of(setup, **question)
+    count_of("retries", retries)
+    asked = question_of(setup, question)
     write = ray.remote(num_cpus=asked.threads, max_retries=retries, retry_exceptions=True)(Question.write)
     shared = ray.put(asked)
     waiting = iter(range(1, asked.parts + 1))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 
-from ._ask import Question
+from ._question import Question
 from .reply import Reply
 
 __all__ = ["flown"]

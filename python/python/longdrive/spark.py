@@ -6,7 +6,9 @@ import json
 from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, Any
 
-from .parts import PartError, Parts, Question
+from .arguments import kind_of
+from .errors import InputError
+from .parts import PartError, Parts, Question, question_of
 from .types import SetupLike
 
 if TYPE_CHECKING:
@@ -52,6 +54,7 @@ def sweep(spark: SparkSession, setup: SetupLike = None, **question: Any) -> Part
         question: as :meth:`longdrive.parts.Question.of`: `output`, `parts`, `over` or `sample`, `of`, `wrt`, `instructions`, …
 
     Raises:
+        InputError: for another kind of session, and for what is wrong with the question, before any part is sent.
         PartError: for a part that could not be written.
     """
     try:
@@ -62,7 +65,9 @@ def sweep(spark: SparkSession, setup: SetupLike = None, **question: Any) -> Part
         raise ImportError("longdrive.spark needs Spark, pandas and Arrow: pip install pyspark pandas pyarrow") from error
     from py4j.protocol import Py4JError
 
-    asked = Question.of(setup, **question)
+    if not callable(getattr(spark, "range", None)):
+        raise InputError(f"spark is {kind_of(spark)}; expected a SparkSession, as SparkSession.builder.getOrCreate() gives it")
+    asked = question_of(setup, question)
     try:
         rows = manifests(spark, asked).select("manifest").collect()
     except (PySparkException, Py4JError) as error:

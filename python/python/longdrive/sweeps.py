@@ -6,8 +6,9 @@ import os
 from typing import Union, overload
 
 from . import _longdrive
-from ._ask import Question, ask
+from ._ask import ask
 from ._longdrive import Setup
+from ._question import Question
 from .arguments import count_of, refuse_idle_seed, switch_of
 from .batches import computed
 from .errors import InputError, interruptible, warn_of
@@ -119,7 +120,10 @@ def sweep(
         question.setup = setup if isinstance(setup, Setup) else Setup(setup)
         table = None if points is None else question.file("points", points)
         with question.named():
-            at, ranges = _longdrive.plan(question.setup, question.texts("over", over), sample, seed or 0, table)
+            ranges_asked = question.texts("over", over)
+            if sample is not None:
+                _refuse_counts(ranges_asked)
+            at, ranges = _longdrive.plan(question.setup, ranges_asked, sample, seed or 0, table)
         with follower("sweep", progress) as told:
             found = computed(
                 question.setup, at, of, wrt, tolerance=tolerance, own_step=own_step, threads=threads, told=told, ranges=ranges,
@@ -134,6 +138,14 @@ def _interrupted(after: int, whole: int) -> str:
         f"longdrive.sweep was interrupted after {after} of {whole} rows, which `table` of this exception has; the same call begins again; one with "
         "output=FILE keeps its rows, and goes on with resume=True"
     )
+
+
+def _refuse_counts(over: list[str]) -> None:
+    """Ranges with a count, where a sample says how many points there are."""
+    counted = next((text for text in over if ":" in text), None)
+    if counted is not None:
+        without = counted.rpartition(":")[0]
+        raise InputError(f"the range {counted}: sample says how many points there are; write {without}, or (low, high), without a count")
 
 
 def _refuse(

@@ -2,20 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from enum import IntEnum
 from functools import cached_property
 from html import escape
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _longdrive
 from ._longdrive import Setup
-from .arguments import kind_of
+from .arguments import kind_of, no_attribute
+from .described import name_or_carry
 from .errors import InputError, UnknownKeyError
 from .types import Floats
+from .written import parts_of
 
 __all__ = ["Status", "Table"]
 
@@ -146,6 +148,12 @@ class Table:
             raise UnknownKeyError(_longdrive.unknown_key("column", name, self.keys(), f"the columns are {', '.join(self.keys())}"))
         return column
 
+    if not TYPE_CHECKING:  # what is no attribute is none to type checkers, too
+
+        def __getattr__(self, name: str) -> Any:
+            columns = f"columns go by name, as in table['{name_or_carry(name)}']"
+            raise no_attribute(self, name, f"{columns}; pandas.DataFrame.from_arrow(table) and polars.DataFrame(table) take all of it")
+
     def __getitem__(self, key: str | slice) -> Any:
         """A column by its name, or some rows as a table: views, not copies."""
         if isinstance(key, str):
@@ -205,12 +213,16 @@ class Table:
         return {status.label: int(counts[status]) for status in Status if counts[status]}
 
     @staticmethod
-    def concatenate(tables: Sequence[Table]) -> Table:
+    def concatenate(tables: Iterable[Table]) -> Table:
         """One table of the rows of several, in their order: what was done before an interruption and what was done after it.
 
         Raises:
             InputError: where they are not of one question: the same outcomes, derivatives, parameters and setup; it names what differs.
         """
+        parts = parts_of(tables)
+        if parts is None:
+            raise InputError(f"tables is {kind_of(tables)}; expected several tables, as in Table.concatenate([table, rest])")
+        tables = parts
         if not tables:
             raise InputError("nothing to concatenate: give at least one table")
         for number, table in enumerate(tables, start=1):

@@ -13,7 +13,7 @@ from torch.autograd import Function
 
 from .arguments import kind_of
 from .errors import InputError
-from .pointwise import NO_THIRD, Pointwise
+from .pointwise import NO_THIRD, OutcomeFunction, Pointwise
 from .types import Names, SetupLike
 
 __all__ = ["outcome"]
@@ -27,7 +27,7 @@ def outcome(setup: SetupLike, of: Names = "carry", wrt: Names | None = None) -> 
     all processors. Where there is no drive (no flight, a value outside its range) it is NaN; :func:`longdrive.simulate` says why.
 
     The flight is integrated by ``flight.method`` and ``flight.step`` of the setup. Numbers have the precision of x: ``torch.float64`` gives
-    all digits.
+    all digits. The function pickles, for processes and clusters.
 
     Args:
         setup: a setup, the name of a preset, or a dict.
@@ -112,5 +112,4 @@ def outcome(setup: SetupLike, of: Names = "carry", wrt: Names | None = None) -> 
         values: torch.Tensor = Slopes.apply(x)[0]
         return values[0] if point.is_single else values
 
-    function.__doc__ = f"{', '.join(point.of)} of x = ({', '.join(point.wrt)}), SI."
-    return function
+    return OutcomeFunction(outcome, point, function)

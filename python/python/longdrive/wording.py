@@ -9,7 +9,7 @@ import re
 from typing import Any
 
 from . import _longdrive
-from .described import commands, options
+from .described import commands, options, places
 
 __all__ = ["answer_in_python", "argument_of", "in_python"]
 
@@ -25,6 +25,7 @@ TEXTS = {"message", "warnings", "notes", "remarks", "reason"}
 # 'longdrive optimize mine.toml --vary …' is for a shell, and stays
 SHELL = re.compile(r"'longdrive [^']*'")
 COMMAND = re.compile(r"'longdrive ([a-z-]+)'")
+PLACE = re.compile(r"'<([A-Z_]+)>'")
 SHORT = re.compile(r"(?<![\w-])-o(?![\w-])")
 # a value is in quotes, has a sign that no word has, is a number, or a word in capitals that stands for one
 VALUE = r'"[^"]*"|[^\s,;()\'"]*(?:=|\.\.)(?:"[^"]*"|[^\s,;()\'"]*(?:\([^()]*\))?)|[\d.][^\s,;()\'"]*|[A-Z]{2,}\b|[a-z_]+\b'
@@ -39,6 +40,7 @@ def argument_of(option: str) -> str:
 
 def in_python(text: str) -> str:
     """A message of the program, with options as arguments: ``--subject-to`` is ``subject_to``."""
+    text = PLACE.sub(lambda found: f"'{places().get(found[1], found[1].lower())}'", text)
     if "-" not in text and "'longdrive " not in text:
         return text
     parts, at = [], 0

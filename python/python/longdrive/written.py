@@ -13,7 +13,7 @@ from .errors import InputError
 if TYPE_CHECKING:
     from pathlib import Path
 
-__all__ = ["count_text", "number_text", "parts_of", "write_table"]
+__all__ = ["count_text", "in_si", "is_quantity", "number_text", "parts_of", "write_table"]
 
 
 def parts_of(value: Any) -> tuple[Any, ...] | None:
@@ -33,11 +33,32 @@ def count_text(name: str, value: Any) -> str:
     return str(count_of(f"the count of {name}", int(value) if isinstance(value, float) and value.is_integer() else value, 1))
 
 
+def is_quantity(value: Any) -> bool:
+    """Whether something is a quantity of pint. It is known by what it has: pint itself need not be there."""
+    return all(hasattr(value, name) for name in ("to", "magnitude", "units"))
+
+
+def in_si(value: Any, unit: str) -> Any:
+    """The number, or the numbers, of a quantity of pint in an SI unit; anything else as it is.
+
+    Raises:
+        InputError: for a quantity of another kind.
+    """
+    if not is_quantity(value):
+        return value
+    try:
+        return value.to(unit or "dimensionless").magnitude
+    except Exception as error:  # those of pint have no name here
+        raise InputError(str(error)) from None
+
+
 def number_text(value: Any, unit: str) -> str:
     """A number with its SI unit, to the last digit; a quantity of pint is converted."""
-    if all(hasattr(value, name) for name in ("to", "magnitude", "units")):
-        value = value.to(unit or "dimensionless").magnitude
+    value = in_si(value, unit)
     try:
+        # a truth is a number to Python, and no quantity
+        if isinstance(value, (bool, np.bool_)):
+            raise TypeError
         return f"{float(value)!r} {unit}".strip()
     except (TypeError, ValueError):
         message = f"{value!r} is {kind_of(value)}; expected a number (SI), or a text with its unit like '10.5 deg'"
@@ -73,6 +94,8 @@ def _column(name: str, head: Any, values: Any) -> list[Any]:
     Raises:
         InputError: for what has not a value for each row.
     """
+    if is_quantity(values):
+        raise InputError(f"{name}: the column '{head}' is {kind_of(values)}; the head of a column names the unit, so give the numbers in that unit, as in values.to('mph').magnitude")
     parts = parts_of(values)
     shape: tuple[int, ...] = getattr(values, "shape", (len(parts or ()),))
     if parts is None or len(shape) != 1:
