@@ -7,7 +7,7 @@ use longdrive::report::{Change, changes, setup_toml, setup_toml_without_step};
 use longdrive::units::System;
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyString};
+use pyo3::types::{PyDict, PyIterator, PyList, PyString};
 use std::hash::{Hash, Hasher};
 use std::path::{Path, PathBuf};
 
@@ -288,6 +288,15 @@ impl PySetup {
     /// The names of its choices and parameters.
     fn keys(&self) -> Vec<&'static str> {
         self.names()
+    }
+
+    /// Through the names, as through those of a dict.
+    fn __iter__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyIterator>> {
+        PyList::new(py, self.names())?.try_iter()
+    }
+
+    fn __len__(&self) -> usize {
+        self.names().len()
     }
 
     /// The preset that it started from.

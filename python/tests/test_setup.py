@@ -112,6 +112,12 @@ def test_a_setup_cannot_be_changed_and_replace_makes_another() -> None:
         setup.preset = "mae494"  # type: ignore[misc]
 
 
+def test_its_names_are_gone_through_as_those_of_a_dict() -> None:
+    setup = longdrive.Setup("modern-driver")
+    assert list(setup) == setup.keys() == list(dict(setup)) and len(setup) == len(dict(setup)) > 40
+    assert {name: setup[name] for name in setup} == dict(setup)
+
+
 def test_infinite_and_unset_values_and_choices() -> None:
     setup = Setup({"club.bulge_radius": math.inf, "impact.friction": None, "aero.law": "ferguson", "golfer": "left"})
     assert (setup["club.bulge_radius"], setup["impact.friction"]) == (math.inf, None)
