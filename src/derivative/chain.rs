@@ -3,12 +3,10 @@
 
 use super::Taylor;
 use super::asked::{Asked, Directions, blank};
-use super::pass::{MOST_PER_LANE, put, read_launches};
+use super::pass::{MOST_PER_LANE, Part, Variable};
 use super::ways::Ways;
-use crate::drive::{self, Struck};
+use crate::drive;
 use crate::error::Result;
-use crate::launch::Launch;
-use crate::number::{Derivatives, Jet, Lanes, Mask, Mixed, Task, Vector};
 
 /// Values and gradients by many parameters. `progress` is told how many passes of how many are done.
 pub(super) fn gradients(asked: &Asked<'_>, ways: &Ways, progress: &mut dyn FnMut(usize, usize)) -> Result<Vec<Taylor>> {
@@ -41,10 +39,8 @@ fn derivatives(
     let rows = |n: usize| if to_second { n } else { 0 };
     let mut taylors = blank(asked.of.len(), n, rows(n));
     let mut launch = blank(6, n, rows(n));
-    let mut strike = |directions: Directions<'_>| {
-        let part = Part::Impact { launch: &mut launch, taylors: &mut taylors };
-        asked.level_of(directions).run(Pass { asked, directions, part })
-    };
+    let mut strike =
+        |directions: Directions<'_>| asked.pass(directions, Part::Impact { launch: &mut launch }, &mut taylors);
     if ways.through_launch.is_empty() {
         strike(Directions::None)?;
     } else {
@@ -67,8 +63,7 @@ fn derivatives(
         Ok(())
     })?;
     let mut fly = |directions: Directions<'_>| {
-        let part = Part::Flight { launch: &launch, variables: &variables, slopes: &mut slopes };
-        asked.level_of(directions).run(Pass { asked, directions, part })?;
+        asked.pass(directions, Part::Flight { launch: &launch, variables: &variables }, &mut slopes)?;
         done += 1;
         progress(done, all.max(1));
         Ok(())
@@ -84,91 +79,6 @@ fn derivatives(
         }
     }
     Ok(taylors)
-}
-
-/// What a flight is differentiated by.
-#[derive(Clone, Copy)]
-enum Variable {
-    /// A component of the launch: of its velocity, then of its spin.
-    Launch(usize),
-    /// The parameter in this place.
-    Parameter(usize),
-}
-
-/// A pass in some directions.
-struct Pass<'a> {
-    asked: &'a Asked<'a>,
-    directions: Directions<'a>,
-    part: Part<'a>,
-}
-
-enum Part<'a> {
-    /// The impact by the parameters; outcomes of the launch are filled in.
-    Impact { launch: &'a mut [Taylor], taylors: &'a mut [Taylor] },
-    /// The flight by its variables.
-    Flight { launch: &'a [Taylor], variables: &'a [Variable], slopes: &'a mut [Taylor] },
-}
-
-impl Task for Pass<'_> {
-    type Output = Result<()>;
-
-    #[inline(always)]
-    fn run<V: Lanes<Lane = f64>>(self) -> Result<()> {
-        match self.directions {
-            Directions::Pairs(_) => self.over::<Mixed<V>>(2),
-            Directions::Each(places) if places.len() <= V::WIDTH => self.over::<Jet<1, V>>(1),
-            _ => self.over::<Jet<MOST_PER_LANE, V>>(MOST_PER_LANE),
-        }
-    }
-}
-
-impl Pass<'_> {
-    #[inline(always)]
-    fn over<J: Lanes<Lane: Derivatives>>(self, per_lane: usize) -> Result<()> {
-        let Self { asked, directions, part } = self;
-        let lanes = directions.lanes(per_lane);
-        match part {
-            Part::Impact { launch, taylors } => {
-                let mut setup = asked.setup.constant::<J>();
-                asked.seed(&mut setup, directions, per_lane);
-                let struck = Struck::new(&setup);
-                if !struck.is_sound.holds(0) {
-                    return Err(asked.refusal());
-                }
-                let Launch { velocity, spin } = struck.launch;
-                for lane in 0..lanes {
-                    let components = velocity.to_array().into_iter().chain(spin.to_array());
-                    for (component, number) in launch.iter_mut().zip(components) {
-                        put(component, directions.in_lane(lane, per_lane), &number.lane(lane));
-                    }
-                }
-                read_launches(asked, &setup, &struck, lanes, |lane, outcome, number| {
-                    put(&mut taylors[outcome], directions.in_lane(lane, per_lane), &number);
-                })
-            }
-            Part::Flight { launch, variables, slopes } => {
-                let mut setup = asked.setup.constant::<J>();
-                let mut left: [J; 6] = std::array::from_fn(|component| J::constant(launch[component].value));
-                directions.seeded(
-                    per_lane,
-                    |variable| match variables[variable] {
-                        Variable::Launch(component) => launch[component].value,
-                        Variable::Parameter(place) => asked.x[place],
-                    },
-                    #[inline(always)]
-                    |variable, number| match variables[variable] {
-                        Variable::Launch(component) => left[component] = number,
-                        Variable::Parameter(place) => setup.put(&asked.wrt[place..=place], |_| number),
-                    },
-                );
-                let [up, right, downrange, spin @ ..] = left;
-                let launch = Launch { velocity: Vector::new(up, right, downrange), spin: Vector::from_array(spin) };
-                asked.fly(&setup, &launch, lanes, |lane, outcome, number| {
-                    put(&mut slopes[outcome], directions.in_lane(lane, per_lane), &number);
-                })
-            }
-        }
-    }
 }
 
 /// The derivatives by parameters of what has these by the variables of a flight.

@@ -1,20 +1,48 @@
 use super::Taylor;
 use super::asked::{Asked, Directions, blank, read};
 use super::order::Pairs;
-use crate::drive::{Outcome, Part, Struck};
+use crate::drive::{self, Outcome, Struck};
 use crate::error::Result;
 use crate::impact::Head;
-use crate::number::{Derivatives, Jet, Lanes, Mask, Mixed, Task, inlined};
+use crate::launch::Launch;
+use crate::number::{Derivatives, Jet, Lanes, Mask, Mixed, Task, Vector, inlined};
 use crate::parameters::Setup;
 
 /// The most directions in a lane.
 pub(super) const MOST_PER_LANE: usize = 3;
 
-/// A drive with its derivatives in as many directions as there are, from the club to the landing.
+/// What a flight is differentiated by, where that is not the parameters.
+#[derive(Clone, Copy)]
+pub(super) enum Variable {
+    /// A component of the launch: of its velocity, then of its spin.
+    Launch(usize),
+    /// The parameter in this place.
+    Parameter(usize),
+}
+
+/// How much of a drive is computed, and by what it is differentiated.
+pub(super) enum Part<'a> {
+    /// All of it, by the parameters.
+    Drive,
+    /// The impact by the parameters, with the components of the launch.
+    Impact { launch: &'a mut [Taylor] },
+    /// The flight by its variables.
+    Flight { launch: &'a [Taylor], variables: &'a [Variable] },
+}
+
+/// Derivatives of outcomes in as many directions as there are.
 struct Pass<'a> {
     asked: &'a Asked<'a>,
     directions: Directions<'a>,
+    part: Part<'a>,
     taylors: &'a mut [Taylor],
+}
+
+impl Asked<'_> {
+    /// Makes a pass: fills in what comes of these directions.
+    pub fn pass(&self, directions: Directions<'_>, part: Part<'_>, taylors: &mut [Taylor]) -> Result<()> {
+        self.level_of(directions).run(Pass { asked: self, directions, part, taylors })
+    }
 }
 
 impl Task for Pass<'_> {
@@ -34,36 +62,65 @@ impl Task for Pass<'_> {
 impl Pass<'_> {
     #[inline(always)]
     fn over<J: Lanes<Lane: Derivatives>>(self, per_lane: usize) -> Result<()> {
-        let Self { asked, directions, taylors } = self;
+        let Self { asked, directions, part, taylors } = self;
         let mut setup = asked.setup.constant::<J>();
-        asked.seed(&mut setup, directions, per_lane);
-        let struck = Struck::new(&setup);
-        if !struck.is_sound.holds(0) {
-            return Err(asked.refusal());
-        }
         let lanes = directions.lanes(per_lane);
         let mut take = |lane: usize, outcome: usize, number: J::Lane| {
             put(&mut taylors[outcome], directions.in_lane(lane, per_lane), &number);
         };
-        read_launches(asked, &setup, &struck, lanes, &mut take)?;
-        if asked.flies { asked.fly(&setup, &struck.launch, lanes, take) } else { Ok(()) }
+        let launch = if let Part::Flight { launch, variables } = part {
+            let mut left: [J; 6] = std::array::from_fn(|component| J::constant(launch[component].value));
+            directions.seeded(
+                per_lane,
+                |variable| match variables[variable] {
+                    Variable::Launch(component) => launch[component].value,
+                    Variable::Parameter(place) => asked.x[place],
+                },
+                #[inline(always)]
+                |variable, number| match variables[variable] {
+                    Variable::Launch(component) => left[component] = number,
+                    Variable::Parameter(place) => setup.put(&asked.wrt[place..=place], |_| number),
+                },
+            );
+            let [up, right, downrange, spin @ ..] = left;
+            Launch { velocity: Vector::new(up, right, downrange), spin: Vector::from_array(spin) }
+        } else {
+            asked.seed(&mut setup, directions, per_lane);
+            let struck = Struck::new(&setup);
+            if !struck.is_sound.holds(0) {
+                return Err(asked.refusal());
+            }
+            read_launches(asked, &setup, &struck, lanes, &mut take)?;
+            if let Part::Impact { launch } = part {
+                let Launch { velocity, spin } = struck.launch;
+                for lane in 0..lanes {
+                    let components = velocity.to_array().into_iter().chain(spin.to_array());
+                    for (component, number) in launch.iter_mut().zip(components) {
+                        put(component, directions.in_lane(lane, per_lane), &number.lane(lane));
+                    }
+                }
+                return Ok(());
+            }
+            struck.launch
+        };
+        if asked.flies { asked.fly(&setup, &launch, lanes, take) } else { Ok(()) }
     }
 }
 
 /// Shows the outcomes of the launch and of the head in each lane to `take`, with their places.
 #[inline(always)]
-pub(super) fn read_launches<J: Lanes>(
+fn read_launches<J: Lanes>(
     asked: &Asked<'_>,
     setup: &Setup<J>,
     struck: &Struck<J>,
     lanes: usize,
     mut take: impl FnMut(usize, usize, J::Lane),
 ) -> Result<()> {
-    let is_before_flight = |outcome: &Outcome| outcome.part() != Part::Flight;
+    let is_before_flight = |outcome: &Outcome| outcome.part() != drive::Part::Flight;
     if !asked.of.iter().any(is_before_flight) {
         return Ok(());
     }
-    let has_head = struck.club_speed.is_some() && asked.of.iter().any(|outcome| outcome.part() == Part::Head);
+    let has_head = struck.club_speed.is_some() && asked.of.iter().any(|outcome| outcome.part() == drive::Part::Head);
     let head = has_head.then(|| J::outlined(|| Head::new(&setup.club)));
     for lane in 0..lanes {
         let in_lane = inlined(
@@ -81,7 +138,7 @@ pub(super) fn read_launches<J: Lanes>(
 }
 
 /// Writes what a number tells of its directions to their places.
-pub(super) fn put<J: Derivatives>(taylor: &mut Taylor, places: &[usize], number: &J) {
+fn put<J: Derivatives>(taylor: &mut Taylor, places: &[usize], number: &J) {
     taylor.value = number.re();
     for (i, &place) in places.iter().enumerate() {
         taylor.gradient[place] = number.first(i);
@@ -94,8 +151,7 @@ pub(super) fn put<J: Derivatives>(taylor: &mut Taylor, places: &[usize], number:
 /// Each outcome, alone.
 pub(super) fn values(asked: &Asked<'_>) -> Result<Vec<Taylor>> {
     let mut taylors = blank(asked.of.len(), 0, 0);
-    let directions = Directions::None;
-    asked.level_of(directions).run(Pass { asked, directions, taylors: &mut taylors })?;
+    asked.pass(Directions::None, Part::Drive, &mut taylors)?;
     Ok(taylors)
 }
 
@@ -104,8 +160,7 @@ pub(super) fn gradients(asked: &Asked<'_>) -> Result<Vec<Taylor>> {
     let n = asked.wrt.len();
     let mut taylors = blank(asked.of.len(), n, 0);
     let places: Vec<usize> = (0..n).collect();
-    let directions = Directions::Each(&places);
-    asked.level_of(directions).run(Pass { asked, directions, taylors: &mut taylors })?;
+    asked.pass(Directions::Each(&places), Part::Drive, &mut taylors)?;
     Ok(taylors)
 }
 
@@ -115,11 +170,10 @@ pub(super) fn hessians(asked: &Asked<'_>, pairs: Pairs, progress: &mut dyn FnMut
     let rows = if pairs == Pairs::WithLast { n - 1..n } else { 0..n };
     let wanted: Vec<[usize; 2]> = rows.flat_map(|i| (0..=i).map(move |j| [i, j])).collect();
     let mut taylors = blank(asked.of.len(), n, n);
-    let level = asked.level.of(wanted.len());
-    let passes = wanted.chunks(level.width());
+    let passes = wanted.chunks(asked.level.of(wanted.len()).width());
     let all = passes.len();
     for (done, pairs) in passes.enumerate() {
-        level.run(Pass { asked, directions: Directions::Pairs(pairs), taylors: &mut taylors })?;
+        asked.pass(Directions::Pairs(pairs), Part::Drive, &mut taylors)?;
         progress(done + 1, all);
     }
     Ok(taylors)
