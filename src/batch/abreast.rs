@@ -42,7 +42,7 @@ impl Task for Abreast<'_> {
 
 impl Abreast<'_> {
     /// The rows that fly, each with its upward speed at launch, and those that have to be looked at alone. Those whose ball
-    /// is launched into the ground are done with.
+    /// is launched into the ground get their status here.
     #[inline(always)]
     fn line_up<V: Lanes<Lane = f64>>(&mut self) -> (Vec<(f64, usize)>, Vec<usize>) {
         let kernel = self.kernel;

@@ -10,7 +10,8 @@ pub enum Status {
     NoFlight,
     /// Still in the air at `flight.time_limit`. Outcomes of the launch only.
     Aloft,
-    /// The numbers of the flight overflowed: `flight.step` is too coarse. No outcomes.
+    /// `flight.step` is too coarse: drag and lift change the airspeed too much within a step, numbers overflow, or the defect stays above the largest
+    /// one also in the shortest step. No outcomes.
     Diverged,
     /// The club does not strike the ball: off the face, moving away, or jammed. No outcomes.
     NoStrike,
@@ -69,7 +70,7 @@ impl Tally {
         self.beyond.merge(other.beyond);
     }
 
-    /// The tally of counts by the statuses' names, and of the landed drives that lie beyond; names of none are passed over.
+    /// The tally of counts by the statuses' names, and of the landed drives that lie beyond; unknown names are ignored.
     pub fn of<'a>(counts: impl IntoIterator<Item = (&'a str, u64)>, beyond: BeyondCount) -> Self {
         let mut tally = Self { beyond, ..Self::default() };
         for (name, count) in counts {
@@ -122,7 +123,7 @@ pub struct Block {
 }
 
 impl Block {
-    /// Takes away what a drive was found to have.
+    /// Sets the results of a row to NaN: there are none.
     pub(super) fn clear(&mut self, row: usize) {
         self.outcomes.iter_mut().chain(&mut self.derivatives).for_each(|column| column[row] = f64::NAN);
     }

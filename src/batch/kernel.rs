@@ -11,7 +11,7 @@ use crate::parameters::{Parameter, Setup};
 /// Halvings of the step within which a drive has to get below the largest defect.
 const HALVINGS: usize = 12;
 
-/// The only place in a batch where drives are hit and flown.
+/// A block: drives side by side where that is possible, the rows left over one by one.
 impl Kernel {
     /// The drives of some points, given one after the other.
     pub fn evaluate(&self, first_row: u64, points: Vec<f64>) -> Block {
@@ -38,12 +38,12 @@ impl Kernel {
         block
     }
 
-    /// Whether many drives are computed side by side: where there are not so many derivatives that those of one drive fill the
-    /// lanes, and no inertia tensor that no body can have.
+    /// Whether drives are computed side by side. They are not where the inertia tensor is swept, which must be checked in each row, nor by so many
+    /// parameters that the derivatives of one drive fill the lanes.
     fn goes_abreast(&self) -> bool {
         const MOST_DERIVATIVES: usize = 4 * DIRECTIONS;
-        let turns_inertia = self.parameters.iter().any(|parameter| parameter.is_of_inertia());
-        !turns_inertia && self.wrt.len() <= MOST_DERIVATIVES
+        let sweeps_inertia = self.parameters.iter().any(|parameter| parameter.is_of_inertia());
+        !sweeps_inertia && self.wrt.len() <= MOST_DERIVATIVES
     }
 
     /// Computes the drives of a block side by side; the rows that have to be looked at one by one are left over.

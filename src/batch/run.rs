@@ -15,7 +15,7 @@ pub const CHUNK: usize = 1024;
 /// How a batch is run.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Run<'a> {
-    /// The first row to compute (0): a multiple of [`CHUNK`] where the blocks are to be those of an undisturbed run.
+    /// The first row to compute (0): a multiple of [`CHUNK`] where the blocks are to be those of an uninterrupted run.
     pub first_row: u64,
     /// The row to end before (`None`: after the last point).
     pub end_row: Option<u64>,

@@ -6,7 +6,7 @@ use crate::drive::Outcome;
 use std::sync::LazyLock;
 
 /// The range of a value, in its unit. The fastest ball on record left at 241.7 mph (108 m/s); no driver gives topspin.
-const RANGES: [(Outcome, f64, f64, &str); 15] = [
+const RANGES: &[(Outcome, f64, f64, &str)] = &[
     (Outcome::BallSpeed, 0.0, 270.0, "mph"),
     (Outcome::LaunchAngle, -90.0, 90.0, "deg"),
     (Outcome::LaunchDirection, -90.0, 90.0, "deg"),
@@ -25,7 +25,7 @@ const RANGES: [(Outcome, f64, f64, &str); 15] = [
 ];
 
 /// Values that are above the lower end of their range: a 0 says that nothing was measured.
-const ABOVE: [Outcome; 7] = [
+const ABOVE: &[Outcome] = &[
     Outcome::BallSpeed,
     Outcome::Spin,
     Outcome::CarryDistance,
@@ -64,7 +64,7 @@ pub(crate) fn outside(of: Outcome, value: f64) -> Option<String> {
 }
 
 /// What no drive has less of than nothing: a measured value below 0, or of a length or time 0 itself, is a mistake of the table.
-const POSITIVE: [Outcome; 9] = [
+const POSITIVE: &[Outcome] = &[
     Outcome::Carry,
     Outcome::CarryDistance,
     Outcome::Total,

@@ -78,7 +78,7 @@ impl Directions<'_> {
                     put(place, J::constant(value(place)).seeded(&changes_in, 0));
                 }
             }
-            // a place of several pairs is shown as often
+            // a place in several pairs is passed once for each
             Self::Pairs(pairs) => {
                 for &place in pairs.iter().flatten() {
                     let changes_in = inlined(

@@ -25,7 +25,7 @@ pub(super) fn hessians(asked: &Asked<'_>, ways: &Ways, progress: &mut dyn FnMut(
     derivatives(asked, ways, true, passes, progress)
 }
 
-/// Makes a pass for each part of the directions in these variables.
+/// Divides variables into passes and calls the closure with the directions of each.
 type Passes<'a> = &'a dyn Fn(&[usize], &mut dyn FnMut(Directions<'_>) -> Result<()>) -> Result<()>;
 
 fn derivatives(
@@ -99,19 +99,19 @@ fn chain(taylor: &mut Taylor, by_variables: &Taylor, variables: &[Variable], lau
             continue;
         }
         // how the slope by this variable changes with the parameters
-        let mut bent = vec![0.0; taylor.gradient.len()];
+        let mut slope_by_parameters = vec![0.0; taylor.gradient.len()];
         for (b, &other) in variables.iter().enumerate() {
-            add_change(&mut bent, by_variables.hessian[a][b], other);
+            add_change(&mut slope_by_parameters, by_variables.hessian[a][b], other);
         }
         match variable {
             Variable::Launch(component) => {
                 let Taylor { gradient, hessian, .. } = &launch[component];
                 for (row, (change, second)) in taylor.hessian.iter_mut().zip(gradient.iter().zip(hessian)) {
-                    add(row, *change, &bent);
+                    add(row, *change, &slope_by_parameters);
                     add(row, slope, second);
                 }
             }
-            Variable::Parameter(place) => add(&mut taylor.hessian[place], 1.0, &bent),
+            Variable::Parameter(place) => add(&mut taylor.hessian[place], 1.0, &slope_by_parameters),
         }
     }
     // symmetric to the last bit, as its terms are

@@ -52,8 +52,8 @@ impl Evaluator {
                 setup.variable(parameter.name)?;
             }
         }
-        let turns = wrt.iter().enumerate().filter(|(_, parameter)| parameter.is_of_inertia());
-        let inertia = turns.map(|(place, parameter)| (place, setup.value(parameter))).collect();
+        let of_inertia = wrt.iter().enumerate().filter(|(_, parameter)| parameter.is_of_inertia());
+        let inertia = of_inertia.map(|(place, parameter)| (place, setup.value(parameter))).collect();
         let (of, wrt, ways) = (of.to_vec(), wrt.to_vec(), Ways::of(wrt));
         Ok(Self { setup: *setup, of, wrt, order, ways, pairs: Pairs::All, inertia, level: Level::here() })
     }

@@ -35,6 +35,7 @@ impl Ways {
     /// small for all parameters.
     pub fn pay_for_gradients(&self, level: Level) -> bool {
         let most = MOST_PER_LANE * level.width();
+        // passes times directions in a lane
         let size = |count: usize| if count <= level.width() { 1 } else { MOST_PER_LANE * count.div_ceil(most) };
         self.parameters > most || size(self.most_variables()) < size(self.parameters)
     }

@@ -13,8 +13,8 @@ pub(crate) struct Struck<T: Numbers> {
 }
 
 impl<T: Numbers> Struck<T> {
-    /// The ball of a setup; where that gives the launch, no club strikes the ball. Called and not taken in: there is one copy for
-    /// each number.
+    /// The ball of a setup; where that gives the launch, no club strikes the ball. Not inlined: there is one compiled
+    /// copy for each number type.
     #[inline(always)]
     pub fn new(setup: &Setup<T>) -> Self {
         T::outlined(

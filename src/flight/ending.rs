@@ -30,7 +30,7 @@ pub struct Landed<T> {
     pub rest: Option<Rest<T>>,
     /// What tells of the error of the integration, without derivatives: the defects of the steps, over the sine of the descent angle, m.
     pub(crate) defect: T,
-    /// Steps of the integration, the last one cut by the landing.
+    /// Steps of the integration, the last one cut by the landing. Of drives side by side, those of the longest flight.
     pub steps: usize,
 }
 

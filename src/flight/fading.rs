@@ -16,7 +16,7 @@ impl<T: Numbers> Inputs<T> {
         };
         let mut ends = [[s; 3]; 2];
         for (end, node) in ends.iter_mut().zip([&step.from, &step.to]) {
-            *end = self.fading(node, damping, h);
+            *end = self.spin_and_derivatives(node, damping, h);
         }
         let [[p0, m0, c0], [p1, m1, c1]] = ends;
         // what the parabola from the start leaves over at the end
@@ -31,7 +31,7 @@ impl<T: Numbers> Inputs<T> {
 
     /// The spin at a node with its first and second derivative by s.
     #[inline(always)]
-    fn fading(&self, node: &Node<T>, damping: T, h: f64) -> [T; 3] {
+    fn spin_and_derivatives(&self, node: &Node<T>, damping: T, h: f64) -> [T; 3] {
         let spin = node.state.spin;
         let rate = damping.mul_add(node.rate.speed, self.decay);
         let [before, after] = self.beside(node);

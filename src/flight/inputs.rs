@@ -38,8 +38,8 @@ pub(crate) struct Inputs<T> {
 }
 
 impl<T: Numbers> Inputs<T> {
-    /// What the flight of a ball depends on that leaves like this, in the air of a setup, and where it `runs` what its run does. Called
-    /// and not taken in: there is one copy for each number.
+    /// What the flight of a ball depends on that leaves like this, in the air of a setup, and where it `runs` what its run does. Not
+    /// inlined: there is one compiled copy for each number type.
     #[inline(always)]
     pub fn new(setup: &Setup<T>, launch: &Launch<T>, runs: bool) -> Self {
         T::outlined(

@@ -43,21 +43,21 @@ pub(crate) struct Ended<T: Numbers> {
     is_aloft: T::Mask,
     /// The height of an apex that stays below the ground, and of a ball still in the air, m.
     height: T,
-    /// When the last step ended, s.
+    /// When the last step ended, s: that of the longest flight, where there are several.
     time: f64,
 }
 
 /// Flies the ball from launch to landing (docs/model.md, eqs. 12–18). No heap memory is used.
 ///
 /// # Errors
-/// [`Error::Diverged`] where the numbers overflow.
+/// [`Error::Diverged`] where drag and lift change the airspeed too much within a step, or numbers overflow.
 pub fn fly<T: Number>(setup: &Setup<T>, launch: &Launch<T>) -> Result<Flight<T>> {
     Inputs::new(setup, launch, true).fly(&Discretization::of(setup), true, &mut |_, _| ())
 }
 
 impl<T: Numbers> Inputs<T> {
     /// Flies the balls of those lanes that start above the ground or upwards, showing each step, with the time it begins at, to
-    /// `observe`; the apex is found where `has_apex`. Called and not taken in: there is one copy for each number.
+    /// `observe`; the apex is found where `has_apex`. Not inlined: there is one compiled copy for each number type.
     #[inline(always)]
     pub(crate) fn follow(
         &self,
@@ -121,19 +121,22 @@ impl<T: Numbers> Inputs<T> {
 
             let is_above = (ground - step.to.state.position.x).below(0.0);
             let has_top = flying & is_rising(&step.from) & !is_rising(&step.to);
-            let is_low = flying & !is_above & (has_been_above | has_top);
-            let asks_for_top = has_top & !(has_been_above & is_above);
-            if is_low.any() || asks_for_top.any() || has_apex && has_top.any() {
-                // taken in, it would be as much code as all the rest
+            let may_land = flying & !is_above & (has_been_above | has_top);
+            let top_decides = has_top & !(has_been_above & is_above);
+            // the path within the step is needed where the ball may land, where its top lies in the step and decides whether the ball
+            // clears the ground, and where the apex is asked for
+            let needs_top = (has_top & may_land | top_decides).any() || has_apex && has_top.any();
+            if may_land.any() || needs_top {
+                // inlined, it would be as much code as all the rest
                 let path = T::outlined(
                     #[inline(always)]
                     || Path::new(self, &step, h),
                 );
-                let mut falls_from = T::zero();
-                if (has_top & is_low).any() || asks_for_top.any() || has_apex && has_top.any() {
+                let mut from_top = T::zero();
+                if needs_top {
                     let s = path.up.top(has_top);
                     let top = path.position(s);
-                    falls_from = s.blend(falls_from, has_top);
+                    from_top = s.blend(from_top, has_top);
                     if let Some(apex) = &mut ended.landed.apex {
                         let is_higher = has_top & (apex.height - top.x).below(0.0);
                         apex.height = top.x.blend(apex.height, is_higher);
@@ -147,9 +150,9 @@ impl<T: Numbers> Inputs<T> {
                     flying = flying & !stays_below;
                     has_been_above = has_been_above | is_over;
                 }
-                let lands = flying & is_low & has_been_above;
+                let lands = flying & may_land & has_been_above;
                 if lands.any() {
-                    let s = path.up.falls_to(ground, falls_from, lands);
+                    let s = path.up.falls_to(ground, from_top, lands);
                     let (x, v) = (path.position(s), path.velocity(s));
                     let old = &mut ended.landed;
                     old.carry = x.z.blend(old.carry, lands);
@@ -207,7 +210,7 @@ impl<T: Number> Inputs<T> {
     /// Flies one ball.
     ///
     /// # Errors
-    /// [`Error::Diverged`] where the numbers overflow.
+    /// [`Error::Diverged`] where drag and lift change the airspeed too much within a step, or numbers overflow.
     pub(crate) fn fly(
         &self,
         how: &Discretization,
@@ -222,7 +225,7 @@ impl<T: Numbers> Ended<T> {
     /// How the flight in a lane ended, which `read` takes out of the numbers.
     ///
     /// # Errors
-    /// [`Error::Diverged`] where the numbers overflow.
+    /// [`Error::Diverged`] where drag and lift change the airspeed too much within a step, or numbers overflow.
     #[inline(always)]
     pub(crate) fn flight<U: Number>(
         &self,
@@ -255,6 +258,7 @@ impl<T: Numbers> Ended<T> {
             NoFlight::Aloft { time, height }
         } else {
             let velocity = inputs.velocity.map(&read);
+            // the angle does not ask for the spin
             let launch = Launch { velocity, spin: velocity };
             NoFlight::LaunchedDown { launch_angle: launch.launch_angle().re() }
         }))

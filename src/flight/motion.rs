@@ -4,10 +4,10 @@ use crate::number::{Numbers, Vector};
 
 /// m/s: keeps |v_r| and its derivatives finite where the ball hangs still in the air.
 const LEAST_SPEED: f64 = 1e-6;
-/// s: half of how far the rates beside a node are apart. Their difference is off by 2e-9 of how the jerk bends, and by 1e-11 m/s³ of rounding.
+/// Half of the interval of the central difference for the jerk, s. Truncation: 1.7e-9 s² d³a/dt³; rounding: about 1e-11 m/s³.
 const APART: f64 = 1e-4;
 
-/// The ball at one time: where it is, how it moves and how fast it spins (about an axis that it keeps).
+/// The ball at one time: where it is, how it moves and how fast it spins (about an axis that it keeps). x is up, y right and z downrange.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct State<T> {
     /// m.
@@ -28,7 +28,7 @@ pub(crate) struct Rate<T> {
 }
 
 impl<T: Numbers> Rate<T> {
-    /// That of a ball at rest without forces.
+    /// All zeros, before the first evaluation.
     #[inline(always)]
     pub fn none() -> Self {
         Self { acceleration: Vector::zero(), speed: T::zero() }
@@ -43,7 +43,7 @@ pub(crate) struct Node<T> {
 }
 
 impl<T: Numbers> Inputs<T> {
-    /// The equation of motion (docs/model.md, eqs. 12–15). Called and not taken in: there is one copy for each number. What it finds
+    /// The equation of motion (docs/model.md, eqs. 12–15). Not inlined: there is one compiled copy for each number type. What it finds
     /// is written to its place, as a rate with many derivatives is long to copy.
     #[inline(always)]
     pub(super) fn find_rate(&self, velocity: Vector<T>, spin: T, height: T, rate: &mut Rate<T>) {
@@ -67,9 +67,10 @@ impl<T: Numbers> Inputs<T> {
             reynolds: self.reynolds_per_speed * speed,
         };
         let c = self.law.coefficients(&stream);
-        let force = self.force_per_mass * speed;
-        let (drag, lift) = (-(force * c.drag), force * c.lift);
-        // drag is what is known last
+        // ρ A |v_r|/(2 m), 1/s
+        let per_airspeed = self.force_per_mass * speed;
+        let (drag, lift) = (-(per_airspeed * c.drag), per_airspeed * c.lift);
+        // drag last: its coefficient is ready last
         let acceleration = Vector::new(
             air.x.mul_add(drag, across.x.mul_add(lift, -self.gravity)),
             air.y.mul_add(drag, across.y * lift),
@@ -78,7 +79,7 @@ impl<T: Numbers> Inputs<T> {
         Rate { acceleration, speed }
     }
 
-    /// Makes a node that of a state.
+    /// Sets a node to a state, and computes how it changes there.
     #[inline(always)]
     pub(super) fn find_node(&self, state: State<T>, node: &mut Node<T>) {
         node.state = state;
@@ -106,16 +107,16 @@ impl<T: Numbers> Inputs<T> {
     #[inline(always)]
     pub(super) fn beside(&self, node: &Node<T>) -> [Rate<T>; 2] {
         let Node { state: State { position, velocity, spin }, rate: Rate { acceleration, speed } } = *node;
-        let fading = match self.damping {
+        let decay_rate = match self.damping {
             None => self.decay,
             Some(damping) => damping.mul_add(speed, self.decay),
         };
-        let faded = -(fading * spin);
-        // one after the other, in one place
+        let spin_rate = -(decay_rate * spin);
+        // a loop, so that there is one call site
         let mut beside = [node.rate; 2];
         for (there, time) in beside.iter_mut().zip([-APART, APART]) {
             let height = velocity.x.scale_add(time, position.x);
-            self.find_rate(acceleration.scale_add(time, velocity), faded.scale_add(time, spin), height, there);
+            self.find_rate(acceleration.scale_add(time, velocity), spin_rate.scale_add(time, spin), height, there);
         }
         beside
     }

@@ -2,24 +2,24 @@ use super::inputs::Inputs;
 use super::step::Step;
 use crate::number::{Mask, Numbers, Vector, inlined};
 
-/// A coordinate, or all of them, within a step as a polynomial of degree 7 in s = (t − t₀)/h, with the position, velocity,
+/// One coordinate within a step as a polynomial of degree 7 in s = (t − t₀)/h, with the position, velocity,
 /// acceleration and jerk of both ends. Neighbouring ones join C³: velocity at landing is C² in the parameters, whatever the
 /// number of steps.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Septic<C>([C; 8]);
+pub(super) struct Septic<T>([T; 8]);
 
-/// k (k − 1) … of as many factors as the order of the derivative: 1, k, k (k − 1).
-const FALLING: [[f64; 8]; 3] =
+/// k!/(k − m)!: the factor of s^(k − m) in derivative m.
+const FACTORS: [[f64; 8]; 3] =
     [[1.0; 8], [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0], [0.0, 0.0, 2.0, 6.0, 12.0, 20.0, 30.0, 42.0]];
 
 impl<T: Numbers> Septic<T> {
     /// From h v₀, h² a₀, h³ j₀ at the start, h² a₁, h³ j₁ at the end, and what the step added: x₁ − x₀ − h v₀ and h (v₁ − v₀).
     /// These are the step's own small numbers; differences of the sums would lose their digits.
     #[inline(always)]
-    fn new(x0: T, [v0, a0, j0]: [T; 3], [a1, j1]: [T; 2], [bent, gained]: [T; 2]) -> Self {
+    fn new(x0: T, [v0, a0, j0]: [T; 3], [a1, j1]: [T; 2], [deflection, gained]: [T; 2]) -> Self {
         // what the cubic from the start leaves over at the end
         let (half, sixth) = (a0 * 0.5, j0 * (1.0 / 6.0));
-        let x = bent - half - sixth;
+        let x = deflection - half - sixth;
         let v = gained - a0 - j0 * 0.5;
         let a = a1 - a0 - j0;
         let j = j1 - j0;
@@ -42,11 +42,11 @@ impl<T: Numbers> Septic<T> {
     /// The `ORDER`-th derivative by s.
     #[inline(always)]
     fn derivative<const ORDER: usize>(&self, s: T) -> T {
-        let mut value = self.0[7] * FALLING[ORDER][7];
+        let mut value = self.0[7] * FACTORS[ORDER][7];
         let mut k = 7;
         while k > ORDER {
             k -= 1;
-            value = value.mul_add(s, self.0[k] * FALLING[ORDER][k]);
+            value = value.mul_add(s, self.0[k] * FACTORS[ORDER][k]);
         }
         value
     }
@@ -87,7 +87,8 @@ impl<T: Numbers> Septic<T> {
 }
 
 /// The root in [low, 1] of a function that is positive at `low` and not at 1, given with its slope: Newton's method kept inside
-/// a bracket. Once the value has settled, which needs no derivatives, a step each makes first and second derivatives exact (the implicit function theorem).
+/// a bracket. It goes without derivatives until the value has settled. Of the two steps that follow with them, the first makes first derivatives exact, the
+/// second also second ones (the implicit function theorem). A root that does not settle has no derivatives.
 #[inline(always)]
 fn falling_root<T: Numbers>(low: T, lanes: T::Mask, f: impl Fn(T) -> (T, T)) -> T {
     // bisection alone needs 53
@@ -131,9 +132,9 @@ impl<T: Numbers> Path<T> {
     /// The path of a step of length h.
     #[inline(always)]
     pub fn new(inputs: &Inputs<T>, step: &Step<T>, h: f64) -> Self {
-        let Step { from, to, bent, gained } = step;
+        let Step { from, to, deflection, gained } = step;
         let (x, v, a0, a1) = (from.state.position, from.state.velocity, from.rate.acceleration, to.rate.acceleration);
-        // one after the other, in one place
+        // a loop, so that there is one call site
         let mut jerks = [v; 2];
         for (jerk, node) in jerks.iter_mut().zip([from, to]) {
             *jerk = inputs.jerk(node);
@@ -144,16 +145,16 @@ impl<T: Numbers> Path<T> {
         let ([jx, jy, jz], [kx, ky, kz]) = (j0.to_array(), j1.to_array());
         let coordinate = inlined(
             #[inline(always)]
-            |x: T, [v, a, j]: [T; 3], [b, k]: [T; 2], bent: T, gained: T| {
+            |x: T, [v, a, j]: [T; 3], [b, k]: [T; 2], deflection: T, gained: T| {
                 let (h2, h3) = (h * h, h * h * h);
-                Septic::new(x, [v * h, a * h2, j * h3], [b * h2, k * h3], [bent, gained * h])
+                Septic::new(x, [v * h, a * h2, j * h3], [b * h2, k * h3], [deflection, gained * h])
             },
         );
         Self {
             h,
-            up: coordinate(x, [vx, ax, jx], [bx, kx], bent.x, gained.x),
-            right: coordinate(y, [vy, ay, jy], [by, ky], bent.y, gained.y),
-            downrange: coordinate(z, [vz, az, jz], [bz, kz], bent.z, gained.z),
+            up: coordinate(x, [vx, ax, jx], [bx, kx], deflection.x, gained.x),
+            right: coordinate(y, [vy, ay, jy], [by, ky], deflection.y, gained.y),
+            downrange: coordinate(z, [vz, az, jz], [bz, kz], deflection.z, gained.z),
         }
     }
 

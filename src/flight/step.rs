@@ -10,7 +10,7 @@ pub(super) struct Stepper<'a, T> {
     /// s.
     h: f64,
     /// exp(−δ cᵢ h): what is left of a spin at each stage, apart from damping.
-    fading: [T; MOST_STAGES + 1],
+    left: [T; MOST_STAGES + 1],
     /// The rates at the stages of a step.
     rates: [Rate<T>; MOST_STAGES],
 }
@@ -21,7 +21,7 @@ pub(crate) struct Step<T> {
     pub from: Node<T>,
     pub to: Node<T>,
     /// x₁ − x₀ − h v₀ and v₁ − v₀, as computed, before the sums rounded them.
-    pub bent: Vector<T>,
+    pub deflection: Vector<T>,
     pub gained: Vector<T>,
 }
 
@@ -31,15 +31,15 @@ impl<T: Numbers> Step<T> {
     pub fn at(state: State<T>, inputs: &Inputs<T>) -> Self {
         let mut node = Node { state, rate: Rate::none() };
         inputs.find_node(state, &mut node);
-        Self { from: node, to: node, bent: Vector::zero(), gained: Vector::zero() }
+        Self { from: node, to: node, deflection: Vector::zero(), gained: Vector::zero() }
     }
 
     /// How far a step of length h is from Hermite's quadrature between its ends (docs/model.md, eq. 16a), squared over the way
-    /// through the air, m. It grows with the eighth power of h.
+    /// through the air, m. It grows as h⁹; the sum over a flight as h⁸.
     #[inline(always)]
     pub fn defect(&self, h: f64) -> T {
         let (a0, a1) = (self.from.rate.acceleration, self.to.rate.acceleration);
-        let off = (a0 - a1).scale_add(h * h * (-1.0 / 12.0), self.gained.scale_add(-0.5 * h, self.bent));
+        let off = (a0 - a1).scale_add(h * h * (-1.0 / 12.0), self.gained.scale_add(-0.5 * h, self.deflection));
         off.dot(off) * (1.0 / h) / self.from.rate.speed
     }
 }
@@ -47,11 +47,11 @@ impl<T: Numbers> Step<T> {
 impl<'a, T: Numbers> Stepper<'a, T> {
     #[inline(always)]
     pub fn new(inputs: &'a Inputs<T>, tableau: &'static Tableau, h: f64) -> Self {
-        let mut fading = [T::constant(1.0); MOST_STAGES + 1];
-        for (left, time) in fading.iter_mut().zip(tableau.time).take(tableau.stages + 1).skip(1) {
-            *left = (inputs.decay * (-time * h)).exp();
+        let mut left = [T::constant(1.0); MOST_STAGES + 1];
+        for (part, time) in left.iter_mut().zip(tableau.time).take(tableau.stages + 1).skip(1) {
+            *part = (inputs.decay * (-time * h)).exp();
         }
-        Self { inputs, tableau, h, fading, rates: [Rate::none(); MOST_STAGES] }
+        Self { inputs, tableau, h, left, rates: [Rate::none(); MOST_STAGES] }
     }
 
     /// Makes a step the one that follows it.
@@ -74,19 +74,20 @@ impl<'a, T: Numbers> Stepper<'a, T> {
         }
         let end = tableau.stages;
         let gained = self.sum(tableau.velocity[end], h, Vector::zero());
-        let mut bent = Vector::zero();
+        let mut deflection = Vector::zero();
         for (rate, weight) in self.rates.iter().zip(&tableau.position[end]).take(end) {
-            bent = rate.acceleration.scale_add(h * h * weight, bent);
+            deflection = rate.acceleration.scale_add(h * h * weight, deflection);
         }
-        let state = State { position: v.scale_add(h, x + bent), velocity: v + gained, spin: self.spin(spin, end) };
-        (step.bent, step.gained) = (bent, gained);
+        let state =
+            State { position: v.scale_add(h, x + deflection), velocity: v + gained, spin: self.spin(spin, end) };
+        (step.deflection, step.gained) = (deflection, gained);
         inputs.find_node(state, &mut step.to);
     }
 
     /// The spin at a stage, of what it was at the start of the step: ω exp(−δ t − κ ℓ/R), ℓ the way through the air since.
     #[inline(always)]
     fn spin(&self, spin: T, stage: usize) -> T {
-        let faded = spin * self.fading[stage];
+        let faded = spin * self.left[stage];
         let Some(damping) = self.inputs.damping else { return faded };
         let mut way = T::zero();
         for (of, weight) in self.tableau.velocity[stage] {
@@ -98,7 +99,7 @@ impl<'a, T: Numbers> Stepper<'a, T> {
         )
     }
 
-    /// h Σ wⱼ aⱼ, and what it is added to.
+    /// start + h Σ wⱼ aⱼ.
     #[inline(always)]
     fn sum(&self, weights: Weights, h: f64, start: Vector<T>) -> Vector<T> {
         let mut sum = start;

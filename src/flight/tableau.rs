@@ -27,15 +27,15 @@ const DP8_A: &[Weights] = & [
 #[rustfmt::skip]
 const DP8_B: Weights = & [(0, 0.054293734116568765), (5, 4.450312892752409), (6, 1.8915178993145003), (7, -5.801203960010585), (8, 0.3111643669578199), (9, -0.1521609496625161), (10, 0.20136540080403034), (11, 0.04471061572777259)];
 
-/// Stages of the longest method.
+/// The largest number of stages.
 pub(super) const MOST_STAGES: usize = 12;
 
 /// An explicit Runge–Kutta method for x″ = a(t, x, x′): the weights of its positions are worked out, for these are sums of
 /// accelerations too.
 #[derive(Debug)]
 pub(super) struct Tableau {
-    /// By what part of itself drag and lift may change the airspeed within a step. Beyond is far from where the stages follow
-    /// them, and near where they make the ball run away.
+    /// The largest part of the airspeed that drag and lift may change within a step. Beyond it the stages no longer follow them, and not far
+    /// beyond it the method is unstable.
     pub reach: f64,
     /// How many stages there are; the end of the step is like one more, its weights bⱼ.
     pub stages: usize,

@@ -62,7 +62,7 @@ const MOST_BOUNCES: usize = 250;
 const HOP_PARTS: u32 = 16;
 
 impl<T: Numbers> Turf<T> {
-    /// Where balls rest, in the lanes of a mask. Called and not taken in: there is one copy for each number.
+    /// Where balls rest, in the lanes of a mask. Not inlined: there is one compiled copy for each number type.
     #[inline(always)]
     pub fn rest(&self, ball: &Landing<T>, lanes: T::Mask) -> Rest<T> {
         let Some(restitution) = self.restitution else {

@@ -136,7 +136,7 @@ pub trait Numbers: Copy + Debug + 'static + Neg<Output = Self> + Arithmetic<Self
         }
     }
 
-    /// Work on these numbers that is a function of its own, called and not taken in: for what would make the places that ask
+    /// Work on these numbers that is a function of its own, not inlined: for what would make the places that ask
     /// for it large. (A closure that may be called but once goes through a function that no attribute reaches.)
     #[inline(always)]
     fn outlined<R>(work: impl FnMut() -> R) -> R {

@@ -1,10 +1,10 @@
-//! [`Numbers::outlined`](super::Numbers::outlined) at each level: a function that is called, and not taken in, is compiled for
+//! [`Numbers::outlined`](super::Numbers::outlined) at each level: a function that is not inlined is compiled for
 //! no vector unit but that which it names itself. Each is a module, for the compiler divides its work between processors by modules.
 
 macro_rules! outlined {
     ($level:ident $(: $features:literal)?) => {
         pub(super) mod $level {
-            /// Work that is called and not taken in.
+            /// Work that is not inlined.
             $( #[target_feature(enable = $features)] )?
             #[inline(never)]
             pub fn outlined<R>(mut work: impl FnMut() -> R) -> R {

@@ -133,7 +133,7 @@ macro_rules! pack {
             }
             #[inline(always)]
             fn sin_cos(self) -> (Self, Self) {
-                // called and not taken in: an impact has six of them
+                // not inlined: an impact has six of them
                 Self::outlined(
                     #[inline(always)]
                     || {

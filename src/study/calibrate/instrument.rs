@@ -50,7 +50,7 @@ const ROUNDED: &str =
     "assumed: tables print whole units of length and whole degrees, and indoors these are computed from the launch";
 
 /// All that is known or assumed.
-const INSTRUMENTS: [Instrument; 20] = [
+const INSTRUMENTS: &[Instrument] = &[
     Instrument { outcome: Outcome::BallSpeed, sigma: "1 mph", source: AGREE },
     Instrument { outcome: Outcome::LaunchAngle, sigma: "0.3 deg", source: TENTHS },
     Instrument { outcome: Outcome::LaunchDirection, sigma: "0.3 deg", source: TENTHS },
