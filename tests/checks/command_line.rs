@@ -4,12 +4,40 @@ use crate::common::close;
 use crate::schema::faults;
 use assert_cmd::Command;
 use serde_json::Value;
+use std::collections::BTreeMap;
 use std::io::Write;
+use std::path::PathBuf;
 
 pub struct Said {
     pub status: i32,
     pub out: String,
     pub err: String,
+}
+
+/// What a command says, and the files that it writes into a new folder.
+pub struct Written {
+    pub said: Said,
+    files: BTreeMap<String, String>,
+}
+
+impl Written {
+    /// The text of a file.
+    pub fn file(&self, name: &str) -> &str {
+        self.files.get(name).unwrap_or_else(|| panic!("no {name} in {:?}: {}", self.files.keys(), self.said.err))
+    }
+}
+
+/// Runs a command that writes text into a folder, a new one.
+pub fn written(args: &[&str]) -> Written {
+    let folder = tempfile::tempdir().unwrap();
+    let into = folder.path().join("new");
+    let said = longdrive(&[args, &["-o", into.to_str().unwrap()]].concat());
+    let entries = std::fs::read_dir(&into).unwrap_or_else(|error| panic!("{error}: {}", said.err));
+    let read = |path: PathBuf| {
+        (path.file_name().unwrap().to_str().unwrap().to_owned(), std::fs::read_to_string(&path).unwrap())
+    };
+    let files = entries.map(|entry| read(entry.unwrap().path())).collect();
+    Written { said, files }
 }
 
 pub fn longdrive(args: &[&str]) -> Said {

@@ -1,7 +1,7 @@
 //! The units that were asked for, in every text: studies, messages, warnings and notes; and remarks that fit a terminal.
 
 use crate::command_line::longdrive;
-use crate::reproduce::{FOUND, PAPER, PAPER_SAID};
+use crate::reproduce::{FOUND, PAPER, PAPER_WRITTEN};
 use longdrive::report::{mae494_document, winfield_tan_document};
 use longdrive::units::System;
 
@@ -65,7 +65,8 @@ fn paper_numbers_of_winfield_and_tan_stay_as_printed_and_computed_ones_are_in_th
 #[test]
 fn a_study_is_printed_in_its_own_units_where_none_are_asked_for() {
     let [metric, us] = System::ALL.map(|system| winfield_tan_document(&PAPER, system).text());
-    assert!(us.contains("250.09 yd") && PAPER_SAID.out == us, "{}", PAPER_SAID.out);
+    let said = &PAPER_WRITTEN.said;
+    assert!(us.contains("250.09 yd") && said.out == us, "{}", said.out);
     assert!(metric.contains("250.09 yd (228.68 m)"), "{metric}");
     let help = longdrive(&["reproduce", "--help"]).out;
     assert!(words(&help).contains("reproduce: those of the study"), "{help}");

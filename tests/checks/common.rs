@@ -77,6 +77,13 @@ pub fn for_random_setups(cases: u32, check: impl Fn(Setup<f64>)) {
     random_setups(cases).for_each(check);
 }
 
+/// The drive in large steps, by each method by turns: what holds of the drive as it is computed holds in any steps.
+pub fn in_large_steps((place, mut setup): (usize, Setup<f64>)) -> Setup<f64> {
+    let (method, step) = if place % 2 == 1 { ("dp8", "400 ms") } else { ("rk4", "100 ms") };
+    setup.set_all([("flight.method", method), ("flight.step", step)]).unwrap();
+    setup
+}
+
 /// So many random setups, the same ones every time.
 pub fn random_setups(cases: u32) -> impl Iterator<Item = Setup<f64>> {
     let mut runner = TestRunner::deterministic();

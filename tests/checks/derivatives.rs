@@ -1,7 +1,7 @@
 //! Derivatives: the number types against each other, against differences, and independent of how they are asked
 //! for.
 
-use crate::common::{close, for_random_setups, mixed};
+use crate::common::{close, in_large_steps, mixed, random_setups};
 use longdrive::derivative::{Order, Taylor, evaluate, evaluate_with, gradient, hessian, jacobian};
 use longdrive::number::{Jet, Number};
 use longdrive::parameters::Parameter;
@@ -26,7 +26,7 @@ fn over<D: Number, const N: usize>(setup: &Setup<f64>, of: [Outcome; N], variabl
 
 #[test]
 fn independent_number_types_of_num_dual_agree_with_ours() {
-    for_random_setups(60, |setup| {
+    random_setups(60).enumerate().map(in_large_steps).for_each(|setup| {
         if !lands(&setup) {
             return;
         }
@@ -61,7 +61,7 @@ fn independent_number_types_of_num_dual_agree_with_ours() {
 
 #[test]
 fn differences_of_values_agree_with_the_gradient_by_every_parameter() {
-    for_random_setups(25, |setup| {
+    random_setups(25).enumerate().map(in_large_steps).for_each(|setup| {
         if !lands(&setup) {
             return;
         }

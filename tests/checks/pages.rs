@@ -1,16 +1,10 @@
 //! Pages: the answer first, what was asked, and one frame for all of them.
 
-use crate::command_line::{json, longdrive, number};
+use crate::command_line::{Written, json, longdrive, number};
+use crate::reproduce::{PAPER_WRITTEN, REPORT};
+use crate::validation::VALIDATED;
 use assert_cmd::Command;
 use std::path::Path;
-use std::sync::LazyLock;
-
-/// The status, page and data of the average of Winfield & Tan, which take the program seconds.
-static PAPER_PAGE: LazyLock<(i32, String, String)> = LazyLock::new(|| {
-    let folder = tempfile::tempdir().unwrap();
-    let (status, page) = page(&folder, &["reproduce", "winfield-tan"]);
-    (status, page, std::fs::read_to_string(folder.path().join("page/average.csv")).unwrap())
-});
 
 /// A page that a command writes into a new folder of this name, and the folder.
 fn page(folder: &tempfile::TempDir, args: &[&str]) -> (i32, String) {
@@ -268,11 +262,14 @@ fn all_pages_have_one_frame() {
         vec!["report"],
         vec!["reproduce", "mae494"],
         vec!["reproduce", "winfield-tan"],
-        vec!["validate"],
+        vec!["validate", "--units", "metric"],
         [&["calibrate", &shots, "modern-driver"], &fit[..]].concat(),
     ] {
+        let once = |written: &Written| (written.said.status, written.file("index.html").to_owned());
         let (status, page) = match asked[..] {
-            ["reproduce", "winfield-tan"] => (PAPER_PAGE.0, PAPER_PAGE.1.clone()),
+            ["reproduce", "mae494"] => once(&REPORT),
+            ["reproduce", "winfield-tan"] => once(&PAPER_WRITTEN),
+            ["validate", "--units", "metric"] => once(&VALIDATED),
             _ => page(&folder, &asked),
         };
         assert_eq!(status, 0, "{asked:?}");
@@ -296,7 +293,7 @@ fn all_pages_have_one_frame() {
 
 #[test]
 fn exact_the_average_of_winfield_and_tan_is_drawn_with_its_peak() {
-    let csv = &PAPER_PAGE.2;
+    let csv = PAPER_WRITTEN.file("average.csv");
     let rows = |name: &str| -> Vec<[f64; 2]> {
         let rows = csv.lines().map(|line| line.split(',').collect::<Vec<_>>()).filter(|cells| cells[1] == name);
         rows.map(|cells| [2, 3].map(|at| cells[at].parse().unwrap())).collect()

@@ -1,6 +1,6 @@
 //! Published studies, reproduced.
 
-use crate::command_line::{Said, json, longdrive, number};
+use crate::command_line::{Written, json, longdrive, number, written};
 use crate::common::close;
 use longdrive::reproduce::{Landing, Mae494, Method, Row, WinfieldTan, mae494, winfield_tan};
 use longdrive::{Drive, Outcome, Setup, derivative};
@@ -9,9 +9,9 @@ use std::sync::LazyLock;
 
 pub static FOUND: LazyLock<Mae494> = LazyLock::new(|| mae494(|_| ()).unwrap());
 pub static PAPER: LazyLock<WinfieldTan> = LazyLock::new(|| winfield_tan(|_| ()).unwrap());
-/// What the program says of the report and of the paper, which takes it seconds.
-pub static REPORT_SAID: LazyLock<Said> = LazyLock::new(|| longdrive(&["reproduce", "mae494"]));
-pub static PAPER_SAID: LazyLock<Said> = LazyLock::new(|| longdrive(&["reproduce", "winfield-tan"]));
+/// What the program says and writes of the report and of the paper, which takes it seconds.
+pub static REPORT: LazyLock<Written> = LazyLock::new(|| written(&["reproduce", "mae494"]));
+pub static PAPER_WRITTEN: LazyLock<Written> = LazyLock::new(|| written(&["reproduce", "winfield-tan"]));
 
 fn carry(loft: f64, attack: f64) -> f64 {
     let mut setup = Setup::preset("mae494").unwrap();
@@ -193,7 +193,7 @@ fn paper_numbers_and_ours_side_by_side_in_json_and_text() {
     assert_eq!(found["table1"][0]["carry_at_printed"], Value::Null, "no flight is no carry of zero");
     assert_eq!(rows(&found["noise"]["slopes"]), 15);
 
-    let said = &REPORT_SAID;
+    let said = &REPORT.said;
     assert_eq!(said.status, 0);
     for words in ["14.6829°", "4.4166°", "17.0206°", "170.57 m", "8 of 13", "9 of 9", "-65.4 m/rad", "+336.8 m/rad"]
     {
@@ -203,22 +203,20 @@ fn paper_numbers_and_ours_side_by_side_in_json_and_text() {
 
 #[test]
 fn a_folder_gets_the_report_with_its_figures_and_their_data() {
-    let folder = tempfile::tempdir().unwrap();
-    let into = folder.path().join("new");
-    let said = longdrive(&["reproduce", "mae494", "-o", into.to_str().unwrap()]);
-    assert_eq!(said.status, 0, "{}", said.err);
-    let read = |name: &str| std::fs::read_to_string(into.join(name)).unwrap();
+    assert_eq!(REPORT.said.status, 0, "{}", REPORT.said.err);
+    let read = |name: &str| REPORT.file(name);
     let (markdown, page) = (read("report.md"), read("index.html"));
     for name in ["table-1", "teeth", "slopes", "ends"] {
         assert!(markdown.contains(&format!("({name}-metric.svg)")), "in the units of the report");
         for system in ["us", "metric"] {
-            roxmltree::Document::parse(&read(&format!("{name}-{system}.svg"))).unwrap();
+            roxmltree::Document::parse(read(&format!("{name}-{system}.svg"))).unwrap();
         }
         assert!(read(&format!("{name}.csv")).lines().count() > 5);
     }
     assert_eq!(page.matches("<figure>").count(), 4);
     assert_eq!(page.matches("http").count(), page.matches("xmlns=\"http://www.w3.org/2000/svg\"").count(), "no link");
 
+    let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("file"), "").unwrap();
     let refused = longdrive(&["reproduce", "mae494", "-o", folder.path().join("file").to_str().unwrap()]);
     assert_eq!(refused.status, 2);

@@ -5,11 +5,16 @@ use longdrive::derivative::{Order, Taylor, evaluate, hessian};
 use longdrive::flight::Flight;
 use longdrive::{Drive, Outcome, Setup};
 
-fn steps(setup: &Setup<f64>) -> usize {
+/// The number of steps of a flight, and how long it is, s.
+fn flight(setup: &Setup<f64>) -> (usize, f64) {
     match Drive::new(setup).unwrap().flight {
-        Flight::Landed(landed) => landed.steps,
+        Flight::Landed(landed) => (landed.steps, landed.flight_time),
         Flight::None(why) => panic!("{why}"),
     }
+}
+
+fn steps(setup: &Setup<f64>) -> usize {
+    flight(setup).0
 }
 
 fn at(setup: &Setup<f64>, loft: f64) -> Setup<f64> {
@@ -19,13 +24,29 @@ fn at(setup: &Setup<f64>, loft: f64) -> Setup<f64> {
 }
 
 /// Adjacent lofts between `low` and `high` that differ in the number of steps.
-fn change_between(setup: &Setup<f64>, mut low: f64, mut high: f64) -> [f64; 2] {
-    let few = steps(&at(setup, low));
-    while high.next_down() > low {
-        let middle = (low + high) / 2.0;
-        if steps(&at(setup, middle)) == few { low = middle } else { high = middle }
+fn change_between(setup: &Setup<f64>, low: f64, high: f64) -> [f64; 2] {
+    let flown = |loft: f64| (loft, flight(&at(setup, loft)));
+    let mut ends = [low, high].map(flown);
+    let few = ends[0].1.0;
+    let narrow = |ends: &mut [(f64, (usize, f64)); 2], loft: f64| {
+        if ends[0].0 < loft && loft < ends[1].0 {
+            let found = flown(loft);
+            ends[usize::from(found.1.0 != few)] = found;
+        }
+    };
+    // close to where the flight time, nearly straight in the loft, is a whole number of steps
+    for _ in 0..4 {
+        let [(low, (_, first)), (high, (_, last))] = ends;
+        let whole = setup.flight.step * if first < last { few as f64 } else { few as f64 - 1.0 };
+        let (crossed, near) = (low + (whole - first) / (last - first) * (high - low), 1e-3 * (high - low));
+        narrow(&mut ends, crossed - near);
+        narrow(&mut ends, crossed + near);
     }
-    [low, high]
+    while ends[1].0.next_down() > ends[0].0 {
+        let middle = (ends[0].0 + ends[1].0) / 2.0;
+        narrow(&mut ends, middle);
+    }
+    ends.map(|(loft, _)| loft)
 }
 
 /// The largest relative jumps of value, gradient and Hessian of each outcome at the changes along a line of lofts, and how many

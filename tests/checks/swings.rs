@@ -92,7 +92,9 @@ fn independent_best_loft_of_the_average_over_attack_angles() {
 /// Gauss's rules converge faster than any power; a quasi-random sequence faster than 1/√n.
 #[test]
 fn order_of_quadrature_and_of_sequences() {
-    let setup = Setup::preset("mae494").unwrap();
+    let mut setup = Setup::preset("mae494").unwrap();
+    // every mean is of drives as they are computed
+    setup.set_all([("flight.method", "dp8"), ("flight.step", "400 ms")]).unwrap();
     let all = swings(&setup, &["swing.attack_angle=normal(1 deg, 0.7 deg)", "swing.speed=normal(105 mph, 3 mph)"]);
     let mean = |rule: Rule| {
         let scenarios = Scenarios::new(&all, rule).unwrap();
@@ -167,7 +169,9 @@ fn exact_truncated_distribution_lies_between_its_ends() {
 /// make it narrower.
 #[test]
 fn measured_interval_of_the_best_loft_from_recorded_swings() {
-    let setup = Setup::preset("mae494").unwrap();
+    let mut setup = Setup::preset("mae494").unwrap();
+    // the carry to 1e-8 m, with a tenth of the evaluations
+    setup.set_all([("flight.method", "dp8"), ("flight.step", "400 ms")]).unwrap();
     let all = swings(&setup, &["swing.attack_angle=uniform(-6deg, 6deg)"]);
     let truth = searched(
         &setup,

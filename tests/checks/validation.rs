@@ -1,6 +1,6 @@
 //! `validate`: every law beside published drives, its numbers computed another way, and what the documents say of them.
 
-use crate::command_line::{json, longdrive};
+use crate::command_line::{Said, Written, json, longdrive, written};
 use crate::common::{close, number};
 use longdrive::report::plot::{Look, figure_svg};
 use longdrive::report::validation_document;
@@ -10,6 +10,10 @@ use serde_json::Value;
 use std::sync::LazyLock;
 
 static FOUND: LazyLock<Vec<SetScores>> = LazyLock::new(|| validation(None).unwrap());
+/// What the program says and writes of it, which takes it seconds: in a folder, as rows, and in JSON.
+pub static VALIDATED: LazyLock<Written> = LazyLock::new(|| written(&["validate", "--units", "metric"]));
+static ROWS: LazyLock<Said> = LazyLock::new(|| longdrive(&["validate", "--csv"]));
+pub static ANSWERED: LazyLock<(i32, Value)> = LazyLock::new(|| json(&["validate"]));
 
 fn set(name: &str) -> &'static SetScores {
     FOUND.iter().find(|set| set.set.name == name).unwrap()
@@ -53,9 +57,13 @@ fn exact_number_of_published_drives_of_every_set() {
 
 #[test]
 fn independent_rows_are_the_drives_of_simulate_and_biases_their_means() {
-    let csv = longdrive(&["validate", "--csv"]).out;
-    let rows: Vec<Vec<&str>> =
-        csv.lines().skip(1).map(|line| line.splitn(9, ',').collect()).filter(|row: &Vec<_>| row.len() == 9).collect();
+    let rows: Vec<Vec<&str>> = ROWS
+        .out
+        .lines()
+        .skip(1)
+        .map(|line| line.splitn(9, ',').collect())
+        .filter(|row: &Vec<_>| row.len() == 9)
+        .collect();
     let of = |case: &str, law: &str, quantity: &str| {
         let row = rows.iter().find(|row| row[..4] == ["pga-driver", case, law, quantity]).unwrap();
         row[5].parse::<f64>().unwrap()
@@ -69,8 +77,7 @@ fn independent_rows_are_the_drives_of_simulate_and_biases_their_means() {
             close(of("2023 driver", law, quantity), number(&drive["flight"][outcome]), 1.0, 1e-5, quantity);
         }
     }
-    let (_, answer) = json(&["validate"]);
-    let found = &answer["sets"][0];
+    let found = &ANSWERED.1["sets"][0];
     assert_eq!(found["name"], "pga-driver");
     for law in found["laws"].as_array().unwrap() {
         let differences: Vec<f64> = rows
@@ -177,20 +184,19 @@ fn what_validation_md_shows_is_that_of_the_program() {
 
 #[test]
 fn a_folder_gets_a_page_and_markdown_and_two_formats_are_refused() {
-    let folder = tempfile::tempdir().unwrap();
-    let place = folder.path().join("validation").display().to_string();
-    let said = longdrive(&["validate", "-o", &place, "--units", "metric"]);
+    let said = &VALIDATED.said;
     assert!(said.status == 0 && said.out.contains("lengths in m,"), "{}", said.err);
-    let folder_of = folder.path().join("validation");
-    let data = std::fs::read_to_string(folder_of.join("validation-spin.csv")).unwrap();
     // 30 optima of each law
+    let data = VALIDATED.file("validation-spin.csv");
     assert_eq!(data.lines().filter(|line| line.contains("ferguson")).count(), 30);
-    assert!(folder_of.join("validation-carry-us.svg").exists());
+    assert!(!VALIDATED.file("validation-carry-us.svg").is_empty());
     for file in ["index.html", "report.md"] {
-        let text = std::fs::read_to_string(folder.path().join("validation").join(file)).unwrap();
+        let text = VALIDATED.file(file);
         assert!(text.contains("launch-monitor") && !text.contains("NaN"), "{file}");
     }
-    assert_eq!(longdrive(&["validate", "-o", &place]).status, 2);
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("index.html"), "not ours").unwrap();
+    assert_eq!(longdrive(&["validate", "-o", folder.path().to_str().unwrap()]).status, 2);
     let said = longdrive(&["validate", "--csv", "--json"]);
     assert_eq!(said.status, 2, "{}", said.out);
     let answer: Value = serde_json::from_str(&said.out).unwrap();
@@ -204,7 +210,7 @@ fn a_name_that_ends_in_csv_gets_the_rows_and_other_files_are_refused() {
     let said = longdrive(&["validate", "-o", &place("v.csv")]);
     assert_eq!(said.status, 0, "{}", said.err);
     let rows = std::fs::read_to_string(place("v.csv")).unwrap();
-    assert_eq!(rows, longdrive(&["validate", "--csv"]).out);
+    assert_eq!(rows, ROWS.out);
     assert_eq!(longdrive(&["validate", "-o", &place("v.csv")]).status, 2);
     for command in [&["validate"][..], &["reproduce", "winfield-tan"]] {
         let said = longdrive(&[command, &["-o", &place("page.html")]].concat());

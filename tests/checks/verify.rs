@@ -1,6 +1,6 @@
 //! Certificates of derivatives: right ones pass, wrong ones are caught, corners are named.
 
-use crate::common::{close, random_setups};
+use crate::common::{close, in_large_steps, random_setups};
 use longdrive::derivative::check::{Verdict, check};
 use longdrive::derivative::{Taylor, gradient};
 use longdrive::impact::{Grip, strike};
@@ -78,13 +78,7 @@ fn differences_certify_two_hundred_random_drives() {
     // so many parameters of each drive, others for the next; all of them were looked at once (docs/verification.md)
     const AT_A_TIME: usize = 4;
     let flies = |setup: &Setup<f64>| Drive::new(setup).is_ok_and(|drive| drive.landed().is_ok());
-    // both methods by turns, in large steps: a derivative is that of the drive as it is computed
-    let by_turns = |(drive, mut setup): (usize, Setup<f64>)| {
-        let (method, step) = if drive % 2 == 1 { ("dp8", "400 ms") } else { ("rk4", "50 ms") };
-        setup.set_all([("flight.method", method), ("flight.step", step)]).unwrap();
-        setup
-    };
-    let setups: Vec<_> = random_setups(220).filter(flies).take(200).enumerate().map(by_turns).collect();
+    let setups: Vec<_> = random_setups(220).filter(flies).take(200).enumerate().map(in_large_steps).collect();
     let rows = setups.par_iter().enumerate().map(|(drive, setup)| {
         let all = setup.variables();
         let wrt: Vec<_> = (0..AT_A_TIME).map(|k| all[(AT_A_TIME * drive + k) % all.len()]).collect();

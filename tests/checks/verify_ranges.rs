@@ -25,6 +25,8 @@ fn faults(certificate: &Certificate) -> String {
 fn at_the_end(law: &str, parameter: &'static Parameter, end: f64) -> Option<Setup<f64>> {
     let mut setup = Setup::default();
     setup.set_law(law).unwrap();
+    // a derivative is that of the drive as it is computed, in large steps too
+    setup.set("flight.step", "50 ms").unwrap();
     if parameter.is_of_launch() {
         let spin = if parameter.name.contains("launch.spin") { "launch.spin" } else { "launch.backspin" };
         setup
