@@ -13,10 +13,10 @@ use std::time::Duration;
 
 const FORMATS: [&str; 3] = ["csv", "jsonl", "parquet"];
 
-/// Some hundred thousand drives with steps so coarse that they take a second, of a table wide enough for several row groups.
-/// Seven thousand of them do not fly.
+/// Some sixty thousand drives with steps so coarse that they take half a second, of a table so wide that they are three row groups.
+/// Some of them do not fly.
 fn many() -> Vec<&'static str> {
-    let over = ["--over", "club.loft=1deg..15deg:96", "--over", "swing.attack_angle=-5deg..5deg:1024"];
+    let over = ["--over", "club.loft=1deg..15deg:64", "--over", "swing.attack_angle=-5deg..5deg:1024"];
     [&["sweep", "--set", "flight.step=1s", "--outcomes", "all", "--gradient"], &over[..]].concat()
 }
 
@@ -183,9 +183,9 @@ fn exact_rows_of_an_arrow_table_killed_and_resumed() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("points.arrow");
     // batches of another size than the chunks that are computed
-    let batches: Vec<_> = (0..96)
+    let batches: Vec<_> = (0..64)
         .map(|loft| {
-            let lofts: Float64Array = (0..1024).map(|_| 0.01 + 0.003 * f64::from(loft)).collect();
+            let lofts: Float64Array = (0..1024).map(|_| 0.01 + 0.0045 * f64::from(loft)).collect();
             let angles: Float64Array = (0..1024).map(|angle| -0.09 + 0.00017 * f64::from(angle)).collect();
             let columns = [("club.loft", Arc::new(lofts) as ArrayRef), ("swing.attack_angle", Arc::new(angles))];
             RecordBatch::try_from_iter(columns).unwrap()

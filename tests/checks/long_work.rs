@@ -276,7 +276,7 @@ fn a_chart_is_interrupted_in_its_first_search() {
         let mut program = Command::new(assert_cmd::cargo::cargo_bin!("longdrive"));
         program.args(command).args(["modern-driver", "--set", "gravity=1e-6m/s^2", "--own-step", "--json"]);
         let child = program.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
-        crate::interrupts::wait_for_work(child.id(), crate::interrupts::UNDER_WAY);
+        crate::interrupts::wait_for_work(child.id());
         let asked = Instant::now();
         assert!(Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap().success());
         let output = child.wait_with_output().unwrap();

@@ -5,8 +5,11 @@ use crate::error::Result;
 use crate::flight::Flight;
 use crate::parameters::{Parameter, Setup};
 
-/// Points looked at to each side for a change of the number of steps, over a tenth of the parameter's scale.
-const LOOKED_AT: i32 = 400;
+/// How far a change of the number of steps is looked for, in parts of the parameter's scale …
+const FARTHEST: f64 = 0.1;
+
+/// … from this many times half as far on, each time twice as far.
+const DOUBLED: i32 = 9;
 
 /// Values of the parameter to each side of a change over which outcomes scatter by rounding …
 const NEIGHBOURS: usize = 8;
@@ -47,8 +50,7 @@ impl Continuity {
     }
 }
 
-/// The nearest change of the number of steps along `wrt[0]`, if there is one near by; derivatives are by all of `wrt`. Nothing once `goes_on` says
-/// so.
+/// The nearest change of the number of steps along `wrt[0]`, if there is one near by; derivatives are by all of `wrt`. Nothing once `goes_on` says so.
 ///
 /// # Errors
 /// As [`evaluate`].
@@ -156,21 +158,30 @@ fn steps(setup: &Setup<f64>, parameter: &'static Parameter, value: f64) -> Optio
 fn change(setup: &Setup<f64>, parameter: &'static Parameter, goes_on: &dyn Fn() -> bool) -> Option<[f64; 2]> {
     let at = setup.value(parameter)?;
     let here = steps(setup, parameter, at)?;
-    let spacing = 0.1 * scale(setup, parameter) / f64::from(LOOKED_AT);
-    for k in (1..=LOOKED_AT).take_while(|_| goes_on()) {
-        for sign in [1.0, -1.0] {
-            let (mut same, mut other) = (at + sign * spacing * f64::from(k - 1), at + sign * spacing * f64::from(k));
-            if steps(setup, parameter, other).is_none_or(|steps| steps == here) {
-                continue;
-            }
-            loop {
-                let middle = same + 0.5 * (other - same);
-                if middle == same || middle == other {
-                    return Some([same.min(other), same.max(other)]);
-                }
-                if steps(setup, parameter, middle)? == here { same = middle } else { other = middle }
+    let between = |mut same: f64, mut other: f64| loop {
+        let middle = same + 0.5 * (other - same);
+        if middle == same || middle == other {
+            return Some([same, other]);
+        }
+        if steps(setup, parameter, middle)? == here { same = middle } else { other = middle }
+    };
+    let mut distance = FARTHEST * scale(setup, parameter) / 2.0_f64.powi(DOUBLED);
+    let mut to_each_side = [at; 2];
+    for _ in (0..=DOUBLED).take_while(|_| goes_on()) {
+        let mut found = vec![];
+        for (same, sign) in to_each_side.iter_mut().zip([1.0, -1.0]) {
+            let other = at + sign * distance;
+            match steps(setup, parameter, other) {
+                Some(there) if there == here => *same = other,
+                Some(_) => found.extend(between(*same, other)),
+                None => {}
             }
         }
+        let nearest = found.into_iter().min_by(|a, b| (a[0] - at).abs().total_cmp(&(b[0] - at).abs()));
+        if let Some([same, other]) = nearest {
+            return Some([same.min(other), same.max(other)]);
+        }
+        distance *= 2.0;
     }
     None
 }
