@@ -25,7 +25,7 @@ fn setup() -> Setup<f64> {
 /// The same with a tenth of the evaluations: a map and the drives that it is held against are computed alike.
 fn in_large_steps() -> Setup<f64> {
     let mut setup = setup();
-    setup.set_all([("flight.method", "dp8"), ("flight.step", "400 ms")]).unwrap();
+    setup.set_all(crate::common::LARGE_STEPS).unwrap();
     setup
 }
 

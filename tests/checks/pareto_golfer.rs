@@ -40,7 +40,7 @@ fn alone(setup: &Setup<f64>, k: usize, subject_to: Vec<GoalLimit>) -> SwingsOpti
 fn independent_front_of_carry_and_dispersion_beside_single_searches() {
     let mut setup = Setup::preset("tour-average").unwrap();
     // the front and the single searches are of the same drives, in large steps
-    setup.set_all([("flight.method", "dp8"), ("flight.step", "400 ms")]).unwrap();
+    setup.set_all(crate::common::LARGE_STEPS).unwrap();
     let options = Options::default();
     let search = ParetoSearch { goals: goals(), vary: vary(&setup), subject_to: vec![], points: 7, options };
     let found = pareto(&setup, search, golfer(&setup), &Follow::default()).unwrap();

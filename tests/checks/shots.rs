@@ -407,7 +407,7 @@ impl Read for Many {
 fn regress_rows_stream_and_do_not_depend_on_the_number_of_threads() {
     let mut setup = Setup::default();
     // the fewer steps to a flight, the more of the time is the reading and writing that is looked at
-    setup.set_all([("flight.method", "dp8"), ("flight.step", "400 ms")]).unwrap();
+    setup.set_all(crate::common::LARGE_STEPS).unwrap();
     let rows = 60_000;
     let written = [1, 3].map(|threads| {
         let given = Arc::new(AtomicUsize::new(0));

@@ -94,7 +94,7 @@ fn independent_best_loft_of_the_average_over_attack_angles() {
 fn order_of_quadrature_and_of_sequences() {
     let mut setup = Setup::preset("mae494").unwrap();
     // every mean is of drives as they are computed
-    setup.set_all([("flight.method", "dp8"), ("flight.step", "400 ms")]).unwrap();
+    setup.set_all(crate::common::LARGE_STEPS).unwrap();
     let all = swings(&setup, &["swing.attack_angle=normal(1 deg, 0.7 deg)", "swing.speed=normal(105 mph, 3 mph)"]);
     let mean = |rule: Rule| {
         let scenarios = Scenarios::new(&all, rule).unwrap();
@@ -171,7 +171,7 @@ fn exact_truncated_distribution_lies_between_its_ends() {
 fn measured_interval_of_the_best_loft_from_recorded_swings() {
     let mut setup = Setup::preset("mae494").unwrap();
     // the carry to 1e-8 m, with a tenth of the evaluations
-    setup.set_all([("flight.method", "dp8"), ("flight.step", "400 ms")]).unwrap();
+    setup.set_all(crate::common::LARGE_STEPS).unwrap();
     let all = swings(&setup, &["swing.attack_angle=uniform(-6deg, 6deg)"]);
     let truth = searched(
         &setup,

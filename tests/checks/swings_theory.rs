@@ -18,7 +18,7 @@ fn swings(setup: &Setup<f64>, distributions: &[&str]) -> Swings {
 fn differences_certify_every_goal_and_their_weighted_sum() {
     let mut setup = Setup::preset("tour-average").unwrap();
     // a derivative is that of the drive as it is computed, in large steps too
-    setup.set_all([("flight.method", "dp8"), ("flight.step", "400 ms")]).unwrap();
+    setup.set_all(crate::common::LARGE_STEPS).unwrap();
     let all = swings(
         &setup,
         &[
@@ -93,7 +93,7 @@ fn order(points: &[(f64, f64)]) -> f64 {
 fn measured_error_of_the_optimum_over_a_sample_falls_as_theory_says() {
     let mut setup = Setup::preset("mae494").unwrap();
     // the carry to 1e-8 m, with a tenth of the evaluations
-    setup.set_all([("flight.method", "dp8"), ("flight.step", "400 ms")]).unwrap();
+    setup.set_all(crate::common::LARGE_STEPS).unwrap();
     let all = swings(&setup, &["swing.attack_angle=uniform(-4 deg, 6 deg)", "swing.speed=uniform(90 mph, 110 mph)"]);
     let best = |scenarios: Scenarios| {
         let search = SwingsSearch {

@@ -116,7 +116,7 @@ fn exact_values_that_are_missing_are_counted_and_nothing_is_invented_for_them() 
 fn drive() -> (Setup<f64>, Vec<Uncertain>) {
     let mut setup = Setup::default();
     // gradients and samples are of the same drives, in large steps
-    setup.set_all([("flight.method", "dp8"), ("flight.step", "400 ms")]).unwrap();
+    setup.set_all(crate::common::LARGE_STEPS).unwrap();
     let sigmas = ["swing.speed=1 mph", "club.loft=0.2 deg", "swing.face_angle=1 deg", "air.density=1%"];
     let inputs = sigmas.map(|text| Uncertain::normal(&setup, &Sigma::read(&setup, text).unwrap()));
     (setup, inputs.to_vec())
