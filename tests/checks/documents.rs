@@ -2,7 +2,9 @@
 
 use crate::command_line::longdrive;
 use crate::reproduce::FOUND;
+use longdrive::parameters::PRESETS;
 use longdrive::reproduce::{Landing, Method};
+use longdrive::{Outcome, Setup};
 
 fn document(name: &str) -> String {
     std::fs::read_to_string(format!("{}/{name}", env!("CARGO_MANIFEST_DIR"))).unwrap()
@@ -241,6 +243,18 @@ fn numbers_of_the_robust_example_of_swings_md_are_the_programs() {
     let worst = models.iter().map(|model| number(&model["losses"][0]) / 0.9144).fold(0.0, f64::max);
     near(text.split("that of rigid bodies, ").nth(1).unwrap(), worst - greatest, 0.051);
     assert!(models.iter().skip(1).all(|model| number(&model["share"]) > 0.4) && number(&models[0]["share"]) < 0.01);
+}
+
+/// Every outcome by every parameter of every preset: with one more of these, the page is to be written again.
+#[test]
+fn exact_number_of_derivatives_that_verification_md_has_certified() {
+    let rows = table(&document("docs/verification.md"), "| preset | derivatives | pass |");
+    for (row, preset) in rows.iter().zip(PRESETS) {
+        let all = Outcome::ALL.len() * Setup::preset(preset.name).unwrap().variables().len();
+        let expected = [format!("`{}`", preset.name), all.to_string(), all.to_string()];
+        assert_eq!(row[..3], expected, "write it again: see examples/verification.rs");
+    }
+    assert_eq!(rows.len(), PRESETS.len());
 }
 
 /// What docs/scale.md reckons follows from the rate and size that docs/performance.md has measured.
