@@ -34,9 +34,8 @@ fn exact_shares_of_random_drives_add_up_and_change_sign_on_the_way_back() {
     let flies = |setup: &Setup<f64>| Drive::new(setup).is_ok_and(|drive| Outcome::Carry.value(&drive).is_some());
     // where a law is C² in pieces, quadrature leaves a remainder above rounding, which is stated
     let smooth = ["launch-monitor", "linear", "robinson", "smits-smith", "winfield-tan"];
-    // in large steps: the shares are of the drives as they are computed
     let setups: Vec<_> = random_setups(10)
-        .map(|setup| changed(&setup, &[("flight.method", "rk4"), ("flight.step", "100 ms")]))
+        .map(|setup| changed(&setup, &[("flight.method", "dp8"), ("flight.step", "50 ms")]))
         .filter(flies)
         .collect();
     let is_compared = |pair: &[Setup<f64>]| {
