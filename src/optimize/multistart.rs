@@ -162,6 +162,34 @@ fn collected(domain: &Domain, solutions: Vec<Solution>) -> Vec<Local> {
         Status::Undefined => 4,
     };
     let value = |local: &Local| local.solution.value.unwrap_or(f64::MAX);
-    locals.sort_by(|a, b| rank(a).cmp(&rank(b)).then(value(a).total_cmp(&value(b))));
+    let steepest = steepest(domain, &locals);
+    // of points that do not meet the constraints, the nearest to it
+    let missed = |local: &Local| match local.solution.status {
+        Status::Infeasible => missed_by(&local.solution, &steepest),
+        _ => 0.0,
+    };
+    let order = |a: &Local, b: &Local| {
+        let nearer = || missed(a).total_cmp(&missed(b));
+        rank(a).cmp(&rank(b)).then_with(nearer).then(value(a).total_cmp(&value(b)))
+    };
+    locals.sort_by(order);
     locals
+}
+
+/// The steepest slope of each constraint at the ends of all searches, over the scales of the variables: each search measures by the slopes at
+/// its own start, which cannot be compared. 1 where none is known.
+fn steepest(domain: &Domain, locals: &[Local]) -> Vec<f64> {
+    let mut steepest = vec![0.0_f64; domain.constraints.dimension()];
+    for Local { solution, .. } in locals {
+        let scale = domain.variables.scale(&solution.x);
+        for (most, row) in steepest.iter_mut().zip(&solution.jacobian) {
+            *most = row.iter().zip(&scale).fold(*most, |most, (slope, scale)| most.max((slope * scale).abs()));
+        }
+    }
+    steepest.iter().map(|most| if *most > 0.0 { *most } else { 1.0 }).collect()
+}
+
+/// How far a solution is from meeting its constraints, each over a size of its own.
+fn missed_by(solution: &Solution, sizes: &[f64]) -> f64 {
+    solution.constraints.iter().zip(sizes).map(|(constrained, size)| (constrained.violation / size).powi(2)).sum()
 }

@@ -40,6 +40,8 @@ pub enum Event {
 
 /// Multipliers below this part of the largest slope hold nothing.
 const IDLE: f64 = 1e-9;
+/// Curvature below this part of what is minimised, over the scales of the variables, is rounding.
+const ROUNDING: f64 = 1e-12;
 
 /// Which variables lie on a bound that holds them, and which constraints on a limit.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -54,14 +56,13 @@ impl Held {
     /// What holds a solution: fixed variables and equations, and whatever has a multiplier above rounding.
     pub fn new(solution: &Solution, domain: &Domain) -> Self {
         let scale = domain.variables.scale(&solution.x);
-        let largest = |slopes: &[f64]| slopes.iter().zip(&scale).map(|(g, s)| (g * s).abs()).fold(0.0, f64::max);
-        let size = largest(&solution.gradient).max(solution.value.unwrap_or_default().abs());
+        let size = size(solution, &scale);
         let variable = |i: usize| {
             let price = solution.lower_multipliers[i] + solution.upper_multipliers[i];
             domain.variables.is_fixed(i) || price * scale[i] > IDLE * size
         };
         let constraint = |j: usize| {
-            let price = solution.constraints[j].multiplier.abs() * largest(&solution.jacobian[j]);
+            let price = solution.constraints[j].multiplier.abs() * largest(&solution.jacobian[j], &scale);
             domain.constraints.is_fixed(j) || price > IDLE * size
         };
         Self {
@@ -81,6 +82,26 @@ impl Held {
     }
 }
 
+/// The largest of slopes, over the scales of the variables.
+fn largest(slopes: &[f64], scale: &[f64]) -> f64 {
+    slopes.iter().zip(scale).map(|(slope, scale)| (slope * scale).abs()).fold(0.0, f64::max)
+}
+
+/// How large what is minimised is, with its slopes.
+fn size(solution: &Solution, scale: &[f64]) -> f64 {
+    largest(&solution.gradient, scale).max(solution.value.unwrap_or_default().abs())
+}
+
+/// The Hessian of the Lagrangian over the scales of the variables, with 0 for what is rounding: where nothing depends on a variable, its
+/// row must not look like the curvature of an optimum.
+fn curvatures(solution: &Solution, scale: &[f64]) -> DMatrix<f64> {
+    let least = ROUNDING * size(solution, scale);
+    DMatrix::from_fn(scale.len(), scale.len(), |i, k| {
+        let curvature = solution.hessian[i][k] * scale[i] * scale[k];
+        if curvature.abs() > least { curvature } else { 0.0 }
+    })
+}
+
 /// The Hessian of the Lagrangian along what holds a solution: a basis of the moves that keep it, a column each, and
 /// the curvature of each with each; both in units of [`Bounds::scale`].
 pub fn reduced_hessian(solution: &Solution, domain: &Domain) -> (DMatrix<f64>, DMatrix<f64>) {
@@ -89,8 +110,7 @@ pub fn reduced_hessian(solution: &Solution, domain: &Domain) -> (DMatrix<f64>, D
     let (free, tight) = (held.free(), held.tight());
     let rows = DMatrix::from_fn(tight.len(), free.len(), |r, c| solution.jacobian[tight[r]][free[c]] * scale[free[c]]);
     let basis = free_moves(n, &free, &rows);
-    let hessian = DMatrix::from_fn(n, n, |i, k| solution.hessian[i][k] * scale[i] * scale[k]);
-    let reduced = basis.transpose() * hessian * &basis;
+    let reduced = basis.transpose() * curvatures(solution, &scale) * &basis;
     (basis, reduced)
 }
 
@@ -116,19 +136,15 @@ pub fn response(solution: &Solution, domain: &Domain, at: &Evaluation) -> Result
     };
 
     // rows of length about 1, so that "singular" means something
-    let length = |j: usize| {
-        let row = solution.jacobian[j].iter().zip(&scale).map(|(a, s)| (a * s).abs());
-        row.fold(0.0, f64::max).max(f64::MIN_POSITIVE)
-    };
-    let bend = |i: usize, k: usize| solution.hessian[i][k] * scale[i] * scale[k];
-    let most = free.iter().flat_map(|&i| free.iter().map(move |&k| bend(i, k).abs())).fold(0.0, f64::max);
+    let length = |j: usize| largest(&solution.jacobian[j], &scale).max(f64::MIN_POSITIVE);
+    let bends = curvatures(solution, &scale);
+    let bends = bends.select_rows(&free).select_columns(&free);
+    let most = bends.amax();
     let unit = if most > 0.0 { most } else { 1.0 };
     let mut matrix = DMatrix::zeros(size, size);
     let mut right = DVector::zeros(size);
+    matrix.view_mut((0, 0), (f, f)).copy_from(&(bends / unit));
     for (row, &i) in free.iter().enumerate() {
-        for (column, &k) in free.iter().enumerate() {
-            matrix[(row, column)] = bend(i, k) / unit;
-        }
         right[row] = -mixed(i) * scale[i] / unit;
     }
     for (at_row, &j) in tight.iter().enumerate() {

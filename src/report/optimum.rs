@@ -354,6 +354,8 @@ pub(super) fn bound_in_words(optimum: &Optimum, i: usize, system: System) -> Str
         format!("at its upper bound: {} that it is raised", price(upper))
     } else if lower > 0.0 {
         format!("at its lower bound: {} that it is lowered", price(lower))
+    } else if optimum.is_idle(i) {
+        "no effect".into()
     } else {
         "free".into()
     }

@@ -89,8 +89,14 @@ impl Optimum {
                 Message::from("the constraints cannot all be met; the nearest point found violates ")
                     .message(Message::joined(missed, " and "))
             }
-            (None, Status::Converged) if self.is_flat() => {
-                format!("{of} does not depend on the parameters varied here: every drive is equally good").into()
+            (None, Status::Converged) if !self.idle().is_empty() => {
+                let (idle, varied) = (self.idle(), self.search.vary.iter().filter(|vary| vary.low < vary.high));
+                let alone = format!("{of} does not depend on the parameters varied here: every drive is equally good");
+                let in_part = || {
+                    let found = &self.solution.message;
+                    format!("{found}; {of} does not depend on {}: every value is equally good", idle.join(", "))
+                };
+                if idle.len() == varied.count() { alone } else { in_part() }.into()
             }
             (None, Status::Interrupted) if self.solution.value.is_none() => {
                 "stopped before a drive that flies was found".into()
@@ -133,10 +139,20 @@ impl Optimum {
         bounds.chain(limits).collect()
     }
 
-    /// Whether the outcome does not change with what is varied, to second order.
-    fn is_flat(&self) -> bool {
-        let Solution { gradient, hessian, .. } = &self.solution;
-        gradient.iter().chain(hessian.iter().flatten()).all(|derivative| *derivative == 0.0)
+    /// Whether the outcome does not depend on a varied parameter: within its range it changes, to second order, by rounding alone.
+    pub fn is_idle(&self, i: usize) -> bool {
+        const ROUNDING: f64 = 1e-12;
+        let width = |i: usize| self.search.vary[i].high - self.search.vary[i].low;
+        let Solution { gradient, hessian, value, .. } = &self.solution;
+        let (Some(slope), Some(bends)) = (gradient.get(i), hessian.get(i)) else { return false };
+        let bends: f64 = bends.iter().enumerate().map(|(j, bend)| (bend * width(j)).abs()).sum();
+        width(i) > 0.0 && (slope.abs() + bends) * width(i) <= ROUNDING * value.unwrap_or_default().abs()
+    }
+
+    /// The varied parameters that the outcome does not depend on.
+    fn idle(&self) -> Vec<&'static str> {
+        let vary = self.search.vary.iter().enumerate();
+        vary.filter(|(i, _)| self.is_idle(*i)).map(|(_, vary)| vary.parameter.name).collect()
     }
 
     /// Where the search began instead, if the start does not fly.

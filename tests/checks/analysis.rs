@@ -1,9 +1,10 @@
 //! Constraints, many starts, what an optimum answers to, how flat it is, and charts of it.
 
 use crate::common::close;
-use longdrive::optimize::{Bounds, Follow, Observer, Status};
+use longdrive::optimize::{Bounds, Follow, Observer, Solution, Status};
 use longdrive::study::{
-    Change, Constraint, Optimum, Search, Vary, change, chart, flatness, optima, optimum, sensitivities, sensitivity,
+    Change, Constraint, Optimum, Search, Sense, Vary, change, chart, flatness, optima, optimum, sensitivities,
+    sensitivity,
 };
 use longdrive::{Drive, Error, Outcome, Setup};
 
@@ -315,4 +316,53 @@ fn a_saddle_is_left_for_a_maximum() {
     assert_eq!(best.solution.x[0].abs(), 20.0);
     let bounds = Bounds::new(vec![0.0], vec![1.0]).unwrap();
     assert_eq!((bounds.excess(0, 1.5), bounds.excess(0, -1.0), bounds.excess(0, 0.5)), (0.5, -1.0, 0.0));
+}
+
+/// The head is pitched by its attack angle: the impact is the same in its own frame, so that the spin depends on the loft alone.
+#[test]
+fn exact_optimum_that_does_not_depend_on_a_variable_is_told_and_has_no_sensitivity() {
+    let setup = Setup::default();
+    let vary = ["club.loft=4deg..20deg", BOX[1]];
+    let search = Search { of: Outcome::Spin, sense: Sense::Minimize, ..search(&setup, &vary, &[]) };
+    let found = best(&setup, &search);
+    assert!(!found.is_idle(0) && found.is_idle(1));
+    let message = found.message().to_string();
+    assert!(message.ends_with("spin does not depend on swing.attack_angle: every value is equally good"), "{message}");
+    let spin = |attack: f64| {
+        let mut setup = found.setup;
+        setup.swing.attack_angle = attack;
+        Outcome::Spin.of(&Drive::new(&setup).unwrap()).unwrap()
+    };
+    for attack in [-0.17, -0.05, 0.1, 0.17] {
+        close(spin(attack), found.value().unwrap(), 1.0, 1e-12, "spin");
+    }
+    let error = sensitivity(&found, found.setup.variable("swing.speed").unwrap()).unwrap_err();
+    assert!(error.to_string().contains("not isolated"), "{error}");
+}
+
+/// Which of the points that searches from many starts end at is nearest to the constraints has nothing to do with the objective.
+#[test]
+fn exact_nearest_point_of_many_starts_is_the_same_for_both_senses() {
+    let setup = Setup::default();
+    let limits = ["descent_angle >= 45 deg", "apex_height <= 30 yd"];
+    let nearest = [Sense::Maximize, Sense::Minimize].map(|sense| {
+        let search =
+            Search { sense, ..search(&setup, &["club.loft=4deg..20deg", "swing.attack_angle=-5deg..5deg"], &limits) };
+        let found = optima(&setup, &search, 8, &Follow::default()).unwrap();
+        let ends: Vec<_> = found.locals.iter().map(|(local, _)| &local.solution).collect();
+        assert!(ends.len() > 1 && ends.iter().all(|end| end.status == Status::Infeasible));
+        // each limit over its slope by the loft, which moves both
+        let missed = |end: &&Solution| -> f64 {
+            let slope = |j: usize| {
+                ends.iter()
+                    .map(|end| end.jacobian[j][0].abs().max(end.jacobian[j][1].abs() * 0.625))
+                    .fold(0.0, f64::max)
+            };
+            end.constraints.iter().enumerate().map(|(j, limit)| (limit.violation / slope(j)).powi(2)).sum()
+        };
+        let least = ends.iter().map(missed).fold(f64::INFINITY, f64::min);
+        close(missed(&ends[0]), least, 1.0, 1e-12, "the nearest comes first");
+        ends[0].x.clone()
+    });
+    nearest[0].iter().zip(&nearest[1]).for_each(|(a, b)| close(*a, *b, 1.0, 1e-6, "nearest point"));
 }

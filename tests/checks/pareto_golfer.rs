@@ -2,12 +2,12 @@
 
 use crate::command_line::{json, longdrive, number};
 use crate::common::close;
-use longdrive::optimize::{Follow, Options};
+use longdrive::optimize::{Follow, Observer, Options};
 use longdrive::study::swings::{
     Goal, GoalLimit, ParetoSearch, Rule, Scenarios, Swings, SwingsOptimum, SwingsSearch, pareto, swings_optimum,
 };
 use longdrive::study::uncertainty::Uncertain;
-use longdrive::study::{Sense, Vary};
+use longdrive::study::{Search, Sense, Vary, optimum};
 use longdrive::{Drive, Outcome, Setup};
 
 fn golfer(setup: &Setup<f64>) -> Scenarios {
@@ -32,6 +32,28 @@ fn alone(setup: &Setup<f64>, k: usize, subject_to: Vec<GoalLimit>) -> SwingsOpti
     let best = swings_optimum(setup, search, golfer(setup), &Follow::default()).unwrap();
     assert_eq!(best.status(), "converged");
     best
+}
+
+/// The spin depends on the loft alone: of all drives with the least of it, the end of the front is the one that carries farthest.
+#[test]
+fn independent_end_of_a_front_that_a_variable_does_not_change_is_the_best_for_the_other_goal() {
+    let mut setup = Setup::preset("tour-average").unwrap();
+    setup.set_all(crate::common::LARGE_STEPS).unwrap();
+    let goals = [(Outcome::Carry, Sense::Maximize), (Outcome::Spin, Sense::Minimize)];
+    let goals = goals.map(|(outcome, sense)| (Goal::outcome(outcome), sense));
+    let read = |text: &str| Vary::read(&setup, text).unwrap();
+    let vary = vec![read("club.loft=4deg..20deg"), read("swing.attack_angle=-5deg..5deg")];
+    let search = ParetoSearch { goals, vary, subject_to: vec![], points: 4, options: Options::default() };
+    let found = pareto(&setup, search, Scenarios::one_drive(), &Follow::default()).unwrap();
+    let end = found.points.last().unwrap();
+    let mut search = Search::longest_drive(&setup).unwrap();
+    search.vary = vec![read("club.loft=4deg..4deg"), read("swing.attack_angle=-5deg..5deg")];
+    let longest = optimum(&setup, search, Observer::default()).unwrap();
+    close(end.goals[0], longest.value().unwrap(), 1.0, 1e-6, "carry at the least spin");
+    for point in &found.points {
+        let as_good = found.points.iter().filter(|other| (other.goals[1] - point.goals[1]).abs() < 1e-6);
+        assert_eq!(as_good.count(), 1, "{:?}", found.points);
+    }
 }
 
 /// Each end is that of a search for its goal alone; every point is what a search finds that holds the other goal there, whose multiplier is
