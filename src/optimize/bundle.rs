@@ -18,6 +18,11 @@ const CLOSE: f64 = 1e-4;
 pub(super) struct Bundle(Vec<Point>);
 
 impl Bundle {
+    /// Whether its points are of `n` variables, with `m` constraints.
+    pub fn is_of(&self, n: usize, m: usize, is_sparse: bool) -> bool {
+        self.0.iter().all(|point| point.is_of(n, m, is_sparse))
+    }
+
     /// Keeps, of the points known around `at`, the nearest of each other side of a corner nearby.
     pub fn keep(&mut self, scaling: &Scaling, at: &Point, candidate: Option<Point>) {
         let is_side =

@@ -30,6 +30,17 @@ impl From<Evaluation> for Known {
 }
 
 impl Known {
+    /// Whether these are functions of `n` variables, an objective and `m` constraints, as a problem of this kind gives them.
+    pub fn is_of(&self, n: usize, m: usize, is_sparse: bool) -> bool {
+        let Self { objective, constraints, sparse } = self.clone();
+        let Some(SparseDerivatives { bend, constraints: slopes }) = sparse else {
+            return !is_sparse && Evaluation { objective, constraints }.checked(n, m).is_ok();
+        };
+        let is_whole = objective.gradient.len() == n && constraints.len() == m;
+        let objective = SparseTaylor { value: objective.value, gradient: vec![], hessian: bend };
+        is_sparse && is_whole && SparseEvaluation { objective, constraints: slopes }.checked(n, m).is_ok()
+    }
+
     /// What a sparse problem of `n` variables says of a point.
     pub fn from_sparse(SparseEvaluation { objective, constraints }: SparseEvaluation, n: usize) -> Self {
         let mut gradient = vec![0.0; n];

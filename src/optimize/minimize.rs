@@ -19,7 +19,7 @@ use std::sync::Arc;
 /// Minimises a function within a domain from a start, which is moved into the bounds first.
 ///
 /// # Errors
-/// [`Error::Optimizer`] for a start or options that make no sense. Not converging is a [`Status`], not an error.
+/// [`Error::Optimizer`] for a domain, a start or options that make no sense. Not converging is a [`Status`], not an error.
 pub fn minimize(problem: &dyn Problem, domain: &Domain, start: &[f64], options: &Options) -> Result<Solution> {
     minimize_observed(problem, domain, start, options, Observer::default())
 }
@@ -27,7 +27,7 @@ pub fn minimize(problem: &dyn Problem, domain: &Domain, start: &[f64], options: 
 /// As [`minimize`], with an observer.
 ///
 /// # Errors
-/// As [`minimize`]; whatever keeping the search fails with.
+/// As [`minimize`]; [`Error::Optimizer`] to go on with a search of another problem; whatever keeping the search fails with.
 pub fn minimize_observed(
     problem: &dyn Problem,
     domain: &Domain,
@@ -85,9 +85,10 @@ fn search(
     observer: Observer,
 ) -> Result<Solution> {
     options.validate()?;
-    let n = domain.variables.dimension();
-    if start.len() != n || !start.iter().all(|x| x.is_finite()) {
-        return Err(Error::Optimizer(format!("the start {start:?} must be {n} finite numbers, one per variable")));
+    domain.check(start)?;
+    let is_sparse = matches!(problem, Asked::Sparse(_));
+    if observer.resume.as_ref().is_some_and(|kept| !kept.is_of(domain, is_sparse)) {
+        return Err(other_problem());
     }
     let (failure, interrupt) = (Arc::default(), observer.interrupt.clone());
     let found = run(problem, domain, start, options, observer, &failure)?;
@@ -98,6 +99,11 @@ fn search(
         }
         _ => Ok(found),
     }
+}
+
+/// A search that was kept belongs to a problem of another shape.
+pub(super) fn other_problem() -> Error {
+    Error::Optimizer("the search to go on with was kept of another problem: its numbers of variables or constraints differ; begin anew".into())
 }
 
 /// One run of argmin's executor.

@@ -2,7 +2,7 @@
 
 use super::checkpoint::{Checkpoint, Run};
 use super::domain::Domain;
-use super::minimize::minimize_observed;
+use super::minimize::{minimize_observed, other_problem};
 use super::observer::Observer;
 use super::options::Options;
 use super::problem::Problem;
@@ -47,8 +47,9 @@ const SAME: f64 = 1e-6;
 /// 2020). Where a variable has no end, the spread reaches as far from the start as its scale.
 ///
 /// # Errors
-/// [`Error::Optimizer`] for more starts or variables than the sequence has.
+/// [`Error::Optimizer`] for more starts or variables than the sequence has, and for a domain or a start that makes no sense.
 pub fn starts(domain: &Domain, start: &[f64], count: usize) -> Result<Vec<Vec<f64>>> {
+    domain.check(start)?;
     let (bounds, scale) = (&domain.variables, domain.variables.scale(start));
     let most = 1 << 16;
     if count > most || start.len() > sobol::MOST_VARIABLES {
@@ -72,7 +73,7 @@ pub fn starts(domain: &Domain, start: &[f64], count: usize) -> Result<Vec<Vec<f6
 /// does not depend on how many threads there are.
 ///
 /// # Errors
-/// As [`minimize`](super::minimize); [`Error::Optimizer`] without starts.
+/// As [`minimize`](super::minimize); [`Error::Optimizer`] without starts, and for a checkpoint of another problem.
 pub fn minimize_from(
     problem: &(dyn Problem + Sync),
     domain: &Domain,
@@ -80,6 +81,9 @@ pub fn minimize_from(
     options: &Options,
     follow: &Follow,
 ) -> Result<Vec<Local>> {
+    if starts.is_empty() {
+        return Err(Error::Optimizer("there are no starts to search from".into()));
+    }
     let search = |(number, start): (usize, &Vec<f64>)| one(problem, domain, start, options, follow, number);
     let solutions = match starts {
         // nothing to share: no threads are started
@@ -99,6 +103,7 @@ fn one(
 ) -> Result<Solution> {
     let kept = follow.checkpoint.as_ref().and_then(|checkpoint| checkpoint.run(number));
     let resume = match kept {
+        Some(Run::Done(solution)) if !solution.is_of(domain) => return Err(other_problem()),
         Some(Run::Done(solution)) => {
             if let Some(end) = &follow.end {
                 end(number, &solution);

@@ -1,5 +1,6 @@
 //! What follows a search from outside: shown its iterations, able to stop it, and given its state to keep.
 
+use super::domain::Domain;
 use super::solution::Iteration;
 use super::sqp::Progress;
 use crate::error::Result;
@@ -7,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
-/// Who is shown a search, stops it and keeps it.
+/// Follows a search: is shown its iterations, may stop it, and may store its state.
 pub struct Observer {
     /// Is shown every iteration.
     pub iteration: Box<dyn FnMut(&Iteration)>,
@@ -47,5 +48,11 @@ impl Snapshot {
     /// Iterations done.
     pub fn iterations(&self) -> u64 {
         self.iterations
+    }
+
+    /// Whether it has the shape of a problem over this domain.
+    pub(super) fn is_of(&self, domain: &Domain, is_sparse: bool) -> bool {
+        let (n, m) = (domain.variables.dimension(), domain.constraints.dimension());
+        self.progress.is_of(n, m, is_sparse)
     }
 }

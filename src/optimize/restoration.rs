@@ -4,6 +4,7 @@
 //! minimum of the violation, or a place where slope and curvature vanish together. Neither says that the constraints contradict each
 //! other: a minimum of the violation may be a local one. So the violation is minimised from other points too before that is said.
 
+use super::domain::Domain;
 use super::least_squares::{self, Rows};
 use super::options::Options;
 use super::scaling::{Point, norm};
@@ -93,7 +94,9 @@ impl Search {
             Ok(Rows { residuals, jacobian })
         };
         let options = least_squares::Options { max_iterations: ITERATIONS, ..least_squares::Options::default() };
-        let found = least_squares::fit(&violations, &scaling.domain, &start, &options);
+        let variables = scaling.domain.variables.clone();
+        let bounds = Domain { variables, ..Domain::default() };
+        let found = least_squares::fit(&violations, &bounds, &start, &options);
         if let Some(failure) = failure.into_inner() {
             return Err(failure);
         }

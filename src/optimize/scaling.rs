@@ -12,6 +12,11 @@ pub(super) struct Point {
 }
 
 impl Point {
+    /// Whether it is one of `n` variables, with `m` constraints.
+    pub fn is_of(&self, n: usize, m: usize, is_sparse: bool) -> bool {
+        self.x.len() == n && self.f.is_of(n, m, is_sparse)
+    }
+
     /// The gradient of the Lagrangian; without constraints that of the objective, as it is.
     pub fn lagrangian_gradient(&self, multipliers: &[f64]) -> Cow<'_, [f64]> {
         if multipliers.is_empty() {

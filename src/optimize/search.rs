@@ -115,6 +115,16 @@ impl Outcome {
 }
 
 impl Search {
+    /// Whether it is one for `n` variables and `m` constraints, in all that it holds.
+    pub fn is_of(&self, n: usize, m: usize, is_sparse: bool) -> bool {
+        let Self { scaling: Scaling { scale, gamma, .. }, at, multipliers, bundle, own_hessian, .. } = self;
+        let own = own_hessian.iter().flat_map(|(rows, _)| rows);
+        let is_square =
+            own_hessian.as_ref().is_none_or(|(rows, _)| rows.len() == n) && own.clone().all(|row| row.len() == n);
+        let points = at.is_of(n, m, is_sparse) && bundle.is_of(n, m, is_sparse);
+        [scale.len(), gamma.len(), multipliers.len()] == [n, m, m] && is_square && points
+    }
+
     pub fn new(scaling: Scaling, at: Point, radius: f64) -> Self {
         let multipliers = match &at.f.sparse {
             None => vec![0.0; at.f.constraints.len()],

@@ -4,7 +4,9 @@ use super::domain::{Bounds, Domain};
 use super::null_space::free_moves;
 use super::problem::Evaluation;
 use super::solution::Solution;
+use super::status::Status;
 use crate::error::{Error, Result};
+use crate::number::Taylor;
 use nalgebra::{DMatrix, DVector};
 
 /// How an optimum answers to a parameter p.
@@ -54,6 +56,9 @@ pub struct Held {
 
 impl Held {
     /// What holds a solution: fixed variables and equations, and whatever has a multiplier above rounding.
+    ///
+    /// # Panics
+    /// Where the domain has fewer variables or constraints than the solution.
     pub fn new(solution: &Solution, domain: &Domain) -> Self {
         let scale = domain.variables.scale(&solution.x);
         let size = size(solution, &scale);
@@ -104,6 +109,9 @@ fn curvatures(solution: &Solution, scale: &[f64]) -> DMatrix<f64> {
 
 /// The Hessian of the Lagrangian along what holds a solution: a basis of the moves that keep it, a column each, and
 /// the curvature of each with each; both in units of [`Bounds::scale`].
+///
+/// # Panics
+/// Where the domain is not that of the solution, or the solution has no Hessian.
 pub fn reduced_hessian(solution: &Solution, domain: &Domain) -> (DMatrix<f64>, DMatrix<f64>) {
     let (n, held) = (solution.x.len(), Held::new(solution, domain));
     let scale = domain.variables.scale(&solution.x);
@@ -114,17 +122,41 @@ pub fn reduced_hessian(solution: &Solution, domain: &Domain) -> (DMatrix<f64>, D
     (basis, reduced)
 }
 
+/// Refuses a domain of another solution, and functions without the derivatives that are used.
+fn check_shape(solution: &Solution, domain: &Domain, at: &Evaluation) -> Result<()> {
+    let (n, m) = (solution.x.len(), solution.constraints.len());
+    if !solution.is_of(domain) {
+        return Err(Error::Optimizer(
+            "the domain is not that of the solution: variables or constraints differ in number".into(),
+        ));
+    }
+    let has_last =
+        |of: &Taylor| of.gradient.len() == n + 1 && of.hessian.len() == n + 1 && of.hessian[n].len() == n + 1;
+    if at.constraints.len() != m || !std::iter::once(&at.objective).chain(&at.constraints).all(has_last) {
+        let what = format!(
+            "the functions at the optimum must be the objective and {m} constraints with derivatives by {n} variables and the parameter"
+        );
+        return Err(Error::Optimizer(what));
+    }
+    Ok(())
+}
+
 /// How a converged optimum answers to a parameter. `at` holds the functions at the optimum with their derivatives by
 /// (x, p), the parameter last; of their Hessians only the last row is used.
 ///
 /// # Errors
-/// [`Error::Optimizer`] for a problem without Hessians, and where the KKT system is singular: the optimum is then not
+/// [`Error::NotConverged`] of anything but an optimum; [`Error::Optimizer`] for a problem without Hessians, for numbers of variables or
+/// constraints that differ, and where the KKT system is singular: the optimum is then not
 /// isolated, and moves by more than any multiple of the parameter's change.
 pub fn response(solution: &Solution, domain: &Domain, at: &Evaluation) -> Result<Response> {
     let n = solution.x.len();
+    if solution.status != Status::Converged {
+        return Err(Error::NotConverged { status: solution.status.name(), message: solution.message.clone().into() });
+    }
     if solution.hessian.len() != n {
         return Err(Error::Optimizer("the sensitivity of an optimum needs exact Hessians".into()));
     }
+    check_shape(solution, domain, at)?;
     let held = Held::new(solution, domain);
     let (free, tight) = (held.free(), held.tight());
     let scale = domain.variables.scale(&solution.x);

@@ -62,6 +62,21 @@ pub struct Constrained {
 }
 
 impl Solution {
+    /// Whether it has the shape of one over this domain.
+    pub(super) fn is_of(&self, domain: &Domain) -> bool {
+        let (n, m) = (domain.variables.dimension(), domain.constraints.dimension());
+        let is_matrix = |rows: &[Vec<f64>], count: usize| {
+            rows.is_empty() || rows.len() == count && rows.iter().all(|row| row.len() == n)
+        };
+        let has_value = self.value.is_some();
+        let per_variable = [self.x.len(), self.lower_multipliers.len(), self.upper_multipliers.len()];
+        let of_value = self.gradient.len() == n && self.constraints.len() == m;
+        per_variable == [n; 3]
+            && (!has_value || of_value)
+            && is_matrix(&self.hessian, n)
+            && is_matrix(&self.jacobian, m)
+    }
+
     /// What a search has found when it ends.
     pub(super) fn new(domain: &Domain, progress: Progress, start: Vec<f64>, iterations: u64) -> Self {
         let Progress { search, verdict, undefined_at_start, begun_at, kink } = progress;

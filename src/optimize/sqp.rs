@@ -81,6 +81,14 @@ pub(super) struct Progress {
     pub kink: Option<Kink>,
 }
 
+impl Progress {
+    /// Whether it has the shape of a problem of `n` variables and `m` constraints.
+    pub fn is_of(&self, n: usize, m: usize, is_sparse: bool) -> bool {
+        let of_search = self.search.as_ref().is_none_or(|search| search.is_of(n, m, is_sparse));
+        of_search && [0, n].contains(&self.begun_at.len()) && self.kink.is_none_or(|kink| kink.variable < n)
+    }
+}
+
 impl Sqp {
     fn is_interrupted(&self) -> bool {
         self.interrupt.load(Ordering::Relaxed)

@@ -39,6 +39,7 @@ mod listening;
 mod long_work;
 mod messages;
 mod optimizer;
+mod optimizer_misuse;
 mod oracle;
 mod own_table;
 mod pages;

@@ -114,7 +114,8 @@ impl Follow {
 /// Fits from a start, which is moved into the bounds first.
 ///
 /// # Errors
-/// [`Error::Optimizer`] for a start of the wrong length or that is not finite, and for a tolerance or loss that makes no sense.
+/// [`Error::Optimizer`] for a start of the wrong length or that is not finite, for a tolerance or loss that makes no sense, and for a domain
+/// with constraints.
 pub fn fit(residuals: &impl Residuals, domain: &Domain, start: &[f64], options: &Options) -> Result<Fit> {
     fit_observed(residuals, domain, start, options, &Follow::default())
 }
@@ -153,9 +154,11 @@ pub fn fit_observed(
     follow: &Follow,
 ) -> Result<Fit> {
     let bounds = &domain.variables;
-    if start.len() != bounds.dimension() || !start.iter().all(|x| x.is_finite()) {
-        let n = bounds.dimension();
-        return Err(Error::Optimizer(format!("the start {start:?} must be {n} finite numbers, one per variable")));
+    domain.check(start)?;
+    if domain.constraints.dimension() > 0 {
+        return Err(Error::Optimizer(
+            "a fit has bounds alone; give a domain without constraints, or use minimize".into(),
+        ));
     }
     if !(options.tolerance > 0.0 && options.tolerance < 1.0) {
         return Err(Error::Optimizer(format!("tolerance = {} is outside its range 0 < … < 1", options.tolerance)));

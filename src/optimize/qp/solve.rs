@@ -10,7 +10,11 @@ const LITTLE: f64 = 1e-6;
 const NEAR: f64 = 1e-8;
 
 impl QuadraticProgram {
-    /// Solves the program; `None` where the rows cannot be met within the ends.
+    /// Solves the program; `None` where the rows cannot be met within the ends. All numbers of the program must be finite, but for ends of
+    /// rows, and no lower end may exceed its upper one.
+    ///
+    /// # Panics
+    /// Where there is no piece, or lengths differ.
     ///
     /// The faces of the box come first: where they end the answer is proven and exact. For all else the dual active-set method tells
     /// which ends, rows and pieces are active, and its factors give the step to rounding. Where they are not accurate enough the polish solves
