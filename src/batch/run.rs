@@ -1,7 +1,7 @@
 use super::block::Block;
 use super::in_order::in_order;
 use super::instructions::Instructions;
-use super::points::Points;
+use super::points::{Points, refuse_repeated};
 use super::question::Kernel;
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
@@ -47,7 +47,7 @@ impl Batch {
         if of.is_empty() {
             return Err(Error::Nothing { doing: "evaluate", what: "outcome" });
         }
-        super::points::refuse_repeated(parameters)?;
+        refuse_repeated(parameters)?;
         for parameter in parameters {
             setup.column(parameter.name)?;
         }

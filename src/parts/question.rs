@@ -1,6 +1,7 @@
 use super::hash::Hash;
-use crate::batch::{Batch, Points, Summarized};
+use crate::batch::{Batch, Points};
 use crate::number::elementary_functions;
+use crate::statistics::Summarized;
 use serde::{Deserialize, Serialize};
 
 /// What makes the files of a sweep different from those of another: the same question gives the same bytes of each part. Numbers are

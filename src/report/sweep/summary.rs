@@ -1,8 +1,8 @@
-use crate::batch::{Coordinate, Histogram, Infinite, Ranking, Summary};
 use crate::drive::Outcome;
 use crate::parameters::Setup;
 use crate::report::shown;
 use crate::report::table::table;
+use crate::statistics::{Coordinate, Histogram, Infinite, Ranking, Summary};
 use crate::units::{System, counted, significant};
 
 /// What the rows of a sweep are like in all, as tables: how they ended, the moments of each column, histograms and best rows. Outcomes are in the

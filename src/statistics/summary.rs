@@ -1,8 +1,7 @@
-use super::block::{Block, Status, Tally};
 use super::histogram::{Bins, Histogram};
 use super::moments::Moments;
 use super::ranking::{Ranking, Sought};
-use super::run::Batch;
+use crate::batch::{Batch, Block, Status, Tally};
 use crate::drive::{BeyondCount, Outcome};
 use crate::error::{Error, Result};
 use serde::{Deserialize, Serialize};

@@ -25,7 +25,7 @@ impl Bins {
     /// that of the high end.
     ///
     /// ```
-    /// use longdrive::batch::Bins;
+    /// use longdrive::statistics::Bins;
     /// let bins = Bins::read("carry=200..300m:4").unwrap();
     /// assert_eq!((0..=4).map(|i| bins.edge(i)).collect::<Vec<_>>(), [200.0, 225.0, 250.0, 275.0, 300.0]);
     /// assert!(Bins::read("carry=300m..200m").is_err());
@@ -89,7 +89,7 @@ impl Bins {
 /// How many values of an outcome lie in each of some bins.
 ///
 /// ```
-/// use longdrive::batch::{Bins, Histogram};
+/// use longdrive::statistics::{Bins, Histogram};
 /// let bins = Bins::read("carry=200m..300m:4").unwrap();
 /// let mut histogram = Histogram::new(&bins);
 /// [199.9, 200.0, 224.9, 225.0, 300.0, 300.1].into_iter().for_each(|carry| histogram.add(&bins, carry));

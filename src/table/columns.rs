@@ -1,6 +1,6 @@
 //! The columns that every table of points has, whatever its format.
 
-use crate::batch::points::refuse_repeated;
+use crate::batch::refuse_repeated;
 use crate::columns::{CONDITIONS, Column, Head, Holds, near_known};
 use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup};
