@@ -31,10 +31,9 @@
 
 mod abreast;
 mod block;
+mod evaluate;
 mod grid;
 mod in_order;
-mod instructions;
-mod kernel;
 mod points;
 mod question;
 mod run;
@@ -43,8 +42,8 @@ mod sequence;
 pub use block::{Block, Status, Tally};
 pub use grid::{Axis, Grid};
 pub(crate) use in_order::in_order;
-pub use instructions::Instructions;
 pub use points::Points;
 pub(crate) use points::refuse_repeated;
-pub use run::{Batch, CHUNK, Run, gradient_batch, simulate_batch};
+pub use question::Batch;
+pub use run::{CHUNK, Run, gradient_batch, simulate_batch};
 pub use sequence::Sequence;

@@ -1,6 +1,6 @@
+use super::elementary::elementary_functions;
 use super::hash::Hash;
 use crate::batch::{Batch, Points};
-use crate::number::elementary_functions;
 use crate::statistics::Summarized;
 use serde::{Deserialize, Serialize};
 
@@ -44,7 +44,7 @@ impl Question {
             derivatives: names(batch.wrt().iter().map(|by| by.name).collect()),
             largest_defect: format!("{:?}", batch.largest_defect()),
             summary: summarized.identity(),
-            instructions: format!("{} {}", std::env::consts::ARCH, batch.instructions()),
+            instructions: format!("{} {}", std::env::consts::ARCH, batch.level()),
             functions: format!("{:016x}", elementary_functions()),
             rows: points.rows(),
             parts,

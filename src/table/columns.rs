@@ -11,11 +11,6 @@ pub(super) fn refused(path: &Path, place: String, reason: impl Into<String>) -> 
     Error::Table { file: path.display().to_string(), place, reason: reason.into() }
 }
 
-/// Refuses the column of this number, from 0.
-pub(super) fn refused_column(path: &Path, (at, error): (usize, Error)) -> Error {
-    refused(path, format!(", column {}", at + 1), error.to_string())
-}
-
 /// The columns of a table that drives are computed from.
 #[derive(Debug)]
 pub(super) struct Columns {
