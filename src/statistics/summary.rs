@@ -96,8 +96,8 @@ impl Summarized {
         for (column, name) in self.columns.iter().enumerate() {
             summary.moments.insert(name.clone(), Moments::of(block.result(column).flatten()));
         }
-        for ((column, bins), histogram) in self.bins.iter().zip(&mut summary.histograms) {
-            block.result(*column).flatten().for_each(|value| histogram.add(bins, value));
+        for ((column, _), histogram) in self.bins.iter().zip(&mut summary.histograms) {
+            block.result(*column).flatten().for_each(|value| histogram.add(value));
         }
         for ((column, _), ranking) in self.sought.iter().zip(&mut summary.best) {
             for (row, value) in block.result(*column).enumerate() {
