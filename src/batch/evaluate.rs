@@ -1,3 +1,5 @@
+//! The drives of a block: side by side where that is possible, the rows left over one by one.
+
 use super::abreast::{Abreast, DIRECTIONS};
 use super::block::{Block, Status};
 use super::question::Batch;
@@ -11,11 +13,14 @@ use crate::parameters::{Parameter, Setup};
 /// Halvings of the step within which a drive has to get below the largest defect.
 const HALVINGS: usize = 12;
 
-/// A block: drives side by side where that is possible, the rows left over one by one.
 impl Batch {
     /// The drives of some points, given one after the other.
+    ///
+    /// # Panics
+    /// Where the last point has not a value for each parameter.
     pub fn evaluate(&self, first_row: u64, points: Vec<f64>) -> Block {
         let rows = points.len() / self.parameters.len();
+        assert_eq!(points.len(), rows * self.parameters.len(), "a value for each parameter of each point");
         let empty = |columns: usize| vec![vec![f64::NAN; rows]; columns];
         let mut block = Block {
             first_row,
