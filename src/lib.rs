@@ -36,7 +36,8 @@
 //! | the parts of a sweep that is divided among processes and machines (feature `parquet`) | `parts` |
 //! | results to bytes | [`report`] |
 //! | published studies, computed anew | [`reproduce`] |
-//! | questions asked of a drive; of very many drives; of measured shots | [`study`], [`batch`], [`shots`] |
+//! | questions asked of a drive; measured shots | [`study`], [`shots`] |
+//! | very many drives; points that stand in files; statistics of a sweep | [`batch`], [`table`], [`statistics`] |
 //! | a bound-constrained minimiser that knows no golf; derivatives by name | [`optimize`], [`derivative`] |
 //! | setup → impact → flight → outcomes | [`drive`] |
 //! | rigid bodies; equation of motion and landing | [`impact`], [`flight`] |
@@ -73,7 +74,9 @@ pub mod parts;
 pub mod report;
 pub mod reproduce;
 pub mod shots;
+pub mod statistics;
 pub mod study;
+pub mod table;
 pub mod units;
 
 pub use drive::{Drive, Outcome};

@@ -2,8 +2,9 @@
 
 use crate::boundary::{Answer, Failure, answer};
 use crate::setup::PySetup;
-use longdrive::batch::{Axis, CHUNK, Grid, Points, Sequence, open_table};
+use longdrive::batch::{Axis, CHUNK, Grid, Points, Sequence};
 use longdrive::parameters::Vary;
+use longdrive::table::open_table;
 use numpy::IntoPyArray;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;

@@ -1,7 +1,7 @@
 //! Drives side by side: one in each lane of the processor's vector unit.
 
 use super::block::{Block, Status};
-use super::question::Kernel;
+use super::question::Batch;
 use crate::aerodynamics::AerodynamicLaw;
 use crate::drive::{Beyond, Part, Shown, Struck, flat, is_beside_any_face};
 use crate::flight::{Discretization, Flight, Inputs};
@@ -14,7 +14,7 @@ pub(super) const DIRECTIONS: usize = 3;
 
 /// The drives of a block, with derivatives by a few parameters.
 pub(super) struct Abreast<'a> {
-    pub kernel: &'a Kernel,
+    pub batch: &'a Batch,
     pub block: &'a mut Block,
     /// The parameters differentiated by, and the place of the first among all.
     pub wrt: &'a [&'static Parameter],
@@ -45,17 +45,16 @@ impl Abreast<'_> {
     /// is launched into the ground get their status here.
     #[inline(always)]
     fn line_up<V: Lanes<Lane = f64>>(&mut self) -> (Vec<(f64, usize)>, Vec<usize>) {
-        let kernel = self.kernel;
-        let shows_launch = kernel.of.iter().any(|outcome| outcome.part() != Part::Flight);
-        let mut setup = kernel.setup.constant::<V>();
+        let batch = self.batch;
+        let shows_launch = batch.of.iter().any(|outcome| outcome.part() != Part::Flight);
+        let mut setup = batch.setup.constant::<V>();
         let (mut flying, mut alone) = (vec![], vec![]);
-        let rows: Vec<usize> =
-            (0..self.block.rows()).filter(|&row| kernel.is_in_range(self.block.point(row))).collect();
+        let rows: Vec<usize> = (0..self.block.rows()).filter(|&row| batch.is_in_range(self.block.point(row))).collect();
         for rows in rows.chunks(V::WIDTH) {
             // the last group is filled up with copies of its last row
             let row_of = |lane: usize| rows[lane.min(rows.len() - 1)];
             let block = &*self.block;
-            setup.put(&kernel.parameters, |k| V::with_values(|lane| block.point(row_of(lane))[k]));
+            setup.put(&batch.parameters, |k| V::with_values(|lane| block.point(row_of(lane))[k]));
             let struck = Struck::new(&setup);
             for (lane, &row) in rows.iter().enumerate() {
                 let (up, ground) = (struck.launch.velocity.x.lane(lane), setup.ground.height.lane(lane));
@@ -77,17 +76,17 @@ impl Abreast<'_> {
     #[inline(always)]
     fn fly<J: Lanes<Lane: Derivatives>>(&mut self, rows: &[(f64, usize)], alone: &mut Vec<usize>) {
         // the setup with what is the same in every row: the swept parameters are still to be put in
-        let mut setup = self.kernel.setup.constant::<J>();
+        let mut setup = self.batch.setup.constant::<J>();
         setup.put(
             self.wrt,
             #[inline(always)]
             |k| {
-                let value = self.kernel.setup.value(self.wrt[k]).unwrap_or(f64::NAN);
+                let value = self.batch.setup.value(self.wrt[k]).unwrap_or(f64::NAN);
                 changing(J::constant(value), Some(k))
             },
         );
         let directions: Vec<Option<usize>> =
-            self.kernel.parameters.iter().map(|parameter| self.wrt.iter().position(|row| row == parameter)).collect();
+            self.batch.parameters.iter().map(|parameter| self.wrt.iter().position(|row| row == parameter)).collect();
         for group in rows.chunks(J::WIDTH) {
             self.fly_group(&mut setup, &directions, group, alone);
         }
@@ -101,25 +100,25 @@ impl Abreast<'_> {
         group: &[(f64, usize)],
         alone: &mut Vec<usize>,
     ) {
-        let kernel = self.kernel;
+        let batch = self.batch;
         let row_of = |lane: usize| group[lane.min(group.len() - 1)].1;
         let block = &*self.block;
         setup.put(
-            &kernel.parameters,
+            &batch.parameters,
             #[inline(always)]
             |k| changing(J::with_values(|lane| block.point(row_of(lane))[k]), directions[k]),
         );
-        let runs = kernel.of.iter().any(|outcome| outcome.is_of_the_run());
+        let has_run = batch.of.iter().any(|outcome| outcome.is_of_the_run());
         let struck = Struck::new(setup);
-        let inputs = Inputs::new(setup, &struck.launch, runs);
+        let inputs = Inputs::new(setup, &struck.launch, has_run);
         let [spin_ratio, spin, reynolds, air_speed] = inputs.stream();
         let (toe, high) = (setup.strike.toe, setup.strike.high);
         let (slope, side_slope) = (setup.ground.slope, setup.ground.side_slope);
-        let fitted = AerodynamicLaw::<f64>::fitted(&kernel.setup.law);
-        let has_apex = kernel.of.iter().any(|outcome| outcome.is_of_the_apex());
-        let has_head = struck.club_speed.is_some() && kernel.of.iter().any(|outcome| outcome.part() == Part::Head);
+        let fitted = AerodynamicLaw::<f64>::fitted(&batch.setup.law);
+        let has_apex = batch.of.iter().any(|outcome| outcome.is_of_the_apex());
+        let has_head = struck.club_speed.is_some() && batch.of.iter().any(|outcome| outcome.part() == Part::Head);
         let head = has_head.then(|| J::outlined(|| Head::new(&setup.club)));
-        let how = Discretization::of(&kernel.setup);
+        let how = Discretization::of(&batch.setup);
         let ended = inputs.follow(&how, J::Mask::first(group.len()), has_apex, &mut |_, _| ());
         for (lane, &(_, row)) in group.iter().enumerate() {
             let in_lane = inlined(
@@ -143,9 +142,9 @@ impl Abreast<'_> {
             self.block.beyond[row] = Beyond {
                 law: !fitted.holds([value(spin_ratio), value(spin), value(reynolds), value(air_speed)]),
                 face: club_speed.is_some() && is_beside_any_face(value(toe), value(high)),
-                flat: runs && flat([value(slope), value(side_slope)], &landed).is_some(),
+                flat: has_run && flat([value(slope), value(side_slope)], &landed).is_some(),
             };
-            for (i, outcome) in kernel.of.iter().enumerate() {
+            for (i, outcome) in batch.of.iter().enumerate() {
                 self.write(row, i, outcome.shown(&shown));
             }
         }
@@ -156,7 +155,7 @@ impl Abreast<'_> {
         let Some(number) = found else { return };
         self.block.outcomes[outcome][row] = number.re();
         for k in 0..self.wrt.len() {
-            let column = outcome * self.kernel.wrt.len() + self.first + k;
+            let column = outcome * self.batch.wrt.len() + self.first + k;
             self.block.derivatives[column][row] = number.first(k);
         }
     }
@@ -167,7 +166,7 @@ impl Abreast<'_> {
 fn changing<J: Lanes>(values: J, direction: Option<usize>) -> J {
     let changes_in = inlined(
         #[inline(always)]
-        |k: usize| J::Mask::first(if direction == Some(k) { J::WIDTH } else { 0 }),
+        |k: usize| if direction == Some(k) { J::Mask::first(J::WIDTH) } else { J::Mask::none() },
     );
     values.seeded(&changes_in, 0)
 }

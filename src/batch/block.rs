@@ -1,8 +1,11 @@
 use crate::drive::{Beyond, BeyondCount, Outcome, Part};
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 use std::fmt;
 
 /// How a drive of a batch ended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Status {
     /// On the ground: it has every outcome.
     Landed,
@@ -70,15 +73,9 @@ impl Tally {
         self.beyond.merge(other.beyond);
     }
 
-    /// The tally of counts by the statuses' names, and of the landed drives that lie beyond; unknown names are ignored.
-    pub fn of<'a>(counts: impl IntoIterator<Item = (&'a str, u64)>, beyond: BeyondCount) -> Self {
-        let mut tally = Self { beyond, ..Self::default() };
-        for (name, count) in counts {
-            if let Some(status) = Status::ALL.into_iter().find(|status| status.name() == name) {
-                tally.statuses[status as usize] = count;
-            }
-        }
-        tally
+    /// The tally of these counts, and of the landed drives that lie beyond.
+    pub fn of(counts: &BTreeMap<Status, u64>, beyond: BeyondCount) -> Self {
+        Self { statuses: Status::ALL.map(|status| counts.get(&status).copied().unwrap_or_default()), beyond }
     }
 
     /// How many of the landed drives lie beyond what the model is made for.
@@ -123,11 +120,6 @@ pub struct Block {
 }
 
 impl Block {
-    /// Sets the results of a row to NaN: there are none.
-    pub(super) fn clear(&mut self, row: usize) {
-        self.outcomes.iter_mut().chain(&mut self.derivatives).for_each(|column| column[row] = f64::NAN);
-    }
-
     /// The row of its first point, from 0.
     pub fn first_row(&self) -> u64 {
         self.first_row

@@ -1,5 +1,5 @@
 //! Drives by the million: the outcomes, and their exact derivatives, at every point of a grid, a quasi-random sequence
-//! or a table.
+//! or a table of points ([`table`](crate::table)).
 //!
 //! ```text
 //!   points ──chunks──▶ drives, side by side ──in order──▶ whoever takes the rows
@@ -31,29 +31,19 @@
 
 mod abreast;
 mod block;
+mod evaluate;
 mod grid;
-mod histogram;
 mod in_order;
-mod instructions;
-mod kernel;
-mod moments;
 mod points;
 mod question;
-mod ranking;
 mod run;
 mod sequence;
-mod summary;
-mod table;
 
 pub use block::{Block, Status, Tally};
 pub use grid::{Axis, Grid};
-pub use histogram::{Bins, Histogram};
 pub(crate) use in_order::in_order;
-pub use instructions::Instructions;
-pub use moments::Moments;
 pub use points::Points;
-pub use ranking::{Coordinate, Infinite, RankedRow, Ranking, Sought};
-pub use run::{Batch, CHUNK, Run, gradient_batch, simulate_batch};
+pub(crate) use points::refuse_repeated;
+pub use question::Batch;
+pub use run::{CHUNK, Run, gradient_batch, simulate_batch};
 pub use sequence::Sequence;
-pub use summary::{Summarized, Summary};
-pub use table::open_table;

@@ -37,7 +37,7 @@ pub trait Points {
 }
 
 /// A parameter that is given twice has two values.
-pub(super) fn refuse_repeated(parameters: &[&'static Parameter]) -> Result<()> {
+pub(crate) fn refuse_repeated(parameters: &[&'static Parameter]) -> Result<()> {
     for (at, parameter) in parameters.iter().enumerate() {
         if parameters[..at].contains(parameter) {
             let reason = "it is given twice; keep one".into();

@@ -8,6 +8,7 @@ mod delivery;
 mod face;
 mod friction;
 mod head;
+mod linear;
 mod mirror;
 mod rigid_body;
 

@@ -1,8 +1,9 @@
 use super::delivery::Delivery;
 use super::face::FacePoint;
 use super::head::Head;
+use super::linear::{SymmetricFactors, solve};
 use crate::error::{Error, Result};
-use crate::number::{Number, Numbers, SymmetricFactors, Vector, solve};
+use crate::number::{Number, Numbers, Vector};
 use crate::parameters::{Setup, SpeedOf};
 
 /// Two rigid bodies about to collide, in the head frame: a head that moves, and a ball at rest.

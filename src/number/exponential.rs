@@ -102,7 +102,7 @@ mod tests {
 
     #[test]
     fn measured_exponential_is_within_two_units_of_the_libm_one() {
-        for level in [Level::Baseline, Level::Four, Level::Eight] {
+        for level in Level::ALL {
             level.run(Exponentials);
         }
     }

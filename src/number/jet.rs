@@ -61,9 +61,7 @@ impl<const K: usize, B: Numbers> Jet<K, B> {
         jet.gradient[direction] = B::constant(1.0);
         jet
     }
-}
 
-impl<const K: usize, B: Numbers> Jet<K, B> {
     /// Chain rule: f(x) from f(x.re) and f′(x.re).
     #[inline(always)]
     fn chain(self, f: B, slope: B) -> Self {

@@ -3,18 +3,18 @@
 use super::Lanes;
 #[cfg(target_arch = "x86_64")]
 use super::{Pack4, Pack8};
+use std::fmt;
 
-/// Vector units worth another copy of the code.
+/// The instructions of the processor that drives are computed with: each level is another copy of the code. Drives computed with another
+/// agree to rounding only; with the same, by the same version of longdrive on the same operating system, to the last bit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) enum Level {
-    /// What every processor of the architecture can do.
+pub enum Level {
+    /// Those that every processor of the architecture has.
     Baseline,
-    /// Fused multiply–add and four numbers in a register (x86-64-v3).
-    #[cfg_attr(not(target_arch = "x86_64"), allow(dead_code))]
-    Four,
-    /// Eight numbers in a register (AVX-512).
-    #[cfg_attr(not(target_arch = "x86_64"), allow(dead_code))]
-    Eight,
+    /// AVX2 with FMA (x86-64-v3): four numbers in a register.
+    Avx2,
+    /// AVX-512 (F, DQ, VL) with FMA: eight numbers in a register.
+    Avx512,
 }
 
 /// Work that is compiled for each level, over the lanes it has. `run` and all that it calls on numbers must be
@@ -27,7 +27,19 @@ pub(crate) trait Task {
 }
 
 impl Level {
-    /// The best of this machine.
+    /// All, the fewest instructions first.
+    pub const ALL: [Self; 3] = [Self::Baseline, Self::Avx2, Self::Avx512];
+
+    /// The name on the command line: `avx2`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Baseline => "baseline",
+            Self::Avx2 => "avx2",
+            Self::Avx512 => "avx512",
+        }
+    }
+
+    /// The most that this processor has: what is used where nothing else is asked for.
     #[inline]
     pub fn here() -> Self {
         #[cfg(target_arch = "x86_64")]
@@ -37,10 +49,10 @@ impl Level {
                 && is_x86_feature_detected!("avx512vl")
                 && is_x86_feature_detected!("fma")
             {
-                return Self::Eight;
+                return Self::Avx512;
             }
             if is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma") {
-                return Self::Four;
+                return Self::Avx2;
             }
         }
         Self::Baseline
@@ -48,43 +60,49 @@ impl Level {
 
     /// This level or one below, for so many numbers: what fits into few lanes is quicker in those.
     #[inline]
-    pub fn of(self, count: usize) -> Self {
-        if count <= 4 { self.min(Self::Four) } else { self }
+    pub(crate) fn of(self, count: usize) -> Self {
+        if count <= 4 { self.min(Self::Avx2) } else { self }
     }
 
     /// How many lanes there are.
-    pub fn width(self) -> usize {
+    pub(crate) fn width(self) -> usize {
         match self {
             Self::Baseline => 1,
-            Self::Four => 4,
-            Self::Eight => 8,
+            Self::Avx2 => 4,
+            Self::Avx512 => 8,
         }
     }
 
     /// Runs a task at this level, or the best that the machine has below it.
     #[inline]
     #[allow(unsafe_code)]
-    pub fn run<W: Task>(self, task: W) -> W::Output {
+    pub(crate) fn run<W: Task>(self, task: W) -> W::Output {
         match self.min(Self::here()) {
             #[cfg(target_arch = "x86_64")]
             // SAFETY: the processor has been asked
-            Self::Eight => unsafe { with_eight(task) },
+            Self::Avx512 => unsafe { with_avx512(task) },
             #[cfg(target_arch = "x86_64")]
             // SAFETY: the processor has been asked
-            Self::Four => unsafe { with_four(task) },
+            Self::Avx2 => unsafe { with_avx2(task) },
             _ => task.run::<f64>(),
         }
     }
 }
 
+impl fmt::Display for Level {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2,fma")]
-fn with_four<W: Task>(task: W) -> W::Output {
+fn with_avx2<W: Task>(task: W) -> W::Output {
     task.run::<Pack4>()
 }
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2,fma,avx512f,avx512dq,avx512vl")]
-fn with_eight<W: Task>(task: W) -> W::Output {
+fn with_avx512<W: Task>(task: W) -> W::Output {
     task.run::<Pack8>()
 }

@@ -11,6 +11,11 @@ pub trait Mask: Copy + Debug + 'static + BitAnd<Output = Self> + BitOr<Output = 
     fn holds(self, lane: usize) -> bool;
     /// The mask that holds for the first of several.
     fn first(count: usize) -> Self;
+    /// The mask that holds for none.
+    #[inline(always)]
+    fn none() -> Self {
+        Self::first(0)
+    }
     /// The mask that holds for one, counted from 0, and for none where there are not so many.
     fn only(lane: usize) -> Self;
 }

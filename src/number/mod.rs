@@ -10,8 +10,6 @@
 mod bits;
 mod derivatives;
 mod dual;
-#[cfg(feature = "parquet")]
-mod elementary;
 #[cfg(target_arch = "x86_64")]
 mod exponential;
 mod fingerprint;
@@ -20,32 +18,27 @@ mod inlined;
 mod jet;
 mod lanes;
 mod level;
-mod linear;
 mod mask;
 mod outlined;
 #[cfg(target_arch = "x86_64")]
 mod pack;
 #[cfg(target_arch = "x86_64")]
 mod sine;
-mod surface;
 mod tanh;
 mod taylor;
 mod vector;
 
 pub(crate) use derivatives::Derivatives;
-#[cfg(feature = "parquet")]
-pub(crate) use elementary::elementary_functions;
 pub(crate) use fingerprint::Fingerprint;
 pub(crate) use held::{held_above, held_below, risen};
 pub(crate) use inlined::inlined;
 pub use jet::{Jet, Mixed};
 pub(crate) use lanes::{Lanes, MOST_LANES};
-pub(crate) use level::{Level, Task};
-pub(crate) use linear::{SymmetricFactors, solve};
+pub use level::Level;
+pub(crate) use level::Task;
 pub use mask::Mask;
 #[cfg(target_arch = "x86_64")]
 pub(crate) use pack::{Pack4, Pack8};
-pub(crate) use surface::{Cell, Surface, cells_of};
 pub use taylor::Taylor;
 pub use vector::Vector;
 

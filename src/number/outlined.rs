@@ -16,6 +16,6 @@ macro_rules! outlined {
 
 outlined!(plain);
 #[cfg(target_arch = "x86_64")]
-outlined!(four: "avx2,fma");
+outlined!(avx2: "avx2,fma");
 #[cfg(target_arch = "x86_64")]
-outlined!(eight: "avx2,fma,avx512f,avx512dq,avx512vl");
+outlined!(avx512: "avx2,fma,avx512f,avx512dq,avx512vl");

@@ -52,7 +52,7 @@ mod tests {
 
     #[test]
     fn measured_sine_and_cosine_are_within_two_units_of_the_libm_ones() {
-        for level in [Level::Baseline, Level::Four, Level::Eight] {
+        for level in Level::ALL {
             let worst = level.run(Sines);
             assert!(worst <= 2.0, "{level:?}: {worst}");
         }

@@ -37,6 +37,8 @@ pub struct Parameter {
     pub doc: &'static str,
     /// Required, optional or a setting.
     pub kind: Kind,
+    /// The value, SI, that it counts as where it is unset; `None` where no number says what then holds.
+    pub unset: Option<f64>,
     /// The aerodynamic law it is a coefficient of, if any.
     pub law: Option<&'static str>,
 }
@@ -49,11 +51,6 @@ impl Parameter {
         }
         // every default is read back in a test
         Some(self.quantity.read(self.default).unwrap_or(f64::NAN))
-    }
-
-    /// The value that an optional parameter has where it is unset, if its documentation says that this is 0.
-    pub(crate) fn value_unset(&self) -> Option<f64> {
-        (self.kind == Kind::Optional && self.doc.ends_with("unset: 0.")).then_some(0.0)
     }
 
     /// A message with a value of this parameter after it.
@@ -110,6 +107,12 @@ macro_rules! slot {
     (kind f64) => {
         Kind::Setting
     };
+    (unset) => {
+        None
+    };
+    (unset $value:literal) => {
+        Some($value)
+    };
     (default T $f:ident $row:ident) => {
         $f($row)
     };
@@ -143,7 +146,7 @@ macro_rules! slot {
 /// One struct with a public field per row, and the walks over its rows.
 macro_rules! parameter_struct {
     ($(#[doc = $doc:literal])* $Group:ident, $law:expr, {
-        $( $(#[doc = $field_doc:literal])+ $field:ident : $kind:ident $(<$of:ident>)? =
+        $( $(#[doc = $field_doc:literal])+ $field:ident : $kind:ident $(<$of:ident>)? $(or $unset:literal)? =
             $name:literal, $symbol:literal, $quantity:ident in $unit:literal, $range:expr, $default:literal, $source:literal; )+
     }) => {
         $(#[doc = $doc])*
@@ -167,6 +170,7 @@ macro_rules! parameter_struct {
                     source: $source,
                     doc: concat!($($field_doc),+).trim_ascii(),
                     kind: slot!(kind $kind),
+                    unset: slot!(unset $($unset)?),
                     law: $law,
                 } ),+];
                 &ROWS

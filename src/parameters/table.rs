@@ -1,7 +1,7 @@
 //! The table: every scalar of the model, declared once. A row is
 //! `field: type = name, symbol, quantity in unit, range, default, source of the default`, under its
-//! documentation; the type is `T`, `Option<T>` for a parameter that may be unset, or `f64` for a setting of the
-//! computation. The defaults are the preset `modern-driver`; ranges are what is physically possible.
+//! documentation; the type is `T`, `Option<T>` for a parameter that may be unset (`or 0.0` where it then counts as 0), or `f64` for a
+//! setting of the computation. The defaults are the preset `modern-driver`; ranges are what is physically possible.
 
 use super::club_speed::SpeedOf;
 use super::declare::{Kind, Parameter, Slot};
@@ -29,13 +29,13 @@ parameter_groups! {
         shaft_lean: T = "swing.shaft_lean", "σ", ANGLE in "deg", Range::within_degrees(90.0), "0 deg",
             "Winfield & Tan (1994): none";
         /// Forward bend of the shaft at impact, at a head speed of 100 mph: it adds to the loft; unset: 0.
-        shaft_bend: Option<T> = "swing.shaft_bend", "β", ANGLE in "deg", Range::within_degrees(45.0), "none",
+        shaft_bend: Option<T> or 0.0 = "swing.shaft_bend", "β", ANGLE in "deg", Range::within_degrees(45.0), "none",
             "a rigid shaft; drivers are taken to bend by 2 to 5 deg, docs/sources.md";
         /// Droop of the shaft at impact, at a head speed of 100 mph: it turns the toe down; unset: 0.
-        shaft_droop: Option<T> = "swing.shaft_droop", "δ_s", ANGLE in "deg", Range::within_degrees(45.0), "none",
+        shaft_droop: Option<T> or 0.0 = "swing.shaft_droop", "δ_s", ANGLE in "deg", Range::within_degrees(45.0), "none",
             "a rigid shaft; drivers are taken to droop by 1 to 4 deg, docs/sources.md";
         /// Growth of bend and droop with the head speed V: they are in proportion to V to this power; unset: 0.
-        shaft_growth: Option<T> = "swing.shaft_growth", "p_s", NUMBER in "", Range::from_to(0.0, 4.0), "none",
+        shaft_growth: Option<T> or 0.0 = "swing.shaft_growth", "p_s", NUMBER in "", Range::from_to(0.0, 4.0), "none",
             "the same bend at every head speed; 2 for a load in proportion to V² on a shaft whose stiffness stays";
         /// Head's angular velocity before impact, about the vertical; + closes the face.
         closure_x: T = "swing.closure.x", "ω_cx", ANGULAR_VELOCITY in "rad/s", Range::from_to(-1e4, 1e4), "0 rad/s",
@@ -95,27 +95,27 @@ parameter_groups! {
         face_semi_axis: Option<T> = "club.face_semi_axis", "P_k", LENGTH in "mm", Range::above_to(0.0, f64::INFINITY), "none",
             "√(R_b R_r): a sphere where bulge and roll are equal";
         /// Centre of mass above the centre of the face, along the face; strikes are measured from that centre; unset: 0.
-        cg_high: Option<T> = "club.cg_high", "c₁", LENGTH in "mm", Range::from_to(-0.1, 0.1), "none",
+        cg_high: Option<T> or 0.0 = "club.cg_high", "c₁", LENGTH in "mm", Range::from_to(-0.1, 0.1), "none",
             "the centre of mass lies behind the centre of the face";
         /// Centre of mass towards the toe from the centre of the face; strikes are measured from that centre; unset: 0.
-        cg_toe: Option<T> = "club.cg_toe", "c₂", LENGTH in "mm", Range::from_to(-0.1, 0.1), "none",
+        cg_toe: Option<T> or 0.0 = "club.cg_toe", "c₂", LENGTH in "mm", Range::from_to(-0.1, 0.1), "none",
             "the centre of mass lies behind the centre of the face";
         /// Mass of the first movable weight, beside club.mass; unset: 0.
-        weight_1_mass: Option<T> = "club.weight_1.mass", "M₁", MASS in "g", Range::from_to(0.0, 0.5), "none", "no movable weight";
+        weight_1_mass: Option<T> or 0.0 = "club.weight_1.mass", "M₁", MASS in "g", Range::from_to(0.0, 0.5), "none", "no movable weight";
         /// Place of the first movable weight: behind the face, along the normal at its centre; unset: 0.
-        weight_1_depth: Option<T> = "club.weight_1.depth", "d₁", LENGTH in "mm", Range::from_to(-0.1, 0.5), "none", "no movable weight";
+        weight_1_depth: Option<T> or 0.0 = "club.weight_1.depth", "d₁", LENGTH in "mm", Range::from_to(-0.1, 0.5), "none", "no movable weight";
         /// Place of the first movable weight: towards the toe from the centre of the face; unset: 0.
-        weight_1_toe: Option<T> = "club.weight_1.toe", "y₁", LENGTH in "mm", Range::from_to(-0.2, 0.2), "none", "no movable weight";
+        weight_1_toe: Option<T> or 0.0 = "club.weight_1.toe", "y₁", LENGTH in "mm", Range::from_to(-0.2, 0.2), "none", "no movable weight";
         /// Place of the first movable weight: above the centre of the face, along the face; unset: 0.
-        weight_1_high: Option<T> = "club.weight_1.high", "x₁", LENGTH in "mm", Range::from_to(-0.2, 0.2), "none", "no movable weight";
+        weight_1_high: Option<T> or 0.0 = "club.weight_1.high", "x₁", LENGTH in "mm", Range::from_to(-0.2, 0.2), "none", "no movable weight";
         /// Mass of the second movable weight, beside club.mass; unset: 0.
-        weight_2_mass: Option<T> = "club.weight_2.mass", "M₂", MASS in "g", Range::from_to(0.0, 0.5), "none", "no movable weight";
+        weight_2_mass: Option<T> or 0.0 = "club.weight_2.mass", "M₂", MASS in "g", Range::from_to(0.0, 0.5), "none", "no movable weight";
         /// Place of the second movable weight: behind the face, along the normal at its centre; unset: 0.
-        weight_2_depth: Option<T> = "club.weight_2.depth", "d₂", LENGTH in "mm", Range::from_to(-0.1, 0.5), "none", "no movable weight";
+        weight_2_depth: Option<T> or 0.0 = "club.weight_2.depth", "d₂", LENGTH in "mm", Range::from_to(-0.1, 0.5), "none", "no movable weight";
         /// Place of the second movable weight: towards the toe from the centre of the face; unset: 0.
-        weight_2_toe: Option<T> = "club.weight_2.toe", "y₂", LENGTH in "mm", Range::from_to(-0.2, 0.2), "none", "no movable weight";
+        weight_2_toe: Option<T> or 0.0 = "club.weight_2.toe", "y₂", LENGTH in "mm", Range::from_to(-0.2, 0.2), "none", "no movable weight";
         /// Place of the second movable weight: above the centre of the face, along the face; unset: 0.
-        weight_2_high: Option<T> = "club.weight_2.high", "x₂", LENGTH in "mm", Range::from_to(-0.2, 0.2), "none", "no movable weight";
+        weight_2_high: Option<T> or 0.0 = "club.weight_2.high", "x₂", LENGTH in "mm", Range::from_to(-0.2, 0.2), "none", "no movable weight";
     }
 
     /// The ball.
@@ -138,7 +138,7 @@ parameter_groups! {
             "USGA limit 0.822 + 0.008, which modern drivers reach";
         /// Growth of the restitution with the speed at which face and ball close along the normal; the restitution is then that at
         /// 160 ft/s, the speed of the USGA's test; unset: 0.
-        restitution_slope: Option<T> = "impact.restitution_slope", "e_v", PER_SPEED in "s/m", Range::from_to(-0.1, 0.1), "none",
+        restitution_slope: Option<T> or 0.0 = "impact.restitution_slope", "e_v", PER_SPEED in "s/m", Range::from_to(-0.1, 0.1), "none",
             "the same restitution at every speed; −0.0029 s/m for a solid plate in Penner (2001), after Lieberman & Johnson";
         /// Tangential coefficient of restitution: 0 no slip at exit, −1 a frictionless face, 1 elastic.
         tangential_restitution: T = "impact.tangential_restitution", "e_t", NUMBER in "", Range::from_to(-1.0, 1.0), "-0.15",
@@ -161,19 +161,19 @@ parameter_groups! {
         launch_angle: Option<T> = "launch.launch_angle", "γ_0", ANGLE in "deg", Range::within_degrees(90.0), "none",
             "the club strikes the ball";
         /// Launch direction, + right; unset: 0.
-        launch_direction: Option<T> = "launch.launch_direction", "φ_0", ANGLE in "deg", Range::within_degrees(180.0), "none",
+        launch_direction: Option<T> or 0.0 = "launch.launch_direction", "φ_0", ANGLE in "deg", Range::within_degrees(180.0), "none",
             "the target line";
         /// Backspin at launch.
         backspin: Option<T> = "launch.backspin", "ω_b", ANGULAR_VELOCITY in "rpm", Range::from_to(-1e5, 1e5), "none",
             "the club strikes the ball";
         /// Sidespin at launch, + curves right; unset: 0.
-        sidespin: Option<T> = "launch.sidespin", "ω_s", ANGULAR_VELOCITY in "rpm", Range::from_to(-1e5, 1e5), "none",
+        sidespin: Option<T> or 0.0 = "launch.sidespin", "ω_s", ANGULAR_VELOCITY in "rpm", Range::from_to(-1e5, 1e5), "none",
             "no sidespin";
         /// Total spin at launch, in place of backspin and sidespin.
         spin: Option<T> = "launch.spin", "|ω_0|", ANGULAR_VELOCITY in "rpm", Range::from_to(0.0, 1e5), "none",
             "the club strikes the ball";
         /// Tilt of the spin axis at launch, + right, beside the total spin; unset: 0.
-        spin_axis: Option<T> = "launch.spin_axis", "atan2(ω_s, ω_b)", ANGLE in "deg", Range::within_degrees(180.0), "none",
+        spin_axis: Option<T> or 0.0 = "launch.spin_axis", "atan2(ω_s, ω_b)", ANGLE in "deg", Range::within_degrees(180.0), "none",
             "a level axis";
     }
 
@@ -205,7 +205,7 @@ parameter_groups! {
         spin_decay: T = "aero.spin_decay", "δ", RATE in "1/s", Range::from_to(0.0, 100.0), "0.03 1/s",
             "TrackMan, driver: 3.1, 8.8 and 12.8 % lost in 1, 3 and 5 s (US patent 8016695, table 6B)";
         /// Decay of the spin with the distance through the air: dω/dt = −κ ω |v_r|/R on top of δ; unset: 0.
-        spin_damping: Option<T> = "aero.spin_damping", "κ", NUMBER in "", Range::from_to(0.0, 1.0), "none",
+        spin_damping: Option<T> or 0.0 = "aero.spin_damping", "κ", NUMBER in "", Range::from_to(0.0, 1.0), "none",
             "2.0e-5 in Smits & Smith (1994), Penner (2001) eq. 16";
     }
 

@@ -1,7 +1,7 @@
 use super::hash::Hash;
 use super::question::Question;
-use crate::batch::Summary;
 use crate::foreign::{of_io, of_parquet};
+use crate::statistics::Summary;
 use parquet::file::metadata::{KeyValue, ParquetMetaDataReader};
 use serde::{Deserialize, Serialize};
 use std::fs::File;

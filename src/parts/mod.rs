@@ -35,6 +35,7 @@
 //! ```
 
 mod check;
+mod elementary;
 mod footer;
 mod hash;
 mod question;

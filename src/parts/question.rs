@@ -1,6 +1,7 @@
+use super::elementary::elementary_functions;
 use super::hash::Hash;
-use crate::batch::{Batch, Points, Summarized};
-use crate::number::elementary_functions;
+use crate::batch::{Batch, Points};
+use crate::statistics::Summarized;
 use serde::{Deserialize, Serialize};
 
 /// What makes the files of a sweep different from those of another: the same question gives the same bytes of each part. Numbers are
@@ -43,7 +44,7 @@ impl Question {
             derivatives: names(batch.wrt().iter().map(|by| by.name).collect()),
             largest_defect: format!("{:?}", batch.largest_defect()),
             summary: summarized.identity(),
-            instructions: format!("{} {}", std::env::consts::ARCH, batch.instructions()),
+            instructions: format!("{} {}", std::env::consts::ARCH, batch.level()),
             functions: format!("{:016x}", elementary_functions()),
             rows: points.rows(),
             parts,

@@ -86,7 +86,7 @@ impl Designed<'_> {
 
     /// The value of a parameter as set up: what it means to be unset, where that is 0.
     fn own(&self, parameter: &Parameter) -> Option<f64> {
-        self.setup.value(parameter).or_else(|| parameter.value_unset())
+        self.setup.value(parameter).or(parameter.unset)
     }
 
     /// What holds the design, its value, and its margin or its price.

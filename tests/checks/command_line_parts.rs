@@ -3,7 +3,7 @@
 
 use crate::command_line::{json, longdrive, number};
 use assert_cmd::cargo::cargo_bin;
-use longdrive::batch::Instructions;
+use longdrive::number::Level;
 use longdrive::parts::{Manifest, Question, check, file_name, merge};
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::Field;
@@ -376,9 +376,9 @@ fn a_kill_and_a_full_disk_leave_no_part_and_the_same_command_writes_it() {
 
 #[test]
 fn instructions_are_named_in_each_part_kept_apart_and_the_same_when_repeated() {
-    let most = Instructions::here();
+    let most = Level::here();
     let mut sets: Vec<Vec<Vec<Vec<Option<String>>>>> = vec![];
-    for instructions in Instructions::ALL.into_iter().filter(|known| *known <= most) {
+    for instructions in Level::ALL.into_iter().filter(|known| *known <= most) {
         let asked = [&question()[..], &["--instructions", instructions.name()]].concat();
         let (set, again) = (Set::new(&asked), Set::new(&asked));
         assert!(bytes(set.path()) == bytes(again.path()), "{instructions}");
@@ -409,7 +409,7 @@ fn instructions_are_named_in_each_part_kept_apart_and_the_same_when_repeated() {
             }
         }
     }
-    if let Some(lacking) = Instructions::ALL.into_iter().find(|known| *known > most) {
+    if let Some(lacking) = Level::ALL.into_iter().find(|known| *known > most) {
         let said = longdrive(&[&DRIVES[..], &["--instructions", lacking.name()]].concat());
         assert_eq!(said.status, 2);
         assert!(said.err.contains(&format!("the most it has is {most}")), "{}", said.err);

@@ -4,7 +4,7 @@ use crate::command_line::{json, longdrive};
 use crate::common::close;
 use crate::sweep::table;
 use longdrive::Setup;
-use longdrive::batch::open_table;
+use longdrive::table::open_table;
 
 #[test]
 fn a_table_of_a_head_alone_is_refused() {

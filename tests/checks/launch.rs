@@ -2,7 +2,8 @@
 
 use crate::command_line::{json, longdrive, number};
 use crate::common::close;
-use longdrive::batch::{Batch, Run, Status, open_table};
+use longdrive::batch::{Batch, Run, Status};
+use longdrive::table::open_table;
 use longdrive::{Drive, Error, Outcome, Setup, derivative};
 
 /// A launch of this setup, given by its conditions.

@@ -2,9 +2,10 @@
 
 use crate::common::close;
 use longdrive::batch::{Axis, Batch, Block, CHUNK, Grid, Points, Run, Sequence, Status, Tally};
-use longdrive::batch::{gradient_batch, open_table, simulate_batch};
+use longdrive::batch::{gradient_batch, simulate_batch};
 use longdrive::parameters::{Parameter, Vary};
 use longdrive::report::{SweepCsv, SweepJsonLines};
+use longdrive::table::open_table;
 use longdrive::{Drive, Error, Outcome, Setup, derivative};
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};

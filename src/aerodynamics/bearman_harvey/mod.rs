@@ -2,8 +2,8 @@ mod grid;
 
 use super::gridded::gridded;
 use super::{AerodynamicLaw, Coefficients, Fitted, Published, Stream};
-use crate::number::{Cell, Numbers, Surface, cells_of};
-use crate::parameters::{Along, Axis, BearmanHarvey, Grid};
+use crate::number::Numbers;
+use crate::parameters::{Along, Axis, BearmanHarvey, Cell, Grid, Surface, cells_of};
 use grid::{DRAG, LIFT, SPEEDS, SPINS};
 use std::f64::consts::PI;
 use std::sync::LazyLock;

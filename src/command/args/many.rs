@@ -2,7 +2,7 @@
 
 use super::Question;
 use super::number::{U32, whole};
-use crate::batch::Instructions;
+use crate::number::Level;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use std::path::PathBuf;
 
@@ -70,7 +70,7 @@ pub struct Sweep {
     /// The instructions of the processor to compute with [default: the most that it has]. Drives computed with others agree to rounding only:
     /// where the machines of a cluster differ, name those that all of them have.
     #[arg(long, value_name = "NAME", value_parser = instructions())]
-    pub instructions: Option<Instructions>,
+    pub instructions: Option<Level>,
 
     /// The file to write; its ending says in which format (.csv, .jsonl, .parquet). "-" is standard output.
     #[arg(long, short, value_name = "FILE", default_value = "-")]
@@ -99,10 +99,9 @@ pub struct Sweep {
 }
 
 /// Reads the instructions of a processor.
-fn instructions() -> impl TypedValueParser<Value = Instructions> {
-    let named = |name: String| Instructions::ALL.into_iter().find(|known| known.name() == name);
-    PossibleValuesParser::new(Instructions::ALL.map(Instructions::name))
-        .map(move |name| named(name).unwrap_or(Instructions::Baseline))
+fn instructions() -> impl TypedValueParser<Value = Level> {
+    let named = |name: String| Level::ALL.into_iter().find(|known| known.name() == name);
+    PossibleValuesParser::new(Level::ALL.map(Level::name)).map(move |name| named(name).unwrap_or(Level::Baseline))
 }
 
 /// A part of a sweep.

@@ -45,7 +45,7 @@ impl Asked {
             batch = batch.with_largest_defect(found.largest_defect);
         }
         if let Some(instructions) = args.instructions {
-            batch = batch.with_instructions(instructions)?;
+            batch = batch.with_level(instructions)?;
         }
         Ok(Self { setup, points, batch, notes })
     }

@@ -1,5 +1,5 @@
 use super::rows::Question;
-use crate::batch::Tally;
+use crate::batch::{Status, Tally};
 use crate::beside::beside;
 use crate::drive::BeyondCount;
 use serde::{Deserialize, Serialize};
@@ -27,7 +27,7 @@ pub struct Entry {
     /// In how many bytes.
     pub bytes: u64,
     /// How many drives ended how.
-    pub drives: BTreeMap<String, u64>,
+    pub drives: BTreeMap<Status, u64>,
     /// How many landed; of these, how many begin with what the law was not fitted to, and how many with a strike beside any face; and how
     /// many land too flat.
     pub beyond: [u64; 4],
@@ -38,12 +38,11 @@ pub struct Entry {
 
 impl Entry {
     pub fn new(rows: u64, bytes: u64, tally: Tally, group: &[u8]) -> Self {
-        let drives = tally.counts().map(|(status, count)| (status.name().to_owned(), count)).collect();
         let BeyondCount { all, law, face, flat } = tally.beyond();
         Self {
             rows,
             bytes,
-            drives,
+            drives: tally.counts().collect(),
             beyond: [all, law, face, flat],
             group: group.iter().map(|byte| format!("{byte:02x}")).collect(),
         }
@@ -51,7 +50,7 @@ impl Entry {
 
     pub fn tally(&self) -> Tally {
         let [all, law, face, flat] = self.beyond;
-        Tally::of(self.drives.iter().map(|(name, count)| (name.as_str(), *count)), BeyondCount { all, law, face, flat })
+        Tally::of(&self.drives, BeyondCount { all, law, face, flat })
     }
 
     /// The metadata of the row group.

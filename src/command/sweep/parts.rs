@@ -1,7 +1,7 @@
 //! A sweep in parts, each a file of its own.
 
 use super::asked::Asked;
-use crate::batch::{Bins, Run, Sought};
+use crate::batch::Run;
 use crate::command::args::{PartOf, Sweep};
 use crate::command::files::{refused, unwritable};
 use crate::command::interrupt;
@@ -9,6 +9,7 @@ use crate::command::output::{Answer, bar, system, tell, warn};
 use crate::drive::Looked;
 use crate::parts::{self, Checked, Dataset, Manifest, Question, Written};
 use crate::report::{Reply, summary_text};
+use crate::statistics::{Bins, Sought};
 use crate::units::{Message, counted};
 use crate::{Error, Result};
 use serde::Serialize;

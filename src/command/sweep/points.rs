@@ -1,6 +1,7 @@
-use crate::batch::{Axis, Grid, Points, Sequence, open_table};
+use crate::batch::{Axis, Grid, Points, Sequence};
 use crate::command::args::Sweep;
 use crate::parameters::Vary;
+use crate::table::open_table;
 use crate::{Error, Result, Setup};
 
 /// The points that are asked for.

@@ -2,7 +2,7 @@
 
 use super::grid::{Along, Axis, Grid};
 use super::read::{Node, Nodes, Wrong};
-use crate::number::{Cell, Surface};
+use super::surface::{Cell, Surface};
 
 /// Below this spin ratio, slower spin than any drive has, a table that says nothing of the spin has less lift, and none without spin.
 const LIFT_BEGINS: f64 = 0.02;

@@ -1,4 +1,4 @@
-use crate::number::Surface;
+use super::surface::Surface;
 use crate::units::Quantity;
 
 /// What a table of drag and lift goes along.

@@ -3,9 +3,11 @@
 mod check;
 mod grid;
 mod read;
+mod surface;
 
 pub(crate) use grid::Grid;
 pub use grid::{Along, Axis};
+pub(crate) use surface::{Cell, Surface, cells_of};
 
 use crate::error::{Error, Result};
 use crate::foreign::of_io;

@@ -1,8 +1,8 @@
-use crate::batch::{Coordinate, Histogram, Infinite, Ranking, Summary};
 use crate::drive::Outcome;
 use crate::parameters::Setup;
 use crate::report::shown;
 use crate::report::table::table;
+use crate::statistics::{Coordinate, Histogram, Infinite, Ranking, Summary};
 use crate::units::{System, counted, significant};
 
 /// What the rows of a sweep are like in all, as tables: how they ended, the moments of each column, histograms and best rows. Outcomes are in the
@@ -35,11 +35,8 @@ fn quantity(column: &str, value: f64, system: System) -> String {
 }
 
 fn histogram_text(histogram: &Histogram, system: System) -> String {
-    let Histogram { of, range: [low, high], below, counts, above } = histogram;
-    let edge = |i: usize| {
-        let value = low + (high - low) * i as f64 / counts.len() as f64;
-        quantity(of, if i == counts.len() { *high } else { value }, system)
-    };
+    let Histogram { of, below, counts, above, .. } = histogram;
+    let edge = |i: usize| quantity(of, histogram.edge(i), system);
     let below = (*below > 0).then(|| vec![format!("below {}", edge(0)), below.to_string()]);
     let above = (*above > 0).then(|| vec![format!("above {}", edge(counts.len())), above.to_string()]);
     let bins = counts.iter().enumerate().filter(|(_, count)| **count > 0);

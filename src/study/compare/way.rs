@@ -92,7 +92,7 @@ impl Way {
             if is_of_the_whole || is_replaced || parameter.kind == Kind::Setting {
                 continue;
             }
-            match ends.each_ref().map(|setup| setup.value(parameter).or(parameter.value_unset())) {
+            match ends.each_ref().map(|setup| setup.value(parameter).or(parameter.unset)) {
                 [from, to] if from == to => {}
                 [Some(from), Some(to)] if from.is_finite() && to.is_finite() => {
                     ends[0].put(&[parameter], |_| from);

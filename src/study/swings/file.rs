@@ -1,9 +1,10 @@
 use super::golfer::{Correlation, Swings};
-use crate::batch::{Points, open_table};
+use crate::batch::Points;
 use crate::error::{Error, Result};
 use crate::foreign::of_toml;
 use crate::parameters::{Setup, in_file, place_in};
 use crate::study::uncertainty::Uncertain;
+use crate::table::open_table;
 use std::path::Path;
 use toml::de::{DeTable, DeValue};
 

@@ -136,7 +136,7 @@ impl SwingsProblem {
                 let place = self.vary.iter().position(|vary| vary == parameter);
                 (
                     place.map_or_else(
-                        || self.setup.value(parameter).or(parameter.value_unset()).unwrap_or(f64::NAN),
+                        || self.setup.value(parameter).or(parameter.unset).unwrap_or(f64::NAN),
                         |place| x[place],
                     ),
                     place,
@@ -188,9 +188,7 @@ impl SwingsProblem {
     /// Where a swing does not fly, or the work is stopped.
     pub fn as_set_up(&self, weights: &[f64]) -> Result<Vec<f64>> {
         let drives = self.evaluators(&self.set_up, &[], Order::Value)?;
-        let own = |parameter: &&'static Parameter| {
-            self.set_up.value(parameter).or_else(|| parameter.value_unset()).unwrap_or(f64::NAN)
-        };
+        let own = |parameter: &&'static Parameter| self.set_up.value(parameter).or(parameter.unset).unwrap_or(f64::NAN);
         let own: Vec<f64> = self.vary.iter().map(own).collect();
         let flown = self
             .flown(&drives, &[], Order::Value, &self.stop)

@@ -92,7 +92,7 @@ fn sum(setup: &Setup<f64>, expression: &str, name: &str, part: &Part<'_>) -> Res
         let (amount, measure) = match parameter {
             None => (amount, Measure::One),
             Some(name) => {
-                let unset = setup.column(name).ok().filter(|parameter| parameter.value_unset().is_some());
+                let unset = setup.column(name).ok().filter(|parameter| parameter.unset.is_some());
                 let parameter =
                     unset.map_or_else(|| setup.variable(name), Ok).map_err(|error| wrong(error.to_string()))?;
                 (amount.times(parameter.quantity), Measure::Parameter(parameter))

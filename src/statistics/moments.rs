@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 /// so that no digits are lost where the spread is small beside the mean.
 ///
 /// ```
-/// use longdrive::batch::Moments;
+/// use longdrive::statistics::Moments;
 /// let mut all = Moments::of([1.0, 2.0]);
 /// all.merge(&Moments::of([6.0]));
 /// // mean 3, squared deviations 4 + 1 + 9

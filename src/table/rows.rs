@@ -1,6 +1,5 @@
 use super::columns::Columns;
-use crate::batch::points::Points;
-use crate::batch::{CHUNK, Status};
+use crate::batch::{CHUNK, Points, Status};
 use crate::error::Result;
 use crate::number::Fingerprint;
 use crate::parameters::{Parameter, Vary};

@@ -25,9 +25,9 @@ impl Bins {
     /// that of the high end.
     ///
     /// ```
-    /// use longdrive::batch::Bins;
+    /// use longdrive::statistics::Bins;
     /// let bins = Bins::read("carry=200..300m:4").unwrap();
-    /// assert_eq!((0..=4).map(|i| bins.edge(i)).collect::<Vec<_>>(), [200.0, 225.0, 250.0, 275.0, 300.0]);
+    /// assert_eq!((bins.low, bins.high, bins.count), (200.0, 300.0, 4));
     /// assert!(Bins::read("carry=300m..200m").is_err());
     /// ```
     ///
@@ -61,25 +61,6 @@ impl Bins {
         Ok(Self { of, low, high, count })
     }
 
-    /// Where bin number `i` begins: low + (high − low) i/count.
-    pub fn edge(&self, i: usize) -> f64 {
-        if i >= self.count { self.high } else { self.low + (self.high - self.low) * i as f64 / self.count as f64 }
-    }
-
-    /// The bin that a value from `low` to `high` is in: edge(i) ≤ value < edge(i + 1), and `high` itself is in the last.
-    fn bin(&self, value: f64) -> usize {
-        let at = ((value - self.low) / (self.high - self.low) * self.count as f64) as usize;
-        let mut at = at.min(self.count - 1);
-        // the edges decide, not the rounding of the quotient
-        while at > 0 && value < self.edge(at) {
-            at -= 1;
-        }
-        while at + 1 < self.count && value >= self.edge(at + 1) {
-            at += 1;
-        }
-        at
-    }
-
     /// The bins in words that tell them from any others.
     pub fn identity(&self) -> String {
         format!("{}={:?}..{:?}:{}", self.of.name(), self.low, self.high, self.count)
@@ -89,10 +70,10 @@ impl Bins {
 /// How many values of an outcome lie in each of some bins.
 ///
 /// ```
-/// use longdrive::batch::{Bins, Histogram};
-/// let bins = Bins::read("carry=200m..300m:4").unwrap();
-/// let mut histogram = Histogram::new(&bins);
-/// [199.9, 200.0, 224.9, 225.0, 300.0, 300.1].into_iter().for_each(|carry| histogram.add(&bins, carry));
+/// use longdrive::statistics::{Bins, Histogram};
+/// let mut histogram = Histogram::new(&Bins::read("carry=200m..300m:4").unwrap());
+/// assert_eq!((0..=4).map(|i| histogram.edge(i)).collect::<Vec<_>>(), [200.0, 225.0, 250.0, 275.0, 300.0]);
+/// [199.9, 200.0, 224.9, 225.0, 300.0, 300.1].into_iter().for_each(|carry| histogram.add(carry));
 /// assert_eq!((histogram.below, &histogram.counts[..], histogram.above), (1, &[2, 1, 0, 1][..], 1));
 /// ```
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -121,13 +102,36 @@ impl Histogram {
         }
     }
 
+    /// Where bin number `i` begins: low + (high − low) i/count.
+    pub fn edge(&self, i: usize) -> f64 {
+        let ([low, high], count) = (self.range, self.counts.len());
+        if i >= count { high } else { low + (high - low) * i as f64 / count as f64 }
+    }
+
     /// Counts a finite value.
-    pub fn add(&mut self, bins: &Bins, value: f64) {
+    pub fn add(&mut self, value: f64) {
         match value {
-            value if value < bins.low => self.below += 1,
-            value if value > bins.high => self.above += 1,
-            value => self.counts[bins.bin(value)] += 1,
+            value if value < self.range[0] => self.below += 1,
+            value if value > self.range[1] => self.above += 1,
+            value => {
+                let bin = self.bin(value);
+                self.counts[bin] += 1;
+            }
         }
+    }
+
+    /// The bin that a value in the range is in: edge(i) ≤ value < edge(i + 1), and the upper end itself is in the last.
+    fn bin(&self, value: f64) -> usize {
+        let ([low, high], last) = (self.range, self.counts.len() - 1);
+        let mut at = (((value - low) / (high - low) * self.counts.len() as f64) as usize).min(last);
+        // the edges decide, not the rounding of the quotient
+        while at > 0 && value < self.edge(at) {
+            at -= 1;
+        }
+        while at < last && value >= self.edge(at + 1) {
+            at += 1;
+        }
+        at
     }
 
     /// Adds the counts of other rows in the same bins.

@@ -1,10 +1,10 @@
-use super::{Number, Numbers, inlined};
+use crate::number::{Number, Numbers, inlined};
 
 /// Solves A x = b by Gaussian elimination with partial pivoting. `None` where A is exactly singular or holds a number that is not finite.
 ///
 /// nalgebra's and num-dual's decompositions ask for more than [`Number`] offers; a number type of our own
 /// need not be a field in their sense.
-pub(crate) fn solve<T: Number, const N: usize>(mut a: [[T; N]; N], mut b: [T; N]) -> Option<[T; N]> {
+pub(super) fn solve<T: Number, const N: usize>(mut a: [[T; N]; N], mut b: [T; N]) -> Option<[T; N]> {
     for column in 0..N {
         let pivot = (column..N).max_by(|&i, &j| {
             let size = |row: usize| a[row][column].re().abs();
@@ -38,7 +38,7 @@ pub(crate) fn solve<T: Number, const N: usize>(mut a: [[T; N]; N], mut b: [T; N]
 /// A symmetric 3 × 3 matrix as L D Lᵀ, without a pivot: exact to rounding where it is positive definite, which inertia
 /// tensors and compliances are. There is no branch in it.
 #[derive(Clone, Copy)]
-pub(crate) struct SymmetricFactors<T> {
+pub(super) struct SymmetricFactors<T> {
     /// 1/D.
     inverse_pivots: [T; 3],
     /// L below its diagonal of ones: (1,0), (2,0), (2,1).

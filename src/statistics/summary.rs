@@ -1,8 +1,7 @@
-use super::block::{Block, Status, Tally};
 use super::histogram::{Bins, Histogram};
 use super::moments::Moments;
 use super::ranking::{Ranking, Sought};
-use super::run::Batch;
+use crate::batch::{Batch, Block, Status, Tally};
 use crate::drive::{BeyondCount, Outcome};
 use crate::error::{Error, Result};
 use serde::{Deserialize, Serialize};
@@ -22,8 +21,8 @@ pub struct Summarized {
 /// last bit.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Summary {
-    /// How many drives ended how, by the names of [`Status`].
-    pub statuses: BTreeMap<String, u64>,
+    /// How many drives ended how.
+    pub statuses: BTreeMap<Status, u64>,
     /// Of the drives that landed: how many begin with what the law was not fitted to, how many were struck beside any face, and how
     /// many landed flatter than any bounce that was measured.
     pub beyond: [u64; 3],
@@ -78,7 +77,7 @@ impl Summarized {
     /// The summary of no rows.
     pub fn none(&self) -> Summary {
         Summary {
-            statuses: Status::ALL.iter().map(|status| (status.name().to_owned(), 0)).collect(),
+            statuses: Tally::default().counts().collect(),
             beyond: [0; 3],
             moments: self.columns.iter().map(|name| (name.clone(), Moments::default())).collect(),
             histograms: self.bins.iter().map(|(_, bins)| Histogram::new(bins)).collect(),
@@ -91,16 +90,14 @@ impl Summarized {
         let mut summary = self.none();
         let mut tally = Tally::default();
         tally.add(block);
-        for (status, count) in tally.counts() {
-            summary.statuses.insert(status.name().into(), count);
-        }
+        summary.statuses = tally.counts().collect();
         let BeyondCount { law, face, flat, .. } = tally.beyond();
         summary.beyond = [law, face, flat];
         for (column, name) in self.columns.iter().enumerate() {
             summary.moments.insert(name.clone(), Moments::of(block.result(column).flatten()));
         }
-        for ((column, bins), histogram) in self.bins.iter().zip(&mut summary.histograms) {
-            block.result(*column).flatten().for_each(|value| histogram.add(bins, value));
+        for ((column, _), histogram) in self.bins.iter().zip(&mut summary.histograms) {
+            block.result(*column).flatten().for_each(|value| histogram.add(value));
         }
         for ((column, _), ranking) in self.sought.iter().zip(&mut summary.best) {
             for (row, value) in block.result(*column).enumerate() {
@@ -118,7 +115,7 @@ impl Summary {
     /// Adds that of rows that come after, of the same batch.
     pub fn merge(&mut self, after: &Self) {
         for (status, count) in &after.statuses {
-            *self.statuses.entry(status.clone()).or_default() += count;
+            *self.statuses.entry(*status).or_default() += count;
         }
         self.beyond.iter_mut().zip(after.beyond).for_each(|(ours, theirs)| *ours += theirs);
         for (column, moments) in &after.moments {
@@ -131,9 +128,8 @@ impl Summary {
     /// How the drives ended, as a tally.
     pub fn tally(&self) -> Tally {
         let [law, face, flat] = self.beyond;
-        let all = self.statuses.get(Status::Landed.name()).copied().unwrap_or_default();
-        let counts = self.statuses.iter().map(|(name, count)| (name.as_str(), *count));
-        Tally::of(counts, BeyondCount { all, law, face, flat })
+        let all = self.statuses.get(&Status::Landed).copied().unwrap_or_default();
+        Tally::of(&self.statuses, BeyondCount { all, law, face, flat })
     }
 
     /// How many rows there are.

@@ -1,6 +1,8 @@
+//! The drives of a block: side by side where that is possible, the rows left over one by one.
+
 use super::abreast::{Abreast, DIRECTIONS};
 use super::block::{Block, Status};
-use super::question::Kernel;
+use super::question::Batch;
 use crate::derivative::{Evaluator, Order};
 use crate::drive::{Beyond, Drive, Looked, Outcome};
 use crate::error::{Error, Result};
@@ -11,11 +13,14 @@ use crate::parameters::{Parameter, Setup};
 /// Halvings of the step within which a drive has to get below the largest defect.
 const HALVINGS: usize = 12;
 
-/// A block: drives side by side where that is possible, the rows left over one by one.
-impl Kernel {
+impl Batch {
     /// The drives of some points, given one after the other.
+    ///
+    /// # Panics
+    /// Where the last point has not a value for each parameter.
     pub fn evaluate(&self, first_row: u64, points: Vec<f64>) -> Block {
         let rows = points.len() / self.parameters.len();
+        assert_eq!(points.len(), rows * self.parameters.len(), "a value for each parameter of each point");
         let empty = |columns: usize| vec![vec![f64::NAN; rows]; columns];
         let mut block = Block {
             first_row,
@@ -30,7 +35,8 @@ impl Kernel {
         let mut alone = if self.goes_abreast() { self.abreast(&mut block) } else { (0..rows).collect() };
         alone.extend((0..rows).filter(|&row| self.is_off(block.defect[row])));
         for row in alone {
-            block.clear(row);
+            // what was found of it side by side
+            block.outcomes.iter_mut().chain(&mut block.derivatives).for_each(|column| column[row] = f64::NAN);
             if let Ok(setup) = self.moved(block.point(row)) {
                 self.drive(setup, row, &mut block);
             }
@@ -49,11 +55,11 @@ impl Kernel {
     /// Computes the drives of a block side by side; the rows that have to be looked at one by one are left over.
     fn abreast(&self, block: &mut Block) -> Vec<usize> {
         if self.wrt.is_empty() {
-            return self.level.run(Abreast { kernel: self, block, wrt: &[], first: 0 });
+            return self.level.run(Abreast { batch: self, block, wrt: &[], first: 0 });
         }
         let mut alone = vec![];
         for (chunk, wrt) in self.wrt.chunks(DIRECTIONS).enumerate() {
-            alone.extend(self.level.run(Abreast { kernel: self, block, wrt, first: DIRECTIONS * chunk }));
+            alone.extend(self.level.run(Abreast { batch: self, block, wrt, first: DIRECTIONS * chunk }));
         }
         alone.sort_unstable();
         alone.dedup();

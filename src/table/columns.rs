@@ -1,6 +1,6 @@
 //! The columns that every table of points has, whatever its format.
 
-use crate::batch::points::refuse_repeated;
+use crate::batch::refuse_repeated;
 use crate::columns::{CONDITIONS, Column, Head, Holds, near_known};
 use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup};
@@ -9,11 +9,6 @@ use std::path::Path;
 
 pub(super) fn refused(path: &Path, place: String, reason: impl Into<String>) -> Error {
     Error::Table { file: path.display().to_string(), place, reason: reason.into() }
-}
-
-/// Refuses the column of this number, from 0.
-pub(super) fn refused_column(path: &Path, (at, error): (usize, Error)) -> Error {
-    refused(path, format!(", column {}", at + 1), error.to_string())
 }
 
 /// The columns of a table that drives are computed from.

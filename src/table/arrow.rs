@@ -1,10 +1,8 @@
 use super::pieces::Pieces;
 use super::record_batches::RecordBatches;
 use arrow_array::cast::AsArray;
-use arrow_array::types::{
-    Float32Type, Float64Type, Int8Type, Int16Type, Int32Type, Int64Type, UInt8Type, UInt16Type, UInt32Type, UInt64Type,
-};
-use arrow_array::{Array, RecordBatch};
+use arrow_array::types::{Float32Type, Float64Type};
+use arrow_array::{Array, RecordBatch, downcast_integer};
 use arrow_schema::DataType;
 use std::path::Path;
 
@@ -64,21 +62,14 @@ impl Pieces for ArrowPieces {
 /// The values of a column; nothing of one that is not of numbers.
 fn numbers(column: &dyn Array) -> Option<Vec<Option<f64>>> {
     macro_rules! read {
-        ($kind:ty, $into:expr) => {
-            column.as_primitive::<$kind>().iter().map(|value| value.map($into)).collect()
+        ($kind:ty) => {
+            Some(column.as_primitive::<$kind>().iter().map(|value| value.map(|value| value as f64)).collect())
         };
     }
-    Some(match column.data_type() {
-        DataType::Float64 => read!(Float64Type, |value| value),
-        DataType::Float32 => read!(Float32Type, f64::from),
-        DataType::Int8 => read!(Int8Type, f64::from),
-        DataType::Int16 => read!(Int16Type, f64::from),
-        DataType::Int32 => read!(Int32Type, f64::from),
-        DataType::Int64 => read!(Int64Type, |value| value as f64),
-        DataType::UInt8 => read!(UInt8Type, f64::from),
-        DataType::UInt16 => read!(UInt16Type, f64::from),
-        DataType::UInt32 => read!(UInt32Type, f64::from),
-        DataType::UInt64 => read!(UInt64Type, |value| value as f64),
-        _ => return None,
-    })
+    downcast_integer! {
+        column.data_type() => (read),
+        DataType::Float32 => read!(Float32Type),
+        DataType::Float64 => read!(Float64Type),
+        _ => None
+    }
 }

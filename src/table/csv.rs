@@ -1,7 +1,7 @@
-use super::columns::{Columns, refused, refused_column};
+use super::columns::{Columns, refused};
 use super::rows::Rows;
 use crate::columns::{Club, Column, Head, Marks, Spin, separated, summary};
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::foreign::{of_csv, of_csv_row, of_io};
 use crate::parameters::Setup;
 use crate::units::Message;
@@ -56,7 +56,8 @@ impl CsvRows {
         let columns = Columns::new(setup, path, &head)?;
         let read = columns.at.iter().map(|at| (*at, head.columns[*at].clone())).collect::<Vec<_>>();
         for (at, column) in &read {
-            column.check_unit().map_err(|error| refused_column(path, (*at, error)))?;
+            let wrong = |error: Error| refused(path, format!(", column {}", at + 1), error.to_string());
+            column.check_unit().map_err(wrong)?;
         }
         let (path, is_export) = (path.to_owned(), head.format.is_export);
         let (summaries, marks) = (vec![], Marks::default());

@@ -1,4 +1,5 @@
-//! Points that stand in a table: one column for each parameter, one row for each drive.
+//! Points that stand in a file, as [`Points`] of a batch: a column for each parameter, a row for each drive. [`open_table`] reads CSV,
+//! Parquet and Arrow.
 
 #[cfg(feature = "arrow")]
 mod arrow;
@@ -12,7 +13,7 @@ mod pieces;
 mod record_batches;
 mod rows;
 
-use super::points::Points;
+use crate::batch::Points;
 use crate::error::Result;
 #[cfg(not(all(feature = "arrow", feature = "parquet")))]
 use crate::features::how_to_get;
