@@ -269,13 +269,20 @@ def test_a_line_of_progress_ends_whole(capsys: pytest.CaptureFixture[str]) -> No
 def test_exact_ctrl_c_ends_a_batch_and_it_goes_on_with_the_same_bits() -> None:
     # in steps of 1 ms, minutes of work
     setup, given, of = Setup({"flight.step": 1e-3}), points(400_000), ["carry", "spin"]
-    pressed = threading.Timer(0.5, os.kill, (os.getpid(), signal.SIGINT))
-    pressed.start()
+    some_are_done = threading.Event()
+
+    def press() -> None:
+        some_are_done.wait()
+        os.kill(os.getpid(), signal.SIGINT)
+
+    presser = threading.Thread(target=press)
+    presser.start()
     with pytest.raises(KeyboardInterrupt) as caught:
-        longdrive.batch(setup, given, of)
+        longdrive.batch(setup, given, of, progress=lambda done, _: some_are_done.set() if done else None)
+    presser.join()
     assert isinstance(caught.value, Interrupted)
     done = caught.value.table
-    assert 0 <= len(done) < 400_000 and len(done) % 1024 == 0
+    assert 0 < len(done) < 400_000 and len(done) % 1024 == 0
     assert f"first_row={len(done)}" in str(caught.value)
     other = pickle.loads(pickle.dumps(caught.value))
     assert other.table == done and str(other) == str(caught.value)
@@ -288,21 +295,26 @@ def test_exact_ctrl_c_ends_a_batch_and_it_goes_on_with_the_same_bits() -> None:
 
 
 def test_other_threads_of_python_run_meanwhile() -> None:
-    ticks, stop = [0], threading.Event()
+    is_at_work, told = threading.Event(), []
 
     def tick() -> None:
-        while not stop.is_set():
-            ticks[0] += 1
+        is_at_work.wait()
+        # meanwhile the batch looks around, as it does every 20 ms
+        looks = len(told)
+        while len(told) < looks + 5:
             time.sleep(0.001)
+        signal.raise_signal(signal.SIGINT)
+
+    def look(done: int, _: int) -> None:
+        told.append(done)
+        is_at_work.set()
 
     thread = threading.Thread(target=tick)
     thread.start()
-    before = ticks[0]
-    longdrive.batch(Setup({"flight.step": 2e-3}), points(4000), own_step=True)
-    during = ticks[0] - before
-    stop.set()
+    # minutes of work, which the other thread ends
+    with pytest.raises(Interrupted):
+        longdrive.batch(Setup({"flight.step": 1e-3}), points(400_000), own_step=True, progress=look)
     thread.join()
-    assert during > 5
 
 
 def test_exact_several_threads_may_ask_at_once(table: Table) -> None:
