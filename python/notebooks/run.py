@@ -24,6 +24,8 @@ from nbclient.exceptions import CellExecutionError
 FOLDER = Path(__file__).resolve().parent
 LARGEST = 400_000
 MOST_CELLS = 20
+# what hangs ends after this time, s; no cell takes as long on any machine
+PATIENCE = 1200
 
 
 def main() -> int:
@@ -47,7 +49,10 @@ def run(path: Path, is_writing: bool) -> list[str]:
     notebook = nbformat.read(path, as_version=4)
     began = time.monotonic()
     try:
-        NotebookClient(notebook, kernel_name="python3", timeout=120, extra_arguments=["--log-level=ERROR"], resources={"metadata": {"path": str(FOLDER)}}).execute()
+        NotebookClient(
+            notebook, kernel_name="python3", timeout=PATIENCE, startup_timeout=PATIENCE,
+            extra_arguments=["--log-level=ERROR"], resources={"metadata": {"path": str(FOLDER)}},
+        ).execute()  # fmt: skip
     except CellExecutionError as error:
         return [f"{path.name}: {error}"]
     for cell in notebook.cells:

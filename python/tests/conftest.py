@@ -7,6 +7,9 @@ import os
 import shutil
 import signal
 import subprocess
+import threading
+import time
+from collections import deque
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -41,6 +44,30 @@ def program() -> Callable[..., str]:
         return done.stdout
 
     return run
+
+
+@pytest.fixture(scope="session")
+def unit() -> Any:
+    """The units of pint, which take a while to be read."""
+    return pytest.importorskip("pint").UnitRegistry()
+
+
+@pytest.fixture
+def at_work() -> threading.Event:
+    """Once it is set, another thread of Python presses Ctrl-C as soon as it has run five times within 15 ms. Long work looks for Ctrl-C every 20 ms:
+    if others could run only then, it would not be ended."""
+    event = threading.Event()
+
+    def run() -> None:
+        event.wait()
+        times = deque([-1.0], maxlen=5)
+        while time.monotonic() - times[0] > 0.015:
+            times.append(time.monotonic())
+            time.sleep(0.001)
+        signal.raise_signal(signal.SIGINT)
+
+    threading.Thread(target=run, daemon=True).start()
+    return event
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:

@@ -148,9 +148,7 @@ def test_no_progress_is_no_progress(off: Any) -> None:
     assert longdrive.optimize("mae494", progress=off).success
 
 
-def test_exact_a_quantity_of_pint_is_a_loss() -> None:
-    pint = pytest.importorskip("pint")
-    unit = pint.UnitRegistry()
+def test_exact_a_quantity_of_pint_is_a_loss(unit: Any) -> None:
     asked = longdrive.optimum_sensitivity("mae494", loss=2 * unit.yard)
     assert asked.reply["window_loss"] == pytest.approx(2 * YARD, rel=1e-15)
     with pytest.raises(InputError, match="^loss: .*gram"):
@@ -193,9 +191,7 @@ def test_what_is_no_attribute_says_where_it_is() -> None:
     assert copy.copy(table) == pickle.loads(pickle.dumps(table)) == table
 
 
-def test_exact_quantities_of_pint_are_points_of_a_batch() -> None:
-    pint = pytest.importorskip("pint")
-    unit = pint.UnitRegistry()
+def test_exact_quantities_of_pint_are_points_of_a_batch(unit: Any) -> None:
     speeds = np.array([100.0, 110.0])
     table = longdrive.batch("mae494", {"swing.speed": speeds * unit.mph, "club.loft": 12 * unit.deg}, tolerance=1 * unit.mm)
     # a mile is 1609.344 m
@@ -210,9 +206,8 @@ def test_exact_quantities_of_pint_are_points_of_a_batch() -> None:
         longdrive.batch("mae494", {"swing.speed": speeds}, tolerance=True)
 
 
-def test_a_column_of_a_table_that_is_a_quantity_of_pint_says_what_names_its_unit() -> None:
-    pint = pytest.importorskip("pint")
-    speeds = np.array([70.0]) * pint.UnitRegistry().meter
+def test_a_column_of_a_table_that_is_a_quantity_of_pint_says_what_names_its_unit(unit: Any) -> None:
+    speeds = np.array([70.0]) * unit.meter
     with pytest.raises(InputError, match=r"^shots: the column 'ball_speed \[mph\]' is a Quantity; the head of a column names the unit, so give the numbers"):
         longdrive.fly({"ball_speed [mph]": speeds, "launch_angle [deg]": [11.0], "spin [rpm]": [2500.0]})
 

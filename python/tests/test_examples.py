@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import os
 import re
 import subprocess
@@ -21,6 +22,7 @@ NEEDS = {
 }
 
 
+@functools.cache
 def run(name: str, *arguments: str) -> str:
     if name in NEEDS:
         pytest.importorskip(NEEDS[name])
@@ -46,6 +48,7 @@ def test_scipy_ends_at_the_programs_optimum() -> None:
 
 
 def test_jax_and_torch_end_at_one_loft() -> None:
+    ascent = run("torch_ascent")
     lofts = [float(number) for number in re.findall(r"\d+\.\d+", run("jax_newton").splitlines()[0])]
     assert lofts == pytest.approx([lofts[0]] * len(lofts), abs=1e-8)
-    assert float(re.findall(r"\d+\.\d+", run("torch_ascent"))[0]) == pytest.approx(lofts[0], abs=1e-5)
+    assert float(re.findall(r"\d+\.\d+", ascent)[0]) == pytest.approx(lofts[0], abs=1e-5)

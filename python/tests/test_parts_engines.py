@@ -7,8 +7,7 @@ import pickle
 import resource
 import signal
 import sys
-import threading
-import time
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -33,35 +32,60 @@ def many(tmp_path_factory: pytest.TempPathFactory) -> tuple[dict[str, Any], str]
     return question, sha256_of_the_set(folder)
 
 
-class Client:
+@pytest.fixture(scope="module")
+def client() -> Iterator[Any]:
     """Two worker processes of Dask."""
+    distributed = pytest.importorskip("distributed")
+    import dask
 
-    def __enter__(self) -> Any:
-        distributed = pytest.importorskip("distributed")
-        import dask
-
-        dask.config.set({"distributed.admin.tick.limit": "1h"})
-        self.cluster = distributed.LocalCluster(
-            n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None, silence_logs=50
-        )
-        self.client = distributed.Client(self.cluster)
-        return self.client
-
-    def __exit__(self, *raised: object) -> None:
-        self.client.close()
-        self.cluster.close()
+    # a worker is a copy of a process that has read Dask already
+    dask.config.set({"distributed.worker.multiprocessing-method": "forkserver"})
+    # on a busy machine its processes take their time to answer
+    dask.config.set({"distributed.admin.tick.limit": "1h", "distributed.comm.timeouts.connect": "1h"})
+    with (
+        distributed.LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None, silence_logs=50) as cluster,
+        distributed.Client(cluster) as client,
+    ):
+        yield client
 
 
-def poison(path: str) -> None:
-    """In a worker: the next part that it writes fails."""
-    whole = Question.write
+def is_first(file: Path) -> bool:
+    """Whether no process has been here before."""
+    try:
+        file.touch(exist_ok=False)
+    except FileExistsError:
+        return False
+    return True
 
-    def once(self: Question, part: int) -> dict[str, Any]:
-        Question.write = whole  # type: ignore[method-assign]
-        Path(path).write_text(str(part))
-        raise RuntimeError("poisoned once")
 
-    Question.write = once  # type: ignore[method-assign]
+class Mortal(Question):
+    """A question of which one process dies over a part, once three parts are there."""
+
+    def write(self, part: int) -> dict[str, Any]:
+        folder = Path(self.output)
+        if len(list(folder.glob("part-*"))) >= 3 and is_first(folder.parent / "killed"):
+            (folder.parent / "killed").write_text(str(os.getpid()))
+            os.kill(os.getpid(), signal.SIGKILL)
+        return super().write(part)
+
+
+class Troubled(Mortal):
+    """The same, of which before one part fails, and one finds the disk full."""
+
+    def write(self, part: int) -> dict[str, Any]:
+        place = Path(self.output).parent
+        if is_first(place / "poisoned"):
+            raise RuntimeError("poisoned once")
+        if is_first(place / "full"):
+            fill_the_disk(2000)
+            try:
+                return super().write(part)
+            except PartError as error:
+                (place / "full").write_text(str(error))
+                raise
+            finally:
+                empty_the_disk()
+        return super().write(part)
 
 
 def fill_the_disk(bytes_left: int) -> None:
@@ -77,47 +101,36 @@ def empty_the_disk() -> None:
 
 
 def test_exact_set_of_dask_with_a_worker_killed_a_part_poisoned_and_a_disk_full(
-    many: tuple[dict[str, Any], str], tmp_path: Path
+    many: tuple[dict[str, Any], str], client: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     import longdrive.dask
 
     question, whole = many
     folder = tmp_path / "drives"
-    with Client() as client:
-        pids = list(client.run(os.getpid).values())
-        client.run(fill_the_disk, 2000)
-        client.run(poison, str(tmp_path / "poisoned"))
-
-        def disturb() -> None:
-            # some parts have failed by now: the disk gets room
-            time.sleep(0.2)
-            client.run(empty_the_disk)
-            while len(list(folder.glob("part-*"))) < 5:
-                time.sleep(0.005)
-            os.kill(pids[0], signal.SIGKILL)
-
-        disturbance = threading.Thread(target=disturb)
-        disturbance.start()
-        found = longdrive.dask.sweep(client, **question, output=folder, retries=1000)
-        disturbance.join()
-        assert (tmp_path / "poisoned").exists()
-        assert pids[0] not in client.run(os.getpid).values()
+    monkeypatch.setattr(parts, "Question", Troubled)
+    pids = list(client.run(os.getpid).values())
+    found = longdrive.dask.sweep(client, **question, output=folder)
+    killed = int((tmp_path / "killed").read_text())
+    assert killed in pids and killed not in client.run(os.getpid).values()
+    assert (tmp_path / "poisoned").exists()
+    assert "it cannot be written" in (tmp_path / "full").read_text()
     assert [row["part"] for row in found.manifests] == list(range(1, 41))
     assert found.rows == 205 * 200
     assert sha256_of_the_set(folder) == whole
     assert parts.check(folder, contents=True)["sha256"] == whole
 
 
-def test_a_part_that_always_fails_is_named_by_dask(tmp_path: Path) -> None:
+def test_a_part_that_always_fails_is_named_by_dask(client: Any, tmp_path: Path) -> None:
     import longdrive.dask
 
-    with Client() as client:
-        client.run(fill_the_disk, 2000)
-        with pytest.raises(PartError, match="part . of 4: .*it cannot be written") as caught:
-            longdrive.dask.sweep(client, **QUESTION, output=tmp_path / "drives", retries=1)
-        assert 1 <= caught.value.part <= 4
-        assert not list((tmp_path / "drives").glob("part-*"))
-        client.run(empty_the_disk)
+    # one may have been killed before
+    client.wait_for_workers(2)
+    client.run(fill_the_disk, 2000)
+    with pytest.raises(PartError, match="part . of 4: .*it cannot be written") as caught:
+        longdrive.dask.sweep(client, **QUESTION, output=tmp_path / "drives", retries=1)
+    assert 1 <= caught.value.part <= 4
+    assert not list((tmp_path / "drives").glob("part-*"))
+    client.run(empty_the_disk)
 
 
 def test_what_comes_back_of_a_part_does_not_grow_with_its_rows(tmp_path: Path) -> None:
@@ -131,22 +144,15 @@ def test_what_comes_back_of_a_part_does_not_grow_with_its_rows(tmp_path: Path) -
     assert abs(sizes[1] - sizes[0]) < 100 and max(sizes) < 5000, sizes
 
 
-def test_exact_set_of_processes_of_which_one_is_killed(many: tuple[dict[str, Any], str], tmp_path: Path) -> None:
-    import multiprocessing
-
+def test_exact_set_of_processes_of_which_one_is_killed(
+    many: tuple[dict[str, Any], str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     question, whole = many
-
-    def kill() -> None:
-        while len(list(tmp_path.glob("part-*"))) < 3:
-            time.sleep(0.005)
-        os.kill(multiprocessing.active_children()[0].pid or 0, signal.SIGKILL)
-
-    killer = threading.Thread(target=kill)
-    killer.start()
-    found = parts.sweep(**question, output=tmp_path, processes=2)
-    killer.join()
+    monkeypatch.setattr(parts, "Question", Mortal)
+    found = parts.sweep(**question, output=tmp_path / "drives", processes=2)
+    assert (tmp_path / "killed").exists()
     assert [row["part"] for row in found.manifests] == list(range(1, 41))
-    assert sha256_of_the_set(tmp_path) == whole
+    assert sha256_of_the_set(tmp_path / "drives") == whole
 
 
 def test_exact_set_of_spark(many: tuple[dict[str, Any], str], tmp_path: Path) -> None:

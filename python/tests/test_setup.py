@@ -28,9 +28,7 @@ def test_a_dict_without_a_preset_starts_from_that_of_a_setup_file() -> None:
     assert Setup({}) == Setup("modern-driver") == Setup.from_toml("")
 
 
-def test_exact_quantities_of_pint_are_converted() -> None:
-    pint = pytest.importorskip("pint")
-    unit = pint.UnitRegistry()
+def test_exact_quantities_of_pint_are_converted(unit: Any) -> None:
     setup = Setup({"swing.speed": 110 * unit.mph, "club.inertia.xx": 5679 * unit("g * cm**2"), "club.mass": 0.2 * unit.kg,
                    "air.temperature": unit.Quantity(20, "degC"), "impact.restitution": 0.8 * unit.dimensionless})
     assert setup["swing.speed"] == pytest.approx(110 * 0.44704, rel=1e-15)
@@ -56,9 +54,8 @@ STATED: list[tuple[str, float, str, list[str]]] = [
 
 
 @pytest.mark.parametrize(("parameter", "value", "si", "symbols"), STATED)
-def test_independent_sizes_of_units_are_those_of_pint(parameter: str, value: float, si: str, symbols: list[str]) -> None:
-    pint = pytest.importorskip("pint")
-    quantity = pint.UnitRegistry().Quantity(value, si)
+def test_independent_sizes_of_units_are_those_of_pint(parameter: str, value: float, si: str, symbols: list[str], unit: Any) -> None:
+    quantity = unit.Quantity(value, si)
     for symbol in symbols:
         number = quantity.to({"1": "", "rev": "turn"}.get(symbol, symbol)).magnitude
         assert Setup({parameter: f"{number!r} {symbol}"})[parameter] == pytest.approx(value, rel=4 * np.finfo(float).eps), symbol

@@ -7,11 +7,20 @@ use serde_json::Value;
 use std::collections::BTreeMap;
 use std::io::Write;
 use std::path::PathBuf;
+use std::process::Child;
+use std::time::Duration;
 
 pub struct Said {
     pub status: i32,
     pub out: String,
     pub err: String,
+}
+
+/// Waits until it is time, or the program has ended.
+pub fn wait_until(child: &mut Child, is_time: impl Fn() -> bool) {
+    while !is_time() && child.try_wait().unwrap().is_none() {
+        std::thread::sleep(Duration::from_millis(2));
+    }
 }
 
 /// What a command says, and the files that it writes into a new folder.

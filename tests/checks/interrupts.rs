@@ -11,48 +11,109 @@ use longdrive::study::{Search, optima};
 use longdrive::units::System;
 use longdrive::{Result, Setup};
 use serde_json::Value;
-use std::process::{Command, Stdio};
+use std::fs::File;
+use std::process::{Child, Command};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::time::{Duration, Instant};
+use std::time::Duration;
+use tempfile::TempDir;
 
 /// Computed before the interruption, in hundredths of a second: enough that work is under way.
 const UNDER_WAY: u64 = 50;
 
-/// What a command says that is interrupted after a while.
-fn interrupted(args: &[&str]) -> Said {
-    let mut program = Command::new(assert_cmd::cargo::cargo_bin!("longdrive"));
-    let child = program.args(args).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
-    wait_for_work(child.id());
-    let asked = Instant::now();
-    assert!(Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap().success());
-    let output = child.wait_with_output().unwrap();
-    assert!(asked.elapsed() < Duration::from_secs(20), "{args:?}: {:?}", asked.elapsed());
-    let text = |bytes| String::from_utf8(bytes).unwrap();
-    let (out, err) = (text(output.stdout), text(output.stderr));
-    Said { status: output.status.code().unwrap_or_else(|| panic!("{args:?} died: {err}")), out, err }
+/// The most that may be computed after it, in hundredths of a second: the works here take longer.
+const LAST: u64 = 1000;
+
+/// A program at work. What it says goes into files, so that it can be read meanwhile.
+struct AtWork {
+    child: Child,
+    folder: TempDir,
 }
 
-/// Waits until a program has computed for so long, however busy the machine is; where no /proc tells that, for as long.
-pub fn wait_for_work(id: u32) {
-    let begun = Instant::now();
-    while begun.elapsed() < Duration::from_secs(20) {
-        std::thread::sleep(Duration::from_millis(20));
-        let Ok(stat) = std::fs::read_to_string(format!("/proc/{id}/stat")) else {
-            return std::thread::sleep(Duration::from_millis(10 * UNDER_WAY));
+impl AtWork {
+    fn new(args: &[&str]) -> Self {
+        let folder = tempfile::tempdir().unwrap();
+        let [out, err] = ["out", "err"].map(|name| File::create(folder.path().join(name)).unwrap());
+        let mut program = Command::new(assert_cmd::cargo::cargo_bin!("longdrive"));
+        Self { child: program.args(args).stdout(out).stderr(err).spawn().unwrap(), folder }
+    }
+
+    fn read(&self, name: &str) -> String {
+        String::from_utf8_lossy(&std::fs::read(self.folder.path().join(name)).unwrap()).into_owned()
+    }
+
+    /// Whether it has ended, and for how long it has computed, in hundredths of a second; None where no /proc tells that. It is not waited for
+    /// before its end is seen here: the system would forget it.
+    fn used(&self) -> Option<(bool, u64)> {
+        let stat = std::fs::read_to_string(format!("/proc/{}/stat", self.child.id())).ok()?;
+        // behind the name: the state, ten numbers, and the time in the program and in the system
+        let fields: Vec<&str> = stat.rsplit(')').next()?.split_whitespace().collect();
+        let used = fields[11..13].iter().map(|ticks| ticks.parse::<u64>().unwrap()).sum();
+        Some((fields[0] == "Z", used))
+    }
+
+    /// Waits until it is time, or the program has ended.
+    fn wait_until(&mut self, is_time: impl Fn(&Self) -> bool) {
+        let has_ended = |program: &mut Self| match program.used() {
+            Some((has_ended, _)) => has_ended,
+            None => program.child.try_wait().unwrap().is_some(),
         };
-        // behind the name: the state, ten numbers, and the time in the program and in the system, in hundredths of a second
-        let fields: Vec<&str> = stat.rsplit(')').next().unwrap().split_whitespace().collect();
-        let used: u64 = fields[11..13].iter().map(|ticks| ticks.parse::<u64>().unwrap()).sum();
-        if fields[0] == "Z" || used >= UNDER_WAY {
-            return;
+        while !has_ended(self) && !is_time(self) {
+            std::thread::sleep(Duration::from_millis(5));
         }
     }
+
+    /// Whether it has said this on standard error.
+    fn has_said(&self, text: &str) -> bool {
+        self.read("err").contains(text)
+    }
+
+    fn has_computed(&self) -> bool {
+        self.has_computed_for(UNDER_WAY)
+    }
+
+    fn has_computed_for(&self, hundredths: u64) -> bool {
+        match self.used() {
+            Some((_, used)) => used >= hundredths,
+            None => {
+                std::thread::sleep(Duration::from_millis(10 * hundredths));
+                true
+            }
+        }
+    }
+
+    /// Presses Ctrl-C: what it says, which it may not compute for long.
+    fn interrupted(mut self) -> Said {
+        let before = self.used();
+        assert!(Command::new("kill").args(["-INT", &self.child.id().to_string()]).status().unwrap().success());
+        self.wait_until(|_| false);
+        let after = self.used();
+        let status = self.child.wait().unwrap();
+        let [out, err] = ["out", "err"].map(|name| self.read(name));
+        if let (Some((_, before)), Some((_, after))) = (before, after) {
+            assert!(after - before < LAST, "{:.2} s of computing after Ctrl-C: {err}", (after - before) as f64 / 100.0);
+        }
+        Said { status: status.code().unwrap_or_else(|| panic!("it died: {err}")), out, err }
+    }
+}
+
+/// What a command says that is interrupted once it is at work.
+pub fn interrupted(args: &[&str]) -> Said {
+    let mut program = AtWork::new(args);
+    program.wait_until(AtWork::has_computed);
+    program.interrupted()
 }
 
 /// The same in JSON, as docs/schema describes it.
 fn interrupted_json(args: &[&str]) -> Value {
-    let said = interrupted(&[args, &["--json"]].concat());
+    interrupted_json_once(args, AtWork::has_computed)
+}
+
+/// The same, once something has happened that the test needs.
+fn interrupted_json_once(args: &[&str], is_time: impl Fn(&AtWork) -> bool) -> Value {
+    let mut program = AtWork::new(&[args, &["--json"]].concat());
+    program.wait_until(is_time);
+    let said = program.interrupted();
     let answer: Value = serde_json::from_str(&said.out).unwrap_or_else(|e| panic!("{e}: {} {}", said.out, said.err));
     let faults = faults(args[0], &answer);
     assert!(faults.is_empty(), "{args:?}: {faults:#?} in {answer:#}");
@@ -73,7 +134,10 @@ fn work_without_a_part_of_an_answer_ends_with_nothing_printed_or_written() {
         vec!["report", "-o", &page, slow[0], slow[1]],
         vec!["reproduce", "mae494", "-o", &study],
     ] {
-        let message = interrupted_json(&args)["message"].as_str().unwrap().to_owned();
+        // the study takes a second or two, and tells what it computes
+        let is_told = args[0] == "reproduce";
+        let is_time = |program: &AtWork| if is_told { program.has_said("computing") } else { program.has_computed() };
+        let message = interrupted_json_once(&args, is_time)["message"].as_str().unwrap().to_owned();
         assert_eq!(message, "interrupted before there was an answer; nothing was printed or written", "{args:?}");
         let left = std::fs::read_dir(folder.path()).unwrap().count();
         assert_eq!(left, 0, "{args:?} left something behind");
@@ -93,7 +157,10 @@ fn what_is_done_of_a_certificate_and_of_a_chart_is_told_as_interrupted() {
     let chart = interrupted_json(&["chart", "--along", "swing.speed=60mph..140mph", "--set", "flight.step=0.1ms"]);
     assert!(chart["ended"].as_str().is_some(), "{chart:#}");
     let goals = ["pareto", "--maximize", "carry", "--minimize", "apex_height", "--points", "1000"];
-    let front = interrupted_json(&[&goals[..], &["--set", "flight.step=0.5ms"]].concat());
+    // both ends of the front take four searches; how many there were is told every second
+    let searches = |text: &str| text.rsplit("following the front: ").next()?.split(' ').next()?.parse().ok();
+    let has_begun = |program: &AtWork| searches(&program.read("err")).is_some_and(|searches: u32| searches > 5);
+    let front = interrupted_json_once(&[&goals[..], &["--set", "flight.step=0.5ms"]].concat(), has_begun);
     assert!(front["points"].as_array().is_some_and(|points| points.len() > 1), "{front:#}");
 }
 
@@ -105,12 +172,15 @@ fn exact_what_was_stopped_writes_no_fit_lists_no_optimum_and_names_the_file_of_i
     let shots = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/shots.csv");
     let slow = ["--set", "flight.step=0.01ms"];
     let step = "flight.step=0.1ms";
-    let found = interrupted_json(&["calibrate", shots, "--fit", "aero.cd0", "-o", &fitted, "--set", step]);
+    let fit = ["calibrate", shots, "--fit", "aero.cd0", "-o", &fitted, "--set", step];
+    let found = interrupted_json_once(&fit, |program| program.has_said("iteration"));
     assert!(found["file"].is_null() && found["warnings"].to_string().contains("is not written"), "{found:#}");
     assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
-    let found = interrupted_json(&["sweep", "--over", "club.loft=5deg..15deg:3000000", "-o", &rows]);
-    assert_eq!(found["file"].as_str(), Some(&format!("{rows}.part")[..]));
-    assert!(std::path::Path::new(found["file"].as_str().unwrap()).exists());
+    let so_far = std::path::PathBuf::from(format!("{rows}.part"));
+    let sweep = ["sweep", "--over", "club.loft=5deg..15deg:3000000", "-o", &rows];
+    let found = interrupted_json_once(&sweep, |_| so_far.exists());
+    assert_eq!(found["file"].as_str(), so_far.to_str());
+    assert!(so_far.exists());
     let said = interrupted(&["optimize", "--starts", "5000", slow[0], slow[1]]);
     assert!(said.out.contains("\nnot listed: 5000 of 5000 searches stopped before the end\n"), "{}", said.out);
     assert!(!said.out.contains(" of 5000  interrupted"), "{}", said.out);
@@ -149,12 +219,21 @@ fn shots_that_are_flown_before_are_counted_and_no_file_is_written() {
     let row = |at: usize| format!("{},12,{}\n", 140 + at % 40, 2000 + at % 1000);
     let rows: String = (0..200_000).map(row).collect();
     std::fs::write(path("shots.csv"), format!("ball_speed [mph],launch_angle [deg],backspin [rpm]\n{rows}")).unwrap();
-    let found = interrupted_json(&["fly", &path("shots.csv"), "-o", &path("flown.csv"), "--set", "flight.step=2ms"]);
+    // rows that were flown stand in a file of another name until all are
+    let names =
+        || -> Vec<_> { std::fs::read_dir(folder.path()).unwrap().map(|entry| entry.unwrap().file_name()).collect() };
+    let has_rows = |_: &AtWork| {
+        let others = names().into_iter().filter(|name| name != "shots.csv");
+        others
+            .map(|name| folder.path().join(name))
+            .any(|file| std::fs::metadata(file).is_ok_and(|file| file.len() > 1000))
+    };
+    let fly = ["fly", &path("shots.csv"), "-o", &path("flown.csv"), "--set", "flight.step=2ms"];
+    let found = interrupted_json_once(&fly, has_rows);
     let flown = found["rows"].as_u64().unwrap();
     assert!((1..200_000).contains(&flown), "{flown}");
     assert_eq!(found["message"], format!("stopped after {flown} rows; {} is not written", path("flown.csv")));
-    let left: Vec<_> = std::fs::read_dir(folder.path()).unwrap().map(|entry| entry.unwrap().file_name()).collect();
-    assert_eq!(left, ["shots.csv"]);
+    assert_eq!(names(), ["shots.csv"]);
 }
 
 /// An evaluation over so many swings takes seconds: it stops between any two of them.
@@ -164,8 +243,16 @@ fn searches_over_very_many_swings_are_told_as_interrupted_within_an_evaluation()
     let swings = [&swings[..], &["--distribution", "swing.path=normal(0deg,2deg)"]].concat();
     let goals = ["--maximize", "mean(carry)", "--minimize", "std(lateral)"];
     for args in [vec!["optimize"], vec!["design"], vec!["robust"], [&["pareto"], &goals[..]].concat()] {
-        let found = interrupted_json(&[&args[..], &swings].concat());
-        assert!(found["message"].as_str().is_some_and(|message| message.contains("stopped")), "{found:#}");
+        let after = |hundredths| {
+            let found =
+                interrupted_json_once(&[&args[..], &swings].concat(), |program| program.has_computed_for(hundredths));
+            (found["message"].as_str().unwrap().to_owned(), found)
+        };
+        // where Ctrl-C came before the search, later
+        let within = [1, 2, 4, 8, 16].map(|times| times * UNDER_WAY).into_iter().map(after);
+        let (message, found) =
+            within.skip_while(|(message, _)| message.contains("before there was an answer")).next().unwrap();
+        assert!(message.contains("stopped"), "{found:#}");
         // a point that was not finished is none
         assert_eq!(found["optimum"].is_object(), found["value"].is_number(), "{found:#}");
     }
@@ -174,24 +261,24 @@ fn searches_over_very_many_swings_are_told_as_interrupted_within_an_evaluation()
 #[test]
 fn exact_same_answer_over_swings_when_ctrl_c_stops_it_within_iterations_again_and_again() {
     let folder = tempfile::tempdir().unwrap();
-    let program = |checkpoint: &std::path::Path| {
-        let mut program = Command::new(assert_cmd::cargo::cargo_bin!("longdrive"));
-        program.args(["optimize", "--json", "--scenarios", "4000", "--distribution", "swing.path=normal(0deg,2deg)"]);
-        program.args(["--distribution", "swing.speed=normal(110mph,3mph)", "--vary", "club.loft=4deg..20deg"]);
-        program.args(["--vary", "club.bulge_radius=200mm..600mm", "--maximize", "mean(carry) - 0.5*std(lateral)"]);
-        program.arg("--checkpoint").arg(checkpoint);
-        program
-    };
-    let alone = program(&folder.path().join("alone.json")).output().unwrap();
-    assert!(alone.status.success(), "{}", String::from_utf8_lossy(&alone.stderr));
-    let stopped = folder.path().join("stopped.json");
-    for wait in [75, 150, 225, 300] {
-        let child = program(&stopped).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
-        std::thread::sleep(Duration::from_millis(wait));
-        Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
-        let output = child.wait_with_output().unwrap();
-        assert!(output.status.code().is_some(), "{}", String::from_utf8_lossy(&output.stderr));
+    let swings =
+        ["--distribution", "swing.path=normal(0deg,2deg)", "--distribution", "swing.speed=normal(110mph,3mph)"];
+    let vary = ["--vary", "club.loft=4deg..20deg", "--vary", "club.bulge_radius=200mm..600mm"];
+    let goal = ["--scenarios", "4000", "--maximize", "mean(carry) - 0.5*std(lateral)"];
+    let path = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let (alone, stopped) = (path("alone.json"), path("stopped.json"));
+    let asked =
+        |checkpoint| [&["optimize", "--json"], &swings[..], &vary, &goal, &["--checkpoint", checkpoint]].concat();
+    let alone = crate::command_line::longdrive(&asked(&alone));
+    assert_eq!(alone.status, 0, "{}", alone.err);
+    // before the first iteration is kept, then each time within the one that follows the next that is
+    for round in 0..4 {
+        let kept = || std::fs::read(&stopped).ok();
+        let before = kept();
+        let mut program = AtWork::new(&asked(&stopped));
+        program.wait_until(|_| if round == 0 { kept().is_some() } else { kept() != before });
+        let said = program.interrupted();
+        assert!(said.status == 0 || said.status == 1, "round {round}: {}", said.err);
     }
-    let resumed = program(&stopped).output().unwrap();
-    assert_eq!(String::from_utf8_lossy(&resumed.stdout), String::from_utf8_lossy(&alone.stdout));
+    assert_eq!(crate::command_line::longdrive(&asked(&stopped)).out, alone.out);
 }

@@ -31,6 +31,8 @@ const SCREENS = [[390, 844], [768, 1024], [1280, 800]];
 // A4 less its margins, at 96 pixels per inch
 const PAPER = [688, 1016];
 const LEAST_TEXT = 12;
+// the rules of axe that look at colours: of text on its ground, and of links beside the text around them
+const COLOURS = ["color-contrast", "link-in-text-block"];
 // what was typed, and what a source says, stay as they are written
 const AS_WRITTEN = ".switch, .typed, .source, .doc, code";
 
@@ -132,8 +134,8 @@ async function look(browser, name, file) {
       // colours are the same at every width, and the rest is the same in the dark
       const isFirst = width === SCREENS[0][0];
       if (scheme === "dark" && !isFirst) continue;
-      const colours = { type: "rule", values: ["color-contrast"] };
-      const options = scheme === "dark" ? { runOnly: colours } : isFirst ? {} : { rules: { "color-contrast": { enabled: false } } };
+      const isOff = { enabled: false };
+      const options = scheme === "dark" ? { runOnly: COLOURS } : isFirst ? {} : { rules: Object.fromEntries(COLOURS.map((rule) => [rule, isOff])) };
       const { violations } = await page.evaluate((options) => axe.run({ resultTypes: ["violations"], ...options }), options);
       const grave = violations.filter(({ impact }) => ["serious", "critical"].includes(impact));
       say(width, grave.map(({ id, nodes }) => `axe ${id}: ${nodes.length} times, ${nodes[0].html.slice(0, 100)}`));
