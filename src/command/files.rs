@@ -43,6 +43,18 @@ impl Rule {
         Ok(destination)
     }
 
+    /// A setup file to be written, if it may be. It is TOML, and its name must not say that it is something else.
+    ///
+    /// # Errors
+    /// As [`file`](Self::file); for the ending of another kind of file.
+    pub fn setup_file(&self, path: &Path) -> Result<Destination> {
+        if let Some(ending) = ending_of_a_file(path).filter(|ending| ending != "toml") {
+            let reason = format!("a setup file is written in TOML, and .{ending} is the ending of another kind of file; use .toml");
+            return Err(refused(path, &reason));
+        }
+        self.file(path)
+    }
+
     /// Where a file is to be, without a look at whether its folder can be written to.
     ///
     /// # Errors
