@@ -93,11 +93,14 @@ fn documents_count_the_problems_that_are_solved() {
     let (tried, solved) = (cases.len(), cases.len() - unsolved.len());
 
     let document = |name: &str| std::fs::read_to_string(format!("{}/{name}", env!("CARGO_MANIFEST_DIR"))).unwrap();
-    let said = format!("Of {tried} published problems of nonlinear programming the optimizer solves {solved} to a KKT residual of 1e-8");
+    let said = format!(
+        "Of {tried} published problems of nonlinear programming the optimizer solves {solved} to a KKT residual of 1e-8"
+    );
     assert!(document("README.md").contains(&said), "README.md should have: {said}");
     let page = document("docs/optimizer.md");
     let rows = |head: &str| -> Vec<Vec<String>> {
-        let lines = page.lines().skip_while(|line| !line.starts_with(head)).skip(2).take_while(|line| line.starts_with('|'));
+        let lines =
+            page.lines().skip_while(|line| !line.starts_with(head)).skip(2).take_while(|line| line.starts_with('|'));
         lines.map(|line| line.trim_matches('|').split('|').map(|cell| cell.trim().to_owned()).collect()).collect()
     };
     let solvers = rows("| Solver | Tried |");

@@ -49,7 +49,9 @@ impl Rule {
     /// As [`file`](Self::file); for the ending of another kind of file.
     pub fn setup_file(&self, path: &Path) -> Result<Destination> {
         if let Some(ending) = ending_of_a_file(path).filter(|ending| ending != "toml") {
-            let reason = format!("a setup file is written in TOML, and .{ending} is the ending of another kind of file; use .toml");
+            let reason = format!(
+                "a setup file is written in TOML, and .{ending} is the ending of another kind of file; use .toml"
+            );
             return Err(refused(path, &reason));
         }
         self.file(path)

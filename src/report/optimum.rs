@@ -7,7 +7,8 @@ use crate::drive::Outcome;
 use crate::error::Result;
 use crate::optimize::{Constrained, Effort, Iteration, Status};
 use crate::parameters::Preset;
-use crate::study::{Constraint, Optima, Optimum, Search, Sense, Vary};
+use crate::study::swings::GoalLimit;
+use crate::study::{Optima, Optimum, Search, Sense, Vary};
 use crate::units::{Message, Quantity, System, counted, counted_of, fixed, signed, with_unit};
 use serde::Serialize;
 use serde_json::{Map, Value};
@@ -72,6 +73,19 @@ pub struct ConstraintReport {
     pub violation: f64,
     /// What the objective would gain per unit that the limit is relaxed, ≥ 0; for an equation, that it is raised.
     pub multiplier: f64,
+}
+
+impl ConstraintReport {
+    /// The report of a limit of a goal.
+    pub(super) fn of_goal(limit: &GoalLimit, at: &Constrained) -> Self {
+        Self::new(&limit.expression, limit.low == limit.high, at)
+    }
+
+    fn new(expression: &str, is_equation: bool, at: &Constrained) -> Self {
+        // what f falls by, the outcome gains
+        let multiplier = if is_equation { at.multiplier } else { at.multiplier.abs() };
+        Self { expression: expression.into(), value: at.value, violation: at.violation.abs(), multiplier }
+    }
 }
 
 /// A local optimum of a search from many starts.
@@ -168,14 +182,7 @@ impl OptimumReport {
 
 pub(super) fn constraints(optimum: &Optimum) -> Vec<ConstraintReport> {
     let constraints = optimum.search.subject_to.iter().zip(&optimum.solution.constraints);
-    let one = |(constraint, at): (&Constraint, &Constrained)| ConstraintReport {
-        expression: constraint.expression.clone(),
-        value: at.value,
-        violation: at.violation.abs(),
-        // what f falls by, the outcome gains
-        multiplier: if constraint.is_equation() { at.multiplier } else { at.multiplier.abs() },
-    };
-    constraints.map(one).collect()
+    constraints.map(|(of, at)| ConstraintReport::new(&of.expression, of.is_equation(), at)).collect()
 }
 
 /// An optimum as a short text: where it is, which bounds it lies on and what moving them would bring, and the drive.
@@ -199,7 +206,8 @@ pub fn optimum_text(optimum: &Optimum, system: System) -> String {
             bound_in_words(optimum, i, system),
         ]
     });
-    let place = table(&["vary", ended_at(solution.status, "optimum"), "range", ""], &[1], rows) + &constraints_text(optimum, system);
+    let place = table(&["vary", ended_at(solution.status, "optimum"), "range", ""], &[1], rows)
+        + &constraints_text(optimum, system);
 
     let launch = [Outcome::BallSpeed, Outcome::LaunchAngle, Outcome::Backspin, Outcome::SmashFactor];
     let flight = [Outcome::ApexHeight, Outcome::DescentAngle, Outcome::FlightTime, Outcome::Lateral];

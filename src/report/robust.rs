@@ -1,5 +1,6 @@
 use super::limits::{self, Limit, Sought};
 use super::lines::{item, paragraph};
+use super::optimum::{ConstraintReport, Multipliers};
 use super::swings::{difference_text, scenarios, value_text};
 use super::table::table;
 use super::{Reply, json, shown};
@@ -10,6 +11,7 @@ use crate::study::Sense;
 use crate::study::swings::{Model, Robust, SwingsOptimum};
 use crate::units::{Message, System, counted};
 use serde_json::{Value, json};
+use std::collections::BTreeMap;
 
 /// Models whose loss has a smaller multiplier than this do not decide a design.
 const IDLE: f64 = 1e-6;
@@ -30,13 +32,19 @@ pub fn robust_reply(found: &Robust, within: Option<f64>, warnings: Vec<Message>,
             "share": json::number(Some(found.shares[k])),
             "losses": numbers(&found.matrix[k]),
             "loss_as_set_up": json::number(found.as_set_up[k]),
+            "constraints": constraints(found, k),
         })
+    };
+    let multipliers = |i: usize| {
+        let (lower, upper) = (found.solution.lower_multipliers[i], found.solution.upper_multipliers[i]);
+        (search.vary[i].parameter.name, Multipliers { lower, upper })
     };
     let swings = found.models.first().filter(|(_, best)| !best.scenarios.is_one_drive());
     let body = json!({
         "objective": search.of.expression,
         "sense": search.sense.name(),
         "optimum": design(&found.design),
+        "multipliers": (0..search.vary.len()).map(multipliers).collect::<BTreeMap<_, _>>(),
         "greatest_loss": json::number(Some(found.greatest())),
         "within": json::number(within),
         "holds_for_all": within.map(|within| found.greatest() <= within),
@@ -46,6 +54,12 @@ pub fn robust_reply(found: &Robust, within: Option<f64>, warnings: Vec<Message>,
         "file": file,
     });
     Reply::done("robust", warnings, body).ended(found.status(), Some(verdict(found, within, System::default())))
+}
+
+/// The limits of a model with the robust design; the multipliers are of the greatest loss.
+fn constraints(found: &Robust, model: usize) -> Vec<ConstraintReport> {
+    let of_model = found.limits().filter(|(k, ..)| *k == model);
+    of_model.map(|(_, j, at, _)| ConstraintReport::of_goal(&found.search.subject_to[j], at)).collect()
 }
 
 /// Whether one design is good enough for all models.
@@ -107,7 +121,8 @@ pub fn robust_text(found: &Robust, within: Option<f64>, system: System) -> Strin
 
     let models = found.models.iter().enumerate().map(|(k, (model, best))| {
         let value = best.value().map_or(shown::NONE.into(), |value| value_text(goal, value, system));
-        let holds = if found.shares[k] > IDLE { "; its loss is the greatest, and decides the robust design" } else { "" };
+        let holds =
+            if found.shares[k] > IDLE { "; its loss is the greatest, and decides the robust design" } else { "" };
         let reason = if model.reason.is_empty() { String::new() } else { format!(" ({})", model.reason) };
         item(&format!("{}: {}{reason}: {} at best {value}{holds}", k + 1, model.name, goal.expression))
     });
@@ -146,7 +161,8 @@ fn held_text(found: &Robust, system: System) -> String {
     });
     let rows: Vec<_> = rows.collect();
     if !rows.is_empty() {
-        text += &format!("\n{}", table(&["subject to", "model", "value", "change of the greatest loss"], &[1, 2], rows));
+        text +=
+            &format!("\n{}", table(&["subject to", "model", "value", "change of the greatest loss"], &[1, 2], rows));
     }
     text
 }

@@ -55,13 +55,7 @@ pub fn swings_reply(
             "swings_to_tell": found.apart.and_then(|apart| apart.swings),
         })),
     })));
-    let constraint =
-        |(limit, at): (&crate::study::swings::GoalLimit, &crate::optimize::Constrained)| ConstraintReport {
-            expression: limit.expression.clone(),
-            value: at.value,
-            violation: at.violation.abs(),
-            multiplier: if limit.low == limit.high { at.multiplier } else { at.multiplier.abs() },
-        };
+    let constraints = search.subject_to.iter().zip(&solution.constraints);
     let body = OptimumReport {
         objective: search.of.expression.clone(),
         sense: search.sense.name(),
@@ -70,7 +64,7 @@ pub fn swings_reply(
         start: (!found).then(|| by_name(&solution.x)),
         gradient: found.then(|| by_name(&best.gradient())),
         multipliers: found.then(|| (0..search.vary.len()).map(multipliers).collect()),
-        constraints: search.subject_to.iter().zip(&solution.constraints).map(constraint).collect(),
+        constraints: constraints.map(|(limit, at)| ConstraintReport::of_goal(limit, at)).collect(),
         kkt_residual: json::number(found.then_some(solution.kkt_residual)),
         iterations: solution.iterations,
         evaluations: solution.evaluations,
@@ -167,7 +161,9 @@ pub fn swings_text(
             () if vary.low == vary.high => "fixed".into(),
             () if !sought.is_converged => String::new(),
             () if best.is_idle(i) => "no effect".into(),
-            () => limits::bound(lower, upper, |amount| sought.price(amount, (parameter.quantity, parameter.unit), system)),
+            () => {
+                limits::bound(lower, upper, |amount| sought.price(amount, (parameter.quantity, parameter.unit), system))
+            }
         };
         vec![
             parameter.name.into(),
@@ -256,7 +252,9 @@ fn doubts(best: &SwingsOptimum, price: Option<&Price>, resampled: Option<&Resamp
     );
     let breaks = |goals: Option<&Vec<f64>>| {
         let limits = best.search.subject_to.iter();
-        goals.is_some_and(|goals| limits.zip(&goals[1..]).any(|(limit, value)| value.is_finite() && !limit.is_met(*value)))
+        goals.is_some_and(|goals| {
+            limits.zip(&goals[1..]).any(|(limit, value)| value.is_finite() && !limit.is_met(*value))
+        })
     };
     let broken = [
         (breaks(nominal.and_then(|nominal| nominal.kept.as_ref())), "the best design of the mean swing"),

@@ -209,7 +209,9 @@ fn outcome_text(outcome: &OutcomeUncertainty, found: &Uncertainty, system: Syste
     if found.inputs.len() > 1 {
         text += &item("estimates from the sample with 95 % intervals; the upper bound is estimated from the slopes");
     } else {
-        text += &item("of a single uncertain parameter the share is 100 %; the upper bound is estimated from the slopes, with a 95 % interval");
+        text += &item(
+            "of a single uncertain parameter the share is 100 %; the upper bound is estimated from the slopes, with a 95 % interval",
+        );
     }
     if sampled.left_out > 0 {
         text += &format!(

@@ -20,7 +20,9 @@ pub struct Constraint {
 pub(super) fn of_parameter(text: &str) -> Option<String> {
     let found = Setup::<f64>::default().parameter(text);
     let is_parameter = matches!(found, Ok(_) | Err(Error::OtherLaw { .. }));
-    is_parameter.then(|| format!("{text} is a parameter, and limits are of outcomes; give its range with --vary {text}=LOW..HIGH"))
+    is_parameter.then(|| {
+        format!("{text} is a parameter, and limits are of outcomes; give its range with --vary {text}=LOW..HIGH")
+    })
 }
 
 impl Constraint {

@@ -65,7 +65,10 @@ pub fn refuse_varied(search: &Search, parameter: &Parameter) -> Result<()> {
             "{name} is one of the parameters varied, so that the search chooses it; ask about another parameter, or take it out of those \
              (--vary)"
         );
-        return Err(Error::Unreadable { name: format!("the sensitivity of the optimum to {name}"), source: source.into() });
+        return Err(Error::Unreadable {
+            name: format!("the sensitivity of the optimum to {name}"),
+            source: source.into(),
+        });
     }
     Ok(())
 }
@@ -105,7 +108,9 @@ impl Change {
         if amount.ends_with('%') && parameter.quantity != Quantity::NUMBER {
             if own == 0.0 {
                 let (name, unit) = (parameter.name, parameter.unit);
-                let reason = format!("{name} is 0, of which no part changes anything; write an amount, for example {name}=+1{unit}");
+                let reason = format!(
+                    "{name} is 0, of which no part changes anything; write an amount, for example {name}=+1{unit}"
+                );
                 return Err(unreadable(reason.into()));
             }
             // a part of the value has its sign

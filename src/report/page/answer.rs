@@ -109,7 +109,11 @@ fn lines(findings: &Findings<'_>, best: &Optimum) -> Vec<Markup> {
     let limits = limits.map(|(j, (of, _))| {
         both(|system| {
             let price = constraint_in_words(best, j, system);
-            format!("Held by {}: {}", shown::constraint(of, system), price.trim_start_matches("active: "))
+            format!(
+                "Limited by {}: {}",
+                shown::constraint(of, system),
+                price.trim_start_matches("active").trim_start_matches([':', ' '])
+            )
         })
     });
     varied.chain(limits).collect()

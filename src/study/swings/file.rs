@@ -33,8 +33,10 @@ impl Swings {
             return recorded(setup, open_table(setup, path)?.as_mut(), path);
         }
         let file = path.display().to_string();
-        let text = std::fs::read_to_string(path)
-            .map_err(|error| Error::Unreadable { name: format!("the swings in {file}"), source: of_io(&error).into() })?;
+        let text = std::fs::read_to_string(path).map_err(|error| Error::Unreadable {
+            name: format!("the swings in {file}"),
+            source: of_io(&error).into(),
+        })?;
         read(setup, &text, &file)
     }
 }

@@ -3,8 +3,8 @@ use super::strokes::Strokes;
 use crate::drive::{self, Outcome};
 use crate::error::Result;
 use crate::study::Constraint;
-use crate::study::constraint::of_parameter;
 use crate::study::comparison::{Compared, Part, at, compared, value};
+use crate::study::constraint::of_parameter;
 use crate::units::Quantity;
 
 /// A weighted sum of measures: `mean(carry) - 0.5*std(lateral)`.
@@ -197,9 +197,9 @@ fn read_term(
             Ok(_) => refuse(&format!(
                 "over many swings an outcome has many values; say what of them, for example mean({call}): {MEASURES}"
             )),
-            Err(_) => refuse(
-                &of_parameter(call).unwrap_or_else(|| format!("'{call}' is no measure; there are {MEASURES}")),
-            ),
+            Err(_) => {
+                refuse(&of_parameter(call).unwrap_or_else(|| format!("'{call}' is no measure; there are {MEASURES}")))
+            }
         };
     };
     let Some((inside, behind)) = rest.split_once(')') else { return refuse("its closing ) is missing") };

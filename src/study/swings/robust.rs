@@ -3,7 +3,9 @@ use super::problem::SwingsProblem;
 use super::scenarios::Scenarios;
 use crate::error::{Error, Result};
 use crate::number::Taylor;
-use crate::optimize::{Bounds, Constrained, Domain, Evaluation, Follow, Problem, Solution, Status, minimize_from, starts};
+use crate::optimize::{
+    Bounds, Constrained, Domain, Evaluation, Follow, Problem, Solution, Status, minimize_from, starts,
+};
 use crate::parameters::{LAW, Setup};
 use crate::study::optimum::stopped_of;
 use crate::study::stoppable::stopped;

@@ -205,7 +205,8 @@ fn slopes(
     distributions: &[Distribution],
 ) -> Vec<Option<Slopes>> {
     let mean = |squares: &Vec<Option<f64>>| {
-        let (sum, count) = squares.iter().flatten().fold((0.0, 0.0), |(sum, count), square| (sum + square, count + 1.0));
+        let (sum, count) =
+            squares.iter().flatten().fold((0.0, 0.0), |(sum, count), square| (sum + square, count + 1.0));
         sum / count
     };
     let one = |((bound, squares), distribution): ((Option<Interval>, &Vec<Option<f64>>), &Distribution)| {

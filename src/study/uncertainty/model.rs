@@ -141,7 +141,8 @@ impl Design {
         }
         let ratios = |drawn: &[usize]| -> Vec<f64> {
             let drawn_outputs: Vec<f64> = drawn.iter().flat_map(|row| outputs(*row)).collect();
-            let variance = if drawn_outputs.len() < 2 { f64::NAN } else { mean_and_deviation(&drawn_outputs).1.powi(2) };
+            let variance =
+                if drawn_outputs.len() < 2 { f64::NAN } else { mean_and_deviation(&drawn_outputs).1.powi(2) };
             let ratio = |column: &Vec<Option<f64>>| {
                 let (mut sum, mut count) = (0.0, 0.0);
                 drawn.iter().filter_map(|row| column[*row]).for_each(|value| {
