@@ -1,7 +1,7 @@
 //! Bounds and limits at an optimum in words: which of them are active, and what moving them would bring.
 
 use super::shown;
-use crate::optimize::Constrained;
+use crate::optimize::{Constrained, Status};
 use crate::study::Sense;
 use crate::units::{Quantity, System, signed, significant};
 
@@ -75,8 +75,7 @@ pub(super) fn bound(lower: f64, upper: f64, price: impl Fn(f64) -> String) -> St
 }
 
 /// What the column of the values is called where a search ended: `converged` where they are an optimum.
-pub(super) fn ended_at(status: crate::optimize::Status, converged: &'static str) -> &'static str {
-    use crate::optimize::Status;
+pub(super) fn ended_at(status: Status, converged: &'static str) -> &'static str {
     match status {
         Status::Converged => converged,
         // the constraints cannot all be met

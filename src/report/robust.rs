@@ -1,4 +1,4 @@
-use super::limits::{self, Limit, Sought};
+use super::limits::{self, Limit, Sought, ended_at};
 use super::lines::{item, paragraph};
 use super::optimum::{ConstraintReport, Multipliers};
 use super::swings::{difference_text, scenarios, value_text};
@@ -151,7 +151,8 @@ fn held_text(found: &Robust, system: System) -> String {
         let value = shown::within(vary, found.design[i], system);
         vec![vary.parameter.name.into(), value, shown::range(vary, system), held]
     });
-    let mut text = table(&["vary", "robust", "range", "change of the greatest loss"], &[1], rows);
+    let mut text =
+        table(&["vary", ended_at(solution.status, "robust"), "range", "change of the greatest loss"], &[1], rows);
     let rows = found.limits().map(|(k, j, at, slopes)| {
         let limit = &search.subject_to[j];
         let by = (limit.goal.quantity, limit.goal.unit);

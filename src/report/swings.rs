@@ -264,7 +264,7 @@ fn doubts(best: &SwingsOptimum, price: Option<&Price>, resampled: Option<&Resamp
         broken
             .iter()
             .filter(|(is_broken, _)| *is_broken)
-            .map(|(_, design)| format!("{design} breaks a limit: what it reaches, the best design may not")),
+            .map(|(_, design)| format!("{design} breaks a limit, so that it is no alternative to the best one")),
     );
     match price.and_then(|price| price.doubt.as_ref()) {
         Some(Doubt::Quadrature(error)) => lines.push(format!(

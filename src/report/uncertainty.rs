@@ -204,7 +204,7 @@ fn outcome_text(outcome: &OutcomeUncertainty, found: &Uncertainty, system: Syste
             outcome.slopes[k].map_or(shown::NONE.into(), |slopes| share(slopes.bound)),
         ]
     });
-    let head = ["share of the variance", "first-order Sobol' index", "total Sobol' index", "upper bound of total"];
+    let head = ["Sobol' share of the variance", "first-order index", "total index", "upper bound of total"];
     text += &table(&head, &[1, 2, 3], rows);
     if found.inputs.len() > 1 {
         text += &item("estimates from the sample with 95 % intervals; the upper bound is estimated from the slopes");
