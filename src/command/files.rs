@@ -48,13 +48,16 @@ impl Rule {
     /// # Errors
     /// As [`file`](Self::file); for the ending of another kind of file.
     pub fn setup_file(&self, path: &Path) -> Result<Destination> {
-        if let Some(ending) = ending_of_a_file(path).filter(|ending| ending != "toml") {
-            let reason = format!(
-                "a setup file is written in TOML, and .{ending} is the ending of another kind of file; use .toml"
-            );
-            return Err(refused(path, &reason));
+        let destination = self.file(path)?;
+        match ending_of_a_file(path).filter(|ending| ending != "toml") {
+            Some(ending) => {
+                let reason = format!(
+                    "a setup file is written in TOML, and .{ending} is the ending of another kind of file; use .toml"
+                );
+                Err(refused(path, &reason))
+            }
+            None => Ok(destination),
         }
-        self.file(path)
     }
 
     /// Where a file is to be, without a look at whether its folder can be written to.

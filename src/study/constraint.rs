@@ -49,8 +49,8 @@ impl Constraint {
     pub fn read(expression: &str) -> Result<Self> {
         let example = "descent_angle >= 38deg, lateral == 0m or 20yd <= apex_height <= 35yd";
         if let Some((name, _)) = expression.split_once(':') {
-            let reason = "a relation of parameters is a limit over many swings and of a design (--swings, --distribution, \"longdrive design\"); for \
-                          one drive, give the range of a parameter with --vary, or limit an outcome";
+            let reason = "a relation of parameters is a limit over many swings (--swings or --distribution) and of 'longdrive design'; for one \
+                          drive, give the range of a parameter with --vary, or limit an outcome";
             return Err(at(expression, &Part { text: name, column: 0 }, reason));
         }
         let is_outcome = |text: &str| Outcome::named(text).is_ok();
