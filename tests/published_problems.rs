@@ -84,6 +84,36 @@ fn check(case: &Case) {
     assert!(off <= 4e-6, "{}: {value:e} instead of {expected:e}", case.name);
 }
 
+/// README, the table of solvers and the table of problems in docs/optimizer.md, beside the searches.
+#[test]
+fn documents_count_the_problems_that_are_solved() {
+    let cases: Vec<_> = problems::hock_schittkowski().into_iter().chain(problems::more_garbow_hillstrom()).collect();
+    let is_solved = |case: &&Case| kkt_residual(case, &solve(case, case.start)) <= 1e-8;
+    let unsolved: Vec<_> = cases.iter().filter(|case| !is_solved(case)).map(|case| case.name).collect();
+    let (tried, solved) = (cases.len(), cases.len() - unsolved.len());
+
+    let document = |name: &str| std::fs::read_to_string(format!("{}/{name}", env!("CARGO_MANIFEST_DIR"))).unwrap();
+    let said = format!(
+        "Of {tried} published problems of nonlinear programming the optimizer solves {solved} to a KKT residual of 1e-8"
+    );
+    assert!(document("README.md").contains(&said), "README.md should have: {said}");
+    let page = document("docs/optimizer.md");
+    let rows = |head: &str| -> Vec<Vec<String>> {
+        let lines =
+            page.lines().skip_while(|line| !line.starts_with(head)).skip(2).take_while(|line| line.starts_with('|'));
+        lines.map(|line| line.trim_matches('|').split('|').map(|cell| cell.trim().to_owned()).collect()).collect()
+    };
+    let solvers = rows("| Solver | Tried |");
+    let own = solvers.iter().find(|row| row[0] == "longdrive").unwrap();
+    assert_eq!((&own[1], &own[4]), (&tried.to_string(), &solved.to_string()), "{own:?}");
+    let problems = rows("| problem | n | m |");
+    assert_eq!(problems.len(), tried);
+    // a status stands behind the name of a problem that did not converge
+    let missed = problems.iter().filter(|row| row[5].parse::<f64>().unwrap() > 1e-8);
+    let missed: Vec<_> = missed.map(|row| row[0].split(' ').next().unwrap()).collect();
+    assert_eq!(missed, unsolved);
+}
+
 #[test]
 fn published_optima_of_hock_and_schittkowski() {
     let cases = problems::hock_schittkowski();

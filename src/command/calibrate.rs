@@ -21,7 +21,7 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
     let rule = Rule::new(args.question.inputs().chain([args.data.clone()]), args.overwrite);
     let folder = args.plot.as_ref().map(|folder| rule.folder(folder, &DOCUMENT)).transpose()?;
     let rule = rule.and_not(args.plot.as_deref());
-    let output = args.output.as_ref().map(|file| rule.file(file)).transpose()?;
+    let output = args.output.as_ref().map(|file| rule.setup_file(file)).transpose()?;
     if setup.launch.is_given() {
         let source = format!(
             "calibrate reads the launch of each ball from columns of the table; leave this out, and add the columns to {} if it has none: \

@@ -19,7 +19,7 @@ pub fn run(args: &DeliveryArgs) -> Result<Answer> {
     refuse_step(&args.question)?;
     let inputs = args.question.inputs().chain(args.shots.clone());
     let rule = Rule::new(inputs, args.overwrite);
-    let output = args.output.as_ref().map(|file| rule.file(file)).transpose()?;
+    let output = args.output.as_ref().map(|file| rule.setup_file(file)).transpose()?;
     let of_swings = rule.and_not(args.output.as_deref());
     let swings = args.swings.as_ref().map(|file| Ok((of_swings.file(file)?, is_table(file)?))).transpose()?;
     let (setup, launched) = setups(args)?;

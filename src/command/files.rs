@@ -43,6 +43,23 @@ impl Rule {
         Ok(destination)
     }
 
+    /// A setup file to be written, if it may be. It is TOML, and its name must not say that it is something else.
+    ///
+    /// # Errors
+    /// As [`file`](Self::file); for the ending of another kind of file.
+    pub fn setup_file(&self, path: &Path) -> Result<Destination> {
+        let destination = self.file(path)?;
+        match ending_of_a_file(path).filter(|ending| ending != "toml") {
+            Some(ending) => {
+                let reason = format!(
+                    "a setup file is written in TOML, and .{ending} is the ending of another kind of file; use .toml"
+                );
+                Err(refused(path, &reason))
+            }
+            None => Ok(destination),
+        }
+    }
+
     /// Where a file is to be, without a look at whether its folder can be written to.
     ///
     /// # Errors

@@ -40,7 +40,7 @@ impl Optimize {
     pub fn destination(&self) -> Result<Option<Destination>> {
         let inputs = self.question.inputs().chain(self.work.checkpoint.clone());
         let rule = Rule::new(inputs, self.overwrite);
-        self.output.as_ref().map(|file| rule.file(file)).transpose()
+        self.output.as_ref().map(|file| rule.setup_file(file)).transpose()
     }
 
     /// Writes the setup at the optimum, into the file returned; where there is no optimum, nothing.

@@ -8,7 +8,7 @@ use crate::study::{
     Change, Changed, Flatness, Optimum, Sensitivity, change, flatness, refuse_varied, sensitivities, short_drive,
     usual_loss,
 };
-use crate::{Error, Outcome, Result};
+use crate::{Error, Outcome, Result, Setup};
 
 pub fn run(args: &OptimumSensitivity) -> Result<Answer> {
     let Optimize { question, search, swings, work, .. } = &args.optimize;
@@ -19,12 +19,13 @@ pub fn run(args: &OptimumSensitivity) -> Result<Answer> {
     }
     let setup = question.setup_varied(&search.vary)?;
     let search = search.search(&setup)?;
-    let setup = question.for_many(setup, &search.vary)?;
+    let asked = setup;
+    let setup = question.for_many(asked, &search.vary)?;
     let wrt = variables(&setup, &args.wrt, &search.outcomes())?;
     let changes = args.change.iter().map(|text| Change::read(&setup, text)).collect::<Result<Vec<_>>>()?;
     let is_named = |parameter: &Parameter| args.wrt.iter().any(|name| name.trim() == parameter.name);
-    let asked = wrt.iter().copied().filter(|parameter| is_named(parameter));
-    for parameter in asked.chain(changes.iter().map(|change| change.parameter)) {
+    let named = wrt.iter().copied().filter(|parameter| is_named(parameter));
+    for parameter in named.chain(changes.iter().map(|change| change.parameter)) {
         refuse_varied(&search, parameter)?;
     }
     let loss = args.loss.as_deref().map(|text| loss(search.of, text)).transpose()?;
@@ -43,7 +44,13 @@ pub fn run(args: &OptimumSensitivity) -> Result<Answer> {
         };
         return Ok(answer.found(false));
     }
-    let found = analysed(best, &wrt, &changes, loss);
+    // each search chooses its own step, as "optimize" there does
+    let integrated = |mut changed: Setup<f64>| {
+        (changed.method, changed.flight.step) = (asked.method, asked.flight.step);
+        question.for_many(changed, &search.vary)
+    };
+    let changed = |stated: &Change| change(best, *stated, &integrated);
+    let found = analysed(best, &wrt, &|| changes.iter().map(changed).collect(), loss);
     let (sensitivities, flatness, changes) = match found {
         Err(error) if error.is_an_outcome() => {
             tell_error(&error);
@@ -74,7 +81,12 @@ pub fn run(args: &OptimumSensitivity) -> Result<Answer> {
 /// Sensitivities, flatness, and the effects of stated changes.
 type Found = (Vec<(&'static Parameter, Result<Sensitivity>)>, Flatness, Vec<Changed>);
 
-fn analysed(best: &Optimum, wrt: &[&'static Parameter], changes: &[Change], loss: Option<f64>) -> Result<Found> {
+fn analysed(
+    best: &Optimum,
+    wrt: &[&'static Parameter],
+    changes: &dyn Fn() -> Result<Vec<Changed>>,
+    loss: Option<f64>,
+) -> Result<Found> {
     let wrt: Vec<_> =
         wrt.iter().copied().filter(|p| best.search.vary.iter().all(|vary| vary.parameter != *p)).collect();
     let bar = bar("parameters");
@@ -85,7 +97,7 @@ fn analysed(best: &Optimum, wrt: &[&'static Parameter], changes: &[Change], loss
     }
     let loss = loss.unwrap_or_else(|| usual_loss(best));
     let spinner = spinner("computing drives around the optimum");
-    let changed = changes.iter().map(|stated| change(best, *stated)).collect::<Result<_>>()?;
+    let changed = changes()?;
     let flatness = flatness(best, loss)?;
     spinner.finish_and_clear();
     Ok((sensitivities?, flatness, changed))

@@ -198,7 +198,9 @@ impl Output {
         };
         let Some(place) = place else {
             let why = match self.at {
-                Some(number) => format!("there is no point {number}, but {}", found.points.len()),
+                Some(number) => {
+                    format!("there is no point {number}; choose one with --at, from 1 to {}", found.points.len())
+                }
                 None => "there is no knee; choose a point by its number with --at".into(),
             };
             warnings.push(format!("{file} is not written: {why}").into());

@@ -19,7 +19,7 @@ const YARD: f64 = 0.9144;
 pub fn run(args: &RobustArgs) -> Result<Answer> {
     args.swings.refuse_stray()?;
     let rule = Rule::new(args.question.inputs().chain(args.swings.inputs()), args.overwrite);
-    let output = args.output.as_ref().map(|file| rule.file(file)).transpose()?;
+    let output = args.output.as_ref().map(|file| rule.setup_file(file)).transpose()?;
     let (setup, search, scenarios) = args.asked()?;
     let within = args.within(&search.of)?;
     let ranges = ranges(&search.vary, &scenarios);

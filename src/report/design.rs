@@ -1,3 +1,4 @@
+use super::limits::ended_at;
 use super::lines::paragraph;
 use super::swings::{difference_text, value_text};
 use super::table::table;
@@ -49,7 +50,7 @@ impl Designed<'_> {
         let change = |text: String, amount: f64| signed(amount, text);
         let own = self.best.search.vary.iter().zip(&solution.x).map(|(vary, x)| {
             let before = self.own(vary.parameter);
-            let show = |value: f64| shown::parameter(vary.parameter, value, system);
+            let show = |value: f64| shown::within(vary, value, system);
             let difference = before.map_or(String::new(), |before| {
                 let unit = system.unit(vary.parameter.unit);
                 change(vary.parameter.quantity.read_off_difference(x - before, unit), x - before)
@@ -68,11 +69,12 @@ impl Designed<'_> {
         let rows: Vec<_> = if self.best.value().is_some() { own.chain(parts).collect() } else { vec![] };
         let mut text = String::new();
         if !rows.is_empty() {
-            text += &format!("\n{}", table(&["design", "as set up", "best", "change"], &[1, 2, 3], rows));
+            let found = ended_at(solution.status, "best");
+            text += &format!("\n{}", table(&["design", "as set up", found, "change"], &[1, 2, 3], rows));
             let rows = self.design.standings(self.best).into_iter().map(|standing| self.row(&standing, system));
             let rows: Vec<_> = rows.collect();
             if !rows.is_empty() {
-                text += &format!("\n{}", table(&["held by", "", "best", ""], &[2], rows));
+                text += &format!("\n{}", table(&["rule or limit", "", found, ""], &[2], rows));
             }
         }
         let rules = if self.design.is_under_rules {
@@ -99,7 +101,7 @@ impl Designed<'_> {
         let goal = &self.best.search.of;
         let told = match (held.by, price, margin) {
             (By::Unknown, ..) => "not checked; it can be stated as a relation".into(),
-            (By::Value(_), _, Some(_)) => "kept; nothing varied changes it".into(),
+            (By::Value(_), _, Some(_)) => "met; nothing varied changes it".into(),
             (_, Some(price), _) => {
                 let amount = price * held.step * if self.best.search.sense == Sense::Maximize { 1.0 } else { -1.0 };
                 let is_upper = value.is_some_and(|value| held.range[1] - value <= value - held.range[0]);

@@ -15,6 +15,7 @@ mod frame;
 mod gradient;
 mod json;
 mod laws;
+mod limits;
 mod lines;
 mod mae494;
 mod optimum;

@@ -1,4 +1,5 @@
 use super::drive::{flight, launch, law_range};
+use super::limits::{self, Limit, Sought, ended_at};
 use super::lines::paragraph;
 use super::table::table;
 use super::{Reply, json, setup_toml, shown};
@@ -6,7 +7,8 @@ use crate::drive::Outcome;
 use crate::error::Result;
 use crate::optimize::{Constrained, Effort, Iteration, Status};
 use crate::parameters::Preset;
-use crate::study::{Constraint, Optima, Optimum, Search, Sense, Vary};
+use crate::study::swings::GoalLimit;
+use crate::study::{Optima, Optimum, Search, Sense, Vary};
 use crate::units::{Message, Quantity, System, counted, counted_of, fixed, signed, with_unit};
 use serde::Serialize;
 use serde_json::{Map, Value};
@@ -71,6 +73,19 @@ pub struct ConstraintReport {
     pub violation: f64,
     /// What the objective would gain per unit that the limit is relaxed, ≥ 0; for an equation, that it is raised.
     pub multiplier: f64,
+}
+
+impl ConstraintReport {
+    /// The report of a limit of a goal.
+    pub(super) fn of_goal(limit: &GoalLimit, at: &Constrained) -> Self {
+        Self::new(&limit.expression, limit.low == limit.high, at)
+    }
+
+    fn new(expression: &str, is_equation: bool, at: &Constrained) -> Self {
+        // what f falls by, the outcome gains
+        let multiplier = if is_equation { at.multiplier } else { at.multiplier.abs() };
+        Self { expression: expression.into(), value: at.value, violation: at.violation.abs(), multiplier }
+    }
 }
 
 /// A local optimum of a search from many starts.
@@ -167,14 +182,7 @@ impl OptimumReport {
 
 pub(super) fn constraints(optimum: &Optimum) -> Vec<ConstraintReport> {
     let constraints = optimum.search.subject_to.iter().zip(&optimum.solution.constraints);
-    let one = |(constraint, at): (&Constraint, &Constrained)| ConstraintReport {
-        expression: constraint.expression.clone(),
-        value: at.value,
-        violation: at.violation.abs(),
-        // what f falls by, the outcome gains
-        multiplier: if constraint.is_equation() { at.multiplier } else { at.multiplier.abs() },
-    };
-    constraints.map(one).collect()
+    constraints.map(|(of, at)| ConstraintReport::new(&of.expression, of.is_equation(), at)).collect()
 }
 
 /// An optimum as a short text: where it is, which bounds it lies on and what moving them would bring, and the drive.
@@ -191,15 +199,15 @@ pub fn optimum_text(optimum: &Optimum, system: System) -> String {
     let (Some(value), Some(drive)) = (optimum.value(), &optimum.drive) else { return ending };
 
     let rows = search.vary.iter().enumerate().map(|(i, vary)| {
-        let stated = |value: f64| shown::stated(vary.parameter, value, system);
         vec![
             vary.parameter.name.into(),
-            shown::parameter(vary.parameter, solution.x[i], system),
-            format!("{} .. {}", stated(vary.low), stated(vary.high)),
+            shown::within(vary, solution.x[i], system),
+            shown::range(vary, system),
             bound_in_words(optimum, i, system),
         ]
     });
-    let place = table(&["vary", "optimum", "range", ""], &[1], rows) + &constraints_text(optimum, system);
+    let place = table(&["vary", ended_at(solution.status, "optimum"), "range", ""], &[1], rows)
+        + &constraints_text(optimum, system);
 
     let launch = [Outcome::BallSpeed, Outcome::LaunchAngle, Outcome::Backspin, Outcome::SmashFactor];
     let flight = [Outcome::ApexHeight, Outcome::DescentAngle, Outcome::FlightTime, Outcome::Lateral];
@@ -233,38 +241,28 @@ fn constraints_text(optimum: &Optimum, system: System) -> String {
     if reports.is_empty() {
         return String::new();
     }
-    let rows = optimum.search.subject_to.iter().zip(reports).map(|(constraint, report)| {
+    let rows = optimum.search.subject_to.iter().zip(reports).enumerate().map(|(j, (constraint, report))| {
         let value = shown::outcome(constraint.outcome, report.value, system);
-        vec![shown::constraint(constraint, system), value, constraint_in_words(optimum, constraint, &report, system)]
+        vec![shown::constraint(constraint, system), value, constraint_in_words(optimum, j, system)]
     });
     format!("\n{}", table(&["subject to", "value", ""], &[1], rows))
 }
 
 /// "active: +0.52 yd for each degree that the limit is relaxed".
-pub(super) fn constraint_in_words(optimum: &Optimum, of: &Constraint, at: &ConstraintReport, system: System) -> String {
-    let by = (of.outcome.quantity(), of.outcome.unit());
-    let is_converged = optimum.solution.status == Status::Converged;
-    let price = |amount: f64| {
-        signed(amount, shown::price((optimum.search.of.quantity(), optimum.search.of.unit()), amount, by, system))
+pub(super) fn constraint_in_words(optimum: &Optimum, j: usize, system: System) -> String {
+    let (of, constraint) = (optimum.search.of, &optimum.search.subject_to[j]);
+    let sought = Sought {
+        of: (of.quantity(), of.unit()),
+        sense: optimum.search.sense,
+        is_converged: optimum.solution.status == Status::Converged,
     };
-    // the price of a limit is a gain, and a smaller value is a gain where the smallest is looked for; that of an equation has its sign
-    let sign = if optimum.search.sense == Sense::Maximize { 1.0 } else { -1.0 };
-    match at.multiplier {
-        _ if of.is_equation() => {
-            let off = by.0.read_off_difference(at.value - of.low, system.unit(by.1));
-            let mut rows = optimum.search.subject_to.iter().zip(&optimum.solution.jacobian);
-            let is_moved = rows.all(|(other, slopes)| other != of || slopes.iter().any(|slope| *slope != 0.0));
-            // it holds an optimum whatever its price, and a price is one at an optimum only
-            let price = match is_moved {
-                true => format!(", {} that the value is raised", price(sign * at.multiplier)),
-                false => ", and nothing that is varied moves it".into(),
-            };
-            format!("equality: off by {off}{}", if is_converged { &price } else { "" })
-        }
-        _ if !is_converged => String::new(),
-        0.0 => "not active".into(),
-        relaxed => format!("active: {} that the limit is relaxed", price(sign * relaxed)),
-    }
+    let limit = Limit {
+        by: (constraint.outcome.quantity(), constraint.outcome.unit()),
+        range: [constraint.low, constraint.high],
+        at: &optimum.solution.constraints[j],
+        slopes: optimum.solution.jacobian.get(j).map_or(&[], Vec::as_slice),
+    };
+    sought.limit(limit, system)
 }
 
 /// The setup at the best of some optima as a setup file in TOML, to the last digit.
@@ -350,14 +348,10 @@ pub(super) fn bound_in_words(optimum: &Optimum, i: usize, system: System) -> Str
     } else if is_corner && upper + lower > 0.0 {
         let (bound, side) = if lower > 0.0 { ("lower", "above") } else { ("upper", "below") };
         format!("at its {bound} bound, a corner: {} {side} it", price(-(upper + lower)))
-    } else if upper > 0.0 {
-        format!("at its upper bound: {} that it is raised", price(upper))
-    } else if lower > 0.0 {
-        format!("at its lower bound: {} that it is lowered", price(lower))
     } else if optimum.is_idle(i) {
         "no effect".into()
     } else {
-        "free".into()
+        limits::bound(lower, upper, price)
     }
 }
 

@@ -1,14 +1,19 @@
+use super::limits::{self, Limit, Sought, ended_at};
 use super::lines::{item, paragraph};
+use super::optimum::{ConstraintReport, Multipliers};
 use super::swings::{difference_text, scenarios, value_text};
 use super::table::table;
 use super::{Reply, json, shown};
 use crate::error::Result;
+use crate::optimize::Status;
 use crate::parameters::Preset;
+use crate::study::Sense;
 use crate::study::swings::{Model, Robust, SwingsOptimum};
 use crate::units::{Message, System, counted};
 use serde_json::{Value, json};
+use std::collections::BTreeMap;
 
-/// Models that hold less than this of a design do not hold it.
+/// Models whose loss has a smaller multiplier than this do not decide a design.
 const IDLE: f64 = 1e-6;
 
 /// The answer of `robust`; `within` is the loss that is allowed, SI.
@@ -27,13 +32,19 @@ pub fn robust_reply(found: &Robust, within: Option<f64>, warnings: Vec<Message>,
             "share": json::number(Some(found.shares[k])),
             "losses": numbers(&found.matrix[k]),
             "loss_as_set_up": json::number(found.as_set_up[k]),
+            "constraints": constraints(found, k),
         })
+    };
+    let multipliers = |i: usize| {
+        let (lower, upper) = (found.solution.lower_multipliers[i], found.solution.upper_multipliers[i]);
+        (search.vary[i].parameter.name, Multipliers { lower, upper })
     };
     let swings = found.models.first().filter(|(_, best)| !best.scenarios.is_one_drive());
     let body = json!({
         "objective": search.of.expression,
         "sense": search.sense.name(),
         "optimum": design(&found.design),
+        "multipliers": (0..search.vary.len()).map(multipliers).collect::<BTreeMap<_, _>>(),
         "greatest_loss": json::number(Some(found.greatest())),
         "within": json::number(within),
         "holds_for_all": within.map(|within| found.greatest() <= within),
@@ -45,12 +56,18 @@ pub fn robust_reply(found: &Robust, within: Option<f64>, warnings: Vec<Message>,
     Reply::done("robust", warnings, body).ended(found.status(), Some(verdict(found, within, System::default())))
 }
 
+/// The limits of a model with the robust design; the multipliers are of the greatest loss.
+fn constraints(found: &Robust, model: usize) -> Vec<ConstraintReport> {
+    let of_model = found.limits().filter(|(k, ..)| *k == model);
+    of_model.map(|(_, j, at, _)| ConstraintReport::of_goal(&found.search.subject_to[j], at)).collect()
+}
+
 /// Whether one design is good enough for all models.
 fn verdict(found: &Robust, within: Option<f64>, system: System) -> String {
     let goal = &found.search.of;
     let show = |value: f64| difference_text(goal, value, system);
     let least = format!(
-        "the smallest greatest loss of {} that was found is {}",
+        "no design was found whose greatest loss of {} is below {}",
         goal.expression,
         show(found.greatest().max(0.0))
     );
@@ -80,15 +97,14 @@ pub fn robust_text(found: &Robust, within: Option<f64>, system: System) -> Strin
         counted(found.models.len() as u64, "model")
     ));
     let numbers = (1..=found.models.len()).map(|k| format!("best for {k}"));
-    let head: Vec<String> = ["vary", "robust"].map(str::to_owned).into_iter().chain(numbers.clone()).collect();
+    let head: Vec<String> = std::iter::once("vary".to_owned()).chain(numbers.clone()).collect();
     let rows = search.vary.iter().enumerate().map(|(i, vary)| {
-        let show = |x: &f64| shown::parameter(vary.parameter, *x, system);
-        let bests = found.models.iter().map(|(_, best)| show(&best.solution.x[i]));
-        [vary.parameter.name.into(), show(&found.design[i])].into_iter().chain(bests).collect()
+        let bests = found.models.iter().map(|(_, best)| shown::within(vary, best.solution.x[i], system));
+        std::iter::once(vary.parameter.name.into()).chain(bests).collect()
     });
     let head: Vec<&str> = head.iter().map(String::as_str).collect();
     let all: Vec<usize> = (1..head.len()).collect();
-    let designs = table(&head, &all, rows);
+    let designs = format!("{}\n{}", held_text(found, system), table(&head, &all, rows));
 
     let head: Vec<String> = ["", "robust", "as set up"].map(str::to_owned).into_iter().chain(numbers).collect();
     let head: Vec<&str> = head.iter().map(String::as_str).collect();
@@ -105,7 +121,8 @@ pub fn robust_text(found: &Robust, within: Option<f64>, system: System) -> Strin
 
     let models = found.models.iter().enumerate().map(|(k, (model, best))| {
         let value = best.value().map_or(shown::NONE.into(), |value| value_text(goal, value, system));
-        let holds = if found.shares[k] > IDLE { "; it holds the robust design" } else { "" };
+        let holds =
+            if found.shares[k] > IDLE { "; its loss is the greatest, and decides the robust design" } else { "" };
         let reason = if model.reason.is_empty() { String::new() } else { format!(" ({})", model.reason) };
         item(&format!("{}: {}{reason}: {} at best {value}{holds}", k + 1, model.name, goal.expression))
     });
@@ -115,6 +132,40 @@ pub fn robust_text(found: &Robust, within: Option<f64>, system: System) -> Strin
         shown::NONE
     );
     format!("{ending}\nmodels\n{}\n{designs}\n{}{losses}", models.collect::<String>(), paragraph(&told))
+}
+
+/// The robust design with the prices of its bounds and limits, of the greatest loss.
+fn held_text(found: &Robust, system: System) -> String {
+    let (search, solution) = (&found.search, &found.solution);
+    let goal = &search.of;
+    let is_converged = solution.status == Status::Converged;
+    let sought = Sought { of: (goal.quantity, goal.unit), sense: Sense::Minimize, is_converged };
+    let rows = search.vary.iter().enumerate().map(|(i, vary)| {
+        let by = (vary.parameter.quantity, vary.parameter.unit);
+        let (lower, upper) = (solution.lower_multipliers[i], solution.upper_multipliers[i]);
+        let held = match () {
+            () if vary.low == vary.high => "fixed".into(),
+            () if !is_converged => String::new(),
+            () => limits::bound(lower, upper, |amount| sought.price(amount, by, system)),
+        };
+        let value = shown::within(vary, found.design[i], system);
+        vec![vary.parameter.name.into(), value, shown::range(vary, system), held]
+    });
+    let mut text =
+        table(&["vary", ended_at(solution.status, "robust"), "range", "change of the greatest loss"], &[1], rows);
+    let rows = found.limits().map(|(k, j, at, slopes)| {
+        let limit = &search.subject_to[j];
+        let by = (limit.goal.quantity, limit.goal.unit);
+        let of = Limit { by, range: [limit.low, limit.high], at, slopes };
+        let value = value_text(&limit.goal, at.value, system);
+        vec![limit.expression.clone(), (k + 1).to_string(), value, sought.limit(of, system)]
+    });
+    let rows: Vec<_> = rows.collect();
+    if !rows.is_empty() {
+        text +=
+            &format!("\n{}", table(&["subject to", "model", "value", "change of the greatest loss"], &[1, 2], rows));
+    }
+    text
 }
 
 /// The setup with the robust design as a setup file in TOML, to the last digit.

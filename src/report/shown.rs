@@ -1,7 +1,7 @@
 //! Numbers as people read them: in the units of a system, with the digits of a launch monitor, and to the right or left.
 
 use crate::drive::Outcome;
-use crate::parameters::{Parameter, Setup, UNSET};
+use crate::parameters::{Parameter, Setup, UNSET, Vary};
 use crate::study::{Active, Constraint, Search};
 use crate::units::{Digits, Message, Quantity, System, leading_number, one, per, signed, significant, with_unit};
 
@@ -115,9 +115,45 @@ fn computed(parameter: &Parameter, value: f64) -> Message {
     Message::default().quantity(parameter.quantity, parameter.unit, value, digits)
 }
 
+/// The same of a parameter that is varied: with more digits where it would read as an end of its range that it is not.
+pub(super) fn within(vary: &Vary, value: f64, system: System) -> String {
+    let (parameter, ends) = (vary.parameter, ends(vary, system));
+    let number = |text: &str| leading_number(text).parse::<f64>().ok();
+    let is_apart = |text: &String| {
+        let ends = [vary.low, vary.high].into_iter().zip(&ends);
+        ends.filter(|(end, _)| *end != value).all(|(_, end)| number(text) != number(end))
+    };
+    let plain = self::parameter(parameter, value, system);
+    let finer = (2..=MOST_DIGITS).map(|digits| given(parameter.quantity, parameter.unit, value, system, digits));
+    std::iter::once(plain.clone()).chain(finer).find(is_apart).unwrap_or(plain)
+}
+
+/// The digits that tell any two numbers apart.
+const MOST_DIGITS: usize = 17;
+
+/// The ends of the range of a parameter that is varied.
+pub(super) fn ends(vary: &Vary, system: System) -> [String; 2] {
+    stated_apart((vary.parameter.quantity, vary.parameter.unit), [vary.low, vary.high], system)
+}
+
+/// The range of a parameter that is varied: "4° .. 20°".
+pub(super) fn range(vary: &Vary, system: System) -> String {
+    ends(vary, system).join(" .. ")
+}
+
+/// Two numbers that were stated, with as many digits as tell them apart.
+fn stated_apart((quantity, unit): (Quantity, &'static str), ends: [f64; 2], system: System) -> [String; 2] {
+    let shown = |digits: usize| ends.map(|end| given(quantity, unit, end, system, digits));
+    let apart = (STATED..=MOST_DIGITS).map(shown).find(|[low, high]| ends[0] == ends[1] || low != high);
+    apart.unwrap_or_else(|| shown(MOST_DIGITS))
+}
+
+/// The digits of a number that was stated.
+const STATED: usize = 5;
+
 /// A value of a parameter that was stated: with the digits that it has, and no more.
 pub fn stated(parameter: &Parameter, value: f64, system: System) -> String {
-    given(parameter.quantity, parameter.unit, value, system, 5)
+    given(parameter.quantity, parameter.unit, value, system, STATED)
 }
 
 /// The same in short, where the question is told: to four digits, so that "110 mph" is "49.17 m/s" and not "49.174 m/s".
@@ -143,12 +179,12 @@ pub(super) fn given(quantity: Quantity, unit: &'static str, value: f64, system: 
 pub(super) fn constraint(constraint: &Constraint, system: System) -> String {
     let Constraint { outcome: of, low, high, .. } = constraint;
     let name = words(of.name());
-    let limit = |value: &f64| given(of.quantity(), of.unit(), *value, system, 5);
+    let [least, most] = stated_apart((of.quantity(), of.unit()), [*low, *high], system);
     match [low, high].map(|end| end.is_finite()) {
-        _ if constraint.is_equation() => format!("{name} = {}", limit(low)),
-        [true, true] => format!("{} ≤ {name} ≤ {}", limit(low), limit(high)),
-        [true, false] => format!("{name} ≥ {}", limit(low)),
-        _ => format!("{name} ≤ {}", limit(high)),
+        _ if constraint.is_equation() => format!("{name} = {least}"),
+        [true, true] => format!("{least} ≤ {name} ≤ {most}"),
+        [true, false] => format!("{name} ≥ {least}"),
+        _ => format!("{name} ≤ {most}"),
     }
 }
 
@@ -231,9 +267,10 @@ pub(super) fn quotient(
 
 #[cfg(test)]
 mod tests {
-    use super::{Outcome, System, both, change, outcome, slope, spoken, words};
+    use super::{Outcome, System, both, change, constraint, outcome, range, slope, spoken, within, words};
     use crate::Setup;
-    use crate::parameters::Law;
+    use crate::parameters::{Law, Vary};
+    use crate::study::Constraint;
 
     #[test]
     fn names_in_sentences_are_in_words_but_not_where_they_are_typed() {
@@ -275,6 +312,27 @@ mod tests {
         assert_eq!(change(Outcome::Carry, -0.9144, System::Us), "-1.00 yd");
         assert_eq!([1e-15, -1e-15].map(|by| change(Outcome::Carry, by, System::Us)), ["0.00 yd", "0.00 yd"]);
     }
+    #[test]
+    fn exact_two_numbers_that_differ_never_read_alike() {
+        let setup = Setup::<f64>::default();
+        let vary = |text: &str| Vary::read(&setup, text).unwrap();
+        let loft = vary("club.loft=0deg..89deg");
+        let shown = |vary: &Vary, degrees: f64| within(vary, degrees.to_radians(), System::Us);
+        let told = [0.0, 0.001_1, 6.701_2, 88.999_9, 89.0].map(|degrees| shown(&loft, degrees));
+        assert_eq!(told, ["0.00°", "0.0011°", "6.70°", "88.9999°", "89.00°"]);
+        assert_eq!(range(&loft, System::Us), "0° .. 89°");
+        let narrow = vary("club.loft=10deg..10.0000001deg");
+        assert_eq!(range(&narrow, System::Us), "10° .. 10.0000001°");
+        assert_eq!(range(&vary("club.loft=10deg..10deg"), System::Us), "10° .. 10°");
+        for (text, told) in [
+            ("38 deg <= descent_angle <= 38.0000001 deg", "38° ≤ descent angle ≤ 38.0000001°"),
+            ("38 deg <= descent_angle <= 38 deg", "descent angle = 38°"),
+            ("descent_angle >= 38.123456 deg", "descent angle ≥ 38.123°"),
+        ] {
+            assert_eq!(constraint(&Constraint::read(text).unwrap(), System::Us), told);
+        }
+    }
+
     #[test]
     fn exact_rounding_is_shown_as_0_and_true_small_derivatives_are_not() {
         let setup = Setup::<f64>::default();

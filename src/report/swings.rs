@@ -1,3 +1,4 @@
+use super::limits::{self, Limit, Sought, ended_at};
 use super::lines::paragraph;
 use super::optimum::{ConstraintReport, LocalReport, Multipliers, ends_text};
 use super::table::table;
@@ -6,10 +7,9 @@ use super::{OptimumReport, Reply, json, shown};
 use crate::error::Result;
 use crate::optimize::{Local, Status};
 use crate::parameters::Preset;
-use crate::study::Sense;
 use crate::study::swings::{Doubt, Goal, Price, Resampled, Rule, Scenarios, Swings, SwingsOptimum, status_of};
 use crate::study::uncertainty::Interval;
-use crate::units::{Message, System, counted, signed, significant};
+use crate::units::{Message, System, counted, significant};
 use serde_json::{Map, Value, json};
 
 /// The answer of `optimize` over many swings: of one drive there is no launch and no flight.
@@ -55,13 +55,7 @@ pub fn swings_reply(
             "swings_to_tell": found.apart.and_then(|apart| apart.swings),
         })),
     })));
-    let constraint =
-        |(limit, at): (&crate::study::swings::GoalLimit, &crate::optimize::Constrained)| ConstraintReport {
-            expression: limit.expression.clone(),
-            value: at.value,
-            violation: at.violation.abs(),
-            multiplier: if limit.low == limit.high { at.multiplier } else { at.multiplier.abs() },
-        };
+    let constraints = search.subject_to.iter().zip(&solution.constraints);
     let body = OptimumReport {
         objective: search.of.expression.clone(),
         sense: search.sense.name(),
@@ -70,7 +64,7 @@ pub fn swings_reply(
         start: (!found).then(|| by_name(&solution.x)),
         gradient: found.then(|| by_name(&best.gradient())),
         multipliers: found.then(|| (0..search.vary.len()).map(multipliers).collect()),
-        constraints: search.subject_to.iter().zip(&solution.constraints).map(constraint).collect(),
+        constraints: constraints.map(|(limit, at)| ConstraintReport::of_goal(limit, at)).collect(),
         kkt_residual: json::number(found.then_some(solution.kkt_residual)),
         iterations: solution.iterations,
         evaluations: solution.evaluations,
@@ -158,39 +152,38 @@ pub fn swings_text(
     let Some(goals) = best.goals() else { return ending };
     let own = search.vary.iter().map(|vary| vary.parameter);
     let nominal = price.and_then(|price| price.nominal.as_ref().ok());
-    let is_converged = solution.status == Status::Converged;
+    let sought = sought(best);
     let design = own.enumerate().map(|(i, parameter)| {
-        let vary = search.vary[i];
-        let stated = |value: f64| shown::stated(parameter, value, system);
-        let nominal =
-            nominal.map_or(shown::NONE.into(), |nominal| shown::parameter(parameter, nominal.design[i], system));
+        let vary = &search.vary[i];
+        let nominal = nominal.map_or(shown::NONE.into(), |nominal| shown::within(vary, nominal.design[i], system));
         let (lower, upper) = (solution.lower_multipliers[i], solution.upper_multipliers[i]);
         let bound = match () {
             () if vary.low == vary.high => "fixed".into(),
-            () if !is_converged => String::new(),
+            () if !sought.is_converged => String::new(),
             () if best.is_idle(i) => "no effect".into(),
-            () if upper > 0.0 => {
-                format!("at its upper bound: {} that it is raised", bound_price(best, i, upper, system))
+            () => {
+                limits::bound(lower, upper, |amount| sought.price(amount, (parameter.quantity, parameter.unit), system))
             }
-            () if lower > 0.0 => {
-                format!("at its lower bound: {} that it is lowered", bound_price(best, i, lower, system))
-            }
-            () => "free".into(),
         };
         vec![
             parameter.name.into(),
-            shown::parameter(parameter, solution.x[i], system),
+            shown::within(vary, solution.x[i], system),
             nominal,
-            format!("{} .. {}", stated(vary.low), stated(vary.high)),
+            shown::range(vary, system),
             bound,
         ]
     });
-    let place = table(&["vary", "best", "for the mean swing", "range", ""], &[1, 2], design);
+    let found = ended_at(solution.status, "best");
+    let place = table(&["vary", found, "for the mean swing", "range", ""], &[1, 2], design);
 
     let all = std::iter::once((&search.of, search.of.expression.clone()))
         .chain(search.subject_to.iter().map(|limit| (&limit.goal, limit.expression.clone())));
     let rows = all.enumerate().map(|(k, (goal, expression))| {
-        let show = |value: f64| value_text(goal, value, system);
+        let breaks = |value: f64| k > 0 && !search.subject_to[k - 1].is_met(value);
+        let show = |value: f64| {
+            let value_shown = value_text(goal, value, system);
+            if breaks(value) { format!("{value_shown} {BROKEN}") } else { value_shown }
+        };
         let of = |values: Option<&Vec<f64>>| {
             let value = values.map(|values| values[k]).filter(|value| value.is_finite());
             value.map_or(shown::NONE.into(), show)
@@ -199,8 +192,9 @@ pub fn swings_text(
         let promised = of(nominal.map(|nominal| &nominal.promised));
         vec![expression, show(goals[k]), kept, promised, of(best.as_set_up.as_ref())]
     });
-    let head = ["over all swings", "best", "best of the mean swing", "which promises", "as set up"];
+    let head = ["over all swings", found, "best for mean swing", "with that swing alone", "as set up"];
     let mut text = format!("{ending}\n{place}\n{}", table(&head, &[1, 2, 3, 4], rows));
+    text += &limits_text(best, system);
     text += &doubts(best, price, resampled, system);
     if best.starts() > 1 {
         let ends = best.ended().map(|Local { solution, starts }| {
@@ -210,6 +204,28 @@ pub fn swings_text(
         text += &ends_text((&search.of.expression, &search.vary), ends, (best.starts(), best.stopped()), system);
     }
     text
+}
+
+/// What stands behind the value of a limit that a design breaks.
+const BROKEN: &str = "(broken)";
+
+/// What is sought over the swings.
+fn sought(best: &SwingsOptimum) -> Sought {
+    let goal = &best.search.of;
+    let is_converged = best.solution.status == Status::Converged;
+    Sought { of: (goal.quantity, goal.unit), sense: best.search.sense, is_converged }
+}
+
+/// The limits with their prices, as a table; empty without any.
+fn limits_text(best: &SwingsOptimum, system: System) -> String {
+    let solution = &best.solution;
+    let rows = best.search.subject_to.iter().zip(&solution.constraints).enumerate().map(|(j, (limit, at))| {
+        let slopes = solution.jacobian.get(j).map_or(&[][..], Vec::as_slice);
+        let of = Limit { by: (limit.goal.quantity, limit.goal.unit), range: [limit.low, limit.high], at, slopes };
+        vec![limit.expression.clone(), sought(best).limit(of, system)]
+    });
+    let rows: Vec<_> = rows.filter(|row| !row[1].is_empty()).collect();
+    if rows.is_empty() { String::new() } else { format!("\n{}", table(&["subject to", ""], &[], rows)) }
 }
 
 /// How far the answer is known.
@@ -233,6 +249,22 @@ fn doubts(best: &SwingsOptimum, price: Option<&Price>, resampled: Option<&Resamp
             .iter()
             .filter(|(is_missed, _)| *is_missed)
             .map(|(_, with)| format!("{with} some of the swings do not fly")),
+    );
+    let breaks = |goals: Option<&Vec<f64>>| {
+        let limits = best.search.subject_to.iter();
+        goals.is_some_and(|goals| {
+            limits.zip(&goals[1..]).any(|(limit, value)| value.is_finite() && !limit.is_met(*value))
+        })
+    };
+    let broken = [
+        (breaks(nominal.and_then(|nominal| nominal.kept.as_ref())), "the best design of the mean swing"),
+        (breaks(best.as_set_up.as_ref()), "the design as set up"),
+    ];
+    lines.extend(
+        broken
+            .iter()
+            .filter(|(is_broken, _)| *is_broken)
+            .map(|(_, design)| format!("{design} breaks a limit, so that it is no alternative to the best one")),
     );
     match price.and_then(|price| price.doubt.as_ref()) {
         Some(Doubt::Quadrature(error)) => lines.push(format!(
@@ -300,13 +332,6 @@ pub(super) fn difference_text(goal: &Goal, value: f64, system: System) -> String
         "" => significant(value, 2),
         unit => goal.quantity.read_off_difference(value, system.unit(unit)),
     }
-}
-
-/// What moving a bound brings: "+2.11 yd for each degree".
-fn bound_price(best: &SwingsOptimum, i: usize, multiplier: f64, system: System) -> String {
-    let (goal, by) = (&best.search.of, best.search.vary[i].parameter);
-    let amount = if best.search.sense == Sense::Maximize { multiplier } else { -multiplier };
-    signed(amount, shown::price((goal.quantity, goal.unit), amount, (by.quantity, by.unit), system))
 }
 
 /// The setup with the best design as a setup file in TOML, to the last digit.

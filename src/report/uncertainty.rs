@@ -99,7 +99,7 @@ fn outcome_json(outcome: &OutcomeUncertainty, inputs: &[Uncertain]) -> Value {
             "first": indices.map(|indices| interval(indices.first)),
             "total": indices.map(|indices| interval(indices.total)),
             "mean_square_slope": json::number(slopes.map(|slopes| slopes.mean_square)),
-            "bound": json::number(slopes.map(|slopes| slopes.bound)),
+            "bound": slopes.map(|slopes| interval(slopes.bound)),
         })
     });
     let first = outcome.measure_first(inputs);
@@ -201,11 +201,18 @@ fn outcome_text(outcome: &OutcomeUncertainty, found: &Uncertainty, system: Syste
             input.parameter.name.into(),
             indices.map_or(shown::NONE.into(), |indices| share(indices.first)),
             indices.map_or(shown::NONE.into(), |indices| share(indices.total)),
-            outcome.slopes[k].map_or(shown::NONE.into(), |slopes| format!("<= {}", percent(slopes.bound))),
+            outcome.slopes[k].map_or(shown::NONE.into(), |slopes| share(slopes.bound)),
         ]
     });
-    let head = ["share of the variance", "first-order Sobol' index", "total Sobol' index", "bound from slopes"];
+    let head = ["Sobol' share of the variance", "first-order index", "total index", "upper bound of total"];
     text += &table(&head, &[1, 2, 3], rows);
+    if found.inputs.len() > 1 {
+        text += &item("estimates from the sample with 95 % intervals; the upper bound is estimated from the slopes");
+    } else {
+        text += &item(
+            "of a single uncertain parameter the share is 100 %; the upper bound is estimated from the slopes, with a 95 % interval",
+        );
+    }
     if sampled.left_out > 0 {
         text += &format!(
             "  these shares leave out {} at which a drive does not have this outcome\n",

@@ -231,7 +231,7 @@ pub fn chart_at(
             Err(_) if stride.halve() => continue,
             Err(error) => {
                 let place = along.parameter.place("no optimum was found beyond ".into(), here.at);
-                chart.ended = Some(place.words(": ").message(error.message()));
+                chart.ended = Some(place.words(": ").message(why_none(&error)));
                 break;
             }
         };
@@ -261,10 +261,11 @@ struct Follower<'a> {
 }
 
 impl Follower<'_> {
-    /// The optimum at the range's low end, or at the first of a few places where there is one; and why not before.
+    /// The optimum at the range's low end or, where there is none, the first one: from the first of a few places that has one, located as
+    /// events are; and why not before.
     fn first(&self) -> Result<(ChartPoint, Option<Message>)> {
         let Vary { parameter, low, high } = self.along;
-        let mut why = None;
+        let (mut why, mut without) = (None, low);
         for place in 0..=(1.0 / LONGEST) as u32 {
             let at = low + f64::from(place) * LONGEST * (high - low);
             let mut setup = *self.setup;
@@ -275,19 +276,31 @@ impl Follower<'_> {
             let found = optimum(&setup, self.search.clone(), self.observer.search()).and_then(|best| point(at, best));
             match found {
                 Ok(point) => {
-                    let begun = why.map(|why: Error| {
-                        let begins = parameter.place("the chart begins at ".into(), at);
-                        let without = parameter.place(begins.words(": no optimum was found at "), low);
-                        without.words(": ").message(why.message())
-                    });
-                    return Ok((point, begun));
+                    let Some(why) = why else { return Ok((point, None)) };
+                    let first = self.begin(without, point);
+                    let begins = parameter.place("the chart begins at ".into(), first.at);
+                    let none = parameter.place(begins.words(": no optimum was found at "), low);
+                    return Ok((first, Some(none.words(": ").message(why_none(&why)))));
                 }
                 Err(error) if self.observer.is_interrupted() => return Err(error),
-                Err(error) if error.is_an_outcome() => why = why.or(Some(error)),
+                Err(error) if error.is_an_outcome() => (why, without) = (why.or(Some(error)), at),
                 Err(error) => return Err(error),
             }
         }
         Err(why.unwrap_or(Error::Nothing { doing: "chart", what: "optimum" }))
+    }
+
+    /// The first optimum between a place without one and an optimum that was found.
+    fn begin(&self, mut without: f64, mut first: ChartPoint) -> ChartPoint {
+        let tolerance = LOCATED * (self.along.high - self.along.low);
+        while first.at - without > tolerance && !self.observer.is_interrupted() {
+            let middle = 0.5 * (without + first.at);
+            match self.next(&first, middle) {
+                Ok((found, _)) => first = found,
+                Err(_) => without = middle,
+            }
+        }
+        first
     }
 
     /// The optimum at another value, and how far it is from where it was predicted, in units of the ranges.
@@ -322,6 +335,14 @@ impl Follower<'_> {
         };
         let (begins, ends) = (only(&after.active, &here.active), only(&here.active, &after.active));
         ChartPoint { event: Some(ChartEvent::Changed { begins, ends }), ..after }
+    }
+}
+
+/// Why there is no optimum, where that there is none is said already.
+fn why_none(error: &Error) -> Message {
+    match error {
+        Error::NotConverged { status, message } => Message::from(format!("{status}: ")).message(message.clone()),
+        other => other.message(),
     }
 }
 

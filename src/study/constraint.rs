@@ -1,6 +1,7 @@
 use super::comparison::{Compared, Part, at, compared, value};
 use crate::drive::Outcome;
-use crate::error::Result;
+use crate::error::{Error, Result};
+use crate::parameters::Setup;
 
 /// Limits of an outcome: `descent_angle >= 38 deg`.
 #[derive(Clone, Debug, PartialEq)]
@@ -13,6 +14,15 @@ pub struct Constraint {
     pub low: f64,
     /// Greatest value, SI, or ∞.
     pub high: f64,
+}
+
+/// What to do about a limit of a parameter, where a text is the name of one.
+pub(super) fn of_parameter(text: &str) -> Option<String> {
+    let found = Setup::<f64>::default().parameter(text);
+    let is_parameter = matches!(found, Ok(_) | Err(Error::OtherLaw { .. }));
+    is_parameter.then(|| {
+        format!("{text} is a parameter, and limits are of outcomes; give its range with --vary {text}=LOW..HIGH")
+    })
 }
 
 impl Constraint {
@@ -38,9 +48,15 @@ impl Constraint {
     /// [`Error::Constraint`](crate::error::Error::Constraint), which points into the expression.
     pub fn read(expression: &str) -> Result<Self> {
         let example = "descent_angle >= 38deg, lateral == 0m or 20yd <= apex_height <= 35yd";
+        if let Some((name, _)) = expression.split_once(':') {
+            let reason = "a relation of parameters is a limit over many swings (--swings or --distribution) and of 'longdrive design'; for one \
+                          drive, give the range of a parameter with --vary, or limit an outcome";
+            return Err(at(expression, &Part { text: name, column: 0 }, reason));
+        }
         let is_outcome = |text: &str| Outcome::named(text).is_ok();
         let Compared { of: outcome, low, high } = compared(expression, example, is_outcome, |part| {
-            let outcome = Outcome::named(part.text).map_err(|e| at(expression, part, &e.to_string()))?;
+            let outcome = Outcome::named(part.text)
+                .map_err(|e| at(expression, part, &of_parameter(part.text).unwrap_or_else(|| e.to_string())))?;
             Ok((outcome, move |limit: &Part<'_>| value(expression, limit, outcome.quantity())))
         })?;
         Ok(Self { expression: expression.trim().into(), outcome, low, high })

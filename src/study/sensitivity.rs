@@ -1,11 +1,12 @@
 use super::optimum::{Active, Optimum, optimum, posed};
 use super::problem::DriveProblem;
 use super::search::Search;
+use super::sigma::amount_of;
 use crate::error::{Error, Result};
 use crate::optimize::sensitivity::{Event, first_event, response};
 use crate::optimize::{Observer, Status};
 use crate::parameters::{Parameter, Setup};
-use crate::units::Message;
+use crate::units::{Message, Quantity};
 
 /// How an optimum answers to a parameter that is not varied.
 #[derive(Clone, Debug)]
@@ -23,7 +24,7 @@ pub struct Sensitivity {
 /// The sensitivity of an optimum to a parameter, from the KKT system with exact second derivatives.
 ///
 /// # Errors
-/// [`Error::NotConverged`] where there is no optimum to speak of; [`Error::SearchRange`] for a parameter that is itself
+/// [`Error::NotConverged`] where there is no optimum to speak of; [`Error::Unreadable`] for a parameter that is itself
 /// varied; [`Setup::variable`]'s; [`Error::Optimizer`] where the optimum is not isolated.
 pub fn sensitivity(best: &Optimum, parameter: &'static Parameter) -> Result<Sensitivity> {
     let problem = converged(best)?;
@@ -56,11 +57,18 @@ pub fn sensitivities(
 /// A parameter that is varied has no sensitivity: its optimum is what is found.
 ///
 /// # Errors
-/// [`Error::NotVariable`].
+/// [`Error::Unreadable`].
 pub fn refuse_varied(search: &Search, parameter: &Parameter) -> Result<()> {
     if search.vary.iter().any(|vary| vary.parameter == parameter) {
-        let reason = "it is one of the parameters varied; ask about another parameter".into();
-        return Err(Error::NotVariable { name: parameter.name.into(), reason });
+        let name = parameter.name;
+        let source = format!(
+            "{name} is one of the parameters varied, so that the search chooses it; ask about another parameter, or take it out of those \
+             (--vary)"
+        );
+        return Err(Error::Unreadable {
+            name: format!("the sensitivity of the optimum to {name}"),
+            source: source.into(),
+        });
     }
     Ok(())
 }
@@ -82,7 +90,8 @@ pub struct Change {
 }
 
 impl Change {
-    /// Reads `NAME=+AMOUNT`, for example `swing.speed=+5mph`.
+    /// Reads `NAME=+AMOUNT`, for example `swing.speed=+5mph`, or `air.density=-20%`: a part of the parameter's own value, unless the
+    /// parameter is a plain number, of which 1 % is 0.01.
     ///
     /// # Errors
     /// [`Error::Unreadable`]; as [`Setup::variable`]; [`Error::OutOfRange`] where it leads out of the parameter's range.
@@ -90,15 +99,27 @@ impl Change {
         let unreadable = |source| Error::Unreadable { name: format!("--change {}", text.trim()), source };
         let (name, amount) = text
             .split_once('=')
-            .ok_or_else(|| unreadable("write NAME=AMOUNT, for example swing.speed=+5mph".into()))?;
+            .ok_or_else(|| unreadable("write NAME=AMOUNT, for example swing.speed=+5mph or air.density=-20%".into()))?;
         let parameter = setup.variable(name.trim())?;
         let amount = amount.trim();
-        let delta = parameter.quantity.read_difference(amount.strip_prefix('+').unwrap_or(amount));
-        let delta = delta.map_err(|e| unreadable(Box::new(e)))?;
+        let amount = amount.strip_prefix('+').unwrap_or(amount);
+        let mut delta = amount_of(setup, parameter, amount, Quantity::read_difference).map_err(unreadable)?;
+        let own = setup.value(parameter).unwrap_or_default();
+        if amount.ends_with('%') && parameter.quantity != Quantity::NUMBER {
+            if own == 0.0 {
+                let (name, unit) = (parameter.name, parameter.unit);
+                let reason = format!(
+                    "{name} is 0, of which no part changes anything; write an amount, for example {name}=+1{unit}"
+                );
+                return Err(unreadable(reason.into()));
+            }
+            // a part of the value has its sign
+            delta *= own.signum();
+        }
         if !delta.is_finite() {
             return Err(unreadable("the amount must be a finite number".into()));
         }
-        parameter.check(setup.value(parameter).unwrap_or_default() + delta)?;
+        parameter.check(own + delta)?;
         Ok(Self { parameter, delta })
     }
 }
@@ -122,11 +143,16 @@ pub struct Changed {
     pub differences: Vec<Message>,
 }
 
-/// The effect of a stated change on an optimum.
+/// The effect of a stated change on an optimum. `integrated` says how the drives of the new search are integrated, from the changed setup:
+/// a step that follows the drives of one search may be too long for those of the other.
 ///
 /// # Errors
-/// As [`sensitivity`]; what the search for the new optimum refuses.
-pub fn change(best: &Optimum, change: Change) -> Result<Changed> {
+/// As [`sensitivity`]; what `integrated` and the search for the new optimum refuse.
+pub fn change(
+    best: &Optimum,
+    change: Change,
+    integrated: &dyn Fn(Setup<f64>) -> Result<Setup<f64>>,
+) -> Result<Changed> {
     let problem = converged(best)?;
     refuse_varied(&best.search, change.parameter)?;
     let solution = &best.solution;
@@ -136,7 +162,7 @@ pub fn change(best: &Optimum, change: Change) -> Result<Changed> {
     let mut setup = best.setup;
     let value = setup.value(change.parameter).unwrap_or_default();
     setup.set_value(change.parameter, Some(value + delta))?;
-    let resolved = optimum(&setup, best.search.clone(), Observer::default())?;
+    let resolved = optimum(&integrated(setup)?, best.search.clone(), Observer::default())?;
 
     let before = best.value().unwrap_or_default();
     let sign = best.search.sense.sign();

@@ -246,7 +246,7 @@ fn order_of_the_predicted_change_is_second_and_third() {
     let setup = Setup::default();
     let best = best(&setup, &search(&setup, &["club.loft=4deg..20deg", "swing.attack_angle=-5deg..5deg"], &[]));
     let error = |text: &str| {
-        let changed = change(&best, Change::read(&setup, text).unwrap()).unwrap();
+        let changed = change(&best, Change::read(&setup, text).unwrap(), &Ok).unwrap();
         assert!(changed.event.is_none() && changed.differences.is_empty());
         let anew = changed.resolved.value().unwrap();
         let loft = (changed.predicted[0] - changed.resolved.solution.x[0]).abs();
@@ -268,7 +268,7 @@ fn a_change_that_moves_the_active_set_is_foreseen_and_seen() {
         search(&setup, &["club.loft=4deg..20deg", "swing.attack_angle=-5deg..5deg"], &["apex_height <= 39 yd"]);
     let best = best(&setup, &search);
     assert_eq!(names(&best), ["swing.attack_angle at its upper bound"]);
-    let changed = change(&best, Change::read(&setup, "swing.speed=+10mph").unwrap()).unwrap();
+    let changed = change(&best, Change::read(&setup, "swing.speed=+10mph").unwrap(), &Ok).unwrap();
     let (part, words) = changed.event.unwrap();
     assert!(part > 0.0 && part < 1.0 && words.to_string() == "apex_height <= 39 yd becomes active", "{words}");
     assert!(
@@ -305,6 +305,29 @@ fn independent_optima_lie_on_the_chart_and_its_events_are_where_the_active_set_c
         longdrive::study::chart(&setup, &search, along_itself, &mut |_| true),
         Err(Error::Unreadable { .. })
     ));
+}
+
+/// Where the largest carry without the limit is the limit, it can just be met: below, it cannot.
+#[test]
+fn independent_a_chart_begins_where_its_limit_can_just_be_met() {
+    let setup = Setup::default();
+    let vary = ["club.loft=4deg..20deg", "swing.attack_angle=-5deg..5deg"];
+    let (free, limited) = (search(&setup, &vary, &[]), search(&setup, &vary, &["carry >= 280 yd"]));
+    let along = Vary::read(&setup, "swing.speed=80mph..130mph").unwrap();
+    let chart = chart(&setup, &limited, along, &mut |_| true).unwrap();
+    let begun = chart.points[0].at;
+    let at = |speed: f64| {
+        let mut setup = setup;
+        setup.swing.speed = speed;
+        setup
+    };
+    close(best(&at(begun), &free).value().unwrap(), 280.0 * 0.9144, 1.0, 1e-6, "the largest carry at the beginning");
+    let below = optimum(&at(begun * (1.0 - 1e-6)), limited, Observer::default()).unwrap();
+    assert_eq!(below.solution.status, Status::Infeasible, "{}", below.message());
+    assert!(chart.ended.is_none());
+    let said = chart.begun.unwrap().to_string();
+    assert!(said.contains("no optimum was found at 80 mph: infeasible: the constraints cannot all be met"), "{said}");
+    assert_eq!(said.matches("no optimum was found").count(), 1, "{said}");
 }
 
 #[test]

@@ -37,6 +37,21 @@ fn exact_corners_are_neither_pass_nor_fail_and_no_flight_is_no_pass() {
 }
 
 #[test]
+fn exact_nothing_is_left_once_the_only_uncertain_parameter_is_known() {
+    let args = ["uncertainty", "--sigma", "swing.speed=1mph", "--of", "carry", "--seed", "1", "--samples", "256"];
+    let text = longdrive(&args).out;
+    let told = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(told.contains("once it is known exactly, the standard deviation falls to 0.00 yd"), "{text}");
+    assert!(told.contains("100.0 % (100.0 to 100.0)") && !told.contains("<="), "{text}");
+    let (_, found) = json(&args);
+    let outcome = &found["outcomes"][0];
+    assert_eq!(number(&outcome["measure_first"]["standard_uncertainty"]), 0.0);
+    // the carry is nearly a straight line of a normal number: the bound is nearly the whole
+    let bound = &outcome["indices"][0]["bound"];
+    assert!(number(&bound["low"]) < 1.0 && 1.0 < number(&bound["high"]), "{bound}");
+}
+
+#[test]
 fn exact_effects_and_the_sensitivity_of_an_optimum_as_json() {
     let (status, found) = json(&["sensitivity", "--sigma", "swing.speed=1 mph", "--no-defaults"]);
     let carry = &found["outcomes"][0];

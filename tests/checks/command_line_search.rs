@@ -167,6 +167,40 @@ fn exact_chart_as_json_csv_and_table() {
     assert!(chart["ended"].as_str().unwrap().contains("iteration-limit"));
 }
 
+const VARYING: [&str; 2] = ["--distribution", "swing.attack_angle=normal(-1deg,2deg)"];
+
+/// A changed optimum is that of a search of its own there, with the step that such a search chooses: that of the drive as set up would be too
+/// long for a drive more than three times as fast.
+#[test]
+fn independent_a_changed_optimum_is_that_of_a_search_of_the_changed_setup() {
+    for (change, set) in [("swing.speed=+300mph", "swing.speed=415mph"), ("air.density=-20%", "air.density=0.98kg/m^3")]
+    {
+        let asked =
+            ["optimum-sensitivity", "--set", "air.density=1.225kg/m^3", "--wrt", "swing.speed", "--change", change];
+        let (_, found) = json(&asked);
+        let resolved = &found["changes"][0]["resolved"];
+        let anew = ["optimize", "--set", "air.density=1.225kg/m^3", "--set", set];
+        let anew = if set.starts_with("air") { [&anew[..1], &anew[3..]].concat() } else { anew.to_vec() };
+        let (_, best) = json(&anew);
+        assert_eq!(
+            (&resolved["status"], &best["status"]),
+            (&"converged".into(), &"converged".into()),
+            "{resolved} {best}"
+        );
+        // both within a micrometre of the exact carry
+        close(number(&resolved["value"]), number(&best["value"]), 1.0, 1e-5, change);
+    }
+}
+
+#[test]
+fn what_is_varied_is_refused_without_a_contradiction() {
+    let said = longdrive(&["optimum-sensitivity", "--change", "swing.attack_angle=+1deg"]);
+    let told = said.err.split_whitespace().collect::<Vec<_>>().join(" ");
+    let words = "the sensitivity of the optimum to swing.attack_angle: swing.attack_angle is one of the parameters varied, so that the search \
+                 chooses it; ask about another parameter";
+    assert!(said.status == 2 && told.contains(words) && !told.contains("cannot be varied"), "{told}");
+}
+
 #[test]
 fn bad_input_to_a_search_is_status_2_and_says_what_to_write() {
     for (args, says) in [
@@ -183,7 +217,29 @@ fn bad_input_to_a_search_is_status_2_and_says_what_to_write() {
         (vec!["optimum-sensitivity", "--change", "swing.speed=+5kg"], "not a speed"),
         (vec!["optimum-sensitivity", "--change", "swing.speed"], "write NAME=AMOUNT"),
         (vec!["optimum-sensitivity", "--change", "air.density=-5 kg/m^3"], "outside its range"),
+        (
+            vec!["optimum-sensitivity", "--change", "swing.path=+20%"],
+            "swing.path is 0, of which no part changes anything",
+        ),
         (vec!["optimum-sensitivity", "--loss", "0 yd"], "above 0"),
+        (vec!["optimum-sensitivity", "--loss", "-5yd"], "--loss -5yd: it must be above 0"),
+        (
+            vec!["optimize", "--subject-to", "weights: club.mass <= 200 g"],
+            "a relation of parameters is a limit over many",
+        ),
+        (vec!["optimize", "--subject-to", "club.loft <= 8deg"], "--vary club.loft=LOW..HIGH"),
+        (vec!["optimize", "--subject-to", "aero.cd0 <= 0.3"], "--vary aero.cd0=LOW..HIGH"),
+        ([&["optimize", "--subject-to", "club.loft <= 8deg"], &VARYING[..]].concat(), "--vary club.loft=LOW..HIGH"),
+        ([&["optimize", "--maximize", "mean(carry) - 0.5 std(carry)"], &VARYING[..]].concat(), "write 0.5*std(carry)"),
+        (
+            vec!["optimize", "--swings", "nofile.toml"],
+            "the swings in nofile.toml: it cannot be read (there is no such file)",
+        ),
+        (
+            vec!["optimize", "-o", "best.json"],
+            "a setup file is written in TOML, and .json is the ending of another kind",
+        ),
+        (vec!["robust", "-o", "best.csv"], "a setup file is written in TOML"),
         (vec!["optimum-sensitivity", "--loss", "1 kg"], "not a length"),
         (vec!["chart", "--along", "swing.speed=130mph..80mph"], "the range is reversed"),
         (vec!["chart", "--along", "club.loft=5deg..6deg"], "one of the parameters varied"),

@@ -46,6 +46,7 @@ mod pages;
 mod pareto;
 mod pareto_golfer;
 mod pictures;
+mod prices;
 mod published;
 mod published_faces;
 mod reference;

@@ -138,6 +138,10 @@ fn exact_what_is_written_of_a_front_is_what_it_says() {
             close(of.of(&drive).unwrap(), number(&points[place]["values"][k]), 100.0, 1e-6, "outcome");
         }
     }
+    let said = longdrive(&[&ask[..], &["-o", &file("none.toml"), "--at", "99"]].concat());
+    let words = format!("there is no point 99; choose one with --at, from 1 to {}", points.len());
+    let told = said.err.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(said.status == 1 && told.contains(&words), "{told}");
     let said = longdrive(&[&ask[..], &["-o", &file("front.csv")]].concat());
     assert_eq!(said.status, 0, "{}", said.err);
     let table = std::fs::read_to_string(file("front.csv")).unwrap();
@@ -173,7 +177,8 @@ fn bad_goals_of_a_front_say_what_is_wrong() {
     let text = folder.path().join("front.txt").display().to_string();
     let csv = folder.path().join("front.csv").display().to_string();
     let both = ["--maximize", "carry", "--minimize", "apex_height"];
-    let cases: [(Vec<&str>, &str); 9] = [
+    let toml = folder.path().join("best.toml").display().to_string();
+    let cases: [(Vec<&str>, &str); 10] = [
         (vec!["--maximize", "carry"], "one is given, and a front is between two"),
         (vec![], "0 are given"),
         (vec!["--maximize", "carry", "--minimize", "carry"], "both are the same"),
@@ -183,6 +188,7 @@ fn bad_goals_of_a_front_say_what_is_wrong() {
         ([&both[..], &["-o", &text]].concat(), "use .csv for all points or .toml"),
         ([&both[..], &["-o", &csv, "--at", "2"]].concat(), "it chooses the point of a setup file"),
         ([&both[..], &["--scenarios", "9"]].concat(), "give these too"),
+        ([&both[..], &["-o", &toml, "--at", "-1"]].concat(), "the number of a point in the table, from 1"),
     ];
     for (args, said) in cases {
         let failed = longdrive(&[&["pareto"], &args[..]].concat());

@@ -208,7 +208,7 @@ fn the_best_loft_over_swings_is_told_with_its_price_and_its_doubt() {
     let args =
         [&["optimize", "--maximize", "mean(carry)", "--subject-to", "std(lateral) <= 60yd"][..], &GOLFER].concat();
     let text = longdrive(&args).out;
-    for said in ["best of the mean swing", "std(lateral) <= 60yd", "by Gauss's rules", "as set up"] {
+    for said in ["best for mean swing", "std(lateral) <= 60yd", "by Gauss's rules", "as set up"] {
         assert!(text.contains(said), "{said}: {text}");
     }
     let (_, answer) = json(&args);

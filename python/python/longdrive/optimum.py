@@ -49,7 +49,7 @@ class Optimum(Reply):
     | ``maxcv`` | the largest violation of a constraint, SI of its outcome; 0 without any, None where nothing was found, and for ``robust`` |
 
     ``multipliers`` are those of the bounds, by parameter; ``prices`` say what ``fun`` gains for each SI unit that a bound or constraint is
-    relaxed; ``setup`` is the setup at the optimum; ``reply`` is all that the program's ``--json`` prints.
+    relaxed, or for a bound of ``robust`` what the greatest loss falls by; ``setup`` is the setup at the optimum; ``reply`` is all that the program's ``--json`` prints.
     """
 
     @property

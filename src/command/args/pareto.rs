@@ -50,7 +50,7 @@ pub struct ParetoArgs {
     pub output: Option<PathBuf>,
 
     /// The point whose setup is written: "knee", or its number in the table [default: knee].
-    #[arg(long, value_name = "POINT", requires = "output")]
+    #[arg(long, value_name = "POINT", requires = "output", allow_negative_numbers = true)]
     pub at: Option<String>,
 
     /// Replace the file if it exists.

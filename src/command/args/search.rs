@@ -136,14 +136,14 @@ pub struct OptimumSensitivity {
     #[arg(long, value_name = "NAME,…", value_delimiter = ',', default_value = "all")]
     pub wrt: Vec<String>,
 
-    /// A change of a parameter, e.g. swing.speed=+5mph: its effect on the optimum is predicted, and compared with a new
+    /// A change of a parameter, e.g. swing.speed=+5mph or air.density=-20% of its value: its effect on the optimum is predicted, and compared with a new
     /// search. Repeatable.
     #[arg(long, value_name = "NAME=AMOUNT", allow_hyphen_values = true)]
     pub change: Vec<String>,
 
     /// The loss of the outcome for which tolerances of the optimum are computed [default: 1 yd for a distance, or 1 %
     /// of the carry where that is below 10 yd; 1 % of the outcome otherwise].
-    #[arg(long, value_name = "AMOUNT")]
+    #[arg(long, value_name = "AMOUNT", allow_hyphen_values = true)]
     pub loss: Option<String>,
 }
 

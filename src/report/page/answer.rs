@@ -104,11 +104,16 @@ fn lines(findings: &Findings<'_>, best: &Optimum) -> Vec<Markup> {
         })
     });
     let reports = constraints(best);
-    let limits = search.subject_to.iter().zip(&reports).filter(|(of, at)| at.multiplier != 0.0 && !of.is_equation());
-    let limits = limits.map(|(of, at)| {
+    let limits = search.subject_to.iter().zip(&reports).enumerate();
+    let limits = limits.filter(|(_, (of, at))| at.multiplier != 0.0 && !of.is_equation());
+    let limits = limits.map(|(j, (of, _))| {
         both(|system| {
-            let price = constraint_in_words(best, of, at, system);
-            format!("Held by {}: {}", shown::constraint(of, system), price.trim_start_matches("active: "))
+            let price = constraint_in_words(best, j, system);
+            format!(
+                "Limited by {}: {}",
+                shown::constraint(of, system),
+                price.trim_start_matches("active").trim_start_matches([':', ' '])
+            )
         })
     });
     varied.chain(limits).collect()

@@ -22,11 +22,6 @@ pub(super) fn parameter(parameter: &Parameter, found: f64) -> Markup {
     both(|system| shown::parameter(parameter, found, system))
 }
 
-/// A value of a parameter that was stated.
-pub(super) fn stated(parameter: &Parameter, value: f64) -> Markup {
-    both(|system| shown::stated(parameter, value, system))
-}
-
 /// How well an outcome is known, to two digits: "7.4 yd".
 pub(super) fn of_known_size(of: Outcome, size: f64, system: System) -> String {
     let unit = system.unit(of.unit());

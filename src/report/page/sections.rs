@@ -1,13 +1,14 @@
 //! The parts of a page that are words and tables.
 
 use super::findings::{Findings, SETUP_FILE};
-use super::numbers::{loss, outcome, parameter, stated};
+use super::numbers::{loss, outcome, parameter};
 use crate::drive::{Outcome, Part};
 use crate::error::Result;
 use crate::parameters::{GOLFER, METHOD, Parameter, SPEED_OF};
 use crate::report::certificate::settled;
 use crate::report::figures::{Flown, capital};
 use crate::report::frame::{both, scrolled};
+use crate::report::limits::ended_at;
 use crate::report::optimum::{bound_in_words, constraint_in_words, constraints};
 use crate::report::presets::sources;
 use crate::report::shown;
@@ -80,16 +81,16 @@ pub(super) fn optimum(best: &Optimum, flatness: Option<&Flatness>) -> Markup {
         p { (capital(search.sense.adjective())) " " (of.name().replace('_', " ")) ": " strong { (outcome(of, best.value())) } "." }
         (scrolled("The optimum", html! { table {
             thead { tr {
-                th { "varied" } th.number { "optimum" } th.number { "from" } th.number { "to" } th { "bound" }
+                th { "varied" } th.number { (ended_at(solution.status, "optimum")) } th.number { "from" } th.number { "to" } th { "bound" }
                 @if let Some(flatness) = flatness { th { "alone, for a loss of " (loss(of, flatness.loss)) } }
             } }
             tbody {
                 @for (i, vary) in search.vary.iter().enumerate() {
                     tr {
                         td { (shown::words(vary.parameter.name)) }
-                        td.number { (parameter(vary.parameter, solution.x[i])) }
-                        td.number { (stated(vary.parameter, vary.low)) }
-                        td.number { (stated(vary.parameter, vary.high)) }
+                        td.number { (both(|system| shown::within(vary, solution.x[i], system))) }
+                        td.number { (both(|system| shown::ends(vary, system)[0].clone())) }
+                        td.number { (both(|system| shown::ends(vary, system)[1].clone())) }
                         td.words { (both(|system| bound_in_words(best, i, system))) }
                         @if let Some(window) = window(i) {
                             td.words {
@@ -127,11 +128,11 @@ fn limits(best: &Optimum) -> Markup {
         (scrolled("Constraints", html! { table {
             thead { tr { th { "subject to" } th.number { "value" } th { "price" } } }
             tbody {
-                @for (constraint, report) in best.search.subject_to.iter().zip(reports) {
+                @for (j, (constraint, report)) in best.search.subject_to.iter().zip(reports).enumerate() {
                     tr {
                         td { (both(|system| shown::constraint(constraint, system))) }
                         td.number { (outcome(constraint.outcome, Some(report.value))) }
-                        td.words { (both(|system| constraint_in_words(best, constraint, &report, system))) }
+                        td.words { (both(|system| constraint_in_words(best, j, system))) }
                     }
                 }
             }

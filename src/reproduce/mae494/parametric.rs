@@ -71,7 +71,7 @@ impl Parametric {
         let changed = |(name, part): &(&str, f64)| {
             let parameter = best.setup.variable(name)?;
             let delta = part * best.setup.value(parameter).unwrap_or_default();
-            change(best, Change { parameter, delta })
+            change(best, Change { parameter, delta }, &Ok)
         };
         Ok(Self { sensitivities, changes: CHANGES.iter().map(changed).collect::<Result<_>>()? })
     }

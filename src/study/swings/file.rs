@@ -1,7 +1,7 @@
 use super::golfer::{Correlation, Swings};
 use crate::batch::Points;
 use crate::error::{Error, Result};
-use crate::foreign::of_toml;
+use crate::foreign::{of_io, of_toml};
 use crate::parameters::{Setup, in_file, place_in};
 use crate::study::uncertainty::Uncertain;
 use crate::table::open_table;
@@ -34,8 +34,10 @@ impl Swings {
             return recorded(setup, open_table(setup, path)?.as_mut(), path);
         }
         let file = path.display().to_string();
-        let text = std::fs::read_to_string(path)
-            .map_err(|source| Error::Unreadable { name: format!("the swings in {file}"), source: Box::new(source) })?;
+        let text = std::fs::read_to_string(path).map_err(|error| Error::Unreadable {
+            name: format!("the swings in {file}"),
+            source: of_io(&error).into(),
+        })?;
         read(setup, &text, &file)
     }
 }

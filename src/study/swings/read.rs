@@ -4,6 +4,7 @@ use crate::drive::{self, Outcome};
 use crate::error::Result;
 use crate::study::Constraint;
 use crate::study::comparison::{Compared, Part, at, compared, value};
+use crate::study::constraint::of_parameter;
 use crate::units::Quantity;
 
 /// A weighted sum of measures: `mean(carry) - 0.5*std(lateral)`.
@@ -114,6 +115,12 @@ impl GoalLimit {
         Self { expression: expression.clone(), goal: Goal::outcome(*outcome), low: *low, high: *high }
     }
 
+    /// Whether a value is between the limits, but for the rounding of a search: a millionth of it, or of one.
+    pub fn is_met(&self, value: f64) -> bool {
+        let rounding = 1e-6 * value.abs().max(1.0);
+        (self.low - rounding..=self.high + rounding).contains(&value)
+    }
+
     /// Reads `GOAL >= LIMIT`, `GOAL <= LIMIT`, `GOAL == VALUE` or `LOW <= GOAL <= HIGH`.
     ///
     /// # Errors
@@ -190,7 +197,9 @@ fn read_term(
             Ok(_) => refuse(&format!(
                 "over many swings an outcome has many values; say what of them, for example mean({call}): {MEASURES}"
             )),
-            Err(_) => refuse(&format!("'{call}' is no measure; there are {MEASURES}")),
+            Err(_) => {
+                refuse(&of_parameter(call).unwrap_or_else(|| format!("'{call}' is no measure; there are {MEASURES}")))
+            }
         };
     };
     let Some((inside, behind)) = rest.split_once(')') else { return refuse("its closing ) is missing") };
@@ -247,7 +256,16 @@ fn read_term(
         ("mean" | "std" | "rms" | "lowest" | "highest" | "within" | "strokes", _) => {
             return refuse(&format!("it has not the values that it needs; there are {MEASURES}"));
         }
-        (name, _) => return refuse(&format!("'{name}' is no measure; there are {MEASURES}")),
+        (name, _) => {
+            // "0.5 std(…)"
+            let weighted = name.split_once(char::is_whitespace).filter(|(weight, _)| weight.parse::<f64>().is_ok());
+            return refuse(&match weighted {
+                Some((weight, name)) => {
+                    format!("a * is missing between a weight and its measure; write {weight}*{}({inside})", name.trim())
+                }
+                None => format!("'{name}' is no measure; there are {MEASURES}"),
+            });
+        }
     };
     let (quantity, unit) = (measure.quantity(), measure.unit());
     let Some(weight) = weight else { return Ok((sign, measure, quantity, unit)) };

@@ -1,10 +1,11 @@
 use super::optimum::{SwingsOptimum, SwingsSearch, posed, swings_optima};
 use super::problem::SwingsProblem;
-use super::read::GoalLimit;
 use super::scenarios::Scenarios;
 use crate::error::{Error, Result};
 use crate::number::Taylor;
-use crate::optimize::{Bounds, Domain, Evaluation, Follow, Problem, Solution, Status, minimize_from, starts};
+use crate::optimize::{
+    Bounds, Constrained, Domain, Evaluation, Follow, Problem, Solution, Status, minimize_from, starts,
+};
 use crate::parameters::{LAW, Setup};
 use crate::study::optimum::stopped_of;
 use crate::study::stoppable::stopped;
@@ -90,7 +91,7 @@ pub struct Robust {
     pub setup: Setup<f64>,
     /// What each model loses with this design.
     pub losses: Vec<f64>,
-    /// How much each model holds the design: the multiplier of its loss. They add up to 1, and are 0 for models that lose less than the
+    /// How much each model limits the design: the multiplier of its loss. They add up to 1, and are 0 for models that lose less than the
     /// greatest loss.
     pub shares: Vec<f64>,
     /// What each model loses with the design as set up, `None` where a limit is not met or a swing does not fly.
@@ -102,6 +103,16 @@ pub struct Robust {
 }
 
 impl Robust {
+    /// Each limit with the model that it is of, where the search ended: the number of the model, that of the limit, its value and
+    /// multiplier, and its gradient by the design and the greatest loss.
+    pub fn limits(&self) -> impl Iterator<Item = (usize, usize, &Constrained, &[f64])> {
+        // each model's first constraint is its loss
+        let each = 1 + self.search.subject_to.len();
+        let all = self.solution.constraints.iter().zip(&self.solution.jacobian).enumerate();
+        let limits = all.filter(move |(i, _)| i % each > 0);
+        limits.map(move |(i, (at, slopes))| (i / each, i % each - 1, at, &slopes[..]))
+    }
+
     /// The greatest loss.
     pub fn greatest(&self) -> f64 {
         self.losses.iter().copied().fold(f64::NEG_INFINITY, f64::max)
@@ -163,7 +174,8 @@ pub fn robust(
     let loss = |k: usize, x: &[f64]| problems[k].values(x).ok().map(|values| sign * values[0] - least[k]);
     let designs: Vec<&[f64]> = found.iter().map(|(_, best)| &best.solution.x[..]).collect();
     // a design that breaks a limit is no rival
-    let rival = |k: usize, values: &[f64]| keeps(&search.subject_to, &values[1..]).then(|| sign * values[0] - least[k]);
+    let keeps = |values: &[f64]| search.subject_to.iter().zip(values).all(|(limit, value)| limit.is_met(*value));
+    let rival = |k: usize, values: &[f64]| keeps(&values[1..]).then(|| sign * values[0] - least[k]);
     let at = |k: usize, x: &[f64]| rival(k, &problems[k].values(x).ok()?);
     let matrix: Vec<Vec<Option<f64>>> =
         (0..problems.len()).map(|k| designs.iter().map(|x| at(k, x)).collect()).collect();
@@ -204,15 +216,6 @@ pub fn robust(
     let shares = of_models().map(|constrained| constrained.multiplier.max(0.0)).collect();
     let setup = problems[0].moved(&design)?;
     Ok(Robust { search, models: found, matrix, solution, design, setup, losses, shares, as_set_up, searches, stopped })
-}
-
-/// Whether limits are met, but for the rounding of a search.
-fn keeps(limits: &[GoalLimit], values: &[f64]) -> bool {
-    const ROUNDING: f64 = 1e-6;
-    limits.iter().zip(values).all(|(limit, value)| {
-        let rounding = ROUNDING * value.abs().max(1.0);
-        (limit.low - rounding..=limit.high + rounding).contains(value)
-    })
 }
 
 /// t, and for each model its loss less t and what is limited, as functions of (x, t).

@@ -53,7 +53,8 @@ pub struct OutcomeUncertainty {
     pub delta: Option<(Moments, Option<Moments>)>,
     /// By flying; `None` where no drive of the sample has the outcome.
     pub sampled: Option<Statistics>,
-    /// Each uncertain parameter's bound on its total share by exact gradients (Sobol' & Kucherenko 2009; Lamboni et al. 2013).
+    /// An estimate of an upper bound of each uncertain parameter's total share, by exact gradients (Sobol' & Kucherenko 2009; Lamboni et al.
+    /// 2013).
     pub slopes: Vec<Option<Slopes>>,
 }
 
@@ -62,8 +63,9 @@ pub struct OutcomeUncertainty {
 pub struct Slopes {
     /// The mean of (∂f/∂p)², SI.
     pub mean_square: f64,
-    /// C mean((∂f/∂p)²) / variance: the total share is at most this.
-    pub bound: f64,
+    /// C mean((∂f/∂p)²) / variance, C the Poincaré constant of the distribution. With the true mean and variance the total share is at
+    /// most this; here both are those of the sample, so that it is an estimate, with its interval.
+    pub bound: Interval,
 }
 
 /// A landing ellipse by the gradients, with the share of the flown landings in it.
@@ -149,19 +151,17 @@ pub fn uncertainty(
     };
     let of_len = of.len();
     let outcome = |(i, of): (usize, &Outcome)| {
-        let sampled = design.statistics(&sets.iter().map(|blocks| column_of(blocks, i)).collect::<Vec<_>>());
-        let slopes = inputs.iter().enumerate().map(|(k, input)| {
-            // the outcomes' columns, then those of their derivatives
-            let derivatives = column(&sets[0], of_len + i * inputs.len() + k);
-            let variance = sampled.as_ref()?.deviation.value.powi(2);
-            slopes(&derivatives, &input.distribution, variance)
-        });
+        let values: Vec<_> = sets.iter().map(|blocks| column_of(blocks, i)).collect();
+        let squared = |slope: Option<f64>| slope.map(|slope| slope * slope);
+        // the outcomes' columns, then those of their derivatives
+        let squares = (0..inputs.len()).map(|k| column(&sets[0], of_len + i * inputs.len() + k));
+        let squares: Vec<Vec<_>> = squares.map(|slopes| slopes.into_iter().map(squared).collect()).collect();
         OutcomeUncertainty {
             of: *of,
             at_means: at_means[i].clone(),
             delta: at_means[i].as_ref().map(|taylor| delta_method(taylor, &distributions)).and_then(existing),
-            slopes: slopes.collect(),
-            sampled,
+            slopes: slopes(&design, &values, &squares, &distributions),
+            sampled: design.statistics(&values),
         }
     };
     let outcomes: Vec<_> = of.iter().enumerate().map(outcome).collect();
@@ -197,15 +197,25 @@ fn at_means(setup: &Setup<f64>, of: &[Outcome], inputs: &[Uncertain]) -> Vec<Opt
     of.iter().map(taylor).collect()
 }
 
-/// The measure of a parameter from derivatives at a sample, those that exist.
-fn slopes(derivatives: &[Option<f64>], distribution: &Distribution, variance: f64) -> Option<Slopes> {
-    let squares: Vec<f64> = derivatives.iter().flatten().map(|d| d * d).collect();
-    if squares.is_empty() || variance <= 0.0 {
-        return None;
-    }
-    let mean_square = squares.iter().sum::<f64>() / squares.len() as f64;
-    let slopes = Slopes { mean_square, bound: distribution.poincare() * mean_square / variance };
-    (slopes.mean_square.is_finite() && slopes.bound.is_finite()).then_some(slopes)
+/// The measure of each parameter from the squares of its derivatives at the first set of points, those that exist.
+fn slopes(
+    design: &Design,
+    values: &[Vec<Option<f64>>],
+    squares: &[Vec<Option<f64>>],
+    distributions: &[Distribution],
+) -> Vec<Option<Slopes>> {
+    let mean = |squares: &Vec<Option<f64>>| {
+        let (sum, count) =
+            squares.iter().flatten().fold((0.0, 0.0), |(sum, count), square| (sum + square, count + 1.0));
+        sum / count
+    };
+    let one = |((bound, squares), distribution): ((Option<Interval>, &Vec<Option<f64>>), &Distribution)| {
+        let Interval { value, low, high } = bound?;
+        let [value, low, high] = [value, low, high].map(|end| distribution.poincare() * end);
+        let slopes = Slopes { mean_square: mean(squares), bound: Interval { value, low, high } };
+        (slopes.mean_square.is_finite() && high.is_finite()).then_some(slopes)
+    };
+    design.means_by_variance(values, squares).into_iter().zip(squares).zip(distributions).map(one).collect()
 }
 
 /// The covariance of two outcomes of independent parameters with these variances, by their gradients: JΣJᵀ.

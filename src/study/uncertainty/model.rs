@@ -35,7 +35,8 @@ impl Interval {
     }
 }
 
-/// The shares of an uncertain number in the variance of an output (Sobol' 1993; Homma & Saltelli 1996).
+/// The shares of an uncertain number in the variance of an output (Sobol' 1993; Homma & Saltelli 1996). They are estimates with the scatter
+/// of the sample, so that one may lie below 0 or above 1; of a single uncertain number both are 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Indices {
     /// What of the variance goes on average once this number is known.
@@ -129,7 +130,47 @@ impl Design {
         })
     }
 
+    /// The mean of each of these numbers over the points of A, in units of the variance of an output with these values, and the intervals:
+    /// mean and variance are of the same resamples. `None` where a number has no value, or the output does not vary.
+    pub fn means_by_variance(&self, values: &[Vec<Option<f64>>], at_a: &[Vec<Option<f64>>]) -> Vec<Option<Interval>> {
+        let outputs = |row: usize| [values[0][row], values[1][row]].into_iter().flatten();
+        let every: Vec<usize> = (0..values[0].len()).collect();
+        let all: Vec<f64> = every.iter().flat_map(|row| outputs(*row)).collect();
+        if all.len() < 2 || !varies(&all) {
+            return vec![None; at_a.len()];
+        }
+        let ratios = |drawn: &[usize]| -> Vec<f64> {
+            let drawn_outputs: Vec<f64> = drawn.iter().flat_map(|row| outputs(*row)).collect();
+            let variance =
+                if drawn_outputs.len() < 2 { f64::NAN } else { mean_and_deviation(&drawn_outputs).1.powi(2) };
+            let ratio = |column: &Vec<Option<f64>>| {
+                let (mut sum, mut count) = (0.0, 0.0);
+                drawn.iter().filter_map(|row| column[*row]).for_each(|value| {
+                    sum += value;
+                    count += 1.0;
+                });
+                sum / count / variance
+            };
+            at_a.iter().map(ratio).collect()
+        };
+        let estimates = ratios(&every);
+        let resample = |stream: u64| {
+            let mut random = self.random(stream);
+            ratios(&every.iter().map(|_| index(&mut random, every.len())).collect::<Vec<_>>())
+        };
+        let drawn: Vec<Vec<f64>> = (0..RESAMPLES as u64).into_par_iter().map(resample).collect();
+        let one = |(i, value): (usize, f64)| {
+            value.is_finite().then(|| interval(value, drawn.iter().map(|ratios| ratios[i]).collect()))
+        };
+        estimates.into_iter().enumerate().map(one).collect()
+    }
+
     fn indices(&self, rows: &[Vec<f64>], inputs: usize) -> Vec<Option<Indices>> {
+        if inputs == 1 {
+            // all variance is of the one number, whatever the function: nothing is to be estimated
+            let whole = Interval { value: 1.0, low: 1.0, high: 1.0 };
+            return vec![Some(Indices { first: whole, total: whole })];
+        }
         let every: Vec<usize> = (0..rows.len()).collect();
         let estimates = shares(rows, &every, inputs);
         let resample = |stream: u64| {
