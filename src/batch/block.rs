@@ -139,16 +139,25 @@ impl Block {
     }
 
     /// The values of the swept parameters, SI.
+    ///
+    /// # Panics
+    /// Where the block has no such row.
     pub fn point(&self, row: usize) -> &[f64] {
         &self.points[row * self.parameters..][..self.parameters]
     }
 
     /// How the drive ended.
+    ///
+    /// # Panics
+    /// Where the block has no such row.
     pub fn status(&self, row: usize) -> Status {
         self.status[row]
     }
 
     /// What a drive that landed lies beyond at its launch.
+    ///
+    /// # Panics
+    /// Where the block has no such row.
     pub fn beyond(&self, row: usize) -> Beyond {
         self.beyond[row]
     }
@@ -159,21 +168,30 @@ impl Block {
     }
 
     /// The outcome of this number, SI.
+    ///
+    /// # Panics
+    /// Where the block has no such row or outcome.
     pub fn outcome(&self, row: usize, outcome: usize) -> Option<f64> {
         Some(self.outcomes[outcome][row]).filter(|value| value.is_finite())
     }
 
     /// The derivatives of all outcomes by all parameters, SI, the parameters of the first outcome first.
+    ///
+    /// # Panics
+    /// Where the block has no such row.
     pub fn derivatives(&self, row: usize) -> impl Iterator<Item = Option<f64>> {
         self.derivatives.iter().map(move |column| Some(column[row]).filter(|value| value.is_finite()))
     }
 
     /// The outcomes, SI.
+    ///
+    /// # Panics
+    /// Where the block has no such row.
     pub fn outcomes(&self, row: usize) -> impl Iterator<Item = Option<f64>> {
         (0..self.outcomes.len()).map(move |outcome| self.outcome(row, outcome))
     }
 
-    /// A column of results: the outcomes, then the derivatives.
+    /// A column of results: the outcomes, then the derivatives. Empty where there is no such column.
     pub fn result(&self, column: usize) -> impl Iterator<Item = Option<f64>> + Clone {
         let column = self.outcomes.iter().chain(&self.derivatives).nth(column);
         column.into_iter().flatten().map(|value| Some(*value).filter(|value| value.is_finite()))

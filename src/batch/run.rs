@@ -6,7 +6,7 @@ use super::question::Kernel;
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::number::Level;
-use crate::parameters::{NO_CLUB, Parameter, Setup};
+use crate::parameters::{NO_CLUB, Parameter, Setup, refuse_twice};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Rows of a chunk: the piece of a batch that one thread computes at a time.
@@ -36,7 +36,8 @@ impl Batch {
     ///
     /// # Errors
     /// What [`Setup::validate`] refuses; [`Error::Nothing`] without outcomes or swept parameters;
-    /// [`Error::NotVariable`], [`Error::Unknown`] and [`Error::OtherLaw`] as [`Setup::variable`].
+    /// [`Error::NotVariable`], [`Error::Unknown`] and [`Error::OtherLaw`] as [`Setup::variable`], also for a coefficient of another law of the
+    /// same name; [`Error::SearchRange`] and [`Error::Together`] for a parameter given twice.
     pub fn new(
         setup: &Setup<f64>,
         parameters: &[&'static Parameter],
@@ -49,11 +50,12 @@ impl Batch {
         }
         super::points::refuse_repeated(parameters)?;
         for parameter in parameters {
-            setup.column(parameter.name)?;
+            setup.check_column(parameter)?;
         }
         for parameter in wrt.iter().filter(|parameter| !parameters.contains(parameter)) {
-            setup.variable(parameter.name)?;
+            setup.check_variable(parameter)?;
         }
+        refuse_twice(wrt)?;
         let names: Vec<_> = parameters.iter().map(|parameter| parameter.name).collect();
         setup.check_launch(&names)?;
         setup.check_air(&names)?;
@@ -69,10 +71,21 @@ impl Batch {
 
     /// The same with another step for each drive that the setup's own step does not follow closely enough: one whose steps have
     /// a larger defect than this, m (docs/model.md, eq. 16a), is flown again in steps half as long, and again. One that stays above it
-    /// in the shortest has the status `diverged`.
-    pub fn with_largest_defect(mut self, defect: f64) -> Self {
-        self.kernel.largest_defect = defect;
-        self
+    /// in the shortest has the status `diverged`. Infinity keeps the setup's own step, as does a batch that has not been given any.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] for NaN, 0 and below, which no drive meets.
+    pub fn with_largest_defect(mut self, defect: f64) -> Result<Self> {
+        if defect > 0.0 {
+            self.kernel.largest_defect = defect;
+            return Ok(self);
+        }
+        Err(Error::OutOfRange {
+            name: "the largest defect of a drive".into(),
+            value: format!("{defect} m"),
+            range: "0 m < …".into(),
+            advice: "take that of study::accuracy, or infinity for the setup's own step".into(),
+        })
     }
 
     /// The same with these instructions of the processor in place of the best it has.
@@ -122,16 +135,26 @@ impl Batch {
     }
 
     /// The drives of some points, given one after the other.
+    ///
+    /// # Panics
+    /// Where the points are not whole: where the number of their values is no multiple of the number of the swept parameters.
     pub fn evaluate(&self, first_row: u64, points: Vec<f64>) -> Block {
+        let (values, parameters) = (points.len(), self.kernel.parameters.len());
+        assert!(
+            values.is_multiple_of(parameters),
+            "points of {parameters} parameters need a multiple of {parameters} values; there are {values}"
+        );
         self.kernel.evaluate(first_row, points)
     }
 
     /// Computes the drives of all points. Each block goes through `work` on the thread that computed it, and what that
     /// makes of it to `sink`, in the order of the points. Returns the row after the last one handed on: the number of
-    /// points or the end that was asked for, unless it was stopped.
+    /// points or the end that was asked for, unless it was stopped; `run.first_row` where none was, as there is no point from there on.
     ///
     /// # Errors
-    /// What `points` and `sink` return; rows before an unreadable point are handed on first.
+    /// [`Error::Together`] for points of other parameters than those of the batch, or in another order, and for points whose
+    /// [`read`](Points::read) does not append as many values as the rows it tells of have, or more rows than it was asked for; what `points`
+    /// and `sink` return. Rows before an unreadable point are handed on first.
     pub fn run<R: Send>(
         &self,
         points: &mut dyn Points,
@@ -139,6 +162,7 @@ impl Batch {
         work: impl Fn(Block) -> R + Sync,
         mut sink: impl FnMut(R) -> Result<()>,
     ) -> Result<u64> {
+        self.check_parameters(points.parameters())?;
         points.seek(run.first_row)?;
         let end = run.end_row.unwrap_or(u64::MAX).min(points.rows());
         // no more threads than there are chunks to compute
@@ -149,8 +173,9 @@ impl Batch {
         let next = || {
             let mut values = Vec::with_capacity(CHUNK * self.kernel.parameters.len());
             let most = end.saturating_sub(row).min(CHUNK as u64) as usize;
-            let rows = if is_stopped() || most == 0 { 0 } else { points.read(most, &mut values)? as u64 };
-            let first_row = row;
+            let rows = if is_stopped() || most == 0 { 0 } else { points.read(most, &mut values)? };
+            self.check_chunk(rows, most, values.len())?;
+            let (first_row, rows) = (row, rows as u64);
             row += rows;
             Ok((rows > 0).then_some((first_row, rows, values)))
         };
@@ -165,6 +190,28 @@ impl Batch {
             },
         )?;
         Ok(done)
+    }
+
+    /// Whether points are of the swept parameters, in their order.
+    fn check_parameters(&self, of_points: &[&'static Parameter]) -> Result<()> {
+        if of_points == self.parameters() {
+            return Ok(());
+        }
+        let named = |all: &[&'static Parameter]| all.iter().map(|one| one.name).collect::<Vec<_>>().join(", ");
+        let given = format!("points of {}", named(of_points));
+        let reason = format!("the batch is of {}; give points of these, in this order", named(self.parameters()));
+        Err(Error::Together { given, reason })
+    }
+
+    /// Whether so many rows, of which there were to be `most`, have so many values.
+    fn check_chunk(&self, rows: usize, most: usize, values: usize) -> Result<()> {
+        let parameters = self.parameters().len();
+        if rows <= most && Some(values) == rows.checked_mul(parameters) {
+            return Ok(());
+        }
+        let given = format!("Points::read, asked for at most {most} rows, tells of {rows} and appends {values} values");
+        let reason = format!("it must append {parameters} values for each row, and no more rows than asked for");
+        Err(Error::Together { given, reason })
     }
 }
 

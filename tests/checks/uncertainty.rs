@@ -9,7 +9,7 @@ use longdrive::{Drive, Error, Outcome, Setup, derivative};
 use std::f64::consts::PI;
 
 fn statistics(inputs: &[Distribution], plan: Plan, f: impl Fn(&[f64]) -> Option<f64>) -> Statistics {
-    let design = Design::new(inputs, plan);
+    let design = Design::new(inputs, plan).unwrap();
     let values = design.points.iter().map(|points| points.iter().map(|point| f(point)).collect()).collect::<Vec<_>>();
     design.statistics(&values).unwrap()
 }
@@ -107,7 +107,7 @@ fn exact_values_that_are_missing_are_counted_and_nothing_is_invented_for_them() 
     let found = statistics(&[CIRCLE], Plan { samples: 1000, seed: 0 }, |x| (x[0] > 0.0).then_some(x[0]));
     assert!(found.left_out > 500 && found.left_out < 900, "{}", found.left_out);
     close(found.mean.value, PI / 2.0, 1.0, 0.1, "the mean of those there are");
-    let design = Design::new(&[CIRCLE], Plan { samples: 10, seed: 0 });
+    let design = Design::new(&[CIRCLE], Plan { samples: 10, seed: 0 }).unwrap();
     assert!(design.statistics(&vec![vec![None; 10]; 3]).is_none());
     let constant = statistics(&[CIRCLE], Plan { samples: 10, seed: 0 }, |_| Some(2.0));
     assert!(constant.indices[0].is_none() && constant.deviation.value == 0.0);

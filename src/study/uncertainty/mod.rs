@@ -104,7 +104,7 @@ impl OutcomeUncertainty {
 ///
 /// # Errors
 /// [`Error::Nothing`] without outcomes or uncertain parameters; [`Error::SearchRange`] for a parameter given twice or a sample too
-/// small; what [`Batch::new`] refuses.
+/// small; what [`Uncertain::check`] and [`Batch::new`] refuse.
 pub fn uncertainty(
     setup: &Setup<f64>,
     of: &[Outcome],
@@ -116,12 +116,16 @@ pub fn uncertainty(
         let reason = "the sample needs at least 2 points".into();
         return Err(Error::SearchRange { name: format!("--samples {}", plan.samples), reason });
     }
+    if inputs.is_empty() {
+        return Err(Error::Nothing { doing: "take samples of", what: "uncertain parameter" });
+    }
+    inputs.iter().try_for_each(Uncertain::check)?;
     let parameters: Vec<_> = inputs.iter().map(|input| input.parameter).collect();
     let distributions: Vec<_> = inputs.iter().map(|input| input.distribution).collect();
     let values = Batch::new(setup, &parameters, of, &[])?;
     let gradients = Batch::new(setup, &parameters, of, &parameters)?;
 
-    let design = Design::new(&distributions, plan);
+    let design = Design::new(&distributions, plan)?;
     let total = design.points.len() * plan.samples;
     let done = AtomicUsize::new(0);
     let fly = |(set, points): (usize, &Vec<Vec<f64>>)| {
