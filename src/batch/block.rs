@@ -44,7 +44,7 @@ impl fmt::Display for Status {
     }
 }
 
-/// How many drives ended in which way, and how many of those that landed lie beyond what the model is made for.
+/// How many drives ended in which way, and how many of those that landed are outside of what the model is made for.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Tally {
     statuses: [u64; Status::ALL.len()],
@@ -70,7 +70,7 @@ impl Tally {
         self.beyond.merge(other.beyond);
     }
 
-    /// The tally of counts by the statuses' names, and of the landed drives that lie beyond; unknown names are ignored.
+    /// The tally of counts by the statuses' names, and of the landed drives outside of what the model is made for; unknown names are ignored.
     pub fn of<'a>(counts: impl IntoIterator<Item = (&'a str, u64)>, beyond: BeyondCount) -> Self {
         let mut tally = Self { beyond, ..Self::default() };
         for (name, count) in counts {
@@ -81,7 +81,7 @@ impl Tally {
         tally
     }
 
-    /// How many of the landed drives lie beyond what the model is made for.
+    /// How many of the landed drives are outside of what the model is made for.
     pub fn beyond(&self) -> BeyondCount {
         self.beyond
     }
@@ -128,6 +128,11 @@ impl Block {
         self.outcomes.iter_mut().chain(&mut self.derivatives).for_each(|column| column[row] = f64::NAN);
     }
 
+    /// How many columns it has: parameters, outcomes, derivatives.
+    pub(crate) fn columns(&self) -> [usize; 3] {
+        [self.parameters, self.outcomes.len(), self.derivatives.len()]
+    }
+
     /// The row of its first point, from 0.
     pub fn first_row(&self) -> u64 {
         self.first_row
@@ -154,7 +159,7 @@ impl Block {
         self.status[row]
     }
 
-    /// What a drive that landed lies beyond at its launch.
+    /// In what a drive that landed is, by its launch, outside of what the model is made for.
     ///
     /// # Panics
     /// Where the block has no such row.

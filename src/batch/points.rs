@@ -27,7 +27,7 @@ pub trait Points {
     /// [`Error::Table`] for what cannot be read.
     fn read(&mut self, most: usize, values: &mut Vec<f64>) -> Result<usize>;
 
-    /// What deserves a word about where they come from: columns of a table that are not read.
+    /// Notes on where they come from: columns of a table that are not read.
     fn notes(&self) -> Vec<Message> {
         vec![]
     }

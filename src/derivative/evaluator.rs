@@ -77,7 +77,7 @@ impl Evaluator {
     ///
     /// # Errors
     /// [`Error::OutOfRange`] and [`Error::Inertia`] for values no drive can have; what [`Drive::new`](crate::Drive::new)
-    /// refuses; [`Error::NoFlight`] for an outcome of a flight that is none; [`Error::Undefined`] where a value or
+    /// refuses; [`Error::NoFlight`] for an outcome of a ball that does not fly; [`Error::Undefined`] where a value or
     /// derivative does not exist.
     ///
     /// # Panics

@@ -26,7 +26,7 @@ use crate::parameters::Setup;
 use crate::units::significant;
 
 /// A drive: what the impact makes of a setup, and how the ball flies.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Drive<T> {
     /// The ball as it leaves.
     pub launch: Launch<T>,

@@ -57,7 +57,10 @@ impl Taylor {
             });
             term.expect_derivatives_by(sum.gradient.len(), "derivatives of the first term");
             let [first, this] = [sum.hessian.len(), term.hessian.len()];
-            assert!(first == this, "there are {first} rows of second derivatives of the first term, and {this} of another");
+            assert!(
+                first == this,
+                "there are {first} rows of second derivatives of the first term, and {this} of another"
+            );
             sum.value += weight * term.value;
             sum.gradient.iter_mut().zip(&term.gradient).for_each(|(sum, d)| *sum += weight * d);
             for (sum, row) in sum.hessian.iter_mut().zip(&term.hessian) {

@@ -334,7 +334,7 @@ impl Setup<f64> {
         self.club.check_inertia()
     }
 
-    /// What is flown as it stands but deserves a word.
+    /// Warnings about what is flown as it stands.
     pub fn warnings(&self) -> Vec<Message> {
         let of_club = self.club.triangle_warning().into_iter().chain(self.weightless()).map(Message::from);
         of_club.chain(self.unproven_weather()).collect()

@@ -3,7 +3,8 @@
 use crate::common::close;
 use longdrive::optimize::{Bounds, Follow, Observer, Status};
 use longdrive::study::{
-    Change, Constraint, Optimum, Search, Vary, change, chart, flatness, optima, optimum, sensitivities, sensitivity,
+    Change, Constraint, Fineness, Optimum, Search, Vary, change, chart, flatness, map, optima, optimum, sensitivities,
+    sensitivity,
 };
 use longdrive::{Drive, Error, Outcome, Setup};
 
@@ -315,4 +316,18 @@ fn a_saddle_is_left_for_a_maximum() {
     assert_eq!(best.solution.x[0].abs(), 20.0);
     let bounds = Bounds::new(vec![0.0], vec![1.0]).unwrap();
     assert_eq!((bounds.excess(0, 1.5), bounds.excess(0, -1.0), bounds.excess(0, 0.5)), (0.5, -1.0, 0.0));
+}
+
+/// No start and no node is nothing to answer from: neither is made one without a word.
+#[test]
+fn no_starts_and_no_nodes_are_refused() {
+    let setup = Setup::default();
+    let search = search(&setup, &["club.loft=8deg..12deg", "swing.attack_angle=-2deg..2deg"], &[]);
+    let error = optima(&setup, &search, 0, &Follow::default()).unwrap_err().to_string();
+    assert!(error.contains("at least one start"), "{error}");
+    let nodes = |nodes| map(&setup, Outcome::BallSpeed, search.vary[0], search.vary[1], Fineness { nodes, slopes: 0 });
+    for count in [0, 1] {
+        assert!(nodes(count).unwrap_err().to_string().contains("2 nodes or more"), "{count}");
+    }
+    assert_eq!(nodes(2).unwrap().values.len(), 4);
 }

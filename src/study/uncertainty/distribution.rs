@@ -227,7 +227,7 @@ impl Uncertain {
     /// [`Error::Unreadable`] for what is no distribution; [`Error::OutOfRange`] where an end or the mean is none the parameter may
     /// have; as [`Setup::column`]: a parameter needs no value in the setup.
     pub fn read(setup: &Setup<f64>, text: &str) -> Result<Self> {
-        let unreadable = |source| Error::Unreadable { name: format!("--distribution {}", text.trim()), source };
+        let unreadable = |source| Error::Unreadable { name: format!("the distribution {}", text.trim()), source };
         let how = "write NAME=normal(MEAN,DEVIATION), NAME=uniform(LOW,HIGH), NAME=triangular(LOW,MODE,HIGH) or \
                    NAME=truncated(MEAN,DEVIATION,LOW,HIGH)";
         let (name, rest) = text.split_once('=').ok_or_else(|| unreadable(how.into()))?;

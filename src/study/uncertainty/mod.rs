@@ -21,6 +21,7 @@ use crate::derivative::{Order, Taylor, evaluate};
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup};
+use crate::units::counted;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -103,8 +104,8 @@ impl OutcomeUncertainty {
 /// of how many are done.
 ///
 /// # Errors
-/// [`Error::Nothing`] without outcomes or uncertain parameters; [`Error::SearchRange`] for a parameter given twice or a sample too
-/// small; what [`Uncertain::check`] and [`Batch::new`] refuse.
+/// [`Error::Nothing`] without outcomes or uncertain parameters; [`Error::SearchRange`] for a parameter given twice; [`Error::Together`] for a
+/// sample of fewer than 2 points; what [`Uncertain::check`] and [`Batch::new`] refuse.
 pub fn uncertainty(
     setup: &Setup<f64>,
     of: &[Outcome],
@@ -113,8 +114,8 @@ pub fn uncertainty(
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Uncertainty> {
     if plan.samples < 2 {
-        let reason = "the sample needs at least 2 points".into();
-        return Err(Error::SearchRange { name: format!("--samples {}", plan.samples), reason });
+        let given = format!("a sample of {}", counted(plan.samples as u64, "point"));
+        return Err(Error::Together { given, reason: "it needs 2 points or more".into() });
     }
     if inputs.is_empty() {
         return Err(Error::Nothing { doing: "take samples of", what: "uncertain parameter" });

@@ -102,10 +102,8 @@ impl Design {
     /// Where there are not as many values as points, set by set.
     pub fn statistics(&self, values: &[Vec<Option<f64>>]) -> Option<Statistics> {
         let lengths = |sets: &mut dyn Iterator<Item = usize>| sets.collect::<Vec<_>>();
-        let [asked, given] = [
-            lengths(&mut self.points.iter().map(Vec::len)),
-            lengths(&mut values.iter().map(Vec::len)),
-        ];
+        let [asked, given] =
+            [lengths(&mut self.points.iter().map(Vec::len)), lengths(&mut values.iter().map(Vec::len))];
         assert!(asked == given, "the sets of the design have {asked:?} points, and there are {given:?} values");
         let is_finite = |value: &f64| value.is_finite();
         // moments of every value of A and B, which are independent
