@@ -111,7 +111,7 @@ pub enum Error {
         /// Why, and what to do.
         reason: String,
     },
-    /// A range to search that is none.
+    /// A range, to search or to sweep, that cannot be one.
     #[error("the range {name}: {reason}")]
     SearchRange {
         /// The parameter, with its range as given.
@@ -120,7 +120,7 @@ pub enum Error {
         reason: String,
     },
     /// A search without anything to vary, a gradient with respect to nothing.
-    #[error("nothing to {doing}: name at least one {what}{}", how_to(doing))]
+    #[error("nothing to {doing}: name at least one {what}")]
     Nothing {
         /// What was to be done: "vary", "differentiate by".
         doing: &'static str,
@@ -402,15 +402,6 @@ fn no_strike(approach: f64) -> Message {
     Message::from("the club does not strike the ball: the contact point approaches along the face normal at ")
         .quantity(Quantity::SPEED, "m/s", approach, Digits::Significant(5))
         .words(", which must be above 0; check swing.speed, club.loft, swing.face_angle and swing.shaft_lean")
-}
-
-fn how_to(doing: &str) -> &'static str {
-    match doing {
-        "vary" => ", with a range wider than a single value, as in --vary club.loft=4deg..20deg",
-        "fit" => ", as in --fit aero.cd0 or --fit aero.cd0=0.1..0.4",
-        "sweep" => ", as in --over club.loft=5deg..15deg:101",
-        _ => "",
-    }
 }
 
 /// The name that is most like a given one, and how alike they are, 0 to 1.

@@ -8,7 +8,7 @@ use crate::parameters::Setup;
 pub const LEAST_SPIN: f64 = 1e-6;
 
 /// Velocity and spin of the ball at launch, in the ground frame.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Launch<T> {
     /// Velocity, m/s.
     pub velocity: Vector<T>,

@@ -198,7 +198,7 @@ pub fn batch<'py>(
             let integrated = found.map_or(setup.setup, |found| found.applied_to(&setup.setup));
             let mut batch = Batch::new(&integrated, arrays.parameters(), &sought, &wrt)?;
             if let Some(found) = found {
-                batch = batch.with_largest_defect(found.largest_defect);
+                batch = batch.with_largest_defect(found.largest_defect)?;
             }
             let seconds =
                 hessians.then(|| Hessians::new(&integrated, arrays.parameters(), &sought, &wrt)).transpose()?;

@@ -47,7 +47,7 @@ impl fmt::Display for Status {
     }
 }
 
-/// How many drives ended in which way, and how many of those that landed lie beyond what the model is made for.
+/// How many drives ended in which way, and how many of those that landed are outside of what the model is made for.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Tally {
     statuses: [u64; Status::ALL.len()],
@@ -73,12 +73,12 @@ impl Tally {
         self.beyond.merge(other.beyond);
     }
 
-    /// The tally of these counts, and of the landed drives that lie beyond.
+    /// The tally of these counts, and of the landed drives outside of what the model is made for.
     pub fn of(counts: &BTreeMap<Status, u64>, beyond: BeyondCount) -> Self {
         Self { statuses: Status::ALL.map(|status| counts.get(&status).copied().unwrap_or_default()), beyond }
     }
 
-    /// How many of the landed drives lie beyond what the model is made for.
+    /// How many of the landed drives are outside of what the model is made for.
     pub fn beyond(&self) -> BeyondCount {
         self.beyond
     }
@@ -120,6 +120,11 @@ pub struct Block {
 }
 
 impl Block {
+    /// How many columns it has: parameters, outcomes, derivatives.
+    pub(crate) fn columns(&self) -> [usize; 3] {
+        [self.parameters, self.outcomes.len(), self.derivatives.len()]
+    }
+
     /// The row of its first point, from 0.
     pub fn first_row(&self) -> u64 {
         self.first_row
@@ -131,16 +136,25 @@ impl Block {
     }
 
     /// The values of the swept parameters, SI.
+    ///
+    /// # Panics
+    /// Where the block has no such row.
     pub fn point(&self, row: usize) -> &[f64] {
         &self.points[row * self.parameters..][..self.parameters]
     }
 
     /// How the drive ended.
+    ///
+    /// # Panics
+    /// Where the block has no such row.
     pub fn status(&self, row: usize) -> Status {
         self.status[row]
     }
 
-    /// What a drive that landed lies beyond at its launch.
+    /// In what a drive that landed is, by its launch, outside of what the model is made for.
+    ///
+    /// # Panics
+    /// Where the block has no such row.
     pub fn beyond(&self, row: usize) -> Beyond {
         self.beyond[row]
     }
@@ -151,21 +165,30 @@ impl Block {
     }
 
     /// The outcome of this number, SI.
+    ///
+    /// # Panics
+    /// Where the block has no such row or outcome.
     pub fn outcome(&self, row: usize, outcome: usize) -> Option<f64> {
         Some(self.outcomes[outcome][row]).filter(|value| value.is_finite())
     }
 
     /// The derivatives of all outcomes by all parameters, SI, the parameters of the first outcome first.
+    ///
+    /// # Panics
+    /// Where the block has no such row.
     pub fn derivatives(&self, row: usize) -> impl Iterator<Item = Option<f64>> {
         self.derivatives.iter().map(move |column| Some(column[row]).filter(|value| value.is_finite()))
     }
 
     /// The outcomes, SI.
+    ///
+    /// # Panics
+    /// Where the block has no such row.
     pub fn outcomes(&self, row: usize) -> impl Iterator<Item = Option<f64>> {
         (0..self.outcomes.len()).map(move |outcome| self.outcome(row, outcome))
     }
 
-    /// A column of results: the outcomes, then the derivatives.
+    /// A column of results: the outcomes, then the derivatives. Empty where there is no such column.
     pub fn result(&self, column: usize) -> impl Iterator<Item = Option<f64>> + Clone {
         let column = self.outcomes.iter().chain(&self.derivatives).nth(column);
         column.into_iter().flatten().map(|value| Some(*value).filter(|value| value.is_finite()))

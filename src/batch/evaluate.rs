@@ -85,7 +85,7 @@ impl Batch {
     fn followed(&self, setup: &mut Setup<f64>) -> Result<Drive<f64>> {
         let mut halvings = if self.largest_defect.is_finite() { HALVINGS } else { 0 };
         loop {
-            let found = Drive::new(setup);
+            let found = Drive::in_any_steps(setup);
             let is_close = match &found {
                 Ok(Drive { flight: Flight::Landed(landed), .. }) => !self.is_off(landed.defect),
                 Err(Error::Diverged { .. }) => false,

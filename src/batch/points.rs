@@ -20,14 +20,14 @@ pub trait Points {
     /// What keeps the rows before it from being read.
     fn seek(&mut self, row: u64) -> Result<()>;
 
-    /// Appends the next rows to `values`, SI, one row after the other, at most `most` of them; how many there were, 0 at
-    /// the end only.
+    /// Appends the next rows to `values`, SI, one row after the other with a value for each parameter, at most `most` of them; how many
+    /// there were, 0 at the end only. Who reads them refuses other numbers of values.
     ///
     /// # Errors
     /// [`Error::Table`] for what cannot be read.
     fn read(&mut self, most: usize, values: &mut Vec<f64>) -> Result<usize>;
 
-    /// What deserves a word about where they come from: columns of a table that are not read.
+    /// Notes on where they come from: columns of a table that are not read.
     fn notes(&self) -> Vec<Message> {
         vec![]
     }

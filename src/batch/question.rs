@@ -2,7 +2,7 @@ use super::points::refuse_repeated;
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::number::Level;
-use crate::parameters::{NO_CLUB, Parameter, Setup};
+use crate::parameters::{NO_CLUB, Parameter, Setup, refuse_twice};
 
 /// What is asked of every point.
 #[derive(Clone, Debug)]
@@ -24,7 +24,8 @@ impl Batch {
     ///
     /// # Errors
     /// What [`Setup::validate`] refuses; [`Error::Nothing`] without outcomes or swept parameters;
-    /// [`Error::NotVariable`], [`Error::Unknown`] and [`Error::OtherLaw`] as [`Setup::variable`].
+    /// [`Error::NotVariable`], [`Error::Unknown`] and [`Error::OtherLaw`] as [`Setup::variable`], also for a coefficient of another law of the
+    /// same name; [`Error::SearchRange`] and [`Error::Together`] for a parameter given twice.
     pub fn new(
         setup: &Setup<f64>,
         parameters: &[&'static Parameter],
@@ -37,11 +38,12 @@ impl Batch {
         }
         refuse_repeated(parameters)?;
         for parameter in parameters {
-            setup.column(parameter.name)?;
+            setup.check_column(parameter)?;
         }
         for parameter in wrt.iter().filter(|parameter| !parameters.contains(parameter)) {
-            setup.variable(parameter.name)?;
+            setup.check_variable(parameter)?;
         }
+        refuse_twice(wrt)?;
         let names: Vec<_> = parameters.iter().map(|parameter| parameter.name).collect();
         setup.check_launch(&names)?;
         setup.check_air(&names)?;
@@ -55,10 +57,21 @@ impl Batch {
 
     /// The same with another step for each drive that the setup's own step does not follow closely enough: one whose steps have
     /// a larger defect than this, m (docs/model.md, eq. 16a), is flown again in steps half as long, and again. One that stays above it
-    /// in the shortest has the status `diverged`.
-    pub fn with_largest_defect(mut self, defect: f64) -> Self {
-        self.largest_defect = defect;
-        self
+    /// in the shortest has the status `diverged`. Infinity keeps the setup's own step, as does a batch that has not been given any.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] for NaN, 0 and below, which no drive meets.
+    pub fn with_largest_defect(mut self, defect: f64) -> Result<Self> {
+        if defect > 0.0 {
+            self.largest_defect = defect;
+            return Ok(self);
+        }
+        Err(Error::OutOfRange {
+            name: "the largest defect of a drive".into(),
+            value: format!("{defect} m"),
+            range: "0 m < …".into(),
+            advice: "take that of study::accuracy, or infinity for the setup's own step".into(),
+        })
     }
 
     /// The same with the instructions of this level in place of the most that the processor has.

@@ -26,10 +26,12 @@ pub struct Run<'a> {
 impl Batch {
     /// Computes the drives of all points. Each block goes through `work` on the thread that computed it, and what that
     /// makes of it to `sink`, in the order of the points. Returns the row after the last one handed on: the number of
-    /// points or the end that was asked for, unless it was stopped.
+    /// points or the end that was asked for, unless it was stopped; `run.first_row` where none was, as there is no point from there on.
     ///
     /// # Errors
-    /// What `points` and `sink` return; rows before an unreadable point are handed on first.
+    /// [`Error::Together`] for points of other parameters than those of the batch, or in another order, and for points whose
+    /// [`read`](Points::read) does not append as many values as the rows it tells of have, or more rows than it was asked for; what `points`
+    /// and `sink` return. Rows before an unreadable point are handed on first.
     pub fn run<R: Send>(
         &self,
         points: &mut dyn Points,
@@ -37,6 +39,7 @@ impl Batch {
         work: impl Fn(Block) -> R + Sync,
         mut sink: impl FnMut(R) -> Result<()>,
     ) -> Result<u64> {
+        self.check_parameters(points.parameters())?;
         points.seek(run.first_row)?;
         let end = run.end_row.unwrap_or(u64::MAX).min(points.rows());
         // no more threads than there are chunks to compute
@@ -47,8 +50,9 @@ impl Batch {
         let next = || {
             let mut values = Vec::with_capacity(CHUNK * self.parameters.len());
             let most = end.saturating_sub(row).min(CHUNK as u64) as usize;
-            let rows = if is_stopped() || most == 0 { 0 } else { points.read(most, &mut values)? as u64 };
-            let first_row = row;
+            let rows = if is_stopped() || most == 0 { 0 } else { points.read(most, &mut values)? };
+            self.check_chunk(rows, most, values.len())?;
+            let (first_row, rows) = (row, rows as u64);
             row += rows;
             Ok((rows > 0).then_some((first_row, rows, values)))
         };
@@ -63,6 +67,28 @@ impl Batch {
             },
         )?;
         Ok(done)
+    }
+
+    /// Whether points are of the swept parameters, in their order.
+    fn check_parameters(&self, of_points: &[&'static Parameter]) -> Result<()> {
+        if of_points == self.parameters() {
+            return Ok(());
+        }
+        let named = |all: &[&'static Parameter]| all.iter().map(|one| one.name).collect::<Vec<_>>().join(", ");
+        let given = format!("points of {}", named(of_points));
+        let reason = format!("the batch is of {}; give points of these, in this order", named(self.parameters()));
+        Err(Error::Together { given, reason })
+    }
+
+    /// Whether so many rows, of which there were to be `most`, have so many values.
+    fn check_chunk(&self, rows: usize, most: usize, values: usize) -> Result<()> {
+        let parameters = self.parameters().len();
+        if rows <= most && Some(values) == rows.checked_mul(parameters) {
+            return Ok(());
+        }
+        let given = format!("Points::read, asked for at most {most} rows, tells of {rows} and appends {values} values");
+        let reason = format!("it must append {parameters} values for each row, and no more rows than asked for");
+        Err(Error::Together { given, reason })
     }
 }
 

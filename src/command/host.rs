@@ -9,7 +9,7 @@ use std::sync::atomic::AtomicBool;
 pub enum Kind {
     /// A remark or progress; none with `--quiet`.
     Note,
-    /// What deserves a word about the question or the answer.
+    /// A warning about the question or the answer.
     Warning,
     /// Why there is no answer.
     Error,

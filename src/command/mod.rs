@@ -69,6 +69,7 @@ mod terminal;
 mod uncertainty;
 mod validate;
 mod verify;
+mod wording;
 
 pub use described::described;
 pub use host::{Hold, Host, Kind};
@@ -107,7 +108,7 @@ pub fn run(words: Vec<OsString>, host: Arc<dyn Host>) -> u8 {
     host.begin(name, is_json);
     running::within(host, Some(args.shown.clone()), &words, || match answer(&args.command).and_then(Answer::print) {
         Ok(status) => status,
-        Err(error) => output::complain(&error, name, is_json),
+        Err(error) => output::complain(&wording::in_words_of_the_program(error), name, is_json),
     })
 }
 

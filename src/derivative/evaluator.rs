@@ -7,7 +7,7 @@ use super::ways::Ways;
 use crate::drive::{Outcome, Part};
 use crate::error::{Error, Result};
 use crate::number::Level;
-use crate::parameters::{Parameter, Setup};
+use crate::parameters::{Parameter, Setup, refuse_twice};
 
 /// A question asked of many drives: outcomes, with derivatives by parameters, of one setup at changing values of these
 /// parameters. What can be checked once is checked when it is made.
@@ -37,21 +37,21 @@ pub struct Evaluator {
 
 impl Evaluator {
     /// # Errors
-    /// What [`Setup::validate`] and [`Setup::variable`] refuse; [`Error::Nothing`] without outcomes or, beyond values,
-    /// without parameters.
+    /// What [`Setup::validate`] and [`Setup::variable`] refuse, for values alone [`Setup::column`]; [`Error::OtherLaw`] for a coefficient of
+    /// another law; [`Error::Together`] for a parameter given twice; [`Error::Nothing`] without outcomes or, beyond values, without
+    /// parameters.
     pub fn new(setup: &Setup<f64>, of: &[Outcome], wrt: &[&'static Parameter], order: Order) -> Result<Self> {
         setup.validate()?;
         if of.is_empty() {
             return Err(Error::Nothing { doing: "evaluate", what: "outcome" });
         }
-        if order > Order::Value {
-            if wrt.is_empty() {
-                return Err(Error::Nothing { doing: "differentiate by", what: "parameter" });
-            }
-            for parameter in wrt {
-                setup.variable(parameter.name)?;
-            }
+        if order > Order::Value && wrt.is_empty() {
+            return Err(Error::Nothing { doing: "differentiate by", what: "parameter" });
         }
+        for parameter in wrt {
+            if order > Order::Value { setup.check_variable(parameter) } else { setup.check_column(parameter) }?;
+        }
+        refuse_twice(wrt)?;
         let of_inertia = wrt.iter().enumerate().filter(|(_, parameter)| parameter.is_of_inertia());
         let inertia = of_inertia.map(|(place, parameter)| (place, setup.value(parameter))).collect();
         let (of, wrt, ways) = (of.to_vec(), wrt.to_vec(), Ways::of(wrt));
@@ -77,7 +77,7 @@ impl Evaluator {
     ///
     /// # Errors
     /// [`Error::OutOfRange`] and [`Error::Inertia`] for values no drive can have; what [`Drive::new`](crate::Drive::new)
-    /// refuses; [`Error::NoFlight`] for an outcome of a flight that is none; [`Error::Undefined`] where a value or
+    /// refuses; [`Error::NoFlight`] for an outcome of a ball that does not fly; [`Error::Undefined`] where a value or
     /// derivative does not exist.
     ///
     /// # Panics

@@ -57,9 +57,8 @@ pub fn jacobian(setup: &Setup<f64>, of: &[Outcome], wrt: &[&'static Parameter]) 
 /// Outcomes of a drive with their derivatives up to `order`.
 ///
 /// # Errors
-/// What [`Setup::validate`], [`Setup::variable`] and [`Drive::new`](crate::Drive::new) refuse; [`Error::NoFlight`] for an outcome
-/// of a flight that is none; [`Error::Undefined`] where a value or derivative does not exist;
-/// [`Error::Nothing`] without outcomes or, beyond values, without parameters.
+/// What [`Evaluator::new`] and [`Drive::new`](crate::Drive::new) refuse; [`Error::NoFlight`] for an outcome of a ball that does not fly;
+/// [`Error::Undefined`] where a value or derivative does not exist.
 pub fn evaluate(setup: &Setup<f64>, of: &[Outcome], wrt: &[&'static Parameter], order: Order) -> Result<Vec<Taylor>> {
     evaluate_with(setup, of, wrt, order, |_, _| ())
 }

@@ -1,4 +1,4 @@
-//! Where drives lie beyond what their law was fitted to, or beside any face: one by one, and how many of many.
+//! Drives outside of what the model is made for: of what their law was fitted to, of any face, of the landings that were measured.
 
 use super::flat::{assumed, flat};
 use super::{Drive, Outcome};
@@ -24,7 +24,7 @@ pub(crate) fn any_face() -> String {
     )
 }
 
-/// What a drive lies beyond, as its launch or as its whole flight tells.
+/// In what a drive is outside of what the model is made for, by its launch or by its whole flight.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Beyond {
     /// The ball has a spin ratio, a Reynolds number or a speed through the air that its law was not fitted to.
@@ -45,7 +45,7 @@ pub enum Looked {
 }
 
 impl Drive<f64> {
-    /// What the drive of a setup lies beyond, of which these outcomes are asked for.
+    /// In what the drive of a setup is outside of what the model is made for, where these outcomes are asked for.
     pub fn beyond(&self, setup: &Setup<f64>, looked: Looked, of: &[Outcome]) -> Beyond {
         let law = match looked {
             Looked::AtLaunch => {
@@ -63,7 +63,7 @@ impl Drive<f64> {
     }
 }
 
-/// How many of some drives lie beyond.
+/// How many of some drives are outside of what the model is made for.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct BeyondCount {
     /// All that flew and landed.
@@ -93,14 +93,14 @@ impl BeyondCount {
         self.flat += other.flat;
     }
 
-    /// What deserves a word: a sentence for each kind of which there are any. `of` is what they are: "drive", "optimum".
+    /// Warnings: a sentence for each kind of which there are any. `of` is what they are: "drive", "optimum".
     pub fn warnings(&self, law: &Law<f64>, of: [&str; 2], looked: Looked) -> Vec<Message> {
         let some = |count: u64| (count > 0).then(|| counted_of(count, self.all, of));
         in_words([self.law, self.face, self.flat].map(some), self.flat == 1, law, looked)
     }
 }
 
-/// Which shares of some drives lie beyond, from 0 to 1.
+/// Which shares of some drives, from 0 to 1, are outside of what the model is made for.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct BeyondShare {
     /// The share that flies with what the law was not fitted to.
@@ -122,13 +122,13 @@ impl BeyondShare {
         self.flat += share * f64::from(u8::from(drive.flat));
     }
 
-    /// What 1 % of the drives or more lie beyond.
+    /// The kinds that 1 % of the drives or more are of.
     pub fn worth_a_word(&self) -> Beyond {
         let is = |share: f64| share >= Self::WORTH_A_WORD;
         Beyond { law: is(self.law), face: is(self.face), flat: is(self.flat) }
     }
 
-    /// What deserves a word of drives that were looked at along their flights: a sentence for each kind that 1 % of them or more are of. `of` is
+    /// Warnings about drives that were looked at along their flights: a sentence for each kind that 1 % of them or more are of. `of` is
     /// what they are: "the swings".
     pub fn warnings(&self, law: &Law<f64>, of: &str) -> Vec<Message> {
         let Beyond { law: of_law, face, flat } = self.worth_a_word();

@@ -18,7 +18,7 @@ pub(crate) use struck::Struck;
 use crate::aerodynamics::AerodynamicLaw;
 use crate::atmosphere::AirState;
 use crate::error::{Error, Result};
-use crate::flight::{Flight, Landed, fly};
+use crate::flight::{Flight, Landed, fly_in_any_steps};
 use crate::impact::{Grip, Head, Impact, strike};
 use crate::launch::Launch;
 use crate::number::Number;
@@ -26,7 +26,7 @@ use crate::parameters::Setup;
 use crate::units::significant;
 
 /// A drive: what the impact makes of a setup, and how the ball flies.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Drive<T> {
     /// The ball as it leaves.
     pub launch: Launch<T>,
@@ -42,7 +42,8 @@ pub struct Drive<T> {
 
 impl<T: Number> Drive<T> {
     /// Hits and flies. The same code gives values over `f64` and exact derivatives over dual numbers; the
-    /// values are not checked against their ranges here ([`Setup::validate`] does).
+    /// values are not checked against their ranges here ([`Setup::validate`] does), but for the step, with which a flight might never end.
+    /// Method and step of the integration are those of the setup: [`accuracy`](crate::study::accuracy()) finds others for a stated error.
     ///
     /// ```
     /// use longdrive::{Drive, Outcome, Setup};
@@ -55,14 +56,24 @@ impl<T: Number> Drive<T> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::OffFace`], [`Error::NoStrike`], [`Error::Jammed`], [`Error::Diverged`]. A drive that does not
-    /// fly is no error here: see [`Flight`].
+    /// [`Error::OffFace`], [`Error::NoStrike`], [`Error::Jammed`], [`Error::Diverged`]; [`Error::OutOfRange`] and [`Error::NotANumber`] as
+    /// [`fly`](crate::flight::fly). A drive that does not fly is no error here: see [`Flight`].
     pub fn new(setup: &Setup<T>) -> Result<Self> {
+        setup.flight.check_steps()?;
+        Self::in_any_steps(setup)
+    }
+
+    /// The same, however many steps the flight takes.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new), but for the step.
+    pub(crate) fn in_any_steps(setup: &Setup<T>) -> Result<Self> {
         if let Some(launch) = Launch::given(setup) {
-            return Ok(Self { launch, impact: None, flight: fly(setup, &launch)?, club_speed: None, head: None });
+            let flight = fly_in_any_steps(setup, &launch)?;
+            return Ok(Self { launch, impact: None, flight, club_speed: None, head: None });
         }
         let impact = strike(setup)?;
-        let (launch, flight) = (impact.launch, fly(setup, &impact.launch)?);
+        let (launch, flight) = (impact.launch, fly_in_any_steps(setup, &impact.launch)?);
         let (club_speed, head) = (Some(setup.swing.speed), Some(Head::new(&setup.club)));
         Ok(Self { launch, impact: Some(impact), flight, club_speed, head })
     }

@@ -5,6 +5,8 @@ use crate::impact::Head;
 use crate::launch::Launch;
 use crate::number::Number;
 use crate::units::Quantity;
+use std::fmt;
+use std::str::FromStr;
 
 /// What an outcome is of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -33,7 +35,7 @@ pub(crate) struct Shown<'a, T> {
 macro_rules! outcomes {
     ($( $(#[doc = $doc:literal])+ $Part:ident $Outcome:ident = $name:literal, $symbol:literal, $quantity:ident in $unit:literal, |$drive:ident| $value:expr; )+) => {
         /// What one may ask of a drive.
-        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
         pub enum Outcome {
             $( $(#[doc = $doc])+ #[doc = concat!("\n\n`", $name, "`, symbol ", $symbol, ".")] $Outcome, )+
         }
@@ -75,7 +77,8 @@ macro_rules! outcomes {
             /// The outcome of a drive, over whatever number the drive was computed, SI.
             ///
             /// # Errors
-            /// [`Error::NoFlight`] for an outcome of the flight where there is none.
+            /// [`Error::NoFlight`] for an outcome of the flight where there is none; [`Error::Undefined`] for one of the club where the launch
+            /// is given.
             pub fn of<T: Number>(self, drive: &Drive<T>) -> Result<T> {
                 let landed = match &drive.flight {
                     Flight::Landed(landed) => Some(landed),
@@ -166,7 +169,7 @@ outcomes! {
 }
 
 impl Outcome {
-    /// The outcomes of the head alone, which no swing changes. They are had by name.
+    /// The outcomes of the head alone, which no swing changes. [`named`](Self::named) knows them too.
     pub const OF_HEAD: &'static [Self] =
         &[Self::HeadMass, Self::HeadMoi, Self::HeadMinor1, Self::HeadMinor2, Self::HeadMinor3];
 
@@ -241,5 +244,21 @@ impl Outcome {
     /// A value as a person reads it.
     pub fn show(self, value: f64) -> String {
         self.quantity().show(value, self.unit())
+    }
+}
+
+/// Its name: `carry`.
+impl fmt::Display for Outcome {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.name())
+    }
+}
+
+/// As [`Outcome::named`].
+impl FromStr for Outcome {
+    type Err = Error;
+
+    fn from_str(name: &str) -> Result<Self> {
+        Self::named(name)
     }
 }

@@ -1,4 +1,4 @@
-//! What deserves a word about a drive that is computed as it stands.
+//! Warnings about a drive that is computed as it stands.
 
 use super::beyond::{any_face, is_beside_any_face};
 use super::flat::{assumed, flat};
@@ -22,7 +22,7 @@ pub struct Within {
 }
 
 impl Drive<f64> {
-    /// All that deserves a word about a setup and its drive: what the setup warns of, corners of the model that the drive lies on, a strike beside
+    /// All warnings about a setup and its drive: what the setup warns of, corners of the model that the drive lies on, a strike beside
     /// any face, and drag and lift where the law was not fitted. It flies the drive once more; a search asks only about its result.
     pub fn warnings(&self, setup: &Setup<f64>) -> Vec<Message> {
         let mut warnings = setup.warnings();

@@ -60,7 +60,7 @@ impl Diverging {
                  force that is far too large"
             ),
             found => format!(
-                "{}, which is unusual; check it, or let --tolerance choose a step that follows it",
+                "{}, which is unusual; check it, or let a tolerance choose a step that follows it",
                 found.join(", and ")
             ),
         }

@@ -5,7 +5,7 @@ use crate::units::{Digits, Message, Quantity};
 use std::fmt;
 
 /// How a flight ends.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Flight<T> {
     /// On the ground.
     Landed(Landed<T>),
@@ -14,7 +14,7 @@ pub enum Flight<T> {
 }
 
 /// A flight that landed.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Landed<T> {
     /// Downrange distance at landing, along the target line, m.
     pub carry: T,
@@ -69,7 +69,7 @@ impl<T: Copy> Landed<T> {
 }
 
 /// The highest point of a flight; the launch itself where the ball only falls.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Apex<T> {
     /// Height above the tee, m.
     pub height: T,

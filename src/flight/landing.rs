@@ -50,8 +50,18 @@ pub(crate) struct Ended<T: Numbers> {
 /// Flies the ball from launch to landing (docs/model.md, eqs. 12–18). No heap memory is used.
 ///
 /// # Errors
-/// [`Error::Diverged`] where drag and lift change the airspeed too much within a step, or numbers overflow.
+/// [`Error::Diverged`] where drag and lift change the airspeed too much within a step, or numbers overflow; [`Error::OutOfRange`] and
+/// [`Error::NotANumber`] for a step that makes no steps, or more than 1e8 up to the time limit.
 pub fn fly<T: Number>(setup: &Setup<T>, launch: &Launch<T>) -> Result<Flight<T>> {
+    setup.flight.check_steps()?;
+    fly_in_any_steps(setup, launch)
+}
+
+/// The same, however many steps it takes.
+///
+/// # Errors
+/// [`Error::Diverged`].
+pub(crate) fn fly_in_any_steps<T: Number>(setup: &Setup<T>, launch: &Launch<T>) -> Result<Flight<T>> {
     Inputs::new(setup, launch, true).fly(&Discretization::of(setup), true, &mut |_, _| ())
 }
 

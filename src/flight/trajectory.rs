@@ -48,6 +48,7 @@ pub struct TrajectoryPoint {
 /// # Errors
 /// As [`fly`](super::fly).
 pub fn trajectory(setup: &Setup<f64>, launch: &Launch<f64>) -> Result<Trajectory> {
+    setup.flight.check_steps()?;
     let start = TrajectoryPoint { time: 0.0, position: Vector::zero(), velocity: launch.velocity };
     let mut points = vec![start];
     let inputs = Inputs::new(setup, launch, false);

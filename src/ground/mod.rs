@@ -13,7 +13,7 @@ use rubbing::Rubbing;
 pub(crate) use turf::Turf;
 
 /// Where a ball rests.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rest<T> {
     /// Downrange distance, along the target line, m. NaN where the ball does not come to rest.
     pub downrange: T,

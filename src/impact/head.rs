@@ -4,7 +4,7 @@ use crate::number::{Numbers, Vector};
 use crate::parameters::{Club, Weight};
 
 /// A rigid head: mass, centre of mass and inertia tensor, with its movable weights (docs/model.md, eqs. 5a–5c).
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Head<T> {
     /// Its mass M, kg.
     pub mass: T,

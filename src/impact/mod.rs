@@ -24,7 +24,7 @@ use crate::number::{Number, Numbers, Vector, inlined};
 use crate::parameters::{Golfer, Setup};
 
 /// What an impact leaves behind, in the ground frame.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Impact<T> {
     /// The ball as it leaves the face.
     pub launch: Launch<T>,

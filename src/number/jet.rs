@@ -55,7 +55,10 @@ pub struct Jet<const K: usize, B = f64> {
 pub type Mixed<B = f64> = Jet<1, Jet<1, B>>;
 
 impl<const K: usize, B: Numbers> Jet<K, B> {
-    /// The independent variable of a direction.
+    /// The independent variable of a direction, from 0 to K − 1.
+    ///
+    /// # Panics
+    /// Where there is no such direction.
     pub fn variable(re: B, direction: usize) -> Self {
         let mut jet = Self { re, gradient: filled(B::zero()) };
         jet.gradient[direction] = B::constant(1.0);

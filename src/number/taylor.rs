@@ -16,6 +16,23 @@ impl Taylor {
         self.value.is_finite() && derivatives.all(|d| d.is_finite())
     }
 
+    /// Whether there are as many derivatives as there are of something else, second ones too where there are any.
+    ///
+    /// # Panics
+    /// Where there are not, with both numbers.
+    #[track_caller]
+    pub(crate) fn expect_derivatives_by(&self, count: usize, of_what: &str) {
+        let first = self.gradient.len();
+        assert!(first == count, "there are {count} {of_what}, and {first} derivatives");
+        let rows = self.hessian.iter().map(Vec::len);
+        let is_square = self.hessian.is_empty() || self.hessian.len() == count && rows.clone().all(|row| row == count);
+        assert!(
+            is_square,
+            "there are {count} {of_what}, and second derivatives in rows of {:?}",
+            rows.collect::<Vec<_>>()
+        );
+    }
+
     /// The function with the opposite sign.
     #[must_use]
     pub fn negated(mut self) -> Self {
@@ -27,6 +44,9 @@ impl Taylor {
     }
 
     /// Σ wₖ fₖ, added in the order given.
+    ///
+    /// # Panics
+    /// Where the terms do not all have as many derivatives, of each order, as the first.
     pub fn sum<'a>(terms: impl IntoIterator<Item = (&'a Self, f64)>) -> Self {
         let mut all: Option<Self> = None;
         for (term, weight) in terms {
@@ -35,6 +55,12 @@ impl Taylor {
                 gradient: vec![0.0; term.gradient.len()],
                 hessian: vec![vec![0.0; term.gradient.len()]; term.hessian.len()],
             });
+            term.expect_derivatives_by(sum.gradient.len(), "derivatives of the first term");
+            let [first, this] = [sum.hessian.len(), term.hessian.len()];
+            assert!(
+                first == this,
+                "there are {first} rows of second derivatives of the first term, and {this} of another"
+            );
             sum.value += weight * term.value;
             sum.gradient.iter_mut().zip(&term.gradient).for_each(|(sum, d)| *sum += weight * d);
             for (sum, row) in sum.hessian.iter_mut().zip(&term.hessian) {

@@ -4,6 +4,8 @@
 
 use super::Range;
 use crate::units::{Digits, Message, Quantity};
+use std::fmt;
+use std::hash::{Hash, Hasher};
 
 /// What kind of slot a parameter fills.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -16,8 +18,10 @@ pub enum Kind {
     Setting,
 }
 
-/// One row of the table: a scalar of the model.
+/// One row of the table: a scalar of the model. The rows are all there are: [`Setup::parameter`](super::Setup::parameter) finds one by its
+/// name. Two laws may each have a coefficient of the same name; these are two parameters.
 #[derive(Debug)]
+#[non_exhaustive]
 pub struct Parameter {
     /// Dotted name, as in setup files: `club.loft`.
     pub name: &'static str,
@@ -68,6 +72,22 @@ impl Parameter {
 impl PartialEq for Parameter {
     fn eq(&self, other: &Self) -> bool {
         std::ptr::eq(self, other)
+    }
+}
+
+impl Eq for Parameter {}
+
+/// Of its name and its law, which no other row has.
+impl Hash for Parameter {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        (self.name, self.law).hash(state);
+    }
+}
+
+/// Its name.
+impl fmt::Display for Parameter {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.name)
     }
 }
 

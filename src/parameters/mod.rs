@@ -14,6 +14,7 @@ mod method;
 mod presets;
 mod range;
 mod setup;
+mod steps;
 mod table;
 mod turf;
 mod vary;
@@ -36,7 +37,7 @@ pub use method::{METHOD, Method};
 pub use presets::{PRESETS, Preset, PresetEntry};
 pub use range::Range;
 pub use setup::LAW;
-pub(crate) use setup::NO_CLUB;
+pub(crate) use setup::{NO_CLUB, refuse_twice};
 pub(crate) use table::with_law;
 pub use table::{
     Aero, Air, Ball, BearmanHarvey, Club, Contact, Ferguson, FlightConditions, Ground, LaunchConditions, LaunchMonitor,

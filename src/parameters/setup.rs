@@ -277,7 +277,8 @@ impl Setup<f64> {
     /// Sets a parameter to an SI value; `None` unsets an optional one, and takes back one that follows from others which are set.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`]; [`Error::Unreadable`] where a parameter that needs a value is to be unset.
+    /// [`Error::OutOfRange`]; [`Error::OtherLaw`] for a coefficient of another law; [`Error::Unreadable`] where a parameter that needs a value is
+    /// to be unset.
     pub fn set_value(&mut self, parameter: &Parameter, value: Option<f64>) -> Result<()> {
         if let Some(value) = value {
             parameter.check(value)?;
@@ -289,9 +290,16 @@ impl Setup<f64> {
             (Some(Slot::Required(place) | Slot::Setting(place)), Some(value)) => *place = value,
             (Some(Slot::Optional(place)), value) => *place = value,
             (Some(Slot::Required(_)), None) => self.take_back(parameter),
-            _ => {}
+            (Some(Slot::Setting(_)), None) => {}
+            (None, _) => return Err(self.of_other_law(parameter)),
         }
         Ok(())
+    }
+
+    /// A coefficient of another law than that of the setup, also where both laws have one of this name.
+    fn of_other_law(&self, parameter: &Parameter) -> Error {
+        let owners = parameter.law.unwrap_or_default().into();
+        Error::OtherLaw { name: parameter.name.into(), law: self.law.name(), owners }
     }
 
     /// Gives a parameter that follows from others the value that it has where it is not given: it is not used.
@@ -322,26 +330,11 @@ impl Setup<f64> {
                 parameter.check(value)?;
             }
         }
-        self.check_step_count()?;
+        self.flight.check_steps()?;
         self.club.check_inertia()
     }
 
-    /// A flight of more steps than anyone waits for is refused before it begins.
-    fn check_step_count(&self) -> Result<()> {
-        const MOST: f64 = 1e8;
-        let (step, limit) = (self.flight.step, self.flight.time_limit);
-        if limit / step <= MOST {
-            return Ok(());
-        }
-        Err(Error::OutOfRange {
-            name: "flight.step".into(),
-            value: format!("{step:e} s"),
-            range: format!("{:e} s <= …: at most {MOST:e} steps up to flight.time_limit = {limit} s", limit / MOST),
-            advice: "take a longer step or a shorter time limit (5 ms is within 1 µm of the exact carry)".into(),
-        })
-    }
-
-    /// What is flown as it stands but deserves a word.
+    /// Warnings about what is flown as it stands.
     pub fn warnings(&self) -> Vec<Message> {
         let of_club = self.club.triangle_warning().into_iter().chain(self.weightless()).map(Message::from);
         of_club.chain(self.unproven_weather()).collect()
@@ -396,12 +389,44 @@ impl Setup<f64> {
         }
     }
 
+    /// Whether a parameter is one of this setup that has a number, as [`variable`](Self::variable) finds it by its name.
+    ///
+    /// # Errors
+    /// As [`variable`](Self::variable); [`Error::OtherLaw`].
+    pub(crate) fn check_variable(&self, parameter: &Parameter) -> Result<()> {
+        self.check_found(parameter, self.variable(parameter.name)?)
+    }
+
+    /// Whether a parameter is one of this setup that may have a number in each drive, as [`column`](Self::column) finds it by its name.
+    ///
+    /// # Errors
+    /// As [`column`](Self::column); [`Error::OtherLaw`].
+    pub(crate) fn check_column(&self, parameter: &Parameter) -> Result<()> {
+        self.check_found(parameter, self.column(parameter.name)?)
+    }
+
+    fn check_found(&self, parameter: &Parameter, found: &Parameter) -> Result<()> {
+        if parameter == found { Ok(()) } else { Err(self.of_other_law(parameter)) }
+    }
+
     /// The parameters that [`variable`](Self::variable) accepts.
     pub fn variables(&self) -> Vec<&'static Parameter> {
         let mut rows = self.parameters();
         rows.retain(|row| self.variable(row.name).is_ok());
         rows
     }
+}
+
+/// Derivatives by parameters of which one is given twice.
+///
+/// # Errors
+/// [`Error::Together`].
+pub(crate) fn refuse_twice(wrt: &[&'static Parameter]) -> Result<()> {
+    let is_twice = |at: &usize| wrt[..*at].contains(&wrt[*at]);
+    (0..wrt.len()).find(is_twice).map_or(Ok(()), |at| {
+        let given = format!("{} is given twice among the parameters to differentiate by", wrt[at]);
+        Err(Error::Together { given, reason: "name it once".into() })
+    })
 }
 
 /// A table and a law that is none.

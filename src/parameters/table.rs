@@ -258,8 +258,9 @@ parameter_groups! {
         /// Acceleration of gravity.
         gravity: T = "gravity", "g", ACCELERATION in "m/s^2", Range::above_to(0.0, 1000.0), "9.80665 m/s^2",
             "standard gravity";
+        // from a 1e8th of the default time limit on: more steps are refused
         /// Time step of the integration.
-        step: f64 = "flight.step", "h", TIME in "s", Range::above_to(0.0, 5.0), "0.01 s",
+        step: f64 = "flight.step", "h", TIME in "s", Range::from_to(6e-6, 5.0), "0.01 s",
             "lengths of ordinary drives within 1e-6 m, also in a logarithmic wind, docs/model.md";
         /// Longest time of flight that is computed.
         time_limit: f64 = "flight.time_limit", "t_max", TIME in "s", Range::above_to(0.0, 1e6), "600 s",

@@ -26,7 +26,7 @@ impl Vary {
     /// ```
     ///
     /// # Errors
-    /// [`Error::SearchRange`] for a range that is none; as [`Setup::variable`] and [`Parameter::read`].
+    /// [`Error::SearchRange`] for a text that is not a range, and for one that is reversed or infinite; as [`Setup::variable`] and [`Parameter::read`].
     pub fn read(setup: &Setup<f64>, text: &str) -> Result<Self> {
         Self::read_of(text, |name| setup.variable(name))
     }
@@ -85,20 +85,38 @@ impl Vary {
     /// # Errors
     /// [`Error::SearchRange`] where it is reversed or infinite, [`Error::OutOfRange`].
     pub fn new(parameter: &'static Parameter, low: f64, high: f64) -> Result<Self> {
-        let name = format!("{}={}..{}", parameter.name, parameter.show(Some(low)), parameter.show(Some(high)));
         parameter.check(low)?;
         parameter.check(high)?;
-        if low > high {
-            let reason = format!(
-                "the range is reversed; did you mean {}..{}?",
-                parameter.show(Some(high)),
-                parameter.show(Some(low))
-            );
-            return Err(Error::SearchRange { name, reason });
+        let vary = Self { parameter, low, high };
+        vary.check()?;
+        if low.is_finite() && high.is_finite() {
+            Ok(vary)
+        } else {
+            Err(vary.refused("both ends must be finite".into()))
         }
-        if !(low.is_finite() && high.is_finite()) {
-            return Err(Error::SearchRange { name, reason: "both ends must be finite".into() });
+    }
+
+    /// Whether it is a range, which one that was not made by [`new`](Self::new) need not be. What lies beyond the parameter's own range has no
+    /// drives.
+    ///
+    /// # Errors
+    /// [`Error::NotANumber`]; [`Error::SearchRange`] where it is reversed.
+    pub(crate) fn check(&self) -> Result<()> {
+        let Self { parameter, low, high } = *self;
+        for end in [low, high] {
+            if end.is_nan() {
+                parameter.check(end)?;
+            }
         }
-        Ok(Self { parameter, low, high })
+        if low <= high {
+            return Ok(());
+        }
+        let [low, high] = [low, high].map(|end| parameter.show(Some(end)));
+        Err(self.refused(format!("the range is reversed; did you mean {high}..{low}?")))
+    }
+
+    fn refused(&self, reason: String) -> Error {
+        let [low, high] = [self.low, self.high].map(|end| self.parameter.show(Some(end)));
+        Error::SearchRange { name: format!("{}={low}..{high}", self.parameter), reason }
     }
 }

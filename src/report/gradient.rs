@@ -49,6 +49,9 @@ impl HessianReport {
 
 impl GradientReport {
     /// The answer of `gradient`: each outcome with its derivatives, or why there are none.
+    ///
+    /// # Panics
+    /// Where an outcome has not as many derivatives as there are parameters.
     pub fn reply(
         found: &[(Outcome, Result<Taylor>)],
         wrt: &[&'static Parameter],
@@ -72,7 +75,10 @@ impl OutcomeReport {
     fn new(of: Outcome, wrt: &[&'static Parameter], taylor: &Result<Taylor>) -> Self {
         let names: Vec<&str> = wrt.iter().map(|parameter| parameter.name).collect();
         let taylor = match taylor {
-            Ok(taylor) => taylor,
+            Ok(taylor) => {
+                taylor.expect_derivatives_by(wrt.len(), "parameters");
+                taylor
+            }
             Err(why) => {
                 let message = Some(why.to_string());
                 return Self { of: of.name(), value: Value::Null, gradient: None, hessian: None, message };
@@ -90,7 +96,11 @@ impl OutcomeReport {
 }
 
 /// An outcome with its gradient, and Hessian if there is one, as text; derivatives also in SI, to twelve digits.
+///
+/// # Panics
+/// Where there are not as many derivatives as parameters.
 pub fn gradient_text(of: Outcome, wrt: &[&'static Parameter], taylor: &Taylor, system: System) -> String {
+    taylor.expect_derivatives_by(wrt.len(), "parameters");
     let si = of.quantity().si;
     let settled = |d: f64, by: &[&Parameter]| shown::settled(d, taylor.value, (of.quantity(), of.unit()), by);
     let rows = wrt.iter().zip(&taylor.gradient).map(|(parameter, slope)| {

@@ -71,9 +71,9 @@ pub use setup_file::{preset_toml, setup_toml, setup_toml_without_step};
 pub use shots::ShotParquet;
 pub use shots::{ShotFormat, ShotWriter, ShotsReport, open_connect_answer, shots_text};
 pub use shown::{outcome as outcome_text, stated as parameter_text};
-pub use sweep::{SweepCsv, SweepJsonLines};
 #[cfg(feature = "parquet")]
-pub use sweep::{SweepParquet, summary_text};
+pub use sweep::SweepParquet;
+pub use sweep::{SweepCsv, SweepJsonLines, summary_text};
 pub use swings::{swings_reply, swings_text, swings_toml, value_text};
 pub use uncertainty::{UncertaintyReport, uncertainty_text};
 pub use validation::{validation_csv, validation_document, validation_reply};

@@ -53,7 +53,7 @@ impl Flown {
         self.status(row).map_or("refused", Status::name)
     }
 
-    /// What the drive of a row that landed lies beyond.
+    /// In what the drive of a row that landed is outside of what the model is made for.
     pub fn beyond(&self, row: usize) -> Beyond {
         self.flights[row].map(|flight| self.block.beyond(flight)).unwrap_or_default()
     }

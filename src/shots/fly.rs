@@ -75,9 +75,11 @@ impl Flying {
     }
 
     /// As [`Batch::with_largest_defect`].
-    #[must_use]
-    pub fn with_largest_defect(self, defect: f64) -> Self {
-        Self { batch: self.batch.with_largest_defect(defect), ..self }
+    ///
+    /// # Errors
+    /// As there.
+    pub fn with_largest_defect(self, defect: f64) -> Result<Self> {
+        Ok(Self { batch: self.batch.with_largest_defect(defect)?, ..self })
     }
 
     /// The same on ground that is said to be that of the shots: total, run and lateral total are compared too.

@@ -60,7 +60,7 @@ const ROUNDING: f64 = 1e-12;
 /// ```
 ///
 /// # Errors
-/// [`Error::Tolerance`] for a tolerance that is none, or that none of the steps down to 4 ms reaches, with the drive that is off most;
+/// [`Error::Tolerance`] for a tolerance that is not above 0, or that none of the steps down to 4 ms reaches, with the drive that is off most;
 /// [`Error::NoFlight`] where none of the drives lands; what [`Batch::new`] refuses.
 pub fn accuracy(setup: &Setup<f64>, ranges: &[Vary], of: &[Outcome], tolerance: f64) -> Result<Accuracy> {
     if !(tolerance > 0.0 && tolerance.is_finite()) {

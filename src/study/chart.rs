@@ -77,7 +77,7 @@ impl std::fmt::Display for ChartEvent {
 }
 
 impl Chart {
-    /// What deserves a word about its optima: how many lie beyond what the law was fitted to, or are struck beside any face, and where
+    /// Warnings about its optima: how many lie outside of what the law was fitted to, or are struck beside any face, and where
     /// along the parameter.
     pub fn warnings(&self) -> Vec<Message> {
         let Some(first) = self.points.first() else { return vec![] };
@@ -145,7 +145,7 @@ pub fn chart(
 /// Shows an iteration.
 type Show = Rc<dyn Fn(&Iteration)>;
 
-/// Who is shown the searches of a chart, and stops them.
+/// What the searches of a chart report to, and what stops them.
 #[derive(Clone, Default)]
 pub struct ChartObserver {
     /// Ends the chart with the points so far once it is true, also within a search.
@@ -185,6 +185,7 @@ pub fn chart_at(
     observer: &ChartObserver,
     on_point: &mut dyn FnMut(&ChartPoint) -> bool,
 ) -> Result<Chart> {
+    along.check()?;
     if let Some(outside) = at.iter().find(|at| !(along.low..=along.high).contains(*at)) {
         let show = |value: f64| along.parameter.show(Some(value));
         let reason = format!(

@@ -45,7 +45,7 @@ impl Constraint {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Constraint`](crate::error::Error::Constraint), which points into the expression.
+    /// [`Error::Constraint`], which points into the expression.
     pub fn read(expression: &str) -> Result<Self> {
         let example = "descent_angle >= 38deg, lateral == 0m or 20yd <= apex_height <= 35yd";
         if let Some((name, _)) = expression.split_once(':') {
@@ -60,5 +60,19 @@ impl Constraint {
             Ok((outcome, move |limit: &Part<'_>| value(expression, limit, outcome.quantity())))
         })?;
         Ok(Self { expression: expression.trim().into(), outcome, low, high })
+    }
+
+    /// Whether its limits are limits, which those of one that was not read need not be.
+    ///
+    /// # Errors
+    /// [`Error::SearchRange`].
+    pub(super) fn check(&self) -> Result<()> {
+        let Self { expression, outcome, low, high } = self;
+        if low <= high {
+            return Ok(());
+        }
+        let [low, high] = [*low, *high].map(|limit| outcome.show(limit));
+        let reason = format!("its limits are {low} and {high}; the lower must be a number not above the upper");
+        Err(Error::SearchRange { name: expression.clone(), reason })
     }
 }

@@ -75,13 +75,14 @@ const LEAST_SIZE: f64 = 1e-9;
 /// The effects of all parameters that have a number on some outcomes; `progress` is told how many uncertainties of how many are done.
 ///
 /// # Errors
-/// As [`evaluate`].
+/// As [`evaluate`]; [`Error::Unreadable`](crate::Error::Unreadable) for an uncertainty that is not above 0 and finite.
 pub fn effects(
     setup: &Setup<f64>,
     of: &[Outcome],
     sigmas: &[Sigma],
     progress: &mut dyn FnMut(usize, usize),
 ) -> Result<Vec<Effects>> {
+    sigmas.iter().try_for_each(|sigma| sigma.check(setup))?;
     let mut parameters = setup.variables();
     // what only the run depends on, where none is asked for
     let runs = of.iter().any(|of| of.is_of_the_run());

@@ -28,8 +28,10 @@ impl Landing {
     /// the strike and the club, or of a launch that is given. Those that were stated are all taken.
     ///
     /// # Errors
-    /// As [`Drive::new`] and [`evaluate`]; [`Error::NoFlight`](crate::Error::NoFlight) where nothing lands.
+    /// As [`Drive::new`] and [`evaluate`]; [`Error::NoFlight`](crate::Error::NoFlight) where nothing lands;
+    /// [`Error::Unreadable`](crate::Error::Unreadable) for an uncertainty that is not above 0 and finite.
     pub fn of(name: impl Into<String>, setup: &Setup<f64>, sigmas: &[Sigma]) -> Result<Self> {
+        sigmas.iter().try_for_each(|sigma| sigma.check(setup))?;
         let drive = Drive::new(setup)?;
         drive.landed()?;
         let sigmas: Vec<Sigma> = sigmas.iter().filter(|sigma| is_of_the_golfer(sigma)).copied().collect();

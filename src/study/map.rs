@@ -60,7 +60,7 @@ pub struct Slope {
 /// How fine a map is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Fineness {
-    /// Nodes to each side.
+    /// Nodes to each side, at least 2.
     pub nodes: usize,
     /// Gradients to each side; 0 for none.
     pub slopes: usize,
@@ -86,7 +86,7 @@ impl Default for Fineness {
 /// ```
 ///
 /// # Errors
-/// [`Error::SearchRange`] where both parameters are one or a range is a single value; what [`Setup::validate`] refuses;
+/// [`Error::SearchRange`] where both parameters are one, a range is a single value, or there are fewer than 2 nodes to a side; what [`Setup::validate`] refuses;
 /// [`Error::NoFlight`] where no node has a value.
 pub fn map(setup: &Setup<f64>, of: Outcome, across: Vary, up: Vary, fineness: Fineness) -> Result<Map> {
     let refuse =
@@ -94,7 +94,11 @@ pub fn map(setup: &Setup<f64>, of: Outcome, across: Vary, up: Vary, fineness: Fi
     if across.parameter == up.parameter {
         return refuse(&up, "a map needs two different parameters");
     }
+    if fineness.nodes < 2 {
+        return refuse(&across, "a map needs 2 nodes or more to each side");
+    }
     for vary in [&across, &up] {
+        vary.check()?;
         if vary.low == vary.high {
             return refuse(vary, "a map needs a range wider than a single value");
         }
@@ -102,7 +106,7 @@ pub fn map(setup: &Setup<f64>, of: Outcome, across: Vary, up: Vary, fineness: Fi
     let wrt = [across.parameter, up.parameter];
     let values = Evaluator::new(setup, &[of], &wrt, Order::Value)?;
     let gradients = Evaluator::new(setup, &[of], &wrt, Order::First)?;
-    let columns = fineness.nodes.max(2);
+    let columns = fineness.nodes;
     let place = |vary: Vary, part: f64| vary.low + part * (vary.high - vary.low);
 
     let nodes: Vec<Result<f64>> = (0..columns * columns)

@@ -246,10 +246,13 @@ pub(super) fn stopped_of(stopped: usize, all: usize, only: impl FnOnce() -> Stri
 /// Searches from the setup's own values and from starts spread evenly over the ranges, side by side.
 ///
 /// # Errors
-/// As [`optimum`]; more starts than can be spread.
+/// As [`optimum`]; [`Error::Nothing`] for no start; more starts than can be spread.
 pub fn optima(setup: &Setup<f64>, search: &Search, count: usize, follow: &Follow) -> Result<Optima> {
+    if count == 0 {
+        return Err(Error::Nothing { doing: "search from", what: "start" });
+    }
     let problem = posed(setup, search)?;
-    let starts = starts(&problem.domain, &problem.start(), count.max(1))?;
+    let starts = starts(&problem.domain, &problem.start(), count)?;
     let locals = minimize_from(&problem, &problem.domain, &starts, &search.options, follow)?;
     let whole = |Local { solution, starts }| Ok((found(&problem, search.clone(), solution)?, starts));
     Ok(Optima { locals: locals.into_iter().map(whole).collect::<Result<_>>()?, starts: starts.len() })
@@ -258,7 +261,7 @@ pub fn optima(setup: &Setup<f64>, search: &Search, count: usize, follow: &Follow
 /// The search as a problem, if it makes sense.
 pub(super) fn posed(setup: &Setup<f64>, search: &Search) -> Result<DriveProblem> {
     if search.vary.iter().all(|vary| vary.low == vary.high) {
-        return Err(Error::Nothing { doing: "vary", what: "parameter" });
+        return Err(Error::Nothing { doing: "vary", what: "parameter with a range wider than a single value" });
     }
     for (i, vary) in search.vary.iter().enumerate() {
         if search.vary[..i].iter().any(|before| before.parameter == vary.parameter) {

@@ -1,3 +1,4 @@
+use super::constraint::Constraint;
 use super::search::{Search, Sense};
 use crate::derivative::{self, Evaluator, Order, Taylor};
 use crate::drive::Outcome;
@@ -19,6 +20,8 @@ pub(super) struct DriveProblem {
 
 impl DriveProblem {
     pub fn new(setup: &Setup<f64>, search: &Search) -> Result<Self> {
+        search.vary.iter().try_for_each(Vary::check)?;
+        search.subject_to.iter().try_for_each(Constraint::check)?;
         let ends = |end: fn(&Vary) -> f64| search.vary.iter().map(end).collect::<Vec<_>>();
         let domain = Domain::new(ends(|vary| vary.low), ends(|vary| vary.high))?.subject_to(
             search.subject_to.iter().map(|constraint| constraint.low).collect(),

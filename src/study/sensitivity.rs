@@ -96,7 +96,7 @@ impl Change {
     /// # Errors
     /// [`Error::Unreadable`]; as [`Setup::variable`]; [`Error::OutOfRange`] where it leads out of the parameter's range.
     pub fn read(setup: &Setup<f64>, text: &str) -> Result<Self> {
-        let unreadable = |source| Error::Unreadable { name: format!("--change {}", text.trim()), source };
+        let unreadable = |source| Error::Unreadable { name: format!("the change {}", text.trim()), source };
         let (name, amount) = text
             .split_once('=')
             .ok_or_else(|| unreadable("write NAME=AMOUNT, for example swing.speed=+5mph or air.density=-20%".into()))?;

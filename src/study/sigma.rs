@@ -32,7 +32,8 @@ impl Sigma {
     /// # Errors
     /// [`Error::Unreadable`] for what is no amount above 0; as [`Setup::variable`].
     pub fn read(setup: &Setup<f64>, text: &str) -> Result<Self> {
-        let unreadable = |source| Error::Unreadable { name: format!("--sigma {}", text.trim()), source };
+        let unreadable =
+            |source| Error::Unreadable { name: format!("the standard uncertainty {}", text.trim()), source };
         let (name, amount) = text
             .split_once('=')
             .ok_or_else(|| unreadable("write NAME=AMOUNT, for example swing.speed=1mph or air.density=0.5%".into()))?;
@@ -51,6 +52,22 @@ impl Sigma {
             example.trim_end()
         );
         Err(unreadable(reason.into()))
+    }
+}
+
+impl Sigma {
+    /// Whether it is an uncertainty of a parameter of this setup, which one that was not read need not be.
+    ///
+    /// # Errors
+    /// [`Error::Unreadable`] for one that is not above 0 and finite; as [`Setup::variable`]; [`Error::OtherLaw`].
+    pub(super) fn check(&self, setup: &Setup<f64>) -> Result<()> {
+        let parameter = self.parameter;
+        setup.check_variable(parameter)?;
+        if self.value > 0.0 && self.value.is_finite() {
+            return Ok(());
+        }
+        let source = format!("it is {}, but must be above 0 and finite", parameter.show(Some(self.value)));
+        Err(Error::Unreadable { name: format!("the standard uncertainty of {parameter}"), source: source.into() })
     }
 }
 

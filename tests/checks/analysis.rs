@@ -3,8 +3,8 @@
 use crate::common::close;
 use longdrive::optimize::{Bounds, Follow, Observer, Solution, Status};
 use longdrive::study::{
-    Change, Constraint, Optimum, Search, Sense, Vary, change, chart, flatness, optima, optimum, sensitivities,
-    sensitivity,
+    Change, Constraint, Fineness, Optimum, Search, Sense, Vary, change, chart, flatness, map, optima, optimum,
+    sensitivities, sensitivity,
 };
 use longdrive::{Drive, Error, Outcome, Setup};
 
@@ -388,4 +388,18 @@ fn exact_nearest_point_of_many_starts_is_the_same_for_both_senses() {
         ends[0].x.clone()
     });
     nearest[0].iter().zip(&nearest[1]).for_each(|(a, b)| close(*a, *b, 1.0, 1e-6, "nearest point"));
+}
+
+/// No start and no node is nothing to answer from: neither is made one without a word.
+#[test]
+fn no_starts_and_no_nodes_are_refused() {
+    let setup = Setup::default();
+    let search = search(&setup, &["club.loft=8deg..12deg", "swing.attack_angle=-2deg..2deg"], &[]);
+    let error = optima(&setup, &search, 0, &Follow::default()).unwrap_err().to_string();
+    assert!(error.contains("at least one start"), "{error}");
+    let nodes = |nodes| map(&setup, Outcome::BallSpeed, search.vary[0], search.vary[1], Fineness { nodes, slopes: 0 });
+    for count in [0, 1] {
+        assert!(nodes(count).unwrap_err().to_string().contains("2 nodes or more"), "{count}");
+    }
+    assert_eq!(nodes(2).unwrap().values.len(), 4);
 }

@@ -1,11 +1,14 @@
 //! Calibration: known truths found again, honest intervals, exact Jacobians, Winfield & Tan's paper, and bad input.
 
 use crate::command_line::{json, longdrive, number};
+use crate::common::panic_of;
 use longdrive::derivative::{Order, evaluate};
 use longdrive::launch::Launch;
-use longdrive::optimize::least_squares::{Follow, Loss, Status};
+use longdrive::optimize::least_squares::{Follow, Loss, Rows, Status};
 use longdrive::report::{CalibrationReport, calibration_document, calibration_reply};
-use longdrive::study::calibrate::{Calibration, Plan, Shot, ShotTable, Uncertainties, calibrate, held_out};
+use longdrive::study::calibrate::{
+    Calibration, Fitted, Plan, Shot, ShotTable, Statistics, Uncertainties, calibrate, held_out,
+};
 use longdrive::units::System;
 use longdrive::{Drive, Outcome, Setup};
 use std::fmt::Write;
@@ -689,4 +692,44 @@ fn a_fit_that_describes_nothing_or_ends_on_a_bound_is_warned_of() {
         "{off}: {warnings}"
     );
     assert!(warnings.contains("aero.cd0 ended at 0.25, the end of its range"), "{warnings}");
+}
+
+/// What a table of shots cannot hold is refused also where it was made by hand, with its row.
+#[test]
+fn measured_values_made_by_hand_that_are_none_are_refused_with_their_row() {
+    let setup = Setup::default();
+    let text = "ball_speed [m/s],launch_angle [deg],backspin [rpm],carry [m]\n60,12,2500,180\n70,11,2500,220\n";
+    let read = ShotTable::read(&setup, "shots.csv", text.as_bytes()).unwrap();
+    let plan = Plan::read(&setup, &["aero.cd0".to_owned()]).unwrap();
+    for (value, sigma, says) in
+        [(f64::NAN, 1.0, "measured as NaN"), (180.0, 0.0, "uncertainty of 0"), (180.0, -1.0, "-")]
+    {
+        let mut table = read.clone();
+        (table.shots[1].measured[0].value, table.shots[1].measured[0].sigma) = (value, sigma);
+        let error = calibrate(&setup, &table, &plan, &Follow::default()).unwrap_err().to_string();
+        assert!(error.contains("row 2: carry") && error.contains(says), "{error}");
+    }
+}
+
+/// Wrong lengths are mistakes of a program: they panic, with both lengths. What is not finite is an error.
+#[test]
+fn statistics_of_a_ragged_jacobian_panic_and_of_nan_are_refused() {
+    let fitted = [Fitted { is_free: true, width: 1.0 }; 2];
+    let of = |residuals: &[f64], jacobian: &[&[f64]]| {
+        let jacobian = jacobian.iter().map(|row| row.to_vec()).collect();
+        let rows = Rows { residuals: residuals.to_vec(), jacobian };
+        Statistics::new(&rows, &fitted, Uncertainties::Stated, 0.0, Loss::Squares)
+    };
+    for (jacobian, rows) in [(&[&[1.0, 0.0][..]][..], "[2]"), (&[&[1.0, 0.0], &[1.0]], "[2, 1]")] {
+        let said = panic_of(|| of(&[1.0, 2.0], jacobian));
+        assert!(said.contains("2 residuals of 2 parameters") && said.contains(rows), "{said}");
+    }
+    let found = of(&[1.0, 2.0], &[&[1.0, 0.0], &[0.0, 1.0]]).unwrap();
+    assert!(found.standard_error(1).is_some());
+    panic_of(|| found.standard_error(2));
+    panic_of(|| found.correlation(0, 2));
+    for (residuals, jacobian) in [([f64::NAN, 1.0], [1.0, 0.0]), ([1.0, 1.0], [f64::INFINITY, 0.0])] {
+        let error = of(&residuals, &[&jacobian, &[0.0, 1.0]]).unwrap_err().to_string();
+        assert!(error.contains("must be finite"), "{error}");
+    }
 }

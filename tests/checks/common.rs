@@ -136,3 +136,10 @@ fn any_setup() -> impl Strategy<Value = Setup<f64>> {
         s
     })
 }
+
+/// What a piece of a program says as it panics.
+pub fn panic_of<T>(work: impl FnOnce() -> T) -> String {
+    let panic = std::panic::catch_unwind(std::panic::AssertUnwindSafe(work)).err().expect("it panics");
+    let word = panic.downcast_ref::<&str>().map(ToString::to_string);
+    word.or_else(|| panic.downcast_ref::<String>().cloned()).unwrap_or_default()
+}

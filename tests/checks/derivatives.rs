@@ -1,10 +1,12 @@
 //! Derivatives: the number types against each other, against differences, and independent of how they are asked
 //! for.
 
-use crate::common::{close, in_large_steps, mixed, random_setups};
+use crate::common::{close, in_large_steps, mixed, panic_of, random_setups};
 use longdrive::derivative::{Order, Taylor, evaluate, evaluate_with, gradient, hessian, jacobian};
 use longdrive::number::{Jet, Number};
 use longdrive::parameters::Parameter;
+use longdrive::report::{GradientReport, gradient_text};
+use longdrive::units::System;
 use longdrive::{Drive, Error, Outcome, Setup};
 use nalgebra::{Const, U1};
 use num_dual::{Derivative, DualSVec64, HyperDual64};
@@ -217,4 +219,21 @@ fn zero_spin_is_reported_as_a_corner_of_the_laws_whose_drag_grows_with_spin() {
     assert_eq!(drive.corners(&setup).len(), 1);
     setup.set_law("linear").unwrap();
     assert!(drive.corners(&setup).is_empty());
+}
+
+/// Derivatives that are missing would be parameters that are left out without a word.
+#[test]
+fn reports_of_fewer_or_more_derivatives_than_parameters_panic_with_both_numbers() {
+    let setup = Setup::default();
+    let wrt = ["club.loft", "swing.speed"].map(|name| setup.variable(name).unwrap());
+    let carry = hessian(&setup, Outcome::Carry, &wrt).unwrap();
+    let said = panic_of(|| gradient_text(Outcome::Carry, &wrt[..1], &carry, System::Us));
+    assert!(said.contains("1 parameters, and 2 derivatives"), "{said}");
+    let short = Taylor { gradient: carry.gradient[..1].to_vec(), ..carry.clone() };
+    let said = panic_of(|| GradientReport::reply(&[(Outcome::Carry, Ok(short))], &wrt, vec![]));
+    assert!(said.contains("2 parameters, and 1 derivatives"), "{said}");
+    let narrow = Taylor { hessian: vec![vec![0.0; 1]; 2], ..carry.clone() };
+    let said = panic_of(|| gradient_text(Outcome::Carry, &wrt, &narrow, System::Us));
+    assert!(said.contains("second derivatives in rows of [1, 1]"), "{said}");
+    assert!(gradient_text(Outcome::Carry, &wrt, &carry, System::Us).contains("swing.speed"));
 }

@@ -227,3 +227,51 @@ fn exact_run_of_a_trajectory_ends_at_the_total() {
     setup.set("ground.turf", "wet").unwrap();
     assert!(trajectory(&setup, &strike(&setup).unwrap().launch).unwrap().run.is_empty());
 }
+
+/// A step of nothing, a negative one, one that is no number and one of which 1e8 are not enough: none of these flights would end in a
+/// time that anyone waits for.
+#[test]
+fn steps_with_which_a_flight_would_not_end_are_refused_before_it_begins() {
+    let setup = Setup::default();
+    let launch = strike(&setup).unwrap().launch;
+    for (step, says) in [(0.0, "flight.step = 0 s"), (-1.0, "flight.step = -1 s"), (1e-300, "1e-300"), (1e-9, "1e-9")] {
+        let mut endless = setup;
+        endless.flight.step = step;
+        let refused = [
+            Drive::new(&endless).map(|_| ()),
+            fly(&endless, &launch).map(|_| ()),
+            trajectory(&endless, &launch).map(|_| ()),
+            endless.validate(),
+        ];
+        for error in refused.map(Result::unwrap_err) {
+            assert!(matches!(error, Error::OutOfRange { .. }) && error.to_string().contains(says), "{step}: {error}");
+        }
+    }
+    let mut setups = [setup; 3];
+    setups[0].flight.step = f64::NAN;
+    setups[1].flight.time_limit = f64::NAN;
+    for setup in &setups[..2] {
+        let error = Drive::new(setup).unwrap_err();
+        assert!(matches!(error, Error::NotANumber { .. }), "{error}");
+    }
+    setups[2].flight.time_limit = f64::INFINITY;
+    assert!(matches!(Drive::new(&setups[2]), Err(Error::OutOfRange { .. })));
+}
+
+/// The shortest step that can be set makes the most steps that are flown within the default time limit: 1e8.
+#[test]
+fn exact_every_step_that_can_be_set_is_one_that_is_flown() {
+    let mut setup = Setup::default();
+    let shortest = setup.parameter("flight.step").unwrap().range.low;
+    assert_eq!(setup.flight.time_limit / shortest, 1e8);
+    for text in ["1e-9 s", "1e-300 s", "5.9 us", "0 s"] {
+        assert!(matches!(setup.set("flight.step", text), Err(Error::OutOfRange { .. })), "{text}");
+    }
+    setup.set("flight.step", "6 us").unwrap();
+    setup.validate().unwrap();
+    // a longer limit makes more steps of it
+    setup.set("flight.time_limit", "601 s").unwrap();
+    let [said, flown] = [setup.validate().unwrap_err(), Drive::new(&setup).map(|_| ()).unwrap_err()];
+    assert_eq!(said.to_string(), flown.to_string());
+    assert!(said.to_string().contains("at most 1e8 steps up to flight.time_limit = 601 s"), "{said}");
+}

@@ -60,7 +60,7 @@ fn errors(setup: &Setup<f64>, batch: Batch, defect: f64, ranges: &[Vary], of: &[
     fine.flight.step = step.min(0.25 * batch.setup().flight.step);
     let exact = rows(&Batch::new(&fine, batch.parameters(), of, &[]).unwrap(), ranges, count);
     let unchecked = rows(&batch, ranges, count);
-    let checked = rows(&batch.with_largest_defect(defect), ranges, count);
+    let checked = rows(&batch.with_largest_defect(defect).unwrap(), ranges, count);
     let mut errors = Errors::default();
     for row in (0..exact.rows()).filter(|&row| exact.status(row) == Status::Landed) {
         let error = |flown: &Block| {
@@ -155,10 +155,21 @@ fn independent_rows_that_a_step_chosen_by_others_misses_are_flown_again() {
 fn exact_a_row_that_no_step_follows_closely_enough_diverges() {
     let setup = Setup::default();
     let loft = setup.variable("club.loft").unwrap();
-    for (defect, status) in [(0.0, Status::Diverged), (f64::INFINITY, Status::Landed)] {
-        let batch = Batch::new(&setup, &[loft], &[Outcome::Carry], &[]).unwrap().with_largest_defect(defect);
-        let block = batch.evaluate(0, vec![0.18]);
+    let batch = Batch::new(&setup, &[loft], &[Outcome::Carry], &[]).unwrap();
+    for (defect, status) in [(f64::MIN_POSITIVE, Status::Diverged), (f64::INFINITY, Status::Landed)] {
+        let block = batch.clone().with_largest_defect(defect).unwrap().evaluate(0, vec![0.18]);
         assert_eq!((block.status(0), block.outcome(0, 0).is_some()), (status, status == Status::Landed));
+    }
+}
+
+/// NaN would switch the check off, and no drive has a defect of 0 or less.
+#[test]
+fn a_largest_defect_that_no_drive_meets_is_refused() {
+    let setup = Setup::default();
+    let batch = Batch::new(&setup, &[setup.variable("club.loft").unwrap()], &[Outcome::Carry], &[]).unwrap();
+    for (defect, shown) in [(f64::NAN, "NaN m"), (0.0, "0 m"), (-1.0, "-1 m")] {
+        let error = batch.clone().with_largest_defect(defect).unwrap_err().to_string();
+        assert!(error.contains(shown) && error.contains("0 m < …"), "{error}");
     }
 }
 

@@ -1,15 +1,16 @@
 //! Uncertainty: known shares of known functions, moments of known distributions, and drives.
 
-use crate::common::close;
+use crate::common::{close, panic_of};
 use longdrive::batch::Status;
 use longdrive::report::{UncertaintyReport, uncertainty_text};
-use longdrive::study::uncertainty::{Design, Distribution, Plan, Statistics, Uncertain, uncertainty};
-use longdrive::study::{Sigma, effects, with_defaults};
+use longdrive::study::swings::{Rule, Scenarios, Swings};
+use longdrive::study::uncertainty::{Design, Distribution, Plan, Statistics, Uncertain, delta_method, uncertainty};
+use longdrive::study::{Landing, Sigma, effects, with_defaults};
 use longdrive::{Drive, Error, Outcome, Setup, derivative};
 use std::f64::consts::PI;
 
 fn statistics(inputs: &[Distribution], plan: Plan, f: impl Fn(&[f64]) -> Option<f64>) -> Statistics {
-    let design = Design::new(inputs, plan);
+    let design = Design::new(inputs, plan).unwrap();
     let values = design.points.iter().map(|points| points.iter().map(|point| f(point)).collect()).collect::<Vec<_>>();
     design.statistics(&values).unwrap()
 }
@@ -102,14 +103,14 @@ fn exact_upper_bounds_of_total_shares_lie_within_95_percent_intervals_about_that
     let line = Distribution::Normal { mean: 1.0, deviation: 2.0 };
     let (mut within, mut all) = (0, 0);
     for seed in 0..60 {
-        let design = Design::new(&[CIRCLE; 3], Plan { samples: 1024, seed });
+        let design = Design::new(&[CIRCLE; 3], Plan { samples: 1024, seed }).unwrap();
         let values = |point: &Vec<f64>| ishigami(point);
         let values: Vec<Vec<_>> = design.points.iter().map(|points| points.iter().map(values).collect()).collect();
         let squares = |k: usize| design.points[0].iter().map(|point| Some(slopes(point)[k].powi(2))).collect();
         let found = design.means_by_variance(&values, &[0, 1, 2].map(squares));
         let mut held: Vec<bool> =
             found.iter().zip(bounds).map(|(found, bound)| found.unwrap().contains(bound / 4.0)).collect();
-        let design = Design::new(&[line], Plan { samples: 1024, seed });
+        let design = Design::new(&[line], Plan { samples: 1024, seed }).unwrap();
         let values: Vec<Vec<_>> =
             design.points.iter().map(|points| points.iter().map(|x| Some(3.0 * x[0])).collect()).collect();
         let found = design.means_by_variance(&values, &[vec![Some(9.0); 1024]])[0].unwrap();
@@ -162,7 +163,7 @@ fn exact_values_that_are_missing_are_counted_and_nothing_is_invented_for_them() 
     let found = statistics(&[CIRCLE], Plan { samples: 1000, seed: 0 }, |x| (x[0] > 0.0).then_some(x[0]));
     assert!(found.left_out > 500 && found.left_out < 900, "{}", found.left_out);
     close(found.mean.value, PI / 2.0, 1.0, 0.1, "the mean of those there are");
-    let design = Design::new(&[CIRCLE], Plan { samples: 10, seed: 0 });
+    let design = Design::new(&[CIRCLE], Plan { samples: 10, seed: 0 }).unwrap();
     assert!(design.statistics(&vec![vec![None; 10]; 3]).is_none());
     let constant = statistics(&[CIRCLE], Plan { samples: 10, seed: 0 }, |_| Some(2.0));
     assert!(constant.indices[0].is_none() && constant.deviation.value == 0.0);
@@ -301,7 +302,7 @@ fn mistakes_in_uncertainties_are_named() {
     assert!(matches!(uncertainty(&setup, &of, &[], plan, &|_, _| ()), Err(Error::Nothing { .. })));
     assert!(matches!(uncertainty(&setup, &[], &inputs, plan, &|_, _| ()), Err(Error::Nothing { .. })));
     let too_small = Plan { samples: 1, seed: 0 };
-    assert!(matches!(uncertainty(&setup, &of, &inputs, too_small, &|_, _| ()), Err(Error::SearchRange { .. })));
+    assert!(matches!(uncertainty(&setup, &of, &inputs, too_small, &|_, _| ()), Err(Error::Together { .. })));
 }
 
 /// Ball speed does not depend on the air: it is the same in every drive, has no share of a variance, and nothing is to be measured first.
@@ -397,4 +398,113 @@ fn an_unset_wind_is_refused_with_what_gives_it() {
             "it is unset here, which means: the wind is given by wind.right and wind.downrange; give it a value";
         assert!(error.contains(words), "{error}");
     }
+}
+
+/// What `Uncertain::read` refuses is refused also where it was made by hand, before any drive is flown.
+#[test]
+fn distributions_made_by_hand_that_are_none_are_refused() {
+    let setup = Setup::default();
+    let speed = setup.variable("swing.speed").unwrap();
+    let plan = Plan { samples: 8, seed: 0 };
+    for (distribution, says) in [
+        (Distribution::Normal { mean: f64::NAN, deviation: 1.0 }, "finite"),
+        (Distribution::Normal { mean: 50.0, deviation: -1.0 }, "standard deviation"),
+        (Distribution::Normal { mean: 50.0, deviation: 0.0 }, "standard deviation"),
+        (Distribution::Normal { mean: 50.0, deviation: f64::INFINITY }, "standard deviation"),
+        (Distribution::Uniform { low: 50.0, high: 40.0 }, "rise"),
+        (Distribution::Uniform { low: 50.0, high: 50.0 }, "rise"),
+        (Distribution::Uniform { low: 50.0, high: f64::INFINITY }, "finite"),
+        (Distribution::Triangular { low: 40.0, mode: 60.0, high: 50.0 }, "rise"),
+        (Distribution::Truncated { mean: 50.0, deviation: 1.0, low: 90.0, high: 91.0 }, "nothing of the distribution"),
+        (Distribution::Truncated { mean: 50.0, deviation: 1.0, low: 9.0, high: 10.0 }, "nothing of the distribution"),
+        (Distribution::Truncated { mean: 50.0, deviation: 0.0, low: 40.0, high: 60.0 }, "standard deviation"),
+        (Distribution::Truncated { mean: 50.0, deviation: 1.0, low: 60.0, high: 40.0 }, "rise"),
+    ] {
+        let input = Uncertain { parameter: speed, distribution };
+        let swings = || Swings::distributed(vec![input], &[]).unwrap();
+        let refused = [
+            uncertainty(&setup, &[Outcome::Carry], &[input], plan, &|_, _| ()).map(|_| ()),
+            Scenarios::new(&swings(), Rule::Quadrature(4)).map(|_| ()),
+            Scenarios::new(&swings(), Rule::Sequence { count: 4, seed: 0 }).map(|_| ()),
+        ];
+        for error in refused.map(Result::unwrap_err) {
+            let words = error.to_string();
+            assert!(matches!(error, Error::Unreadable { .. }) && words.contains(says), "{distribution:?}: {words}");
+            assert!(words.contains("swing.speed"), "{words}");
+        }
+        let alone = Design::new(&[distribution], plan).unwrap_err().to_string();
+        assert!(alone.contains(says), "{alone}");
+    }
+    let beyond = Uncertain { parameter: speed, distribution: Distribution::Uniform { low: -1.0, high: 1.0 } };
+    let refused = uncertainty(&setup, &[Outcome::Carry], &[beyond], plan, &|_, _| ()).unwrap_err();
+    assert!(matches!(refused, Error::OutOfRange { .. }), "{refused}");
+    let none = uncertainty(&setup, &[Outcome::Carry], &[], plan, &|_, _| ()).unwrap_err().to_string();
+    assert!(none.contains("at least one uncertain parameter") && !none.contains("sweep"), "{none}");
+    for value in [f64::NAN, f64::INFINITY, 0.0, -1.0] {
+        let sigma = Sigma { parameter: speed, value, source: None };
+        let refused = [
+            effects(&setup, &[Outcome::Carry], &[sigma], &mut |_, _| ()).map(|_| ()),
+            Landing::of("as set up", &setup, &[sigma]).map(|_| ()),
+        ];
+        for error in refused.map(Result::unwrap_err) {
+            assert!(error.to_string().contains("the standard uncertainty of swing.speed"), "{error}");
+        }
+    }
+}
+
+/// The tail of a normal distribution from 9 to 10 standard deviations above its mean, and from 9 to 10 below: mean, central moments and quantiles by
+/// mpmath with 40 digits. The upper tail lies where the distribution function is 1 but for rounding.
+#[test]
+fn independent_both_tails_of_a_truncated_normal_distribution_are_those_of_40_digits() {
+    let setup = Setup::default();
+    let mean = 9.108_456_288_012_408_53;
+    let moments = [0.011_448_805_821_636_248_1, 0.002_325_759_361_667_303_93, 0.001_058_215_090_716_062_07];
+    let quantiles = [(0.1, 9.011_559_170_906_225_96), (0.5, 9.075_779_713_738_544_16), (0.9, 9.249_353_376_365_210_5)];
+    for side in [-1.0, 1.0] {
+        let [low, high] = if side > 0.0 { [9.0, 10.0] } else { [-10.0, -9.0] };
+        let tail = Distribution::Truncated { mean: 0.0, deviation: 1.0, low, high };
+        tail.check().unwrap();
+        close(tail.mean(), side * mean, 1.0, 1e-12, "mean");
+        let [second, third, fourth] = tail.central_moments();
+        // differences of moments about 0, of which the fourth is 7000
+        close(second, moments[0], moments[0], 1e-10, "second");
+        close(third, side * moments[1], moments[1], 1e-8, "third");
+        close(fourth, moments[2], moments[2], 1e-6, "fourth");
+        for (share, value) in quantiles {
+            let share = if side > 0.0 { share } else { 1.0 - share };
+            close(tail.quantile(share), side * value, 1.0, 1e-10, "quantile");
+        }
+        let text = format!("swing.speed=truncated(50 m/s, 1 m/s, {} m/s, {} m/s)", 50.0 + low, 50.0 + high);
+        let read = Uncertain::read(&setup, &text).unwrap().distribution;
+        close(read.mean(), 50.0 + side * mean, 1.0, 1e-11, "mean as read");
+    }
+}
+
+/// Wrong lengths are mistakes of a program: they panic, with both lengths. A value that is not finite is one that is missing.
+#[test]
+fn statistics_of_other_lengths_panic_with_both_and_leave_no_nan() {
+    let inputs = [Distribution::Normal { mean: 0.0, deviation: 1.0 }; 2];
+    let design = Design::new(&inputs, Plan { samples: 3, seed: 0 }).unwrap();
+    for values in [vec![], vec![vec![Some(1.0); 3]; 2], vec![vec![Some(1.0); 3], vec![], vec![], vec![]]] {
+        let said = panic_of(|| design.statistics(&values));
+        let lengths: Vec<usize> = values.iter().map(Vec::len).collect();
+        assert!(said.contains("[3, 3, 3, 3] points") && said.contains(&format!("{lengths:?} values")), "{said}");
+    }
+    assert!(design.statistics(&vec![vec![Some(f64::NAN); 3]; 4]).is_none());
+    let one_missing: Vec<Vec<_>> =
+        [f64::NAN, 2.0, 3.0, 4.0].map(|first| vec![Some(first), Some(5.0), Some(7.0)]).into();
+    let found = design.statistics(&one_missing).unwrap();
+    assert!(found.left_out == 1 && found.mean.value.is_finite() && found.deviation.value.is_finite(), "{found:?}");
+
+    let taylor = |n: usize| derivative::Taylor { value: 1.0, gradient: vec![1.0; n], hessian: vec![] };
+    for n in [1, 3] {
+        let said = panic_of(|| delta_method(&taylor(n), &inputs));
+        assert!(said.contains(&format!("2 distributions, and {n} derivatives")), "{said}");
+        let said = panic_of(|| derivative::Taylor::sum([(&taylor(2), 1.0), (&taylor(n), 1.0)]));
+        assert!(said.contains(&format!("2 derivatives of the first term, and {n} derivatives")), "{said}");
+    }
+    let with_hessian = derivative::Taylor { hessian: vec![vec![0.0; 2]; 2], ..taylor(2) };
+    let said = panic_of(|| derivative::Taylor::sum([(&taylor(2), 1.0), (&with_hessian, 1.0)]));
+    assert!(said.contains("0 rows of second derivatives of the first term, and 2"), "{said}");
+    assert!(panic_of(|| inputs[0].quantile(2.0)).contains("it is 2"));
 }

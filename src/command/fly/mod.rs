@@ -54,7 +54,7 @@ fn followed(
     // what is wrong with the question is said before anything is flown
     new(setup)?;
     match question.accuracy(setup, &Flying::usual(setup)?, of)? {
-        Some(found) => Ok(new(&found.applied_to(setup))?.with_largest_defect(found.largest_defect)),
+        Some(found) => new(&found.applied_to(setup))?.with_largest_defect(found.largest_defect),
         None => new(setup),
     }
 }

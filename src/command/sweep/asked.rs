@@ -42,7 +42,7 @@ impl Asked {
         };
         let mut batch = Batch::new(&setup, points.parameters(), &of, &wrt)?;
         if let Some(found) = accuracy {
-            batch = batch.with_largest_defect(found.largest_defect);
+            batch = batch.with_largest_defect(found.largest_defect)?;
         }
         if let Some(instructions) = args.instructions {
             batch = batch.with_level(instructions)?;

@@ -22,8 +22,13 @@ impl<'a> Combined<'a> {
 
 impl Problem for Combined<'_> {
     fn evaluate(&self, x: &[f64]) -> Result<Evaluation, String> {
-        let Evaluation { objective, mut constraints } = self.problem.evaluate(x)?;
+        let functions = self.problem.evaluate(x)?;
+        let count = functions.constraints.len();
+        let Evaluation { objective, mut constraints } = functions.checked(x.len(), count)?;
         let second = constraints.pop().ok_or("it has no second function")?;
+        if objective.hessian.is_empty() != second.hessian.is_empty() {
+            return Err("one of its two functions has a Hessian and the other has none; give both, or none".into());
+        }
         let sum = |weights: [f64; 2]| {
             let mut sum = Taylor::sum([(&objective, weights[0]), (&second, weights[1])]);
             // each from its own zero, so that no digits are lost

@@ -58,7 +58,7 @@ pub struct Findings<'a> {
     pub loops: &'a [LoopRow],
     /// The units that the page is shown in at first.
     pub system: System,
-    /// What deserves a word.
+    /// Warnings.
     pub remarks: &'a [Message],
     /// The command that made it.
     pub command: &'a str,

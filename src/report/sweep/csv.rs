@@ -1,4 +1,4 @@
-use super::{STATUS, push_number};
+use super::{Columns, STATUS, push_number};
 use crate::batch::{Batch, Block};
 use crate::units::ratio;
 
@@ -6,6 +6,7 @@ use crate::units::ratio;
 #[derive(Clone, Debug)]
 pub struct SweepCsv {
     names: Vec<String>,
+    columns: Columns,
 }
 
 impl SweepCsv {
@@ -21,7 +22,8 @@ impl SweepCsv {
                 unit => format!("{name} [{unit}]"),
             }
         });
-        Self { names: parameters.chain([STATUS.to_owned()]).chain(outcomes).chain(derivatives).collect() }
+        let names = parameters.chain([STATUS.to_owned()]).chain(outcomes).chain(derivatives).collect();
+        Self { names, columns: Columns::of(batch) }
     }
 
     /// The first line, with the names of the columns and their SI units: none of them needs quotes.
@@ -30,7 +32,11 @@ impl SweepCsv {
     }
 
     /// A line for each drive.
+    ///
+    /// # Panics
+    /// Where the block is of a batch with other numbers of parameters, outcomes or derivatives.
     pub fn rows(&self, block: &Block) -> Vec<u8> {
+        self.columns.expect(block);
         let mut bytes = Vec::with_capacity(block.rows() * self.names.len() * 20);
         for row in 0..block.rows() {
             for value in block.point(row) {

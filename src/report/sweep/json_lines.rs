@@ -1,4 +1,4 @@
-use super::{STATUS, parameter_names, push_number};
+use super::{Columns, STATUS, parameter_names, push_number};
 use crate::batch::{Batch, Block};
 
 /// A batch as JSON lines: an object for each drive. What does not exist is `null`.
@@ -8,6 +8,7 @@ pub struct SweepJsonLines {
     parameters: Vec<String>,
     /// `,"name":`, for each outcome and derivative.
     results: Vec<String>,
+    columns: Columns,
 }
 
 impl SweepJsonLines {
@@ -17,11 +18,16 @@ impl SweepJsonLines {
         Self {
             parameters: parameter_names(batch).into_iter().map(key).collect(),
             results: batch.columns().iter().map(|name| format!(",{}", key(name))).collect(),
+            columns: Columns::of(batch),
         }
     }
 
     /// A line for each drive.
+    ///
+    /// # Panics
+    /// Where the block is of a batch with other numbers of parameters, outcomes or derivatives.
     pub fn rows(&self, block: &Block) -> Vec<u8> {
+        self.columns.expect(block);
         let width = self.parameters.len() + self.results.len();
         let mut bytes = Vec::with_capacity(block.rows() * (width * 40 + 20));
         for row in 0..block.rows() {

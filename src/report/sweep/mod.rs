@@ -6,20 +6,40 @@ mod csv;
 mod json_lines;
 #[cfg(feature = "parquet")]
 mod parquet;
-#[cfg(feature = "parquet")]
 mod summary;
 
 pub use csv::SweepCsv;
 pub use json_lines::SweepJsonLines;
 #[cfg(feature = "parquet")]
 pub use parquet::SweepParquet;
-#[cfg(feature = "parquet")]
 pub use summary::summary_text;
 
-use crate::batch::Batch;
+use crate::batch::{Batch, Block};
 
 /// The name of the column that says how a drive ended.
 const STATUS: &str = "status";
+
+/// How many columns a batch has: parameters, outcomes, derivatives.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Columns([usize; 3]);
+
+impl Columns {
+    fn of(batch: &Batch) -> Self {
+        let (outcomes, wrt) = (batch.outcomes().len(), batch.wrt().len());
+        Self([batch.parameters().len(), outcomes, outcomes * wrt])
+    }
+
+    /// # Panics
+    /// Where a block has others.
+    #[track_caller]
+    fn expect(&self, block: &Block) {
+        let (here, there) = (self.0, block.columns());
+        assert!(
+            here == there,
+            "the table is of {here:?} parameters, outcomes and derivatives, and the block of {there:?}: it is of another batch"
+        );
+    }
+}
 
 /// The names of the swept parameters.
 fn parameter_names(batch: &Batch) -> Vec<&'static str> {

@@ -1,4 +1,4 @@
-use super::{STATUS, parameter_names};
+use super::{Columns, STATUS, parameter_names};
 use crate::batch::{Batch, Block, CHUNK};
 use crate::error::Result;
 use crate::report::parquet::{Cells, Kind, ParquetGroup, ParquetTable, PlacedGroup};
@@ -18,6 +18,7 @@ pub struct SweepParquet {
     table: ParquetTable,
     parameters: usize,
     results: usize,
+    columns: Columns,
 }
 
 impl SweepParquet {
@@ -31,7 +32,7 @@ impl SweepParquet {
         let columns = columns.chain([(STATUS.to_owned(), Kind::Text)]);
         let columns: Vec<_> = columns.chain(results.iter().map(|name| (name.clone(), Kind::SomeNumber))).collect();
         let table = ParquetTable::new("drives", &columns, question)?;
-        Ok(Self { table, parameters: parameters.len(), results: results.len() })
+        Ok(Self { table, parameters: parameters.len(), results: results.len(), columns: Columns::of(batch) })
     }
 
     /// How many blocks of [`CHUNK`] rows make a row group: fewer for wide tables, so that a group has room in memory
@@ -50,7 +51,11 @@ impl SweepParquet {
     ///
     /// # Errors
     /// [`Error::Output`](crate::Error::Output) where Parquet cannot hold it.
+    ///
+    /// # Panics
+    /// Where a block is of a batch with other numbers of parameters, outcomes or derivatives.
     pub fn group(&self, blocks: &[Block]) -> Result<ParquetGroup> {
+        blocks.iter().for_each(|block| self.columns.expect(block));
         let all = |block: &Block| 0..block.rows();
         self.table.group(|number| match number {
             number if number < self.parameters => {

@@ -8,7 +8,7 @@ use crate::study::stoppable::{NOT_LOOKED_AT, each_until};
 use crate::units::Message;
 use std::sync::atomic::AtomicBool;
 
-/// What deserves a word about shots, flown with a setup: how many of them lie beyond; those that do not land are not counted. Once `stop` is
+/// Warnings about shots, flown with a setup: how many of them are outside of what the model is made for; those that do not land are not counted. Once `stop` is
 /// true, that they were not looked at.
 pub fn beyond(setup: &Setup<f64>, shots: &[Shot], stop: &AtomicBool) -> Vec<Message> {
     let looked_at = |shot: &Shot| {

@@ -31,7 +31,7 @@ pub struct ShotTable {
     pub shots: Vec<Shot>,
     /// Whether rows are launch conditions.
     pub is_launched: bool,
-    /// What deserves a word: outcomes without a sigma column.
+    /// Notes: outcomes without a sigma column.
     pub remarks: Vec<Message>,
     /// What deserves more than that, of a table that is no launch monitor's export: rows that were left out, and spins of which one is not used.
     pub warnings: Vec<Message>,

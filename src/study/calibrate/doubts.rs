@@ -11,7 +11,7 @@ use crate::units::{Message, counted, significant};
 const MUCH: f64 = 3.0;
 
 impl Calibration {
-    /// What deserves a word about the fit: what the table is taken for, a model that does not describe it, a value that a bound holds, and an
+    /// Warnings about the fit: what the table is taken for, a model that does not describe it, a value that a bound holds, and an
     /// interval that reaches to what cannot be.
     pub fn warnings(&self, table: &ShotTable) -> Vec<Message> {
         let of_values = self.estimates.iter().filter_map(|estimate| self.of_value(estimate));

@@ -85,6 +85,17 @@ impl Plan {
         let inputs = table.shots.iter().take(1).flat_map(|shot| &shot.inputs).map(|(parameter, _)| parameter.name);
         let names: Vec<_> = inputs.chain(self.fit.iter().map(|vary| vary.parameter.name)).collect();
         refuse_replaced(&names, |_| false)?;
+        for (row, measured) in table.shots.iter().flat_map(|shot| shot.measured.iter().map(|one| (shot.row, one))) {
+            let (of, value, sigma) = (measured.outcome, measured.value, measured.sigma);
+            if !(value.is_finite() && sigma > 0.0 && sigma.is_finite()) {
+                return refuse(format!(
+                    "row {row}: {} was measured as {} with a standard uncertainty of {}; give a finite value, and an uncertainty above 0",
+                    of.name(),
+                    of.show(value),
+                    of.show(sigma)
+                ));
+            }
+        }
         if table.residuals() < self.fit.len() {
             return refuse(format!(
                 "{} has {}, fewer than the {} to fit; add measured shots, or fit fewer parameters",
@@ -103,7 +114,8 @@ impl Plan {
 /// held while the search runs, and renewed until it stays.
 ///
 /// # Errors
-/// [`Error::Calibration`] for a plan that does not fit the table; [`Error::NoFit`] where rows do not fly at any start, with each of them;
+/// [`Error::Calibration`] for a plan that does not fit the table, and for measured values that are not finite or have no standard uncertainty
+/// above 0; [`Error::OtherLaw`] and [`Error::SearchRange`] for what is to be fitted; [`Error::NoFit`] where rows do not fly at any start, with each of them;
 /// [`Error::NotConverged`] where it is stopped before the fit has begun.
 pub fn calibrate(setup: &Setup<f64>, table: &ShotTable, plan: &Plan, follow: &Follow) -> Result<Calibration> {
     /// Curvatures are renewed at most so often, until none changes by more than this part.
@@ -112,6 +124,10 @@ pub fn calibrate(setup: &Setup<f64>, table: &ShotTable, plan: &Plan, follow: &Fo
     /// Points tried for a start where not every row flies at those given.
     const START_TRIALS: usize = 64;
     plan.check(table)?;
+    for vary in &plan.fit {
+        setup.check_variable(vary.parameter)?;
+        vary.check()?;
+    }
     let fitted: Vec<_> = plan.fit.iter().map(|vary| vary.parameter).collect();
     let ends = |end: fn(&Vary) -> f64| plan.fit.iter().map(end).collect::<Vec<_>>();
     let domain = Domain::new(ends(|vary| vary.low), ends(|vary| vary.high))?;

@@ -8,7 +8,7 @@ use crate::units::{Digits, Message};
 const SHOWN: [&str; 3] = ["swing.speed", "swing.attack_angle", "club.loft"];
 
 impl ShotTable {
-    /// What deserves a word where no row has a launch or an input of swing, club, strike or impact: which swing of the setup they are all
+    /// A note where no row has a launch or an input of swing, club, strike or impact: which swing of the setup they are all
     /// compared with. Of the parameters that are fitted no value is shown.
     pub fn one_drive(&self, setup: &Setup<f64>, fitted: &[Vary]) -> Option<Message> {
         let has_own = |(parameter, _): &(&Parameter, f64)| parameter.is_of_strike();

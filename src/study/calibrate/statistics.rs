@@ -136,7 +136,10 @@ impl Statistics {
     /// Of residuals and their Jacobian at the end of a fit. Residuals no larger than `rounding` are rounding.
     ///
     /// # Errors
-    /// [`Error::Calibration`] where the singular values do not come out.
+    /// [`Error::Calibration`] for a residual or derivative that is not finite, and where the singular values do not come out.
+    ///
+    /// # Panics
+    /// Where the Jacobian has not a row for each residual and a column for each parameter.
     pub fn new(
         rows: &Rows,
         fitted: &[Fitted],
@@ -145,9 +148,18 @@ impl Statistics {
         loss: Loss,
     ) -> Result<Self> {
         let (m, n) = (rows.residuals.len(), fitted.len());
+        let columns: Vec<usize> = rows.jacobian.iter().map(Vec::len).collect();
+        assert!(
+            columns.len() == m && columns.iter().all(|length| *length == n),
+            "{m} residuals of {n} parameters need a Jacobian of {m} rows of {n}; its rows have {columns:?}"
+        );
+        if let Some(number) = rows.residuals.iter().chain(rows.jacobian.iter().flatten()).find(|d| !d.is_finite()) {
+            let reason = format!("a residual or one of its derivatives is {number}; all must be finite");
+            return Err(Error::Calibration { reason });
+        }
         let weights: Vec<f64> = rows.residuals.iter().map(|r| loss.weight(*r)).collect();
         let jacobian = DMatrix::from_fn(m, n, |i, k| weights[i].sqrt() * rows.jacobian[i][k]);
-        let chi_square: f64 = rows.residuals.iter().zip(&weights).map(|(r, w)| w * r * r).sum();
+        let chi_square: f64 = rows.residuals.iter().zip(&weights).map(|(r, w)| w * r * r).sum::<f64>() + 0.0;
         let is_exact = rows.residuals.iter().all(|r| r.abs() <= rounding);
         let free = Columns::new(&jacobian, (0..n).filter(|&i| fitted[i].is_free).collect())?;
         let degrees_of_freedom = m.saturating_sub(free.rank());
@@ -190,11 +202,17 @@ impl Statistics {
     }
 
     /// Standard error of the parameter at a place.
+    ///
+    /// # Panics
+    /// Where there is no parameter at this place.
     pub fn standard_error(&self, at: usize) -> Option<f64> {
         self.covariance[at][at].map(f64::sqrt)
     }
 
     /// Correlation of two parameters.
+    ///
+    /// # Panics
+    /// Where there is no parameter at one of these places.
     pub fn correlation(&self, a: usize, b: usize) -> Option<f64> {
         Some(self.covariance[a][b]? / (self.standard_error(a)? * self.standard_error(b)?))
     }

@@ -11,7 +11,7 @@ use crate::study::stoppable::{NOT_LOOKED_AT, each_until};
 use crate::units::Message;
 use std::sync::atomic::AtomicBool;
 
-/// Which shares of the swings lie beyond with the design of a setup; those that do not land are not among them. `None` once `stop` is true.
+/// Which shares of the swings are outside of what the model is made for with the design of a setup; those that do not land are not among them. `None` once `stop` is true.
 pub fn beyond_share(
     setup: &Setup<f64>,
     scenarios: &Scenarios,
@@ -53,7 +53,7 @@ impl SwingsSearch {
 }
 
 impl SwingsOptimum {
-    /// What deserves a word about the setup with the best design, and about its drives; without an optimum about the setup alone. Once `stop` is
+    /// Warnings about the setup with the best design, and about its drives; without an optimum about the setup alone. Once `stop` is
     /// true, that many swings were not looked at.
     pub fn warnings(&self, stop: &AtomicBool) -> Vec<Message> {
         match self.solution.value {
@@ -64,7 +64,7 @@ impl SwingsOptimum {
 }
 
 impl Robust {
-    /// What deserves a word about the setup with the design, and about its drives with each model; of many swings until `stop` is true.
+    /// Warnings about the setup with the design, and about its drives with each model; of many swings until `stop` is true.
     pub fn warnings(&self, stop: &AtomicBool) -> Vec<Message> {
         let of = self.search.outcomes();
         let mut all: Vec<Message> = vec![];
@@ -89,7 +89,7 @@ impl Robust {
 }
 
 impl Pareto {
-    /// What deserves a word about the drives of the compromises: at how many of them. Nothing once `stop` is true, but that it was not looked at.
+    /// Warnings about the drives of the compromises: at how many of them. Nothing once `stop` is true, but that it was not looked at.
     pub fn warnings(&self, stop: &AtomicBool) -> Vec<Message> {
         let Some(first) = self.points.first() else { return vec![] };
         let goals = self.search.goals.iter().map(|(goal, _)| goal);

@@ -37,7 +37,7 @@ impl Correlation {
     /// [`Error::Unreadable`] for what is none; as [`Setup::variable`].
     pub fn read(setup: &Setup<f64>, text: &str) -> Result<Self> {
         let unreadable = |source: String| Error::Unreadable {
-            name: format!("--correlation {}", text.trim()),
+            name: format!("the correlation {}", text.trim()),
             source: source.into(),
         };
         let how = "write NAME,NAME=COEFFICIENT, for example swing.path,swing.face_angle=0.6";

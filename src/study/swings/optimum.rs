@@ -270,7 +270,7 @@ pub(super) fn posed(
     stop: &Arc<AtomicBool>,
 ) -> Result<SwingsProblem> {
     if search.vary.iter().all(|vary| vary.low == vary.high) {
-        return Err(Error::Nothing { doing: "vary", what: "parameter" });
+        return Err(Error::Nothing { doing: "vary", what: "parameter with a range wider than a single value" });
     }
     for (i, vary) in search.vary.iter().enumerate() {
         if search.vary[..i].iter().any(|before| before.parameter == vary.parameter) {

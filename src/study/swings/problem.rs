@@ -43,6 +43,7 @@ impl SwingsProblem {
         scenarios: Scenarios,
         stop: &Arc<AtomicBool>,
     ) -> Result<Self> {
+        vary.iter().try_for_each(Vary::check)?;
         for vary in vary {
             if scenarios.parameters.contains(&vary.parameter) {
                 let source = "it is varied, and the swings have values of it; vary something else, or leave it out of the swings";

@@ -118,8 +118,11 @@ impl Scenarios {
     /// The scenarios of some swings.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for a value that no drive can have: give its distribution ends, with `truncated`.
+    /// As [`Uncertain::check`]; [`Error::Unreadable`] for a value that no drive can have: give its distribution ends, with `truncated`.
     pub fn new(swings: &Swings, rule: Rule) -> Result<Self> {
+        if let Swings::Distributed { inputs, .. } = swings {
+            inputs.iter().try_for_each(Uncertain::check)?;
+        }
         let parameters = swings.parameters();
         let (points, weights) = match (swings, rule) {
             (Swings::Recorded { rows, .. }, _) => (rows.clone(), vec![1.0 / rows.len() as f64; rows.len()]),

@@ -17,7 +17,11 @@ pub struct Moments {
 ///   mean = f + ½ Σ H_ii μ₂ᵢ
 ///   variance = Σ (gᵢ² μ₂ᵢ + gᵢ H_ii μ₃ᵢ + ¼ H_ii² (μ₄ᵢ − μ₂ᵢ²)) + Σ_{i<j} H_ij² μ₂ᵢ μ₂ⱼ
 /// ```
+///
+/// # Panics
+/// Where there are not as many derivatives as distributions.
 pub fn delta_method(at_means: &Taylor, inputs: &[Distribution]) -> (Moments, Option<Moments>) {
+    at_means.expect_derivatives_by(inputs.len(), "distributions");
     let moments: Vec<[f64; 3]> = inputs.iter().map(Distribution::central_moments).collect();
     let gradient = &at_means.gradient;
     let linear: f64 = gradient.iter().zip(&moments).map(|(g, [second, ..])| g * g * second).sum();

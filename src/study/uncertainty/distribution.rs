@@ -48,8 +48,45 @@ pub enum Distribution {
 const FIRST_ZERO_OF_J0: f64 = 2.404_825_557_695_773;
 
 impl Distribution {
-    /// The value below which a share `p` of all lies, 0 < p < 1.
+    /// Whether it is a distribution.
+    ///
+    /// # Errors
+    /// [`Error::Unreadable`] for numbers that are not finite or do not rise from the lower end to the upper, a standard deviation that is not
+    /// above 0, and ends between which nothing of a normal distribution is left.
+    pub fn check(&self) -> Result<()> {
+        let name = || format!("the distribution {self:?}");
+        self.why_none().map_or(Ok(()), |why| Err(Error::Unreadable { name: name(), source: why.into() }))
+    }
+
+    /// Why it is no distribution.
+    fn why_none(&self) -> Option<&'static str> {
+        let (numbers, deviation) = match *self {
+            Self::Normal { mean, deviation } => (vec![mean], Some(deviation)),
+            Self::Uniform { low, high } => (vec![low, high], None),
+            Self::Triangular { low, mode, high } => (vec![low, mode, high], None),
+            Self::Truncated { mean, deviation, low, high } => (vec![mean, low, high], Some(deviation)),
+        };
+        let [low, high] = self.ends();
+        let rises = low < high && (!matches!(self, Self::Triangular { .. }) || numbers.is_sorted());
+        if deviation.is_some_and(|deviation| !(deviation > 0.0 && deviation.is_finite())) {
+            return Some("the standard deviation must be a finite number above 0");
+        }
+        if !numbers.iter().all(|number| number.is_finite()) {
+            return Some("its numbers must be finite");
+        }
+        if !rises {
+            return Some("its values must rise from the lower end to the upper");
+        }
+        let is_left = self.deviation() > 0.0 && self.deviation().is_finite() && (low..=high).contains(&self.mean());
+        (!is_left).then_some("nothing of the distribution is left between its ends; move them nearer to its mean")
+    }
+
+    /// The value below which a share `p` of all lies, 0 < p < 1, of what [`check`](Self::check) accepts.
+    ///
+    /// # Panics
+    /// Where `p` is no share from 0 to 1.
     pub fn quantile(&self, p: f64) -> f64 {
+        assert!((0.0..=1.0).contains(&p), "a share of all is from 0 to 1; it is {p}");
         // widths are above 0, which is all that is asked of them
         match *self {
             Self::Normal { mean, deviation } => Normal::new(mean, deviation).map_or(f64::NAN, |d| d.inverse_cdf(p)),
@@ -59,8 +96,11 @@ impl Distribution {
             }
             Self::Truncated { mean, deviation, low, high } => {
                 let normal = Normal::standard();
-                let [below, above] = [low, high].map(|end| normal.cdf((end - mean) / deviation));
-                (mean + deviation * normal.inverse_cdf(below + (above - below) * p)).clamp(low, high)
+                let (ends, sign) = below_the_mean([low, high].map(|end| (end - mean) / deviation));
+                let [below, above] = ends.map(|end| normal.cdf(end));
+                let p = if sign < 0.0 { 1.0 - p } else { p };
+                let value = mean + deviation * sign * normal.inverse_cdf(below + (above - below) * p);
+                if low < high { value.clamp(low, high) } else { f64::NAN }
             }
         }
     }
@@ -130,8 +170,15 @@ impl Distribution {
     }
 }
 
+/// The ends of what is left of a standard normal distribution, mirrored about its mean where both lie above it, and the sign of what was
+/// mirrored: shares of the lower tail are small numbers, those of the upper differ from 1 by rounding only.
+fn below_the_mean([low, high]: [f64; 2]) -> ([f64; 2], f64) {
+    if low > 0.0 { ([-high, -low], -1.0) } else { ([low, high], 1.0) }
+}
+
 /// The moments 0 to 4 about 0 of what a standard normal distribution has between two ends, by their recurrence.
-fn truncated_moments([low, high]: [f64; 2]) -> [f64; 5] {
+fn truncated_moments(ends: [f64; 2]) -> [f64; 5] {
+    let ([low, high], sign) = below_the_mean(ends);
     let normal = Normal::standard();
     let share = normal.cdf(high) - normal.cdf(low);
     let [at_low, at_high] = [low, high].map(|end| normal.pdf(end) / share);
@@ -140,7 +187,8 @@ fn truncated_moments([low, high]: [f64; 2]) -> [f64; 5] {
         let power = k as i32 - 1;
         moments[k] = (k - 1) as f64 * moments[k - 2] - (high.powi(power) * at_high - low.powi(power) * at_low);
     }
-    moments
+    let [zeroth, first, second, third, fourth] = moments;
+    [zeroth, sign * first, second, sign * third, fourth]
 }
 
 /// An uncertain parameter.
@@ -179,7 +227,7 @@ impl Uncertain {
     /// [`Error::Unreadable`] for what is no distribution; [`Error::OutOfRange`] where an end or the mean is none the parameter may
     /// have; as [`Setup::column`]: a parameter needs no value in the setup.
     pub fn read(setup: &Setup<f64>, text: &str) -> Result<Self> {
-        let unreadable = |source| Error::Unreadable { name: format!("--distribution {}", text.trim()), source };
+        let unreadable = |source| Error::Unreadable { name: format!("the distribution {}", text.trim()), source };
         let how = "write NAME=normal(MEAN,DEVIATION), NAME=uniform(LOW,HIGH), NAME=triangular(LOW,MODE,HIGH) or \
                    NAME=truncated(MEAN,DEVIATION,LOW,HIGH)";
         let (name, rest) = text.split_once('=').ok_or_else(|| unreadable(how.into()))?;
@@ -198,41 +246,38 @@ impl Uncertain {
         });
         let amounts = amounts.collect::<std::result::Result<Vec<_>, _>>().map_err(unreadable)?;
         let distribution = match (kind.trim(), amounts.as_slice()) {
-            ("normal", &[mean, deviation]) if deviation > 0.0 && deviation.is_finite() => {
-                Distribution::Normal { mean, deviation }
-            }
-            ("truncated", &[mean, deviation, low, high]) if deviation > 0.0 && deviation.is_finite() => {
-                if low >= high {
-                    return Err(unreadable("its values must rise from the lower end to the upper".into()));
-                }
-                let truncated = Distribution::Truncated { mean, deviation, low, high };
-                if !truncated.deviation().is_finite() || !(low..=high).contains(&truncated.mean()) {
-                    let reason = "nothing of the distribution is left between its ends; move them nearer to its mean";
-                    return Err(unreadable(reason.into()));
-                }
-                truncated
-            }
-            ("normal", &[_, _]) | ("truncated", &[_, _, _, _]) => {
-                return Err(unreadable("the standard deviation must be a finite number above 0".into()));
-            }
-            ("uniform", &[low, high]) if low < high => Distribution::Uniform { low, high },
-            ("triangular", &[low, mode, high]) if low < high && (low..=high).contains(&mode) => {
-                Distribution::Triangular { low, mode, high }
-            }
-            ("uniform" | "triangular", &[_, _] | &[_, _, _]) => {
-                return Err(unreadable("its values must rise from the lower end to the upper".into()));
-            }
+            ("normal", &[mean, deviation]) => Distribution::Normal { mean, deviation },
+            ("truncated", &[mean, deviation, low, high]) => Distribution::Truncated { mean, deviation, low, high },
+            ("uniform", &[low, high]) => Distribution::Uniform { low, high },
+            ("triangular", &[low, mode, high]) => Distribution::Triangular { low, mode, high },
             _ => return Err(unreadable(how.into())),
         };
-        match distribution {
-            Distribution::Normal { mean, .. } => parameter.check(mean)?,
+        let read = Self { parameter, distribution };
+        match distribution.why_none() {
+            Some(why) => Err(unreadable(why.into())),
+            None => read.check_range().map(|()| read),
+        }
+    }
+
+    /// Whether it is a distribution of values that the parameter may have.
+    ///
+    /// # Errors
+    /// As [`Distribution::check`]; [`Error::OutOfRange`] where an end or the mean is none the parameter may have.
+    pub fn check(&self) -> Result<()> {
+        if let Some(why) = self.distribution.why_none() {
+            let name = format!("the distribution of {}", self.parameter);
+            return Err(Error::Unreadable { name, source: why.into() });
+        }
+        self.check_range()
+    }
+
+    fn check_range(&self) -> Result<()> {
+        let parameter = self.parameter;
+        match self.distribution {
+            Distribution::Normal { mean, .. } => parameter.check(mean),
             Distribution::Uniform { low, high }
             | Distribution::Triangular { low, high, .. }
-            | Distribution::Truncated { low, high, .. } => {
-                parameter.check(low)?;
-                parameter.check(high)?;
-            }
+            | Distribution::Truncated { low, high, .. } => parameter.check(low).and_then(|()| parameter.check(high)),
         }
-        Ok(Self { parameter, distribution })
     }
 }

@@ -21,6 +21,7 @@ use crate::derivative::{Order, Taylor, evaluate};
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup};
+use crate::units::counted;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -105,8 +106,8 @@ impl OutcomeUncertainty {
 /// of how many are done.
 ///
 /// # Errors
-/// [`Error::Nothing`] without outcomes or uncertain parameters; [`Error::SearchRange`] for a parameter given twice or a sample too
-/// small; what [`Batch::new`] refuses.
+/// [`Error::Nothing`] without outcomes or uncertain parameters; [`Error::SearchRange`] for a parameter given twice; [`Error::Together`] for a
+/// sample of fewer than 2 points; what [`Uncertain::check`] and [`Batch::new`] refuse.
 pub fn uncertainty(
     setup: &Setup<f64>,
     of: &[Outcome],
@@ -115,15 +116,19 @@ pub fn uncertainty(
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Uncertainty> {
     if plan.samples < 2 {
-        let reason = "the sample needs at least 2 points".into();
-        return Err(Error::SearchRange { name: format!("--samples {}", plan.samples), reason });
+        let given = format!("a sample of {}", counted(plan.samples as u64, "point"));
+        return Err(Error::Together { given, reason: "it needs 2 points or more".into() });
     }
+    if inputs.is_empty() {
+        return Err(Error::Nothing { doing: "take samples of", what: "uncertain parameter" });
+    }
+    inputs.iter().try_for_each(Uncertain::check)?;
     let parameters: Vec<_> = inputs.iter().map(|input| input.parameter).collect();
     let distributions: Vec<_> = inputs.iter().map(|input| input.distribution).collect();
     let values = Batch::new(setup, &parameters, of, &[])?;
     let gradients = Batch::new(setup, &parameters, of, &parameters)?;
 
-    let design = Design::new(&distributions, plan);
+    let design = Design::new(&distributions, plan)?;
     let total = design.points.len() * plan.samples;
     let done = AtomicUsize::new(0);
     let fly = |(set, points): (usize, &Vec<Vec<f64>>)| {

@@ -1,6 +1,7 @@
 //! Statistics of any function of uncertain numbers: moments, and the share of each in the variance, with confidence intervals.
 
 use super::Distribution;
+use crate::error::Result;
 use rand_xoshiro::Xoshiro256PlusPlus;
 use rand_xoshiro::rand_core::{RngCore, SeedableRng};
 use rayon::prelude::*;
@@ -70,7 +71,11 @@ pub struct Design {
 
 impl Design {
     /// The points of a plan.
-    pub fn new(inputs: &[Distribution], plan: Plan) -> Self {
+    ///
+    /// # Errors
+    /// As [`Distribution::check`].
+    pub fn new(inputs: &[Distribution], plan: Plan) -> Result<Self> {
+        inputs.iter().try_for_each(Distribution::check)?;
         let mut random = Xoshiro256PlusPlus::seed_from_u64(plan.seed);
         // the middle of one of 2⁵³ cells: never 0 or 1
         let mut unit = || ((random.next_u64() >> 11) as f64 + 0.5) / (1_u64 << 53) as f64;
@@ -88,13 +93,22 @@ impl Design {
             a.iter().zip(&b).map(cross).collect()
         };
         let crosses: Vec<_> = (0..inputs.len()).map(crossed).collect();
-        Self { points: [vec![a, b], crosses].concat(), seed: plan.seed }
+        Ok(Self { points: [vec![a, b], crosses].concat(), seed: plan.seed })
     }
 
-    /// The statistics of an output from its values at the points, in the same order; `None` with fewer than two values.
+    /// The statistics of an output from its values at the points, in the same order; `None` with fewer than two values. A value that is not
+    /// finite is none.
+    ///
+    /// # Panics
+    /// Where there are not as many values as points, set by set.
     pub fn statistics(&self, values: &[Vec<Option<f64>>]) -> Option<Statistics> {
+        let lengths = |sets: &mut dyn Iterator<Item = usize>| sets.collect::<Vec<_>>();
+        let [asked, given] =
+            [lengths(&mut self.points.iter().map(Vec::len)), lengths(&mut values.iter().map(Vec::len))];
+        assert!(asked == given, "the sets of the design have {asked:?} points, and there are {given:?} values");
+        let is_finite = |value: &f64| value.is_finite();
         // moments of every value of A and B, which are independent
-        let mut all: Vec<f64> = values[..2].iter().flatten().flatten().copied().collect();
+        let mut all: Vec<f64> = values[..2].iter().flatten().flatten().copied().filter(is_finite).collect();
         if all.len() < 2 {
             return None;
         }
@@ -113,7 +127,9 @@ impl Design {
         let (means, deviations): (Vec<f64>, Vec<f64>) = (0..RESAMPLES as u64).into_par_iter().map(resample).unzip();
         // rows that have every value, centred: an offset would add to the noise of the products
         let rows: Vec<Vec<f64>> = (0..values[0].len())
-            .filter_map(|row| values.iter().map(|column| column[row].map(|value| value - mean)).collect())
+            .filter_map(|row| {
+                values.iter().map(|column| column[row].filter(is_finite).map(|value| value - mean)).collect()
+            })
             .collect();
         let left_out = values[0].len() - rows.len();
         let inputs = values.len() - 2;
