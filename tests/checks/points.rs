@@ -154,7 +154,7 @@ fn points_and_blocks_of_wrong_lengths_panic_with_both_lengths() {
     let other = Batch::new(&setup, &[loft], &[Outcome::Carry], &[]).unwrap();
     let parquet = SweepParquet::new(&other, "").unwrap();
     let written: [&dyn Fn(); 3] =
-        [&|| drop(SweepCsv::new(&other).rows(&block)), &|| drop(SweepJsonLines::new(&other).rows(&block)), &|| {
+        [&|| _ = SweepCsv::new(&other).rows(&block)), &|| drop(SweepJsonLines::new(&other).rows(&block), &|| {
             drop(parquet.group(std::slice::from_ref(&block)))
         }];
     for write in written {
@@ -163,12 +163,12 @@ fn points_and_blocks_of_wrong_lengths_panic_with_both_lengths() {
     }
     assert!(!SweepCsv::new(&batch).rows(&block).is_empty() && block.result(7).next().is_none());
     let beyond: [&dyn Fn(); 6] = [
-        &|| drop(block.status(1)),
-        &|| drop(block.point(1)),
-        &|| drop(block.beyond(1)),
-        &|| drop(block.outcome(1, 0)),
-        &|| drop(block.outcome(0, 1)),
-        &|| drop(block.derivatives(1).count()),
+        &|| _ = block.status(1),
+        &|| _ = block.point(1),
+        &|| _ = block.beyond(1),
+        &|| _ = block.outcome(1, 0),
+        &|| _ = block.outcome(0, 1),
+        &|| _ = block.derivatives(1).count(),
     ];
     for read in beyond {
         panic_of(read);

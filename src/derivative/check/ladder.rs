@@ -8,7 +8,7 @@ pub const FEW_STEPS: [i32; 12] = [2, 3, 4, 5, 6, 7, 8, 9, 10, 19, 20, 21];
 
 /// Differences are extrapolated over steps of at least this part of the scale. What is rounded off below it (a corner within
 /// a millionth) counts as not rounded at all.
-const LEAST_STEP: f64 = 1e-6;
+pub(super) const LEAST_STEP: f64 = 1e-6;
 
 /// A function that is less than this part of the numbers it is computed from is taken to be so large: with less, what must be seen of a
 /// derivative ([`Demand::FIRST`](super::Demand::FIRST)) would be less than what rounding leaves.

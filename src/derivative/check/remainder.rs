@@ -21,7 +21,9 @@ fn slope(ladder: &Ladder, polynomial: impl Fn(f64) -> f64) -> Option<f64> {
         let above_rounding = |rung: &Rung| {
             let value = if sign > 0.0 { rung.above? } else { rung.below? };
             let remainder = (value - ladder.centre - polynomial(sign * rung.step)).abs();
-            (remainder > ABOVE_ROUNDING * rounding.max(rounding_of(value)))
+            // where large parts of the function cancel, what it changes by over a step, and its derivative, are rounded as these parts are
+            let of_the_change = rounding_of(ladder.rounded * rung.step / size);
+            (remainder > ABOVE_ROUNDING * rounding.max(rounding_of(value)).max(of_the_change))
                 .then(|| ((rung.step / size).log10(), remainder.log10()))
         };
         // from the smallest step on that is left; a remainder that passes through 0 in a larger step ends there
@@ -43,4 +45,24 @@ fn fitted(points: &[(f64, f64)]) -> Option<f64> {
     let covariance: f64 = points.iter().map(|p| (p.0 - x) * (p.1 - y)).sum();
     let variance: f64 = points.iter().map(|p| (p.0 - x) * (p.0 - x)).sum();
     Some(covariance / variance)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Ladder, STEPS};
+    use super::taylor_slopes;
+
+    /// sin x as what two parts leave, each of them a hundred thousand times as large: at 0 neither is rounded.
+    #[test]
+    fn exact_rounding_of_parts_that_cancel_is_no_remainder_and_a_wrong_slope_is() {
+        let f = |x: f64| 100_001.0 * x.sin() - 100_000.0 * x.sin();
+        let ladder = Ladder::sample(0.0, 1.0, STEPS, &mut |x| vec![f(x)]).pop().unwrap().rounded_as(1e5);
+        let slopes = |first: f64| taylor_slopes(&ladder, first, 0.0).map(Option::unwrap);
+        for (found, exact) in slopes(1.0).into_iter().zip([1.0, 3.0, 3.0]) {
+            assert!((found - exact).abs() < 0.05, "{found} {exact}");
+        }
+        for (found, exact) in slopes(1.0 + 1e-6).into_iter().zip([1.0, 1.0, 1.0]) {
+            assert!((found - exact).abs() < 0.05, "{found} {exact}");
+        }
+    }
 }

@@ -1,3 +1,4 @@
+use super::ladder::{LEAST_STEP, rounding_of};
 use super::{Estimate, Ladder, Side};
 
 /// What differences say of an exact derivative.
@@ -142,12 +143,14 @@ impl Ladder {
         NEXT_TO_NOTHING * self.size / self.scale
     }
 
-    /// The slopes to both sides, where they are not the same.
+    /// The slopes to both sides, where they are not the same: by more than rounding of the numbers that the function is computed from makes of slopes over
+    /// the least step. Where these cancel, no difference from the centre over the smallest steps may show their rounding.
     fn corner(&self) -> Option<[Option<f64>; 2]> {
         let (below, above) = (self.slope(Side::Below, 0.0)?, self.slope(Side::Above, 0.0)?);
         let apart = (above.value - below.value).abs();
         let size = above.value.abs().max(below.value.abs());
-        let is_corner = apart > 10.0 * (above.uncertainty + below.uncertainty) && apart > 1e-4 * size;
-        is_corner.then_some([Some(below.value), Some(above.value)])
+        let rounding = rounding_of(self.rounded) / (LEAST_STEP * self.scale);
+        let bar = (10.0 * (above.uncertainty + below.uncertainty)).max(1e-4 * size).max(rounding);
+        (apart > bar).then_some([Some(below.value), Some(above.value)])
     }
 }
