@@ -154,7 +154,7 @@ fn points_and_blocks_of_wrong_lengths_panic_with_both_lengths() {
     let other = Batch::new(&setup, &[loft], &[Outcome::Carry], &[]).unwrap();
     let parquet = SweepParquet::new(&other, "").unwrap();
     let written: [&dyn Fn(); 3] =
-        [&|| _ = SweepCsv::new(&other).rows(&block)), &|| drop(SweepJsonLines::new(&other).rows(&block), &|| {
+        [&|| drop(SweepCsv::new(&other).rows(&block)), &|| drop(SweepJsonLines::new(&other).rows(&block)), &|| {
             drop(parquet.group(std::slice::from_ref(&block)))
         }];
     for write in written {
