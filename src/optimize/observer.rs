@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
-/// Who is shown a search, stops it and keeps it.
+/// What a search reports to, what stops it, and what keeps its state.
 pub struct Observer {
     /// Is shown every iteration.
     pub iteration: Box<dyn FnMut(&Iteration)>,
