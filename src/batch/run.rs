@@ -93,7 +93,8 @@ impl Batch {
 }
 
 /// Outcomes of the drives at all points, handed to `sink` in order, a block of at most [`CHUNK`] rows at a time.
-/// Returns the row after the last one handed on.
+/// Returns the row after the last one handed on, or `run.first_row` where there was none. The drives are integrated as the setup says:
+/// [`accuracy`](crate::study::accuracy()) finds method and step for a stated error.
 ///
 /// # Errors
 /// As [`Batch::new`] and [`Batch::run`]. A drive that does not fly is no error but has its [`Status`](super::Status).

@@ -702,7 +702,7 @@ fn measured_values_made_by_hand_that_are_none_are_refused_with_their_row() {
     let read = ShotTable::read(&setup, "shots.csv", text.as_bytes()).unwrap();
     let plan = Plan::read(&setup, &["aero.cd0".to_owned()]).unwrap();
     for (value, sigma, says) in
-        [(f64::NAN, 1.0, "measured as NaN"), (180.0, 0.0, "uncertainty of 0"), (180.0, -1.0, "-")]
+        [(f64::NAN, 1.0, "measured as NaN"), (180.0, 0.0, "uncertainty of 0"), (180.0, -1.0, "uncertainty of -1.09")]
     {
         let mut table = read.clone();
         (table.shots[1].measured[0].value, table.shots[1].measured[0].sigma) = (value, sigma);

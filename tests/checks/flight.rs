@@ -264,10 +264,10 @@ fn exact_every_step_that_can_be_set_is_one_that_is_flown() {
     let mut setup = Setup::default();
     let shortest = setup.parameter("flight.step").unwrap().range.low;
     assert_eq!(setup.flight.time_limit / shortest, 1e8);
-    for text in ["1e-9 s", "1e-300 s", "5.9 us", "0 s"] {
+    for text in ["1e-9 s", "1e-300 s", "5.9e-6 s", "0 s"] {
         assert!(matches!(setup.set("flight.step", text), Err(Error::OutOfRange { .. })), "{text}");
     }
-    setup.set("flight.step", "6 us").unwrap();
+    setup.set("flight.step", "6e-6 s").unwrap();
     setup.validate().unwrap();
     // a longer limit makes more steps of it
     setup.set("flight.time_limit", "601 s").unwrap();

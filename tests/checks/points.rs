@@ -162,13 +162,13 @@ fn points_and_blocks_of_wrong_lengths_panic_with_both_lengths() {
         assert!(said.contains("the table is of [1, 1, 0]") && said.contains("the block of [2, 1, 1]"), "{said}");
     }
     assert!(!SweepCsv::new(&batch).rows(&block).is_empty() && block.result(7).next().is_none());
-    let beyond: [&dyn Fn(); 6] = [
-        &|| _ = block.status(1),
-        &|| _ = block.point(1),
-        &|| _ = block.beyond(1),
-        &|| _ = block.outcome(1, 0),
-        &|| _ = block.outcome(0, 1),
-        &|| _ = block.derivatives(1).count(),
+    let beyond: [&dyn Fn() -> usize; 6] = [
+        &|| block.status(1).name().len(),
+        &|| block.point(1).len(),
+        &|| usize::from(block.beyond(1).law),
+        &|| block.outcome(1, 0).iter().count(),
+        &|| block.outcome(0, 1).iter().count(),
+        &|| block.derivatives(1).count(),
     ];
     for read in beyond {
         panic_of(read);

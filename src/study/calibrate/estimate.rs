@@ -96,6 +96,15 @@ impl Plan {
                 ));
             }
         }
+        for (row, at) in table.shots.iter().flat_map(|shot| shot.stationary.iter().map(|one| (shot.row, one))) {
+            if !(at.sigma > 0.0 && at.sigma.is_finite()) {
+                let sigma = at.parameter.show(Some(at.sigma));
+                return refuse(format!(
+                    "row {row} is an optimum in {} with a standard uncertainty of {sigma}; give one above 0",
+                    at.parameter
+                ));
+            }
+        }
         if table.residuals() < self.fit.len() {
             return refuse(format!(
                 "{} has {}, fewer than the {} to fit; add measured shots, or fit fewer parameters",
