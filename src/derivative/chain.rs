@@ -2,51 +2,60 @@
 //! six components of its velocity and spin, derivatives of the flight are taken by these, and by what changes it besides.
 
 use super::Taylor;
-use super::asked::{Asked, Directions, blank};
 use super::pass::{MOST_PER_LANE, Part, Variable};
-use super::ways::Ways;
+use super::point::{Directions, Point, blank};
+use super::split::Split;
 use crate::drive;
 use crate::error::Result;
 
 /// Values and gradients by many parameters. `progress` is told how many passes of how many are done.
-pub(super) fn gradients(asked: &Asked<'_>, ways: &Ways, progress: &mut dyn FnMut(usize, usize)) -> Result<Vec<Taylor>> {
-    let most = MOST_PER_LANE * asked.level.width();
-    let passes: Passes<'_> = &|places, pass| places.chunks(most).try_for_each(|places| pass(Directions::Each(places)));
-    derivatives(asked, ways, false, passes, progress)
+pub(super) fn gradients(
+    point: &Point<'_>,
+    split: &Split,
+    progress: &mut dyn FnMut(usize, usize),
+) -> Result<Vec<Taylor>> {
+    let most = MOST_PER_LANE * point.level.width();
+    let passes: Passes<'_> =
+        &|indices, pass| indices.chunks(most).try_for_each(|indices| pass(Directions::Each(indices)));
+    derivatives(point, split, false, passes, progress)
 }
 
 /// The same with Hessians.
-pub(super) fn hessians(asked: &Asked<'_>, ways: &Ways, progress: &mut dyn FnMut(usize, usize)) -> Result<Vec<Taylor>> {
-    let passes: Passes<'_> = &|places, pass| {
+pub(super) fn hessians(
+    point: &Point<'_>,
+    split: &Split,
+    progress: &mut dyn FnMut(usize, usize),
+) -> Result<Vec<Taylor>> {
+    let passes: Passes<'_> = &|indices, pass| {
         let pairs: Vec<[usize; 2]> =
-            (0..places.len()).flat_map(|i| (0..=i).map(move |j| [places[i], places[j]])).collect();
-        pairs.chunks(asked.level.width()).try_for_each(|pairs| pass(Directions::Pairs(pairs)))
+            (0..indices.len()).flat_map(|i| (0..=i).map(move |j| [indices[i], indices[j]])).collect();
+        pairs.chunks(point.level.width()).try_for_each(|pairs| pass(Directions::Pairs(pairs)))
     };
-    derivatives(asked, ways, true, passes, progress)
+    derivatives(point, split, true, passes, progress)
 }
 
 /// Divides variables into passes and calls the closure with the directions of each.
 type Passes<'a> = &'a dyn Fn(&[usize], &mut dyn FnMut(Directions<'_>) -> Result<()>) -> Result<()>;
 
 fn derivatives(
-    asked: &Asked<'_>,
-    ways: &Ways,
+    point: &Point<'_>,
+    split: &Split,
     to_second: bool,
     passes: Passes<'_>,
     progress: &mut dyn FnMut(usize, usize),
 ) -> Result<Vec<Taylor>> {
-    let n = asked.wrt.len();
+    let n = point.wrt.len();
     let rows = |n: usize| if to_second { n } else { 0 };
-    let mut taylors = blank(asked.of.len(), n, rows(n));
+    let mut taylors = blank(point.of.len(), n, rows(n));
     let mut launch = blank(6, n, rows(n));
     let mut strike =
-        |directions: Directions<'_>| asked.pass(directions, Part::Impact { launch: &mut launch }, &mut taylors);
-    if ways.through_launch.is_empty() {
+        |directions: Directions<'_>| point.pass(directions, Part::Impact { launch: &mut launch }, &mut taylors);
+    if split.of_launch.is_empty() {
         strike(Directions::None)?;
     } else {
-        passes(&ways.through_launch, &mut strike)?;
+        passes(&split.of_launch, &mut strike)?;
     }
-    if !asked.flies {
+    if !point.flies {
         progress(1, 1);
         return Ok(taylors);
     }
@@ -54,16 +63,16 @@ fn derivatives(
         launch[*component].gradient.iter().chain(launch[*component].hessian.iter().flatten()).any(|d| *d != 0.0)
     };
     let components = (0..launch.len()).filter(moves).map(Variable::Launch);
-    let variables: Vec<_> = components.chain(ways.besides.iter().copied().map(Variable::Parameter)).collect();
+    let variables: Vec<_> = components.chain(split.of_flight.iter().copied().map(Variable::Parameter)).collect();
     let each: Vec<usize> = (0..variables.len()).collect();
-    let mut slopes = blank(asked.of.len(), each.len(), rows(each.len()));
+    let mut slopes = blank(point.of.len(), each.len(), rows(each.len()));
     let (mut done, mut all) = (0, 0);
     passes(&each, &mut |_| {
         all += 1;
         Ok(())
     })?;
     let mut fly = |directions: Directions<'_>| {
-        asked.pass(directions, Part::Flight { launch: &launch, variables: &variables }, &mut slopes)?;
+        point.pass(directions, Part::Flight { launch: &launch, variables: &variables }, &mut slopes)?;
         done += 1;
         progress(done, all.max(1));
         Ok(())
@@ -73,7 +82,7 @@ fn derivatives(
         0 => fly(Directions::None)?,
         _ => passes(&each, &mut fly)?,
     }
-    for (outcome, (taylor, slopes)) in asked.of.iter().zip(taylors.iter_mut().zip(slopes)) {
+    for (outcome, (taylor, slopes)) in point.of.iter().zip(taylors.iter_mut().zip(slopes)) {
         if outcome.part() == drive::Part::Flight {
             chain(taylor, &slopes, &variables, &launch);
         }
@@ -89,7 +98,7 @@ fn chain(taylor: &mut Taylor, by_variables: &Taylor, variables: &[Variable], lau
     // adds how a variable changes with the parameters
     let add_change = |sums: &mut [f64], factor: f64, variable: Variable| match variable {
         Variable::Launch(component) => add(sums, factor, &launch[component].gradient),
-        Variable::Parameter(place) => sums[place] += factor,
+        Variable::Parameter(index) => sums[index] += factor,
     };
     taylor.value = by_variables.value;
     for (a, &variable) in variables.iter().enumerate() {
@@ -111,7 +120,7 @@ fn chain(taylor: &mut Taylor, by_variables: &Taylor, variables: &[Variable], lau
                     add(row, slope, second);
                 }
             }
-            Variable::Parameter(place) => add(&mut taylor.hessian[place], 1.0, &slope_by_parameters),
+            Variable::Parameter(index) => add(&mut taylor.hessian[index], 1.0, &slope_by_parameters),
         }
     }
     // symmetric to the last bit, as its terms are

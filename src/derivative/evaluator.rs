@@ -1,9 +1,9 @@
 use super::Taylor;
-use super::asked::Asked;
 use super::chain;
 use super::order::{Order, Pairs};
 use super::pass::{self, hessians, values};
-use super::ways::Ways;
+use super::point::Point;
+use super::split::Split;
 use crate::drive::{Outcome, Part};
 use crate::error::{Error, Result};
 use crate::number::Level;
@@ -29,8 +29,8 @@ pub struct Evaluator {
     wrt: Vec<&'static Parameter>,
     order: Order,
     pairs: Pairs,
-    ways: Ways,
-    /// The places of parameters of the inertia tensor, with the values that have been checked together.
+    split: Split,
+    /// The indices of parameters of the inertia tensor, with the values that have been checked together.
     inertia: Vec<(usize, Option<f64>)>,
     level: Level,
 }
@@ -53,9 +53,9 @@ impl Evaluator {
         }
         refuse_twice(wrt)?;
         let of_inertia = wrt.iter().enumerate().filter(|(_, parameter)| parameter.is_of_inertia());
-        let inertia = of_inertia.map(|(place, parameter)| (place, setup.value(parameter))).collect();
-        let (of, wrt, ways) = (of.to_vec(), wrt.to_vec(), Ways::of(wrt));
-        Ok(Self { setup: *setup, of, wrt, order, ways, pairs: Pairs::All, inertia, level: Level::here() })
+        let inertia = of_inertia.map(|(index, parameter)| (index, setup.value(parameter))).collect();
+        let (of, wrt, split) = (of.to_vec(), wrt.to_vec(), Split::of(wrt));
+        Ok(Self { setup: *setup, of, wrt, order, split, pairs: Pairs::All, inertia, level: Level::here() })
     }
 
     /// The same with those second derivatives alone.
@@ -92,7 +92,7 @@ impl Evaluator {
         for (parameter, value) in self.wrt.iter().zip(values) {
             parameter.check(*value)?;
         }
-        if self.inertia.iter().any(|&(place, checked)| checked != Some(values[place])) {
+        if self.inertia.iter().any(|&(index, checked)| checked != Some(values[index])) {
             let mut moved = self.setup;
             moved.put(&self.wrt, |i| values[i]);
             moved.club.check_inertia()?;
@@ -109,28 +109,30 @@ impl Evaluator {
     fn unchecked(&self, x: &[f64], order: Order, progress: &mut dyn FnMut(usize, usize)) -> Result<Vec<Taylor>> {
         let mut setup = self.setup;
         setup.put(&self.wrt, |i| x[i]);
-        let asked = Asked {
+        let point = Point {
             setup: &setup,
             of: &self.of,
             wrt: &self.wrt,
             x,
             flies: self.of.iter().any(|outcome| outcome.part() == Part::Flight),
             has_apex: self.of.iter().any(|outcome| outcome.is_of_the_apex()),
-            runs: self.of.iter().any(|outcome| outcome.is_of_the_run()),
+            has_run: self.of.iter().any(|outcome| outcome.is_of_the_run()),
             level: self.level,
         };
         let taylors = match order {
-            Order::Value => values(&asked)?,
-            Order::First if self.ways.pay_for_gradients(self.level) => chain::gradients(&asked, &self.ways, progress)?,
+            Order::Value => values(&point)?,
+            Order::First if self.split.pays_for_gradients(self.level) => {
+                chain::gradients(&point, &self.split, progress)?
+            }
             Order::First => {
-                let taylors = pass::gradients(&asked)?;
+                let taylors = pass::gradients(&point)?;
                 progress(1, 1);
                 taylors
             }
-            Order::Second if self.pairs == Pairs::All && self.ways.pay_for_hessians() => {
-                chain::hessians(&asked, &self.ways, progress)?
+            Order::Second if self.pairs == Pairs::All && self.split.pays_for_hessians() => {
+                chain::hessians(&point, &self.split, progress)?
             }
-            Order::Second => hessians(&asked, self.pairs, progress)?,
+            Order::Second => hessians(&point, self.pairs, progress)?,
         };
         for (outcome, taylor) in self.of.iter().zip(&taylors) {
             check(taylor, *outcome, &self.wrt)?;

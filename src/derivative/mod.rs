@@ -1,13 +1,13 @@
 //! Exact derivatives of any outcomes with respect to any parameters, chosen by name at run time. Dual
 //! numbers enter and leave here only.
 
-mod asked;
 mod chain;
 pub mod check;
 mod evaluator;
 mod order;
 mod pass;
-mod ways;
+mod point;
+mod split;
 
 pub use crate::number::Taylor;
 pub use evaluator::Evaluator;

@@ -1,6 +1,6 @@
 use super::Taylor;
-use super::asked::{Asked, Directions, blank, read};
 use super::order::Pairs;
+use super::point::{Directions, Point, blank, read};
 use crate::drive::{self, Outcome, Struck};
 use crate::error::Result;
 use crate::impact::Head;
@@ -16,7 +16,7 @@ pub(super) const MOST_PER_LANE: usize = 3;
 pub(super) enum Variable {
     /// A component of the launch: of its velocity, then of its spin.
     Launch(usize),
-    /// The parameter in this place.
+    /// The parameter of this index.
     Parameter(usize),
 }
 
@@ -32,16 +32,16 @@ pub(super) enum Part<'a> {
 
 /// Derivatives of outcomes in as many directions as there are.
 struct Pass<'a> {
-    asked: &'a Asked<'a>,
+    point: &'a Point<'a>,
     directions: Directions<'a>,
     part: Part<'a>,
     taylors: &'a mut [Taylor],
 }
 
-impl Asked<'_> {
+impl Point<'_> {
     /// Makes a pass: fills in what comes of these directions.
     pub fn pass(&self, directions: Directions<'_>, part: Part<'_>, taylors: &mut [Taylor]) -> Result<()> {
-        self.level_of(directions).run(Pass { asked: self, directions, part, taylors })
+        self.level_of(directions).run(Pass { point: self, directions, part, taylors })
     }
 }
 
@@ -52,7 +52,7 @@ impl Task for Pass<'_> {
     fn run<V: Lanes<Lane = f64>>(self) -> Result<()> {
         match self.directions {
             Directions::None => self.over::<V>(1),
-            Directions::Each(places) if places.len() <= V::WIDTH => self.over::<Jet<1, V>>(1),
+            Directions::Each(indices) if indices.len() <= V::WIDTH => self.over::<Jet<1, V>>(1),
             Directions::Each(_) => self.over::<Jet<MOST_PER_LANE, V>>(MOST_PER_LANE),
             Directions::Pairs(_) => self.over::<Mixed<V>>(2),
         }
@@ -62,8 +62,8 @@ impl Task for Pass<'_> {
 impl Pass<'_> {
     #[inline(always)]
     fn over<J: Lanes<Lane: Derivatives>>(self, per_lane: usize) -> Result<()> {
-        let Self { asked, directions, part, taylors } = self;
-        let mut setup = asked.setup.constant::<J>();
+        let Self { point, directions, part, taylors } = self;
+        let mut setup = point.setup.constant::<J>();
         let lanes = directions.lanes(per_lane);
         let mut take = |lane: usize, outcome: usize, number: J::Lane| {
             put(&mut taylors[outcome], directions.in_lane(lane, per_lane), &number);
@@ -74,23 +74,23 @@ impl Pass<'_> {
                 per_lane,
                 |variable| match variables[variable] {
                     Variable::Launch(component) => launch[component].value,
-                    Variable::Parameter(place) => asked.x[place],
+                    Variable::Parameter(index) => point.x[index],
                 },
                 #[inline(always)]
                 |variable, number| match variables[variable] {
                     Variable::Launch(component) => left[component] = number,
-                    Variable::Parameter(place) => setup.put(&asked.wrt[place..=place], |_| number),
+                    Variable::Parameter(index) => setup.put(&point.wrt[index..=index], |_| number),
                 },
             );
             let [up, right, downrange, spin @ ..] = left;
             Launch { velocity: Vector::new(up, right, downrange), spin: Vector::from_array(spin) }
         } else {
-            asked.seed(&mut setup, directions, per_lane);
+            point.seed(&mut setup, directions, per_lane);
             let struck = Struck::new(&setup);
             if !struck.is_sound.holds(0) {
-                return Err(asked.refusal());
+                return Err(point.refusal());
             }
-            read_launches(asked, &setup, &struck, lanes, &mut take)?;
+            read_launches(point, &setup, &struck, lanes, &mut take)?;
             if let Part::Impact { launch } = part {
                 let Launch { velocity, spin } = struck.launch;
                 for lane in 0..lanes {
@@ -103,24 +103,24 @@ impl Pass<'_> {
             }
             struck.launch
         };
-        if asked.flies { asked.fly(&setup, &launch, lanes, take) } else { Ok(()) }
+        if point.flies { point.fly(&setup, &launch, lanes, take) } else { Ok(()) }
     }
 }
 
-/// Shows the outcomes of the launch and of the head in each lane to `take`, with their places.
+/// Shows the outcomes of the launch and of the head in each lane to `take`, with their indices.
 #[inline(always)]
 fn read_launches<J: Lanes>(
-    asked: &Asked<'_>,
+    point: &Point<'_>,
     setup: &Setup<J>,
     struck: &Struck<J>,
     lanes: usize,
     mut take: impl FnMut(usize, usize, J::Lane),
 ) -> Result<()> {
     let is_before_flight = |outcome: &Outcome| outcome.part() != drive::Part::Flight;
-    if !asked.of.iter().any(is_before_flight) {
+    if !point.of.iter().any(is_before_flight) {
         return Ok(());
     }
-    let has_head = struck.club_speed.is_some() && asked.of.iter().any(|outcome| outcome.part() == drive::Part::Head);
+    let has_head = struck.club_speed.is_some() && point.of.iter().any(|outcome| outcome.part() == drive::Part::Head);
     let head = has_head.then(|| J::outlined(|| Head::new(&setup.club)));
     for lane in 0..lanes {
         let in_lane = inlined(
@@ -130,50 +130,50 @@ fn read_launches<J: Lanes>(
         let launch = struck.launch.map(in_lane);
         let club_speed = struck.club_speed.map(in_lane);
         let head = head.as_ref().map(|head| head.map(in_lane));
-        for (i, outcome) in asked.of.iter().enumerate().filter(|(_, outcome)| is_before_flight(outcome)) {
+        for (i, outcome) in point.of.iter().enumerate().filter(|(_, outcome)| is_before_flight(outcome)) {
             take(lane, i, read(*outcome, &launch, (club_speed, head.as_ref()), None)?);
         }
     }
     Ok(())
 }
 
-/// Writes what a number tells of its directions to their places.
-fn put<J: Derivatives>(taylor: &mut Taylor, places: &[usize], number: &J) {
+/// Writes what a number tells of its directions to the indices of their variables.
+fn put<J: Derivatives>(taylor: &mut Taylor, indices: &[usize], number: &J) {
     taylor.value = number.re();
-    for (i, &place) in places.iter().enumerate() {
-        taylor.gradient[place] = number.first(i);
+    for (i, &index) in indices.iter().enumerate() {
+        taylor.gradient[index] = number.first(i);
     }
-    if let (&[i, j], Some(second)) = (places, number.second()) {
+    if let (&[i, j], Some(second)) = (indices, number.second()) {
         (taylor.hessian[i][j], taylor.hessian[j][i]) = (second, second);
     }
 }
 
 /// Each outcome, alone.
-pub(super) fn values(asked: &Asked<'_>) -> Result<Vec<Taylor>> {
-    let mut taylors = blank(asked.of.len(), 0, 0);
-    asked.pass(Directions::None, Part::Drive, &mut taylors)?;
+pub(super) fn values(point: &Point<'_>) -> Result<Vec<Taylor>> {
+    let mut taylors = blank(point.of.len(), 0, 0);
+    point.pass(Directions::None, Part::Drive, &mut taylors)?;
     Ok(taylors)
 }
 
 /// Each outcome with its gradient by few enough parameters for one pass.
-pub(super) fn gradients(asked: &Asked<'_>) -> Result<Vec<Taylor>> {
-    let n = asked.wrt.len();
-    let mut taylors = blank(asked.of.len(), n, 0);
-    let places: Vec<usize> = (0..n).collect();
-    asked.pass(Directions::Each(&places), Part::Drive, &mut taylors)?;
+pub(super) fn gradients(point: &Point<'_>) -> Result<Vec<Taylor>> {
+    let n = point.wrt.len();
+    let mut taylors = blank(point.of.len(), n, 0);
+    let indices: Vec<usize> = (0..n).collect();
+    point.pass(Directions::Each(&indices), Part::Drive, &mut taylors)?;
     Ok(taylors)
 }
 
 /// Each outcome with its gradient and the wanted part of its Hessian; `progress` is told how many passes of how many are done.
-pub(super) fn hessians(asked: &Asked<'_>, pairs: Pairs, progress: &mut dyn FnMut(usize, usize)) -> Result<Vec<Taylor>> {
-    let n = asked.wrt.len();
+pub(super) fn hessians(point: &Point<'_>, pairs: Pairs, progress: &mut dyn FnMut(usize, usize)) -> Result<Vec<Taylor>> {
+    let n = point.wrt.len();
     let rows = if pairs == Pairs::WithLast { n - 1..n } else { 0..n };
     let wanted: Vec<[usize; 2]> = rows.flat_map(|i| (0..=i).map(move |j| [i, j])).collect();
-    let mut taylors = blank(asked.of.len(), n, n);
-    let passes = wanted.chunks(asked.level.of(wanted.len()).width());
+    let mut taylors = blank(point.of.len(), n, n);
+    let passes = wanted.chunks(point.level.of(wanted.len()).width());
     let all = passes.len();
     for (done, pairs) in passes.enumerate() {
-        asked.pass(Directions::Pairs(pairs), Part::Drive, &mut taylors)?;
+        point.pass(Directions::Pairs(pairs), Part::Drive, &mut taylors)?;
         progress(done + 1, all);
     }
     Ok(taylors)

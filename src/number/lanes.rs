@@ -62,6 +62,3 @@ impl<const K: usize, B: Lanes> Lanes for Jet<K, B> {
         jet
     }
 }
-
-/// Lanes of the widest registers.
-pub(crate) const MOST_LANES: usize = 8;

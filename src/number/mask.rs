@@ -16,7 +16,7 @@ pub trait Mask: Copy + Debug + 'static + BitAnd<Output = Self> + BitOr<Output = 
     fn none() -> Self {
         Self::first(0)
     }
-    /// The mask that holds for one, counted from 0, and for none where there are not so many.
+    /// The mask that holds for one, counted from 0.
     fn only(lane: usize) -> Self;
 }
 

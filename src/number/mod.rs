@@ -33,7 +33,7 @@ pub(crate) use fingerprint::Fingerprint;
 pub(crate) use held::{held_above, held_below, risen};
 pub(crate) use inlined::inlined;
 pub use jet::{Jet, Mixed};
-pub(crate) use lanes::{Lanes, MOST_LANES};
+pub(crate) use lanes::Lanes;
 pub use level::Level;
 pub(crate) use level::Task;
 pub use mask::Mask;

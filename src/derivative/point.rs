@@ -4,12 +4,12 @@ use crate::error::{Error, Result};
 use crate::flight::{Discretization, Flight, Inputs};
 use crate::impact::{Head, strike};
 use crate::launch::Launch;
-use crate::number::{Lanes, Level, MOST_LANES, Mask, Number, inlined};
+use crate::number::{Lanes, Level, Mask, Number, inlined};
 use crate::parameters::{Parameter, Setup};
 
-/// A question, at one place.
-pub(super) struct Asked<'a> {
-    /// The setup at this place.
+/// A point at which outcomes and their derivatives are taken.
+pub(super) struct Point<'a> {
+    /// The setup at this point.
     pub setup: &'a Setup<f64>,
     pub of: &'a [Outcome],
     pub wrt: &'a [&'static Parameter],
@@ -18,12 +18,12 @@ pub(super) struct Asked<'a> {
     /// Whether an outcome is of the flight, whether one is of its apex, and whether one is of the run after it.
     pub flies: bool,
     pub has_apex: bool,
-    pub runs: bool,
+    pub has_run: bool,
     /// The most that is used of what the processor can do.
     pub level: Level,
 }
 
-/// By which places a pass differentiates: the lanes all hold the same drive, each with directions of its own.
+/// The variables, by their indices, that a pass differentiates by: the lanes all hold the same drive, each with directions of its own.
 #[derive(Clone, Copy)]
 pub(super) enum Directions<'a> {
     /// By none.
@@ -39,17 +39,17 @@ impl Directions<'_> {
     fn count(&self) -> usize {
         match self {
             Self::None => 1,
-            Self::Each(places) => places.len(),
+            Self::Each(indices) => indices.len(),
             Self::Pairs(pairs) => pairs.len(),
         }
     }
 
-    /// The places in a lane.
+    /// The indices of the variables in a lane.
     #[inline(always)]
     pub fn in_lane(&self, lane: usize, per_lane: usize) -> &[usize] {
         match self {
             Self::None => &[],
-            Self::Each(places) => places.chunks(per_lane).nth(lane).unwrap_or_default(),
+            Self::Each(indices) => indices.chunks(per_lane).nth(lane).unwrap_or_default(),
             Self::Pairs(pairs) => pairs.get(lane).map_or(&[], |pair| pair),
         }
     }
@@ -58,49 +58,51 @@ impl Directions<'_> {
     pub fn lanes(&self, per_lane: usize) -> usize {
         match self {
             Self::None => 1,
-            Self::Each(places) => places.len().div_ceil(per_lane).max(1),
+            Self::Each(indices) => indices.len().div_ceil(per_lane).max(1),
             Self::Pairs(pairs) => pairs.len().max(1),
         }
     }
 
-    /// Shows each place with its number to `put`: its value, in each lane the independent variable of the direction that it has there.
+    /// Shows the index of each variable with its number to `put`: its value, in each lane the independent variable of the direction that it has there.
     #[inline(always)]
     pub fn seeded<J: Lanes>(&self, per_lane: usize, value: impl Fn(usize) -> f64, mut put: impl FnMut(usize, J)) {
         match self {
             Self::None => (),
-            Self::Each(places) => {
-                for (at, &place) in places.iter().enumerate() {
+            Self::Each(indices) => {
+                for (at, &index) in indices.iter().enumerate() {
                     let (in_lane, in_direction) = (at / per_lane, at % per_lane);
                     let changes_in = inlined(
                         #[inline(always)]
-                        |direction: usize| J::Mask::only(if direction == in_direction { in_lane } else { MOST_LANES }),
+                        |direction: usize| {
+                            if direction == in_direction { J::Mask::only(in_lane) } else { J::Mask::none() }
+                        },
                     );
-                    put(place, J::constant(value(place)).seeded(&changes_in, 0));
+                    put(index, J::constant(value(index)).seeded(&changes_in, 0));
                 }
             }
-            // a place in several pairs is passed once for each
+            // a variable in several pairs is passed once for each
             Self::Pairs(pairs) => {
-                for &place in pairs.iter().flatten() {
+                for &index in pairs.iter().flatten() {
                     let changes_in = inlined(
                         #[inline(always)]
                         |direction: usize| {
-                            let mut lanes = J::Mask::first(0);
+                            let mut lanes = J::Mask::none();
                             for (lane, pair) in pairs.iter().enumerate() {
-                                if pair[direction] == place {
+                                if pair[direction] == index {
                                     lanes = lanes | J::Mask::only(lane);
                                 }
                             }
                             lanes
                         },
                     );
-                    put(place, J::constant(value(place)).seeded(&changes_in, 0));
+                    put(index, J::constant(value(index)).seeded(&changes_in, 0));
                 }
             }
         }
     }
 }
 
-impl Asked<'_> {
+impl Point<'_> {
     /// The level for these directions.
     pub fn level_of(&self, directions: Directions<'_>) -> Level {
         self.level.of(directions.count())
@@ -111,13 +113,13 @@ impl Asked<'_> {
     pub fn seed<J: Lanes>(&self, setup: &mut Setup<J>, directions: Directions<'_>, per_lane: usize) {
         directions.seeded(
             per_lane,
-            |place| self.x[place],
+            |index| self.x[index],
             #[inline(always)]
-            |place, number| setup.put(&self.wrt[place..=place], |_| number),
+            |index, number| setup.put(&self.wrt[index..=index], |_| number),
         );
     }
 
-    /// Flies a ball that leaves like this, whose drive `lanes` lanes hold, and shows each lane's outcomes to `take`, with their places.
+    /// Flies a ball that leaves like this, whose drive `lanes` lanes hold, and shows each lane's outcomes to `take`, with their indices.
     #[inline(always)]
     pub fn fly<J: Lanes>(
         &self,
@@ -127,7 +129,7 @@ impl Asked<'_> {
         mut take: impl FnMut(usize, usize, J::Lane),
     ) -> Result<()> {
         let how = Discretization::of(self.setup);
-        let inputs = Inputs::new(setup, launch, self.runs);
+        let inputs = Inputs::new(setup, launch, self.has_run);
         let ended = inputs.follow(&how, J::Mask::first(lanes), self.has_apex, &mut |_, _| ());
         for lane in 0..lanes {
             let in_lane = inlined(
