@@ -72,7 +72,7 @@ pub fn starts(domain: &Domain, start: &[f64], count: usize) -> Result<Vec<Vec<f6
 /// does not depend on how many threads there are.
 ///
 /// # Errors
-/// As [`minimize`](super::minimize); [`Error::Optimizer`] without starts.
+/// As [`minimize`](super::minimize()); [`Error::Optimizer`] without starts.
 pub fn minimize_from(
     problem: &(dyn Problem + Sync),
     domain: &Domain,
