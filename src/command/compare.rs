@@ -12,10 +12,10 @@ pub fn run(args: &Compare) -> Result<Answer> {
     let warnings = warnings(&comparison);
     warn(&warnings);
     let spinner = spinner("splitting the difference");
-    let found: Vec<_> = of.into_iter().map(|of| (of, comparison.of(of))).collect();
+    let found = comparison.of_each(&of);
     spinner.finish_and_clear();
     let (mut each, mut is_complete) = (vec![], true);
-    for (of, difference) in found {
+    for (of, difference) in of.into_iter().zip(found) {
         match difference {
             // what one outcome lacks (a landing, a direction) is no reason to keep back the others
             Err(error) if error.is_an_outcome() => {

@@ -73,7 +73,7 @@ pub fn starts(domain: &Domain, start: &[f64], count: usize) -> Result<Vec<Vec<f6
 /// does not depend on how many threads there are.
 ///
 /// # Errors
-/// As [`minimize`](super::minimize); [`Error::Optimizer`] without starts, and for a checkpoint of another problem.
+/// As [`minimize`](super::minimize()); [`Error::Optimizer`] without starts, and for a checkpoint of another problem.
 pub fn minimize_from(
     problem: &(dyn Problem + Sync),
     domain: &Domain,

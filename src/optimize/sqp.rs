@@ -57,7 +57,7 @@ impl Asked<'_> {
     }
 }
 
-/// The solver. [`minimize`](super::minimize) builds and runs it.
+/// The solver. [`minimize`](super::minimize()) builds and runs it.
 #[derive(Clone)]
 pub struct Sqp {
     pub(super) domain: Domain,

@@ -106,8 +106,9 @@ fn shares(split: &Shares) -> Map<String, Value> {
             "at_once": cause.is_at_once(),
         })
     });
-    let remainder = json::number(Some(split.remainder));
-    [("shares".to_owned(), each.collect()), ("remainder".to_owned(), remainder)].into_iter().collect()
+    let [remainder, error] = [split.remainder, split.error].map(|amount| json::number(Some(amount)));
+    let entries = [("shares", each.collect()), ("remainder", remainder), ("integration_error", error)];
+    entries.into_iter().map(|(name, entry)| (name.to_owned(), entry)).collect()
 }
 
 /// What a setup has of a choice.
@@ -183,9 +184,16 @@ fn shares_text(title: &str, difference: &Difference, split: &Shares, system: Sys
             names(&mut at_once)
         ));
     }
-    if !is_rounding(split.remainder) {
-        let remainder = shown::change(of, split.remainder, system);
-        text += &item(&format!("not in these shares: {remainder}; there is a corner of the model between a and b"));
+    let remainder = shown::change(of, split.remainder, system);
+    // without a sign it reads as 0
+    if remainder.starts_with(['+', '-']) && !is_rounding(split.remainder) {
+        let why = if split.remainder.abs() <= split.error {
+            let error = shown::spread(of, split.error, system);
+            format!("the shares are integrals between a and b, computed within {error}")
+        } else {
+            "there is a corner of the model between a and b".into()
+        };
+        text += &item(&format!("not in these shares: {remainder}; {why}"));
     }
     text
 }

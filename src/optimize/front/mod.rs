@@ -29,7 +29,7 @@ use std::cell::Cell;
 /// `follow` is shown every search, with its number, and stops the work.
 ///
 /// # Errors
-/// [`NoFront::NoEnd`] where one of the two has no minimum that is found; else as [`minimize`](super::minimize).
+/// [`NoFront::NoEnd`] where one of the two has no minimum that is found; else as [`minimize`](super::minimize()).
 pub fn front(
     problem: &dyn Problem,
     domain: &Domain,

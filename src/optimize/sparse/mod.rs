@@ -2,7 +2,7 @@
 //!
 //! A [`SparseProblem`] gives each function with the derivatives that are not 0; [`Terms`] written once over the number make one whose
 //! derivatives are exact by themselves. [`minimize_sparse`](super::minimize_sparse) runs the same search as
-//! [`minimize`](super::minimize): the same merit, tests and statuses. What differs is the algebra, in which no matrix is ever dense: the
+//! [`minimize`](super::minimize()): the same merit, tests and statuses. What differs is the algebra, in which no matrix is ever dense: the
 //! quadratic program of a step is solved by a primal-dual active-set method over sparse LDLᵀ factors, or by Clarabel.
 
 mod convex;

@@ -16,7 +16,7 @@ const PART: f64 = 1e-3;
 pub enum Uncertainties {
     /// All are stated in the table.
     Stated,
-    /// Some are not: the instruments' known ones stand for them ([`instrument`](super::instrument)).
+    /// Some are not: the instruments' known ones stand for them ([`instrument`](super::instrument())).
     Instruments,
     /// Some are not known at all: one unit of the column stands for each, as a weight.
     Weights,

@@ -1,6 +1,7 @@
 //! Two drives beside each other, and what their difference is made of.
 
 mod quadrature;
+mod split;
 mod way;
 
 pub use way::{Cause, Share};
@@ -8,6 +9,7 @@ pub use way::{Cause, Share};
 use crate::drive::{Drive, Outcome, Part};
 use crate::error::Result;
 use crate::parameters::{LaunchConditions, Setup};
+use split::{Found, Split};
 use std::f64::consts::FRAC_PI_2;
 use way::{Way, value};
 
@@ -15,7 +17,10 @@ use way::{Way, value};
 const NAMES: [&str; 2] = ["drive a", "drive b"];
 const BETWEEN: &str = "a drive between a and b";
 
-/// Differences below this part of an outcome or launch condition are rounding.
+/// The rounding of a share, a sum of derivatives, as a part of the outcome.
+const OF_SHARES: f64 = 1e-11;
+
+/// Differences below this part of a launch condition are rounding.
 const ROUNDING: f64 = 1e-12;
 
 /// Two drives, a and b.
@@ -53,8 +58,10 @@ pub struct Shares {
     pub setups: [Setup<f64>; 2],
     /// Each cause with its share, in the order of the table of parameters; what is changed at once stands last.
     pub shares: Vec<Share>,
-    /// What the shares are short of the difference, SI: rounding, unless there is a corner on the way.
+    /// What the shares are short of the difference, SI: no more than `error`, unless there is a corner on the way.
     pub remainder: f64,
+    /// How far a share may be off, SI, estimated: rounding, 1e-11 of the outcome, for a smooth law of drag and lift, and up to 1e-8 for one of pieces.
+    pub error: f64,
 }
 
 impl Difference {
@@ -109,18 +116,56 @@ impl Comparison {
     /// # Errors
     /// [`OfDrive`](crate::Error::OfDrive) where one of the drives, or one between them, has no such outcome.
     pub fn of(&self, of: Outcome) -> Result<Difference> {
+        self.difference(of, &mut self.splits(&[of]))
+    }
+
+    /// The same of several outcomes, in their order: a drive between a and b is flown once for all of them.
+    ///
+    /// ```
+    /// use longdrive::{Outcome, Setup, study::Comparison};
+    /// let (a, mut b) = (Setup::default(), Setup::default());
+    /// b.set("swing.speed", "112 mph").unwrap();
+    /// let both = Comparison::new(&a, &b).unwrap();
+    /// let found = both.of_each(&[Outcome::Carry, Outcome::BallSpeed]);
+    /// assert_eq!(found[0].as_ref().unwrap().amount(), both.of(Outcome::Carry).unwrap().amount());
+    /// ```
+    ///
+    /// # Errors
+    /// Those of [`of`](Self::of), for each outcome.
+    pub fn of_each(&self, of: &[Outcome]) -> Vec<Result<Difference>> {
+        let mut splits = self.splits(of);
+        of.iter().map(|of| self.difference(*of, &mut splits)).collect()
+    }
+
+    /// The shares by the parameters, and those by the launch where that is another way, of the outcomes that both drives have.
+    fn splits(&self, of: &[Outcome]) -> (Split<'_>, Option<Split<'_>>) {
+        let has = |of: &Outcome| self.drives.iter().all(|drive| of.value(drive).is_some());
+        let of: Vec<Outcome> = of.iter().copied().filter(has).collect();
+        let of_flight = || of.iter().copied().filter(|of| of.part() == Part::Flight).collect();
+        let by_launch = self.launches.as_ref().map(|way| Split::new(way, of_flight()));
+        (Split::new(&self.way, of), by_launch)
+    }
+
+    fn difference(
+        &self,
+        of: Outcome,
+        (by_parameter, by_launch): &mut (Split<'_>, Option<Split<'_>>),
+    ) -> Result<Difference> {
         let at = |side: usize| value(&self.setups[side], of).map_err(|error| error.of_drive(NAMES[side]));
         let values = [at(0)?, at(1)?];
         let unit = of.quantity().size_of(of.unit()).unwrap_or(1.0);
-        let tolerance = ROUNDING * values.iter().fold(unit, |most, value| most.max(value.abs()));
+        let size = values.iter().fold(unit, |most, value| most.max(value.abs()));
         let amount = of.beside(values[1], values[0]) - values[0];
-        let split = |way: &Way| -> Result<Shares> {
-            let shares = way.shares(of, tolerance).map_err(|error| error.of_drive(BETWEEN))?;
+        let shares = |split: &mut Split<'_>, way: &Way| -> Result<Shares> {
+            let Found { shares, error } = split.shares(of, size).map_err(|error| error.of_drive(BETWEEN))?;
             let remainder = amount - shares.iter().map(|share| share.amount).sum::<f64>();
-            Ok(Shares { setups: way.ends, shares, remainder })
+            Ok(Shares { setups: way.ends, shares, remainder, error: error + OF_SHARES * size })
         };
-        let by_launch = self.launches.as_ref().filter(|_| of.part() == Part::Flight).map(split).transpose()?;
-        Ok(Difference { of, values, by_parameter: split(&self.way)?, by_launch })
+        let by_launch = match (by_launch, &self.launches) {
+            (Some(split), Some(way)) if of.part() == Part::Flight => Some(shares(split, way)?),
+            _ => None,
+        };
+        Ok(Difference { of, values, by_parameter: shares(by_parameter, &self.way)?, by_launch })
     }
 }
 

@@ -1,5 +1,4 @@
-use super::quadrature::integrals;
-use crate::derivative::{Evaluator, Order, evaluate};
+use crate::derivative::{Order, evaluate};
 use crate::drive::Outcome;
 use crate::error::Result;
 use crate::parameters::{GOLFER, Kind, LAW, Parameter, SPEED_OF, Setup, Ways, given_otherwise};
@@ -56,7 +55,7 @@ pub struct Share {
 #[derive(Clone, Debug)]
 pub(super) struct Way {
     pub ends: [Setup<f64>; 2],
-    numbers: Vec<&'static Parameter>,
+    pub numbers: Vec<&'static Parameter>,
     at_once: Vec<Cause>,
 }
 
@@ -115,38 +114,14 @@ impl Way {
         self.numbers.iter().map(|parameter| Cause::Number(parameter)).chain(self.at_once.iter().copied()).collect()
     }
 
-    /// The share of each cause in the difference of an outcome; `tolerance` is what counts as rounding.
-    pub fn shares(&self, of: Outcome, tolerance: f64) -> Result<Vec<Share>> {
-        let amounts = if self.at_once.is_empty() {
-            self.along(0, [0.0, 1.0], of, tolerance)?
-        } else {
-            let halves = [self.along(0, [0.0, 0.5], of, tolerance)?, self.along(1, [0.5, 1.0], of, tolerance)?];
-            halves[0].iter().zip(&halves[1]).map(|(first, second)| first + second).collect()
-        };
-        let numbers = self.numbers.iter().zip(amounts);
-        let mut shares: Vec<Share> =
-            numbers.map(|(parameter, amount)| Share { cause: Cause::Number(parameter), amount }).collect();
-        shares.extend(self.halfway(of)?);
-        Ok(shares)
-    }
-
-    /// The shares of the numbers along a part of the way, with all else as in one of the drives: ∫ ∂f/∂p dp.
-    fn along(&self, side: usize, part: [f64; 2], of: Outcome, tolerance: f64) -> Result<Vec<f64>> {
-        if self.numbers.is_empty() {
-            return Ok(vec![]);
-        }
-        let evaluator = Evaluator::new(&self.ends[side], &[of], &self.numbers, Order::First)?;
-        let lengths: Vec<f64> = self.values(1.0).iter().zip(self.values(0.0)).map(|(to, from)| to - from).collect();
-        integrals(part, tolerance, |at| {
-            let found = evaluator.at(&self.values(at))?;
-            let slopes = found.first().map_or(&[][..], |taylor| &taylor.gradient);
-            Ok(slopes.iter().zip(&lengths).map(|(slope, length)| slope * length).collect())
-        })
+    /// Whether anything is changed at once.
+    pub fn has_any_at_once(&self) -> bool {
+        !self.at_once.is_empty()
     }
 
     /// The shares of what is changed at once, halfway. One is changed after the other, in their order and in the opposite one; a share is
     /// the mean of the two, so that the way back gives the same shares with the other sign.
-    fn halfway(&self, of: Outcome) -> Result<Vec<Share>> {
+    pub fn halfway(&self, of: Outcome) -> Result<Vec<Share>> {
         let last = self.at_once.len();
         let mut shares: Vec<Share> = self.at_once.iter().map(|cause| Share { cause: *cause, amount: 0.0 }).collect();
         if last == 0 {
@@ -189,7 +164,7 @@ impl Way {
     }
 
     /// The numbers at a place of the way, from 0 to 1.
-    fn values(&self, at: f64) -> Vec<f64> {
+    pub fn values(&self, at: f64) -> Vec<f64> {
         let between = |parameter: &&'static Parameter| {
             let [from, to] = self.ends.each_ref().map(|setup| setup.value(parameter).unwrap_or_default());
             // rounding leads out of no range
