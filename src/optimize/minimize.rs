@@ -27,7 +27,7 @@ pub fn minimize(problem: &dyn Problem, domain: &Domain, start: &[f64], options: 
 /// As [`minimize`], with an observer.
 ///
 /// # Errors
-/// As [`minimize`]; [`Error::Optimizer`] to go on with a search of another problem; whatever keeping the search fails with.
+/// As [`minimize`]; [`Error::Optimizer`] for a kept search of another problem; whatever keeping the search fails with.
 pub fn minimize_observed(
     problem: &dyn Problem,
     domain: &Domain,
@@ -103,7 +103,7 @@ fn search(
 
 /// A search that was kept belongs to a problem of another shape.
 pub(super) fn other_problem() -> Error {
-    Error::Optimizer("the search to go on with was kept of another problem: its numbers of variables or constraints differ; begin anew".into())
+    Error::Optimizer("the search that was kept is of another problem: its numbers of variables or constraints differ; begin without it".into())
 }
 
 /// One run of argmin's executor.
