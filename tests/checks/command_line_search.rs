@@ -245,7 +245,8 @@ fn bad_input_to_a_search_is_status_2_and_says_what_to_write() {
         (vec!["chart", "--along", "club.loft=5deg..6deg"], "one of the parameters varied"),
         (vec!["chart", "--along", "swing.speed=80mph.."], "upper end is missing"),
         (vec!["chart"], "--along"),
-        (vec!["simulate", "--set", "flight.step=1e-9s"], "at most"),
+        (vec!["simulate", "--set", "flight.step=1e-9s"], "it must be at least 6e-6 s"),
+        (vec!["simulate", "--set", "flight.step=6e-6s", "--set", "flight.time_limit=1e3s"], "at most 1e8 steps"),
     ] {
         let said = longdrive(&args);
         assert_eq!((said.status, said.out.as_str()), (2, ""), "{args:?}: {}", said.err);
