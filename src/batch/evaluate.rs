@@ -19,8 +19,12 @@ impl Batch {
     /// # Panics
     /// Where the last point has not a value for each parameter.
     pub fn evaluate(&self, first_row: u64, points: Vec<f64>) -> Block {
-        let rows = points.len() / self.parameters.len();
-        assert_eq!(points.len(), rows * self.parameters.len(), "a value for each parameter of each point");
+        let (values, parameters) = (points.len(), self.parameters.len());
+        assert!(
+            values.is_multiple_of(parameters),
+            "points of {parameters} parameters need a multiple of {parameters} values; there are {values}"
+        );
+        let rows = values / parameters;
         let empty = |columns: usize| vec![vec![f64::NAN; rows]; columns];
         let mut block = Block {
             first_row,

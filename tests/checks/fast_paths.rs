@@ -274,22 +274,3 @@ fn independent_drives_between_those_looked_at_are_within_the_tolerance() {
     }
     assert!([0.0, f64::NAN].iter().all(|none| accuracy(&Setup::default(), &[], &[], *none).is_err()));
 }
-
-/// The moment of inertia of the ball matters to the impact alone: where the launch is given, the value stays and every derivative is 0, of however
-/// many directions.
-#[test]
-fn exact_a_flight_that_no_parameter_changes_has_its_value_and_no_slopes() {
-    let mut setup = Setup::default();
-    let conditions = ["ball_speed=70 m/s", "launch_angle=0.2 rad", "backspin=280 rad/s", "sidespin=20 rad/s"];
-    for (name, text) in conditions.iter().filter_map(|condition| condition.split_once('=')) {
-        setup.set(&format!("launch.{name}"), text).unwrap();
-    }
-    setup.set("ball.inertia", "83 g cm^2").unwrap();
-    // more than the widest pass holds
-    let wrt = [setup.variable("ball.inertia").unwrap(); 30];
-    let ask = |order| longdrive::derivative::evaluate(&setup, &[Outcome::Carry], &wrt, order).unwrap();
-    let (alone, found) = (ask(Order::Value), ask(Order::First));
-    assert!(alone[0].value > 100.0);
-    close(found[0].value, alone[0].value, alone[0].value, 1e-15, "the value, rounded otherwise in registers");
-    assert!(found[0].gradient.len() == wrt.len() && found[0].gradient.iter().all(|d| *d == 0.0));
-}
