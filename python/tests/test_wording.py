@@ -51,7 +51,7 @@ def test_exact_options_are_named_as_arguments(text: str, words: str) -> None:
     [
         (lambda: longdrive.optimize(subject_to="apex_height <= 30"), "subject_to: "),
         (lambda: longdrive.optimize(correlation={("swing.path", "swing.speed"): 0.5}), r'swings=FILE or distribution="NAME=KIND\(…\)"'),
-        (lambda: longdrive.optimize(distribution={"swing.speed": ("normal", 50.0, -1.0)}), 'distribution="swing.speed=normal'),
+        (lambda: longdrive.optimize(distribution={"swing.speed": ("normal", 50.0, -1.0)}), "the distribution swing.speed=normal"),
         (lambda: longdrive.optimize(maximize="carry", minimize="carry"), "'maximize'.*'minimize'"),
         (lambda: longdrive.pareto(maximize="carry"), "give two with maximize and minimize"),
         (lambda: longdrive.uncertainty(samples=-3), "samples"),

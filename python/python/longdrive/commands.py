@@ -193,7 +193,8 @@ def optimum_sensitivity(
         overwrite: replace the file if it exists.
         wrt: the parameters that the optimum depends on, one or several; "all" for every one that has a value in this setup and is not
             varied [default: all].
-        change: a change of a parameter, e.g. swing.speed=+5mph: its effect on the optimum is predicted, and compared with a new search.
+        change: a change of a parameter, e.g. swing.speed=+5mph or air.density=-20% of its value: its effect on the optimum is predicted,
+            and compared with a new search.
         loss: the loss of the outcome for which tolerances of the optimum are computed [default: 1 yd for a distance, or 1 % of the carry
             where that is below 10 yd; 1 % of the outcome otherwise].
         progress: True for a bar, or a function of parts done and parts in all.
