@@ -115,13 +115,17 @@ fn computed(parameter: &Parameter, value: f64) -> Message {
     Message::default().quantity(parameter.quantity, parameter.unit, value, digits)
 }
 
+/// What is nearer to an end of a range than this part of it reads as that end: where a search that did not converge stops just short of it.
+const AT_THE_END: f64 = 1e-6;
+
 /// The same of a parameter that is varied: with more digits where it would read as an end of its range that it is not.
 pub(super) fn within(vary: &Vary, value: f64, system: System) -> String {
     let (parameter, ends) = (vary.parameter, ends(vary, system));
     let number = |text: &str| leading_number(text).parse::<f64>().ok();
     let is_apart = |text: &String| {
         let ends = [vary.low, vary.high].into_iter().zip(&ends);
-        ends.filter(|(end, _)| *end != value).all(|(_, end)| number(text) != number(end))
+        let is_apart = |end: f64| (end - value).abs() > AT_THE_END * (vary.high - vary.low);
+        ends.filter(|(end, _)| is_apart(*end)).all(|(_, end)| number(text) != number(end))
     };
     let plain = self::parameter(parameter, value, system);
     let finer = (2..=MOST_DIGITS).map(|digits| given(parameter.quantity, parameter.unit, value, system, digits));
