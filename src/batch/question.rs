@@ -80,7 +80,7 @@ impl Batch {
     /// [`Error::Together`] where the processor does not have them.
     pub fn with_level(mut self, level: Level) -> Result<Self> {
         let most = Level::here();
-        if level > most {
+        if !level.is_here() {
             let reason = format!(
                 "this processor does not have them; the most it has is {most}. Take --instructions {most} on every machine, or a machine that has {level}"
             );

@@ -6,12 +6,8 @@
 //! run through the same physics: [`Jet`] carries derivatives and, over itself, second
 //! derivatives; lanes hold several drives, or several directions of one, side by side.
 
-#[cfg(target_arch = "x86_64")]
-mod bits;
 mod derivatives;
 mod dual;
-#[cfg(target_arch = "x86_64")]
-mod exponential;
 mod fingerprint;
 mod held;
 mod inlined;
@@ -20,10 +16,6 @@ mod lanes;
 mod level;
 mod mask;
 mod outlined;
-#[cfg(target_arch = "x86_64")]
-mod pack;
-#[cfg(target_arch = "x86_64")]
-mod sine;
 mod tanh;
 mod taylor;
 mod vector;
@@ -37,8 +29,6 @@ pub(crate) use lanes::Lanes;
 pub use level::Level;
 pub(crate) use level::Task;
 pub use mask::Mask;
-#[cfg(target_arch = "x86_64")]
-pub(crate) use pack::{Pack4, Pack8};
 pub use taylor::Taylor;
 pub use vector::Vector;
 

@@ -96,7 +96,7 @@ class Question:
             histogram: outcomes with bins, ``{"carry": "200m..300m:64"}``, or ``(low, high, count)`` with numbers in SI.
             highest: outcomes with how many rows of the highest values to keep by themselves, ``{"carry": 10}``.
             lowest: the same of the lowest.
-            instructions: ``"baseline"``, ``"avx2"`` or ``"avx512"``: what every worker's processor has. Without it each takes the most it has, and
+            instructions: ``"baseline"``, ``"avx2"``, ``"avx512"``, ``"neon"`` or ``"simd128"``: what every worker's processor has. Without it each takes the most it has, and
                 parts of different processors are refused.
             tolerance: lengths are within it of their exact values, m or a text like ``"1 mm"``; without it 1 µm.
             own_step: whether ``flight.method`` and ``flight.step`` of the setup are kept.

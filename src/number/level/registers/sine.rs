@@ -1,5 +1,5 @@
 use super::exponential::{Powers, TAYLOR};
-use super::{Mask, inlined};
+use crate::number::{Mask, inlined};
 
 /// x² up to which Taylor's polynomials of degrees 15 and 16 are exact to rounding: 46°, where clubs and launches are.
 const MOST_SQUARED: f64 = 0.64;
@@ -29,7 +29,7 @@ pub(super) fn sin_cos<V: Powers>(x: V, large: impl Fn(V) -> (V, V)) -> (V, V) {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Lanes, Level, Task};
+    use crate::number::{Lanes, Level, Task};
 
     struct Sines;
 

@@ -1,9 +1,9 @@
-use super::Mask;
+use crate::number::Mask;
 use std::ops::{BitAnd, BitOr, Not};
 
 /// The answers to a comparison of `W` numbers, a bit each, the first the lowest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Bits<const W: usize>(pub u8);
+pub struct Bits<const W: usize>(pub u8);
 
 impl<const W: usize> Bits<W> {
     /// Holds for each.

@@ -1,7 +1,7 @@
 //! eˣ and eˣ − 1 without a branch or a call, so that they stay in the registers of a vector unit. Measured against
 //! exact values: within 2 units in the last place.
 
-use super::{Numbers, inlined};
+use crate::number::{Numbers, inlined};
 
 /// 1.5·2⁵²: a number added to it is rounded to a whole one, which then stands in the low bits.
 pub(super) const ROUNDER: f64 = 6_755_399_441_055_744.0;
@@ -69,7 +69,7 @@ pub(super) fn exp_m1<V: Powers>(x: V) -> V {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Lanes, Level, Task};
+    use crate::number::{Lanes, Level, Task};
 
     /// Units in the last place between what is computed and what the C library has, which is within one of exact.
     fn off(computed: f64, exact: f64) -> f64 {

@@ -1,19 +1,3 @@
-//! Vector registers as numbers: lanes of drives side by side, or partial derivatives of one.
-//!
-//! The one place that names instructions. A register type is used only inside a [`Task`](super::Task) that runs on the
-//! [`Level`](super::Level) it belongs to, which asks the processor first; that is what each `unsafe` here relies on.
-#![allow(unsafe_code)]
-
-use super::Numbers;
-use super::bits::Bits;
-use super::exponential::{self, Powers};
-use super::lanes::Lanes;
-use super::sine;
-use super::tanh::tanh;
-use std::arch::x86_64::*;
-use std::fmt;
-use std::ops::{Add, Div, Mul, Neg, Sub};
-
 /// A register type with its operators, as lanes.
 macro_rules! pack {
     (
@@ -27,7 +11,7 @@ macro_rules! pack {
         type $(#[doc = $doc:literal])+ $Pack:ident($Register:ident) of $width:literal outlined $outlined:ident,
         {
             operators $add:ident $sub:ident $mul:ident $div:ident,
-            spread $set:ident, fused $mul_add:ident, root $sqrt:ident, least $min:ident $max:ident,
+            spread $set:ident, fused |$a:ident, $b:ident, $c:ident| $mul_add:expr, root $sqrt:ident, least $min:ident $max:ident,
             power |$rounded:ident| $power:expr, below |$x:ident, $limit:ident| $below:expr,
             blend |$yes:ident, $no:ident, $mask:ident| $blend:expr, root and inverse |$square:ident| $sqrt_recip:expr
         }
@@ -197,11 +181,12 @@ macro_rules! pack {
             }
             #[inline(always)]
             fn outlined<R>(work: impl FnMut() -> R) -> R {
-                unsafe { super::outlined::$outlined::outlined(work) }
+                unsafe { crate::number::outlined::$outlined::outlined(work) }
             }
             #[inline(always)]
             fn mul_add(self, a: Self, b: Self) -> Self {
-                Self(unsafe { $mul_add(self.0, a.0, b.0) })
+                let ($a, $b, $c) = (self.0, a.0, b.0);
+                Self(unsafe { $mul_add })
             }
             #[inline(always)]
             fn scale_add(self, a: f64, b: Self) -> Self {
@@ -246,88 +231,4 @@ macro_rules! pack {
             }
         }
     };
-}
-
-pack! {
-    /// Four numbers (AVX2 with FMA).
-    Pack4 outlined avx2,
-    as __m256d of 4,
-    {
-        operators _mm256_add_pd _mm256_sub_pd _mm256_mul_pd _mm256_div_pd,
-        spread _mm256_set1_pd, fused _mm256_fmadd_pd, root _mm256_sqrt_pd, least _mm256_min_pd _mm256_max_pd,
-        power |k| _mm256_castsi256_pd(
-            _mm256_slli_epi64::<52>(_mm256_add_epi64(_mm256_castpd_si256(k), _mm256_set1_epi64x(1023)))
-        ),
-        below |x, limit| _mm256_movemask_pd(_mm256_cmp_pd::<_CMP_LT_OQ>(x, limit)),
-        blend |yes, no, mask| {
-            let bit = _mm256_set_epi64x(8, 4, 2, 1);
-            let set = _mm256_cmpeq_epi64(_mm256_and_si256(_mm256_set1_epi64x(i64::from(mask)), bit), bit);
-            _mm256_blendv_pd(no, yes, _mm256_castsi256_pd(set))
-        },
-        root and inverse |x| { let (root, inverse) = (x.sqrt(), x.recip()); (root, root * inverse) }
-    }
-}
-
-pack! {
-    /// Eight numbers (AVX-512).
-    Pack8 outlined avx512,
-    as __m512d of 8,
-    {
-        operators _mm512_add_pd _mm512_sub_pd _mm512_mul_pd _mm512_div_pd,
-        spread _mm512_set1_pd, fused _mm512_fmadd_pd, root _mm512_sqrt_pd, least _mm512_min_pd _mm512_max_pd,
-        power |k| _mm512_castsi512_pd(
-            _mm512_slli_epi64::<52>(_mm512_add_epi64(_mm512_castpd_si512(k), _mm512_set1_epi64(1023)))
-        ),
-        below |x, limit| _mm512_cmp_pd_mask::<_CMP_LT_OQ>(x, limit),
-        blend |yes, no, mask| _mm512_mask_blend_pd(mask, no, yes),
-        root and inverse |x| {
-            // 14 bits from a table, 70 by one step of fourth order: the divider is busy three times as long with a root and
-            // a quotient. Both are reached by the shortest chain; a rounding of the first is halved in them
-            let guess = Self(unsafe { _mm512_rsqrt14_pd(x.0) });
-            let first = x * guess;
-            let error = -first.mul_add(guess, Self::spread(-1.0));
-            let high = error.scale_add(35.0 / 128.0, Self::spread(0.3125));
-            let series = high.mul_add(error * error, error.scale_add(0.375, Self::spread(0.5)));
-            ((first * error).mul_add(series, first), (guess * error).mul_add(series, guess))
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::super::{Lanes, Level, Task};
-
-    /// The largest errors of root, inverse root and exponential over many numbers, in units of the last place.
-    struct Worst;
-
-    impl Task for Worst {
-        type Output = [f64; 3];
-
-        #[inline(always)]
-        fn run<P: Lanes<Lane = f64>>(self) -> [f64; 3] {
-            let mut worst = [0.0_f64; 3];
-            for i in 0..40_000 {
-                // 1e-12 to 1e12, each lane another
-                let x: P =
-                    P::with_values(|lane| 10_f64.powf(-12.0 + 24.0 * f64::from(i) / 4e4) * (1.0 + 0.37 * lane as f64));
-                let (root, inverse) = x.sqrt_recip();
-                let exponent = (root * 1e-6).exp();
-                for lane in 0..P::WIDTH {
-                    let (exact, small) = (x.lane(lane).sqrt(), root.lane(lane) * 1e-6);
-                    let pairs = [(root, exact), (inverse, 1.0 / exact), (exponent, small.exp())];
-                    for (most, (found, exact)) in worst.iter_mut().zip(pairs) {
-                        *most = most.max((found.lane(lane) - exact).abs() / (exact.abs() * f64::EPSILON));
-                    }
-                }
-            }
-            worst
-        }
-    }
-
-    #[test]
-    fn measured_vector_functions_are_within_two_units_of_the_libm_ones() {
-        for worst in [Level::Avx2, Level::Avx512].map(|level| level.run(Worst)) {
-            assert!(worst.iter().all(|most| *most <= 2.0), "{worst:?}");
-        }
-    }
 }

@@ -1,8 +1,9 @@
 //! What the processor can do, and work compiled for that.
 
+#[cfg(any(target_arch = "x86_64", target_arch = "aarch64", all(target_arch = "wasm32", target_feature = "simd128")))]
+mod registers;
+
 use super::Lanes;
-#[cfg(target_arch = "x86_64")]
-use super::{Pack4, Pack8};
 use std::fmt;
 
 /// The instructions of the processor that drives are computed with: each level is another copy of the code. Drives computed with another
@@ -11,6 +12,10 @@ use std::fmt;
 pub enum Level {
     /// Those that every processor of the architecture has.
     Baseline,
+    /// NEON, which every processor of the architecture aarch64 has: two numbers in a register.
+    Neon,
+    /// The 128-bit vectors of WebAssembly, for which a program is compiled with `-C target-feature=+simd128`: two numbers in a register.
+    Simd128,
     /// AVX2 with FMA (x86-64-v3): four numbers in a register.
     Avx2,
     /// AVX-512 (F, DQ, VL) with FMA: eight numbers in a register.
@@ -28,12 +33,14 @@ pub(crate) trait Task {
 
 impl Level {
     /// All, the fewest instructions first.
-    pub const ALL: [Self; 3] = [Self::Baseline, Self::Avx2, Self::Avx512];
+    pub const ALL: [Self; 5] = [Self::Baseline, Self::Neon, Self::Simd128, Self::Avx2, Self::Avx512];
 
     /// The name on the command line: `avx2`.
     pub fn name(self) -> &'static str {
         match self {
             Self::Baseline => "baseline",
+            Self::Neon => "neon",
+            Self::Simd128 => "simd128",
             Self::Avx2 => "avx2",
             Self::Avx512 => "avx512",
         }
@@ -55,7 +62,24 @@ impl Level {
                 return Self::Avx2;
             }
         }
+        if cfg!(target_arch = "aarch64") {
+            return Self::Neon;
+        }
+        if cfg!(all(target_arch = "wasm32", target_feature = "simd128")) {
+            return Self::Simd128;
+        }
         Self::Baseline
+    }
+
+    /// Whether this processor has it.
+    pub fn is_here(self) -> bool {
+        let is_of_the_architecture = match self {
+            Self::Baseline => true,
+            Self::Neon => cfg!(target_arch = "aarch64"),
+            Self::Simd128 => cfg!(target_arch = "wasm32"),
+            Self::Avx2 | Self::Avx512 => cfg!(target_arch = "x86_64"),
+        };
+        is_of_the_architecture && self <= Self::here()
     }
 
     /// This level or one below, for so many numbers: what fits into few lanes is quicker in those.
@@ -68,6 +92,7 @@ impl Level {
     pub(crate) fn width(self) -> usize {
         match self {
             Self::Baseline => 1,
+            Self::Neon | Self::Simd128 => 2,
             Self::Avx2 => 4,
             Self::Avx512 => 8,
         }
@@ -84,6 +109,10 @@ impl Level {
             #[cfg(target_arch = "x86_64")]
             // SAFETY: the processor has been asked
             Self::Avx2 => unsafe { with_avx2(task) },
+            #[cfg(target_arch = "aarch64")]
+            Self::Neon => task.run::<registers::Pack2>(),
+            #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+            Self::Simd128 => task.run::<registers::Pack2>(),
             _ => task.run::<f64>(),
         }
     }
@@ -98,11 +127,11 @@ impl fmt::Display for Level {
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2,fma")]
 fn with_avx2<W: Task>(task: W) -> W::Output {
-    task.run::<Pack4>()
+    task.run::<registers::Pack4>()
 }
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2,fma,avx512f,avx512dq,avx512vl")]
 fn with_avx512<W: Task>(task: W) -> W::Output {
-    task.run::<Pack8>()
+    task.run::<registers::Pack8>()
 }
