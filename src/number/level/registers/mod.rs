@@ -19,6 +19,13 @@ mod wasm;
 #[cfg(target_arch = "x86_64")]
 mod x86;
 
+use crate::number::tanh::tanh;
+use crate::number::{Lanes, Numbers};
+use bits::Bits;
+use exponential::Powers;
+use std::fmt;
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
 #[cfg(target_arch = "aarch64")]
 pub(super) use neon::Pack2;
 #[cfg(target_arch = "wasm32")]

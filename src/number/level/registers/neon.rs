@@ -1,16 +1,9 @@
-use super::bits::Bits;
-use super::exponential::{self, Powers};
-use super::sine;
-use crate::number::tanh::tanh;
-use crate::number::{Lanes, Numbers};
+use super::*;
 use std::arch::aarch64::*;
-use std::fmt;
-use std::ops::{Add, Div, Mul, Neg, Sub};
 
 pack! {
     /// Two numbers (NEON, which every processor of the architecture has).
-    Pack2 outlined plain,
-    as float64x2_t of 2,
+    Pack2(float64x2_t) of 2 outlined plain,
     {
         operators vaddq_f64 vsubq_f64 vmulq_f64 vdivq_f64,
         spread vdupq_n_f64, fused |a, b, c| vfmaq_f64(c, a, b), root vsqrtq_f64, least vminq_f64 vmaxq_f64,
@@ -22,7 +15,6 @@ pack! {
         blend |yes, no, mask| {
             let bit = vcombine_u64(vcreate_u64(1), vcreate_u64(2));
             vbslq_f64(vtstq_u64(vdupq_n_u64(u64::from(mask)), bit), yes, no)
-        },
-        root and inverse |x| { let (root, inverse) = (x.sqrt(), x.recip()); (root, root * inverse) }
+        }
     }
 }

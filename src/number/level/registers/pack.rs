@@ -1,19 +1,14 @@
 /// A register type with its operators, as lanes.
 macro_rules! pack {
     (
-        $( $(#[doc = $doc:literal])+ $Pack:ident outlined $outlined:ident, )+
-        as $Register:ident of $width:literal, $instructions:tt
-    ) => {
-        $( pack! { type $(#[doc = $doc])+ $Pack($Register) of $width outlined $outlined, $instructions } )+
-    };
-
-    (
-        type $(#[doc = $doc:literal])+ $Pack:ident($Register:ident) of $width:literal outlined $outlined:ident,
+        $(#[doc = $doc:literal])+
+        $Pack:ident($Register:ident) of $width:literal outlined $outlined:ident,
         {
             operators $add:ident $sub:ident $mul:ident $div:ident,
             spread $set:ident, fused |$a:ident, $b:ident, $c:ident| $mul_add:expr, root $sqrt:ident, least $min:ident $max:ident,
             power |$rounded:ident| $power:expr, below |$x:ident, $limit:ident| $below:expr,
-            blend |$yes:ident, $no:ident, $mask:ident| $blend:expr, root and inverse |$square:ident| $sqrt_recip:expr
+            blend |$yes:ident, $no:ident, $mask:ident| $blend:expr
+            $(, root and inverse |$square:ident| $sqrt_recip:expr)?
         }
     ) => {
         $(#[doc = $doc])+
@@ -88,11 +83,13 @@ macro_rules! pack {
             fn sqrt(self) -> Self {
                 Self(unsafe { $sqrt(self.0) })
             }
-            #[inline(always)]
-            fn sqrt_recip(self) -> (Self, Self) {
-                let $square = self;
-                $sqrt_recip
-            }
+            $(
+                #[inline(always)]
+                fn sqrt_recip(self) -> (Self, Self) {
+                    let $square = self;
+                    $sqrt_recip
+                }
+            )?
             #[inline(always)]
             fn exp(self) -> Self {
                 exponential::exp(self)

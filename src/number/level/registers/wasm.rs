@@ -1,16 +1,9 @@
-use super::bits::Bits;
-use super::exponential::{self, Powers};
-use super::sine;
-use crate::number::tanh::tanh;
-use crate::number::{Lanes, Numbers};
+use super::*;
 use std::arch::wasm32::*;
-use std::fmt;
-use std::ops::{Add, Div, Mul, Neg, Sub};
 
 pack! {
     /// Two numbers (the 128-bit vectors of WebAssembly, which have no fused operation).
-    Pack2 outlined plain,
-    as v128 of 2,
+    Pack2(v128) of 2 outlined plain,
     {
         operators f64x2_add f64x2_sub f64x2_mul f64x2_div,
         spread f64x2_splat, fused |a, b, c| f64x2_add(f64x2_mul(a, b), c), root f64x2_sqrt, least f64x2_min f64x2_max,
@@ -19,7 +12,6 @@ pack! {
         blend |yes, no, mask| {
             let bit = i64x2(1, 2);
             v128_bitselect(yes, no, i64x2_eq(v128_and(i64x2_splat(i64::from(mask)), bit), bit))
-        },
-        root and inverse |x| { let (root, inverse) = (x.sqrt(), x.recip()); (root, root * inverse) }
+        }
     }
 }

@@ -1,16 +1,9 @@
-use super::bits::Bits;
-use super::exponential::{self, Powers};
-use super::sine;
-use crate::number::tanh::tanh;
-use crate::number::{Lanes, Numbers};
+use super::*;
 use std::arch::x86_64::*;
-use std::fmt;
-use std::ops::{Add, Div, Mul, Neg, Sub};
 
 pack! {
     /// Four numbers (AVX2 with FMA).
-    Pack4 outlined avx2,
-    as __m256d of 4,
+    Pack4(__m256d) of 4 outlined avx2,
     {
         operators _mm256_add_pd _mm256_sub_pd _mm256_mul_pd _mm256_div_pd,
         spread _mm256_set1_pd, fused |a, b, c| _mm256_fmadd_pd(a, b, c), root _mm256_sqrt_pd, least _mm256_min_pd _mm256_max_pd,
@@ -22,15 +15,13 @@ pack! {
             let bit = _mm256_set_epi64x(8, 4, 2, 1);
             let set = _mm256_cmpeq_epi64(_mm256_and_si256(_mm256_set1_epi64x(i64::from(mask)), bit), bit);
             _mm256_blendv_pd(no, yes, _mm256_castsi256_pd(set))
-        },
-        root and inverse |x| { let (root, inverse) = (x.sqrt(), x.recip()); (root, root * inverse) }
+        }
     }
 }
 
 pack! {
     /// Eight numbers (AVX-512).
-    Pack8 outlined avx512,
-    as __m512d of 8,
+    Pack8(__m512d) of 8 outlined avx512,
     {
         operators _mm512_add_pd _mm512_sub_pd _mm512_mul_pd _mm512_div_pd,
         spread _mm512_set1_pd, fused |a, b, c| _mm512_fmadd_pd(a, b, c), root _mm512_sqrt_pd, least _mm512_min_pd _mm512_max_pd,
