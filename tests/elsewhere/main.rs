@@ -1,4 +1,5 @@
-//! What of the checks runs on any processor: drives and derivatives against independent ones, and the fast ways against the general one.
+//! The checks that run on any processor: drives and derivatives beside independent ones, and drives in vector registers beside drives alone. CONTRIBUTING.md says how to
+//! run them for another processor.
 
 #[path = "../checks/common.rs"]
 #[allow(dead_code, reason = "other checks use the rest of it")]

@@ -1,4 +1,4 @@
-// Runs a program compiled for WebAssembly with WASI under Node, with the folder of the project to read.
+// The runner that .cargo/config.toml names for wasm32-wasip1: runs a program with WASI under Node. The program may read the folder of the project, for the data of the tests.
 import { readFile } from 'node:fs/promises';
 import { fileURLToPath } from 'node:url';
 import { WASI } from 'node:wasi';

@@ -32,7 +32,7 @@ pub(crate) trait Task {
 }
 
 impl Level {
-    /// All, the fewest instructions first.
+    /// All, the narrowest registers first. A machine has those of its own architecture only.
     pub const ALL: [Self; 5] = [Self::Baseline, Self::Neon, Self::Simd128, Self::Avx2, Self::Avx512];
 
     /// The name on the command line: `avx2`.
@@ -71,7 +71,7 @@ impl Level {
         Self::Baseline
     }
 
-    /// Whether this processor has it.
+    /// Whether this processor has it: never one of another architecture.
     pub fn is_here(self) -> bool {
         let is_of_the_architecture = match self {
             Self::Baseline => true,
@@ -98,7 +98,7 @@ impl Level {
         }
     }
 
-    /// Runs a task at this level, or the best that the machine has below it.
+    /// Runs a task at this level, or the best that the machine has below it; over plain numbers where the level is of another architecture.
     #[inline]
     #[allow(unsafe_code)]
     pub(crate) fn run<W: Task>(self, task: W) -> W::Output {

@@ -1,7 +1,8 @@
 //! Vector registers as numbers: lanes of drives side by side, or partial derivatives of one.
 //!
-//! The one place that names instructions. Only the [`Level`](super::Level) above can name a register type, and it does so after it has
-//! asked the processor: everything else has one as the type that its [`Task`](super::Task) is run over. That is what each `unsafe` here relies on.
+//! The one place that names instructions. Only the [`Level`](super::Level) above can name a register type. It does so after it has asked the
+//! processor (AVX2, AVX-512), or where every processor of the architecture (NEON) or of the build (WebAssembly) has the instructions. All other
+//! code has a register as the type that its [`Task`](super::Task) is run over. That is what each `unsafe` here relies on.
 #![allow(unsafe_code)]
 // what is unsafe on one architecture is not on another
 #![allow(unused_unsafe)]

@@ -1,4 +1,6 @@
-/// A register type with its operators, as lanes.
+/// A register type with its operators, as lanes. `outlined`: the module of `number/outlined.rs` for its instructions, `plain` where every processor
+/// of the architecture has them. `fused`: a b + c, rounded once where that is as fast. `least`: the smaller and the larger of two, NaN where the second is NaN.
+/// `power`: 2ᵏ from k + ROUNDER. `below`: a bit for each number, the first the lowest. `blend`: `yes` where the bit is set.
 macro_rules! pack {
     (
         $(#[doc = $doc:literal])+
@@ -63,7 +65,7 @@ macro_rules! pack {
             }
             #[inline(always)]
             fn clamped(self, low: f64, high: f64) -> Self {
-                // the second operand is taken where one is NaN: it stays
+                // NaN stays NaN
                 Self(unsafe { $min($set(high), $max($set(low), self.0)) })
             }
         }
