@@ -130,31 +130,3 @@ fn chain(taylor: &mut Taylor, by_variables: &Taylor, variables: &[Variable], lau
         }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::{Point, Split, gradients, hessians};
-    use crate::derivative::pass::values;
-    use crate::drive::Outcome;
-    use crate::number::Level;
-    use crate::parameters::Setup;
-
-    /// The moment of inertia of the ball matters to the impact alone: where the launch is given, the value stays and every derivative is 0.
-    #[test]
-    fn exact_a_flight_that_no_parameter_changes_has_its_value_and_no_slopes() {
-        let mut setup = Setup::default();
-        setup.set_all([("launch.ball_speed", "70 m/s"), ("launch.launch_angle", "0.2 rad")]).unwrap();
-        setup.set_all([("launch.backspin", "280 rad/s"), ("ball.inertia", "83 g cm^2")]).unwrap();
-        let wrt = [setup.variable("ball.inertia").unwrap()];
-        let x = [setup.value(wrt[0]).unwrap()];
-        let (of, level, has_apex, has_run) = (&[Outcome::Carry], Level::here(), false, false);
-        let point = Point { setup: &setup, of, wrt: &wrt, x: &x, flies: true, has_apex, has_run, level };
-        let carry = values(&point).unwrap()[0].value;
-        let split = Split::of(&wrt);
-        for found in [gradients(&point, &split, &mut |_, _| ()), hessians(&point, &split, &mut |_, _| ())] {
-            let found = found.unwrap().remove(0);
-            assert!((found.value - carry).abs() < 1e-15 * carry && carry > 100.0, "{} {carry}", found.value);
-            assert!(found.gradient == [0.0] && found.hessian.iter().flatten().all(|d| *d == 0.0));
-        }
-    }
-}

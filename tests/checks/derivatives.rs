@@ -131,6 +131,41 @@ fn differences_of_gradients_agree_with_a_hessian_of_many_parameters() {
     }
 }
 
+/// Where weights have no mass, the strike is central and the shaft is straight, ten parameters change no flight. So many derivatives are chained
+/// from those of the impact and of the flight, which has no variable here. And the ball's inertia, where the launch is given.
+#[test]
+fn exact_a_flight_that_no_parameter_changes_has_its_value_and_no_slopes() {
+    let idle = [
+        ("club.weight_1.depth", "20 mm"),
+        ("club.weight_1.toe", "-10 mm"),
+        ("club.weight_1.high", "5 mm"),
+        ("club.weight_2.depth", "30 mm"),
+        ("club.weight_2.toe", "10 mm"),
+        ("club.weight_2.high", "-5 mm"),
+        ("club.bulge_radius", "0.3 m"),
+        ("club.roll_radius", "0.28 m"),
+        ("club.face_semi_axis", "0.3 m"),
+        ("swing.shaft_growth", "2"),
+    ];
+    let mut struck = Setup::preset("mae494").unwrap();
+    struck
+        .set_all([("club.weight_1.mass", "0 g"), ("club.weight_2.mass", "0 g"), ("swing.shaft_bend", "0 deg")])
+        .unwrap();
+    struck.set_all(idle).unwrap();
+    let mut launched = Setup::default();
+    launched.set_all([("launch.ball_speed", "70 m/s"), ("launch.launch_angle", "0.2 rad")]).unwrap();
+    launched.set_all([("launch.backspin", "280 rad/s"), ("ball.inertia", "83 g cm^2")]).unwrap();
+    for (setup, names) in [(struck, idle.map(|(name, _)| name).to_vec()), (launched, vec!["ball.inertia"])] {
+        let wrt: Vec<_> = names.iter().map(|name| setup.variable(name).unwrap()).collect();
+        let carry = evaluate(&setup, &[Outcome::Carry], &[], Order::Value).unwrap()[0].value;
+        for order in [Order::First, Order::Second] {
+            let found = evaluate(&setup, &[Outcome::Carry], &wrt, order).unwrap().remove(0);
+            assert!((found.value - carry).abs() < 1e-15 * carry && carry > 100.0, "{} {carry}", found.value);
+            assert!(found.gradient.iter().chain(found.hessian.iter().flatten()).all(|d| *d == 0.0), "{found:?}");
+        }
+    }
+}
+
 /// By many parameters a Hessian is chained from those of the impact and of the flight; by few it is one of both together.
 #[test]
 fn exact_a_hessian_by_all_parameters_holds_that_by_a_few() {
