@@ -110,7 +110,7 @@ fn the_costs_in_the_readme_are_those_of_performance_md() {
     for said in [
         format!("a gradient by two parameters {:.1}", time(&tasks, "T2", 1) / value),
         format!("by twelve {:.1}", time(&tasks, "T4", 1) / value),
-        format!("by all 41 of a drive in space {in_space:.1}"),
+        format!("by all 41 parameters of a drive in space {in_space:.1}"),
         format!("a Hessian by two {:.1}", time(&tasks, "T3", 1) / value),
         format!("the optimum of the `mae494` problem {:.0}", time(&tasks, "T5", 1) / value),
         format!("({:.2} ms; {:.2} ms within", time(&tasks, "T5", 1) / 1000.0, time(&tasks, "T5", 4) / 1000.0),
@@ -121,6 +121,13 @@ fn the_costs_in_the_readme_are_those_of_performance_md() {
     for row in &sweeps {
         assert!(readme.contains(&format!("{} {}", row[1], row[0])), "README.md should say: {} {}", row[1], row[0]);
     }
+}
+
+#[test]
+fn the_readme_names_every_outcome_of_a_drive() {
+    let names: Vec<String> = Outcome::ALL.iter().map(|outcome| format!("`{}`", outcome.name())).collect();
+    let said = format!("The outcomes are {}.", names.join(", "));
+    assert!(document("README.md").contains(&said), "README.md should say: {said}");
 }
 
 /// The commands of README and docs that read a sample of `examples/`.
