@@ -131,8 +131,8 @@ fn differences_of_gradients_agree_with_a_hessian_of_many_parameters() {
     }
 }
 
-/// Where weights have no mass, the strike is central and the shaft is straight, ten parameters change no flight. So many derivatives are chained
-/// from those of the impact and of the flight, which has no variable here. And the ball's inertia, where the launch is given.
+/// Ten parameters change no flight where weights have no mass, the strike is central and the shaft is straight: so many that derivatives are
+/// chained from those of the impact and of the flight, which then has no variable. Where the launch is given, the ball's inertia changes none either.
 #[test]
 fn exact_a_flight_that_no_parameter_changes_has_its_value_and_no_slopes() {
     let idle = [
