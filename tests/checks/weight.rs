@@ -17,6 +17,19 @@ fn regress_copies_of_the_flight_loop_at_most_twenty() {
     assert!((3..=20).contains(&copies.len()), "{} copies of the flight loop", copies.len());
 }
 
+/// A release of the program does not unwind, but a panic in a wheel of the Python package must become an exception.
+#[test]
+fn a_wheel_of_the_python_package_unwinds() {
+    // the lines below a head, up to the next one
+    let table = |path: &str, head: &str| -> Vec<String> {
+        let text = std::fs::read_to_string(PathBuf::from(env!("CARGO_MANIFEST_DIR")).join(path)).unwrap();
+        let lines = text.lines().skip_while(|line| *line != head).skip(1);
+        lines.take_while(|line| !line.starts_with('[')).map(str::to_owned).collect()
+    };
+    assert!(table("python/pyproject.toml", "[tool.maturin]").contains(&r#"profile = "wheel""#.into()));
+    assert!(table("Cargo.toml", "[profile.wheel]").contains(&r#"panic = "unwind""#.into()));
+}
+
 /// The paths of a tree such as `a::{b, c::{d, e}}`.
 fn paths(tree: &str) -> Vec<String> {
     let Some((stem, rest)) = tree.split_once('{') else { return vec![tree.trim().into()] };
