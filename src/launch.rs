@@ -19,11 +19,11 @@ pub struct Launch<T> {
 impl<T> Launch<T> {
     /// The same over another number.
     #[inline(always)]
-    pub(crate) fn map<U>(&self, mut f: impl FnMut(T) -> U) -> Launch<U>
+    pub(crate) fn map<U>(&self, f: impl Fn(T) -> U + Copy) -> Launch<U>
     where
         T: Copy,
     {
-        Launch { velocity: self.velocity.map(&mut f), spin: self.spin.map(&mut f) }
+        Launch { velocity: self.velocity.map(f), spin: self.spin.map(f) }
     }
 }
 

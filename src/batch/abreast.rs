@@ -4,7 +4,7 @@ use super::block::{Block, Status};
 use super::question::Batch;
 use crate::aerodynamics::AerodynamicLaw;
 use crate::drive::{Beyond, Part, Shown, Struck, flat, is_beside_any_face};
-use crate::flight::{Discretization, Flight, Inputs};
+use crate::flight::{Discretization, Inputs};
 use crate::impact::Head;
 use crate::number::{Derivatives, Jet, Lanes, Mask, Number, Task, inlined};
 use crate::parameters::{Parameter, Setup};
@@ -125,11 +125,11 @@ impl Abreast<'_> {
                 #[inline(always)]
                 |number: J| number.lane(lane),
             );
-            let Ok(Flight::Landed(landed)) = ended.flight(&how, &inputs, lane, in_lane) else {
+            if !ended.has_landed.holds(lane) {
                 alone.push(row);
                 continue;
-            };
-            let launch = struck.launch.map(in_lane);
+            }
+            let (launch, landed) = (struck.launch.map(in_lane), ended.landed.map(in_lane));
             let club_speed = struck.club_speed.map(in_lane);
             let head = head.as_ref().map(|head| head.map(in_lane));
             let shown = Shown { launch: &launch, club_speed, landed: Some(&landed), head: head.as_ref() };

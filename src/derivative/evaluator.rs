@@ -54,7 +54,8 @@ impl Evaluator {
         refuse_twice(wrt)?;
         let of_inertia = wrt.iter().enumerate().filter(|(_, parameter)| parameter.is_of_inertia());
         let inertia = of_inertia.map(|(index, parameter)| (index, setup.value(parameter))).collect();
-        let (of, wrt, split) = (of.to_vec(), wrt.to_vec(), Split::of(wrt));
+        let split = Split::of(wrt, of.iter().any(|outcome| outcome.is_of_the_run()));
+        let (of, wrt) = (of.to_vec(), wrt.to_vec());
         Ok(Self { setup: *setup, of, wrt, order, split, pairs: Pairs::All, inertia, level: Level::here() })
     }
 

@@ -1,7 +1,7 @@
 use super::Taylor;
 use super::order::Pairs;
 use super::point::{Directions, Point, blank, read};
-use crate::drive::{self, Outcome, Struck};
+use crate::drive::{self, Outcome, Shown, Struck};
 use crate::error::Result;
 use crate::impact::Head;
 use crate::launch::Launch;
@@ -130,8 +130,9 @@ fn read_launches<J: Lanes>(
         let launch = struck.launch.map(in_lane);
         let club_speed = struck.club_speed.map(in_lane);
         let head = head.as_ref().map(|head| head.map(in_lane));
+        let shown = Shown { launch: &launch, club_speed, landed: None, head: head.as_ref() };
         for (i, outcome) in point.of.iter().enumerate().filter(|(_, outcome)| is_before_flight(outcome)) {
-            take(lane, i, read(*outcome, &launch, (club_speed, head.as_ref()), None)?);
+            take(lane, i, read(*outcome, &shown)?);
         }
     }
     Ok(())

@@ -1,8 +1,8 @@
 use super::Taylor;
 use crate::drive::{Outcome, Part, Shown};
 use crate::error::{Error, Result};
-use crate::flight::{Discretization, Flight, Inputs};
-use crate::impact::{Head, strike};
+use crate::flight::{Discretization, Inputs};
+use crate::impact::strike;
 use crate::launch::Launch;
 use crate::number::{Lanes, Level, Mask, Number, inlined};
 use crate::parameters::{Parameter, Setup};
@@ -131,15 +131,19 @@ impl Point<'_> {
         let how = Discretization::of(self.setup);
         let inputs = Inputs::new(setup, launch, self.has_run);
         let ended = inputs.follow(&how, J::Mask::first(lanes), self.has_apex, &mut |_, _| ());
+        // the drive is the same in all lanes
+        if let Some(why) = ended.missing(&how, &inputs, 0, |number| number.lane(0).re())? {
+            return Err(Error::NoFlight { reason: why.message() });
+        }
         for lane in 0..lanes {
             let in_lane = inlined(
                 #[inline(always)]
                 |number: J| number.lane(lane),
             );
-            let flight = ended.flight(&how, &inputs, lane, in_lane)?;
-            let launch = launch.map(in_lane);
+            let (launch, landed) = (launch.map(in_lane), ended.landed.map(in_lane));
+            let shown = Shown { launch: &launch, club_speed: None, landed: Some(&landed), head: None };
             for (i, outcome) in self.of.iter().enumerate().filter(|(_, outcome)| outcome.part() == Part::Flight) {
-                take(lane, i, read(*outcome, &launch, (None, None), Some(&flight))?);
+                take(lane, i, read(*outcome, &shown)?);
             }
         }
         Ok(())
@@ -160,21 +164,9 @@ pub(super) fn blank(count: usize, columns: usize, rows: usize) -> Vec<Taylor> {
     std::iter::repeat_with(blank).take(count).collect()
 }
 
-/// An outcome of a launch and what followed, with the speed of the head before it and the head.
-pub(super) fn read<J: Number>(
-    outcome: Outcome,
-    launch: &Launch<J>,
-    (club_speed, head): (Option<J>, Option<&Head<J>>),
-    flight: Option<&Flight<J>>,
-) -> Result<J> {
-    let landed = match flight {
-        Some(Flight::Landed(landed)) => Some(landed),
-        Some(Flight::None(why)) if outcome.part() == Part::Flight => {
-            return Err(Error::NoFlight { reason: why.message() });
-        }
-        _ => None,
-    };
-    outcome.shown(&Shown { launch, club_speed, landed, head }).ok_or_else(|| Error::Undefined {
+/// An outcome of a drive as far as it is there.
+pub(super) fn read<J: Number>(outcome: Outcome, drive: &Shown<'_, J>) -> Result<J> {
+    outcome.shown(drive).ok_or_else(|| Error::Undefined {
         what: outcome.name().into(),
         reason: match outcome.part() {
             Part::Launch | Part::Head => "no club strikes the ball: the launch is given".into(),

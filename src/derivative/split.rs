@@ -17,13 +17,14 @@ pub(super) struct Split {
 }
 
 impl Split {
-    pub fn of(wrt: &[&'static Parameter]) -> Self {
+    /// Of parameters; those of the run count where an outcome `runs`.
+    pub fn of(wrt: &[&'static Parameter], runs: bool) -> Self {
         let indices = |holds: &dyn Fn(&Parameter) -> bool| (0..wrt.len()).filter(|&index| holds(wrt[index])).collect();
         let is_of_launch = |parameter: &Parameter| parameter.is_of_strike() || parameter.is_of_launch();
         Self {
             parameters: wrt.len(),
             of_launch: indices(&|parameter| is_of_launch(parameter) || parameter.is_of_ball()),
-            of_flight: indices(&|parameter| !is_of_launch(parameter)),
+            of_flight: indices(&|parameter| !is_of_launch(parameter) && (runs || !parameter.is_of_the_run())),
         }
     }
 

@@ -50,18 +50,18 @@ impl<T: Number> Landed<T> {
 impl<T: Copy> Landed<T> {
     /// The same over another number.
     #[inline(always)]
-    pub(crate) fn map<U>(&self, mut f: impl FnMut(T) -> U) -> Landed<U> {
+    pub(crate) fn map<U>(&self, f: impl Fn(T) -> U + Copy) -> Landed<U> {
         Landed {
             carry: f(self.carry),
             lateral: f(self.lateral),
             flight_time: f(self.flight_time),
-            velocity: self.velocity.map(&mut f),
+            velocity: self.velocity.map(f),
             apex: self.apex.as_ref().map(|apex| Apex {
                 height: f(apex.height),
                 time: f(apex.time),
                 downrange: f(apex.downrange),
             }),
-            rest: self.rest.as_ref().map(|rest| rest.map(&mut f)),
+            rest: self.rest.as_ref().map(|rest| rest.map(f)),
             defect: f(self.defect),
             steps: self.steps,
         }

@@ -11,11 +11,11 @@ impl<T: Numbers> Inputs<T> {
         let Some(damping) = self.damping else {
             return T::outlined(
                 #[inline(always)]
-                || step.from.state.spin * (-(self.decay * s * h)).exp(),
+                || step.from().state.spin * (-(self.decay * s * h)).exp(),
             );
         };
         let mut ends = [[s; 3]; 2];
-        for (end, node) in ends.iter_mut().zip([&step.from, &step.to]) {
+        for (end, node) in ends.iter_mut().zip([step.from(), step.to()]) {
             *end = self.spin_and_derivatives(node, damping, h);
         }
         let [[p0, m0, c0], [p1, m1, c1]] = ends;

@@ -96,7 +96,7 @@ impl<T: Numbers> Inputs<T> {
         let mut stepper = Stepper::new(self, tableau, h);
         let mut step = Step::at(start, self);
         let mut has_been_above = ground.below(0.0);
-        let mut flying = lanes & (has_been_above | is_rising(&step.to));
+        let mut flying = lanes & (has_been_above | is_rising(step.to()));
         let apex = Apex { height: T::zero(), time: T::zero(), downrange: T::zero() };
         let landed = Landed {
             carry: T::zero(),
@@ -122,15 +122,15 @@ impl<T: Numbers> Inputs<T> {
             stepper.advance(&mut step);
             observe(ended.time, &step);
             // a comparison with NaN does not hold: what is lost is not followed
-            let is_followed = self.is_fine(&step.from, h, tableau.reach) & step.to.state.position.x.is_finite();
+            let is_followed = self.is_fine(step.from(), h, tableau.reach) & step.to().state.position.x.is_finite();
             ended.diverges = ended.diverges | flying & !is_followed;
             flying = flying & is_followed;
 
             let defect = &mut ended.landed.defect;
             *defect = (*defect + step.defect(h).without_derivatives()).blend(*defect, flying);
 
-            let is_above = (ground - step.to.state.position.x).below(0.0);
-            let has_top = flying & is_rising(&step.from) & !is_rising(&step.to);
+            let is_above = (ground - step.to().state.position.x).below(0.0);
+            let has_top = flying & is_rising(step.from()) & !is_rising(step.to());
             let may_land = flying & !is_above & (has_been_above | has_top);
             let top_decides = has_top & !(has_been_above & is_above);
             // the path within the step is needed where the ball may land, where its top lies in the step and decides whether the ball
@@ -186,7 +186,7 @@ impl<T: Numbers> Inputs<T> {
         }
         if flying.any() {
             ended.is_aloft = flying;
-            ended.height = step.to.state.position.x.blend(ended.height, flying);
+            ended.height = step.to().state.position.x.blend(ended.height, flying);
         }
         if let Some(turf) = &self.turf {
             ended.landed.rest = Some(turf.rest(&self.landing(&ended.landed, spin), ended.has_landed));
@@ -227,50 +227,53 @@ impl<T: Number> Inputs<T> {
         has_apex: bool,
         observe: &mut dyn FnMut(f64, &Step<T>),
     ) -> Result<Flight<T>> {
-        self.follow(how, true, has_apex, observe).flight(how, self, 0, |number| number)
+        let ended = self.follow(how, true, has_apex, observe);
+        Ok(match ended.missing(how, self, 0, T::re)? {
+            None => Flight::Landed(ended.landed),
+            Some(why) => Flight::None(why),
+        })
     }
 }
 
 impl<T: Numbers> Ended<T> {
-    /// How the flight in a lane ended, which `read` takes out of the numbers.
+    /// Why the flight in a lane, whose values `value` takes out of the numbers, has no landing; `None` where it has one.
     ///
     /// # Errors
     /// [`Error::Diverged`] where drag and lift change the airspeed too much within a step, or numbers overflow.
     #[inline(always)]
-    pub(crate) fn flight<U: Number>(
+    pub(crate) fn missing(
         &self,
         how: &Discretization,
         inputs: &Inputs<T>,
         lane: usize,
-        read: impl Fn(T) -> U,
-    ) -> Result<Flight<U>> {
+        value: impl Fn(T) -> f64 + Copy,
+    ) -> Result<Option<NoFlight>> {
         if self.has_landed.holds(lane) {
-            return Ok(Flight::Landed(self.landed.map(read)));
+            return Ok(None);
         }
-        let (time, height) = (self.time, read(self.height).re());
+        let (time, height) = (self.time, value(self.height));
         if self.diverges.holds(lane) {
-            // of the values alone: a length of zero has no derivative
-            let norm = |vector: Vector<T>| vector.map(|part| read(part).re()).norm();
+            let norm = |vector: Vector<T>| vector.map(value).norm();
             let diverging = Diverging {
                 step: how.step,
                 speed: norm(inputs.velocity),
-                spin: read(inputs.spin).re(),
-                force_per_mass: read(inputs.force_per_mass).re(),
+                spin: value(inputs.spin),
+                force_per_mass: value(inputs.force_per_mass),
                 wind: norm(inputs.wind.at(inputs.ground)),
                 law: inputs.law.name(),
             };
             let (time, step) = (time - how.step, how.step);
             return Err(Error::Diverged { time, step, advice: diverging.advice() });
         }
-        Ok(Flight::None(if self.stays_below.holds(lane) {
-            NoFlight::BelowGround { apex_height: height, ground_height: read(inputs.ground).re() }
+        Ok(Some(if self.stays_below.holds(lane) {
+            NoFlight::BelowGround { apex_height: height, ground_height: value(inputs.ground) }
         } else if self.is_aloft.holds(lane) {
             NoFlight::Aloft { time, height }
         } else {
-            let velocity = inputs.velocity.map(&read);
+            let velocity = inputs.velocity.map(value);
             // the angle does not ask for the spin
             let launch = Launch { velocity, spin: velocity };
-            NoFlight::LaunchedDown { launch_angle: launch.launch_angle().re() }
+            NoFlight::LaunchedDown { launch_angle: launch.launch_angle() }
         }))
     }
 }

@@ -18,8 +18,10 @@ pub(super) struct Stepper<'a, T> {
 /// A step of the integration.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Step<T> {
-    pub from: Node<T>,
-    pub to: Node<T>,
+    /// Its ends. The end of a step is the start of the next one where it is: a copy would wait for what has just been written.
+    nodes: [Node<T>; 2],
+    /// Whether the first of them is the end.
+    ends_at_first: bool,
     /// x₁ − x₀ − h v₀ and v₁ − v₀, as computed, before the sums rounded them.
     pub deflection: Vector<T>,
     pub gained: Vector<T>,
@@ -29,18 +31,36 @@ impl<T: Numbers> Step<T> {
     /// No step yet: at a state.
     #[inline(always)]
     pub fn at(state: State<T>, inputs: &Inputs<T>) -> Self {
-        let mut node = Node { state, rate: Rate::none() };
-        inputs.find_node(state, &mut node);
-        Self { from: node, to: node, deflection: Vector::zero(), gained: Vector::zero() }
+        let nodes = [Node { state, rate: Rate::none() }; 2];
+        let mut step = Self { nodes, ends_at_first: false, deflection: Vector::zero(), gained: Vector::zero() };
+        inputs.find_node(state, step.to_mut());
+        step
+    }
+
+    /// Its start.
+    #[inline(always)]
+    pub fn from(&self) -> &Node<T> {
+        &self.nodes[usize::from(self.ends_at_first)]
+    }
+
+    /// Its end.
+    #[inline(always)]
+    pub fn to(&self) -> &Node<T> {
+        &self.nodes[usize::from(!self.ends_at_first)]
+    }
+
+    #[inline(always)]
+    fn to_mut(&mut self) -> &mut Node<T> {
+        &mut self.nodes[usize::from(!self.ends_at_first)]
     }
 
     /// How far a step of length h is from Hermite's quadrature between its ends (docs/model.md, eq. 16a), squared over the way
     /// through the air, m. It grows as h⁹; the sum over a flight as h⁸.
     #[inline(always)]
     pub fn defect(&self, h: f64) -> T {
-        let (a0, a1) = (self.from.rate.acceleration, self.to.rate.acceleration);
+        let (a0, a1) = (self.from().rate.acceleration, self.to().rate.acceleration);
         let off = (a0 - a1).scale_add(h * h * (-1.0 / 12.0), self.gained.scale_add(-0.5 * h, self.deflection));
-        off.dot(off) * (1.0 / h) / self.from.rate.speed
+        off.dot(off) * (1.0 / h) / self.from().rate.speed
     }
 }
 
@@ -57,10 +77,10 @@ impl<'a, T: Numbers> Stepper<'a, T> {
     /// Makes a step the one that follows it.
     #[inline(always)]
     pub fn advance(&mut self, step: &mut Step<T>) {
-        step.from = step.to;
+        step.ends_at_first = !step.ends_at_first;
         let (inputs, tableau, h) = (self.inputs, self.tableau, self.h);
-        let State { position: x, velocity: v, spin } = step.from.state;
-        self.rates[0] = step.from.rate;
+        let State { position: x, velocity: v, spin } = step.from().state;
+        self.rates[0] = step.from().rate;
         for i in 1..tableau.stages {
             let velocity = self.sum(tableau.velocity[i], h, v);
             let mut height = v.x.scale_add(h * tableau.time[i], x.x);
@@ -81,7 +101,7 @@ impl<'a, T: Numbers> Stepper<'a, T> {
         let state =
             State { position: v.scale_add(h, x + deflection), velocity: v + gained, spin: self.spin(spin, end) };
         (step.deflection, step.gained) = (deflection, gained);
-        inputs.find_node(state, &mut step.to);
+        inputs.find_node(state, step.to_mut());
     }
 
     /// The spin at a stage, of what it was at the start of the step: ω exp(−δ t − κ ℓ/R), ℓ the way through the air since.

@@ -63,7 +63,7 @@ pub fn trajectory(setup: &Setup<f64>, launch: &Launch<f64>) -> Result<Trajectory
             position: path.position(s),
             velocity: path.velocity(s),
         }));
-        let end = step.to.state;
+        let end = step.to().state;
         points.push(TrajectoryPoint { time: begin + h, position: end.position, velocity: end.velocity });
     })?;
     if let Flight::Landed(landed) = &flight {

@@ -26,7 +26,7 @@ pub struct Rest<T> {
 impl<T: Copy> Rest<T> {
     /// The same over another number.
     #[inline(always)]
-    pub(crate) fn map<U>(&self, mut f: impl FnMut(T) -> U) -> Rest<U> {
+    pub(crate) fn map<U>(&self, f: impl Fn(T) -> U) -> Rest<U> {
         Rest { downrange: f(self.downrange), right: f(self.right), bounces: self.bounces }
     }
 }

@@ -80,12 +80,12 @@ impl<T: Numbers> Head<T> {
 
     /// The same over another number.
     #[inline(always)]
-    pub(crate) fn map<U>(&self, f: impl Fn(T) -> U) -> Head<U> {
+    pub(crate) fn map<U>(&self, f: impl Fn(T) -> U + Copy) -> Head<U> {
         Head {
             mass: f(self.mass),
             depth: f(self.depth),
-            beside: self.beside.map(|beside| beside.map(&f)),
-            inertia: self.inertia.map(|row| row.map(&f)),
+            beside: self.beside.map(|beside| beside.map(f)),
+            inertia: self.inertia.map(|row| row.map(f)),
         }
     }
 }

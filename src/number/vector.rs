@@ -27,7 +27,7 @@ impl<T> Vector<T> {
 
     /// The same over another number.
     #[inline(always)]
-    pub(crate) fn map<U>(&self, mut f: impl FnMut(T) -> U) -> Vector<U>
+    pub(crate) fn map<U>(&self, f: impl Fn(T) -> U) -> Vector<U>
     where
         T: Copy,
     {

@@ -27,7 +27,7 @@ impl fmt::Display for Active {
 }
 
 /// The best drive found.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Optimum {
     /// What was asked.
     pub search: Search,

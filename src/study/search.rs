@@ -43,7 +43,7 @@ impl Sense {
 }
 
 /// What to look for.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Search {
     /// The outcome to make as large or as small as possible.
     pub of: Outcome,

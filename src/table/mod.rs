@@ -33,7 +33,7 @@ use std::path::Path;
 /// [`Error::Table`](crate::Error::Table) for a name without a known ending; a file that cannot be read, is damaged or cut short, or has no
 /// column of a parameter; a column that is unknown, given twice or not of numbers; a unit of another kind; and a value that is
 /// missing, no number, not finite where it must be, or whose decimal mark is uncertain.
-pub fn open_table(setup: &Setup<f64>, path: &Path) -> Result<Box<dyn Points>> {
+pub fn open_table(setup: &Setup<f64>, path: &Path) -> Result<Box<dyn Points + Send>> {
     let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default().to_lowercase();
     match ending.as_str() {
         "csv" => Ok(Box::new(Table::new(csv::CsvRows::open(setup, path)?)?)),

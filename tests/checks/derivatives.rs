@@ -189,6 +189,29 @@ fn exact_a_hessian_by_all_parameters_holds_that_by_a_few() {
     }
 }
 
+/// What the ball lands on changes its run alone: carry has the same derivatives, and zeros by the ground, whether the run is asked for or not.
+#[test]
+fn exact_carry_does_not_depend_on_what_the_ball_lands_on() {
+    let setup = Setup::default();
+    let all = setup.variables();
+    for order in [Order::First, Order::Second] {
+        let of_carry = evaluate(&setup, &[Outcome::Carry], &all, order).unwrap().remove(0);
+        let [carry, total] =
+            evaluate(&setup, &[Outcome::Carry, Outcome::Total], &all, order).unwrap().try_into().unwrap();
+        for (i, parameter) in all.iter().enumerate() {
+            let (alone, both) = (of_carry.gradient[i], carry.gradient[i]);
+            close(alone, both, both.abs().max(1e-9), 1e-12, parameter.name);
+            if parameter.is_of_the_run() {
+                assert_eq!((alone, both), (0.0, 0.0), "{}", parameter.name);
+                assert!(of_carry.hessian.iter().flatten().skip(i).step_by(all.len()).all(|d| *d == 0.0));
+            }
+        }
+        let of_the_run = (0..all.len()).filter(|i| all[*i].is_of_the_run());
+        let moves: Vec<_> = of_the_run.filter(|i| total.gradient[*i] != 0.0).map(|i| all[i].name).collect();
+        assert!(moves.len() >= 3, "{moves:?}");
+    }
+}
+
 #[test]
 fn derivatives_do_not_depend_on_what_else_is_asked_for() {
     let mut setup = Setup::preset("mae494").unwrap();

@@ -18,7 +18,7 @@ fn file(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/tables").join(name)
 }
 
-fn open(path: &Path) -> longdrive::Result<Box<dyn Points>> {
+fn open(path: &Path) -> longdrive::Result<Box<dyn Points + Send>> {
     static SETUP: LazyLock<Setup<f64>> = LazyLock::new(Setup::default);
     open_table(&SETUP, path)
 }

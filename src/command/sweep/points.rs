@@ -7,7 +7,7 @@ use crate::{Error, Result, Setup};
 /// The points that are asked for.
 pub fn points(setup: &Setup<f64>, args: &Sweep) -> Result<Box<dyn Points>> {
     if let Some(table) = &args.points {
-        return open_table(setup, table);
+        return Ok(open_table(setup, table)?);
     }
     let over = args.over.iter();
     Ok(match args.sample {
