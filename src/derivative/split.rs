@@ -17,7 +17,7 @@ pub(super) struct Split {
 }
 
 impl Split {
-    /// Of parameters; those of the run count where an outcome `runs`.
+    /// The parameters, divided. Those of the run change nothing unless an outcome is of the run (`runs`).
     pub fn of(wrt: &[&'static Parameter], runs: bool) -> Self {
         let indices = |holds: &dyn Fn(&Parameter) -> bool| (0..wrt.len()).filter(|&index| holds(wrt[index])).collect();
         let is_of_launch = |parameter: &Parameter| parameter.is_of_strike() || parameter.is_of_launch();

@@ -236,7 +236,7 @@ impl<T: Number> Inputs<T> {
 }
 
 impl<T: Numbers> Ended<T> {
-    /// Why the flight in a lane, whose values `value` takes out of the numbers, has no landing; `None` where it has one.
+    /// Why the flight in a lane has no landing; `None` where it has one. `value` takes the value in this lane out of a number.
     ///
     /// # Errors
     /// [`Error::Diverged`] where drag and lift change the airspeed too much within a step, or numbers overflow.

@@ -18,7 +18,8 @@ pub(super) struct Stepper<'a, T> {
 /// A step of the integration.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Step<T> {
-    /// Its ends. The end of a step is the start of the next one where it is: a copy would wait for what has just been written.
+    /// Its two ends, in turns: the end of one step is the start of the next, without a copy. A copy reads at once what was just written in
+    /// smaller pieces, and the processor waits for it: 16 to 24 % of a drive with rk4.
     nodes: [Node<T>; 2],
     /// Whether the first of them is the end.
     ends_at_first: bool,

@@ -214,7 +214,7 @@ macro_rules! parameter_struct {
             /// The place of a parameter, if it is one of this struct.
             fn slot(&mut self, parameter: &Parameter) -> Option<Slot<'_, T>> {
                 let rows = $Group::<f64>::rows();
-                // most are of another struct
+                // most parameters are of another struct
                 if !rows.as_ptr_range().contains(&std::ptr::from_ref(parameter)) {
                     return None;
                 }
