@@ -3,6 +3,7 @@
 use std::fs;
 use std::io;
 use std::path::Path;
+use tempfile::{PathPersistError, TempPath};
 
 /// A new file in the same folder, which is gone again unless it is put in place.
 pub(crate) fn beside(path: &Path) -> io::Result<tempfile::NamedTempFile> {
@@ -17,6 +18,18 @@ pub(crate) fn beside(path: &Path) -> io::Result<tempfile::NamedTempFile> {
     }
     // the name of this file is nobody's business
     builder.tempfile_in(folder_of(path)).map_err(|error| io::Error::from(error.kind()))
+}
+
+/// Puts a file in its place. One that is there is replaced only if that is allowed; else it stays ([`io::ErrorKind::AlreadyExists`]).
+pub(crate) fn put(file: TempPath, at: &Path, may_replace: bool) -> Result<(), PathPersistError> {
+    if may_replace {
+        return file.persist(at);
+    }
+    match file.persist_noclobber(at) {
+        // some file systems have no way to do both in one step
+        Err(failed) if failed.error.kind() != io::ErrorKind::AlreadyExists && !at.exists() => failed.path.persist(at),
+        done => done,
+    }
 }
 
 /// The folder that a file is in.

@@ -1,13 +1,14 @@
 //! Every file that the program writes, under one rule: nothing that exists is replaced unless `--overwrite` says so, no
 //! output is an input of the same command, and a file is written beside its place and put there when it is whole. All of
-//! this is checked before the work begins.
+//! this is checked before the work begins, and again for what was made since then.
 
-use crate::beside::{beside, folder_of};
+use crate::beside::{beside, folder_of, put};
 use crate::command::interrupt;
 use crate::{Error, Result};
 use std::fs;
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
+use tempfile::NamedTempFile;
 
 /// What the outputs of one command must keep clear of.
 #[derive(Clone, Debug, Default)]
@@ -76,7 +77,7 @@ impl Rule {
         let Some(found) = found else {
             in_a_folder(path)?;
             self.refuse_input(path, &located(path).unwrap_or_else(|| path.into()))?;
-            return Ok(Destination { shown: path.into(), at: path.into(), is_file: true });
+            return Ok(Destination { shown: path.into(), at: path.into(), is_file: true, may_replace: self.overwrite });
         };
         if found.is_dir() {
             return Err(refused(path, "it is a folder; name a file"));
@@ -88,9 +89,9 @@ impl Rule {
         })?;
         self.refuse_input(path, &at)?;
         if found.is_file() && !self.overwrite {
-            return Err(refused(path, "it already exists; use --overwrite to replace it"));
+            return Err(exists(path));
         }
-        Ok(Destination { shown: path.into(), at, is_file: found.is_file() })
+        Ok(Destination { shown: path.into(), at, is_file: found.is_file(), may_replace: self.overwrite })
     }
 
     fn refuse_input(&self, path: &Path, at: &Path) -> Result<()> {
@@ -149,6 +150,8 @@ pub struct Destination {
     at: PathBuf,
     /// Whether it is a file or yet to be one, and not a device or a pipe.
     is_file: bool,
+    /// Whether a file that is there when this one is whole may be replaced.
+    may_replace: bool,
 }
 
 impl Destination {
@@ -193,11 +196,25 @@ impl Destination {
             }
             let mut file = beside(&self.at)?;
             file.write_all(bytes)?;
-            file.as_file().sync_all()?;
-            file.persist(&self.at)?;
-            Ok(())
+            self.end(file)
         };
-        written().map_err(|error| unwritable(&self.shown, &error))
+        written().map_err(|error| self.failed(&error))
+    }
+
+    /// Puts a file that is whole in its place.
+    fn end(&self, file: NamedTempFile) -> io::Result<()> {
+        file.as_file().sync_all()?;
+        Ok(put(file.into_temp_path(), &self.at, self.may_replace)?)
+    }
+
+    fn failed(&self, error: &io::Error) -> Error {
+        match error.kind() {
+            ErrorKind::AlreadyExists => refused(
+                &self.shown,
+                "it was made by another program while this command ran; use --overwrite to replace it",
+            ),
+            _ => unwritable(&self.shown, error),
+        }
     }
 }
 
@@ -209,7 +226,7 @@ pub struct Pieces {
 
 enum To {
     /// Beside its place, where it is gone again unless it is put there.
-    Beside(tempfile::NamedTempFile),
+    Beside(NamedTempFile),
     Device(fs::File),
 }
 
@@ -231,11 +248,9 @@ impl Pieces {
     /// # Errors
     /// [`Error::Results`]; what stood there before then still does.
     pub fn finish(self) -> Result<()> {
-        let To::Beside(file) = self.to else { return Ok(()) };
-        let Destination { shown, at, .. } = &self.destination;
-        interrupt::undisturbed(&[shown], || {
-            let in_place = file.as_file().sync_all().and_then(|()| file.persist(at).map_err(io::Error::from));
-            in_place.map(drop).map_err(|error| unwritable(shown, &error))
+        let Self { to: To::Beside(file), destination } = self else { return Ok(()) };
+        interrupt::undisturbed(&[&destination.shown], || {
+            destination.end(file).map_err(|error| destination.failed(&error))
         })
     }
 }
@@ -294,6 +309,10 @@ fn located(path: &Path) -> Option<PathBuf> {
 
 pub fn refused(path: &Path, reason: impl Into<String>) -> Error {
     Error::Results { file: path.display().to_string(), reason: reason.into() }
+}
+
+pub fn exists(path: &Path) -> Error {
+    refused(path, "it already exists; use --overwrite to replace it")
 }
 
 pub fn unwritable(path: &Path, error: &io::Error) -> Error {

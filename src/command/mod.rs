@@ -74,11 +74,12 @@ mod wording;
 pub use described::described;
 pub use host::{Hold, Host, Kind};
 
-use crate::Result;
+use crate::{Error, Result};
 use args::{Args, Command};
 use clap::Parser;
 use output::Answer;
 use std::ffi::OsString;
+use std::io::ErrorKind;
 use std::process::ExitCode;
 use std::sync::Arc;
 use terminal::Terminal;
@@ -108,6 +109,8 @@ pub fn run(words: Vec<OsString>, host: Arc<dyn Host>) -> u8 {
     host.begin(name, is_json);
     running::within(host, Some(args.shown.clone()), &words, || match answer(&args.command).and_then(Answer::print) {
         Ok(status) => status,
+        // a reader that has gone away, as `head` does, is no failure of ours
+        Err(Error::Output(error)) if error.kind() == ErrorKind::BrokenPipe => 0,
         Err(error) => output::complain(&wording::in_words_of_the_program(error), name, is_json),
     })
 }

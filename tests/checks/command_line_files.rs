@@ -1,11 +1,13 @@
 //! What the program does to files: nothing that exists is replaced unless asked for, no input is an output, and what is
 //! written is whole.
 
-use crate::command_line::{json, longdrive};
+use crate::command_line::{json, longdrive, wait_until};
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::fs;
+use std::io::Write;
 use std::path::Path;
+use std::process::Stdio;
 
 const SHOTS: &str = "club.loft [deg],swing.speed [mph],carry [yd]\n9,100,220\n10,105,235\n11,110,250\n";
 const POINTS: &str = "club.loft [deg],swing.speed [mph]\n9,100\n10,105\n";
@@ -170,6 +172,29 @@ fn a_whole_file_stays_until_the_one_that_replaces_it_is_whole() {
 }
 
 #[cfg(unix)]
+#[test]
+fn a_file_that_is_made_while_a_command_runs_stays() {
+    let (folder, name) = folder();
+    let out = name("out.csv");
+    let mut program = std::process::Command::new(assert_cmd::cargo::cargo_bin!("longdrive"));
+    program.args(["fly", "-", "-o", &out, "-q"]);
+    let mut child = program.stdin(Stdio::piped()).stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap();
+    let mut input = child.stdin.take().unwrap();
+    // enough that it need not wait for the head
+    let rows = "150,12,2700\n".repeat(20_000);
+    input.write_all(format!("Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm]\n{rows}").as_bytes()).unwrap();
+    // where it may write has been looked at by then
+    let is_begun = || files(folder.path()).keys().any(|name| name.starts_with(".longdrive-"));
+    wait_until(&mut child, is_begun);
+    fs::write(&out, "theirs").unwrap();
+    drop(input);
+    let output = child.wait_with_output().unwrap();
+    let said = String::from_utf8(output.stderr).unwrap();
+    assert!(output.status.code() == Some(2) && said.contains("made by another program while"), "{said}");
+    assert_eq!(fs::read_to_string(&out).unwrap(), "theirs");
+    assert!(!is_begun());
+}
+
 #[test]
 fn a_file_through_a_link_is_replaced_and_keeps_its_permissions() {
     use std::os::unix::fs::PermissionsExt;

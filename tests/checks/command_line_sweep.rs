@@ -270,6 +270,67 @@ fn a_full_device_and_a_closed_pipe() {
 }
 
 #[test]
+fn a_pipe_that_is_closed_before_the_first_row_is_no_failure() {
+    let shots = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/shots.csv");
+    for args in [&["fly", shots, "-q"][..], &["sweep", "--over", "club.loft=5deg..15deg:100", "-q"]] {
+        let (reader, writer) = std::io::pipe().unwrap();
+        drop(reader);
+        let mut program = Command::new(cargo_bin!("longdrive"));
+        let child = program.args(args).stdout(writer).stderr(Stdio::piped()).spawn().unwrap();
+        let (status, said) = finish(child);
+        assert!(status == Some(0) && !said.contains("error"), "{args:?}: {said}");
+    }
+}
+
+#[test]
+fn of_two_sweeps_at_once_into_one_file_one_is_refused_and_the_other_is_whole() {
+    let folder = tempfile::tempdir().unwrap();
+    let over = ["sweep", "--over", "club.loft=5deg..15deg:3000", "-q"];
+    let questions = [over.to_vec(), [&over[..], &["--outcomes", "carry,spin"]].concat()];
+    let whole = |question: &Vec<&str>, name: &str| {
+        let path = folder.path().join(name);
+        assert_eq!(finish(start(question, &path, &[])).0, Some(0));
+        fs::read(&path).unwrap()
+    };
+    let wholes = [whole(&questions[0], "first.csv"), whole(&questions[1], "second.csv")];
+    for round in 0..8 {
+        let file = folder.path().join(format!("{round}.csv"));
+        let sweeps = questions.each_ref().map(|question| start(question, &file, &[]));
+        let [first, second] = sweeps.map(finish);
+        let (winner, (_, said)) = if first.0 == Some(0) { (0, second.clone()) } else { (1, first.clone()) };
+        assert_eq!([first.0, second.0].iter().filter(|status| **status == Some(2)).count(), 1, "{first:?} {second:?}");
+        // it met the other at work, or its file
+        assert!(said.contains("another sweep is writing it") || said.contains("already exists"), "{said}");
+        assert!(fs::read(&file).unwrap() == wholes[winner]);
+        assert!(!so_far(&file).exists() && !sidecar(&file).exists());
+    }
+}
+
+#[test]
+fn a_file_that_is_made_while_a_sweep_runs_stays_and_so_do_the_rows() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("rows.csv");
+    let mut child = start(&many(), &file, &[]);
+    wait_until(&mut child, || so_far(&file).exists());
+    fs::write(&file, "theirs").unwrap();
+    // a sweep that comes later is told what is at work
+    let (status, said) = finish(start(&["sweep", "--over", "club.loft=5deg..15deg:3"], &file, &["--overwrite"]));
+    assert!(status == Some(2) && said.contains("another sweep is writing it"), "{said}");
+    let (status, said) = finish(child);
+    assert_eq!(status, Some(2), "{said}");
+    assert!(said.contains("move the other file away, then repeat the same command with --resume"), "{said}");
+    let (status, said) = finish(start(&many(), &file, &["--resume"]));
+    assert!(status == Some(2) && said.contains("was begun without --overwrite"), "{said}");
+    assert_eq!(fs::read_to_string(&file).unwrap(), "theirs");
+    fs::remove_file(&file).unwrap();
+    let other: Vec<_> = many().into_iter().map(|word| if word == "all" { "carry" } else { word }).collect();
+    let (status, said) = finish(start(&other, &file, &["--resume"]));
+    assert!(status == Some(2) && said.contains("the outcomes differ"), "{said}");
+    assert_eq!(finish(start(&many(), &file, &["--resume"])).0, Some(0));
+    assert!(fs::read(&file).unwrap() == Whole::of_many("csv").bytes);
+}
+
+#[test]
 fn a_batch_without_room_is_refused_with_its_size() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("grid.csv");

@@ -10,13 +10,13 @@ use crate::command::interrupt;
 use crate::command::names::outcomes;
 use crate::command::output::{Answer, system, tell, warn};
 use crate::drive::{Looked, Part};
+use crate::parameters::Preset;
 #[cfg(feature = "parquet")]
 use crate::report::ShotParquet;
 use crate::report::{Reply, ShotWriter, ShotsReport, shots_text};
 use crate::shots::{Flying, Shots, Tally};
 use crate::units::{Message, counted};
 use crate::{Error, Outcome, Result, Setup};
-use std::io::ErrorKind;
 use target::{Output, Target, Written};
 
 pub fn run(args: &Fly) -> Result<Answer> {
@@ -61,6 +61,10 @@ fn followed(
 
 fn fly(args: &Fly) -> Result<Answer> {
     let Some(file) = &args.shots else { return listen::run(args, 0) };
+    if Preset::named(&file.to_string_lossy()).is_some() && !file.exists() {
+        let source = format!("it is a setup; the shots come first, as in longdrive fly shots.csv {}", file.display());
+        return Err(Error::Unreadable { name: file.display().to_string(), source: source.into() });
+    }
     let of = asked(args)?;
     let setup = setup(&args.question, &format!("the rows of {}", file.display()))?;
     let target = Target::new(args, file)?;
@@ -86,11 +90,6 @@ fn fly(args: &Fly) -> Result<Answer> {
     let source = shots.maker();
     let run = Run { threads: args.threads, stop: Some(&stop), ..Run::default() };
     let (tally, output) = written(&target, &flying, &mut shots, &run)?;
-    let tally = match tally {
-        // a reader that has gone away, as `head` does, is no failure of ours
-        Err(Error::Output(error)) if error.kind() == ErrorKind::BrokenPipe => return Ok(Answer::text(String::new())),
-        tally => tally?,
-    };
     let is_stopped = stop.load(std::sync::atomic::Ordering::Relaxed);
     if tally.rows == 0 && !is_stopped {
         let reason = "it has no rows; give a row for each shot".into();
@@ -112,21 +111,21 @@ fn fly(args: &Fly) -> Result<Answer> {
 }
 
 /// Flies the shots into the output; it is still to be ended.
-fn written(target: &Target, flying: &Flying, shots: &mut Shots, run: &Run<'_>) -> Result<(Result<Tally>, Output)> {
+fn written(target: &Target, flying: &Flying, shots: &mut Shots, run: &Run<'_>) -> Result<(Tally, Output)> {
     let of = flying.outcomes();
     match target.format {
         Written::Rows(format) => {
             let writer = ShotWriter::new(format, shots, of, system());
             let mut output = target.open(&writer.head())?;
-            let tally = flying.fly(shots, run, |flown| writer.rows(&flown), |bytes| output.write(&bytes));
+            let tally = flying.fly(shots, run, |flown| writer.rows(&flown), |bytes| output.write(&bytes))?;
             Ok((tally, output))
         }
         #[cfg(feature = "parquet")]
         Written::Parquet => {
             let mut writer = ShotParquet::new(shots, of)?;
             let mut output = target.open(&writer.head())?;
-            let tally = flying.fly(shots, run, |flown| flown, |flown| output.write(&writer.take(flown)?));
-            let tally = tally.and_then(|tally| writer.finish().and_then(|end| output.write(&end)).map(|()| tally));
+            let tally = flying.fly(shots, run, |flown| flown, |flown| output.write(&writer.take(flown)?))?;
+            output.write(&writer.finish()?)?;
             Ok((tally, output))
         }
     }

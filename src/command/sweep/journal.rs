@@ -1,12 +1,22 @@
 use super::rows::Question;
 use crate::batch::{Status, Tally};
-use crate::beside::beside;
+use crate::beside::{beside, put};
 use crate::drive::BeyondCount;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::fs::{File, OpenOptions, TryLockError};
 use std::io::{self, BufRead, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
+
+/// The first line.
+#[derive(Debug, Serialize, Deserialize)]
+struct Begun {
+    #[serde(flatten)]
+    question: Question,
+    /// Whether a file that is there may be replaced by the rows.
+    #[serde(default)]
+    overwrite: bool,
+}
 
 /// How far a file of rows has come, kept beside it as `FILE.resume` until it is complete: the question in the first
 /// line, then a line whenever rows are safe in the file. A line counts once it ends; what stands after the last one is
@@ -17,6 +27,10 @@ pub struct Journal {
     /// For each entry, how long the file of rows was, and where in the journal the entry begins.
     entries: Vec<(u64, u64)>,
     length: u64,
+    /// Whether a file that is there may be replaced by the rows.
+    pub overwrite: bool,
+    /// The journal that this one has replaced: its lock keeps away who has opened it before.
+    _replaced: Option<File>,
 }
 
 /// Rows that are safe.
@@ -71,26 +85,36 @@ impl Journal {
     }
 
     /// Whether a file is the journal of a sweep: it begins with a question.
-    pub fn is_one(path: &Path) -> bool {
+    ///
+    /// # Errors
+    /// Where a sweep is writing it.
+    pub fn is_one(path: &Path) -> io::Result<bool> {
+        let Ok(file) = File::open(path) else { return Ok(false) };
+        lock(&file)?;
         let mut line = String::new();
-        let read = File::open(path).and_then(|file| io::BufReader::new(file).read_line(&mut line));
-        read.is_ok() && serde_json::from_str::<Question>(&line).is_ok()
+        let read = io::BufReader::new(file).read_line(&mut line);
+        Ok(read.is_ok() && serde_json::from_str::<Begun>(&line).is_ok())
     }
 
-    /// A new journal, whole from its first moment on. One that another program is writing stays.
-    pub fn begin(of: &Path, question: &Question) -> io::Result<Self> {
+    /// A new journal, whole from its first moment on. One that another program is writing stays, and with `overwrite` alone one is replaced.
+    pub fn begin(of: &Path, question: &Question, overwrite: bool) -> io::Result<Self> {
         let path = Self::path(of);
-        if let Ok(there) = File::open(&path) {
-            lock(&there)?;
-        }
+        let replaced = if overwrite { File::open(&path).ok() } else { None };
+        replaced.as_ref().map_or(Ok(()), lock)?;
         let mut beside = beside(&path)?;
-        let mut line = serde_json::to_vec(question)?;
+        let mut line = serde_json::to_vec(&Begun { question: question.clone(), overwrite })?;
         line.push(b'\n');
         beside.write_all(&line)?;
         beside.as_file().sync_all()?;
+        // locked before others can find it
         lock(beside.as_file())?;
-        let file = beside.persist(&path)?;
-        Ok(Self { path, file, entries: vec![], length: line.len() as u64 })
+        let (file, at) = beside.into_parts();
+        // of two that begin at once one finds the other's
+        put(at, &path, replaced.is_some()).map_err(|failed| match failed.error.kind() {
+            io::ErrorKind::AlreadyExists => busy(),
+            _ => failed.error,
+        })?;
+        Ok(Self { path, file, entries: vec![], length: line.len() as u64, overwrite, _replaced: replaced })
     }
 
     /// The journal of a file, with the question and the entries that `keeps` accepts, up to the first it does not;
@@ -104,10 +128,15 @@ impl Journal {
         lock(&file)?;
         let mut text = String::new();
         file.read_to_string(&mut text)?;
+        // its sweep has ended since it was opened
+        if text.is_empty() {
+            return Ok(None);
+        }
         let mut lines = text.split_inclusive('\n').take_while(|line| line.ends_with('\n'));
         let first = lines.next().unwrap_or_default();
-        let question = serde_json::from_str(first)?;
-        let mut journal = Self { path, file, entries: vec![], length: first.len() as u64 };
+        let Begun { question, overwrite } = serde_json::from_str(first)?;
+        let length = first.len() as u64;
+        let mut journal = Self { path, file, entries: vec![], length, overwrite, _replaced: None };
         let mut entries = vec![];
         for line in lines {
             let Some(entry) = serde_json::from_str(line).ok().filter(&keeps) else { break };
@@ -149,6 +178,7 @@ impl Journal {
 
     /// The file of rows is complete: nothing is left to go on with.
     pub fn remove(&self) -> io::Result<()> {
+        self.file.set_len(0)?;
         std::fs::remove_file(&self.path)
     }
 }
@@ -156,8 +186,12 @@ impl Journal {
 /// Two sweeps into one file would make neither.
 fn lock(file: &File) -> io::Result<()> {
     match file.try_lock() {
-        Err(TryLockError::WouldBlock) => Err(io::Error::other("another sweep is writing it")),
+        Err(TryLockError::WouldBlock) => Err(busy()),
         // where files cannot be locked, none is
         _ => Ok(()),
     }
+}
+
+fn busy() -> io::Error {
+    io::Error::other("another sweep is writing it")
 }

@@ -5,16 +5,18 @@ use super::rows::{Content, Rows, Writer};
 #[cfg(feature = "parquet")]
 use crate::batch::Block;
 use crate::batch::Tally;
-use crate::command::files::{refused, unwritable};
+use crate::beside::put;
+use crate::command::files::{exists, refused, unwritable};
 use crate::command::output::tell;
 #[cfg(feature = "parquet")]
 use crate::report::{ParquetGroup, PlacedGroup, SweepParquet};
 use crate::units::counted;
 use crate::{Error, Result};
-use std::fs::{self, File, OpenOptions};
-use std::io::{self, Seek, SeekFrom, Write};
+use std::fs::{File, OpenOptions};
+use std::io::{self, ErrorKind, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
+use tempfile::TempPath;
 
 /// A line of the journal at most so often, and after at least so many blocks.
 const OFTEN: Duration = Duration::from_secs(1);
@@ -82,7 +84,7 @@ impl Files {
                 _ => Ok(()),
             };
         }
-        if !Journal::is_one(&journal) {
+        if !Journal::is_one(&journal).map_err(|error| unwritable(&self.whole, &error))? {
             return Err(refused(&journal, "it exists, and is not the journal of a sweep; move it away"));
         }
         if !resume && !overwrite {
@@ -103,13 +105,18 @@ fn nothing_left(path: &Path) -> Error {
 
 impl<'a> Kept<'a> {
     /// Begins, or goes on with what was kept. What may be written has been checked.
-    pub fn open(files: Files, writer: &'a Writer, resume: bool) -> Result<Self> {
+    pub fn open(files: Files, writer: &'a Writer, resume: bool, overwrite: bool) -> Result<Self> {
         if files.can_be_resumed(resume) {
             return Self::go_on(files, writer);
         }
         let unwritable = |error: io::Error| unwritable(&files.whole, &error);
         // the journal first: rows without one are nobody's
-        let journal = Journal::begin(&files.whole, &writer.question).map_err(unwritable)?;
+        let journal = Journal::begin(&files.whole, &writer.question, overwrite).map_err(unwritable)?;
+        // another sweep may have ended since that was checked
+        if !overwrite && files.whole.exists() {
+            journal.remove().map_err(unwritable)?;
+            return Err(exists(&files.whole));
+        }
         let rows = OpenOptions::new().write(true).create(true).truncate(true).open(&files.part);
         let file = rows.map_err(|error| {
             let _ = journal.remove();
@@ -155,6 +162,11 @@ impl<'a> Kept<'a> {
             let reason = format!(
                 "it belongs to another command ({part} differ); repeat the command that began it, or replace it with --overwrite"
             );
+            return Err(refused(&path, reason));
+        }
+        if !journal.overwrite && files.whole.exists() {
+            let reason = "it exists, and the sweep into it was begun without --overwrite; move it away, then repeat the \
+                          same command with --resume";
             return Err(refused(&path, reason));
         }
         let mut kept = Self::at_the_beginning(files, file, journal, writer);
@@ -224,7 +236,12 @@ impl<'a> Kept<'a> {
         if is_complete {
             let in_place = || {
                 self.file.sync_all()?;
-                fs::rename(&self.files.part, &self.files.whole)?;
+                let part = TempPath::try_from_path(&self.files.part)?;
+                put(part, &self.files.whole, self.journal.overwrite).map_err(|failed| {
+                    // it is not for us to delete
+                    let _ = failed.path.keep();
+                    failed.error
+                })?;
                 self.journal.remove()
             };
             in_place().map_err(|error| self.failed(&error))?;
@@ -250,11 +267,14 @@ impl<'a> Kept<'a> {
 
     fn failed(&self, error: &io::Error) -> Error {
         let (rows, part) = (counted(self.rows, "complete row"), self.files.part.display());
-        let why = Error::why_unwritten(error);
-        let reason = format!(
-            "it cannot be written further ({why}); {part} keeps its first {rows}; make room, then repeat the same command \
-             with --resume"
-        );
+        let (what, remedy) = match error.kind() {
+            ErrorKind::AlreadyExists => {
+                ("it was made by another program while the sweep ran".into(), "move the other file away")
+            }
+            _ => (format!("it cannot be written further ({})", Error::why_unwritten(error)), "make room"),
+        };
+        let reason =
+            format!("{what}; {part} keeps its first {rows}; {remedy}, then repeat the same command with --resume");
         refused(&self.files.whole, reason)
     }
 

@@ -22,7 +22,6 @@ use asked::Asked;
 use rows::{Rows, Writer};
 use serde::Serialize;
 use serde_json::{Map, Value};
-use std::io::ErrorKind;
 use std::path::Path;
 use target::Target;
 
@@ -62,11 +61,6 @@ pub fn run(args: &Sweep) -> Result<Answer> {
         },
     );
     bar.finish_and_clear();
-    let done = match done {
-        // a reader that has gone away, as `head` does, is no failure of ours
-        Err(Error::Output(error)) if error.kind() == ErrorKind::BrokenPipe => return Ok(Answer::text(String::new())),
-        done => done,
-    };
     let is_complete = done.as_ref().is_ok_and(|done| *done == total);
     // what closing the file says of its rows is the last word
     output.close(is_complete)?;

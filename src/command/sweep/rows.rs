@@ -23,10 +23,11 @@ impl Question {
         let parts = [
             ("the versions of longdrive", &self.version, &other.version),
             ("the formats", &self.format, &other.format),
-            ("the setups", &self.setup, &other.setup),
             ("the points", &self.points, &other.points),
             ("the outcomes", &self.outcomes, &other.outcomes),
             ("the derivatives", &self.derivatives, &other.derivatives),
+            // last: the step in it is chosen for all of the above
+            ("the setups", &self.setup, &other.setup),
         ];
         parts.into_iter().find(|(_, ours, theirs)| ours != theirs).map(|(part, _, _)| part)
     }

@@ -87,7 +87,7 @@ impl Target {
     /// Begins, or goes on with what was kept.
     pub fn open<'a>(&self, writer: &'a Writer, args: &Sweep) -> Result<Output<'a>> {
         if let Some(files) = &self.files {
-            return Ok(Output::Kept(Box::new(Kept::open(files.clone(), writer, args.resume)?)));
+            return Ok(Output::Kept(Box::new(Kept::open(files.clone(), writer, args.resume, args.overwrite)?)));
         }
         let mut stream = if self.is_standard_output() {
             Stream { to: To::Standard(io::stdout()), tally: Tally::default() }
