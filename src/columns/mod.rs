@@ -16,7 +16,7 @@ mod wrong;
 
 pub(crate) use crate::cells::separated;
 pub(crate) use air::{air_as_given, air_of_rows, air_of_setup};
-pub(crate) use column::{Column, Format, Holds};
+pub(crate) use column::{Column, Format, Holds, OF_FLOWN};
 pub(crate) use conditions::{Fault, Stated, conditions, contradiction, is_sideways, is_straight_by_assumption};
 pub(crate) use encoding::decoded;
 pub(crate) use head::Head;

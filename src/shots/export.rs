@@ -1,6 +1,7 @@
 //! A launch monitor's export: its rows as shots.
 
 use super::cells::cells;
+use super::flown::REFUSED;
 use super::further::within;
 use super::head::ExportHead;
 use super::lines::Record;
@@ -29,9 +30,21 @@ impl ExportHead {
             return Shot::refused(line, text.clone(), refusal);
         }
         let mut shot = self.of_cells(&row);
+        if let Some(refusal) = shot.refusal().and_then(|now| self.refused_before(&row, now)) {
+            shot.point = Err(refusal);
+        }
         shot.has_cells_of_head = row.len() == self.heads.len();
         (shot.line, shot.text) = (line, text);
         shot
+    }
+
+    /// Why `fly` refused the row that this one was made of, where it lacks what was wrong.
+    fn refused_before<S: AsRef<str>>(&self, row: &[S], now: &Refusal) -> Option<Refusal> {
+        let [_, flight, reason, _] = row.get(self.added.clone())?.first_chunk()?;
+        // a row that cannot be taken apart is written into the first of its cells
+        let own = row[..self.added.start].iter().chain(&row[self.added.end..]);
+        let is_lacking = now.kind == Refusal::MISSING || own.skip(1).all(|cell| cell.as_ref().is_empty());
+        (flight.as_ref() == REFUSED && is_lacking).then(|| Refusal::new(Refusal::BEFORE, reason.as_ref()))
     }
 
     fn of_cells<S: AsRef<str>>(&self, row: &[S]) -> Shot {

@@ -5,6 +5,9 @@ use crate::batch::{Block, Status};
 use crate::columns::is_sideways;
 use crate::drive::{Beyond, Outcome};
 
+/// How the flight of a row ended that was not flown.
+pub(super) const REFUSED: &str = "refused";
+
 /// Shots that were flown, or that could not be.
 #[derive(Clone, Debug)]
 pub struct Flown {
@@ -50,7 +53,7 @@ impl Flown {
 
     /// How the flight of a row ended, in a word: `refused` for one without.
     pub fn flight(&self, row: usize) -> &'static str {
-        self.status(row).map_or("refused", Status::name)
+        self.status(row).map_or(REFUSED, Status::name)
     }
 
     /// In what the drive of a row that landed is outside of what the model is made for.

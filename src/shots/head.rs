@@ -7,13 +7,14 @@ use super::maker::maker;
 use super::shot::{Club as ClubOfShot, Further, LAUNCH, Origin};
 use super::table::Table;
 use crate::columns::{
-    Club, Column, Format, Head, Holds, Spin, given_air, is_export, near_known, nearest_head, separated, split_unit,
-    unstated, words,
+    Club, Column, Format, Head, Holds, OF_FLOWN, Spin, given_air, is_export, near_known, nearest_head, separated,
+    split_unit, unstated, words,
 };
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::parameters::{Golfer, Setup};
 use crate::units::Message;
+use std::ops::Range;
 
 /// The head stands among so many lines at the beginning of a file.
 const MOST_LINES: usize = 25;
@@ -46,6 +47,8 @@ pub(super) struct ExportHead {
     pub condition: Option<usize>,
     pub is_export: bool,
     pub decimals: Decimals,
+    /// The columns that `fly` added when it wrote the table.
+    pub added: Range<usize>,
     /// The density of the setup's air, for rows that state none.
     pub air: f64,
     pub remarks: Vec<Message>,
@@ -147,6 +150,7 @@ impl ExportHead {
             condition: None,
             is_export,
             decimals: Decimals::Point,
+            added: added(&columns),
             air: setup.air.density,
             remarks: vec![],
             units,
@@ -258,6 +262,9 @@ impl ExportHead {
         }
         remarks.extend(self.air_told().or_else(|| given_air(columns)));
         remarks.extend(self.given_twice(columns));
+        if !self.added.is_empty() {
+            remarks.push("what an earlier 'fly' added to the rows is written anew (the columns from Line on)".into());
+        }
         if !not_read.is_empty() {
             remarks.push(format!("columns that are copied and not used: {}", not_read.join(", ")));
         }
@@ -285,6 +292,14 @@ impl ExportHead {
     pub fn name_of(&self, of: Outcome) -> String {
         self.read.iter().find(|read| read.of == of).map_or(of.name().into(), |read| read.column.head.clone())
     }
+}
+
+/// The columns that `fly` adds: its words, then those of outcomes.
+fn added(columns: &[Column]) -> Range<usize> {
+    let heads: Vec<&str> = columns.iter().map(|column| column.head.as_str()).collect();
+    let Some(from) = heads.windows(OF_FLOWN.len()).position(|heads| heads == OF_FLOWN) else { return 0..0 };
+    let of_outcomes = columns[from..].iter().take_while(|column| column.holds == Holds::Written).count();
+    from..from + of_outcomes
 }
 
 /// The unit of a column in the line below the head, without brackets.

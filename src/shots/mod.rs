@@ -55,6 +55,7 @@ pub use flown::Flown;
 pub use fly::Flying;
 pub(crate) use lines::Record;
 pub use objects::{Objects, Piece};
+pub(crate) use open_connect::ASSUMED;
 pub(crate) use record::{miscounted, records};
 pub use shot::{Club, Origin, Refusal, Shot, Value};
 pub(crate) use sizes::size;

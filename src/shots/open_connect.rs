@@ -1,6 +1,7 @@
 //! A message of GSPro Open Connect as a shot.
 
 use super::export::{OF_SPIN, launch, tell};
+use super::flown::REFUSED;
 use super::objects::Piece;
 use super::shot::{Club, Origin, Refusal, Shot, Value, of_conditions};
 use super::sizes::size;
@@ -11,6 +12,9 @@ use crate::error::nearest;
 use crate::parameters::Parameter;
 use crate::units::Quantity;
 use serde_json::{Map, Value as Json};
+
+/// Where values come from that a launch lacks.
+pub(crate) const ASSUMED: &str = "assumed";
 
 /// The numbers of `BallData`, and what they are.
 const BALL: [(&str, Outcome); 8] = [
@@ -61,6 +65,14 @@ fn origin(message: &Map<String, Json>, of: Outcome) -> Option<Origin> {
     Origin::read(named?.as_str()?)
 }
 
+/// Whether `fly` wrote a value that no instrument gave.
+fn is_assumed(message: &Map<String, Json>, of: Outcome) -> bool {
+    // an axis that is assumed has the sidespin of 0 beside it
+    let of = if of == Outcome::Sidespin { Outcome::SpinAxis } else { of };
+    let origin = message.get("Flight").and_then(|flight| flight.get("Origins")?.get(of.name()));
+    origin.is_some_and(|origin| origin == ASSUMED)
+}
+
 /// A key of the ball that is spelled almost like one that is missing.
 fn near(ball: &Map<String, Json>, key: &str) -> String {
     let unknown = ball.keys().filter(|other| BALL.iter().all(|(known, _)| known != other));
@@ -108,6 +120,10 @@ fn fill(shot: &mut Shot, message: &Map<String, Json>, further: &[&'static Parame
         return written::fill(shot, message, further);
     }
     let is = |key: &str| message.get("ShotDataOptions").and_then(|options| options.get(key)).and_then(Json::as_bool);
+    let flight = |key: &str| message.get("Flight").and_then(|flight| flight.get(key)).and_then(Json::as_str);
+    if let (Some(REFUSED), Some(reason)) = (flight("Status"), flight("Reason")) {
+        return Err(Refusal::new(Refusal::BEFORE, reason));
+    }
     let none = |why: &str| Err(Refusal::new(Refusal::NO_BALL, why));
     if is("IsHeartBeat") == Some(true) {
         return none("a heartbeat (ShotDataOptions.IsHeartBeat), not a shot");
@@ -133,6 +149,7 @@ fn fill(shot: &mut Shot, message: &Map<String, Json>, further: &[&'static Parame
             of => of.unit(),
         };
         match number(ball, "BallData", key) {
+            Ok(Some(_)) if is_assumed(message, of) => {}
             Ok(Some(number)) => {
                 let value = number * size(of.quantity(), unit);
                 match implausible(of, value, || format!("BallData.{key}")).filter(|_| of == Outcome::CarryDistance) {

@@ -63,6 +63,11 @@ impl Export {
     pub fn cells<'a>(&self, text: &'a str) -> Vec<std::borrow::Cow<'a, str>> {
         super::cells::cells(text, self.head.separator)
     }
+
+    /// The columns that an earlier flight of the rows has added, which the table has not from its maker.
+    pub(crate) fn added(&self) -> std::ops::Range<usize> {
+        self.head.added.clone()
+    }
 }
 
 /// Shots in a file.

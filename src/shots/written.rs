@@ -1,6 +1,7 @@
 //! A line that `fly` wrote as JSON lines, as the shot that it was made of.
 
 use super::export::launch;
+use super::flown::REFUSED;
 use super::further::within;
 use super::objects::Objects;
 use super::shot::{Club, Origin, Refusal, Shot, Value, of_conditions};
@@ -8,9 +9,6 @@ use crate::columns::is_straight_by_assumption;
 use crate::drive::Outcome;
 use crate::parameters::{Parameter, Setup};
 use serde_json::{Map, Value as Json};
-
-/// How the flight of a row ended that was not flown.
-const REFUSED: &str = "refused";
 
 /// What the row stands behind: the last member of a line, so that none of the others has it in its text.
 const ROW: &str = ",\"row\":";

@@ -79,6 +79,55 @@ fn totals_are_compared_on_a_ground_that_is_named_alone() {
 }
 
 #[test]
+fn what_is_assumed_of_a_launch_is_not_measured_when_it_is_read_again() {
+    let folder = tempfile::tempdir().unwrap();
+    let place = |name: &str| folder.path().join(name).display().to_string();
+    let text = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Carry [yd],Side [yd]\n150,12,2500,250,12 R\n";
+    let table = written(folder.path(), "shots.csv", text);
+    for (format, name) in
+        [("csv", "a.csv"), ("launch-monitor", "b.csv"), ("jsonl", "c.jsonl"), ("open-connect", "d.json")]
+    {
+        assert_eq!(longdrive(&["fly", &table, "--format", format, "-o", &place(name)]).status, 0);
+        assert_eq!(longdrive(&["fly", &place(name), "-o", &place(&format!("{name}.jsonl"))]).status, 0);
+        let again = &lines(&place(&format!("{name}.jsonl")))[0];
+        assert!(again["residual"]["lateral"].is_null(), "{name}: {again}");
+        assert!(again["stated"]["launch_direction"].is_null() && again["stated"]["spin_axis"].is_null(), "{again}");
+        let notes = ["launch direction is missing: 0 deg is assumed", "spin axis is missing: 0 deg is assumed"];
+        assert_eq!(again["notes"], serde_json::json!(notes), "{name}");
+        // a message rounds its numbers
+        let predicted = |line: &Value| number(&line["predicted"]["carry_distance"]);
+        assert!((predicted(again) / predicted(&lines(&place("a.csv.jsonl"))[0]) - 1.0).abs() < 1e-9, "{name}");
+    }
+    // a simulator finds every number of a launch
+    let message = &lines(&place("d.json"))[0];
+    assert!(message["BallData"]["HLA"] == 0.0 && message["BallData"]["SpinAxis"] == 0.0, "{message}");
+}
+
+#[test]
+fn exact_rows_of_a_table_that_was_flown_are_the_same_when_it_is_flown_again() {
+    let folder = tempfile::tempdir().unwrap();
+    let place = |name: &str| folder.path().join(name).display().to_string();
+    let text = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Player\n150,12,2700,\"A, B\"\n150,abc,2700,A\n150,12\n,12,2700,A\n";
+    let table = written(folder.path(), "shots.csv", text);
+    for format in ["csv", "launch-monitor"] {
+        let (first, second) = (place(&format!("1.{format}.csv")), place(&format!("2.{format}.csv")));
+        assert_eq!(longdrive(&["fly", &table, "--format", format, "-o", &first]).status, 0);
+        let said = longdrive(&["fly", &first, "-o", &second]);
+        assert_eq!(said.status, 0, "{}", said.err);
+        assert!(said.err.contains("an earlier 'fly' added"), "{}", said.err);
+        assert_eq!(fs::read_to_string(&first).unwrap(), fs::read_to_string(&second).unwrap());
+    }
+    // a row that was put right is flown
+    let mended = fs::read_to_string(place("1.csv.csv")).unwrap().replace("150,abc", "150,11");
+    let (_, told) = json(&["fly", &written(folder.path(), "mended.csv", &mended)]);
+    assert_eq!(told["flown"], 2, "{told}");
+    // columns of the same names that a launch monitor has are its own
+    let own = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Notes,Line\n150,12,2700,windy,3\n";
+    assert_eq!(longdrive(&["fly", &written(folder.path(), "own.csv", own), "-o", &place("own2.csv")]).status, 0);
+    assert!(fs::read_to_string(place("own2.csv")).unwrap().contains("\n150,12,2700,windy,3,2,landed,"));
+}
+
+#[test]
 fn an_estimated_spin_stays_estimated_in_open_connect() {
     let folder = tempfile::tempdir().unwrap();
     let place = |name: &str| folder.path().join(name).display().to_string();

@@ -44,14 +44,23 @@ pub(super) fn head(added: &Added) -> Vec<u8> {
     (heads.collect::<Vec<_>>().join(",") + "\n").into_bytes()
 }
 
-/// The launch of a shot, SI: of one that is flown with its spin and axis, else what is stated.
+/// The launch of a shot, SI: of one that is flown with its spin and axis, else what is stated. What is assumed is left out: read again, it
+/// would be a measured 0.
 pub(super) fn launch(shot: &Shot) -> [Option<f64>; 5] {
     match shot.launch() {
         Some(&[speed, angle, direction, back, side]) => {
-            [speed, angle, direction, back.hypot(side), side.atan2(back)].map(Some)
+            let [is_straight, is_level] = assumed(shot);
+            let (direction, axis) = ((!is_straight).then_some(direction), (!is_level).then_some(side.atan2(back)));
+            [Some(speed), Some(angle), direction, Some(back.hypot(side)), axis]
         }
         _ => LAUNCH.map(|(_, of)| shot.value(of).map(|value| value.value)),
     }
+}
+
+/// Whether the launch direction is assumed to be 0, and whether the spin axis is.
+pub(super) fn assumed(shot: &Shot) -> [bool; 2] {
+    let lacks = |of| shot.value(of).is_none();
+    [lacks(Outcome::LaunchDirection), lacks(Outcome::SpinAxis) && lacks(Outcome::Sidespin)]
 }
 
 /// Appends the cells of a row.

@@ -88,13 +88,18 @@ impl Copied {
         Self { export: export.clone(), added: Added::new(of, system, export.separator(), export.has_decimal_comma()) }
     }
 
+    /// What an earlier flight has not added of the cells of a line, one for each column; a row of units may be shorter.
+    fn own<'a, S: AsRef<str>>(&self, cells: &'a [S]) -> impl Iterator<Item = &'a str> {
+        let (columns, added) = (self.export.heads().len(), self.export.added());
+        let cells = (0..columns).map(|at| cells.get(at).map_or("", AsRef::as_ref));
+        cells.enumerate().filter(move |(at, _)| !added.contains(at)).map(|(_, cell)| cell)
+    }
+
     pub fn head(&self) -> Vec<u8> {
         let separator = char::from(self.added.separator).to_string();
         let line = |own: &[String], added: Vec<String>| {
-            // a row of units may be shorter
-            let missing = self.export.heads().len().saturating_sub(own.len());
-            let own = own.iter().cloned().chain(std::iter::repeat_n(String::new(), missing));
-            let cells = own.chain(added).map(|cell| quoted(&cell, self.added.separator).into_owned());
+            let cells = self.own(own).chain(added.iter().map(String::as_str));
+            let cells = cells.map(|cell| quoted(cell, self.added.separator));
             cells.collect::<Vec<_>>().join(&separator) + "\n"
         };
         let heads = self.added.heads();
@@ -115,26 +120,20 @@ impl Copied {
 
     pub fn row(&self, flown: &Flown, row: usize, bytes: &mut Vec<u8>) {
         let shot = &flown.shots()[row];
-        let columns = self.export.heads().len();
         let separator = self.added.separator;
         if shot.refusal().is_some_and(|refusal| refusal.is_unreadable()) {
             // as one cell, so that nothing is read under a wrong head
             bytes.extend_from_slice(format!("\"{}\"", shot.text.replace('"', "\"\"")).as_bytes());
-            bytes.extend(std::iter::repeat_n(separator, columns - 1));
-        } else if shot.has_cells_of_head {
+            bytes.extend(std::iter::repeat_n(separator, self.own(self.export.heads()).count() - 1));
+        } else if shot.has_cells_of_head && self.export.added().is_empty() {
             bytes.extend_from_slice(shot.text.as_bytes());
         } else {
-            let cells = self.export.cells(&shot.text);
-            if cells.len() == columns {
-                bytes.extend_from_slice(shot.text.as_bytes());
-            } else {
-                // more cells, all of them empty
-                for (at, cell) in cells.iter().take(columns).enumerate() {
-                    if at > 0 {
-                        bytes.push(separator);
-                    }
-                    self.added.push_text(bytes, cell);
+            // without what an earlier flight added, and without empty cells beyond those of the head
+            for (at, cell) in self.own(&self.export.cells(&shot.text)).enumerate() {
+                if at > 0 {
+                    bytes.push(separator);
                 }
+                self.added.push_text(bytes, cell);
             }
         }
         bytes.push(separator);

@@ -1,9 +1,9 @@
 //! Flown shots as messages of GSPro Open Connect, and the answer to a message.
 
-use super::columns::{in_unit, launch};
+use super::columns::{assumed, in_unit, launch};
 use crate::batch::Status;
 use crate::drive::Outcome;
-use crate::shots::{Flown, Shot};
+use crate::shots::{ASSUMED, Flown, Shot};
 use serde_json::{Map, Value, json};
 
 /// A number of a message: of its unit.
@@ -19,6 +19,8 @@ fn object(members: impl IntoIterator<Item = (&'static str, Option<Value>)>) -> V
 fn ball(shot: &Shot) -> Value {
     let [speed, angle, direction, spin, axis] = launch(shot);
     let of_launch = |at: usize| shot.launch().map(|launch| launch[at]);
+    // a simulator needs what is assumed too; `Origins` says that it is
+    let (direction, axis) = (direction.or(of_launch(2)), axis.or(shot.launch().map(|_| 0.0)));
     object([
         ("Speed", number(speed, Outcome::BallSpeed, "mph")),
         ("SpinAxis", number(axis, Outcome::SpinAxis, "deg")),
@@ -50,9 +52,12 @@ fn flight(flown: &Flown, row: usize) -> Value {
     flight.insert("Status".into(), flown.flight(row).into());
     flight.insert("Reason".into(), flown.reason(row).into());
     flight.insert("Notes".into(), flown.shots()[row].notes.clone().into());
-    let origins = flown.shots()[row].values.iter();
-    let origins = origins.filter_map(|value| Some((value.of.name().to_owned(), value.origin?.name().into())));
-    let origins: Map<String, Value> = origins.collect();
+    let shot = &flown.shots()[row];
+    let stated = shot.values.iter().filter_map(|value| Some((value.of, value.origin?.name())));
+    let assumed = [Outcome::LaunchDirection, Outcome::SpinAxis].into_iter().zip(assumed(shot));
+    let assumed = assumed.filter(|(_, is)| *is && shot.launch().is_some()).map(|(of, _)| (of, ASSUMED));
+    let origins: Map<String, Value> =
+        stated.chain(assumed).map(|(of, origin)| (of.name().into(), origin.into())).collect();
     if !origins.is_empty() {
         flight.insert("Origins".into(), origins.into());
     }
