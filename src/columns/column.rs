@@ -6,7 +6,7 @@ use super::wrong::OF_SHOTS;
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::parameters::{Golfer, Parameter, Setup};
-use crate::units::{Quantity, Unit};
+use crate::units::{Quantity, Unit, UnitError};
 
 /// What a column holds.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -62,7 +62,7 @@ const NOTE: &str = "note";
 /// A column of sweeps that says how a drive ended.
 const STATUS: &str = "status";
 /// Columns that flown shots have beside their own.
-const OF_FLOWN: [&str; 4] = ["Line", "Flight", "Reason", "Notes"];
+pub(crate) const OF_FLOWN: [&str; 4] = ["Line", "Flight", "Reason", "Notes"];
 /// What stands before an outcome there.
 const FLOWN: [&str; 2] = ["Predicted ", "Residual "];
 /// The parameter of the air that launch monitors state.
@@ -181,7 +181,14 @@ impl Column {
             }
             (None, _) => Ok(()),
             (Some(unit), Some(quantity)) => {
-                quantity.read(&format!("1 {unit}")).map(drop).map_err(|e| self.unreadable(e))
+                let of_the_head = |e: UnitError| match e {
+                    // the number is not in the table
+                    UnitError::WrongKind { wanted, examples, .. } => {
+                        self.unreadable(format!("[{unit}] is not the unit of {wanted}; {wanted} takes {examples}"))
+                    }
+                    other => self.unreadable(other),
+                };
+                quantity.read(&format!("1 {unit}")).map(drop).map_err(of_the_head)
             }
             (Some(unit), None) => Err(self.unreadable(format!("it takes no unit; take [{unit}] out of the head"))),
         }

@@ -343,7 +343,13 @@ impl Question {
             return SetupFile::open(Path::new(&self.setup));
         }
         let unread = |source| Error::File { file: self.name().into(), source, presets: Preset::names() };
-        SetupFile::read(&running().input().map_err(unread)?, self.name())
+        let text = running().input().map_err(unread)?;
+        if text.trim().is_empty() {
+            let source =
+                format!("it is empty; give a setup in TOML, or name a preset ({}) in place of -", Preset::names());
+            return Err(Error::Unreadable { name: self.name().into(), source: source.into() });
+        }
+        SetupFile::read(&text, self.name())
     }
 
     /// The setup file, if it is one on a disk.
@@ -371,7 +377,10 @@ impl Question {
         if Preset::named(&self.setup).is_some() || !looks_like_a_file {
             return Setup::preset(&self.setup).map(|setup| (setup, vec![])).map_err(|_| {
                 let names = PRESETS.iter().map(|preset| preset.name);
-                let advice = format!("a setup is a preset ({}) or a TOML file", Preset::names());
+                let mut advice = format!("a setup is a preset ({}) or a TOML file", Preset::names());
+                if self.tolerance.is_some() && Quantity::LENGTH.read(&self.setup).is_ok() {
+                    advice = format!("a tolerance is joined to its option by '=', as in --tolerance={}", self.setup);
+                }
                 Error::unknown("setup", &self.setup, names, advice)
             });
         }

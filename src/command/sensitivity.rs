@@ -5,8 +5,9 @@ use crate::optimize::{Observer, Status};
 use crate::parameters::Parameter;
 use crate::report::figures::At;
 use crate::report::{EffectsReport, OutcomeEffects, by_reason, effects_text};
-use crate::study::{Sensitivity, Sigma, effects, optimum, sensitivities, with_defaults};
-use crate::{Drive, Error, Outcome, Result};
+use crate::study::{Bar, Effects, Sensitivity, Sigma, effects, flown_off, optimum, sensitivities, with_defaults};
+use crate::units::Message;
+use crate::{Drive, Error, Outcome, Result, Setup};
 
 pub fn run(args: &SensitivityArgs) -> Result<Answer> {
     let mut setup = args.question.within_tolerance(args.question.setup()?)?;
@@ -36,6 +37,10 @@ pub fn run(args: &SensitivityArgs) -> Result<Answer> {
     let found = effects(&setup, &of, &sigmas, &mut |done, all| show(&bar, done, all));
     bar.finish_and_clear();
     let found = found?;
+    // a dash in its column would not say why
+    let unflown = found.first().map_or(vec![], |effects| unflown(&setup, &of, effects));
+    warn(&unflown);
+    warnings.extend(unflown);
     let totals = match &best {
         Some(best) => {
             let varied = |row: &&_| !best.search.vary.iter().any(|vary| vary.parameter == *row);
@@ -64,4 +69,17 @@ pub fn run(args: &SensitivityArgs) -> Result<Answer> {
         Answer::text(texts.join("\n"))
     };
     Ok(answer)
+}
+
+/// Why there is no drive at one end of an uncertainty, for each that has none.
+fn unflown(setup: &Setup<f64>, of: &[Outcome], effects: &Effects) -> Vec<Message> {
+    let why = |bar: &Bar, sign: f64| flown_off(setup, of, &bar.sigma, sign).err();
+    let ends = effects.effects.iter().filter_map(|effect| effect.bar).flat_map(|bar| {
+        let ends = bar.flown.into_iter().zip([-1.0, 1.0]).filter(|(flown, _)| flown.is_none());
+        ends.filter_map(move |(_, sign)| {
+            let end = if sign < 0.0 { "−σ" } else { "+σ" };
+            Some(format!("no drive at {end} of {}: {}", bar.sigma.parameter.name, why(&bar, sign)?).into())
+        })
+    });
+    ends.collect()
 }

@@ -97,10 +97,12 @@ pub fn effects_text(effects: &Effects, totals: Option<&Totals>, at: At, system: 
     if !bars.is_empty() {
         let head = ["uncertainty of", "±σ", "effect", "second order", "flown at −σ", "flown at +σ"];
         text += &format!("\n{}", table(&head, &[1, 2, 3, 4, 5], bars.iter().map(|bar| bar_cells(bar, of, system))),);
+        let is_flown = bars.iter().all(|bar| bar.flown.iter().all(Option::is_some));
         text += &item(&format!(
-            "together ±{} to first order, if independent; second order adds up to {}, which the drives flown at −σ and +σ have in them",
+            "together ±{} to first order, if independent; second order adds up to {}{}",
             shown::spread(of, effects.standard_uncertainty(), system),
             shown::spread(of, effects.linearity(), system),
+            if is_flown { ", which the drives flown at −σ and +σ have in them" } else { "" },
         ));
         let without: Vec<&str> =
             effects.effects.iter().filter(|effect| is_without(effects, effect)).map(|e| e.parameter.name).collect();

@@ -81,7 +81,10 @@ pub fn accuracy(setup: &Setup<f64>, ranges: &[Vary], of: &[Outcome], tolerance: 
         step *= 0.5_f64.powf(0.25);
     }
     let drive = worst.map_or_else(String::new, |missed| sample.told(missed));
-    let reason = format!("{drive} with method {} in steps of 4 ms; set flight.method and flight.step", METHOD.name());
+    let reason = format!(
+        "{drive} with method {} in steps of 4 ms; ask for more than that, or set flight.method and flight.step",
+        METHOD.name()
+    );
     Err(Error::Tolerance { tolerance, reason })
 }
 

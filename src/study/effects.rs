@@ -90,7 +90,7 @@ pub fn effects(
     let taylors = evaluate(setup, of, &parameters, Order::First)?;
     let mut bars: Vec<Vec<Bar>> = vec![vec![]; of.len()];
     for (done, sigma) in sigmas.iter().enumerate() {
-        let flown = [-1.0, 1.0].map(|sign| flown(setup, of, sigma, sign));
+        let flown = [-1.0, 1.0].map(|sign| flown_off(setup, of, sigma, sign).ok());
         let curvatures = evaluate(setup, of, &[sigma.parameter], Order::Second).ok();
         let place = parameters.iter().position(|parameter| *parameter == sigma.parameter);
         for (i, bars) in bars.iter_mut().enumerate() {
@@ -141,11 +141,14 @@ fn rank(effect: &Effect) -> (bool, f64) {
     }
 }
 
-/// The outcomes of the drive with a parameter off by its uncertainty.
-fn flown(setup: &Setup<f64>, of: &[Outcome], sigma: &Sigma, sign: f64) -> Option<Vec<f64>> {
+/// The outcomes of the drive with a parameter off by its uncertainty, `sign` −1 for p − σ and 1 for p + σ.
+///
+/// # Errors
+/// [`Error::Range`](crate::Error::Range) for a value that the parameter cannot have; as [`evaluate`].
+pub fn flown_off(setup: &Setup<f64>, of: &[Outcome], sigma: &Sigma, sign: f64) -> Result<Vec<f64>> {
     let mut moved = *setup;
-    let value = setup.value(sigma.parameter)? + sign * sigma.value;
-    moved.set_value(sigma.parameter, Some(value)).ok()?;
-    let taylors = evaluate(&moved, of, &[], Order::Value).ok()?;
-    Some(taylors.into_iter().map(|taylor| taylor.value).collect())
+    let value = setup.value(sigma.parameter).map(|value| value + sign * sigma.value);
+    moved.set_value(sigma.parameter, value)?;
+    let taylors = evaluate(&moved, of, &[], Order::Value)?;
+    Ok(taylors.into_iter().map(|taylor| taylor.value).collect())
 }

@@ -32,7 +32,7 @@ pub use accuracy::{Accuracy, accuracy};
 pub use chart::{Chart, ChartEvent, ChartObserver, ChartPoint, chart, chart_at};
 pub use compare::{Cause, Comparison, Difference, Share, Shares, causes};
 pub use constraint::Constraint;
-pub use effects::{Bar, Effect, Effects, effects};
+pub use effects::{Bar, Effect, Effects, effects, flown_off};
 pub use face::Face;
 pub use flatness::{Direction, Ellipse, Flatness, Limit, Window, flatness, short_drive, usual_loss};
 pub use landing::Landing;

@@ -18,12 +18,14 @@ pub enum UnitError {
         unit: &'static str,
     },
     /// A unit that is not known.
-    #[error("\"{text}\" has the unknown unit '{unit}'; {wanted} takes {examples}")]
+    #[error("\"{text}\" has the unknown unit '{unit}'{hint}; {wanted} takes {examples}")]
     UnknownUnit {
         /// The string.
         text: String,
         /// Its unit.
         unit: String,
+        /// What was meant, where that can be told.
+        hint: String,
         /// The kind of quantity wanted.
         wanted: &'static str,
         /// Units that fit.

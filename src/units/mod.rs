@@ -213,11 +213,23 @@ impl Quantity {
         if self.si.is_empty() { name.into() } else { format!("{name} [{}]", self.si) }
     }
 
+    /// What is meant by an unknown unit: one in other letters, a degree without its sign, or a decimal comma before it.
+    fn hint(self, unit: &str) -> String {
+        if unit.strip_prefix(',').is_some_and(|rest| rest.starts_with(|c: char| c.is_ascii_digit())) {
+            return " (write a decimal point, not a comma)".into();
+        }
+        let is_meant = |known: &&str| [unit, &format!("deg{unit}")].iter().any(|text| known.eq_ignore_ascii_case(text));
+        let units = self.units();
+        let meant = units.split(", ").find(is_meant);
+        meant.map_or(String::new(), |known| format!(" (did you mean '{known}'?)"))
+    }
+
     /// The unit of a text, where it is one of this kind.
     fn unit(self, unit: &str, text: &str) -> Result<Unit, UnitError> {
         let found = read_unit(unit).ok_or_else(|| UnitError::UnknownUnit {
             text: text.into(),
             unit: unit.into(),
+            hint: self.hint(unit),
             wanted: self.name,
             examples: self.units(),
         })?;
@@ -339,6 +351,19 @@ mod tests {
             }
             let said = quantity.read("1 fox").unwrap_err().to_string();
             assert!(said.ends_with(units), "{said}");
+        }
+    }
+
+    #[test]
+    fn what_is_meant_by_an_unknown_unit_is_told() {
+        for (quantity, text, meant) in [
+            (Quantity::SPEED, "100 MPH", "'MPH' (did you mean 'mph'?)"),
+            (Quantity::TEMPERATURE, "20 C", "'C' (did you mean 'degC'?)"),
+            (Quantity::ANGLE, "10,5 deg", "(write a decimal point, not a comma)"),
+            (Quantity::ANGLE, "10 dg", "'dg'; an angle takes"),
+        ] {
+            let said = quantity.read(text).unwrap_err().to_string();
+            assert!(said.contains(meant), "{said}");
         }
     }
 

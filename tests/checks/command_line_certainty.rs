@@ -52,6 +52,19 @@ fn exact_nothing_is_left_once_the_only_uncertain_parameter_is_known() {
 }
 
 #[test]
+fn why_no_drive_is_flown_off_by_an_uncertainty_is_told() {
+    let args = ["sensitivity", "--sigma", "swing.speed=500 mph", "--no-defaults"];
+    let (status, found) = json(&args);
+    assert_eq!((status, &found["outcomes"][0]["effects"][0]["flown"]), (0, &serde_json::json!([null, null])));
+    let told = found["warnings"].to_string();
+    assert!(told.contains("no drive at −σ of swing.speed: swing.speed = ") && told.contains("outside its range"), "{told}");
+    assert!(told.contains("no drive at +σ of swing.speed: the club does not strike the ball"), "{told}");
+    let said = longdrive(&args);
+    assert!(said.status == 0 && !said.out.contains("have in them"), "{}", said.out);
+    assert!(longdrive(&["sensitivity"]).out.split_whitespace().collect::<Vec<_>>().join(" ").contains("have in them"));
+}
+
+#[test]
 fn exact_effects_and_the_sensitivity_of_an_optimum_as_json() {
     let (status, found) = json(&["sensitivity", "--sigma", "swing.speed=1 mph", "--no-defaults"]);
     let carry = &found["outcomes"][0];

@@ -270,7 +270,7 @@ fn tables_without_a_launch_name_the_nearest_head() {
         ),
         ("Ballgeschwindigkeit;Abflugwinkel;Spinrate\n165;11,2;2600\n", "as in 'Ball Speed [mph]'"),
         ("ball_sped [mph],launch_angle [deg],backspin [rpm]\n1,2,3\n", "did you mean 'ball_speed'?"),
-        ("Ball Speed [kg],Launch Angle [deg],Spin Rate [rpm]\n1,2,3\n", "is not a speed"),
+        ("Ball Speed [kg],Launch Angle [deg],Spin Rate [rpm]\n1,2,3\n", "[kg] is not the unit of a speed"),
         ("ball_speed,launch_angle [deg],backspin [rpm]\n1,2,3\n", "it has no unit"),
     ] {
         assert!(refused(text).contains(says), "{text}: {}", refused(text));

@@ -256,7 +256,7 @@ fn bad_tables_are_told_by_row_and_column_before_any_work() {
             "Ball Sped (mph),Lanch Angle (deg),Backspin (rpm)\n150,12,2600\n",
             "near a known head: 'Ball Sped' (did you mean 'ball speed'?), 'Lanch Angle' (did you mean 'launch angle'?)",
         ),
-        ("a.csv", "club.loft [kg]\n0.1\n", "column 1: the column 'club.loft': \"1 kg\" is not an angle"),
+        ("a.csv", "club.loft [kg]\n0.1\n", "column 1: the column 'club.loft': [kg] is not the unit of an angle"),
         ("a.csv", "club.loft [deg],club.loft [rad]\n0.1,0.1\n", "club.loft has two columns"),
         (
             "a.csv",
