@@ -102,7 +102,7 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
         is_fitted
     });
     if let Some(output) = &output {
-        output.write(calibration_toml(&found, args.question.preset()?, &file)?.as_bytes())?;
+        output.write(args.question.as_stated(calibration_toml(&found, args.question.preset()?, &file)?)?.as_bytes())?;
         tell(&format!("wrote the fitted setup into {}", output.path().display()));
     }
     if let Some(folder) = &folder {

@@ -71,7 +71,8 @@ pub fn run(args: &DeliveryArgs) -> Result<Answer> {
     if let Some(output) = &output {
         let file = output.path().display();
         if is_setup_written {
-            output.write(delivery_toml(&setup, &all, args.question.preset()?, &from)?.as_bytes())?;
+            let setup_file = delivery_toml(&setup, &all, args.question.preset()?, &from)?;
+            output.write(args.question.as_stated(setup_file)?.as_bytes())?;
             tell(&format!(
                 "wrote the setup with this delivery into {file}; 'longdrive optimize {file} --vary club.loft=4deg..20deg' finds \
                  the loft of the longest carry for it"

@@ -51,7 +51,7 @@ impl Optimize {
             warn(&[Message::from(format!("{file} is not written: there is no optimum"))]);
             return Ok(None);
         }
-        output.write(optimum_toml(optima, self.question.preset()?)?.as_bytes())?;
+        output.write(self.question.as_stated(optimum_toml(optima, self.question.preset()?)?)?.as_bytes())?;
         tell(&format!("wrote the setup at the optimum into {file}"));
         Ok(Some(file.to_string()))
     }

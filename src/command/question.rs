@@ -5,7 +5,7 @@ use crate::parameters::{
     GOLFER, Law, METHOD, PRESETS, Parameter, Preset, SPEED_OF, SetupFile, TABLE, Vary, follows_from, is_taken_back,
     is_unset,
 };
-use crate::report::parameter_text;
+use crate::report::{parameter_text, without_step};
 use crate::study::{Accuracy, accuracy};
 use crate::units::{Message, Quantity, counted};
 use crate::{Error, Outcome, Result, Setup};
@@ -325,6 +325,13 @@ impl Question {
             return Ok(false);
         }
         Ok(Preset::named(&self.setup).is_some() || !self.file()?.gives_step)
+    }
+
+    /// A setup file that the command writes: with method and step where someone has said what they are, and not where they were chosen for this
+    /// command. Who reads it may choose.
+    pub fn as_stated(&self, toml: String) -> Result<String> {
+        let is_stated = self.tolerance.is_some() || !self.chooses_step()?;
+        Ok(if is_stated { toml } else { without_step(&toml) })
     }
 
     /// The preset that the setup started from.

@@ -43,7 +43,7 @@ pub fn run(args: &RobustArgs) -> Result<Answer> {
     if let Some(output) = &output {
         let file = output.path().display().to_string();
         if is_found {
-            output.write(robust_toml(&found, within, args.question.preset()?)?.as_bytes())?;
+            output.write(args.question.as_stated(robust_toml(&found, within, args.question.preset()?)?)?.as_bytes())?;
             tell(&format!("wrote the setup with the robust design into {file}"));
             written = Some(file);
         } else {

@@ -318,7 +318,7 @@ fn write(output: &Destination, best: &SwingsOptimum, swings: &Swings, args: &Opt
         warn(&[Message::from(format!("{file} is not written: there is no optimum"))]);
         return Ok(None);
     }
-    output.write(swings_toml(best, swings, args.question.preset()?)?.as_bytes())?;
+    output.write(args.question.as_stated(swings_toml(best, swings, args.question.preset()?)?)?.as_bytes())?;
     tell(&format!("wrote the setup with the best design into {file}"));
     Ok(Some(file))
 }

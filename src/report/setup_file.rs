@@ -2,7 +2,7 @@
 
 use super::presets::{sourced, sources};
 use crate::error::Result;
-use crate::parameters::{METHOD, Parameter, Preset, Setup, TABLE, UNSET};
+use crate::parameters::{Parameter, Preset, Setup, TABLE, UNSET};
 use crate::units::significant;
 
 /// Digits that tell any number from its neighbours.
@@ -45,9 +45,13 @@ pub fn setup_toml(
 /// # Errors
 /// As [`setup_toml`].
 pub fn setup_toml_without_step(setup: &Setup<f64>, preset: &Preset) -> Result<String> {
-    let mut rows = rows(setup, preset, &[])?;
-    rows.retain(|(name, ..)| ![METHOD, "flight.step"].contains(name));
-    Ok(toml(preset, &[], rows))
+    Ok(without_step(&setup_toml(setup, preset, &[], &[])?))
+}
+
+/// A setup file of this program without the lines of method and step.
+pub(crate) fn without_step(toml: &str) -> String {
+    let is_kept = |line: &&str| ["method = ", "step = "].iter().all(|key| !line.starts_with(key));
+    toml.split_inclusive('\n').filter(is_kept).collect()
 }
 
 /// Every parameter and choice with its value and its remark.
