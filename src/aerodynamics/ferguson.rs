@@ -13,34 +13,23 @@ const HELD_OVER: f64 = 0.2;
 impl<T: Numbers> AerodynamicLaw<T> for Ferguson<T> {
     #[inline(always)]
     fn coefficients(&self, stream: &Stream<T>) -> Coefficients<T> {
-        T::outlined(
-            #[inline(always)]
-            || {
-                let [low, high] = MEASURED;
-                let s = held_above(stream.spin_ratio, high, HELD_OVER);
-                let drag = self.cd2.mul_add(s, self.cd1).mul_add(s, self.cd0);
-                let smooth = inlined(
-                    #[inline(always)]
-                    || {
-                        let (linear, quadratic) = (self.cl1 * low, self.cl2 * (low * low));
-                        let origin = CubicOrigin {
-                            join: low,
-                            value: self.cl0 + linear + quadratic,
-                            slope: linear + quadratic * 2.0,
-                            curvature: quadratic * 2.0,
-                        };
-                        origin.lift(s)
-                    },
-                );
-                let lift = T::choose(
-                    s.below(low),
-                    smooth,
-                    #[inline(always)]
-                    || self.cl2.mul_add(s, self.cl1).mul_add(s, self.cl0),
-                );
-                Coefficients { drag, lift }
-            },
-        )
+        T::outlined(inlined!(|| {
+            let [low, high] = MEASURED;
+            let s = held_above(stream.spin_ratio, high, HELD_OVER);
+            let drag = self.cd2.mul_add(s, self.cd1).mul_add(s, self.cd0);
+            let smooth = inlined!(|| {
+                let (linear, quadratic) = (self.cl1 * low, self.cl2 * (low * low));
+                let origin = CubicOrigin {
+                    join: low,
+                    value: self.cl0 + linear + quadratic,
+                    slope: linear + quadratic * 2.0,
+                    curvature: quadratic * 2.0,
+                };
+                origin.lift(s)
+            });
+            let lift = T::choose(s.below(low), smooth, inlined!(|| self.cl2.mul_add(s, self.cl1).mul_add(s, self.cl0)));
+            Coefficients { drag, lift }
+        }))
     }
 
     fn fitted(&self) -> Fitted {

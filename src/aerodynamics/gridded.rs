@@ -1,27 +1,20 @@
 //! Laws that are splines through a grid: of a publication, or of a user's own table.
 
 use super::{Coefficients, Stream};
-use crate::number::{Numbers, held_above, held_below};
+use crate::number::{Numbers, held_above, held_below, inlined};
 use crate::parameters::{Along, Axis, Grid};
 
 /// C_D and C_L of a grid at its place for this stream, times their factors. Beyond its edges speed and spin are held; with less spin than its
 /// least, the lift is that at its edge times 1 − (1 − ω/ω_least)³.
 #[inline(always)]
 pub(super) fn gridded<T: Numbers>(grid: &'static Grid, factors: [T; 2], stream: &Stream<T>) -> Coefficients<T> {
-    T::outlined(
-        #[inline(always)]
-        || in_grid(grid, factors, stream),
-    )
+    T::outlined(inlined!(|| in_grid(grid, factors, stream)))
 }
 
 #[inline(always)]
 fn in_grid<T: Numbers>(grid: &'static Grid, [cd_factor, cl_factor]: [T; 2], stream: &Stream<T>) -> Coefficients<T> {
     let (speed, spin) = (held(&grid.speed, stream), held(&grid.spin, stream));
-    let c = speed.looked_up(
-        spin,
-        #[inline(always)]
-        |speed, spin| grid.surface.cell(speed, spin),
-    );
+    let c = speed.looked_up(spin, inlined!(|speed, spin| grid.surface.cell(speed, spin)));
     let (u, w) = ((speed - c[0]) * c[1], (spin - c[2]) * c[3]);
     let (mut drag, mut lift) = (T::zero(), T::zero());
     let mut power = 4;

@@ -1,5 +1,5 @@
 use super::{AerodynamicLaw, Coefficients, Fitted, Published, Stream};
-use crate::number::{Numbers, held_above};
+use crate::number::{Numbers, held_above, inlined};
 use crate::parameters::Lyu;
 
 /// The spin ratios of the measurements. Above, the spin ratio is held over a width: the parabola would fall below no lift at s = 0.61.
@@ -16,17 +16,14 @@ const WIDTH: f64 = 0.06;
 impl<T: Numbers> AerodynamicLaw<T> for Lyu<T> {
     #[inline(always)]
     fn coefficients(&self, stream: &Stream<T>) -> Coefficients<T> {
-        T::outlined(
-            #[inline(always)]
-            || {
-                let r = stream.reynolds * 1e-5;
-                let low = self.cd_low2.mul_add(r, self.cd_low1).mul_add(r, self.cd_low0);
-                let high = self.cd_high2.mul_add(r, self.cd_high1).mul_add(r, self.cd_high0);
-                let part = ((r - BETWEEN) * (1.0 / WIDTH)).tanh() * 0.5 + 0.5;
-                let s = held_above(stream.spin_ratio, MEASURED[1], HELD_OVER);
-                Coefficients { drag: part.mul_add(high - low, low), lift: self.cl2.mul_add(s, self.cl1) * s }
-            },
-        )
+        T::outlined(inlined!(|| {
+            let r = stream.reynolds * 1e-5;
+            let low = self.cd_low2.mul_add(r, self.cd_low1).mul_add(r, self.cd_low0);
+            let high = self.cd_high2.mul_add(r, self.cd_high1).mul_add(r, self.cd_high0);
+            let part = ((r - BETWEEN) * (1.0 / WIDTH)).tanh() * 0.5 + 0.5;
+            let s = held_above(stream.spin_ratio, MEASURED[1], HELD_OVER);
+            Coefficients { drag: part.mul_add(high - low, low), lift: self.cl2.mul_add(s, self.cl1) * s }
+        }))
     }
 
     fn has_corner_at_zero_spin(&self) -> bool {

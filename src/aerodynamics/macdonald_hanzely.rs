@@ -10,28 +10,16 @@ const SMOOTH_BELOW: f64 = 0.02;
 impl<T: Numbers> AerodynamicLaw<T> for MacdonaldHanzely<T> {
     #[inline(always)]
     fn coefficients(&self, stream: &Stream<T>) -> Coefficients<T> {
-        T::outlined(
-            #[inline(always)]
-            || {
-                let (s, per_speed) = (stream.spin_ratio, stream.speed.recip());
-                let full = self.cl_speed * per_speed;
-                let smooth = inlined(
-                    #[inline(always)]
-                    || {
-                        let origin =
-                            CubicOrigin { join: SMOOTH_BELOW, value: full, slope: T::zero(), curvature: T::zero() };
-                        origin.lift(s)
-                    },
-                );
-                let lift = T::choose(
-                    s.below(SMOOTH_BELOW),
-                    smooth,
-                    #[inline(always)]
-                    || full,
-                );
-                Coefficients { drag: self.cd_speed * per_speed, lift }
-            },
-        )
+        T::outlined(inlined!(|| {
+            let (s, per_speed) = (stream.spin_ratio, stream.speed.recip());
+            let full = self.cl_speed * per_speed;
+            let smooth = inlined!(|| {
+                let origin = CubicOrigin { join: SMOOTH_BELOW, value: full, slope: T::zero(), curvature: T::zero() };
+                origin.lift(s)
+            });
+            let lift = T::choose(s.below(SMOOTH_BELOW), smooth, inlined!(|| full));
+            Coefficients { drag: self.cd_speed * per_speed, lift }
+        }))
     }
 
     fn has_corner_at_zero_spin(&self) -> bool {

@@ -13,36 +13,34 @@ const HELD_OVER: f64 = 0.2;
 impl<T: Numbers> AerodynamicLaw<T> for NaruoMizota<T> {
     #[inline(always)]
     fn coefficients(&self, stream: &Stream<T>) -> Coefficients<T> {
-        T::outlined(
-            #[inline(always)]
-            || {
-                let [low, high] = MEASURED;
-                let s = held_above(stream.spin_ratio, high, HELD_OVER);
-                let drag = self.cd4.mul_add(s, self.cd3).mul_add(s, self.cd2).mul_add(s, self.cd1).mul_add(s, self.cd0);
-                let smooth = inlined(
-                    #[inline(always)]
-                    || {
-                        let powers = [low, low * low, low * low * low, low * low * low * low];
-                        let [one, two, three, four] =
-                            [self.cl1 * powers[0], self.cl2 * powers[1], self.cl3 * powers[2], self.cl4 * powers[3]];
-                        let origin = CubicOrigin {
-                            join: low,
-                            value: self.cl0 + one + two + three + four,
-                            slope: one + two * 2.0 + three * 3.0 + four * 4.0,
-                            curvature: two * 2.0 + three * 6.0 + four * 12.0,
-                        };
-                        origin.lift(s)
-                    },
-                );
-                let lift = T::choose(
-                    s.below(low),
-                    smooth,
-                    #[inline(always)]
-                    || self.cl4.mul_add(s, self.cl3).mul_add(s, self.cl2).mul_add(s, self.cl1).mul_add(s, self.cl0),
-                );
-                Coefficients { drag, lift }
-            },
-        )
+        T::outlined(inlined!(|| {
+            let [low, high] = MEASURED;
+            let s = held_above(stream.spin_ratio, high, HELD_OVER);
+            let drag = self.cd4.mul_add(s, self.cd3).mul_add(s, self.cd2).mul_add(s, self.cd1).mul_add(s, self.cd0);
+            let smooth = inlined!(|| {
+                let powers = [low, low * low, low * low * low, low * low * low * low];
+                let [one, two, three, four] =
+                    [self.cl1 * powers[0], self.cl2 * powers[1], self.cl3 * powers[2], self.cl4 * powers[3]];
+                let origin = CubicOrigin {
+                    join: low,
+                    value: self.cl0 + one + two + three + four,
+                    slope: one + two * 2.0 + three * 3.0 + four * 4.0,
+                    curvature: two * 2.0 + three * 6.0 + four * 12.0,
+                };
+                origin.lift(s)
+            });
+            let lift = T::choose(
+                s.below(low),
+                smooth,
+                inlined!(|| self
+                    .cl4
+                    .mul_add(s, self.cl3)
+                    .mul_add(s, self.cl2)
+                    .mul_add(s, self.cl1)
+                    .mul_add(s, self.cl0)),
+            );
+            Coefficients { drag, lift }
+        }))
     }
 
     fn fitted(&self) -> Fitted {

@@ -1,6 +1,6 @@
 use super::origin::power;
 use super::{AerodynamicLaw, Coefficients, Fitted, Published, Stream};
-use crate::number::{Numbers, held_above, held_below};
+use crate::number::{Numbers, held_above, held_below, inlined};
 use crate::parameters::Nathan;
 
 /// Re/10⁵ between which the drag without spin falls, from cd_low to cd_high.
@@ -13,18 +13,15 @@ const ROUNDED: f64 = 0.05;
 impl<T: Numbers> AerodynamicLaw<T> for Nathan<T> {
     #[inline(always)]
     fn coefficients(&self, stream: &Stream<T>) -> Coefficients<T> {
-        T::outlined(
-            #[inline(always)]
-            || {
-                let [low, high] = FALLS;
-                let half = 0.5 * ROUNDED;
-                let r = held_above(held_below(stream.reynolds * 1e-5, low + half, ROUNDED), high - half, ROUNDED);
-                let fallen = (r - low) * (1.0 / (high - low));
-                let without_spin = fallen.mul_add(self.cd_high - self.cd_low, self.cd_low);
-                let s = stream.spin_ratio;
-                Coefficients { drag: self.cd_s.mul_add(s, without_spin), lift: power(self.cl_amp, self.cl_exp, s) }
-            },
-        )
+        T::outlined(inlined!(|| {
+            let [low, high] = FALLS;
+            let half = 0.5 * ROUNDED;
+            let r = held_above(held_below(stream.reynolds * 1e-5, low + half, ROUNDED), high - half, ROUNDED);
+            let fallen = (r - low) * (1.0 / (high - low));
+            let without_spin = fallen.mul_add(self.cd_high - self.cd_low, self.cd_low);
+            let s = stream.spin_ratio;
+            Coefficients { drag: self.cd_s.mul_add(s, without_spin), lift: power(self.cl_amp, self.cl_exp, s) }
+        }))
     }
 
     fn fitted(&self) -> Fitted {

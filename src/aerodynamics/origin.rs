@@ -33,19 +33,11 @@ const SMOOTH_BELOW: f64 = 0.001;
 /// C_L = factor s^exponent, replaced by the cubic for s < 0.001.
 #[inline(always)]
 pub(super) fn power<T: Numbers>(factor: T, exponent: T, s: T) -> T {
-    let smooth = inlined(
-        #[inline(always)]
-        || {
-            let value = factor * (exponent * SMOOTH_BELOW.ln()).exp();
-            let slope = value * exponent;
-            let origin = CubicOrigin { join: SMOOTH_BELOW, value, slope, curvature: slope * (exponent - 1.0) };
-            origin.lift(s)
-        },
-    );
-    T::choose(
-        s.below(SMOOTH_BELOW),
-        smooth,
-        #[inline(always)]
-        || factor * (exponent * s.ln()).exp(),
-    )
+    let smooth = inlined!(|| {
+        let value = factor * (exponent * SMOOTH_BELOW.ln()).exp();
+        let slope = value * exponent;
+        let origin = CubicOrigin { join: SMOOTH_BELOW, value, slope, curvature: slope * (exponent - 1.0) };
+        origin.lift(s)
+    });
+    T::choose(s.below(SMOOTH_BELOW), smooth, inlined!(|| factor * (exponent * s.ln()).exp()))
 }

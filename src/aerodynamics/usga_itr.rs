@@ -18,35 +18,28 @@ const HELD_UNDER: f64 = 0.2;
 impl<T: Numbers> AerodynamicLaw<T> for UsgaItr<T> {
     #[inline(always)]
     fn coefficients(&self, stream: &Stream<T>) -> Coefficients<T> {
-        T::outlined(
-            #[inline(always)]
-            || {
-                let s = held_above(stream.spin_ratio, LARGEST, HELD_OVER);
-                let r = held_below(stream.reynolds * 1e-5, SMALLEST, HELD_UNDER);
-                let drag = self.cd2.mul_add(s, self.cd1).mul_add(s, self.cd_re.mul_add(r, self.cd0));
-                let without_spin = self.cl_re.mul_add((r * r).recip(), self.cl0);
-                let smooth = inlined(
-                    #[inline(always)]
-                    || {
-                        let (linear, quadratic) = (self.cl1 * SMOOTH_BELOW, self.cl2 * (SMOOTH_BELOW * SMOOTH_BELOW));
-                        let origin = CubicOrigin {
-                            join: SMOOTH_BELOW,
-                            value: without_spin + linear + quadratic,
-                            slope: linear + quadratic * 2.0,
-                            curvature: quadratic * 2.0,
-                        };
-                        origin.lift(s)
-                    },
-                );
-                let lift = T::choose(
-                    s.below(SMOOTH_BELOW),
-                    smooth,
-                    #[inline(always)]
-                    || self.cl2.mul_add(s, self.cl1).mul_add(s, without_spin),
-                );
-                Coefficients { drag, lift }
-            },
-        )
+        T::outlined(inlined!(|| {
+            let s = held_above(stream.spin_ratio, LARGEST, HELD_OVER);
+            let r = held_below(stream.reynolds * 1e-5, SMALLEST, HELD_UNDER);
+            let drag = self.cd2.mul_add(s, self.cd1).mul_add(s, self.cd_re.mul_add(r, self.cd0));
+            let without_spin = self.cl_re.mul_add((r * r).recip(), self.cl0);
+            let smooth = inlined!(|| {
+                let (linear, quadratic) = (self.cl1 * SMOOTH_BELOW, self.cl2 * (SMOOTH_BELOW * SMOOTH_BELOW));
+                let origin = CubicOrigin {
+                    join: SMOOTH_BELOW,
+                    value: without_spin + linear + quadratic,
+                    slope: linear + quadratic * 2.0,
+                    curvature: quadratic * 2.0,
+                };
+                origin.lift(s)
+            });
+            let lift = T::choose(
+                s.below(SMOOTH_BELOW),
+                smooth,
+                inlined!(|| self.cl2.mul_add(s, self.cl1).mul_add(s, without_spin)),
+            );
+            Coefficients { drag, lift }
+        }))
     }
 
     fn fitted(&self) -> Fitted {

@@ -1,4 +1,4 @@
-use crate::number::Numbers;
+use crate::number::{Numbers, inlined};
 use crate::parameters::Air;
 
 /// 0 °C, K.
@@ -31,10 +31,7 @@ impl<T: Numbers> AirState<T> {
         if !air.has_weather() {
             return Self { density: air.density, viscosity: air.viscosity };
         }
-        T::outlined(
-            #[inline(always)]
-            || Self::of_weather(air),
-        )
+        T::outlined(inlined!(|| Self::of_weather(air)))
     }
 
     #[inline(always)]

@@ -1,4 +1,4 @@
-use crate::number::{Numbers, Vector};
+use crate::number::{Numbers, Vector, inlined};
 use crate::parameters::{Ground, Wind};
 
 /// ℓ, m: the height over which the logarithmic profile is rounded towards the ground. A fixed step of 0.01 s
@@ -58,13 +58,10 @@ pub(super) fn along_the_ground<T: Numbers>(wind: &Wind<T>) -> [T; 2] {
         Some(from) => from,
         None => T::zero(),
     };
-    T::outlined(
-        #[inline(always)]
-        || {
-            let (sin, cos) = from.sin_cos();
-            [-(speed * sin), -(speed * cos)]
-        },
-    )
+    T::outlined(inlined!(|| {
+        let (sin, cos) = from.sin_cos();
+        [-(speed * sin), -(speed * cos)]
+    }))
 }
 
 /// L(z) = ln(1 + ζ/z₀) with ζ = (z + √(z² + ℓ²))/2: the logarithmic profile for z ≫ ℓ, smooth through the

@@ -79,11 +79,10 @@ impl Abreast<'_> {
         let mut setup = self.batch.setup.constant::<J>();
         setup.put(
             self.wrt,
-            #[inline(always)]
-            |k| {
+            inlined!(|k| {
                 let value = self.batch.setup.value(self.wrt[k]).unwrap_or(f64::NAN);
                 changing(J::constant(value), Some(k))
-            },
+            }),
         );
         let directions: Vec<Option<usize>> =
             self.batch.parameters.iter().map(|parameter| self.wrt.iter().position(|row| row == parameter)).collect();
@@ -105,8 +104,7 @@ impl Abreast<'_> {
         let block = &*self.block;
         setup.put(
             &batch.parameters,
-            #[inline(always)]
-            |k| changing(J::with_values(|lane| block.point(row_of(lane))[k]), directions[k]),
+            inlined!(|k| changing(J::with_values(|lane| block.point(row_of(lane))[k]), directions[k])),
         );
         let has_run = batch.of.iter().any(|outcome| outcome.is_of_the_run());
         let struck = Struck::new(setup);
@@ -121,10 +119,7 @@ impl Abreast<'_> {
         let how = Discretization::of(&batch.setup);
         let ended = inputs.follow(&how, J::Mask::first(group.len()), has_apex, &mut |_, _| ());
         for (lane, &(_, row)) in group.iter().enumerate() {
-            let in_lane = inlined(
-                #[inline(always)]
-                |number: J| number.lane(lane),
-            );
+            let in_lane = inlined!(|number: J| number.lane(lane));
             if !ended.has_landed.holds(lane) {
                 alone.push(row);
                 continue;
@@ -135,10 +130,7 @@ impl Abreast<'_> {
             let shown = Shown { launch: &launch, club_speed, landed: Some(&landed), head: head.as_ref() };
             self.block.status[row] = Status::Landed;
             self.block.defect[row] = landed.defect.re();
-            let value = inlined(
-                #[inline(always)]
-                |number: J| in_lane(number).re(),
-            );
+            let value = inlined!(|number: J| in_lane(number).re());
             self.block.beyond[row] = Beyond {
                 law: !fitted.holds([value(spin_ratio), value(spin), value(reynolds), value(air_speed)]),
                 face: club_speed.is_some() && is_beside_any_face(value(toe), value(high)),
@@ -164,9 +156,6 @@ impl Abreast<'_> {
 /// Numbers that change in a direction, in each lane.
 #[inline(always)]
 fn changing<J: Lanes>(values: J, direction: Option<usize>) -> J {
-    let changes_in = inlined(
-        #[inline(always)]
-        |k: usize| if direction == Some(k) { J::Mask::first(J::WIDTH) } else { J::Mask::none() },
-    );
+    let changes_in = inlined!(|k: usize| if direction == Some(k) { J::Mask::first(J::WIDTH) } else { J::Mask::none() });
     values.seeded(&changes_in, 0)
 }

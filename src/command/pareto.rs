@@ -206,7 +206,8 @@ impl Output {
             warnings.push(format!("{file} is not written: {why}").into());
             return Ok(None);
         };
-        self.destination.write(args.question.as_stated(pareto_toml(found, place, args.question.preset()?)?)?.as_bytes())?;
+        self.destination
+            .write(args.question.as_stated(pareto_toml(found, place, args.question.preset()?)?)?.as_bytes())?;
         tell(&format!("wrote the setup of point {} into {file}", place + 1));
         Ok(Some(file))
     }

@@ -76,11 +76,10 @@ impl Pass<'_> {
                     Variable::Launch(component) => launch[component].value,
                     Variable::Parameter(index) => point.x[index],
                 },
-                #[inline(always)]
-                |variable, number| match variables[variable] {
+                inlined!(|variable, number| match variables[variable] {
                     Variable::Launch(component) => left[component] = number,
                     Variable::Parameter(index) => setup.put(&point.wrt[index..=index], |_| number),
-                },
+                }),
             );
             let [up, right, downrange, spin @ ..] = left;
             Launch { velocity: Vector::new(up, right, downrange), spin: Vector::from_array(spin) }
@@ -123,10 +122,7 @@ fn read_launches<J: Lanes>(
     let has_head = struck.club_speed.is_some() && point.of.iter().any(|outcome| outcome.part() == drive::Part::Head);
     let head = has_head.then(|| J::outlined(|| Head::new(&setup.club)));
     for lane in 0..lanes {
-        let in_lane = inlined(
-            #[inline(always)]
-            |number: J| number.lane(lane),
-        );
+        let in_lane = inlined!(|number: J| number.lane(lane));
         let launch = struck.launch.map(in_lane);
         let club_speed = struck.club_speed.map(in_lane);
         let head = head.as_ref().map(|head| head.map(in_lane));

@@ -71,30 +71,24 @@ impl Directions<'_> {
             Self::Each(indices) => {
                 for (at, &index) in indices.iter().enumerate() {
                     let (in_lane, in_direction) = (at / per_lane, at % per_lane);
-                    let changes_in = inlined(
-                        #[inline(always)]
-                        |direction: usize| {
-                            if direction == in_direction { J::Mask::only(in_lane) } else { J::Mask::none() }
-                        },
-                    );
+                    let changes_in = inlined!(|direction: usize| {
+                        if direction == in_direction { J::Mask::only(in_lane) } else { J::Mask::none() }
+                    });
                     put(index, J::constant(value(index)).seeded(&changes_in, 0));
                 }
             }
             // a variable in several pairs is passed once for each
             Self::Pairs(pairs) => {
                 for &index in pairs.iter().flatten() {
-                    let changes_in = inlined(
-                        #[inline(always)]
-                        |direction: usize| {
-                            let mut lanes = J::Mask::none();
-                            for (lane, pair) in pairs.iter().enumerate() {
-                                if pair[direction] == index {
-                                    lanes = lanes | J::Mask::only(lane);
-                                }
+                    let changes_in = inlined!(|direction: usize| {
+                        let mut lanes = J::Mask::none();
+                        for (lane, pair) in pairs.iter().enumerate() {
+                            if pair[direction] == index {
+                                lanes = lanes | J::Mask::only(lane);
                             }
-                            lanes
-                        },
-                    );
+                        }
+                        lanes
+                    });
                     put(index, J::constant(value(index)).seeded(&changes_in, 0));
                 }
             }
@@ -114,8 +108,7 @@ impl Point<'_> {
         directions.seeded(
             per_lane,
             |index| self.x[index],
-            #[inline(always)]
-            |index, number| setup.put(&self.wrt[index..=index], |_| number),
+            inlined!(|index, number| setup.put(&self.wrt[index..=index], |_| number)),
         );
     }
 
@@ -136,10 +129,7 @@ impl Point<'_> {
             return Err(Error::NoFlight { reason: why.message() });
         }
         for lane in 0..lanes {
-            let in_lane = inlined(
-                #[inline(always)]
-                |number: J| number.lane(lane),
-            );
+            let in_lane = inlined!(|number: J| number.lane(lane));
             let (launch, landed) = (launch.map(in_lane), ended.landed.map(in_lane));
             let shown = Shown { launch: &launch, club_speed: None, landed: Some(&landed), head: None };
             for (i, outcome) in self.of.iter().enumerate().filter(|(_, outcome)| outcome.part() == Part::Flight) {

@@ -1,6 +1,6 @@
 use crate::impact::Unchecked;
 use crate::launch::Launch;
-use crate::number::{Mask, Numbers};
+use crate::number::{Mask, Numbers, inlined};
 use crate::parameters::Setup;
 
 /// A ball that leaves, over any numbers, side by side too: the part of a drive before the flight.
@@ -17,15 +17,12 @@ impl<T: Numbers> Struck<T> {
     /// copy for each number type.
     #[inline(always)]
     pub fn new(setup: &Setup<T>) -> Self {
-        T::outlined(
-            #[inline(always)]
-            || {
-                if let Some(launch) = Launch::given(setup) {
-                    return Self { launch, club_speed: None, is_sound: T::Mask::first(usize::MAX) };
-                }
-                let Unchecked { launch, is_sound } = Unchecked::new(setup);
-                Self { launch, club_speed: Some(setup.swing.speed), is_sound }
-            },
-        )
+        T::outlined(inlined!(|| {
+            if let Some(launch) = Launch::given(setup) {
+                return Self { launch, club_speed: None, is_sound: T::Mask::first(usize::MAX) };
+            }
+            let Unchecked { launch, is_sound } = Unchecked::new(setup);
+            Self { launch, club_speed: Some(setup.swing.speed), is_sound }
+        }))
     }
 }

@@ -1,7 +1,7 @@
 use super::inputs::Inputs;
 use super::motion::Node;
 use super::step::Step;
-use crate::number::Numbers;
+use crate::number::{Numbers, inlined};
 
 impl<T: Numbers> Inputs<T> {
     /// |ω| within a step of length h, at s = (t − t₀)/h: exact where the spin fades in time alone. Where it is damped by the way through the air, the
@@ -9,10 +9,7 @@ impl<T: Numbers> Inputs<T> {
     #[inline(always)]
     pub(super) fn spin_within(&self, step: &Step<T>, s: T, h: f64) -> T {
         let Some(damping) = self.damping else {
-            return T::outlined(
-                #[inline(always)]
-                || step.from().state.spin * (-(self.decay * s * h)).exp(),
-            );
+            return T::outlined(inlined!(|| step.from().state.spin * (-(self.decay * s * h)).exp()));
         };
         let mut ends = [[s; 3]; 2];
         for (end, node) in ends.iter_mut().zip([step.from(), step.to()]) {

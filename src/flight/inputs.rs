@@ -1,7 +1,7 @@
 use crate::atmosphere::{AirState, WindField};
 use crate::ground::Turf;
 use crate::launch::{LEAST_SPIN, Launch};
-use crate::number::{Numbers, Vector};
+use crate::number::{Numbers, Vector, inlined};
 use crate::parameters::{Law, Setup};
 use std::f64::consts::PI;
 
@@ -42,10 +42,7 @@ impl<T: Numbers> Inputs<T> {
     /// inlined: there is one compiled copy for each number type.
     #[inline(always)]
     pub fn new(setup: &Setup<T>, launch: &Launch<T>, runs: bool) -> Self {
-        T::outlined(
-            #[inline(always)]
-            || Self::of(setup, launch, runs),
-        )
+        T::outlined(inlined!(|| Self::of(setup, launch, runs)))
     }
 
     #[inline(always)]
@@ -62,17 +59,11 @@ impl<T: Numbers> Inputs<T> {
             radius,
             reynolds_per_speed: density * radius * 2.0 / viscosity,
             decay: setup.aero.spin_decay,
-            damping: setup.aero.spin_damping.map(
-                #[inline(always)]
-                |damping| damping / radius,
-            ),
+            damping: setup.aero.spin_damping.map(inlined!(|damping| damping / radius)),
             wind: WindField::new(&setup.wind, &setup.ground),
             ground: setup.ground.height,
             law: setup.law,
-            turf: runs.then(
-                #[inline(always)]
-                || Turf::new(setup),
-            ),
+            turf: runs.then(inlined!(|| Turf::new(setup))),
         }
     }
 

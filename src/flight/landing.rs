@@ -8,7 +8,7 @@ use super::tableau::Tableau;
 use crate::error::{Error, Result};
 use crate::ground::Landing;
 use crate::launch::Launch;
-use crate::number::{Mask, Number, Numbers, Vector};
+use crate::number::{Mask, Number, Numbers, Vector, inlined};
 use crate::parameters::{Method, Setup};
 
 /// How the equation of motion is integrated.
@@ -76,10 +76,7 @@ impl<T: Numbers> Inputs<T> {
         has_apex: bool,
         observe: &mut dyn FnMut(f64, &Step<T>),
     ) -> Ended<T> {
-        T::outlined(
-            #[inline(always)]
-            || self.followed(how, lanes, has_apex, observe),
-        )
+        T::outlined(inlined!(|| self.followed(how, lanes, has_apex, observe)))
     }
 
     #[inline(always)]
@@ -138,10 +135,7 @@ impl<T: Numbers> Inputs<T> {
             let needs_top = (has_top & may_land | top_decides).any() || has_apex && has_top.any();
             if may_land.any() || needs_top {
                 // inlined, it would be as much code as all the rest
-                let path = T::outlined(
-                    #[inline(always)]
-                    || Path::new(self, &step, h),
-                );
+                let path = T::outlined(inlined!(|| Path::new(self, &step, h)));
                 let mut from_top = T::zero();
                 if needs_top {
                     let s = path.up.top(has_top);

@@ -1,6 +1,6 @@
 use super::inputs::Inputs;
 use crate::aerodynamics::{AerodynamicLaw, Stream};
-use crate::number::{Numbers, Vector};
+use crate::number::{Numbers, Vector, inlined};
 
 /// m/s: keeps |v_r| and its derivatives finite where the ball hangs still in the air.
 const LEAST_SPEED: f64 = 1e-6;
@@ -47,10 +47,7 @@ impl<T: Numbers> Inputs<T> {
     /// is written to its place, as a rate with many derivatives is long to copy.
     #[inline(always)]
     pub(super) fn find_rate(&self, velocity: Vector<T>, spin: T, height: T, rate: &mut Rate<T>) {
-        T::outlined(
-            #[inline(always)]
-            || *rate = self.forces(velocity, spin, height),
-        );
+        T::outlined(inlined!(|| *rate = self.forces(velocity, spin, height)));
     }
 
     #[inline(always)]
@@ -91,10 +88,7 @@ impl<T: Numbers> Inputs<T> {
     #[inline(always)]
     pub(super) fn jerk(&self, node: &Node<T>) -> Vector<T> {
         let [before, after] = self.beside(node);
-        (after.acceleration - before.acceleration).map(
-            #[inline(always)]
-            |change| self.per_time(change),
-        )
+        (after.acceleration - before.acceleration).map(inlined!(|change| self.per_time(change)))
     }
 
     /// A difference between the rates beside a node, as a derivative by the time.

@@ -23,10 +23,7 @@ impl<T: Numbers> Septic<T> {
         let v = gained - a0 - j0 * 0.5;
         let a = a1 - a0 - j0;
         let j = j1 - j0;
-        let sum = inlined(
-            #[inline(always)]
-            |[wx, wv, wa, wj]: [f64; 4]| x.scale_add(wx, v.scale_add(wv, a.scale_add(wa, j * wj))),
-        );
+        let sum = inlined!(|[wx, wv, wa, wj]: [f64; 4]| x.scale_add(wx, v.scale_add(wv, a.scale_add(wa, j * wj))));
         Self([
             x0,
             v0,
@@ -66,23 +63,13 @@ impl<T: Numbers> Septic<T> {
     /// Where the coordinate falls to `level`, between `from` (where it is above) and the end (where it is not), in the lanes of a mask.
     #[inline(always)]
     pub fn falls_to(&self, level: T, from: T, lanes: T::Mask) -> T {
-        falling_root(
-            from,
-            lanes,
-            #[inline(always)]
-            |s| (self.value(s) - level, self.slope(s)),
-        )
+        falling_root(from, lanes, inlined!(|s| (self.value(s) - level, self.slope(s))))
     }
 
     /// Where the coordinate, rising at the start and not at the end, is highest, in the lanes of a mask.
     #[inline(always)]
     pub fn top(&self, lanes: T::Mask) -> T {
-        falling_root(
-            T::zero(),
-            lanes,
-            #[inline(always)]
-            |s| (self.slope(s), self.derivative::<2>(s)),
-        )
+        falling_root(T::zero(), lanes, inlined!(|s| (self.slope(s), self.derivative::<2>(s))))
     }
 }
 
@@ -143,13 +130,10 @@ impl<T: Numbers> Path<T> {
         let ([x, y, z], [vx, vy, vz]) = (x.to_array(), v.to_array());
         let ([ax, ay, az], [bx, by, bz]) = (a0.to_array(), a1.to_array());
         let ([jx, jy, jz], [kx, ky, kz]) = (j0.to_array(), j1.to_array());
-        let coordinate = inlined(
-            #[inline(always)]
-            |x: T, [v, a, j]: [T; 3], [b, k]: [T; 2], deflection: T, gained: T| {
-                let (h2, h3) = (h * h, h * h * h);
-                Septic::new(x, [v * h, a * h2, j * h3], [b * h2, k * h3], [deflection, gained * h])
-            },
-        );
+        let coordinate = inlined!(|x: T, [v, a, j]: [T; 3], [b, k]: [T; 2], deflection: T, gained: T| {
+            let (h2, h3) = (h * h, h * h * h);
+            Septic::new(x, [v * h, a * h2, j * h3], [b * h2, k * h3], [deflection, gained * h])
+        });
         Self {
             h,
             up: coordinate(x, [vx, ax, jx], [bx, kx], deflection.x, gained.x),

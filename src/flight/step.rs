@@ -1,7 +1,7 @@
 use super::inputs::Inputs;
 use super::motion::{Node, Rate, State};
 use super::tableau::{MOST_STAGES, Tableau, Weights};
-use crate::number::{Numbers, Vector};
+use crate::number::{Numbers, Vector, inlined};
 
 /// A method with a fixed step, for one flight.
 pub(super) struct Stepper<'a, T> {
@@ -114,10 +114,7 @@ impl<'a, T: Numbers> Stepper<'a, T> {
         for (of, weight) in self.tableau.velocity[stage] {
             way = self.rates[*of].speed.scale_add(self.h * weight, way);
         }
-        T::outlined(
-            #[inline(always)]
-            || faded * (-(damping * way)).exp(),
-        )
+        T::outlined(inlined!(|| faded * (-(damping * way)).exp()))
     }
 
     /// start + h Σ wⱼ aⱼ.

@@ -1,5 +1,5 @@
 use super::turf::Turf;
-use crate::number::{Numbers, Vector, held_above, risen};
+use crate::number::{Numbers, Vector, held_above, inlined, risen};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// A ball that moves.
@@ -78,22 +78,18 @@ impl<T: Numbers> Turf<T> {
         let sticks = (squared - limit * limit * (STICKS * STICKS)).below(NO_SLIP);
         T::choose(
             sticks,
-            #[inline(always)]
-            || T::constant(1.0),
-            #[inline(always)]
-            || {
+            inlined!(|| T::constant(1.0)),
+            inlined!(|| {
                 let needed = squared.sqrt();
                 T::choose(
                     (limit * (STICKS + SLIPS_OVER) - needed).below(0.0),
-                    #[inline(always)]
-                    || limit / needed,
-                    #[inline(always)]
-                    || {
+                    inlined!(|| limit / needed),
+                    inlined!(|| {
                         let asked = needed / limit;
                         held_above(asked, STICKS, SLIPS_OVER) / asked
-                    },
+                    }),
                 )
-            },
+            }),
         )
     }
 }

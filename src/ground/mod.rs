@@ -7,7 +7,7 @@ mod bounce;
 mod rubbing;
 mod turf;
 
-use crate::number::{Mask, Numbers, Vector, risen};
+use crate::number::{Mask, Numbers, Vector, inlined, risen};
 use bounce::Moving;
 use rubbing::Rubbing;
 pub(crate) use turf::Turf;
@@ -68,10 +68,7 @@ impl<T: Numbers> Turf<T> {
         let Some(restitution) = self.restitution else {
             return Rest { downrange: ball.downrange, right: ball.right, bounces: 0 };
         };
-        T::outlined(
-            #[inline(always)]
-            || self.run(ball, restitution, lanes, &mut |_, _| ()),
-        )
+        T::outlined(inlined!(|| self.run(ball, restitution, lanes, &mut |_, _| ())))
     }
 
     /// Shows each hop, with the place that it begins at from the landing, to `seen`.

@@ -1,4 +1,4 @@
-use crate::number::{Numbers, Vector};
+use crate::number::{Numbers, Vector, inlined};
 
 /// A body that a force of constant size slows, and another pulls along.
 pub(super) struct Rubbing<T> {
@@ -17,10 +17,7 @@ impl<T: Numbers> Rubbing<T> {
     /// From dv/dt = G − a v/|v| follows d(a|v| + v·G)/dt = −(a² − |G|²), and likewise the way by quadratic functions of |v| and v·G.
     #[inline(always)]
     pub fn stop(&self, velocity: Vector<T>) -> (T, Vector<T>) {
-        T::outlined(
-            #[inline(always)]
-            || self.stopped(velocity),
-        )
+        T::outlined(inlined!(|| self.stopped(velocity)))
     }
 
     #[inline(always)]

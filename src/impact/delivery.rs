@@ -30,10 +30,7 @@ impl<T: Numbers> Bent<T> {
             && (forward.is_some() || down.is_some())
         {
             let growth = ((swing.speed * (1.0 / SPEED_OF_BEND)).ln() * power).exp();
-            let grown = inlined(
-                #[inline(always)]
-                |angle: T| angle * growth,
-            );
+            let grown = inlined!(|angle: T| angle * growth);
             (forward, down) = (forward.map(grown), down.map(grown));
         }
         Self { forward, down }
@@ -49,14 +46,7 @@ impl<T: Numbers> Delivery<T> {
         let (sin_path, cos_path) = swing.path.sin_cos();
         let bent = Bent::new(swing);
         let pitch = swing.attack_angle - swing.shaft_lean;
-        let (sin_pitch, cos_pitch) = bent
-            .forward
-            .map_or(
-                pitch,
-                #[inline(always)]
-                |bend| pitch + bend,
-            )
-            .sin_cos();
+        let (sin_pitch, cos_pitch) = bent.forward.map_or(pitch, inlined!(|bend| pitch + bend)).sin_cos();
         let (sin_yaw, cos_yaw) = swing.face_angle.sin_cos();
         let direction = Vector::new(sin_attack, cos_attack * sin_path, cos_attack * cos_path);
         let up = Vector::new(cos_pitch, -sin_pitch * sin_yaw, -sin_pitch * cos_yaw);

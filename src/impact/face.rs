@@ -1,6 +1,6 @@
 use super::head::{Head, pitched};
 use crate::error::{Error, Result};
-use crate::number::{Number, Numbers, Vector};
+use crate::number::{Number, Numbers, Vector, inlined};
 use crate::parameters::{Club, Strike};
 
 /// Where the ball is struck, in the head frame.
@@ -41,12 +41,7 @@ impl<T: Numbers> FacePoint<T> {
             // √(bulge · roll): a flat direction makes it 0, where the root has no derivative
             None => {
                 let product = roll * bulge;
-                T::choose(
-                    product.below(f64::MIN_POSITIVE),
-                    T::zero,
-                    #[inline(always)]
-                    || product.sqrt(),
-                )
+                T::choose(product.below(f64::MIN_POSITIVE), T::zero, inlined!(|| product.sqrt()))
             }
         };
         let (high, toe) = (strike.high, strike.toe);

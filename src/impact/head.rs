@@ -1,6 +1,6 @@
 //! The head as it strikes: its body with the movable weights on it.
 
-use crate::number::{Numbers, Vector};
+use crate::number::{Numbers, Vector, inlined};
 use crate::parameters::{Club, Weight};
 
 /// A rigid head: mass, centre of mass and inertia tensor, with its movable weights (docs/model.md, eqs. 5a–5c).
@@ -29,10 +29,7 @@ impl<T: Numbers> Head<T> {
         if weights.iter().all(Option::is_none) {
             return body;
         }
-        T::outlined(
-            #[inline(always)]
-            || body.with(weights, club.loft),
-        )
+        T::outlined(inlined!(|| body.with(weights, club.loft)))
     }
 
     /// The same head with point masses on it.

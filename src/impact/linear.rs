@@ -49,10 +49,7 @@ impl<T: Numbers> SymmetricFactors<T> {
     /// From the lower triangle, row by row.
     #[inline(always)]
     pub fn new(lower: [T; 6]) -> Self {
-        T::outlined(
-            #[inline(always)]
-            || Self::factored(lower),
-        )
+        T::outlined(inlined!(|| Self::factored(lower)))
     }
 
     #[inline(always)]
@@ -69,10 +66,7 @@ impl<T: Numbers> SymmetricFactors<T> {
     /// The x of A x = b.
     #[inline(always)]
     pub fn solve(&self, b: [T; 3]) -> [T; 3] {
-        T::outlined(
-            #[inline(always)]
-            || self.solved(b),
-        )
+        T::outlined(inlined!(|| self.solved(b)))
     }
 
     #[inline(always)]
@@ -89,10 +83,7 @@ impl<T: Numbers> SymmetricFactors<T> {
     #[inline(always)]
     pub fn is_positive(&self) -> T::Mask {
         let [first, second, third] = self.inverse_pivots;
-        let is_positive = inlined(
-            #[inline(always)]
-            |pivot: T| (-pivot).below(0.0) & pivot.below(f64::INFINITY),
-        );
+        let is_positive = inlined!(|pivot: T| (-pivot).below(0.0) & pivot.below(f64::INFINITY));
         is_positive(first) & is_positive(second) & is_positive(third)
     }
 }

@@ -60,10 +60,7 @@ pub fn strike<T: Number>(setup: &Setup<T>) -> Result<Impact<T>> {
         Some(friction) => friction::limited(&collision, &system, sticking, friction).checked(&collision, friction)?,
     };
     let rebound = collision.after(impulse, &system);
-    let ground = inlined(
-        #[inline(always)]
-        |v| delivery.to_ground(v),
-    );
+    let ground = inlined!(|v| delivery.to_ground(v));
     let impact = Impact {
         launch: Launch { velocity: ground(rebound.ball_velocity), spin: ground(rebound.ball_spin) },
         club_velocity: ground(rebound.club_velocity),
@@ -95,10 +92,7 @@ impl<T: Numbers> Unchecked<T> {
         let collision = Collision::at(setup, &head, &delivery, &face);
         let system = collision.contact_system();
         let sticking = collision.sticking(&system);
-        let above_zero = inlined(
-            #[inline(always)]
-            |x: T| (-x).below(0.0),
-        );
+        let above_zero = inlined!(|x: T| (-x).below(0.0));
         let mut is_sound = q.below(1.0)
             & above_zero(collision.approach().dot(collision.normal))
             & system.inertia.is_positive()

@@ -3,7 +3,7 @@ use super::face::FacePoint;
 use super::head::Head;
 use super::linear::{SymmetricFactors, solve};
 use crate::error::{Error, Result};
-use crate::number::{Number, Numbers, Vector};
+use crate::number::{Number, Numbers, Vector, inlined};
 use crate::parameters::{Setup, SpeedOf};
 
 /// Two rigid bodies about to collide, in the head frame: a head that moves, and a ball at rest.
@@ -65,10 +65,7 @@ impl<T: Numbers> Collision<T> {
             club_velocity: delivery.to_head(delivery.velocity),
             club_spin: delivery.to_head(delivery.closure),
             ball_mass: ball.mass,
-            ball_inertia: ball.inertia.unwrap_or_else(
-                #[inline(always)]
-                || ball.mass * ball.radius * ball.radius * 0.4,
-            ),
+            ball_inertia: ball.inertia.unwrap_or_else(inlined!(|| ball.mass * ball.radius * ball.radius * 0.4)),
             ball_radius: ball.radius,
             contact: face.position,
             normal: face.normal,
@@ -78,10 +75,7 @@ impl<T: Numbers> Collision<T> {
         };
         if setup.speed_of == SpeedOf::FaceCentre {
             // what the face centre moves by beside the centre of mass (docs/model.md, eq. 1a)
-            let turning = T::outlined(
-                #[inline(always)]
-                || collision.club_spin.cross(head.face_centre(setup.club.loft)),
-            );
+            let turning = T::outlined(inlined!(|| collision.club_spin.cross(head.face_centre(setup.club.loft))));
             collision.club_velocity = collision.club_velocity - turning;
         }
         if let Some(slope) = setup.impact.restitution_slope {

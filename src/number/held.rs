@@ -1,4 +1,4 @@
-use super::Numbers;
+use super::{Numbers, inlined};
 
 /// Beyond what a formula is good for its variable is held: `x` up to `end`, then a way with two continuous derivatives to
 /// `end + over/2`, which it reaches at `end + over` and keeps.
@@ -6,16 +6,14 @@ use super::Numbers;
 pub(crate) fn held_above<T: Numbers>(x: T, end: f64, over: f64) -> T {
     T::choose(
         x.below(end),
-        #[inline(always)]
-        || x,
-        #[inline(always)]
-        || {
+        inlined!(|| x),
+        inlined!(|| {
             let beyond = (x - end) * (1.0 / over);
             let u = beyond.blend(T::constant(1.0), beyond.below(1.0));
             let square = u * u;
             // its slope is (1 − u)² (1 + 2u): 1 and without bend at u = 0, 0 and without bend at u = 1
             (square * square).scale_add(0.5, u - u * square) * over + end
-        },
+        }),
     )
 }
 

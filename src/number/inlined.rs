@@ -1,6 +1,11 @@
-/// A closure as it is. An attribute like `#[inline(always)]` may stand on an argument, not on the right of a `let`; a closure that
-/// is called twice and not inlined would be compiled for no vector unit at all.
-#[inline(always)]
-pub(crate) fn inlined<F>(closure: F) -> F {
-    closure
+/// A closure that is always inlined: one that is called twice and not inlined would be compiled for no vector unit at all. An attribute may stand
+/// on an argument, not on the right of a `let`.
+macro_rules! inlined {
+    ($($closure:tt)+) => {
+        std::convert::identity(
+            #[inline(always)]
+            $($closure)+
+        )
+    };
 }
+pub(crate) use inlined;

@@ -237,10 +237,7 @@ impl<const K: usize, B: Numbers> Numbers for Jet<K, B> {
     }
     #[inline(always)]
     fn mul_add(self, a: Self, b: Self) -> Self {
-        let other = inlined(
-            #[inline(always)]
-            |i: usize| a.gradient[i].mul_add(self.re, b.gradient[i]),
-        );
+        let other = inlined!(|i: usize| a.gradient[i].mul_add(self.re, b.gradient[i]));
         Self {
             re: self.re.mul_add(a.re, b.re),
             gradient: each!(self, i: K => self.gradient[i].mul_add(a.re, other(i))),

@@ -1,4 +1,4 @@
-use super::Numbers;
+use super::{Numbers, inlined};
 
 /// x² up to which tanh x is a polynomial: beyond every spin ratio that a law of drag caps this way.
 const MOST_SQUARED: f64 = 0.5;
@@ -24,22 +24,13 @@ const COEFFICIENTS: [f64; 12] = [
 #[inline(always)]
 pub(super) fn tanh<T: Numbers>(x: T) -> T {
     let square = x * x;
-    T::choose(
-        square.below(MOST_SQUARED),
-        #[inline(always)]
-        || small(x, square),
-        #[inline(always)]
-        || large(x),
-    )
+    T::choose(square.below(MOST_SQUARED), inlined!(|| small(x, square)), inlined!(|| large(x)))
 }
 
 #[inline(always)]
 fn small<T: Numbers>(x: T, y: T) -> T {
     let [c0, c1, c2, c3, c4, c5, c6, c7, c8, c9, c10, c11] = COEFFICIENTS;
-    let pair = super::inlined(
-        #[inline(always)]
-        |low: f64, high: f64| y.scale_add(high, T::constant(low)),
-    );
+    let pair = inlined!(|low: f64, high: f64| y.scale_add(high, T::constant(low)));
     // in pairs: the chain is as long as the logarithm of the degree
     let (y2, x_cubed) = (y * y, x * y);
     let y4 = y2 * y2;

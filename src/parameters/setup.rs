@@ -8,7 +8,7 @@ use super::range::Range;
 use super::table::{Law, Setup};
 use super::turf::{TURF, refuse_idle_turf};
 use crate::error::{Error, Result};
-use crate::number::Numbers;
+use crate::number::{Numbers, inlined};
 use crate::units::Message;
 use std::path::Path;
 
@@ -101,10 +101,7 @@ impl Setup<f64> {
     /// The setup over another number, without derivatives.
     #[inline(always)]
     pub(crate) fn constant<T: Numbers>(&self) -> Setup<T> {
-        T::outlined(
-            #[inline(always)]
-            || self.map(|_, value| T::constant(value)),
-        )
+        T::outlined(inlined!(|| self.map(|_, value| T::constant(value))))
     }
 }
 

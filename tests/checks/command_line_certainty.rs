@@ -57,7 +57,10 @@ fn why_no_drive_is_flown_off_by_an_uncertainty_is_told() {
     let (status, found) = json(&args);
     assert_eq!((status, &found["outcomes"][0]["effects"][0]["flown"]), (0, &serde_json::json!([null, null])));
     let told = found["warnings"].to_string();
-    assert!(told.contains("no drive at −σ of swing.speed: swing.speed = ") && told.contains("outside its range"), "{told}");
+    assert!(
+        told.contains("no drive at −σ of swing.speed: swing.speed = ") && told.contains("outside its range"),
+        "{told}"
+    );
     assert!(told.contains("no drive at +σ of swing.speed: the club does not strike the ball"), "{told}");
     let said = longdrive(&args);
     assert!(said.status == 0 && !said.out.contains("have in them"), "{}", said.out);

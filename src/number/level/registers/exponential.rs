@@ -41,10 +41,7 @@ fn reduced<V: Powers>(x: V) -> (V, V) {
     let k = rounded - ROUNDER;
     let r = k.scale_add(-LN_2_LOW, k.scale_add(-LN_2_HIGH, x));
     let r2 = r * r;
-    let pair = inlined(
-        #[inline(always)]
-        |n: usize| r.scale_add(TAYLOR[n + 1], V::constant(TAYLOR[n])),
-    );
+    let pair = inlined!(|n: usize| r.scale_add(TAYLOR[n + 1], V::constant(TAYLOR[n])));
     let r4 = r2 * r2;
     let low = pair(4).mul_add(r2, pair(2));
     let middle = pair(8).mul_add(r2, pair(6));

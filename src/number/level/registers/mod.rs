@@ -21,7 +21,7 @@ mod wasm;
 mod x86;
 
 use crate::number::tanh::tanh;
-use crate::number::{Lanes, Numbers};
+use crate::number::{Lanes, Numbers, inlined};
 use bits::Bits;
 use exponential::Powers;
 use std::fmt;

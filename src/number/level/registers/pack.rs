@@ -102,38 +102,20 @@ macro_rules! pack {
             }
             #[inline(always)]
             fn ln(self) -> Self {
-                Self::outlined(
-                    #[inline(always)]
-                    || self.each(f64::ln),
-                )
+                Self::outlined(inlined!(|| self.each(f64::ln)))
             }
             #[inline(always)]
             fn ln_1p(self) -> Self {
-                Self::outlined(
-                    #[inline(always)]
-                    || self.each(f64::ln_1p),
-                )
+                Self::outlined(inlined!(|| self.each(f64::ln_1p)))
             }
             #[inline(always)]
             fn sin_cos(self) -> (Self, Self) {
                 // not inlined: an impact has six of them
-                Self::outlined(
-                    #[inline(always)]
-                    || {
-                        sine::sin_cos(
-                            self,
-                            #[inline(always)]
-                            |x| (x.each(f64::sin), x.each(f64::cos)),
-                        )
-                    },
-                )
+                Self::outlined(inlined!(|| sine::sin_cos(self, inlined!(|x: Self| (x.each(f64::sin), x.each(f64::cos))))))
             }
             #[inline(always)]
             fn atan(self) -> Self {
-                Self::outlined(
-                    #[inline(always)]
-                    || self.each(f64::atan),
-                )
+                Self::outlined(inlined!(|| self.each(f64::atan)))
             }
             #[inline(always)]
             fn tanh(self) -> Self {

@@ -12,18 +12,15 @@ pub(super) fn sin_cos<V: Powers>(x: V, large: impl Fn(V) -> (V, V)) -> (V, V) {
         return large(x);
     }
     // Σ (−y)ᵏ/(2k + first)!, from k = 1 on and over −y
-    let series = inlined(
-        #[inline(always)]
-        |first: usize| {
-            let mut sum = V::constant(TAYLOR[first + 16]);
-            let mut k = 8;
-            while k > 1 {
-                k -= 1;
-                sum = (-y).mul_add(sum, V::constant(TAYLOR[first + 2 * k]));
-            }
-            sum
-        },
-    );
+    let series = inlined!(|first: usize| {
+        let mut sum = V::constant(TAYLOR[first + 16]);
+        let mut k = 8;
+        while k > 1 {
+            k -= 1;
+            sum = (-y).mul_add(sum, V::constant(TAYLOR[first + 2 * k]));
+        }
+        sum
+    });
     ((-(x * y)).mul_add(series(1), x), (-y).mul_add(series(0), V::constant(1.0)))
 }
 
