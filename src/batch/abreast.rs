@@ -4,7 +4,7 @@ use super::block::{Block, Status};
 use super::question::Batch;
 use crate::aerodynamics::AerodynamicLaw;
 use crate::drive::{Beyond, Part, Shown, Struck, flat, is_beside_any_face};
-use crate::flight::{Discretization, Inputs};
+use crate::flight::Inputs;
 use crate::impact::Head;
 use crate::number::{Derivatives, Jet, Lanes, Mask, Number, Task, inlined};
 use crate::parameters::{Parameter, Setup};
@@ -116,8 +116,7 @@ impl Abreast<'_> {
         let has_apex = batch.of.iter().any(|outcome| outcome.is_of_the_apex());
         let has_head = struck.club_speed.is_some() && batch.of.iter().any(|outcome| outcome.part() == Part::Head);
         let head = has_head.then(|| J::outlined(|| Head::new(&setup.club)));
-        let how = Discretization::of(&batch.setup);
-        let ended = inputs.follow(&how, J::Mask::first(group.len()), has_apex, &mut |_, _| ());
+        let ended = inputs.follow(J::Mask::first(group.len()), has_apex, &mut |_, _| ());
         for (lane, &(_, row)) in group.iter().enumerate() {
             let in_lane = inlined!(|number: J| number.lane(lane));
             if !ended.has_landed.holds(lane) {

@@ -17,7 +17,7 @@ pub struct Run<'a> {
     pub first_row: u64,
     /// The row to end before (`None`: after the last point).
     pub end_row: Option<u64>,
-    /// Threads (0: as many as there are processors); never more than there are chunks to compute.
+    /// Threads, and no more than there are chunks to compute (0: one for a single chunk, as many as there are processors for more).
     pub threads: usize,
     /// Ends the batch, after the chunks under way, once it is true.
     pub stop: Option<&'a AtomicBool>,
@@ -42,9 +42,11 @@ impl Batch {
         self.check_parameters(points.parameters())?;
         points.seek(run.first_row)?;
         let end = run.end_row.unwrap_or(u64::MAX).min(points.rows());
-        // no more threads than there are chunks to compute
         let chunks = end.saturating_sub(run.first_row).div_ceil(CHUNK as u64).max(1);
-        let threads = run.threads.min(usize::try_from(chunks).unwrap_or(usize::MAX));
+        let threads = match run.threads {
+            0 if chunks == 1 => 1,
+            threads => threads.min(usize::try_from(chunks).unwrap_or(usize::MAX)),
+        };
         let is_stopped = || run.stop.is_some_and(|stop| stop.load(Ordering::Relaxed));
         let (mut row, mut done) = (run.first_row, run.first_row);
         let next = || {

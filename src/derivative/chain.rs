@@ -2,59 +2,27 @@
 //! six components of its velocity and spin, derivatives of the flight are taken by these, and by what changes it besides.
 
 use super::Taylor;
-use super::pass::{MOST_PER_LANE, Part, Variable};
-use super::point::{Directions, Point, blank};
+use super::directions::Passes;
+use super::pass::{Part, Variable};
+use super::point::{Point, blank};
 use super::split::Split;
 use crate::drive;
 use crate::error::Result;
 
-/// Values and gradients by many parameters. `progress` is told how many passes of how many are done.
-pub(super) fn gradients(
-    point: &Point<'_>,
-    split: &Split,
-    progress: &mut dyn FnMut(usize, usize),
-) -> Result<Vec<Taylor>> {
-    let most = MOST_PER_LANE * point.level.width();
-    let passes: Passes<'_> =
-        &|indices, pass| indices.chunks(most).try_for_each(|indices| pass(Directions::Each(indices)));
-    derivatives(point, split, false, passes, progress)
-}
-
-/// The same with Hessians.
-pub(super) fn hessians(
-    point: &Point<'_>,
-    split: &Split,
-    progress: &mut dyn FnMut(usize, usize),
-) -> Result<Vec<Taylor>> {
-    let passes: Passes<'_> = &|indices, pass| {
-        let pairs: Vec<[usize; 2]> =
-            (0..indices.len()).flat_map(|i| (0..=i).map(move |j| [indices[i], indices[j]])).collect();
-        pairs.chunks(point.level.width()).try_for_each(|pairs| pass(Directions::Pairs(pairs)))
-    };
-    derivatives(point, split, true, passes, progress)
-}
-
-/// Divides variables into passes and calls the closure with the directions of each.
-type Passes<'a> = &'a dyn Fn(&[usize], &mut dyn FnMut(Directions<'_>) -> Result<()>) -> Result<()>;
-
-fn derivatives(
+/// Values and gradients by many parameters, or Hessians too. `progress` is told how many passes of how many are done.
+pub(super) fn derivatives(
     point: &Point<'_>,
     split: &Split,
     to_second: bool,
-    passes: Passes<'_>,
     progress: &mut dyn FnMut(usize, usize),
 ) -> Result<Vec<Taylor>> {
     let n = point.wrt.len();
     let rows = |n: usize| if to_second { n } else { 0 };
     let mut taylors = blank(point.of.len(), n, rows(n));
     let mut launch = blank(6, n, rows(n));
-    let mut strike =
-        |directions: Directions<'_>| point.pass(directions, Part::Impact { launch: &mut launch }, &mut taylors);
-    if split.of_launch.is_empty() {
-        strike(Directions::None)?;
-    } else {
-        passes(&split.of_launch, &mut strike)?;
-    }
+    Passes::by(&split.of_launch, to_second).run(point.level, &mut |directions, _| {
+        point.pass(directions, Part::Impact { launch: &mut launch }, &mut taylors)
+    })?;
     if !point.flies {
         progress(1, 1);
         return Ok(taylors);
@@ -66,22 +34,13 @@ fn derivatives(
     let variables: Vec<_> = components.chain(split.of_flight.iter().copied().map(Variable::Parameter)).collect();
     let each: Vec<usize> = (0..variables.len()).collect();
     let mut slopes = blank(point.of.len(), each.len(), rows(each.len()));
-    let (mut done, mut all) = (0, 0);
-    passes(&each, &mut |_| {
-        all += 1;
-        Ok(())
-    })?;
-    let mut fly = |directions: Directions<'_>| {
+    let mut done = 0;
+    Passes::by(&each, to_second).run(point.level, &mut |directions, all| {
         point.pass(directions, Part::Flight { launch: &launch, variables: &variables }, &mut slopes)?;
         done += 1;
-        progress(done, all.max(1));
+        progress(done, all);
         Ok(())
-    };
-    match all {
-        // a flight that no parameter changes is flown too, for its value
-        0 => fly(Directions::None)?,
-        _ => passes(&each, &mut fly)?,
-    }
+    })?;
     for (outcome, (taylor, slopes)) in point.of.iter().zip(taylors.iter_mut().zip(slopes)) {
         if outcome.part() == drive::Part::Flight {
             chain(taylor, &slopes, &variables, &launch);

@@ -1,7 +1,7 @@
 use super::Taylor;
 use super::chain;
 use super::order::{Order, Pairs};
-use super::pass::{self, hessians, values};
+use super::pass;
 use super::point::Point;
 use super::split::Split;
 use crate::drive::{Outcome, Part};
@@ -87,7 +87,7 @@ impl Evaluator {
         self.at_order(values, self.order)
     }
 
-    /// The same with derivatives to this order, which is not beyond its own.
+    /// The same with derivatives to this order, and at most to its own.
     pub(crate) fn at_order(&self, values: &[f64], order: Order) -> Result<Vec<Taylor>> {
         assert_eq!(values.len(), self.wrt.len(), "a value for each parameter");
         for (parameter, value) in self.wrt.iter().zip(values) {
@@ -120,20 +120,14 @@ impl Evaluator {
             has_run: self.of.iter().any(|outcome| outcome.is_of_the_run()),
             level: self.level,
         };
-        let taylors = match order {
-            Order::Value => values(&point)?,
-            Order::First if self.split.pays_for_gradients(self.level) => {
-                chain::gradients(&point, &self.split, progress)?
-            }
-            Order::First => {
-                let taylors = pass::gradients(&point)?;
-                progress(1, 1);
-                taylors
-            }
-            Order::Second if self.pairs == Pairs::All && self.split.pays_for_hessians() => {
-                chain::hessians(&point, &self.split, progress)?
-            }
-            Order::Second => hessians(&point, self.pairs, progress)?,
+        let is_chained = match order {
+            Order::Value => false,
+            Order::First => self.split.pays_for_gradients(self.level),
+            Order::Second => self.pairs == Pairs::All && self.split.pays_for_hessians(),
+        };
+        let taylors = match is_chained {
+            true => chain::derivatives(&point, &self.split, order == Order::Second, progress)?,
+            false => pass::derivatives(&point, order, self.pairs, progress)?,
         };
         for (outcome, taylor) in self.of.iter().zip(&taylors) {
             check(taylor, *outcome, &self.wrt)?;

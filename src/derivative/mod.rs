@@ -3,6 +3,7 @@
 
 mod chain;
 pub mod check;
+mod directions;
 mod evaluator;
 mod order;
 mod pass;

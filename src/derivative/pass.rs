@@ -1,6 +1,7 @@
 use super::Taylor;
-use super::order::Pairs;
-use super::point::{Directions, Point, blank, read};
+use super::directions::{Directions, Passes};
+use super::order::{Order, Pairs};
+use super::point::{Point, blank};
 use crate::drive::{self, Outcome, Shown, Struck};
 use crate::error::Result;
 use crate::impact::Head;
@@ -41,7 +42,7 @@ struct Pass<'a> {
 impl Point<'_> {
     /// Makes a pass: fills in what comes of these directions.
     pub fn pass(&self, directions: Directions<'_>, part: Part<'_>, taylors: &mut [Taylor]) -> Result<()> {
-        self.level_of(directions).run(Pass { point: self, directions, part, taylors })
+        self.level.of(directions.lanes(1)).run(Pass { point: self, directions, part, taylors })
     }
 }
 
@@ -84,7 +85,11 @@ impl Pass<'_> {
             let [up, right, downrange, spin @ ..] = left;
             Launch { velocity: Vector::new(up, right, downrange), spin: Vector::from_array(spin) }
         } else {
-            point.seed(&mut setup, directions, per_lane);
+            directions.seeded(
+                per_lane,
+                |index| point.x[index],
+                inlined!(|index, number| setup.put(&point.wrt[index..=index], |_| number)),
+            );
             let struck = Struck::new(&setup);
             if !struck.is_sound.holds(0) {
                 return Err(point.refusal());
@@ -128,7 +133,7 @@ fn read_launches<J: Lanes>(
         let head = head.as_ref().map(|head| head.map(in_lane));
         let shown = Shown { launch: &launch, club_speed, landed: None, head: head.as_ref() };
         for (i, outcome) in point.of.iter().enumerate().filter(|(_, outcome)| is_before_flight(outcome)) {
-            take(lane, i, read(*outcome, &shown)?);
+            take(lane, i, outcome.shown(&shown).ok_or_else(|| outcome.missing())?);
         }
     }
     Ok(())
@@ -145,33 +150,25 @@ fn put<J: Derivatives>(taylor: &mut Taylor, indices: &[usize], number: &J) {
     }
 }
 
-/// Each outcome, alone.
-pub(super) fn values(point: &Point<'_>) -> Result<Vec<Taylor>> {
-    let mut taylors = blank(point.of.len(), 0, 0);
-    point.pass(Directions::None, Part::Drive, &mut taylors)?;
-    Ok(taylors)
-}
-
-/// Each outcome with its gradient by few enough parameters for one pass.
-pub(super) fn gradients(point: &Point<'_>) -> Result<Vec<Taylor>> {
-    let n = point.wrt.len();
-    let mut taylors = blank(point.of.len(), n, 0);
-    let indices: Vec<usize> = (0..n).collect();
-    point.pass(Directions::Each(&indices), Part::Drive, &mut taylors)?;
-    Ok(taylors)
-}
-
-/// Each outcome with its gradient and the wanted part of its Hessian; `progress` is told how many passes of how many are done.
-pub(super) fn hessians(point: &Point<'_>, pairs: Pairs, progress: &mut dyn FnMut(usize, usize)) -> Result<Vec<Taylor>> {
-    let n = point.wrt.len();
-    let rows = if pairs == Pairs::WithLast { n - 1..n } else { 0..n };
-    let wanted: Vec<[usize; 2]> = rows.flat_map(|i| (0..=i).map(move |j| [i, j])).collect();
-    let mut taylors = blank(point.of.len(), n, n);
-    let passes = wanted.chunks(point.level.of(wanted.len()).width());
-    let all = passes.len();
-    for (done, pairs) in passes.enumerate() {
-        point.pass(Directions::Pairs(pairs), Part::Drive, &mut taylors)?;
-        progress(done + 1, all);
-    }
+/// The outcomes by the parameters themselves; `progress` is told how many passes of how many are done.
+pub(super) fn derivatives(
+    point: &Point<'_>,
+    order: Order,
+    pairs: Pairs,
+    progress: &mut dyn FnMut(usize, usize),
+) -> Result<Vec<Taylor>> {
+    let n = if order == Order::Value { 0 } else { point.wrt.len() };
+    let passes = match (order, pairs) {
+        (Order::Second, Pairs::WithLast) => Passes::Pairs((0..n).map(|other| [n - 1, other]).collect()),
+        _ => Passes::by(&(0..n).collect::<Vec<_>>(), order == Order::Second),
+    };
+    let mut taylors = blank(point.of.len(), n, if order == Order::Second { n } else { 0 });
+    let mut done = 0;
+    passes.run(point.level, &mut |directions, all| {
+        point.pass(directions, Part::Drive, &mut taylors)?;
+        done += 1;
+        progress(done, all);
+        Ok(())
+    })?;
     Ok(taylors)
 }

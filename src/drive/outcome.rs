@@ -86,16 +86,18 @@ macro_rules! outcomes {
                 };
                 let shown = Shown { launch: &drive.launch, club_speed: drive.club_speed, landed, head: drive.head.as_ref() };
                 self.shown(&shown).ok_or_else(|| match &drive.flight {
-                    _ if self.part() != Part::Flight => Error::Undefined {
-                        what: self.name().into(),
-                        reason: "no club strikes the ball: the launch is given".into(),
-                    },
-                    Flight::None(why) => Error::NoFlight { reason: why.message() },
-                    Flight::Landed(_) => Error::Undefined {
-                        what: self.name().into(),
-                        reason: "the flight was followed for its landing alone".into(),
-                    },
+                    Flight::None(why) if self.part() == Part::Flight => Error::NoFlight { reason: why.message() },
+                    _ => self.missing(),
                 })
+            }
+
+            /// Why a drive has it not, though it flies.
+            pub(crate) fn missing(self) -> Error {
+                let reason = match self.part() {
+                    Part::Launch | Part::Head => "no club strikes the ball: the launch is given",
+                    Part::Flight => "the flight was followed for its landing alone",
+                };
+                Error::Undefined { what: self.name().into(), reason: reason.into() }
             }
 
             /// The outcome where what it is of is there.

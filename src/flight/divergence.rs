@@ -21,14 +21,6 @@ pub(crate) struct Diverging {
 
 /// Steps up to this follow any golf ball, s; the default is 10 ms.
 const FINE: f64 = 0.05;
-/// No golf ball leaves faster: the record is below 110 m/s.
-const FAST: f64 = 150.0;
-/// Nor with more spin: 19000 rpm.
-const MUCH_SPIN: f64 = 2000.0;
-/// A golf ball in air has 0.018 per m.
-const MUCH_FORCE: f64 = 0.1;
-/// A hurricane.
-const MUCH_WIND: f64 = 100.0;
 
 impl Diverging {
     /// What is out of the ordinary, and what to do: the step only where it is a long one.
@@ -37,23 +29,19 @@ impl Diverging {
         if step > FINE {
             return "the step is long; reduce flight.step (the default is 10 ms)".into();
         }
-        let shown = |value: f64| significant(value, 3);
+        let most = [
+            // the record is below 110 m/s
+            ("the ball leaves at", speed, 150.0, "m/s"),
+            // 19000 rpm
+            ("its spin is", spin, 2000.0, "rad/s"),
+            ("air.density · area/(2 ball.mass) is", force_per_mass, 0.1, "per m (0.018 for a golf ball in air)"),
+            // a hurricane
+            ("the wind is", wind, 100.0, "m/s"),
+        ];
         // also what is no number at all
-        let is_beyond = |value: f64, most: f64| !(0.0..=most).contains(&value);
-        let mut found = vec![];
-        if is_beyond(speed, FAST) {
-            found.push(format!("the ball leaves at {} m/s", shown(speed)));
-        }
-        if is_beyond(spin, MUCH_SPIN) {
-            found.push(format!("its spin is {} rad/s", shown(spin)));
-        }
-        if is_beyond(force_per_mass, MUCH_FORCE) {
-            let per_metre = shown(force_per_mass);
-            found.push(format!("air.density · area/(2 ball.mass) is {per_metre} per m (0.018 for a golf ball in air)"));
-        }
-        if is_beyond(wind, MUCH_WIND) {
-            found.push(format!("the wind is {} m/s", shown(wind)));
-        }
+        let beyond = most.into_iter().filter(|(_, value, most, _)| !(0.0..=*most).contains(value));
+        let found: Vec<_> =
+            beyond.map(|(what, value, _, unit)| format!("{what} {} {unit}", significant(value, 3))).collect();
         match &found[..] {
             [] => format!(
                 "launch, ball and air are as usual, so check the coefficients of the law {law}: they may give a negative drag, or a \

@@ -1,6 +1,5 @@
-use crate::error::{Error, Result};
 use crate::ground::Rest;
-use crate::number::{Number, Vector};
+use crate::number::Vector;
 use crate::units::{Digits, Message, Quantity};
 use std::fmt;
 
@@ -32,19 +31,6 @@ pub struct Landed<T> {
     pub(crate) defect: T,
     /// Steps of the integration, the last one cut by the landing. Of drives side by side, those of the longest flight.
     pub steps: usize,
-}
-
-impl<T: Number> Landed<T> {
-    /// The highest point of the flight.
-    ///
-    /// # Errors
-    /// [`Error::Undefined`] where the flight was followed for its landing alone.
-    pub fn apex(&self) -> Result<&Apex<T>> {
-        self.apex.as_ref().ok_or_else(|| Error::Undefined {
-            what: "the apex".into(),
-            reason: "the flight was followed for its landing alone".into(),
-        })
-    }
 }
 
 impl<T: Copy> Landed<T> {
@@ -111,9 +97,7 @@ impl NoFlight {
             Self::Aloft { .. } => "aloft",
         }
     }
-}
 
-impl NoFlight {
     /// The same in a sentence.
     pub fn message(&self) -> Message {
         let height =

@@ -2,7 +2,7 @@ use crate::atmosphere::{AirState, WindField};
 use crate::ground::Turf;
 use crate::launch::{LEAST_SPIN, Launch};
 use crate::number::{Numbers, Vector, inlined};
-use crate::parameters::{Law, Setup};
+use crate::parameters::{Law, Method, Setup};
 use std::f64::consts::PI;
 
 /// All that a flight depends on (docs/model.md, eqs. 12–15): a few quantities, into which whatever made the launch enters
@@ -35,6 +35,12 @@ pub(crate) struct Inputs<T> {
     pub law: Law<T>,
     /// What the ball lands on, where its run is asked for.
     pub turf: Option<Turf<T>>,
+    /// How the equation of motion is integrated.
+    pub method: Method,
+    /// h, s.
+    pub step: f64,
+    /// s.
+    pub time_limit: f64,
 }
 
 impl<T: Numbers> Inputs<T> {
@@ -64,6 +70,9 @@ impl<T: Numbers> Inputs<T> {
             ground: setup.ground.height,
             law: setup.law,
             turf: runs.then(inlined!(|| Turf::new(setup))),
+            method: setup.method,
+            step: setup.flight.step,
+            time_limit: setup.flight.time_limit,
         }
     }
 

@@ -9,25 +9,7 @@ use crate::error::{Error, Result};
 use crate::ground::Landing;
 use crate::launch::Launch;
 use crate::number::{Mask, Number, Numbers, Vector, inlined};
-use crate::parameters::{Method, Setup};
-
-/// How the equation of motion is integrated.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Discretization {
-    pub method: Method,
-    /// h, s.
-    pub step: f64,
-    /// s.
-    pub time_limit: f64,
-}
-
-impl Discretization {
-    /// That of a setup.
-    #[inline(always)]
-    pub fn of<T>(setup: &Setup<T>) -> Self {
-        Self { method: setup.method, step: setup.flight.step, time_limit: setup.flight.time_limit }
-    }
-}
+use crate::parameters::Setup;
 
 /// Flights side by side, or one, that have ended.
 #[derive(Clone, Copy, Debug)]
@@ -62,33 +44,21 @@ pub fn fly<T: Number>(setup: &Setup<T>, launch: &Launch<T>) -> Result<Flight<T>>
 /// # Errors
 /// [`Error::Diverged`].
 pub(crate) fn fly_in_any_steps<T: Number>(setup: &Setup<T>, launch: &Launch<T>) -> Result<Flight<T>> {
-    Inputs::new(setup, launch, true).fly(&Discretization::of(setup), true, &mut |_, _| ())
+    Inputs::new(setup, launch, true).fly(true, &mut |_, _| ())
 }
 
 impl<T: Numbers> Inputs<T> {
     /// Flies the balls of those lanes that start above the ground or upwards, showing each step, with the time it begins at, to
     /// `observe`; the apex is found where `has_apex`. Not inlined: there is one compiled copy for each number type.
     #[inline(always)]
-    pub(crate) fn follow(
-        &self,
-        how: &Discretization,
-        lanes: T::Mask,
-        has_apex: bool,
-        observe: &mut dyn FnMut(f64, &Step<T>),
-    ) -> Ended<T> {
-        T::outlined(inlined!(|| self.followed(how, lanes, has_apex, observe)))
+    pub(crate) fn follow(&self, lanes: T::Mask, has_apex: bool, observe: &mut dyn FnMut(f64, &Step<T>)) -> Ended<T> {
+        T::outlined(inlined!(|| self.followed(lanes, has_apex, observe)))
     }
 
     #[inline(always)]
-    fn followed(
-        &self,
-        how: &Discretization,
-        lanes: T::Mask,
-        has_apex: bool,
-        observe: &mut dyn FnMut(f64, &Step<T>),
-    ) -> Ended<T> {
-        let (tableau, h, ground) = (Tableau::of(how.method), how.step, self.ground);
-        let none = T::constant(1.0).below(0.0);
+    fn followed(&self, lanes: T::Mask, has_apex: bool, observe: &mut dyn FnMut(f64, &Step<T>)) -> Ended<T> {
+        let (tableau, h, ground) = (Tableau::of(self.method), self.step, self.ground);
+        let none = T::Mask::none();
         let start = State { position: Vector::zero(), velocity: self.velocity, spin: self.spin };
         let mut stepper = Stepper::new(self, tableau, h);
         let mut step = Step::at(start, self);
@@ -115,7 +85,7 @@ impl<T: Numbers> Inputs<T> {
             time: 0.0,
         };
         let mut spin = T::zero();
-        while flying.any() && ended.time < how.time_limit {
+        while flying.any() && ended.time < self.time_limit {
             stepper.advance(&mut step);
             observe(ended.time, &step);
             // a comparison with NaN does not hold: what is lost is not followed
@@ -132,7 +102,7 @@ impl<T: Numbers> Inputs<T> {
             let top_decides = has_top & !(has_been_above & is_above);
             // the path within the step is needed where the ball may land, where its top lies in the step and decides whether the ball
             // clears the ground, and where the apex is asked for
-            let needs_top = (has_top & may_land | top_decides).any() || has_apex && has_top.any();
+            let needs_top = top_decides.any() || has_apex && has_top.any();
             if may_land.any() || needs_top {
                 // inlined, it would be as much code as all the rest
                 let path = T::outlined(inlined!(|| Path::new(self, &step, h)));
@@ -215,14 +185,9 @@ impl<T: Number> Inputs<T> {
     ///
     /// # Errors
     /// [`Error::Diverged`] where drag and lift change the airspeed too much within a step, or numbers overflow.
-    pub(crate) fn fly(
-        &self,
-        how: &Discretization,
-        has_apex: bool,
-        observe: &mut dyn FnMut(f64, &Step<T>),
-    ) -> Result<Flight<T>> {
-        let ended = self.follow(how, true, has_apex, observe);
-        Ok(match ended.missing(how, self, 0, T::re)? {
+    pub(crate) fn fly(&self, has_apex: bool, observe: &mut dyn FnMut(f64, &Step<T>)) -> Result<Flight<T>> {
+        let ended = self.follow(true, has_apex, observe);
+        Ok(match ended.missing(self, 0, T::re)? {
             None => Flight::Landed(ended.landed),
             Some(why) => Flight::None(why),
         })
@@ -237,7 +202,6 @@ impl<T: Numbers> Ended<T> {
     #[inline(always)]
     pub(crate) fn missing(
         &self,
-        how: &Discretization,
         inputs: &Inputs<T>,
         lane: usize,
         value: impl Fn(T) -> f64 + Copy,
@@ -249,14 +213,14 @@ impl<T: Numbers> Ended<T> {
         if self.diverges.holds(lane) {
             let norm = |vector: Vector<T>| vector.map(value).norm();
             let diverging = Diverging {
-                step: how.step,
+                step: inputs.step,
                 speed: norm(inputs.velocity),
                 spin: value(inputs.spin),
                 force_per_mass: value(inputs.force_per_mass),
                 wind: norm(inputs.wind.at(inputs.ground)),
                 law: inputs.law.name(),
             };
-            let (time, step) = (time - how.step, how.step);
+            let (time, step) = (time - inputs.step, inputs.step);
             return Err(Error::Diverged { time, step, advice: diverging.advice() });
         }
         Ok(Some(if self.stays_below.holds(lane) {

@@ -13,7 +13,6 @@ mod trajectory;
 
 pub use ending::{Apex, Flight, Landed, NoFlight};
 pub(crate) use inputs::Inputs;
-pub(crate) use landing::Discretization;
 pub use landing::fly;
 pub(crate) use landing::fly_in_any_steps;
 pub use trajectory::{Trajectory, TrajectoryPoint, trajectory};

@@ -1,6 +1,5 @@
 use super::ending::Flight;
 use super::inputs::Inputs;
-use super::landing::Discretization;
 use super::septic::Path;
 use crate::error::Result;
 use crate::ground::Turf;
@@ -54,15 +53,17 @@ pub fn trajectory(setup: &Setup<f64>, launch: &Launch<f64>) -> Result<Trajectory
     let inputs = Inputs::new(setup, launch, false);
     let (h, parts) = (setup.flight.step, (setup.flight.step / MOST_APART).ceil().max(1.0));
     let (mut last, mut run) = (None, vec![]);
-    let flight = inputs.fly(&Discretization::of(setup), true, &mut |begin, step| {
+    let flight = inputs.fly(true, &mut |begin, step| {
         last = Some((begin, *step));
-        let path = Path::new(&inputs, step, h);
-        let within = (1..parts as u32).map(|k| f64::from(k) / parts);
-        points.extend(within.map(|s| TrajectoryPoint {
-            time: begin + s * h,
-            position: path.position(s),
-            velocity: path.velocity(s),
-        }));
+        if parts > 1.0 {
+            let path = Path::new(&inputs, step, h);
+            let within = (1..parts as u32).map(|k| f64::from(k) / parts);
+            points.extend(within.map(|s| TrajectoryPoint {
+                time: begin + s * h,
+                position: path.position(s),
+                velocity: path.velocity(s),
+            }));
+        }
         let end = step.to().state;
         points.push(TrajectoryPoint { time: begin + h, position: end.position, velocity: end.velocity });
     })?;

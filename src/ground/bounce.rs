@@ -28,8 +28,8 @@ const HEAD_ON: [f64; 2] = [0.7, 0.6];
 /// A ball that comes in flatter than this, from the ground, digs less, and one along the ground nothing. Penner's angle grows until there; the width
 /// is chosen beside TrackMan's chart (docs/sources.md).
 const FLAT: f64 = 70.0 / 180.0 * PI;
-/// Penner (2002), p. 933, by powers of the normal speed in s/m: e/e₀ = 1 + e₁ v + e₂ v². The speed is held where e is least: 18 m/s, over a
-/// width that ends there.
+/// Penner (2002), p. 933, by powers of the normal speed in s/m: e/e₀ = 1 + e₁ v + e₂ v². From 18 m/s on the speed is
+/// held, so that it ends where e is least, at 20.8 m/s.
 const RESTITUTION: [f64; 2] = [-0.0375 / 0.51, 0.000903 / 0.51];
 const HELD: f64 = 18.0;
 const HELD_OVER: f64 = 2.0 * (-RESTITUTION[0] / (2.0 * RESTITUTION[1]) - HELD);

@@ -4,6 +4,16 @@ use super::tanh::tanh;
 use super::{Number, Numbers};
 use num_dual::DualNum;
 
+/// The functions that num-dual has under the same name.
+macro_rules! num_dual_has {
+    ($($function:ident)+) => {$(
+        #[inline(always)]
+        fn $function(self) -> Self {
+            DualNum::$function(&self)
+        }
+    )+};
+}
+
 impl<D: DualNum<Primitive = f64> + Copy> Numbers for D {
     type Mask = bool;
 
@@ -11,37 +21,10 @@ impl<D: DualNum<Primitive = f64> + Copy> Numbers for D {
     fn constant(value: f64) -> Self {
         D::from(value)
     }
-    #[inline(always)]
-    fn recip(self) -> Self {
-        DualNum::recip(&self)
-    }
-    #[inline(always)]
-    fn sqrt(self) -> Self {
-        DualNum::sqrt(&self)
-    }
-    #[inline(always)]
-    fn exp(self) -> Self {
-        DualNum::exp(&self)
-    }
-    #[inline(always)]
-    fn exp_m1(self) -> Self {
-        DualNum::exp_m1(&self)
-    }
-    #[inline(always)]
-    fn ln(self) -> Self {
-        DualNum::ln(&self)
-    }
-    #[inline(always)]
-    fn ln_1p(self) -> Self {
-        DualNum::ln_1p(&self)
-    }
+    num_dual_has! { recip sqrt exp exp_m1 ln ln_1p atan }
     #[inline(always)]
     fn sin_cos(self) -> (Self, Self) {
         DualNum::sin_cos(&self)
-    }
-    #[inline(always)]
-    fn atan(self) -> Self {
-        DualNum::atan(&self)
     }
     #[inline(always)]
     fn below(self, limit: f64) -> bool {

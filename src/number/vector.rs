@@ -1,4 +1,4 @@
-use super::{Number, Numbers};
+use super::Numbers;
 use std::ops::{Add, Mul, Neg, Sub};
 
 /// A vector of three components; in the ground frame x is up, y right and z downrange.
@@ -86,14 +86,6 @@ impl<T: Numbers> Vector<T> {
     #[inline(always)]
     pub fn from_array([x, y, z]: [T; 3]) -> Self {
         Self::new(x, y, z)
-    }
-}
-
-impl<T: Number> Vector<T> {
-    /// The components' values, without derivatives.
-    #[inline]
-    pub fn re(self) -> Vector<f64> {
-        Vector::new(self.x.re(), self.y.re(), self.z.re())
     }
 }
 

@@ -26,8 +26,8 @@ fn exact_parabola_in_a_vacuum() {
     close(landed.carry, 50.0 * time, 50.0 * time, 1e-13, "carry");
     close(landed.lateral, 3.0 * time, 3.0 * time, 1e-13, "lateral");
     close(landed.velocity.x, 20.0 - g * time, 20.0, 1e-12, "landing velocity");
-    close(landed.apex().unwrap().height, 200.0 / g, 200.0 / g, 1e-13, "apex");
-    close(landed.apex().unwrap().time, 20.0 / g, 20.0 / g, 1e-13, "apex time");
+    close(landed.apex.unwrap().height, 200.0 / g, 200.0 / g, 1e-13, "apex");
+    close(landed.apex.unwrap().time, 20.0 / g, 20.0 / g, 1e-13, "apex time");
 }
 
 #[test]
@@ -55,7 +55,7 @@ fn exact_terminal_fall_from_a_hill() {
     // |v_r| is kept from zero by 1e-6 m/s
     close(landed.flight_time, time, time, 1e-11, "time");
     close(landed.velocity.x, -terminal * (setup.flight.gravity * time / terminal).tanh(), terminal, 1e-11, "speed");
-    assert_eq!(landed.apex().unwrap().height, 0.0);
+    assert_eq!(landed.apex.unwrap().height, 0.0);
 }
 
 #[test]
