@@ -1,6 +1,8 @@
-use super::pass::MOST_PER_LANE;
 use crate::error::Result;
 use crate::number::{Lanes, Level, Mask, inlined};
+
+/// The most directions in a lane.
+pub(super) const MOST_PER_LANE: usize = 3;
 
 /// The variables, by their indices, that derivatives are taken by in all passes together.
 pub(super) enum Passes {

@@ -1,5 +1,5 @@
 use super::Taylor;
-use super::directions::{Directions, Passes};
+use super::directions::{Directions, MOST_PER_LANE, Passes};
 use super::order::{Order, Pairs};
 use super::point::{Point, blank};
 use crate::drive::{self, Outcome, Shown, Struck};
@@ -8,9 +8,6 @@ use crate::impact::Head;
 use crate::launch::Launch;
 use crate::number::{Derivatives, Jet, Lanes, Mask, Mixed, Task, Vector, inlined};
 use crate::parameters::Setup;
-
-/// The most directions in a lane.
-pub(super) const MOST_PER_LANE: usize = 3;
 
 /// What a flight is differentiated by, where that is not the parameters.
 #[derive(Clone, Copy)]

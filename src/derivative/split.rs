@@ -1,4 +1,4 @@
-use super::pass::MOST_PER_LANE;
+use super::directions::MOST_PER_LANE;
 use crate::number::Level;
 use crate::parameters::Parameter;
 

@@ -215,7 +215,7 @@ fn a_setup_with_a_table_is_written_and_read_again() {
     std::fs::create_dir(file("else")).unwrap();
     let (mine, best) = (file("mine.toml"), file("else/best.toml"));
     std::fs::write(&mine, "[aero]\nlaw = 'table'\ntable = 'mine.csv'\ncd_factor = 0.9\n").unwrap();
-    let (status, found) = json(&["optimize", &mine, "-o", &best]);
+    let (status, found) = json(&["optimize", &mine, "-o", &best, "--own-step"]);
     assert_eq!((status, found["setup"]["aero.law"].as_str()), (0, Some("table")));
     assert_eq!(found["setup"]["aero.table"].as_str(), Some(&*name));
     let (_, again) = json(&["simulate", &best]);
