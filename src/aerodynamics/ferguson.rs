@@ -1,4 +1,4 @@
-use super::origin::CubicOrigin;
+use super::origin::{horner, polynomial};
 use super::{AerodynamicLaw, Coefficients, Fitted, Published, Stream};
 use crate::number::{Numbers, held_above, inlined};
 use crate::parameters::Ferguson;
@@ -16,19 +16,8 @@ impl<T: Numbers> AerodynamicLaw<T> for Ferguson<T> {
         T::outlined(inlined!(|| {
             let [low, high] = MEASURED;
             let s = held_above(stream.spin_ratio, high, HELD_OVER);
-            let drag = self.cd2.mul_add(s, self.cd1).mul_add(s, self.cd0);
-            let smooth = inlined!(|| {
-                let (linear, quadratic) = (self.cl1 * low, self.cl2 * (low * low));
-                let origin = CubicOrigin {
-                    join: low,
-                    value: self.cl0 + linear + quadratic,
-                    slope: linear + quadratic * 2.0,
-                    curvature: quadratic * 2.0,
-                };
-                origin.lift(s)
-            });
-            let lift = T::choose(s.below(low), smooth, inlined!(|| self.cl2.mul_add(s, self.cl1).mul_add(s, self.cl0)));
-            Coefficients { drag, lift }
+            let (drag, lift) = ([self.cd0, self.cd1, self.cd2], [self.cl0, self.cl1, self.cl2]);
+            Coefficients { drag: horner(drag, s), lift: polynomial(lift, low, s) }
         }))
     }
 

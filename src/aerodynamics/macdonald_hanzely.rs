@@ -1,4 +1,4 @@
-use super::origin::CubicOrigin;
+use super::origin::polynomial;
 use super::{AerodynamicLaw, Coefficients, Published, Stream};
 use crate::number::{Numbers, inlined};
 use crate::parameters::MacdonaldHanzely;
@@ -11,13 +11,8 @@ impl<T: Numbers> AerodynamicLaw<T> for MacdonaldHanzely<T> {
     #[inline(always)]
     fn coefficients(&self, stream: &Stream<T>) -> Coefficients<T> {
         T::outlined(inlined!(|| {
-            let (s, per_speed) = (stream.spin_ratio, stream.speed.recip());
-            let full = self.cl_speed * per_speed;
-            let smooth = inlined!(|| {
-                let origin = CubicOrigin { join: SMOOTH_BELOW, value: full, slope: T::zero(), curvature: T::zero() };
-                origin.lift(s)
-            });
-            let lift = T::choose(s.below(SMOOTH_BELOW), smooth, inlined!(|| full));
+            let per_speed = stream.speed.recip();
+            let lift = polynomial([self.cl_speed * per_speed], SMOOTH_BELOW, stream.spin_ratio);
             Coefficients { drag: self.cd_speed * per_speed, lift }
         }))
     }

@@ -1,4 +1,4 @@
-use super::origin::CubicOrigin;
+use super::origin::{horner, polynomial};
 use super::{AerodynamicLaw, Coefficients, Fitted, Published, Stream};
 use crate::number::{Numbers, held_above, inlined};
 use crate::parameters::NaruoMizota;
@@ -16,30 +16,9 @@ impl<T: Numbers> AerodynamicLaw<T> for NaruoMizota<T> {
         T::outlined(inlined!(|| {
             let [low, high] = MEASURED;
             let s = held_above(stream.spin_ratio, high, HELD_OVER);
-            let drag = self.cd4.mul_add(s, self.cd3).mul_add(s, self.cd2).mul_add(s, self.cd1).mul_add(s, self.cd0);
-            let smooth = inlined!(|| {
-                let powers = [low, low * low, low * low * low, low * low * low * low];
-                let [one, two, three, four] =
-                    [self.cl1 * powers[0], self.cl2 * powers[1], self.cl3 * powers[2], self.cl4 * powers[3]];
-                let origin = CubicOrigin {
-                    join: low,
-                    value: self.cl0 + one + two + three + four,
-                    slope: one + two * 2.0 + three * 3.0 + four * 4.0,
-                    curvature: two * 2.0 + three * 6.0 + four * 12.0,
-                };
-                origin.lift(s)
-            });
-            let lift = T::choose(
-                s.below(low),
-                smooth,
-                inlined!(|| self
-                    .cl4
-                    .mul_add(s, self.cl3)
-                    .mul_add(s, self.cl2)
-                    .mul_add(s, self.cl1)
-                    .mul_add(s, self.cl0)),
-            );
-            Coefficients { drag, lift }
+            let drag = [self.cd0, self.cd1, self.cd2, self.cd3, self.cd4];
+            let lift = [self.cl0, self.cl1, self.cl2, self.cl3, self.cl4];
+            Coefficients { drag: horner(drag, s), lift: polynomial(lift, low, s) }
         }))
     }
 

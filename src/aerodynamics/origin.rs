@@ -3,21 +3,21 @@ use crate::number::{Numbers, inlined};
 /// A lift coefficient that is replaced near zero spin, where its formula has no lift-free limit or
 /// an infinite slope: for s < s₀ it is the cubic C_L = a u + b u² + c u³ in u = s/s₀ that joins the formula at s₀
 /// with the same value, slope and curvature. Lift then vanishes with the spin, and C_L is C² throughout.
-pub(super) struct CubicOrigin<T> {
+struct CubicOrigin<T> {
     /// s₀: where the formula takes over.
-    pub join: f64,
+    join: f64,
     /// C_L at s₀.
-    pub value: T,
+    value: T,
     /// s₀ dC_L/ds at s₀.
-    pub slope: T,
+    slope: T,
     /// s₀² d²C_L/ds² at s₀.
-    pub curvature: T,
+    curvature: T,
 }
 
 impl<T: Numbers> CubicOrigin<T> {
     /// C_L at a spin ratio below the join.
     #[inline(always)]
-    pub fn lift(&self, spin_ratio: T) -> T {
+    fn lift(&self, spin_ratio: T) -> T {
         let u = spin_ratio / self.join;
         let rise = self.slope - self.value;
         let c = self.curvature * 0.5 - rise;
@@ -40,4 +40,33 @@ pub(super) fn power<T: Numbers>(factor: T, exponent: T, s: T) -> T {
         origin.lift(s)
     });
     T::choose(s.below(SMOOTH_BELOW), smooth, inlined!(|| factor * (exponent * s.ln()).exp()))
+}
+
+/// C_L = c₀ + c₁ s + c₂ s² …, replaced by the cubic for s < join: the formula leaves lift without spin, in no direction.
+#[inline(always)]
+pub(super) fn polynomial<T: Numbers, const N: usize>(c: [T; N], join: f64, s: T) -> T {
+    let smooth = inlined!(|| {
+        let mut origin = CubicOrigin { join, value: c[0], slope: T::zero(), curvature: T::zero() };
+        let (mut k, mut power) = (1, join);
+        while k < N {
+            let (term, of) = (c[k] * power, k as f64);
+            origin.value = origin.value + term;
+            origin.slope = origin.slope + term * of;
+            origin.curvature = origin.curvature + term * (of * (of - 1.0));
+            (k, power) = (k + 1, power * join);
+        }
+        origin.lift(s)
+    });
+    T::choose(s.below(join), smooth, inlined!(|| horner(c, s)))
+}
+
+/// c₀ + c₁ s + c₂ s² ….
+#[inline(always)]
+pub(super) fn horner<T: Numbers, const N: usize>(c: [T; N], s: T) -> T {
+    let (mut k, mut sum) = (N - 1, c[N - 1]);
+    while k > 0 {
+        k -= 1;
+        sum = sum.mul_add(s, c[k]);
+    }
+    sum
 }

@@ -1,4 +1,4 @@
-use super::origin::CubicOrigin;
+use super::origin::polynomial;
 use super::{AerodynamicLaw, Coefficients, Fitted, Published, Stream};
 use crate::number::{Numbers, held_above, held_below, inlined};
 use crate::parameters::UsgaItr;
@@ -23,22 +23,7 @@ impl<T: Numbers> AerodynamicLaw<T> for UsgaItr<T> {
             let r = held_below(stream.reynolds * 1e-5, SMALLEST, HELD_UNDER);
             let drag = self.cd2.mul_add(s, self.cd1).mul_add(s, self.cd_re.mul_add(r, self.cd0));
             let without_spin = self.cl_re.mul_add((r * r).recip(), self.cl0);
-            let smooth = inlined!(|| {
-                let (linear, quadratic) = (self.cl1 * SMOOTH_BELOW, self.cl2 * (SMOOTH_BELOW * SMOOTH_BELOW));
-                let origin = CubicOrigin {
-                    join: SMOOTH_BELOW,
-                    value: without_spin + linear + quadratic,
-                    slope: linear + quadratic * 2.0,
-                    curvature: quadratic * 2.0,
-                };
-                origin.lift(s)
-            });
-            let lift = T::choose(
-                s.below(SMOOTH_BELOW),
-                smooth,
-                inlined!(|| self.cl2.mul_add(s, self.cl1).mul_add(s, without_spin)),
-            );
-            Coefficients { drag, lift }
+            Coefficients { drag, lift: polynomial([without_spin, self.cl1, self.cl2], SMOOTH_BELOW, s) }
         }))
     }
 

@@ -2,11 +2,11 @@
 //! is SI; every mistake is reported with its line and column.
 
 use super::air::is_taken_back;
-use super::club_speed::{SPEED_OF, SpeedOf};
+use super::club_speed::SPEED_OF;
 use super::declare::{Parameter, UNSET};
-use super::golfer::{GOLFER, Golfer};
+use super::golfer::GOLFER;
 use super::law_table::{TABLE, TABLE_LAW};
-use super::method::{METHOD, Method};
+use super::method::METHOD;
 use super::presets::{PRESETS, Preset};
 use super::setup::{LAW, table_beside};
 use super::table::{Law, Setup};
@@ -74,16 +74,11 @@ impl SetupFile {
         let mut items = Vec::new();
         flatten(table.get_ref(), "", &mut items);
         // as they stand in the file, but the preset and the law before what builds on them
-        let rank = |key: &str| {
-            if key == PRESET {
-                0
-            } else if matches!(key, TABLE | TURF) {
-                1
-            } else if key == LAW {
-                2
-            } else {
-                3
-            }
+        let rank = |key: &str| match key {
+            PRESET => 0,
+            TABLE | TURF => 1,
+            LAW => 2,
+            _ => 3,
         };
         items.sort_by_key(|item| (rank(&item.key), item.is_taken_back(), item.key_at));
 
@@ -169,20 +164,8 @@ impl Setup<f64> {
             }
             return self.set_law(name).map_err(at_value);
         }
-        if item.key == TURF {
-            return self.set_turf(string(item).map_err(at_value)?).map_err(at_value);
-        }
-        if item.key == METHOD {
-            self.method = Method::named(string(item).map_err(at_value)?).map_err(at_value)?;
-            return Ok(());
-        }
-        if item.key == GOLFER {
-            self.golfer = Golfer::named(string(item).map_err(at_value)?).map_err(at_value)?;
-            return Ok(());
-        }
-        if item.key == SPEED_OF {
-            self.speed_of = SpeedOf::named(string(item).map_err(at_value)?).map_err(at_value)?;
-            return Ok(());
+        if matches!(item.key.as_str(), TURF | METHOD | GOLFER | SPEED_OF) {
+            return self.apply_text(&item.key, string(item).map_err(at_value)?, false).map_err(at_value);
         }
         let group = format!("{}.", item.key);
         if self.parameters().iter().any(|row| row.name.starts_with(&group)) {

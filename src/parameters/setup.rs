@@ -161,31 +161,21 @@ impl Setup<f64> {
         self.apply_text(name, text, false)
     }
 
-    fn apply_text(&mut self, name: &str, text: &str, bare: bool) -> Result<()> {
-        if name == LAW {
-            return self.set_law(text);
+    pub(super) fn apply_text(&mut self, name: &str, text: &str, bare: bool) -> Result<()> {
+        match name {
+            LAW => return self.set_law(text),
+            TABLE => return self.set_table(Path::new(text.trim())),
+            TURF => return self.set_turf(text),
+            METHOD => self.method = Method::named(text)?,
+            GOLFER => self.golfer = Golfer::named(text)?,
+            SPEED_OF => self.speed_of = SpeedOf::named(text)?,
+            _ => {
+                let parameter = self.parameter(name)?;
+                let value = if is_taken_back(name, text) { None } else { parameter.read(text, bare)? };
+                return self.set_value(parameter, value);
+            }
         }
-        if name == TABLE {
-            return self.set_table(Path::new(text.trim()));
-        }
-        if name == TURF {
-            return self.set_turf(text);
-        }
-        if name == METHOD {
-            self.method = Method::named(text)?;
-            return Ok(());
-        }
-        if name == GOLFER {
-            self.golfer = Golfer::named(text)?;
-            return Ok(());
-        }
-        if name == SPEED_OF {
-            self.speed_of = SpeedOf::named(text)?;
-            return Ok(());
-        }
-        let parameter = self.parameter(name)?;
-        let value = if is_taken_back(name, text) { None } else { parameter.read(text, bare)? };
-        self.set_value(parameter, value)
+        Ok(())
     }
 
     /// Applies settings in order, the choices of the law and of the ground before their numbers.
