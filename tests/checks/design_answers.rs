@@ -103,7 +103,7 @@ fn the_nearest_design_is_no_further_than_the_one_set_up() {
     assert!(value <= own * (1.0 + 1e-9), "{value} {own}");
     let (_, found) = json(&[&TWO[..], &["--subject-to=head_moi <= 3000 g cm^2"]].concat());
     let message = found["message"].as_str().unwrap();
-    assert!(message.contains("nothing that is varied changes it: it is 5679 g cm^2"), "{message}");
+    assert!(message.contains("nothing that is varied changes it at this design: it is 5679 g cm^2"), "{message}");
 }
 
 /// A bound that is reached without any effect is told as such, and not as an optimum.

@@ -170,7 +170,7 @@ pub(super) fn violated(limits: &[GoalLimit], found: &Solution) -> String {
         let [value, outside] = [constrained.value, constrained.violation.abs()]
             .map(|value| limit.goal.quantity.show(value, limit.goal.unit));
         let is_fixed = found.jacobian[j].iter().all(|slope| *slope == 0.0);
-        let fixed = if is_fixed { "nothing that is varied changes it: " } else { "" };
+        let fixed = if is_fixed { "nothing that is varied changes it at this design: " } else { "" };
         format!("{} ({fixed}it is {value}, outside by {outside})", limit.expression)
     });
     let missed: Vec<_> = missed.collect();
