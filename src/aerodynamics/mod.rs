@@ -78,15 +78,15 @@ impl<T: Numbers> AerodynamicLaw<T> for Law<T> {
     }
 
     fn has_corner_at_zero_spin(&self) -> bool {
-        with_law!(self, |law| AerodynamicLaw::<T>::has_corner_at_zero_spin(law))
+        with_law!(self, |law| law.has_corner_at_zero_spin())
     }
 
     fn fitted(&self) -> Fitted {
-        with_law!(self, |law| AerodynamicLaw::<T>::fitted(law))
+        with_law!(self, |law| law.fitted())
     }
 
     fn published(&self) -> Published {
-        with_law!(self, |law| AerodynamicLaw::<T>::published(law))
+        with_law!(self, |law| law.published())
     }
 }
 

@@ -112,7 +112,7 @@ impl Abreast<'_> {
         let [spin_ratio, spin, reynolds, air_speed] = inputs.stream();
         let (toe, high) = (setup.strike.toe, setup.strike.high);
         let (slope, side_slope) = (setup.ground.slope, setup.ground.side_slope);
-        let fitted = AerodynamicLaw::<f64>::fitted(&batch.setup.law);
+        let fitted = batch.setup.law.fitted();
         let has_apex = batch.of.iter().any(|outcome| outcome.is_of_the_apex());
         let has_head = struck.club_speed.is_some() && batch.of.iter().any(|outcome| outcome.part() == Part::Head);
         let head = has_head.then(|| J::outlined(|| Head::new(&setup.club)));

@@ -48,9 +48,7 @@ impl Drive<f64> {
     /// In what the drive of a setup is outside of what the model is made for, where these outcomes are asked for.
     pub fn beyond(&self, setup: &Setup<f64>, looked: Looked, of: &[Outcome]) -> Beyond {
         let law = match looked {
-            Looked::AtLaunch => {
-                !AerodynamicLaw::<f64>::fitted(&setup.law).holds(Inputs::new(setup, &self.launch, false).stream())
-            }
+            Looked::AtLaunch => !setup.law.fitted().holds(Inputs::new(setup, &self.launch, false).stream()),
             Looked::AtFlight => !self.outside_of_the_law(setup).is_empty(),
         };
         let slopes = [setup.ground.slope, setup.ground.side_slope];
@@ -143,7 +141,7 @@ fn in_words(which: [Option<String>; 3], is_one_flat: bool, law: &Law<f64>, looke
     let [of_law, face, flat] = which;
     let mut warnings = vec![];
     if let Some(which) = of_law {
-        let fitted = AerodynamicLaw::<f64>::fitted(law);
+        let fitted = law.fitted();
         let (when, rest) = match looked {
             Looked::AtLaunch => ("at launch", "; the rest of the flight was not checked"),
             Looked::AtFlight => ("in 1 % of the flight or more", ""),

@@ -65,7 +65,7 @@ impl Drive<f64> {
 
     /// What the law of drag and lift was not fitted to, and for how much of the flight.
     pub(super) fn outside_of_the_law(&self, setup: &Setup<f64>) -> Vec<Message> {
-        let fitted = AerodynamicLaw::<f64>::fitted(&setup.law);
+        let fitted = setup.law.fitted();
         let told = |(k, ((name, unit, range), within)): (usize, (FittedRange, Option<Within>))| {
             let Within { flown, outside } = within.filter(|within| within.outside >= WORTH_A_WORD)?;
             let [low, high] = range?;
@@ -84,7 +84,7 @@ impl Drive<f64> {
     /// How far the flight goes along each of the ranges that the law was fitted to, in the order of [`Fitted::ranges`](crate::aerodynamics::Fitted::ranges),
     /// and which share of it is outside; `None` where no range is known, and without air or a flight.
     pub fn within_the_law(&self, setup: &Setup<f64>) -> [Option<Within>; 4] {
-        let ranges = AerodynamicLaw::<f64>::fitted(&setup.law).ranges().map(|(.., range)| range);
+        let ranges = setup.law.fitted().ranges().map(|(.., range)| range);
         if AirState::of(&setup.air).density == 0.0 || ranges == [None; 4] {
             return [None; 4];
         }

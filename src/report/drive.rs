@@ -60,7 +60,7 @@ impl DriveReport {
 /// is known.
 pub(super) fn law_range(setup: &Setup<f64>, drive: &Drive<f64>) -> Option<Map<String, Value>> {
     let range = |ends: [f64; 2]| json!({ "low": json::number(Some(ends[0])), "high": json::number(Some(ends[1])) });
-    let fitted = AerodynamicLaw::<f64>::fitted(&setup.law);
+    let fitted = setup.law.fitted();
     let within = drive.within_the_law(setup);
     let each = fitted.ranges().into_iter().zip(within).map(|((name, _, known), within)| {
         let told = known.zip(within).map(|(known, within)| {

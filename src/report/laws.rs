@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 /// Every law with its published coefficients and the user's own, where it comes from, and what it was fitted to.
 fn all(own: Option<Law<f64>>) -> impl Iterator<Item = (Law<f64>, Published, Fitted)> {
     let laws = Law::NAMES.iter().filter_map(|name| Law::named(name)).chain(own);
-    laws.map(|law| (law, AerodynamicLaw::<f64>::published(&law), AerodynamicLaw::<f64>::fitted(&law)))
+    laws.map(|law| (law, law.published(), law.fitted()))
 }
 
 /// The answer of `laws`.

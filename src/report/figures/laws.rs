@@ -73,7 +73,7 @@ pub fn laws_figure(laws: &[Law<f64>], setup: &Setup<f64>, over: Over, of: Coeffi
         Figure::new(name, title, Axis::linear(Measure::plain(label)), Axis::linear(Measure::plain(symbol)));
     let (mut marks, mut has_points) = (vec![], false);
     for (i, law) in laws.iter().enumerate() {
-        let fitted = AerodynamicLaw::<f64>::fitted(law);
+        let fitted = law.fitted();
         let is_known = fitted.ranges().iter().any(|(.., range)| range.is_some());
         let curve = (0..=STEPS).map(|k| {
             let at = low + (high - low) * k as f64 / STEPS as f64;
