@@ -51,7 +51,6 @@
 pub mod aerodynamics;
 pub mod atmosphere;
 pub mod batch;
-#[cfg(any(feature = "cli", feature = "parquet"))]
 mod beside;
 mod cells;
 mod columns;

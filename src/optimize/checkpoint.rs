@@ -2,11 +2,12 @@
 
 use super::observer::Snapshot;
 use super::solution::Solution;
+use crate::beside::{beside, folder_of, put};
 use crate::error::{Error, Result};
 use crate::foreign::{of_io, of_write};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
-use std::io::Write;
+use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 
@@ -47,14 +48,16 @@ impl Checkpoint {
                 "it is not a file; name a file that does not exist yet, or the checkpoint of an earlier search".into(),
             ));
         }
-        let content = match std::fs::read_to_string(path) {
-            Ok(text) => serde_json::from_str(&text).map_err(|_| {
+        let text = match std::fs::read_to_string(path) {
+            Ok(text) => Some(text),
+            Err(error) if error.kind() == ErrorKind::NotFound => None,
+            Err(error) => return Err(refuse(of_io(&error))),
+        };
+        let content = match &text {
+            Some(text) => serde_json::from_str(text).map_err(|_| {
                 refuse("it is not a checkpoint of a search, or it is damaged; name another file".into())
             })?,
-            Err(error) if error.kind() == std::io::ErrorKind::NotFound => {
-                Content { question: question.into(), runs: BTreeMap::new() }
-            }
-            Err(error) => return Err(refuse(of_io(&error))),
+            None => Content { question: question.into(), runs: BTreeMap::new() },
         };
         if content.question != question {
             let reason = "it belongs to another question (setup, search or options differ); name another file, or \
@@ -63,7 +66,7 @@ impl Checkpoint {
         }
         let checkpoint = Self { path: path.into(), content: Mutex::new(content) };
         // what cannot be written is told now, not after hours
-        checkpoint.write(&checkpoint.lock())?;
+        checkpoint.write(&checkpoint.lock(), text.is_some())?;
         Ok(checkpoint)
     }
 
@@ -84,25 +87,23 @@ impl Checkpoint {
     pub fn keep(&self, number: usize, run: Run) -> Result<()> {
         let mut content = self.lock();
         content.runs.insert(number, run);
-        self.write(&content)
+        self.write(&content, true)
     }
 
-    fn write(&self, content: &Content) -> Result<()> {
-        let folder = self.path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    fn write(&self, content: &Content, may_replace: bool) -> Result<()> {
         let written = || -> std::io::Result<()> {
-            // the name of this file is nobody's business
-            let beside = tempfile::NamedTempFile::new_in(folder);
-            let mut beside = beside.map_err(|error| std::io::Error::from(error.kind()))?;
-            beside.write_all(&serde_json::to_vec(content)?)?;
-            beside.persist(&self.path)?;
-            Ok(())
+            let mut file = beside(&self.path)?;
+            file.write_all(&serde_json::to_vec(content)?)?;
+            Ok(put(file.into_temp_path(), &self.path, may_replace)?)
         };
-        written().map_err(|error| Error::Checkpoint {
-            file: self.path.display().to_string(),
-            reason: match folder.is_dir() {
-                true => format!("it cannot be written ({}); name another place", of_write(&error)),
-                false => format!("it cannot be written: there is no folder '{}'", folder.display()),
-            },
+        written().map_err(|error| {
+            let folder = folder_of(&self.path);
+            let reason = match error.kind() {
+                ErrorKind::AlreadyExists => "another search has begun it at this moment; name another file".into(),
+                _ if !folder.is_dir() => format!("it cannot be written: there is no folder '{}'", folder.display()),
+                _ => format!("it cannot be written ({}); name another place", of_write(&error)),
+            };
+            Error::Checkpoint { file: self.path.display().to_string(), reason }
         })
     }
 

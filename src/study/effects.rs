@@ -144,7 +144,7 @@ fn rank(effect: &Effect) -> (bool, f64) {
 /// The outcomes of the drive with a parameter off by its uncertainty, `sign` −1 for p − σ and 1 for p + σ.
 ///
 /// # Errors
-/// [`Error::Range`](crate::Error::Range) for a value that the parameter cannot have; as [`evaluate`].
+/// [`Error::OutOfRange`](crate::Error::OutOfRange) for a value that the parameter cannot have; as [`evaluate`].
 pub fn flown_off(setup: &Setup<f64>, of: &[Outcome], sigma: &Sigma, sign: f64) -> Result<Vec<f64>> {
     let mut moved = *setup;
     let value = setup.value(sigma.parameter).map(|value| value + sign * sigma.value);

@@ -196,6 +196,24 @@ fn a_file_that_is_made_while_a_command_runs_stays() {
 }
 
 #[test]
+fn of_two_searches_at_once_with_one_checkpoint_one_is_refused() {
+    let (_folder, name) = folder();
+    for round in 0..8 {
+        let kept = name(&format!("{round}.json"));
+        let start = |preset: &str| {
+            let mut program = std::process::Command::new(assert_cmd::cargo::cargo_bin!("longdrive"));
+            program.args(["optimize", preset, "--checkpoint", &kept, "-q"]);
+            program.stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap()
+        };
+        let outputs = ["mae494", "modern-driver"].map(start).map(|child| child.wait_with_output().unwrap());
+        let refused: Vec<_> = outputs.iter().filter(|output| output.status.code() == Some(2)).collect();
+        assert_eq!(refused.len(), 1, "{outputs:?}");
+        let said = String::from_utf8_lossy(&refused[0].stderr);
+        assert!(said.contains("another search has begun it") || said.contains("belongs to another question"), "{said}");
+    }
+}
+
+#[test]
 fn a_file_through_a_link_is_replaced_and_keeps_its_permissions() {
     use std::os::unix::fs::PermissionsExt;
     let (folder, name) = folder();
