@@ -285,7 +285,10 @@ fn change_text(best: &Optimum, changed: &Changed, system: System) -> String {
         [words.to_owned(), value].into_iter().chain(x).collect::<Vec<_>>()
     };
     let delta = shown::stated(parameter, changed.change.delta, system);
-    let title = format!("{} {}{delta}", parameter.name, if changed.change.delta < 0.0 { "" } else { "+" });
+    // where it goes: an amount without a sign is a change too
+    let to = best.setup.value(parameter).map(|from| shown::stated(parameter, from + changed.change.delta, system));
+    let to = to.map_or(String::new(), |to| format!(" to {to}"));
+    let title = format!("{} {}{delta}{to}", parameter.name, if changed.change.delta < 0.0 { "" } else { "+" });
     let names = best.search.vary.iter().map(|vary| vary.parameter.name);
     let head: Vec<&str> = [title.as_str(), of.name()].into_iter().chain(names).collect();
     let rows = [
