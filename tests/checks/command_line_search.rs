@@ -88,6 +88,16 @@ fn infeasible_is_an_answer_with_status_1_and_says_by_what() {
 }
 
 #[test]
+fn a_change_says_where_the_parameter_goes() {
+    for (change, title) in [("120mph", "swing.speed +120 mph to 235 mph"), ("-10mph", "swing.speed -10 mph to 105 mph")]
+    {
+        let change = format!("--change=swing.speed={change}");
+        let said = longdrive(&["optimum-sensitivity", "tour-average", "--wrt", "gravity", &change]);
+        assert!(said.status == 0 && said.out.contains(title), "{}", said.out);
+    }
+}
+
+#[test]
 fn exact_sensitivity_and_windows_as_json() {
     let (status, found) = json(&[
         "optimum-sensitivity",
