@@ -346,6 +346,32 @@ fn exact_a_constant_that_is_off_by_rounding_is_a_constant() {
     assert!(varies.indices[0].is_some() && varies.deviation.value > 0.0);
 }
 
+/// What is left of an outcome that one parameter dominates, beside the mean of its variance at fixed values of that parameter: Gauss's three nodes of
+/// a normal distribution. 1 − S₁ alone is 0 with one seed and four times too much with another.
+#[test]
+fn independent_deviation_that_is_left_where_one_parameter_dominates() {
+    let setup = Setup::default();
+    let input = |text: &str| Uncertain::normal(&setup, &Sigma::read(&setup, text).unwrap());
+    let others = ["swing.speed=2mph", "club.loft=1deg"].map(input);
+    let all = [others[0], others[1], input("swing.face_angle=2deg")];
+    let plan = |seed| Plan { samples: 4096, seed };
+    let run = |setup: &Setup<f64>, inputs: &[Uncertain], seed| {
+        uncertainty(setup, &[Outcome::Lateral], inputs, plan(seed), &|_, _| ()).unwrap().outcomes.remove(0)
+    };
+    let at = |deg: f64| {
+        let mut fixed = setup;
+        fixed.swing.face_angle += deg.to_radians();
+        run(&fixed, &others, 0).sampled.unwrap().deviation.value.powi(2)
+    };
+    let node = 2.0 * 3.0_f64.sqrt();
+    let exact = (at(0.0) * 2.0 / 3.0 + (at(node) + at(-node)) / 6.0).sqrt();
+    for seed in 0..4 {
+        let (parameter, left) = run(&setup, &all, seed).measure_first(&all).unwrap();
+        assert_eq!(parameter.name, "swing.face_angle");
+        close(left, exact, exact, 0.1, "what is left");
+    }
+}
+
 /// An uncertainty so large that its square is no number leaves no number that is none.
 #[test]
 fn exact_uncertainties_beyond_all_measure_leave_no_infinity() {

@@ -90,15 +90,19 @@ impl OutcomeUncertainty {
     /// on average. `None` where the outcome does not vary, or no parameter's knowledge alone takes anything off.
     pub fn measure_first(&self, inputs: &[Uncertain]) -> Option<(&'static Parameter, f64)> {
         let sampled = self.sampled.as_ref()?;
-        let share =
-            |(input, indices): (&Uncertain, &Option<Indices>)| Some((input.parameter, indices.as_ref()?.first.value));
-        let (parameter, share) = inputs
+        let share = |(at, indices): (usize, &Option<Indices>)| Some((at, indices.as_ref()?.first));
+        let (first, share) = sampled
+            .indices
             .iter()
-            .zip(&sampled.indices)
+            .enumerate()
             .filter_map(share)
-            .max_by(|a, b| a.1.total_cmp(&b.1))
-            .filter(|best| best.1 > 0.0)?;
-        Some((parameter, sampled.deviation.value * (1.0 - share).max(0.0).sqrt()))
+            .max_by(|a, b| a.1.value.total_cmp(&b.1.value))
+            .filter(|best| best.1.value > 0.0)?;
+        let others = sampled.indices.iter().enumerate().filter(|(at, _)| *at != first);
+        let totals: Option<f64> = others.map(|(_, indices)| Some(indices.as_ref()?.total.value)).sum();
+        // no more is left than the others' total shares together: next to a share of nearly all these are far better known
+        let left = totals.filter(|most| *most < 1.0 - share.low).unwrap_or(1.0 - share.value);
+        Some((inputs[first].parameter, sampled.deviation.value * left.max(0.0).sqrt()))
     }
 }
 
