@@ -31,6 +31,9 @@ pub fn run(args: &ChartArgs) -> Result<Answer> {
             spinner.suspend(|| tell(&format!("searching for an optimum at {} {place}", along.parameter.name)));
         }
     };
+    if !at.is_sorted_by(|a, b| a < b) {
+        tell("the values of --at are taken in rising order, each once");
+    }
     let observer = ChartObserver {
         interrupt: stop.clone(),
         beginning: Some(Rc::new(beginning)),

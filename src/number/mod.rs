@@ -193,31 +193,3 @@ pub trait Number: Numbers<Mask = bool> {
         (across / along).atan() + angle
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::{Number, Numbers};
-    use num_dual::{Dual2_64, Dual64};
-
-    #[test]
-    fn exact_atan2_has_derivatives_in_every_direction() {
-        // d/dt atan2(sin t, cos t) = 1, and its second derivative is 0
-        for k in 0..16 {
-            let t = Dual2_64::from(f64::from(k) * std::f64::consts::FRAC_PI_8 - 3.0).derivative();
-            let (y, x) = Numbers::sin_cos(t);
-            let angle = Number::atan2(y, x);
-            assert!((angle.v1 - 1.0).abs() < 1e-14, "{angle:?}");
-            assert!(angle.v2.abs() < 1e-14, "{angle:?}");
-        }
-        let vertical = Number::atan2(Dual64::from(1.0), Dual64::from(0.0).derivative());
-        assert_eq!(vertical.eps, -1.0);
-    }
-
-    #[test]
-    fn exact_tanh_is_finite_far_out_and_keeps_its_digits_near_zero() {
-        assert_eq!(Numbers::tanh(Dual64::from(800.0).derivative()).re, 1.0);
-        assert_eq!(Numbers::tanh(Dual64::from(-800.0).derivative()).eps, 0.0);
-        let small = Numbers::tanh(Dual64::from(1e-9).derivative());
-        assert!((small.re / 1e-9 - 1.0).abs() < 1e-15 && (small.eps - 1.0).abs() < 1e-15);
-    }
-}

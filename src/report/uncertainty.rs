@@ -142,12 +142,17 @@ pub fn uncertainty_text(found: &Uncertainty, system: System) -> String {
     )
 }
 
-/// "normal: 110 mph ± 0.5 mph".
+/// "normal: 110 mph ± 0.5 mph"; "normal: 110 mph ± 4 mph, cut at 105 mph and 115 mph".
 pub(super) fn distribution_text(input: &Uncertain, system: System) -> String {
-    let shown = values(&input.distribution).into_iter().map(|value| shown::stated(input.parameter, value, system));
-    let shown: Vec<_> = shown.collect();
-    let between = if matches!(input.distribution, Distribution::Normal { .. }) { " ± " } else { " .. " };
-    format!("{}: {}", name(&input.distribution), shown.join(between))
+    let show = |value: f64| shown::stated(input.parameter, value, system);
+    let shown = match input.distribution {
+        Distribution::Normal { mean, deviation } => format!("{} ± {}", show(mean), show(deviation)),
+        Distribution::Truncated { mean, deviation, low, high } => {
+            return format!("normal: {} ± {}, cut at {} and {}", show(mean), show(deviation), show(low), show(high));
+        }
+        ends => values(&ends).into_iter().map(show).collect::<Vec<_>>().join(" .. "),
+    };
+    format!("{}: {shown}", name(&input.distribution))
 }
 
 /// Points of a sample below which estimates of shares are noise.

@@ -253,6 +253,8 @@ fn exact_truth_from_the_command_line_with_missing_cells_and_a_setup_file() {
         &[&["calibrate", data, "--overwrite", "-o", output, "--folds", "3", "--starts", "3"], law.as_slice()].concat(),
     );
     assert_eq!((status, found["status"].as_str()), (0, Some("converged")), "{found}");
+    let others = found["starts"]["elsewhere"].as_object().unwrap().values().map(|count| count.as_u64().unwrap());
+    assert_eq!(found["starts"]["same"].as_u64().unwrap() + others.sum::<u64>(), 3, "{}", found["starts"]);
     assert_eq!(found["data"]["values"], 23);
     assert!((number(&found["estimates"]["aero.cd"]["value"]) - 0.27).abs() < 1e-9);
     assert!(number(&found["held_out"][0]["rms_standardized"]) < 1e-6);
@@ -525,6 +527,29 @@ fn exact_interrupted_folds_are_left_out_and_counted() {
 
     let found = calibrate(&setup, &table, &plan, &interrupting(2)).unwrap();
     assert_eq!(found.fit.status, Status::Interrupted, "{}", found.fit.message);
+}
+
+/// Searches that end elsewhere are told with how they ended, and what to do about it.
+#[test]
+fn starts_that_end_at_larger_sums_are_told() {
+    let shots = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/shots.csv");
+    let fit = ["calibrate", shots, "modern-driver", "--fit", "aero.cd0", "--fit", "aero.cl_max", "--starts", "6"];
+    let (_, found) = json(&fit);
+    let others: Vec<(&str, u64)> = found["starts"]["elsewhere"]
+        .as_object()
+        .unwrap()
+        .iter()
+        .map(|(status, count)| (status.as_str(), count.as_u64().unwrap()))
+        .collect();
+    let same = found["starts"]["same"].as_u64().unwrap();
+    assert_eq!(same + others.iter().map(|(_, count)| count).sum::<u64>(), 6, "{}", found["starts"]);
+    let said = longdrive(&fit).out.split_whitespace().collect::<Vec<_>>().join(" ");
+    let told: Vec<String> = others.iter().map(|(status, count)| format!("{count} {status}")).collect();
+    assert!(
+        said.contains(&format!("{same} of 6 starts ended at this sum; at larger sums: {}.", told.join(", "))),
+        "{said}"
+    );
+    assert!(said.contains("with narrower ones, --fit NAME=LOW..HIGH, more of them come to a minimum"), "{said}");
 }
 
 /// What ended at a minimum is not called the contrary because other searches were stopped, and these are not counted as ended.

@@ -415,6 +415,16 @@ fn exact_optima_at_the_points_one_chooses() {
 }
 
 #[test]
+fn values_of_a_chart_out_of_order_or_given_twice_are_told() {
+    const TOLD: &str = "the values of --at are taken in rising order, each once";
+    for (at, is_told) in [("90mph,100mph", false), ("100mph,90mph", true), ("90mph,90mph,100mph", true)] {
+        let said = longdrive(&["chart", "--along", "swing.speed", "--at", at, "--csv"]);
+        assert_eq!((said.status, said.out.lines().count()), (0, 3), "{at}: {}", said.out);
+        assert_eq!(said.err.contains(TOLD), is_told, "{at}: {}", said.err);
+    }
+}
+
+#[test]
 fn progress_of_a_chart_shows_the_points_that_were_asked_for() {
     let said = longdrive(&["chart", "--along", "swing.speed", "--at", "100mph,120mph"]);
     let shown: Vec<&str> = said.err.lines().filter(|line| line.starts_with("swing.speed ")).collect();

@@ -51,6 +51,18 @@ fn every_command_answers_in_the_system_asked_for() {
             "normal: 110 mph ± 0.5 mph",
             "normal: 49.174 m/s ± 0.22352 m/s",
         ),
+        (
+            vec![
+                "uncertainty",
+                "-q",
+                "--samples",
+                "16",
+                "--distribution",
+                "swing.speed=truncated(110mph, 4mph, 105mph, 115mph)",
+            ],
+            "normal: 110 mph ± 4 mph, cut at 105 mph and 115 mph",
+            "normal: 49.174 m/s ± 1.7882 m/s, cut at 46.939 m/s and 51.41 m/s",
+        ),
         (vec!["chart", "-q", "--along", "swing.speed=100mph..101mph"], "100.00 mph", "44.70 m/s"),
         (vec!["parameters", "modern-driver"], "110 mph", "49.1744 m/s"),
     ] {

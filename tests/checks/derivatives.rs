@@ -3,13 +3,13 @@
 
 use crate::common::{close, in_large_steps, mixed, panic_of, random_setups};
 use longdrive::derivative::{Order, Taylor, evaluate, evaluate_with, gradient, hessian, jacobian};
-use longdrive::number::{Jet, Number};
+use longdrive::number::{Jet, Number, Numbers};
 use longdrive::parameters::Parameter;
 use longdrive::report::{GradientReport, gradient_text};
 use longdrive::units::System;
 use longdrive::{Drive, Error, Outcome, Setup};
 use nalgebra::{Const, U1};
-use num_dual::{Derivative, DualSVec64, HyperDual64};
+use num_dual::{Derivative, Dual2_64, Dual64, DualSVec64, HyperDual64};
 
 fn lands(setup: &Setup<f64>) -> bool {
     Drive::new(setup).is_ok_and(|drive| drive.landed().is_ok())
@@ -294,4 +294,26 @@ fn reports_of_fewer_or_more_derivatives_than_parameters_panic_with_both_numbers(
     let said = panic_of(|| gradient_text(Outcome::Carry, &wrt, &narrow, System::Us));
     assert!(said.contains("second derivatives in rows of [1, 1]"), "{said}");
     assert!(gradient_text(Outcome::Carry, &wrt, &carry, System::Us).contains("swing.speed"));
+}
+
+#[test]
+fn exact_atan2_has_derivatives_in_every_direction() {
+    // d/dt atan2(sin t, cos t) = 1, and its second derivative is 0
+    for k in 0..16 {
+        let t = Dual2_64::from(f64::from(k) * std::f64::consts::FRAC_PI_8 - 3.0).derivative();
+        let (y, x) = Numbers::sin_cos(t);
+        let angle = Number::atan2(y, x);
+        assert!((angle.v1 - 1.0).abs() < 1e-14, "{angle:?}");
+        assert!(angle.v2.abs() < 1e-14, "{angle:?}");
+    }
+    let vertical = Number::atan2(Dual64::from(1.0), Dual64::from(0.0).derivative());
+    assert_eq!(vertical.eps, -1.0);
+}
+
+#[test]
+fn exact_tanh_is_finite_far_out_and_keeps_its_digits_near_zero() {
+    assert_eq!(Numbers::tanh(Dual64::from(800.0).derivative()).re, 1.0);
+    assert_eq!(Numbers::tanh(Dual64::from(-800.0).derivative()).eps, 0.0);
+    let small = Numbers::tanh(Dual64::from(1e-9).derivative());
+    assert!((small.re / 1e-9 - 1.0).abs() < 1e-15 && (small.eps - 1.0).abs() < 1e-15);
 }

@@ -72,6 +72,8 @@ fn body(report: &CalibrationReport<'_>) -> Value {
             })
         })
         .collect();
+    let elsewhere: Map<String, Value> =
+        found.elsewhere.iter().map(|(status, count)| (status.name().into(), json!(count))).collect();
     json!({
         "interrupted": report.is_interrupted(),
         "data": {
@@ -92,7 +94,7 @@ fn body(report: &CalibrationReport<'_>) -> Value {
         "iterations": found.fit.iterations,
         "evaluations": found.fit.evaluations,
         "refused": { "count": found.fit.refused, "last": found.fit.why_refused },
-        "starts": { "made": found.starts.0, "same": found.starts.1 },
+        "starts": { "made": found.starts.0, "same": found.starts.1, "elsewhere": elsewhere },
         "residuals": residuals,
         "held_out": held,
         "setup": json::setup(&found.setup),

@@ -123,7 +123,18 @@ pub fn calibration_document(report: &CalibrationReport<'_>, system: System) -> D
             0 => counted(found.starts.0 as u64, "start"),
             stopped => format!("the {} that came to their end", counted((found.starts.0 - stopped) as u64, "start")),
         };
-        document.paragraph(format!("{} of {of} ended at this sum.", found.starts.1));
+        let mut told = format!("{} of {of} ended at this sum", found.starts.1);
+        let elsewhere = found.elsewhere.iter().map(|(status, count)| format!("{count} {status}"));
+        let elsewhere: Vec<_> = elsewhere.collect();
+        if !elsewhere.is_empty() {
+            told += &format!("; at larger sums: {}", elsewhere.join(", "));
+        }
+        document.paragraph(told + ".");
+        if found.elsewhere.iter().any(|(status, _)| matches!(status, Status::Stalled | Status::IterationLimit)) {
+            document.paragraph(
+                "Starts are spread over the ranges of the parameters: with narrower ones, --fit NAME=LOW..HIGH, more of them come to a minimum.",
+            );
+        }
     }
     if let (1.., Some(why)) = (fit.refused, &fit.why_refused) {
         let refused = counted(fit.refused, "trial point");

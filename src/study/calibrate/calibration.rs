@@ -2,7 +2,7 @@
 
 use super::statistics::Statistics;
 use crate::drive::Outcome;
-use crate::optimize::least_squares::Fit;
+use crate::optimize::least_squares::{Fit, Status};
 use crate::parameters::{Parameter, Setup};
 
 /// A fitted parameter, SI.
@@ -46,6 +46,8 @@ pub struct Calibration {
     pub fit: Fit,
     /// Searches made, and how many of them ended at this sum (within 1e-6 of it).
     pub starts: (usize, usize),
+    /// How the others ended, with how many of them; nothing where curvatures of optima were renewed more than once, and the best search alone went on.
+    pub elsewhere: Vec<(Status, usize)>,
     /// Searches that were stopped from outside before their end.
     pub stopped: usize,
     /// Whether the search that is shown had ended at a minimum, whatever became of the others.

@@ -186,11 +186,19 @@ pub fn calibrate(setup: &Setup<f64>, table: &ShotTable, plan: &Plan, follow: &Fo
         problem.curvatures = renewed;
     };
     let is_same = |fit: &&Fit| (fit.cost - fits[0].cost).abs() <= 1e-6 * fits[0].cost.abs().max(1e-12);
-    let same = fits.iter().filter(|fit| fit.status != Status::Interrupted).filter(is_same).count();
+    let (at_the_sum, others): (Vec<&Fit>, Vec<_>) =
+        fits.iter().filter(|fit| fit.status != Status::Interrupted).partition(is_same);
+    let (same, mut elsewhere) = (at_the_sum.len(), vec![]);
+    for Fit { status, .. } in others {
+        match elsewhere.iter_mut().find(|(other, _)| other == status) {
+            Some((_, count)) => *count += 1,
+            None => elsewhere.push((*status, 1)),
+        }
+    }
     let (stopped, is_minimum) = verdict::of_searches(&mut fits, is_settled, follow.is_interrupted());
     let mut found = finished(&problem, &domain, table, &own, fits, &options)?;
     verdict::of_data(&mut found, options.loss);
-    Ok(Calibration { starts: (plan.starts, same), stopped, is_minimum, renewals, ..found })
+    Ok(Calibration { starts: (plan.starts, same), elsewhere, stopped, is_minimum, renewals, ..found })
 }
 
 /// What a fit lacks that cannot begin.
@@ -241,6 +249,7 @@ fn finished(
         setup,
         fit,
         starts: (1, 1),
+        elsewhere: vec![],
         stopped: 0,
         is_minimum: false,
         estimates,
