@@ -2,7 +2,7 @@
 
 use super::axis::{Axis, Measure, Scale};
 use super::canvas::fine;
-use super::contour::grounds;
+use super::contour::Ground;
 use super::figure::{Figure, Layer};
 use super::layers::Plane;
 use crate::units::{Quantity, System, significant, typeset};
@@ -11,8 +11,8 @@ use std::fmt::Write;
 /// A line of at most so many points says the values of each.
 const FEW: usize = 40;
 
-/// The titles of all that has a value, as SVG.
-pub(super) fn titles(figure: &Figure, plane: &Plane<'_>, system: System) -> String {
+/// The titles of all that has a value, as SVG; the grounds are those of each layer that is a map.
+pub(super) fn titles(figure: &Figure, plane: &Plane<'_>, system: System, grounds: &[Vec<Ground>]) -> String {
     let mut svg = String::new();
     let at = |name: &str, [x, y]: [f64; 2]| {
         let values = [(&figure.x, x), (&figure.y, y)].map(|(axis, value)| on_axis(axis, value, system));
@@ -32,17 +32,13 @@ pub(super) fn titles(figure: &Figure, plane: &Plane<'_>, system: System) -> Stri
         }
     };
     let mut lines: Vec<(String, &[[f64; 2]])> = vec![];
-    let contours =
-        figure.layers.iter().filter_map(|layer| if let Layer::Contours(field) = layer { Some(field) } else { None });
-    let contours: Vec<_> = contours
-        .flat_map(|field| grounds(field, system).into_iter().map(move |ground| (field, ground)))
-        .map(|(field, ground)| {
-            let unit = system.unit(field.measure.unit);
-            (format!("{} {} {unit}", field.measure.label, significant(ground.level, 6)), ground.lines)
-        })
-        .collect();
-    for (title, pieces) in &contours {
-        lines.extend(pieces.iter().map(|piece| (title.trim_end().to_owned(), piece.as_slice())));
+    for (layer, grounds) in figure.layers.iter().zip(grounds) {
+        let Layer::Contours(field) = layer else { continue };
+        let unit = system.unit(field.measure.unit);
+        for ground in grounds {
+            let title = format!("{} {} {unit}", field.measure.label, significant(ground.level, 6));
+            lines.extend(ground.lines.iter().map(|piece| (title.trim_end().to_owned(), piece.as_slice())));
+        }
     }
     for layer in &figure.layers {
         match layer {

@@ -1,7 +1,7 @@
 //! Each kind of layer as it is drawn, in pixels of the plot.
 
 use super::canvas::{Area, FINE, Labels, SIGN, block, failed, fine, path, stroke};
-use super::contour::grounds;
+use super::contour::Ground;
 use super::figure::{Field, Figure, Hue, Layer};
 use super::hatching::hatching;
 use super::palette::Palette;
@@ -55,8 +55,14 @@ impl Plane<'_> {
     }
 }
 
-/// Draws one layer; its words wait for the labels.
-pub(super) fn draw(area: &Area<'_>, plane: &Plane<'_>, palette: &Palette, system: System, layer: &Layer) -> Result<()> {
+/// Draws one layer, a map with its grounds; its words wait for the labels.
+pub(super) fn draw(
+    area: &Area<'_>,
+    plane: &Plane<'_>,
+    palette: &Palette,
+    layer: &Layer,
+    grounds: &[Ground],
+) -> Result<()> {
     let hue = layer.named().1.unwrap_or(Hue::Ink);
     let color = palette.of(hue);
     match layer {
@@ -71,7 +77,7 @@ pub(super) fn draw(area: &Area<'_>, plane: &Plane<'_>, palette: &Palette, system
         }
         // with the names of their rows
         Layer::Bars { .. } => Ok(()),
-        Layer::Contours(field) => ground(area, plane, palette, system, field),
+        Layer::Contours(field) => ground(area, plane, palette, field, grounds),
         // with their words, since one goes with the other
         Layer::Mark { .. } => Ok(()),
         // after the words
@@ -108,11 +114,17 @@ fn pixels(plane: &Plane<'_>, arrows: &[[[f64; 2]; 2]]) -> impl Iterator<Item = [
 }
 
 /// The levels of contours, as far as there is room.
-pub(super) fn label(labels: &mut Labels<'_, '_>, plane: &Plane<'_>, system: System, figure: &Figure) -> Result<()> {
-    for layer in &figure.layers {
+pub(super) fn label(
+    labels: &mut Labels<'_, '_>,
+    plane: &Plane<'_>,
+    system: System,
+    figure: &Figure,
+    grounds: &[Vec<Ground>],
+) -> Result<()> {
+    for (layer, grounds) in figure.layers.iter().zip(grounds) {
         if let Layer::Contours(field) = layer {
             let unit = system.unit(field.measure.unit);
-            for ground in grounds(field, system) {
+            for ground in grounds {
                 let text = with_unit(&significant(ground.level, 6), unit);
                 let mut lines: Vec<_> = ground.lines.iter().map(|line| plane.all(line)).collect();
                 lines.sort_by_key(|line| std::cmp::Reverse(line.len()));
@@ -155,8 +167,7 @@ pub(super) fn region(area: &Area<'_>, rings: &[Vec<[f64; 2]>], color: RGBColor, 
     })
 }
 
-fn ground(area: &Area<'_>, plane: &Plane<'_>, palette: &Palette, system: System, field: &Field) -> Result<()> {
-    let grounds = grounds(field, system);
+fn ground(area: &Area<'_>, plane: &Plane<'_>, palette: &Palette, field: &Field, grounds: &[Ground]) -> Result<()> {
     let shade = |i: usize| {
         // the shade of what lies between this level and the next
         let next = grounds.get(i + 1).map_or(1.0, |next| next.part);

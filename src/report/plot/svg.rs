@@ -1,4 +1,5 @@
 use super::canvas::{Area, FINE, LINE, Labels, TEXT, failed, fine, font, stroke, words};
+use super::contour::grounds;
 use super::figure::{Figure, Layer};
 use super::hover::titles as hover_titles;
 use super::layers::{Plane, draw, field_arrows, label};
@@ -88,8 +89,14 @@ pub(super) fn panel(figure: &Figure, look: &Look) -> Result<Panel> {
         let plane = Plane { x: &layout.x, y: &layout.y, frame };
         let is_map = figure.layers.iter().any(|layer| matches!(layer, Layer::Contours(_)));
         axes(&area, &plane, palette, is_map)?;
-        for layer in &figure.layers {
-            draw(&area, &plane, palette, look.system, layer)?;
+        // found once for what is drawn, written and told of them
+        let grounds: Vec<_> = figure
+            .layers
+            .iter()
+            .map(|layer| if let Layer::Contours(field) = layer { grounds(field, look.system) } else { vec![] })
+            .collect();
+        for (layer, grounds) in figure.layers.iter().zip(&grounds) {
+            draw(&area, &plane, palette, layer, grounds)?;
         }
         if let Some(rows) = &layout.rows {
             rows.draw(&area, &plane, palette)?;
@@ -99,9 +106,9 @@ pub(super) fn panel(figure: &Figure, look: &Look) -> Result<Panel> {
         let mut labels = Labels { area: &area, palette, taken: vec![] };
         write_marks(&mut labels, &plane, figure)?;
         write_line_names(&mut labels, &plane, figure)?;
-        label(&mut labels, &plane, look.system, figure)?;
+        label(&mut labels, &plane, look.system, figure, &grounds)?;
         field_arrows(&labels, &plane, figure)?;
-        hover = hover_titles(figure, &plane, look.system);
+        hover = hover_titles(figure, &plane, look.system, &grounds);
         area.present().map_err(failed)?;
     }
     // the elements alone: the picture around them may hold several panels
