@@ -81,9 +81,12 @@ pub(super) fn moments<'a>(
 ) -> (DVector<f64>, DMatrix<f64>) {
     let count = of.clone().count().max(1) as f64;
     let mean = of.clone().fold(DVector::zeros(size), |sum, one| sum + one) / count;
-    let covariance = of.fold(DMatrix::zeros(size, size), |sum, one| {
+    let mut covariance = DMatrix::zeros(size, size);
+    for one in of {
         let off = one - &mean;
-        sum + &off * off.transpose() / count
-    });
+        for (mut column, other) in covariance.column_iter_mut().zip(off.iter()) {
+            column.iter_mut().zip(off.iter()).for_each(|(sum, one)| *sum += one * other / count);
+        }
+    }
     (mean, covariance)
 }

@@ -102,10 +102,10 @@ impl Told {
         moved: &DVector<f64>,
         begin: DMatrix<f64>,
     ) -> (DVector<f64>, DMatrix<f64>) {
-        let (n, size) = along.shape();
+        let ((n, size), back) = (along.shape(), along.transpose());
         let (mut mean, mut spread) = (DVector::zeros(size), begin);
         for _ in 0..ROUNDS {
-            let covariance = along * &spread * along.transpose() + assumed;
+            let covariance = along * &spread * &back + assumed;
             let centre = along * &mean + moved;
             let mut swings = vec![];
             let mut left = DMatrix::zeros(size, size);
@@ -115,9 +115,9 @@ impl Told {
                     continue;
                 };
                 let after = inverse * &covariance;
-                left += along.transpose() * &after * along * (scores.len() as f64 / self.count);
-                let swing =
-                    |score: &DVector<f64>| along.transpose() * (&centre + &after * (score - information * &centre));
+                left += &back * &after * along * (scores.len() as f64 / self.count);
+                let expected = information * &centre;
+                let swing = |score: &DVector<f64>| &back * (&centre + &after * (score - &expected));
                 swings.extend(scores.iter().map(swing));
             }
             let (middle, between) = moments(swings.iter(), size);
