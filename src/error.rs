@@ -406,11 +406,13 @@ fn no_strike(approach: f64) -> Message {
 
 /// The name that is most like a given one, and how alike they are, 0 to 1.
 pub(crate) fn nearest<'a>(name: &str, names: impl IntoIterator<Item = &'a str>) -> Option<(f64, &'a str)> {
+    let alike: Vec<_> = names.into_iter().map(|known| (similarity(name, known), known)).collect();
+    let most = alike.iter().map(|(likeness, _)| *likeness).max_by(f64::total_cmp)?;
     // of names that are equally alike the one that looks like it: o is not 0, but looks so
     let looks = |text: &str| text.replace('0', "o").replace('1', "l");
-    let alike = |known: &'a str| (similarity(name, known), similarity(&looks(name), &looks(known)), known);
-    let order = |a: &(f64, f64, _), b: &(f64, f64, _)| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1));
-    names.into_iter().map(alike).max_by(order).map(|(likeness, _, known)| (likeness, known))
+    let as_it_looks = |known: &str| similarity(&looks(name), &looks(known));
+    let equally = alike.into_iter().filter(|(likeness, _)| *likeness == most);
+    equally.max_by(|a, b| as_it_looks(a.1).total_cmp(&as_it_looks(b.1)))
 }
 
 /// How alike two names are, 0 to 1; a name without its group ("loft") is held against the last part too.
