@@ -19,7 +19,7 @@ use std::time::Duration;
 use tempfile::TempDir;
 
 /// Computed before the interruption, in hundredths of a second: enough that work is under way.
-const UNDER_WAY: u64 = 50;
+const UNDER_WAY: u64 = 20;
 
 /// The most that may be computed after it, in hundredths of a second: the works here take longer.
 const LAST: u64 = 1000;
@@ -170,7 +170,7 @@ fn exact_what_was_stopped_writes_no_fit_lists_no_optimum_and_names_the_file_of_i
     let path = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
     let (fitted, rows) = (path("fitted.toml"), path("rows.csv"));
     let shots = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/shots.csv");
-    let slow = ["--set", "flight.step=0.01ms"];
+    let slow = ["--set", "flight.step=0.02ms"];
     let step = "flight.step=0.1ms";
     let fit = ["calibrate", shots, "--fit", "aero.cd0", "-o", &fitted, "--set", step];
     let found = interrupted_json_once(&fit, |program| program.has_said("iteration"));
@@ -249,7 +249,7 @@ fn searches_over_very_many_swings_are_told_as_interrupted_within_an_evaluation()
             (found["message"].as_str().unwrap().to_owned(), found)
         };
         // where Ctrl-C came before the search, later
-        let mut within = [1, 2, 4, 8, 16].map(|times| times * UNDER_WAY).into_iter().map(after);
+        let mut within = [1, 2, 4, 8, 16, 32].map(|times| times * UNDER_WAY).into_iter().map(after);
         let (message, found) = within.find(|(message, _)| !message.contains("before there was an answer")).unwrap();
         assert!(message.contains("stopped"), "{found:#}");
         // a point that was not finished is none
