@@ -1,6 +1,6 @@
 //! Constraints, many starts, what an optimum answers to, how flat it is, and charts of it.
 
-use crate::common::close;
+use crate::common::{LARGE_STEPS, close};
 use longdrive::optimize::{Bounds, Follow, Observer, Solution, Status};
 use longdrive::study::{
     Change, Constraint, Fineness, Optimum, Search, Sense, Vary, change, chart, flatness, map, optima, optimum,
@@ -310,7 +310,8 @@ fn independent_optima_lie_on_the_chart_and_its_events_are_where_the_active_set_c
 /// Where the largest carry without the limit is the limit, it can just be met: below, it cannot.
 #[test]
 fn independent_a_chart_begins_where_its_limit_can_just_be_met() {
-    let setup = Setup::default();
+    let mut setup = Setup::default();
+    setup.set_all(LARGE_STEPS).unwrap();
     let vary = ["club.loft=4deg..20deg", "swing.attack_angle=-5deg..5deg"];
     let (free, limited) = (search(&setup, &vary, &[]), search(&setup, &vary, &["carry >= 280 yd"]));
     let along = Vary::read(&setup, "swing.speed=80mph..130mph").unwrap();

@@ -15,6 +15,8 @@ fn thrown(speed: f64, degrees: f64, backspin: f64) -> Setup<f64> {
     let mut setup = Setup::default();
     setup.air.density = 0.0;
     setup.aero.spin_decay = 0.0;
+    // a parabola is one in any steps
+    setup.flight.step = 0.1;
     setup.launch.ball_speed = Some(speed);
     setup.launch.launch_angle = Some(degrees.to_radians());
     setup.launch.backspin = Some(backspin);

@@ -8,10 +8,13 @@ use longdrive::{Drive, Outcome, Setup};
 use num_dual::Dual2_64;
 
 /// C_D and C_L of a law as published, at a spin ratio, Reynolds number and speed.
-fn at<D: Number>(law: &str, [s, reynolds, speed]: [D; 3]) -> Coefficients<D> {
+fn at<D: Number>(law: &str, of: [D; 3]) -> Coefficients<D> {
     let setup = Setup { law: Law::named(law).unwrap(), ..Setup::default() };
-    let law = setup.map(|_, value| D::constant(value)).law;
-    law.coefficients(&Stream { spin: s * speed / 0.02134, spin_ratio: s, speed, reynolds })
+    setup.map(|_, value| D::constant(value)).law.coefficients(&stream(of))
+}
+
+fn stream<D: Number>([s, reynolds, speed]: [D; 3]) -> Stream<D> {
+    Stream { spin: s * speed / 0.02134, spin_ratio: s, speed, reynolds }
 }
 
 /// The rows of a table of numbers under a head, cells beyond the fourth left out.
@@ -207,11 +210,12 @@ fn streams() -> impl Iterator<Item = (f64, f64)> {
 
 #[test]
 fn exact_every_law_has_drag_at_every_spin_ratio_and_reynolds_number() {
-    for law in Law::NAMES {
+    for name in Law::NAMES {
+        let law = Law::named(name).unwrap();
         for (reynolds, speed) in streams() {
             for s in (0..=500).map(|k| f64::from(k) * 0.01) {
-                let c: Coefficients<f64> = at(law, [s, reynolds, speed]);
-                assert!(c.drag > 0.0 && c.drag.is_finite(), "{law} at s = {s}, Re = {reynolds}: {c:?}");
+                let c: Coefficients<f64> = law.coefficients(&stream([s, reynolds, speed]));
+                assert!(c.drag > 0.0 && c.drag.is_finite(), "{name} at s = {s}, Re = {reynolds}: {c:?}");
             }
         }
     }

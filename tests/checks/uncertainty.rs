@@ -1,6 +1,6 @@
 //! Uncertainty: known shares of known functions, moments of known distributions, and drives.
 
-use crate::common::{close, panic_of};
+use crate::common::{LARGE_STEPS, close, panic_of};
 use longdrive::batch::Status;
 use longdrive::report::{UncertaintyReport, uncertainty_text};
 use longdrive::study::swings::{Rule, Scenarios, Swings};
@@ -350,7 +350,8 @@ fn exact_a_constant_that_is_off_by_rounding_is_a_constant() {
 /// a normal distribution. 1 − S₁ alone is 0 with one seed and four times too much with another.
 #[test]
 fn independent_deviation_that_is_left_where_one_parameter_dominates() {
-    let setup = Setup::default();
+    let mut setup = Setup::default();
+    setup.set_all(LARGE_STEPS).unwrap();
     let input = |text: &str| Uncertain::normal(&setup, &Sigma::read(&setup, text).unwrap());
     let others = ["swing.speed=2mph", "club.loft=1deg"].map(input);
     let all = [others[0], others[1], input("swing.face_angle=2deg")];
