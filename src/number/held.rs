@@ -39,31 +39,27 @@ mod tests {
 
     #[test]
     fn exact_c2_at_both_ends_of_the_way_and_constant_beyond() {
-        let above = |x: f64| held_above(Dual2_64::from(x).derivative(), 0.3, 0.2);
-        let below = |x: f64| held_below(Dual2_64::from(x).derivative(), -0.3, 0.2);
-        assert_eq!((above(0.25).re, above(0.25).v1, above(0.25).v2), (0.25, 1.0, 0.0));
-        for end in [0.3, 0.5] {
-            let [a, b] = [end * (1.0 - 1e-12), end * (1.0 + 1e-12)].map(above);
-            assert!((a.re - b.re).abs() < 1e-11 && (a.v1 - b.v1).abs() < 1e-10 && (a.v2 - b.v2).abs() < 1e-9);
-        }
+        let at = |x: f64| Dual2_64::from(x).derivative();
+        let above = |x: f64| held_above(at(x), 0.3, 0.2);
+        let below = |x: f64| held_below(at(x), -0.3, 0.2);
+        let rise = |x: f64| risen(at(x), 0.2, 0.4);
+        let is_smooth = |f: &dyn Fn(f64) -> Dual2_64, end: f64| {
+            let [a, b] = [end * (1.0 - 1e-12), end * (1.0 + 1e-12)].map(f);
+            (a.re - b.re).abs() < 1e-11 && (a.v1 - b.v1).abs() < 1e-10 && (a.v2 - b.v2).abs() < 1e-9
+        };
+        assert!(is_smooth(&above, 0.3) && is_smooth(&above, 0.5) && is_smooth(&rise, 0.2) && is_smooth(&rise, 0.6));
+        let told = |found: Dual2_64| (found.re, found.v1, found.v2);
+        assert_eq!(
+            (told(above(0.25)), told(rise(-1.0)), rise(0.4).re, told(rise(7.0))),
+            ((0.25, 1.0, 0.0), (0.0, 0.0, 0.0), 0.5, (1.0, 0.0, 0.0))
+        );
         for x in [0.5, 0.7, 1e9] {
             let there = above(x);
             assert!((there.re - 0.4).abs() < 1e-15 && there.v1 == 0.0 && there.v2 == 0.0, "{there:?}");
         }
         for x in [0.1, 0.33, 0.42, 0.8] {
-            let (a, b) = (above(x), below(-x));
-            assert_eq!((a.re, a.v1, a.v2), (-b.re, b.v1, -b.v2));
+            let mirrored = below(-x);
+            assert_eq!(told(above(x)), (-mirrored.re, mirrored.v1, -mirrored.v2), "{x}");
         }
-    }
-
-    #[test]
-    fn exact_c2_at_both_ends_of_a_rise() {
-        let at = |x: f64| risen(Dual2_64::from(x).derivative(), 0.2, 0.4);
-        for (end, value) in [(0.2, 0.0), (0.6, 1.0)] {
-            for x in [end * (1.0 - 1e-9), end * (1.0 + 1e-9)].map(at) {
-                assert!((x.re - value).abs() < 1e-12 && x.v1.abs() < 1e-7 && x.v2.abs() < 1e-6, "{x:?}");
-            }
-        }
-        assert_eq!((at(-1.0).re, at(0.4).re, at(7.0).re), (0.0, 0.5, 1.0));
     }
 }

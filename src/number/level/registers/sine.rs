@@ -23,35 +23,3 @@ pub(super) fn sin_cos<V: Powers>(x: V, large: impl Fn(V) -> (V, V)) -> (V, V) {
     });
     ((-(x * y)).mul_add(series(1), x), (-y).mul_add(series(0), V::constant(1.0)))
 }
-
-#[cfg(test)]
-mod tests {
-    use crate::number::{Lanes, Level, Task};
-
-    struct Sines;
-
-    impl Task for Sines {
-        type Output = f64;
-
-        #[inline(always)]
-        fn run<V: Lanes<Lane = f64>>(self) -> f64 {
-            let mut worst = 0.0_f64;
-            for i in -40_000..40_000 {
-                let x = f64::from(i) * 5e-5 + 1e-9;
-                let (sin, cos) = V::constant(x).sin_cos();
-                for (found, exact) in [(sin.lane(0), x.sin()), (cos.lane(0), x.cos())] {
-                    worst = worst.max((found - exact).abs() / (exact.abs() * f64::EPSILON));
-                }
-            }
-            worst
-        }
-    }
-
-    #[test]
-    fn measured_sine_and_cosine_are_within_two_units_of_the_libm_ones() {
-        for level in Level::ALL {
-            let worst = level.run(Sines);
-            assert!(worst <= 2.0, "{level:?}: {worst}");
-        }
-    }
-}
