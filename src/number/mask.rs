@@ -6,7 +6,10 @@ pub trait Mask: Copy + Debug + 'static + BitAnd<Output = Self> + BitOr<Output = 
     /// Whether it holds for each.
     fn all(self) -> bool;
     /// Whether it holds for one at least.
-    fn any(self) -> bool;
+    #[inline(always)]
+    fn any(self) -> bool {
+        !(!self).all()
+    }
     /// Whether it holds for this one, counted from 0.
     fn holds(self, lane: usize) -> bool;
     /// The mask that holds for the first of several.
@@ -17,16 +20,15 @@ pub trait Mask: Copy + Debug + 'static + BitAnd<Output = Self> + BitOr<Output = 
         Self::first(0)
     }
     /// The mask that holds for one, counted from 0.
-    fn only(lane: usize) -> Self;
+    #[inline(always)]
+    fn only(lane: usize) -> Self {
+        Self::first(lane + 1) & !Self::first(lane)
+    }
 }
 
 impl Mask for bool {
     #[inline(always)]
     fn all(self) -> bool {
-        self
-    }
-    #[inline(always)]
-    fn any(self) -> bool {
         self
     }
     #[inline(always)]
@@ -36,9 +38,5 @@ impl Mask for bool {
     #[inline(always)]
     fn first(count: usize) -> Self {
         count > 0
-    }
-    #[inline(always)]
-    fn only(lane: usize) -> Self {
-        lane == 0
     }
 }

@@ -50,37 +50,25 @@ impl Level {
     #[inline]
     pub fn here() -> Self {
         #[cfg(target_arch = "x86_64")]
-        {
-            let has_avx2 = is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma");
-            if has_avx2
-                && is_x86_feature_detected!("avx512f")
+        if is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma") {
+            let has_avx512 = is_x86_feature_detected!("avx512f")
                 && is_x86_feature_detected!("avx512dq")
-                && is_x86_feature_detected!("avx512vl")
-            {
-                return Self::Avx512;
-            }
-            if has_avx2 {
-                return Self::Avx2;
-            }
+                && is_x86_feature_detected!("avx512vl");
+            return if has_avx512 { Self::Avx512 } else { Self::Avx2 };
         }
         if cfg!(target_arch = "aarch64") {
-            return Self::Neon;
+            Self::Neon
+        } else if cfg!(all(target_arch = "wasm32", target_feature = "simd128")) {
+            Self::Simd128
+        } else {
+            Self::Baseline
         }
-        if cfg!(all(target_arch = "wasm32", target_feature = "simd128")) {
-            return Self::Simd128;
-        }
-        Self::Baseline
     }
 
     /// Whether this processor has it: never one of another architecture.
     pub fn is_here(self) -> bool {
-        let is_of_the_architecture = match self {
-            Self::Baseline => true,
-            Self::Neon => cfg!(target_arch = "aarch64"),
-            Self::Simd128 => cfg!(target_arch = "wasm32"),
-            Self::Avx2 | Self::Avx512 => cfg!(target_arch = "x86_64"),
-        };
-        is_of_the_architecture && self <= Self::here()
+        let here = Self::here();
+        self == Self::Baseline || self == here || (self, here) == (Self::Avx2, Self::Avx512)
     }
 
     /// This level or one below, for so many numbers: what fits into few lanes is quicker in those.

@@ -7,7 +7,7 @@ pub struct Bits<const W: usize>(pub u8);
 
 impl<const W: usize> Bits<W> {
     /// Holds for each.
-    pub const ALL: Self = Self(((1_u16 << W) - 1) as u8);
+    pub const ALL: Self = Self(u8::MAX >> (8 - W));
 }
 
 impl<const W: usize> BitAnd for Bits<W> {
@@ -40,19 +40,11 @@ impl<const W: usize> Mask for Bits<W> {
         self == Self::ALL
     }
     #[inline(always)]
-    fn any(self) -> bool {
-        self.0 != 0
-    }
-    #[inline(always)]
     fn holds(self, lane: usize) -> bool {
         self.0 >> lane & 1 == 1
     }
     #[inline(always)]
     fn first(count: usize) -> Self {
         Self(((1_u16 << count.min(W)) - 1) as u8)
-    }
-    #[inline(always)]
-    fn only(lane: usize) -> Self {
-        Self((1_u16 << lane) as u8) & Self::ALL
     }
 }

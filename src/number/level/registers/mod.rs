@@ -24,7 +24,6 @@ use crate::number::tanh::tanh;
 use crate::number::{Lanes, Numbers, inlined};
 use bits::Bits;
 use exponential::Powers;
-use std::fmt;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 #[cfg(target_arch = "aarch64")]

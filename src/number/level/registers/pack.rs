@@ -14,14 +14,10 @@ macro_rules! pack {
         }
     ) => {
         $(#[doc = $doc])+
-        #[derive(Clone, Copy)]
+        #[derive(Clone, Copy, Debug)]
         pub(crate) struct $Pack($Register);
 
         impl $Pack {
-            #[inline(always)]
-            fn spread(value: f64) -> Self {
-                Self(unsafe { $set(value) })
-            }
             #[inline(always)]
             pub fn from_array(values: [f64; $width]) -> Self {
                 // SAFETY: the register is as many numbers in a row
@@ -38,12 +34,6 @@ macro_rules! pack {
             }
         }
 
-        impl fmt::Debug for $Pack {
-            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                self.to_array().fmt(f)
-            }
-        }
-
         pack!(operator $Pack Add add $add);
         pack!(operator $Pack Sub sub $sub);
         pack!(operator $Pack Mul mul $mul);
@@ -53,7 +43,7 @@ macro_rules! pack {
             type Output = Self;
             #[inline(always)]
             fn neg(self) -> Self {
-                Self::spread(-0.0) - self
+                Self::constant(-0.0) - self
             }
         }
 
@@ -75,11 +65,11 @@ macro_rules! pack {
 
             #[inline(always)]
             fn constant(value: f64) -> Self {
-                Self::spread(value)
+                Self(unsafe { $set(value) })
             }
             #[inline(always)]
             fn recip(self) -> Self {
-                Self::spread(1.0) / self
+                Self::constant(1.0) / self
             }
             #[inline(always)]
             fn sqrt(self) -> Self {
@@ -123,7 +113,7 @@ macro_rules! pack {
             }
             #[inline(always)]
             fn below(self, limit: f64) -> Bits<$width> {
-                let ($x, $limit) = (self.0, Self::spread(limit).0);
+                let ($x, $limit) = (self.0, Self::constant(limit).0);
                 Bits(unsafe { $below } as u8)
             }
             #[inline(always)]
@@ -153,7 +143,7 @@ macro_rules! pack {
                     }
                     lane += 1;
                 }
-                let (mut all, mut i) = ([Self::spread(0.0); N], 0);
+                let (mut all, mut i) = ([Self::constant(0.0); N], 0);
                 while i < N {
                     all[i] = Self::from_array(lanes[i]);
                     i += 1;
@@ -171,7 +161,7 @@ macro_rules! pack {
             }
             #[inline(always)]
             fn scale_add(self, a: f64, b: Self) -> Self {
-                self.mul_add(Self::spread(a), b)
+                self.mul_add(Self::constant(a), b)
             }
         }
 
@@ -208,7 +198,7 @@ macro_rules! pack {
             type Output = Self;
             #[inline(always)]
             fn $operation(self, other: f64) -> Self {
-                self.$operation(Self::spread(other))
+                self.$operation(Self::constant(other))
             }
         }
     };

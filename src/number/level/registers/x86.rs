@@ -35,9 +35,9 @@ pack! {
             // a quotient. Both are reached by the shortest chain; a rounding of the first is halved in them
             let guess = Self(unsafe { _mm512_rsqrt14_pd(x.0) });
             let first = x * guess;
-            let error = -first.mul_add(guess, Self::spread(-1.0));
-            let high = error.scale_add(35.0 / 128.0, Self::spread(0.3125));
-            let series = high.mul_add(error * error, error.scale_add(0.375, Self::spread(0.5)));
+            let error = -first.mul_add(guess, Self::constant(-1.0));
+            let high = error.scale_add(35.0 / 128.0, Self::constant(0.3125));
+            let series = high.mul_add(error * error, error.scale_add(0.375, Self::constant(0.5)));
             ((first * error).mul_add(series, first), (guess * error).mul_add(series, guess))
         }
     }
