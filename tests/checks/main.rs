@@ -22,6 +22,7 @@ mod delivery_swings;
 mod derivatives;
 mod design;
 mod design_answers;
+mod differences;
 mod directions;
 mod documents;
 mod drawn;

@@ -30,6 +30,7 @@ mod verdict;
 
 pub use estimate::{Estimate, Side};
 pub use ladder::{FEW_STEPS, Ladder, Rung, STEPS};
+pub(crate) use remainder::line_slope;
 pub use remainder::taylor_slopes;
 pub use verdict::{BAR, Check, Demand, NEXT_TO_NOTHING, Point, Verdict};
 

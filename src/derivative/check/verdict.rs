@@ -130,8 +130,7 @@ impl Ladder {
     pub fn judge_on_a_corner(&self, exact: f64, demand: Demand) -> Check {
         let check = self.judge(exact, demand);
         let sides = [Side::Below, Side::Above].map(|side| self.slope(side, 0.0).map(|slope| slope.value));
-        let has_one_side = sides.iter().flatten().count() == 1;
-        if check.verdict == Verdict::Fail && has_one_side {
+        if check.failed() && sides.iter().flatten().count() == 1 {
             Check { sides: Some(sides), verdict: Verdict::Corner, ..check }
         } else {
             check

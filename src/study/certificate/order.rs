@@ -8,6 +8,7 @@
 //! more slowly than h^p; what is read off one time step (the apex) has factors that change with where in that step it lies. So the term of the
 //! lower order is fitted to the errors with their signs, and must be as good as none.
 
+use crate::derivative::check::line_slope;
 use nalgebra::{DMatrix, DVector};
 
 /// An order is measured over at least so many levels of steps.
@@ -60,29 +61,16 @@ pub(super) fn measure(samples: &[Errors], expected: u32, short_of: f64, floor: f
         let largest = of_level(level).map(|it| it.largest() * (first / it.step).powi(power)).fold(0.0, f64::max);
         (largest > floor).then_some((first, largest))
     };
-    let standing: Vec<(f64, f64)> = (0..levels).map_while(level).collect();
+    let standing: Vec<(f64, f64)> = (0..levels).map_while(level).map(|(h, e)| (h.ln(), e.ln())).collect();
     if standing.len() < MEASURED {
         return None;
     }
     let first_fitted = standing.len().saturating_sub(FITTED);
-    let order = slope(&standing[first_fitted..]);
+    let order = line_slope(&standing[first_fitted..]);
     let fitted: Vec<&Errors> =
         samples.iter().filter(|sample| (first_fitted..standing.len()).contains(&sample.level)).collect();
     let falls_short = order < f64::from(expected) - short_of && has_lower_term(&fitted, power);
     Some(Measured { order, falls_short })
-}
-
-/// The slope of log e over log h, by least squares.
-fn slope(errors: &[(f64, f64)]) -> f64 {
-    let n = errors.len() as f64;
-    let mean = |f: fn(&(f64, f64)) -> f64| errors.iter().map(f).sum::<f64>() / n;
-    let (x, y) = (mean(|e| e.0.ln()), mean(|e| e.1.ln()));
-    let (mut covariance, mut variance) = (0.0, 0.0);
-    for (step, error) in errors {
-        covariance += (step.ln() - x) * (error.ln() - y);
-        variance += (step.ln() - x).powi(2);
-    }
-    covariance / variance
 }
 
 /// Whether e/h^p = d/h + a + b h + c h² has a d that matters, for any entry: one that also explains the errors better than a further term in h does,
