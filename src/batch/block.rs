@@ -101,7 +101,8 @@ impl Tally {
     }
 }
 
-/// Drives of consecutive points. A value that does not exist is `None`, and never a NaN.
+/// Drives of consecutive points. A value that does not exist is `None`, and never a NaN. To ask for a row, or an outcome, that the block does
+/// not have is a panic.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Block {
     pub(super) first_row: u64,
@@ -136,25 +137,16 @@ impl Block {
     }
 
     /// The values of the swept parameters, SI.
-    ///
-    /// # Panics
-    /// Where the block has no such row.
     pub fn point(&self, row: usize) -> &[f64] {
         &self.points[row * self.parameters..][..self.parameters]
     }
 
     /// How the drive ended.
-    ///
-    /// # Panics
-    /// Where the block has no such row.
     pub fn status(&self, row: usize) -> Status {
         self.status[row]
     }
 
     /// In what a drive that landed is, by its launch, outside of what the model is made for.
-    ///
-    /// # Panics
-    /// Where the block has no such row.
     pub fn beyond(&self, row: usize) -> Beyond {
         self.beyond[row]
     }
@@ -165,25 +157,16 @@ impl Block {
     }
 
     /// The outcome of this number, SI.
-    ///
-    /// # Panics
-    /// Where the block has no such row or outcome.
     pub fn outcome(&self, row: usize, outcome: usize) -> Option<f64> {
         Some(self.outcomes[outcome][row]).filter(|value| value.is_finite())
     }
 
     /// The derivatives of all outcomes by all parameters, SI, the parameters of the first outcome first.
-    ///
-    /// # Panics
-    /// Where the block has no such row.
     pub fn derivatives(&self, row: usize) -> impl Iterator<Item = Option<f64>> {
         self.derivatives.iter().map(move |column| Some(column[row]).filter(|value| value.is_finite()))
     }
 
     /// The outcomes, SI.
-    ///
-    /// # Panics
-    /// Where the block has no such row.
     pub fn outcomes(&self, row: usize) -> impl Iterator<Item = Option<f64>> {
         (0..self.outcomes.len()).map(move |outcome| self.outcome(row, outcome))
     }

@@ -7,7 +7,6 @@ use crate::derivative::{Evaluator, Order};
 use crate::drive::{Beyond, Drive, Looked, Outcome};
 use crate::error::{Error, Result};
 use crate::flight::{Flight, NoFlight};
-use crate::number::Taylor;
 use crate::parameters::{Parameter, Setup};
 
 /// Halvings of the step within which a drive has to get below the largest defect.
@@ -36,7 +35,7 @@ impl Batch {
             derivatives: empty(self.of.len() * self.wrt.len()),
             points,
         };
-        let mut alone = if self.goes_abreast() { self.abreast(&mut block) } else { (0..rows).collect() };
+        let mut alone = self.abreast(&mut block);
         alone.extend((0..rows).filter(|&row| self.is_off(block.defect[row])));
         for row in alone {
             // what was found of it side by side
@@ -48,22 +47,18 @@ impl Batch {
         block
     }
 
-    /// Whether drives are computed side by side. They are not where the inertia tensor is swept, which must be checked in each row, nor by so many
-    /// parameters that the derivatives of one drive fill the lanes.
-    fn goes_abreast(&self) -> bool {
-        const MOST_DERIVATIVES: usize = 4 * DIRECTIONS;
-        let sweeps_inertia = self.parameters.iter().any(|parameter| parameter.is_of_inertia());
-        !sweeps_inertia && self.wrt.len() <= MOST_DERIVATIVES
-    }
-
-    /// Computes the drives of a block side by side; the rows that have to be looked at one by one are left over.
+    /// Computes the drives of a block side by side; left over are the rows that have to be looked at one by one. Those are all where the inertia
+    /// tensor is swept, which must be checked in each row, and by so many parameters that the derivatives of one drive fill the lanes.
     fn abreast(&self, block: &mut Block) -> Vec<usize> {
-        if self.wrt.is_empty() {
-            return self.level.run(Abreast { batch: self, block, wrt: &[], first: 0 });
+        const MOST_DERIVATIVES: usize = 4 * DIRECTIONS;
+        if self.wrt.len() > MOST_DERIVATIVES || self.parameters.iter().any(|parameter| parameter.is_of_inertia()) {
+            return (0..block.rows()).collect();
         }
         let mut alone = vec![];
-        for (chunk, wrt) in self.wrt.chunks(DIRECTIONS).enumerate() {
-            alone.extend(self.level.run(Abreast { batch: self, block, wrt, first: DIRECTIONS * chunk }));
+        // without derivatives there is one pass all the same
+        for first in (0..self.wrt.len().max(1)).step_by(DIRECTIONS) {
+            let wrt = &self.wrt[first..self.wrt.len().min(first + DIRECTIONS)];
+            alone.extend(self.level.run(Abreast { batch: self, block, wrt, first }));
         }
         alone.sort_unstable();
         alone.dedup();
@@ -84,34 +79,22 @@ impl Batch {
         defect > self.largest_defect
     }
 
-    /// The drive with the longest of some steps, each half of the one before, that follows it closely enough. Without a largest
-    /// defect that is the first.
-    fn followed(&self, setup: &mut Setup<f64>) -> Result<Drive<f64>> {
-        let mut halvings = if self.largest_defect.is_finite() { HALVINGS } else { 0 };
-        loop {
-            let found = Drive::in_any_steps(setup);
-            let is_close = match &found {
-                Ok(Drive { flight: Flight::Landed(landed), .. }) => !self.is_off(landed.defect),
-                Err(Error::Diverged { .. }) => false,
-                _ => true,
-            };
-            if is_close || halvings == 0 {
-                return found;
-            }
-            halvings -= 1;
-            setup.flight.step *= 0.5;
-        }
-    }
-
+    /// A drive by itself, with the longest of some steps, each half of the one before, that follows it closely enough.
     fn drive(&self, mut setup: Setup<f64>, row: usize, block: &mut Block) {
-        let drive = match self.followed(&mut setup) {
-            Ok(drive) => drive,
-            Err(Error::Diverged { .. }) => return block.status[row] = Status::Diverged,
-            Err(_) => return block.status[row] = Status::NoStrike,
+        let mut halvings = if self.largest_defect.is_finite() { HALVINGS } else { 0 };
+        let drive = loop {
+            match Drive::in_any_steps(&setup) {
+                Ok(drive) if !drive.landed().is_ok_and(|landed| self.is_off(landed.defect)) => break drive,
+                Ok(_) | Err(Error::Diverged { .. }) if halvings > 0 => {
+                    halvings -= 1;
+                    setup.flight.step *= 0.5;
+                }
+                Ok(_) | Err(Error::Diverged { .. }) => return block.status[row] = Status::Diverged,
+                Err(_) => return block.status[row] = Status::NoStrike,
+            }
         };
         let setup = &setup;
         block.status[row] = match &drive.flight {
-            Flight::Landed(landed) if self.is_off(landed.defect) => return block.status[row] = Status::Diverged,
             Flight::Landed(landed) => {
                 block.defect[row] = landed.defect;
                 Status::Landed
@@ -128,30 +111,21 @@ impl Batch {
         }
     }
 
-    /// Outcomes of one drive with their gradients.
-    fn gradients(&self, setup: &Setup<f64>, of: &[Outcome], wrt: &[&'static Parameter]) -> Result<Vec<Taylor>> {
-        Evaluator::new(setup, of, wrt, Order::First)?.at_level(self.level).at_setup(setup, &mut |_, _| ())
-    }
-
     /// The derivatives that exist: all at once, or where one is missing each by itself.
     fn differentiate(&self, setup: &Setup<f64>, row: usize, block: &mut Block) {
-        let mut columns = block.derivatives.iter_mut();
-        let mut put = |d: f64| {
-            if let Some(column) = columns.next() {
-                column[row] = d;
-            }
+        let gradients = |of: &[Outcome], wrt: &[&'static Parameter]| {
+            let evaluator = Evaluator::new(setup, of, wrt, Order::First).ok()?.at_level(self.level);
+            evaluator.at_setup(setup, &mut |_, _| ()).ok()
         };
-        match self.gradients(setup, &self.of, &self.wrt) {
-            Ok(taylors) => taylors.iter().flat_map(|taylor| &taylor.gradient).for_each(|d| put(*d)),
-            Err(_) => {
-                for (outcome, values) in self.of.iter().zip(&block.outcomes) {
-                    for parameter in &self.wrt {
-                        let exists = values[row].is_finite();
-                        let d = exists.then(|| self.gradients(setup, &[*outcome], &[parameter]));
-                        put(d.and_then(Result::ok).map_or(f64::NAN, |taylors| taylors[0].gradient[0]));
-                    }
-                }
-            }
+        let all = gradients(&self.of, &self.wrt);
+        for (column, values) in block.derivatives.iter_mut().enumerate() {
+            let (i, k) = (column / self.wrt.len(), column % self.wrt.len());
+            let exists = block.outcomes[i][row].is_finite();
+            let by_itself = || exists.then(|| gradients(&self.of[i..=i], &self.wrt[k..=k])).flatten();
+            values[row] = match &all {
+                Some(taylors) => taylors[i].gradient[k],
+                None => by_itself().map_or(f64::NAN, |taylors| taylors[0].gradient[0]),
+            };
         }
     }
 }

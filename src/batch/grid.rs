@@ -109,13 +109,12 @@ impl Points for Grid {
     fn read(&mut self, most: usize, values: &mut Vec<f64>) -> Result<usize> {
         let rows = self.rows.saturating_sub(self.next).min(most as u64);
         for row in self.next..self.next + rows {
-            let first = values.len();
-            let mut rest = row;
-            for axis in self.axes.iter().rev() {
-                values.push(axis.value(rest % axis.count));
-                rest /= axis.count;
-            }
-            values[first..].reverse();
+            // rows over which the value of an axis stays the same
+            let mut stride = self.rows;
+            values.extend(self.axes.iter().map(|axis| {
+                stride /= axis.count;
+                axis.value(row / stride % axis.count)
+            }));
         }
         self.next += rows;
         Ok(rows as usize)

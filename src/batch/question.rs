@@ -61,10 +61,9 @@ impl Batch {
     ///
     /// # Errors
     /// [`Error::OutOfRange`] for NaN, 0 and below, which no drive meets.
-    pub fn with_largest_defect(mut self, defect: f64) -> Result<Self> {
+    pub fn with_largest_defect(self, defect: f64) -> Result<Self> {
         if defect > 0.0 {
-            self.largest_defect = defect;
-            return Ok(self);
+            return Ok(Self { largest_defect: defect, ..self });
         }
         Err(Error::OutOfRange {
             name: "the largest defect of a drive".into(),
@@ -78,7 +77,7 @@ impl Batch {
     ///
     /// # Errors
     /// [`Error::Together`] where the processor does not have them.
-    pub fn with_level(mut self, level: Level) -> Result<Self> {
+    pub fn with_level(self, level: Level) -> Result<Self> {
         let most = Level::here();
         if !level.is_here() {
             let reason = format!(
@@ -86,8 +85,7 @@ impl Batch {
             );
             return Err(Error::Together { given: format!("the instructions {level}"), reason });
         }
-        self.level = level;
-        Ok(self)
+        Ok(Self { level, ..self })
     }
 
     /// The instructions that it is computed with.
