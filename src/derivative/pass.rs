@@ -142,8 +142,8 @@ fn put<J: Derivatives>(taylor: &mut Taylor, indices: &[usize], number: &J) {
     for (i, &index) in indices.iter().enumerate() {
         taylor.gradient[index] = number.first(i);
     }
-    if let (&[i, j], Some(second)) = (indices, number.second()) {
-        (taylor.hessian[i][j], taylor.hessian[j][i]) = (second, second);
+    if let (&[i, j], false) = (indices, taylor.hessian.is_empty()) {
+        (taylor.hessian[i][j], taylor.hessian[j][i]) = (number.second(), number.second());
     }
 }
 

@@ -1,33 +1,29 @@
-use super::{Jet, Mixed, Number};
+use super::{Jet, Number};
 
-/// A number that tells derivatives by the directions it was seeded with.
+/// A number that tells derivatives by the directions it was seeded with: those of a jet before those of the jets it is made of.
 pub(crate) trait Derivatives: Number {
     /// First derivative in a direction.
     fn first(&self, direction: usize) -> f64;
-    /// Second derivative in directions 0 and 1, where it is held.
-    fn second(&self) -> Option<f64> {
-        None
-    }
+    /// Second derivative in directions 0 and 1, where it is held, and else 0.
+    fn second(&self) -> f64;
 }
 
 impl Derivatives for f64 {
     fn first(&self, _: usize) -> f64 {
         0.0
     }
-}
 
-impl<const K: usize> Derivatives for Jet<K> {
-    fn first(&self, direction: usize) -> f64 {
-        self.gradient[direction]
+    fn second(&self) -> f64 {
+        0.0
     }
 }
 
-impl Derivatives for Mixed {
+impl<const K: usize, B: Derivatives> Derivatives for Jet<K, B> {
     fn first(&self, direction: usize) -> f64 {
-        if direction == 0 { self.gradient[0].re } else { self.re.gradient[0] }
+        if direction < K { self.gradient[direction].re() } else { self.re.first(direction - K) }
     }
 
-    fn second(&self) -> Option<f64> {
-        Some(self.gradient[0].gradient[0])
+    fn second(&self) -> f64 {
+        self.gradient[0].first(0)
     }
 }

@@ -54,7 +54,7 @@ impl<F: Functions> Problem for Exact<F> {
                 (0..n).map(|k| Mixed::constant(x[k]).seeded(&|direction| k == [i, j][direction], 0)).collect();
             put(&mut evaluation, self.0.evaluate(&lifted)?, n, n, |taylor, number| {
                 (taylor.value, taylor.gradient[i]) = (number.re(), number.first(0));
-                let second = number.second().unwrap_or_default();
+                let second = number.second();
                 (taylor.hessian[i][j], taylor.hessian[j][i]) = (second, second);
             });
         }

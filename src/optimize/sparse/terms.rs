@@ -101,7 +101,7 @@ fn add(terms: &impl Terms, term: usize, variables: &[usize], x: &[f64], sum: &mu
         let lifted: Vec<Mixed> =
             (0..count).map(|k| Mixed::constant(x[k]).seeded(&|direction| k == [i, j][direction], 0)).collect();
         let number = terms.evaluate(term, &lifted)?;
-        let second = number.second().unwrap_or_default();
+        let second = number.second();
         if second != 0.0 {
             // a pair stands for both orders, unless a variable is named twice
             let times = if i != j && variables[i] == variables[j] { 2.0 } else { 1.0 };
