@@ -115,7 +115,7 @@ impl Batch {
     fn differentiate(&self, setup: &Setup<f64>, row: usize, block: &mut Block) {
         let gradients = |of: &[Outcome], wrt: &[&'static Parameter]| {
             let evaluator = Evaluator::new(setup, of, wrt, Order::First).ok()?.at_level(self.level);
-            evaluator.at_setup(setup, &mut |_, _| ()).ok()
+            evaluator.at_setup(&mut |_, _| ()).ok()
         };
         let all = gradients(&self.of, &self.wrt);
         for (column, values) in block.derivatives.iter_mut().enumerate() {

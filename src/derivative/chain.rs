@@ -2,84 +2,77 @@
 //! six components of its velocity and spin, derivatives of the flight are taken by these, and by what changes it besides.
 
 use super::Taylor;
-use super::directions::Passes;
-use super::pass::{Part, Variable};
-use super::point::{Point, blank};
+use super::pass::{COMPONENTS, Part, Point};
 use super::split::Split;
-use crate::drive;
+use crate::drive::{self, Outcome};
 use crate::error::Result;
 
-/// Values and gradients by many parameters, or Hessians too. `progress` is told how many passes of how many are done.
+/// The outcomes at a point, by the chain rule where the parameters are split. `progress` is told how many passes of how many are done.
 pub(super) fn derivatives(
     point: &Point<'_>,
-    split: &Split,
-    to_second: bool,
+    split: Option<&Split>,
     progress: &mut dyn FnMut(usize, usize),
 ) -> Result<Vec<Taylor>> {
-    let n = point.wrt.len();
-    let rows = |n: usize| if to_second { n } else { 0 };
-    let mut taylors = blank(point.of.len(), n, rows(n));
-    let mut launch = blank(6, n, rows(n));
-    Passes::by(&split.of_launch, to_second).run(point.level, &mut |directions, _| {
-        point.pass(directions, Part::Impact { launch: &mut launch }, &mut taylors)
-    })?;
+    let zero = |columns: usize| Taylor::zero(columns, point.first_row.map_or(0, |_| columns));
+    let (outcomes, parameters) = (point.of.len(), point.columns);
+    let Some(split) = split else {
+        let mut taylors = vec![zero(parameters); outcomes];
+        point.differentiate(Part::Drive, &(0..parameters).collect::<Vec<_>>(), &mut taylors, progress)?;
+        return Ok(taylors);
+    };
+    let mut taylors = vec![zero(parameters); outcomes + COMPONENTS];
+    point.differentiate(Part::Impact, &split.of_launch, &mut taylors, &mut |_, _| ())?;
+    let launch = taylors.split_off(outcomes);
     if !point.flies {
         progress(1, 1);
         return Ok(taylors);
     }
-    let moves = |component: &usize| {
-        launch[*component].gradient.iter().chain(launch[*component].hessian.iter().flatten()).any(|d| *d != 0.0)
-    };
-    let components = (0..launch.len()).filter(moves).map(Variable::Launch);
-    let variables: Vec<_> = components.chain(split.of_flight.iter().copied().map(Variable::Parameter)).collect();
-    let each: Vec<usize> = (0..variables.len()).collect();
-    let mut slopes = blank(point.of.len(), each.len(), rows(each.len()));
-    let mut done = 0;
-    Passes::by(&each, to_second).run(point.level, &mut |directions, all| {
-        point.pass(directions, Part::Flight { launch: &launch, variables: &variables }, &mut slopes)?;
-        done += 1;
-        progress(done, all);
-        Ok(())
-    })?;
-    for (outcome, (taylor, slopes)) in point.of.iter().zip(taylors.iter_mut().zip(slopes)) {
-        if outcome.part() == drive::Part::Flight {
-            chain(taylor, &slopes, &variables, &launch);
-        }
+    let moves =
+        |component: &Taylor| component.gradient.iter().chain(component.hessian.iter().flatten()).any(|d| *d != 0.0);
+    let components = (0..COMPONENTS).filter(|&component| moves(&launch[component]));
+    let variables: Vec<usize> =
+        components.map(|component| parameters + component).chain(split.of_flight.iter().copied()).collect();
+    let is_flown = |outcome: &Outcome| outcome.part() == drive::Part::Flight;
+    let columns = |outcome: &Outcome| if is_flown(outcome) { parameters + COMPONENTS } else { 0 };
+    let mut slopes: Vec<Taylor> = point.of.iter().map(|outcome| zero(columns(outcome))).collect();
+    point.differentiate(Part::Flight(&launch), &variables, &mut slopes, progress)?;
+    for (i, _) in point.of.iter().enumerate().filter(|(_, outcome)| is_flown(outcome)) {
+        chain(&mut taylors[i], &slopes[i], &variables, &launch);
     }
     Ok(taylors)
 }
 
 /// The derivatives by parameters of what has these by the variables of a flight.
-fn chain(taylor: &mut Taylor, by_variables: &Taylor, variables: &[Variable], launch: &[Taylor]) {
+fn chain(taylor: &mut Taylor, by_variables: &Taylor, variables: &[usize], launch: &[Taylor]) {
+    let parameters = taylor.gradient.len();
+    let component = |variable: usize| variable.checked_sub(parameters).map(|component| &launch[component]);
     let add = |sums: &mut [f64], factor: f64, terms: &[f64]| {
         sums.iter_mut().zip(terms).for_each(|(sum, term)| *sum += factor * term);
     };
     // adds how a variable changes with the parameters
-    let add_change = |sums: &mut [f64], factor: f64, variable: Variable| match variable {
-        Variable::Launch(component) => add(sums, factor, &launch[component].gradient),
-        Variable::Parameter(index) => sums[index] += factor,
+    let add_change = |sums: &mut [f64], factor: f64, variable: usize| match component(variable) {
+        Some(component) => add(sums, factor, &component.gradient),
+        None => sums[variable] += factor,
     };
     taylor.value = by_variables.value;
-    for (a, &variable) in variables.iter().enumerate() {
-        let slope = by_variables.gradient[a];
+    for &variable in variables {
+        let slope = by_variables.gradient[variable];
         add_change(&mut taylor.gradient, slope, variable);
         if taylor.hessian.is_empty() {
             continue;
         }
         // how the slope by this variable changes with the parameters
-        let mut slope_by_parameters = vec![0.0; taylor.gradient.len()];
-        for (b, &other) in variables.iter().enumerate() {
-            add_change(&mut slope_by_parameters, by_variables.hessian[a][b], other);
+        let mut slope_by_parameters = vec![0.0; parameters];
+        for &other in variables {
+            add_change(&mut slope_by_parameters, by_variables.hessian[variable][other], other);
         }
-        match variable {
-            Variable::Launch(component) => {
-                let Taylor { gradient, hessian, .. } = &launch[component];
-                for (row, (change, second)) in taylor.hessian.iter_mut().zip(gradient.iter().zip(hessian)) {
-                    add(row, *change, &slope_by_parameters);
-                    add(row, slope, second);
-                }
-            }
-            Variable::Parameter(index) => add(&mut taylor.hessian[index], 1.0, &slope_by_parameters),
+        let Some(Taylor { gradient, hessian, .. }) = component(variable) else {
+            add(&mut taylor.hessian[variable], 1.0, &slope_by_parameters);
+            continue;
+        };
+        for (row, (change, second)) in taylor.hessian.iter_mut().zip(gradient.iter().zip(hessian)) {
+            add(row, *change, &slope_by_parameters);
+            add(row, slope, second);
         }
     }
     // symmetric to the last bit, as its terms are

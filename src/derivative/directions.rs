@@ -1,106 +1,64 @@
-use crate::error::Result;
 use crate::number::{Lanes, Level, Mask, inlined};
 
 /// The most directions in a lane.
 pub(super) const MOST_PER_LANE: usize = 3;
 
-/// The variables, by their indices, that derivatives are taken by in all passes together.
-pub(super) enum Passes {
-    /// By each of some.
-    Each(Vec<usize>),
-    /// By pairs of them, twice.
-    Pairs(Vec<[usize; 2]>),
-}
-
-impl Passes {
-    /// First derivatives by each of some variables, or second ones by all pairs.
-    pub fn by(variables: &[usize], to_second: bool) -> Self {
-        match to_second {
-            false => Self::Each(variables.to_vec()),
-            true => Self::Pairs(
-                variables.iter().enumerate().flat_map(|(i, &a)| variables[..=i].iter().map(move |&b| [a, b])).collect(),
-            ),
-        }
-    }
-
-    /// Makes passes of as many directions as fit into one; each is told how many there are. By nothing there is one, for the values.
-    pub fn run(&self, level: Level, pass: &mut dyn FnMut(Directions<'_>, usize) -> Result<()>) -> Result<()> {
-        match self {
-            Self::Each(indices) if !indices.is_empty() => {
-                let passes = indices.chunks(MOST_PER_LANE * level.width());
-                let all = passes.len();
-                passes.map(Directions::Each).try_for_each(|directions| pass(directions, all))
-            }
-            Self::Pairs(pairs) if !pairs.is_empty() => {
-                let passes = pairs.chunks(level.of(pairs.len()).width());
-                let all = passes.len();
-                passes.map(Directions::Pairs).try_for_each(|directions| pass(directions, all))
-            }
-            _ => pass(Directions::None, 1),
-        }
-    }
-}
-
-/// The variables, by their indices, that a pass differentiates by: the lanes all hold the same drive, each with directions of its own.
+/// The variables, by their indices, that are differentiated by: the lanes all hold the same drive, each with directions of its own.
 #[derive(Clone, Copy)]
-pub(super) enum Directions<'a> {
-    /// By none.
-    None,
-    /// By one after the other, as many in each lane as its number has directions.
-    Each(&'a [usize]),
-    /// By a pair in each lane, twice.
-    Pairs(&'a [[usize; 2]]),
+pub(super) struct Directions<'a> {
+    /// One after the other, as many in each lane as its number has directions.
+    pub variables: &'a [usize],
+    /// Whether they are pairs, one in each lane, for a second derivative by both.
+    pub are_pairs: bool,
+}
+
+/// The entries of a Hessian by some variables, as pairs of them, from this row on to its diagonal.
+pub(super) fn pairs(variables: &[usize], first_row: usize) -> Vec<usize> {
+    let row = |i: usize| variables[..=i].iter().flat_map(move |&other| [variables[i], other]);
+    (first_row..variables.len()).flat_map(row).collect()
 }
 
 impl Directions<'_> {
-    /// The indices of the variables in a lane.
+    /// As many at a time as fit into a pass. By nothing there is one pass, for the values.
+    pub fn passes(self, level: Level) -> impl ExactSizeIterator<Item = Self> {
+        let per_lane = if self.are_pairs { 2 } else { MOST_PER_LANE };
+        let most = per_lane * self.level(level).width();
+        let end = self.variables.len();
+        (0..end.div_ceil(most).max(1))
+            .map(move |k| Self { variables: &self.variables[k * most..end.min((k + 1) * most)], ..self })
+    }
+
+    /// This level, or one below where they are few.
+    pub fn level(&self, level: Level) -> Level {
+        level.of(if self.are_pairs { self.variables.len() / 2 } else { self.variables.len() })
+    }
+
+    /// The variables in a lane.
     #[inline(always)]
     pub fn in_lane(&self, lane: usize, per_lane: usize) -> &[usize] {
-        match self {
-            Self::None => &[],
-            Self::Each(indices) => indices.chunks(per_lane).nth(lane).unwrap_or_default(),
-            Self::Pairs(pairs) => pairs.get(lane).map_or(&[], |pair| pair),
-        }
+        self.variables.chunks(per_lane).nth(lane).unwrap_or_default()
     }
 
     /// How many lanes have any, and at least one.
     pub fn lanes(&self, per_lane: usize) -> usize {
-        match self {
-            Self::None => 1,
-            Self::Each(indices) => indices.len().div_ceil(per_lane).max(1),
-            Self::Pairs(pairs) => pairs.len().max(1),
-        }
+        self.variables.len().div_ceil(per_lane).max(1)
     }
 
-    /// Shows the index of each variable with its number to `put`: its value, in each lane the independent variable of the direction that it has there.
+    /// Shows each variable to `put`, for each pair anew: its value, in each lane the independent variable of its direction there.
     #[inline(always)]
     pub fn seeded<J: Lanes>(&self, per_lane: usize, value: impl Fn(usize) -> f64, mut put: impl FnMut(usize, J)) {
-        match self {
-            Self::None => (),
-            Self::Each(indices) => {
-                for (at, &index) in indices.iter().enumerate() {
-                    let (in_lane, in_direction) = (at / per_lane, at % per_lane);
-                    let changes_in = inlined!(|direction: usize| {
-                        if direction == in_direction { J::Mask::only(in_lane) } else { J::Mask::none() }
-                    });
-                    put(index, J::constant(value(index)).seeded(&changes_in, 0));
+        for (at, &variable) in self.variables.iter().enumerate() {
+            let own = at / per_lane;
+            let changes_in = inlined!(|direction: usize| {
+                let mut lanes = J::Mask::none();
+                for lane in if self.are_pairs { 0..self.lanes(per_lane) } else { own..own + 1 } {
+                    if self.variables.get(lane * per_lane + direction) == Some(&variable) {
+                        lanes = lanes | J::Mask::only(lane);
+                    }
                 }
-            }
-            // a variable in several pairs is passed once for each
-            Self::Pairs(pairs) => {
-                for &index in pairs.iter().flatten() {
-                    let changes_in = inlined!(|direction: usize| {
-                        let mut lanes = J::Mask::none();
-                        for (lane, pair) in pairs.iter().enumerate() {
-                            if pair[direction] == index {
-                                lanes = lanes | J::Mask::only(lane);
-                            }
-                        }
-                        lanes
-                    });
-                    put(index, J::constant(value(index)).seeded(&changes_in, 0));
-                }
-            }
+                lanes
+            });
+            put(variable, J::constant(value(variable)).seeded(&changes_in, 0));
         }
     }
 }

@@ -1,13 +1,22 @@
 use super::Taylor;
 use super::chain;
-use super::order::{Order, Pairs};
-use super::pass;
-use super::point::Point;
+use super::pass::Point;
 use super::split::Split;
 use crate::drive::{Outcome, Part};
 use crate::error::{Error, Result};
 use crate::number::Level;
 use crate::parameters::{Parameter, Setup, refuse_twice};
+
+/// How far a differentiation goes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Order {
+    /// Values.
+    Value,
+    /// Values and gradients.
+    First,
+    /// Values, gradients and Hessians.
+    Second,
+}
 
 /// A question asked of many drives: outcomes, with derivatives by parameters, of one setup at changing values of these
 /// parameters. What can be checked once is checked when it is made.
@@ -28,10 +37,9 @@ pub struct Evaluator {
     of: Vec<Outcome>,
     wrt: Vec<&'static Parameter>,
     order: Order,
-    pairs: Pairs,
+    /// The first row of the Hessians that is computed, with its column.
+    first_row: usize,
     split: Split,
-    /// The indices of parameters of the inertia tensor, with the values that have been checked together.
-    inertia: Vec<(usize, Option<f64>)>,
     level: Level,
 }
 
@@ -52,16 +60,14 @@ impl Evaluator {
             if order > Order::Value { setup.check_variable(parameter) } else { setup.check_column(parameter) }?;
         }
         refuse_twice(wrt)?;
-        let of_inertia = wrt.iter().enumerate().filter(|(_, parameter)| parameter.is_of_inertia());
-        let inertia = of_inertia.map(|(index, parameter)| (index, setup.value(parameter))).collect();
         let split = Split::of(wrt, of.iter().any(|outcome| outcome.is_of_the_run()));
         let (of, wrt) = (of.to_vec(), wrt.to_vec());
-        Ok(Self { setup: *setup, of, wrt, order, split, pairs: Pairs::All, inertia, level: Level::here() })
+        Ok(Self { setup: *setup, of, wrt, order, split, first_row: 0, level: Level::here() })
     }
 
-    /// The same with those second derivatives alone.
-    pub(super) fn of_pairs(self, pairs: Pairs) -> Self {
-        Self { pairs, ..self }
+    /// The same with those second derivatives alone that the last parameter takes part in.
+    pub(super) fn towards_last(self) -> Self {
+        Self { first_row: self.wrt.len().saturating_sub(1), ..self }
     }
 
     /// The same with no more of what the processor can do than this level has.
@@ -93,7 +99,9 @@ impl Evaluator {
         for (parameter, value) in self.wrt.iter().zip(values) {
             parameter.check(*value)?;
         }
-        if self.inertia.iter().any(|&(index, checked)| checked != Some(values[index])) {
+        let has_moved =
+            |(row, value): (&&Parameter, &f64)| row.is_of_inertia() && self.setup.value(row) != Some(*value);
+        if self.wrt.iter().zip(values).any(has_moved) {
             let mut moved = self.setup;
             moved.put(&self.wrt, |i| values[i]);
             moved.club.check_inertia()?;
@@ -102,33 +110,30 @@ impl Evaluator {
     }
 
     /// The outcomes of the setup itself, telling `progress` how many passes of how many are done.
-    pub(crate) fn at_setup(&self, setup: &Setup<f64>, progress: &mut dyn FnMut(usize, usize)) -> Result<Vec<Taylor>> {
-        let values: Vec<f64> = self.wrt.iter().map(|row| setup.value(row).unwrap_or(f64::NAN)).collect();
+    pub(crate) fn at_setup(&self, progress: &mut dyn FnMut(usize, usize)) -> Result<Vec<Taylor>> {
+        let values: Vec<f64> = self.wrt.iter().map(|row| self.setup.value(row).unwrap_or(f64::NAN)).collect();
         self.unchecked(&values, self.order, progress)
     }
 
     fn unchecked(&self, x: &[f64], order: Order, progress: &mut dyn FnMut(usize, usize)) -> Result<Vec<Taylor>> {
         let mut setup = self.setup;
         setup.put(&self.wrt, |i| x[i]);
+        let is_second = order == Order::Second;
+        let any = |is: fn(&Outcome) -> bool| self.of.iter().any(is);
         let point = Point {
             setup: &setup,
             of: &self.of,
             wrt: &self.wrt,
             x,
-            flies: self.of.iter().any(|outcome| outcome.part() == Part::Flight),
-            has_apex: self.of.iter().any(|outcome| outcome.is_of_the_apex()),
-            has_run: self.of.iter().any(|outcome| outcome.is_of_the_run()),
+            columns: if order == Order::Value { 0 } else { x.len() },
+            first_row: is_second.then_some(self.first_row),
+            flies: any(|outcome| outcome.part() == Part::Flight),
+            has_apex: any(|outcome| outcome.is_of_the_apex()),
+            has_run: any(|outcome| outcome.is_of_the_run()),
             level: self.level,
         };
-        let is_chained = match order {
-            Order::Value => false,
-            Order::First => self.split.pays_for_gradients(self.level),
-            Order::Second => self.pairs == Pairs::All && self.split.pays_for_hessians(),
-        };
-        let taylors = match is_chained {
-            true => chain::derivatives(&point, &self.split, order == Order::Second, progress)?,
-            false => pass::derivatives(&point, order, self.pairs, progress)?,
-        };
+        let is_chained = order > Order::Value && self.first_row == 0 && self.split.pays(x.len(), is_second, self.level);
+        let taylors = chain::derivatives(&point, is_chained.then_some(&self.split), progress)?;
         for (outcome, taylor) in self.of.iter().zip(&taylors) {
             check(taylor, *outcome, &self.wrt)?;
         }

@@ -5,26 +5,22 @@ mod chain;
 pub mod check;
 mod directions;
 mod evaluator;
-mod order;
 mod pass;
-mod point;
 mod split;
 
 pub use crate::number::Taylor;
-pub use evaluator::Evaluator;
-pub use order::Order;
+pub use evaluator::{Evaluator, Order};
 
 use crate::drive::Outcome;
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::parameters::{Parameter, Setup};
-use order::Pairs;
 
 /// Value and gradient of an outcome.
 ///
 /// # Errors
 /// As [`evaluate`].
 pub fn gradient(setup: &Setup<f64>, of: Outcome, wrt: &[&'static Parameter]) -> Result<Taylor> {
-    single(evaluate(setup, &[of], wrt, Order::First)?)
+    Ok(evaluate(setup, &[of], wrt, Order::First)?.swap_remove(0))
 }
 
 /// Value, gradient and Hessian of an outcome.
@@ -44,7 +40,7 @@ pub fn gradient(setup: &Setup<f64>, of: Outcome, wrt: &[&'static Parameter]) -> 
 /// # Errors
 /// As [`evaluate`].
 pub fn hessian(setup: &Setup<f64>, of: Outcome, wrt: &[&'static Parameter]) -> Result<Taylor> {
-    single(evaluate(setup, &[of], wrt, Order::Second)?)
+    Ok(evaluate(setup, &[of], wrt, Order::Second)?.swap_remove(0))
 }
 
 /// Values and gradients of several outcomes of one drive: their Jacobian, a row each.
@@ -58,8 +54,8 @@ pub fn jacobian(setup: &Setup<f64>, of: &[Outcome], wrt: &[&'static Parameter]) 
 /// Outcomes of a drive with their derivatives up to `order`.
 ///
 /// # Errors
-/// What [`Evaluator::new`] and [`Drive::new`](crate::Drive::new) refuse; [`Error::NoFlight`] for an outcome of a ball that does not fly;
-/// [`Error::Undefined`] where a value or derivative does not exist.
+/// What [`Evaluator::new`] and [`Drive::new`](crate::Drive::new) refuse; [`Error::NoFlight`](crate::Error::NoFlight) for an outcome of a
+/// ball that does not fly; [`Error::Undefined`](crate::Error::Undefined) where a value or derivative does not exist.
 pub fn evaluate(setup: &Setup<f64>, of: &[Outcome], wrt: &[&'static Parameter], order: Order) -> Result<Vec<Taylor>> {
     evaluate_with(setup, of, wrt, order, |_, _| ())
 }
@@ -75,7 +71,7 @@ pub fn evaluate_with(
     order: Order,
     mut progress: impl FnMut(usize, usize),
 ) -> Result<Vec<Taylor>> {
-    Evaluator::new(setup, of, wrt, order)?.at_setup(setup, &mut progress)
+    Evaluator::new(setup, of, wrt, order)?.at_setup(&mut progress)
 }
 
 /// As [`evaluate`] to second order, with those second derivatives alone that the last parameter takes part in: what the
@@ -84,9 +80,5 @@ pub fn evaluate_with(
 /// # Errors
 /// As [`evaluate`].
 pub(crate) fn towards_last(setup: &Setup<f64>, of: &[Outcome], wrt: &[&'static Parameter]) -> Result<Vec<Taylor>> {
-    Evaluator::new(setup, of, wrt, Order::Second)?.of_pairs(Pairs::WithLast).at_setup(setup, &mut |_, _| ())
-}
-
-fn single(mut taylors: Vec<Taylor>) -> Result<Taylor> {
-    taylors.pop().ok_or(Error::Nothing { doing: "evaluate", what: "outcome" })
+    Evaluator::new(setup, of, wrt, Order::Second)?.towards_last().at_setup(&mut |_, _| ())
 }

@@ -1,46 +1,92 @@
 use super::Taylor;
-use super::directions::{Directions, MOST_PER_LANE, Passes};
-use super::order::{Order, Pairs};
-use super::point::{Point, blank};
+use super::directions::{Directions, MOST_PER_LANE, pairs};
 use crate::drive::{self, Outcome, Shown, Struck};
-use crate::error::Result;
-use crate::impact::Head;
+use crate::error::{Error, Result};
+use crate::flight::Inputs;
+use crate::impact::{Head, strike};
 use crate::launch::Launch;
-use crate::number::{Derivatives, Jet, Lanes, Mask, Mixed, Task, Vector, inlined};
-use crate::parameters::Setup;
+use crate::number::{Derivatives, Jet, Lanes, Level, Mask, Mixed, Number, Task, Vector, inlined};
+use crate::parameters::{Parameter, Setup};
 
-/// What a flight is differentiated by, where that is not the parameters.
-#[derive(Clone, Copy)]
-pub(super) enum Variable {
-    /// A component of the launch: of its velocity, then of its spin.
-    Launch(usize),
-    /// The parameter of this index.
-    Parameter(usize),
+/// Components of a launch: of its velocity, then of its spin.
+pub(super) const COMPONENTS: usize = 6;
+
+/// A point at which outcomes and their derivatives are taken. The variables are counted through: the parameters, then the components of the launch.
+pub(super) struct Point<'a> {
+    /// The setup at this point.
+    pub setup: &'a Setup<f64>,
+    pub of: &'a [Outcome],
+    pub wrt: &'a [&'static Parameter],
+    /// The parameters' values.
+    pub x: &'a [f64],
+    /// How many parameters are differentiated by: all, or none for values.
+    pub columns: usize,
+    /// The first row of the Hessians that is computed, with its column, where they are asked for.
+    pub first_row: Option<usize>,
+    /// Whether an outcome is of the flight, whether one is of its apex, and whether one is of the run after it.
+    pub flies: bool,
+    pub has_apex: bool,
+    pub has_run: bool,
+    /// The most that is used of what the processor can do.
+    pub level: Level,
 }
 
-/// How much of a drive is computed, and by what it is differentiated.
+/// How much of a drive is computed.
+#[derive(Clone, Copy)]
 pub(super) enum Part<'a> {
-    /// All of it, by the parameters.
+    /// All of it.
     Drive,
-    /// The impact by the parameters, with the components of the launch.
-    Impact { launch: &'a mut [Taylor] },
-    /// The flight by its variables.
-    Flight { launch: &'a [Taylor], variables: &'a [Variable] },
+    /// The impact, with the components of the launch after the outcomes.
+    Impact,
+    /// The flight of a ball that leaves like this.
+    Flight(&'a [Taylor]),
+}
+
+impl Part<'_> {
+    fn shows(self, outcome: Outcome) -> bool {
+        match self {
+            Self::Drive => true,
+            Self::Impact => outcome.part() != drive::Part::Flight,
+            Self::Flight(_) => outcome.part() == drive::Part::Flight,
+        }
+    }
+}
+
+impl Point<'_> {
+    /// Fills in the derivatives by some variables, telling `progress` how many passes of how many are done.
+    pub fn differentiate(
+        &self,
+        part: Part<'_>,
+        variables: &[usize],
+        taylors: &mut [Taylor],
+        progress: &mut dyn FnMut(usize, usize),
+    ) -> Result<()> {
+        let pairs = self.first_row.map(|row| pairs(variables, row));
+        let directions = Directions { variables: pairs.as_deref().unwrap_or(variables), are_pairs: pairs.is_some() };
+        let passes = directions.passes(self.level);
+        let all = passes.len();
+        for (done, directions) in passes.enumerate() {
+            directions.level(self.level).run(Pass { point: self, part, directions, taylors })?;
+            progress(done + 1, all);
+        }
+        Ok(())
+    }
+
+    /// Why there is no drive, where a pass has found none.
+    fn refusal(&self) -> Error {
+        strike(self.setup).err().unwrap_or_else(|| Error::Undefined {
+            what: "the impact".into(),
+            reason: "it lies on the edge of where the club strikes the ball".into(),
+        })
+    }
 }
 
 /// Derivatives of outcomes in as many directions as there are.
 struct Pass<'a> {
     point: &'a Point<'a>,
-    directions: Directions<'a>,
     part: Part<'a>,
+    directions: Directions<'a>,
     taylors: &'a mut [Taylor],
-}
-
-impl Point<'_> {
-    /// Makes a pass: fills in what comes of these directions.
-    pub fn pass(&self, directions: Directions<'_>, part: Part<'_>, taylors: &mut [Taylor]) -> Result<()> {
-        self.level.of(directions.lanes(1)).run(Pass { point: self, directions, part, taylors })
-    }
 }
 
 impl Task for Pass<'_> {
@@ -48,11 +94,11 @@ impl Task for Pass<'_> {
 
     #[inline(always)]
     fn run<V: Lanes<Lane = f64>>(self) -> Result<()> {
-        match self.directions {
-            Directions::None => self.over::<V>(1),
-            Directions::Each(indices) if indices.len() <= V::WIDTH => self.over::<Jet<1, V>>(1),
-            Directions::Each(_) => self.over::<Jet<MOST_PER_LANE, V>>(MOST_PER_LANE),
-            Directions::Pairs(_) => self.over::<Mixed<V>>(2),
+        match (self.directions.variables.len(), self.directions.are_pairs) {
+            (0, _) => self.over::<V>(1),
+            (_, true) => self.over::<Mixed<V>>(2),
+            (count, false) if count <= V::WIDTH => self.over::<Jet<1, V>>(1),
+            _ => self.over::<Jet<MOST_PER_LANE, V>>(MOST_PER_LANE),
         }
     }
 }
@@ -60,112 +106,70 @@ impl Task for Pass<'_> {
 impl Pass<'_> {
     #[inline(always)]
     fn over<J: Lanes<Lane: Derivatives>>(self, per_lane: usize) -> Result<()> {
-        let Self { point, directions, part, taylors } = self;
+        let Self { point, part, directions, taylors } = self;
+        let (parameters, lanes) = (point.wrt.len(), directions.lanes(per_lane));
+        let given = if let Part::Flight(launch) = part { launch } else { &[] };
         let mut setup = point.setup.constant::<J>();
-        let lanes = directions.lanes(per_lane);
-        let mut take = |lane: usize, outcome: usize, number: J::Lane| {
-            put(&mut taylors[outcome], directions.in_lane(lane, per_lane), &number);
-        };
-        let launch = if let Part::Flight { launch, variables } = part {
-            let mut left: [J; 6] = std::array::from_fn(|component| J::constant(launch[component].value));
-            directions.seeded(
-                per_lane,
-                |variable| match variables[variable] {
-                    Variable::Launch(component) => launch[component].value,
-                    Variable::Parameter(index) => point.x[index],
-                },
-                inlined!(|variable, number| match variables[variable] {
-                    Variable::Launch(component) => left[component] = number,
-                    Variable::Parameter(index) => setup.put(&point.wrt[index..=index], |_| number),
-                }),
-            );
+        let mut left: [J; COMPONENTS] =
+            std::array::from_fn(|i| given.get(i).map_or(J::zero(), |component| J::constant(component.value)));
+        directions.seeded(
+            per_lane,
+            |variable| if variable < parameters { point.x[variable] } else { given[variable - parameters].value },
+            inlined!(|variable, number| match point.wrt.get(variable..=variable) {
+                Some(parameter) => setup.put(parameter, |_| number),
+                None => left[variable - parameters] = number,
+            }),
+        );
+        let struck = if let Part::Flight(_) = part {
             let [up, right, downrange, spin @ ..] = left;
-            Launch { velocity: Vector::new(up, right, downrange), spin: Vector::from_array(spin) }
+            let launch = Launch { velocity: Vector::new(up, right, downrange), spin: Vector::from_array(spin) };
+            Struck { launch, club_speed: None, is_sound: J::Mask::first(lanes) }
         } else {
-            directions.seeded(
-                per_lane,
-                |index| point.x[index],
-                inlined!(|index, number| setup.put(&point.wrt[index..=index], |_| number)),
-            );
-            let struck = Struck::new(&setup);
-            if !struck.is_sound.holds(0) {
-                return Err(point.refusal());
-            }
-            read_launches(point, &setup, &struck, lanes, &mut take)?;
-            if let Part::Impact { launch } = part {
-                let Launch { velocity, spin } = struck.launch;
-                for lane in 0..lanes {
-                    let components = velocity.to_array().into_iter().chain(spin.to_array());
-                    for (component, number) in launch.iter_mut().zip(components) {
-                        put(component, directions.in_lane(lane, per_lane), &number.lane(lane));
-                    }
-                }
-                return Ok(());
-            }
-            struck.launch
+            Struck::new(&setup)
         };
-        if point.flies { point.fly(&setup, &launch, lanes, take) } else { Ok(()) }
-    }
-}
-
-/// Shows the outcomes of the launch and of the head in each lane to `take`, with their indices.
-#[inline(always)]
-fn read_launches<J: Lanes>(
-    point: &Point<'_>,
-    setup: &Setup<J>,
-    struck: &Struck<J>,
-    lanes: usize,
-    mut take: impl FnMut(usize, usize, J::Lane),
-) -> Result<()> {
-    let is_before_flight = |outcome: &Outcome| outcome.part() != drive::Part::Flight;
-    if !point.of.iter().any(is_before_flight) {
-        return Ok(());
-    }
-    let has_head = struck.club_speed.is_some() && point.of.iter().any(|outcome| outcome.part() == drive::Part::Head);
-    let head = has_head.then(|| J::outlined(|| Head::new(&setup.club)));
-    for lane in 0..lanes {
-        let in_lane = inlined!(|number: J| number.lane(lane));
-        let launch = struck.launch.map(in_lane);
-        let club_speed = struck.club_speed.map(in_lane);
-        let head = head.as_ref().map(|head| head.map(in_lane));
-        let shown = Shown { launch: &launch, club_speed, landed: None, head: head.as_ref() };
-        for (i, outcome) in point.of.iter().enumerate().filter(|(_, outcome)| is_before_flight(outcome)) {
-            take(lane, i, outcome.shown(&shown).ok_or_else(|| outcome.missing())?);
+        if !struck.is_sound.holds(0) {
+            return Err(point.refusal());
         }
+        let has_head =
+            struck.club_speed.is_some() && point.of.iter().any(|outcome| outcome.part() == drive::Part::Head);
+        let head = has_head.then(|| J::outlined(|| Head::new(&setup.club)));
+        let mut ended = None;
+        if point.flies && !matches!(part, Part::Impact) {
+            let inputs = Inputs::new(&setup, &struck.launch, point.has_run);
+            let found = inputs.follow(J::Mask::first(lanes), point.has_apex, &mut |_, _| ());
+            // the drive is the same in all lanes
+            if let Some(why) = found.missing(&inputs, 0, |number| number.lane(0).re())? {
+                return Err(Error::NoFlight { reason: why.message() });
+            }
+            ended = Some(found);
+        }
+        for lane in 0..lanes {
+            let in_lane = inlined!(|number: J| number.lane(lane));
+            let launch = struck.launch.map(in_lane);
+            let landed = ended.as_ref().map(|ended| ended.landed.map(in_lane));
+            let head = head.as_ref().map(|head| head.map(in_lane));
+            let club_speed = struck.club_speed.map(in_lane);
+            let shown = Shown { launch: &launch, club_speed, landed: landed.as_ref(), head: head.as_ref() };
+            let variables = directions.in_lane(lane, per_lane);
+            for (outcome, taylor) in point.of.iter().zip(&mut *taylors).filter(|(outcome, _)| part.shows(**outcome)) {
+                put(taylor, variables, &outcome.shown(&shown).ok_or_else(|| outcome.missing())?);
+            }
+            let components = launch.velocity.to_array().into_iter().chain(launch.spin.to_array());
+            for (taylor, number) in taylors[point.of.len()..].iter_mut().zip(components) {
+                put(taylor, variables, &number);
+            }
+        }
+        Ok(())
     }
-    Ok(())
 }
 
 /// Writes what a number tells of its directions to the indices of their variables.
-fn put<J: Derivatives>(taylor: &mut Taylor, indices: &[usize], number: &J) {
+fn put<J: Derivatives>(taylor: &mut Taylor, variables: &[usize], number: &J) {
     taylor.value = number.re();
-    for (i, &index) in indices.iter().enumerate() {
-        taylor.gradient[index] = number.first(i);
+    for (i, &variable) in variables.iter().enumerate() {
+        taylor.gradient[variable] = number.first(i);
     }
-    if let (&[i, j], false) = (indices, taylor.hessian.is_empty()) {
+    if let (&[i, j], false) = (variables, taylor.hessian.is_empty()) {
         (taylor.hessian[i][j], taylor.hessian[j][i]) = (number.second(), number.second());
     }
-}
-
-/// The outcomes by the parameters themselves; `progress` is told how many passes of how many are done.
-pub(super) fn derivatives(
-    point: &Point<'_>,
-    order: Order,
-    pairs: Pairs,
-    progress: &mut dyn FnMut(usize, usize),
-) -> Result<Vec<Taylor>> {
-    let n = if order == Order::Value { 0 } else { point.wrt.len() };
-    let passes = match (order, pairs) {
-        (Order::Second, Pairs::WithLast) => Passes::Pairs((0..n).map(|other| [n - 1, other]).collect()),
-        _ => Passes::by(&(0..n).collect::<Vec<_>>(), order == Order::Second),
-    };
-    let mut taylors = blank(point.of.len(), n, if order == Order::Second { n } else { 0 });
-    let mut done = 0;
-    passes.run(point.level, &mut |directions, all| {
-        point.pass(directions, Part::Drive, &mut taylors)?;
-        done += 1;
-        progress(done, all);
-        Ok(())
-    })?;
-    Ok(taylors)
 }

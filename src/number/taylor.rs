@@ -10,6 +10,11 @@ pub struct Taylor {
 }
 
 impl Taylor {
+    /// 0, with so many first derivatives and rows of second ones.
+    pub(crate) fn zero(columns: usize, rows: usize) -> Self {
+        Self { value: 0.0, gradient: vec![0.0; columns], hessian: vec![vec![0.0; columns]; rows] }
+    }
+
     /// Whether the value and every derivative is finite.
     pub fn is_finite(&self) -> bool {
         let mut derivatives = self.gradient.iter().chain(self.hessian.iter().flatten());
@@ -50,11 +55,7 @@ impl Taylor {
     pub fn sum<'a>(terms: impl IntoIterator<Item = (&'a Self, f64)>) -> Self {
         let mut all: Option<Self> = None;
         for (term, weight) in terms {
-            let sum = all.get_or_insert_with(|| Self {
-                value: 0.0,
-                gradient: vec![0.0; term.gradient.len()],
-                hessian: vec![vec![0.0; term.gradient.len()]; term.hessian.len()],
-            });
+            let sum = all.get_or_insert_with(|| Self::zero(term.gradient.len(), term.hessian.len()));
             term.expect_derivatives_by(sum.gradient.len(), "derivatives of the first term");
             let [first, this] = [sum.hessian.len(), term.hessian.len()];
             assert!(
