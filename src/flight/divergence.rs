@@ -54,26 +54,3 @@ impl Diverging {
         }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::Diverging;
-
-    #[test]
-    fn the_step_is_named_only_where_it_is_long_and_else_what_is_out_of_the_ordinary() {
-        let usual =
-            Diverging { step: 0.005, speed: 70.0, spin: 280.0, force_per_mass: 0.018, wind: 3.0, law: "linear" };
-        assert!(usual.advice().contains("the coefficients of the law linear"));
-        for (of, says) in [
-            (Diverging { step: 2.0, ..usual }, "reduce flight.step"),
-            (Diverging { speed: 1e5, ..usual }, "the ball leaves at 100000 m/s"),
-            (Diverging { spin: 1e6, ..usual }, "its spin is"),
-            (Diverging { force_per_mass: 15.0, ..usual }, "is 15 per m"),
-            (Diverging { wind: 1e4, ..usual }, "the wind is 10000 m/s"),
-            (Diverging { speed: f64::NAN, ..usual }, "the ball leaves at NaN"),
-        ] {
-            let told = of.advice();
-            assert!(told.contains(says) && (of.step > 1.0) == told.contains("flight.step"), "{told}");
-        }
-    }
-}

@@ -31,8 +31,7 @@ impl<T: Numbers> Inputs<T> {
     fn spin_and_derivatives(&self, node: &Node<T>, damping: T, h: f64) -> [T; 3] {
         let spin = node.state.spin;
         let rate = damping.mul_add(node.rate.speed, self.decay);
-        let [before, after] = self.beside(node);
-        let quickens = damping * self.per_time(after.speed - before.speed);
+        let quickens = damping * self.rate_per_time(node).speed;
         [spin, -(rate * spin) * h, spin * (rate * rate - quickens) * (h * h)]
     }
 }

@@ -48,32 +48,29 @@ impl<T: Numbers> Inputs<T> {
     /// inlined: there is one compiled copy for each number type.
     #[inline(always)]
     pub fn new(setup: &Setup<T>, launch: &Launch<T>, runs: bool) -> Self {
-        T::outlined(inlined!(|| Self::of(setup, launch, runs)))
-    }
-
-    #[inline(always)]
-    fn of(setup: &Setup<T>, launch: &Launch<T>, runs: bool) -> Self {
-        let radius = setup.ball.radius;
-        let AirState { density, viscosity } = AirState::of(&setup.air);
-        let (spin, per_spin) = (launch.spin.dot(launch.spin) + LEAST_SPIN * LEAST_SPIN).sqrt_recip();
-        Self {
-            velocity: launch.velocity,
-            spin,
-            axis: launch.spin * per_spin,
-            force_per_mass: density * radius * radius * (0.5 * PI) / setup.ball.mass,
-            gravity: setup.flight.gravity,
-            radius,
-            reynolds_per_speed: density * radius * 2.0 / viscosity,
-            decay: setup.aero.spin_decay,
-            damping: setup.aero.spin_damping.map(inlined!(|damping| damping / radius)),
-            wind: WindField::new(&setup.wind, &setup.ground),
-            ground: setup.ground.height,
-            law: setup.law,
-            turf: runs.then(inlined!(|| Turf::new(setup))),
-            method: setup.method,
-            step: setup.flight.step,
-            time_limit: setup.flight.time_limit,
-        }
+        T::outlined(inlined!(|| {
+            let radius = setup.ball.radius;
+            let AirState { density, viscosity } = AirState::of(&setup.air);
+            let (spin, per_spin) = (launch.spin.dot(launch.spin) + LEAST_SPIN * LEAST_SPIN).sqrt_recip();
+            Self {
+                velocity: launch.velocity,
+                spin,
+                axis: launch.spin * per_spin,
+                force_per_mass: density * radius * radius * (0.5 * PI) / setup.ball.mass,
+                gravity: setup.flight.gravity,
+                radius,
+                reynolds_per_speed: density * radius * 2.0 / viscosity,
+                decay: setup.aero.spin_decay,
+                damping: setup.aero.spin_damping.map(inlined!(|damping| damping / radius)),
+                wind: WindField::new(&setup.wind, &setup.ground),
+                ground: setup.ground.height,
+                law: setup.law,
+                turf: runs.then(inlined!(|| Turf::new(setup))),
+                method: setup.method,
+                step: setup.flight.step,
+                time_limit: setup.flight.time_limit,
+            }
+        }))
     }
 
     /// Spin ratio, spin, Reynolds number and speed through the air as the ball leaves.

@@ -83,23 +83,10 @@ impl<T: Numbers> Inputs<T> {
         self.find_rate(state.velocity, state.spin, state.position.x, &mut node.rate);
     }
 
-    /// d²v/dt² at a node: the central difference of the equation of motion along the path. It is a smooth function of the node
-    /// alone, so that the paths of neighbouring steps join; over a dual number in time it would be twice the code of a flight.
+    /// How the rate at a node changes with time, d²v/dt² and d|v_r|/dt: the central difference of the equation of motion along the path. It is a
+    /// smooth function of the node alone, so that the paths of neighbouring steps join; over a dual number in time it would be twice the code of a flight.
     #[inline(always)]
-    pub(super) fn jerk(&self, node: &Node<T>) -> Vector<T> {
-        let [before, after] = self.beside(node);
-        (after.acceleration - before.acceleration).map(inlined!(|change| self.per_time(change)))
-    }
-
-    /// A difference between the rates beside a node, as a derivative by the time.
-    #[inline(always)]
-    pub(super) fn per_time(&self, change: T) -> T {
-        change * (0.5 / APART)
-    }
-
-    /// How the state changes a little before and a little after a node.
-    #[inline(always)]
-    pub(super) fn beside(&self, node: &Node<T>) -> [Rate<T>; 2] {
+    pub(super) fn rate_per_time(&self, node: &Node<T>) -> Rate<T> {
         let Node { state: State { position, velocity, spin }, rate: Rate { acceleration, speed } } = *node;
         let decay_rate = match self.damping {
             None => self.decay,
@@ -112,6 +99,10 @@ impl<T: Numbers> Inputs<T> {
             let height = velocity.x.scale_add(time, position.x);
             self.find_rate(acceleration.scale_add(time, velocity), spin_rate.scale_add(time, spin), height, there);
         }
-        beside
+        let per_time = inlined!(|change: T| change * (0.5 / APART));
+        Rate {
+            acceleration: (beside[1].acceleration - beside[0].acceleration).map(per_time),
+            speed: per_time(beside[1].speed - beside[0].speed),
+        }
     }
 }

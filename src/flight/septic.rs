@@ -124,7 +124,7 @@ impl<T: Numbers> Path<T> {
         // a loop, so that there is one call site
         let mut jerks = [v; 2];
         for (jerk, node) in jerks.iter_mut().zip([from, to]) {
-            *jerk = inputs.jerk(node);
+            *jerk = inputs.rate_per_time(node).acceleration;
         }
         let [j0, j1] = jerks;
         let ([x, y, z], [vx, vy, vz]) = (x.to_array(), v.to_array());

@@ -44,14 +44,7 @@ impl<D: DualNum<Primitive = f64> + Copy> Numbers for D {
     }
     #[inline(always)]
     fn looked_up<const N: usize>(self, other: Self, place: impl Fn(f64, f64) -> &'static [f64; N]) -> [Self; N] {
-        let found = place(num_dual::DualStruct::re(&self), num_dual::DualStruct::re(&other));
-        let mut all = [D::from(0.0); N];
-        let mut i = 0;
-        while i < N {
-            all[i] = D::from(found[i]);
-            i += 1;
-        }
-        all
+        place(num_dual::DualStruct::re(&self), num_dual::DualStruct::re(&other)).map(D::from)
     }
     #[inline(always)]
     fn tanh(self) -> Self {

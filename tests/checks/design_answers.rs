@@ -92,8 +92,7 @@ fn the_nearest_design_is_no_further_than_the_one_set_up() {
         "--vary=club.weight_1.depth=0mm..110mm",
         "--vary=club.weight_1.toe=-50mm..50mm",
         "--subject-to=head_moi <= 5500 g cm^2",
-        // both designs are told of the same swings, in the same large steps
-        "--scenarios=64",
+        // both designs are told in the same large steps
         "--set=flight.method=dp8",
         "--set=flight.step=400ms",
     ];

@@ -275,3 +275,38 @@ fn exact_every_step_that_can_be_set_is_one_that_is_flown() {
     assert_eq!(said.to_string(), flown.to_string());
     assert!(said.to_string().contains("at most 1e8 steps up to flight.time_limit = 601 s"), "{said}");
 }
+
+#[test]
+fn what_is_out_of_the_ordinary_of_a_flight_that_diverges_is_named_and_the_step_only_where_it_is_long() {
+    let usual = || Setup { law: Law::named("linear").unwrap(), ..Setup::default() };
+    let launch = |speed: f64, spin: f64| Launch {
+        velocity: Vector::new(0.2 * speed, 0.0, speed),
+        spin: Vector::new(0.0, spin, 0.0),
+    };
+    let fast = launch(1e5, -280.0);
+    let told = |change: &dyn Fn(&mut Setup<f64>), launch: &Launch<f64>| {
+        let mut setup = usual();
+        change(&mut setup);
+        let Err(Error::Diverged { advice, .. }) = fly(&setup, launch) else { panic!("it can be followed") };
+        advice
+    };
+    let ordinary = launch(70.0, -280.0);
+    let far_too_large = |setup: &mut Setup<f64>| setup.law = steep();
+    for (advice, says, is_long) in [
+        (told(&far_too_large, &ordinary), "check the coefficients of the law linear", false),
+        (told(&|setup| setup.flight.step = 5.0, &ordinary), "reduce flight.step", true),
+        (told(&|_| (), &fast), "the ball leaves at 102000 m/s", false),
+        (told(&|_| (), &launch(70.0, -1e6)), "its spin is", false),
+        (told(&|setup| setup.air.density = 1000.0, &ordinary), "per m (0.018 for a golf ball in air)", false),
+        (told(&|setup| setup.wind.downrange = 1e4, &ordinary), "the wind is 10000 m/s", false),
+        (told(&|_| (), &launch(f64::NAN, -280.0)), "the ball leaves at NaN", false),
+    ] {
+        assert!(advice.contains(says) && is_long == advice.contains("flight.step"), "{says}: {advice}");
+    }
+}
+
+/// A lift that turns the ball within hundredths of a second.
+fn steep() -> Law<f64> {
+    let Law::Linear(linear) = Law::named("linear").unwrap() else { unreachable!() };
+    Law::Linear(longdrive::parameters::Linear { cl_slope: 1e5, ..linear })
+}

@@ -79,11 +79,11 @@ mod tests {
     }
 
     #[test]
-    fn measured_functions_are_within_two_units_of_those_of_libm_and_tanh_within_three() {
+    fn measured_functions_are_within_two_units_of_those_of_libm_and_tanh_in_registers_within_three() {
         for level in Level::ALL {
             let worst = level.run(Functions);
-            let [others @ .., tanh] = worst;
-            assert!(others.iter().all(|most| *most <= 2.0) && tanh <= 3.0, "{level:?}: {worst:?}");
+            let ([others @ .., tanh], most) = (worst, if level.width() == 1 { 2.0 } else { 3.0 });
+            assert!(others.iter().all(|most| *most <= 2.0) && tanh <= most, "{level:?}: {worst:?}");
         }
     }
 }
