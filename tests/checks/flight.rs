@@ -286,20 +286,23 @@ fn what_is_out_of_the_ordinary_of_a_flight_that_diverges_is_named_and_the_step_o
     let fast = launch(1e5, -280.0);
     let told = |change: &dyn Fn(&mut Setup<f64>), launch: &Launch<f64>| {
         let mut setup = usual();
+        // not yet long
+        setup.flight.step = 0.04;
         change(&mut setup);
-        let Err(Error::Diverged { advice, .. }) = fly(&setup, launch) else { panic!("it can be followed") };
-        advice
+        match fly(&setup, launch) {
+            Err(Error::Diverged { advice, .. }) => advice,
+            other => panic!("it can be followed: {other:?}"),
+        }
     };
     let ordinary = launch(70.0, -280.0);
     let far_too_large = |setup: &mut Setup<f64>| setup.law = steep();
     for (advice, says, is_long) in [
         (told(&far_too_large, &ordinary), "check the coefficients of the law linear", false),
-        (told(&|setup| setup.flight.step = 5.0, &ordinary), "reduce flight.step", true),
+        (told(&|setup| setup.flight.step = 3.0, &ordinary), "reduce flight.step", true),
         (told(&|_| (), &fast), "the ball leaves at 102000 m/s", false),
         (told(&|_| (), &launch(70.0, -1e6)), "its spin is", false),
         (told(&|setup| setup.air.density = 1000.0, &ordinary), "per m (0.018 for a golf ball in air)", false),
         (told(&|setup| setup.wind.downrange = 1e4, &ordinary), "the wind is 10000 m/s", false),
-        (told(&|_| (), &launch(f64::NAN, -280.0)), "the ball leaves at NaN", false),
     ] {
         assert!(advice.contains(says) && is_long == advice.contains("flight.step"), "{says}: {advice}");
     }

@@ -124,13 +124,18 @@ pub fn calibration_document(report: &CalibrationReport<'_>, system: System) -> D
             stopped => format!("the {} that came to their end", counted((found.starts.0 - stopped) as u64, "start")),
         };
         let mut told = format!("{} of {of} ended at this sum", found.starts.1);
-        let elsewhere = found.elsewhere.iter().map(|(status, count)| format!("{count} {status}"));
-        let elsewhere: Vec<_> = elsewhere.collect();
-        if !elsewhere.is_empty() {
-            told += &format!("; at larger sums: {}", elsewhere.join(", "));
+        for (status, count) in &found.elsewhere {
+            told += &match status {
+                Status::Undefined => format!("; {count} could not begin, for not every row flies there"),
+                _ => format!("; {count} ended at a larger sum ({status})"),
+            };
         }
         document.paragraph(told + ".");
-        if found.elsewhere.iter().any(|(status, _)| matches!(status, Status::Stalled | Status::IterationLimit)) {
+        if found
+            .elsewhere
+            .iter()
+            .any(|(status, _)| !matches!(status, Status::Converged | Status::Undetermined | Status::Outweighed))
+        {
             document.paragraph(
                 "Starts are spread over the ranges of the parameters: with narrower ones, --fit NAME=LOW..HIGH, more of them come to a minimum.",
             );
