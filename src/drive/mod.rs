@@ -18,7 +18,7 @@ pub(crate) use struck::Struck;
 use crate::aerodynamics::AerodynamicLaw;
 use crate::atmosphere::AirState;
 use crate::error::{Error, Result};
-use crate::flight::{Flight, Landed, fly_in_any_steps};
+use crate::flight::{Flight, Inputs, Landed};
 use crate::impact::{Grip, Head, Impact, strike};
 use crate::launch::Launch;
 use crate::number::Number;
@@ -68,12 +68,13 @@ impl<T: Number> Drive<T> {
     /// # Errors
     /// As [`new`](Self::new), but for the step.
     pub(crate) fn in_any_steps(setup: &Setup<T>) -> Result<Self> {
+        let fly = |launch: &Launch<T>| Inputs::new(setup, launch, true).fly(true, &mut |_, _| ());
         if let Some(launch) = Launch::given(setup) {
-            let flight = fly_in_any_steps(setup, &launch)?;
+            let flight = fly(&launch)?;
             return Ok(Self { launch, impact: None, flight, club_speed: None, head: None });
         }
         let impact = strike(setup)?;
-        let (launch, flight) = (impact.launch, fly_in_any_steps(setup, &impact.launch)?);
+        let (launch, flight) = (impact.launch, fly(&impact.launch)?);
         let (club_speed, head) = (Some(setup.swing.speed), Some(Head::new(&setup.club)));
         Ok(Self { launch, impact: Some(impact), flight, club_speed, head })
     }

@@ -36,14 +36,6 @@ pub(crate) struct Ended<T: Numbers> {
 /// [`Error::NotANumber`] for a step that makes no steps, or more than 1e8 up to the time limit.
 pub fn fly<T: Number>(setup: &Setup<T>, launch: &Launch<T>) -> Result<Flight<T>> {
     setup.flight.check_steps()?;
-    fly_in_any_steps(setup, launch)
-}
-
-/// The same, however many steps it takes.
-///
-/// # Errors
-/// [`Error::Diverged`].
-pub(crate) fn fly_in_any_steps<T: Number>(setup: &Setup<T>, launch: &Launch<T>) -> Result<Flight<T>> {
     Inputs::new(setup, launch, true).fly(true, &mut |_, _| ())
 }
 

@@ -14,5 +14,4 @@ mod trajectory;
 pub use ending::{Apex, Flight, Landed, NoFlight};
 pub(crate) use inputs::Inputs;
 pub use landing::fly;
-pub(crate) use landing::fly_in_any_steps;
 pub use trajectory::{Trajectory, TrajectoryPoint, trajectory};
