@@ -142,14 +142,14 @@ pub fn uncertainty_text(found: &Uncertainty, system: System) -> String {
     )
 }
 
-/// "normal: 110 mph ± 0.5 mph"; "normal: 110 mph ± 4 mph, cut at 105 mph and 115 mph".
+/// "normal: 110 mph ± 0.5 mph"; "truncated normal: 110 mph ± 4 mph, cut at 105 mph and 115 mph".
 pub(super) fn distribution_text(input: &Uncertain, system: System) -> String {
     let show = |value: f64| shown::stated(input.parameter, value, system);
     let normal = |mean: f64, deviation: f64| format!("normal: {} ± {}", show(mean), show(deviation));
     match input.distribution {
         Distribution::Normal { mean, deviation } => normal(mean, deviation),
         Distribution::Truncated { mean, deviation, low, high } => {
-            format!("{}, cut at {} and {}", normal(mean, deviation), show(low), show(high))
+            format!("truncated {}, cut at {} and {}", normal(mean, deviation), show(low), show(high))
         }
         other => format!("{}: {}", name(&other), values(&other).into_iter().map(show).collect::<Vec<_>>().join(" .. ")),
     }
