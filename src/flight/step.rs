@@ -55,13 +55,14 @@ impl<T: Numbers> Step<T> {
         &mut self.nodes[usize::from(!self.ends_at_first)]
     }
 
-    /// How far a step of length h is from Hermite's quadrature between its ends (docs/model.md, eq. 16a), squared over the way
-    /// through the air, m. It grows as h⁹; the sum over a flight as h⁸.
+    /// How far a step of length h is from Hermite's quadrature between its ends (docs/model.md, eq. 16a), times the fourth power of the part of the
+    /// airspeed by which the velocity changes, m. It grows as h⁹; the sum over a flight as h⁸.
     #[inline(always)]
     pub fn defect(&self, h: f64) -> T {
         let (a0, a1) = (self.from().rate.acceleration, self.to().rate.acceleration);
         let off = (a0 - a1).scale_add(h * h * (-1.0 / 12.0), self.gained.scale_add(-0.5 * h, self.deflection));
-        off.dot(off) * (1.0 / h) / self.from().rate.speed
+        let changed = self.gained * self.from().rate.speed.recip();
+        off.norm() * changed.dot(changed) * changed.dot(changed)
     }
 }
 
