@@ -55,8 +55,8 @@ impl<T: Numbers> Step<T> {
         &mut self.nodes[usize::from(!self.ends_at_first)]
     }
 
-    /// How far a step of length h is from Hermite's quadrature between its ends (docs/model.md, eq. 16a), times the fourth power of the part of the
-    /// airspeed by which the velocity changes, m. It grows as h⁹; the sum over a flight as h⁸.
+    /// How far a step of length h is from Hermite's quadrature between its ends, times (|Δv|/|v_r|)⁴, m (docs/model.md, eq. 16a). It grows as h⁹; the
+    /// sum over a flight as h⁸.
     #[inline(always)]
     pub fn defect(&self, h: f64) -> T {
         let (a0, a1) = (self.from().rate.acceleration, self.to().rate.acceleration);
