@@ -43,18 +43,18 @@ pub(crate) struct Node<T> {
 }
 
 impl<T: Numbers> Inputs<T> {
-    /// The equation of motion (docs/model.md, eqs. 12–15). Not inlined: there is one compiled copy for each number type. What it finds
-    /// is written to its place, as a rate with many derivatives is long to copy.
+    /// The equation of motion (docs/model.md, eqs. 12–15) of a ball with this velocity through the air. Not inlined: there is one compiled copy for
+    /// each number type. What it finds is written to its place, as a rate with many derivatives is long to copy.
     #[inline(always)]
-    pub(super) fn find_rate(&self, velocity: Vector<T>, spin: T, height: T, rate: &mut Rate<T>) {
-        T::outlined(inlined!(|| *rate = self.forces(velocity, spin, height)));
+    pub(super) fn find_rate(&self, air: Vector<T>, spin: T, rate: &mut Rate<T>) {
+        T::outlined(inlined!(|| *rate = self.forces(air, spin)));
     }
 
     #[inline(always)]
-    fn forces(&self, velocity: Vector<T>, spin: T, height: T) -> Rate<T> {
-        let air = velocity - self.wind.at(height);
+    fn forces(&self, air: Vector<T>, spin: T) -> Rate<T> {
         let least = T::constant(LEAST_SPEED * LEAST_SPEED);
-        let square = air.x.mul_add(air.x, air.y.mul_add(air.y, air.z.mul_add(air.z, least)));
+        // summed in pairs: the next stage waits for it
+        let square = air.x.mul_add(air.x, least) + air.y.mul_add(air.y, air.z * air.z);
         let (speed, per_speed) = square.sqrt_recip();
         let across = self.axis.cross(air);
         let stream = Stream {
@@ -80,7 +80,7 @@ impl<T: Numbers> Inputs<T> {
     #[inline(always)]
     pub(super) fn find_node(&self, state: State<T>, node: &mut Node<T>) {
         node.state = state;
-        self.find_rate(state.velocity, state.spin, state.position.x, &mut node.rate);
+        self.find_rate(state.velocity - self.wind.at(state.position.x), state.spin, &mut node.rate);
     }
 
     /// How the rate at a node changes with time, d²v/dt² and d|v_r|/dt: the central difference of the equation of motion along the path. It is a
@@ -96,8 +96,8 @@ impl<T: Numbers> Inputs<T> {
         // a loop, so that there is one call site
         let mut beside = [node.rate; 2];
         for (there, time) in beside.iter_mut().zip([-APART, APART]) {
-            let height = velocity.x.scale_add(time, position.x);
-            self.find_rate(acceleration.scale_add(time, velocity), spin_rate.scale_add(time, spin), height, there);
+            let wind = self.wind.at(velocity.x.scale_add(time, position.x));
+            self.find_rate(acceleration.scale_add(time, velocity - wind), spin_rate.scale_add(time, spin), there);
         }
         let per_time = inlined!(|change: T| change * (0.5 / APART));
         Rate {

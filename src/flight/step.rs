@@ -84,15 +84,15 @@ impl<'a, T: Numbers> Stepper<'a, T> {
         let State { position: x, velocity: v, spin } = step.from().state;
         self.rates[0] = step.from().rate;
         for i in 1..tableau.stages {
-            let velocity = self.sum(tableau.velocity[i], h, v);
             let mut height = v.x.scale_add(h * tableau.time[i], x.x);
             if inputs.wind.depends_on_height() {
                 for (rate, weight) in self.rates.iter().zip(&tableau.position[i]).take(i) {
                     height = rate.acceleration.x.scale_add(h * h * weight, height);
                 }
             }
-            let spin = self.spin(spin, i);
-            inputs.find_rate(velocity, spin, height, &mut self.rates[i]);
+            // the wind first, as the sum waits for the stage before
+            let air = self.sum(tableau.velocity[i], h, v - inputs.wind.at(height));
+            inputs.find_rate(air, self.spin(spin, i), &mut self.rates[i]);
         }
         let end = tableau.stages;
         let gained = self.sum(tableau.velocity[end], h, Vector::zero());

@@ -180,7 +180,11 @@ fn remarks_in_setup_files_have_the_digits_of_the_text_and_values_all_of_them() {
     assert_eq!(done.status, 0, "{}", done.err);
     let text = std::fs::read_to_string(&file).unwrap();
     let (loft, about) = remark(&text, "loft = ");
-    let degrees: f64 = loft.trim_end_matches(" deg").parse().unwrap();
+    // in degrees where a text in degrees is exact
+    let degrees = loft
+        .strip_suffix(" deg")
+        .map_or_else(|| loft.trim_end_matches(" rad").parse().map(f64::to_degrees), str::parse)
+        .unwrap();
     assert_eq!(about, format!("optimum: {degrees:.2} deg in 4 deg .. 20 deg"));
     assert!(loft.len() > "8.80634 deg".len(), "{text}");
     let head = text.lines().next().unwrap();
