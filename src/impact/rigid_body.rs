@@ -5,6 +5,7 @@ use super::linear::{SymmetricFactors, solve};
 use crate::error::{Error, Result};
 use crate::number::{Number, Numbers, Vector, inlined};
 use crate::parameters::{Setup, SpeedOf};
+use crate::units::significant;
 
 /// Two rigid bodies about to collide, in the head frame: a head that moves, and a ball at rest.
 #[derive(Clone, Copy, Debug)]
@@ -237,8 +238,9 @@ impl<T: Number> Collision<T> {
         let push = impulse.dot(self.normal).re();
         if push <= 0.0 || push.is_nan() {
             return Err(jammed(&format!(
-                "the impulse along the face normal would be {push} N s, which must be above 0; check strike.high, strike.toe, \
-                 club.inertia and impact.tangential_restitution"
+                "the impulse along the face normal would be {} N s, which must be above 0; check strike.high, strike.toe, \
+                 club.inertia and impact.tangential_restitution",
+                significant(push, 3)
             )));
         }
         Ok(impulse)

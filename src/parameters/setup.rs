@@ -357,9 +357,9 @@ impl Setup<f64> {
             Some(value) if value.is_finite() => Ok(parameter),
             Some(_) => refuse("it is infinite (a flat face) here; give it a finite value with --set".into()),
             None => {
-                let meaning = parameter.doc.split_once("unset: ").map_or(parameter.doc, |(_, meaning)| meaning);
-                let meaning = meaning.trim_end_matches('.');
-                refuse(format!("it is unset here, which means: {meaning}; give it a value with --set"))
+                let meaning = parameter.doc.trim_end_matches('.').split_once("unset: ");
+                let meaning = meaning.map_or(String::new(), |(_, meaning)| format!(", which means: {meaning}"));
+                refuse(format!("it is unset here{meaning}; give it a value with --set"))
             }
         }
     }

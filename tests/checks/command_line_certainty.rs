@@ -174,6 +174,8 @@ fn mistakes_are_bad_input_and_say_what_to_write() {
         (vec!["sensitivity", "--sigma", "swing.speed=-1mph"], "above 0"),
         (vec!["sensitivity", "--sigma", "swing.speed=1mph", "--sigma", "swing.speed=2mph"], "given twice"),
         (vec!["uncertainty", "--distribution", "club.loft=gauss(1deg,2deg)"], "write NAME=normal(MEAN,DEVIATION)"),
+        (vec!["uncertainty", "--distribution", "club.loft=beta(1,2)"], "there is no distribution \"beta\"; write"),
+        (vec!["gradient", "--wrt", "launch.launch_angle"], "it is unset here; give it a value with --set"),
         (vec!["uncertainty", "--distribution", "club.loft=uniform(12deg,9deg)"], "must rise"),
         (vec!["uncertainty", "--sigma", "club.lofft=1deg"], "did you mean 'club.loft'?"),
         (vec!["uncertainty", "--samples", "1"], "a whole number from 2 to 1000000"),

@@ -188,6 +188,7 @@ fn a_club_beside_a_launch_is_refused_by_name() {
     assert!(said.status == 2 && said.err.contains("no club strikes the ball"), "{}", said.err);
     let said = longdrive(&["calibrate", "examples/shots.csv", "--fit", "club.loft"]);
     assert!(said.status == 2 && said.err.contains("club.loft cannot be fitted"), "{}", said.err);
+    assert!(said.err.replace("\n  ", " ").contains("fit what acts on the flight"), "{}", said.err);
     std::fs::write(&mine, "[club]\nloft = '9 deg'\n[air]\ndensity = '1.1 kg/m^3'\n").unwrap();
     let said = longdrive(&["simulate", &mine, "--launch", launch]);
     let told = "not used, since the drive is given by its launch: club.loft";

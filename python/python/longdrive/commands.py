@@ -297,7 +297,8 @@ def calibrate(
         own_step: integrate by flight.method and flight.step of the setup in every case.
         fit: a parameter to fit, e.g. aero.cd0 or aero.cd0=0.1..0.4.
         huber: limit the influence of outliers to that of a residual of 1.345 σ (Huber's loss).
-        starts: search from this many starts, spread evenly over the ranges; the first is the setup's own [default: 1].
+        starts: search from this many starts, spread evenly over the ranges of what is fitted; the first is the setup's own. Give the
+            ranges: without one it is all that is allowed, where few drives fly [default: 1].
         folds: Cross-validate: fit K times, each time without a K-th of the rows, and show how well those rows are predicted [default: 0].
         compare: compare with another aerodynamic law, as published and fitted, by its cross-validation error.
         max_iterations: the largest number of iterations of a search [default: 200].

@@ -66,7 +66,7 @@ impl Plan {
             if table.is_launched && parameter.is_of_strike() {
                 return refuse(format!(
                     "{} cannot be fitted: the rows of {} are launches, which do not use the parameters of swing, club, strike and \
-                     impact",
+                     impact; fit what acts on the flight, as aero.cd0",
                     parameter.name, table.file
                 ));
             }

@@ -238,6 +238,9 @@ impl Uncertain {
             return Err(unreadable(format!("it has a second distribution, {next}; give each by itself").into()));
         }
         let inside = rest.trim().strip_suffix(')').ok_or_else(|| unreadable("the closing ) is missing".into()))?;
+        if !matches!(kind.trim(), "normal" | "uniform" | "triangular" | "truncated") {
+            return Err(unreadable(format!("there is no distribution \"{}\"; {how}", kind.trim()).into()));
+        }
         // the second number of a normal distribution is a difference
         let is_difference = |at: usize| matches!(kind.trim(), "normal" | "truncated") && at == 1;
         let amounts = inside.split(',').enumerate().map(|(at, part)| {
