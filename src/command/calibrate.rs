@@ -15,6 +15,7 @@ use crate::{Error, Result, Setup};
 use serde_json::json;
 use std::path::PathBuf;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 
 pub fn run(args: &Calibrate) -> Result<Answer> {
     let setup = args.question.setup()?;
@@ -65,7 +66,7 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
     let one_drive: Vec<_> = table.one_drive(&setup, &plan.fit).into_iter().collect();
     warn(&one_drive);
     warnings.extend(one_drive);
-    let follow = Follow { iteration: Some(Arc::new(shown())), interrupt: interrupt::stops(BEST_SO_FAR) };
+    let follow = Follow { iteration: Some(Arc::new(shown(args.starts > 1))), interrupt: interrupt::stops(BEST_SO_FAR) };
     let found = calibrate(&setup, &table, &plan, &follow)?;
     let shots = beyond(&found.setup, &table.shots, &follow.interrupt);
     let shots = [shots, found.warnings(&table)].concat();
@@ -125,9 +126,15 @@ fn is_fitted(found: &Calibration) -> bool {
     found.is_minimum || !matches!(found.fit.status, Status::Interrupted | Status::IterationLimit)
 }
 
-fn shown() -> impl Fn(u64, f64) {
-    let running = running();
-    move |iteration, sum| running.tell(&format!("iteration {iteration:3}  half the sum of squares {sum:.6e}"))
+/// Shows each iteration, and where there are several searches the number of the search: each begins with iteration 0.
+fn shown(is_numbered: bool) -> impl Fn(u64, f64) {
+    let (running, begun) = (running(), AtomicU64::new(0));
+    move |iteration, sum| {
+        let begins = u64::from(iteration == 0);
+        let search = begun.fetch_add(begins, Relaxed) + begins;
+        let search = if is_numbered { format!("search {search}  ") } else { String::new() };
+        running.tell(&format!("{search}iteration {iteration:3}  half the sum of squares {sum:.6e}"));
+    }
 }
 
 /// Another law on the same rows: as it is published, and with all its coefficients fitted.

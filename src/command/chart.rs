@@ -6,7 +6,7 @@ use crate::report::{ChartReport, chart_csv, chart_text, iteration_line, outcome_
 use crate::study::{Chart, ChartObserver, Search, Vary, chart_at};
 use crate::{Result, Setup};
 use indicatif::ProgressBar;
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
 use std::rc::Rc;
 use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
@@ -25,10 +25,13 @@ pub fn run(args: &ChartArgs) -> Result<Answer> {
     let of = search.of;
     let spinner = spinner("following the optimum");
     let beginning = {
-        let spinner = spinner.clone();
+        let (spinner, last) = (spinner.clone(), RefCell::new(String::new()));
         move |at| {
             let place = parameter_text(along.parameter, at, system());
-            spinner.suspend(|| tell(&format!("searching for an optimum at {} {place}", along.parameter.name)));
+            // where the chart ends is searched for in ever smaller steps, which read alike
+            if last.replace(place.clone()) != place {
+                spinner.suspend(|| tell(&format!("searching for an optimum at {} {place}", along.parameter.name)));
+            }
         }
     };
     if !at.is_sorted_by(|a, b| a < b) {

@@ -550,6 +550,17 @@ fn starts_that_end_at_larger_sums_are_told() {
     assert!(said.contains("with narrower ones, --fit NAME=LOW..HIGH, more of them come to a minimum"), "{said}");
 }
 
+#[test]
+fn iterations_of_several_searches_tell_of_which_they_are() {
+    let shots = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/shots.csv");
+    let told = |starts| longdrive(&["calibrate", shots, "--fit", "aero.cd0=0.2..0.25", "--starts", starts]).err;
+    let first = |said: &str| said.lines().next().unwrap().to_owned();
+    let (one, two) = (told("1"), told("2"));
+    assert!(first(&one).starts_with("iteration   0  half"), "{one}");
+    assert!(first(&two).starts_with("search 1  iteration   0  half"), "{two}");
+    assert_eq!(two.matches("search 2  iteration   0  half").count(), 1, "{two}");
+}
+
 /// What ended at a minimum is not called the contrary because other searches were stopped, and these are not counted as ended.
 #[test]
 fn an_interrupted_calibration_from_many_starts_says_what_its_best_is() {
