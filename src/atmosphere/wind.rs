@@ -15,7 +15,9 @@ pub struct WindField<T> {
 
 #[derive(Clone, Copy, Debug)]
 struct Profile<T> {
+    /// z₀ and ln z₀.
     roughness: T,
+    at_roughness: T,
     ground: T,
     /// 1/L(z_ref).
     scale: T,
@@ -25,10 +27,10 @@ impl<T: Numbers> WindField<T> {
     /// The field of these parameters.
     #[inline(always)]
     pub fn new(wind: &Wind<T>, ground: &Ground<T>) -> Self {
-        let profile = wind.roughness.map(|roughness| Profile {
-            roughness,
-            ground: ground.height,
-            scale: logarithm(wind.reference_height, roughness).recip(),
+        let profile = wind.roughness.map(|roughness| {
+            let unscaled =
+                Profile { roughness, at_roughness: roughness.ln(), ground: ground.height, scale: T::constant(1.0) };
+            Profile { scale: unscaled.logarithm(wind.reference_height).recip(), ..unscaled }
         });
         let [right, downrange] = along_the_ground(wind);
         Self { reference: Vector::new(wind.up, right, downrange), profile }
@@ -45,7 +47,7 @@ impl<T: Numbers> WindField<T> {
     pub fn at(&self, height: T) -> Vector<T> {
         match &self.profile {
             None => self.reference,
-            Some(profile) => self.reference * (logarithm(height - profile.ground, profile.roughness) * profile.scale),
+            Some(profile) => self.reference * (profile.logarithm(height - profile.ground) * profile.scale),
         }
     }
 }
@@ -64,12 +66,14 @@ pub(super) fn along_the_ground<T: Numbers>(wind: &Wind<T>) -> [T; 2] {
     }))
 }
 
-/// L(z) = ln(1 + ζ/z₀) with ζ = (z + √(z² + ℓ²))/2: the logarithmic profile for z ≫ ℓ, smooth through the
-/// ground and below it (the last step of a flight ends there).
-#[inline(always)]
-fn logarithm<T: Numbers>(height: T, roughness: T) -> T {
-    let rounded = (height + (height * height + ROUNDING * ROUNDING).sqrt()) * 0.5;
-    (rounded / roughness).ln_1p()
+impl<T: Numbers> Profile<T> {
+    /// L(z) = ln(1 + ζ/z₀) with ζ = (z + √(z² + ℓ²))/2, z above the ground: the logarithmic profile for z ≫ ℓ, smooth through the
+    /// ground and below it (the last step of a flight ends there).
+    #[inline(always)]
+    fn logarithm(&self, height: T) -> T {
+        let rounded = (height + (height * height + ROUNDING * ROUNDING).sqrt()) * 0.5;
+        (rounded + self.roughness).ln() - self.at_roughness
+    }
 }
 
 #[cfg(test)]

@@ -21,7 +21,7 @@ impl<D: DualNum<Primitive = f64> + Copy> Numbers for D {
     fn constant(value: f64) -> Self {
         D::from(value)
     }
-    num_dual_has! { recip sqrt exp exp_m1 ln ln_1p atan }
+    num_dual_has! { recip sqrt exp exp_m1 ln atan }
     #[inline(always)]
     fn sin_cos(self) -> (Self, Self) {
         DualNum::sin_cos(&self)

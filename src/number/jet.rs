@@ -186,10 +186,6 @@ impl<const K: usize, B: Numbers> Numbers for Jet<K, B> {
         self.chain(self.re.ln(), self.re.recip())
     }
     #[inline(always)]
-    fn ln_1p(self) -> Self {
-        self.chain(self.re.ln_1p(), (self.re + 1.0).recip())
-    }
-    #[inline(always)]
     fn sin_cos(self) -> (Self, Self) {
         let (sin, cos) = self.re.sin_cos();
         (self.chain(sin, cos), self.chain(cos, -sin))

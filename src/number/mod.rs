@@ -64,8 +64,6 @@ pub trait Numbers: Copy + Debug + 'static + Neg<Output = Self> + Arithmetic<Self
     fn exp_m1(self) -> Self;
     /// ln x.
     fn ln(self) -> Self;
-    /// ln(1 + x), exact near 0.
-    fn ln_1p(self) -> Self;
     /// sin x and cos x.
     fn sin_cos(self) -> (Self, Self);
     /// arctan x.

@@ -95,10 +95,6 @@ macro_rules! pack {
                 Self::outlined(inlined!(|| self.each(f64::ln)))
             }
             #[inline(always)]
-            fn ln_1p(self) -> Self {
-                Self::outlined(inlined!(|| self.each(f64::ln_1p)))
-            }
-            #[inline(always)]
             fn sin_cos(self) -> (Self, Self) {
                 // not inlined: an impact has six of them
                 Self::outlined(inlined!(|| sine::sin_cos(self, inlined!(|x: Self| (x.each(f64::sin), x.each(f64::cos))))))
