@@ -97,9 +97,12 @@ fn all(read: impl Iterator<Item = (usize, Result<Column>)>) -> Result<Vec<Column
     WrongColumns::of(faults).map_or(Ok(columns), Err)
 }
 
-/// What the same name is in tables that this program wrote itself. Beside launch conditions by their dotted names, those without a group
-/// are outcomes; and in a sweep, which has a status, `carry` is the distance along the target line that it is everywhere else.
+/// What the same name is in a sweep that this program wrote, which has a status. Beside launch conditions by their dotted names, those without a
+/// group are outcomes; and `carry` is the distance along the target line that it is everywhere else.
 fn told_apart(columns: &mut [Column]) {
+    if !columns.iter().any(Column::is_status) {
+        return;
+    }
     if columns.iter().any(Column::is_dotted_condition) {
         for column in columns.iter_mut().filter(|column| !column.is_dotted_condition()) {
             if matches!(column.holds, Holds::Outcome(outcome) if CONDITIONS.contains(&outcome)) {
@@ -107,10 +110,8 @@ fn told_apart(columns: &mut [Column]) {
             }
         }
     }
-    if columns.iter().any(Column::is_status) {
-        for column in columns.iter_mut().filter(|column| column.head == Outcome::Carry.name()) {
-            column.holds = Holds::Outcome(Outcome::Carry);
-        }
+    for column in columns.iter_mut().filter(|column| column.head == Outcome::Carry.name()) {
+        column.holds = Holds::Outcome(Outcome::Carry);
     }
 }
 

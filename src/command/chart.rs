@@ -4,7 +4,7 @@ use crate::command::output::{Answer, spinner, system, tell, tell_error, warn};
 use crate::optimize::Iteration;
 use crate::report::{ChartReport, chart_csv, chart_text, iteration_line, outcome_text, parameter_text};
 use crate::study::{Chart, ChartObserver, Search, Vary, chart_at};
-use crate::{Result, Setup};
+use crate::{Error, Result, Setup};
 use indicatif::ProgressBar;
 use std::cell::{Cell, RefCell};
 use std::rc::Rc;
@@ -97,7 +97,12 @@ fn progress(search: &Search, spinner: &ProgressBar) -> impl Fn(&Iteration) + use
 impl ChartArgs {
     /// The parameter with its range, and the values asked for in it.
     fn places(&self, setup: &Setup<f64>) -> Result<(Vary, Vec<f64>)> {
-        if self.along.contains('=') || self.at.is_empty() {
+        if !self.along.contains('=') && self.at.is_empty() {
+            let reason =
+                "write NAME=LOW..HIGH, for example swing.speed=80mph..130mph, or give the places with --at".into();
+            return Err(Error::SearchRange { name: self.along.clone(), reason });
+        }
+        if self.along.contains('=') {
             let along = Vary::read_column(setup, &self.along)?;
             let read = |text: &String| along.parameter.read(text, false).map(Option::unwrap_or_default);
             return Ok((along, self.at.iter().map(read).collect::<Result<_>>()?));

@@ -5,7 +5,7 @@ use crate::parameters::{
     GOLFER, Law, METHOD, PRESETS, Parameter, Preset, SPEED_OF, SetupFile, TABLE, Vary, follows_from, is_taken_back,
     is_unset,
 };
-use crate::report::{parameter_text, without_step};
+use crate::report::{parameter_text, setup_toml, with_step_of, without_step};
 use crate::study::{Accuracy, accuracy};
 use crate::units::{Message, Quantity, counted};
 use crate::{Error, Outcome, Result, Setup};
@@ -302,8 +302,16 @@ impl Question {
 
     fn asked_accuracy(&self, setup: &Setup<f64>, ranges: &[Vary], of: &[Outcome]) -> Result<Option<Accuracy>> {
         let Some(text) = &self.tolerance else { return Ok(None) };
-        let unreadable = |e| Error::Unreadable { name: "--tolerance".into(), source: Box::new(e) };
-        let tolerance = Quantity::LENGTH.read(text).map_err(unreadable)?;
+        let refused = |reason: String| Error::Unreadable { name: format!("--tolerance={text}"), source: reason.into() };
+        let tolerance = Quantity::LENGTH.read(text).map_err(|error| refused(error.to_string()))?;
+        if !(tolerance > 0.0 && tolerance.is_finite()) {
+            return Err(refused("give a length above 0, for example 1um".into()));
+        }
+        if let Some((name, _)) = settings(&self.set)?.into_iter().find(|(name, _)| is_of_step(name)) {
+            return Err(refused(format!(
+                "it chooses method and step, and --set {name} gives one of them; leave one out"
+            )));
+        }
         let found = landing(accuracy(setup, ranges, of, tolerance))?;
         if let Some(Accuracy { method, step, error, drives, .. }) = found {
             tell(&format!(
@@ -317,7 +325,6 @@ impl Question {
 
     /// Whether method and step are chosen where no tolerance is asked for: not where someone has said what they are.
     fn chooses_step(&self) -> Result<bool> {
-        let is_of_step = |name: &str| matches!(name, METHOD | "flight.step");
         if self.own_step || self.set.iter().any(|text| split("--set", text).is_ok_and(|(name, _)| is_of_step(name))) {
             return Ok(false);
         }
@@ -330,8 +337,12 @@ impl Question {
     /// A setup file that the command writes: with method and step where someone has said what they are, and not where they were chosen for this
     /// command. Who reads it may choose.
     pub fn as_stated(&self, toml: String) -> Result<String> {
-        let is_stated = self.tolerance.is_some() || !self.chooses_step()?;
-        Ok(if is_stated { toml } else { without_step(&toml) })
+        if self.chooses_step()? {
+            return Ok(without_step(&toml));
+        }
+        // those of a tolerance serve the drives of this command alone
+        let own = self.tolerance.as_ref().map(|_| setup_toml(&self.base()?.0, self.preset()?, &[], &[])).transpose()?;
+        Ok(own.map_or_else(|| toml.clone(), |own| with_step_of(&own, &toml)))
     }
 
     /// The preset that the setup started from.
@@ -394,6 +405,11 @@ impl Question {
         let SetupFile { setup, without_unit, .. } = self.file()?;
         Ok((setup, without_unit))
     }
+}
+
+/// Whether it is a parameter of the integration.
+fn is_of_step(name: &str) -> bool {
+    matches!(name, METHOD | "flight.step")
 }
 
 /// All outcomes but those of the run, which no one knows within a step's error.

@@ -62,12 +62,12 @@ impl Vary {
             .split_once('=')
             .ok_or_else(|| refuse("write NAME=LOW..HIGH, for example club.loft=4deg..20deg".into()))?;
         let parameter = find(name.trim())?;
-        let (low, high) = range
-            .split_once("..")
-            .ok_or_else(|| refuse(format!("'{range}' is not LOW..HIGH; write for example {name}=4deg..20deg")))?;
+        let with_unit = |end: &str| format!("{end} {}", parameter.unit).trim_end().to_owned();
+        let how = format!("write {name}={}..{}", with_unit("LOW"), with_unit("HIGH"));
+        let (low, high) = range.split_once("..").ok_or_else(|| refuse(format!("'{range}' is not LOW..HIGH; {how}")))?;
         for (end, which) in [(low, "lower"), (high, "upper")] {
             if end.trim().is_empty() {
-                return Err(refuse(format!("its {which} end is missing; write for example {name}=4deg..20deg")));
+                return Err(refuse(format!("its {which} end is missing; {how}")));
             }
         }
         let unreadable = |e| Error::Unreadable { name: format!("the range {}", text.trim()), source: Box::new(e) };

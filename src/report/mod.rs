@@ -66,8 +66,8 @@ pub use recovered::{population_warnings, recovered_csv, recovered_toml};
 pub use reply::{Empty, Reply};
 pub use robust::{robust_reply, robust_text, robust_toml};
 pub use sensitivity::{Analysis, AnalysisReport, SensitivityReport, sensitivity_text};
-pub(crate) use setup_file::without_step;
 pub use setup_file::{preset_toml, setup_toml, setup_toml_without_step};
+pub(crate) use setup_file::{with_step_of, without_step};
 #[cfg(feature = "parquet")]
 pub use shots::ShotParquet;
 pub use shots::{ShotFormat, ShotWriter, ShotsReport, open_connect_answer, shots_text};

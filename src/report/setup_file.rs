@@ -48,10 +48,22 @@ pub fn setup_toml_without_step(setup: &Setup<f64>, preset: &Preset) -> Result<St
     Ok(without_step(&setup_toml(setup, preset, &[], &[])?))
 }
 
+/// The keys of method and step in a setup file of this program.
+const OF_STEP: [&str; 2] = ["method = ", "step = "];
+
 /// A setup file of this program without the lines of method and step.
 pub(crate) fn without_step(toml: &str) -> String {
-    let is_kept = |line: &&str| ["method = ", "step = "].iter().all(|key| !line.starts_with(key));
+    let is_kept = |line: &&str| OF_STEP.iter().all(|key| !line.starts_with(key));
     toml.split_inclusive('\n').filter(is_kept).collect()
+}
+
+/// A setup file of this program with the lines of method and step of another.
+pub(crate) fn with_step_of(other: &str, toml: &str) -> String {
+    let taken = |line| {
+        let key = OF_STEP.into_iter().find(|key| str::starts_with(line, *key));
+        key.and_then(|key| other.split_inclusive('\n').find(|own| own.starts_with(key))).unwrap_or(line)
+    };
+    toml.split_inclusive('\n').map(taken).collect()
 }
 
 /// Every parameter and choice with its value and its remark.

@@ -281,6 +281,11 @@ fn bad_tables_and_plans_are_refused_with_row_and_column() {
         ),
         ("carry [yd],club.loft [deg]\n201,\n", &fit, vec!["row 1", "column club.loft", "empty"]),
         ("carry [yd],sigma carry [yd]\n200,0\n201,1\n", &fit, vec!["row 1", "sigma carry", "above 0"]),
+        (
+            "carry [yd],sigma lateral [yd]\n200,3\n",
+            &fit,
+            vec!["column 2", "'sigma lateral' is the uncertainty of what has no"],
+        ),
         ("carry [yd]\n200\n-201\n", &fit, vec!["row 2", "column carry", "above 0", "check its sign"]),
         ("flight_time [s]\n6\n0\n", &fit, vec!["row 2", "column flight_time", "leave the cell empty"]),
         ("carry [yd]\n", &fit, vec!["no rows"]),
@@ -294,6 +299,19 @@ fn bad_tables_and_plans_are_refused_with_row_and_column() {
             assert!(said.err.contains(word), "{text}: '{word}' is not in {}", said.err);
         }
     }
+}
+
+/// Some of a launch by dotted names and the rest without: the launch of the rows all the same, in fits and in sweeps.
+#[test]
+fn a_launch_by_names_of_both_kinds_is_read_whole() {
+    let rest = "launch_angle [deg],backspin [rpm],carry [yd]\n150,9,2500,230\n";
+    let tables = ["launch.ball_speed [mph]", "ball_speed [mph]"].map(|head| table(&format!("{head},{rest}")));
+    let files = tables.each_ref().map(|table| table.path().to_str().unwrap());
+    let [mixed, plain] = files.map(|file| json(&["calibrate", file, "--fit", "aero.cd0"]).1);
+    assert!(mixed["data"]["launch_conditions"] == true && mixed["estimates"] == plain["estimates"], "{mixed}");
+    let swept = files.map(|file| longdrive(&["sweep", "--points", file]).out);
+    let rows = swept.each_ref().map(|out| out.lines().nth(1).unwrap_or_default());
+    assert!(rows[0] == rows[1] && rows[0].contains(",landed,"), "{swept:?}");
 }
 
 /// As Foresight writes it: a spin axis without a unit, with its side; a summary below, and a shot whose ball was not seen.

@@ -176,6 +176,17 @@ fn mistakes_are_bad_input_and_say_what_to_write() {
         (vec!["uncertainty", "--distribution", "club.loft=gauss(1deg,2deg)"], "write NAME=normal(MEAN,DEVIATION)"),
         (vec!["uncertainty", "--distribution", "club.loft=beta(1,2)"], "there is no distribution \"beta\"; write"),
         (vec!["gradient", "--wrt", "launch.launch_angle"], "it is unset here; give it a value with --set"),
+        (
+            vec!["chart", "--along", "swing.speed"],
+            "write NAME=LOW..HIGH, for example swing.speed=80mph..130mph, or give",
+        ),
+        (vec!["optimize", "--vary", "aero.cd0=0.1"], "'0.1' is not LOW..HIGH; write aero.cd0=LOW..HIGH"),
+        (vec!["optimize", "--vary", "club.loft=4deg.."], "upper end is missing; write club.loft=LOW deg..HIGH deg"),
+        (vec!["simulate", "--tolerance=0mm"], "--tolerance=0mm: give a length above 0"),
+        (
+            vec!["optimize", "--tolerance=1um", "--set", "flight.method=dp8"],
+            "--tolerance=1um: it chooses method and step, and --set flight.method gives one of them",
+        ),
         (vec!["uncertainty", "--distribution", "club.loft=uniform(12deg,9deg)"], "must rise"),
         (vec!["uncertainty", "--sigma", "club.lofft=1deg"], "did you mean 'club.loft'?"),
         (vec!["uncertainty", "--samples", "1"], "a whole number from 2 to 1000000"),

@@ -252,6 +252,14 @@ fn a_full_disk_leaves_whole_rows_that_can_be_gone_on_with() {
 }
 
 #[test]
+fn drives_that_all_diverge_are_told_with_where_the_advice_is() {
+    let said = longdrive(&["sweep", "--set", "flight.step=2s", "--over", "club.loft=5deg..15deg:3"]);
+    assert_eq!(said.status, 1, "{}", said.err);
+    let told = said.err.replace("\n  ", " ");
+    assert!(told.contains("3 diverged; simulate with the values of one that diverged says what to change"), "{told}");
+}
+
+#[test]
 fn a_full_device_and_a_closed_pipe() {
     let rows = ["sweep", "--set", "flight.step=1s", "--over", "club.loft=5deg..15deg:20000"];
     if Path::new("/dev/full").exists() {

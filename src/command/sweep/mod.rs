@@ -10,7 +10,7 @@ mod room;
 mod rows;
 mod target;
 
-use crate::batch::{Run, Tally};
+use crate::batch::{Run, Status, Tally};
 use crate::command::args::Sweep;
 use crate::command::interrupt;
 use crate::command::output::{Answer, bar, say_error, tell, warn};
@@ -86,7 +86,12 @@ pub fn run(args: &Sweep) -> Result<Answer> {
     }
     let nothing = (is_complete && !output.tally().has_any(&of)).then(|| {
         let which = if of.len() == 1 { "the outcome" } else { "any of the outcomes" };
-        format!("no drive has {which} that was asked for: {}", summary.text(None))
+        let diverged = if output.tally().counts().any(|(status, count)| status == Status::Diverged && count > 0) {
+            "; simulate with the values of one that diverged says what to change"
+        } else {
+            ""
+        };
+        format!("no drive has {which} that was asked for: {}{diverged}", summary.text(None))
     });
     if let Some(nothing) = &nothing {
         say_error(nothing);

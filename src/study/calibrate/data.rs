@@ -111,6 +111,18 @@ impl ShotTable {
                     format!("'{}' has two columns; keep one", column.head),
                 ));
             }
+            let of = match column.holds {
+                Holds::Sigma(outcome) => Holds::Outcome(outcome),
+                Holds::SigmaStationary => Holds::Stationary,
+                _ => continue,
+            };
+            if head.columns.iter().all(|other| other.holds != of) {
+                let reason = format!(
+                    "'{}' is the uncertainty of what has no column; add that column, or leave this out",
+                    column.head
+                );
+                return Err(refused(format!(", column {}", at + 1), reason));
+            }
         }
         let mut remarks = of_source;
         remarks.extend(head.remarks.clone());
