@@ -13,13 +13,15 @@ pub fn run(args: &UncertaintyArgs) -> Result<Answer> {
     let means = inputs.iter().map(|input| (input.parameter, input.distribution.mean()));
     let setup = args.question.begun(setup, means, "varies about")?;
     let setup = args.question.for_many(setup, &inputs.iter().map(Uncertain::range).collect::<Vec<_>>())?;
-    let warnings = Drive::new(&setup).map_or_else(|_| setup.warnings(), |drive| drive.warnings_about(&setup, &of));
+    let mut warnings = Drive::new(&setup).map_or_else(|_| setup.warnings(), |drive| drive.warnings_about(&setup, &of));
     warn(&warnings);
     let plan = Plan { samples: args.samples as usize, seed: args.seed };
     let bar = bar("drives");
     let found = uncertainty(&setup, &of, &inputs, plan, &|done, all| show(&bar, done, all));
     bar.finish_and_clear();
     let found = found?;
+    warn(&found.warnings());
+    warnings.extend(found.warnings());
     let is_found = found.outcomes.iter().all(|outcome| outcome.sampled.is_some());
     let answer = if args.question.json {
         Answer::json(&UncertaintyReport::reply(&found, warnings))

@@ -16,12 +16,12 @@ pub use distribution::{Distribution, Uncertain};
 pub use ellipse::LandingEllipse;
 pub use model::{Design, Indices, Interval, Plan, Statistics};
 
-use crate::batch::{Batch, CHUNK, Tally};
+use crate::batch::{Batch, CHUNK, Status, Tally};
 use crate::derivative::{Order, Taylor, evaluate};
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup};
-use crate::units::counted;
+use crate::units::{Message, counted, significant};
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -41,6 +41,26 @@ pub struct Uncertainty {
     pub plan: Plan,
     /// Ellipses of the landings; empty unless carry and lateral are asked for.
     pub ellipses: Vec<SampledEllipse>,
+}
+
+impl Uncertainty {
+    /// Warns where many values are such as no drive has: the others are no sample of the distributions any more.
+    pub fn warnings(&self) -> Vec<Message> {
+        /// A normal distribution that is cut at two standard deviations leaves out as much.
+        const MANY: f64 = 0.02;
+        let all: u64 = self.tally.counts().map(|(_, count)| count).sum();
+        let outside =
+            self.tally.counts().find(|(status, _)| *status == Status::OutOfRange).map_or(0, |(_, count)| count);
+        let share = outside as f64 / all as f64;
+        let warning = (share > MANY).then(|| {
+            format!(
+                "{} % of the drives have a value outside of what is allowed and are left out: mean, deviation and shares are of the others; \
+                 cut the distribution, as in truncated(MEAN,DEVIATION,LOW,HIGH)",
+                significant(100.0 * share, 2)
+            )
+        });
+        warning.map(Message::from).into_iter().collect()
+    }
 }
 
 /// What is uncertain about an outcome.
