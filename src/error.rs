@@ -343,7 +343,7 @@ impl Error {
         names: impl IntoIterator<Item = &'a str>,
         advice: impl Into<String>,
     ) -> Self {
-        let nearest = nearest(name, names).filter(|(likeness, _)| *likeness > 0.7);
+        let nearest = nearest(name, names).filter(|(likeness, _)| *likeness > 0.8);
         let suggestion = nearest.map(|(_, known)| known.to_owned());
         Self::Unknown { what, name: name.into(), suggestion, advice: advice.into() }
     }
@@ -442,7 +442,9 @@ mod tests {
         let coefficients = ["aero.cd0", "aero.cd1", "aero.cd2"];
         let message = Error::unknown("parameter", "aero.cdo", coefficients, "list").to_string();
         assert!(message.contains("did you mean 'aero.cd0'?"), "{message}");
-        let message = Error::unknown("parameter", "xyzzy", names, "list").to_string();
-        assert!(!message.contains("did you mean"), "{message}");
+        for strange in ["xyzzy", "sw"] {
+            let message = Error::unknown("parameter", strange, names, "list").to_string();
+            assert!(!message.contains("did you mean"), "{message}");
+        }
     }
 }

@@ -302,10 +302,10 @@ impl Question {
 
     fn asked_accuracy(&self, setup: &Setup<f64>, ranges: &[Vary], of: &[Outcome]) -> Result<Option<Accuracy>> {
         let Some(text) = &self.tolerance else { return Ok(None) };
-        let refused = |reason: String| Error::Unreadable { name: format!("--tolerance={text}"), source: reason.into() };
+        let refused = |reason: String| Error::Unreadable { name: "--tolerance".into(), source: reason.into() };
         let tolerance = Quantity::LENGTH.read(text).map_err(|error| refused(error.to_string()))?;
         if !(tolerance > 0.0 && tolerance.is_finite()) {
-            return Err(refused("give a length above 0, for example 1um".into()));
+            return Err(refused(format!("\"{text}\" is no tolerance; give a length above 0, for example 1um")));
         }
         if let Some((name, _)) = settings(&self.set)?.into_iter().find(|(name, _)| is_of_step(name)) {
             return Err(refused(format!(

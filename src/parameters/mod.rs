@@ -12,6 +12,7 @@ mod launch;
 mod law_table;
 mod method;
 mod presets;
+mod profile;
 mod range;
 mod setup;
 mod steps;

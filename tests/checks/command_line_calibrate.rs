@@ -21,7 +21,11 @@ fn a_tolerance_is_honoured() {
     let setup = &fine["setup"];
     assert!(status == 0 && setup["flight.method"] == "dp8", "{setup}");
     let said = with(&["--tolerance=0m"]);
-    assert!(said.status == 2 && said.err.contains("--tolerance=0m: give a length above 0"), "{}", said.err);
+    assert!(
+        said.status == 2 && said.err.contains("--tolerance: \"0m\" is no tolerance; give a length above 0"),
+        "{}",
+        said.err
+    );
     // a range that was given to the fit is flown at its ends
     assert_eq!(with(&["--fit", "aero.cl_max=0.2..1", "--tolerance=1mm"]).status, 0);
     let deliveries = "club.loft [deg],swing.speed [mph],carry [yd]\n9,100,240\n11,110,270\n";

@@ -182,10 +182,10 @@ fn mistakes_are_bad_input_and_say_what_to_write() {
         ),
         (vec!["optimize", "--vary", "aero.cd0=0.1"], "'0.1' is not LOW..HIGH; write aero.cd0=LOW..HIGH"),
         (vec!["optimize", "--vary", "club.loft=4deg.."], "upper end is missing; write club.loft=LOW deg..HIGH deg"),
-        (vec!["simulate", "--tolerance=0mm"], "--tolerance=0mm: give a length above 0"),
+        (vec!["simulate", "--tolerance=0mm"], "--tolerance: \"0mm\" is no tolerance; give a length above 0"),
         (
             vec!["optimize", "--tolerance=1um", "--set", "flight.method=dp8"],
-            "--tolerance=1um: it chooses method and step, and --set flight.method gives one of them",
+            "--tolerance: it chooses method and step, and --set flight.method gives one of them",
         ),
         (vec!["uncertainty", "--distribution", "club.loft=uniform(12deg,9deg)"], "must rise"),
         (vec!["uncertainty", "--sigma", "club.lofft=1deg"], "did you mean 'club.loft'?"),

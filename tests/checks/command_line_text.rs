@@ -294,7 +294,7 @@ fn plain_words_where_a_library_or_a_formula_spoke() {
         "aero.law=ferguson",
     ];
     for (args, status, says, says_not) in [
-        (vec!["simulate", "--tolerance=-1m"], 2, "--tolerance=-1m: give a length above 0", "e0"),
+        (vec!["simulate", "--tolerance=-1m"], 2, "--tolerance: \"-1m\" is no tolerance; give a length above 0", "e0"),
         ([&no_spin[..], &still].concat(), 0, "the spin is 0 rad/s", "0.0e0"),
         (
             vec!["calibrate", "examples/shots.csv", "--fit", "aero.cl_max"],

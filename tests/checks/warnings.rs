@@ -15,6 +15,24 @@ fn warnings(preset: &str, settings: &[(&str, &str)]) -> Vec<String> {
 }
 
 #[test]
+fn a_wind_profile_without_effect_or_meaning_is_warned_of() {
+    let said = |set: &[&str]| {
+        let args: Vec<&str> = set.iter().flat_map(|text| ["--set", text]).collect();
+        longdrive(&[&["simulate"], &args[..]].concat()).err.replace("\n  ", " ")
+    };
+    let blows = "wind.downrange=5m/s";
+    for (set, told) in [
+        (&["wind.roughness=30mm"][..], "wind.roughness has no effect without a wind"),
+        (&["wind.reference_height=3m", blows], "wind.reference_height has no effect without wind.roughness"),
+        (&["wind.reference_height=1m", "wind.roughness=5m", blows], "is not above wind.roughness"),
+    ] {
+        assert!(said(set).contains(told), "{set:?}: {}", said(set));
+    }
+    let sound = said(&["wind.roughness=30mm", blows]);
+    assert!(!sound.contains("wind."), "{sound}");
+}
+
+#[test]
 fn nothing_is_said_about_the_presets_and_their_longest_drives() {
     for preset in PRESETS {
         let setup = Setup::preset(preset.name).unwrap();
