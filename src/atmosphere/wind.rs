@@ -15,9 +15,10 @@ pub struct WindField<T> {
 
 #[derive(Clone, Copy, Debug)]
 struct Profile<T> {
-    /// z₀ and ln z₀.
+    /// z₀.
     roughness: T,
-    at_roughness: T,
+    /// ln z₀: the same all the way.
+    ln_roughness: T,
     ground: T,
     /// 1/L(z_ref).
     scale: T,
@@ -29,7 +30,7 @@ impl<T: Numbers> WindField<T> {
     pub fn new(wind: &Wind<T>, ground: &Ground<T>) -> Self {
         let profile = wind.roughness.map(|roughness| {
             let unscaled =
-                Profile { roughness, at_roughness: roughness.ln(), ground: ground.height, scale: T::constant(1.0) };
+                Profile { roughness, ln_roughness: roughness.ln(), ground: ground.height, scale: T::constant(1.0) };
             Profile { scale: unscaled.logarithm(wind.reference_height).recip(), ..unscaled }
         });
         let [right, downrange] = along_the_ground(wind);
@@ -72,7 +73,7 @@ impl<T: Numbers> Profile<T> {
     #[inline(always)]
     fn logarithm(&self, height: T) -> T {
         let rounded = (height + (height * height + ROUNDING * ROUNDING).sqrt()) * 0.5;
-        (rounded + self.roughness).ln() - self.at_roughness
+        (rounded + self.roughness).ln() - self.ln_roughness
     }
 }
 
