@@ -303,7 +303,7 @@ pub enum Error {
         reason: String,
     },
     /// A tolerance that no integration meets.
-    #[error("the tolerance of {} m on carry: {reason}", significant(*tolerance, 5))]
+    #[error("the tolerance of {} m: {reason}", significant(*tolerance, 5))]
     Tolerance {
         /// The tolerance, m.
         tolerance: f64,

@@ -341,8 +341,10 @@ impl Question {
             return Ok(without_step(&toml));
         }
         // those of a tolerance serve the drives of this command alone
-        let own = self.tolerance.as_ref().map(|_| setup_toml(&self.base()?.0, self.preset()?, &[], &[])).transpose()?;
-        Ok(own.map_or_else(|| toml.clone(), |own| with_step_of(&own, &toml)))
+        Ok(match self.tolerance {
+            Some(_) => with_step_of(&setup_toml(&self.base()?.0, self.preset()?, &[], &[])?, &toml),
+            None => toml,
+        })
     }
 
     /// The preset that the setup started from.

@@ -20,8 +20,9 @@ pub fn run(args: &UncertaintyArgs) -> Result<Answer> {
     let found = uncertainty(&setup, &of, &inputs, plan, &|done, all| show(&bar, done, all));
     bar.finish_and_clear();
     let found = found?;
-    warn(&found.warnings());
-    warnings.extend(found.warnings());
+    let of_sample = found.warnings();
+    warn(&of_sample);
+    warnings.extend(of_sample);
     let is_found = found.outcomes.iter().all(|outcome| outcome.sampled.is_some());
     let answer = if args.question.json {
         Answer::json(&UncertaintyReport::reply(&found, warnings))

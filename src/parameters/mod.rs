@@ -12,7 +12,6 @@ mod launch;
 mod law_table;
 mod method;
 mod presets;
-mod profile;
 mod range;
 mod setup;
 mod steps;
@@ -20,6 +19,7 @@ mod table;
 mod turf;
 mod vary;
 mod weights;
+mod wind_profile;
 
 pub use air::Ways;
 #[cfg(feature = "cli")]

@@ -324,7 +324,7 @@ impl Setup<f64> {
     /// Warnings about what is flown as it stands.
     pub fn warnings(&self) -> Vec<Message> {
         let of_club = self.club.triangle_warning().into_iter().chain(self.weightless()).map(Message::from);
-        of_club.chain(self.unproven_weather()).chain(self.profile_warning()).collect()
+        of_club.chain(self.unproven_weather()).collect()
     }
 
     /// The parameter of this name, if it can be varied and differentiated by.

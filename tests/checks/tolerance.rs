@@ -151,8 +151,8 @@ fn independent_rows_that_a_step_chosen_by_others_misses_are_flown_again() {
     assert!(found.checked.0 == 0 && found.again > 0 && found.unchecked.1 > 2.0 * MICROMETRE, "{found:?}");
 }
 
-/// A light ball whose airspeed falls to 0.5 m/s at its top, where |v| v bends within a step. The step that others chose is off by 8.6 µm there; the square of
-/// Hermite's defect is too small to show it.
+/// A light ball whose airspeed falls to 0.5 m/s at its top, where |v| v bends within a step. The step that others chose is off by
+/// 8.6 µm there; the square of Hermite's defect is too small to show it.
 #[test]
 fn independent_a_row_that_nearly_stops_at_its_top_is_flown_again() {
     let setup = random_setups(158).last().unwrap();

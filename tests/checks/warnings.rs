@@ -30,6 +30,19 @@ fn a_wind_profile_without_effect_or_meaning_is_warned_of() {
     }
     let sound = said(&["wind.roughness=30mm", blows]);
     assert!(!sound.contains("wind."), "{sound}");
+    // where the wind or its profile varies, both have an effect
+    let (rough, high) = ("wind.roughness=30mm", "wind.reference_height=3m");
+    for args in [
+        &["sweep", "--set", rough, "--over", "wind.downrange=-5m/s..5m/s:3"][..],
+        &["sweep", "--set", high, "--set", blows, "--over", "wind.roughness=1mm..30mm:3"],
+        &["chart", "--set", rough, "--along", "wind.downrange", "--at", "-3m/s,3m/s"],
+        &["uncertainty", "--set", rough, "--sigma", "wind.downrange=2m/s", "--samples", "64"],
+        &["optimize", "--set", rough, "--distribution", "wind.downrange=normal(0m/s,2m/s)"],
+        &["compare", "--set", rough, "--set-b", blows],
+    ] {
+        let said = longdrive(args);
+        assert!(said.status == 0 && !said.err.contains("has no effect"), "{args:?}: {}", said.err);
+    }
 }
 
 #[test]

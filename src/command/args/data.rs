@@ -23,8 +23,8 @@ pub struct Calibrate {
     #[arg(long)]
     pub huber: bool,
 
-    /// Search from this many starts, spread evenly over the ranges of what is fitted; the first is the setup's own. Give the ranges: without one it is all that
-    /// is allowed, where few drives fly.
+    /// Search from this many starts, spread evenly over the ranges of what is fitted; the first is the setup's own. Give the ranges:
+    /// without one it is all that is allowed, where few drives fly.
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = whole::<u32>(1..=U32, "--starts 8"), allow_negative_numbers = true)]
     pub starts: u32,
 

@@ -4,8 +4,9 @@ use super::table::Setup;
 use crate::units::Message;
 
 impl Setup<f64> {
-    /// Where roughness and reference height have no effect, and where the wind is stated below the roughness.
-    pub(super) fn profile_warning(&self) -> Option<Message> {
+    /// Where roughness and reference height have no effect, and where the wind is stated below the roughness. It is of this drive alone: where wind or
+    /// roughness varies from drive to drive, they have an effect. So [`warnings`](Self::warnings) leaves it out.
+    pub fn wind_profile_warning(&self) -> Option<Message> {
         let wind = &self.wind;
         let stated = self.parameter("wind.reference_height").ok()?;
         let Some(roughness) = wind.roughness else {
