@@ -1,6 +1,6 @@
 use super::inputs::Inputs;
 use super::motion::{Node, Rate, State};
-use super::tableau::{MOST_STAGES, Tableau, Weights};
+use super::tableau::{MOST_STAGES, Tableau};
 use crate::number::{Numbers, Vector, inlined};
 
 /// A method with a fixed step, for one flight.
@@ -70,8 +70,8 @@ impl<'a, T: Numbers> Stepper<'a, T> {
     #[inline(always)]
     pub fn new(inputs: &'a Inputs<T>, tableau: &'static Tableau, h: f64) -> Self {
         let mut left = [T::constant(1.0); MOST_STAGES + 1];
-        for (part, time) in left.iter_mut().zip(tableau.time).take(tableau.stages + 1).skip(1) {
-            *part = (inputs.decay * (-time * h)).exp();
+        for i in 1..=tableau.stages {
+            left[i] = (inputs.decay * (-tableau.time[i] * h)).exp();
         }
         Self { inputs, tableau, h, left, rates: [Rate::none(); MOST_STAGES] }
     }
@@ -86,8 +86,8 @@ impl<'a, T: Numbers> Stepper<'a, T> {
         for i in 1..tableau.stages {
             let mut height = v.x.scale_add(h * tableau.time[i], x.x);
             if inputs.wind.depends_on_height() {
-                for (rate, weight) in self.rates.iter().zip(&tableau.position[i]).take(i) {
-                    height = rate.acceleration.x.scale_add(h * h * weight, height);
+                for &(stage, weight) in &tableau.position[i][..i] {
+                    height = self.rates[stage].acceleration.x.scale_add(h * h * weight, height);
                 }
             }
             // the wind first, as the sum waits for the stage before
@@ -96,10 +96,7 @@ impl<'a, T: Numbers> Stepper<'a, T> {
         }
         let end = tableau.stages;
         let gained = self.sum(tableau.velocity[end], h, Vector::zero());
-        let mut deflection = Vector::zero();
-        for (rate, weight) in self.rates.iter().zip(&tableau.position[end]).take(end) {
-            deflection = rate.acceleration.scale_add(h * h * weight, deflection);
-        }
+        let deflection = self.sum(&tableau.position[end][..end], h * h, Vector::zero());
         let state =
             State { position: v.scale_add(h, x + deflection), velocity: v + gained, spin: self.spin(spin, end) };
         (step.deflection, step.gained) = (deflection, gained);
@@ -118,12 +115,12 @@ impl<'a, T: Numbers> Stepper<'a, T> {
         T::outlined(inlined!(|| faded * (-(damping * way)).exp()))
     }
 
-    /// start + h Σ wⱼ aⱼ.
+    /// start + k Σ wⱼ aⱼ.
     #[inline(always)]
-    fn sum(&self, weights: Weights, h: f64, start: Vector<T>) -> Vector<T> {
+    fn sum(&self, weights: &[(usize, f64)], k: f64, start: Vector<T>) -> Vector<T> {
         let mut sum = start;
         for &(stage, weight) in weights {
-            sum = self.rates[stage].acceleration.scale_add(h * weight, sum);
+            sum = self.rates[stage].acceleration.scale_add(k * weight, sum);
         }
         sum
     }

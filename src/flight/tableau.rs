@@ -1,7 +1,7 @@
 use crate::parameters::Method;
 
 /// What is summed with which weight.
-pub(super) type Weights = &'static [(usize, f64)];
+type Weights = &'static [(usize, f64)];
 
 /// Kutta (1901): the classical method.
 const RK4_A: &[Weights] = &[&[], &[(0, 0.5)], &[(1, 0.5)], &[(2, 1.0)]];
@@ -41,8 +41,8 @@ pub(super) struct Tableau {
     pub stages: usize,
     /// aᵢⱼ: how much of the acceleration in stage j goes into the velocity of stage i, without zeros.
     pub velocity: [Weights; MOST_STAGES + 1],
-    /// Σₖ aᵢₖ aₖⱼ: how much of it goes into the position of stage i.
-    pub position: [[f64; MOST_STAGES]; MOST_STAGES + 1],
+    /// Σₖ aᵢₖ aₖⱼ: how much of it goes into the position of stage i, for each stage j before it.
+    pub position: [[(usize, f64); MOST_STAGES]; MOST_STAGES + 1],
     /// cᵢ = Σ aᵢⱼ: when stage i is.
     pub time: [f64; MOST_STAGES + 1],
 }
@@ -63,11 +63,16 @@ impl Tableau {
     const fn new(a: &[Weights], b: Weights, reach: f64) -> Self {
         let stages = a.len();
         let mut velocity: [Weights; MOST_STAGES + 1] = [&[]; MOST_STAGES + 1];
-        let mut position = [[0.0; MOST_STAGES]; MOST_STAGES + 1];
+        let mut position = [[(0, 0.0); MOST_STAGES]; MOST_STAGES + 1];
         let mut time = [0.0; MOST_STAGES + 1];
         let mut i = 0;
         while i <= stages {
             velocity[i] = if i < stages { a[i] } else { b };
+            let mut j = 0;
+            while j < stages {
+                position[i][j].0 = j;
+                j += 1;
+            }
             let mut term = 0;
             while term < velocity[i].len() {
                 let (k, weight) = velocity[i][term];
@@ -75,7 +80,7 @@ impl Tableau {
                 let mut inner = 0;
                 while inner < velocity[k].len() {
                     let (j, within) = velocity[k][inner];
-                    position[i][j] += weight * within;
+                    position[i][j].1 += weight * within;
                     inner += 1;
                 }
                 term += 1;
@@ -100,8 +105,8 @@ mod tests {
                     tableau.velocity[tableau.stages].iter().map(|&(i, weight)| weight * power(i, k - 1)).sum();
                 assert!((velocity - 1.0 / f64::from(k)).abs() < 1e-14, "order {k}: {velocity}");
                 if k >= 2 {
-                    let position: f64 =
-                        (0..tableau.stages).map(|j| tableau.position[tableau.stages][j] * power(j, k - 2)).sum();
+                    let weights = &tableau.position[tableau.stages][..tableau.stages];
+                    let position: f64 = weights.iter().map(|&(j, weight)| weight * power(j, k - 2)).sum();
                     assert!((position - 1.0 / f64::from(k * (k - 1))).abs() < 1e-14, "order {k}: {position}");
                 }
             }

@@ -30,7 +30,8 @@ macro_rules! pack {
             }
             #[inline(always)]
             fn each(self, f: impl Fn(f64) -> f64) -> Self {
-                Self::from_array(self.to_array().map(f))
+                let values = self.to_array();
+                Self::with_values(inlined!(|lane| f(values[lane])))
             }
         }
 
@@ -170,8 +171,13 @@ macro_rules! pack {
                 self.to_array()[i]
             }
             #[inline(always)]
-            fn with_values(f: impl FnMut(usize) -> f64) -> Self {
-                Self::from_array(std::array::from_fn(f))
+            fn with_values(mut f: impl FnMut(usize) -> f64) -> Self {
+                let (mut values, mut lane) = ([0.0; $width], 0);
+                while lane < $width {
+                    values[lane] = f(lane);
+                    lane += 1;
+                }
+                Self::from_array(values)
             }
             #[inline(always)]
             fn seeded(self, _: &impl Fn(usize) -> Self::Mask, _: usize) -> Self {
