@@ -61,8 +61,9 @@ impl<T: Numbers> Step<T> {
     pub fn defect(&self, h: f64) -> T {
         let (a0, a1) = (self.from().rate.acceleration, self.to().rate.acceleration);
         let off = (a0 - a1).scale_add(h * h * (-1.0 / 12.0), self.gained.scale_add(-0.5 * h, self.deflection));
-        let changed = self.gained * self.from().rate.speed.recip();
-        off.norm() * changed.dot(changed) * changed.dot(changed)
+        let speed = self.from().rate.speed;
+        let changed = self.gained.dot(self.gained) / (speed * speed);
+        off.norm() * changed * changed
     }
 }
 
@@ -92,7 +93,7 @@ impl<'a, T: Numbers> Stepper<'a, T> {
             }
             // the wind first, as the sum waits for the stage before
             let air = self.sum(tableau.velocity[i], h, v - inputs.wind.at(height));
-            inputs.find_rate(air, self.spin(spin, i), &mut self.rates[i]);
+            self.rates[i] = inputs.forces(air, self.spin(spin, i));
         }
         let end = tableau.stages;
         let gained = self.sum(tableau.velocity[end], h, Vector::zero());
