@@ -67,11 +67,10 @@ impl<R: Read> Read for Decoded<R> {
             if self.pairs.is_none() {
                 return self.source.read(into);
             }
-            let before = self.raw.len();
-            self.raw.resize(before + PIECE, 0);
-            let read = self.source.read(&mut self.raw[before..]);
-            self.raw.truncate(before + *read.as_ref().unwrap_or(&0));
-            let is_end = read? == 0;
+            let mut piece = [0; PIECE];
+            let read = self.source.read(&mut piece)?;
+            self.raw.extend_from_slice(&piece[..read]);
+            let is_end = read == 0;
             self.decode(is_end);
             if is_end && self.text.is_empty() {
                 return Ok(0);

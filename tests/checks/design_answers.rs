@@ -94,7 +94,7 @@ fn the_nearest_design_is_no_further_than_the_one_set_up() {
         "--subject-to=head_moi <= 5500 g cm^2",
         // both designs are told in the same large steps
         "--set=flight.method=dp8",
-        "--set=flight.step=400ms",
+        "--set=flight.step=1s",
     ];
     let (status, found) = json(&[&TWO[..], &weight].concat());
     assert_eq!((status, found["status"].as_str()), (1, Some("infeasible")), "{found}");
