@@ -41,7 +41,7 @@ pub(super) struct Tableau {
     pub stages: usize,
     /// aᵢⱼ: how much of the acceleration in stage j goes into the velocity of stage i, without zeros.
     pub velocity: [Weights; MOST_STAGES + 1],
-    /// Σₖ aᵢₖ aₖⱼ: how much of it goes into the position of stage i, for each stage j before it.
+    /// Σₖ aᵢₖ aₖⱼ: how much of it goes into the position of stage i, at place j; (0, 0) where nothing does.
     pub position: [[(usize, f64); MOST_STAGES]; MOST_STAGES + 1],
     /// cᵢ = Σ aᵢⱼ: when stage i is.
     pub time: [f64; MOST_STAGES + 1],
@@ -68,11 +68,6 @@ impl Tableau {
         let mut i = 0;
         while i <= stages {
             velocity[i] = if i < stages { a[i] } else { b };
-            let mut j = 0;
-            while j < stages {
-                position[i][j].0 = j;
-                j += 1;
-            }
             let mut term = 0;
             while term < velocity[i].len() {
                 let (k, weight) = velocity[i][term];
@@ -80,7 +75,7 @@ impl Tableau {
                 let mut inner = 0;
                 while inner < velocity[k].len() {
                     let (j, within) = velocity[k][inner];
-                    position[i][j].1 += weight * within;
+                    position[i][j] = (j, position[i][j].1 + weight * within);
                     inner += 1;
                 }
                 term += 1;
