@@ -71,8 +71,8 @@ impl<'a, T: Numbers> Stepper<'a, T> {
     #[inline(always)]
     pub fn new(inputs: &'a Inputs<T>, tableau: &'static Tableau, h: f64) -> Self {
         let mut left = [T::constant(1.0); MOST_STAGES + 1];
-        for i in 1..=tableau.stages {
-            left[i] = (inputs.decay * (-tableau.time[i] * h)).exp();
+        for (part, time) in left.iter_mut().zip(tableau.time).take(tableau.stages + 1).skip(1) {
+            *part = (inputs.decay * (-time * h)).exp();
         }
         Self { inputs, tableau, h, left, rates: [Rate::none(); MOST_STAGES] }
     }
