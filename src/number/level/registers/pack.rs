@@ -172,6 +172,7 @@ macro_rules! pack {
             }
             #[inline(always)]
             fn with_values(mut f: impl FnMut(usize) -> f64) -> Self {
+                // a loop: `array::from_fn` may be a call for each lane
                 let (mut values, mut lane) = ([0.0; $width], 0);
                 while lane < $width {
                     values[lane] = f(lane);
