@@ -6,7 +6,7 @@ use crate::aerodynamics::AerodynamicLaw;
 use crate::drive::{Beyond, Part, Shown, Struck, flat, is_beside_any_face};
 use crate::flight::Inputs;
 use crate::impact::Head;
-use crate::number::{Derivatives, Jet, Lanes, Mask, Number, Task, inlined};
+use crate::number::{Derivatives, Jet, Lanes, Mask, Number, Task, in_lane, inlined};
 use crate::parameters::{Parameter, Setup};
 
 /// Parameters differentiated by in one pass.
@@ -118,22 +118,20 @@ impl Abreast<'_> {
         let head = has_head.then(|| J::outlined(|| Head::new(&setup.club)));
         let ended = inputs.follow(J::Mask::first(group.len()), has_apex, &mut |_, _| ());
         for (lane, &(_, row)) in group.iter().enumerate() {
-            let in_lane = inlined!(|number: J| number.lane(lane));
             if !ended.has_landed.holds(lane) {
                 alone.push(row);
                 continue;
             }
-            let (launch, landed) = (struck.launch.map(in_lane), ended.landed.map(in_lane));
-            let club_speed = struck.club_speed.map(in_lane);
-            let head = head.as_ref().map(|head| head.map(in_lane));
-            let shown = Shown { launch: &launch, club_speed, landed: Some(&landed), head: head.as_ref() };
+            let (landed, read) = (&ended.landed, in_lane(lane));
+            let (launch, club_speed) = (&struck.launch, struck.club_speed);
+            let shown = Shown { launch, club_speed, landed: Some(landed), head: head.as_ref(), read };
+            let value = inlined!(|number: J| number.lane(lane).re());
             self.block.status[row] = Status::Landed;
-            self.block.defect[row] = landed.defect.re();
-            let value = inlined!(|number: J| in_lane(number).re());
+            self.block.defect[row] = value(landed.defect);
             self.block.beyond[row] = Beyond {
                 law: !fitted.holds([value(spin_ratio), value(spin), value(reynolds), value(air_speed)]),
                 face: club_speed.is_some() && is_beside_any_face(value(toe), value(high)),
-                flat: has_run && flat([value(slope), value(side_slope)], &landed).is_some(),
+                flat: has_run && flat([value(slope), value(side_slope)], &landed.map(value)).is_some(),
             };
             for (i, outcome) in batch.of.iter().enumerate() {
                 self.write(row, i, outcome.shown(&shown));

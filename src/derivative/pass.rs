@@ -5,7 +5,7 @@ use crate::error::{Error, Result};
 use crate::flight::Inputs;
 use crate::impact::{Head, strike};
 use crate::launch::Launch;
-use crate::number::{Derivatives, Jet, Lanes, Level, Mask, Mixed, Number, Task, Vector, inlined};
+use crate::number::{Derivatives, Jet, Lanes, Level, Mask, Mixed, Number, Task, Vector, in_lane, inlined};
 use crate::parameters::{Parameter, Setup};
 
 /// Components of a launch: of its velocity, then of its spin.
@@ -144,19 +144,18 @@ impl Pass<'_> {
             ended = Some(found);
         }
         for lane in 0..lanes {
-            let in_lane = inlined!(|number: J| number.lane(lane));
-            let launch = struck.launch.map(in_lane);
-            let landed = ended.as_ref().map(|ended| ended.landed.map(in_lane));
-            let head = head.as_ref().map(|head| head.map(in_lane));
-            let club_speed = struck.club_speed.map(in_lane);
-            let shown = Shown { launch: &launch, club_speed, landed: landed.as_ref(), head: head.as_ref() };
+            let read = in_lane(lane);
+            let Struck { launch, club_speed, .. } = &struck;
+            let landed = ended.as_ref().map(|ended| &ended.landed);
+            let shown = Shown { launch, club_speed: *club_speed, landed, head: head.as_ref(), read };
             let variables = directions.in_lane(lane, per_lane);
             for (outcome, taylor) in point.of.iter().zip(&mut *taylors).filter(|(outcome, _)| part.shows(**outcome)) {
                 put(taylor, variables, &outcome.shown(&shown).ok_or_else(|| outcome.missing())?);
             }
-            let components = launch.velocity.to_array().into_iter().chain(launch.spin.to_array());
+            let Launch { velocity: v, spin: s } = launch;
+            let components = [&v.x, &v.y, &v.z, &s.x, &s.y, &s.z];
             for (taylor, number) in taylors[point.of.len()..].iter_mut().zip(components) {
-                put(taylor, variables, &number);
+                put(taylor, variables, &read(*number));
             }
         }
         Ok(())

@@ -3,7 +3,7 @@ use crate::error::{Error, Result};
 use crate::flight::{Flight, Landed};
 use crate::impact::Head;
 use crate::launch::Launch;
-use crate::number::Number;
+use crate::number::{Number, Numbers};
 use crate::units::Quantity;
 use std::fmt;
 use std::str::FromStr;
@@ -21,13 +21,37 @@ pub enum Part {
 
 /// What outcomes are read from.
 #[derive(Clone, Copy)]
-pub(crate) struct Shown<'a, T> {
+pub(crate) struct Shown<'a, T, Read> {
     pub launch: &'a Launch<T>,
     /// Speed of the head before impact, m/s, where there is a club.
     pub club_speed: Option<T>,
     pub landed: Option<&'a Landed<T>>,
     /// The head, where there is a club and it is asked for.
     pub head: Option<&'a Head<T>>,
+    /// Reads one number: of lanes, that in a lane. What an outcome does not need is not read.
+    pub read: Read,
+}
+
+impl<T: Numbers, U, Read: Fn(T) -> U + Copy> Shown<'_, T, Read> {
+    #[inline(always)]
+    fn launch(&self) -> Launch<U> {
+        self.launch.map(self.read)
+    }
+
+    #[inline(always)]
+    fn club_speed(&self) -> Option<U> {
+        self.club_speed.map(self.read)
+    }
+
+    #[inline(always)]
+    fn landed(&self) -> Option<Landed<U>> {
+        Some(self.landed?.map(self.read))
+    }
+
+    #[inline(always)]
+    fn head(&self) -> Option<Head<U>> {
+        Some(self.head?.map(self.read))
+    }
 }
 
 /// Declares each outcome once: what it is of, name, symbol, kind of quantity, unit a person reads, and how it follows
@@ -84,7 +108,7 @@ macro_rules! outcomes {
                     Flight::Landed(landed) => Some(landed),
                     Flight::None(_) => None,
                 };
-                let shown = Shown { launch: &drive.launch, club_speed: drive.club_speed, landed, head: drive.head.as_ref() };
+                let shown = Shown { launch: &drive.launch, club_speed: drive.club_speed, landed, head: drive.head.as_ref(), read: |number| number };
                 self.shown(&shown).ok_or_else(|| match &drive.flight {
                     Flight::None(why) if self.part() == Part::Flight => Error::NoFlight { reason: why.message() },
                     _ => self.missing(),
@@ -101,7 +125,7 @@ macro_rules! outcomes {
             }
 
             /// The outcome where what it is of is there.
-            pub(crate) fn shown<T: Number>(self, shown: &Shown<'_, T>) -> Option<T> {
+            pub(crate) fn shown<T: Numbers, U: Number>(self, shown: &Shown<'_, T, impl Fn(T) -> U + Copy>) -> Option<U> {
                 match self { $( Self::$Outcome => { let $drive = shown; Some($value) } )+ }
             }
         }
@@ -110,64 +134,64 @@ macro_rules! outcomes {
 
 outcomes! {
     /// Distance downrange at landing, along the target line; carry_distance counts the way to the side too.
-    Flight Carry = "carry", "z_L", LENGTH in "yd", |drive| drive.landed?.carry;
+    Flight Carry = "carry", "z_L", LENGTH in "yd", |drive| drive.landed()?.carry;
     /// Horizontal distance from the tee to the landing, in whatever direction: what launch monitors call carry.
     Flight CarryDistance = "carry_distance", "√(z_L² + y_L²)", LENGTH in "yd", |drive| {
-        let landed = drive.landed?;
+        let landed = drive.landed()?;
         (landed.carry * landed.carry + landed.lateral * landed.lateral).sqrt()
     };
     /// Distance right of the target line at landing.
-    Flight Lateral = "lateral", "y_L", LENGTH in "yd", |drive| drive.landed?.lateral;
+    Flight Lateral = "lateral", "y_L", LENGTH in "yd", |drive| drive.landed()?.lateral;
     /// Time from launch to landing.
-    Flight FlightTime = "flight_time", "t_L", TIME in "s", |drive| drive.landed?.flight_time;
+    Flight FlightTime = "flight_time", "t_L", TIME in "s", |drive| drive.landed()?.flight_time;
     /// Greatest height of the flight above the tee.
-    Flight ApexHeight = "apex_height", "x_A", LENGTH in "yd", |drive| drive.landed?.apex?.height;
+    Flight ApexHeight = "apex_height", "x_A", LENGTH in "yd", |drive| drive.landed()?.apex?.height;
     /// Time from launch to the apex.
-    Flight ApexTime = "apex_time", "t_A", TIME in "s", |drive| drive.landed?.apex?.time;
+    Flight ApexTime = "apex_time", "t_A", TIME in "s", |drive| drive.landed()?.apex?.time;
     /// Distance downrange of the apex.
-    Flight ApexDownrange = "apex_downrange", "z_A", LENGTH in "yd", |drive| drive.landed?.apex?.downrange;
+    Flight ApexDownrange = "apex_downrange", "z_A", LENGTH in "yd", |drive| drive.landed()?.apex?.downrange;
     /// Angle of the path below horizontal at landing.
     Flight DescentAngle = "descent_angle", "γ_L", ANGLE in "deg", |drive| {
-        let v = drive.landed?.velocity;
+        let v = drive.landed()?.velocity;
         (-v.x).atan2((v.y * v.y + v.z * v.z).sqrt())
     };
     /// Speed at landing.
-    Flight LandingSpeed = "landing_speed", "|v_L|", SPEED in "mph", |drive| drive.landed?.velocity.norm();
+    Flight LandingSpeed = "landing_speed", "|v_L|", SPEED in "mph", |drive| drive.landed()?.velocity.norm();
     /// Distance downrange where the ball rests, along the target line as carry is; to 10 yd at best, by a ground that is not calibrated.
-    Flight Total = "total", "z_R", LENGTH in "yd", |drive| drive.landed?.rest.as_ref()?.downrange;
+    Flight Total = "total", "z_R", LENGTH in "yd", |drive| drive.landed()?.rest.as_ref()?.downrange;
     /// What bounces and rolling add to carry, along the target line; to 10 yd at best, by a ground that is not calibrated.
     Flight Run = "run", "z_R − z_L", LENGTH in "yd", |drive| {
-        let landed = drive.landed?;
+        let landed = drive.landed()?;
         landed.rest.as_ref()?.downrange - landed.carry
     };
     /// Distance right of the target line where the ball rests; by a ground that is not calibrated.
-    Flight LateralTotal = "lateral_total", "y_R", LENGTH in "yd", |drive| drive.landed?.rest.as_ref()?.right;
+    Flight LateralTotal = "lateral_total", "y_R", LENGTH in "yd", |drive| drive.landed()?.rest.as_ref()?.right;
     /// Speed of the ball at launch.
-    Launch BallSpeed = "ball_speed", "|v_0|", SPEED in "mph", |drive| drive.launch.ball_speed();
+    Launch BallSpeed = "ball_speed", "|v_0|", SPEED in "mph", |drive| drive.launch().ball_speed();
     /// Ball speed over club speed.
-    Launch SmashFactor = "smash_factor", "|v_0|/V", NUMBER in "", |drive| drive.launch.ball_speed() / drive.club_speed?;
+    Launch SmashFactor = "smash_factor", "|v_0|/V", NUMBER in "", |drive| drive.launch().ball_speed() / drive.club_speed()?;
     /// Angle of the launch above horizontal.
-    Launch LaunchAngle = "launch_angle", "γ_0", ANGLE in "deg", |drive| drive.launch.launch_angle();
+    Launch LaunchAngle = "launch_angle", "γ_0", ANGLE in "deg", |drive| drive.launch().launch_angle();
     /// Horizontal direction of the launch, + right.
-    Launch LaunchDirection = "launch_direction", "φ_0", ANGLE in "deg", |drive| drive.launch.launch_direction();
+    Launch LaunchDirection = "launch_direction", "φ_0", ANGLE in "deg", |drive| drive.launch().launch_direction();
     /// Spin at launch.
-    Launch Spin = "spin", "|ω_0|", ANGULAR_VELOCITY in "rpm", |drive| drive.launch.total_spin();
+    Launch Spin = "spin", "|ω_0|", ANGULAR_VELOCITY in "rpm", |drive| drive.launch().total_spin();
     /// Backspin at launch.
-    Launch Backspin = "backspin", "ω_b", ANGULAR_VELOCITY in "rpm", |drive| drive.launch.backspin();
+    Launch Backspin = "backspin", "ω_b", ANGULAR_VELOCITY in "rpm", |drive| drive.launch().backspin();
     /// Sidespin at launch, + curves right.
-    Launch Sidespin = "sidespin", "ω_s", ANGULAR_VELOCITY in "rpm", |drive| drive.launch.sidespin();
+    Launch Sidespin = "sidespin", "ω_s", ANGULAR_VELOCITY in "rpm", |drive| drive.launch().sidespin();
     /// Tilt of the spin axis at launch, + right.
-    Launch SpinAxis = "spin_axis", "atan2(ω_s, ω_b)", ANGLE in "deg", |drive| drive.launch.spin_axis();
+    Launch SpinAxis = "spin_axis", "atan2(ω_s, ω_b)", ANGLE in "deg", |drive| drive.launch().spin_axis();
     /// Mass of the head with its movable weights.
-    Head HeadMass = "head_mass", "M", MASS in "g", |drive| drive.head?.mass;
+    Head HeadMass = "head_mass", "M", MASS in "g", |drive| drive.head()?.mass;
     /// Moment of inertia of the head with its movable weights about the vertical through its centre of mass, which the Rules of Golf limit.
-    Head HeadMoi = "head_moi", "I_xx", INERTIA in "g cm^2", |drive| drive.head?.inertia[0][0];
+    Head HeadMoi = "head_moi", "I_xx", INERTIA in "g cm^2", |drive| drive.head()?.inertia[0][0];
     /// First leading minor of the second moments of the head's mass: a rigid body has it at 0 or above.
-    Head HeadMinor1 = "head_minor_1", "S₁", INERTIA in "g cm^2", |drive| drive.head?.minors()[0];
+    Head HeadMinor1 = "head_minor_1", "S₁", INERTIA in "g cm^2", |drive| drive.head()?.minors()[0];
     /// Second leading minor of the second moments of the head's mass, over their sum: a rigid body has it at 0 or above.
-    Head HeadMinor2 = "head_minor_2", "S₂", INERTIA in "g cm^2", |drive| drive.head?.minors()[1];
+    Head HeadMinor2 = "head_minor_2", "S₂", INERTIA in "g cm^2", |drive| drive.head()?.minors()[1];
     /// Third leading minor of the second moments of the head's mass, over the square of their sum: a rigid body has it at 0 or above.
-    Head HeadMinor3 = "head_minor_3", "S₃", INERTIA in "g cm^2", |drive| drive.head?.minors()[2];
+    Head HeadMinor3 = "head_minor_3", "S₃", INERTIA in "g cm^2", |drive| drive.head()?.minors()[2];
 }
 
 impl Outcome {

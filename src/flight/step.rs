@@ -87,7 +87,7 @@ impl<'a, T: Numbers> Stepper<'a, T> {
         for i in 1..tableau.stages {
             let mut height = v.x.scale_add(h * tableau.time[i], x.x);
             if inputs.wind.depends_on_height() {
-                for &(stage, weight) in &tableau.position[i][..i] {
+                for &(stage, weight) in &tableau.position[i][..i - 1] {
                     height = self.rates[stage].acceleration.x.scale_add(h * h * weight, height);
                 }
             }
@@ -97,7 +97,7 @@ impl<'a, T: Numbers> Stepper<'a, T> {
         }
         let end = tableau.stages;
         let gained = self.sum(tableau.velocity[end], h, Vector::zero());
-        let deflection = self.sum(&tableau.position[end][..end], h * h, Vector::zero());
+        let deflection = self.sum(&tableau.position[end][..end - 1], h * h, Vector::zero());
         let state =
             State { position: v.scale_add(h, x + deflection), velocity: v + gained, spin: self.spin(spin, end) };
         (step.deflection, step.gained) = (deflection, gained);

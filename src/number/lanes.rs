@@ -1,4 +1,4 @@
-use super::{Jet, Number, Numbers};
+use super::{Jet, Number, Numbers, inlined};
 
 /// Several numbers side by side: of drives next to each other, or of one drive, each with derivatives in directions of its own.
 pub(crate) trait Lanes: Numbers {
@@ -14,6 +14,12 @@ pub(crate) trait Lanes: Numbers {
     /// These values, which change in a direction in those lanes that are so told. Directions are counted from `first` on, those of
     /// a jet before those of the jets it is made of.
     fn seeded(self, changes_in: &impl Fn(usize) -> Self::Mask, first: usize) -> Self;
+}
+
+/// Reads the number in a lane.
+#[inline(always)]
+pub(crate) fn in_lane<J: Lanes>(lane: usize) -> impl Fn(J) -> J::Lane + Copy {
+    inlined!(move |number: J| number.lane(lane))
 }
 
 /// A number alone.

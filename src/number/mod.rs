@@ -25,7 +25,7 @@ pub(crate) use fingerprint::Fingerprint;
 pub(crate) use held::{held_above, held_below, risen};
 pub(crate) use inlined::inlined;
 pub use jet::{Jet, Mixed};
-pub(crate) use lanes::Lanes;
+pub(crate) use lanes::{Lanes, in_lane};
 pub use level::Level;
 pub(crate) use level::Task;
 pub use mask::Mask;
