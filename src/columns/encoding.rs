@@ -8,7 +8,7 @@ const MARK: [u8; 3] = [0xef, 0xbb, 0xbf];
 /// Bytes read at a time.
 const PIECE: usize = 1 << 14;
 
-/// A text in UTF-8, without byte-order marks. What is no text in UTF-16 becomes the replacement character.
+/// A text in UTF-8, without byte-order marks.
 pub(crate) struct Decoded<R> {
     source: R,
     /// How two bytes make a number, where the text is in UTF-16.
@@ -23,7 +23,7 @@ pub(crate) struct Decoded<R> {
 /// A text in UTF-8, or in UTF-16, with a byte-order mark or one that begins as tables do.
 ///
 /// # Errors
-/// What the source returns.
+/// What the source returns; [`io::ErrorKind::Other`] where bytes in UTF-16 are no text, here or where they are read.
 pub(crate) fn decoded<R: Read>(mut source: R) -> io::Result<Decoded<R>> {
     let mut raw = vec![];
     // twice the mark, and a byte that is none
@@ -36,7 +36,7 @@ pub(crate) fn decoded<R: Read>(mut source: R) -> io::Result<Decoded<R>> {
     };
     let mut decoded = Decoded { source, pairs, raw, text: vec![], at: 0 };
     if pairs.is_some() {
-        decoded.decode(false);
+        decoded.decode(false)?;
     } else {
         decoded.text = std::mem::take(&mut decoded.raw);
     }
@@ -48,15 +48,21 @@ pub(crate) fn decoded<R: Read>(mut source: R) -> io::Result<Decoded<R>> {
 
 impl<R> Decoded<R> {
     /// Decodes the whole characters among the bytes that wait.
-    fn decode(&mut self, is_end: bool) {
-        let Some(pairs) = self.pairs else { return };
+    fn decode(&mut self, is_end: bool) -> io::Result<()> {
+        let Some(pairs) = self.pairs else { return Ok(()) };
         let mut units: Vec<u16> = self.raw.chunks_exact(2).map(|pair| pairs([pair[0], pair[1]])).collect();
         // the first half of a character waits for its second
         let waits = !is_end && units.last().is_some_and(|unit| (0xd800..0xdc00).contains(unit));
         units.truncate(units.len() - usize::from(waits));
         self.raw.drain(..2 * units.len());
-        let characters = char::decode_utf16(units).map(|found| found.unwrap_or(char::REPLACEMENT_CHARACTER));
-        self.text.extend(characters.collect::<String>().into_bytes());
+        let no_text = |what| io::Error::other(format!("{what}; save the file again, best as UTF-8"));
+        let text = String::from_utf16(&units);
+        let text = text.map_err(|_| no_text("the text is in UTF-16, with an unpaired surrogate"))?;
+        if is_end && !self.raw.is_empty() {
+            return Err(no_text("the text is in UTF-16, and its last byte is half a character: it was cut"));
+        }
+        self.text.extend(text.into_bytes());
+        Ok(())
     }
 }
 
@@ -71,7 +77,7 @@ impl<R: Read> Read for Decoded<R> {
             let read = self.source.read(&mut piece)?;
             self.raw.extend_from_slice(&piece[..read]);
             let is_end = read == 0;
-            self.decode(is_end);
+            self.decode(is_end)?;
             if is_end && self.text.is_empty() {
                 return Ok(0);
             }
@@ -88,10 +94,10 @@ mod tests {
     use super::decoded;
     use std::io::{self, Read};
 
-    fn read(bytes: &[u8]) -> String {
+    fn read(source: impl Read) -> io::Result<String> {
         let mut text = String::new();
-        decoded(bytes).unwrap().read_to_string(&mut text).unwrap();
-        text
+        decoded(source)?.read_to_string(&mut text)?;
+        Ok(text)
     }
 
     /// A source that hands on a byte at a time.
@@ -122,14 +128,22 @@ mod tests {
             wide(&with(0), u16::to_be_bytes),
             wide(&with(1), u16::to_be_bytes),
         ] {
-            assert!(read(&bytes) == text);
-            let mut slowly = String::new();
-            decoded(Slow(&bytes)).unwrap().read_to_string(&mut slowly).unwrap();
-            assert!(slowly == text);
+            assert!(read(&bytes[..]).unwrap() == text && read(Slow(&bytes)).unwrap() == text);
         }
         for short in ["", "a", "ab"] {
-            assert_eq!(read(short.as_bytes()), short);
+            assert_eq!(read(short.as_bytes()).unwrap(), short);
         }
-        assert_eq!(read(&[0xff, 0xfe, b'a', 0, b'b']), "a", "half a character at the end");
+    }
+
+    #[test]
+    fn exact_what_is_no_text_in_utf_16_is_refused() {
+        // half a character at the end; the second half of a pair, and the first, alone
+        let [cut, second, first]: [&[u8]; 3] = [b"b", &[0x1e, 0xdd, b'b', 0], &[0x34, 0xd8, b'b', 0]];
+        for (bytes, words) in [(cut, "cut"), (second, "unpaired"), (first, "unpaired"), (&first[..2], "unpaired")] {
+            let bytes = [&[0xff, 0xfe, b'a', 0], bytes].concat();
+            for error in [read(&bytes[..]), read(Slow(&bytes))].map(Result::unwrap_err) {
+                assert!(error.kind() == io::ErrorKind::Other && error.to_string().contains(words), "{error}");
+            }
+        }
     }
 }

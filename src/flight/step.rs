@@ -31,11 +31,9 @@ pub(crate) struct Step<T> {
 impl<T: Numbers> Step<T> {
     /// No step yet: at a state.
     #[inline(always)]
-    pub fn at(state: State<T>, inputs: &Inputs<T>) -> Self {
+    pub fn at(state: State<T>) -> Self {
         let nodes = [Node { state, rate: Rate::none() }; 2];
-        let mut step = Self { nodes, ends_at_first: false, deflection: Vector::zero(), gained: Vector::zero() };
-        inputs.find_node(state, step.to_mut());
-        step
+        Self { nodes, ends_at_first: false, deflection: Vector::zero(), gained: Vector::zero() }
     }
 
     /// Its start.
@@ -51,7 +49,7 @@ impl<T: Numbers> Step<T> {
     }
 
     #[inline(always)]
-    fn to_mut(&mut self) -> &mut Node<T> {
+    pub fn to_mut(&mut self) -> &mut Node<T> {
         &mut self.nodes[usize::from(!self.ends_at_first)]
     }
 
