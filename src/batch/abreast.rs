@@ -29,7 +29,7 @@ impl Task for Abreast<'_> {
     fn run<V: Lanes<Lane = f64>>(mut self) -> Vec<usize> {
         let (mut flying, mut alone) = self.line_up::<V>();
         // flights of about the same length side by side: a group takes as long as its longest
-        flying.sort_unstable_by_key(|&(up, row)| (up.to_bits(), row));
+        flying.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         match self.wrt.len() {
             0 => self.fly::<V>(&flying, &mut alone),
             1 => self.fly::<Jet<1, V>>(&flying, &mut alone),

@@ -108,7 +108,8 @@ macro_rules! outcomes {
                     Flight::Landed(landed) => Some(landed),
                     Flight::None(_) => None,
                 };
-                let shown = Shown { launch: &drive.launch, club_speed: drive.club_speed, landed, head: drive.head.as_ref(), read: |number| number };
+                let (launch, club_speed, head) = (&drive.launch, drive.club_speed, drive.head.as_ref());
+                let shown = Shown { launch, club_speed, landed, head, read: |number| number };
                 self.shown(&shown).ok_or_else(|| match &drive.flight {
                     Flight::None(why) if self.part() == Part::Flight => Error::NoFlight { reason: why.message() },
                     _ => self.missing(),

@@ -53,8 +53,7 @@ impl<T: Numbers> Inputs<T> {
         let none = T::Mask::none();
         let start = State { position: Vector::zero(), velocity: self.velocity, spin: self.spin };
         let mut stepper = Stepper::new(self, tableau, h);
-        let mut step = Step::at(start);
-        self.find_node(start, step.to_mut());
+        let mut step = Step::at(start, self);
         let mut has_been_above = ground.below(0.0);
         let mut flying = lanes & (has_been_above | is_rising(step.to()));
         let apex = Apex { height: T::zero(), time: T::zero(), downrange: T::zero() };

@@ -31,9 +31,11 @@ pub(crate) struct Step<T> {
 impl<T: Numbers> Step<T> {
     /// No step yet: at a state.
     #[inline(always)]
-    pub fn at(state: State<T>) -> Self {
+    pub fn at(state: State<T>, inputs: &Inputs<T>) -> Self {
         let nodes = [Node { state, rate: Rate::none() }; 2];
-        Self { nodes, ends_at_first: false, deflection: Vector::zero(), gained: Vector::zero() }
+        let mut step = Self { nodes, ends_at_first: false, deflection: Vector::zero(), gained: Vector::zero() };
+        inputs.find_node(state, step.to_mut());
+        step
     }
 
     /// Its start.
@@ -49,7 +51,7 @@ impl<T: Numbers> Step<T> {
     }
 
     #[inline(always)]
-    pub fn to_mut(&mut self) -> &mut Node<T> {
+    fn to_mut(&mut self) -> &mut Node<T> {
         &mut self.nodes[usize::from(!self.ends_at_first)]
     }
 

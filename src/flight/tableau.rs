@@ -41,7 +41,7 @@ pub(super) struct Tableau {
     pub stages: usize,
     /// aᵢⱼ: how much of the acceleration in stage j goes into the velocity of stage i, without zeros.
     pub velocity: [Weights; MOST_STAGES + 1],
-    /// Σₖ aᵢₖ aₖⱼ: how much of it goes into the position of stage i, at place j; (0, 0) where nothing does.
+    /// Σₖ aᵢₖ aₖⱼ: how much of it goes into the position of stage i, at place j; (0, 0) where nothing does, as from j = i − 1 on.
     pub position: [[(usize, f64); MOST_STAGES]; MOST_STAGES + 1],
     /// cᵢ = Σ aᵢⱼ: when stage i is.
     pub time: [f64; MOST_STAGES + 1],
