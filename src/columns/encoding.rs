@@ -5,6 +5,9 @@ use std::io::{self, Read};
 /// The byte-order mark in UTF-8.
 const MARK: [u8; 3] = [0xef, 0xbb, 0xbf];
 
+/// A line end with its two bytes in the wrong order, as after a byte that is missing. Unicode has no such character.
+const SWAPPED_LINE_END: char = '\u{a00}';
+
 /// Bytes read at a time.
 const PIECE: usize = 1 << 14;
 
@@ -58,6 +61,9 @@ impl<R> Decoded<R> {
         let no_text = |what| io::Error::other(format!("{what}; save the file again, best as UTF-8"));
         let text = String::from_utf16(&units);
         let text = text.map_err(|_| no_text("the text is in UTF-16, with an unpaired surrogate"))?;
+        if text.contains(SWAPPED_LINE_END) {
+            return Err(no_text("the text is in UTF-16, and a byte of it is missing"));
+        }
         if is_end && !self.raw.is_empty() {
             return Err(no_text("the text is in UTF-16, and its last byte is half a character: it was cut"));
         }
@@ -139,7 +145,11 @@ mod tests {
     fn exact_what_is_no_text_in_utf_16_is_refused() {
         // half a character at the end; the second half of a pair, and the first, alone
         let [cut, second, first]: [&[u8]; 3] = [b"b", &[0x1e, 0xdd, b'b', 0], &[0x34, 0xd8, b'b', 0]];
-        for (bytes, words) in [(cut, "cut"), (second, "unpaired"), (first, "unpaired"), (&first[..2], "unpaired")] {
+        // "b", "c" and a line end without the second byte of "b"; and a byte less at the end
+        let missing = b"bc\0\n\0d".as_slice();
+        for (bytes, words) in
+            [(cut, "cut"), (second, "unpaired"), (first, "unpaired"), (&first[..2], "unpaired"), (missing, "missing")]
+        {
             let bytes = [&[0xff, 0xfe, b'a', 0], bytes].concat();
             for error in [read(&bytes[..]), read(Slow(&bytes))].map(Result::unwrap_err) {
                 assert!(error.kind() == io::ErrorKind::Other && error.to_string().contains(words), "{error}");
