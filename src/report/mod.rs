@@ -67,6 +67,7 @@ pub use reply::{Empty, Reply};
 pub use robust::{robust_reply, robust_text, robust_toml};
 pub use sensitivity::{Analysis, AnalysisReport, SensitivityReport, sensitivity_text};
 pub use setup_file::{preset_toml, setup_toml, setup_toml_without_step};
+#[cfg(feature = "cli")]
 pub(crate) use setup_file::{with_step_of, without_step};
 #[cfg(feature = "parquet")]
 pub use shots::ShotParquet;

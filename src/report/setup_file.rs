@@ -58,6 +58,7 @@ pub(crate) fn without_step(toml: &str) -> String {
 }
 
 /// A setup file of this program with the lines of method and step of another.
+#[cfg(feature = "cli")]
 pub(crate) fn with_step_of(other: &str, toml: &str) -> String {
     let taken = |line| {
         let key = OF_STEP.into_iter().find(|key| str::starts_with(line, *key));
