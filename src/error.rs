@@ -415,11 +415,17 @@ pub(crate) fn nearest<'a>(name: &str, names: impl IntoIterator<Item = &'a str>) 
     equally.max_by(|a, b| as_it_looks(a.1).total_cmp(&as_it_looks(b.1)))
 }
 
-/// How alike two names are, 0 to 1; a name without its group ("loft") is held against the last part too.
+/// How alike two names are, 0 to 1. Of names of one group the rest is compared; a name without its group ("loft") is compared with the last part
+/// too; names that differ in their case alone are the same.
 fn similarity(given: &str, known: &str) -> f64 {
-    let last = known.rsplit('.').next().unwrap_or(known);
-    let partial = if given.contains('.') { 0.0 } else { 0.99 * strsim::jaro_winkler(given, last) };
-    strsim::jaro_winkler(given, known).max(partial)
+    if given.eq_ignore_ascii_case(known) {
+        return 1.0;
+    }
+    match (given.rsplit_once('.'), known.rsplit_once('.')) {
+        (Some((group, rest)), Some((of, known))) if group == of => strsim::jaro_winkler(rest, known),
+        (None, Some((_, last))) => strsim::jaro_winkler(given, known).max(0.99 * strsim::jaro_winkler(given, last)),
+        _ => strsim::jaro_winkler(given, known),
+    }
 }
 
 fn suggested(suggestion: &Option<String>) -> String {

@@ -103,11 +103,12 @@ fn in_own_words(said: &str) -> Option<&'static str> {
 pub(crate) const NOT_UTF_8: &str =
     "it holds bytes that are not text in UTF-8; save it as text in UTF-8 (it may be in Windows-1252, ANSI or Latin-1)";
 
-/// Why a file cannot be read.
+/// Why a file cannot be read. What this program says itself stays as it is.
 pub(crate) fn of_io(error: &std::io::Error) -> String {
     use std::io::ErrorKind;
     let why = match error.kind() {
         ErrorKind::InvalidData => return NOT_UTF_8.into(),
+        ErrorKind::Other if error.get_ref().is_some() => return error.to_string(),
         ErrorKind::NotFound => "there is no such file".to_owned(),
         ErrorKind::IsADirectory => "it is a folder".into(),
         ErrorKind::PermissionDenied => "its permissions do not allow it".into(),

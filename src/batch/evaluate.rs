@@ -36,7 +36,7 @@ impl Batch {
             points,
         };
         let mut alone = self.abreast(&mut block);
-        alone.extend((0..rows).filter(|&row| self.is_off(block.defect[row])));
+        alone.extend((0..rows).filter(|&row| block.defect[row] > self.largest_defect));
         for row in alone {
             // what was found of it side by side
             block.outcomes.iter_mut().chain(&mut block.derivatives).for_each(|column| column[row] = f64::NAN);
@@ -74,17 +74,12 @@ impl Batch {
         Ok(setup)
     }
 
-    /// Whether a drive with this defect is not followed closely enough.
-    fn is_off(&self, defect: f64) -> bool {
-        defect > self.largest_defect
-    }
-
     /// A drive by itself, with the longest of some steps, each half of the one before, that follows it closely enough.
     fn drive(&self, mut setup: Setup<f64>, row: usize, block: &mut Block) {
         let mut halvings = if self.largest_defect.is_finite() { HALVINGS } else { 0 };
         let drive = loop {
             match Drive::in_any_steps(&setup) {
-                Ok(drive) if !drive.landed().is_ok_and(|landed| self.is_off(landed.defect)) => break drive,
+                Ok(drive) if !drive.landed().is_ok_and(|landed| landed.defect > self.largest_defect) => break drive,
                 Ok(_) | Err(Error::Diverged { .. }) if halvings > 0 => {
                     halvings -= 1;
                     setup.flight.step *= 0.5;

@@ -14,8 +14,8 @@ const PIECE: usize = 1 << 14;
 /// A text in UTF-8, without byte-order marks.
 pub(crate) struct Decoded<R> {
     source: R,
-    /// How two bytes make a number, where the text is in UTF-16.
-    pairs: Option<fn([u8; 2]) -> u16>,
+    /// Where the text is in UTF-16.
+    pairs: Option<Pairs>,
     /// Bytes that are not decoded yet: half a character.
     raw: Vec<u8>,
     /// What is decoded, and how much of it has been handed on.
@@ -23,20 +23,36 @@ pub(crate) struct Decoded<R> {
     at: usize,
 }
 
+/// How two bytes make a number.
+type Pairs = fn([u8; 2]) -> u16;
+
+/// What a text begins with: twice the mark and a byte, or all of a shorter one; and how its bytes pair where it is in UTF-16.
+fn begun(source: &mut impl Read) -> io::Result<(Vec<u8>, Option<Pairs>)> {
+    let mut raw = vec![];
+    source.take(2 * MARK.len() as u64 + 1).read_to_end(&mut raw)?;
+    // without a mark every other byte of what a table begins with is 0, which is in no text in UTF-8
+    let pairs: Option<Pairs> = match raw.get(..4).or(raw.get(..2)) {
+        Some([0xff, 0xfe, ..] | [1..=0xff, 0, 1..=0xff, 0]) => Some(u16::from_le_bytes),
+        Some([0xfe, 0xff, ..] | [0, 1..=0xff, 0, 1..=0xff]) => Some(u16::from_be_bytes),
+        _ => None,
+    };
+    Ok((raw, pairs))
+}
+
+/// Whether a text is in UTF-16, as its first bytes say.
+///
+/// # Errors
+/// What the source returns.
+pub(crate) fn is_utf_16(source: &mut impl Read) -> io::Result<bool> {
+    Ok(begun(source)?.1.is_some())
+}
+
 /// A text in UTF-8, or in UTF-16, with a byte-order mark or one that begins as tables do.
 ///
 /// # Errors
 /// What the source returns; [`io::ErrorKind::Other`] where bytes in UTF-16 are no text, here or where they are read.
 pub(crate) fn decoded<R: Read>(mut source: R) -> io::Result<Decoded<R>> {
-    let mut raw = vec![];
-    // twice the mark, and a byte that is none
-    (&mut source).take(2 * MARK.len() as u64 + 1).read_to_end(&mut raw)?;
-    // without a mark every other byte of what a table begins with is 0, which is in no text in UTF-8
-    let pairs: Option<fn([u8; 2]) -> u16> = match raw.get(..4).or(raw.get(..2)) {
-        Some([0xff, 0xfe, ..] | [1..=0xff, 0, 1..=0xff, 0]) => Some(u16::from_le_bytes),
-        Some([0xfe, 0xff, ..] | [0, 1..=0xff, 0, 1..=0xff]) => Some(u16::from_be_bytes),
-        _ => None,
-    };
+    let (raw, pairs) = begun(&mut source)?;
     let mut decoded = Decoded { source, pairs, raw, text: vec![], at: 0 };
     if pairs.is_some() {
         decoded.decode(false)?;

@@ -18,7 +18,7 @@ pub(crate) use crate::cells::separated;
 pub(crate) use air::{air_as_given, air_of_rows, air_of_setup};
 pub(crate) use column::{Column, Format, Holds, OF_FLOWN};
 pub(crate) use conditions::{Fault, Stated, conditions, contradiction, is_sideways, is_straight_by_assumption};
-pub(crate) use encoding::decoded;
+pub(crate) use encoding::{decoded, is_utf_16};
 pub(crate) use head::Head;
 pub(crate) use launch_monitor::{has_thousands, is_export, nearest_head, split_unit, summary, without_side, words};
 pub(crate) use left_out::{Club, Spin, given_air, near_known};

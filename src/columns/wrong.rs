@@ -9,11 +9,10 @@ pub(crate) struct WrongColumns {
 }
 
 /// The columns of a table of measured shots.
-pub(super) const OF_SHOTS: &str =
-    "a column is a parameter, an outcome, 'sigma OUTCOME', 'stationary', 'sigma stationary' or 'note'";
+pub(super) const OF_SHOTS: &str = "give each a name that is known, or take it out: a column is a parameter, an outcome, 'sigma OUTCOME', 'stationary', 'sigma stationary' or 'note'";
 
 /// Those of a table of points, or of swings.
-const OF_POINTS: &str = "a column is a parameter, with its unit as in 'swing.speed [mph]', or one that a sweep has written, which is not read";
+const OF_POINTS: &str = "give each a name that is known, or take it out: a column is a parameter, with its unit as in 'swing.speed [mph]', or one that a sweep has written, which is not read";
 
 /// Those of a table of shots that are flown.
 const OF_LAUNCHES: &str = "give the columns of the launch heads that are known, as in 'Ball Speed [mph]', 'Launch Angle [deg]', 'Spin Rate [rpm]'; the heads \

@@ -1,6 +1,6 @@
 use super::columns::{Columns, refused};
 use super::rows::Rows;
-use crate::columns::{Club, Column, Head, Marks, Spin, separated, summary};
+use crate::columns::{Club, Column, Head, Marks, Spin, decoded, is_utf_16, separated, summary};
 use crate::error::{Error, Result};
 use crate::foreign::{of_csv, of_csv_row, of_io};
 use crate::parameters::Setup;
@@ -35,7 +35,7 @@ impl CsvRows {
     /// or given twice, and a unit of another kind. Of its rows: a cell that is no number or whose decimal mark is uncertain.
     pub fn open(setup: &Setup<f64>, path: &Path) -> Result<Self> {
         let unreadable = |error: std::io::Error| refused(path, String::new(), of_io(&error));
-        let mut file = File::open(path).map_err(unreadable)?;
+        let mut file = File::open(path).and_then(in_utf_8).map_err(unreadable)?;
         let (separator, begin) = layout(&file).map_err(unreadable)?;
         file.seek(SeekFrom::Start(begin)).map_err(unreadable)?;
         let mut reader =
@@ -82,6 +82,19 @@ impl CsvRows {
             }
         }
     }
+}
+
+/// A file in UTF-8: itself, or a copy of one in UTF-16. Its rows are read more than once, so it must be a file.
+fn in_utf_8(mut file: File) -> std::io::Result<File> {
+    let is_wide = is_utf_16(&mut file)?;
+    file.rewind()?;
+    if !is_wide {
+        return Ok(file);
+    }
+    let mut copy = tempfile::tempfile()?;
+    std::io::copy(&mut decoded(file)?, &mut copy)?;
+    copy.rewind()?;
+    Ok(copy)
 }
 
 /// What separates the cells of a file, as its head says, and a line `sep=;` before it; and the byte at which the head begins.

@@ -236,6 +236,17 @@ fn exact_csv_tables_carry_units_in_their_head() {
 }
 
 #[test]
+fn exact_csv_tables_in_utf_16_are_those_in_utf_8() {
+    let setup = Setup::default();
+    let text = "\u{feff}club.loft [deg]\tswing.speed [mph]\r\n10.5\t110\r\n11\t95\r\n";
+    let (folder, path) = table("points.csv", text);
+    let wide = folder.path().join("wide.csv");
+    std::fs::write(&wide, text.encode_utf16().flat_map(u16::to_le_bytes).collect::<Vec<u8>>()).unwrap();
+    let [plain, wide] = [path, wide].map(|path| all(open_table(&setup, &path).unwrap().as_mut()));
+    assert!(plain == wide && plain.len() == 4, "{wide:?}");
+}
+
+#[test]
 fn bad_tables_are_told_by_row_and_column_before_any_work() {
     let setup = Setup::default();
     for (name, text, says) in [
@@ -248,8 +259,8 @@ fn bad_tables_are_told_by_row_and_column_before_any_work() {
         (
             "a.csv",
             "swing.sped [mph],club.lft [deg],qqqq\n100,10,1\n",
-            "a.csv, columns 1, 2, 3: unknown columns 'swing.sped' (did you mean 'swing.speed'?), 'club.lft' (did you mean 'club.loft'?), 'qqqq'; a \
-             column is a parameter",
+            "a.csv, columns 1, 2, 3: unknown columns 'swing.sped' (did you mean 'swing.speed'?), 'club.lft' (did you mean 'club.loft'?), 'qqqq'; give \
+             each a name that is known, or take it out: a column is a parameter",
         ),
         (
             "a.csv",

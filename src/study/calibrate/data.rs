@@ -6,7 +6,7 @@ use crate::columns::{
     summary, unstated,
 };
 use crate::error::{Error, Result};
-use crate::foreign::of_io;
+use crate::foreign::{NOT_UTF_8, of_io};
 use crate::parameters::{Parameter, Setup};
 use crate::shots::{Record, cells, miscounted, records, tabled};
 use crate::units::{Message, counted};
@@ -85,9 +85,14 @@ impl ShotTable {
     /// The same; where the club beside a measured launch is read too, a row needs no measurement beside its launch.
     fn read_rows(setup: &Setup<f64>, file: &str, source: impl Read, club: Club) -> Result<Self> {
         let refused = |place: String, reason: String| Error::Table { file: file.into(), place, reason };
-        let mut text = String::new();
-        let read = decoded(source).and_then(|mut source| source.read_to_string(&mut text));
+        let mut bytes = vec![];
+        let read = decoded(source).and_then(|mut source| source.read_to_end(&mut bytes));
         read.map_err(|error| refused(String::new(), of_io(&error)))?;
+        let text = String::from_utf8(bytes).map_err(|error| {
+            let before = &error.as_bytes()[..error.utf8_error().valid_up_to()];
+            let line = before.iter().filter(|byte| **byte == b'\n').count() + 1;
+            refused(format!(", line {line}"), NOT_UTF_8.into())
+        })?;
         let (table, of_source) = tabled(setup, &text);
         let (separator, text) = separated(&table);
         let mut records = records(file, text, separator)?.into_iter().peekable();
