@@ -11,7 +11,6 @@ use longdrive::batch::{Batch, Block, CHUNK, Points, Run, Status, Tally};
 use longdrive::drive::Looked;
 use longdrive::parameters::Parameter;
 use longdrive::parameters::Vary;
-use longdrive::study::{accuracy, accuracy_of_rows};
 use longdrive::units::{System, ratio};
 use longdrive::{Drive, Outcome, Setup};
 use numpy::ndarray::{Array2, Array4};
@@ -195,9 +194,7 @@ pub fn batch<'py>(
         let parameters = arrays.parameters().to_vec();
         let (to, sought) = (Arc::clone(&shared), of.clone());
         let work = move |stop: &AtomicBool| -> longdrive::Result<Vec<String>> {
-            // the rows of a batch are flown again where the step misses them, those of Hessians are not
-            let choose = if hessians { accuracy } else { accuracy_of_rows };
-            let (found, told) = asked.found(choose, &setup, &ranges, &sought)?;
+            let (found, told) = asked.found(&setup, &ranges, &sought)?;
             let integrated = found.map_or(setup.setup, |found| found.applied_to(&setup.setup));
             let mut batch = Batch::new(&integrated, arrays.parameters(), &sought, &wrt)?;
             if let Some(found) = found {

@@ -3,14 +3,11 @@
 use crate::boundary::{Answer, Failure};
 use crate::setup::PySetup;
 use longdrive::parameters::Vary;
-use longdrive::study::Accuracy;
+use longdrive::study::{Accuracy, accuracy};
 use longdrive::units::Quantity;
-use longdrive::{Error, Outcome, Setup};
+use longdrive::{Error, Outcome};
 use pyo3::prelude::*;
 use pyo3::types::PyString;
-
-/// A way to choose a step for many drives.
-pub type Choose = fn(&Setup<f64>, &[Vary], &[Outcome], f64) -> longdrive::Result<Accuracy>;
 
 /// The tolerance where none is asked for, m.
 const MICROMETRE: f64 = 1e-6;
@@ -47,11 +44,9 @@ impl Asked {
         matches!(self, Self::Own) || (matches!(self, Self::Usual) && setup.gives_step)
     }
 
-    /// The step for a setup whose parameters lie in these ranges, chosen like this, and a warning where there is one; nothing where the setup's own is
-    /// kept.
+    /// The step for a setup whose parameters lie in these ranges, and a warning where there is one; nothing where the setup's own is kept.
     pub fn found(
         self,
-        choose: Choose,
         setup: &PySetup,
         ranges: &[Vary],
         of: &[Outcome],
@@ -62,7 +57,7 @@ impl Asked {
             Self::Usual => (MICROMETRE, false),
             Self::Within(tolerance) => (tolerance, true),
         };
-        match choose(&setup.setup, ranges, of, tolerance) {
+        match accuracy(&setup.setup, ranges, of, tolerance) {
             Ok(found) => Ok((Some(found), None)),
             // no drive lands: then there is nothing to be exact about
             Err(Error::NoFlight { .. }) => Ok((None, None)),

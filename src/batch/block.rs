@@ -151,9 +151,9 @@ impl Block {
         self.beyond[row]
     }
 
-    /// What tells of the error of the integration, of a drive that landed: its defect, m.
-    pub(crate) fn defect(&self, row: usize) -> Option<f64> {
-        (self.status[row] == Status::Landed).then_some(self.defect[row])
+    /// What tells of the error of the integration, of each drive that landed: its defect, m.
+    pub(crate) fn defects(&self) -> impl Iterator<Item = f64> {
+        self.status.iter().zip(&self.defect).filter(|(status, _)| **status == Status::Landed).map(|(_, defect)| *defect)
     }
 
     /// The outcome of this number, SI.

@@ -15,9 +15,6 @@ use std::path::{Path, PathBuf};
 const STANDARD_INPUT: &str = "-";
 const STANDARD_INPUT_NAME: &str = "standard input";
 
-/// A way to choose a step for many drives: [`accuracy`], or that of rows which are flown again where it misses them.
-pub(super) type Choose = fn(&Setup<f64>, &[Vary], &[Outcome], f64) -> Result<Accuracy>;
-
 /// The tolerance of commands that fly many drives, m.
 const MICROMETRE: f64 = 1e-6;
 
@@ -275,30 +272,22 @@ impl Question {
 
     /// The setup, integrated within the tolerance asked for.
     pub fn within_tolerance(&self, setup: Setup<f64>) -> Result<Setup<f64>> {
-        Ok(self
-            .asked_accuracy(accuracy, &setup, &[], &of_the_flight())?
-            .map_or(setup, |found| found.applied_to(&setup)))
+        Ok(self.asked_accuracy(&setup, &[], &of_the_flight())?.map_or(setup, |found| found.applied_to(&setup)))
     }
 
     /// The setup, integrated as many drives of it are wherever its parameters lie in these ranges.
     pub fn for_many(&self, setup: Setup<f64>, ranges: &[Vary]) -> Result<Setup<f64>> {
         let begun = Vary::begun(&setup, ranges)?;
-        Ok(self.accuracy(accuracy, &begun, ranges, &of_the_flight())?.map_or(setup, |found| found.applied_to(&setup)))
+        Ok(self.accuracy(&begun, ranges, &of_the_flight())?.map_or(setup, |found| found.applied_to(&setup)))
     }
 
-    /// How many drives are integrated, by one of the ways to choose a step: within the tolerance asked for or, where none is, a micrometre; `None` where it is by
+    /// How many drives are integrated: within the tolerance asked for or, where none is, a micrometre; `None` where it is by
     /// flight.method and flight.step of the setup.
-    pub fn accuracy(
-        &self,
-        choose: Choose,
-        setup: &Setup<f64>,
-        ranges: &[Vary],
-        of: &[Outcome],
-    ) -> Result<Option<Accuracy>> {
+    pub fn accuracy(&self, setup: &Setup<f64>, ranges: &[Vary], of: &[Outcome]) -> Result<Option<Accuracy>> {
         if self.tolerance.is_some() || !self.chooses_step()? {
-            return self.asked_accuracy(choose, setup, ranges, of);
+            return self.asked_accuracy(setup, ranges, of);
         }
-        match choose(setup, ranges, of, MICROMETRE) {
+        match accuracy(setup, ranges, of, MICROMETRE) {
             Err(Error::Tolerance { reason, .. }) => {
                 warn_early(Message::from(format!(
                     "flown with flight.method = {} and flight.step = {} s of the setup, since no step is within 1 um: {reason}",
@@ -311,13 +300,7 @@ impl Question {
         }
     }
 
-    fn asked_accuracy(
-        &self,
-        choose: Choose,
-        setup: &Setup<f64>,
-        ranges: &[Vary],
-        of: &[Outcome],
-    ) -> Result<Option<Accuracy>> {
+    fn asked_accuracy(&self, setup: &Setup<f64>, ranges: &[Vary], of: &[Outcome]) -> Result<Option<Accuracy>> {
         let Some(text) = &self.tolerance else { return Ok(None) };
         let refused = |reason: String| Error::Unreadable { name: "--tolerance".into(), source: reason.into() };
         let tolerance = Quantity::LENGTH.read(text).map_err(|error| refused(error.to_string()))?;
@@ -329,7 +312,7 @@ impl Question {
                 "it chooses method and step, and --set {name} gives one of them; leave one out"
             )));
         }
-        let found = landing(choose(setup, ranges, of, tolerance))?;
+        let found = landing(accuracy(setup, ranges, of, tolerance))?;
         if let Some(Accuracy { method, step, error, drives, .. }) = found {
             tell(&format!(
                 "method {} with a step of {step:.4} s: lengths are within {error:.1e} m of their exact values in the {} checked",

@@ -13,11 +13,11 @@ pub struct Accuracy {
     pub method: Method,
     /// Its step, s.
     pub step: f64,
-    /// The largest error found with it, m, of drives with no larger a defect than `largest_defect`.
+    /// The largest error found with it, m.
     pub error: f64,
     /// Drives that were looked at.
     pub drives: usize,
-    /// The largest defect of a drive that was looked at and followed closely enough, m: one with a larger defect is beyond that. See
+    /// The largest defect of a drive that was looked at, m: one with a larger defect is beyond what was looked at. See
     /// [`Batch::with_largest_defect`].
     pub largest_defect: f64,
 }
@@ -47,13 +47,6 @@ const FIRST: usize = 16;
 const MOST_COMBINED: usize = 4;
 /// Where in its last step a ball lands makes a difference, so each drive is flown in a few steps a little shorter too.
 const PHASES: u32 = 8;
-/// What a row costs that is flown again, by itself, in units of one that is flown beside others: 10 to 15.
-const AGAIN: f64 = 15.0;
-/// If more than this part of the drives looked at is flown again, a shorter step costs less.
-const MOST_AGAIN: f64 = 1.0 / 8.0;
-/// Drives that are missed have a defect so many times as large as all others, or the step is too long. With 1 rows of laws that
-/// are not smooth are off by 3 µm; with 4 two in 400 000 random ones are off by up to 9 µm, of which 25 has none.
-const APART: f64 = 25.0;
 /// A defect that says nothing, m: next to no air leaves rounding alone.
 const ROUNDING: f64 = 1e-12;
 
@@ -72,58 +65,26 @@ const ROUNDING: f64 = 1e-12;
 /// [`Error::Tolerance`] for a tolerance that is not above 0, or that none of the steps down to 4 ms reaches, with the drive that is off most;
 /// [`Error::NoFlight`] where none of the drives lands; what [`Batch::new`] refuses.
 pub fn accuracy(setup: &Setup<f64>, ranges: &[Vary], of: &[Outcome], tolerance: f64) -> Result<Accuracy> {
-    chosen(setup, ranges, of, tolerance, 0.0)
-}
-
-/// The step with which the rows of a sweep cost least, if each row with a defect beyond `largest_defect` is flown again in shorter steps
-/// ([`Batch::with_largest_defect`]): then every length of every row is within `tolerance` (m), and a few drives that need short steps do not
-/// shorten those of all. Else as [`accuracy`].
-///
-/// ```
-/// use longdrive::{Outcome, Setup, study::{Vary, accuracy, accuracy_of_rows}};
-/// let setup = Setup::default();
-/// let loft = [Vary::read(&setup, "club.loft=6deg..14deg").unwrap()];
-/// let [all, rows] = [accuracy, accuracy_of_rows].map(|choose| choose(&setup, &loft, &[Outcome::Carry], 1e-6).unwrap());
-/// assert!(rows.step >= all.step);
-/// ```
-///
-/// # Errors
-/// As [`accuracy`].
-pub fn accuracy_of_rows(setup: &Setup<f64>, ranges: &[Vary], of: &[Outcome], tolerance: f64) -> Result<Accuracy> {
-    chosen(setup, ranges, of, tolerance, MOST_AGAIN)
-}
-
-/// The step that costs least of those that miss no more than a part of the drives looked at.
-fn chosen(setup: &Setup<f64>, ranges: &[Vary], of: &[Outcome], tolerance: f64, most_again: f64) -> Result<Accuracy> {
     if !(tolerance > 0.0 && tolerance.is_finite()) {
         return Err(Error::Tolerance { tolerance, reason: "give a length above 0, for example 1 um".into() });
     }
-    let mut sample = Sample::new(setup, ranges, of, most_again)?;
+    let mut sample = Sample::new(setup, ranges, of)?;
     let mut step = LONGEST_STEP;
-    let (mut worst, mut best) = (None, None::<(f64, Accuracy)>);
+    let mut worst = None;
     for _ in 0..STEPS {
-        if best.is_some_and(|(cost, _)| cost * step <= 1.0) {
-            break;
-        }
         sample.refine(step)?;
-        let mut found = sample.look(step, SAFETY * tolerance)?;
+        let mut found = sample.largest_error(step, SAFETY * tolerance)?;
         if found.is_ok() && sample.look_at_all()? {
-            found = sample.look(step, SAFETY * tolerance)?;
+            found = sample.largest_error(step, SAFETY * tolerance)?;
         }
         match found {
-            Ok(Found { error, largest_defect, again }) => {
-                let cost = (1.0 + AGAIN * again) / step;
-                if best.is_none_or(|(least, _)| cost < least) {
-                    let drives = sample.landed().count();
-                    best = Some((cost, Accuracy { method: METHOD, step, error, drives, largest_defect }));
-                }
+            Ok(Found { error, largest_defect }) => {
+                let drives = sample.exact.defects().count();
+                return Ok(Accuracy { method: METHOD, step, error, drives, largest_defect });
             }
             Err(drive) => worst = Some(drive),
         }
         step *= 0.5_f64.powf(0.25);
-    }
-    if let Some((_, found)) = best {
-        return Ok(found);
     }
     let drive = worst.map_or_else(String::new, |missed| sample.told(missed));
     let reason = format!(
@@ -137,8 +98,6 @@ fn chosen(setup: &Setup<f64>, ranges: &[Vary], of: &[Outcome], tolerance: f64, m
 struct Found {
     error: f64,
     largest_defect: f64,
-    /// Which part of the drives within the ranges is flown again.
-    again: f64,
 }
 
 /// A drive that a step does not follow: its row, and the outcome that is off, with its error, m; nothing where it does not land.
@@ -152,15 +111,13 @@ struct Sample {
     /// Points that are not looked at yet.
     further: Vec<f64>,
     lengths: Vec<Outcome>,
-    /// Which part of them may be missed.
-    most_again: f64,
     /// The step of the reference, s, and the drives as it has them.
     reference: f64,
     exact: Block,
 }
 
 impl Sample {
-    fn new(setup: &Setup<f64>, ranges: &[Vary], of: &[Outcome], most_again: f64) -> Result<Self> {
+    fn new(setup: &Setup<f64>, ranges: &[Vary], of: &[Outcome]) -> Result<Self> {
         let lengths = of.iter().copied().filter(|of| of.quantity() == Quantity::LENGTH);
         let mut lengths: Vec<_> = lengths.collect();
         if lengths.is_empty() {
@@ -182,7 +139,7 @@ impl Sample {
         let further = points.split_off(FIRST * parameters.len());
         let reference = REFERENCE * LONGEST_STEP;
         let exact = flown(setup, reference, &parameters, &lengths, points.clone())?;
-        Ok(Self { setup: *setup, parameters, points, further, lengths, most_again, reference, exact })
+        Ok(Self { setup: *setup, parameters, points, further, lengths, reference, exact })
     }
 
     fn flown(&self, step: f64) -> Result<Block> {
@@ -209,22 +166,15 @@ impl Sample {
         Ok(true)
     }
 
-    /// The drives that land.
-    fn landed(&self) -> impl Iterator<Item = usize> {
-        (0..self.exact.rows()).filter(|&row| self.exact.status(row) == Status::Landed)
-    }
-
-    /// What a step costs, or the drive by which it misses the limit where it misses too many.
+    /// The largest error of a step, or the drive by which it misses the limit.
     ///
     /// # Errors
     /// [`Error::NoFlight`] where none of the drives lands.
-    fn look(&self, step: f64, limit: f64) -> Result<std::result::Result<Found, Missed>> {
-        let diverged = (0..self.exact.rows()).find(|&row| self.exact.status(row) == Status::Diverged);
-        match (self.landed().next(), diverged) {
+    fn largest_error(&self, step: f64, limit: f64) -> Result<std::result::Result<Found, Missed>> {
+        let with = |status| (0..self.exact.rows()).find(|&row| self.exact.status(row) == status);
+        match (with(Status::Landed), with(Status::Diverged)) {
             // perhaps a further one lands
-            (None, _) if !self.further.is_empty() => {
-                return Ok(Ok(Found { error: 0.0, largest_defect: ROUNDING, again: 0.0 }));
-            }
+            (None, _) if !self.further.is_empty() => return Ok(Ok(Found { error: 0.0, largest_defect: ROUNDING })),
             (None, None) => {
                 return Err(Error::NoFlight { reason: "no drive that the step would be chosen for lands".into() });
             }
@@ -232,59 +182,29 @@ impl Sample {
             (None, Some(row)) => return Ok(Err((row, None))),
             _ => {}
         }
-        // the error and the defect of each drive, largest of all phases and of the first; no number where it is missed
-        let (mut errors, mut defects) = (vec![0.0_f64; self.exact.rows()], vec![]);
-        let (mut missed, most) = (0, (self.most_again * self.landed().count() as f64) as usize);
+        let mut found = Found { error: 0.0, largest_defect: ROUNDING };
         for phase in 0..PHASES {
             let flown = self.flown(step * (1.0 - 0.035 * f64::from(phase)))?;
-            for row in self.landed().filter(|&row| errors[row].is_finite()).collect::<Vec<_>>() {
-                let worst = self.worst(row, &flown);
-                errors[row] = errors[row].max(worst.map_or(f64::INFINITY, |(_, error)| error));
-                if errors[row] > limit {
-                    errors[row] = f64::INFINITY;
-                    missed += 1;
-                    if missed > most {
-                        return Ok(Err((row, worst)));
+            for row in (0..flown.rows()).filter(|&row| self.exact.status(row) == Status::Landed) {
+                for (i, of) in self.lengths.iter().enumerate() {
+                    let (exact, flown) = match (self.exact.outcome(row, i), flown.outcome(row, i)) {
+                        (Some(exact), Some(flown)) => (exact, flown),
+                        // a ball that lands and does not come to rest
+                        (None, None) if of.is_of_the_run() => continue,
+                        _ => return Ok(Err((row, None))),
+                    };
+                    let error = (flown - exact).abs();
+                    if error > limit {
+                        return Ok(Err((row, Some((*of, error)))));
                     }
+                    found.error = found.error.max(error);
                 }
             }
             if phase == 0 {
-                defects = (0..flown.rows()).map(|row| flown.defect(row)).collect();
+                found.largest_defect = flown.defects().fold(ROUNDING, f64::max);
             }
         }
-        let is_missed = |row: &usize| errors[*row].is_infinite();
-        let of = |row: usize| defects[row].unwrap_or(f64::INFINITY);
-        let least_missed = self.landed().filter(is_missed).map(of).fold(f64::INFINITY, f64::min);
-        let largest = self.landed().filter(|row| !is_missed(row)).map(of).fold(ROUNDING, f64::max);
-        if missed > 0 && largest * APART > least_missed {
-            // their defects do not tell them from others
-            let row = self.landed().find(is_missed).unwrap_or_default();
-            return Ok(Err((row, None)));
-        }
-        let error = self.landed().filter(|row| !is_missed(row)).map(|row| errors[row]).fold(0.0, f64::max);
-        // of the drives within the ranges: few are at their ends. One that is not met among so many may be met yet
-        let inside = || self.landed().filter(|row| row + INSIDE as usize >= self.exact.rows());
-        let unseen = if missed > 0 { 0.5 } else { 0.0 };
-        let again = (inside().filter(is_missed).count() as f64 + unseen) / inside().count().max(1) as f64;
-        Ok(Ok(Found { error, largest_defect: largest, again }))
-    }
-
-    /// The length of a row that is off most, with its error; `None` where one is missing.
-    fn worst(&self, row: usize, flown: &Block) -> Option<(Outcome, f64)> {
-        let mut worst = (self.lengths[0], 0.0);
-        for (i, of) in self.lengths.iter().enumerate() {
-            let (exact, flown) = match (self.exact.outcome(row, i), flown.outcome(row, i)) {
-                (Some(exact), Some(flown)) => (exact, flown),
-                // a ball that lands and does not come to rest
-                (None, None) if of.is_of_the_run() => continue,
-                _ => return None,
-            };
-            let error = (flown - exact).abs();
-            if error > worst.1 {
-                worst = (*of, error);
-            }
-        }
-        Some(worst)
+        Ok(Ok(found))
     }
 
     /// A drive that is missed, in words.

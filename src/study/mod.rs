@@ -28,7 +28,7 @@ pub mod uncertainty;
 pub mod validation;
 
 pub use crate::parameters::Vary;
-pub use accuracy::{Accuracy, accuracy, accuracy_of_rows};
+pub use accuracy::{Accuracy, accuracy};
 pub use chart::{Chart, ChartEvent, ChartObserver, ChartPoint, chart, chart_at};
 pub use compare::{Cause, Comparison, Difference, Share, Shares, causes};
 pub use constraint::Constraint;

@@ -3,7 +3,7 @@
 use crate::common::random_setups;
 use longdrive::batch::{Batch, Block, Points, Sequence, Status};
 use longdrive::parameters::{Method, Parameter, Vary};
-use longdrive::study::{accuracy, accuracy_of_rows};
+use longdrive::study::accuracy;
 use longdrive::{Error, Outcome, Setup};
 use rayon::prelude::*;
 
@@ -44,7 +44,7 @@ impl Errors {
 
 /// The errors of a sweep within a micrometre. Nothing where no step is found.
 fn sweep(setup: &Setup<f64>, ranges: &[Vary], of: &[Outcome], count: u64) -> Option<Errors> {
-    let found = match accuracy_of_rows(setup, ranges, of, MICROMETRE) {
+    let found = match accuracy(setup, ranges, of, MICROMETRE) {
         Ok(found) => found,
         Err(Error::NoFlight { .. } | Error::Tolerance { .. }) => return None,
         Err(error) => panic!("{error}"),
@@ -163,18 +163,6 @@ fn independent_short_and_flat_flights_are_flown_again() {
     ];
     let found = sweep(&setup, &ranges, &[Outcome::Carry], 4096).unwrap();
     assert!(found.checked.0 == 0 && found.again > 0 && found.unchecked.1 > 2.0 * MICROMETRE, "{found:?}");
-}
-
-/// A few low flights need a step half as long as all others: in a sweep they are flown again, and a search flies all in it.
-#[test]
-fn exact_a_few_rows_do_not_shorten_the_steps_of_a_sweep() {
-    let setup = Setup::default();
-    let ranges = [range(&setup, "club.loft", 0.105, 0.244), range(&setup, "swing.attack_angle", -0.087, 0.087)];
-    let of = [Outcome::Carry, Outcome::Lateral];
-    let [all, rows] = [accuracy, accuracy_of_rows].map(|choose| choose(&setup, &ranges, &of, MICROMETRE).unwrap());
-    assert!(rows.step > 1.5 * all.step, "{rows:?} beside {all:?}");
-    let found = sweep(&setup, &ranges, &of, 2048).unwrap();
-    assert!(found.checked.0 == 0 && found.again > 0 && found.again < 100, "{found:?}");
 }
 
 /// A light ball whose airspeed falls to 0.5 m/s at its top, where |v| v bends within a step. The step that others chose is off by

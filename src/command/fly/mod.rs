@@ -15,7 +15,6 @@ use crate::parameters::Preset;
 use crate::report::ShotParquet;
 use crate::report::{Reply, ShotWriter, ShotsReport, shots_text};
 use crate::shots::{Flying, Shots, Tally};
-use crate::study::accuracy_of_rows;
 use crate::units::{Message, counted};
 use crate::{Error, Outcome, Result, Setup};
 use target::{Output, Target, Written};
@@ -54,7 +53,7 @@ fn followed(
 ) -> Result<Flying> {
     // what is wrong with the question is said before anything is flown
     new(setup)?;
-    match question.accuracy(accuracy_of_rows, setup, &Flying::usual(setup)?, of)? {
+    match question.accuracy(setup, &Flying::usual(setup)?, of)? {
         Some(found) => new(&found.applied_to(setup))?.with_largest_defect(found.largest_defect),
         None => new(setup),
     }

@@ -3,7 +3,6 @@ use crate::batch::{Batch, Points};
 use crate::command::args::Sweep;
 use crate::command::names::{outcomes, variables};
 use crate::command::output::{system, tell};
-use crate::study::accuracy_of_rows;
 use crate::units::Message;
 use crate::{Error, Result, Setup};
 
@@ -35,7 +34,7 @@ impl Asked {
         if !setup.launch.is_given() && points.parameters().iter().any(|parameter| parameter.is_of_launch()) {
             args.question.refuse_club(&setup, "the points are launches")?;
         }
-        let accuracy = args.question.accuracy(accuracy_of_rows, &setup, &points.ranges(), &of)?;
+        let accuracy = args.question.accuracy(&setup, &points.ranges(), &of)?;
         let setup = accuracy.map_or(setup, |found| found.applied_to(&setup));
         let wrt = match args.wrt.as_slice() {
             [] if args.gradient => points.parameters().to_vec(),
