@@ -1,6 +1,5 @@
 //! Files that are written beside their place and put there once they are whole.
 
-use std::fs;
 use std::io;
 use std::path::Path;
 use tempfile::{PathPersistError, TempPath};
@@ -11,7 +10,7 @@ pub(crate) fn beside(path: &Path) -> io::Result<tempfile::NamedTempFile> {
     builder.prefix(".longdrive-");
     #[cfg(unix)]
     {
-        use std::os::unix::fs::PermissionsExt;
+        use std::{fs, os::unix::fs::PermissionsExt};
         // those of the file that is replaced; of a new one, those that any new file has
         let of_old = fs::metadata(path).ok().filter(fs::Metadata::is_file).map(|found| found.permissions());
         builder.permissions(of_old.unwrap_or_else(|| fs::Permissions::from_mode(0o666)));
