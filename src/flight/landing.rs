@@ -11,7 +11,7 @@ use crate::launch::Launch;
 use crate::number::{Mask, Number, Numbers, Vector, inlined};
 use crate::parameters::Setup;
 
-/// What a defect of the last step counts more: there the path is interpolated, and off by 30 to 110 times what steps of that defect are.
+/// How many times more the defect of the last step counts. Within it the path is interpolated: at the same defect, its error is 30 to 110 times that of a step.
 const INTERPOLATED: f64 = 100.0;
 
 /// Flights side by side, or one, that have ended.

@@ -14,9 +14,6 @@ impl Table {
     }
 
     pub fn io<T>(&self, result: io::Result<T>) -> Result<T> {
-        result.map_err(|error| match error.get_ref() {
-            Some(own) if error.kind() == io::ErrorKind::Other => self.refused(String::new(), own.to_string()),
-            _ => self.refused(String::new(), of_io(&error)),
-        })
+        result.map_err(|error| self.refused(String::new(), of_io(&error)))
     }
 }
