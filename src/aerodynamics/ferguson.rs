@@ -12,10 +12,10 @@ const HELD_OVER: f64 = 0.2;
 /// radar flights with 0.02 < s < 0.75.
 impl<T: Numbers> AerodynamicLaw<T> for Ferguson<T> {
     #[inline(always)]
-    fn coefficients(&self, stream: &Stream<T>) -> Coefficients<T> {
-        T::outlined(inlined!(|| {
+    fn coefficients(&self, stream: Stream<T>) -> Coefficients<T> {
+        T::outlined(inlined!(move || {
             let [low, high] = MEASURED;
-            let s = held_above(stream.spin_ratio, high, HELD_OVER);
+            let s = held_above(stream.spin_ratio(), high, HELD_OVER);
             let (drag, lift) = ([self.cd0, self.cd1, self.cd2], [self.cl0, self.cl1, self.cl2]);
             Coefficients { drag: horner(drag, s), lift: polynomial(lift, low, s) }
         }))

@@ -7,13 +7,13 @@ use crate::parameters::{Along, Axis, Grid};
 /// C_D and C_L of a grid at its place for this stream, times their factors. Beyond its edges speed and spin are held; with less spin than its
 /// least, the lift is that at its edge times 1 − (1 − ω/ω_least)³.
 #[inline(always)]
-pub(super) fn gridded<T: Numbers>(grid: &'static Grid, factors: [T; 2], stream: &Stream<T>) -> Coefficients<T> {
-    T::outlined(inlined!(|| in_grid(grid, factors, stream)))
+pub(super) fn gridded<T: Numbers>(grid: &'static Grid, factors: [T; 2], stream: Stream<T>) -> Coefficients<T> {
+    T::outlined(inlined!(move || in_grid(grid, factors, stream)))
 }
 
 #[inline(always)]
-fn in_grid<T: Numbers>(grid: &'static Grid, [cd_factor, cl_factor]: [T; 2], stream: &Stream<T>) -> Coefficients<T> {
-    let (speed, spin) = (held(&grid.speed, stream), held(&grid.spin, stream));
+fn in_grid<T: Numbers>(grid: &'static Grid, [cd_factor, cl_factor]: [T; 2], stream: Stream<T>) -> Coefficients<T> {
+    let (speed, spin) = (held(&grid.speed, &stream), held(&grid.spin, &stream));
     let c = speed.looked_up(spin, inlined!(|speed, spin| grid.surface.cell(speed, spin)));
     let (u, w) = ((speed - c[0]) * c[1], (spin - c[2]) * c[3]);
     let (mut drag, mut lift) = (T::zero(), T::zero());
@@ -28,7 +28,7 @@ fn in_grid<T: Numbers>(grid: &'static Grid, [cd_factor, cl_factor]: [T; 2], stre
     }
     let mut lift = cl_factor * lift;
     if let Some((along, per_least)) = grid.begins {
-        let part = value(along, stream) * per_least;
+        let part = value(along, &stream) * per_least;
         let short = T::constant(1.0) - part.blend(T::constant(1.0), part.below(1.0));
         lift = lift * (T::constant(1.0) - short * short * short);
     }
@@ -39,9 +39,9 @@ fn in_grid<T: Numbers>(grid: &'static Grid, [cd_factor, cl_factor]: [T; 2], stre
 #[inline(always)]
 fn value<T: Numbers>(along: Along, stream: &Stream<T>) -> T {
     match along {
-        Along::SpinRatio => stream.spin_ratio,
+        Along::SpinRatio => stream.spin_ratio(),
         Along::Spin => stream.spin,
-        Along::Reynolds => stream.reynolds,
+        Along::Reynolds => stream.reynolds(),
         Along::Speed => stream.speed,
     }
 }

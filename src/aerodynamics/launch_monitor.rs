@@ -7,12 +7,12 @@ use crate::parameters::LaunchMonitor;
 /// 0.06 < s < 0.33 and 7e4 < Re < 2.3e5; smooth everywhere, no lift without spin.
 impl<T: Numbers> AerodynamicLaw<T> for LaunchMonitor<T> {
     #[inline(always)]
-    fn coefficients(&self, stream: &Stream<T>) -> Coefficients<T> {
-        let s = stream.spin_ratio;
+    fn coefficients(&self, stream: Stream<T>) -> Coefficients<T> {
+        let s = stream.spin_ratio();
         // s_c/s_cap: what waits for it comes last
         let capped = (s * self.s_cap.recip()).tanh();
         let (linear, square) = (self.cd1 * self.s_cap, self.cd2 * self.s_cap * self.s_cap);
-        let base = self.cd_re.mul_add(stream.reynolds * 1e-5 - 1.5, self.cd0);
+        let base = self.cd_re.mul_add(stream.reynolds() * 1e-5 - 1.5, self.cd0);
         let drag = square.mul_add(capped, linear).mul_add(capped, base);
         let hill = self.cl_rate * s;
         Coefficients { drag, lift: self.cl_max * hill / (hill + 1.0) }

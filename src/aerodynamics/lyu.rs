@@ -15,13 +15,13 @@ const WIDTH: f64 = 0.06;
 /// air: drag of one ball for 5.1e4 < Re < 2e5, whatever the spin, lift of 13 balls for 0.045 < s < 0.32.
 impl<T: Numbers> AerodynamicLaw<T> for Lyu<T> {
     #[inline(always)]
-    fn coefficients(&self, stream: &Stream<T>) -> Coefficients<T> {
-        T::outlined(inlined!(|| {
-            let r = stream.reynolds * 1e-5;
+    fn coefficients(&self, stream: Stream<T>) -> Coefficients<T> {
+        T::outlined(inlined!(move || {
+            let r = stream.reynolds() * 1e-5;
             let low = self.cd_low2.mul_add(r, self.cd_low1).mul_add(r, self.cd_low0);
             let high = self.cd_high2.mul_add(r, self.cd_high1).mul_add(r, self.cd_high0);
             let part = ((r - BETWEEN) * (1.0 / WIDTH)).tanh() * 0.5 + 0.5;
-            let s = held_above(stream.spin_ratio, MEASURED[1], HELD_OVER);
+            let s = held_above(stream.spin_ratio(), MEASURED[1], HELD_OVER);
             Coefficients { drag: part.mul_add(high - low, low), lift: self.cl2.mul_add(s, self.cl1) * s }
         }))
     }

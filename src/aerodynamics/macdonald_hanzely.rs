@@ -9,10 +9,10 @@ const SMOOTH_BELOW: f64 = 0.02;
 /// C_D = cd_speed/v, C_L = cl_speed/v: forces in proportion to the speed, whatever the spin (MacDonald & Hanzely 1991).
 impl<T: Numbers> AerodynamicLaw<T> for MacdonaldHanzely<T> {
     #[inline(always)]
-    fn coefficients(&self, stream: &Stream<T>) -> Coefficients<T> {
-        T::outlined(inlined!(|| {
+    fn coefficients(&self, stream: Stream<T>) -> Coefficients<T> {
+        T::outlined(inlined!(move || {
             let per_speed = stream.speed.recip();
-            let lift = polynomial([self.cl_speed * per_speed], SMOOTH_BELOW, stream.spin_ratio);
+            let lift = polynomial([self.cl_speed * per_speed], SMOOTH_BELOW, stream.spin_ratio());
             Coefficients { drag: self.cd_speed * per_speed, lift }
         }))
     }

@@ -27,17 +27,39 @@ pub use published::Published;
 use crate::number::Numbers;
 use crate::parameters::{Law, with_law};
 
-/// The air as it streams past the ball.
+/// The air as it streams past the ball. A law works out of it what it asks for, and no more.
 #[derive(Clone, Copy, Debug)]
 pub struct Stream<T> {
     /// |ω|, rad/s.
     pub spin: T,
-    /// s = R |ω|/|v|.
-    pub spin_ratio: T,
     /// |v|, m/s.
     pub speed: T,
+    /// |v|², m²/s².
+    pub square: T,
+    /// R, m.
+    pub radius: T,
+    /// Re/|v| = ρ 2R/μ, s/m.
+    pub reynolds_per_speed: T,
+}
+
+impl<T: Numbers> Stream<T> {
+    /// Air that streams past a ball of this spin and radius at this speed, with Re/|v|.
+    pub fn new(spin: T, speed: T, radius: T, reynolds_per_speed: T) -> Self {
+        Self { spin, speed, square: speed * speed, radius, reynolds_per_speed }
+    }
+
+    /// s = R |ω|/|v|.
+    #[inline(always)]
+    pub fn spin_ratio(&self) -> T {
+        let (_, per_speed) = self.square.sqrt_recip();
+        self.radius * self.spin * per_speed
+    }
+
     /// Re = ρ |v| 2R/μ.
-    pub reynolds: T,
+    #[inline(always)]
+    pub fn reynolds(&self) -> T {
+        self.reynolds_per_speed * self.speed
+    }
 }
 
 /// What a law says of drag and lift.
@@ -54,7 +76,7 @@ pub trait AerodynamicLaw<T: Numbers> {
     /// C_D and C_L in this stream. C_L must vanish with the spin: the lift's direction does.
     ///
     /// All laws stand in one function, the equation of motion. What is long goes through [`Numbers::outlined`]: called, it costs the others nothing.
-    fn coefficients(&self, stream: &Stream<T>) -> Coefficients<T>;
+    fn coefficients(&self, stream: Stream<T>) -> Coefficients<T>;
 
     /// Whether C_D grows with |ω| from zero spin on, so that outcomes have a corner there.
     fn has_corner_at_zero_spin(&self) -> bool {
@@ -73,7 +95,7 @@ pub trait AerodynamicLaw<T: Numbers> {
 /// Whichever law it is.
 impl<T: Numbers> AerodynamicLaw<T> for Law<T> {
     #[inline(always)]
-    fn coefficients(&self, stream: &Stream<T>) -> Coefficients<T> {
+    fn coefficients(&self, stream: Stream<T>) -> Coefficients<T> {
         with_law!(self, |law| law.coefficients(stream))
     }
 
@@ -98,7 +120,7 @@ mod tests {
 
     fn stream(spin_ratio: f64) -> Stream<f64> {
         let (radius, speed) = (0.02134, 50.0);
-        Stream { spin: spin_ratio * speed / radius, spin_ratio, speed, reynolds: 3000.0 * speed }
+        Stream::new(spin_ratio * speed / radius, speed, radius, 3000.0)
     }
 
     /// C_D and C_L that docs/sources.md tabulates for the two laws at Re = 1.5e5, to one in the last digit.
@@ -112,7 +134,7 @@ mod tests {
             let law = Law::named(name).unwrap();
             for ((s, drag), lift) in spin_ratios.into_iter().zip(drag).zip(lift) {
                 let stream = stream(s);
-                let c = law.coefficients(&stream);
+                let c = law.coefficients(stream);
                 assert!((c.drag - drag).abs() < 1e-3, "{name} C_D({s}) = {}", c.drag);
                 assert!((c.lift - lift).abs() < 1e-3, "{name} C_L({s})");
             }
@@ -126,8 +148,8 @@ mod tests {
         let law = Law::named("winfield-tan").unwrap();
         for speed in [25.0, 35.0, 45.0, 55.0, 70.0] {
             let at = |s: f64| {
-                let stream = Stream { spin: s * speed, spin_ratio: s, speed, reynolds: 3000.0 * speed };
-                law.coefficients(&stream)
+                let stream = Stream::new(s * speed, speed, 1.0, 3000.0);
+                law.coefficients(stream)
             };
             assert_eq!(at(0.0).lift, 0.0);
             for k in 0..40 {
@@ -148,8 +170,8 @@ mod tests {
                 let law = setup.map(|_, value| Dual2_64::from(value)).law;
                 let s = Dual2_64::from(s).derivative();
                 let one = Dual2_64::from(1.0);
-                let stream = Stream { spin: s, spin_ratio: s, speed: one, reynolds: one };
-                law.coefficients(&stream).lift
+                let stream = Stream::new(s, one, one, one);
+                law.coefficients(stream).lift
             };
             let (below, above) = (lift(join * (1.0 - 1e-13)), lift(join * (1.0 + 1e-13)));
             assert!((below.re - above.re).abs() < 1e-12 * above.re.abs());

@@ -12,10 +12,10 @@ const HELD_OVER: f64 = 0.2;
 /// 0.03 < s < 1.13 and Re > 7.1e4.
 impl<T: Numbers> AerodynamicLaw<T> for NaruoMizota<T> {
     #[inline(always)]
-    fn coefficients(&self, stream: &Stream<T>) -> Coefficients<T> {
-        T::outlined(inlined!(|| {
+    fn coefficients(&self, stream: Stream<T>) -> Coefficients<T> {
+        T::outlined(inlined!(move || {
             let [low, high] = MEASURED;
-            let s = held_above(stream.spin_ratio, high, HELD_OVER);
+            let s = held_above(stream.spin_ratio(), high, HELD_OVER);
             let drag = [self.cd0, self.cd1, self.cd2, self.cd3, self.cd4];
             let lift = [self.cl0, self.cl1, self.cl2, self.cl3, self.cl4];
             Coefficients { drag: horner(drag, s), lift: polynomial(lift, low, s) }

@@ -12,14 +12,14 @@ const ROUNDED: f64 = 0.05;
 /// cl_amp s^cl_exp. Nathan's calculator of golf trajectories, fitted to the averages of seven clubs.
 impl<T: Numbers> AerodynamicLaw<T> for Nathan<T> {
     #[inline(always)]
-    fn coefficients(&self, stream: &Stream<T>) -> Coefficients<T> {
-        T::outlined(inlined!(|| {
+    fn coefficients(&self, stream: Stream<T>) -> Coefficients<T> {
+        T::outlined(inlined!(move || {
             let [low, high] = FALLS;
             let half = 0.5 * ROUNDED;
-            let r = held_above(held_below(stream.reynolds * 1e-5, low + half, ROUNDED), high - half, ROUNDED);
+            let r = held_above(held_below(stream.reynolds() * 1e-5, low + half, ROUNDED), high - half, ROUNDED);
             let fallen = (r - low) * (1.0 / (high - low));
             let without_spin = fallen.mul_add(self.cd_high - self.cd_low, self.cd_low);
-            let s = stream.spin_ratio;
+            let s = stream.spin_ratio();
             Coefficients { drag: self.cd_s.mul_add(s, without_spin), lift: power(self.cl_amp, self.cl_exp, s) }
         }))
     }

@@ -6,7 +6,7 @@ use crate::parameters::Robinson;
 /// report uses it. C_D grows with |ω| on both sides of zero spin, so carry has a corner there.
 impl<T: Numbers> AerodynamicLaw<T> for Robinson<T> {
     #[inline(always)]
-    fn coefficients(&self, stream: &Stream<T>) -> Coefficients<T> {
+    fn coefficients(&self, stream: Stream<T>) -> Coefficients<T> {
         let missing = (-(self.cl_rate * stream.spin)).exp_m1();
         Coefficients { drag: self.cd1.mul_add(stream.spin, self.cd0), lift: -(self.cl_max * missing) }
     }

@@ -8,9 +8,9 @@ use std::f64::consts::PI;
 /// 7e4 < Re < 2.1e5 and 0.08 < s < 0.2.
 impl<T: Numbers> AerodynamicLaw<T> for SmitsSmith<T> {
     #[inline(always)]
-    fn coefficients(&self, stream: &Stream<T>) -> Coefficients<T> {
-        let s = stream.spin_ratio;
-        let phase = (stream.reynolds - self.re1) * PI / self.re2;
+    fn coefficients(&self, stream: Stream<T>) -> Coefficients<T> {
+        let s = stream.spin_ratio();
+        let phase = (stream.reynolds() - self.re1) * PI / self.re2;
         let drag = self.cd1 + self.cd2 * s + self.cd3 * phase.sin();
         Coefficients { drag, lift: power(self.cl1, self.cl_exp, s) }
     }

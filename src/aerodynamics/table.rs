@@ -6,7 +6,7 @@ use crate::parameters::{Along, Table};
 /// C_D = cd_factor D, C_L = cl_factor L: splines through a user's own table, `aero.table`.
 impl<T: Numbers> AerodynamicLaw<T> for Table<T> {
     #[inline(always)]
-    fn coefficients(&self, stream: &Stream<T>) -> Coefficients<T> {
+    fn coefficients(&self, stream: Stream<T>) -> Coefficients<T> {
         gridded(self.table.grid(), [self.factors.cd_factor, self.factors.cl_factor], stream)
     }
 

@@ -17,10 +17,10 @@ const HELD_UNDER: f64 = 0.2;
 /// in its Indoor Test Range (US patent 6186002, the test ball).
 impl<T: Numbers> AerodynamicLaw<T> for UsgaItr<T> {
     #[inline(always)]
-    fn coefficients(&self, stream: &Stream<T>) -> Coefficients<T> {
-        T::outlined(inlined!(|| {
-            let s = held_above(stream.spin_ratio, LARGEST, HELD_OVER);
-            let r = held_below(stream.reynolds * 1e-5, SMALLEST, HELD_UNDER);
+    fn coefficients(&self, stream: Stream<T>) -> Coefficients<T> {
+        T::outlined(inlined!(move || {
+            let s = held_above(stream.spin_ratio(), LARGEST, HELD_OVER);
+            let r = held_below(stream.reynolds() * 1e-5, SMALLEST, HELD_UNDER);
             let drag = self.cd2.mul_add(s, self.cd1).mul_add(s, self.cd_re.mul_add(r, self.cd0));
             let without_spin = self.cl_re.mul_add((r * r).recip(), self.cl0);
             Coefficients { drag, lift: polynomial([without_spin, self.cl1, self.cl2], SMOOTH_BELOW, s) }

@@ -13,8 +13,8 @@ const SPREAD: f64 = 20.0;
 /// 0.02 < s < 0.35. Smooth everywhere, no lift without spin, C_L rising with it.
 impl<T: Numbers> AerodynamicLaw<T> for WinfieldTan<T> {
     #[inline(always)]
-    fn coefficients(&self, stream: &Stream<T>) -> Coefficients<T> {
-        let x = stream.spin_ratio * (stream.speed * (1.0 / MIDDLE)).sqrt();
+    fn coefficients(&self, stream: Stream<T>) -> Coefficients<T> {
+        let x = stream.spin_ratio() * (stream.speed * (1.0 / MIDDLE)).sqrt();
         let u = (stream.speed - MIDDLE) * (1.0 / SPREAD);
         let by_spin = self.cd3.mul_add(x, self.cd2).mul_add(x, self.cd1).mul_add(x, self.cd0);
         let by_speed = self.cd_v2.mul_add(u, self.cd_v1).mul_add(u, T::constant(1.0));

@@ -4,7 +4,7 @@ use super::block::{Block, Status};
 use super::question::Batch;
 use crate::aerodynamics::AerodynamicLaw;
 use crate::drive::{Beyond, Part, Shown, Struck, flat, is_beside_any_face};
-use crate::flight::Inputs;
+use crate::flight::{Asked, Inputs};
 use crate::impact::Head;
 use crate::number::{Derivatives, Jet, Lanes, Mask, Number, Task, in_lane, inlined};
 use crate::parameters::{Parameter, Setup};
@@ -113,10 +113,10 @@ impl Abreast<'_> {
         let (toe, high) = (setup.strike.toe, setup.strike.high);
         let (slope, side_slope) = (setup.ground.slope, setup.ground.side_slope);
         let fitted = batch.setup.law.fitted();
-        let has_apex = batch.of.iter().any(|outcome| outcome.is_of_the_apex());
+        let apex = batch.of.iter().any(|outcome| outcome.is_of_the_apex());
         let has_head = struck.club_speed.is_some() && batch.of.iter().any(|outcome| outcome.part() == Part::Head);
         let head = has_head.then(|| J::outlined(|| Head::new(&setup.club)));
-        let ended = inputs.follow(J::Mask::first(group.len()), has_apex, &mut |_, _| ());
+        let ended = inputs.follow(J::Mask::first(group.len()), Asked { apex, defect: true }, &mut |_, _| ());
         for (lane, &(_, row)) in group.iter().enumerate() {
             if !ended.has_landed.holds(lane) {
                 alone.push(row);
@@ -127,7 +127,7 @@ impl Abreast<'_> {
             let shown = Shown { launch, club_speed, landed: Some(landed), head: head.as_ref(), read };
             let value = inlined!(|number: J| number.lane(lane).re());
             self.block.status[row] = Status::Landed;
-            self.block.defect[row] = value(landed.defect);
+            self.block.defect[row] = landed.defect.map_or(0.0, value);
             self.block.beyond[row] = Beyond {
                 law: !fitted.holds([value(spin_ratio), value(spin), value(reynolds), value(air_speed)]),
                 face: club_speed.is_some() && is_beside_any_face(value(toe), value(high)),

@@ -79,7 +79,9 @@ impl Batch {
         let mut halvings = if self.largest_defect.is_finite() { HALVINGS } else { 0 };
         let drive = loop {
             match Drive::in_any_steps(&setup) {
-                Ok(drive) if !drive.landed().is_ok_and(|landed| landed.defect > self.largest_defect) => break drive,
+                Ok(drive) if !drive.landed().is_ok_and(|landed| landed.defect > Some(self.largest_defect)) => {
+                    break drive;
+                }
                 Ok(_) | Err(Error::Diverged { .. }) if halvings > 0 => {
                     halvings -= 1;
                     setup.flight.step *= 0.5;
@@ -91,7 +93,7 @@ impl Batch {
         let setup = &setup;
         block.status[row] = match &drive.flight {
             Flight::Landed(landed) => {
-                block.defect[row] = landed.defect;
+                block.defect[row] = landed.defect.unwrap_or_default();
                 Status::Landed
             }
             Flight::None(NoFlight::Aloft { .. }) => Status::Aloft,

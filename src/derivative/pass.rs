@@ -2,7 +2,7 @@ use super::Taylor;
 use super::directions::{Directions, MOST_PER_LANE, pairs};
 use crate::drive::{self, Outcome, Shown, Struck};
 use crate::error::{Error, Result};
-use crate::flight::Inputs;
+use crate::flight::{Asked, Inputs};
 use crate::impact::{Head, strike};
 use crate::launch::Launch;
 use crate::number::{Derivatives, Jet, Lanes, Level, Mask, Mixed, Number, Task, Vector, in_lane, inlined};
@@ -136,7 +136,8 @@ impl Pass<'_> {
         let mut ended = None;
         if point.flies && !matches!(part, Part::Impact) {
             let inputs = Inputs::new(&setup, &struck.launch, point.has_run);
-            let found = inputs.follow(J::Mask::first(lanes), point.has_apex, &mut |_, _| ());
+            let found =
+                inputs.follow(J::Mask::first(lanes), Asked { apex: point.has_apex, defect: false }, &mut |_, _| ());
             // the drive is the same in all lanes
             if let Some(why) = found.missing(&inputs, 0, |number| number.lane(0).re())? {
                 return Err(Error::NoFlight { reason: why.message() });

@@ -27,8 +27,9 @@ pub struct Landed<T> {
     pub apex: Option<Apex<T>>,
     /// Where the ball rests; `None` where it was not asked for.
     pub rest: Option<Rest<T>>,
-    /// What tells of the error of the integration, without derivatives: the defects of the steps, over the sine of the descent angle, m.
-    pub(crate) defect: T,
+    /// What tells of the error of the integration, without derivatives: the defects of the steps, over the sine of the descent angle, m; `None` where it
+    /// was not asked for.
+    pub(crate) defect: Option<T>,
     /// Steps of the integration, the last one cut by the landing. Of drives side by side, those of the longest flight.
     pub steps: usize,
 }
@@ -48,7 +49,7 @@ impl<T: Copy> Landed<T> {
                 downrange: f(apex.downrange),
             }),
             rest: self.rest.as_ref().map(|rest| rest.map(f)),
-            defect: f(self.defect),
+            defect: self.defect.map(f),
             steps: self.steps,
         }
     }

@@ -1,18 +1,17 @@
 use super::inputs::Inputs;
 use super::motion::Node;
-use super::step::Step;
 use crate::number::{Numbers, inlined};
 
 impl<T: Numbers> Inputs<T> {
-    /// |ω| within a step of length h, at s = (t − t₀)/h: exact where the spin fades in time alone. Where it is damped by the way through the air, the
+    /// |ω| between the nodes of a step of length h, at s = (t − t₀)/h: exact where the spin fades in time alone. Where it is damped by the way through the air, the
     /// polynomial of degree 5 with the spin of both ends and two derivatives of it: neighbouring ones join C².
     #[inline(always)]
-    pub(super) fn spin_within(&self, step: &Step<T>, s: T, h: f64) -> T {
+    pub(super) fn spin_within(&self, [from, to]: [&Node<T>; 2], s: T, h: f64) -> T {
         let Some(damping) = self.damping else {
-            return T::outlined(inlined!(|| step.from().state.spin * (-(self.decay * s * h)).exp()));
+            return T::outlined(inlined!(|| from.state.spin * (-(self.decay * s * h)).exp()));
         };
         let mut ends = [[s; 3]; 2];
-        for (end, node) in ends.iter_mut().zip([step.from(), step.to()]) {
+        for (end, node) in ends.iter_mut().zip([from, to]) {
             *end = self.spin_and_derivatives(node, damping, h);
         }
         let [[p0, m0, c0], [p1, m1, c1]] = ends;

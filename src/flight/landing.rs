@@ -1,7 +1,7 @@
 use super::divergence::Diverging;
 use super::ending::{Apex, Flight, Landed, NoFlight};
 use super::inputs::Inputs;
-use super::motion::{Node, State};
+use super::motion::Node;
 use super::septic::Path;
 use super::step::{Step, Stepper};
 use super::tableau::Tableau;
@@ -13,6 +13,15 @@ use crate::parameters::Setup;
 
 /// How many times more the defect of the last step counts. Within it the path is interpolated: at the same defect, its error is 30 to 110 times that of a step.
 const INTERPOLATED: f64 = 100.0;
+
+/// What is asked of flights beside where and how they land.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Asked {
+    /// The highest point.
+    pub apex: bool,
+    /// What tells of the error of the integration.
+    pub defect: bool,
+}
 
 /// Flights side by side, or one, that have ended.
 #[derive(Clone, Copy, Debug)]
@@ -39,35 +48,35 @@ pub(crate) struct Ended<T: Numbers> {
 /// [`Error::NotANumber`] for a step that makes no steps, or more than 1e8 up to the time limit.
 pub fn fly<T: Number>(setup: &Setup<T>, launch: &Launch<T>) -> Result<Flight<T>> {
     setup.flight.check_steps()?;
-    Inputs::new(setup, launch, true).fly(true, &mut |_, _| ())
+    Inputs::new(setup, launch, true).fly(&mut |_, _| ())
 }
 
 impl<T: Numbers> Inputs<T> {
     /// Flies the balls of those lanes that start above the ground or upwards, showing each step, with the time it begins at, to
-    /// `observe`; the apex is found where `has_apex`. Not inlined: there is one compiled copy for each number type.
+    /// `observe`. Not inlined: there is one compiled copy for each number type.
     #[inline(always)]
-    pub(crate) fn follow(&self, lanes: T::Mask, has_apex: bool, observe: &mut dyn FnMut(f64, &Step<T>)) -> Ended<T> {
-        T::outlined(inlined!(|| self.followed(lanes, has_apex, observe)))
+    pub(crate) fn follow(&self, lanes: T::Mask, asked: Asked, observe: &mut dyn FnMut(f64, &Step<'_, T>)) -> Ended<T> {
+        T::outlined(inlined!(|| self.followed(lanes, asked, observe)))
     }
 
     #[inline(always)]
-    fn followed(&self, lanes: T::Mask, has_apex: bool, observe: &mut dyn FnMut(f64, &Step<T>)) -> Ended<T> {
+    fn followed(&self, lanes: T::Mask, asked: Asked, observe: &mut dyn FnMut(f64, &Step<'_, T>)) -> Ended<T> {
         let (tableau, h, ground) = (Tableau::of(self.method), self.step, self.ground);
         let none = T::Mask::none();
-        let start = State { position: Vector::zero(), velocity: self.velocity, spin: self.spin };
         let mut stepper = Stepper::new(self, tableau, h);
-        let mut step = Step::at(start, self);
+        let mut nodes = [self.launch(); 2];
+        let mut step = Step::begin(&mut nodes);
         let mut has_been_above = ground.below(0.0);
-        let mut flying = lanes & (has_been_above | is_rising(step.to()));
+        let mut flying = lanes & (has_been_above | is_rising(step.to));
         let apex = Apex { height: T::zero(), time: T::zero(), downrange: T::zero() };
         let landed = Landed {
             carry: T::zero(),
             lateral: T::zero(),
             flight_time: T::zero(),
             velocity: Vector::zero(),
-            apex: has_apex.then_some(apex),
+            apex: asked.apex.then_some(apex),
             rest: None,
-            defect: T::zero(),
+            defect: asked.defect.then_some(T::zero()),
             steps: 0,
         };
         let mut ended = Ended {
@@ -84,20 +93,21 @@ impl<T: Numbers> Inputs<T> {
             stepper.advance(&mut step);
             observe(ended.time, &step);
             // a comparison with NaN does not hold: what is lost is not followed
-            let is_followed = self.is_fine(step.from(), h, tableau.reach) & step.to().state.position.x.is_finite();
+            let is_followed = self.is_fine(step.from, h, tableau.reach) & step.to.state.position.x.is_finite();
             ended.diverges = ended.diverges | flying & !is_followed;
             flying = flying & is_followed;
 
-            let (defect, sum) = (step.defect(h).without_derivatives(), ended.landed.defect);
-            ended.landed.defect = (sum + defect).blend(sum, flying);
+            if let Some(sum) = &mut ended.landed.defect {
+                *sum = (*sum + step.defect(h).without_derivatives()).blend(*sum, flying);
+            }
 
-            let is_above = (ground - step.to().state.position.x).below(0.0);
-            let has_top = flying & is_rising(step.from()) & !is_rising(step.to());
+            let is_above = (ground - step.to.state.position.x).below(0.0);
+            let has_top = flying & is_rising(step.from) & !is_rising(step.to);
             let may_land = flying & !is_above & (has_been_above | has_top);
             let top_decides = has_top & !(has_been_above & is_above);
             // the path within the step is needed where the ball may land, where its top lies in the step and decides whether the ball
             // clears the ground, and where the apex is asked for
-            let needs_top = top_decides.any() || has_apex && has_top.any();
+            let needs_top = top_decides.any() || asked.apex && has_top.any();
             if may_land.any() || needs_top {
                 // inlined, it would be as much code as all the rest
                 let path = T::outlined(inlined!(|| Path::new(self, &step, h)));
@@ -129,10 +139,13 @@ impl<T: Numbers> Inputs<T> {
                     old.flight_time = (s * h + ended.time).blend(old.flight_time, lands);
                     old.velocity = v.blend(old.velocity, lands);
                     // an error of the height is one of the landing place, the larger the flatter the ball comes down
-                    let per_sine = (v.norm() / -v.x).without_derivatives();
-                    old.defect = (defect.scale_add(INTERPOLATED, old.defect) * per_sine).blend(old.defect, lands);
+                    if let Some(sum) = &mut old.defect {
+                        let per_sine = (v.norm() / -v.x).without_derivatives();
+                        let defect = step.defect(h).without_derivatives();
+                        *sum = (defect.scale_add(INTERPOLATED, *sum) * per_sine).blend(*sum, lands);
+                    }
                     if self.turf.is_some() {
-                        spin = self.spin_within(&step, s, h).blend(spin, lands);
+                        spin = self.spin_within([step.from, step.to], s, h).blend(spin, lands);
                     }
                     ended.has_landed = ended.has_landed | lands;
                     flying = flying & !lands;
@@ -144,7 +157,7 @@ impl<T: Numbers> Inputs<T> {
         }
         if flying.any() {
             ended.is_aloft = flying;
-            ended.height = step.to().state.position.x.blend(ended.height, flying);
+            ended.height = step.to.state.position.x.blend(ended.height, flying);
         }
         if let Some(turf) = &self.turf {
             ended.landed.rest = Some(turf.rest(&self.landing(&ended.landed, spin), ended.has_landed));
@@ -179,8 +192,8 @@ impl<T: Number> Inputs<T> {
     ///
     /// # Errors
     /// [`Error::Diverged`] where drag and lift change the airspeed too much within a step, or numbers overflow.
-    pub(crate) fn fly(&self, has_apex: bool, observe: &mut dyn FnMut(f64, &Step<T>)) -> Result<Flight<T>> {
-        let ended = self.follow(true, has_apex, observe);
+    pub(crate) fn fly(&self, observe: &mut dyn FnMut(f64, &Step<'_, T>)) -> Result<Flight<T>> {
+        let ended = self.follow(true, Asked { apex: true, defect: true }, observe);
         Ok(match ended.missing(self, 0, T::re)? {
             None => Flight::Landed(ended.landed),
             Some(why) => Flight::None(why),

@@ -13,5 +13,6 @@ mod trajectory;
 
 pub use ending::{Apex, Flight, Landed, NoFlight};
 pub(crate) use inputs::Inputs;
+pub(crate) use landing::Asked;
 pub use landing::fly;
 pub use trajectory::{Trajectory, TrajectoryPoint, trajectory};

@@ -57,32 +57,31 @@ impl<T: Numbers> Inputs<T> {
         let least = T::constant(LEAST_SPEED * LEAST_SPEED);
         // summed in pairs: the next stage waits for it
         let square = air.x.mul_add(air.x, least) + air.y.mul_add(air.y, air.z * air.z);
-        let (speed, per_speed) = square.sqrt_recip();
-        let across = self.axis.cross(air);
-        let stream = Stream {
-            spin,
-            spin_ratio: self.radius * spin * per_speed,
-            speed,
-            reynolds: self.reynolds_per_speed * speed,
-        };
-        let c = self.law.coefficients(&stream);
+        let (speed, _) = square.sqrt_recip();
+        let Self { radius, reynolds_per_speed, .. } = *self;
+        let stream = Stream { spin, speed, square, radius, reynolds_per_speed };
+        let c = self.law.coefficients(stream);
         // ρ A |v_r|/(2 m), 1/s
         let per_airspeed = self.force_per_mass * speed;
-        let (drag, lift) = (-(per_airspeed * c.drag), per_airspeed * c.lift);
-        // drag last: its coefficient is ready last
-        let acceleration = Vector::new(
-            air.x.mul_add(drag, across.x.mul_add(lift, -self.gravity)),
-            air.y.mul_add(drag, across.y * lift),
-            air.z.mul_add(drag, across.z * lift),
+        // the speed last: laws by the spin alone do not wait for it, and those by the spin ratio wait no longer
+        let across = self.axis.cross(air);
+        let pull = Vector::new(
+            across.x.mul_add(c.lift, -(air.x * c.drag)),
+            across.y.mul_add(c.lift, -(air.y * c.drag)),
+            across.z.mul_add(c.lift, -(air.z * c.drag)),
         );
+        let acceleration =
+            Vector::new(pull.x.mul_add(per_airspeed, -self.gravity), pull.y * per_airspeed, pull.z * per_airspeed);
         Rate { acceleration, speed }
     }
 
-    /// Sets a node to a state, and computes how it changes there.
+    /// The node where the flight begins.
     #[inline(always)]
-    pub(super) fn find_node(&self, state: State<T>, node: &mut Node<T>) {
-        node.state = state;
-        self.find_rate(state.velocity - self.wind.at(state.position.x), state.spin, &mut node.rate);
+    pub(super) fn launch(&self) -> Node<T> {
+        let state = State { position: Vector::zero(), velocity: self.velocity, spin: self.spin };
+        let mut rate = Rate::none();
+        self.find_rate(self.velocity - self.wind.at(T::zero()), self.spin, &mut rate);
+        Node { state, rate }
     }
 
     /// How the rate at a node changes with time, d²v/dt² and d|v_r|/dt: the central difference of the equation of motion along the path. It is a

@@ -118,8 +118,8 @@ pub(super) struct Path<T> {
 impl<T: Numbers> Path<T> {
     /// The path of a step of length h.
     #[inline(always)]
-    pub fn new(inputs: &Inputs<T>, step: &Step<T>, h: f64) -> Self {
-        let (from, to, Step { deflection, gained, .. }) = (step.from(), step.to(), step);
+    pub fn new(inputs: &Inputs<T>, step: &Step<'_, T>, h: f64) -> Self {
+        let (from, to, Step { deflection, gained, .. }) = (&*step.from, &*step.to, step);
         let (x, v, a0, a1) = (from.state.position, from.state.velocity, from.rate.acceleration, to.rate.acceleration);
         // a loop, so that there is one call site
         let mut jerks = [v; 2];

@@ -11,57 +11,36 @@ pub(super) struct Stepper<'a, T> {
     h: f64,
     /// exp(−δ cᵢ h): what is left of a spin at each stage, apart from damping.
     left: [T; MOST_STAGES + 1],
-    /// The rates at the stages of a step.
-    rates: [Rate<T>; MOST_STAGES],
+    /// The rates at the stages of a step and at its end.
+    rates: [Rate<T>; MOST_STAGES + 1],
 }
 
 /// A step of the integration.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Step<T> {
-    /// Its two ends, in turns: the end of one step is the start of the next, without a copy. A copy reads at once what was just written in
+#[derive(Debug)]
+pub(crate) struct Step<'n, T> {
+    /// Its two ends. The end of one step is the start of the next: they change places, without a copy. A copy reads at once what was just written in
     /// smaller pieces, and the processor waits for it: 16 to 24 % of a drive with rk4.
-    nodes: [Node<T>; 2],
-    /// Whether the first of them is the end.
-    ends_at_first: bool,
+    pub from: &'n mut Node<T>,
+    pub to: &'n mut Node<T>,
     /// x₁ − x₀ − h v₀ and v₁ − v₀, as computed, before the sums rounded them.
     pub deflection: Vector<T>,
     pub gained: Vector<T>,
 }
 
-impl<T: Numbers> Step<T> {
-    /// No step yet: at a state.
+impl<'n, T: Numbers> Step<'n, T> {
+    /// No step yet: both ends are where the flight begins.
     #[inline(always)]
-    pub fn at(state: State<T>, inputs: &Inputs<T>) -> Self {
-        let nodes = [Node { state, rate: Rate::none() }; 2];
-        let mut step = Self { nodes, ends_at_first: false, deflection: Vector::zero(), gained: Vector::zero() };
-        inputs.find_node(state, step.to_mut());
-        step
-    }
-
-    /// Its start.
-    #[inline(always)]
-    pub fn from(&self) -> &Node<T> {
-        &self.nodes[usize::from(self.ends_at_first)]
-    }
-
-    /// Its end.
-    #[inline(always)]
-    pub fn to(&self) -> &Node<T> {
-        &self.nodes[usize::from(!self.ends_at_first)]
-    }
-
-    #[inline(always)]
-    fn to_mut(&mut self) -> &mut Node<T> {
-        &mut self.nodes[usize::from(!self.ends_at_first)]
+    pub fn begin([from, to]: &'n mut [Node<T>; 2]) -> Self {
+        Self { from, to, deflection: Vector::zero(), gained: Vector::zero() }
     }
 
     /// How far a step of length h is from Hermite's quadrature between its ends, times (|Δv|/|v_r|)⁴, m (docs/model.md, eq. 16a). It grows as h⁹; the
     /// sum over a flight as h⁸.
     #[inline(always)]
     pub fn defect(&self, h: f64) -> T {
-        let (a0, a1) = (self.from().rate.acceleration, self.to().rate.acceleration);
+        let (a0, a1) = (self.from.rate.acceleration, self.to.rate.acceleration);
         let off = (a0 - a1).scale_add(h * h * (-1.0 / 12.0), self.gained.scale_add(-0.5 * h, self.deflection));
-        let speed = self.from().rate.speed;
+        let speed = self.from.rate.speed;
         let changed = self.gained.dot(self.gained) / (speed * speed);
         off.norm() * changed * changed
     }
@@ -74,17 +53,19 @@ impl<'a, T: Numbers> Stepper<'a, T> {
         for (part, time) in left.iter_mut().zip(tableau.time).take(tableau.stages + 1).skip(1) {
             *part = (inputs.decay * (-time * h)).exp();
         }
-        Self { inputs, tableau, h, left, rates: [Rate::none(); MOST_STAGES] }
+        Self { inputs, tableau, h, left, rates: [Rate::none(); MOST_STAGES + 1] }
     }
 
     /// Makes a step the one that follows it.
     #[inline(always)]
-    pub fn advance(&mut self, step: &mut Step<T>) {
-        step.ends_at_first = !step.ends_at_first;
+    pub fn advance(&mut self, step: &mut Step<'_, T>) {
+        std::mem::swap(&mut step.from, &mut step.to);
         let (inputs, tableau, h) = (self.inputs, self.tableau, self.h);
-        let State { position: x, velocity: v, spin } = step.from().state;
-        self.rates[0] = step.from().rate;
-        for i in 1..tableau.stages {
+        let State { position: x, velocity: v, spin } = step.from.state;
+        self.rates[0] = step.from.rate;
+        let end = tableau.stages;
+        // the end of a step is like one more stage
+        for i in 1..=end {
             let mut height = v.x.scale_add(h * tableau.time[i], x.x);
             if inputs.wind.depends_on_height() {
                 for &(stage, weight) in &tableau.position[i][..i - 1] {
@@ -95,13 +76,11 @@ impl<'a, T: Numbers> Stepper<'a, T> {
             let air = self.sum(tableau.velocity[i], h, v - inputs.wind.at(height));
             self.rates[i] = inputs.forces(air, self.spin(spin, i));
         }
-        let end = tableau.stages;
-        let gained = self.sum(tableau.velocity[end], h, Vector::zero());
-        let deflection = self.sum(&tableau.position[end][..end - 1], h * h, Vector::zero());
-        let state =
-            State { position: v.scale_add(h, x + deflection), velocity: v + gained, spin: self.spin(spin, end) };
-        (step.deflection, step.gained) = (deflection, gained);
-        inputs.find_node(state, step.to_mut());
+        step.gained = self.sum(tableau.velocity[end], h, Vector::zero());
+        step.deflection = self.sum(&tableau.position[end][..end - 1], h * h, Vector::zero());
+        let position = v.scale_add(h, x + step.deflection);
+        let state = State { position, velocity: v + step.gained, spin: self.spin(spin, end) };
+        *step.to = Node { state, rate: self.rates[end] };
     }
 
     /// The spin at a stage, of what it was at the start of the step: ω exp(−δ t − κ ℓ/R), ℓ the way through the air since.

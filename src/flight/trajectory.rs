@@ -53,8 +53,8 @@ pub fn trajectory(setup: &Setup<f64>, launch: &Launch<f64>) -> Result<Trajectory
     let inputs = Inputs::new(setup, launch, false);
     let (h, parts) = (setup.flight.step, (setup.flight.step / MOST_APART).ceil().max(1.0));
     let (mut last, mut run) = (None, vec![]);
-    let flight = inputs.fly(true, &mut |begin, step| {
-        last = Some((begin, *step));
+    let flight = inputs.fly(&mut |begin, step| {
+        last = Some((begin, [*step.from, *step.to]));
         if parts > 1.0 {
             let path = Path::new(&inputs, step, h);
             let within = (1..parts as u32).map(|k| f64::from(k) / parts);
@@ -64,7 +64,7 @@ pub fn trajectory(setup: &Setup<f64>, launch: &Launch<f64>) -> Result<Trajectory
                 velocity: path.velocity(s),
             }));
         }
-        let end = step.to().state;
+        let end = step.to.state;
         points.push(TrajectoryPoint { time: begin + h, position: end.position, velocity: end.velocity });
     })?;
     if let Flight::Landed(landed) = &flight {
@@ -74,8 +74,8 @@ pub fn trajectory(setup: &Setup<f64>, launch: &Launch<f64>) -> Result<Trajectory
             position: Vector::new(setup.ground.height, landed.lateral, landed.carry),
             velocity: landed.velocity,
         });
-        if let Some((begin, step)) = last {
-            let spin = inputs.spin_within(&step, (landed.flight_time - begin) / h, h);
+        if let Some((begin, [from, to])) = last {
+            let spin = inputs.spin_within([&from, &to], (landed.flight_time - begin) / h, h);
             run = Turf::new(setup).path(&inputs.landing(landed, spin));
         }
     }

@@ -29,7 +29,7 @@ fn of_table(text: &str) -> Law<f64> {
 /// C_D and C_L at a spin ratio, Reynolds number and speed.
 fn at<D: Number>(law: Law<f64>, [s, reynolds, speed]: [D; 3]) -> Coefficients<D> {
     let law = Setup { law, ..Setup::default() }.map(|_, value| D::constant(value)).law;
-    law.coefficients(&Stream { spin: s * speed / RADIUS, spin_ratio: s, speed, reynolds })
+    law.coefficients(Stream::new(s * speed / RADIUS, speed, D::constant(RADIUS), reynolds / speed))
 }
 
 /// A law's values over spin ratio and Reynolds number, at 50 m/s: a node for each pair.

@@ -48,7 +48,7 @@ static GRID: LazyLock<Grid> = LazyLock::new(|| {
 /// (1976). With less spin than the grid's 2000 rpm the lift is that at its edge times 1 − (1 − |ω|/2000 rpm)³.
 impl<T: Numbers> AerodynamicLaw<T> for BearmanHarvey<T> {
     #[inline(always)]
-    fn coefficients(&self, stream: &Stream<T>) -> Coefficients<T> {
+    fn coefficients(&self, stream: Stream<T>) -> Coefficients<T> {
         gridded(&GRID, [self.cd_factor, self.cl_factor], stream)
     }
 

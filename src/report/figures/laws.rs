@@ -53,7 +53,7 @@ pub fn laws_figure(laws: &[Law<f64>], setup: &Setup<f64>, over: Over, of: Coeffi
             Over::Reynolds(spin_ratio) => (spin_ratio, at),
         };
         let speed = reynolds / per_speed;
-        Stream { spin: spin_ratio * speed / radius, spin_ratio, speed, reynolds }
+        Stream::new(spin_ratio * speed / radius, speed, radius, per_speed)
     };
     let ([low, high], label, at) = match over {
         Over::SpinRatio(reynolds) => {
@@ -78,16 +78,16 @@ pub fn laws_figure(laws: &[Law<f64>], setup: &Setup<f64>, over: Over, of: Coeffi
         let curve = (0..=STEPS).map(|k| {
             let at = low + (high - low) * k as f64 / STEPS as f64;
             let stream = stream(at);
-            let Coefficients { drag, lift } = law.coefficients(&stream);
-            let is_in = is_known && fitted.holds([stream.spin_ratio, stream.spin, stream.reynolds, stream.speed]);
+            let Coefficients { drag, lift } = law.coefficients(stream);
+            let is_in = is_known && fitted.holds([stream.spin_ratio(), stream.spin, stream.reynolds(), stream.speed]);
             ([at, [drag, lift][which]], is_in)
         });
         let curve: Vec<([f64; 2], bool)> = curve.collect();
         let (first, last) = (stream(low), stream(high));
         let reached = [
-            [first.spin_ratio, last.spin_ratio],
+            [first.spin_ratio(), last.spin_ratio()],
             [first.spin, last.spin],
-            [first.reynolds, last.reynolds],
+            [first.reynolds(), last.reynolds()],
             [first.speed, last.speed],
         ];
         let (within, beyond) = (pieces(&curve, true), pieces(&curve, false));

@@ -102,12 +102,8 @@ fn is_flown(found: &WinfieldTan, spin_ratio: f64, speed: f64) -> bool {
 
 fn coefficients(found: &WinfieldTan, spin_ratio: f64, speed: f64) -> (f64, f64) {
     let radius = found.setup.ball.radius;
-    let c = found.setup.law.coefficients(&Stream {
-        spin: spin_ratio * speed / radius,
-        spin_ratio,
-        speed,
-        reynolds: found.setup.air.density * speed * 2.0 * radius / found.setup.air.viscosity,
-    });
+    let per_speed = found.setup.air.density * 2.0 * radius / found.setup.air.viscosity;
+    let c = found.setup.law.coefficients(Stream::new(spin_ratio * speed / radius, speed, radius, per_speed));
     (c.drag, c.lift)
 }
 

@@ -37,12 +37,8 @@ pub(in super::super) fn fly_past_the_ground(setup: &Setup<f64>, step: f64) -> Re
         }
         let spin = spin_at_launch * (-setup.aero.spin_decay * time).exp();
         let speed = velocity.norm();
-        let coefficients = setup.law.coefficients(&Stream {
-            spin,
-            spin_ratio: spin * setup.ball.radius / speed,
-            speed,
-            reynolds: 2.0 * air.density * setup.ball.radius * speed / air.viscosity,
-        });
+        let per_speed = 2.0 * air.density * setup.ball.radius / air.viscosity;
+        let coefficients = setup.law.coefficients(Stream::new(spin, speed, setup.ball.radius, per_speed));
         let pressure = 0.5 * air.density * area * speed / setup.ball.mass;
         let pull = axis.cross(velocity) * coefficients.lift - velocity * coefficients.drag;
         let weight = Vector::new(setup.flight.gravity, 0.0, 0.0);
