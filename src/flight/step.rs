@@ -11,8 +11,8 @@ pub(super) struct Stepper<'a, T> {
     h: f64,
     /// exp(−δ cᵢ h): what is left of a spin at each stage, apart from damping.
     left: [T; MOST_STAGES + 1],
-    /// The rates at the stages of a step and at its end.
-    rates: [Rate<T>; MOST_STAGES + 1],
+    /// The rates at the stages of a step, but the first, which is the rate at its start.
+    rates: [Rate<T>; MOST_STAGES],
 }
 
 /// A step of the integration.
@@ -53,7 +53,7 @@ impl<'a, T: Numbers> Stepper<'a, T> {
         for (part, time) in left.iter_mut().zip(tableau.time).take(tableau.stages + 1).skip(1) {
             *part = (inputs.decay * (-time * h)).exp();
         }
-        Self { inputs, tableau, h, left, rates: [Rate::none(); MOST_STAGES + 1] }
+        Self { inputs, tableau, h, left, rates: [Rate::none(); MOST_STAGES] }
     }
 
     /// Makes a step the one that follows it.
@@ -62,45 +62,51 @@ impl<'a, T: Numbers> Stepper<'a, T> {
         std::mem::swap(&mut step.from, &mut step.to);
         let (inputs, tableau, h) = (self.inputs, self.tableau, self.h);
         let State { position: x, velocity: v, spin } = step.from.state;
-        self.rates[0] = step.from.rate;
-        let end = tableau.stages;
+        let (start, end) = (&step.from.rate, tableau.stages);
         // the end of a step is like one more stage
         for i in 1..=end {
             let mut height = v.x.scale_add(h * tableau.time[i], x.x);
             if inputs.wind.depends_on_height() {
                 for &(stage, weight) in &tableau.position[i][..i - 1] {
-                    height = self.rates[stage].acceleration.x.scale_add(h * h * weight, height);
+                    height = self.rate(start, stage).acceleration.x.scale_add(h * h * weight, height);
                 }
             }
             // the wind first, as the sum waits for the stage before
-            let air = self.sum(tableau.velocity[i], h, v - inputs.wind.at(height));
-            self.rates[i] = inputs.forces(air, self.spin(spin, i));
+            let air = self.sum(start, tableau.velocity[i], h, v - inputs.wind.at(height));
+            let spin = self.spin(start, spin, i);
+            let rate = if i == end { &mut step.to.rate } else { &mut self.rates[i] };
+            *rate = inputs.forces(air, spin);
         }
-        step.gained = self.sum(tableau.velocity[end], h, Vector::zero());
-        step.deflection = self.sum(&tableau.position[end][..end - 1], h * h, Vector::zero());
+        step.gained = self.sum(start, tableau.velocity[end], h, Vector::zero());
+        step.deflection = self.sum(start, &tableau.position[end][..end - 1], h * h, Vector::zero());
         let position = v.scale_add(h, x + step.deflection);
-        let state = State { position, velocity: v + step.gained, spin: self.spin(spin, end) };
-        *step.to = Node { state, rate: self.rates[end] };
+        step.to.state = State { position, velocity: v + step.gained, spin: self.spin(start, spin, end) };
+    }
+
+    /// The rate at a stage: at the first, that at the start of the step.
+    #[inline(always)]
+    fn rate<'r>(&'r self, start: &'r Rate<T>, stage: usize) -> &'r Rate<T> {
+        if stage == 0 { start } else { &self.rates[stage] }
     }
 
     /// The spin at a stage, of what it was at the start of the step: ω exp(−δ t − κ ℓ/R), ℓ the way through the air since.
     #[inline(always)]
-    fn spin(&self, spin: T, stage: usize) -> T {
+    fn spin(&self, start: &Rate<T>, spin: T, stage: usize) -> T {
         let faded = spin * self.left[stage];
         let Some(damping) = self.inputs.damping else { return faded };
         let mut way = T::zero();
-        for (of, weight) in self.tableau.velocity[stage] {
-            way = self.rates[*of].speed.scale_add(self.h * weight, way);
+        for &(of, weight) in self.tableau.velocity[stage] {
+            way = self.rate(start, of).speed.scale_add(self.h * weight, way);
         }
         T::outlined(inlined!(|| faded * (-(damping * way)).exp()))
     }
 
-    /// start + k Σ wⱼ aⱼ.
+    /// What is there without the stages, and k Σ wⱼ aⱼ.
     #[inline(always)]
-    fn sum(&self, weights: &[(usize, f64)], k: f64, start: Vector<T>) -> Vector<T> {
-        let mut sum = start;
+    fn sum(&self, start: &Rate<T>, weights: &[(usize, f64)], k: f64, without: Vector<T>) -> Vector<T> {
+        let mut sum = without;
         for &(stage, weight) in weights {
-            sum = self.rates[stage].acceleration.scale_add(k * weight, sum);
+            sum = self.rate(start, stage).acceleration.scale_add(k * weight, sum);
         }
         sum
     }
