@@ -75,7 +75,8 @@ pub struct Coefficients<T> {
 pub trait AerodynamicLaw<T: Numbers> {
     /// C_D and C_L in this stream. C_L must vanish with the spin: the lift's direction does.
     ///
-    /// All laws stand in one function, the equation of motion. What is long goes through [`Numbers::outlined`]: called, it costs the others nothing.
+    /// All laws stand in one function, the equation of motion. What is long goes through [`Numbers::outlined`] with a closure that takes the stream with
+    /// it (`move`): called, it costs the others nothing, and for them the stream need not stand in memory.
     fn coefficients(&self, stream: Stream<T>) -> Coefficients<T>;
 
     /// Whether C_D grows with |ω| from zero spin on, so that outcomes have a corner there.
