@@ -4,8 +4,8 @@ use crate::number::{Numbers, Vector, inlined};
 
 /// m/s: keeps |v_r| and its derivatives finite where the ball hangs still in the air.
 const LEAST_SPEED: f64 = 1e-6;
-/// Half of the interval of the central difference for the jerk, s. Truncation: 1.7e-9 s² d³a/dt³; rounding: about 1e-11 m/s³.
-const APART: f64 = 1e-4;
+/// Half of the interval of the central difference for the jerk, s. Truncation: 6.7e-9 s² d³a/dt³; rounding: about 5e-12 m/s³.
+const APART: f64 = 2e-4;
 
 /// The ball at one time: where it is, how it moves and how fast it spins (about an axis that it keeps). x is up, y right and z downrange.
 #[derive(Clone, Copy, Debug)]
@@ -63,12 +63,12 @@ impl<T: Numbers> Inputs<T> {
         let c = self.law.coefficients(stream);
         // ρ A |v_r|/(2 m), 1/s
         let per_airspeed = self.force_per_mass * speed;
-        // the speed last: laws by the spin alone do not wait for it, and those by the spin ratio wait no longer
-        let across = self.axis.cross(air);
+        // drag after lift, as its coefficient is ready last; then the speed: laws by the spin alone do not wait for it, and others wait no longer
+        let (across, against) = (self.axis.cross(air), -air);
         let pull = Vector::new(
-            across.x.mul_add(c.lift, -(air.x * c.drag)),
-            across.y.mul_add(c.lift, -(air.y * c.drag)),
-            across.z.mul_add(c.lift, -(air.z * c.drag)),
+            against.x.mul_add(c.drag, across.x * c.lift),
+            against.y.mul_add(c.drag, across.y * c.lift),
+            against.z.mul_add(c.drag, across.z * c.lift),
         );
         let acceleration =
             Vector::new(pull.x.mul_add(per_airspeed, -self.gravity), pull.y * per_airspeed, pull.z * per_airspeed);
