@@ -34,8 +34,8 @@ pub struct Stream<T> {
     pub spin: T,
     /// |v|, m/s.
     pub speed: T,
-    /// |v|², m²/s².
-    pub square: T,
+    /// |v|², m²/s²: the reciprocal of the speed does not wait for the speed.
+    pub(crate) square: T,
     /// R, m.
     pub radius: T,
     /// Re/|v| = ρ 2R/μ, s/m.
@@ -43,7 +43,13 @@ pub struct Stream<T> {
 }
 
 impl<T: Numbers> Stream<T> {
-    /// Air that streams past a ball of this spin and radius at this speed, with Re/|v|.
+    /// Air that streams past a ball: |ω|, rad/s; |v|, m/s; R, m; Re/|v|, s/m.
+    ///
+    /// ```
+    /// use longdrive::aerodynamics::Stream;
+    /// let stream = Stream::new(300.0, 60.0, 0.02, 3000.0);
+    /// assert!((stream.spin_ratio() - 0.1_f64).abs() < 1e-15 && stream.reynolds() == 180_000.0);
+    /// ```
     pub fn new(spin: T, speed: T, radius: T, reynolds_per_speed: T) -> Self {
         Self { spin, speed, square: speed * speed, radius, reynolds_per_speed }
     }

@@ -2,7 +2,8 @@
 
 use crate::common::random_setups;
 use longdrive::batch::{Batch, Block, Points, Sequence, Status};
-use longdrive::parameters::{Method, Parameter, Vary};
+use longdrive::derivative::{Taylor, hessian};
+use longdrive::parameters::{Law, Method, Parameter, Vary};
 use longdrive::study::accuracy;
 use longdrive::{Error, Outcome, Setup};
 use rayon::prelude::*;
@@ -208,4 +209,38 @@ fn exact_a_tolerance_out_of_reach_names_the_drive() {
     let error = accuracy(&setup, &[range(&setup, "club.loft", 0.1, 0.2)], &[Outcome::Carry], 1e-16).unwrap_err();
     let words = error.to_string();
     assert!(words.contains("carry of the drive with club.loft = ") && words.contains(" is off by "), "{words}");
+}
+
+/// A tolerance is about lengths. How far derivatives by loft, attack angle, speed and density are from those in much shorter steps, beside the largest,
+/// is what docs/limitations.md says.
+#[test]
+fn measured_derivatives_within_a_micrometre_are_as_near_as_the_document_says() {
+    let sizes = [("club.loft", 0.1), ("swing.attack_angle", 0.1), ("swing.speed", 10.0), ("air.density", 0.3)];
+    let drives = [[0.18, 0.0, 50.0], [0.14, 0.07, 55.0], [0.23, -0.05, 38.0]];
+    let asked = Law::NAMES.iter().flat_map(|law| drives.map(|drive| (*law, drive))).collect::<Vec<_>>();
+    asked.into_par_iter().for_each(|(law, [loft, attack_angle, speed])| {
+        let mut setup = Setup::default();
+        setup.set_law(law).unwrap();
+        (setup.club.loft, setup.swing.attack_angle, setup.swing.speed) = (loft, attack_angle, speed);
+        let by = sizes.map(|(name, _)| setup.variable(name).unwrap());
+        let within = accuracy(&setup, &[], &[Outcome::Carry], MICROMETRE).unwrap().applied_to(&setup);
+        let mut fine = setup;
+        (fine.method, fine.flight.step) = (Method::Rk4, 1e-3);
+        // each derivative by the size of its parameters
+        let sized = |Taylor { gradient, hessian, .. }: Taylor| {
+            let row = |row: &[f64]| row.iter().zip(sizes).map(|(d, (_, size))| d * size).collect::<Vec<_>>();
+            let second = hessian
+                .iter()
+                .zip(sizes)
+                .flat_map(|(second, (_, size))| row(second).into_iter().map(move |d| d * size));
+            [row(&gradient), second.collect()]
+        };
+        let [found, exact] = [within, fine].map(|setup| sized(hessian(&setup, Outcome::Carry, &by).unwrap()));
+        let bars = if ["nathan", "bearman-harvey"].contains(&law) { [2e-6, 1e-3] } else { [1e-7, 3e-6] };
+        for ((found, exact), bar) in found.iter().zip(&exact).zip(bars) {
+            let largest = exact.iter().fold(0.0_f64, |most, d| most.max(d.abs()));
+            let off = found.iter().zip(exact).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
+            assert!(off < bar * largest, "{law} {loft} {attack_angle} {speed}: {:.1e}", off / largest);
+        }
+    });
 }
