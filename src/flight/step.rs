@@ -63,6 +63,7 @@ impl<'a, T: Numbers> Stepper<'a, T> {
         let (inputs, tableau, h) = (self.inputs, self.tableau, self.h);
         let State { position: x, velocity: v, spin } = step.from.state;
         let (start, end) = (&step.from.rate, tableau.stages);
+        let mut faded = spin;
         // the end of a step is like one more stage
         for i in 1..=end {
             let mut height = v.x.scale_add(h * tableau.time[i], x.x);
@@ -73,14 +74,14 @@ impl<'a, T: Numbers> Stepper<'a, T> {
             }
             // the wind first, as the sum waits for the stage before
             let air = self.sum(start, tableau.velocity[i], h, v - inputs.wind.at(height));
-            let spin = self.spin(start, spin, i);
+            faded = self.spin(start, spin, i);
             let rate = if i == end { &mut step.to.rate } else { &mut self.rates[i] };
-            *rate = inputs.forces(air, spin);
+            *rate = inputs.forces(air, faded);
         }
         step.gained = self.sum(start, tableau.velocity[end], h, Vector::zero());
         step.deflection = self.sum(start, &tableau.position[end][..end - 1], h * h, Vector::zero());
         let position = v.scale_add(h, x + step.deflection);
-        step.to.state = State { position, velocity: v + step.gained, spin: self.spin(start, spin, end) };
+        step.to.state = State { position, velocity: v + step.gained, spin: faded };
     }
 
     /// The rate at a stage: at the first, that at the start of the step.
