@@ -92,7 +92,7 @@ fn documents_count_the_problems_that_are_solved() {
     let unsolved: Vec<_> = cases.iter().filter(|case| !is_solved(case)).map(|case| case.name).collect();
     let (tried, solved) = (cases.len(), cases.len() - unsolved.len());
 
-    let document = |name: &str| std::fs::read_to_string(format!("{}/{name}", env!("CARGO_MANIFEST_DIR"))).unwrap();
+    let document = |name: &str| std::fs::read_to_string(format!("{}/../{name}", env!("CARGO_MANIFEST_DIR"))).unwrap();
     let said = format!(
         "Of {tried} published problems of nonlinear programming the optimizer solves {solved} to a KKT residual of 1e-8"
     );

@@ -550,7 +550,7 @@ fn exact_interrupted_folds_are_left_out_and_counted() {
 /// Searches that end elsewhere are told with how they ended, and what to do about it.
 #[test]
 fn starts_that_end_at_larger_sums_are_told() {
-    let shots = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/shots.csv");
+    let shots = concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/shots.csv");
     let fit = ["calibrate", shots, "modern-driver", "--fit", "aero.cd0", "--fit", "aero.cl_max", "--starts", "6"];
     let (_, found) = json(&fit);
     let others: Vec<(&str, u64)> = found["starts"]["elsewhere"]
@@ -570,7 +570,7 @@ fn starts_that_end_at_larger_sums_are_told() {
 
 #[test]
 fn iterations_of_several_searches_tell_of_which_they_are() {
-    let shots = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/shots.csv");
+    let shots = concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/shots.csv");
     let told = |starts| longdrive(&["calibrate", shots, "--fit", "aero.cd0=0.2..0.25", "--starts", starts]).err;
     let first = |said: &str| said.lines().next().unwrap().to_owned();
     let (one, two) = (told("1"), told("2"));
@@ -688,7 +688,7 @@ fn a_launch_monitors_export_is_read_as_it_is_written() {
 
 #[test]
 fn the_sample_of_shots_is_fitted() {
-    let sample = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/shots.csv");
+    let sample = concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/shots.csv");
     let (status, found) = json(&["calibrate", sample, "--fit", "aero.cd0", "--fit", "aero.cl_max"]);
     assert_eq!((status, found["status"].as_str()), (0, Some("converged")), "{found}");
     // made with these coefficients: the noise in launch and flight leaves the estimates within three of their standard errors

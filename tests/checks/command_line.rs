@@ -1,6 +1,7 @@
 //! The program as a user meets it: answers, JSON, exit statuses, and messages for bad input.
 
 use crate::common::close;
+use crate::program;
 use crate::schema::faults;
 use assert_cmd::Command;
 use serde_json::Value;
@@ -50,7 +51,7 @@ pub fn written(args: &[&str]) -> Written {
 }
 
 pub fn longdrive(args: &[&str]) -> Said {
-    let output = Command::cargo_bin("longdrive").unwrap().args(args).output().unwrap();
+    let output = Command::from_std(program::command()).args(args).output().unwrap();
     let text = |bytes| String::from_utf8(bytes).unwrap();
     Said { status: output.status.code().unwrap(), out: text(output.stdout), err: text(output.stderr) }
 }

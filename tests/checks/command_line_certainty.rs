@@ -2,6 +2,7 @@
 
 use crate::command_line::{json, longdrive, number};
 use crate::common::close;
+use crate::program;
 
 #[test]
 fn exact_derivatives_are_certified_as_json() {
@@ -120,8 +121,7 @@ fn exact_uncertainty_as_json_is_the_same_for_the_same_seed() {
     );
     assert_eq!(carry["measure_first"]["parameter"], "swing.speed");
     assert_eq!(found["ellipses"].as_array().unwrap().len(), 4);
-    let one_thread = assert_cmd::Command::cargo_bin("longdrive")
-        .unwrap()
+    let one_thread = assert_cmd::Command::from_std(program::command())
         .args(asked)
         .arg("--json")
         .env("RAYON_NUM_THREADS", "1")

@@ -2,6 +2,7 @@
 //! written is whole.
 
 use crate::command_line::{json, longdrive, wait_until};
+use crate::program;
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::fs;
@@ -176,7 +177,7 @@ fn a_whole_file_stays_until_the_one_that_replaces_it_is_whole() {
 fn a_file_that_is_made_while_a_command_runs_stays() {
     let (folder, name) = folder();
     let out = name("out.csv");
-    let mut program = std::process::Command::new(assert_cmd::cargo::cargo_bin!("longdrive"));
+    let mut program = program::command();
     program.args(["fly", "-", "-o", &out, "-q"]);
     let mut child = program.stdin(Stdio::piped()).stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap();
     let mut input = child.stdin.take().unwrap();
@@ -201,7 +202,7 @@ fn of_two_searches_at_once_with_one_checkpoint_one_is_refused() {
     for round in 0..8 {
         let kept = name(&format!("{round}.json"));
         let start = |preset: &str| {
-            let mut program = std::process::Command::new(assert_cmd::cargo::cargo_bin!("longdrive"));
+            let mut program = program::command();
             program.args(["optimize", preset, "--checkpoint", &kept, "-q"]);
             program.stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap()
         };

@@ -2,7 +2,7 @@
 //! folder finds.
 
 use crate::command_line::{json, longdrive, number};
-use assert_cmd::cargo::cargo_bin;
+use crate::program;
 use longdrive::number::Level;
 use longdrive::parts::{Manifest, Question, check, file_name, merge};
 use parquet::file::reader::{FileReader, SerializedFileReader};
@@ -109,7 +109,7 @@ fn exact_a_part_has_the_same_bytes_whoever_writes_it_and_in_whatever_order() {
     // several at once, and each part twice
     let folder = tempfile::tempdir().unwrap();
     let program = |part: u64| {
-        let mut program = Command::new(cargo_bin!("longdrive"));
+        let mut program = program::command();
         program.args(question()).arg("-o").arg(folder.path().join("made")).args(["--part", &format!("{part}/{PARTS}")]);
         program.stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap()
     };
@@ -347,7 +347,7 @@ fn a_kill_and_a_full_disk_leave_no_part_and_the_same_command_writes_it() {
     let most = fs::metadata(SET.path().join(NAMES[2])).unwrap().len() / 1024 / 2;
     let limited = format!("trap '' XFSZ; ulimit -f {most}; exec \"$@\"");
     let mut program = Command::new("bash");
-    program.args(["-c", &limited, "bash"]).arg(cargo_bin!("longdrive")).args(question()).args(part);
+    program.args(["-c", &limited, "bash"]).arg(program::path()).args(question()).args(part);
     let output = program.output().unwrap();
     let said = String::from_utf8(output.stderr).unwrap();
     assert!(output.status.code() == Some(2) && said.contains("ask for part 3 again"), "{said}");
@@ -355,7 +355,7 @@ fn a_kill_and_a_full_disk_leave_no_part_and_the_same_command_writes_it() {
 
     // killed at several moments of its short life
     for wait in [5, 50, 100, 200, 300] {
-        let mut program = Command::new(cargo_bin!("longdrive"));
+        let mut program = program::command();
         let quiet = program.args(question()).args(part).stdout(Stdio::null()).stderr(Stdio::null());
         let mut child = quiet.spawn().unwrap();
         std::thread::sleep(std::time::Duration::from_millis(wait));
@@ -437,7 +437,7 @@ fn a_part_with_other_sines_of_the_c_library_is_refused_and_the_same_question_has
         "--json",
     ];
     let of = |tunables: &str, part: &str, to: &str| {
-        let mut program = Command::new(cargo_bin!("longdrive"));
+        let mut program = program::command();
         program.args(asked).args(["--part", part, "-o"]).arg(folder.path().join(to)).env("GLIBC_TUNABLES", tunables);
         let output = program.output().unwrap();
         let answer: Value = serde_json::from_slice(&output.stdout).unwrap();

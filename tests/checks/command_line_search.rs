@@ -2,6 +2,7 @@
 
 use crate::command_line::{json, longdrive, number};
 use crate::common::close;
+use crate::program;
 use serde_json::Value;
 
 #[test]
@@ -23,8 +24,7 @@ fn exact_constraints_and_starts_as_json() {
     assert!(constraints.iter().all(|constraint| number(&constraint["multiplier"]) > 0.0));
     let optima = found["optima"].as_array().unwrap();
     assert_eq!(optima.iter().map(|local| number(&local["starts"])).sum::<f64>(), 32.0);
-    let one_thread = assert_cmd::Command::cargo_bin("longdrive")
-        .unwrap()
+    let one_thread = assert_cmd::Command::from_std(program::command())
         .args(["optimize", "--starts", "32", "--json", "--subject-to", "descent_angle >= 38 deg"])
         .args(["--subject-to", "apex_height <= 35 yd"])
         .env("RAYON_NUM_THREADS", "1")
@@ -291,7 +291,7 @@ fn each_outcome_of_a_gradient_answers_for_itself() {
 #[test]
 fn a_full_disk_is_an_error() {
     if let Ok(full) = std::fs::OpenOptions::new().write(true).open("/dev/full") {
-        let mut program = std::process::Command::new(assert_cmd::cargo::cargo_bin!("longdrive"));
+        let mut program = program::command();
         let output = program.arg("simulate").stdout(full).output().unwrap();
         assert_eq!(output.status.code(), Some(2));
         assert!(String::from_utf8_lossy(&output.stderr).contains("cannot write the answer"));

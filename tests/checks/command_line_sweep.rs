@@ -1,12 +1,11 @@
 //! `longdrive sweep` as a user meets it: files, kills and resumes, full disks, closed pipes, and bad input.
 
 use crate::command_line::{json, longdrive, wait_until};
-use assert_cmd::cargo::cargo_bin;
+use crate::program;
 use std::fs;
 use std::io::{BufRead, BufReader, Write};
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
-#[cfg(feature = "arrow")]
 use std::sync::Arc;
 use std::sync::OnceLock;
 
@@ -20,7 +19,7 @@ fn many() -> Vec<&'static str> {
 }
 
 fn start(args: &[&str], file: &Path, more: &[&str]) -> Child {
-    let mut program = Command::new(cargo_bin!("longdrive"));
+    let mut program = program::command();
     program.args(args).arg("-o").arg(file).args(more).stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap()
 }
 
@@ -50,7 +49,6 @@ fn promises(file: &Path) -> usize {
 }
 
 /// The same, of the points of a table.
-#[cfg(feature = "arrow")]
 fn many_of(table: &str) -> Vec<&str> {
     vec!["sweep", "--set", "flight.step=1s", "--outcomes", "all", "--gradient", "--points", table]
 }
@@ -179,7 +177,6 @@ fn exact_parquet_of_a_killed_and_resumed_sweep() {
     killed_and_resumed(&many(), "parquet", Whole::of_many("parquet"));
 }
 
-#[cfg(feature = "arrow")]
 #[test]
 fn exact_rows_of_an_arrow_table_killed_and_resumed() {
     use arrow_array::{ArrayRef, Float64Array, RecordBatch};
@@ -203,10 +200,9 @@ fn exact_rows_of_an_arrow_table_killed_and_resumed() {
 }
 
 /// Tables of the same points that pyarrow wrote in each format, and by Python in CSV.
-#[cfg(all(feature = "arrow", feature = "parquet"))]
 #[test]
 fn independent_tables_in_every_format_give_the_same_bytes() {
-    let table = |name: &str| format!("{}/tests/data/tables/{name}", env!("CARGO_MANIFEST_DIR"));
+    let table = |name: &str| format!("{}/data/tables/{name}", env!("CARGO_MANIFEST_DIR"));
     let sweep = |name: &str| longdrive(&["sweep", "--gradient", "--outcomes", "all", "--points", &table(name)]);
     let csv = sweep("points.csv");
     assert_eq!((csv.status, csv.out.lines().count()), (0, 12), "{}", csv.err);
@@ -238,7 +234,7 @@ fn a_full_disk_leaves_whole_rows_that_can_be_gone_on_with() {
         let most = whole.len() / 1024 * 3 / 5;
         let limited = format!("trap '' XFSZ; ulimit -f {most}; exec \"$@\"");
         let mut program = Command::new("bash");
-        program.args(["-c", &limited, "bash"]).arg(cargo_bin!("longdrive")).args(many()).arg("-o").arg(&part);
+        program.args(["-c", &limited, "bash"]).arg(program::path()).args(many()).arg("-o").arg(&part);
         let output = program.output().unwrap();
         let said = String::from_utf8(output.stderr).unwrap();
         assert_eq!(output.status.code(), Some(2), "{said}");
@@ -268,7 +264,7 @@ fn a_full_device_and_a_closed_pipe() {
         assert!(said.err.contains("cannot write the answer: the disk is full; written before: "), "{}", said.err);
         assert!(!Path::new("/dev/full.resume").exists());
     }
-    let mut program = Command::new(cargo_bin!("longdrive"));
+    let mut program = program::command();
     let mut child = program.args(rows).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
     let mut line = String::new();
     BufReader::new(child.stdout.take().unwrap()).read_line(&mut line).unwrap();
@@ -279,11 +275,11 @@ fn a_full_device_and_a_closed_pipe() {
 
 #[test]
 fn a_pipe_that_is_closed_before_the_first_row_is_no_failure() {
-    let shots = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/shots.csv");
+    let shots = concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/shots.csv");
     for args in [&["fly", shots, "-q"][..], &["sweep", "--over", "club.loft=5deg..15deg:100", "-q"]] {
         let (reader, writer) = std::io::pipe().unwrap();
         drop(reader);
-        let mut program = Command::new(cargo_bin!("longdrive"));
+        let mut program = program::command();
         let child = program.args(args).stdout(writer).stderr(Stdio::piped()).spawn().unwrap();
         let (status, said) = finish(child);
         assert!(status == Some(0) && !said.contains("error"), "{args:?}: {said}");

@@ -1,6 +1,7 @@
 //! What a person reads: units, digits, widths, colours, manual pages and plain words.
 
 use crate::command_line::{Said, longdrive};
+use crate::program;
 use crate::reproduce::{PAPER_WRITTEN, REPORT};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -128,7 +129,7 @@ fn quiet_leaves_warnings_and_errors_alone_on_standard_error() {
 
 #[test]
 fn colours_are_for_terminals_and_no_color_turns_them_off() {
-    let program = assert_cmd::cargo::cargo_bin!("longdrive");
+    let program = program::path();
     let out = |variables: &[(&str, &str)], args: &[&str]| {
         let variables: BTreeMap<_, _> = variables.iter().copied().collect();
         let output = Command::new(program).args(args).env_remove("NO_COLOR").envs(variables).output().unwrap();
@@ -252,9 +253,9 @@ fn help_and_messages_are_in_plain_words() {
     let mut texts = vec![];
     files(folder.path(), "1", &mut texts);
     assert!(texts.len() > 20);
-    files(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src"), "rs", &mut texts);
-    files(&Path::new(env!("CARGO_MANIFEST_DIR")).join("docs"), "md", &mut texts);
-    texts.push(Path::new(env!("CARGO_MANIFEST_DIR")).join("README.md"));
+    files(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../src"), "rs", &mut texts);
+    files(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs"), "md", &mut texts);
+    texts.push(Path::new(env!("CARGO_MANIFEST_DIR")).join("../README.md"));
     for path in texts {
         let text = std::fs::read_to_string(&path).unwrap();
         // comments are for those who read the source

@@ -100,7 +100,7 @@ fn exact_speeds_and_limits_of_messages_are_in_the_units_asked_for() {
     let limits = ["--subject-to", "apex_height <= 5 yd", "--subject-to", "apex_height >= 60 yd"];
     let impossible = [&["optimize"], &limits[..]].concat();
     let verify = ["verify", "modern-driver", "--of", "carry", "--wrt", "swing.speed"];
-    let sample = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/shots.csv");
+    let sample = concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/shots.csv");
     let calibrate = ["calibrate", sample, "modern-driver", "--fit", "aero.cd0"];
     for (args, in_us, in_metric) in [
         // 25 m/s = 55.9 mph, 68 m/s = 152 mph
@@ -190,7 +190,7 @@ fn remarks_in_setup_files_have_the_digits_of_the_text_and_values_all_of_them() {
     let head = text.lines().next().unwrap();
     assert!(done.out.contains(head.split_once("carry: ").unwrap().1), "'{head}' is not as in {}", done.out);
 
-    let sample = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/shots.csv");
+    let sample = concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/shots.csv");
     let done = longdrive(&["calibrate", sample, "-q", "--fit", "aero.cd0", "-o", &file, "--overwrite"]);
     assert_eq!(done.status, 0, "{}", done.err);
     let text = std::fs::read_to_string(&file).unwrap();

@@ -7,7 +7,7 @@ use longdrive::reproduce::{Landing, Method};
 use longdrive::{Drive, Outcome, Setup};
 
 fn document(name: &str) -> String {
-    std::fs::read_to_string(format!("{}/{name}", env!("CARGO_MANIFEST_DIR"))).unwrap()
+    std::fs::read_to_string(format!("{}/../{name}", env!("CARGO_MANIFEST_DIR"))).unwrap()
 }
 
 /// The rows of the table under this head, without the head and the line below it.
@@ -143,7 +143,7 @@ fn commands_on_the_samples_run_as_they_are_written() {
             .split_whitespace()
             .skip(1)
             .map(|word| match word {
-                _ if word.starts_with("examples/") => format!("{}/{word}", env!("CARGO_MANIFEST_DIR")),
+                _ if word.starts_with("examples/") => format!("{}/../{word}", env!("CARGO_MANIFEST_DIR")),
                 _ if word.ends_with(".toml")
                     || word.ends_with(".csv")
                     || word.ends_with(".jsonl")
@@ -163,7 +163,7 @@ fn commands_on_the_samples_run_as_they_are_written() {
 
 #[test]
 fn the_sample_of_launches_is_what_the_program_makes_of_the_deliveries() {
-    let of = |sample: &str| format!("{}/examples/{sample}", env!("CARGO_MANIFEST_DIR"));
+    let of = |sample: &str| format!("{}/../examples/{sample}", env!("CARGO_MANIFEST_DIR"));
     let outcomes = "ball_speed,launch_angle,launch_direction,backspin,sidespin";
     let said = longdrive(&["sweep", "modern-driver", "--points", &of("deliveries.csv"), "--outcomes", outcomes]);
     let launches = document("examples/launches.csv");

@@ -3,6 +3,7 @@
 #![cfg(unix)]
 
 use crate::command_line::Said;
+use crate::program;
 use crate::schema::faults;
 use longdrive::optimize::Follow;
 use longdrive::parameters::Preset;
@@ -34,7 +35,7 @@ impl AtWork {
     fn new(args: &[&str]) -> Self {
         let folder = tempfile::tempdir().unwrap();
         let [out, err] = ["out", "err"].map(|name| File::create(folder.path().join(name)).unwrap());
-        let mut program = Command::new(assert_cmd::cargo::cargo_bin!("longdrive"));
+        let mut program = program::command();
         Self { child: program.args(args).stdout(out).stderr(err).spawn().unwrap(), folder }
     }
 
@@ -169,7 +170,7 @@ fn exact_what_was_stopped_writes_no_fit_lists_no_optimum_and_names_the_file_of_i
     let folder = tempfile::tempdir().unwrap();
     let path = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
     let (fitted, rows) = (path("fitted.toml"), path("rows.csv"));
-    let shots = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/shots.csv");
+    let shots = concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/shots.csv");
     let slow = ["--set", "flight.step=0.02ms"];
     let step = "flight.step=0.1ms";
     let fit = ["calibrate", shots, "--fit", "aero.cd0", "-o", &fitted, "--set", step];

@@ -2,6 +2,7 @@
 
 use crate::command_line::{json, longdrive, number};
 use crate::common::close;
+use crate::program;
 use crate::schema::faults;
 use crate::validation::ANSWERED;
 use longdrive::Outcome;
@@ -36,7 +37,7 @@ fn every_command_answers_with_one_object_that_its_schema_describes() {
         (vec!["design", "--scenarios", "16"], "converged"),
         (vec!["calibrate", &shots, "--fit", "aero.spin_decay", "--folds", "3"], "converged"),
         (vec!["delivery", "--launch", "ball_speed=160mph,launch_angle=11deg,spin=2600rpm,spin_axis=3deg"], "done"),
-        (vec!["delivery", "--shots", concat!(env!("CARGO_MANIFEST_DIR"), "/examples/shots.csv")], "done"),
+        (vec!["delivery", "--shots", concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/shots.csv")], "done"),
         (vec!["chart", "--along", "swing.speed=100mph..104mph"], "done"),
         (vec!["pareto", "--maximize", "carry", "--minimize", "apex_height", "--points", "4"], "done"),
         (vec!["robust", "--model", "aero.law=ferguson"], "converged"),
@@ -167,7 +168,7 @@ fn exact_ranges_without_an_end_say_so_in_the_listing_of_parameters() {
 
 #[test]
 fn exact_names_of_the_schemas_are_those_of_the_program() {
-    let file = format!("{}/docs/schema/common.json", env!("CARGO_MANIFEST_DIR"));
+    let file = format!("{}/../docs/schema/common.json", env!("CARGO_MANIFEST_DIR"));
     let common: Value = serde_json::from_str(&fs::read_to_string(file).unwrap()).unwrap();
     let known = |name: &str| common["$defs"]["outcome"]["enum"].as_array().unwrap().contains(&name.into());
     for outcome in Outcome::ALL {
@@ -179,7 +180,7 @@ fn exact_names_of_the_schemas_are_those_of_the_program() {
 
 #[test]
 fn every_example_of_the_documentation_is_what_the_program_prints() {
-    let file = format!("{}/docs/json.md", env!("CARGO_MANIFEST_DIR"));
+    let file = format!("{}/../docs/json.md", env!("CARGO_MANIFEST_DIR"));
     let text = fs::read_to_string(file).unwrap();
     let mut shown = 0;
     for block in text.split("```console\n$ longdrive ").skip(1) {
@@ -187,12 +188,12 @@ fn every_example_of_the_documentation_is_what_the_program_prints() {
         let (question, answer) = block.split_once('\n').unwrap();
         let args: Vec<&str> = question.split_whitespace().collect();
         let folder = tempfile::tempdir().unwrap();
-        let shots = format!("{}/tests/data/shots/trackman.csv", env!("CARGO_MANIFEST_DIR"));
+        let shots = format!("{}/data/shots/trackman.csv", env!("CARGO_MANIFEST_DIR"));
         fs::copy(shots, folder.path().join("shots.csv")).unwrap();
         let printed: Value = if args == ["validate", "--json"] {
             ANSWERED.1.clone()
         } else {
-            let mut program = assert_cmd::Command::cargo_bin("longdrive").unwrap();
+            let mut program = assert_cmd::Command::from_std(program::command());
             let output = program.current_dir(folder.path()).args(&args).output().unwrap();
             serde_json::from_slice(&output.stdout).unwrap()
         };

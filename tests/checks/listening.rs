@@ -2,6 +2,7 @@
 
 #![cfg(unix)]
 
+use crate::program;
 use crate::schema::faults;
 use serde_json::Value;
 use std::io::{BufRead, BufReader, Read, Write};
@@ -14,7 +15,7 @@ const HEARTBEAT: &str = r#"{"DeviceID":"A","ShotDataOptions":{"ContainsBallData"
 
 /// The program, listening, with its port.
 fn listening(more: &[&str]) -> (Child, u16) {
-    let mut child = Command::new(assert_cmd::cargo::cargo_bin!("longdrive"))
+    let mut child = program::command()
         .args(["fly", "--listen", "0"])
         .args(more)
         .stdout(Stdio::piped())

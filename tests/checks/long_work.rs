@@ -1,6 +1,7 @@
 //! Searches that are stopped, kept and resumed.
 
 use crate::command_line::{Said, wait_until};
+use crate::program;
 use longdrive::number::Number;
 use longdrive::optimize::{
     Checkpoint, Domain, Evaluation, Exact, Follow, Functions, Observer, Options, Problem, Run, Snapshot, Solution,
@@ -209,7 +210,7 @@ fn exact_same_answer_of_the_program_when_it_is_killed_again_and_again() {
         all.extend([checkpoint, "--subject-to", "apex_height <= 36 yd"]);
         all.into_iter().map(str::to_owned).collect::<Vec<_>>()
     };
-    let program = || std::process::Command::new(assert_cmd::cargo::cargo_bin!("longdrive"));
+    let program = || program::command();
     let run = |checkpoint: &std::path::Path| {
         let output = program().args(arguments(&checkpoint.display().to_string())).output().unwrap();
         assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));

@@ -8,7 +8,6 @@ mod command_line;
 mod command_line_calibrate;
 mod command_line_certainty;
 mod command_line_files;
-#[cfg(feature = "parquet")]
 mod command_line_parts;
 mod command_line_search;
 mod command_line_sweep;
@@ -50,6 +49,8 @@ mod pareto_golfer;
 mod pictures;
 mod points;
 mod prices;
+#[path = "../program.rs"]
+mod program;
 mod published;
 mod published_faces;
 mod reference;
@@ -69,7 +70,6 @@ mod strikes;
 mod sweep;
 mod swings;
 mod swings_theory;
-#[cfg(all(feature = "arrow", feature = "parquet"))]
 mod tables;
 mod tolerance;
 mod uncertainty;

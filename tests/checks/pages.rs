@@ -1,6 +1,7 @@
 //! Pages: the answer first, what was asked, and one frame for all of them.
 
 use crate::command_line::{Written, json, longdrive, number};
+use crate::program;
 use crate::reproduce::{PAPER_WRITTEN, REPORT};
 use crate::validation::VALIDATED;
 use assert_cmd::Command;
@@ -209,7 +210,7 @@ fn the_setup_file_of_a_report_flies_its_best_drive() {
 fn the_footer_says_what_makes_the_same_page_again() {
     let folder = tempfile::tempdir().unwrap();
     let made = |date: &str| {
-        let mut command = Command::cargo_bin("longdrive").unwrap();
+        let mut command = Command::from_std(program::command());
         let asked = ["report", "--set", "club.loft=10.5 deg", "-o", "page", "--overwrite"];
         let output = command.current_dir(folder.path()).env("SOURCE_DATE_EPOCH", date).args(asked).output().unwrap();
         (output.status.code(), std::fs::read_to_string(folder.path().join("page/index.html")).unwrap_or_default())
@@ -256,7 +257,7 @@ fn an_answer_that_is_none_says_so_first() {
 #[test]
 fn all_pages_have_one_frame() {
     let folder = tempfile::tempdir().unwrap();
-    let shots = format!("{}/examples/shots.csv", env!("CARGO_MANIFEST_DIR"));
+    let shots = format!("{}/../examples/shots.csv", env!("CARGO_MANIFEST_DIR"));
     let fit = ["--fit", "aero.cd0", "--fit", "aero.cl_max=0.2..1"];
     for asked in [
         vec!["report"],
@@ -315,7 +316,7 @@ fn exact_the_average_of_winfield_and_tan_is_drawn_with_its_peak() {
 fn independent_a_calibration_shows_what_was_measured_over_what_is_computed() {
     let folder = tempfile::tempdir().unwrap();
     let shots = folder.path().join("shots.csv");
-    std::fs::copy(format!("{}/examples/shots.csv", env!("CARGO_MANIFEST_DIR")), &shots).unwrap();
+    std::fs::copy(format!("{}/../examples/shots.csv", env!("CARGO_MANIFEST_DIR")), &shots).unwrap();
     let shots = shots.display().to_string();
     let asked = ["calibrate", &shots, "modern-driver", "--fit", "aero.cd0"];
     let (_, page) = page(&folder, &asked);

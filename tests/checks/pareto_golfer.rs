@@ -164,7 +164,7 @@ fn exact_what_is_written_of_a_front_is_what_it_says() {
 
 #[test]
 fn the_front_in_pareto_md_is_the_programs() {
-    let text = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/pareto.md")).unwrap();
+    let text = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/pareto.md")).unwrap();
     let asked = text.split("```sh\nlongdrive ").nth(2).unwrap().lines().next().unwrap();
     let said = longdrive(&asked.split(' ').collect::<Vec<_>>());
     assert_eq!(said.status, 0, "{}", said.err);

@@ -310,7 +310,6 @@ fn the_ending_of_the_file_says_what_a_plot_is_written_as() {
     assert_eq!((status, answer["file"].as_str()), (0, Some(svg.as_str())));
 }
 
-#[cfg(feature = "png")]
 #[test]
 fn a_png_has_its_size_and_its_words() {
     let folder = tempfile::tempdir().unwrap();

@@ -21,7 +21,7 @@ const OF: [Outcome; 5] =
     [Outcome::CarryDistance, Outcome::Lateral, Outcome::ApexHeight, Outcome::FlightTime, Outcome::DescentAngle];
 
 fn path(name: &str) -> PathBuf {
-    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/data/shots").join(name)
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("data/shots").join(name)
 }
 
 /// All that was flown of a text.

@@ -8,7 +8,7 @@ use std::fs;
 use std::path::Path;
 
 fn shots(name: &str) -> String {
-    format!("{}/tests/data/shots/{name}", env!("CARGO_MANIFEST_DIR"))
+    format!("{}/data/shots/{name}", env!("CARGO_MANIFEST_DIR"))
 }
 
 fn written(folder: &Path, name: &str, text: &str) -> String {
@@ -287,7 +287,6 @@ fn text_shows_the_run_beside_a_total_and_the_air_that_the_weather_gives() {
 }
 
 /// More rows than a row group has: the numbers are those of the JSON lines.
-#[cfg(feature = "parquet")]
 #[test]
 fn exact_shots_in_parquet_are_those_in_json_lines() {
     use parquet::file::reader::{FileReader, SerializedFileReader};
@@ -332,7 +331,7 @@ fn exact_shots_in_parquet_are_those_in_json_lines() {
 
 #[test]
 fn exact_json_lines_of_fly_have_all_that_was_measured() {
-    let sample = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/shots.csv");
+    let sample = concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/shots.csv");
     let folder = tempfile::tempdir().unwrap();
     let lines = folder.path().join("flown.jsonl").display().to_string();
     assert_eq!(longdrive(&["fly", sample, "-o", &lines]).status, 0);

@@ -151,7 +151,7 @@ fn no_spin_and_topspin_are_out_of_range_in_every_format() {
 
 #[test]
 fn exports_without_units_are_read_as_fly_reads_them() {
-    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/shots/rapsodo.csv");
+    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/data/shots/rapsodo.csv");
     let table = ShotTable::open(&Setup::default(), Path::new(file)).unwrap();
     let with_units = read(
         "Ball Speed [mph],Launch Angle [deg],Launch Direction [deg],Spin Rate [rpm],Spin Axis [deg],Apex [ft],Carry Distance [yd],\

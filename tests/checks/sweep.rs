@@ -276,8 +276,6 @@ fn bad_tables_are_told_by_row_and_column_before_any_work() {
         ),
         ("a.csv", "", "column"),
         ("a.txt", "club.loft [rad]\n0.1\n", "a table's name must end in .csv"),
-        #[cfg(not(feature = "arrow"))]
-        ("a.arrow", "", "built without the feature arrow"),
         ("a.parquet", "club.loft [rad]\n0.1\n", "it is not a Parquet file"),
     ] {
         let (_folder, path) = table(name, text);
@@ -342,7 +340,6 @@ fn exact_csv_and_json_lines_read_back_equal() {
     }
 }
 
-#[cfg(feature = "parquet")]
 mod in_parquet {
     use super::{Setup, all, blocks, open_table, small};
     use longdrive::batch::{Batch, Run};

@@ -15,7 +15,7 @@ use std::sync::{Arc, LazyLock};
 const ROWS: usize = 11;
 
 fn file(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/tables").join(name)
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("data/tables").join(name)
 }
 
 fn open(path: &Path) -> longdrive::Result<Box<dyn Points + Send>> {

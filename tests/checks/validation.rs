@@ -161,7 +161,7 @@ fn exact_misses_of_the_other_clubs_are_those_of_the_table() {
 /// Text, tables and pictures.
 #[test]
 fn what_validation_md_shows_is_that_of_the_program() {
-    let place = |name: &str| format!("{}/docs/{name}", env!("CARGO_MANIFEST_DIR"));
+    let place = |name: &str| format!("{}/../docs/{name}", env!("CARGO_MANIFEST_DIR"));
     let text = std::fs::read_to_string(place("validation.md")).unwrap();
     let document = validation_document(&FOUND, System::Us);
     let markdown =

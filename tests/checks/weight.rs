@@ -1,5 +1,6 @@
 //! What the program weighs, and what its files import.
 
+use crate::program;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 
@@ -8,7 +9,7 @@ use std::path::PathBuf;
 #[test]
 #[cfg(target_os = "linux")]
 fn regress_copies_of_the_flight_loop_at_most_twenty() {
-    let program = std::fs::read(env!("CARGO_BIN_EXE_longdrive")).unwrap();
+    let program = std::fs::read(program::path()).unwrap();
     let is_flight = |name: &&[u8]| {
         let has = |part: &str| name.windows(part.len()).any(|window| window == part.as_bytes());
         name.starts_with(b"_R") && has("8outlined") && has("5Ended") && has("6follow")
@@ -22,7 +23,7 @@ fn regress_copies_of_the_flight_loop_at_most_twenty() {
 fn a_wheel_of_the_python_package_unwinds() {
     // the lines below a head, up to the next one
     let table = |path: &str, head: &str| -> Vec<String> {
-        let text = std::fs::read_to_string(PathBuf::from(env!("CARGO_MANIFEST_DIR")).join(path)).unwrap();
+        let text = std::fs::read_to_string(PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("..").join(path)).unwrap();
         let lines = text.lines().skip_while(|line| *line != head).skip(1);
         lines.take_while(|line| !line.starts_with('[')).map(str::to_owned).collect()
     };
@@ -59,7 +60,7 @@ fn defined(uses: &BTreeMap<String, Vec<(bool, String)>>, module: &str, path: &st
 #[test]
 fn regress_no_two_files_import_from_each_other() {
     let (mut uses, mut imports, source) =
-        (BTreeMap::new(), BTreeSet::new(), format!("{}/src", env!("CARGO_MANIFEST_DIR")));
+        (BTreeMap::new(), BTreeSet::new(), format!("{}/../src", env!("CARGO_MANIFEST_DIR")));
     let mut left = vec![PathBuf::from(&source)];
     while let Some(path) = left.pop() {
         if path.is_dir() {

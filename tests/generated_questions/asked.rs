@@ -1,12 +1,13 @@
 //! A question asked in a folder of its own, and what is wrong with the answer.
 
+use crate::program;
 use crate::questions::Question;
 use crate::schema::faults;
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::fs::{self, File};
 use std::path::Path;
-use std::process::{Child, Command, ExitStatus, Stdio};
+use std::process::{Child, ExitStatus, Stdio};
 use std::time::{Duration, Instant};
 
 /// No question takes longer, on a slow machine among others.
@@ -32,7 +33,7 @@ pub fn ask(question: &Question) -> (Option<i32>, Vec<String>) {
     }
     let before = contents(&folder);
     let [out, err] = ["out", "err"].map(|name| place.path().join(name));
-    let mut child = Command::new(assert_cmd::cargo::cargo_bin!("longdrive"))
+    let mut child = program::command()
         .args(question.args.iter().map(|arg| arg.replace('\0', "")))
         .current_dir(&folder)
         .env("RAYON_NUM_THREADS", "1")

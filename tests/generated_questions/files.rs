@@ -82,7 +82,7 @@ pub fn points(chance: &mut Chance) -> Vec<u8> {
 
 /// A table of points of another kind, or one that is damaged: its name, and what is in it.
 pub fn binary(chance: &mut Chance) -> (String, Vec<u8>) {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/tables");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("data/tables");
     let mut names: Vec<_> = fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().file_name()).collect();
     names.retain(|name| Path::new(name).extension().is_some_and(|ending| ending != "py"));
     names.sort();

@@ -8,6 +8,8 @@
 mod asked;
 mod chance;
 mod files;
+#[path = "../program.rs"]
+mod program;
 mod questions;
 #[path = "../schema/mod.rs"]
 mod schema;

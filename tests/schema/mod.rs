@@ -7,7 +7,7 @@ use std::sync::LazyLock;
 
 /// Every schema but the common one, by the command whose answer it describes.
 static SCHEMAS: LazyLock<BTreeMap<String, Validator>> = LazyLock::new(|| {
-    let folder = format!("{}/docs/schema", env!("CARGO_MANIFEST_DIR"));
+    let folder = format!("{}/../docs/schema", env!("CARGO_MANIFEST_DIR"));
     let read = |name: &str| -> Value {
         serde_json::from_str(&std::fs::read_to_string(format!("{folder}/{name}")).unwrap()).unwrap()
     };
