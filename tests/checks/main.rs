@@ -49,10 +49,13 @@ mod pareto_golfer;
 mod pictures;
 mod points;
 mod prices;
+#[path = "../problems/mod.rs"]
+mod problems;
 #[path = "../program.rs"]
 mod program;
 mod published;
 mod published_faces;
+mod published_problems;
 mod reference;
 mod report;
 mod reproduce;

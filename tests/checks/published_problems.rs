@@ -1,9 +1,7 @@
 //! The optimizer on published collections of nonlinear programming problems, from the published starts.
 
-mod problems;
-
+use crate::problems::{self, Case};
 use longdrive::optimize::{Domain, Options, Solution, Status, minimize};
-use problems::Case;
 
 /// Problems that end at another of their local minima than the published one, with that value.
 const OTHER_MINIMA: [(&str, f64); 7] = [
