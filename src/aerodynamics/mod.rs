@@ -103,7 +103,12 @@ pub trait AerodynamicLaw<T: Numbers> {
 impl<T: Numbers> AerodynamicLaw<T> for Law<T> {
     #[inline(always)]
     fn coefficients(&self, stream: Stream<T>) -> Coefficients<T> {
-        with_law!(self, |law| law.coefficients(stream))
+        // field by field: what a called law writes to memory is no reason that the others do
+        let (drag, lift) = with_law!(self, |law| {
+            let found = law.coefficients(stream);
+            (found.drag, found.lift)
+        });
+        Coefficients { drag, lift }
     }
 
     fn has_corner_at_zero_spin(&self) -> bool {
