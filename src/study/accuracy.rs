@@ -136,7 +136,7 @@ impl Sample {
         let ranges = if ranges.is_empty() { &still[..] } else { &ranges };
         let parameters: Vec<_> = ranges.iter().map(|range| range.parameter).collect();
         let mut points = points(setup, ranges);
-        let further = points.split_off(FIRST * parameters.len());
+        let further = points.split_off(points.len().min(FIRST * parameters.len()));
         let reference = REFERENCE * LONGEST_STEP;
         let exact = flown(setup, reference, &parameters, &lengths, points.clone())?;
         Ok(Self { setup: *setup, parameters, points, further, lengths, reference, exact })
@@ -237,6 +237,9 @@ fn integrated(setup: &Setup<f64>, step: f64) -> Setup<f64> {
 
 /// The drives looked at, as values of the ranges' parameters, one after the other.
 fn points(setup: &Setup<f64>, ranges: &[Vary]) -> Vec<f64> {
+    if ranges.iter().all(|range| range.low == range.high) {
+        return ranges.iter().map(|range| range.low).collect();
+    }
     // a launch that only the points have is taken in its middle
     let middle = |range: &Vary| 0.5 * (range.low + range.high);
     let own: Vec<f64> =

@@ -202,6 +202,18 @@ fn a_largest_defect_that_no_drive_meets_is_refused() {
     }
 }
 
+/// Where nothing varies one drive is looked at, and gets the step of a range too narrow to matter.
+#[test]
+fn exact_one_drive_alone_is_looked_at_once() {
+    let setup = Setup::preset("modern-driver").unwrap();
+    let (parameter, low) = (setup.variable("club.loft").unwrap(), setup.club.loft);
+    let looked_at = |ranges: &[Vary]| accuracy(&setup, ranges, &[Outcome::Carry], 1e-6).unwrap();
+    let (alone, still) = (looked_at(&[]), looked_at(&[Vary { parameter, low, high: low }]));
+    let narrow = looked_at(&[Vary { parameter, low, high: low * (1.0 + 1e-12) }]);
+    assert_eq!((alone.drives, still.drives), (1, 1));
+    assert!(narrow.drives > 60 && alone.step == narrow.step && still.step == narrow.step, "{alone:?}, {narrow:?}");
+}
+
 /// What cannot be reached says which drive is off, and by how much.
 #[test]
 fn exact_a_tolerance_out_of_reach_names_the_drive() {
