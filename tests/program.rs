@@ -5,6 +5,9 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::LazyLock;
 
+/// The folder of the project.
+const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
+
 /// Where it is. `cargo test` builds it before any test runs.
 pub fn path() -> &'static Path {
     static FOUND: LazyLock<Result<PathBuf, String>> = LazyLock::new(find);
@@ -14,19 +17,28 @@ pub fn path() -> &'static Path {
 /// It, in the folder of the project.
 pub fn command() -> Command {
     let mut program = Command::new(path());
-    program.current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/.."));
+    program.current_dir(FOLDER);
     program
 }
 
-/// It, where it is not older than what it was made of; else what is wrong with it.
+/// It, where it is made of the present source and has all features; else what is wrong with it.
 fn find() -> Result<PathBuf, String> {
-    // beside the folder of the tests' own programs
-    let folder = std::env::current_exe().unwrap().ancestors().nth(2).unwrap().to_owned();
-    let program = folder.join(format!("longdrive{}", std::env::consts::EXE_SUFFIX));
+    // the tests' own programs lie there too
+    let deps = std::env::current_exe().unwrap().parent().unwrap().to_owned();
+    let program = deps.parent().unwrap().join(format!("longdrive{}", std::env::consts::EXE_SUFFIX));
     let modified = |path: &Path| fs::metadata(path).and_then(|about| about.modified()).ok();
     let made = modified(&program).ok_or("missing")?;
-    // cargo lists there what it was made of
-    let sources = fs::read_to_string(folder.join("longdrive.d")).unwrap_or_default();
-    let newer = sources.split_whitespace().find(|source| modified(source.as_ref()).is_some_and(|at| at > made));
-    newer.map_or(Ok(program), |source| Err(format!("older than {source}")))
+    // where the compiler lists what it has read for the library, and for the program
+    let names = fs::read_dir(&deps).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap());
+    let lists = names.filter(|name| name.starts_with("longdrive-") && name.ends_with(".d"));
+    let lists: Vec<_> = lists.map(|name| fs::read_to_string(deps.join(name)).unwrap()).collect();
+    let mut sources = lists.iter().flat_map(|list| list.split_whitespace()).filter(|word| word.ends_with(".rs"));
+    let is_newer = |source: &&str| modified(&Path::new(FOLDER).join(source)).is_some_and(|at| at > made);
+    if let Some(source) = sources.find(is_newer) {
+        return Err(format!("older than {source}"));
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let mut sweep = Command::new(&program);
+    sweep.args(["sweep", "--quiet", "--over", "club.loft=10deg..11deg:2", "-o"]).arg(folder.path().join("a.parquet"));
+    if sweep.output().unwrap().status.success() { Ok(program) } else { Err("built without all features".into()) }
 }
