@@ -237,6 +237,7 @@ fn integrated(setup: &Setup<f64>, step: f64) -> Setup<f64> {
 
 /// The drives looked at, as values of the ranges' parameters, one after the other.
 fn points(setup: &Setup<f64>, ranges: &[Vary]) -> Vec<f64> {
+    // where nothing varies there is one drive
     if ranges.iter().all(|range| range.low == range.high) {
         return ranges.iter().map(|range| range.low).collect();
     }

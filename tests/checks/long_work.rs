@@ -210,9 +210,8 @@ fn exact_same_answer_of_the_program_when_it_is_killed_again_and_again() {
         all.extend([checkpoint, "--subject-to", "apex_height <= 36 yd"]);
         all.into_iter().map(str::to_owned).collect::<Vec<_>>()
     };
-    let program = || program::command();
     let run = |checkpoint: &std::path::Path| {
-        let output = program().args(arguments(&checkpoint.display().to_string())).output().unwrap();
+        let output = program::command().args(arguments(&checkpoint.display().to_string())).output().unwrap();
         assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
         output.stdout
     };
@@ -221,7 +220,7 @@ fn exact_same_answer_of_the_program_when_it_is_killed_again_and_again() {
     // at once, then each time once one more iteration is kept
     for _ in 0..4 {
         let before = std::fs::read(&killed).ok();
-        let mut child = program()
+        let mut child = program::command()
             .args(arguments(&killed.display().to_string()))
             .stdout(std::process::Stdio::null())
             .stderr(std::process::Stdio::null())
