@@ -8,6 +8,9 @@ use crate::error::{Error, Result};
 use crate::parameters::{Golfer, Parameter, Setup};
 use crate::units::{Quantity, Unit, UnitError};
 
+/// Why a cell with a line break is refused.
+const UNCLOSED: &str = "a quote (\") is opened and not closed in its line; close it, or take it out";
+
 /// What a column holds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Holds {
@@ -77,6 +80,10 @@ impl Column {
     /// A measured carry is the distance to where the ball lands, as launch monitors count it, not its part along the target line.
     pub fn read(setup: &Setup<f64>, head: &str, below: Option<&str>, format: Format) -> Result<Self> {
         let head = head.trim();
+        if head.contains('\n') {
+            let name = format!("the column '{}'", head.lines().next().unwrap_or_default());
+            return Err(Error::Unreadable { name, source: UNCLOSED.into() });
+        }
         let (name, unit) = launch_monitor::split_unit(head);
         let unit = unit.or_else(|| below.map(str::to_owned)).map(|unit| launch_monitor::unit(&unit));
         let is_given = |parameter: &str| is_replaced(setup, parameter);
@@ -305,7 +312,7 @@ impl Column {
                 return Ok(None);
             }
             if cell.contains('\n') {
-                return Err("a quote (\") is opened and not closed in its line; close it, or take it out".into());
+                return Err(UNCLOSED.into());
             }
             let what = match cell.parse::<f64>() {
                 Ok(number) if number.is_infinite() => "not finite",
@@ -320,7 +327,8 @@ impl Column {
                 ));
             }
             return Err(format!(
-                "'{cell}' is {what}; a unit is written in the head, as in '{} [{}]', and a missing value is an empty cell",
+                "'{}' is {what}; a unit is written in the head, as in '{} [{}]', and a missing value is an empty cell",
+                visible(cell),
                 self.head,
                 self.unit()
             ));
@@ -340,6 +348,12 @@ impl Column {
 
 /// Numbers of a launch monitor from here on say that there is no value: the largest of 32 bits, 3.4e38, or one near it.
 const MISSING: f64 = 1e38;
+
+/// A cell with its control characters written out: a terminal does not show them.
+fn visible(cell: &str) -> String {
+    let shown = |c: char| if c.is_control() { c.escape_default().to_string() } else { c.to_string() };
+    cell.chars().map(shown).collect()
+}
 
 /// Whether a cell of a launch monitor says that there is no value: a dash, or `N/A`.
 fn is_missing(cell: &str) -> bool {

@@ -5,12 +5,15 @@ use super::flat::{assumed, flat};
 use super::{Drive, Outcome};
 use crate::aerodynamics::{AerodynamicLaw, FittedRange, range_in_words};
 use crate::atmosphere::{AirState, WindField};
-use crate::flight::trajectory;
+use crate::flight::{Flight, Inputs, trajectory};
 use crate::parameters::Setup;
 use crate::units::{Digits, Message, Quantity};
 
 /// Less than this part of the time of flight outside of what a law was fitted to is not worth a word: the laws are uncertain by more within it.
 const WORTH_A_WORD: f64 = 0.01;
+
+/// A landing that moves by more than this where the step is halved is worth a word, m.
+const LARGEST_SHIFT: f64 = 1e-3;
 
 /// How far a flight goes along what its law was fitted to.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,12 +26,14 @@ pub struct Within {
 
 impl Drive<f64> {
     /// All warnings about a setup and its drive: what the setup warns of, corners of the model that the drive lies on, a strike beside
-    /// any face, and drag and lift where the law was not fitted. It flies the drive once more; a search asks only about its result.
+    /// any face, drag and lift where the law was not fitted, and a step so long that the landing depends on it. It flies the drive again; a search asks
+    /// only about its result.
     pub fn warnings(&self, setup: &Setup<f64>) -> Vec<Message> {
         let mut warnings = setup.warnings();
         warnings.extend(self.corners(setup).into_iter().map(Message::from));
         warnings.extend(self.beside_the_face(setup).map(Message::from));
         warnings.extend(self.outside_of_the_law(setup));
+        warnings.extend(self.in_long_steps(setup));
         warnings
     }
 
@@ -46,6 +51,27 @@ impl Drive<f64> {
         let message = Message::from("the ball lands at ");
         let message = message.quantity(Quantity::ANGLE, "deg", angle, Digits::Significant(3));
         Some(assumed(message.words(" to the ground, below ")))
+    }
+
+    /// Steps so long that the ball lands elsewhere in steps of half their length.
+    fn in_long_steps(&self, setup: &Setup<f64>) -> Option<Message> {
+        let landed = self.landed().ok()?;
+        let mut finer = *setup;
+        finer.flight.step *= 0.5;
+        let Ok(Flight::Landed(there)) = Inputs::new(&finer, &self.launch, false).fly(&mut |_, _| ()) else {
+            return None;
+        };
+        let shift = (there.carry - landed.carry).hypot(there.lateral - landed.lateral);
+        let step = Quantity::TIME.show(setup.flight.step, "s");
+        let method = setup.method.name();
+        let long = format!(
+            "flight.step = {step} is long for the method {method}: in steps of half the length the ball lands "
+        );
+        (shift > LARGEST_SHIFT).then(|| {
+            Message::from(long)
+                .quantity(Quantity::LENGTH, "mm", shift, Digits::Significant(2))
+                .words(" from there; make flight.step shorter")
+        })
     }
 
     /// A strike beside the face of any head that conforms.

@@ -107,8 +107,8 @@ impl NoFlight {
             Self::LaunchedDown { launch_angle } => {
                 let angle = Quantity::ANGLE.read_off(*launch_angle, "deg");
                 Message::from(format!(
-                    "no flight: the ball leaves at {angle}, which is not above the horizontal, and the ground is not below the ball; \
-                     increase the launch angle (with a club: by more loft or attack angle), or lower ground.height"
+                    "no flight: the ball leaves at {angle}, which is not above the horizontal, and the ground is not below the ball \
+                     (a ball that only lift would raise is not followed); increase the launch angle (with a club: by more loft or attack angle), or lower ground.height"
                 ))
             }
             Self::BelowGround { apex_height, ground_height } => {

@@ -364,6 +364,12 @@ fn broken_files_are_told_in_own_words() {
         ("a.csv", b"club.loft [deg]\n\"9\n10\n", "row 1, column club.loft: a quote (\") is opened and not closed"),
         (
             "a.csv",
+            b"\"club.loft [deg]\n9\n",
+            "column 1: the column 'club.loft [deg]': a quote (\") is opened and not closed",
+        ),
+        ("a.csv", b"club.loft [deg]\n1\x002\n", "row 1, column club.loft: '1\\u{0}2' is not a number"),
+        (
+            "a.csv",
             b"club.loft [deg],swing.speed [mph]\n9,100,1\n",
             "row 1: the row has 3 cells, but the head has 2 cells",
         ),

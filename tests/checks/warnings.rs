@@ -45,6 +45,25 @@ fn a_wind_profile_without_effect_or_meaning_is_warned_of() {
     }
 }
 
+/// The shift is that between two drives, one in steps of half the length.
+#[test]
+fn a_step_so_long_that_the_landing_depends_on_it_is_told_with_the_shift() {
+    let carry = |step: &str| {
+        let mut setup = Setup::preset("modern-driver").unwrap();
+        setup.set("flight.step", step).unwrap();
+        Outcome::Carry.of(&Drive::new(&setup).unwrap()).unwrap()
+    };
+    let shift = 1e3 * (carry("1s") - carry("0.5s")).abs();
+    let told = &warnings("modern-driver", &[("flight.step", "1s")])[0];
+    let said: f64 =
+        told.split("the ball lands ").nth(1).and_then(|rest| rest.split(" mm").next()).unwrap().parse().unwrap();
+    assert!(told.contains("flight.step = 1 s is long for the method rk4"), "{told}");
+    assert!((said - shift).abs() <= 0.05 * shift && shift > 2.0, "{told}: {shift}");
+    for settings in [&[("flight.step", "0.2s")][..], &[("flight.step", "1s"), ("flight.method", "dp8")]] {
+        assert_eq!(warnings("modern-driver", settings), [""; 0], "{settings:?}");
+    }
+}
+
 #[test]
 fn nothing_is_said_about_the_presets_and_their_longest_drives() {
     for preset in PRESETS {
