@@ -3,11 +3,11 @@
 use super::block::{Block, Status};
 use super::question::Batch;
 use crate::aerodynamics::AerodynamicLaw;
-use crate::drive::{Beyond, Part, Shown, Struck, flat, is_beside_any_face};
+use crate::drive::{Beyond, Outcome, Part, Shown, Struck, flat, is_beside_any_face};
 use crate::flight::{Asked, Inputs};
 use crate::impact::Head;
-use crate::number::{Derivatives, Jet, Lanes, Mask, Number, Task, in_lane, inlined};
-use crate::parameters::{Parameter, Setup};
+use crate::number::{Derivatives, Jet, Lanes, Mask, Number, Task, inlined};
+use crate::parameters::Parameter;
 
 /// Parameters differentiated by in one pass.
 pub(super) const DIRECTIONS: usize = 3;
@@ -26,7 +26,7 @@ impl Task for Abreast<'_> {
     type Output = Vec<usize>;
 
     #[inline(always)]
-    fn run<V: Lanes<Lane = f64>>(mut self) -> Vec<usize> {
+    fn run<V: Lanes<Lane = f64>>(&mut self) -> Vec<usize> {
         let (mut flying, mut alone) = self.line_up::<V>();
         // flights of about the same length side by side: a group takes as long as its longest
         flying.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
@@ -49,7 +49,14 @@ impl Abreast<'_> {
         let shows_launch = batch.of.iter().any(|outcome| outcome.part() != Part::Flight);
         let mut setup = batch.setup.constant::<V>();
         let (mut flying, mut alone) = (vec![], vec![]);
-        let rows: Vec<usize> = (0..self.block.rows()).filter(|&row| batch.is_in_range(self.block.point(row))).collect();
+        let is_in_range = |&row: &usize| {
+            batch
+                .parameters
+                .iter()
+                .zip(self.block.point(row))
+                .all(|(parameter, value)| parameter.range.contains(*value))
+        };
+        let rows: Vec<usize> = (0..self.block.rows()).filter(is_in_range).collect();
         for rows in rows.chunks(V::WIDTH) {
             // the last group is filled up with copies of its last row
             let row_of = |lane: usize| rows[lane.min(rows.len() - 1)];
@@ -75,66 +82,57 @@ impl Abreast<'_> {
     /// Hits and flies the rows, a group at a time, and writes what it finds into the block.
     #[inline(always)]
     fn fly<J: Lanes<Lane: Derivatives>>(&mut self, rows: &[(f64, usize)], alone: &mut Vec<usize>) {
-        // the setup with what is the same in every row: the swept parameters are still to be put in
-        let mut setup = self.batch.setup.constant::<J>();
+        let batch = self.batch;
+        let any = |is: fn(&Outcome) -> bool| batch.of.iter().any(is);
+        let apex = any(|outcome| outcome.is_of_the_apex());
+        let has_run = any(|outcome| outcome.is_of_the_run());
+        let has_head = any(|outcome| outcome.part() == Part::Head);
+        let fitted = batch.setup.law.fitted();
+        // the setup with what is the same in every row: the swept parameters are put in for each group
+        let mut setup = batch.setup.constant::<J>();
         setup.put(
             self.wrt,
             inlined!(|k| {
-                let value = self.batch.setup.value(self.wrt[k]).unwrap_or(f64::NAN);
+                let value = batch.setup.value(self.wrt[k]).unwrap_or(f64::NAN);
                 changing(J::constant(value), Some(k))
             }),
         );
         let directions: Vec<Option<usize>> =
-            self.batch.parameters.iter().map(|parameter| self.wrt.iter().position(|row| row == parameter)).collect();
+            batch.parameters.iter().map(|parameter| self.wrt.iter().position(|row| row == parameter)).collect();
         for group in rows.chunks(J::WIDTH) {
-            self.fly_group(&mut setup, &directions, group, alone);
-        }
-    }
-
-    #[inline(always)]
-    fn fly_group<J: Lanes<Lane: Derivatives>>(
-        &mut self,
-        setup: &mut Setup<J>,
-        directions: &[Option<usize>],
-        group: &[(f64, usize)],
-        alone: &mut Vec<usize>,
-    ) {
-        let batch = self.batch;
-        let row_of = |lane: usize| group[lane.min(group.len() - 1)].1;
-        let block = &*self.block;
-        setup.put(
-            &batch.parameters,
-            inlined!(|k| changing(J::with_values(|lane| block.point(row_of(lane))[k]), directions[k])),
-        );
-        let has_run = batch.of.iter().any(|outcome| outcome.is_of_the_run());
-        let struck = Struck::new(setup);
-        let inputs = Inputs::new(setup, &struck.launch, has_run);
-        let [spin_ratio, spin, reynolds, air_speed] = inputs.stream();
-        let (toe, high) = (setup.strike.toe, setup.strike.high);
-        let (slope, side_slope) = (setup.ground.slope, setup.ground.side_slope);
-        let fitted = batch.setup.law.fitted();
-        let apex = batch.of.iter().any(|outcome| outcome.is_of_the_apex());
-        let has_head = struck.club_speed.is_some() && batch.of.iter().any(|outcome| outcome.part() == Part::Head);
-        let head = has_head.then(|| J::outlined(|| Head::new(&setup.club)));
-        let ended = inputs.follow(J::Mask::first(group.len()), Asked { apex, defect: true }, &mut |_, _| ());
-        for (lane, &(_, row)) in group.iter().enumerate() {
-            if !ended.has_landed.holds(lane) {
-                alone.push(row);
-                continue;
-            }
-            let (landed, read) = (&ended.landed, in_lane(lane));
-            let (launch, club_speed) = (&struck.launch, struck.club_speed);
-            let shown = Shown { launch, club_speed, landed: Some(landed), head: head.as_ref(), read };
-            let value = inlined!(|number: J| number.lane(lane).re());
-            self.block.status[row] = Status::Landed;
-            self.block.defect[row] = landed.defect.map_or(0.0, value);
-            self.block.beyond[row] = Beyond {
-                law: !fitted.holds([value(spin_ratio), value(spin), value(reynolds), value(air_speed)]),
-                face: club_speed.is_some() && is_beside_any_face(value(toe), value(high)),
-                flat: has_run && flat([value(slope), value(side_slope)], &landed.map(value)).is_some(),
-            };
-            for (i, outcome) in batch.of.iter().enumerate() {
-                self.write(row, i, outcome.shown(&shown));
+            // the last group is filled up with copies of its last row
+            let row_of = |lane: usize| group[lane.min(group.len() - 1)].1;
+            let block = &*self.block;
+            setup.put(
+                &batch.parameters,
+                inlined!(|k| changing(J::with_values(|lane| block.point(row_of(lane))[k]), directions[k])),
+            );
+            let struck = Struck::new(&setup);
+            let inputs = Inputs::new(&setup, &struck.launch, has_run);
+            let [spin_ratio, spin, reynolds, air_speed] = inputs.stream();
+            let (toe, high) = (setup.strike.toe, setup.strike.high);
+            let (slope, side_slope) = (setup.ground.slope, setup.ground.side_slope);
+            let head = (has_head && struck.club_speed.is_some()).then(|| J::outlined(|| Head::new(&setup.club)));
+            let ended = inputs.follow(J::Mask::first(group.len()), Asked { apex, defect: true }, &mut |_, _| ());
+            for (lane, &(_, row)) in group.iter().enumerate() {
+                if !ended.has_landed.holds(lane) {
+                    alone.push(row);
+                    continue;
+                }
+                let read = inlined!(|number: J| number.lane(lane));
+                let (landed, launch, club_speed) = (&ended.landed, &struck.launch, struck.club_speed);
+                let shown = Shown { launch, club_speed, landed: Some(landed), head: head.as_ref(), read };
+                let value = inlined!(|number: J| number.lane(lane).re());
+                self.block.status[row] = Status::Landed;
+                self.block.defect[row] = landed.defect.map_or(0.0, value);
+                self.block.beyond[row] = Beyond {
+                    law: !fitted.holds([value(spin_ratio), value(spin), value(reynolds), value(air_speed)]),
+                    face: club_speed.is_some() && is_beside_any_face(value(toe), value(high)),
+                    flat: has_run && flat([value(slope), value(side_slope)], &landed.map(value)).is_some(),
+                };
+                for (i, outcome) in batch.of.iter().enumerate() {
+                    self.write(row, i, outcome.shown(&shown));
+                }
             }
         }
     }

@@ -124,9 +124,4 @@ impl Batch {
         let derivatives = self.outcomes().iter().flat_map::<Vec<_>, _>(derivative);
         self.outcomes().iter().map(|of| of.name().to_owned()).chain(derivatives).collect()
     }
-
-    /// Whether each value of a point is one its parameter may have.
-    pub(super) fn is_in_range(&self, point: &[f64]) -> bool {
-        self.parameters.iter().zip(point).all(|(parameter, value)| parameter.range.contains(*value))
-    }
 }

@@ -17,7 +17,7 @@ pub struct Run<'a> {
     pub first_row: u64,
     /// The row to end before (`None`: after the last point).
     pub end_row: Option<u64>,
-    /// Threads, and no more than there are chunks to compute (0: one for a single chunk, as many as there are processors for more).
+    /// Threads, and no more than there are chunks to compute, nor than 256 (0: one for a single chunk, as many as there are processors for more).
     pub threads: usize,
     /// Ends the batch, after the chunks under way, once it is true.
     pub stop: Option<&'a AtomicBool>,

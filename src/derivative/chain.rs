@@ -2,9 +2,9 @@
 //! six components of its velocity and spin, derivatives of the flight are taken by these, and by what changes it besides.
 
 use super::Taylor;
-use super::pass::{COMPONENTS, Part, Point};
+use super::pass::{COMPONENTS, Leg, Point};
 use super::split::Split;
-use crate::drive::{self, Outcome};
+use crate::drive::{Outcome, Part};
 use crate::error::Result;
 
 /// The outcomes at a point, by the chain rule where the parameters are split. `progress` is told how many passes of how many are done.
@@ -17,11 +17,11 @@ pub(super) fn derivatives(
     let (outcomes, parameters) = (point.of.len(), point.columns);
     let Some(split) = split else {
         let mut taylors = vec![zero(parameters); outcomes];
-        point.differentiate(Part::Drive, &(0..parameters).collect::<Vec<_>>(), &mut taylors, progress)?;
+        point.differentiate(Leg::Whole, &(0..parameters).collect::<Vec<_>>(), &mut taylors, progress)?;
         return Ok(taylors);
     };
     let mut taylors = vec![zero(parameters); outcomes + COMPONENTS];
-    point.differentiate(Part::Impact, &split.of_launch, &mut taylors, &mut |_, _| ())?;
+    point.differentiate(Leg::Impact, &split.of_launch, &mut taylors, &mut |_, _| ())?;
     let launch = taylors.split_off(outcomes);
     if !point.flies {
         progress(1, 1);
@@ -32,17 +32,17 @@ pub(super) fn derivatives(
     let components = (0..COMPONENTS).filter(|&component| moves(&launch[component]));
     let variables: Vec<usize> =
         components.map(|component| parameters + component).chain(split.of_flight.iter().copied()).collect();
-    let is_flown = |outcome: &Outcome| outcome.part() == drive::Part::Flight;
+    let is_flown = |outcome: &Outcome| outcome.part() == Part::Flight;
     let columns = |outcome: &Outcome| if is_flown(outcome) { parameters + COMPONENTS } else { 0 };
     let mut slopes: Vec<Taylor> = point.of.iter().map(|outcome| zero(columns(outcome))).collect();
-    point.differentiate(Part::Flight(&launch), &variables, &mut slopes, progress)?;
+    point.differentiate(Leg::Flight(&launch), &variables, &mut slopes, progress)?;
     for (i, _) in point.of.iter().enumerate().filter(|(_, outcome)| is_flown(outcome)) {
         chain(&mut taylors[i], &slopes[i], &variables, &launch);
     }
     Ok(taylors)
 }
 
-/// The derivatives by parameters of what has these by the variables of a flight.
+/// The chain rule: derivatives by the parameters from those by the variables of a flight.
 fn chain(taylor: &mut Taylor, by_variables: &Taylor, variables: &[usize], launch: &[Taylor]) {
     let parameters = taylor.gradient.len();
     let component = |variable: usize| variable.checked_sub(parameters).map(|component| &launch[component]);

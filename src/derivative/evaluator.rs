@@ -99,29 +99,31 @@ impl Evaluator {
         for (parameter, value) in self.wrt.iter().zip(values) {
             parameter.check(*value)?;
         }
-        let has_moved =
-            |(row, value): (&&Parameter, &f64)| row.is_of_inertia() && self.setup.value(row) != Some(*value);
-        if self.wrt.iter().zip(values).any(has_moved) {
-            let mut moved = self.setup;
-            moved.put(&self.wrt, |i| values[i]);
-            moved.club.check_inertia()?;
+        let mut setup = self.setup;
+        setup.put(&self.wrt, |i| values[i]);
+        if setup.club.inertia() != self.setup.club.inertia() {
+            setup.club.check_inertia()?;
         }
-        self.unchecked(values, order.min(self.order), &mut |_, _| ())
+        self.unchecked(&setup, values, order.min(self.order), &mut |_, _| ())
     }
 
     /// The outcomes of the setup itself, telling `progress` how many passes of how many are done.
     pub(crate) fn at_setup(&self, progress: &mut dyn FnMut(usize, usize)) -> Result<Vec<Taylor>> {
         let values: Vec<f64> = self.wrt.iter().map(|row| self.setup.value(row).unwrap_or(f64::NAN)).collect();
-        self.unchecked(&values, self.order, progress)
+        self.unchecked(&self.setup, &values, self.order, progress)
     }
 
-    fn unchecked(&self, x: &[f64], order: Order, progress: &mut dyn FnMut(usize, usize)) -> Result<Vec<Taylor>> {
-        let mut setup = self.setup;
-        setup.put(&self.wrt, |i| x[i]);
+    fn unchecked(
+        &self,
+        setup: &Setup<f64>,
+        x: &[f64],
+        order: Order,
+        progress: &mut dyn FnMut(usize, usize),
+    ) -> Result<Vec<Taylor>> {
         let is_second = order == Order::Second;
         let any = |is: fn(&Outcome) -> bool| self.of.iter().any(is);
         let point = Point {
-            setup: &setup,
+            setup,
             of: &self.of,
             wrt: &self.wrt,
             x,

@@ -1,5 +1,4 @@
-//! Exact derivatives of any outcomes with respect to any parameters, chosen by name at run time. Dual
-//! numbers enter and leave here only.
+//! Exact derivatives of any outcomes with respect to any parameters, chosen by name at run time.
 
 mod chain;
 pub mod check;

@@ -1,17 +1,17 @@
 use super::Taylor;
 use super::directions::{Directions, MOST_PER_LANE, pairs};
-use crate::drive::{self, Outcome, Shown, Struck};
+use crate::drive::{Outcome, Part, Shown, Struck};
 use crate::error::{Error, Result};
 use crate::flight::{Asked, Inputs};
 use crate::impact::{Head, strike};
 use crate::launch::Launch;
-use crate::number::{Derivatives, Jet, Lanes, Level, Mask, Mixed, Number, Task, Vector, in_lane, inlined};
+use crate::number::{Derivatives, Jet, Lanes, Level, Mask, Mixed, Number, Task, Vector, inlined};
 use crate::parameters::{Parameter, Setup};
 
 /// Components of a launch: of its velocity, then of its spin.
 pub(super) const COMPONENTS: usize = 6;
 
-/// A point at which outcomes and their derivatives are taken. The variables are counted through: the parameters, then the components of the launch.
+/// A point at which outcomes and their derivatives are taken. Variables are numbered: first the parameters, then the components of the launch.
 pub(super) struct Point<'a> {
     /// The setup at this point.
     pub setup: &'a Setup<f64>,
@@ -33,21 +33,21 @@ pub(super) struct Point<'a> {
 
 /// How much of a drive is computed.
 #[derive(Clone, Copy)]
-pub(super) enum Part<'a> {
+pub(super) enum Leg<'a> {
     /// All of it.
-    Drive,
+    Whole,
     /// The impact, with the components of the launch after the outcomes.
     Impact,
     /// The flight of a ball that leaves like this.
     Flight(&'a [Taylor]),
 }
 
-impl Part<'_> {
+impl Leg<'_> {
     fn shows(self, outcome: Outcome) -> bool {
         match self {
-            Self::Drive => true,
-            Self::Impact => outcome.part() != drive::Part::Flight,
-            Self::Flight(_) => outcome.part() == drive::Part::Flight,
+            Self::Whole => true,
+            Self::Impact => outcome.part() != Part::Flight,
+            Self::Flight(_) => outcome.part() == Part::Flight,
         }
     }
 }
@@ -56,7 +56,7 @@ impl Point<'_> {
     /// Fills in the derivatives by some variables, telling `progress` how many passes of how many are done.
     pub fn differentiate(
         &self,
-        part: Part<'_>,
+        leg: Leg<'_>,
         variables: &[usize],
         taylors: &mut [Taylor],
         progress: &mut dyn FnMut(usize, usize),
@@ -66,7 +66,7 @@ impl Point<'_> {
         let passes = directions.passes(self.level);
         let all = passes.len();
         for (done, directions) in passes.enumerate() {
-            directions.level(self.level).run(Pass { point: self, part, directions, taylors })?;
+            directions.level(self.level).run(Pass { point: self, leg, directions, taylors })?;
             progress(done + 1, all);
         }
         Ok(())
@@ -84,7 +84,7 @@ impl Point<'_> {
 /// Derivatives of outcomes in as many directions as there are.
 struct Pass<'a> {
     point: &'a Point<'a>,
-    part: Part<'a>,
+    leg: Leg<'a>,
     directions: Directions<'a>,
     taylors: &'a mut [Taylor],
 }
@@ -93,7 +93,7 @@ impl Task for Pass<'_> {
     type Output = Result<()>;
 
     #[inline(always)]
-    fn run<V: Lanes<Lane = f64>>(self) -> Result<()> {
+    fn run<V: Lanes<Lane = f64>>(&mut self) -> Result<()> {
         match (self.directions.variables.len(), self.directions.are_pairs) {
             (0, _) => self.over::<V>(1),
             (_, true) => self.over::<Mixed<V>>(2),
@@ -105,23 +105,24 @@ impl Task for Pass<'_> {
 
 impl Pass<'_> {
     #[inline(always)]
-    fn over<J: Lanes<Lane: Derivatives>>(self, per_lane: usize) -> Result<()> {
-        let Self { point, part, directions, taylors } = self;
+    fn over<J: Lanes<Lane: Derivatives>>(&mut self, per_lane: usize) -> Result<()> {
+        let Self { point, leg, directions, .. } = *self;
+        let taylors = &mut *self.taylors;
         let (parameters, lanes) = (point.wrt.len(), directions.lanes(per_lane));
-        let given = if let Part::Flight(launch) = part { launch } else { &[] };
+        let given = if let Leg::Flight(launch) = leg { launch } else { &[] };
         let mut setup = point.setup.constant::<J>();
-        let mut left: [J; COMPONENTS] =
+        let mut components: [J; COMPONENTS] =
             std::array::from_fn(|i| given.get(i).map_or(J::zero(), |component| J::constant(component.value)));
         directions.seeded(
             per_lane,
             |variable| if variable < parameters { point.x[variable] } else { given[variable - parameters].value },
             inlined!(|variable, number| match point.wrt.get(variable..=variable) {
                 Some(parameter) => setup.put(parameter, |_| number),
-                None => left[variable - parameters] = number,
+                None => components[variable - parameters] = number,
             }),
         );
-        let struck = if let Part::Flight(_) = part {
-            let [up, right, downrange, spin @ ..] = left;
+        let struck = if let Leg::Flight(_) = leg {
+            let [up, right, downrange, spin @ ..] = components;
             let launch = Launch { velocity: Vector::new(up, right, downrange), spin: Vector::from_array(spin) };
             Struck { launch, club_speed: None, is_sound: J::Mask::first(lanes) }
         } else {
@@ -130,27 +131,26 @@ impl Pass<'_> {
         if !struck.is_sound.holds(0) {
             return Err(point.refusal());
         }
-        let has_head =
-            struck.club_speed.is_some() && point.of.iter().any(|outcome| outcome.part() == drive::Part::Head);
+        let has_head = struck.club_speed.is_some() && point.of.iter().any(|outcome| outcome.part() == Part::Head);
         let head = has_head.then(|| J::outlined(|| Head::new(&setup.club)));
         let mut ended = None;
-        if point.flies && !matches!(part, Part::Impact) {
+        if point.flies && !matches!(leg, Leg::Impact) {
             let inputs = Inputs::new(&setup, &struck.launch, point.has_run);
             let found =
                 inputs.follow(J::Mask::first(lanes), Asked { apex: point.has_apex, defect: false }, &mut |_, _| ());
             // the drive is the same in all lanes
-            if let Some(why) = found.missing(&inputs, 0, |number| number.lane(0).re())? {
+            if let Some(why) = found.missing(&inputs, |number| number.lane(0).re())? {
                 return Err(Error::NoFlight { reason: why.message() });
             }
             ended = Some(found);
         }
         for lane in 0..lanes {
-            let read = in_lane(lane);
+            let read = inlined!(|number: J| number.lane(lane));
             let Struck { launch, club_speed, .. } = &struck;
             let landed = ended.as_ref().map(|ended| &ended.landed);
             let shown = Shown { launch, club_speed: *club_speed, landed, head: head.as_ref(), read };
             let variables = directions.in_lane(lane, per_lane);
-            for (outcome, taylor) in point.of.iter().zip(&mut *taylors).filter(|(outcome, _)| part.shows(**outcome)) {
+            for (outcome, taylor) in point.of.iter().zip(&mut *taylors).filter(|(outcome, _)| leg.shows(**outcome)) {
                 put(taylor, variables, &outcome.shown(&shown).ok_or_else(|| outcome.missing())?);
             }
             let Launch { velocity: v, spin: s } = launch;

@@ -3,16 +3,16 @@ use super::motion::Node;
 use crate::number::{Numbers, inlined};
 
 impl<T: Numbers> Inputs<T> {
-    /// |ω| between the nodes of a step of length h, at s = (t − t₀)/h: exact where the spin fades in time alone. Where it is damped by the way through the air, the
+    /// |ω| between the nodes of a step, at s = (t − t₀)/h: exact where the spin fades in time alone. Where it is damped by the way through the air, the
     /// polynomial of degree 5 with the spin of both ends and two derivatives of it: neighbouring ones join C².
     #[inline(always)]
-    pub(super) fn spin_within(&self, [from, to]: [&Node<T>; 2], s: T, h: f64) -> T {
+    pub(super) fn spin_within(&self, [from, to]: [&Node<T>; 2], s: T) -> T {
         let Some(damping) = self.damping else {
-            return T::outlined(inlined!(|| from.state.spin * (-(self.decay * s * h)).exp()));
+            return T::outlined(inlined!(|| from.state.spin * (-(self.decay * s * self.step)).exp()));
         };
         let mut ends = [[s; 3]; 2];
         for (end, node) in ends.iter_mut().zip([from, to]) {
-            *end = self.spin_and_derivatives(node, damping, h);
+            *end = self.spin_and_derivatives(node, damping);
         }
         let [[p0, m0, c0], [p1, m1, c1]] = ends;
         // what the parabola from the start leaves over at the end
@@ -27,8 +27,8 @@ impl<T: Numbers> Inputs<T> {
 
     /// The spin at a node with its first and second derivative by s.
     #[inline(always)]
-    fn spin_and_derivatives(&self, node: &Node<T>, damping: T, h: f64) -> [T; 3] {
-        let spin = node.state.spin;
+    fn spin_and_derivatives(&self, node: &Node<T>, damping: T) -> [T; 3] {
+        let (spin, h) = (node.state.spin, self.step);
         let rate = damping.mul_add(node.rate.speed, self.decay);
         let quickens = damping * self.rate_per_time(node).speed;
         [spin, -(rate * spin) * h, spin * (rate * rate - quickens) * (h * h)]

@@ -1,4 +1,4 @@
-use super::divergence::Diverging;
+use super::divergence::advice;
 use super::ending::{Apex, Flight, Landed, NoFlight};
 use super::inputs::Inputs;
 use super::motion::Node;
@@ -65,7 +65,9 @@ impl<T: Numbers> Inputs<T> {
         let none = T::Mask::none();
         let mut stepper = Stepper::new(self, tableau, h);
         let mut nodes = [self.launch(); 2];
-        let mut step = Step::begin(&mut nodes);
+        // no step yet: both ends are where the flight begins
+        let [from, to] = &mut nodes;
+        let mut step = Step { from, to, deflection: Vector::zero(), gained: Vector::zero() };
         let mut has_been_above = ground.below(0.0);
         let mut flying = lanes & (has_been_above | is_rising(step.to));
         let apex = Apex { height: T::zero(), time: T::zero(), downrange: T::zero() };
@@ -88,7 +90,7 @@ impl<T: Numbers> Inputs<T> {
             height: T::zero(),
             time: 0.0,
         };
-        let mut spin = T::zero();
+        let (mut spin, mut late) = (T::zero(), none);
         while flying.any() && ended.time < self.time_limit {
             stepper.advance(&mut step);
             observe(ended.time, &step);
@@ -132,11 +134,15 @@ impl<T: Numbers> Inputs<T> {
                 let lands = flying & may_land & has_been_above;
                 if lands.any() {
                     let s = path.up.falls_to(ground, from_top, lands);
+                    // a landing after the time limit, within the step that passes it, is none
+                    let time = s * h + ended.time;
+                    late = lands & (-time).below(-self.time_limit);
+                    let lands = lands & !late;
                     let (x, v) = (path.position(s), path.velocity(s));
                     let old = &mut ended.landed;
                     old.carry = x.z.blend(old.carry, lands);
                     old.lateral = x.y.blend(old.lateral, lands);
-                    old.flight_time = (s * h + ended.time).blend(old.flight_time, lands);
+                    old.flight_time = time.blend(old.flight_time, lands);
                     old.velocity = v.blend(old.velocity, lands);
                     // an error of the height is one of the landing place, the larger the flatter the ball comes down
                     if let Some(sum) = &mut old.defect {
@@ -145,7 +151,7 @@ impl<T: Numbers> Inputs<T> {
                         *sum = (defect.scale_add(INTERPOLATED, *sum) * per_sine).blend(*sum, lands);
                     }
                     if self.turf.is_some() {
-                        spin = self.spin_within([step.from, step.to], s, h).blend(spin, lands);
+                        spin = self.spin_within([step.from, step.to], s).blend(spin, lands);
                     }
                     ended.has_landed = ended.has_landed | lands;
                     flying = flying & !lands;
@@ -157,7 +163,9 @@ impl<T: Numbers> Inputs<T> {
         }
         if flying.any() {
             ended.is_aloft = flying;
-            ended.height = step.to.state.position.x.blend(ended.height, flying);
+            // a ball that lands late is next to the ground
+            let height = ground.blend(step.to.state.position.x, late);
+            ended.height = height.blend(ended.height, flying);
         }
         if let Some(turf) = &self.turf {
             ended.landed.rest = Some(turf.rest(&self.landing(&ended.landed, spin), ended.has_landed));
@@ -194,7 +202,7 @@ impl<T: Number> Inputs<T> {
     /// [`Error::Diverged`] where drag and lift change the airspeed too much within a step, or numbers overflow.
     pub(crate) fn fly(&self, observe: &mut dyn FnMut(f64, &Step<'_, T>)) -> Result<Flight<T>> {
         let ended = self.follow(true, Asked { apex: true, defect: true }, observe);
-        Ok(match ended.missing(self, 0, T::re)? {
+        Ok(match ended.missing(self, T::re)? {
             None => Flight::Landed(ended.landed),
             Some(why) => Flight::None(why),
         })
@@ -202,43 +210,28 @@ impl<T: Number> Inputs<T> {
 }
 
 impl<T: Numbers> Ended<T> {
-    /// Why the flight in a lane has no landing; `None` where it has one. `value` takes the value in this lane out of a number.
+    /// Why the flight in the first lane has no landing; `None` where it has one. `value` takes the value in this lane out of a number.
     ///
     /// # Errors
     /// [`Error::Diverged`] where drag and lift change the airspeed too much within a step, or numbers overflow.
     #[inline(always)]
-    pub(crate) fn missing(
-        &self,
-        inputs: &Inputs<T>,
-        lane: usize,
-        value: impl Fn(T) -> f64 + Copy,
-    ) -> Result<Option<NoFlight>> {
-        if self.has_landed.holds(lane) {
+    pub(crate) fn missing(&self, inputs: &Inputs<T>, value: impl Fn(T) -> f64 + Copy) -> Result<Option<NoFlight>> {
+        if self.has_landed.holds(0) {
             return Ok(None);
         }
-        let (time, height) = (self.time, value(self.height));
-        if self.diverges.holds(lane) {
-            let norm = |vector: Vector<T>| vector.map(value).norm();
-            let diverging = Diverging {
-                step: inputs.step,
-                speed: norm(inputs.velocity),
-                spin: value(inputs.spin),
-                force_per_mass: value(inputs.force_per_mass),
-                wind: norm(inputs.wind.at(inputs.ground)),
-                law: inputs.law.name(),
-            };
-            let (time, step) = (time - inputs.step, inputs.step);
-            return Err(Error::Diverged { time, step, advice: diverging.advice() });
+        let (velocity, height) = (inputs.velocity.map(value), value(self.height));
+        if self.diverges.holds(0) {
+            let (step, wind) = (inputs.step, inputs.wind.at(inputs.ground).map(value));
+            let found = [velocity.norm(), value(inputs.spin), value(inputs.force_per_mass), wind.norm()];
+            let advice = advice(step, found, inputs.law.name());
+            return Err(Error::Diverged { time: self.time - step, step, advice });
         }
-        Ok(Some(if self.stays_below.holds(lane) {
+        Ok(Some(if self.stays_below.holds(0) {
             NoFlight::BelowGround { apex_height: height, ground_height: value(inputs.ground) }
-        } else if self.is_aloft.holds(lane) {
-            NoFlight::Aloft { time, height }
+        } else if self.is_aloft.holds(0) {
+            NoFlight::Aloft { time: inputs.time_limit, height }
         } else {
-            let velocity = inputs.velocity.map(value);
-            // the angle does not ask for the spin
-            let launch = Launch { velocity, spin: velocity };
-            NoFlight::LaunchedDown { launch_angle: launch.launch_angle() }
+            NoFlight::LaunchedDown { launch_angle: velocity.x.atan2(velocity.y.hypot(velocity.z)) }
         }))
     }
 }

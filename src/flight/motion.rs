@@ -63,7 +63,7 @@ impl<T: Numbers> Inputs<T> {
         let c = self.law.coefficients(stream);
         // ρ A |v_r|/(2 m), 1/s
         let per_airspeed = self.force_per_mass * speed;
-        // drag after lift, as its coefficient is ready last; then the speed: laws by the spin alone do not wait for it, and others wait no longer
+        // lift before drag, whose coefficient is ready last; the speed is multiplied in last, so that laws by the spin alone do not wait for it
         let (across, against) = (self.axis.cross(air), -air);
         let pull = Vector::new(
             against.x.mul_add(c.drag, across.x * c.lift),

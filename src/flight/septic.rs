@@ -13,20 +13,23 @@ const FACTORS: [[f64; 8]; 3] =
     [[1.0; 8], [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0], [0.0, 0.0, 2.0, 6.0, 12.0, 20.0, 30.0, 42.0]];
 
 impl<T: Numbers> Septic<T> {
-    /// From h v₀, h² a₀, h³ j₀ at the start, h² a₁, h³ j₁ at the end, and what the step added: x₁ − x₀ − h v₀ and h (v₁ − v₀).
-    /// These are the step's own small numbers; differences of the sums would lose their digits.
+    /// From the position, velocity, acceleration and jerk at both ends of a step, of which `of` takes this coordinate. Ends enter by what the step
+    /// added: differences of the sums would lose their digits.
     #[inline(always)]
-    fn new(x0: T, [v0, a0, j0]: [T; 3], [a1, j1]: [T; 2], [deflection, gained]: [T; 2]) -> Self {
+    fn new(step: &Step<'_, T>, jerks: &[Vector<T>; 2], h: f64, of: impl Fn(&Vector<T>) -> T) -> Self {
+        let (h2, h3) = (h * h, h * h * h);
+        let [a0, a1] = [of(&step.from.rate.acceleration) * h2, of(&step.to.rate.acceleration) * h2];
+        let [j0, j1] = [of(&jerks[0]) * h3, of(&jerks[1]) * h3];
         // what the cubic from the start leaves over at the end
         let (half, sixth) = (a0 * 0.5, j0 * (1.0 / 6.0));
-        let x = deflection - half - sixth;
-        let v = gained - a0 - j0 * 0.5;
+        let x = of(&step.deflection) - half - sixth;
+        let v = of(&step.gained) * h - a0 - j0 * 0.5;
         let a = a1 - a0 - j0;
         let j = j1 - j0;
         let sum = inlined!(|[wx, wv, wa, wj]: [f64; 4]| x.scale_add(wx, v.scale_add(wv, a.scale_add(wa, j * wj))));
         Self([
-            x0,
-            v0,
+            of(&step.from.state.position),
+            of(&step.from.state.velocity) * h,
             half,
             sixth,
             sum([35.0, -15.0, 2.5, -1.0 / 6.0]),
@@ -83,9 +86,9 @@ fn falling_root<T: Numbers>(low: T, lanes: T::Mask, f: impl Fn(T) -> (T, T)) -> 
     const DERIVATIVE_STEPS: usize = 2;
     let (mut low, mut high) = (low.without_derivatives(), T::constant(1.0));
     let mut s = high;
-    let (mut left, mut is_settled) = (MOST_STEPS, false);
-    while left > 0 {
-        left -= 1;
+    let (mut steps_left, mut is_settled) = (MOST_STEPS, false);
+    while steps_left > 0 {
+        steps_left -= 1;
         let (value, slope) = f(s);
         let newton = s - value / slope;
         if is_settled {
@@ -101,7 +104,7 @@ fn falling_root<T: Numbers>(low: T, lanes: T::Mask, f: impl Fn(T) -> (T, T)) -> 
         let change = next - s;
         s = next;
         if !(lanes & !(change * change).below(1e-18)).any() {
-            (left, is_settled) = (DERIVATIVE_STEPS, true);
+            (steps_left, is_settled) = (DERIVATIVE_STEPS, true);
         }
     }
     s
@@ -116,29 +119,19 @@ pub(super) struct Path<T> {
 }
 
 impl<T: Numbers> Path<T> {
-    /// The path of a step of length h.
+    /// The path of a step.
     #[inline(always)]
     pub fn new(inputs: &Inputs<T>, step: &Step<'_, T>, h: f64) -> Self {
-        let (from, to, Step { deflection, gained, .. }) = (&*step.from, &*step.to, step);
-        let (x, v, a0, a1) = (from.state.position, from.state.velocity, from.rate.acceleration, to.rate.acceleration);
         // a loop, so that there is one call site
-        let mut jerks = [v; 2];
-        for (jerk, node) in jerks.iter_mut().zip([from, to]) {
+        let mut jerks = [step.gained; 2];
+        for (jerk, node) in jerks.iter_mut().zip([&*step.from, &*step.to]) {
             *jerk = inputs.rate_per_time(node).acceleration;
         }
-        let [j0, j1] = jerks;
-        let ([x, y, z], [vx, vy, vz]) = (x.to_array(), v.to_array());
-        let ([ax, ay, az], [bx, by, bz]) = (a0.to_array(), a1.to_array());
-        let ([jx, jy, jz], [kx, ky, kz]) = (j0.to_array(), j1.to_array());
-        let coordinate = inlined!(|x: T, [v, a, j]: [T; 3], [b, k]: [T; 2], deflection: T, gained: T| {
-            let (h2, h3) = (h * h, h * h * h);
-            Septic::new(x, [v * h, a * h2, j * h3], [b * h2, k * h3], [deflection, gained * h])
-        });
         Self {
             h,
-            up: coordinate(x, [vx, ax, jx], [bx, kx], deflection.x, gained.x),
-            right: coordinate(y, [vy, ay, jy], [by, ky], deflection.y, gained.y),
-            downrange: coordinate(z, [vz, az, jz], [bz, kz], deflection.z, gained.z),
+            up: Septic::new(step, &jerks, h, inlined!(|v: &Vector<T>| v.x)),
+            right: Septic::new(step, &jerks, h, inlined!(|v: &Vector<T>| v.y)),
+            downrange: Septic::new(step, &jerks, h, inlined!(|v: &Vector<T>| v.z)),
         }
     }
 

@@ -9,8 +9,8 @@ pub(super) struct Stepper<'a, T> {
     tableau: &'static Tableau,
     /// s.
     h: f64,
-    /// exp(−δ cᵢ h): what is left of a spin at each stage, apart from damping.
-    left: [T; MOST_STAGES + 1],
+    /// exp(−δ cᵢ h): the part of the spin that is left at each stage, apart from damping.
+    decay: [T; MOST_STAGES + 1],
     /// The rates at the stages of a step, but the first, which is the rate at its start.
     rates: [Rate<T>; MOST_STAGES],
 }
@@ -27,13 +27,7 @@ pub(crate) struct Step<'n, T> {
     pub gained: Vector<T>,
 }
 
-impl<'n, T: Numbers> Step<'n, T> {
-    /// No step yet: both ends are where the flight begins.
-    #[inline(always)]
-    pub fn begin([from, to]: &'n mut [Node<T>; 2]) -> Self {
-        Self { from, to, deflection: Vector::zero(), gained: Vector::zero() }
-    }
-
+impl<T: Numbers> Step<'_, T> {
     /// How far a step of length h is from Hermite's quadrature between its ends, times (|Δv|/|v_r|)⁴, m (docs/model.md, eq. 16a). It grows as h⁹; the
     /// sum over a flight as h⁸.
     #[inline(always)]
@@ -49,11 +43,11 @@ impl<'n, T: Numbers> Step<'n, T> {
 impl<'a, T: Numbers> Stepper<'a, T> {
     #[inline(always)]
     pub fn new(inputs: &'a Inputs<T>, tableau: &'static Tableau, h: f64) -> Self {
-        let mut left = [T::constant(1.0); MOST_STAGES + 1];
-        for (part, time) in left.iter_mut().zip(tableau.time).take(tableau.stages + 1).skip(1) {
+        let mut decay = [T::constant(1.0); MOST_STAGES + 1];
+        for (part, time) in decay.iter_mut().zip(tableau.time).take(tableau.stages + 1).skip(1) {
             *part = (inputs.decay * (-time * h)).exp();
         }
-        Self { inputs, tableau, h, left, rates: [Rate::none(); MOST_STAGES] }
+        Self { inputs, tableau, h, decay, rates: [Rate::none(); MOST_STAGES] }
     }
 
     /// Makes a step the one that follows it.
@@ -93,7 +87,7 @@ impl<'a, T: Numbers> Stepper<'a, T> {
     /// The spin at a stage, of what it was at the start of the step: ω exp(−δ t − κ ℓ/R), ℓ the way through the air since.
     #[inline(always)]
     fn spin(&self, start: &Rate<T>, spin: T, stage: usize) -> T {
-        let faded = spin * self.left[stage];
+        let faded = spin * self.decay[stage];
         let Some(damping) = self.inputs.damping else { return faded };
         let mut way = T::zero();
         for &(of, weight) in self.tableau.velocity[stage] {

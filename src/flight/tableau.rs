@@ -1,16 +1,16 @@
 use crate::parameters::Method;
 
-/// What is summed with which weight.
+/// A row: what is summed with which weight. The last row of a method is the end of its step.
 type Weights = &'static [(usize, f64)];
 
 /// Kutta (1901): the classical method.
-const RK4_A: &[Weights] = &[&[], &[(0, 0.5)], &[(1, 0.5)], &[(2, 1.0)]];
-const RK4_B: Weights = &[(0, 1.0 / 6.0), (1, 1.0 / 3.0), (2, 1.0 / 3.0), (3, 1.0 / 6.0)];
+const RK4_ROWS: &[Weights] =
+    &[&[], &[(0, 0.5)], &[(1, 0.5)], &[(2, 1.0)], &[(0, 1.0 / 6.0), (1, 1.0 / 3.0), (2, 1.0 / 3.0), (3, 1.0 / 6.0)]];
 
 /// Hairer, Nørsett & Wanner (1993), Solving Ordinary Differential Equations I, DOP853: the 12 stages of the eighth-order
 /// formula.
 #[rustfmt::skip]
-const DP8_A: &[Weights] = & [
+const DP8_ROWS: &[Weights] = & [
     &[],
     &[(0, 0.05260015195876773)],
     &[(0, 0.0197250569845379), (1, 0.0591751709536137)],
@@ -23,9 +23,8 @@ const DP8_A: &[Weights] = & [
     &[(0, 0.47766253643826434), (3, -2.4881146199716677), (4, -0.590290826836843), (5, 21.230051448181193), (6, 15.279233632882423), (7, -33.28821096898486), (8, -0.020331201708508627)],
     &[(0, -0.9371424300859873), (3, 5.186372428844064), (4, 1.0914373489967295), (5, -8.149787010746927), (6, -18.52006565999696), (7, 22.739487099350505), (8, 2.4936055526796523), (9, -3.0467644718982196)],
     &[(0, 2.273310147516538), (3, -10.53449546673725), (4, -2.0008720582248625), (5, -17.9589318631188), (6, 27.94888452941996), (7, -2.8589982771350235), (8, -8.87285693353063), (9, 12.360567175794303), (10, 0.6433927460157636)],
+    &[(0, 0.054293734116568765), (5, 4.450312892752409), (6, 1.8915178993145003), (7, -5.801203960010585), (8, 0.3111643669578199), (9, -0.1521609496625161), (10, 0.20136540080403034), (11, 0.04471061572777259)],
 ];
-#[rustfmt::skip]
-const DP8_B: Weights = & [(0, 0.054293734116568765), (5, 4.450312892752409), (6, 1.8915178993145003), (7, -5.801203960010585), (8, 0.3111643669578199), (9, -0.1521609496625161), (10, 0.20136540080403034), (11, 0.04471061572777259)];
 
 /// The largest number of stages.
 pub(super) const MOST_STAGES: usize = 12;
@@ -47,8 +46,8 @@ pub(super) struct Tableau {
     pub time: [f64; MOST_STAGES + 1],
 }
 
-static RK4: Tableau = Tableau::new(RK4_A, RK4_B, 0.5);
-static DP8: Tableau = Tableau::new(DP8_A, DP8_B, 1.0);
+static RK4: Tableau = Tableau::new(RK4_ROWS, 0.5);
+static DP8: Tableau = Tableau::new(DP8_ROWS, 1.0);
 
 impl Tableau {
     /// The tableau of a method.
@@ -60,14 +59,14 @@ impl Tableau {
     }
 
     // loops over indices: iterators are not for constants
-    const fn new(a: &[Weights], b: Weights, reach: f64) -> Self {
-        let stages = a.len();
+    const fn new(rows: &[Weights], reach: f64) -> Self {
+        let stages = rows.len() - 1;
         let mut velocity: [Weights; MOST_STAGES + 1] = [&[]; MOST_STAGES + 1];
         let mut position = [[(0, 0.0); MOST_STAGES]; MOST_STAGES + 1];
         let mut time = [0.0; MOST_STAGES + 1];
         let mut i = 0;
         while i <= stages {
-            velocity[i] = if i < stages { a[i] } else { b };
+            velocity[i] = rows[i];
             let mut term = 0;
             while term < velocity[i].len() {
                 let (k, weight) = velocity[i][term];

@@ -75,7 +75,7 @@ pub fn trajectory(setup: &Setup<f64>, launch: &Launch<f64>) -> Result<Trajectory
             velocity: landed.velocity,
         });
         if let Some((begin, [from, to])) = last {
-            let spin = inputs.spin_within([&from, &to], (landed.flight_time - begin) / h, h);
+            let spin = inputs.spin_within([&from, &to], (landed.flight_time - begin) / h);
             run = Turf::new(setup).path(&inputs.landing(landed, spin));
         }
     }

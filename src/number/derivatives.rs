@@ -1,6 +1,6 @@
 use super::{Jet, Number};
 
-/// A number that tells derivatives by the directions it was seeded with: those of a jet before those of the jets it is made of.
+/// A number whose derivatives are read by direction: those of the outer jet first, then those of the jets it is made of.
 pub(crate) trait Derivatives: Number {
     /// First derivative in a direction.
     fn first(&self, direction: usize) -> f64;

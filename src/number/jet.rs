@@ -7,8 +7,8 @@
 use super::{Number, Numbers, inlined};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// `each!(self, i: K => expression)`: an array like the gradient of `self`. Without a loop up to three directions, also none that
-/// fills the array: loops of one to three rounds in every operation took the compiler two thirds of its time.
+/// `each!(self, i: K => expression)`: `expression` for each index `i` of the gradient of `self`. The first three are unrolled by hand: loops of one
+/// to three rounds took two thirds of the time of compiling.
 macro_rules! each {
     ($self:ident, $i:ident : $K:expr => $value:expr) => {{
         let mut all = $self.gradient;

@@ -1,4 +1,4 @@
-use super::{Jet, Number, Numbers, inlined};
+use super::{Jet, Number, Numbers};
 
 /// Several numbers side by side: of drives next to each other, or of one drive, each with derivatives in directions of its own.
 pub(crate) trait Lanes: Numbers {
@@ -11,15 +11,9 @@ pub(crate) trait Lanes: Numbers {
     fn lane(self, i: usize) -> Self::Lane;
     /// Numbers with these values in lanes 0, 1, 2 … and without derivatives; `f` is asked for each of them.
     fn with_values(f: impl FnMut(usize) -> f64) -> Self;
-    /// These values, which change in a direction in those lanes that are so told. Directions are counted from `first` on, those of
-    /// a jet before those of the jets it is made of.
+    /// These values as independent variables: the derivative in direction d is 1 in the lanes of `changes_in(d)`, else 0. The directions of an outer jet
+    /// are numbered from `first` on, those of the jets it is made of follow.
     fn seeded(self, changes_in: &impl Fn(usize) -> Self::Mask, first: usize) -> Self;
-}
-
-/// Reads the number in a lane.
-#[inline(always)]
-pub(crate) fn in_lane<J: Lanes>(lane: usize) -> impl Fn(J) -> J::Lane + Copy {
-    inlined!(move |number: J| number.lane(lane))
 }
 
 /// A number alone.

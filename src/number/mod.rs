@@ -1,10 +1,9 @@
 //! The numbers the physics is written over.
 //!
 //! [`Numbers`] lists the few operations that a drive needs, [`Number`] adds that there is one value to look at.
-//! Both are implemented once, for every [`num_dual::DualNum`] over `f64`: for `f64` itself (plain values) and for each of
-//! num-dual's dual numbers (values with exact derivatives). Number types of our own implement the same traits and
-//! run through the same physics: [`Jet`] carries derivatives and, over itself, second
-//! derivatives; lanes hold several drives, or several directions of one, side by side.
+//! One implementation is for every [`num_dual::DualNum`] over `f64`: for `f64` itself (plain values) and for each of
+//! num-dual's dual numbers (values with exact derivatives). [`Jet`], which carries derivatives and, over itself, second
+//! derivatives, and the lanes, which hold several drives, or several directions of one, side by side, have implementations of their own.
 
 mod derivatives;
 mod dual;
@@ -25,7 +24,7 @@ pub(crate) use fingerprint::Fingerprint;
 pub(crate) use held::{held_above, held_below, risen};
 pub(crate) use inlined::inlined;
 pub use jet::{Jet, Mixed};
-pub(crate) use lanes::{Lanes, in_lane};
+pub(crate) use lanes::Lanes;
 pub use level::Level;
 pub(crate) use level::Task;
 pub use mask::Mask;
@@ -76,7 +75,7 @@ pub trait Numbers: Copy + Debug + 'static + Neg<Output = Self> + Arithmetic<Self
     fn without_derivatives(self) -> Self;
     /// Whether the value, and that of each of several, is finite.
     fn is_finite(self) -> Self::Mask;
-    /// What a table holds for a pair of values, `self` and `other`, without derivatives: of several, for each its own.
+    /// The constants of a table at (`self`, `other`), looked up lane by lane; they have no derivatives.
     fn looked_up<const N: usize>(self, other: Self, place: impl Fn(f64, f64) -> &'static [f64; N]) -> [Self; N];
 
     /// Zero.
@@ -117,8 +116,8 @@ pub trait Numbers: Copy + Debug + 'static + Neg<Output = Self> + Arithmetic<Self
         }
     }
 
-    /// Work on these numbers that is a function of its own, not inlined: for what would make the places that ask
-    /// for it large. (A closure that may be called but once goes through a function that no attribute reaches.)
+    /// Does `work` in a function of its own, compiled for the instructions of this number: for code too large to inline at each use. (`FnMut`,
+    /// since a `FnOnce` is called through a function that no attribute reaches.)
     #[inline(always)]
     fn outlined<R>(work: impl FnMut() -> R) -> R {
         outlined::plain::outlined(work)

@@ -1,5 +1,5 @@
-//! [`Numbers::outlined`](super::Numbers::outlined) at each level: a function that is not inlined is compiled for
-//! no vector unit but that which it names itself. Each is a module, for the compiler divides its work between processors by modules.
+//! [`Numbers::outlined`](super::Numbers::outlined) at each level: a function that is not inlined uses only the instructions that its own
+//! `target_feature` names. There is a module for each level, so that they are compiled in parallel.
 
 macro_rules! outlined {
     ($level:ident $(: $features:literal)?) => {

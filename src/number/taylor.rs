@@ -27,15 +27,10 @@ impl Taylor {
     /// Where there are not, with both numbers.
     #[track_caller]
     pub(crate) fn expect_derivatives_by(&self, count: usize, of_what: &str) {
-        let first = self.gradient.len();
+        let (first, rows) = (self.gradient.len(), self.hessian.iter().map(Vec::len).collect::<Vec<_>>());
         assert!(first == count, "there are {count} {of_what}, and {first} derivatives");
-        let rows = self.hessian.iter().map(Vec::len);
-        let is_square = self.hessian.is_empty() || self.hessian.len() == count && rows.clone().all(|row| row == count);
-        assert!(
-            is_square,
-            "there are {count} {of_what}, and second derivatives in rows of {:?}",
-            rows.collect::<Vec<_>>()
-        );
+        let is_square = rows.is_empty() || rows == vec![count; count];
+        assert!(is_square, "there are {count} {of_what}, and second derivatives in rows of {rows:?}");
     }
 
     /// The function with the opposite sign.

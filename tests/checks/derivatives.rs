@@ -317,3 +317,13 @@ fn exact_tanh_is_finite_far_out_and_keeps_its_digits_near_zero() {
     let small = Numbers::tanh(Dual64::from(1e-9).derivative());
     assert!((small.re / 1e-9 - 1.0).abs() < 1e-15 && (small.eps - 1.0).abs() < 1e-15);
 }
+
+/// A parameter that is unset has no value and no derivative; the drive is what it is.
+#[test]
+fn exact_value_where_a_parameter_that_is_asked_for_is_unset() {
+    let setup = Setup::default();
+    let unset = setup.column("aero.spin_damping").unwrap();
+    let value = evaluate(&setup, &[Outcome::Carry], &[unset], Order::Value).unwrap()[0].value;
+    let carry = Outcome::Carry.of(&Drive::new(&setup).unwrap()).unwrap();
+    assert!((value - carry).abs() < 1e-12 * carry, "{value} {carry}");
+}

@@ -80,8 +80,7 @@ fn exact_agreement_of_the_fast_ways_with_the_general_one() {
     for_every_way(agrees);
 }
 
-/// A law by spin alone takes its lift from half step to half step while the spin fades slowly enough, and computes it anew where it
-/// does not: with this drive from about 1.4 /s on.
+/// From a spin that keeps to one that is gone within a second.
 #[test]
 fn exact_agreement_however_fast_the_spin_fades() {
     let mut setup = Setup::default();

@@ -2,6 +2,7 @@
 //! that are none end.
 
 use crate::common::close;
+use longdrive::batch::{Batch, Status};
 use longdrive::derivative::{Order, evaluate, gradient};
 use longdrive::flight::{Flight, NoFlight, fly, trajectory};
 use longdrive::impact::strike;
@@ -163,7 +164,33 @@ fn a_flight_without_end_stops_at_the_time_limit() {
     setup.wind.up = 60.0;
     setup.flight.time_limit = 20.0;
     let drive = Drive::new(&setup).unwrap();
-    assert!(matches!(drive.flight, Flight::None(NoFlight::Aloft { time, .. }) if (20.0..20.1).contains(&time)));
+    assert!(matches!(drive.flight, Flight::None(NoFlight::Aloft { time: 20.0, .. })));
+}
+
+/// Whatever the steps: the limit need not be at the end of one. Alone and side by side.
+#[test]
+fn exact_a_flight_longer_than_the_time_limit_is_aloft_and_a_shorter_one_lands() {
+    for (method, step) in [("rk4", "0.01 s"), ("rk4", "0.3 s"), ("dp8", "1.1 s")] {
+        let mut setup = Setup::default();
+        setup.set_all([("flight.method", method), ("flight.step", step)]).unwrap();
+        let time = Outcome::FlightTime.of(&Drive::new(&setup).unwrap()).unwrap();
+        let loft = setup.variable("club.loft").unwrap();
+        for (limit, lands) in [(time - 1e-6, false), (time + 1e-6, true)] {
+            setup.flight.time_limit = limit;
+            let flight = Drive::new(&setup).unwrap().flight;
+            assert_eq!(matches!(flight, Flight::Landed(_)), lands, "{method} {step}: {flight:?}");
+            if !lands {
+                assert!(
+                    matches!(flight, Flight::None(NoFlight::Aloft { time, height }) if time == limit && (0.0..0.1).contains(&height)),
+                    "{flight:?}"
+                );
+            }
+            let batch = Batch::new(&setup, &[loft], &[Outcome::Carry], &[]).unwrap();
+            let block = batch.evaluate(0, vec![setup.club.loft; 3]);
+            let status = if lands { Status::Landed } else { Status::Aloft };
+            assert!((0..3).all(|row| block.status(row) == status), "{method} {step}: {:?}", block.status(0));
+        }
+    }
 }
 
 #[test]

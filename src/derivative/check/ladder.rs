@@ -75,8 +75,8 @@ impl Ladder {
         Self { size: self.size.max(size), ..self }.rounded_as(size)
     }
 
-    /// The same of a function that is rounded as numbers of at least this size are, for it is what is left of them: zero spin is what is left of
-    /// spins that cancel. What is less than 1e-5 of them is not told from nothing.
+    /// The same of a function that is a small difference of numbers of this size, as spins that cancel: its rounding is theirs, and less than 1e-5 of
+    /// them counts as zero.
     #[must_use]
     pub fn rounded_as(self, size: f64) -> Self {
         Self { size: self.size.max(LEAST_LEFT * size), rounded: self.rounded.max(size), ..self }

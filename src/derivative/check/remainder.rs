@@ -4,8 +4,8 @@ use super::{Ladder, Rung};
 /// Remainders this many times above the rounding of the function are more than rounding.
 const ABOVE_ROUNDING: f64 = 100.0;
 
-/// A slope is measured over so many of the smallest steps that are left: two decades.
-const STEPS: usize = 5;
+/// A slope is fitted over this many of the smallest usable steps: two decades.
+const FITTED: usize = 5;
 
 /// The remainders of Taylor's polynomials: how |f(x+h) − f|, |f(x+h) − f − h f′| and |f(x+h) − f − h f′ − ½ h² f″| shrink with h. With
 /// exact derivatives their slopes, in logarithms, are 1, 2 and 3 or, where a next derivative is 0, more. `None` where too little is
@@ -28,9 +28,9 @@ fn slope(ladder: &Ladder, polynomial: impl Fn(f64) -> f64) -> Option<f64> {
         };
         // from the smallest step on that is left; a remainder that passes through 0 in a larger step ends there
         let left = ladder.rungs.iter().rev().map(above_rounding).skip_while(Option::is_none);
-        let mut points: Vec<_> = left.map_while(|point| point).take(STEPS).collect();
+        let mut points: Vec<_> = left.map_while(|point| point).take(FITTED).collect();
         points.reverse();
-        (points.len() == STEPS).then(|| line_slope(&points))
+        (points.len() == FITTED).then(|| line_slope(&points))
     };
     // where two terms of the remainder cancel on one side, they add up on the other
     [1.0, -1.0].into_iter().filter_map(to_a_side).max_by(f64::total_cmp)

@@ -4,6 +4,8 @@
 mod registers;
 
 use super::Lanes;
+#[cfg(target_arch = "x86_64")]
+use super::{inlined, outlined};
 use std::fmt;
 
 /// The instructions of the processor that drives are computed with: each level is another copy of the code. Drives computed with another
@@ -28,7 +30,7 @@ pub(crate) trait Task {
     /// What comes of it.
     type Output;
     /// Does it.
-    fn run<V: Lanes<Lane = f64>>(self) -> Self::Output;
+    fn run<V: Lanes<Lane = f64>>(&mut self) -> Self::Output;
 }
 
 impl Level {
@@ -71,12 +73,6 @@ impl Level {
         self == Self::Baseline || self == here || (self, here) == (Self::Avx2, Self::Avx512)
     }
 
-    /// This level or one below, for so many numbers: what fits into few lanes is quicker in those.
-    #[inline]
-    pub(crate) fn of(self, count: usize) -> Self {
-        if count <= 4 { self.min(Self::Avx2) } else { self }
-    }
-
     /// How many lanes there are.
     pub(crate) fn width(self) -> usize {
         match self {
@@ -90,14 +86,14 @@ impl Level {
     /// Runs a task at this level, or the best that the machine has below it; over plain numbers where the level is of another architecture.
     #[inline]
     #[allow(unsafe_code)]
-    pub(crate) fn run<W: Task>(self, task: W) -> W::Output {
+    pub(crate) fn run<W: Task>(self, mut task: W) -> W::Output {
         match self.min(Self::here()) {
             #[cfg(target_arch = "x86_64")]
             // SAFETY: the processor has been asked
-            Self::Avx512 => unsafe { with_avx512(task) },
+            Self::Avx512 => unsafe { outlined::avx512::outlined(inlined!(|| task.run::<registers::Pack8>())) },
             #[cfg(target_arch = "x86_64")]
             // SAFETY: the processor has been asked
-            Self::Avx2 => unsafe { with_avx2(task) },
+            Self::Avx2 => unsafe { outlined::avx2::outlined(inlined!(|| task.run::<registers::Pack4>())) },
             #[cfg(target_arch = "aarch64")]
             Self::Neon => task.run::<registers::Pack2>(),
             #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
@@ -111,16 +107,4 @@ impl fmt::Display for Level {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(self.name())
     }
-}
-
-#[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx2,fma")]
-fn with_avx2<W: Task>(task: W) -> W::Output {
-    task.run::<registers::Pack4>()
-}
-
-#[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx2,fma,avx512f,avx512dq,avx512vl")]
-fn with_avx512<W: Task>(task: W) -> W::Output {
-    task.run::<registers::Pack8>()
 }

@@ -10,7 +10,7 @@ pub(super) const ROUNDER: f64 = 6_755_399_441_055_744.0;
 const LN_2_HIGH: f64 = 6.931_471_803_691_238e-1;
 const LN_2_LOW: f64 = 1.908_214_929_270_587_7e-10;
 
-/// Outside, eˣ is taken at the end: it is 0 or ∞ there for all that a drive can tell.
+/// x is clamped to these ends: beyond them eˣ is as good as 0 or ∞.
 const LEAST: f64 = -708.0;
 const GREATEST: f64 = 709.0;
 

@@ -59,7 +59,7 @@ mod tests {
         type Output = [f64; 7];
 
         #[inline(always)]
-        fn run<V: Lanes<Lane = f64>>(self) -> [f64; 7] {
+        fn run<V: Lanes<Lane = f64>>(&mut self) -> [f64; 7] {
             assert_eq!((V::zero().exp().lane(0), V::zero().exp_m1().lane(0)), (1.0, 0.0));
             let [none, all, undefined] = [-1e9, 1e9, f64::NAN].map(|x| V::constant(x).exp().lane(0));
             assert!(none < 1e-300 && all > 1e300 && undefined.is_nan());
