@@ -401,7 +401,7 @@ impl Error {
 fn no_strike(approach: f64) -> Message {
     Message::from("the club does not strike the ball: the contact point approaches along the face normal at ")
         .quantity(Quantity::SPEED, "m/s", approach, Digits::Significant(5))
-        .words(", which must be above 0; check swing.speed, club.loft, swing.face_angle and swing.shaft_lean")
+        .words(", which must be above 0; check swing.speed, club.loft, swing.face_angle, swing.shaft_lean and swing.shaft_bend, which grows with the square of the speed")
 }
 
 /// The name that is most like a given one, and how alike they are, 0 to 1.

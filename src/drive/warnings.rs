@@ -49,7 +49,7 @@ impl Drive<f64> {
     fn lands_flat(&self, setup: &Setup<f64>) -> Option<Message> {
         let angle = flat([setup.ground.slope, setup.ground.side_slope], self.landed().ok()?)?;
         let message = Message::from("the ball lands at ");
-        let message = message.quantity(Quantity::ANGLE, "deg", angle, Digits::Significant(3));
+        let message = message.quantity(Quantity::ANGLE, "deg", angle, Digits::Significant(4));
         Some(assumed(message.words(" to the ground, below ")))
     }
 

@@ -211,7 +211,10 @@ impl Sample {
     fn told(&self, (row, off): Missed) -> String {
         let values = self.parameters.iter().zip(self.exact.point(row));
         let values = values.map(|(parameter, value)| format!("{} = {}", parameter.name, parameter.show(Some(*value))));
-        let drive = format!("the drive with {}", values.collect::<Vec<_>>().join(", "));
+        let drive = match self.exact.rows() {
+            1 => "the drive".into(),
+            _ => format!("the drive with {}", values.collect::<Vec<_>>().join(", ")),
+        };
         match off {
             Some((of, error)) => format!("{} of {drive} is off by {error:.1e} m", of.name()),
             None => format!("{drive} diverges"),

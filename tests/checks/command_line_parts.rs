@@ -217,6 +217,19 @@ fn independent_sha256sum_of_the_set_is_that_of_its_files() {
 }
 
 #[test]
+fn a_file_that_is_no_part_beside_all_parts_is_told_as_such() {
+    let copy = SET.copy();
+    fs::write(copy.path().join("part-00005.parquet"), "notes").unwrap();
+    let said = longdrive(&["sweep", "--check", copy.path().to_str().unwrap()]);
+    assert!(
+        said.status == 1 && said.out.contains("4 parts are there and sound, but not alone"),
+        "{} {}",
+        said.out,
+        said.err
+    );
+}
+
+#[test]
 fn a_part_that_is_there_stays_and_one_of_another_question_is_refused() {
     let copy = SET.copy();
     let before = fs::metadata(copy.path().join(NAMES[1])).unwrap().modified().unwrap();

@@ -86,7 +86,11 @@ fn the_answer_says_whether_one_design_holds_for_all_models() {
 
 #[test]
 fn bad_models_say_what_is_wrong() {
-    let cases: [(&[&str], &str); 6] = [
+    let launch = "ball_speed=167mph,launch_angle=10deg,spin=2500rpm";
+    let launched =
+        ["--launch", launch, "--vary", "launch.launch_angle=5deg..20deg", "--model", "impact.gear_scale=0.5"];
+    let cases: [(&[&str], &str); 7] = [
+        (&launched, "impact.gear_scale changes nothing: no club strikes the ball"),
         (&["--model", "aero.law"], "write NAME=VALUE"),
         (&["--model", "aero.law=ferguzon"], "did you mean 'ferguson'"),
         (&["--model", "club.loft=12deg"], "this value would not be used"),
@@ -99,6 +103,13 @@ fn bad_models_say_what_is_wrong() {
         let told = failed.err.split_whitespace().collect::<Vec<_>>().join(" ");
         assert!(failed.status == 2 && told.contains(said), "{args:?}: {told}");
     }
+    let mut setup = Setup::default();
+    let names: Vec<String> = Model::usual(&setup).unwrap().into_iter().map(|model| model.name).collect();
+    assert!(names.contains(&"impact.friction=0.3".into()), "{names:?}");
+    setup
+        .set_all([("launch.ball_speed", "70 m/s"), ("launch.launch_angle", "10 deg"), ("launch.spin", "2500 rpm")])
+        .unwrap();
+    assert!(Model::usual(&setup).unwrap().iter().all(|model| !model.name.contains("impact.")));
     let setup = Setup::default();
     let alone = robust(vec![Model::as_set_up(&setup)], search(&setup), &Scenarios::one_drive(), 1, &Follow::default());
     assert!(matches!(alone, Err(Error::Unreadable { .. })));

@@ -327,7 +327,7 @@ fn exact_angle_of_a_ball_that_lands_flatter_than_measured_bounces() {
 fn a_flat_landing_is_told_with_the_total_and_at_an_optimum() {
     let flat = ["--launch", "ball_speed=160mph,launch_angle=4deg,backspin=1500rpm"];
     let text = longdrive(&[&["simulate"], &flat[..]].concat());
-    assert!(text.err.contains("the ball lands at 9.08°"), "{}", text.err);
+    assert!(text.err.contains("the ball lands at 9.081°"), "{}", text.err);
     let search = ["optimize", "--vary", "launch.launch_angle=3deg..6deg"];
     for (of, is_told) in [("total", true), ("carry", false)] {
         let (_, answer) = json(&[&search[..], &["--maximize", of], &flat].concat());

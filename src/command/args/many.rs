@@ -93,7 +93,7 @@ pub struct Sweep {
     #[arg(long, value_name = "SIZE")]
     pub max_size: Option<String>,
 
-    /// The number of threads (0: as many as there are processors); no more are used than there is work for. The results do not depend on it.
+    /// The number of threads (0: as many as there are processors); no more are used than there is work for, nor than 256. The results do not depend on it.
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = whole::<usize>(0..=u64::MAX, "--threads 4"), allow_negative_numbers = true)]
     pub threads: usize,
 }

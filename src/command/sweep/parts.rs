@@ -157,6 +157,10 @@ fn said(checked: &Checked) -> Vec<String> {
             counted(*rows, "drive"),
             question.instructions
         ),
+        false if *present == question.parts => format!(
+            "{} are there and sound, but not alone: take out the files that are no part of the sweep",
+            counted(*present, "part")
+        ),
         false => format!("not complete: {present} of {} are there and sound", counted(question.parts, "part")),
     }];
     if !missing.is_empty() {

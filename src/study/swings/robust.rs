@@ -6,7 +6,7 @@ use crate::number::Taylor;
 use crate::optimize::{
     Bounds, Constrained, Domain, Evaluation, Follow, Problem, Solution, Status, minimize_from, starts,
 };
-use crate::parameters::{LAW, Setup};
+use crate::parameters::{LAW, NO_CLUB, Parameter, Setup};
 use crate::study::optimum::stopped_of;
 use crate::study::stoppable::stopped;
 use std::sync::atomic::Ordering;
@@ -50,8 +50,13 @@ impl Model {
         })?;
         let pairs: Vec<(&str, &str)> = pairs.iter().map(|(name, value)| (name.as_str(), value.as_str())).collect();
         let mut changed = *setup;
-        changed.set_all(pairs)?;
+        changed.set_all(pairs.iter().copied())?;
         changed.validate()?;
+        let acts_on_the_club = |(name, _): &&(&str, &str)| setup.parameter(name).is_ok_and(Parameter::is_of_strike);
+        if let Some((name, _)) = pairs.iter().find(acts_on_the_club).filter(|_| setup.launch.is_given()) {
+            let (model, source) = (text.trim(), format!("{name} changes nothing: {NO_CLUB}").into());
+            return Err(Error::Unreadable { name: format!("--model {model}"), source });
+        }
         Ok(Self { name: text.trim().into(), setup: changed, reason: "" })
     }
 
@@ -64,7 +69,9 @@ impl Model {
         for (changes, reason) in USUAL {
             let mut changed = *setup;
             changed.set_all(changes)?;
-            if changed != *setup {
+            // a launch that is given has no impact
+            let is_idle = setup.launch.is_given() && changes.iter().any(|(name, _)| name.starts_with("impact."));
+            if changed != *setup && !is_idle {
                 let name = changes.map(|(name, value)| format!("{name}={value}")).join(",");
                 all.push(Self { name, setup: changed, reason });
             }
