@@ -8,7 +8,7 @@ impl<T: Numbers> Inputs<T> {
     #[inline(always)]
     pub(super) fn spin_within(&self, [from, to]: [&Node<T>; 2], s: T) -> T {
         let Some(damping) = self.damping else {
-            return T::outlined(inlined!(|| from.state.spin * (-(self.decay * s * self.step)).exp()));
+            return T::outlined(inlined!(|| from.spin * (-(self.decay * s * self.step)).exp()));
         };
         let mut ends = [[s; 3]; 2];
         for (end, node) in ends.iter_mut().zip([from, to]) {
@@ -28,7 +28,7 @@ impl<T: Numbers> Inputs<T> {
     /// The spin at a node with its first and second derivative by s.
     #[inline(always)]
     fn spin_and_derivatives(&self, node: &Node<T>, damping: T) -> [T; 3] {
-        let (spin, h) = (node.state.spin, self.step);
+        let (spin, h) = (node.spin, self.step);
         let rate = damping.mul_add(node.rate.speed, self.decay);
         let quickens = damping * self.rate_per_time(node).speed;
         [spin, -(rate * spin) * h, spin * (rate * rate - quickens) * (h * h)]

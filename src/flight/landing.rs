@@ -95,7 +95,7 @@ impl<T: Numbers> Inputs<T> {
             stepper.advance(&mut step);
             observe(ended.time, &step);
             // a comparison with NaN does not hold: what is lost is not followed
-            let is_followed = self.is_fine(step.from, h, tableau.reach) & step.to.state.position.x.is_finite();
+            let is_followed = self.is_fine(step.from, h, tableau.reach) & step.to.position.x.is_finite();
             ended.diverges = ended.diverges | flying & !is_followed;
             flying = flying & is_followed;
 
@@ -103,7 +103,7 @@ impl<T: Numbers> Inputs<T> {
                 *sum = (*sum + step.defect(h).without_derivatives()).blend(*sum, flying);
             }
 
-            let is_above = (ground - step.to.state.position.x).below(0.0);
+            let is_above = (ground - step.to.position.x).below(0.0);
             let has_top = flying & is_rising(step.from) & !is_rising(step.to);
             let may_land = flying & !is_above & (has_been_above | has_top);
             let top_decides = has_top & !(has_been_above & is_above);
@@ -164,7 +164,7 @@ impl<T: Numbers> Inputs<T> {
         if flying.any() {
             ended.is_aloft = flying;
             // a ball that lands late is next to the ground
-            let height = ground.blend(step.to.state.position.x, late);
+            let height = ground.blend(step.to.position.x, late);
             ended.height = height.blend(ended.height, flying);
         }
         if let Some(turf) = &self.turf {
@@ -192,7 +192,7 @@ impl<T: Numbers> Inputs<T> {
 
 #[inline(always)]
 fn is_rising<T: Numbers>(node: &Node<T>) -> T::Mask {
-    (-node.state.velocity.x).below(0.0)
+    (-node.velocity.x).below(0.0)
 }
 
 impl<T: Number> Inputs<T> {

@@ -7,18 +7,7 @@ const LEAST_SPEED: f64 = 1e-6;
 /// Half of the interval of the central difference for the jerk, s. Truncation: 6.7e-9 s² d³a/dt³; rounding: about 5e-12 m/s³.
 const APART: f64 = 2e-4;
 
-/// The ball at one time: where it is, how it moves and how fast it spins (about an axis that it keeps). x is up, y right and z downrange.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct State<T> {
-    /// m.
-    pub position: Vector<T>,
-    /// m/s.
-    pub velocity: Vector<T>,
-    /// |ω|, rad/s.
-    pub spin: T,
-}
-
-/// How the state changes.
+/// How a ball changes.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Rate<T> {
     /// dv/dt, m/s².
@@ -35,10 +24,16 @@ impl<T: Numbers> Rate<T> {
     }
 }
 
-/// A ball in a state, with how it changes there: a node of the integration.
+/// A ball at one time, a node of the integration: where it is, how it moves, how fast it spins (about an axis that it keeps), and how that changes. x is up,
+/// y right and z downrange.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Node<T> {
-    pub state: State<T>,
+    /// m.
+    pub position: Vector<T>,
+    /// m/s.
+    pub velocity: Vector<T>,
+    /// |ω|, rad/s.
+    pub spin: T,
     pub rate: Rate<T>,
 }
 
@@ -78,17 +73,16 @@ impl<T: Numbers> Inputs<T> {
     /// The node where the flight begins.
     #[inline(always)]
     pub(super) fn launch(&self) -> Node<T> {
-        let state = State { position: Vector::zero(), velocity: self.velocity, spin: self.spin };
-        let mut rate = Rate::none();
-        self.find_rate(self.velocity - self.wind.at(T::zero()), self.spin, &mut rate);
-        Node { state, rate }
+        let mut node = Node { position: Vector::zero(), velocity: self.velocity, spin: self.spin, rate: Rate::none() };
+        self.find_rate(self.velocity - self.wind.at(T::zero()), self.spin, &mut node.rate);
+        node
     }
 
     /// How the rate at a node changes with time, d²v/dt² and d|v_r|/dt: the central difference of the equation of motion along the path. It is a
     /// smooth function of the node alone, so that the paths of neighbouring steps join; over a dual number in time it would be twice the code of a flight.
     #[inline(always)]
     pub(super) fn rate_per_time(&self, node: &Node<T>) -> Rate<T> {
-        let Node { state: State { position, velocity, spin }, rate: Rate { acceleration, speed } } = *node;
+        let Node { position, velocity, spin, rate: Rate { acceleration, speed } } = *node;
         let decay_rate = match self.damping {
             None => self.decay,
             Some(damping) => damping.mul_add(speed, self.decay),

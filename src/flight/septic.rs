@@ -28,8 +28,8 @@ impl<T: Numbers> Septic<T> {
         let j = j1 - j0;
         let sum = inlined!(|[wx, wv, wa, wj]: [f64; 4]| x.scale_add(wx, v.scale_add(wv, a.scale_add(wa, j * wj))));
         Self([
-            of(&step.from.state.position),
-            of(&step.from.state.velocity) * h,
+            of(&step.from.position),
+            of(&step.from.velocity) * h,
             half,
             sixth,
             sum([35.0, -15.0, 2.5, -1.0 / 6.0]),

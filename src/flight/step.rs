@@ -1,5 +1,5 @@
 use super::inputs::Inputs;
-use super::motion::{Node, Rate, State};
+use super::motion::{Node, Rate};
 use super::tableau::{MOST_STAGES, Tableau};
 use crate::number::{Numbers, Vector, inlined};
 
@@ -55,7 +55,7 @@ impl<'a, T: Numbers> Stepper<'a, T> {
     pub fn advance(&mut self, step: &mut Step<'_, T>) {
         std::mem::swap(&mut step.from, &mut step.to);
         let (inputs, tableau, h) = (self.inputs, self.tableau, self.h);
-        let State { position: x, velocity: v, spin } = step.from.state;
+        let Node { position: x, velocity: v, spin, .. } = *step.from;
         let (start, end) = (&step.from.rate, tableau.stages);
         let mut faded = spin;
         // the end of a step is like one more stage
@@ -75,7 +75,7 @@ impl<'a, T: Numbers> Stepper<'a, T> {
         step.gained = self.sum(start, tableau.velocity[end], h, Vector::zero());
         step.deflection = self.sum(start, &tableau.position[end][..end - 1], h * h, Vector::zero());
         let position = v.scale_add(h, x + step.deflection);
-        step.to.state = State { position, velocity: v + step.gained, spin: faded };
+        (step.to.position, step.to.velocity, step.to.spin) = (position, v + step.gained, faded);
     }
 
     /// The rate at a stage: at the first, that at the start of the step.

@@ -64,7 +64,7 @@ pub fn trajectory(setup: &Setup<f64>, launch: &Launch<f64>) -> Result<Trajectory
                 velocity: path.velocity(s),
             }));
         }
-        let end = step.to.state;
+        let end = &*step.to;
         points.push(TrajectoryPoint { time: begin + h, position: end.position, velocity: end.velocity });
     })?;
     if let Flight::Landed(landed) = &flight {
