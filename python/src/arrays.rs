@@ -1,6 +1,6 @@
 //! Arrays of NumPy as the points of a batch.
 
-use crate::boundary::{Answer, Failure, kind_of};
+use crate::boundary::{Answer, Failure, kind_of, shown, text_of};
 use crate::degrees::Degrees;
 use crate::pool::look;
 use longdrive::batch::Points;
@@ -69,10 +69,10 @@ impl Arrays {
             let Ok(name) = name.cast::<PyString>() else {
                 return Err(Failure::Input(format!(
                     "points: the key {} is no text; expected the name of a parameter",
-                    name.repr()?
+                    shown(&name)
                 )));
             };
-            let parameter = setup.column(name.to_str()?)?;
+            let parameter = setup.column(text_of("points: a name", name)?)?;
             let column = column(parameter, &value)?;
             if let Column::Each(array) = &column {
                 let length = array.bind(points.py()).len();
@@ -165,7 +165,7 @@ impl Column {
 fn column(parameter: &'static Parameter, given: &Bound<'_, PyAny>) -> Answer<Column> {
     let name = parameter.name;
     if let Ok(text) = given.cast::<PyString>() {
-        let value = parameter.read(text.to_str()?, false)?;
+        let value = parameter.read(text_of(&format!("points: {name}"), text)?, false)?;
         let value =
             value.ok_or_else(|| Failure::Input(format!("points: {name} is unset; give a value for each row")))?;
         return Ok(Column::Same(value));

@@ -1,8 +1,9 @@
 //! Where Rust meets Python: every function that Python calls answers through [`answer`], so that errors become the exceptions of
 //! `longdrive.errors` and a panic becomes one too.
 
-use pyo3::exceptions::PyRuntimeError;
+use pyo3::exceptions::{PyRuntimeError, PyUnicodeEncodeError};
 use pyo3::prelude::*;
+use pyo3::types::PyString;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 /// Why a call from Python has no answer.
@@ -38,7 +39,7 @@ impl From<PyErr> for Failure {
 impl From<Failure> for PyErr {
     fn from(failure: Failure) -> Self {
         match failure {
-            Failure::Python(error) => error,
+            Failure::Python(error) => half_a_character(error),
             Failure::Input(message) => raised("InputError", message, None),
             Failure::Key(message) => raised("UnknownKeyError", message, None),
             Failure::Longdrive(error) if error.is_an_outcome() => {
@@ -65,6 +66,25 @@ fn raised(name: &str, message: String, status: Option<&str>) -> PyErr {
     })
 }
 
+/// A text that is no Unicode is bad input, wherever it is met.
+fn half_a_character(error: PyErr) -> PyErr {
+    Python::attach(|py| {
+        if !error.is_instance_of::<PyUnicodeEncodeError>(py) {
+            return error;
+        }
+        let text = error.value(py).getattr("object").map_or_else(|_| "a text".into(), |text| shown(&text));
+        Failure::Input(format!("{text} {HALF}")).into()
+    })
+}
+
+/// What is told of a text that is no Unicode.
+const HALF: &str = "has half a character (a lone surrogate); give the text without it";
+
+/// A text of Python; `what` names what it is given for.
+pub fn text_of<'a>(what: &str, text: &'a Bound<'_, PyString>) -> Answer<&'a str> {
+    text.to_str().map_err(|_| Failure::Input(format!("{what} = {} {HALF}", shown(text))))
+}
+
 /// Does what Python asked for. A panic becomes `longdrive.InternalError`, which `except Exception` catches; PyO3 alone would make a
 /// `BaseException` of it.
 pub fn answer<T>(work: impl FnOnce() -> Answer<T>) -> PyResult<T> {
@@ -88,6 +108,13 @@ pub fn kind_of(value: &Bound<'_, PyAny>) -> String {
         .import("longdrive.arguments")
         .and_then(|module| module.getattr("kind_of")?.call1((value,))?.extract());
     kind.unwrap_or_else(|_: PyErr| "something else".into())
+}
+
+/// A value in a message, cut where it is long.
+pub fn shown(value: &Bound<'_, PyAny>) -> String {
+    let shown =
+        value.py().import("longdrive.arguments").and_then(|module| module.getattr("shown")?.call1((value,))?.extract());
+    shown.unwrap_or_else(|_: PyErr| kind_of(value))
 }
 
 /// Panics, so that a test can see what becomes of it. With `in_python`, as a panic outside of longdrive's own code would.

@@ -1,13 +1,20 @@
 //! What Python gives for the parameters of a setup: numbers, texts with units, quantities of pint, nested or dotted dicts.
 
-use crate::boundary::{Answer, Failure, kind_of};
+use crate::boundary::{Answer, Failure, kind_of, shown, text_of};
 use longdrive::Setup;
-use longdrive::parameters::{GOLFER, Kind, LAW, METHOD, SPEED_OF, TABLE, TURF, UNSET};
+use longdrive::parameters::{GOLFER, Kind, LAW, Law, METHOD, SPEED_OF, TABLE, TURF, UNSET};
+use pyo3::exceptions::PyOverflowError;
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyMapping, PyString};
 
 /// The key that names the preset a dict starts from, as in a setup file.
 pub const PRESET: &str = "preset";
+
+/// The choices that are no numbers.
+const CHOICES: [&str; 6] = [LAW, TABLE, METHOD, TURF, GOLFER, SPEED_OF];
+
+/// So many dicts may lie within each other: a name has three parts at most, as `club.inertia.xx` has.
+const DEEPEST: usize = 4;
 
 /// A parameter or a choice, as it was given.
 pub struct Given<'py> {
@@ -33,7 +40,7 @@ impl Given<'_> {
             };
         }
         if let Ok(text) = value.cast::<PyString>() {
-            return Ok((text.to_str()?.to_owned(), false));
+            return Ok((text_of(&format!("'{}'", self.name), text)?.to_owned(), false));
         }
         if let Some(number) = self.of_pint(setup)? {
             return Ok((format!("{number:?}"), true));
@@ -41,7 +48,15 @@ impl Given<'_> {
         match value.extract::<f64>() {
             // a truth is a number to Python, and no quantity
             Ok(number) if !value.is_instance_of::<PyBool>() => Ok((format!("{number:?}"), true)),
+            Err(error) if error.is_instance_of::<PyOverflowError>(value.py()) => Err(Failure::Input(format!(
+                "'{}' = {} is too large for a 64-bit float, which ends at 1.8e308",
+                self.name,
+                shown(value)
+            ))),
             _ => {
+                if !CHOICES.contains(&self.name.as_str()) {
+                    setup.parameter(&self.name)?;
+                }
                 let kind = kind_of(value);
                 let expected = "expected a number (SI), a text like \"10.5 deg\", or None for what may be unset";
                 Err(Failure::Input(format!("'{}' is {kind}; {expected}", self.name)))
@@ -82,7 +97,7 @@ impl Given<'_> {
 /// The entries of a dict under their dotted names, each given once.
 pub fn flattened<'py>(dict: &Bound<'py, PyAny>) -> Answer<Vec<Given<'py>>> {
     let mut all = vec![];
-    flatten(dict.cast::<PyMapping>().map_err(|_| not_a_mapping(dict))?, "", &mut all)?;
+    flatten(dict.cast::<PyMapping>().map_err(|_| not_a_mapping(dict))?, "", 1, &mut all)?;
     Ok(all)
 }
 
@@ -90,7 +105,7 @@ pub fn flattened<'py>(dict: &Bound<'py, PyAny>) -> Answer<Vec<Given<'py>>> {
 fn may_be_unset(setup: &Setup<f64>, name: &str) -> bool {
     match setup.parameter(name) {
         Ok(row) => row.kind == Kind::Optional,
-        Err(_) => ![LAW, TABLE, METHOD, TURF, GOLFER, SPEED_OF].contains(&name),
+        Err(_) => !CHOICES.contains(&name),
     }
 }
 
@@ -102,22 +117,38 @@ pub fn refuse_repeated(all: &[Given<'_>]) -> Answer<()> {
     }
 }
 
-fn flatten<'py>(dict: &Bound<'py, PyMapping>, prefix: &str, all: &mut Vec<Given<'py>>) -> Answer<()> {
+/// Takes the entries of a dict that lies within others: `depth` counts it and them.
+fn flatten<'py>(dict: &Bound<'py, PyMapping>, prefix: &str, depth: usize, all: &mut Vec<Given<'py>>) -> Answer<()> {
     for item in dict.items()?.iter() {
         let (key, value): (Bound<'_, PyAny>, Bound<'_, PyAny>) = item.extract()?;
         let Ok(key) = key.cast::<PyString>() else {
             return Err(Failure::Input(format!(
                 "the key {} of a setup is no text; expected a name like 'club.loft'",
-                key.repr()?
+                shown(&key)
             )));
         };
-        let name = format!("{prefix}{}", key.to_str()?);
+        let name = format!("{prefix}{}", text_of("a name of a setup", key)?);
         match value.cast::<PyMapping>() {
-            Ok(inner) => flatten(inner, &format!("{name}."), all)?,
-            Err(_) => all.push(Given { name, value }),
+            Ok(_) if depth == DEEPEST => {
+                return Err(Failure::Input(format!(
+                    "'{name}' is a dict within {DEEPEST} others, or within itself; a name has three parts at most, as \
+                     'club.inertia.xx' has: give {{\"club\": {{\"inertia\": {{\"xx\": …}}}}}}, or {{\"club.inertia.xx\": …}}"
+                )));
+            }
+            // a group of which nothing is given
+            Ok(inner) if inner.is_empty()? && is_group(&name) => {}
+            Ok(inner) if !inner.is_empty()? => flatten(inner, &format!("{name}."), depth + 1, all)?,
+            _ => all.push(Given { name, value }),
         }
     }
     Ok(())
+}
+
+/// Whether there are parameters in a group of this name, in a setup of any law.
+fn is_group(name: &str) -> bool {
+    let begins = |row: &str| row.strip_prefix(name).is_some_and(|rest| rest.starts_with('.'));
+    let setup = Setup::<f64>::default();
+    setup.parameters().into_iter().chain(Law::all_rows()).any(|row| begins(row.name))
 }
 
 fn not_a_mapping(value: &Bound<'_, PyAny>) -> Failure {
@@ -148,9 +179,9 @@ pub fn preset(given: &mut Vec<Given<'_>>) -> Answer<Option<String>> {
     let Some(at) = given.iter().position(|given| given.name == PRESET) else { return Ok(None) };
     let named = given.remove(at);
     match named.value.cast::<PyString>() {
-        Ok(name) => Ok(Some(name.to_str()?.to_owned())),
+        Ok(name) => Ok(Some(text_of("'preset'", name)?.to_owned())),
         Err(_) => {
-            Err(Failure::Input(format!("'preset' is {}; expected the name of a preset in quotes", named.value.repr()?)))
+            Err(Failure::Input(format!("'preset' is {}; expected the name of a preset in quotes", shown(&named.value))))
         }
     }
 }

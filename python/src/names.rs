@@ -1,23 +1,28 @@
 //! Outcomes and parameters by name, one or several of them; and what there is of both.
 
-use crate::boundary::{Answer, Failure, answer, kind_of};
+use crate::boundary::{Answer, Failure, answer, kind_of, text_of};
 use crate::json::to_python;
 use crate::setup::PySetup;
 use longdrive::parameters::Parameter;
 use longdrive::report::{parameters_reply, presets_reply};
 use longdrive::{Outcome, Setup};
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyList, PyString};
+use pyo3::types::{PyDict, PyList, PySequence, PyString};
 
 /// A name or several, as they are given; `what` is the argument.
 pub fn listed(what: &str, given: &Bound<'_, PyAny>) -> Answer<Vec<String>> {
     if let Ok(name) = given.cast::<PyString>() {
-        return Ok(vec![name.to_str()?.to_owned()]);
+        return Ok(vec![text_of(what, name)?.to_owned()]);
     }
-    given.extract().map_err(|_| {
+    let Ok(names) = given.cast::<PySequence>() else {
         let kind = kind_of(given);
-        Failure::Input(format!("{what} is {kind}; expected a name or a list of names"))
-    })
+        return Err(Failure::Input(format!("{what} is {kind}; expected a name or a list of names")));
+    };
+    let named = |(at, name): (usize, Bound<'_, PyAny>)| match name.cast::<PyString>() {
+        Ok(name) => Ok(text_of(&format!("{what}[{at}]"), name)?.to_owned()),
+        Err(_) => Err(Failure::Input(format!("{what}[{at}] is {}; expected a name", kind_of(&name)))),
+    };
+    names.to_list()?.iter().enumerate().map(named).collect()
 }
 
 /// The outcomes of these names, each once; "all" for every one of a drive.
@@ -71,9 +76,11 @@ pub fn asked<'py>(
 
 /// What is told of a key that a mapping of Python has not: the nearest of those that it has.
 #[pyfunction]
-pub fn unknown_key(what: &str, key: &str, keys: Vec<String>, advice: String) -> String {
-    let what = if what == "column" { "column" } else { "outcome" };
-    longdrive::Error::unknown(what, key, keys.iter().map(String::as_str), advice).to_string()
+pub fn unknown_key(what: &str, key: &Bound<'_, PyAny>, keys: Vec<String>, advice: String) -> PyResult<String> {
+    let what = ["column", "parameter"].into_iter().find(|known| *known == what).unwrap_or("outcome");
+    let key = key.str()?;
+    let key = key.to_string_lossy();
+    Ok(longdrive::Error::unknown(what, &key, keys.iter().map(String::as_str), advice).to_string())
 }
 
 /// Every parameter of a setup with its value, range, unit and meaning, as ``longdrive parameters --json`` gives it.

@@ -1,6 +1,6 @@
 //! `Setup`: everything a drive depends on.
 
-use crate::boundary::{Answer, Failure, answer, kind_of};
+use crate::boundary::{Answer, Failure, answer, kind_of, shown, text_of};
 use crate::given::{self, PRESET};
 use longdrive::parameters::{GOLFER, LAW, METHOD, Parameter, Preset, SPEED_OF, SetupFile, TABLE, TURF};
 use longdrive::report::{Change, changes, setup_toml, setup_toml_without_step};
@@ -77,7 +77,7 @@ impl PySetup {
             return Self::of_preset(USUAL);
         }
         if let Ok(name) = given.cast::<PyString>() {
-            return Self::of_preset(name.to_str()?);
+            return Self::of_preset(text_of("setup", name)?);
         }
         let mut given = given::flattened(given)?;
         given::refuse_repeated(&given)?;
@@ -210,6 +210,10 @@ impl PySetup {
             Self::of_file(SetupFile::open(&file)?)
         })
     }
+            if let Ok(name) = path.cast::<PyString>() {
+                // surrogates that stand for bytes are those of names of files
+                path.py().import("os")?.getattr("fsencode")?.call1((name,))?;
+            }
 
     /// Reads the text of a setup file.
     ///
@@ -224,8 +228,9 @@ impl PySetup {
     #[pyo3(signature = (text, file = "setup.toml"))]
     fn from_toml(text: &Bound<'_, PyAny>, file: &str) -> PyResult<Self> {
         answer(|| {
-            let toml: String = text.extract().map_err(|_| not_of_the_kind("text", text, "the text of a setup file"))?;
-            Self::of_file(SetupFile::read(&toml, file)?)
+            let toml =
+                text.cast::<PyString>().map_err(|_| not_of_the_kind("text", text, "the text of a setup file"))?;
+            Self::of_file(SetupFile::read(text_of("text", toml)?, file)?)
         })
     }
 
@@ -274,15 +279,18 @@ impl PySetup {
     /// The value of a parameter in SI, None where it is unset; a choice such as ``aero.law`` as a text.
     fn __getitem__<'py>(&self, py: Python<'py>, name: &Bound<'_, PyAny>) -> PyResult<Bound<'py, PyAny>> {
         answer(|| match name.cast::<PyString>() {
-            Ok(name) => self.item(py, name.to_str()?),
+            Ok(name) => self.item(py, &name.to_string_lossy()),
             Err(_) => {
-                Err(Failure::Key(format!("{} is no name of a setup; expected one like 'club.loft'", name.repr()?)))
+                Err(Failure::Key(format!("{} is no name of a setup; expected one like 'club.loft'", shown(name))))
             }
         })
     }
 
-    fn __contains__(&self, name: &str) -> bool {
-        [LAW, METHOD, GOLFER, SPEED_OF, PRESET, TABLE].contains(&name) || self.setup.parameter(name).is_ok()
+    /// Whether it has a value under a name.
+    fn __contains__(&self, name: &Bound<'_, PyAny>) -> bool {
+        let Ok(name) = name.cast::<PyString>() else { return false };
+        let name = name.to_string_lossy();
+        [LAW, METHOD, GOLFER, SPEED_OF, PRESET, TABLE].contains(&&*name) || self.setup.parameter(&name).is_ok()
     }
 
     /// The names of its choices and parameters.

@@ -1,6 +1,6 @@
 //! How the drives of a batch are integrated: as those of `longdrive sweep`.
 
-use crate::boundary::{Answer, Failure};
+use crate::boundary::{Answer, Failure, text_of};
 use crate::setup::PySetup;
 use longdrive::parameters::Vary;
 use longdrive::study::{Accuracy, accuracy};
@@ -31,7 +31,7 @@ impl Asked {
             return Err(Failure::Input("tolerance and own_step are both given; keep one of the two".into()));
         }
         if let Ok(text) = given.cast::<PyString>() {
-            let read = Quantity::LENGTH.read(text.to_str()?);
+            let read = Quantity::LENGTH.read(text_of("tolerance", text)?);
             return read.map(Self::Within).map_err(|error| Failure::Input(format!("tolerance: {error}")));
         }
         let refuse =

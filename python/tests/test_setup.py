@@ -161,6 +161,13 @@ def test_what_was_given_is_not_replaced_in_silence() -> None:
 
 
 def test_a_file_that_is_wrong_names_line_and_column(tmp_path: Path) -> None:
+        ({"clubs": {}}, "unknown parameter 'clubs'"),
+        ({"foo.bar": {}}, "unknown parameter 'foo.bar'"),
+        ({"club": {"lofft": {}}}, r"unknown parameter 'club.lofft'; did you mean 'club.loft'\?"),
+        ({"club.loft": {}}, "'club.loft' is a dict; expected a number"),
+        ({"aero.law": {}}, "'aero.law' is a dict"),
+        ({"preset": {}}, "'preset' is {}; expected the name"),
+        ({"clubs": [1]}, "unknown parameter 'clubs'"),
     file = tmp_path / "mine.toml"
     file.write_text("[club]\nloft = '10 kg'\n")
     with pytest.raises(InputError, match=r"mine.toml:2:8: club.loft"):
@@ -171,6 +178,10 @@ def test_a_file_that_is_wrong_names_line_and_column(tmp_path: Path) -> None:
 
 def test_short_and_long_descriptions() -> None:
     setup = Setup().replace({"club.loft": "10.5 deg"})
+def test_exact_a_group_of_which_nothing_is_given_changes_nothing() -> None:
+    assert Setup({"preset": "mae494", "club": {"inertia": {}}, "air": {}, "club.weight_1": {}, "aero": {}}) == Setup("mae494")
+
+
     assert repr(setup) == "<longdrive.Setup tour-average with club loft 10.5°>"
     assert "<td>club loft</td><td>10.5°</td><td>9.5°</td>" in setup._repr_html_()
     assert repr(Setup()) == "<longdrive.Setup tour-average>"

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 from . import _longdrive
 from ._longdrive import Setup
-from .arguments import kind_of, path_of, switch_of
+from .arguments import kind_of, path_of, shown, switch_of, whole_characters
 from .described import commands
 from .errors import InputError
 from .wording import argument_of, in_python
@@ -56,29 +56,37 @@ class Question:
         self.goal = str(next((given[name] for name in ("maximize", "minimize") if given.get(name) is not None), self.goal))
         for option in commands()[self.command]:
             name = argument_of(option["name"])
-            if name not in given:
-                continue
-            value, what = given[name], str(option["value"])
-            if name == "output" and value is None:
-                value = self.scratch
-                if value is not None and given.get("format") is not None:
-                    raise InputError(f"format = {given['format']!r} is of a file, and no file is written; give output too, or leave format out")
-            if value is None and (option["required"] or name == "shots" and option["positional"]):
-                raise InputError(f"{name} is None, and {self.command} needs it: {in_python(option['help']).removesuffix('. Repeatable')}")
-            if not option["positional"] and _is_empty(value):
-                _refuse_empty(name, option)
-            if name == "at" and not isinstance(value, str) and value is not None and "along" in given:
-                value = self.places(name, value, given["along"])
-            if not option["positional"]:
-                self.option(option["name"], value, option["takes"], what)
-            elif name == "setup":
-                self.take_setup(option["default"] if value is None else value)
-            elif name == "other":
-                self.take_other(name, value)
-            elif what in ("SHOTS", "DATA"):
-                self.take_file(name, value)
-            else:
-                self.take_word(name, value)
+            if name in given:
+                with whole_characters(name):
+                    self._take(name, option, given)
+
+    def _take(self, name: str, option: Mapping[str, Any], given: Mapping[str, Any]) -> None:
+        value, what = given[name], str(option["value"])
+        if name == "output" and value is None:
+            value = self.scratch
+            if value is not None and given.get("format") is not None:
+                raise InputError(f"format = {given['format']!r} is of a file, and no file is written; give output too, or leave format out")
+        if value is None and (option["required"] or name == "shots" and option["positional"]):
+            raise InputError(f"{name} is None, and {self.command} needs it: {in_python(option['help']).removesuffix('. Repeatable')}")
+        if not option["positional"] and _is_empty(value):
+            _refuse_empty(name, option)
+        if name == "at" and not isinstance(value, str) and value is not None and "along" in given:
+            value = self.places(name, value, given["along"])
+        at = len(self.words)
+        if not option["positional"]:
+            self.option(option["name"], value, option["takes"], what)
+        elif name == "setup":
+            self.take_setup(option["default"] if value is None else value)
+        elif name == "other":
+            self.take_other(name, value)
+        elif what in ("SHOTS", "DATA"):
+            self.take_file(name, value)
+        else:
+            self.take_word(name, value)
+        # surrogates that stand for bytes are those of names of files
+        encode = os.fsencode if what in PATHS or what in ("SETUP", "SHOTS", "DATA") else str.encode
+        for word in self.words[at:]:
+            encode(word.partition("=")[2] if word.startswith("--") else word)
 
     @contextmanager
     def named(self) -> Iterator[None]:
@@ -174,7 +182,11 @@ class Question:
         option = next(option for option in commands()[self.command] if argument_of(option["name"]) == name)
         if _is_empty(value):
             _refuse_empty(name, option)
-        return list(self._several(name, value, str(option["value"])))
+        with whole_characters(name):
+            texts = list(self._several(name, value, str(option["value"])))
+            for text in texts:
+                text.encode()
+        return texts
 
     def _one(self, name: str, value: Any, what: str) -> str:
         if what in PATHS:
@@ -189,7 +201,10 @@ class Question:
             return self._only(name, value, what)
         if isinstance(value, (Mapping, Set)) or parts_of(value) is not None:
             raise InputError(f"{name} is {kind_of(value)}; expected {ONE.get(what, 'one text').format(name)}")
-        return str(value)
+        try:
+            return str(value)
+        except ValueError:  # a whole number of more than 4300 digits
+            raise InputError(f"{name} = {shown(value)}; expected {ONE.get(what, 'one text').format(name)}") from None
 
     def _only(self, name: str, value: Any, what: str) -> str:
         """A name with its value, of which there is one."""
@@ -212,17 +227,17 @@ class Question:
         except TypeError:
             message = f"{name} is {kind_of(value)}; expected a text, a list of texts, or a dict of names with values"
             raise InputError(message) from None
-        strange = next((item for item in items if not isinstance(item, (str, Mapping))), None)
-        if strange is not None:
+        strange = [item for item in items if not isinstance(item, (str, Mapping))]
+        if strange:
             instead = f", or one dict for all, as in {name}={{'club.loft': …}}" if "=" in what else ""
-            raise InputError(f"{name} has {kind_of(strange)} in its {type(value).__name__}: {strange!r}; expected texts{instead}")
+            raise InputError(f"{name} has {kind_of(strange[0])} in its {type(value).__name__}: {shown(strange[0])}; expected texts{instead}")
         # a dict among them is one value of several parts: the changes that make a model
         return [",".join(self._several(name, item, what)) if isinstance(item, Mapping) else str(item) for item in items]
 
     def _pair(self, name: str, key: Any, value: Any, what: str) -> str:
         """A name with its value: a text as it is, a number with its SI unit, a pair as a range, a triple as one with a count, a kind with numbers."""
         if isinstance(key, tuple):
-            return f"{','.join(map(str, key))}={value!r}"
+            return f"{','.join(map(str, key))}={shown(value)}"
         if value is None:
             return str(key)
         parts = parts_of(value)

@@ -8,7 +8,7 @@ from typing import Literal, NamedTuple
 
 from . import _longdrive
 from ._question import Question
-from .arguments import count_of, kind_of, one_name
+from .arguments import MOST_SCENARIOS, MOST_SEED, count_of, kind_of, one_name, whole_characters
 from .errors import InputError
 from .types import Floats, Given, Names, Sense, SetupLike
 
@@ -169,6 +169,9 @@ def objective(
                 f"{name} is {kind_of(file)}; expected the name of a file, which an objective reads again where it is unpickled: write a table with "
                 f"pandas.DataFrame(…).to_csv('{name}.csv', index=False), and give that name{instead}"
             )
+    for name, text in (("sense", sense), ("invalid", invalid)):
+        with whole_characters(name):
+            str(text).encode()
     return _longdrive.Objective(
         setup,
         one_name("of", of, "jacobian takes several"),
@@ -178,8 +181,8 @@ def objective(
         swings,
         over.texts("distribution", distribution),
         over.texts("correlation", correlation),
-        None if scenarios is None else count_of("scenarios", scenarios, 1),
-        None if seed is None else count_of("seed", seed),
+        None if scenarios is None else count_of("scenarios", scenarios, 1, MOST_SCENARIOS),
+        None if seed is None else count_of("seed", seed, most=MOST_SEED),
         strokes,
     )
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .arguments import count_of, kind_of
+from .arguments import count_of, kind_of, shown
 from .errors import InputError
 
 if TYPE_CHECKING:
@@ -61,7 +61,7 @@ def number_text(value: Any, unit: str) -> str:
             raise TypeError
         return f"{float(value)!r} {unit}".strip()
     except (TypeError, ValueError):
-        message = f"{value!r} is {kind_of(value)}; expected a number (SI), or a text with its unit like '10.5 deg'"
+        message = f"{shown(value)} is {kind_of(value)}; expected a number (SI), or a text with its unit like '10.5 deg'"
         raise InputError(message) from None
 
 
@@ -99,6 +99,8 @@ def _column(name: str, head: Any, values: Any) -> list[Any]:
     parts = parts_of(values)
     shape: tuple[int, ...] = getattr(values, "shape", (len(parts or ()),))
     if parts is None or len(shape) != 1:
+    except OverflowError:
+        raise InputError(f"{shown(value)} is too large for a 64-bit float, which ends at 1.8e308") from None
         found = kind_of(values) if parts is None else f"of shape {shape}"
         raise InputError(f"{name}: the column '{head}' is {found}; expected a value for each row, shape (rows,)")
     return list(parts)
