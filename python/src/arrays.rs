@@ -9,7 +9,7 @@ use longdrive::{Error, Setup};
 use numpy::ndarray::s;
 use numpy::{PyArray1, PyArrayDescrMethods, PyArrayMethods, PyUntypedArray, PyUntypedArrayMethods};
 use pyo3::prelude::*;
-use pyo3::types::{PyMapping, PyString};
+use pyo3::types::{PyBool, PyList, PyMapping, PyString, PyTuple};
 
 /// Rows that are gathered from the arrays at a time, with Python's lock.
 const GATHERED: usize = 65_536;
@@ -175,27 +175,7 @@ fn column(parameter: &'static Parameter, given: &Bound<'_, PyAny>) -> Answer<Col
             "points: {name} {found}; expected a number or a one-dimensional array of numbers in {}",
             si(parameter)
         ))
-    };
-    let numpy = given.py().import("numpy")?;
-    let array = numpy
-        .call_method1("asanyarray", (given,))
-        .map_err(|error| refuse(format!("is no array ({})", error.value(given.py()))))?;
-    let masked = numpy.getattr("ma")?.getattr("MaskedArray")?;
-    if array.is_instance(&masked)? {
-        return Err(refuse("is a masked array: fill it, a NaN makes a row without a drive".into()));
-    }
-    let array = numpy.call_method1("asarray", (array,))?;
-    let array = array.cast::<PyUntypedArray>().map_err(|_| refuse("is no array".into()))?;
-    let kind = array.dtype().kind();
-    // whole numbers and floats; a truth, a text, a time or a complex number is no quantity
-    if !matches!(kind, b'i' | b'u' | b'f') {
-        // a None among numbers makes objects of them
-        let objects = if kind == b'O' { " (a NaN, not None, makes a row without a drive)" } else { "" };
-        return Err(refuse(format!("has dtype {}{objects}", array.dtype())));
-    }
-    let converted = array.call_method1("astype", ("f8", "K", "safe", true, false));
-    let array =
-        converted.map_err(|_| refuse(format!("has dtype {}, which 64-bit floats do not hold", array.dtype())))?;
+    let array = floats(given, " (a NaN, not None, makes a row without a drive)", &refuse)?;
     match array.cast::<PyArray1<f64>>() {
         Ok(array) => Ok(Column::Each(array.clone().unbind())),
         Err(_) => {
@@ -208,6 +188,45 @@ fn column(parameter: &'static Parameter, given: &Bound<'_, PyAny>) -> Answer<Col
             }
         }
     }
+}
+
+/// Whole numbers and floats as an array of 64-bit floats, whatever its shape; `refuse` tells what is wrong with anything else, and `missing`
+/// what stands for no value.
+pub fn floats<'py>(
+    given: &Bound<'py, PyAny>,
+    missing: &str,
+    refuse: &dyn Fn(String) -> Failure,
+) -> Answer<Bound<'py, PyAny>> {
+    };
+    if given.is_instance_of::<PyList>() || given.is_instance_of::<PyTuple>() {
+        // NumPy makes numbers of truths that stand among numbers
+        let truth = numpy.getattr("bool_")?;
+        for (at, item) in given.try_iter()?.enumerate() {
+            let item = item?;
+            if item.is_instance_of::<PyBool>() || item.is_instance(&truth)? {
+                return Err(refuse(format!("has a truth, {item}, as element {at}")));
+            }
+        }
+    }
+    let numpy = given.py().import("numpy")?;
+    let array = numpy
+        .call_method1("asanyarray", (given,))
+        .map_err(|error| refuse(format!("is no array ({})", error.value(given.py()))))?;
+    let masked = numpy.getattr("ma")?.getattr("MaskedArray")?;
+    if array.is_instance(&masked)? {
+        return Err(refuse(format!("is a masked array: fill it{missing}")));
+    }
+    let array = numpy.call_method1("asarray", (array,))?;
+    let array = array.cast::<PyUntypedArray>().map_err(|_| refuse("is no array".into()))?;
+    let kind = array.dtype().kind();
+    // whole numbers and floats; a truth, a text, a time or a complex number is no quantity
+    if !matches!(kind, b'i' | b'u' | b'f') {
+        // a None among numbers makes objects of them
+        let objects = if kind == b'O' { missing } else { "" };
+        return Err(refuse(format!("has dtype {}{objects}", array.dtype())));
+    }
+    let converted = array.call_method1("astype", ("f8", "K", "safe", true, false));
+    converted.map_err(|_| refuse(format!("has dtype {}, which 64-bit floats do not hold", array.dtype())))
 }
 
 fn si(parameter: &Parameter) -> &'static str {

@@ -86,10 +86,10 @@ impl Given<'_> {
         if !is_quantity {
             return Ok(None);
         }
-        let si = setup.parameter(&self.name)?.quantity.si;
-        let unit = if si.is_empty() { "dimensionless" } else { si };
-        let number = self.value.call_method1("to", (unit,)).and_then(|value| value.getattr("magnitude")?.extract());
-        let refused = |error: PyErr| Failure::Input(format!("{}: {}", self.name, error.value(self.value.py())));
+        let (py, si) = (self.value.py(), setup.parameter(&self.name)?.quantity.si);
+        let in_si = py.import("longdrive.written")?.getattr("in_si")?;
+        let number = in_si.call1((&self.value, si)).and_then(|number| number.extract());
+        let refused = |error: PyErr| Failure::Input(format!("{}: {}", self.name, error.value(py)));
         number.map(Some).map_err(refused)
     }
 }

@@ -1,5 +1,6 @@
 //! An outcome, or a goal over swings, as a function of some parameters, for optimizers that take functions.
 
+use crate::arrays::floats;
 use crate::boundary::{Answer, Failure, answer};
 use crate::derivatives::{matrix, vector};
 use crate::names::{outcomes_named, variables};
@@ -12,7 +13,7 @@ use longdrive::study::uncertainty::Uncertain;
 use longdrive::{Error, Outcome};
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
-use pyo3::types::{PySequenceMethods, PyTuple};
+use pyo3::types::{PyDict, PySequenceMethods, PyTuple};
 use std::path::PathBuf;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
@@ -213,8 +214,10 @@ impl PyObjective {
             },
             Err(_) => {
                 let py = x.py();
-                let array = py.import("numpy")?.call_method1("asarray", (x, "f8"));
-                let array = array.map_err(|error| refuse(format!("is no array of numbers ({})", error.value(py))))?;
+                let units = PyDict::new(py);
+                self.wrt().iter().try_for_each(|row| units.set_item(row.name, row.quantity.si))?;
+                let x = py.import("longdrive.written")?.getattr("point_in_si")?.call1((x, units))?;
+                let array = floats(&x, "", &refuse)?;
                 // a search along one variable, as SciPy's minimize_scalar, gives a number alone
                 let array = if wanted == 1 { py.import("numpy")?.call_method1("atleast_1d", (array,))? } else { array };
                 match array.extract::<PyReadonlyArray1<'_, f64>>() {

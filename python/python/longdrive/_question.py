@@ -19,7 +19,7 @@ from .arguments import kind_of, path_of, shown, switch_of, whole_characters
 from .described import commands
 from .errors import InputError
 from .wording import argument_of, in_python
-from .written import count_text, number_text, parts_of, write_table
+from .written import count_text, is_quantity, number_text, parts_of, write_table
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -237,14 +237,18 @@ class Question:
     def _pair(self, name: str, key: Any, value: Any, what: str) -> str:
         """A name with its value: a text as it is, a number with its SI unit, a pair as a range, a triple as one with a count, a kind with numbers."""
         if isinstance(key, tuple):
-            return f"{','.join(map(str, key))}={shown(value)}"
+            names = ",".join(map(str, key))
+            return f"{names}={self._amount(names, value, '')}"
         if value is None:
             return str(key)
         parts = parts_of(value)
         if parts is None:
-            return f"{key}={self._amount(key, value)}"
+            return f"{key}={self._amount(key, value, is_difference=name in DIFFERENCES)}"
         if "KIND" in what and parts and isinstance(parts[0], str) and parts[0].isidentifier():
-            return f"{key}={parts[0]}({','.join(self._amount(key, number) for number in parts[1:])})"
+            # the deviation of a normal distribution, cut or not, stands behind its mean
+            of_deviation = 1 if parts[0] in ("normal", "truncated") else None
+            numbers = [self._amount(key, number, is_difference=at == of_deviation) for at, number in enumerate(parts[1:])]
+            return f"{key}={parts[0]}({','.join(numbers)})"
         # an array or a list of three is values of one's own, and no (low, high, count)
         is_counted = len(parts) == 3 and isinstance(value, tuple) and ":" in what
         if ".." not in what or not (len(parts) == 2 or is_counted):
@@ -252,14 +256,17 @@ class Question:
         count = f":{count_text(key, parts[2])}" if is_counted else ""
         return f"{key}={self._amount(key, parts[0])}..{self._amount(key, parts[1])}{count}"
 
-    def _amount(self, name: str, value: Any, unit: str | None = None) -> str:
+    def _amount(self, name: str, value: Any, unit: str | None = None, is_difference: bool = False) -> str:
         if value is None:
             raise InputError(f"{name} has None where a value is needed; give a number (SI), or a text with its unit like '10.5 deg'")
         if isinstance(value, str):
             return value
-        unit = self._unit(name) if unit is None else unit
+        if unit is None:
+            unit = self._unit(name)
+            # of a name that nothing bears the program says so
+            value = value.magnitude if name not in self._units and is_quantity(value) else value
         try:
-            text = number_text(value, unit)
+            text = number_text(value, unit, is_difference)
         except InputError as error:
             raise InputError(f"{name}: {error}") from None
         if unit == "rad":
@@ -277,12 +284,14 @@ class Question:
         if not self._units:
             outcomes = {row["name"]: row["si"] for row in _longdrive.outcomes()}
             self._units = outcomes | {row["parameter"]: row["unit"] for row in _longdrive.parameters(self.setup)["parameters"]}
-        # of a name that nothing bears the program says so
         return self._units.get(name, "")
 
 
 PATHS = {"FILE": "file", "DIR": "folder", "DIR or FILE.csv": "folder or of a CSV file"}
 """What an option names, by the name of its value."""
+
+DIFFERENCES = {"sigma", "change"}
+"""Arguments whose numbers are differences: of temperatures, 2 degC are 2 K."""
 
 TABLES = {"points", "shots", "strokes", "swings"}
 """Options that are tables: a file, or columns."""

@@ -15,7 +15,7 @@ from .errors import InputError, Interrupted, interruptible, warn_of
 from .progress import Progress, follower
 from .table import Table
 from .types import Names, SetupLike
-from .written import in_si, is_quantity
+from .written import elements_of, in_si, is_quantity
 
 __all__ = ["batch"]
 
@@ -48,7 +48,8 @@ def batch(
     Args:
         setup: a setup, the name of a preset, or a dict.
         points: parameters with arrays of one length, shape (rows,), or numbers for all rows, in SI; a text carries its unit, and quantities of
-            pint are converted. 64-bit floats of any strides, also read-only ones, are not copied as a whole: 65 536 rows at a time are put in order.
+            pint, and lists of them, are converted. 64-bit floats of any strides, also read-only ones, are not copied as a whole: 65 536 rows at a
+            time are put in order.
         of: outcomes, a name or several; ``"all"`` for every one.
         wrt: parameters to differentiate by, a name or several; ``"points"`` for those of the points; without it no derivatives.
         hessians: whether second derivatives are computed too, without ``wrt`` those by the parameters of the points; they are those of the step
@@ -77,14 +78,15 @@ def batch(
 
 
 def _without_units(setup: Setup, points: Any) -> Any:
-    """The points with quantities of pint as numbers in SI: an array of NumPy would lose their unit."""
-    if not isinstance(points, Mapping) or not any(map(is_quantity, points.values())):
+    """The points with quantities of pint, or sequences of them, as numbers in SI: an array of NumPy would lose their unit."""
+    if not isinstance(points, Mapping) or not any(is_quantity(values) or elements_of(values) is not None for values in points.values()):
         return points
     units = {row["parameter"]: row["unit"] for row in _longdrive.parameters(setup)["parameters"]}
 
     def converted(name: str, values: Any) -> Any:
+        elements = None if is_quantity(values) else elements_of(values)
         try:
-            return in_si(values, units.get(name, ""))
+            return in_si(values, units[name]) if elements is None else [in_si(value, units[name]) for value in elements]
         except InputError as error:
             raise InputError(f"points: {name}: {error}") from None
 

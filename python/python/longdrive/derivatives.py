@@ -122,9 +122,9 @@ def objective(
 ) -> _longdrive.Objective:
     """An outcome as a function of some parameters, for optimizers that take functions; with ``swings`` or ``distribution`` a goal over swings.
 
-    It has ``fun(x)``, ``jac(x)``, ``hess(x)`` and ``fun_and_jac(x)``, ``x0``, ``bounds`` and ``names``; x has a value for each parameter in SI. What
-    is asked of one point in turn is computed once. A value that is computed together with derivatives may differ in its last bit from one that is
-    computed alone.
+    It has ``fun(x)``, ``jac(x)``, ``hess(x)`` and ``fun_and_jac(x)``, ``x0``, ``bounds`` and ``names``; x has a value for each parameter, numbers in SI or
+    quantities of pint. What is asked of one point in turn is computed once. A value that is computed together with derivatives may differ in its
+    last bit from one that is computed alone.
 
     >>> import longdrive
     >>> carry = longdrive.objective("tour-average", "carry", ["club.loft", "swing.attack_angle"], sense="max")

@@ -13,7 +13,7 @@ from .errors import InputError
 if TYPE_CHECKING:
     from pathlib import Path
 
-__all__ = ["count_text", "in_si", "is_quantity", "number_text", "parts_of", "write_table"]
+__all__ = ["count_text", "elements_of", "in_si", "is_quantity", "number_text", "parts_of", "point_in_si", "write_table"]
 
 
 def parts_of(value: Any) -> tuple[Any, ...] | None:
@@ -38,8 +38,18 @@ def is_quantity(value: Any) -> bool:
     return all(hasattr(value, name) for name in ("to", "magnitude", "units"))
 
 
-def in_si(value: Any, unit: str) -> Any:
-    """The number, or the numbers, of a quantity of pint in an SI unit; anything else as it is.
+def elements_of(values: Any) -> tuple[Any, ...] | None:
+    """The elements of a sequence with quantities of pint among them, whose units NumPy would drop; None of anything else."""
+    if not hasattr(values, "__len__") or getattr(values, "dtype", object) != object:
+        return None
+    parts = parts_of(values)
+    # one of each type tells: a list may be long
+    of_types = {type(part): part for part in parts or ()}
+    return parts if any(map(is_quantity, of_types.values())) else None
+
+
+def in_si(value: Any, unit: str, is_difference: bool = False) -> Any:
+    """The number, or the numbers, of a quantity of pint in an SI unit; anything else as it is. Of a difference 2 degC are 2 K.
 
     Raises:
         InputError: for a quantity of another kind.
@@ -47,19 +57,50 @@ def in_si(value: Any, unit: str) -> Any:
     if not is_quantity(value):
         return value
     try:
-        return value.to(unit or "dimensionless").magnitude
+        if is_difference:
+            # pint counts a temperature from its own zero, and a difference of two from none
+            value = value - type(value)(0, value.units)
+        number = value.to(unit or "dimensionless").magnitude
+        # to pint a radian is the number 1
+        is_angle = not unit and hasattr(value, "to_root_units") and "radian" in str(value.to_root_units().units)
     except Exception as error:  # those of pint have no name here
         raise InputError(str(error)) from None
+    if is_angle:
+        raise InputError(f"{value} is an angle; expected a number without a unit")
+    return number
 
 
-def number_text(value: Any, unit: str) -> str:
+def point_in_si(x: Any, units: Mapping[str, str]) -> Any:
+    """A point with a value for each of some parameters, of which `units` has the SI units: quantities of pint as numbers, anything else as it is.
+
+    Raises:
+        InputError: for a quantity of another kind; it names the parameter.
+    """
+    elements = (parts_of(x) or (x,)) if is_quantity(x) else elements_of(x)
+    if elements is None:
+        return x
+    if len(elements) != len(units):
+        # its shape is told
+        return [0.0] * len(elements)
+    point = []
+    for element, (name, unit) in zip(elements, units.items()):
+        try:
+            point.append(in_si(element, unit))
+        except InputError as error:
+            raise InputError(f"x: {name}: {error}") from None
+    return point
+
+
+def number_text(value: Any, unit: str, is_difference: bool = False) -> str:
     """A number with its SI unit, to the last digit; a quantity of pint is converted."""
-    value = in_si(value, unit)
+    value = in_si(value, unit, is_difference)
     try:
         # a truth is a number to Python, and no quantity
         if isinstance(value, (bool, np.bool_)):
             raise TypeError
         return f"{float(value)!r} {unit}".strip()
+    except OverflowError:
+        raise InputError(f"{shown(value)} is too large for a 64-bit float, which ends at 1.8e308") from None
     except (TypeError, ValueError):
         message = f"{shown(value)} is {kind_of(value)}; expected a number (SI), or a text with its unit like '10.5 deg'"
         raise InputError(message) from None
@@ -94,13 +135,12 @@ def _column(name: str, head: Any, values: Any) -> list[Any]:
     Raises:
         InputError: for what has not a value for each row.
     """
-    if is_quantity(values):
-        raise InputError(f"{name}: the column '{head}' is {kind_of(values)}; the head of a column names the unit, so give the numbers in that unit, as in values.to('mph').magnitude")
+    if is_quantity(values) or elements_of(values) is not None:
+        found = f"is {kind_of(values)}" if is_quantity(values) else "has quantities with units"
+        raise InputError(f"{name}: the column '{head}' {found}; the head of a column names the unit, so give the numbers in that unit, as in values.to('mph').magnitude")
     parts = parts_of(values)
     shape: tuple[int, ...] = getattr(values, "shape", (len(parts or ()),))
     if parts is None or len(shape) != 1:
-    except OverflowError:
-        raise InputError(f"{shown(value)} is too large for a 64-bit float, which ends at 1.8e308") from None
         found = kind_of(values) if parts is None else f"of shape {shape}"
         raise InputError(f"{name}: the column '{head}' is {found}; expected a value for each row, shape (rows,)")
     return list(parts)
