@@ -2,6 +2,7 @@
 
 use crate::boundary::{Answer, Failure, answer, kind_of, shown, text_of};
 use crate::given::{self, PRESET};
+use longdrive::atmosphere::in_effect;
 use longdrive::parameters::{GOLFER, LAW, METHOD, Parameter, Preset, SPEED_OF, SetupFile, TABLE, TURF};
 use longdrive::report::{Change, changes, setup_toml, setup_toml_without_step};
 use longdrive::units::System;
@@ -142,7 +143,10 @@ impl PySetup {
             }
             None => {
                 let row = setup.parameter(name).map_err(|error| Failure::Key(error.to_string()))?;
-                setup.value(row).into_bound_py_any(py)?
+                // what follows from the weather, or from the wind's speed and direction, is what the drive has
+                let is_replaced = setup.why_replaced(row).is_some();
+                let value = if is_replaced { in_effect(setup).value(row) } else { setup.value(row) };
+                value.into_bound_py_any(py)?
             }
         })
     }
@@ -206,14 +210,14 @@ impl PySetup {
     #[staticmethod]
     fn read(path: &Bound<'_, PyAny>) -> PyResult<Self> {
         answer(|| {
-            let file: PathBuf = path.extract().map_err(|_| not_of_the_kind("path", path, "the name of a file"))?;
-            Self::of_file(SetupFile::open(&file)?)
-        })
-    }
             if let Ok(name) = path.cast::<PyString>() {
                 // surrogates that stand for bytes are those of names of files
                 path.py().import("os")?.getattr("fsencode")?.call1((name,))?;
             }
+            let file: PathBuf = path.extract().map_err(|_| not_of_the_kind("path", path, "the name of a file"))?;
+            Self::of_file(SetupFile::open(&file)?)
+        })
+    }
 
     /// Reads the text of a setup file.
     ///
@@ -276,7 +280,9 @@ impl PySetup {
         })
     }
 
-    /// The value of a parameter in SI, None where it is unset; a choice such as ``aero.law`` as a text.
+    /// The value of a parameter in SI, None where it is unset; a choice such as ``aero.law`` as a text. What follows from other parameters
+    /// that are set (``air.density`` from the weather, ``wind.right`` from ``wind.speed``) has the value that the drive has, as in
+    /// :func:`longdrive.parameters`; it is not among the :meth:`keys`, which make the setup.
     fn __getitem__<'py>(&self, py: Python<'py>, name: &Bound<'_, PyAny>) -> PyResult<Bound<'py, PyAny>> {
         answer(|| match name.cast::<PyString>() {
             Ok(name) => self.item(py, &name.to_string_lossy()),
@@ -293,7 +299,7 @@ impl PySetup {
         [LAW, METHOD, GOLFER, SPEED_OF, PRESET, TABLE].contains(&&*name) || self.setup.parameter(&name).is_ok()
     }
 
-    /// The names of its choices and parameters.
+    /// The names of its choices and parameters: those that make the setup. What follows from others of them is left out.
     fn keys(&self) -> Vec<&'static str> {
         self.names()
     }

@@ -115,6 +115,26 @@ def test_its_names_are_gone_through_as_those_of_a_dict() -> None:
     assert {name: setup[name] for name in setup} == dict(setup)
 
 
+def in_force(setup: Setup, name: str) -> Any:
+    return next(row["value"] for row in longdrive.parameters(setup)["parameters"] if row["parameter"] == name)
+
+
+@pytest.mark.parametrize(
+    ("given", "follows"),
+    [
+        ({"air.temperature": "35 degC", "air.altitude": "1 mi"}, ["air.density", "air.viscosity"]),
+        ({"wind.speed": "10 mph", "wind.from": "60 deg"}, ["wind.right", "wind.downrange"]),
+    ],
+)
+def test_exact_what_follows_from_other_values_is_read_as_the_drive_has_it(given: dict[str, Any], follows: list[str]) -> None:
+    setup, without = Setup({"preset": "mae494", **given}), Setup("mae494")
+    for name in follows:
+        assert setup[name] == in_force(setup, name) != without[name] and name in setup
+        # the keys make the setup: what follows from them is none
+        assert name not in setup.keys() and name in without.keys() and without[name] == in_force(without, name)
+    assert Setup(dict(setup)) == setup == Setup(setup.to_dict())
+
+
 def test_infinite_and_unset_values_and_choices() -> None:
     setup = Setup({"club.bulge_radius": math.inf, "impact.friction": None, "aero.law": "ferguson", "golfer": "left"})
     assert (setup["club.bulge_radius"], setup["impact.friction"]) == (math.inf, None)
@@ -141,6 +161,13 @@ def test_infinite_and_unset_values_and_choices() -> None:
         ({"aero.cd0": 0.3, "aero.law": "linear"}, "'aero.cd0' is a coefficient of robinson"),
         ({"air.density": 1.2, "air.temperature": "20 degC"}, "air.density and air.temperature are both given"),
         ({"club.inertia.xx": 1e-9}, "club.inertia"),
+        ({"clubs": {}}, "unknown parameter 'clubs'"),
+        ({"foo.bar": {}}, "unknown parameter 'foo.bar'"),
+        ({"club": {"lofft": {}}}, r"unknown parameter 'club.lofft'; did you mean 'club.loft'\?"),
+        ({"club.loft": {}}, "'club.loft' is a dict; expected a number"),
+        ({"aero.law": {}}, "'aero.law' is a dict"),
+        ({"preset": {}}, "'preset' is {}; expected the name"),
+        ({"clubs": [1]}, "unknown parameter 'clubs'"),
         ("mine", "unknown preset 'mine'"),
         (3.0, "a setup cannot be made of a float"),
     ],
@@ -149,6 +176,10 @@ def test_bad_input_is_a_value_error_with_the_message_of_the_program(given: Any, 
     with pytest.raises(InputError, match=message) as caught:
         Setup(given)
     assert isinstance(caught.value, ValueError)
+
+
+def test_exact_a_group_of_which_nothing_is_given_changes_nothing() -> None:
+    assert Setup({"preset": "mae494", "club": {"inertia": {}}, "air": {}, "club.weight_1": {}, "aero": {}}) == Setup("mae494")
 
 
 def test_what_was_given_is_not_replaced_in_silence() -> None:
@@ -161,13 +192,6 @@ def test_what_was_given_is_not_replaced_in_silence() -> None:
 
 
 def test_a_file_that_is_wrong_names_line_and_column(tmp_path: Path) -> None:
-        ({"clubs": {}}, "unknown parameter 'clubs'"),
-        ({"foo.bar": {}}, "unknown parameter 'foo.bar'"),
-        ({"club": {"lofft": {}}}, r"unknown parameter 'club.lofft'; did you mean 'club.loft'\?"),
-        ({"club.loft": {}}, "'club.loft' is a dict; expected a number"),
-        ({"aero.law": {}}, "'aero.law' is a dict"),
-        ({"preset": {}}, "'preset' is {}; expected the name"),
-        ({"clubs": [1]}, "unknown parameter 'clubs'"),
     file = tmp_path / "mine.toml"
     file.write_text("[club]\nloft = '10 kg'\n")
     with pytest.raises(InputError, match=r"mine.toml:2:8: club.loft"):
@@ -178,10 +202,6 @@ def test_a_file_that_is_wrong_names_line_and_column(tmp_path: Path) -> None:
 
 def test_short_and_long_descriptions() -> None:
     setup = Setup().replace({"club.loft": "10.5 deg"})
-def test_exact_a_group_of_which_nothing_is_given_changes_nothing() -> None:
-    assert Setup({"preset": "mae494", "club": {"inertia": {}}, "air": {}, "club.weight_1": {}, "aero": {}}) == Setup("mae494")
-
-
     assert repr(setup) == "<longdrive.Setup tour-average with club loft 10.5°>"
     assert "<td>club loft</td><td>10.5°</td><td>9.5°</td>" in setup._repr_html_()
     assert repr(Setup()) == "<longdrive.Setup tour-average>"
