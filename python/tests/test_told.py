@@ -171,6 +171,9 @@ REFUSED: list[tuple[Callable[[], Any], str]] = [
     (lambda: longdrive.batch("mae494", {"club.loft": [0.1, None]}), "has dtype object (a NaN, not None, makes a row without a drive)"),
     (lambda: longdrive.batch("mae494", [0.1]), "sweep(points=…) takes tables, with their units in the heads"),
     (lambda: longdrive.Setup({"aero.cdo": 0.3}), "did you mean 'aero.cd0'?"),
+    (lambda: longdrive.fly(LAUNCHES, overwrite=True), "overwrite is about a file, and no file is written; name it with output, or leave overwrite out"),
+    (lambda: longdrive.fly(LAUNCHES, overwrite="no"), "overwrite = 'no'; expected True or False"),  # type: ignore[arg-type]
+    (lambda: longdrive.plot.trajectory("mae494", overwrite=True), "overwrite is about a file, and no file is written"),
 ]  # fmt: skip
 
 

@@ -66,6 +66,8 @@ class Question:
             value = self.scratch
             if value is not None and given.get("format") is not None:
                 raise InputError(f"format = {given['format']!r} is of a file, and no file is written; give output too, or leave format out")
+            if value is not None and given.get("overwrite") is not None and switch_of("overwrite", given["overwrite"]):
+                raise InputError("overwrite is about a file, and no file is written; name it with output, or leave overwrite out")
         if value is None and (option["required"] or name == "shots" and option["positional"]):
             raise InputError(f"{name} is None, and {self.command} needs it: {in_python(option['help']).removesuffix('. Repeatable')}")
         if not option["positional"] and _is_empty(value):
