@@ -48,9 +48,9 @@ pub struct Arrays {
 
 impl Arrays {
     /// The points of a dict of names with arrays or numbers. Arrays of 64-bit floats are taken as they are, whatever their strides; other floats
-    /// and whole numbers are converted. `is_bare` tells whether the numbers are given without a
-    /// unit: those of a sweep have one.
-    pub fn of(setup: &Setup<f64>, points: &Bound<'_, PyAny>, is_bare: bool) -> Answer<Self> {
+    /// and whole numbers are converted.
+    /// They are not looked through yet.
+    pub fn of(setup: &Setup<f64>, points: &Bound<'_, PyAny>) -> Answer<Self> {
         let Ok(points) = points.cast::<PyMapping>() else {
             let kind = kind_of(points);
             return Err(Failure::Input(format!(
@@ -91,9 +91,7 @@ impl Arrays {
         }
         let rows = rows.map_or(usize::from(!columns.is_empty()), |(_, rows)| rows);
         let (ranges, in_degrees, gathered) = (vec![], vec![], vec![]);
-        let mut arrays = Self { parameters, columns, rows, ranges, in_degrees, next: 0, gathered, first: 0 };
-        arrays.look(points.py(), is_bare)?;
-        Ok(arrays)
+        Ok(Self { parameters, columns, rows, ranges, in_degrees, next: 0, gathered, first: 0 })
     }
 
     /// How many rows there are.
@@ -106,8 +104,9 @@ impl Arrays {
         self.in_degrees.clone()
     }
 
-    /// Finds the ranges of the values that their parameters may have, and columns that look like degrees. Python is let in between.
-    fn look(&mut self, py: Python<'_>, is_bare: bool) -> PyResult<()> {
+    /// Finds the ranges of the values that their parameters may have, and columns that look like degrees. Python is let in between. `is_bare`
+    /// tells whether the numbers are given without a unit: those of a sweep have one.
+    pub fn look(&mut self, py: Python<'_>, is_bare: bool) -> PyResult<()> {
         for (parameter, column) in self.parameters.iter().zip(&self.columns) {
             let mut range = None::<(f64, f64)>;
             let mut degrees = Degrees::default();
@@ -175,6 +174,7 @@ fn column(parameter: &'static Parameter, given: &Bound<'_, PyAny>) -> Answer<Col
             "points: {name} {found}; expected a number or a one-dimensional array of numbers in {}",
             si(parameter)
         ))
+    };
     let array = floats(given, " (a NaN, not None, makes a row without a drive)", &refuse)?;
     match array.cast::<PyArray1<f64>>() {
         Ok(array) => Ok(Column::Each(array.clone().unbind())),
@@ -197,7 +197,7 @@ pub fn floats<'py>(
     missing: &str,
     refuse: &dyn Fn(String) -> Failure,
 ) -> Answer<Bound<'py, PyAny>> {
-    };
+    let numpy = given.py().import("numpy")?;
     if given.is_instance_of::<PyList>() || given.is_instance_of::<PyTuple>() {
         // NumPy makes numbers of truths that stand among numbers
         let truth = numpy.getattr("bool_")?;
@@ -208,7 +208,6 @@ pub fn floats<'py>(
             }
         }
     }
-    let numpy = given.py().import("numpy")?;
     let array = numpy
         .call_method1("asanyarray", (given,))
         .map_err(|error| refuse(format!("is no array ({})", error.value(given.py()))))?;

@@ -161,7 +161,7 @@ pub fn batch<'py>(
     answer(|| {
         let setup = PySetup::of(setup)?;
         let of = outcomes_named(&listed("of", of)?)?;
-        let arrays = Arrays::of(&setup.setup, points, ranges.is_none())?;
+        let mut arrays = Arrays::of(&setup.setup, points)?;
         let wrt = match wrt {
             None => vec![],
             Some(wrt) => by_names(&setup, &arrays, wrt)?,
@@ -183,7 +183,8 @@ pub fn batch<'py>(
             results: Mutex::new(Some(Results::new(rows, width, of_hessians)?)),
             done: AtomicU64::new(0),
         });
-
+        // once it is known that there is room for them
+        arrays.look(py, ranges.is_none())?;
         let ranges = match ranges {
             None => arrays.ranges(),
             Some(given) => given_ranges(&setup, &given)?,

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+import numpy as np
 import pytest
 
 import longdrive
@@ -134,3 +135,8 @@ def test_what_is_no_name_is_not_in_a_setup_nor_in_a_table() -> None:
     for look in (lambda: setup[HALF], lambda: longdrive.simulate()[HALF], lambda: longdrive.batch("mae494", {"club.loft": [0.2]})[HALF]):
         with pytest.raises(longdrive.UnknownKeyError):
             look()
+
+
+def test_a_batch_that_does_not_fit_into_memory_is_refused_before_its_rows_are_looked_at() -> None:
+    with pytest.raises(InputError, match="100000000000 drives with 2 numbers each do not fit into memory"):
+        longdrive.batch("mae494", {"club.loft": np.broadcast_to(0.16, 10**11)})
