@@ -3,6 +3,7 @@
 use crate::boundary::{Answer, Failure, answer, kind_of, text_of};
 use crate::json::to_python;
 use crate::setup::PySetup;
+use longdrive::drive::Part;
 use longdrive::parameters::Parameter;
 use longdrive::report::{parameters_reply, presets_reply};
 use longdrive::{Outcome, Setup};
@@ -99,18 +100,25 @@ pub fn presets(py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
     answer(|| to_python(py, &presets_reply(None)?))
 }
 
-/// Every outcome of a drive: a list of dicts with its ``name``, ``symbol``, ``si`` unit, the ``unit`` people read, and ``doc``.
+/// Every outcome: a list of dicts with its ``name``, ``symbol``, ``si`` unit, the ``unit`` people read, ``doc``, and ``part``, what it is of:
+/// ``launch``, ``flight``, or ``head``. Those of the head go by name; ``of="all"`` means the others, which a swing changes.
 #[pyfunction]
 pub fn outcomes(py: Python<'_>) -> PyResult<Bound<'_, PyList>> {
     answer(|| {
         let all = PyList::empty(py);
-        for outcome in Outcome::ALL {
+        for outcome in Outcome::ALL.iter().chain(Outcome::OF_HEAD) {
+            let part = match outcome.part() {
+                Part::Launch => "launch",
+                Part::Flight => "flight",
+                Part::Head => "head",
+            };
             let row = PyDict::new(py);
             row.set_item("name", outcome.name())?;
             row.set_item("symbol", outcome.symbol())?;
             row.set_item("si", outcome.quantity().si)?;
             row.set_item("unit", outcome.unit())?;
             row.set_item("doc", outcome.doc())?;
+            row.set_item("part", part)?;
             all.append(row)?;
         }
         Ok(all)

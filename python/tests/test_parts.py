@@ -113,7 +113,7 @@ UNSOUND: list[tuple[dict[str, Any], str]] = [
     ({"of": "cary"}, "^unknown outcome 'cary'; did you mean 'carry'"),
     ({"of": 3}, "^of is an int; expected a name or several"),
     ({"wrt": "club.lofft"}, "^unknown parameter 'club.lofft'"),
-    ({"wrt": [1.0]}, "^wrt is a list; expected a name or several"),
+    ({"wrt": [1.0]}, r"^wrt\[0\] is a float; expected a name$"),
     ({"over": {"club.loft": (0.1, 9.0, 3000)}}, "club.loft"),
     ({"sample": 3000}, "sample says how many points there are; write club.loft=0.1 rad..0.3 rad, without a count"),
     ({"histogram": {"carry": (100.0, "300 kg", 20)}}, "300 kg"),

@@ -31,7 +31,7 @@ from longdrive.wording import in_python
         ("write for example --width 800", "write for example width=800"),
         ("invalid value '10' for '--width <PIXELS>': it must be", "invalid value '10' for 'width': it must be"),
         ("name it with --set ground.turf=average, or another", 'name it with setup.replace({"ground.turf": "average"}), or another'),
-        ("check the club (--set) and the ranges (--vary)", "check the club (set) and the ranges (vary)"),
+        ("check the club (--set) and the ranges (--vary)", "check the club (setup.replace({…})) and the ranges (vary)"),
         ("add it to --outcomes", "add it to of"),
         ("the same command with --resume continues", "the same command with resume=True continues"),
         ("name a file with -o, or take --format csv", 'name a file with output, or take format="csv"'),
@@ -67,6 +67,20 @@ def test_no_message_of_a_command_names_an_option_of_the_command_line(call: Calla
     with pytest.raises(InputError, match=words) as raised:
         call()
     assert not re.search(r"(?<![\w-])--[a-z]", str(raised.value)), raised.value
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda: longdrive.gradient(wrt="swing.shaft_droop"),
+        lambda: longdrive.objective(wrt="swing.shaft_droop"),
+        lambda: longdrive.batch(None, {"club.loft": [0.2]}, wrt="swing.shaft_droop"),
+        lambda: longdrive.verify(wrt="swing.shaft_droop"),
+    ],
+)
+def test_a_value_that_is_lacking_is_given_by_replace(call: Callable[[], Any]) -> None:
+    with pytest.raises(InputError, match=r"swing.shaft_droop.*; give it a value with setup\.replace\(\{…\}\)"):
+        call()
 
 
 SHOTS = {"ball_speed [m/s]": [60.0, 65.0, 70.0], "launch_angle [deg]": [10.0, 11.0, 12.0], "backspin [rpm]": [2500.0, 2600.0, 2700.0]}
@@ -143,6 +157,8 @@ def test_none_where_a_value_is_needed_names_the_argument_and_what_is_wanted(call
         (lambda: longdrive.simulate(of="spin")["carry"], "'carry' was not asked for; .*gives spin here"),
         (lambda: longdrive.batch(None, {"club.loft": [0.2]})["cary"], "unknown column 'cary'; did you mean 'carry'"),
         (lambda: longdrive.batch(None, {"club.loft": [0.2]}).derivative("carry", "club.loft"), "no derivatives by 'club.loft'; it has none; ask for others with wrt, as in wrt='club.loft'"),
+        (lambda: longdrive.batch(None, {"club.loft": [0.2]}, wrt="points").derivative("carry", "club.lofft"), "unknown parameter 'club.lofft'; did you mean 'club.loft'"),
+        (lambda: longdrive.simulate()["head_mass"], "'head_mass' was not asked for"),
         (lambda: longdrive.batch(None, {"club.loft": [0.2]}, wrt="points").derivative("carry", "gravity"), "it has those by club.loft; ask for others with wrt"),
         (lambda: longdrive.batch(None, {"club.loft": [0.2]}, wrt="points").derivative("cary", "club.loft"), "unknown outcome 'cary'; did you mean 'carry'"),
         (lambda: longdrive.batch(None, {"club.loft": [0.2]}, wrt="points").derivative("spin", "club.loft"), "the table has carry; ask for others with of"),
@@ -154,6 +170,31 @@ def test_an_unknown_key_is_a_key_error_with_the_nearest(look: Callable[[], Any],
     # both what Python expects of a mapping and what longdrive raises
     assert isinstance(raised.value, longdrive.UnknownKeyError) and isinstance(raised.value, InputError)
     assert not str(raised.value).startswith(("'unknown", '"'))
+
+
+@pytest.mark.parametrize(
+    ("call", "words"),
+    [
+        (lambda: longdrive.gradient(wrt=["club.loft", None]), r"^wrt\[1\] is a NoneType; expected a name$"),
+        (lambda: longdrive.objective(wrt=("club.loft", 3)), r"^wrt\[1\] is an int; expected a name$"),
+        (lambda: longdrive.simulate(of=[["carry"], "spin"]), r"^of\[0\] is a list; expected a name$"),
+        (lambda: longdrive.batch(None, {"club.loft": [0.2]}, wrt=["club.loft", None]), r"^wrt\[1\] is a NoneType"),
+        (lambda: longdrive.gradient(wrt={"club.loft"}), "^wrt is a set; expected a name or a list of names$"),
+        (lambda: parts.Question.of(output="never", parts=1, of=["carry", None]), r"^of\[1\] is a NoneType; expected a name$"),
+    ],
+)
+def test_a_wrong_element_of_a_sequence_is_told_with_its_place(call: Callable[[], Any], words: str) -> None:
+    with pytest.raises(InputError, match=words):
+        call()
+
+
+def test_every_outcome_that_goes_by_name_is_listed() -> None:
+    rows = {row["name"]: row for row in longdrive.outcomes()}
+    assert {row["part"] for row in rows.values()} == {"launch", "flight", "head"}
+    drive = longdrive.simulate("modern-driver", of=list(rows))
+    assert list(drive) == list(rows) and drive["head_mass"] == longdrive.Setup("modern-driver")["club.mass"]
+    # what no swing changes is asked for by name alone
+    assert list(longdrive.simulate("modern-driver")) == [name for name, row in rows.items() if row["part"] != "head"]
 
 
 def test_get_of_a_mapping_has_its_default() -> None:

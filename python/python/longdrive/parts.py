@@ -219,8 +219,11 @@ def _best(name: str, rows: Mapping[str, int] | str | None) -> list[str]:
 
 def _joined(name: str, names: Names) -> str:
     parts = (names,) if isinstance(names, str) else parts_of(names)
-    if parts is None or not all(isinstance(part, str) for part in parts):
+    if parts is None:
         raise InputError(f"{name} is {kind_of(names)}; expected a name or several")
+    for at, part in enumerate(parts):
+        if not isinstance(part, str):
+            raise InputError(f"{name}[{at}] is {kind_of(part)}; expected a name")
     return ",".join(parts)
 
 

@@ -135,6 +135,9 @@ class Table:
             raise UnknownKeyError(_longdrive.unknown_key("outcome", of, list(self.of), f"the table has {', '.join(self.of)}; ask for others with of"))
         if by not in self.wrt:
             has = f"those by {', '.join(self.wrt)}" if self.wrt else "none"
+            known = [row["parameter"] for row in _longdrive.parameters(self.setup)["parameters"]]
+            if by not in known:
+                raise UnknownKeyError(_longdrive.unknown_key("parameter", by, [*self.wrt, *known], f"of derivatives the table has {has}"))
             raise UnknownKeyError(f"the table has no derivatives by '{by}'; it has {has}; ask for others with wrt, as in wrt='{by}'")
         return self._column(f"d_{of}/d_{by}")
 

@@ -102,7 +102,7 @@ def _is_number(text: str) -> bool:
 
 def _set(value: str | None) -> str:
     if value is None or "=" not in value:
-        return "set" if value is None else f"set {value}"
+        return "setup.replace({…})" + ("" if value is None else f" {value}")
     text = value.rstrip(".:")
     name, _, amount = text.partition("=")
     amount = amount.strip('"')
