@@ -36,7 +36,7 @@ HEAD = '''"""{title}
 
 Each of them raises :class:`longdrive.InputError` for bad input, with the program's message, :class:`longdrive.NoAnswerError` for a sound question
 without an answer, and :class:`longdrive.Interrupted` after Ctrl-C, with what was found so far. ``progress`` is True for a bar, or a function that is
-called with how many parts of how many are done.
+called with how many parts of how many are done: 0 of 0 while the parts cannot be counted.
 
 Written by make_commands.py from what the program says of its commands; change it there.
 """
@@ -192,7 +192,7 @@ def docstring(command: dict[str, Any], required: list[Any], setups: list[Any], o
         if default not in (None, "false") and not option["positional"] and option["takes"] != "nothing" and default != "-":
             text += f" [default: {default}]"
         lines += wrapped(f"{python}: {lower(text).removesuffix('.')}.", "        ", "            ")
-    lines += wrapped("progress: True for a bar, or a function of parts done and parts in all.", "        ", "            ")
+    lines += wrapped("progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they cannot be counted.", "        ", "            ")
     lines[0] = '    """' + lines[0].strip()
     return "\n".join(lines) + '\n    """'
 

@@ -217,13 +217,14 @@ pub fn batch<'py>(
         } else {
             pool::run(py, work, watch).and_then(|done| Ok(done?))
         };
-        let (mut warnings, raised) = match ended {
+        let (mut warnings, mut raised) = match ended {
             Ok(warnings) => (warnings, None),
             Err(Failure::Python(raised)) => (vec![], Some(raised)),
             Err(other) => return Err(other),
         };
-        if let (Some(progress), None) = (progress, &raised) {
-            progress.call1((total, total))?;
+        if let (Some(progress), None, true) = (progress, &raised, total > 0) {
+            // the rows are kept where Ctrl-C comes now
+            raised = progress.call1((total, total)).err();
         }
         let results = shared.with(Option::take).ok_or_else(|| Failure::Panic("a batch without results".into()))?;
         let done = results.done;

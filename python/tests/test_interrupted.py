@@ -18,7 +18,8 @@ import numpy as np
 import pytest
 
 import longdrive
-from longdrive import Interrupted
+from longdrive import Interrupted, commands, plot
+from longdrive.progress import Bar
 
 SWINGS: dict[str, Any] = {
     "distribution": {"swing.speed": ("normal", 50.0, 1.5), "swing.path": ("normal", 0.0, 0.04), "strike.toe": ("normal", 0.0, 0.01)},
@@ -139,6 +140,66 @@ def test_every_command_is_interrupted_in_its_own_words(call: Callable[[Any], Any
         call(when(lambda done: True))
     assert words in str(caught.value)
     assert "batch" not in str(caught.value) and caught.value.table is None
+
+
+def test_shots_that_were_not_written_anywhere_name_no_file(pressing_at: Callable[[str], None], tmp_path: Path) -> None:
+    file = tmp_path / "shots.csv"
+    file.write_text("Ball Speed,Launch Angle,Spin\n" + "160,11,2500\n" * 300_000)
+    # told before the first row is flown
+    pressing_at("heads without a unit")
+    with pytest.raises(Interrupted, match=r"longdrive.fly was interrupted: stopped after \d+ rows?; `answer`") as caught:
+        longdrive.fly(file)
+    assert "rows.jsonl" not in str(caught.value) and "is not written" not in str(caught.value)
+    assert caught.value.answer is not None and caught.value.answer.file is None
+
+
+@pytest.mark.parametrize("function", ["answer_in_python", "_reply", "warn_of"])
+def test_ctrl_c_once_the_work_is_done_says_so(function: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    from longdrive import _ask
+
+    real = getattr(_ask, function)
+
+    def pressing(*given: Any, **named: Any) -> Any:
+        press()
+        return real(*given, **named)
+
+    monkeypatch.setattr(_ask, function, pressing)
+    with pytest.raises(Interrupted, match="longdrive.optimize was interrupted when its work was done, before it could answer; what it was to write is written"):
+        longdrive.optimize("mae494", output=tmp_path / "best.toml")
+    assert (tmp_path / "best.toml").exists()
+
+
+def test_ctrl_c_with_the_last_row_keeps_all_rows() -> None:
+    with pytest.raises(Interrupted, match=r"after 5 of 5 rows, .*first_row=5\) has nothing left to do") as caught:
+        longdrive.batch("mae494", {"club.loft": np.linspace(0.1, 0.2, 5)}, progress=when(lambda done: done == 5))
+    assert caught.value.table is not None and caught.value.table.counts() == {"landed": 5}
+
+
+def test_progress_of_a_batch_is_never_of_no_rows() -> None:
+    told: list[tuple[int, int]] = []
+
+    def look(done: int, of: int) -> None:
+        told.append((done, of))
+
+    longdrive.batch("mae494", {"club.loft": []}, progress=look)
+    assert told == []
+    longdrive.batch("mae494", {"club.loft": [0.1, 0.2]}, progress=look)
+    assert told[-1] == (2, 2)
+
+
+def test_a_line_of_what_cannot_be_counted_is_one_line(capsys: pytest.CaptureFixture[str]) -> None:
+    bar = Bar("compare")
+    for _ in range(5):
+        bar(0, 0)
+    bar(1, 2)
+    bar(2, 2)
+    assert capsys.readouterr().err == "\rcompare: 0 s   \rcompare: 2 of 2   \n"
+
+
+@pytest.mark.parametrize("module", [commands, plot])
+def test_every_function_says_when_its_progress_is_not_counted(module: Any) -> None:
+    for name in module.__all__:
+        assert "0 of 0 while they cannot be counted" in " ".join(getattr(module, name).__doc__.split()), name
 
 
 def test_a_front_has_the_points_so_far(pressing_at: Callable[[str], None]) -> None:

@@ -35,10 +35,15 @@ def ask(command: str, given: Mapping[str, Any], answered: Callable[[Reply, Quest
         question = Question(command, Path(name))
         question.take(given)
         reply = asked(function, question, given, answered)
-        answer = answered(reply, question)
-        # at the line that asked: it called a function of commands.py, which called this one
-        warn_of(reply["warnings"], answer, stacklevel=3)
+        with interruptible(_done(function)):
+            answer = answered(reply, question)
+            # at the line that asked: it called a function of commands.py, which called this one
+            warn_of(reply["warnings"], answer, stacklevel=3)
         return answer
+
+
+def _done(function: str) -> str:
+    return f"{function} was interrupted when its work was done, before it could answer; what it was to write is written, and the same call begins again"
 
 
 def asked(function: str, question: Question, given: Mapping[str, Any], answered: Callable[[Reply, Question], Any]) -> Reply:
@@ -61,10 +66,11 @@ def asked(function: str, question: Question, given: Mapping[str, Any], answered:
         status, answer, raised = _longdrive.command(question.words, question.text, said, shown)
     if raised is not None and not isinstance(raised, KeyboardInterrupt):
         raise raised
-    if isinstance(answer, dict):
-        answer = question.shown(answer_in_python(answer))
-    if raised is None:
-        return _reply(status, answer, question)
+    with interruptible(_done(function)):
+        if isinstance(answer, dict):
+            answer = question.shown(answer_in_python(answer))
+        if raised is None:
+            return _reply(status, answer, question)
     # a search that had not finished one point has none
     has_answer = isinstance(answer, dict) and answer.keys() - OF_EVERY and answer.get("optimum", answer) is not None
     found = answered(Reply(answer), question) if has_answer else None

@@ -2,7 +2,7 @@
 
 Each of them raises :class:`longdrive.InputError` for bad input, with the program's message, :class:`longdrive.NoAnswerError` for a sound question
 without an answer, and :class:`longdrive.Interrupted` after Ctrl-C, with what was found so far. ``progress`` is True for a bar, or a function that is
-called with how many parts of how many are done.
+called with how many parts of how many are done: 0 of 0 while the parts cannot be counted.
 
 Written by make_commands.py from what the program says of its commands; change it there.
 """
@@ -66,7 +66,7 @@ def compare(
         launch_a: the launch conditions of a, as in launch.
         launch_b: the launch conditions of b, as in launch.
         of: the outcomes whose difference is split, one or several; "all" for every one [default: carry].
-        progress: True for a bar, or a function of parts done and parts in all.
+        progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they cannot be counted.
     """
     return ask("compare", locals(), as_reply)
 
@@ -127,7 +127,7 @@ def optimize(
         checkpoint: save the search to this file after every iteration; if the file exists, continue from it.
         output: write the setup at the optimum into this setup file.
         overwrite: replace the file if it exists.
-        progress: True for a bar, or a function of parts done and parts in all.
+        progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they cannot be counted.
     """
     return ask("optimize", locals(), optimum)
 
@@ -197,7 +197,7 @@ def optimum_sensitivity(
             and compared with a new search.
         loss: the loss of the outcome for which tolerances of the optimum are computed [default: 1 yd for a distance, or 1 % of the carry
             where that is below 10 yd; 1 % of the outcome otherwise].
-        progress: True for a bar, or a function of parts done and parts in all.
+        progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they cannot be counted.
     """
     return ask("optimum-sensitivity", locals(), optimum)
 
@@ -260,7 +260,7 @@ def design(
         swings: the swings to design for: a TOML file with [distributions] and [[correlations]], or a table (CSV, Parquet, Arrow) of
             recorded swings [default: a golfer whose drives were measured, about the setup's own swing].
         output: write the setup with the best design into this setup file.
-        progress: True for a bar, or a function of parts done and parts in all.
+        progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they cannot be counted.
     """
     return ask("design", locals(), optimum)
 
@@ -305,7 +305,7 @@ def calibrate(
         output: write the fitted setup into this file.
         plot: write the report into this folder too: a page (index.html), Markdown, and plots of the residuals with their data.
         overwrite: replace files that exist.
-        progress: True for a bar, or a function of parts done and parts in all.
+        progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they cannot be counted.
     """
     return ask("calibrate", locals(), as_reply)
 
@@ -358,7 +358,7 @@ def delivery(
         swings: write the swings behind the shots into this file, for "longdrive optimize swings": as a table, a row for each shot (.csv),
             or as distributions with correlations, without the errors of the launch monitor (.toml).
         overwrite: replace files that exist.
-        progress: True for a bar, or a function of parts done and parts in all.
+        progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they cannot be counted.
     """
     return ask("delivery", locals(), as_reply)
 
@@ -398,7 +398,7 @@ def chart(
         along: the parameter to follow the optimum along, with its range, e.g. swing.speed=80mph..130mph.
         at: the values of that parameter at which the optimum is computed, one or several, e.g. 90mph,100mph,110mph; along may then be the
             name alone [default: as many values as the curve needs].
-        progress: True for a bar, or a function of parts done and parts in all.
+        progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they cannot be counted.
     """
     return ask("chart", locals(), as_reply)
 
@@ -460,7 +460,7 @@ def pareto(
             chooses.
         at: the point whose setup is written: "knee", or its number in the table [default: knee].
         overwrite: replace the file if it exists.
-        progress: True for a bar, or a function of parts done and parts in all.
+        progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they cannot be counted.
     """
     return ask("pareto", locals(), as_reply)
 
@@ -523,7 +523,7 @@ def robust(
         within: the loss beside the best for each model that is allowed [default: 1 yd for a distance].
         output: write the setup with the robust design into this setup file.
         overwrite: replace the file if it exists.
-        progress: True for a bar, or a function of parts done and parts in all.
+        progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they cannot be counted.
     """
     return ask("robust", locals(), optimum)
 
@@ -569,7 +569,7 @@ def report(
             default uncertainties of "longdrive sensitivity".
         along: the parameter to follow the optimum along, with its range [default: swing.speed=80mph..130mph; with launch,
             launch.ball_speed=120mph..190mph; around the drive's own speed where that lies outside].
-        progress: True for a bar, or a function of parts done and parts in all.
+        progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they cannot be counted.
     """
     return ask("report", locals(), as_reply)
 
@@ -608,7 +608,7 @@ def fly(
         format: the format, whatever the name of the file ends in [default for standard output: csv].
         overwrite: replace the file if it exists.
         threads: the number of threads (0: as many as there are processors). The results do not depend on it [default: 0].
-        progress: True for a bar, or a function of parts done and parts in all.
+        progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they cannot be counted.
     """
     return ask("fly", locals(), flown)
 
@@ -626,7 +626,7 @@ def reproduce(
         study: the study.
         output: write the study into this folder too: a page (index.html), Markdown, and every plot as SVG with its data as CSV.
         overwrite: replace files that exist.
-        progress: True for a bar, or a function of parts done and parts in all.
+        progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they cannot be counted.
     """
     return ask("reproduce", locals(), as_reply)
 
@@ -643,7 +643,7 @@ def validate(
         output: write the comparison too: into this folder as a page (index.html) and Markdown with pictures and their data, or, where the
             name ends in .csv, every law on every drive into this file.
         overwrite: replace files that exist.
-        progress: True for a bar, or a function of parts done and parts in all.
+        progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they cannot be counted.
     """
     return ask("validate", locals(), as_reply)
 
@@ -670,7 +670,7 @@ def verify(
         own_step: integrate by flight.method and flight.step of the setup in every case.
         of: the outcomes, one or several; "all" for every one [default: carry,lateral].
         wrt: the parameters, one or several; "all" for every one that has a value in this setup [default: all].
-        progress: True for a bar, or a function of parts done and parts in all.
+        progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they cannot be counted.
     """
     return ask("verify", locals(), as_reply)
 
@@ -713,7 +713,7 @@ def sensitivity(
             limit with its unit. Over many swings also a relation with a name, linear in parameters, e.g. "budget: club.weight_1.mass +
             club.weight_2.mass <= 20 g".
         max_iterations: the largest number of iterations of a search [default: 500].
-        progress: True for a bar, or a function of parts done and parts in all.
+        progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they cannot be counted.
     """
     return ask("sensitivity", locals(), as_reply)
 
@@ -749,7 +749,7 @@ def uncertainty(
             or NAME=truncated(MEAN,DEVIATION,LOW,HIGH).
         samples: the number of points N of the sample; with k uncertain parameters, N (k + 2) drives are computed [default: 4096].
         seed: the seed of the sample; the same seed gives the same sample [default: 0].
-        progress: True for a bar, or a function of parts done and parts in all.
+        progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they cannot be counted.
     """
     return ask("uncertainty", locals(), as_reply)
 
@@ -761,6 +761,6 @@ def laws(
     """List the laws of drag and lift: authors, formula, ball, source, and what each was fitted to.
 
     Args:
-        progress: True for a bar, or a function of parts done and parts in all.
+        progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they cannot be counted.
     """
     return ask("laws", locals(), as_reply)

@@ -2,7 +2,7 @@
 
 Each of them raises :class:`longdrive.InputError` for bad input, with the program's message, :class:`longdrive.NoAnswerError` for a sound question
 without an answer, and :class:`longdrive.Interrupted` after Ctrl-C, with what was found so far. ``progress`` is True for a bar, or a function that is
-called with how many parts of how many are done.
+called with how many parts of how many are done: 0 of 0 while the parts cannot be counted.
 
 Written by make_commands.py from what the program says of its commands; change it there.
 """
@@ -60,7 +60,7 @@ def trajectory(
         dark: draw for a dark background.
         width: the width of the picture in pixels; a PNG has twice the resolution. The size of the text does not change [default: 480].
         view: the side from which the trajectory is shown [default: side].
-        progress: True for a bar, or a function of parts done and parts in all.
+        progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they cannot be counted.
     """
     return ask("plot trajectory", locals(), picture)
 
@@ -103,7 +103,7 @@ def contour(
         overwrite: replace files that exist.
         dark: draw for a dark background.
         width: the width of the picture in pixels; a PNG has twice the resolution. The size of the text does not change [default: 480].
-        progress: True for a bar, or a function of parts done and parts in all.
+        progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they cannot be counted.
     """
     return ask("plot contour", locals(), picture)
 
@@ -150,7 +150,7 @@ def chart(
         width: the width of the picture in pixels; a PNG has twice the resolution. The size of the text does not change [default: 480].
         along: the parameter to follow the optimum along, with its range, e.g. swing.speed=80mph..130mph.
         show: the curve to draw: the outcome, or one of the parameters varied.
-        progress: True for a bar, or a function of parts done and parts in all.
+        progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they cannot be counted.
     """
     return ask("plot chart", locals(), picture)
 
@@ -213,7 +213,7 @@ def pareto(
         overwrite: replace files that exist.
         dark: draw for a dark background.
         width: the width of the picture in pixels; a PNG has twice the resolution. The size of the text does not change [default: 480].
-        progress: True for a bar, or a function of parts done and parts in all.
+        progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they cannot be counted.
     """
     return ask("plot pareto", locals(), picture)
 
@@ -251,7 +251,7 @@ def tornado(
         sigma: the standard uncertainty of a parameter, e.g. swing.speed=1mph or air.density=0.5%. Repeatable; other parameters have the
             default uncertainties of "longdrive sensitivity".
         show: the uncertainties to draw [default: control].
-        progress: True for a bar, or a function of parts done and parts in all.
+        progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they cannot be counted.
     """
     return ask("plot tornado", locals(), picture)
 
@@ -291,7 +291,7 @@ def compare(
         dark: draw for a dark background.
         width: the width of the picture in pixels; a PNG has twice the resolution. The size of the text does not change [default: 480].
         of: the outcome [default: carry].
-        progress: True for a bar, or a function of parts done and parts in all.
+        progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they cannot be counted.
     """
     return ask("plot compare", locals(), picture)
 
@@ -326,7 +326,7 @@ def vcurve(
         width: the width of the picture in pixels; a PNG has twice the resolution. The size of the text does not change [default: 480].
         of: the outcomes, one or several [default: carry].
         wrt: the parameters, one or several. Without: loft and attack angle, or the launch conditions where these are given.
-        progress: True for a bar, or a function of parts done and parts in all.
+        progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they cannot be counted.
     """
     return ask("plot vcurve", locals(), picture)
 
@@ -367,7 +367,7 @@ def laws(
         over: what to draw it over [default: spin-ratio].
         reynolds: the Reynolds number, over the spin ratio [default: 1.5e5].
         spin_ratio: the spin ratio, over the Reynolds number [default: 0.1].
-        progress: True for a bar, or a function of parts done and parts in all.
+        progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they cannot be counted.
     """
     return ask("plot laws", locals(), picture)
 
@@ -413,7 +413,7 @@ def fairway(
         width: the width of the picture in pixels; a PNG has twice the resolution. The size of the text does not change [default: 480].
         sigma: how much a parameter of the golfer varies from drive to drive, one standard deviation, e.g. swing.face_angle=2deg.
             Repeatable; other parameters of swing, strike and club have the default uncertainties of "longdrive sensitivity".
-        progress: True for a bar, or a function of parts done and parts in all.
+        progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they cannot be counted.
     """
     return ask("plot fairway", locals(), picture)
 
@@ -444,7 +444,7 @@ def face(
         overwrite: replace files that exist.
         dark: draw for a dark background.
         width: the width of the picture in pixels; a PNG has twice the resolution. The size of the text does not change [default: 480].
-        progress: True for a bar, or a function of parts done and parts in all.
+        progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they cannot be counted.
     """
     return ask("plot face", locals(), picture)
 
@@ -490,7 +490,7 @@ def strike(
         overwrite: replace files that exist.
         dark: draw for a dark background.
         width: the width of the picture in pixels; a PNG has twice the resolution. The size of the text does not change [default: 480].
-        progress: True for a bar, or a function of parts done and parts in all.
+        progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they cannot be counted.
     """
     return ask("plot strike", locals(), picture)
 
@@ -533,6 +533,6 @@ def launch(
         overwrite: replace files that exist.
         dark: draw for a dark background.
         width: the width of the picture in pixels; a PNG has twice the resolution. The size of the text does not change [default: 480].
-        progress: True for a bar, or a function of parts done and parts in all.
+        progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they cannot be counted.
     """
     return ask("plot launch", locals(), picture)

@@ -16,7 +16,7 @@ Show = Callable[[int, int], Any]
 
 Progress = Union[bool, Show, None]
 """Whether a bar is shown (by tqdm, if it is installed, in notebooks too), or a function that is called with how many parts of how many are
-done (0 of 0 where they cannot be counted). None is False."""
+done (0 of 0 while they cannot be counted: divide by what is not 0). None is False."""
 
 
 @contextmanager
@@ -56,10 +56,13 @@ class Bar:
 
     def __call__(self, done: int, total: int) -> None:
         now = time.monotonic() - self._began
-        if now < self._next and done < total:
+        # work that cannot be counted has no end of its own here
+        is_done = 0 < total <= done
+        if now < self._next and not is_done:
             return
         self._next = now + 0.2
         left = f", {now * (total - done) / done:.0f} s left" if 0 < done < total else ""
-        end = "\n" if done >= total else ""
-        sys.stderr.write(f"\r{self._what}: {done:,} of {total:,}{left}   {end}")
+        end = "\n" if is_done else ""
+        counted = f"{done:,} of {total:,}" if total > 0 else f"{now:.0f} s"
+        sys.stderr.write(f"\r{self._what}: {counted}{left}   {end}")
         sys.stderr.flush()
