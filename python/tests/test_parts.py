@@ -89,7 +89,8 @@ def test_a_missing_part_is_named_and_other_questions_are_refused(tmp_path: Path)
         other.write(2)
     again = pickle.loads(pickle.dumps(caught.value))
     assert (type(again), str(again), again.part) == (PartError, str(caught.value), 2)
-    with pytest.raises(PartError, match="parts of one"):
+    # whichever part is done first: one beside the second, or the second itself
+    with pytest.raises(PartError, match="parts of one|different derivatives"):
         parts.sweep(**{**QUESTION, "wrt": ()}, output=tmp_path, processes=1, retries=0)
     with pytest.raises(InputError, match="there is no part of a sweep"):
         (tmp_path / "empty").mkdir()
