@@ -5,7 +5,7 @@ use super::flat::{assumed, flat};
 use super::{Drive, Outcome};
 use crate::aerodynamics::{AerodynamicLaw, FittedRange, range_in_words};
 use crate::atmosphere::{AirState, WindField};
-use crate::flight::{Flight, Inputs, trajectory};
+use crate::flight::{Flight, fly, trajectory};
 use crate::parameters::Setup;
 use crate::units::{Digits, Message, Quantity};
 
@@ -58,9 +58,7 @@ impl Drive<f64> {
         let landed = self.landed().ok()?;
         let mut finer = *setup;
         finer.flight.step *= 0.5;
-        let Ok(Flight::Landed(there)) = Inputs::new(&finer, &self.launch, false).fly(&mut |_, _| ()) else {
-            return None;
-        };
+        let Ok(Flight::Landed(there)) = fly(&finer, &self.launch) else { return None };
         let shift = (there.carry - landed.carry).hypot(there.lateral - landed.lateral);
         let step = Quantity::TIME.show(setup.flight.step, "s");
         let method = setup.method.name();

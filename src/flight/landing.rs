@@ -90,7 +90,7 @@ impl<T: Numbers> Inputs<T> {
             height: T::zero(),
             time: 0.0,
         };
-        let (mut spin, mut late) = (T::zero(), none);
+        let mut spin = T::zero();
         while flying.any() && ended.time < self.time_limit {
             stepper.advance(&mut step);
             observe(ended.time, &step);
@@ -110,9 +110,16 @@ impl<T: Numbers> Inputs<T> {
             // the path within the step is needed where the ball may land, where its top lies in the step and decides whether the ball
             // clears the ground, and where the apex is asked for
             let needs_top = top_decides.any() || asked.apex && has_top.any();
-            if may_land.any() || needs_top {
+            // and where the time limit lies in the step: how high is the ball then?
+            let end = (ended.landed.steps + 1) as f64 * h;
+            let is_last = end >= self.time_limit;
+            if may_land.any() || needs_top || is_last {
                 // inlined, it would be as much code as all the rest
                 let path = T::outlined(inlined!(|| Path::new(self, &step, h)));
+                if is_last {
+                    let s = T::constant((self.time_limit - ended.time) / h);
+                    ended.height = path.up.value(s).blend(ended.height, flying);
+                }
                 let mut from_top = T::zero();
                 if needs_top {
                     let s = path.up.top(has_top);
@@ -136,8 +143,7 @@ impl<T: Numbers> Inputs<T> {
                     let s = path.up.falls_to(ground, from_top, lands);
                     // a landing after the time limit, within the step that passes it, is none
                     let time = s * h + ended.time;
-                    late = lands & (-time).below(-self.time_limit);
-                    let lands = lands & !late;
+                    let lands = lands & !(-time).below(-self.time_limit);
                     let (x, v) = (path.position(s), path.velocity(s));
                     let old = &mut ended.landed;
                     old.carry = x.z.blend(old.carry, lands);
@@ -159,14 +165,9 @@ impl<T: Numbers> Inputs<T> {
             }
             has_been_above = has_been_above | is_above;
             ended.landed.steps += 1;
-            ended.time = ended.landed.steps as f64 * h;
+            ended.time = end;
         }
-        if flying.any() {
-            ended.is_aloft = flying;
-            // a ball that lands late is next to the ground
-            let height = ground.blend(step.to.position.x, late);
-            ended.height = height.blend(ended.height, flying);
-        }
+        ended.is_aloft = flying;
         if let Some(turf) = &self.turf {
             ended.landed.rest = Some(turf.rest(&self.landing(&ended.landed, spin), ended.has_landed));
         }
@@ -231,7 +232,8 @@ impl<T: Numbers> Ended<T> {
         } else if self.is_aloft.holds(0) {
             NoFlight::Aloft { time: inputs.time_limit, height }
         } else {
-            NoFlight::LaunchedDown { launch_angle: velocity.x.atan2(velocity.y.hypot(velocity.z)) }
+            // the angle does not ask for the spin
+            NoFlight::LaunchedDown { launch_angle: Launch { velocity, spin: velocity }.launch_angle() }
         }))
     }
 }

@@ -80,7 +80,7 @@ fn exact_agreement_of_the_fast_ways_with_the_general_one() {
     for_every_way(agrees);
 }
 
-/// From a spin that keeps to one that is gone within a second.
+/// From a spin that does not fade to one that is gone in a tenth of a second.
 #[test]
 fn exact_agreement_however_fast_the_spin_fades() {
     let mut setup = Setup::default();

@@ -181,7 +181,7 @@ fn exact_a_flight_longer_than_the_time_limit_is_aloft_and_a_shorter_one_lands() 
             assert_eq!(matches!(flight, Flight::Landed(_)), lands, "{method} {step}: {flight:?}");
             if !lands {
                 assert!(
-                    matches!(flight, Flight::None(NoFlight::Aloft { time, height }) if time == limit && (0.0..0.1).contains(&height)),
+                    matches!(flight, Flight::None(NoFlight::Aloft { time, height }) if time == limit && (0.0..1e-4).contains(&height)),
                     "{flight:?}"
                 );
             }
