@@ -29,8 +29,8 @@ impl Parameter {
     /// [`Error::Unreadable`] for a wrong or missing unit, [`Error::OutOfRange`].
     pub fn read(&self, text: &str, bare: bool) -> Result<Option<f64>> {
         let text = text.trim();
-        if self.kind == Kind::Optional && is_unset(text) {
-            return Ok(None);
+        if is_unset(text) {
+            return if self.kind == Kind::Optional { Ok(None) } else { Err(self.needs_a_value()) };
         }
         let value = if bare { self.quantity.read_bare(text) } else { self.quantity.read(text) };
         let value = value.map_err(|e| Error::Unreadable { name: self.name.into(), source: Box::new(e) })?;
@@ -42,6 +42,11 @@ impl Parameter {
             error => error,
         })?;
         Ok(Some(value))
+    }
+
+    fn needs_a_value(&self) -> Error {
+        let source = format!("it cannot be unset; give it a value{}", instead(self.name));
+        Error::Unreadable { name: self.name.into(), source: source.into() }
     }
 
     /// # Errors
@@ -270,8 +275,7 @@ impl Setup<f64> {
         if let Some(value) = value {
             parameter.check(value)?;
         } else if parameter.kind != Kind::Optional && self.why_replaced(parameter).is_none() {
-            let source = format!("it cannot be unset; give it a value{}", instead(parameter.name));
-            return Err(Error::Unreadable { name: parameter.name.into(), source: source.into() });
+            return Err(parameter.needs_a_value());
         }
         match (self.slot(parameter), value) {
             (Some(Slot::Required(place) | Slot::Setting(place)), Some(value)) => *place = value,

@@ -5,10 +5,12 @@ use crate::optimize::{Constrained, Status};
 use crate::study::Sense;
 use crate::units::{Quantity, System, signed, significant};
 
-/// What is sought: its kind and unit, which value of it, and whether it was found. A multiplier is a price at an optimum only.
+/// What is sought: its kind and unit, its value, which value of it, and whether it was found. A multiplier is a price at an optimum only.
 #[derive(Clone, Copy)]
 pub(super) struct Sought {
     pub of: (Quantity, &'static str),
+    /// Where the search ended, SI.
+    pub value: f64,
     pub sense: Sense,
     pub is_converged: bool,
 }
@@ -31,6 +33,8 @@ impl Sought {
     pub fn price(self, amount: f64, by: (Quantity, &'static str), system: System) -> String {
         // a smaller value is a gain where the smallest is looked for
         let amount = if self.sense == Sense::Maximize { amount } else { -amount };
+        let one = by.0.size_of(by.1).unwrap_or(1.0);
+        let amount = shown::settled(amount * one, self.value, self.of, &[]) / one;
         signed(amount, shown::price(self.of, amount, by, system))
     }
 

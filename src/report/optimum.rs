@@ -253,6 +253,7 @@ pub(super) fn constraint_in_words(optimum: &Optimum, j: usize, system: System) -
     let (of, constraint) = (optimum.search.of, &optimum.search.subject_to[j]);
     let sought = Sought {
         of: (of.quantity(), of.unit()),
+        value: optimum.value().unwrap_or_default(),
         sense: optimum.search.sense,
         is_converged: optimum.solution.status == Status::Converged,
     };

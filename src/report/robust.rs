@@ -139,7 +139,12 @@ fn held_text(found: &Robust, system: System) -> String {
     let (search, solution) = (&found.search, &found.solution);
     let goal = &search.of;
     let is_converged = solution.status == Status::Converged;
-    let sought = Sought { of: (goal.quantity, goal.unit), sense: Sense::Minimize, is_converged };
+    let sought = Sought {
+        of: (goal.quantity, goal.unit),
+        value: solution.value.unwrap_or_default(),
+        sense: Sense::Minimize,
+        is_converged,
+    };
     let rows = search.vary.iter().enumerate().map(|(i, vary)| {
         let by = (vary.parameter.quantity, vary.parameter.unit);
         let (lower, upper) = (solution.lower_multipliers[i], solution.upper_multipliers[i]);

@@ -213,7 +213,12 @@ const BROKEN: &str = "(broken)";
 fn sought(best: &SwingsOptimum) -> Sought {
     let goal = &best.search.of;
     let is_converged = best.solution.status == Status::Converged;
-    Sought { of: (goal.quantity, goal.unit), sense: best.search.sense, is_converged }
+    Sought {
+        of: (goal.quantity, goal.unit),
+        value: best.solution.value.unwrap_or_default(),
+        sense: best.search.sense,
+        is_converged,
+    }
 }
 
 /// The limits with their prices, as a table; empty without any.

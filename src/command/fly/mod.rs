@@ -155,7 +155,12 @@ fn nothing(tally: &Tally, remarks: &[Message]) -> Option<String> {
         let remarks = remarks.iter().map(|remark| remark.in_units(system()));
         let units: String =
             remarks.filter(|remark| remark.starts_with(UNSTATED)).map(|remark| format!("; {remark}")).collect();
-        format!("none of {} could be flown{first}{units}", counted(tally.rows, "row"))
+        let all = if tally.rows == 1 {
+            "the only row could not".into()
+        } else {
+            format!("none of {} rows could", tally.rows)
+        };
+        format!("{all} be flown{first}{units}")
     })
 }
 
