@@ -1,5 +1,6 @@
 //! Shots that are sent while the program runs.
 
+use super::asked::{asked, followed, setup};
 use crate::batch::Status;
 use crate::command::args::{Fly, Question, SETUP};
 use crate::command::interrupt;
@@ -60,13 +61,13 @@ pub fn run(args: &Fly, port: u16) -> Result<Answer> {
         Some(setup) => Question { setup: setup.display().to_string(), ..args.question.clone() },
         None => args.question.clone(),
     };
-    let of = super::asked(args)?;
-    let setup = super::setup(&question, "the messages").map_err(|error| match (&args.shots, error) {
+    let of = asked(args)?;
+    let setup = setup(&question, "the messages").map_err(|error| match (&args.shots, error) {
         (Some(shots), Error::Toml { message, .. }) => both_given(shots, &message),
         (_, error) => error,
     })?;
     question.refuse_replaced(&setup, &[])?;
-    let flying = super::followed(&question, &setup, &of, |setup| Flying::of_messages(setup, &of))?;
+    let flying = followed(&question, &setup, &of, |setup| Flying::of_messages(setup, &of))?;
     let warnings = setup.warnings();
     warn(&warnings);
     let wanted = SocketAddr::new(args.address, port);

@@ -1,61 +1,29 @@
 //! The shots of a launch monitor, flown.
 
+mod asked;
 mod listen;
 mod target;
 
 use crate::batch::Run;
 use crate::columns::UNSTATED;
-use crate::command::args::{Fly, Question};
+use crate::command::args::Fly;
 use crate::command::interrupt;
-use crate::command::names::outcomes;
 use crate::command::output::{Answer, system, tell, warn};
-use crate::drive::{Looked, Part};
+use crate::drive::Looked;
 use crate::parameters::Preset;
 #[cfg(feature = "parquet")]
 use crate::report::ShotParquet;
 use crate::report::{Reply, ShotWriter, ShotsReport, shots_text};
 use crate::shots::{Flying, Shots, Tally};
 use crate::units::{Message, counted};
-use crate::{Error, Outcome, Result, Setup};
+use crate::{Error, Result};
+use asked::{asked, followed, setup};
 use target::{Output, Target, Written};
 
 pub fn run(args: &Fly) -> Result<Answer> {
     match args.listen {
         Some(port) => listen::run(args, port),
         None => fly(args),
-    }
-}
-
-/// The outcomes asked for.
-fn asked(args: &Fly) -> Result<Vec<Outcome>> {
-    let is_all = args.of.iter().any(|name| name.trim() == "all");
-    let of = outcomes(&args.of)?;
-    Ok(if is_all { of.into_iter().filter(|of| of.part() == Part::Flight).collect() } else { of })
-}
-
-/// The setup: its ball, air and law are those of the flights, and the rows have the launches.
-fn setup(question: &Question, rows: &str) -> Result<Setup<f64>> {
-    let setup = question.setup_of_points()?;
-    if setup.launch.is_given() {
-        let source = format!("{rows} give the launch of each ball; leave this out").into();
-        return Err(Error::Unreadable { name: question.launch_from(), source });
-    }
-    question.refuse_club(&setup, &format!("{rows} are launches"))?;
-    Ok(setup)
-}
-
-/// Shots as these are flown, integrated as many drives are.
-fn followed(
-    question: &Question,
-    setup: &Setup<f64>,
-    of: &[Outcome],
-    new: impl Fn(&Setup<f64>) -> Result<Flying>,
-) -> Result<Flying> {
-    // what is wrong with the question is said before anything is flown
-    new(setup)?;
-    match question.accuracy(setup, &Flying::usual(setup)?, of)? {
-        Some(found) => new(&found.applied_to(setup))?.with_largest_defect(found.largest_defect),
-        None => new(setup),
     }
 }
 
