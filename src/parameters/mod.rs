@@ -37,13 +37,12 @@ pub(crate) use law_table::{Cell, Grid, Surface, cells_of};
 pub use method::{METHOD, Method};
 pub use presets::{PRESETS, Preset, PresetEntry};
 pub use range::Range;
-pub use setup::LAW;
 pub(crate) use setup::{NO_CLUB, refuse_twice};
 pub(crate) use table::with_law;
 pub use table::{
-    Aero, Air, Ball, BearmanHarvey, Club, Contact, Ferguson, FlightConditions, Ground, LaunchConditions, LaunchMonitor,
-    Law, Linear, Lyu, MacdonaldHanzely, NaruoMizota, Nathan, Robinson, Setup, SmitsSmith, Strike, Swing, Table,
-    TableFactors, UsgaItr, Wind, WinfieldTan,
+    Aero, Air, Ball, BearmanHarvey, Club, Contact, Ferguson, FlightConditions, Ground, LAW, LaunchConditions,
+    LaunchMonitor, Law, Linear, Lyu, MacdonaldHanzely, NaruoMizota, Nathan, Robinson, Setup, SmitsSmith, Strike, Swing,
+    Table, TableFactors, UsgaItr, Wind, WinfieldTan,
 };
 pub use turf::{TURF, TURFS};
 pub use vary::Vary;

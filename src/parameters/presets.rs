@@ -1,5 +1,4 @@
-use super::setup::LAW;
-use super::table::Setup;
+use super::table::{LAW, Setup};
 use crate::error::{Error, Result};
 
 /// A named setup: what it changes against the table's defaults, each number with its source.

@@ -5,15 +5,12 @@ use super::golfer::{GOLFER, Golfer};
 use super::law_table::{LawTable, TABLE, TABLE_LAW};
 use super::method::{METHOD, Method};
 use super::range::Range;
-use super::table::{Law, Setup};
+use super::table::{LAW, Law, Setup};
 use super::turf::{TURF, refuse_idle_turf};
 use crate::error::{Error, Result};
 use crate::number::{Numbers, inlined};
 use crate::units::Message;
 use std::path::Path;
-
-/// The name by which the aerodynamic law is chosen: `aero.law = "robinson"`.
-pub const LAW: &str = "aero.law";
 
 /// Why a parameter of the club has no effect.
 pub(crate) const NO_CLUB: &str =

@@ -268,6 +268,9 @@ parameter_groups! {
     }
 }
 
+/// The name by which the aerodynamic law is chosen: `aero.law = "robinson"`.
+pub const LAW: &str = "aero.law";
+
 law_coefficients! { $
     /// Drag and lift by spin alone: C_D = cd0 + cd1 |ω|, C_L = cl_max (1 − exp(−cl_rate |ω|)).
     "robinson": Robinson {
