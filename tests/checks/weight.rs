@@ -44,6 +44,19 @@ fn files(place: PathBuf) -> Vec<PathBuf> {
     std::fs::read_dir(place).unwrap().flat_map(|entry| files(entry.unwrap().path())).collect()
 }
 
+/// What must be read before a flight is changed, with its unit tests.
+#[test]
+fn regress_lines_of_the_flight_and_of_what_carries_its_derivatives() {
+    let lines = |places: &[&str]| -> usize {
+        let files = places.iter().flat_map(|place| files(source().join(place)));
+        files.map(|file| std::fs::read_to_string(file).unwrap().lines().count()).sum()
+    };
+    let step = lines(&["flight/motion.rs", "flight/step.rs", "flight/landing.rs"]);
+    assert!(step <= 400, "{step} lines from the equation of motion to the landing");
+    let core = lines(&["number", "flight", "derivative", "batch"]);
+    assert!(core <= 5000, "{core} lines of numbers, flight, derivatives and batches");
+}
+
 /// The paths of a tree such as `a::{b, c::{d, e}}`.
 fn paths(tree: &str) -> Vec<String> {
     let Some((stem, rest)) = tree.split_once('{') else { return vec![tree.trim().into()] };
