@@ -2,7 +2,7 @@
 
 use longdrive::number::{Jet, Mixed};
 use longdrive::parameters::Law;
-use longdrive::{Outcome, Setup};
+use longdrive::{Drive, Outcome, Setup};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::TestRunner;
@@ -88,6 +88,15 @@ pub fn in_large_steps((place, mut setup): (usize, Setup<f64>)) -> Setup<f64> {
     let (method, step) = if place % 2 == 1 { ("dp8", "400 ms") } else { ("rk4", "100 ms") };
     setup.set_all([("flight.method", method), ("flight.step", step)]).unwrap();
     setup
+}
+
+/// Those of so many random drives that land, in large steps: nearly all of them, for else a check of them would be of little.
+#[track_caller]
+pub fn landing(cases: u32) -> Vec<Setup<f64>> {
+    let lands = |setup: &Setup<f64>| Drive::new(setup).is_ok_and(|drive| drive.landed().is_ok());
+    let landing: Vec<_> = random_setups(cases).enumerate().map(in_large_steps).filter(lands).collect();
+    assert!(landing.len() >= cases as usize * 9 / 10, "{} of {cases} land; all of the first 60 did", landing.len());
+    landing
 }
 
 /// So many random setups, the same ones every time.

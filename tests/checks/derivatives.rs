@@ -1,7 +1,7 @@
 //! Derivatives: the number types against each other, against differences, and independent of how they are asked
 //! for.
 
-use crate::common::{close, in_large_steps, mixed, panic_of, random_setups};
+use crate::common::{close, landing, mixed, panic_of};
 use longdrive::derivative::{Order, Taylor, evaluate, evaluate_with, gradient, hessian, jacobian};
 use longdrive::number::{Jet, Number, Numbers};
 use longdrive::parameters::Parameter;
@@ -10,10 +10,6 @@ use longdrive::units::System;
 use longdrive::{Drive, Error, Outcome, Setup};
 use nalgebra::{Const, U1};
 use num_dual::{Derivative, Dual2_64, Dual64, DualSVec64, HyperDual64};
-
-fn lands(setup: &Setup<f64>) -> bool {
-    Drive::new(setup).is_ok_and(|drive| drive.landed().is_ok())
-}
 
 /// Outcomes of a setup seen over another number, with loft and attack angle as its variables.
 fn over<D: Number, const N: usize>(setup: &Setup<f64>, of: [Outcome; N], variable: impl Fn(f64, usize) -> D) -> [D; N] {
@@ -28,10 +24,7 @@ fn over<D: Number, const N: usize>(setup: &Setup<f64>, of: [Outcome; N], variabl
 
 #[test]
 fn independent_number_types_of_num_dual_agree_with_ours() {
-    random_setups(60).enumerate().map(in_large_steps).for_each(|setup| {
-        if !lands(&setup) {
-            return;
-        }
+    for setup in landing(60) {
         let of = [Outcome::Carry, Outcome::Lateral, Outcome::DescentAngle];
         let first = over(&setup, of, Jet::<2>::variable);
         let dual =
@@ -55,15 +48,12 @@ fn independent_number_types_of_num_dual_agree_with_ours() {
                 close(second[n].gradient[0].gradient[0], hyper[n].eps1eps2, scale, 1e-9, "second derivative");
             }
         }
-    });
+    }
 }
 
 #[test]
 fn differences_of_values_agree_with_the_gradient_by_every_parameter() {
-    random_setups(25).enumerate().map(in_large_steps).for_each(|setup| {
-        if !lands(&setup) {
-            return;
-        }
+    for setup in landing(25) {
         let wrt = setup.variables();
         let of = [Outcome::Carry, Outcome::Lateral, Outcome::ApexHeight];
         let exact = jacobian(&setup, &of, &wrt).unwrap();
@@ -82,7 +72,7 @@ fn differences_of_values_agree_with_the_gradient_by_every_parameter() {
                 );
             }
         }
-    });
+    }
 }
 
 /// Outcomes at p − h and p + h.

@@ -1,7 +1,7 @@
 //! The ways that are fast against the one that is general: directions in lanes, drives side by side, the chain rule between impact
 //! and flight, methods of higher order.
 
-use crate::common::{close, in_large_steps, mixed, random_setups};
+use crate::common::{close, landing, mixed};
 use longdrive::batch::{Axis, Grid, Run, Sequence, Status, gradient_batch};
 use longdrive::derivative::{Evaluator, Order, Taylor};
 use longdrive::number::{Jet, Number};
@@ -107,10 +107,7 @@ fn exact_agreement_however_fast_the_spin_fades() {
 #[test]
 fn exact_chain_rule_between_impact_and_flight() {
     // by all parameters at once, which goes through the flight's inputs, and two by two, which does not
-    random_setups(25).enumerate().map(in_large_steps).for_each(|setup| {
-        if !Drive::new(&setup).is_ok_and(|drive| drive.landed().is_ok()) {
-            return;
-        }
+    for setup in landing(25) {
         let all = setup.variables();
         for of in [Outcome::Carry, Outcome::ApexTime, Outcome::SmashFactor, Outcome::Total, Outcome::LateralTotal] {
             let chained = fast(&setup, of, &all, Order::First);
@@ -123,7 +120,7 @@ fn exact_chain_rule_between_impact_and_flight() {
                 }
             }
         }
-    });
+    }
 }
 
 #[test]
@@ -131,10 +128,7 @@ fn exact_chain_rule_between_the_launch_and_the_flight() {
     // Hessians by more parameters of club and swing than a launch has quantities, which go through these, and pair by pair, which do not
     let groups = ["swing.", "club.", "strike.", "impact."];
     let of_strike = |row: &&'static Parameter| groups.iter().any(|group| row.name.starts_with(group));
-    random_setups(12).enumerate().map(in_large_steps).for_each(|setup| {
-        if !Drive::new(&setup).is_ok_and(|drive| drive.landed().is_ok()) {
-            return;
-        }
+    for setup in landing(12) {
         let all: Vec<_> = setup.variables().into_iter().filter(of_strike).collect();
         let eight: Vec<_> = all.iter().copied().step_by(all.len() / 8).take(8).collect();
         for of in [Outcome::Carry, Outcome::ApexTime, Outcome::Lateral, Outcome::Sidespin, Outcome::Total] {
@@ -155,7 +149,7 @@ fn exact_chain_rule_between_the_launch_and_the_flight() {
                 }
             }
         }
-    });
+    }
 }
 
 #[test]
