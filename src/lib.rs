@@ -46,7 +46,7 @@
 //! | every parameter, declared once | [`parameters`] |
 //! | numbers, quantity strings, errors | [`number`], [`units`], [`error`] |
 
-#![warn(missing_docs)]
+#![warn(clippy::missing_errors_doc, missing_docs)]
 
 pub mod aerodynamics;
 pub mod atmosphere;

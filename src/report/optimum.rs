@@ -129,6 +129,9 @@ pub struct Multipliers {
 impl OptimumReport {
     /// The answer of `optimize`: the status and the message are the search's. The local optima are listed where there
     /// was more than one start.
+    ///
+    /// # Errors
+    /// As [`Optima::best`].
     pub fn reply(optima: &Optima, warnings: Vec<Message>) -> Result<Reply<Self>> {
         let best = optima.best()?;
         let reply = Reply::done("optimize", warnings, Self::of_many(best, optima));

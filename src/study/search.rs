@@ -70,6 +70,9 @@ impl Search {
     }
 
     /// The longest carry over loft 4–20° and attack angle −5…+5°.
+    ///
+    /// # Errors
+    /// [`Error::NotVariable`](crate::Error::NotVariable) where the setup gives the launch of the ball: then there is no club to vary.
     pub fn longest_drive(setup: &Setup<f64>) -> Result<Self> {
         let vary = ["club.loft=4deg..20deg", "swing.attack_angle=-5deg..5deg"];
         let vary = vary.iter().map(|text| Vary::read(setup, text)).collect::<Result<_>>()?;
