@@ -193,7 +193,14 @@ fn measured(law: &Law<f64>, fitted: &Fitted, per_speed: f64, radius: f64) -> Vec
             };
             law.table.nodes().iter().map(node).collect()
         }
-        _ => vec![],
+        Law::Robinson(_)
+        | Law::Linear(_)
+        | Law::SmitsSmith(_)
+        | Law::Ferguson(_)
+        | Law::LaunchMonitor(_)
+        | Law::WinfieldTan(_)
+        | Law::MacdonaldHanzely(_)
+        | Law::Nathan(_) => vec![],
     }
 }
 
