@@ -1,6 +1,7 @@
 use crate::command::args::{Compare, Pair, Question};
 use crate::command::names::outcomes;
 use crate::command::output::{Answer, spinner, system, tell, tell_error, warn};
+use crate::command::question::given_once;
 use crate::report::{ComparisonReport, comparison_text, difference_text};
 use crate::study::Comparison;
 use crate::units::Message;
@@ -57,6 +58,13 @@ impl Pair {
             let source = "there is one drive; name a second setup, or say in what drive b differs, for example --set-b \
                           club.loft=10.5deg";
             return Err(Error::Unreadable { name: "compare".into(), source: source.into() });
+        }
+        // told by their own names: the question about each drive has them among those of both
+        for (option, own) in [("--set-a", &self.set_a), ("--set-b", &self.set_b)] {
+            given_once(&[("--set", &self.question.set), (option, own)])?;
+        }
+        for (option, own) in [("--launch-a", &self.launch_a), ("--launch-b", &self.launch_b)] {
+            given_once(&[("--launch", &self.question.launch), (option, own)])?;
         }
         let setup = |(question, drive): (Question, &'static str)| {
             let setup = question.setup().and_then(|setup| question.within_tolerance(setup));

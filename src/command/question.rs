@@ -438,18 +438,28 @@ fn given_twice(option: &str, other: &str, what: &str) -> Error {
     Error::Unreadable { name: option.into(), source }
 }
 
-/// NAME=VALUE.
 /// The names of `--set` with their values, each given once on the command line.
 fn settings(set: &[String]) -> Result<Vec<(&str, &str)>> {
-    let mut all: Vec<(&str, &str)> = vec![];
-    for text in set {
-        let (name, value) = split("--set", text)?;
-        if let Some((_, earlier)) = all.iter().find(|(other, _)| *other == name) {
-            return Err(given_twice(&format!("--set {name}={value}"), &format!("--set {name}={earlier}"), name));
+    given_once(&[("--set", set)])
+}
+
+/// The names of options with their values, each given once by all of these.
+pub fn given_once<'a>(options: &[(&str, &'a [String])]) -> Result<Vec<(&'a str, &'a str)>> {
+    let mut all: Vec<(&str, &str, &str)> = vec![];
+    for (option, texts) in options {
+        for text in *texts {
+            let (name, value) = split(option, text)?;
+            if let Some((other, _, earlier)) = all.iter().find(|(_, other, _)| *other == name) {
+                return Err(given_twice(
+                    &format!("{option} {name}={value}"),
+                    &format!("{other} {name}={earlier}"),
+                    name,
+                ));
+            }
+            all.push((option, name, value));
         }
-        all.push((name, value));
     }
-    Ok(all)
+    Ok(all.into_iter().map(|(_, name, value)| (name, value)).collect())
 }
 
 impl OwnLaw {
@@ -476,9 +486,10 @@ impl OwnLaw {
     }
 }
 
+/// NAME=VALUE.
 fn split<'a>(option: &str, text: &'a str) -> Result<(&'a str, &'a str)> {
     text.split_once('=').map(|(name, value)| (name.trim(), value.trim())).ok_or_else(|| {
-        let example = if option == "--set" { "club.loft=10.5deg" } else { "ball_speed=167mph" };
+        let example = if option.starts_with("--set") { "club.loft=10.5deg" } else { "ball_speed=167mph" };
         Error::Unreadable {
             name: format!("{option} {text}"),
             source: format!("write NAME=VALUE, for example {example}").into(),

@@ -313,7 +313,18 @@ fn no_difference_is_said_and_bad_input_names_the_drive() {
         ),
         (vec!["--set-b", "club.loft=11deg", "--of", "cary"], 2, "did you mean 'carry'?"),
         (vec!["--launch-b", "ball_speed=160mph"], 2, "drive b: the launch (ball_speed): launch_angle is missing"),
-        (vec!["--set", "club.loft=9deg", "--set-b", "club.loft=11deg"], 2, "drive b: --set club.loft=11deg: "),
+        (
+            vec!["--set", "club.loft=9deg", "--set-b", "club.loft=11deg"],
+            2,
+            "--set-b club.loft=11deg: --set club.loft=9deg gives club.loft too; keep one of the two",
+        ),
+        (
+            vec!["--launch-a", "ball_speed=70m/s,ball_speed=71m/s"],
+            2,
+            "--launch-a ball_speed=71m/s: --launch-a ball_speed=70m/s gives ball_speed too",
+        ),
+        (vec!["--set-b", "club.loft"], 2, "--set-b club.loft: write NAME=VALUE, for example club.loft=10.5deg"),
+        (vec!["--launch-b", "spin"], 2, "--launch-b spin: write NAME=VALUE, for example ball_speed=167mph"),
         (still.to_vec(), 1, "drive a: spin_axis is not defined for this drive"),
     ] {
         let said = longdrive(&[&["compare"], &args[..]].concat());
