@@ -1,8 +1,10 @@
 //! The ball in the air: equation of motion, fixed-step integration, a smooth landing.
 
 mod divergence;
+mod ended;
 mod ending;
 mod fading;
+mod fly;
 mod inputs;
 mod landing;
 mod motion;
@@ -11,8 +13,8 @@ mod step;
 mod tableau;
 mod trajectory;
 
+pub(crate) use ended::Asked;
 pub use ending::{Apex, Flight, Landed, NoFlight};
+pub use fly::fly;
 pub(crate) use inputs::Inputs;
-pub(crate) use landing::Asked;
-pub use landing::fly;
 pub use trajectory::{Trajectory, TrajectoryPoint, trajectory};

@@ -63,6 +63,12 @@ impl<T: Numbers> Septic<T> {
         self.derivative::<1>(s)
     }
 
+    /// d²/ds².
+    #[inline(always)]
+    pub fn bend(&self, s: T) -> T {
+        self.derivative::<2>(s)
+    }
+
     /// Where the coordinate falls to `level`, between `from` (where it is above) and the end (where it is not), in the lanes of a mask.
     #[inline(always)]
     pub fn falls_to(&self, level: T, from: T, lanes: T::Mask) -> T {
@@ -72,7 +78,7 @@ impl<T: Numbers> Septic<T> {
     /// Where the coordinate, rising at the start and not at the end, is highest, in the lanes of a mask.
     #[inline(always)]
     pub fn top(&self, lanes: T::Mask) -> T {
-        falling_root(T::zero(), lanes, inlined!(|s| (self.slope(s), self.derivative::<2>(s))))
+        falling_root(T::zero(), lanes, inlined!(|s| (self.slope(s), self.bend(s))))
     }
 }
 

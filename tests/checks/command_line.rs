@@ -196,7 +196,7 @@ fn bad_input_gets_status_two_and_a_message_that_helps() {
         (vec!["simulate", "--set", "swing.speed=nan"], vec!["nan", "is not a number"]),
         (vec!["simulate", "--set", "swing.speed=inf"], vec!["inf", "finite"]),
         (vec!["simulate", "--set", "club.mass=10 kg"], vec!["10 kg", "50 g ≤ … ≤ 2000 g", "at most 2000 g"]),
-        (vec!["simulate", "--set", "swing.speed=none"], vec!["swing.speed", "does not start with a number"]),
+        (vec!["simulate", "--set", "swing.speed=none"], vec!["swing.speed", "it cannot be unset; give it a value"]),
         (vec!["simulate", "--set", "aero.law=robinsn"], vec!["did you mean 'robinson'?", "launch-monitor"]),
         (vec!["simulate", "--set", "aero.cd=0.3"], vec!["'aero.cd'", "linear", "aero.law"]),
         (vec!["simulate", "--set", "club.inertia.xy=9000 g cm^2"], vec!["not positive definite", "-4.1"]),
