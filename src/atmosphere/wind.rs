@@ -2,7 +2,7 @@ use crate::number::{Numbers, Vector, inlined};
 use crate::parameters::{Ground, Wind};
 
 /// ℓ, m: the height over which the logarithmic profile is rounded towards the ground. A fixed step of 0.01 s
-/// resolves it (carry within 1 µm); the pure logarithm, whose scale is the roughness of some millimetres, it
+/// resolves it (carry within some micrometres: docs/model.md, eq. 16); the pure logarithm, whose scale is the roughness of some millimetres, it
 /// does not (errors of millimetres).
 const ROUNDING: f64 = 0.5;
 

@@ -4,8 +4,8 @@ use crate::command::interrupt::{self, BEST_SO_FAR};
 use crate::command::output::{Answer, command_line, system, tell, warn};
 use crate::parameters::Vary;
 use crate::report::{
-    delivered_text, deliveries_text, delivery_reply, delivery_toml, parameter_text, population_warnings, recovered_csv,
-    recovered_toml,
+    bound_warnings, delivered_text, deliveries_text, delivery_reply, delivery_toml, parameter_text,
+    population_warnings, recovered_csv, recovered_toml,
 };
 use crate::study::Sigma;
 use crate::study::calibrate::ShotTable;
@@ -63,6 +63,9 @@ pub fn run(args: &DeliveryArgs) -> Result<Answer> {
         warnings.extend(unreached);
     }
     let found = all.iter().filter_map(Delivery::explained).count();
+    let at_bounds = bound_warnings(&all, system());
+    warn(&at_bounds);
+    warnings.extend(at_bounds);
     let of_population: Vec<_> =
         population.iter().flatten().flat_map(|population| population_warnings(population, system())).collect();
     warn(&of_population);

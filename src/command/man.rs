@@ -40,7 +40,9 @@ fn found<'a>(program: &'a Command, words: &[String]) -> Result<&'a Command> {
 
 fn page(command: &Command) -> Result<String> {
     let mut page = vec![];
-    clap_mangen::Man::new(command.clone()).render(&mut page).map_err(Error::Output)?;
+    // only the program has a version of its own
+    let source = concat!("longdrive ", env!("CARGO_PKG_VERSION"));
+    clap_mangen::Man::new(command.clone()).source(source).render(&mut page).map_err(Error::Output)?;
     Ok(String::from_utf8_lossy(&page).into_owned())
 }
 

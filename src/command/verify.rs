@@ -26,7 +26,6 @@ pub fn run(args: &Verify) -> Result<Answer> {
         show(&bar, done, all);
         !stop.load(Ordering::Relaxed)
     });
-    interrupt::ends();
     bar.finish_and_clear();
     let certificate = certificate?;
     let of_step = certificate.step.iter().filter_map(StepError::warning).collect();
@@ -36,6 +35,8 @@ pub fn run(args: &Verify) -> Result<Answer> {
     tell_left_out(&certificate);
     // what was stopped is not gone on with
     let loops = if certificate.stopped.is_none() { while_loop(&setup, &certificate.rows) } else { vec![] };
+    // until here an interruption is too late to stop anything, and the answer is given
+    interrupt::ends();
     let answer = if args.question.json {
         Answer::json(&CertificateReport::reply(&certificate, &loops, warnings))
     } else {

@@ -27,7 +27,7 @@ fn refusal(step: f64, limit: f64) -> Error {
             name: "flight.step".into(),
             value: format!("{step:e} s"),
             range: format!("{:e} s <= …: at most {MOST:e} steps up to flight.time_limit = {limit} s", limit / MOST),
-            advice: "take a longer step or a shorter time limit (5 ms is within 1 µm of the exact carry)".into(),
+            advice: "take a longer step or a shorter time limit (10 ms, the default, keeps carry within 10 µm)".into(),
         }
     })
 }

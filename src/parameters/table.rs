@@ -261,7 +261,7 @@ parameter_groups! {
         // from a 1e8th of the default time limit on: more steps are refused
         /// Time step of the integration.
         step: f64 = "flight.step", "h", TIME in "s", Range::from_to(6e-6, 5.0), "0.01 s",
-            "lengths of ordinary drives within 1e-6 m, also in a logarithmic wind, docs/model.md";
+            "carry of ordinary drives within 2e-8 m, in a logarithmic wind within 1e-5 m: docs/model.md, eq. 16";
         /// Longest time of flight that is computed.
         time_limit: f64 = "flight.time_limit", "t_max", TIME in "s", Range::above_to(0.0, 1e6), "600 s",
             "a hundred times an ordinary drive";

@@ -9,8 +9,8 @@ use super::table::table;
 use crate::error::Result;
 use crate::optimize::least_squares::Status;
 use crate::parameters::{Parameter, Preset, Setup};
-use crate::study::delivery::{Delivered, Delivery, Known, Population, Recovered, Spread, Untold};
-use crate::units::{Message, System, counted, fixed};
+use crate::study::delivery::{Delivered, Delivery, Known, Population, Recovered, Spread, Unknown, Untold};
+use crate::units::{Message, System, counted, counted_of, fixed};
 use serde_json::{Value, json};
 
 /// The answer of `delivery` as one JSON object, SI and radians: `rows` has one entry for a single shot.
@@ -102,6 +102,35 @@ fn verdict(delivered: &Delivered) -> (&'static str, Option<String>) {
         fixed(worst.residual().abs(), 1)
     );
     ("unexplained", Some(message))
+}
+
+/// Which parameters lie at an end of the range that they were sought in: there it is the range that decides, and not the launch.
+pub fn bound_warnings(all: &[Delivery], system: System) -> Vec<Message> {
+    let found: Vec<_> = all.iter().filter_map(|delivery| delivery.found.as_ref().ok()).collect();
+    let unknowns = found.first().map_or(&[][..], |delivered| &delivered.known).iter().map(|known| known.unknown);
+    let ends = unknowns.flat_map(|unknown| [(unknown, false), (unknown, true)]);
+    ends.filter_map(|(unknown, is_upper)| {
+        let parameter = unknown.parameter;
+        let known = found.iter().flat_map(|delivered| &delivered.known);
+        let at_end = known.filter(|known| {
+            let Unknown { low, high, .. } = known.unknown;
+            known.unknown.parameter == parameter && known.sigma.is_none() && (known.value - low > high - known.value) == is_upper
+        });
+        let mut values: Vec<f64> = at_end.map(|known| known.value).collect();
+        values.sort_by(f64::total_cmp);
+        let (first, last) = (values.first()?, values.last()?);
+        let ends = [*first, *last].map(|end| shown::parameter(parameter, end, system));
+        let ends = if ends[0] == ends[1] { ends[0].clone() } else { ends.join(" to ") };
+        Some(Message::from(format!(
+            "{} of {} lies at the {} end of the range that it is sought in, {ends}: the range decides it there, and not the launch; --set {} to a \
+             value nearer to the golfer's, or give it a larger --sigma",
+            parameter.name,
+            counted_of(values.len() as u64, found.len() as u64, ["launch", "launches"]),
+            if is_upper { "upper" } else { "lower" },
+            parameter.name,
+        )))
+    })
+    .collect()
 }
 
 /// The delivery of one shot as text.

@@ -45,7 +45,7 @@ pub use calibration::{CalibrationReport, calibration_document, calibration_reply
 pub use certificate::{CertificateReport, CertificateRow, certificate_text};
 pub use chart::{ChartPointReport, ChartReport, chart_csv, chart_text};
 pub use compare::{ComparisonReport, DifferenceReport, comparison_text, difference_text};
-pub use delivery::{delivered_text, deliveries_text, delivery_reply, delivery_toml};
+pub use delivery::{bound_warnings, delivered_text, deliveries_text, delivery_reply, delivery_toml};
 pub use design::Designed;
 pub use document::{Document, document_files};
 pub use drive::{DriveReport, air_text, drive_text, known_within};

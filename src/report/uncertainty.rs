@@ -2,6 +2,7 @@ use super::lines::item;
 use super::reply::{Reply, share};
 use super::table::table;
 use super::{json, shown};
+use crate::drive::Part;
 use crate::study::uncertainty::{Distribution, Interval, Moments, OutcomeUncertainty, Uncertain, Uncertainty};
 use crate::units::{Message, Quantity, System, counted, counted_of};
 use serde::Serialize;
@@ -191,7 +192,11 @@ fn outcome_text(outcome: &OutcomeUncertainty, found: &Uncertainty, system: Syste
     ]);
     let mut text = format!("\n{}", table(&[of.name(), "mean", "standard deviation"], &[1, 2], rows));
     let [low, middle, high] = sampled.quantiles.map(value);
-    text += &format!("  95 % of the drives lie between {low} and {high}; the median is {middle}\n\n");
+    let drives = match of.part() {
+        Part::Flight if found.part_without_landing() > 0.0 => "drives that land",
+        _ => "drives",
+    };
+    text += &format!("  95 % of the {drives} lie between {low} and {high}; the median is {middle}\n\n");
     if found.plan.samples < ENOUGH {
         return text
             + &format!("  shares of the variance are shown from {ENOUGH} points on; --samples gives their number\n");

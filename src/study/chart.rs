@@ -82,7 +82,7 @@ impl Chart {
     pub fn warnings(&self) -> Vec<Message> {
         let Some(first) = self.points.first() else { return vec![] };
         let mut count = BeyondCount::default();
-        let (mut law, mut face, mut flat) = (Reach::NONE, Reach::NONE, Reach::NONE);
+        let (mut law, mut face, mut flat) = (Reach::default(), Reach::default(), Reach::default());
         for ChartPoint { at, best, .. } in &self.points {
             if let Some(drive) = &best.drive {
                 let beyond = drive.beyond(&best.setup, Looked::AtFlight, &best.search.outcomes());
@@ -94,32 +94,36 @@ impl Chart {
         }
         let warnings = count.warnings(&first.best.setup.law, ["optimum", "optima"], Looked::AtFlight);
         // in their order, those that there are
-        let reaches = [law, face, flat].into_iter().filter(|reach| reach.low <= reach.high);
+        let reaches = [law, face, flat].into_iter().filter(|reach| !reach.parts.is_empty());
         warnings.into_iter().zip(reaches).map(|(warning, reach)| reach.told(warning, &self.along)).collect()
     }
 }
 
-/// The part of a range in which something is so.
-#[derive(Clone, Copy)]
+/// The parts of a range in which something is so, of points in their order.
+#[derive(Clone, Default)]
 struct Reach {
-    low: f64,
-    high: f64,
+    parts: Vec<[f64; 2]>,
+    /// Whether it was so at the last point.
+    goes_on: bool,
 }
 
 impl Reach {
-    const NONE: Self = Self { low: f64::INFINITY, high: f64::NEG_INFINITY };
-
     fn add(&mut self, at: f64, is_so: bool) {
-        if is_so {
-            (self.low, self.high) = (self.low.min(at), self.high.max(at));
+        match self.parts.last_mut() {
+            Some([_, end]) if is_so && self.goes_on => *end = at,
+            _ if is_so => self.parts.push([at; 2]),
+            _ => {}
         }
+        self.goes_on = is_so;
     }
 
-    fn told(self, warning: Message, along: &Vary) -> Message {
-        let Vary { parameter, .. } = along;
-        let place = if self.low == self.high { "at" } else { "between" };
-        let begun = parameter.place(warning.words(format!("; {place} {} = ", parameter.name)), self.low);
-        if self.low == self.high { begun } else { parameter.place(begun.words(" and "), self.high) }
+    fn told(&self, warning: Message, along: &Vary) -> Message {
+        let parameter = along.parameter;
+        let begun = warning.words(format!("; {} =", parameter.name));
+        self.parts.iter().enumerate().fold(begun, |told, (i, [low, high])| {
+            let first = parameter.place(told.words(if i == 0 { " " } else { ", and " }), *low);
+            if low == high { first } else { parameter.place(first.words(" to "), *high) }
+        })
     }
 }
 

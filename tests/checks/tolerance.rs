@@ -166,8 +166,6 @@ fn independent_short_and_flat_flights_are_flown_again() {
     assert!(found.checked.0 == 0 && found.again > 0 && found.unchecked.1 > 2.0 * MICROMETRE, "{found:?}");
 }
 
-/// A light ball whose airspeed falls to 0.5 m/s at its top, where |v| v bends within a step. The step that others chose is off by
-/// 8.6 µm there; the square of Hermite's defect is too small to show it.
 /// Low shots whose path is nearly straight at the top, where lift carries most of the weight: an error of the velocity moves the place of the top by up
 /// to a hundred times as much as usual.
 #[test]
@@ -182,6 +180,8 @@ fn independent_places_of_flat_tops_are_within_a_micrometre() {
     assert!(found.landed > 58_000 && found.unchecked.0 > 0 && found.checked.0 == 0, "{found:?}");
 }
 
+/// A light ball whose airspeed falls to 0.5 m/s at its top, where |v| v bends within a step. The step that others chose is off by
+/// 8.6 µm there; the square of Hermite's defect is too small to show it.
 #[test]
 fn independent_a_row_that_nearly_stops_at_its_top_is_flown_again() {
     let setup = random_setups(158).last().unwrap();

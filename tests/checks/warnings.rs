@@ -245,7 +245,7 @@ fn plots_and_reports_of_optima_warn_once_for_each_kind() {
     let file = |name: &str| folder.path().join(name).display().to_string();
     let (svg, page) = (file("a.svg"), file("page"));
     let slow = ["--along", "swing.speed=25mph..30mph"];
-    let says = ["optima: in 1 % of the flight or more outside of", "; between swing.speed = 25 mph and 30 mph"];
+    let says = ["optima: in 1 % of the flight or more outside of", "; swing.speed = 25 mph to 30 mph"];
     let of_optima = |answer: &serde_json::Value| {
         let warnings = answer["warnings"].as_array().unwrap().iter().map(|it| it.as_str().unwrap().to_owned());
         warnings.filter(|it| it.contains("optima: ")).collect::<Vec<_>>()

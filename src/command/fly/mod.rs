@@ -52,6 +52,12 @@ fn fly(args: &Fly) -> Result<Answer> {
     if !is_on_their_ground && of.iter().any(|of| of.is_of_the_run() && shots.has(*of)) {
         remarks.push("the measured totals are not compared: the ground is not given; name it with --set ground.turf=average, or another".into());
     }
+    if of.contains(&Outcome::Carry) && shots.has(Outcome::CarryDistance) && !of.contains(&Outcome::CarryDistance) {
+        remarks.push(
+            "the measured carry is not compared: it is the distance from the tee, carry_distance; name that with --of"
+                .into(),
+        );
+    }
     for remark in &remarks {
         tell(&format!("note: {}: {}", file.display(), remark.in_units(system())));
     }

@@ -25,7 +25,8 @@ pub(super) fn panel(findings: &Findings<'_>) -> Markup {
         Outcome::LaunchAngle,
         Outcome::Backspin,
         Outcome::SpinAxis,
-        Outcome::Carry,
+        // what a launch monitor calls carry
+        Outcome::CarryDistance,
         Outcome::Lateral,
         Outcome::ApexHeight,
         Outcome::DescentAngle,

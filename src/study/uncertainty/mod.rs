@@ -19,6 +19,7 @@ pub use model::{Design, Indices, Interval, Plan, Statistics};
 use crate::batch::{Batch, CHUNK, Status, Tally};
 use crate::derivative::{Order, Taylor, evaluate};
 use crate::drive::Outcome;
+use crate::drive::Part;
 use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup};
 use crate::units::{Message, counted, significant};
@@ -44,22 +45,40 @@ pub struct Uncertainty {
 }
 
 impl Uncertainty {
-    /// Warns where many values are such as no drive has: the others are no sample of the distributions any more.
+    /// The part of the drives of the sample that do not land, though their values are allowed.
+    pub fn part_without_landing(&self) -> f64 {
+        self.part_of(|status| !matches!(status, Status::Landed | Status::OutOfRange))
+    }
+
+    /// Warns where many values are such as no drive has, or many drives do not land: the others are no sample of the distributions any more.
     pub fn warnings(&self) -> Vec<Message> {
         /// A normal distribution that is cut at two standard deviations leaves out as much.
         const MANY: f64 = 0.02;
-        let all: u64 = self.tally.counts().map(|(_, count)| count).sum();
-        let outside =
-            self.tally.counts().find(|(status, _)| *status == Status::OutOfRange).map_or(0, |(_, count)| count);
-        let share = outside as f64 / all as f64;
-        let warning = (share > MANY).then(|| {
+        let percent = |part: f64| significant(100.0 * part, 2);
+        let outside = self.part_of(|status| status == Status::OutOfRange);
+        let outside = (outside > MANY).then(|| {
             format!(
                 "{} % of the drives have a value outside of what is allowed and are left out: mean, deviation and shares are of the others; \
                  cut the distribution, as in truncated(MEAN,DEVIATION,LOW,HIGH)",
-                significant(100.0 * share, 2)
+                percent(outside)
             )
         });
-        warning.map(Message::from).into_iter().collect()
+        let (missing, flies) =
+            (self.part_without_landing(), self.outcomes.iter().any(|each| each.of.part() == Part::Flight));
+        let missing = (flies && missing > MANY).then(|| {
+            format!(
+                "{} % of the drives do not land: mean, deviation and shares of a flight are of those that do, and are no longer those of the distributions",
+                percent(missing)
+            )
+        });
+        outside.into_iter().chain(missing).map(Message::from).collect()
+    }
+
+    fn part_of(&self, is_meant: impl Fn(Status) -> bool) -> f64 {
+        let count = |is_meant: &dyn Fn(Status) -> bool| -> u64 {
+            self.tally.counts().filter(|(status, _)| is_meant(*status)).map(|(_, count)| count).sum()
+        };
+        count(&is_meant) as f64 / count(&|_| true) as f64
     }
 }
 
