@@ -28,10 +28,12 @@ impl Directions<'_> {
             .map(move |k| Self { variables: &self.variables[k * most..end.min((k + 1) * most)], ..self })
     }
 
-    /// This level, or AVX2 where its four lanes are enough: they are quicker there.
+    /// This level, or AVX2 where its lanes hold as many with the same number: they are quicker there.
     pub fn level(&self, level: Level) -> Level {
         let count = self.variables.len() / if self.are_pairs { 2 } else { 1 };
-        if count <= 4 { level.min(Level::Avx2) } else { level }
+        let lanes = Level::Avx2.width();
+        let fills_them = !self.are_pairs && count > level.width() && count <= MOST_PER_LANE * lanes;
+        if count <= lanes || fills_them { level.min(Level::Avx2) } else { level }
     }
 
     /// The variables in a lane.
