@@ -30,7 +30,7 @@ impl<T: Numbers> Inputs<T> {
     fn spin_and_derivatives(&self, node: &Node<T>, damping: T) -> [T; 3] {
         let (spin, h) = (node.spin, self.step);
         let rate = damping.mul_add(node.rate.speed, self.decay);
-        let quickens = damping * self.rate_per_time(node).speed;
-        [spin, -(rate * spin) * h, spin * (rate * rate - quickens) * (h * h)]
+        let damping_change = damping * self.rate_per_time(node).speed;
+        [spin, -(rate * spin) * h, spin * (rate * rate - damping_change) * (h * h)]
     }
 }

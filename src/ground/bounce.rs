@@ -1,5 +1,5 @@
 use super::turf::Turf;
-use crate::number::{Numbers, Vector, held_above, inlined, risen};
+use crate::number::{Numbers, Vector, held_above, inlined, smooth_step};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// A ball that moves.
@@ -65,7 +65,7 @@ impl<T: Numbers> Turf<T> {
         let speed = (level * level + down * down).sqrt();
         let incidence = (level / (speed + down)).atan() * 2.0;
         let part = held_above(self.compliance * speed * (1.0 / (SPEED * INCIDENCE)), HEAD_ON[0], HEAD_ON[1]);
-        let steep = risen(-incidence + FRAC_PI_2, 0.0, FLAT);
+        let steep = smooth_step(-incidence + FRAC_PI_2, 0.0, FLAT);
         let (sin, cos) = (incidence * part * steep).sin_cos();
         ground * cos - along * (per_level * sin)
     }

@@ -7,7 +7,7 @@ mod bounce;
 mod rubbing;
 mod turf;
 
-use crate::number::{Mask, Numbers, Vector, inlined, risen};
+use crate::number::{Mask, Numbers, Vector, inlined, smooth_step};
 use bounce::Moving;
 use rubbing::Rubbing;
 pub(crate) use turf::Turf;
@@ -158,7 +158,7 @@ impl<T: Numbers> Slope<T> {
     #[inline(always)]
     fn hop(&self, velocity: Vector<T>, drag: T) -> Hop<T> {
         let rise = self.normal.dot(velocity);
-        let left = rise * risen(rise, STAYS, STAYS);
+        let left = rise * smooth_step(rise, STAYS, STAYS);
         let along = velocity - self.normal * rise;
         let time = left * 2.0 / self.press;
         let slowed = (along.dot(along) + LEAST_SPEED * LEAST_SPEED).sqrt() * drag * time;

@@ -25,7 +25,7 @@ pub(crate) fn held_below<T: Numbers>(x: T, end: f64, over: f64) -> T {
 
 /// 0 up to `start`, 1 from `start + over` on, and between them a way with two continuous derivatives.
 #[inline(always)]
-pub(crate) fn risen<T: Numbers>(x: T, start: f64, over: f64) -> T {
+pub(crate) fn smooth_step<T: Numbers>(x: T, start: f64, over: f64) -> T {
     let u = (x - start) * (1.0 / over);
     let u = u.blend(T::zero(), (-u).below(0.0));
     let u = u.blend(T::constant(1.0), u.below(1.0));
@@ -34,7 +34,7 @@ pub(crate) fn risen<T: Numbers>(x: T, start: f64, over: f64) -> T {
 
 #[cfg(test)]
 mod tests {
-    use super::{held_above, held_below, risen};
+    use super::{held_above, held_below, smooth_step};
     use num_dual::Dual2_64;
 
     #[test]
@@ -42,7 +42,7 @@ mod tests {
         let at = |x: f64| Dual2_64::from(x).derivative();
         let above = |x: f64| held_above(at(x), 0.3, 0.2);
         let below = |x: f64| held_below(at(x), -0.3, 0.2);
-        let rise = |x: f64| risen(at(x), 0.2, 0.4);
+        let rise = |x: f64| smooth_step(at(x), 0.2, 0.4);
         let is_smooth = |f: &dyn Fn(f64) -> Dual2_64, end: f64| {
             let [a, b] = [end * (1.0 - 1e-12), end * (1.0 + 1e-12)].map(f);
             (a.re - b.re).abs() < 1e-11 && (a.v1 - b.v1).abs() < 1e-10 && (a.v2 - b.v2).abs() < 1e-9

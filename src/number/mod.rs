@@ -21,7 +21,7 @@ mod vector;
 
 pub(crate) use derivatives::Derivatives;
 pub(crate) use fingerprint::Fingerprint;
-pub(crate) use held::{held_above, held_below, risen};
+pub(crate) use held::{held_above, held_below, smooth_step};
 pub(crate) use inlined::inlined;
 pub use jet::{Jet, Mixed};
 pub(crate) use lanes::Lanes;

@@ -43,14 +43,14 @@ impl Model<'_> {
         let program = &*program;
         let mut plan = self.around().plan(program, || self.least_violation(program), |d| self.descent(program, d));
         if raise > 0.0 {
-            self.take_off(raise, program, &mut plan);
+            self.correct_multipliers(raise, program, &mut plan);
         }
         plan
     }
 
-    /// Takes off the multipliers what raising the Hessian along normals of length 1 has done to them: it pulls a step back along each of
-    /// them, by as much as the step goes there; of rows that hold the step, the multipliers have that too little.
-    fn take_off(&self, raise: f64, program: &QuadraticProgram, plan: &mut Plan) {
+    /// Corrects the multipliers for the Hessian that was raised along normals of length 1: that pulls a step back along each of them, in proportion
+    /// to the step's part along it, and the multipliers of the rows that hold the step are too small by this.
+    fn correct_multipliers(&self, raise: f64, program: &QuadraticProgram, plan: &mut Plan) {
         let d = self.around().steps_to(&plan.x);
         for j in self.scaling.held_rows(self.multipliers) {
             let (normal, is_equation) = (&program.rows[j].normal, self.scaling.domain.constraints.is_fixed(j));

@@ -174,7 +174,8 @@ impl Search {
             }
         }
 
-        let kept = outcome.is_kept() || tried.as_ref().is_some_and(|tried| self.is_calmed(&plan, tried, &outcome));
+        let kept =
+            outcome.is_kept() || tried.as_ref().is_some_and(|tried| self.halves_the_residual(&plan, tried, &outcome));
         if outcome.is_kept() || !kept {
             self.resize(&plan, &outcome);
         }
@@ -288,7 +289,7 @@ impl Search {
 
     /// Whether a step that changes the merit by little more than rounding makes the KKT residual half as large: near a
     /// solution the gradient is known to more digits than the merit (Hager & Zhang 2005, SIAM J. Optim. 16, section 2).
-    fn is_calmed(&self, plan: &Plan, tried: &Point, outcome: &Outcome) -> bool {
+    fn halves_the_residual(&self, plan: &Plan, tried: &Point, outcome: &Outcome) -> bool {
         const QUIET: f64 = 1e-10;
         let most = QUIET * (self.scaling.size(&self.at) + self.penalty);
         let residual = self.scaling.residual(tried, &plan.multipliers);

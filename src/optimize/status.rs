@@ -186,8 +186,8 @@ pub(super) fn infeasible_test(
     tolerance: f64,
     is_sparse: bool,
 ) -> Option<Verdict> {
-    const HOPELESS: f64 = 1e-6;
-    let is_least = violation - least <= HOPELESS * violation * radius.min(1.0);
+    const LEAST_GAIN: f64 = 1e-6;
+    let is_least = violation - least <= LEAST_GAIN * violation * radius.min(1.0);
     (violation > tolerance && is_least).then(|| infeasible(violation, is_sparse))
 }
 

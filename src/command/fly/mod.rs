@@ -16,7 +16,7 @@ use crate::report::ShotParquet;
 use crate::report::{Reply, ShotWriter, ShotsReport, shots_text};
 use crate::shots::{Flying, Shots, Tally};
 use crate::units::{Message, counted};
-use crate::{Error, Result};
+use crate::{Error, Outcome, Result};
 use asked::{asked, followed, setup};
 use target::{Output, Target, Written};
 

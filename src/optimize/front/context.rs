@@ -25,7 +25,7 @@ pub(super) const PART_MISSING: &str = "interrupted: a part of the front is missi
 pub(super) const STRAIGHT: f64 = 0.01;
 
 /// What all searches of a front share.
-pub(super) struct Ground<'a> {
+pub(super) struct FrontContext<'a> {
     pub problem: &'a dyn Problem,
     /// Without the second function.
     pub domain: Domain,
@@ -34,7 +34,7 @@ pub(super) struct Ground<'a> {
     pub searches: Cell<usize>,
 }
 
-impl Ground<'_> {
+impl FrontContext<'_> {
     pub fn search(&self, problem: &dyn Problem, domain: &Domain, from: &[f64], options: &Options) -> Result<Solution> {
         let number = self.searches.replace(self.searches.get() + 1);
         let mut observer = Observer { interrupt: self.follow.interrupt.clone(), ..Observer::default() };

@@ -1,7 +1,7 @@
 //! The front from one end to the other, and points spread evenly over it.
 
+use super::context::{FrontContext, PART_MISSING, SAME, STRAIGHT, given_up};
 use super::found::{Front, FrontEvent, FrontPoint};
-use super::ground::{Ground, PART_MISSING, SAME, STRAIGHT, given_up};
 use super::places::{Place, Plane};
 use crate::error::Result;
 use crate::optimize::continuation::{Stride, TOO_FAR, located};
@@ -18,10 +18,15 @@ const CORNER: f64 = 1e-3;
 type Met = (Place, Option<FrontEvent>);
 
 /// The front between the minima of the two functions.
-pub(super) fn followed(ground: &Ground<'_>, ends: [Solution; 2], values: [[f64; 2]; 2], count: usize) -> Result<Front> {
+pub(super) fn followed(
+    context: &FrontContext<'_>,
+    ends: [Solution; 2],
+    values: [[f64; 2]; 2],
+    count: usize,
+) -> Result<Front> {
     let zero = std::array::from_fn(|k| values[k][k]);
     let span = std::array::from_fn(|k| given_up(values, k));
-    let plane = Plane { ground, zero, span };
+    let plane = Plane { context, zero, span };
     let [first, second] = ends;
     let held_at_ends = [plane.held(&first), plane.held(&second)];
     let [first, second] = [plane.end(0, first, values[0]), plane.end(1, second, values[1])];
@@ -29,12 +34,12 @@ pub(super) fn followed(ground: &Ground<'_>, ends: [Solution; 2], values: [[f64; 
     let (path, mut ended) = paths(&plane, first, second);
     let mut points = spread(&plane, &path, count);
     // where it was stopped on the way, what was found there is the answer
-    let mut interrupted = ground.is_interrupted();
+    let mut interrupted = context.is_interrupted();
     if interrupted && points.len() < 3 {
         points.clone_from(&path);
     }
     let knee = if interrupted { None } else { knee(&plane, &path) };
-    interrupted = interrupted || ground.is_interrupted();
+    interrupted = interrupted || context.is_interrupted();
     if interrupted {
         ended = Some(PART_MISSING.into());
     }
@@ -62,16 +67,16 @@ fn told((place, event): Met, held_at_ends: &[Held; 2]) -> FrontPoint {
 
 /// The front from the first end, and where that does not lead to the second, also from there; why a part is missing, if it is.
 fn paths(plane: &Plane<'_>, first: Place, second: Place) -> (Vec<Met>, Option<String>) {
-    let ground = plane.ground;
+    let context = plane.context;
     let (mut path, mut why) = along(plane, first, 1.0);
-    let is_there = |place: &Place| ground.apart(&place.x, &second.x) <= TOO_FAR;
+    let is_there = |place: &Place| context.apart(&place.x, &second.x) <= TOO_FAR;
     if path.last().is_some_and(|(place, _)| is_there(place) && place.at >= 1.0 - STRAIGHT) {
         // the end is known from its own search
         let event = path.pop_if(|(place, _)| place.at >= 1.0).and_then(|(_, event)| event);
         path.push((second, event));
         return (path, None);
     }
-    if ground.is_interrupted() {
+    if context.is_interrupted() {
         return (path, why);
     }
     let (mut back, _) = along(plane, second, -1.0);
@@ -113,13 +118,13 @@ fn along(plane: &Plane<'_>, from: Place, end: f64) -> (Vec<Met>, Option<String>)
     let gone = |place: &Place| end * place.at;
     while let Some((here, _)) = path.last().cloned()
         && gone(&here) < 1.0
-        && !plane.ground.is_interrupted()
+        && !plane.context.is_interrupted()
     {
         let (next, apart) = match plane.next(&here, end * stride.to(gone(&here), 1.0)) {
             Ok(found) if found.1 <= TOO_FAR || !stride.halve() => found,
             Ok(_) => continue,
             // an interrupted search is no reason for shorter steps
-            Err(_) if plane.ground.is_interrupted() => continue,
+            Err(_) if plane.context.is_interrupted() => continue,
             Err(_) if stride.halve() => continue,
             Err(error) => return (path, Some(format!("no compromise was found in a part of the front: {error}"))),
         };
@@ -171,7 +176,7 @@ fn spread(plane: &Plane<'_>, path: &[Met], count: usize) -> Vec<Met> {
     };
     let mut points: Vec<Met> = (0..path.len()).filter(|i| is_kept(*i)).map(|i| path[i].clone()).collect();
     for k in 1..count.saturating_sub(1) {
-        if plane.ground.is_interrupted() {
+        if plane.context.is_interrupted() {
             break;
         }
         let length = whole * k as f64 / (count - 1) as f64;

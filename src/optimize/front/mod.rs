@@ -6,9 +6,9 @@
 //! one end to the other, gives the same points, but at an end that lies within all bounds dx/dε is infinite; dx/ds is not.
 
 mod combined;
+mod context;
 mod follow;
 mod found;
-mod ground;
 mod places;
 
 use super::domain::Domain;
@@ -18,8 +18,8 @@ use super::problem::Problem;
 use super::status::Status;
 use crate::error::{Error, Result};
 use combined::Combined;
+use context::{FrontContext, of};
 pub use found::{Front, FrontEvent, FrontPoint, NoFront};
-use ground::{Ground, of};
 use std::cell::Cell;
 
 /// The front of two functions: the problem's objective, and the last of its constraint functions, whose limits are not looked at. Both are
@@ -43,37 +43,37 @@ pub fn front(
     limits.low.truncate(others);
     limits.high.truncate(others);
     let domain = Domain { variables: domain.variables.clone(), constraints: limits };
-    let ground = Ground { problem, domain, options, follow, searches: Cell::new(0) };
+    let context = FrontContext { problem, domain, options, follow, searches: Cell::new(0) };
     let alone = |k: usize, from: &[f64]| {
-        let found = ground.search(&Combined::of(problem, of(k)), &ground.domain, from, options)?;
+        let found = context.search(&Combined::of(problem, of(k)), &context.domain, from, options)?;
         match found.status {
             Status::Converged => Ok(found),
             _ => Err(NoFront::NoEnd { function: k, found: Box::new(found) }),
         }
     };
     let first = alone(0, start)?;
-    let at_first = ground.values(&first.x)?;
+    let at_first = context.values(&first.x)?;
     // what it is stopped after is an end alone, or both
-    let second = alone(1, start).and_then(|second| Ok((ground.values(&second.x)?, second)));
+    let second = alone(1, start).and_then(|second| Ok((context.values(&second.x)?, second)));
     let (at_second, second) = match second {
-        Err(_) if ground.is_interrupted() => return Ok(ground.ends_alone([(first, at_first)])),
+        Err(_) if context.is_interrupted() => return Ok(context.ends_alone([(first, at_first)])),
         second => second?,
     };
     let (values, ends) = ([at_first, at_second], [first, second]);
-    if let Some(best) = ground.best_for_both(&ends, values) {
+    if let Some(best) = context.best_for_both(&ends, values) {
         return Ok(best);
     }
     let [first, second] = ends.clone();
-    let sharper = ground.one_point(0, first, values).and_then(|first| {
-        let ends = [first, ground.one_point(1, second, values)?];
-        Ok((ground.ends(&ends)?, ends))
+    let sharper = context.one_point(0, first, values).and_then(|first| {
+        let ends = [first, context.one_point(1, second, values)?];
+        Ok((context.ends(&ends)?, ends))
     });
     let (values, ends) = match sharper {
-        Err(_) if ground.is_interrupted() => return Ok(ground.ends_alone(ends.into_iter().zip(values))),
+        Err(_) if context.is_interrupted() => return Ok(context.ends_alone(ends.into_iter().zip(values))),
         sharper => sharper?,
     };
-    match ground.best_for_both(&ends, values) {
+    match context.best_for_both(&ends, values) {
         Some(best) => Ok(best),
-        None => Ok(follow::followed(&ground, ends, values, count)?),
+        None => Ok(follow::followed(&context, ends, values, count)?),
     }
 }

@@ -1,7 +1,7 @@
 //! One compromise, and the next beside it.
 
 use super::combined::Combined;
-use super::ground::{Ground, with_limit};
+use super::context::{FrontContext, with_limit};
 use crate::error::{Error, Result};
 use crate::number::Taylor;
 use crate::optimize::continuation::predicted;
@@ -32,7 +32,7 @@ pub(super) struct Place {
 
 /// The plane of the two functions, each from 0 at its minimum to 1 at that of the other.
 pub(super) struct Plane<'a> {
-    pub ground: &'a Ground<'a>,
+    pub context: &'a FrontContext<'a>,
     pub zero: [f64; 2],
     pub span: [f64; 2],
 }
@@ -41,13 +41,13 @@ impl Plane<'_> {
     /// The sum of the two in the plane, and, held, their difference.
     fn combined(&self, is_held: bool) -> Combined<'_> {
         let [a, b] = self.span.map(|span| 1.0 / span);
-        Combined { problem: self.ground.problem, zero: self.zero, of: [a, b], held: is_held.then_some([a, -b]) }
+        Combined { problem: self.context.problem, zero: self.zero, of: [a, b], held: is_held.then_some([a, -b]) }
     }
 
     /// Where a function's own minimum lies.
     pub fn end(&self, k: usize, end: Solution, values: [f64; 2]) -> Place {
         let at = if k == 0 { -1.0 } else { 1.0 };
-        let ground = self.ground;
+        let context = self.context;
         let bare = Place {
             at,
             sum: 1.0,
@@ -60,14 +60,14 @@ impl Plane<'_> {
         };
         // the same point as a compromise, which says how the front leaves it
         match self.found(at, &end.x) {
-            Ok(place) if ground.apart(&place.x, &end.x) < 1e-4 => Place { x: end.x, values, at, sum: 1.0, ..place },
+            Ok(place) if context.apart(&place.x, &end.x) < 1e-4 => Place { x: end.x, values, at, sum: 1.0, ..place },
             _ => bare,
         }
     }
 
     /// What holds a function's own minimum.
     pub fn held(&self, end: &Solution) -> Held {
-        let domain = &self.ground.domain;
+        let domain = &self.context.domain;
         let mut held = Held::new(end, domain);
         held.constraints.truncate(domain.constraints.dimension());
         held
@@ -76,7 +76,7 @@ impl Plane<'_> {
     /// The compromise at s, searched for from a point nearby.
     pub fn found(&self, at: f64, from: &[f64]) -> Result<Place> {
         let domain = self.domain(at);
-        let solution = self.ground.search(&self.combined(true), &domain, from, &self.ground.near())?;
+        let solution = self.context.search(&self.combined(true), &domain, from, &self.context.near())?;
         if solution.status != Status::Converged {
             let message = solution.message.clone().into();
             return Err(Error::NotConverged { status: solution.status.name(), message });
@@ -106,10 +106,10 @@ impl Plane<'_> {
 
     /// The compromise at another s, and how far it is from where it was predicted, in units of the ranges.
     pub fn next(&self, here: &Place, to: f64) -> Result<(Place, f64)> {
-        let bounds = &self.ground.domain.variables;
+        let bounds = &self.context.domain.variables;
         let predicted = predicted(&here.x, &here.rates, to - here.at, bounds);
         let found = self.found(to, &predicted)?;
-        let apart = self.ground.apart(&found.x, &predicted);
+        let apart = self.context.apart(&found.x, &predicted);
         Ok((found, apart))
     }
 
@@ -122,15 +122,15 @@ impl Plane<'_> {
 
     /// The point of the front that lies farthest from the straight line between its ends, near one: the least a + b.
     pub fn knee(&self, near: &Place) -> Result<Place> {
-        let ground = self.ground;
-        let found = ground.search(&self.combined(false), &ground.domain, &near.x, &ground.near())?;
-        let values = ground.values(&found.x)?;
+        let context = self.context;
+        let found = context.search(&self.combined(false), &context.domain, &near.x, &context.near())?;
+        let values = context.values(&found.x)?;
         let [a, b]: [f64; 2] = std::array::from_fn(|k| (values[k] - self.zero[k]) / self.span[k]);
         self.found(a - b, &found.x)
     }
 
     fn domain(&self, at: f64) -> Domain {
-        with_limit(&self.ground.domain, at, at)
+        with_limit(&self.context.domain, at, at)
     }
 }
 

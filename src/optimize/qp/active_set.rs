@@ -8,9 +8,9 @@ pub(super) struct ActiveSet {
     pub pieces: Vec<bool>,
 }
 
-/// One that can hold a step.
+/// A constraint that can be active at a step.
 #[derive(Clone, Copy)]
-pub(super) enum Holder {
+pub(super) enum ActiveConstraint {
     Variable(usize, End),
     Row(usize, End),
     Piece(usize),
@@ -18,7 +18,7 @@ pub(super) enum Holder {
 
 impl QuadraticProgram {
     /// The active set of these holders, and of what holds any step: fixed variables, equations, and at least one piece.
-    pub(super) fn held_by(&self, holders: impl IntoIterator<Item = Holder>) -> ActiveSet {
+    pub(super) fn held_by(&self, holders: impl IntoIterator<Item = ActiveConstraint>) -> ActiveSet {
         let fixed = |is_fixed: bool| if is_fixed { End::Low } else { End::Free };
         let mut active = ActiveSet {
             ends: (0..self.dimension()).map(|i| fixed(self.low[i] == self.high[i])).collect(),
@@ -27,11 +27,11 @@ impl QuadraticProgram {
         };
         for holder in holders {
             match holder {
-                Holder::Variable(i, end) if self.low[i] < self.high[i] => active.ends[i] = end,
-                Holder::Row(j, end) if self.rows[j].low < self.rows[j].high => active.rows[j] = end,
-                Holder::Piece(k) => active.pieces[k] = true,
+                ActiveConstraint::Variable(i, end) if self.low[i] < self.high[i] => active.ends[i] = end,
+                ActiveConstraint::Row(j, end) if self.rows[j].low < self.rows[j].high => active.rows[j] = end,
+                ActiveConstraint::Piece(k) => active.pieces[k] = true,
                 // fixed already
-                Holder::Variable(..) | Holder::Row(..) => {}
+                ActiveConstraint::Variable(..) | ActiveConstraint::Row(..) => {}
             }
         }
         if !active.pieces.contains(&true) {

@@ -3,7 +3,7 @@
 //! tell active from inactive, and it proves infeasibility. The factors of what is active are updated by plane rotations, so
 //! that a change of the active set costs the square of the number of variables.
 
-use super::active_set::{ActiveSet, Holder};
+use super::active_set::{ActiveConstraint, ActiveSet};
 use super::polish::Candidate;
 use super::program::{End, QuadraticProgram};
 use super::walk::{Constraints, Held, Walk, dot};
@@ -81,13 +81,13 @@ impl QuadraticProgram {
         Constraints { size, variables: n, dense, limits, lengths }
     }
 
-    fn holder(&self, held: &Held) -> Holder {
+    fn holder(&self, held: &Held) -> ActiveConstraint {
         let (n, rows) = (self.dimension(), self.rows.len());
         let end = if held.sign > 0.0 { End::Low } else { End::High };
         match held.constraint {
-            i if i < n => Holder::Variable(i, end),
-            j if j < n + rows => Holder::Row(j - n, end),
-            k => Holder::Piece(k - n - rows),
+            i if i < n => ActiveConstraint::Variable(i, end),
+            j if j < n + rows => ActiveConstraint::Row(j - n, end),
+            k => ActiveConstraint::Piece(k - n - rows),
         }
     }
 }

@@ -1,4 +1,4 @@
-use super::active_set::{ActiveSet, Holder};
+use super::active_set::{ActiveConstraint, ActiveSet};
 use super::program::{End, QuadraticProgram};
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{DefaultSettings, DefaultSolver, IPSolver, SolverStatus, SupportedConeT};
@@ -34,7 +34,7 @@ impl QuadraticProgram {
         let mut equations = Vec::new();
         let mut inequalities = Vec::new();
         let mut whose = Vec::new();
-        let mut add = |normal: Vec<f64>, limit: f64, is_equation: bool, holder: Holder| {
+        let mut add = |normal: Vec<f64>, limit: f64, is_equation: bool, holder: ActiveConstraint| {
             if is_equation {
                 equations.push((normal, limit));
             } else if limit.is_finite() {
@@ -46,7 +46,7 @@ impl QuadraticProgram {
         for i in 0..n {
             for (sign, limit, end) in [(1.0, self.high[i], End::High), (-1.0, -self.low[i], End::Low)] {
                 let normal = wide(&mut (0..n).map(|k| if k == i { sign } else { 0.0 }));
-                add(normal, limit / reach, false, Holder::Variable(i, end));
+                add(normal, limit / reach, false, ActiveConstraint::Variable(i, end));
             }
         }
         for (j, row) in self.rows.iter().enumerate() {
@@ -55,7 +55,7 @@ impl QuadraticProgram {
                 let is_equation = row.low == row.high;
                 if !(is_equation && end == End::Low) {
                     let normal = wide(&mut row.normal.iter().map(|a| sign * a / longest));
-                    add(normal, limit / (reach * longest), is_equation, Holder::Row(j, end));
+                    add(normal, limit / (reach * longest), is_equation, ActiveConstraint::Row(j, end));
                 }
             }
         }
@@ -63,7 +63,7 @@ impl QuadraticProgram {
             for (k, piece) in self.pieces.iter().enumerate() {
                 let mut row: Vec<f64> = piece.gradient.iter().map(|g| g * (reach / unit)).collect();
                 row.push(-1.0);
-                add(row, -piece.offset / unit, false, Holder::Piece(k));
+                add(row, -piece.offset / unit, false, ActiveConstraint::Piece(k));
             }
         }
 
