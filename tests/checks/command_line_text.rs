@@ -161,6 +161,8 @@ fn completions_and_manual_pages_name_every_command() {
         let page = std::fs::read_to_string(Path::new(&pages).join(format!("longdrive{command}.1"))).unwrap();
         assert!(page.contains(".TH longdrive") && page.contains("quiet"), "{command}");
     }
+    let page = longdrive(&["man", "plot contour"]).out;
+    assert!(page.contains(concat!("\"longdrive ", env!("CARGO_PKG_VERSION"), "\"")), "{page}");
     let again = longdrive(&["man", "-o", &pages]);
     assert!(again.status == 2 && again.err.contains("--overwrite"), "{}", again.err);
     assert_eq!(longdrive(&["man", "-o", &pages, "--overwrite"]).status, 0);

@@ -234,6 +234,25 @@ fn a_launch_that_no_delivery_gives_is_unexplained_and_written_nowhere() {
     assert!(!file.exists() && answer["spread"].as_array().unwrap().is_empty());
 }
 
+/// The speed of a junior is more than four deviations below that of the preset.
+#[test]
+fn parameters_that_the_range_decides_are_warned_of_with_the_end_and_how_many() {
+    let folder = tempfile::tempdir().unwrap();
+    let table = folder.path().join("slow.csv").display().to_string();
+    let head = "Ball Speed [mph],Launch Angle [deg],Launch Direction [deg],Spin Rate [rpm],Spin Axis [deg]";
+    std::fs::write(&table, format!("{head}\n72,13,1,2500,2\n71,15,-1,2700,-3\n")).unwrap();
+    let at_ends = |arguments: &[&str]| {
+        let (_, answer) = json(&[&["delivery", "--shots", &table], arguments].concat());
+        let warnings = answer["warnings"].as_array().unwrap().iter().map(|it| it.as_str().unwrap().to_owned());
+        warnings.filter(|it| it.contains("end of the range that it is sought in")).collect::<Vec<_>>()
+    };
+    let found = at_ends(&[]);
+    let says = "swing.speed of 2 of 2 launches lies at the lower end of the range that it is sought in, 55";
+    assert!(found.iter().any(|it| it.starts_with(says)), "{found:?}");
+    let nearer = at_ends(&["--set", "swing.speed=50mph"]);
+    assert!(!nearer.iter().any(|it| it.starts_with("swing.speed")), "{nearer:?}");
+}
+
 #[test]
 fn bad_questions_about_a_delivery_are_refused_with_what_to_do() {
     let launch = ["--ball-speed", "150mph", "--launch-angle", "12deg", "--spin", "2600rpm"];

@@ -467,6 +467,9 @@ fn the_command_writes_rows_and_says_how_well_they_are_predicted() {
         standard.err
     );
     // with the setup's own air
+    let carry = longdrive(&["fly", &shots, "--of", "carry"]).err.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(carry.contains("the measured carry is not compared: it is the distance from the tee"), "{carry}");
+    assert!(!standard.err.contains("is not compared"), "{}", standard.err);
     let (_, thin) = json(&["fly", &shots, "--set", "air.density=1.0kg/m^3"]);
     assert!(number(&thin["residuals"][0]["bias"]) > number(&answer["residuals"][0]["bias"]) + 3.0);
     let only = to("own.csv");

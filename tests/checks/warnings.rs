@@ -238,6 +238,26 @@ fn charts_and_calibrations_count_what_leaves_the_law() {
     assert!(found["warnings"][0].as_str().unwrap().starts_with("1 of 3 shots: in 1 % of the flight"), "{found}");
 }
 
+/// Drives that are launched down have no carry, and a ball speed.
+#[test]
+fn drives_without_a_landing_are_warned_of_where_their_flight_is_asked_for() {
+    let spread = ["uncertainty", "--distribution", "swing.attack_angle=normal(-8deg,6deg)", "--samples", "64", "--of"];
+    let says = "% of the drives do not land";
+    for (of, is_told) in [("carry", true), ("ball_speed", false)] {
+        let said = longdrive(&[&spread[..], &[of]].concat());
+        assert_eq!((said.status, said.err.contains(says)), (0, is_told), "{of}: {}", said.err);
+        assert_eq!(said.out.contains("of the drives that land lie between"), is_told, "{of}: {}", said.out);
+    }
+}
+
+/// Slow and fast drives leave the law, and those between do not.
+#[test]
+fn a_warning_of_a_chart_names_each_part_that_it_is_of() {
+    let said = longdrive(&["chart", "--along", "swing.speed", "--at", "70mph,90mph,100mph,130mph"]);
+    let err = said.err.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(err.contains("; swing.speed = 70 mph, and 130 mph"), "{err}");
+}
+
 /// The optima of plots and pages are looked at as those of `chart` are, each kind of warning once, with where it holds.
 #[test]
 fn plots_and_reports_of_optima_warn_once_for_each_kind() {

@@ -85,7 +85,7 @@ impl Level {
 
     /// Runs a task at this level, or the best that the machine has below it; over plain numbers where the level is of another architecture.
     #[inline]
-    #[allow(unsafe_code)]
+    #[allow(unsafe_code, reason = "code for a level runs where the processor has been asked whether it has it")]
     pub(crate) fn run<W: Task>(self, mut task: W) -> W::Output {
         match self.min(Self::here()) {
             #[cfg(target_arch = "x86_64")]

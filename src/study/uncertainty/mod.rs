@@ -18,8 +18,7 @@ pub use model::{Design, Indices, Interval, Plan, Statistics};
 
 use crate::batch::{Batch, CHUNK, Status, Tally};
 use crate::derivative::{Order, Taylor, evaluate};
-use crate::drive::Outcome;
-use crate::drive::Part;
+use crate::drive::{Outcome, Part};
 use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup};
 use crate::units::{Message, counted, significant};
@@ -75,10 +74,9 @@ impl Uncertainty {
     }
 
     fn part_of(&self, is_meant: impl Fn(Status) -> bool) -> f64 {
-        let count = |is_meant: &dyn Fn(Status) -> bool| -> u64 {
-            self.tally.counts().filter(|(status, _)| is_meant(*status)).map(|(_, count)| count).sum()
-        };
-        count(&is_meant) as f64 / count(&|_| true) as f64
+        let all: u64 = self.tally.counts().map(|(_, count)| count).sum();
+        let meant: u64 = self.tally.counts().filter(|(status, _)| is_meant(*status)).map(|(_, count)| count).sum();
+        meant as f64 / all as f64
     }
 }
 
