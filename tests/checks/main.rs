@@ -30,6 +30,7 @@ mod flight;
 mod ground;
 mod head;
 mod impact;
+mod imports;
 mod interrupts;
 mod json_answers;
 mod launch;
