@@ -1,9 +1,9 @@
 use super::divergence::advice;
-use super::ending::{Landed, NoFlight};
+use super::ending::{Apex, Landed, NoFlight};
 use super::inputs::Inputs;
 use crate::error::{Error, Result};
 use crate::launch::Launch;
-use crate::number::{Mask, Numbers};
+use crate::number::{Mask, Numbers, Vector};
 
 /// What is asked of flights beside where and how they land.
 #[derive(Clone, Copy, Debug)]
@@ -28,11 +28,42 @@ pub(crate) struct Ended<T: Numbers> {
     pub is_aloft: T::Mask,
     /// The height of an apex that stays below the ground, and of a ball still in the air, m.
     pub height: T,
+    /// The spin at landing, rad/s, where the run is asked for.
+    pub spin: T,
+    /// How much of the defect is of the place of the apex, m, where both are asked for.
+    pub defect_of_apex: T,
     /// When the last step ended, s: that of the longest flight, where there are several.
     pub time: f64,
 }
 
 impl<T: Numbers> Ended<T> {
+    /// Before the first step.
+    #[inline(always)]
+    pub(super) fn not_yet(asked: Asked) -> Self {
+        let (zero, none) = (T::zero(), T::Mask::none());
+        let landed = Landed {
+            carry: zero,
+            lateral: zero,
+            flight_time: zero,
+            velocity: Vector::zero(),
+            apex: asked.apex.then_some(Apex { height: zero, time: zero, downrange: zero }),
+            rest: None,
+            defect: asked.defect.then_some(zero),
+            steps: 0,
+        };
+        Self {
+            landed,
+            has_landed: none,
+            stays_below: none,
+            diverges: none,
+            is_aloft: none,
+            height: zero,
+            spin: zero,
+            defect_of_apex: zero,
+            time: 0.0,
+        }
+    }
+
     /// Why the flight in the first lane has no landing; `None` where it has one. `value` takes the value in this lane out of a number.
     ///
     /// # Errors

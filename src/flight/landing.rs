@@ -1,5 +1,5 @@
 use super::ended::{Asked, Ended};
-use super::ending::{Apex, Landed};
+use super::ending::Landed;
 use super::inputs::Inputs;
 use super::motion::Node;
 use super::septic::Path;
@@ -10,6 +10,20 @@ use crate::number::{Mask, Numbers, Vector, inlined};
 
 /// How many times more the defect of the last step counts. Within it the path is interpolated: at the same defect, its error is 30 to 110 times that of a step.
 const INTERPOLATED: f64 = 100.0;
+
+/// What may be found within a step, and for which flights.
+#[derive(Clone, Copy)]
+struct Within<M> {
+    flying: M,
+    has_been_above: M,
+    /// Whose vertical speed changes its sign.
+    has_top: M,
+    may_land: M,
+    /// Whether anything depends on where that top is.
+    needs_top: bool,
+    /// Whether the time limit lies in the step.
+    is_last: bool,
+}
 
 impl<T: Numbers> Inputs<T> {
     /// Flies the balls of those lanes that start above the ground or upwards, showing each step, with the time it begins at, to
@@ -22,7 +36,6 @@ impl<T: Numbers> Inputs<T> {
     #[inline(always)]
     fn followed(&self, lanes: T::Mask, asked: Asked, observe: &mut dyn FnMut(f64, &Step<'_, T>)) -> Ended<T> {
         let (tableau, h, ground) = (Tableau::of(self.method), self.step, self.ground);
-        let none = T::Mask::none();
         let mut stepper = Stepper::new(self, tableau, h);
         let mut nodes = [self.launch(); 2];
         // no step yet: both ends are where the flight begins
@@ -30,27 +43,7 @@ impl<T: Numbers> Inputs<T> {
         let mut step = Step { from, to, deflection: Vector::zero(), gained: Vector::zero() };
         let mut has_been_above = ground.below(0.0);
         let mut flying = lanes & (has_been_above | is_rising(step.to));
-        let apex = Apex { height: T::zero(), time: T::zero(), downrange: T::zero() };
-        let landed = Landed {
-            carry: T::zero(),
-            lateral: T::zero(),
-            flight_time: T::zero(),
-            velocity: Vector::zero(),
-            apex: asked.apex.then_some(apex),
-            rest: None,
-            defect: asked.defect.then_some(T::zero()),
-            steps: 0,
-        };
-        let mut ended = Ended {
-            landed,
-            has_landed: none,
-            stays_below: none,
-            diverges: none,
-            is_aloft: none,
-            height: T::zero(),
-            time: 0.0,
-        };
-        let (mut spin, mut defect_at_top) = (T::zero(), T::zero());
+        let mut ended: Ended<T> = Ended::not_yet(asked);
         while flying.any() && ended.time < self.time_limit {
             stepper.advance(&mut step);
             observe(ended.time, &step);
@@ -74,61 +67,12 @@ impl<T: Numbers> Inputs<T> {
             let end = (ended.landed.steps + 1) as f64 * h;
             let is_last = end >= self.time_limit;
             if may_land.any() || needs_top || is_last {
-                // inlined, it would be as much code as all the rest
-                let path = T::outlined(inlined!(|| Path::new(self, &step, h)));
-                if is_last {
-                    let s = T::constant((self.time_limit - ended.time) / h);
-                    ended.height = path.up.value(s).blend(ended.height, flying);
-                }
-                let mut from_top = T::zero();
-                if needs_top {
-                    let s = path.up.top(has_top);
-                    let top = path.position(s);
-                    from_top = s.blend(from_top, has_top);
-                    if let Some(apex) = &mut ended.landed.apex {
-                        let is_higher = has_top & (apex.height - top.x).below(0.0);
-                        apex.height = top.x.blend(apex.height, is_higher);
-                        apex.time = (s * h + ended.time).blend(apex.time, is_higher);
-                        apex.downrange = top.z.blend(apex.downrange, is_higher);
-                        // An error of the velocity moves the top along the path, the further the flatter the path is there. That of a path whose error
-                        // goes with s⁴ (1 − s)⁴ is up to four times as large, by s.
-                        if asked.defect {
-                            let per_error = path.velocity(s).norm() * (4.0 * INTERPOLATED * h) / -path.up.bend(s);
-                            let moved = step.defect(h) * per_error;
-                            defect_at_top = moved.without_derivatives().blend(defect_at_top, is_higher);
-                        }
-                    }
-                    let is_over = has_top & (ground - top.x).below(0.0);
-                    let stays_below = has_top & !is_over & !has_been_above;
-                    ended.height = top.x.blend(ended.height, stays_below);
-                    ended.stays_below = ended.stays_below | stays_below;
-                    flying = flying & !stays_below;
-                    has_been_above = has_been_above | is_over;
-                }
-                let lands = flying & may_land & has_been_above;
-                if lands.any() {
-                    let s = path.up.falls_to(ground, from_top, lands);
-                    // a landing after the time limit, within the step that passes it, is none
-                    let time = s * h + ended.time;
-                    let lands = lands & !(-time).below(-self.time_limit);
-                    let (x, v) = (path.position(s), path.velocity(s));
-                    let old = &mut ended.landed;
-                    old.carry = x.z.blend(old.carry, lands);
-                    old.lateral = x.y.blend(old.lateral, lands);
-                    old.flight_time = time.blend(old.flight_time, lands);
-                    old.velocity = v.blend(old.velocity, lands);
-                    // an error of the height is one of the landing place, the larger the flatter the ball comes down
-                    if let Some(sum) = &mut old.defect {
-                        let per_sine = (v.norm() / -v.x).without_derivatives();
-                        let defect = step.defect(h).without_derivatives();
-                        *sum = defect.scale_add(INTERPOLATED, *sum).mul_add(per_sine, defect_at_top).blend(*sum, lands);
-                    }
-                    if self.turf.is_some() {
-                        spin = self.spin_within([step.from, step.to], s).blend(spin, lands);
-                    }
-                    ended.has_landed = ended.has_landed | lands;
-                    flying = flying & !lands;
-                }
+                let within = Within { flying, has_been_above, has_top, may_land, needs_top, is_last };
+                // a step of its own: the address of that of the loop is not handed on, and it stays in registers
+                let step = Step { from: &mut *step.from, to: &mut *step.to, ..step };
+                // few steps come here; inlined, it would be more code than all the rest
+                (flying, has_been_above) =
+                    T::outlined(inlined!(|| self.look_within(&step, within, asked.defect, &mut ended)));
             }
             has_been_above = has_been_above | is_above;
             ended.landed.steps += 1;
@@ -136,9 +80,78 @@ impl<T: Numbers> Inputs<T> {
         }
         ended.is_aloft = flying;
         if let Some(turf) = &self.turf {
-            ended.landed.rest = Some(turf.rest(&self.landing(&ended.landed, spin), ended.has_landed));
+            ended.landed.rest = Some(turf.rest(&self.landing(&ended.landed, ended.spin), ended.has_landed));
         }
         ended
+    }
+
+    /// Looks within a step for the height at the time limit, the top and the landing. Which flights go on, and which have been above the ground.
+    #[inline(always)]
+    fn look_within(
+        &self,
+        step: &Step<'_, T>,
+        within: Within<T::Mask>,
+        asks_defect: bool,
+        ended: &mut Ended<T>,
+    ) -> (T::Mask, T::Mask) {
+        let (h, ground, begin) = (self.step, self.ground, ended.time);
+        let Within { mut flying, mut has_been_above, has_top, may_land, needs_top, is_last } = within;
+        let path = Path::new(self, step, h);
+        if is_last {
+            let s = T::constant((self.time_limit - begin) / h);
+            ended.height = path.up.value(s).blend(ended.height, flying);
+        }
+        let mut from_top = T::zero();
+        if needs_top {
+            let s = path.up.top(has_top);
+            let top = path.position(s);
+            from_top = s.blend(from_top, has_top);
+            if let Some(apex) = &mut ended.landed.apex {
+                let is_higher = has_top & (apex.height - top.x).below(0.0);
+                apex.height = top.x.blend(apex.height, is_higher);
+                apex.time = (s * h + begin).blend(apex.time, is_higher);
+                apex.downrange = top.z.blend(apex.downrange, is_higher);
+                // An error of the velocity moves the top along the path, the further the flatter the path is there. That of a path whose error
+                // goes with s⁴ (1 − s)⁴ is up to four times as large, by s.
+                if asks_defect {
+                    let per_error = path.velocity(s).norm() * (4.0 * INTERPOLATED * h) / -path.up.bend(s);
+                    let moved = step.defect(h) * per_error;
+                    ended.defect_of_apex = moved.without_derivatives().blend(ended.defect_of_apex, is_higher);
+                }
+            }
+            let is_over = has_top & (ground - top.x).below(0.0);
+            let stays_below = has_top & !is_over & !has_been_above;
+            ended.height = top.x.blend(ended.height, stays_below);
+            ended.stays_below = ended.stays_below | stays_below;
+            flying = flying & !stays_below;
+            has_been_above = has_been_above | is_over;
+        }
+        let lands = flying & may_land & has_been_above;
+        if lands.any() {
+            let s = path.up.falls_to(ground, from_top, lands);
+            // a landing after the time limit, within the step that passes it, is none
+            let time = s * h + begin;
+            let lands = lands & !(-time).below(-self.time_limit);
+            let (x, v) = (path.position(s), path.velocity(s));
+            let old = &mut ended.landed;
+            old.carry = x.z.blend(old.carry, lands);
+            old.lateral = x.y.blend(old.lateral, lands);
+            old.flight_time = time.blend(old.flight_time, lands);
+            old.velocity = v.blend(old.velocity, lands);
+            // an error of the height is one of the landing place, the larger the flatter the ball comes down
+            if let Some(sum) = &mut old.defect {
+                let per_sine = (v.norm() / -v.x).without_derivatives();
+                let defect = step.defect(h).without_derivatives();
+                let here = defect.scale_add(INTERPOLATED, *sum).mul_add(per_sine, ended.defect_of_apex);
+                *sum = here.blend(*sum, lands);
+            }
+            if self.turf.is_some() {
+                ended.spin = self.spin_within([step.from, step.to], s).blend(ended.spin, lands);
+            }
+            ended.has_landed = ended.has_landed | lands;
+            flying = flying & !lands;
+        }
+        (flying, has_been_above)
     }
 
     /// The ball as it lands with this spin, rad/s.
