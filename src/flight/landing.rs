@@ -71,8 +71,7 @@ impl<T: Numbers> Inputs<T> {
                 // a step of its own: the address of that of the loop is not handed on, and it stays in registers
                 let step = Step { from: &mut *step.from, to: &mut *step.to, ..step };
                 // few steps come here; inlined, it would be more code than all the rest
-                (flying, has_been_above) =
-                    T::outlined(inlined!(|| self.look_within(&step, within, asked.defect, &mut ended)));
+                (flying, has_been_above) = T::outlined(inlined!(|| self.look_within(&step, within, &mut ended)));
             }
             has_been_above = has_been_above | is_above;
             ended.landed.steps += 1;
@@ -85,15 +84,9 @@ impl<T: Numbers> Inputs<T> {
         ended
     }
 
-    /// Looks within a step for the height at the time limit, the top and the landing. Which flights go on, and which have been above the ground.
+    /// Looks within a step for the height at the time limit, the top and the landing. Returns which flights go on, and which have been above the ground.
     #[inline(always)]
-    fn look_within(
-        &self,
-        step: &Step<'_, T>,
-        within: Within<T::Mask>,
-        asks_defect: bool,
-        ended: &mut Ended<T>,
-    ) -> (T::Mask, T::Mask) {
+    fn look_within(&self, step: &Step<'_, T>, within: Within<T::Mask>, ended: &mut Ended<T>) -> (T::Mask, T::Mask) {
         let (h, ground, begin) = (self.step, self.ground, ended.time);
         let Within { mut flying, mut has_been_above, has_top, may_land, needs_top, is_last } = within;
         let path = Path::new(self, step, h);
@@ -113,7 +106,7 @@ impl<T: Numbers> Inputs<T> {
                 apex.downrange = top.z.blend(apex.downrange, is_higher);
                 // An error of the velocity moves the top along the path, the further the flatter the path is there. That of a path whose error
                 // goes with s⁴ (1 − s)⁴ is up to four times as large, by s.
-                if asks_defect {
+                if ended.landed.defect.is_some() {
                     let per_error = path.velocity(s).norm() * (4.0 * INTERPOLATED * h) / -path.up.bend(s);
                     let moved = step.defect(h) * per_error;
                     ended.defect_of_apex = moved.without_derivatives().blend(ended.defect_of_apex, is_higher);
