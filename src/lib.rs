@@ -60,6 +60,7 @@ pub mod derivative;
 pub mod drive;
 pub mod error;
 pub mod features;
+mod fingerprint;
 pub mod flight;
 mod foreign;
 pub mod ground;

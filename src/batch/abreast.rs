@@ -3,14 +3,12 @@
 use super::block::{Block, Status};
 use super::question::Batch;
 use crate::aerodynamics::AerodynamicLaw;
+use crate::derivative::MOST_PER_LANE;
 use crate::drive::{Beyond, Outcome, Part, Shown, Struck, flat, is_beside_any_face};
 use crate::flight::{Asked, Inputs};
 use crate::impact::Head;
-use crate::number::{Derivatives, Jet, Lanes, Mask, Number, Task, inlined};
+use crate::number::{Derivatives, Jet, Lanes, Mask, Number, Task, in_lane, inlined};
 use crate::parameters::Parameter;
-
-/// Parameters differentiated by in one pass.
-pub(super) const DIRECTIONS: usize = 3;
 
 /// The drives of a block, with derivatives by a few parameters.
 pub(super) struct Abreast<'a> {
@@ -34,7 +32,7 @@ impl Task for Abreast<'_> {
             0 => self.fly::<V>(&flying, &mut alone),
             1 => self.fly::<Jet<1, V>>(&flying, &mut alone),
             2 => self.fly::<Jet<2, V>>(&flying, &mut alone),
-            _ => self.fly::<Jet<DIRECTIONS, V>>(&flying, &mut alone),
+            _ => self.fly::<Jet<MOST_PER_LANE, V>>(&flying, &mut alone),
         }
         alone
     }
@@ -119,7 +117,7 @@ impl Abreast<'_> {
                     alone.push(row);
                     continue;
                 }
-                let read = inlined!(|number: J| number.lane(lane));
+                let read = in_lane(lane);
                 let (landed, launch, club_speed) = (&ended.landed, &struck.launch, struck.club_speed);
                 let shown = Shown { launch, club_speed, landed: Some(landed), head: head.as_ref(), read };
                 let value = inlined!(|number: J| number.lane(lane).re());

@@ -1,9 +1,9 @@
 //! The drives of a block: side by side where that is possible, the rows left over one by one.
 
-use super::abreast::{Abreast, DIRECTIONS};
+use super::abreast::Abreast;
 use super::block::{Block, Status};
 use super::question::Batch;
-use crate::derivative::{Evaluator, Order};
+use crate::derivative::{Evaluator, MOST_PER_LANE, Order};
 use crate::drive::{Beyond, Drive, Looked, Outcome};
 use crate::error::{Error, Result};
 use crate::flight::{Flight, NoFlight};
@@ -50,14 +50,14 @@ impl Batch {
     /// Computes the drives of a block side by side; left over are the rows that have to be looked at one by one. Those are all where the inertia
     /// tensor is swept, which must be checked in each row, and by so many parameters that the derivatives of one drive fill the lanes.
     fn abreast(&self, block: &mut Block) -> Vec<usize> {
-        const MOST_DERIVATIVES: usize = 4 * DIRECTIONS;
+        const MOST_DERIVATIVES: usize = 4 * MOST_PER_LANE;
         if self.wrt.len() > MOST_DERIVATIVES || self.parameters.iter().any(|parameter| parameter.is_of_inertia()) {
             return (0..block.rows()).collect();
         }
         let mut alone = vec![];
         // without derivatives there is one pass all the same
-        for first in (0..self.wrt.len().max(1)).step_by(DIRECTIONS) {
-            let wrt = &self.wrt[first..self.wrt.len().min(first + DIRECTIONS)];
+        for first in (0..self.wrt.len().max(1)).step_by(MOST_PER_LANE) {
+            let wrt = &self.wrt[first..self.wrt.len().min(first + MOST_PER_LANE)];
             alone.extend(self.level.run(Abreast { batch: self, block, wrt, first }));
         }
         alone.sort_unstable();

@@ -5,7 +5,7 @@ use crate::error::{Error, Result};
 use crate::flight::{Asked, Inputs};
 use crate::impact::{Head, strike};
 use crate::launch::Launch;
-use crate::number::{Derivatives, Jet, Lanes, Level, Mask, Mixed, Number, Task, Vector, inlined};
+use crate::number::{Derivatives, Jet, Lanes, Level, Mask, Mixed, Number, Task, Vector, in_lane, inlined};
 use crate::parameters::{Parameter, Setup};
 
 /// Components of a launch: of its velocity, then of its spin.
@@ -145,7 +145,7 @@ impl Pass<'_> {
             ended = Some(found);
         }
         for lane in 0..lanes {
-            let read = inlined!(|number: J| number.lane(lane));
+            let read = in_lane(lane);
             let Struck { launch, club_speed, .. } = &struck;
             let landed = ended.as_ref().map(|ended| &ended.landed);
             let shown = Shown { launch, club_speed: *club_speed, landed, head: head.as_ref(), read };

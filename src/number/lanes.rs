@@ -1,4 +1,4 @@
-use super::{Jet, Number, Numbers};
+use super::{Jet, Number, Numbers, inlined};
 
 /// Several numbers side by side: of drives next to each other, or of one drive, each with derivatives in directions of its own.
 pub(crate) trait Lanes: Numbers {
@@ -14,6 +14,12 @@ pub(crate) trait Lanes: Numbers {
     /// These values as independent variables: the derivative in direction d is 1 in the lanes of `changes_in(d)`, else 0. The directions of an outer jet
     /// are numbered from `first` on, those of the jets it is made of follow.
     fn seeded(self, changes_in: &impl Fn(usize) -> Self::Mask, first: usize) -> Self;
+}
+
+/// Reads the numbers in a lane. Whoever reads a drive's outcomes out of lanes reads them with this, so that they are compiled once.
+#[inline(always)]
+pub(crate) fn in_lane<J: Lanes>(lane: usize) -> impl Fn(J) -> J::Lane + Copy {
+    inlined!(move |number: J| number.lane(lane))
 }
 
 /// A number alone.

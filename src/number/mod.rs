@@ -7,7 +7,6 @@
 
 mod derivatives;
 mod dual;
-mod fingerprint;
 mod held;
 mod inlined;
 mod jet;
@@ -20,11 +19,10 @@ mod taylor;
 mod vector;
 
 pub(crate) use derivatives::Derivatives;
-pub(crate) use fingerprint::Fingerprint;
 pub(crate) use held::{held_above, held_below, smooth_step};
 pub(crate) use inlined::inlined;
 pub use jet::{Jet, Mixed};
-pub(crate) use lanes::Lanes;
+pub(crate) use lanes::{Lanes, in_lane};
 pub use level::Level;
 pub(crate) use level::Task;
 pub use mask::Mask;

@@ -1,4 +1,4 @@
-use crate::number::Fingerprint;
+use crate::fingerprint::Fingerprint;
 
 /// A fingerprint of the elementary functions that drives use of the C library: they are rounded otherwise by another library, another version, or another
 /// processor, for which the library has variants. The same fingerprint stands for the same values at some thousand arguments of each.

@@ -1,7 +1,7 @@
 use super::columns::Columns;
 use crate::batch::{CHUNK, Points, Status};
 use crate::error::Result;
-use crate::number::Fingerprint;
+use crate::fingerprint::Fingerprint;
 use crate::parameters::{Parameter, Vary};
 use crate::units::Message;
 

@@ -10,8 +10,8 @@ pub use grid::{Along, Axis};
 pub(crate) use surface::{Cell, Surface, cells_of};
 
 use crate::error::{Error, Result};
+use crate::fingerprint::Fingerprint;
 use crate::foreign::of_io;
-use crate::number::Fingerprint;
 use std::fmt;
 use std::path::{Path, absolute};
 use std::sync::{Mutex, PoisonError};
