@@ -111,7 +111,7 @@ impl Abreast<'_> {
             let (toe, high) = (setup.strike.toe, setup.strike.high);
             let (slope, side_slope) = (setup.ground.slope, setup.ground.side_slope);
             let head = (has_head && struck.club_speed.is_some()).then(|| J::outlined(|| Head::new(&setup.club)));
-            let ended = inputs.follow(J::Mask::first(group.len()), Asked { apex, defect: true }, &mut |_, _| ());
+            let ended = inputs.follow(J::Mask::first(group.len()), Asked { apex, defect: true }, None);
             for (lane, &(_, row)) in group.iter().enumerate() {
                 if !ended.has_landed.holds(lane) {
                     alone.push(row);

@@ -50,8 +50,7 @@ impl Batch {
     /// Computes the drives of a block side by side; left over are the rows that have to be looked at one by one. Those are all where the inertia
     /// tensor is swept, which must be checked in each row, and by so many parameters that the derivatives of one drive fill the lanes.
     fn abreast(&self, block: &mut Block) -> Vec<usize> {
-        const MOST_DERIVATIVES: usize = 4 * MOST_PER_LANE;
-        if self.wrt.len() > MOST_DERIVATIVES || self.parameters.iter().any(|parameter| parameter.is_of_inertia()) {
+        if self.wrt.len() > 4 * MOST_PER_LANE || self.parameters.iter().any(|parameter| parameter.is_of_inertia()) {
             return (0..block.rows()).collect();
         }
         let mut alone = vec![];

@@ -68,7 +68,7 @@ impl<T: Number> Drive<T> {
     /// # Errors
     /// As [`new`](Self::new), but for the step.
     pub(crate) fn in_any_steps(setup: &Setup<T>) -> Result<Self> {
-        let fly = |launch: &Launch<T>| Inputs::new(setup, launch, true).fly(&mut |_, _| ());
+        let fly = |launch: &Launch<T>| Inputs::new(setup, launch, true).fly(None);
         if let Some(launch) = Launch::given(setup) {
             let flight = fly(&launch)?;
             return Ok(Self { launch, impact: None, flight, club_speed: None, head: None });

@@ -1,7 +1,7 @@
 use super::ended::Asked;
 use super::ending::Flight;
 use super::inputs::Inputs;
-use super::step::Step;
+use super::step::Observer;
 use crate::error::Result;
 use crate::launch::Launch;
 use crate::number::Number;
@@ -14,7 +14,7 @@ use crate::parameters::Setup;
 /// [`Error::OutOfRange`](crate::Error::OutOfRange) and [`Error::NotANumber`](crate::Error::NotANumber) for a step that makes no steps, or more than 1e8 up to the time limit.
 pub fn fly<T: Number>(setup: &Setup<T>, launch: &Launch<T>) -> Result<Flight<T>> {
     setup.flight.check_steps()?;
-    Inputs::new(setup, launch, true).fly(&mut |_, _| ())
+    Inputs::new(setup, launch, true).fly(None)
 }
 
 impl<T: Number> Inputs<T> {
@@ -22,8 +22,8 @@ impl<T: Number> Inputs<T> {
     ///
     /// # Errors
     /// [`Error::Diverged`] where drag and lift change the airspeed too much within a step, or numbers overflow.
-    pub(crate) fn fly(&self, observe: &mut dyn FnMut(f64, &Step<'_, T>)) -> Result<Flight<T>> {
-        let ended = self.follow(true, Asked { apex: true, defect: true }, observe);
+    pub(crate) fn fly(&self, observer: Observer<'_, T>) -> Result<Flight<T>> {
+        let ended = self.follow(true, Asked { apex: true, defect: true }, observer);
         Ok(match ended.missing(self, T::re)? {
             None => Flight::Landed(ended.landed),
             Some(why) => Flight::None(why),

@@ -3,7 +3,7 @@ use super::ending::Landed;
 use super::inputs::Inputs;
 use super::motion::Node;
 use super::septic::Path;
-use super::step::{Step, Stepper};
+use super::step::{Observer, Step, Stepper};
 use super::tableau::Tableau;
 use crate::ground::Landing;
 use crate::number::{Mask, Numbers, Vector, inlined};
@@ -26,15 +26,14 @@ struct Within<M> {
 }
 
 impl<T: Numbers> Inputs<T> {
-    /// Flies the balls of those lanes that start above the ground or upwards, showing each step, with the time it begins at, to
-    /// `observe`. Not inlined: there is one compiled copy for each number type.
+    /// Flies the balls of those lanes that start above the ground or upwards. Not inlined: there is one compiled copy for each number type.
     #[inline(always)]
-    pub(crate) fn follow(&self, lanes: T::Mask, asked: Asked, observe: &mut dyn FnMut(f64, &Step<'_, T>)) -> Ended<T> {
-        T::outlined(inlined!(|| self.followed(lanes, asked, observe)))
+    pub(crate) fn follow(&self, lanes: T::Mask, asked: Asked, mut observer: Observer<'_, T>) -> Ended<T> {
+        T::outlined(inlined!(|| self.followed(lanes, asked, &mut observer)))
     }
 
     #[inline(always)]
-    fn followed(&self, lanes: T::Mask, asked: Asked, observe: &mut dyn FnMut(f64, &Step<'_, T>)) -> Ended<T> {
+    fn followed(&self, lanes: T::Mask, asked: Asked, observer: &mut Observer<'_, T>) -> Ended<T> {
         let (tableau, h, ground) = (Tableau::of(self.method), self.step, self.ground);
         let mut stepper = Stepper::new(self, tableau, h);
         let mut nodes = [self.launch(); 2];
@@ -46,7 +45,10 @@ impl<T: Numbers> Inputs<T> {
         let mut ended: Ended<T> = Ended::not_yet(asked);
         while flying.any() && ended.time < self.time_limit {
             stepper.advance(&mut step);
-            observe(ended.time, &step);
+            if let Some(observe) = observer {
+                // the address of the loop's own step is not handed on: it stays in registers
+                observe(ended.time, &Step { from: &mut *step.from, to: &mut *step.to, ..step });
+            }
             // a comparison with NaN does not hold: what is lost is not followed
             let is_followed = self.is_fine(step.from, h, tableau.reach) & step.to.position.x.is_finite();
             ended.diverges = ended.diverges | flying & !is_followed;
@@ -68,7 +70,6 @@ impl<T: Numbers> Inputs<T> {
             let is_last = end >= self.time_limit;
             if may_land.any() || needs_top || is_last {
                 let within = Within { flying, has_been_above, has_top, may_land, needs_top, is_last };
-                // a step of its own: the address of that of the loop is not handed on, and it stays in registers
                 let step = Step { from: &mut *step.from, to: &mut *step.to, ..step };
                 // few steps come here; inlined, it would be more code than all the rest
                 (flying, has_been_above) = T::outlined(inlined!(|| self.look_within(&step, within, &mut ended)));

@@ -109,11 +109,10 @@ fn falling_root<T: Numbers>(low: T, lanes: T::Mask, f: impl Fn(T) -> (T, T)) -> 
         // where Newton's method has settled, its last step may leave the bracket by rounding
         let is_short = inlined!(|step: T| (step * step).below(1e-18));
         let next = newton.blend((low + high) * 0.5, is_inside | is_short(newton - s));
-        let has_settled = is_short(next - s);
-        s = next;
-        if !(lanes & !has_settled).any() {
+        if !(lanes & !is_short(next - s)).any() {
             (steps_left, is_settled) = (DERIVATIVE_STEPS, true);
         }
+        s = next;
     }
     s
 }

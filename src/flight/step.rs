@@ -27,6 +27,9 @@ pub(crate) struct Step<'n, T> {
     pub gained: Vector<T>,
 }
 
+/// Who is shown each step, with the time it begins at.
+pub(crate) type Observer<'o, T> = Option<&'o mut dyn FnMut(f64, &Step<'_, T>)>;
+
 impl<T: Numbers> Step<'_, T> {
     /// How far a step of length h is from Hermite's quadrature between its ends, times (|Δv|/|v_r|)⁴, m (docs/model.md, eq. 16a). It grows as h⁹; the
     /// sum over a flight as h⁸.

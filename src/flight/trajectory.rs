@@ -53,7 +53,7 @@ pub fn trajectory(setup: &Setup<f64>, launch: &Launch<f64>) -> Result<Trajectory
     let inputs = Inputs::new(setup, launch, false);
     let (h, parts) = (setup.flight.step, (setup.flight.step / MOST_APART).ceil().max(1.0));
     let (mut last, mut run) = (None, vec![]);
-    let flight = inputs.fly(&mut |begin, step| {
+    let flight = inputs.fly(Some(&mut |begin, step| {
         last = Some((begin, [*step.from, *step.to]));
         if parts > 1.0 {
             let path = Path::new(&inputs, step, h);
@@ -66,7 +66,7 @@ pub fn trajectory(setup: &Setup<f64>, launch: &Launch<f64>) -> Result<Trajectory
         }
         let end = &*step.to;
         points.push(TrajectoryPoint { time: begin + h, position: end.position, velocity: end.velocity });
-    })?;
+    }))?;
     if let Flight::Landed(landed) = &flight {
         points.retain(|point| point.time < landed.flight_time);
         points.push(TrajectoryPoint {
