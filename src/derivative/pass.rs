@@ -136,12 +136,12 @@ impl Pass<'_> {
         let mut ended = None;
         if point.flies && !matches!(leg, Leg::Impact) {
             let inputs = Inputs::new(&setup, &struck.launch, point.has_run);
-            let found = inputs.follow(J::Mask::first(lanes), Asked { apex: point.has_apex, defect: false }, None);
+            let found =
+                ended.insert(inputs.follow(J::Mask::first(lanes), Asked { apex: point.has_apex, defect: false }, None));
             // the drive is the same in all lanes
             if let Some(why) = found.missing(&inputs, |number| number.lane(0).re())? {
                 return Err(Error::NoFlight { reason: why.message() });
             }
-            ended = Some(found);
         }
         for lane in 0..lanes {
             let read = in_lane(lane);
