@@ -71,7 +71,7 @@ impl<T: Numbers> Inputs<T> {
             if may_land.any() || needs_top || is_last {
                 let within = Within { flying, has_been_above, has_top, may_land, needs_top, is_last };
                 let step = Step { from: &mut *step.from, to: &mut *step.to, ..step };
-                // few steps come here; inlined, it would be more code than all the rest
+                // few steps come here; inlined, it would be more code than all the rest. Again with a step of its own
                 (flying, has_been_above) = T::outlined(inlined!(|| self.look_within(&step, within, &mut ended)));
             }
             has_been_above = has_been_above | is_above;

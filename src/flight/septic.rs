@@ -161,7 +161,7 @@ mod tests {
     use super::falling_root;
     use std::cell::Cell;
 
-    /// From 1 Newton's method falls onto the root of such a cubic, and its distance squares at each step.
+    /// Newton's method from s = 1 converges quadratically for these cubics: in eight steps at most, and the two with derivatives.
     #[test]
     fn exact_roots_in_as_many_steps_as_newtons_method_takes() {
         for i in 1..1000 {
@@ -171,7 +171,7 @@ mod tests {
                 steps.set(steps.get() + 1);
                 (root - s + bend * (root.powi(3) - s.powi(3)), -1.0 - 3.0 * bend * s * s)
             });
-            assert!((found - root).abs() < 1e-15 && steps.get() <= 14, "{found} in {} steps", steps.get());
+            assert!((found - root).abs() < 1e-15 && steps.get() <= 10, "{found} in {} steps", steps.get());
         }
     }
 }

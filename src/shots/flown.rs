@@ -66,7 +66,9 @@ impl Flown {
         match self.status(row) {
             None => self.shots[row].refusal().map(|refusal| refusal.reason.as_str()),
             Some(Status::Landed) => None,
-            Some(Status::NoFlight) => Some("the ball does not fly: it is launched downwards, or below the ground"),
+            Some(Status::NoFlight) => {
+                Some("the ball does not fly: it is launched downwards, or its highest point is below the ground")
+            }
             Some(Status::Aloft) => Some("the ball is still in the air at flight.time_limit"),
             Some(Status::Diverged) => Some("the numbers of the flight overflow; take a smaller flight.step"),
             Some(Status::NoStrike | Status::OutOfRange) => Some("a value is outside of the range of its parameter"),
