@@ -401,6 +401,13 @@ impl Question {
                 if self.tolerance.is_some() && Quantity::LENGTH.read(&self.setup).is_ok() {
                     advice = format!("a tolerance is joined to its option by '=', as in --tolerance={}", self.setup);
                 }
+                let mut set = self.set.iter().map(|text| format!("{text} {}", self.setup));
+                let is_read = |text: &String| {
+                    split("--set", text).is_ok_and(|(name, value)| Setup::default().set(name, value).is_ok())
+                };
+                if let Some(parted) = set.find(is_read) {
+                    advice = format!("a value with a space stands in quotes, as in --set \"{parted}\"");
+                }
                 Error::unknown("setup", &self.setup, names, advice)
             });
         }

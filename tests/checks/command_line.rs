@@ -209,6 +209,10 @@ fn bad_input_gets_status_two_and_a_message_that_helps() {
             vec!["does not strike the ball", "mph"],
         ),
         (vec!["simulate", "winfeld-tan"], vec!["did you mean 'winfield-tan'?"]),
+        (
+            vec!["simulate", "--set", "swing.path=1deg", "--set", "ground.height=-20", "m"],
+            vec!["unknown setup 'm'", "stands in quotes, as in --set \"ground.height=-20 m\""],
+        ),
         (vec!["simulate", "no/such/file.toml"], vec!["no/such/file.toml", "modern-driver"]),
         (vec!["gradient", "--wrt", "club.lof"], vec!["did you mean 'club.loft'?"]),
         (vec!["gradient", "--of", "cary"], vec!["unknown outcome 'cary'", "did you mean 'carry'?"]),

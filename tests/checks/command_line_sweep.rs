@@ -373,9 +373,14 @@ fn exact_table_and_sample_on_the_command_line() {
     }
     assert!(rows[1]["carry"].is_null() && rows[1]["status"] == "no-flight");
 
+    // the same rows on standard output are counted beside them
+    let said = longdrive(&["sweep", "--own-step", "--points", &file("points.csv")]);
+    assert!(said.status == 0 && said.err.ends_with("2 drives: 1 landed, 1 no-flight\n"), "{}", said.err);
+
     let sample = ["sweep", "--sample", "8", "--over", "club.loft=5deg..15deg", "--wrt", "air.density"];
     let said = longdrive(&sample);
     assert_eq!((said.status, said.out.lines().count()), (0, 9), "{}", said.err);
+    assert!(!said.err.contains("8 landed"), "all landed: {}", said.err);
     assert!(said.out.starts_with("club.loft [rad],status,carry [m],d_carry/d_air.density [m/(kg/m^3)]\n"));
     assert_eq!(said.out, longdrive(&[&sample[..], &["--threads", "1"]].concat()).out);
     assert_ne!(said.out, longdrive(&[&sample[..], &["--seed", "1"]].concat()).out);
