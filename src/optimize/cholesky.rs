@@ -46,22 +46,29 @@ fn subtract_times(a: &mut [f64], times: f64, b: &[f64]) {
 #[cfg(test)]
 mod tests {
     use super::{factorise, solve};
-    use nalgebra::{DMatrix, dmatrix};
+    use nalgebra::DMatrix;
 
     #[test]
     fn exact_factors_and_solution_of_a_system_of_three() {
         // L = [2 0 0; 6 1 0; −8 5 3], and L Lᵀ (1, 2, 3)
-        let mut matrix = dmatrix![4.0, 12.0, -16.0; 12.0, 37.0, -43.0; -16.0, -43.0, 98.0];
+        let mut matrix = DMatrix::from_row_slice(3, 3, &[4.0, 12.0, -16.0, 12.0, 37.0, -43.0, -16.0, -43.0, 98.0]);
         let mut x = [4.0 + 24.0 - 48.0, 12.0 + 74.0 - 129.0, -16.0 - 86.0 + 294.0];
         assert!(factorise(&mut matrix));
-        assert_eq!(matrix.lower_triangle(), dmatrix![2.0, 0.0, 0.0; 6.0, 1.0, 0.0; -8.0, 5.0, 3.0]);
+        assert_eq!(
+            matrix.lower_triangle(),
+            DMatrix::from_row_slice(3, 3, &[2.0, 0.0, 0.0, 6.0, 1.0, 0.0, -8.0, 5.0, 3.0])
+        );
         solve(&matrix, &mut x);
         assert_eq!(x, [1.0, 2.0, 3.0]);
     }
 
     #[test]
     fn exact_refusal_of_what_is_not_positive_definite() {
-        for mut matrix in [dmatrix![1.0, 2.0; 2.0, 1.0], DMatrix::zeros(2, 2), dmatrix![f64::NAN]] {
+        for mut matrix in [
+            DMatrix::from_row_slice(2, 2, &[1.0, 2.0, 2.0, 1.0]),
+            DMatrix::zeros(2, 2),
+            DMatrix::from_row_slice(1, 1, &[f64::NAN]),
+        ] {
             assert!(!factorise(&mut matrix));
         }
     }

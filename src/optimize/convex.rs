@@ -83,7 +83,7 @@ fn is_positive_definite(matrix: &DMatrix<f64>, room: &mut DMatrix<f64>) -> bool 
 #[cfg(test)]
 mod tests {
     use super::{convexify, is_positive_definite};
-    use nalgebra::{DMatrix, DVector, dmatrix, dvector};
+    use nalgebra::{DMatrix, DVector};
 
     fn convexified(hessian: &DMatrix<f64>, held: &[DVector<f64>]) -> DMatrix<f64> {
         let mut convex = DMatrix::zeros(2, 2);
@@ -93,17 +93,17 @@ mod tests {
 
     #[test]
     fn exact_hessian_is_kept_where_convex_and_free_block_where_a_held_variable_is_to_blame() {
-        let convex = dmatrix![2.0, 1.0; 1.0, 2.0];
+        let convex = DMatrix::from_row_slice(2, 2, &[2.0, 1.0, 1.0, 2.0]);
         assert_eq!(convexified(&convex, &[]), convex);
-        let bent = dmatrix![2.0, 1.0; 1.0, -3.0];
-        let raised = convexified(&bent, &[dvector![0.0, 1.0]]);
+        let bent = DMatrix::from_row_slice(2, 2, &[2.0, 1.0, 1.0, -3.0]);
+        let raised = convexified(&bent, &[DVector::from_vec(vec![0.0, 1.0])]);
         assert!(is_positive_definite(&raised, &mut DMatrix::default()));
         assert_eq!((raised[(0, 0)], raised[(0, 1)]), (2.0, 1.0));
     }
 
     #[test]
     fn exact_reflection_of_a_saddle() {
-        let reflected = convexified(&dmatrix![0.0, 2.0; 2.0, 0.0], &[]);
-        assert!((reflected - dmatrix![2.0, 0.0; 0.0, 2.0]).amax() < 1e-14);
+        let reflected = convexified(&DMatrix::from_row_slice(2, 2, &[0.0, 2.0, 2.0, 0.0]), &[]);
+        assert!((reflected - DMatrix::from_row_slice(2, 2, &[2.0, 0.0, 0.0, 2.0])).amax() < 1e-14);
     }
 }

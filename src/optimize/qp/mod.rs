@@ -19,7 +19,7 @@ pub use program::{End, Method, Piece, QuadraticProgram, Row, Step};
 #[cfg(test)]
 mod tests {
     use super::{End, Piece, QuadraticProgram, Row};
-    use nalgebra::{DMatrix, DVector, dmatrix, dvector};
+    use nalgebra::{DMatrix, DVector};
 
     /// The minimum over every combination of free, low and high variables: exact, by enumeration.
     fn enumerated(qp: &QuadraticProgram) -> f64 {
@@ -77,13 +77,13 @@ mod tests {
     fn exact_step_into_a_kink() {
         // ½ d² + max(−d₀, 2 d₀ − 0.3) + d₁-parabola: the pieces meet at d₀ = 0.1
         let qp = QuadraticProgram {
-            curvature: dmatrix![1.0, 0.0; 0.0, 1.0],
+            curvature: DMatrix::from_row_slice(2, 2, &[1.0, 0.0, 0.0, 1.0]),
             pieces: vec![
-                Piece { offset: 0.0, gradient: dvector![-1.0, 0.5] },
-                Piece { offset: -0.3, gradient: dvector![2.0, 0.5] },
+                Piece { offset: 0.0, gradient: DVector::from_vec(vec![-1.0, 0.5]) },
+                Piece { offset: -0.3, gradient: DVector::from_vec(vec![2.0, 0.5]) },
             ],
-            low: dvector![-1.0, -1.0],
-            high: dvector![1.0, 1.0],
+            low: DVector::from_vec(vec![-1.0, -1.0]),
+            high: DVector::from_vec(vec![1.0, 1.0]),
             rows: vec![],
         };
         let step = qp.solve().unwrap();
