@@ -50,8 +50,8 @@ done
 if [ -e /usr/include/ceres/jet.h ]; then compile g++ ceres-jet ceres.cpp -DNDEBUG -I/usr/include/eigen3; fi
 gcc -O2 -march=native cpp/machine.c -o "$build/machine"
 
-# the library's side with thin local LTO, as a package that depends on it is built by default, and the program as it is installed
-cargo build --release --locked --target-dir target --config profile.release.lto=false
+# the library's side with thin local LTO and at level 3, as a package that depends on it is built by default, and the program as it is installed
+cargo build --release --locked --target-dir target --config profile.release.lto=false --config profile.release.package.longdrive.opt-level=3
 cargo build --release --locked --target-dir target --package longdrive --bin longdrive
 
 python=""
