@@ -250,7 +250,7 @@ fn measured_derivatives_within_a_micrometre_are_as_near_as_the_document_says() {
         (setup.club.loft, setup.swing.attack_angle, setup.swing.speed) = (loft, attack_angle, speed);
         let by = sizes.map(|(name, _)| setup.variable(name).unwrap());
         let within = accuracy(&setup, &[], &[Outcome::Carry], MICROMETRE).unwrap().applied_to(&setup);
-        // off from those at 1 ms by a thousandth of what is asked at most
+        // its derivatives differ from those at 1 ms by at most a thousandth of the bar
         let mut fine = setup;
         (fine.method, fine.flight.step) = (Method::Rk4, 4e-3);
         // each derivative by the size of its parameters

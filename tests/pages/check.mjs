@@ -127,12 +127,12 @@ async function look(browser, name, file) {
     await page.evaluate(axe.source);
     // a page is laid out in the dark as in the light: its colours are looked at, which are the same at every width
     for (const [width, height] of scheme === "dark" ? SCREENS.slice(0, 1) : SCREENS) {
+      const isFirst = width === SCREENS[0][0];
       await page.setViewportSize({ width, height });
       say(width, await page.evaluate(wide));
       say(width, await page.evaluate(cut));
       if (isReport) say(width, await page.evaluate(answered));
-      if (width === SCREENS[0][0]) say(width, await page.evaluate(small, LEAST_TEXT));
-      const isFirst = width === SCREENS[0][0];
+      if (isFirst) say(width, await page.evaluate(small, LEAST_TEXT));
       const isOff = { enabled: false };
       const options = scheme === "dark" ? { runOnly: COLOURS } : isFirst ? {} : { rules: Object.fromEntries(COLOURS.map((rule) => [rule, isOff])) };
       const { violations } = await page.evaluate((options) => axe.run({ resultTypes: ["violations"], ...options }), options);

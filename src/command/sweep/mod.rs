@@ -84,7 +84,6 @@ pub fn run(args: &Sweep) -> Result<Answer> {
             None => format!("stopped: {drives}; with -o FILE it could be resumed"),
         });
     }
-    let has_ended_otherwise = output.tally().counts().any(|(status, count)| status != Status::Landed && count > 0);
     let nothing = (is_complete && !output.tally().has_any(&of)).then(|| {
         let which = if of.len() == 1 { "the outcome" } else { "any of the outcomes" };
         let diverged = if output.tally().counts().any(|(status, count)| status == Status::Diverged && count > 0) {
@@ -98,8 +97,9 @@ pub fn run(args: &Sweep) -> Result<Answer> {
         say_error(nothing);
     }
     let is_answered = is_complete && nothing.is_none();
-    // a file's rows are counted on standard output
-    if is_answered && has_ended_otherwise && target.is_standard_output() {
+    // the rows of a file are counted on standard output
+    let all_landed = output.tally().counts().all(|(status, count)| status == Status::Landed || count == 0);
+    if is_answered && !all_landed && target.is_standard_output() {
         tell(&summary.text(None));
     }
     Ok(match (args.question.json, target.is_standard_output()) {
