@@ -399,7 +399,8 @@ impl Question {
                 let names = PRESETS.iter().map(|preset| preset.name);
                 let mut advice = format!("a setup is a preset ({}) or a TOML file", Preset::names());
                 if self.tolerance.is_some() && Quantity::LENGTH.read(&self.setup).is_ok() {
-                    advice = format!("a tolerance is joined to its option by '=', as in --tolerance={}", self.setup);
+                    let tolerance = self.setup.replace(' ', "");
+                    advice = format!("a tolerance is joined to its option by '=', as in --tolerance={tolerance}");
                 }
                 let mut set = self.set.iter().map(|text| format!("{text} {}", self.setup));
                 let is_read = |text: &String| {

@@ -188,6 +188,7 @@ fn bad_input_gets_status_two_and_a_message_that_helps() {
         (vec!["simulate", "--set", "club.loft=10"], vec!["\"10\" has no unit; an angle takes deg, rad"]),
         (vec!["simulate", "--set", "swing.speed=100MPH"], vec!["unknown unit 'MPH' (did you mean 'mph'?)"]),
         (vec!["simulate", "--tolerance", "1mm"], vec!["joined to its option by '='", "--tolerance=1mm"]),
+        (vec!["simulate", "--tolerance", "1 mm"], vec!["as in --tolerance=1mm"]),
         (vec!["simulate", "--tolerance=1e-30m"], vec!["ask for more than that"]),
         (vec!["simulate", "-"], vec!["standard input: it is empty", "name a preset"]),
         (vec!["fly", "tour-average", "shots.csv"], vec!["the shots come first, as in longdrive fly shots.csv"]),
