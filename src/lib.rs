@@ -34,8 +34,8 @@
 //! |---|---|
 //! | the commands of the program (feature `cli`) | `command` |
 //! | the parts of a sweep that is divided among processes and machines (feature `parquet`) | `parts` |
-//! | results to bytes | [`report`] |
-//! | published studies, computed anew | [`reproduce`] |
+//! | results to bytes (feature `reports`) | `report` |
+//! | published studies, computed anew (feature `reports`) | `reproduce` |
 //! | questions asked of a drive; measured shots | [`study`], [`shots`] |
 //! | very many drives; points that stand in files; statistics of a sweep | [`batch`], [`table`], [`statistics`] |
 //! | a bound-constrained minimiser that knows no golf; derivatives by name | [`optimize`], [`derivative`] |
@@ -47,6 +47,8 @@
 //! | numbers, quantity strings, errors | [`number`], [`units`], [`error`] |
 
 #![warn(clippy::missing_errors_doc, missing_docs)]
+// what the modules below keep for the reports alone
+#![cfg_attr(not(feature = "reports"), allow(dead_code, unused_imports))]
 
 pub mod aerodynamics;
 pub mod atmosphere;
@@ -71,7 +73,9 @@ pub mod optimize;
 pub mod parameters;
 #[cfg(feature = "parquet")]
 pub mod parts;
+#[cfg(feature = "reports")]
 pub mod report;
+#[cfg(feature = "reports")]
 pub mod reproduce;
 pub mod shots;
 pub mod statistics;

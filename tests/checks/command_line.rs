@@ -3,7 +3,6 @@
 use crate::common::close;
 use crate::program;
 use crate::schema::faults;
-use assert_cmd::Command;
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::io::Write;
@@ -51,7 +50,7 @@ pub fn written(args: &[&str]) -> Written {
 }
 
 pub fn longdrive(args: &[&str]) -> Said {
-    let output = Command::from_std(program::command()).args(args).output().unwrap();
+    let output = program::command().args(args).output().unwrap();
     let text = |bytes| String::from_utf8(bytes).unwrap();
     Said { status: output.status.code().unwrap(), out: text(output.stdout), err: text(output.stderr) }
 }

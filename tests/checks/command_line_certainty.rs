@@ -121,11 +121,7 @@ fn exact_uncertainty_as_json_is_the_same_for_the_same_seed() {
     );
     assert_eq!(carry["measure_first"]["parameter"], "swing.speed");
     assert_eq!(found["ellipses"].as_array().unwrap().len(), 4);
-    let one_thread = assert_cmd::Command::from_std(program::command())
-        .args(asked)
-        .arg("--json")
-        .env("RAYON_NUM_THREADS", "1")
-        .output();
+    let one_thread = program::command().args(asked).arg("--json").env("RAYON_NUM_THREADS", "1").output();
     assert_eq!(serde_json::from_slice::<serde_json::Value>(&one_thread.unwrap().stdout).unwrap(), found);
     assert_ne!(json(&[asked.as_slice(), &["--seed", "1"]].concat()).1["outcomes"], found["outcomes"]);
 }

@@ -24,7 +24,7 @@ fn exact_constraints_and_starts_as_json() {
     assert!(constraints.iter().all(|constraint| number(&constraint["multiplier"]) > 0.0));
     let optima = found["optima"].as_array().unwrap();
     assert_eq!(optima.iter().map(|local| number(&local["starts"])).sum::<f64>(), 32.0);
-    let one_thread = assert_cmd::Command::from_std(program::command())
+    let one_thread = program::command()
         .args(["optimize", "--starts", "32", "--json", "--subject-to", "descent_angle >= 38 deg"])
         .args(["--subject-to", "apex_height <= 35 yd"])
         .env("RAYON_NUM_THREADS", "1")

@@ -193,7 +193,7 @@ fn every_example_of_the_documentation_is_what_the_program_prints() {
         let printed: Value = if args == ["validate", "--json"] {
             ANSWERED.1.clone()
         } else {
-            let mut program = assert_cmd::Command::from_std(program::command());
+            let mut program = program::command();
             let output = program.current_dir(folder.path()).args(&args).output().unwrap();
             serde_json::from_slice(&output.stdout).unwrap()
         };

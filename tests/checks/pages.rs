@@ -4,7 +4,6 @@ use crate::command_line::{Written, json, longdrive, number};
 use crate::program;
 use crate::reproduce::{PAPER_WRITTEN, REPORT};
 use crate::validation::VALIDATED;
-use assert_cmd::Command;
 use std::path::Path;
 
 /// A page that a command writes into a new folder of this name, and the folder.
@@ -210,7 +209,7 @@ fn the_setup_file_of_a_report_flies_its_best_drive() {
 fn the_footer_says_what_makes_the_same_page_again() {
     let folder = tempfile::tempdir().unwrap();
     let made = |date: &str| {
-        let mut command = Command::from_std(program::command());
+        let mut command = program::command();
         let asked = ["report", "--set", "club.loft=10.5 deg", "-o", "page", "--overwrite"];
         let output = command.current_dir(folder.path()).env("SOURCE_DATE_EPOCH", date).args(asked).output().unwrap();
         (output.status.code(), std::fs::read_to_string(folder.path().join("page/index.html")).unwrap_or_default())
