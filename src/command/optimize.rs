@@ -14,6 +14,7 @@ pub fn run(args: &Optimize) -> Result<Answer> {
     }
     let setup = args.question.setup_varied(&args.search.vary)?;
     let search = args.search.search(&setup)?;
+    args.question.tell_of_the_start(&setup, &search.vary);
     let setup = args.question.for_many(setup, &search.vary)?;
     let output = args.destination()?;
     let optima = args.work.run(&setup, &search)?;

@@ -1,5 +1,6 @@
 use super::host::Kind;
 use super::running::running;
+use super::wording::in_quotes;
 use crate::report::{Empty, Reply};
 use crate::units::{Message, System};
 use crate::{Error, Result};
@@ -121,21 +122,26 @@ pub fn explain(mut error: clap::Error, command: Option<&'static str>, is_json: b
     u8::try_from(error.exit_code()).unwrap_or(2)
 }
 
-/// Says what to do about an argument that begins with a hyphen and is no option: the reader of arguments takes it for the name of a
+/// Says what to do about an argument that is left over. One that begins with a hyphen and is no option the reader of arguments takes for the name of a
 /// setup that is to stand after `--`.
 fn in_own_words(error: &mut clap::Error) {
-    let Some(ContextValue::StyledStrs(tips)) = error.get(ContextKind::Suggested) else { return };
     let Some(ContextValue::String(argument)) = error.get(ContextKind::InvalidArg) else { return };
-    if tips.len() != 1 || !tips[0].to_string().contains("use '-- ") {
-        return;
-    }
-    let tip = match argument.starts_with("--") {
-        true => format!("this command has no option '{argument}'; --help lists those that it has"),
-        false => {
-            format!("a value that begins with a hyphen is joined to its option by '=', as in --set=NAME={argument}")
-        }
+    let is_taken_for_a_setup = match error.get(ContextKind::Suggested) {
+        Some(ContextValue::StyledStrs(tips)) => tips.len() == 1 && tips[0].to_string().contains("use '-- "),
+        _ => false,
     };
-    error.insert(ContextKind::Suggested, ContextValue::StyledStrs(vec![tip.into()]));
+    let tip = if !argument.starts_with('-') {
+        in_quotes(argument)
+    } else if !is_taken_for_a_setup {
+        None
+    } else if argument.starts_with("--") {
+        Some(format!("this command has no option '{argument}'; --help lists those that it has"))
+    } else {
+        Some(format!("a value that begins with a hyphen is joined to its option by '=', as in --set=NAME={argument}"))
+    };
+    if let Some(tip) = tip {
+        error.insert(ContextKind::Suggested, ContextValue::StyledStrs(vec![tip.into()]));
+    }
 }
 
 /// An answer without anything found, where the command ends with it.

@@ -1,3 +1,4 @@
+use super::wording::in_quotes;
 use crate::command::args::{OwnLaw, Question};
 use crate::command::output::{system, tell, warn_early};
 use crate::command::running::running;
@@ -53,6 +54,19 @@ impl Question {
             }
         }
         self.begun(setup, begins, "begins at")
+    }
+
+    /// Says of what is set and varied too that the value is where the search begins, and no more.
+    pub fn tell_of_the_start(&self, setup: &Setup<f64>, vary: &[Vary]) {
+        for text in &self.set {
+            let name = text.split_once('=').map_or("", |(name, _)| name.trim());
+            if let Some(range) = vary.iter().find(|range| range.parameter.name == name) {
+                let (set, [low, high]) = (range.start(setup), [range.low, range.high]);
+                let start = parameter_text(range.parameter, set.clamp(low, high), system());
+                let moved = if (low..=high).contains(&set) { "" } else { ", the end of its range" };
+                tell(&format!("note: {name} is varied; the search begins at {start}{moved}"));
+            }
+        }
     }
 
     /// The setup with a value of each of these parameters that has none in it; `how` says what it is.
@@ -360,7 +374,12 @@ impl Question {
     /// What the setup file says, or what standard input does.
     fn file(&self) -> Result<SetupFile> {
         if self.setup != STANDARD_INPUT {
-            return SetupFile::open(Path::new(&self.setup));
+            let path = Path::new(&self.setup);
+            if path.extension().is_some_and(|kind| kind.eq_ignore_ascii_case("csv")) {
+                let message = "a table is no setup; a table of shots stands after --shots, one of points after --points";
+                return Err(Error::Toml { file: self.setup.clone(), message: message.into() });
+            }
+            return SetupFile::open(path);
         }
         let unread = |source| Error::File { file: self.name().into(), source, presets: Preset::names() };
         let text = running().input().map_err(unread)?;
@@ -402,12 +421,8 @@ impl Question {
                     let tolerance = self.setup.replace(' ', "");
                     advice = format!("a tolerance is joined to its option by '=', as in --tolerance={tolerance}");
                 }
-                let mut set = self.set.iter().map(|text| format!("{text} {}", self.setup));
-                let is_read = |text: &String| {
-                    split("--set", text).is_ok_and(|(name, value)| Setup::default().set(name, value).is_ok())
-                };
-                if let Some(parted) = set.find(is_read) {
-                    advice = format!("a value with a space stands in quotes, as in --set \"{parted}\"");
+                if let Some(quoted) = in_quotes(&self.setup) {
+                    advice = quoted;
                 }
                 Error::unknown("setup", &self.setup, names, advice)
             });

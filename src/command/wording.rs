@@ -1,6 +1,10 @@
-//! What the program adds to messages of the library: the option to give.
+//! What the program adds to messages of the library: the option to give, and the quotes.
 
+use super::running::running;
 use crate::error::Error;
+use crate::parameters::Preset;
+use crate::units::Quantity;
+use std::path::Path;
 
 /// An error in the words of the program.
 pub fn in_words_of_the_program(error: Error) -> Error {
@@ -18,4 +22,23 @@ fn option(doing: &str) -> Option<&'static str> {
         "sweep" => Some("parameter, as in --over club.loft=5deg..15deg:101"),
         _ => None,
     }
+}
+
+/// What to do about a word that is left over, where the shell parted a value before it at its spaces: `90` and `mph` of `--set swing.speed=90 mph`.
+pub fn in_quotes(left_over: &str) -> Option<String> {
+    let running = running();
+    let words: Vec<_> = running.words().iter().map(|word| word.to_string_lossy()).collect();
+    let left_over = words.iter().position(|word| *word == left_over)?;
+    let option = words[..left_over].iter().rposition(|word| word.starts_with("--"))?;
+    let (name, begun) =
+        words[option].split_once('=').map_or((&*words[option], None), |(name, value)| (name, Some(value)));
+    let is_setup = |word: &str| Preset::named(word).is_some() || Path::new(word).exists();
+    let further = words[option + 1..].iter().map(|word| &**word);
+    let further = further.take_while(|word| !word.starts_with("--") && !is_setup(word));
+    let pieces: Vec<&str> = begun.into_iter().chain(further).collect();
+    let [number, unit, ..] = pieces[..] else { return None };
+    let unit = unit.split(['.', ',', ':']).next().filter(|unit| !unit.is_empty())?;
+    let is_number = number.contains('=') && number.ends_with(|c: char| c.is_ascii_digit());
+    let is_parted = is_number && Quantity::ALL.iter().any(|quantity| quantity.size_of(unit).is_some());
+    is_parted.then(|| format!("a value with a space stands in quotes, as in {name} \"{}\"", pieces.join(" ")))
 }

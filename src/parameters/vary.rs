@@ -111,7 +111,8 @@ impl Vary {
         if low <= high {
             return Ok(());
         }
-        let [low, high] = [low, high].map(|end| parameter.show(Some(end)));
+        // as one word of a command line
+        let [low, high] = [low, high].map(|end| parameter.show(Some(end)).replacen(' ', "", 1));
         Err(self.refused(format!("the range is reversed; did you mean {high}..{low}?")))
     }
 

@@ -67,9 +67,9 @@ fn verdict(found: &Robust, within: Option<f64>, system: System) -> String {
     let goal = &found.search.of;
     let show = |value: f64| difference_text(goal, value, system);
     let least = format!(
-        "no design was found whose greatest loss of {} is below {}",
-        goal.expression,
-        show(found.greatest().max(0.0))
+        "the design loses at most {} of {} with any of the models, and none was found that loses less",
+        show(found.greatest().max(0.0)),
+        goal.expression
     );
     let stopped = found.interrupted().map_or(String::new(), |stopped| format!("{stopped}; so far "));
     stopped

@@ -213,6 +213,22 @@ fn bad_input_gets_status_two_and_a_message_that_helps() {
             vec!["simulate", "--set", "swing.path=1deg", "--set", "ground.height=-20", "m"],
             vec!["unknown setup 'm'", "stands in quotes, as in --set \"ground.height=-20 m\""],
         ),
+        (
+            vec!["optimize", "--set=swing.speed=100", "mph", "modern-driver"],
+            vec!["unexpected argument", "stands in quotes, as in --set \"swing.speed=100 mph\""],
+        ),
+        (
+            vec!["sweep", "--over", "swing.speed=90", "mph..100", "mph:3"],
+            vec!["stands in quotes, as in --over \"swing.speed=90 mph..100 mph:3\""],
+        ),
+        (
+            vec!["simulate", "--launch", "ball_speed=160", "mph,launch_angle=11deg,backspin=2600rpm"],
+            vec![
+                "unknown setup",
+                "stands in quotes, as in --launch \"ball_speed=160 mph,launch_angle=11deg,backspin=2600rpm\"",
+            ],
+        ),
+        (vec!["delivery", "examples/shots.csv"], vec!["examples/shots.csv", "a table is no setup", "--shots"]),
         (vec!["simulate", "no/such/file.toml"], vec!["no/such/file.toml", "modern-driver"]),
         (vec!["gradient", "--wrt", "club.lof"], vec!["did you mean 'club.loft'?"]),
         (vec!["gradient", "--of", "cary"], vec!["unknown outcome 'cary'", "did you mean 'carry'?"]),
@@ -220,7 +236,7 @@ fn bad_input_gets_status_two_and_a_message_that_helps() {
         (vec!["gradient", "--wrt", "ball.inertia"], vec!["ball.inertia", "unset", "--set"]),
         (vec!["gradient", "mae494", "--wrt", "club.bulge_radius"], vec!["infinite", "--set"]),
         (vec!["gradient", "--wrt", ""], vec!["nothing to differentiate by"]),
-        (vec!["optimize", "--vary", "club.loft=20deg..4deg"], vec!["reversed", "4 deg..20 deg"]),
+        (vec!["optimize", "--vary", "club.loft=20deg..4deg"], vec!["reversed", "4deg..20deg"]),
         (vec!["optimize", "--vary", "club.loft=4deg..4deg"], vec!["nothing to vary"]),
         (vec!["optimize", "--vary", "club.loft=4deg"], vec!["LOW..HIGH"]),
         (vec!["optimize", "--vary", "club.loft"], vec!["NAME=LOW..HIGH"]),

@@ -33,6 +33,24 @@ fn exact_constraints_and_starts_as_json() {
     assert_eq!(serde_json::from_slice::<Value>(&one_thread.stdout).unwrap(), found, "whatever the number of threads");
 }
 
+/// What is set and varied too is where the search begins, within its range.
+#[test]
+fn a_value_that_is_set_of_a_variable_is_told_as_the_start() {
+    for (set, told) in [
+        ("club.loft=10deg", "note: club.loft is varied; the search begins at 10°\n"),
+        ("club.loft=25deg", "note: club.loft is varied; the search begins at 20°, the end of its range\n"),
+        ("swing.speed=100mph", ""),
+    ] {
+        let said = longdrive(&["optimize", "--set", set, "--max-iterations", "1"]);
+        let note: String =
+            said.err.lines().filter(|line| line.starts_with("note: ")).map(|line| line.to_owned() + "\n").collect();
+        assert_eq!(note, told, "{set}");
+        // the first line of the progress has the point that the search begins at
+        let start = told.split("begins at ").nth(1).map_or("", |end| end.split('°').next().unwrap());
+        assert!(said.err.contains(&format!("club.loft {start}")), "{set}: {}", said.err);
+    }
+}
+
 /// An equation that nothing moves has no price: lateral is 0 for every straight drive.
 #[test]
 fn an_equation_is_told_with_what_it_is_off_by_and_never_as_not_active() {
