@@ -376,7 +376,8 @@ impl Question {
         if self.setup != STANDARD_INPUT {
             let path = Path::new(&self.setup);
             if path.extension().is_some_and(|kind| kind.eq_ignore_ascii_case("csv")) {
-                let message = "a table is no setup; a table of shots stands after --shots, one of points after --points";
+                let message =
+                    "a table is no setup; a table of shots stands after --shots, one of points after --points";
                 return Err(Error::Toml { file: self.setup.clone(), message: message.into() });
             }
             return SetupFile::open(path);
