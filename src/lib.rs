@@ -23,6 +23,9 @@
 //! assert!((carry.gradient[0] - 336.769746388603).abs() < 1e-8); // m per radian of loft
 //! ```
 //!
+//! A debug build should optimize the library, by `[profile.dev.package.longdrive] opt-level = 1` in the `Cargo.toml` of the program: without it, derivatives need more
+//! stack than a thread has.
+//!
 //! # Frame
 //! X up, Y right of the target line, Z downrange; right-handed. SI units and radians everywhere inside;
 //! degrees, mph and yards only in strings ([`units`]) and reports.

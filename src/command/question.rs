@@ -375,10 +375,18 @@ impl Question {
     fn file(&self) -> Result<SetupFile> {
         if self.setup != STANDARD_INPUT {
             let path = Path::new(&self.setup);
-            if path.extension().is_some_and(|kind| kind.eq_ignore_ascii_case("csv")) {
-                let message =
-                    "a table is no setup; a table of shots stands after --shots, one of points after --points";
-                return Err(Error::Toml { file: self.setup.clone(), message: message.into() });
+            let kind = path.extension().map(|kind| kind.to_ascii_lowercase());
+            if kind.is_some_and(|kind| TABLES.iter().any(|table| kind == *table)) {
+                let command = running().words().first().map(|word| word.to_string_lossy().into_owned());
+                let advice = match command.as_deref() {
+                    Some("delivery") => "; a table of shots stands after --shots",
+                    Some("sweep") => "; a table of points stands after --points",
+                    Some("optimize" | "design" | "pareto" | "robust") => "; a table of swings stands after --swings",
+                    Some("calibrate" | "fly") => "; the measured shots stand first, the setup after them",
+                    _ => "",
+                };
+                let message = format!("a table is no setup{advice}");
+                return Err(Error::Toml { file: self.setup.clone(), message });
             }
             return SetupFile::open(path);
         }
@@ -432,6 +440,9 @@ impl Question {
         Ok((setup, without_unit))
     }
 }
+
+/// How the names of tables end, lower case.
+const TABLES: [&str; 6] = ["arrow", "arrows", "csv", "feather", "jsonl", "parquet"];
 
 /// Whether it is a parameter of the integration.
 fn is_of_step(name: &str) -> bool {

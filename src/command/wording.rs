@@ -32,9 +32,12 @@ pub fn in_quotes(left_over: &str) -> Option<String> {
     let option = words[..left_over].iter().rposition(|word| word.starts_with("--"))?;
     let (name, begun) =
         words[option].split_once('=').map_or((&*words[option], None), |(name, value)| (name, Some(value)));
+    // a negative number is none
+    let is_option =
+        |word: &str| word.strip_prefix('-').is_some_and(|rest| !rest.starts_with(|c: char| c.is_ascii_digit()));
     let is_setup = |word: &str| Preset::named(word).is_some() || Path::new(word).exists();
     let further = words[option + 1..].iter().map(|word| &**word);
-    let further = further.take_while(|word| !word.starts_with("--") && !is_setup(word));
+    let further = further.take_while(|word| !is_option(word) && !is_setup(word));
     let pieces: Vec<&str> = begun.into_iter().chain(further).collect();
     let [number, unit, ..] = pieces[..] else { return None };
     let unit = unit.split(['.', ',', ':']).next().filter(|unit| !unit.is_empty())?;

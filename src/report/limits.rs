@@ -26,6 +26,21 @@ pub(super) struct Limit<'a> {
     pub at: &'a Constrained,
     /// The gradient of what is limited by what is varied.
     pub slopes: &'a [f64],
+    /// What is gained for each unit that it is relaxed; of an equation, that it is raised.
+    pub gain: f64,
+}
+
+impl<'a> Limit<'a> {
+    /// A limit whose multiplier is its price.
+    pub fn new(
+        by: (Quantity, &'static str),
+        range @ [low, high]: [f64; 2],
+        at: &'a Constrained,
+        slopes: &'a [f64],
+    ) -> Self {
+        let gain = if low == high { at.multiplier } else { at.multiplier.abs() };
+        Self { by, range, at, slopes, gain }
+    }
 }
 
 impl Sought {
@@ -40,7 +55,7 @@ impl Sought {
 
     /// "active: +0.52 yd for each degree that the limit is relaxed"; of two limits, which one.
     pub fn limit(self, limit: Limit<'_>, system: System) -> String {
-        let Limit { by, range: [low, high], at, slopes } = limit;
+        let Limit { by, range: [low, high], at, slopes, gain } = limit;
         let price = |amount: f64| self.price(amount, by, system);
         if low == high {
             let off = match system.unit(by.1) {
@@ -49,12 +64,11 @@ impl Sought {
             };
             // it holds an optimum whatever its price
             let price = match slopes.iter().any(|slope| *slope != 0.0) {
-                true => format!(", {} that the value is raised", price(at.multiplier)),
+                true => format!(", {} that the value is raised", price(gain)),
                 false => ", and nothing that is varied moves it".into(),
             };
             return format!("equality: off by {off}{}", if self.is_converged { &price } else { "" });
         }
-        let gain = at.multiplier.abs();
         match at.multiplier {
             _ if !self.is_converged => String::new(),
             0.0 => "not active".into(),

@@ -260,12 +260,12 @@ pub(super) fn constraint_in_words(optimum: &Optimum, j: usize, system: System) -
         sense: optimum.search.sense,
         is_converged: optimum.solution.status == Status::Converged,
     };
-    let limit = Limit {
-        by: (constraint.outcome.quantity(), constraint.outcome.unit()),
-        range: [constraint.low, constraint.high],
-        at: &optimum.solution.constraints[j],
-        slopes: optimum.solution.jacobian.get(j).map_or(&[], Vec::as_slice),
-    };
+    let limit = Limit::new(
+        (constraint.outcome.quantity(), constraint.outcome.unit()),
+        [constraint.low, constraint.high],
+        &optimum.solution.constraints[j],
+        optimum.solution.jacobian.get(j).map_or(&[], Vec::as_slice),
+    );
     sought.limit(limit, system)
 }
 

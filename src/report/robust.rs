@@ -5,7 +5,7 @@ use super::swings::{difference_text, scenarios, value_text};
 use super::table::table;
 use super::{Reply, json, shown};
 use crate::error::Result;
-use crate::optimize::Status;
+use crate::optimize::{Constrained, Status};
 use crate::parameters::Preset;
 use crate::study::Sense;
 use crate::study::swings::{Model, Robust, SwingsOptimum};
@@ -36,7 +36,7 @@ pub fn robust_reply(found: &Robust, within: Option<f64>, warnings: Vec<Message>,
         })
     };
     let multipliers = |i: usize| {
-        let (lower, upper) = (found.solution.lower_multipliers[i], found.solution.upper_multipliers[i]);
+        let [lower, upper] = found.bound_prices(i);
         (search.vary[i].parameter.name, Multipliers { lower, upper })
     };
     let swings = found.models.first().filter(|(_, best)| !best.scenarios.is_one_drive());
@@ -56,10 +56,14 @@ pub fn robust_reply(found: &Robust, within: Option<f64>, warnings: Vec<Message>,
     Reply::done("robust", warnings, body).ended(found.status(), Some(verdict(found, within, System::default())))
 }
 
-/// The limits of a model with the robust design; the multipliers are of the greatest loss.
+/// The limits of a model with the robust design, with what the greatest loss falls by.
 fn constraints(found: &Robust, model: usize) -> Vec<ConstraintReport> {
     let of_model = found.limits().filter(|(k, ..)| *k == model);
-    of_model.map(|(_, j, at, _)| ConstraintReport::of_goal(&found.search.subject_to[j], at)).collect()
+    let report = |(_, j, at, _): (usize, usize, &Constrained, &[f64])| {
+        let multiplier = found.limit_price(model, j, at);
+        ConstraintReport { multiplier, ..ConstraintReport::of_goal(&found.search.subject_to[j], at) }
+    };
+    of_model.map(report).collect()
 }
 
 /// Whether one design is good enough for all models.
@@ -121,8 +125,7 @@ pub fn robust_text(found: &Robust, within: Option<f64>, system: System) -> Strin
 
     let models = found.models.iter().enumerate().map(|(k, (model, best))| {
         let value = best.value().map_or(shown::NONE.into(), |value| value_text(goal, value, system));
-        let holds =
-            if found.shares[k] > IDLE { "; its loss is the greatest, and decides the robust design" } else { "" };
+        let holds = if found.shares[k] > IDLE { "; its loss decides the robust design" } else { "" };
         let reason = if model.reason.is_empty() { String::new() } else { format!(" ({})", model.reason) };
         item(&format!("{}: {}{reason}: {} at best {value}{holds}", k + 1, model.name, goal.expression))
     });
@@ -148,10 +151,12 @@ fn held_text(found: &Robust, system: System) -> String {
     let rows = search.vary.iter().enumerate().map(|(i, vary)| {
         let by = (vary.parameter.quantity, vary.parameter.unit);
         let (lower, upper) = (solution.lower_multipliers[i], solution.upper_multipliers[i]);
+        let [lower_price, upper_price] = found.bound_prices(i);
+        let price = if upper > 0.0 { upper_price } else { lower_price };
         let held = match () {
             () if vary.low == vary.high => "fixed".into(),
             () if !is_converged => String::new(),
-            () => limits::bound(lower, upper, |amount| sought.price(amount, by, system)),
+            () => limits::bound(lower, upper, |_| sought.price(price, by, system)),
         };
         let value = shown::within(vary, found.design[i], system);
         vec![vary.parameter.name.into(), value, shown::range(vary, system), held]
@@ -161,7 +166,8 @@ fn held_text(found: &Robust, system: System) -> String {
     let rows = found.limits().map(|(k, j, at, slopes)| {
         let limit = &search.subject_to[j];
         let by = (limit.goal.quantity, limit.goal.unit);
-        let of = Limit { by, range: [limit.low, limit.high], at, slopes };
+        let gain = found.limit_price(k, j, at);
+        let of = Limit { gain, ..Limit::new(by, [limit.low, limit.high], at, slopes) };
         let value = value_text(&limit.goal, at.value, system);
         vec![limit.expression.clone(), (k + 1).to_string(), value, sought.limit(of, system)]
     });

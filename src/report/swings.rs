@@ -226,7 +226,7 @@ fn limits_text(best: &SwingsOptimum, system: System) -> String {
     let solution = &best.solution;
     let rows = best.search.subject_to.iter().zip(&solution.constraints).enumerate().map(|(j, (limit, at))| {
         let slopes = solution.jacobian.get(j).map_or(&[][..], Vec::as_slice);
-        let of = Limit { by: (limit.goal.quantity, limit.goal.unit), range: [limit.low, limit.high], at, slopes };
+        let of = Limit::new((limit.goal.quantity, limit.goal.unit), [limit.low, limit.high], at, slopes);
         vec![limit.expression.clone(), sought(best).limit(of, system)]
     });
     let rows: Vec<_> = rows.filter(|row| !row[1].is_empty()).collect();

@@ -2,7 +2,8 @@
 //! for.
 
 use crate::common::{close, landing, mixed, panic_of};
-use longdrive::derivative::{Order, Taylor, evaluate, evaluate_with, gradient, hessian, jacobian};
+use longdrive::batch::Batch;
+use longdrive::derivative::{Evaluator, Order, Taylor, evaluate, evaluate_with, gradient, hessian, jacobian};
 use longdrive::number::{Jet, Number, Numbers};
 use longdrive::parameters::Parameter;
 use longdrive::report::{GradientReport, gradient_text};
@@ -315,4 +316,22 @@ fn exact_value_where_a_parameter_that_is_asked_for_is_unset() {
     let value = evaluate(&setup, &[Outcome::Carry], &[unset], Order::Value).unwrap()[0].value;
     let carry = Outcome::Carry.of(&Drive::new(&setup).unwrap()).unwrap();
     assert!((value - carry).abs() < 1e-12 * carry, "{value} {carry}");
+}
+
+/// Threads have 2 MiB, and README says that a debug build without optimization needs more. Optimized at level 1, all of this takes 135 KiB.
+#[test]
+fn regress_derivatives_need_little_stack() {
+    let work = || {
+        let setup = Setup::default();
+        let (two, all) =
+            (["club.loft", "swing.attack_angle"].map(|name| setup.variable(name).unwrap()), setup.variables());
+        for (wrt, order) in [(&two[..], Order::Second), (&all, Order::First)] {
+            let x: Vec<f64> = wrt.iter().map(|row| setup.value(row).unwrap()).collect();
+            let found = Evaluator::new(&setup, &[Outcome::Total], wrt, order).unwrap().at(&x).unwrap();
+            assert!(found[0].value > 200.0);
+        }
+        let batch = Batch::new(&setup, &two, &[Outcome::Total], &two).unwrap();
+        assert!(batch.evaluate(0, vec![0.17, 0.0, 0.2, 0.0]).outcome(1, 0).is_some());
+    };
+    std::thread::Builder::new().stack_size(512 << 10).spawn(work).unwrap().join().unwrap();
 }

@@ -88,15 +88,17 @@ fn differences_of_the_greatest_loss_are_the_prices_of_what_holds_a_robust_design
     let models = found["models"].as_array().unwrap();
     let prices: Vec<f64> = models.iter().map(least).collect();
     assert!(prices.iter().any(|price| *price > 1e-3), "{found:#}");
-    // each model's own best moves with the limit too: its loss is beside it
-    let value = |found: &Value, k: usize| number(&found["models"][k]["value"]) - number(&found["models"][k]["loss"]);
-    let [tight, loose] = [tight, loose].map(|args| json(&as_text(&args)).1);
-    let shares: Vec<f64> = models.iter().map(|model| number(&model["share"])).collect();
-    let gain: f64 = (0..models.len()).map(|k| shares[k] * (value(&loose, k) - value(&tight, k))).sum();
-    close(prices.iter().sum(), gain / (0.2 * 0.9144), 1.0, 2e-2, "gain of carry for a metre of apex");
+    let [tight, loose] = [tight, loose].map(|args| number(&json(&as_text(&args)).1["greatest_loss"]));
+    close(
+        prices.iter().sum(),
+        (tight - loose) / (0.2 * 0.9144),
+        1.0,
+        2e-2,
+        "fall of the greatest loss for a metre of apex",
+    );
     let text = told(&as_text(&[args, vec!["-q".into()]].concat()));
     assert!(text.contains("apex_height <= 30 yd 1 ") && text.contains("that the limit is relaxed"), "{text}");
-    assert!(text.contains("its loss is the greatest, and decides the robust design"), "{text}");
+    assert!(text.contains("its loss decides the robust design"), "{text}");
 
     // by default the attack angle is at its upper bound
     let of_attack = |high: &str| {
@@ -106,10 +108,7 @@ fn differences_of_the_greatest_loss_are_the_prices_of_what_holds_a_robust_design
     };
     let (found, text) = of_attack("5deg");
     assert!(text.contains("at its upper bound: "), "{text}");
-    assert!(
-        number(&found["multipliers"]["swing.attack_angle"]["upper"]) >= 0.0
-            && found["models"][0]["constraints"] == Value::Array(vec![])
-    );
+    assert_eq!(found["models"][0]["constraints"], Value::Array(vec![]));
 }
 
 #[test]

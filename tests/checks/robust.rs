@@ -175,3 +175,29 @@ fn a_search_that_is_stopped_says_how_far_it_was() {
         "{early}"
     );
 }
+
+/// The price of a bound and of a limit: what the greatest loss falls by where it is moved, with the best of each model moving too.
+#[test]
+fn differences_of_the_greatest_loss_are_the_prices_of_its_bounds_and_limits() {
+    let asked = |loft: f64, attack: f64, apex: f64| {
+        let vary =
+            [format!("--vary=club.loft=4deg..{loft}deg"), format!("--vary=swing.attack_angle=-5deg..{attack}deg")];
+        let limit = format!("--subject-to=apex_height <= {apex} m");
+        let models = ["--model=ball.mass=44 g", "--model=swing.speed=108 mph"];
+        let (status, found) = json(&["robust", "modern-driver", &vary[0], &vary[1], &limit, models[0], models[1]]);
+        assert_eq!(status, 0, "{found}");
+        found
+    };
+    let greatest = |loft, attack, apex| number(&asked(loft, attack, apex)["greatest_loss"]);
+    let found = asked(20.0, 3.0, 33.0);
+    let price = number(&found["multipliers"]["swing.attack_angle"]["upper"]);
+    let by = 0.02;
+    let falls = (greatest(20.0, 3.0 - by, 33.0) - greatest(20.0, 3.0 + by, 33.0)) / (2.0 * by).to_radians();
+    close(price, falls, falls.abs(), 1e-5, "bound: the bests gain more by it, so that the greatest loss rises");
+    assert!(price < 0.0, "{price}");
+    let limits = found["models"].as_array().unwrap().iter().map(|model| number(&model["constraints"][0]["multiplier"]));
+    let price: f64 = limits.sum();
+    let falls = (greatest(20.0, 3.0, 33.0 - by) - greatest(20.0, 3.0, 33.0 + by)) / (2.0 * by);
+    close(price, falls, falls.abs(), 1e-5, "limit");
+    assert!(price > 0.0, "{price}");
+}

@@ -120,6 +120,25 @@ impl Robust {
         limits.map(move |(i, (at, slopes))| (i / each, i % each - 1, at, &slopes[..]))
     }
 
+    /// What the greatest loss falls by for each unit that the lower bound of a variable is lowered, and that its upper one is raised: their multipliers, less
+    /// what the best design of each model alone gains by it, as far as that model decides.
+    pub fn bound_prices(&self, variable: usize) -> [f64; 2] {
+        let price = |multipliers: fn(&Solution) -> &[f64]| {
+            let of_bests = self.shares.iter().zip(&self.models);
+            let gained = of_bests.map(|(share, (_, best))| share * multipliers(&best.solution)[variable]);
+            multipliers(&self.solution)[variable] - gained.sum::<f64>()
+        };
+        [price(|found| &found.lower_multipliers), price(|found| &found.upper_multipliers)]
+    }
+
+    /// The same of a limit of a model, as [`limits`](Self::limits) numbers them, for each unit that it is relaxed; of an equation, that it is raised.
+    pub fn limit_price(&self, model: usize, limit: usize, at: &Constrained) -> f64 {
+        let is_equation = self.search.subject_to[limit].low == self.search.subject_to[limit].high;
+        let of_best = self.models[model].1.solution.constraints.get(limit).map_or(0.0, |best| best.multiplier);
+        let price = at.multiplier - self.shares[model] * of_best;
+        if !is_equation && at.multiplier < 0.0 { -price } else { price }
+    }
+
     /// The greatest loss.
     pub fn greatest(&self) -> f64 {
         self.losses.iter().copied().fold(f64::NEG_INFINITY, f64::max)
