@@ -35,6 +35,7 @@ pub fn run(args: &DesignArgs) -> Result<Answer> {
         &|| Ok((Goal::read(GOAL, None)?, Sense::Maximize)),
         &usual_vary,
     )?;
+    search.question.tell_of_the_start(&setup, &asked.vary);
     if search.search.maximize.is_none() && search.search.minimize.is_none() {
         notes.push(format!(
             "nothing was asked for: the design with the largest {GOAL} is sought; another: --maximize GOAL"

@@ -61,6 +61,7 @@ fn followed(question: &Question, asked: &ParetoAsked) -> Result<Followed> {
         if asked.swings.is_given() { over_swings(question, asked)? } else { of_one_drive(question, asked)? };
     let outcomes: Vec<Outcome> = search.goals.iter().flat_map(|(goal, _)| goal.outcomes()).collect();
     tell_of_the_run(&outcomes);
+    question.tell_of_the_start(&setup, &search.vary);
     let setup = question.for_many(setup, &ranges(&search.vary, &scenarios))?;
     let spinner = spinner("following the front");
     // a line now and then: most searches are done before it could be read

@@ -39,7 +39,9 @@ impl Question {
 
     /// The setup of a search that varies parameters within ranges, `NAME=LOW..HIGH`: one of them without a value begins in the middle.
     pub fn setup_varied<'a>(&self, ranges: impl IntoIterator<Item = &'a String>) -> Result<Setup<f64>> {
-        self.varied(self.setup()?, ranges)
+        let setup = self.setup_of_points()?;
+        self.refuse_idle_back(&setup, &[])?;
+        self.varied(setup, ranges)
     }
 
     /// This setup, with a value of each parameter of these ranges that has none in it.
@@ -64,7 +66,7 @@ impl Question {
                 let (set, [low, high]) = (range.start(setup), [range.low, range.high]);
                 let start = parameter_text(range.parameter, set.clamp(low, high), system());
                 let moved = if (low..=high).contains(&set) { "" } else { ", the end of its range" };
-                tell(&format!("note: {name} is varied; the search begins at {start}{moved}"));
+                tell(&format!("note: {name} is varied; the search from the setup begins at {start}{moved}"));
             }
         }
     }

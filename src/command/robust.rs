@@ -22,6 +22,7 @@ pub fn run(args: &RobustArgs) -> Result<Answer> {
     let output = args.output.as_ref().map(|file| rule.setup_file(file)).transpose()?;
     let (setup, search, scenarios) = args.asked()?;
     let within = args.within(&search.of)?;
+    args.question.tell_of_the_start(&setup, &search.vary);
     let ranges = ranges(&search.vary, &scenarios);
     let models = args.models(&setup, &search, &scenarios)?;
     let flown = |model: Model| Ok(Model { setup: args.question.for_many(model.setup, &ranges)?, ..model });

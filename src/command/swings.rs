@@ -159,6 +159,7 @@ pub fn run(args: &Optimize) -> Result<Answer> {
     let asked = &args.swings;
     let (setup, swings, scenarios) = asked.taken(&args.question, true)?;
     let search = searched(&args.search, asked, &args.question.varied(setup, &args.search.vary)?)?;
+    args.question.tell_of_the_start(&setup, &search.vary);
     let found = found(args, Asked { setup, swings, scenarios, search })?;
     interrupt::ends();
     let answer = if args.question.json { Answer::json(&found.reply()) } else { Answer::text(found.text()) };

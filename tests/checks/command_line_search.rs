@@ -36,19 +36,51 @@ fn exact_constraints_and_starts_as_json() {
 /// What is set and varied too is where the search begins, within its range.
 #[test]
 fn a_value_that_is_set_of_a_variable_is_told_as_the_start() {
-    for (set, told) in [
-        ("club.loft=10deg", "note: club.loft is varied; the search begins at 10°\n"),
-        ("club.loft=25deg", "note: club.loft is varied; the search begins at 20°, the end of its range\n"),
-        ("swing.speed=100mph", ""),
-    ] {
-        let said = longdrive(&["optimize", "--set", set, "--max-iterations", "1"]);
-        let note: String =
-            said.err.lines().filter(|line| line.starts_with("note: ")).map(|line| line.to_owned() + "\n").collect();
-        assert_eq!(note, told, "{set}");
+    let notes = |args: &[&str]| -> Vec<String> {
+        let said = longdrive(args);
+        assert!([0, 1].contains(&said.status), "{}", said.err);
+        said.err.lines().filter(|line| line.contains("begins at")).map(str::to_owned).collect()
+    };
+    for (set, start, moved) in [("club.loft=10deg", "10°", ""), ("club.loft=25deg", "20°", ", the end of its range")]
+    {
+        let args = ["optimize", "--set", set, "--max-iterations", "1"];
+        assert_eq!(
+            notes(&args),
+            [format!("note: club.loft is varied; the search from the setup begins at {start}{moved}")]
+        );
         // the first line of the progress has the point that the search begins at
-        let start = told.split("begins at ").nth(1).map_or("", |end| end.split('°').next().unwrap());
-        assert!(said.err.contains(&format!("club.loft {start}")), "{set}: {}", said.err);
+        let first = format!("club.loft {}.000000°", start.trim_end_matches('°'));
+        assert!(longdrive(&args).err.contains(&first), "{set}");
     }
+    assert_eq!(notes(&["optimize", "--set", "swing.speed=100mph", "--max-iterations", "1"]), [""; 0]);
+    // as of every search
+    let loft = "--vary=club.loft=4deg..20deg";
+    for args in [
+        &["robust", "--set=club.loft=10deg", loft, "--model=ball.mass=44g"][..],
+        &["pareto", "--set=club.loft=10deg", loft, "--maximize=carry", "--minimize=apex_height", "--points=3"],
+        &["design", "--set=club.loft=10deg", loft, "--scenarios=4", "--max-iterations=1"],
+        &[
+            "optimize",
+            "--set=club.loft=10deg",
+            loft,
+            "--distribution=swing.speed=normal(110mph,3mph)",
+            "--max-iterations=1",
+        ],
+    ] {
+        assert_eq!(notes(args), ["note: club.loft is varied; the search from the setup begins at 10°"], "{args:?}");
+    }
+}
+
+/// The one of two that belong together may be what is varied.
+#[test]
+fn a_wind_is_whole_whose_direction_is_varied() {
+    let range = "--vary=wind.from=0deg..180deg";
+    let (status, found) = json(&["optimize", range, "--set=wind.speed=10mph"]);
+    // a tail wind carries farthest
+    assert_eq!((status, found["status"].as_str()), (0, Some("converged")), "{found}");
+    close(number(&found["optimum"]["wind.from"]), std::f64::consts::PI, 1.0, 1e-9, "direction");
+    let said = longdrive(&["optimize", "--set=wind.speed=10mph"]);
+    assert!(said.status == 2 && said.err.contains("wind.speed is given without wind.from"), "{}", said.err);
 }
 
 /// An equation that nothing moves has no price: lateral is 0 for every straight drive.
