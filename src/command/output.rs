@@ -1,6 +1,6 @@
 use super::host::Kind;
 use super::running::running;
-use super::wording::in_quotes;
+use super::wording::advice_on;
 use crate::report::{Empty, Reply};
 use crate::units::{Message, System};
 use crate::{Error, Result};
@@ -131,7 +131,7 @@ fn in_own_words(error: &mut clap::Error) {
         _ => false,
     };
     let tip = if !argument.starts_with('-') {
-        in_quotes(argument)
+        advice_on(argument)
     } else if !is_taken_for_a_setup {
         None
     } else if argument.starts_with("--") {

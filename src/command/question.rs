@@ -1,4 +1,4 @@
-use super::wording::in_quotes;
+use super::wording::advice_on;
 use crate::command::args::{OwnLaw, Question};
 use crate::command::output::{system, tell, warn_early};
 use crate::command::running::running;
@@ -420,21 +420,14 @@ impl Question {
     /// The setup without the overrides, and the parameters that its file gives without a unit.
     fn base(&self) -> Result<(Setup<f64>, Vec<&'static Parameter>)> {
         let path = Path::new(&self.setup);
-        let looks_like_a_file = self.setup == STANDARD_INPUT
-            || path.exists()
-            || self.setup.contains(['/', '\\'])
-            || path.extension().is_some();
+        let is_named_like_a_file = self.setup.contains(['/', '\\']) || path.extension().is_some();
+        let looks_like_a_file =
+            self.setup == STANDARD_INPUT || path.exists() || is_named_like_a_file && !self.setup.contains('=');
         if Preset::named(&self.setup).is_some() || !looks_like_a_file {
             return Setup::preset(&self.setup).map(|setup| (setup, vec![])).map_err(|_| {
                 let names = PRESETS.iter().map(|preset| preset.name);
-                let mut advice = format!("a setup is a preset ({}) or a TOML file", Preset::names());
-                if self.tolerance.is_some() && Quantity::LENGTH.read(&self.setup).is_ok() {
-                    let tolerance = self.setup.replace(' ', "");
-                    advice = format!("a tolerance is joined to its option by '=', as in --tolerance={tolerance}");
-                }
-                if let Some(quoted) = in_quotes(&self.setup) {
-                    advice = quoted;
-                }
+                let usual = || format!("a setup is a preset ({}) or a TOML file", Preset::names());
+                let advice = advice_on(&self.setup).unwrap_or_else(usual);
                 Error::unknown("setup", &self.setup, names, advice)
             });
         }

@@ -2,7 +2,7 @@
 
 use super::running::running;
 use crate::error::Error;
-use crate::parameters::Preset;
+use crate::parameters::{Preset, Setup};
 use crate::units::Quantity;
 use std::path::Path;
 
@@ -24,8 +24,32 @@ fn option(doing: &str) -> Option<&'static str> {
     }
 }
 
-/// What to do about a word that is left over, where the shell parted a value before it at its spaces: `90` and `mph` of `--set swing.speed=90 mph`.
-pub fn in_quotes(left_over: &str) -> Option<String> {
+/// What to do about a word that is left over: why it is not where it belongs.
+pub fn advice_on(left_over: &str) -> Option<String> {
+    in_quotes(left_over).or_else(|| joined(left_over)).or_else(|| after_an_option(left_over))
+}
+
+/// A length behind `--tolerance` that is not joined to it.
+fn joined(left_over: &str) -> Option<String> {
+    let running = running();
+    let is_behind = running.words().windows(2).any(|words| words[0] == "--tolerance" && words[1] == left_over);
+    let is_length = Quantity::LENGTH.read(left_over).is_ok();
+    let tolerance = left_over.replace(' ', "");
+    (is_behind && is_length)
+        .then(|| format!("a tolerance is joined to its option by '=', as in --tolerance={tolerance}"))
+}
+
+/// The value of a parameter without an option of its own.
+fn after_an_option(left_over: &str) -> Option<String> {
+    let (name, value) = left_over.split_once('=')?;
+    let is_parameter = Setup::default().parameter(name.trim()).is_ok();
+    let option = if value.contains("..") { "--vary or --over" } else { "--set" };
+    (is_parameter && !Path::new(left_over).exists())
+        .then(|| format!("every value stands after an option of its own, here {option}"))
+}
+
+/// A word behind an option, where the shell parted a value before it at its spaces: `90` and `mph` of `--set swing.speed=90 mph`.
+fn in_quotes(left_over: &str) -> Option<String> {
     let running = running();
     let words: Vec<_> = running.words().iter().map(|word| word.to_string_lossy()).collect();
     let left_over = words.iter().position(|word| *word == left_over)?;

@@ -228,6 +228,18 @@ fn bad_input_gets_status_two_and_a_message_that_helps() {
                 "stands in quotes, as in --launch \"ball_speed=160 mph,launch_angle=11deg,backspin=2600rpm\"",
             ],
         ),
+        (
+            vec!["simulate", "mae494", "--tolerance", "1mm"],
+            vec!["joined to its option by '=', as in --tolerance=1mm\n"],
+        ),
+        (
+            vec!["simulate", "--set", "swing.speed=103mph", "club.loft=10deg"],
+            vec!["every value stands after an option of its own, here --set"],
+        ),
+        (
+            vec!["optimize", "mae494", "--vary", "club.loft=4deg..20deg", "swing.attack_angle=-5deg..5deg"],
+            vec!["every value stands after an option of its own, here --vary or --over"],
+        ),
         (vec!["delivery", "examples/shots.csv"], vec!["examples/shots.csv: a table is no setup", "--shots"]),
         (vec!["optimize", "examples/deliveries.csv"], vec!["a table is no setup", "--swings"]),
         (vec!["simulate", "drives.parquet"], vec!["drives.parquet: a table is no setup\n"]),
