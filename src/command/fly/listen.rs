@@ -61,12 +61,12 @@ pub fn run(args: &Fly, port: u16) -> Result<Answer> {
         Some(setup) => Question { setup: setup.display().to_string(), ..args.question.clone() },
         None => args.question.clone(),
     };
-    let of = asked(args)?;
     let setup = setup(&question, "the messages").map_err(|error| match (&args.shots, error) {
         (Some(shots), Error::Toml { message, .. }) => both_given(shots, &message),
         (_, error) => error,
     })?;
     question.refuse_replaced(&setup, &[])?;
+    let of = asked(args)?;
     let flying = followed(&question, &setup, &of, |setup| Flying::of_messages(setup, &of))?;
     let warnings = setup.warnings();
     warn(&warnings);

@@ -33,7 +33,6 @@ fn fly(args: &Fly) -> Result<Answer> {
         let source = format!("it is a setup; the shots come first, as in longdrive fly shots.csv {}", file.display());
         return Err(Error::Unreadable { name: file.display().to_string(), source: source.into() });
     }
-    let of = asked(args)?;
     let setup = setup(&args.question, &format!("the rows of {}", file.display()))?;
     let target = Target::new(args, file)?;
     let stop = interrupt::stops("stopping after the rows under way");
@@ -42,6 +41,8 @@ fn fly(args: &Fly) -> Result<Answer> {
         shots.in_given_air();
     }
     args.question.refuse_twice(&setup, shots.further(), "every row has a value of its own")?;
+    // it has something to tell: after what may be refused
+    let of = asked(args)?;
     args.question.refuse_replaced(&setup, shots.further())?;
     let flying = followed(&args.question, &setup, &of, |setup| Flying::new(setup, &shots, &of))?;
     let is_on_their_ground = args.question.gives_ground()?;
