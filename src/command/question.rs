@@ -1,7 +1,7 @@
-use super::wording::advice_on;
 use crate::command::args::{OwnLaw, Question};
 use crate::command::output::{system, tell, warn_early};
 use crate::command::running::running;
+use crate::command::wording::{advice_on, no_setup};
 use crate::parameters::{
     GOLFER, Law, METHOD, PRESETS, Parameter, Preset, SPEED_OF, SetupFile, TABLE, Vary, follows_from, is_taken_back,
     is_unset,
@@ -377,17 +377,7 @@ impl Question {
     fn file(&self) -> Result<SetupFile> {
         if self.setup != STANDARD_INPUT {
             let path = Path::new(&self.setup);
-            let kind = path.extension().map(|kind| kind.to_ascii_lowercase());
-            if kind.is_some_and(|kind| TABLES.iter().any(|table| kind == *table)) {
-                let command = running().words().first().map(|word| word.to_string_lossy().into_owned());
-                let advice = match command.as_deref() {
-                    Some("delivery") => "; a table of shots stands after --shots",
-                    Some("sweep") => "; a table of points stands after --points",
-                    Some("optimize" | "design" | "pareto" | "robust") => "; a table of swings stands after --swings",
-                    Some("calibrate" | "fly") => "; the measured shots stand first, the setup after them",
-                    _ => "",
-                };
-                let message = format!("a table is no setup{advice}");
+            if let Some(message) = no_setup(path) {
                 return Err(Error::Toml { file: self.setup.clone(), message });
             }
             return SetupFile::open(path);
@@ -435,9 +425,6 @@ impl Question {
         Ok((setup, without_unit))
     }
 }
-
-/// How the names of tables end, lower case.
-const TABLES: [&str; 6] = ["arrow", "arrows", "csv", "feather", "jsonl", "parquet"];
 
 /// Whether it is a parameter of the integration.
 fn is_of_step(name: &str) -> bool {

@@ -1,4 +1,4 @@
-//! What the program adds to messages of the library: the option to give, and the quotes.
+//! What the program adds to messages of the library and of the reader of arguments: the option to give, and where a word belongs.
 
 use super::running::running;
 use crate::error::Error;
@@ -37,6 +37,26 @@ fn joined(left_over: &str) -> Option<String> {
     let tolerance = left_over.replace(' ', "");
     (is_behind && is_length)
         .then(|| format!("a tolerance is joined to its option by '=', as in --tolerance={tolerance}"))
+}
+
+/// How the names of tables end, lower case.
+const TABLES: [&str; 6] = ["arrow", "arrows", "csv", "feather", "jsonl", "parquet"];
+
+/// What to do about a file in the place of a setup that is none by its name, with the option of the command for it.
+pub fn no_setup(file: &Path) -> Option<String> {
+    let kind = file.extension()?.to_ascii_lowercase();
+    if !TABLES.iter().any(|table| kind == *table) {
+        return None;
+    }
+    let running = running();
+    let advice = match running.words().first().and_then(|command| command.to_str()) {
+        Some("delivery") => "; a table of shots stands after --shots",
+        Some("sweep") => "; a table of points stands after --points",
+        Some("optimize" | "design" | "pareto" | "robust") => "; a table of swings stands after --swings",
+        Some("calibrate" | "fly") => "; the measured shots stand first, the setup after them",
+        _ => "",
+    };
+    Some(format!("a table is no setup{advice}"))
 }
 
 /// The value of a parameter without an option of its own.

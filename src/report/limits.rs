@@ -81,12 +81,13 @@ impl Sought {
     }
 }
 
-/// "at its upper bound: +2.11 yd for each degree that it is raised" by the multipliers of a parameter's bounds; `price` says what a unit brings.
-pub(super) fn bound(lower: f64, upper: f64, price: impl Fn(f64) -> String) -> String {
+/// "at its upper bound: +2.11 yd for each degree that it is raised" by the multipliers of a parameter's lower and upper bound, and by their prices, of which
+/// `shown` says what a unit brings.
+pub(super) fn bound([lower, upper]: [f64; 2], prices: [f64; 2], shown: impl Fn(f64) -> String) -> String {
     if upper > 0.0 {
-        format!("at its upper bound: {} that it is raised", price(upper))
+        format!("at its upper bound: {} that it is raised", shown(prices[1]))
     } else if lower > 0.0 {
-        format!("at its lower bound: {} that it is lowered", price(lower))
+        format!("at its lower bound: {} that it is lowered", shown(prices[0]))
     } else {
         "free".into()
     }

@@ -355,7 +355,7 @@ pub(super) fn bound_in_words(optimum: &Optimum, i: usize, system: System) -> Str
     } else if optimum.is_idle(i) {
         "no effect".into()
     } else {
-        limits::bound(lower, upper, price)
+        limits::bound([lower, upper], [lower, upper], price)
     }
 }
 

@@ -150,13 +150,11 @@ fn held_text(found: &Robust, system: System) -> String {
     };
     let rows = search.vary.iter().enumerate().map(|(i, vary)| {
         let by = (vary.parameter.quantity, vary.parameter.unit);
-        let (lower, upper) = (solution.lower_multipliers[i], solution.upper_multipliers[i]);
-        let [lower_price, upper_price] = found.bound_prices(i);
-        let price = if upper > 0.0 { upper_price } else { lower_price };
+        let multipliers = [solution.lower_multipliers[i], solution.upper_multipliers[i]];
         let held = match () {
             () if vary.low == vary.high => "fixed".into(),
             () if !is_converged => String::new(),
-            () => limits::bound(lower, upper, |_| sought.price(price, by, system)),
+            () => limits::bound(multipliers, found.bound_prices(i), |amount| sought.price(amount, by, system)),
         };
         let value = shown::within(vary, found.design[i], system);
         vec![vary.parameter.name.into(), value, shown::range(vary, system), held]

@@ -156,14 +156,14 @@ pub fn swings_text(
     let design = own.enumerate().map(|(i, parameter)| {
         let vary = &search.vary[i];
         let nominal = nominal.map_or(shown::NONE.into(), |nominal| shown::within(vary, nominal.design[i], system));
-        let (lower, upper) = (solution.lower_multipliers[i], solution.upper_multipliers[i]);
+        let multipliers = [solution.lower_multipliers[i], solution.upper_multipliers[i]];
         let bound = match () {
             () if vary.low == vary.high => "fixed".into(),
             () if !sought.is_converged => String::new(),
             () if best.is_idle(i) => "no effect".into(),
-            () => {
-                limits::bound(lower, upper, |amount| sought.price(amount, (parameter.quantity, parameter.unit), system))
-            }
+            () => limits::bound(multipliers, multipliers, |amount| {
+                sought.price(amount, (parameter.quantity, parameter.unit), system)
+            }),
         };
         vec![
             parameter.name.into(),

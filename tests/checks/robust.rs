@@ -179,25 +179,32 @@ fn a_search_that_is_stopped_says_how_far_it_was() {
 /// The price of a bound and of a limit: what the greatest loss falls by where it is moved, with the best of each model moving too.
 #[test]
 fn differences_of_the_greatest_loss_are_the_prices_of_its_bounds_and_limits() {
-    let asked = |loft: f64, attack: f64, apex: f64| {
-        let vary =
-            [format!("--vary=club.loft=4deg..{loft}deg"), format!("--vary=swing.attack_angle=-5deg..{attack}deg")];
-        let limit = format!("--subject-to=apex_height <= {apex} m");
+    let asked = |attack: f64, limit: &str| {
+        let vary = format!("--vary=swing.attack_angle=-5deg..{attack}deg");
         let models = ["--model=ball.mass=44 g", "--model=swing.speed=108 mph"];
-        let (status, found) = json(&["robust", "modern-driver", &vary[0], &vary[1], &limit, models[0], models[1]]);
+        let args = ["robust", "modern-driver", "--vary=club.loft=4deg..20deg", &vary, "--subject-to", limit];
+        let (status, found) = json(&[&args[..], &models].concat());
         assert_eq!(status, 0, "{found}");
         found
     };
-    let greatest = |loft, attack, apex| number(&asked(loft, attack, apex)["greatest_loss"]);
-    let found = asked(20.0, 3.0, 33.0);
-    let price = number(&found["multipliers"]["swing.attack_angle"]["upper"]);
-    let by = 0.02;
-    let falls = (greatest(20.0, 3.0 - by, 33.0) - greatest(20.0, 3.0 + by, 33.0)) / (2.0 * by).to_radians();
-    close(price, falls, falls.abs(), 1e-5, "bound: the bests gain more by it, so that the greatest loss rises");
+    let greatest = |attack: f64, limit: &str| number(&asked(attack, limit)["greatest_loss"]);
+    let (limit, by) = ("apex_height <= 33 m", 0.02);
+    let price = number(&asked(3.0, limit)["multipliers"]["swing.attack_angle"]["upper"]);
+    let falls = (greatest(3.0 - by, limit) - greatest(3.0 + by, limit)) / (2.0 * by).to_radians();
+    close(price, falls, falls.abs(), 1e-5, "bound");
+    // the bests gain more by it, so that the greatest loss rises
     assert!(price < 0.0, "{price}");
-    let limits = found["models"].as_array().unwrap().iter().map(|model| number(&model["constraints"][0]["multiplier"]));
-    let price: f64 = limits.sum();
-    let falls = (greatest(20.0, 3.0, 33.0 - by) - greatest(20.0, 3.0, 33.0 + by)) / (2.0 * by);
-    close(price, falls, falls.abs(), 1e-5, "limit");
-    assert!(price > 0.0, "{price}");
+    for (limit, unit, relaxed) in [("apex_height <= 33", "m", 1.0), ("descent_angle >= 42", "deg", -1.0)] {
+        let moved = |by: f64| {
+            let (name, at) = limit.rsplit_once(' ').unwrap();
+            format!("{name} {} {unit}", at.parse::<f64>().unwrap() + relaxed * by)
+        };
+        let found = asked(3.0, &moved(0.0));
+        let of_models = found["models"].as_array().unwrap().iter();
+        let price: f64 = of_models.map(|model| number(&model["constraints"][0]["multiplier"])).sum();
+        let size = if unit == "deg" { by.to_radians() } else { by };
+        let falls = (greatest(3.0, &moved(-by)) - greatest(3.0, &moved(by))) / (2.0 * size);
+        close(price, falls, falls.abs(), 1e-4, limit);
+        assert!(price.abs() > 1e-3, "{limit}: {price}");
+    }
 }

@@ -135,8 +135,12 @@ impl Robust {
     pub fn limit_price(&self, model: usize, limit: usize, at: &Constrained) -> f64 {
         let is_equation = self.search.subject_to[limit].low == self.search.subject_to[limit].high;
         let of_best = self.models[model].1.solution.constraints.get(limit).map_or(0.0, |best| best.multiplier);
-        let price = at.multiplier - self.shares[model] * of_best;
-        if !is_equation && at.multiplier < 0.0 { -price } else { price }
+        match at.multiplier {
+            own if is_equation => own - self.shares[model] * of_best,
+            // of two limits, the best design keeps to the other one
+            own if own * of_best < 0.0 => own.abs(),
+            own => own.abs() - self.shares[model] * of_best.abs(),
+        }
     }
 
     /// The greatest loss.
