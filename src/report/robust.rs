@@ -154,7 +154,13 @@ fn held_text(found: &Robust, system: System) -> String {
         let held = match () {
             () if vary.low == vary.high => "fixed".into(),
             () if !is_converged => String::new(),
-            () => limits::bound(multipliers, found.bound_prices(i), |amount| sought.price(amount, by, system)),
+            () => {
+                let prices = found.bound_prices(i);
+                let [lower, upper] = prices.map(|price| of_the_bests(multipliers, sought.price(price, by, system)));
+                limits::bound(multipliers, prices, |amount| sought.price(amount, by, system))
+                    + &lower.map_or(String::new(), |price| format!("; {price} that its lower bound is lowered"))
+                    + &upper.map_or(String::new(), |price| format!("; {price} that its upper bound is raised"))
+            }
         };
         let value = shown::within(vary, found.design[i], system);
         vec![vary.parameter.name.into(), value, shown::range(vary, system), held]
@@ -167,7 +173,9 @@ fn held_text(found: &Robust, system: System) -> String {
         let gain = found.limit_price(k, j, at);
         let of = Limit { gain, ..Limit::new(by, [limit.low, limit.high], at, slopes) };
         let value = value_text(&limit.goal, at.value, system);
-        vec![limit.expression.clone(), (k + 1).to_string(), value, sought.limit(of, system)]
+        let bests = of_the_bests([at.multiplier; 2], sought.price(gain, by, system)).filter(|_| is_converged);
+        let bests = bests.map_or(String::new(), |price| format!("; {price} that the limit is relaxed"));
+        vec![limit.expression.clone(), (k + 1).to_string(), value, sought.limit(of, system) + &bests]
     });
     let rows: Vec<_> = rows.collect();
     if !rows.is_empty() {
@@ -175,6 +183,11 @@ fn held_text(found: &Robust, system: System) -> String {
             &format!("\n{}", table(&["subject to", "model", "value", "change of the greatest loss"], &[1, 2], rows));
     }
     text
+}
+
+/// The price of what does not hold the design, where the best designs of the models gain by it.
+fn of_the_bests(multipliers: [f64; 2], price: String) -> Option<String> {
+    Some(price).filter(|price| multipliers == [0.0; 2] && !price.starts_with("0 "))
 }
 
 /// The setup with the robust design as a setup file in TOML, to the last digit.

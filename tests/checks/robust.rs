@@ -202,6 +202,37 @@ fn differences_of_the_greatest_loss_are_the_prices_of_its_bounds_and_limits() {
         let found = asked(3.0, &moved(0.0));
         let of_models = found["models"].as_array().unwrap().iter();
         let price: f64 = of_models.map(|model| number(&model["constraints"][0]["multiplier"])).sum();
+        if unit == "deg" {
+            // the text has the part of the model that keeps to the limit at its own best alone
+            let bests: Vec<_> = found["models"]
+                .as_array()
+                .unwrap()
+                .iter()
+                .map(|model| number(&model["constraints"][0]["multiplier"]))
+                .collect();
+            assert!(bests[1] < -1.0 && bests[2] > 1.0, "{bests:?}");
+            let args = [
+                "robust",
+                "-q",
+                "modern-driver",
+                "--vary=club.loft=4deg..20deg",
+                "--vary=swing.attack_angle=-5deg..3deg",
+            ];
+            let said = longdrive(
+                &[
+                    &args[..],
+                    &[
+                        "--subject-to",
+                        "descent_angle >= 42 deg",
+                        "--model=ball.mass=44 g",
+                        "--model=swing.speed=108 mph",
+                    ],
+                ]
+                .concat(),
+            );
+            let told = said.out.split_whitespace().collect::<Vec<_>>().join(" ");
+            assert!(told.contains("not active; +0.67 yd for each degree that the limit is relaxed"), "{}", said.out);
+        }
         let size = if unit == "deg" { by.to_radians() } else { by };
         let falls = (greatest(3.0, &moved(-by)) - greatest(3.0, &moved(by))) / (2.0 * size);
         close(price, falls, falls.abs(), 1e-4, limit);
