@@ -1,16 +1,12 @@
 //! What the optimizer itself costs, without the functions: the published problems of `tests/problems` from their published
-//! starts, each a second time with the evaluations of the first copied from a list; and the problems of many variables of
-//! `tests/problems/scalable.rs`, with their functions. `cargo bench --bench optimizer`.
+//! starts, each a second time with the evaluations of the first copied from a list. `cargo bench --bench optimizer`.
 
 #[expect(dead_code, reason = "published optima and points are for the tests")]
 #[path = "../tests/problems/mod.rs"]
 mod problems;
-#[path = "../tests/problems/scalable.rs"]
-mod scalable;
 
-use longdrive::optimize::{Domain, Evaluation, Exact, Observer, Options, Solution, minimize, minimize_sparse};
+use longdrive::optimize::{Domain, Evaluation, Exact, Options, Solution, minimize};
 use problems::Case;
-use scalable::{Scalable, bryson_denham, chained_rosenbrock, double_wells, hanging_chain, membrane};
 use std::cell::{Cell, RefCell};
 use std::time::{Duration, Instant};
 
@@ -75,24 +71,6 @@ fn print(what: &str, all: &[Measured], is_one: impl Fn(&Measured) -> bool) {
     );
 }
 
-/// A problem of many variables, with its functions.
-fn print_sparse(problem: Scalable) {
-    let (name, domain, start) = (problem.name, problem.domain.clone(), problem.start.clone());
-    let problem = Exact(problem);
-    let begun = Instant::now();
-    let found = minimize_sparse(&problem, &domain, &start, &Options::default(), Observer::default());
-    let seconds = begun.elapsed().as_secs_f64();
-    let found = found.expect("a problem of tests/problems");
-    println!(
-        "{name:<28} {:>9} {:>11} {:>10} {seconds:>8.2} {:>9.0e}   {}",
-        start.len(),
-        domain.constraints.dimension(),
-        found.iterations,
-        found.kkt_residual,
-        found.status
-    );
-}
-
 fn main() {
     let cases = problems::hock_schittkowski().into_iter().chain(problems::more_garbow_hillstrom());
     let all: Vec<Measured> = cases.map(|case| measured(&case)).collect();
@@ -104,11 +82,5 @@ fn main() {
         let is_of_size = |one: &Measured| (one.variables <= FEW) == is_small;
         print(&format!("{size}, bounds alone"), &all, |one| is_of_size(one) && !one.is_constrained);
         print(&format!("{size}, constraints"), &all, |one| is_of_size(one) && one.is_constrained);
-    }
-    println!("\nmany variables                variables constraints iterations        s  residual   status");
-    for problem in
-        [chained_rosenbrock(1000, true), hanging_chain(500), bryson_denham(333), membrane(1000), double_wells(1000)]
-    {
-        print_sparse(problem);
     }
 }

@@ -19,8 +19,8 @@ pub(super) struct Bundle(Vec<Point>);
 
 impl Bundle {
     /// Whether its points are of `n` variables, with `m` constraints.
-    pub fn is_of(&self, n: usize, m: usize, is_sparse: bool) -> bool {
-        self.0.iter().all(|point| point.is_of(n, m, is_sparse))
+    pub fn is_of(&self, n: usize, m: usize) -> bool {
+        self.0.iter().all(|point| point.is_of(n, m))
     }
 
     /// Keeps, of the points known around `at`, the nearest of each other side of a corner nearby.

@@ -1,6 +1,6 @@
 //! Corners: recognising one, and saying what is known of it.
 
-use super::known::Known;
+use super::problem::Evaluation;
 use super::scaling::{Point, Scaling};
 use serde::{Deserialize, Serialize};
 
@@ -35,7 +35,7 @@ const REACH: f64 = 1e-6;
 pub(super) fn find<E>(
     scaling: &Scaling,
     at: &Point,
-    mut evaluate: impl FnMut(&[f64]) -> Result<Option<Known>, E>,
+    mut evaluate: impl FnMut(&[f64]) -> Result<Option<Evaluation>, E>,
 ) -> Result<Option<Kink>, E> {
     let bounds = &scaling.domain.variables;
     for i in (0..at.x.len()).filter(|&i| !bounds.is_fixed(i)) {

@@ -6,7 +6,6 @@ use super::observer::{Keep, Observer, Snapshot};
 use super::options::Options;
 use super::problem::Problem;
 use super::solution::{Iteration, Solution};
-use super::sparse::SparseProblem;
 use super::sqp::{Asked, Progress, Sqp, SqpState, Standing};
 use super::status::Status;
 use crate::error::{Error, Result};
@@ -35,62 +34,13 @@ pub fn minimize_observed(
     options: &Options,
     observer: Observer,
 ) -> Result<Solution> {
-    search(Asked::Dense(problem), domain, start, options, observer)
-}
-
-/// As [`minimize_observed`], of a [sparse](super::sparse) problem: of a thousand variables, say. Corners are not looked for, and where the
-/// constraints cannot be met no other points are tried. The solution has neither Jacobian nor Hessian: the problem's own evaluation at the
-/// point has them.
-///
-/// ```
-/// use longdrive::optimize::{Domain, Observer, Options, SparseEvaluation, SparseTaylor, Status, minimize_sparse};
-///
-/// // the point of x₁ + … + xₙ = n nearest to 0, with x₁ ≤ ½: all others are n − ½ over n − 1
-/// let n = 1000;
-/// let problem = |x: &[f64]| {
-///     let objective = SparseTaylor {
-///         value: x.iter().map(|x| 0.5 * x * x).sum(),
-///         gradient: x.iter().copied().enumerate().collect(),
-///         hessian: (0..x.len()).map(|i| (i, i, 1.0)).collect(),
-///     };
-///     let gradient = (0..x.len()).map(|i| (i, 1.0)).collect();
-///     let constraints = vec![SparseTaylor { value: x.iter().sum(), gradient, hessian: vec![] }];
-///     Ok(SparseEvaluation { objective, constraints })
-/// };
-/// let mut domain = Domain::new(vec![-10.0; n], vec![10.0; n]).unwrap();
-/// domain.variables.high[0] = 0.5;
-/// let domain = domain.subject_to(vec![n as f64], vec![n as f64]).unwrap();
-/// let found = minimize_sparse(&problem, &domain, &vec![0.0; n], &Options::default(), Observer::default()).unwrap();
-/// assert_eq!((found.status, found.x[0]), (Status::Converged, 0.5));
-/// assert!((found.x[1] - 999.5 / 999.0).abs() < 1e-12);
-/// ```
-///
-/// # Errors
-/// As [`minimize_observed`].
-pub fn minimize_sparse(
-    problem: &dyn SparseProblem,
-    domain: &Domain,
-    start: &[f64],
-    options: &Options,
-    observer: Observer,
-) -> Result<Solution> {
-    search(Asked::Sparse(problem), domain, start, options, observer)
-}
-
-fn search(
-    problem: Asked<'_>,
-    domain: &Domain,
-    start: &[f64],
-    options: &Options,
-    observer: Observer,
-) -> Result<Solution> {
     options.validate()?;
     domain.check(start)?;
-    let is_sparse = matches!(problem, Asked::Sparse(_));
-    if observer.resume.as_ref().is_some_and(|kept| !kept.is_of(domain, is_sparse)) {
+    if observer.resume.as_ref().is_some_and(|kept| !kept.is_of(domain)) {
         return Err(other_problem());
     }
     let (failure, interrupt) = (Arc::default(), observer.interrupt.clone());
+    let problem = Asked(problem);
     let found = run(problem, domain, start, options, observer, &failure)?;
     match found.kink.and_then(|kink| Some((kink, kink.slope_towards_bound()?))) {
         Some((kink, (price, is_lower))) if found.status == Status::StalledAtKink => {

@@ -11,8 +11,7 @@
 //! run by argmin's `Executor`.
 //!
 //! A problem is a set of [`Functions`] written over any number, whose derivatives are then exact by themselves, or
-//! whatever implements [`Problem`], with Hessians or gradients alone. Problems of many variables, where each function depends on
-//! few of them, are [sparse].
+//! whatever implements [`Problem`], with Hessians or gradients alone.
 //!
 //! ```
 //! use longdrive::number::Number;
@@ -44,7 +43,6 @@ mod domain;
 pub mod front;
 mod functions;
 mod kink;
-mod known;
 pub mod least_squares;
 mod minimize;
 mod model;
@@ -63,7 +61,6 @@ mod search;
 pub mod sensitivity;
 pub(crate) mod sobol;
 mod solution;
-pub mod sparse;
 pub mod sqp;
 mod start;
 pub mod status;
@@ -73,7 +70,7 @@ pub use checkpoint::{Checkpoint, Run};
 pub use domain::{Bounds, Domain};
 pub use functions::{Exact, Functions, Gradients, Values};
 pub use kink::Kink;
-pub use minimize::{minimize, minimize_observed, minimize_sparse};
+pub use minimize::{minimize, minimize_observed};
 pub use multistart::{Follow, Local, Shown, minimize_from, starts};
 pub use observer::{Keep, Observer, Snapshot};
 pub use options::Options;
@@ -81,5 +78,4 @@ pub use problem::{Evaluation, Problem};
 pub use scaling::Residual;
 pub use search::Effort;
 pub use solution::{Constrained, Iteration, Solution};
-pub use sparse::{SparseEvaluation, SparseProblem, SparseTaylor};
 pub use status::Status;

@@ -51,8 +51,8 @@ impl Snapshot {
     }
 
     /// Whether it has the shape of a problem over this domain.
-    pub(super) fn is_of(&self, domain: &Domain, is_sparse: bool) -> bool {
+    pub(super) fn is_of(&self, domain: &Domain) -> bool {
         let (n, m) = (domain.variables.dimension(), domain.constraints.dimension());
-        self.progress.is_of(n, m, is_sparse)
+        self.progress.is_of(n, m)
     }
 }

@@ -31,6 +31,13 @@ pub struct Evaluation {
 }
 
 impl Evaluation {
+    /// Whether its derivatives are those of `n` variables, with `m` constraints.
+    pub(super) fn is_of(&self, n: usize, m: usize) -> bool {
+        let is_square = |rows: &[Vec<f64>]| rows.is_empty() || rows.len() == n && rows.iter().all(|row| row.len() == n);
+        self.constraints.len() == m
+            && self.functions().all(|function| function.gradient.len() == n && is_square(&function.hessian))
+    }
+
     /// The evaluation, if it is of `n` variables and `m` constraints and finite.
     pub(super) fn checked(self, n: usize, m: usize) -> std::result::Result<Self, String> {
         if self.constraints.len() != m {

@@ -26,9 +26,8 @@ const LESS: f64 = 1.0 - 1e-6;
 impl Search {
     /// Goes on from a point that meets the constraints better, if one is found: by least squares on the violations from points
     /// spread over the box, up to the first that meets them all, or else the best. Whether there was one.
-    /// A sparse problem is searched no further: the least squares are dense.
     pub fn restore(&mut self, options: &Options, evaluate: &mut Evaluate<'_>) -> Result<bool, argmin::core::Error> {
-        if self.restorations >= MOST || self.at.f.sparse.is_some() {
+        if self.restorations >= MOST {
             return Ok(false);
         }
         self.restorations += 1;
@@ -54,9 +53,6 @@ impl Search {
     /// violated least, near here or near where it began. Whether that is another point.
     pub fn settle(&mut self, begun_at: &[f64], evaluate: &mut Evaluate<'_>) -> Result<bool, argmin::core::Error> {
         let mut is_moved = false;
-        if self.at.f.sparse.is_some() {
-            return Ok(false);
-        }
         for start in [self.at.x.clone(), begun_at.to_vec()] {
             let Some((violation, x)) = self.least_violated(start, evaluate)? else { continue };
             if violation >= LESS * self.violation() {

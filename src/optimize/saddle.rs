@@ -4,7 +4,6 @@ use super::model::lagrangian_hessian;
 use super::null_space::free_moves;
 use super::scaling::{Point, Scaling, norm};
 use super::search::{Evaluate, Search};
-use super::sparse::{of_lagrangian, of_violation};
 use nalgebra::{DMatrix, DVector};
 
 /// Curvature below zero by less than this, in units of φ over the scale squared, is rounding.
@@ -70,16 +69,6 @@ impl Search {
     /// The direction of most negative curvature, with that curvature, in scaled variables; `None` where there is none.
     fn downward(&self, goal: Goal) -> Option<(DVector<f64>, f64)> {
         let Self { scaling, at, multipliers, .. } = self;
-        if let Some(derivatives) = &at.f.sparse {
-            return match goal {
-                Goal::Merit => {
-                    let (holds, tight) = held(scaling, at, multipliers);
-                    let least = LEAST * scaling.size(at);
-                    of_lagrangian(scaling, at, derivatives, multipliers, |i| holds[i], &tight, least)
-                }
-                Goal::Feasibility => of_violation(scaling, at, derivatives, LEAST),
-            };
-        }
         let (hessian, free, size) = match goal {
             Goal::Merit => {
                 let hessian = lagrangian_hessian(scaling, at, multipliers)?;

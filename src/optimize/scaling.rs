@@ -1,5 +1,5 @@
 use super::domain::Domain;
-use super::known::Known;
+use super::problem::Evaluation;
 use crate::number::Taylor;
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
@@ -8,13 +8,13 @@ use std::borrow::Cow;
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub(super) struct Point {
     pub x: Vec<f64>,
-    pub f: Known,
+    pub f: Evaluation,
 }
 
 impl Point {
     /// Whether it is one of `n` variables, with `m` constraints.
-    pub fn is_of(&self, n: usize, m: usize, is_sparse: bool) -> bool {
-        self.x.len() == n && self.f.is_of(n, m, is_sparse)
+    pub fn is_of(&self, n: usize, m: usize) -> bool {
+        self.x.len() == n && self.f.is_of(n, m)
     }
 
     /// The gradient of the Lagrangian; without constraints that of the objective, as it is.
@@ -23,14 +23,8 @@ impl Point {
             return Cow::Borrowed(&self.f.objective.gradient);
         }
         let mut sum = self.f.objective.gradient.clone();
-        if let Some(sparse) = &self.f.sparse {
-            for (constraint, m) in sparse.constraints.iter().zip(multipliers).filter(|(_, m)| **m != 0.0) {
-                constraint.gradient.iter().for_each(|(i, slope)| sum[*i] += m * slope);
-            }
-        } else {
-            for (constraint, m) in self.f.constraints.iter().zip(multipliers) {
-                sum.iter_mut().zip(&constraint.gradient).for_each(|(sum, slope)| *sum += m * slope);
-            }
+        for (constraint, m) in self.f.constraints.iter().zip(multipliers) {
+            sum.iter_mut().zip(&constraint.gradient).for_each(|(sum, slope)| *sum += m * slope);
         }
         Cow::Owned(sum)
     }
@@ -91,14 +85,7 @@ impl Scaling {
         let first_size = first.f.objective.value.abs().max(largest(&first.f.objective.gradient));
         let gamma = |j: usize| {
             let constraint = &first.f.constraints[j];
-            let slope = match &first.f.sparse {
-                None => largest(&constraint.gradient),
-                Some(sparse) => {
-                    let slopes = sparse.constraints[j].gradient.iter().map(|(i, g)| (g * scale[*i]).abs());
-                    slopes.fold(0.0, f64::max)
-                }
-            };
-            let change = slope.max(domain.constraints.excess(j, constraint.value).abs());
+            let change = largest(&constraint.gradient).max(domain.constraints.excess(j, constraint.value).abs());
             if change > 0.0 { change } else { 1.0 }
         };
         let gamma = (0..first.f.constraints.len()).map(gamma).collect();
@@ -164,7 +151,7 @@ impl Scaling {
     }
 
     /// What each constraint is violated by, in units of γⱼ; below the lower limit < 0.
-    pub fn violations<'a>(&'a self, f: &'a Known) -> impl Iterator<Item = f64> + 'a {
+    pub fn violations<'a>(&'a self, f: &'a Evaluation) -> impl Iterator<Item = f64> + 'a {
         let limits = &self.domain.constraints;
         let excess = |(j, constraint): (usize, &Taylor)| limits.excess(j, constraint.value) / self.gamma[j];
         f.constraints.iter().enumerate().map(excess)

@@ -1,13 +1,12 @@
 //! What a search knows between two iterations, and what it does with a step.
 
 use super::bundle::Bundle;
-use super::known::Known;
 use super::model::{Model, sum_hessians};
-use super::plan::{Around, Plan};
+use super::plan::Plan;
+use super::problem::Evaluation;
 use super::qp::{Method, QuadraticProgram};
 use super::quasi_newton;
 use super::scaling::{Point, Residual, Scaling, norm};
-use super::sparse::{SparseModel, first_multipliers};
 use nalgebra::DMatrix;
 use serde::{Deserialize, Serialize};
 
@@ -88,7 +87,7 @@ struct Workspace {
 }
 
 /// Evaluates a problem's functions; the outer error is argmin's.
-pub(super) type Evaluate<'a> = dyn FnMut(&[f64]) -> Result<Result<Known, String>, argmin::core::Error> + 'a;
+pub(super) type Evaluate<'a> = dyn FnMut(&[f64]) -> Result<Result<Evaluation, String>, argmin::core::Error> + 'a;
 
 /// What became of a step.
 struct Outcome {
@@ -116,20 +115,17 @@ impl Outcome {
 
 impl Search {
     /// Whether it is one for `n` variables and `m` constraints, in all that it holds.
-    pub fn is_of(&self, n: usize, m: usize, is_sparse: bool) -> bool {
+    pub fn is_of(&self, n: usize, m: usize) -> bool {
         let Self { scaling: Scaling { scale, gamma, .. }, at, multipliers, bundle, own_hessian, .. } = self;
         let own = own_hessian.iter().flat_map(|(rows, _)| rows);
         let is_square =
             own_hessian.as_ref().is_none_or(|(rows, _)| rows.len() == n) && own.clone().all(|row| row.len() == n);
-        let points = at.is_of(n, m, is_sparse) && bundle.is_of(n, m, is_sparse);
+        let points = at.is_of(n, m) && bundle.is_of(n, m);
         [scale.len(), gamma.len(), multipliers.len()] == [n, m, m] && is_square && points
     }
 
     pub fn new(scaling: Scaling, at: Point, radius: f64) -> Self {
-        let multipliers = match &at.f.sparse {
-            None => vec![0.0; at.f.constraints.len()],
-            Some(derivatives) => first_multipliers(&scaling, &at, derivatives),
-        };
+        let multipliers = vec![0.0; at.f.constraints.len()];
         let residual = scaling.residual(&at, &multipliers);
         Self {
             multipliers,
@@ -202,12 +198,7 @@ impl Search {
 
     /// A plan by the model around the point, counted; made up for the constraints' curvature where a point was tried.
     fn planned(&mut self, tried: Option<&Point>) -> Plan {
-        let plan = if let Some(derivatives) = &self.at.f.sparse {
-            let around = Around { scaling: &self.scaling, at: &self.at, radius: self.radius };
-            SparseModel { around, derivatives, multipliers: &self.multipliers }.plan(tried)
-        } else {
-            self.densely_planned(tried)
-        };
+        let plan = self.densely_planned(tried);
         self.count(&plan);
         plan
     }
@@ -308,7 +299,7 @@ impl Search {
     /// Goes on from a point with the multipliers that led there; returns the point left.
     pub fn move_to(&mut self, to: Point, multipliers: Vec<f64>) -> Point {
         self.multipliers = multipliers;
-        if to.f.objective.hessian.is_empty() && to.f.sparse.is_none() {
+        if to.f.objective.hessian.is_empty() {
             let (before, updates) = self.own();
             let after = quasi_newton::updated(&before, &self.scaling, &self.at, &to, &self.multipliers, updates == 0);
             self.own_hessian = Some((rows(&after), updates + 1));

@@ -20,8 +20,7 @@ pub struct Solution {
     pub value: Option<f64>,
     /// Gradient of f there.
     pub gradient: Vec<f64>,
-    /// Hessian of the Lagrangian there; of f alone where there are no constraints. Empty for a problem that gives none, and for a sparse
-    /// one.
+    /// Hessian of the Lagrangian there; of f alone where there are no constraints. Empty for a problem that gives none.
     pub hessian: Vec<Vec<f64>>,
     /// Multipliers of the lower bounds, ≥ 0: what f would fall by per unit that the bound is lowered.
     pub lower_multipliers: Vec<f64>,
@@ -29,7 +28,7 @@ pub struct Solution {
     pub upper_multipliers: Vec<f64>,
     /// The constraints, in order.
     pub constraints: Vec<Constrained>,
-    /// ∂cⱼ/∂xᵢ, a row for each constraint; empty for a sparse problem.
+    /// ∂cⱼ/∂xᵢ, a row for each constraint.
     pub jacobian: Vec<Vec<f64>>,
     /// The KKT residual, relative (see [`status`](super::status)): the largest of its parts.
     pub kkt_residual: f64,
@@ -110,10 +109,7 @@ impl Solution {
             hessian: if constraints_are_idle(&multipliers) { f.objective.hessian } else { hessian },
             gradient: f.objective.gradient,
             constraints,
-            jacobian: match f.sparse {
-                None => f.constraints.into_iter().map(|constraint| constraint.gradient).collect(),
-                Some(_) => vec![],
-            },
+            jacobian: f.constraints.into_iter().map(|constraint| constraint.gradient).collect(),
             x,
             kkt_residual: residual.largest(),
             residual,

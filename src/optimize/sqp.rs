@@ -3,14 +3,12 @@
 use super::bundle::Bundle;
 use super::domain::Domain;
 use super::kink::{self, Kink};
-use super::known::Known;
 use super::options::Options;
 use super::plan::Plan;
-use super::problem::Problem;
+use super::problem::{Evaluation, Problem};
 use super::saddle;
 use super::scaling::{Residual, Scaling};
 use super::search::{Evaluate, NOISE, Search};
-use super::sparse::SparseProblem;
 use super::start::first_point;
 use super::status::{
     Status, Verdict, corner_test, gradient_test, infeasible, infeasible_test, is_running_off, progress_test,
@@ -40,20 +38,12 @@ pub struct Standing {
 
 /// Whose functions are asked for. argmin owns its problem; several runs share one.
 #[derive(Clone, Copy)]
-pub(super) enum Asked<'a> {
-    Dense(&'a dyn Problem),
-    Sparse(&'a dyn SparseProblem),
-}
+pub(super) struct Asked<'a>(pub &'a dyn Problem);
 
 impl Asked<'_> {
     /// What is not finite or not of the right shape counts as not defined.
-    fn evaluate(&self, x: &[f64], constraints: usize) -> Result<Known, String> {
-        match self {
-            Self::Dense(problem) => Ok(problem.evaluate(x)?.checked(x.len(), constraints)?.into()),
-            Self::Sparse(problem) => {
-                Ok(Known::from_sparse(problem.evaluate(x)?.checked(x.len(), constraints)?, x.len()))
-            }
-        }
+    fn evaluate(&self, x: &[f64], constraints: usize) -> Result<Evaluation, String> {
+        self.0.evaluate(x)?.checked(x.len(), constraints)
     }
 }
 
@@ -83,8 +73,8 @@ pub(super) struct Progress {
 
 impl Progress {
     /// Whether it has the shape of a problem of `n` variables and `m` constraints.
-    pub fn is_of(&self, n: usize, m: usize, is_sparse: bool) -> bool {
-        let of_search = self.search.as_ref().is_none_or(|search| search.is_of(n, m, is_sparse));
+    pub fn is_of(&self, n: usize, m: usize) -> bool {
+        let of_search = self.search.as_ref().is_none_or(|search| search.is_of(n, m));
         of_search && [0, n].contains(&self.begun_at.len()) && self.kink.is_none_or(|kink| kink.variable < n)
     }
 }
@@ -116,10 +106,9 @@ impl Sqp {
         search.idle = if is_idle { search.idle + 1 } else { 0 };
 
         let (radius, largest, shrunk) = (search.radius, residual.largest(), search.scaling.first_size / size);
-        let is_sparse = search.at.f.sparse.is_some();
         let is_infeasible = plan
             .filter(|plan| plan.is_relaxed)
-            .and_then(|plan| infeasible_test(plan.violation, plan.violation_left, radius, tolerance, is_sparse));
+            .and_then(|plan| infeasible_test(plan.violation, plan.violation_left, radius, tolerance));
         let stuck = radius_test(radius, largest).or_else(|| progress_test(search.idle, promised, largest));
         let outward = search.scaling.outward(&search.at, &slopes);
         let is_there = |tolerance: f64| !is_running_off(outward, tolerance);
@@ -149,9 +138,7 @@ impl Sqp {
             return Ok(());
         }
         let verdict = match verdict.status {
-            Status::Infeasible if search.settle(&self.progress.begun_at, evaluate)? => {
-                infeasible(search.violation(), is_sparse)
-            }
+            Status::Infeasible if search.settle(&self.progress.begun_at, evaluate)? => infeasible(search.violation()),
             _ => verdict,
         };
         let verdict = self.examined(search, verdict, evaluate)?;
@@ -173,8 +160,7 @@ impl Sqp {
     ) -> Result<Verdict, Error> {
         let is_worth_a_look = match verdict.status {
             Status::Converged => kink::is_suspected(&search.scaling, &search.at),
-            // a sparse problem is taken for smooth
-            Status::Stalled => search.at.f.sparse.is_none(),
+            Status::Stalled => true,
             _ => false,
         };
         if is_worth_a_look {
@@ -289,7 +275,7 @@ fn evaluate(
     interrupt: &AtomicBool,
     x: &[f64],
     constraints: usize,
-) -> Result<Result<Known, String>, Error> {
+) -> Result<Result<Evaluation, String>, Error> {
     let is_interrupted = || interrupt.load(Ordering::Relaxed);
     if !is_interrupted() {
         let found = problem.problem("evaluations", |p| Ok(p.evaluate(x, constraints)))?;

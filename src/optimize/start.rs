@@ -1,5 +1,5 @@
 use super::domain::Bounds;
-use super::known::Known;
+use super::problem::Evaluation;
 use super::scaling::Point;
 
 /// Of the points tried where f is not defined at the start, the best of this many is taken; if none is defined,
@@ -12,7 +12,7 @@ pub(super) fn first_point(
     bounds: &Bounds,
     start: &[f64],
     trials: u32,
-    mut evaluate: impl FnMut(&[f64]) -> Option<Result<Known, String>>,
+    mut evaluate: impl FnMut(&[f64]) -> Option<Result<Evaluation, String>>,
 ) -> (Option<Point>, Option<String>) {
     let why = match evaluate(start) {
         None => return (None, None),

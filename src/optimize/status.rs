@@ -179,23 +179,17 @@ pub(super) fn unbounded_test(
 }
 
 /// Infeasible: the constraints are violated, and the linearised ones say that no step makes it less.
-pub(super) fn infeasible_test(
-    violation: f64,
-    least: f64,
-    radius: f64,
-    tolerance: f64,
-    is_sparse: bool,
-) -> Option<Verdict> {
+pub(super) fn infeasible_test(violation: f64, least: f64, radius: f64, tolerance: f64) -> Option<Verdict> {
     const LEAST_GAIN: f64 = 1e-6;
     let is_least = violation - least <= LEAST_GAIN * violation * radius.min(1.0);
-    (violation > tolerance && is_least).then(|| infeasible(violation, is_sparse))
+    (violation > tolerance && is_least).then(|| infeasible(violation))
 }
 
-/// The constraints cannot all be met: this is the least that they were violated by. Of a sparse problem no other points were tried.
-pub(super) fn infeasible(violation: f64, is_sparse: bool) -> Verdict {
-    let tried = if is_sparse { "near here; start elsewhere too" } else { "from here and from other points of the box" };
+/// The constraints cannot all be met: this is the least that they were violated by.
+pub(super) fn infeasible(violation: f64) -> Verdict {
     let message = format!(
-        "the constraints cannot all be met: their violation {violation:.3e} (relative) is the least found, {tried}"
+        "the constraints cannot all be met: their violation {violation:.3e} (relative) is the least found, from here and from other points \
+         of the box"
     );
     Verdict::new(Status::Infeasible, message)
 }

@@ -69,7 +69,6 @@ mod shots_air;
 mod shots_refused;
 mod shots_stated;
 mod smoothness;
-mod sparse;
 mod strikes;
 mod sweep;
 mod swings;
