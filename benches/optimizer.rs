@@ -5,7 +5,7 @@
 #[path = "../tests/problems/mod.rs"]
 mod problems;
 
-use longdrive::optimize::{Domain, Evaluation, Exact, Options, Solution, minimize};
+use longdrive::optimize::{Domain, Evaluation, Options, Solution, minimize};
 use problems::Case;
 use std::cell::{Cell, RefCell};
 use std::time::{Duration, Instant};
@@ -59,9 +59,9 @@ fn print(what: &str, all: &[Measured], is_one: impl Fn(&Measured) -> bool) {
     let mut micros: Vec<f64> = group.iter().map(|one| one.micros_per_iteration()).collect();
     micros.sort_by(f64::total_cmp);
     let iterations: u64 = group.iter().map(|one| one.solution.iterations).sum();
-    let programs: [u64; 3] = group.iter().fold([0; 3], |[faces, dual, clarabel], one| {
+    let programs: [u64; 3] = group.iter().fold([0; 3], |[warm_starts, clarabel, unpolished], one| {
         let effort = &one.solution.effort;
-        [faces + effort.faces, dual + effort.dual, clarabel + effort.clarabel + effort.rescaled]
+        [warm_starts + effort.warm_starts, clarabel + effort.clarabel, unpolished + effort.unpolished]
     });
     println!(
         "{what:<48} {:>8} {iterations:>10} {:>10.2} {:>10.2}   {programs:?}",
@@ -75,7 +75,7 @@ fn main() {
     let cases = problems::hock_schittkowski().into_iter().chain(problems::more_garbow_hillstrom());
     let all: Vec<Measured> = cases.map(|case| measured(&case)).collect();
     println!(
-        "{:<48} {:>8} {:>10} {:>10} {:>10}   programs by [faces, dual, Clarabel]",
+        "{:<48} {:>8} {:>10} {:>10} {:>10}   programs by [warm start, Clarabel, unpolished]",
         "µs per iteration, the functions left out", "problems", "iterations", "median", "largest"
     );
     for (size, is_small) in [("up to 4 variables", true), ("5 variables or more", false)] {

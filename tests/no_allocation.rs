@@ -40,9 +40,8 @@ fn bowl(at: &[f64]) -> Result<Evaluation, String> {
     Ok(Evaluation { objective, constraints: vec![] })
 }
 
-/// The step, its ends and its weight; the matrix of its faces; the way to the point, and the point; argmin's copy of the
-/// best point.
-const PER_ITERATION: u64 = 7;
+/// The active set with its equations and their factors, the step, and the point; argmin's copy of the best point.
+const PER_ITERATION: u64 = 30;
 
 #[test]
 fn regress_allocations_in_an_iteration_within_bounds() {
@@ -57,11 +56,15 @@ fn regress_allocations_in_an_iteration_within_bounds() {
     let evaluation = allocation_counter::measure(|| drop(bowl(&[0.0, 0.0]))).count_total;
     let (_, end) = search(500);
     assert_eq!((end.status, end.x[0]), (Status::Converged, 0.0));
-    assert_eq!(end.effort.faces, end.iterations);
+    assert!(end.effort.warm_starts > end.effort.clarabel, "{:?}", end.effort);
     assert!(end.iterations > 10, "{}", end.iterations);
     // the first iteration makes the room that the others use, and the last writes the verdict
     for iterations in 2..end.iterations {
         let ((before, first), (after, second)) = (search(iterations - 1), search(iterations));
+        if second.effort.clarabel > first.effort.clarabel {
+            // Clarabel's own memory is not counted
+            continue;
+        }
         let evaluations = (second.evaluations - first.evaluations) * evaluation;
         let own = after - before - evaluations;
         assert!(own <= PER_ITERATION, "{own} allocations in iteration {iterations}");

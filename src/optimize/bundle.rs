@@ -3,7 +3,7 @@
 //! corner's edge. So a point met on another side is remembered, and its side becomes a piece of the model (a
 //! bundle of at most one piece for each side, carried by second-order expansions).
 
-use super::qp::Piece;
+use super::qp::MaxTerm;
 use super::scaling::{Point, Scaling};
 use nalgebra::{DMatrix, DVector};
 use serde::{Deserialize, Serialize};
@@ -24,7 +24,7 @@ impl Bundle {
     }
 
     /// Keeps, of the points known around `at`, the nearest of each other side of a corner nearby.
-    pub fn keep(&mut self, scaling: &Scaling, at: &Point, candidate: Option<Point>) {
+    pub fn update(&mut self, scaling: &Scaling, at: &Point, candidate: Option<Point>) {
         let is_side =
             |point: &Point| scaling.distance(point, at) <= NEARBY && are_sides_of_a_corner(scaling, at, point);
         let mut known = std::mem::take(&mut self.0);
@@ -49,7 +49,7 @@ impl Bundle {
 
     /// Each other side's function around `at`, in scaled variables: carried here by its second-order expansion, and at
     /// most f, for at a corner that holds a search f is the largest of its sides.
-    pub fn pieces(&self, scaling: &Scaling, at: &Point, hessian: &DMatrix<f64>) -> Vec<Piece> {
+    pub fn max_terms(&self, scaling: &Scaling, at: &Point, hessian: &DMatrix<f64>) -> Vec<MaxTerm> {
         if self.0.is_empty() {
             return vec![];
         }
@@ -59,13 +59,13 @@ impl Bundle {
             if other.amax() < least.amax() { other } else { least }
         };
         let curvature = self.0.iter().fold(hessian.clone(), mildest);
-        let piece = |other: &Point| {
+        let max_term = |other: &Point| {
             let way = DVector::from_fn(at.x.len(), |i, _| (at.x[i] - other.x[i]) / scaling.scale[i]);
             let (slope, bend) = (scaled_gradient(scaling, other), &curvature * &way);
             let offset = other.f.objective.value - at.f.objective.value + slope.dot(&way) + 0.5 * bend.dot(&way);
-            Piece { offset: offset.min(0.0), gradient: slope + bend }
+            MaxTerm { offset: offset.min(0.0), gradient: slope + bend }
         };
-        self.0.iter().map(piece).collect()
+        self.0.iter().map(max_term).collect()
     }
 }
 

@@ -6,7 +6,7 @@ use super::observer::{Keep, Observer, Snapshot};
 use super::options::Options;
 use super::problem::Problem;
 use super::solution::{Iteration, Solution};
-use super::sqp::{Asked, Progress, Sqp, SqpState, Standing};
+use super::sqp::{IterationInfo, ProblemRef, Progress, Sqp, SqpState};
 use super::status::Status;
 use crate::error::{Error, Result};
 use argmin::core::checkpointing::{Checkpoint, CheckpointingFrequency};
@@ -40,7 +40,7 @@ pub fn minimize_observed(
         return Err(other_problem());
     }
     let (failure, interrupt) = (Arc::default(), observer.interrupt.clone());
-    let problem = Asked(problem);
+    let problem = ProblemRef(problem);
     let found = run(problem, domain, start, options, observer, &failure)?;
     match found.kink.and_then(|kink| Some((kink, kink.slope_towards_bound()?))) {
         Some((kink, (price, is_lower))) if found.status == Status::StalledAtKink => {
@@ -58,7 +58,7 @@ pub(super) fn other_problem() -> Error {
 
 /// One run of argmin's executor.
 fn run(
-    problem: Asked<'_>,
+    problem: ProblemRef<'_>,
     domain: &Domain,
     start: &[f64],
     options: &Options,
@@ -70,7 +70,6 @@ fn run(
         options: options.clone(),
         interrupt: observer.interrupt.clone(),
         progress: Progress::default(),
-        is_stopped_within: false,
     };
     let fresh = SqpState::new().param(start.to_vec()).max_iters(options.max_iterations);
     let keeper = Keeper {
@@ -89,7 +88,7 @@ fn run(
         let own = failure.lock().ok().and_then(|mut failure| failure.take());
         own.unwrap_or_else(|| Error::Optimizer(e.to_string()))
     })?;
-    let iterations = result.state.get_iter() - u64::from(result.solver.is_stopped_within);
+    let iterations = result.state.get_iter() - u64::from(result.solver.progress.is_stopped_within);
     let start = result.state.param.unwrap_or_default();
     Ok(Solution::new(domain, result.solver.progress, start, iterations))
 }
@@ -97,7 +96,7 @@ fn run(
 /// Where a corner of the objective lies on a bound that it falls towards, that variable stays on the bound, at the price
 /// of the slope inside, and the others are searched on.
 fn held_at_corner(
-    problem: Asked<'_>,
+    problem: ProblemRef<'_>,
     domain: &Domain,
     options: &Options,
     observer: Observer,
@@ -124,7 +123,7 @@ fn held_at_corner(
 
 fn resumed(solver: &Sqp, snapshot: Snapshot) -> Sqp {
     let mut solver = Sqp { progress: snapshot.progress, ..solver.clone() };
-    if let Some(search) = &mut solver.progress.search {
+    if let Some(search) = &mut solver.progress.state {
         search.scaling.domain = solver.domain.clone();
     }
     solver
@@ -132,8 +131,8 @@ fn resumed(solver: &Sqp, snapshot: Snapshot) -> Sqp {
 
 fn at_iteration(fresh: &SqpState, snapshot: &Snapshot) -> SqpState {
     let mut state = fresh.clone();
-    if let Some(search) = &snapshot.progress.search {
-        state = state.param(search.at.x.clone()).cost(search.at.f.objective.value);
+    if let Some(search) = &snapshot.progress.state {
+        state = state.param(search.point.x.clone()).cost(search.point.f.objective.value);
     }
     state.iter = snapshot.iterations;
     state
@@ -149,7 +148,7 @@ struct Keeper {
 impl Checkpoint<Sqp, SqpState> for Keeper {
     fn save(&self, solver: &Sqp, state: &SqpState) -> std::result::Result<(), argmin::core::Error> {
         // an iteration that was stopped within is done anew by whoever goes on
-        let Some(keep) = self.keep.as_ref().filter(|_| !solver.is_stopped_within) else { return Ok(()) };
+        let Some(keep) = self.keep.as_ref().filter(|_| !solver.progress.is_stopped_within) else { return Ok(()) };
         let snapshot = Snapshot { iterations: state.get_iter(), progress: solver.progress.clone() };
         (keep.borrow_mut())(&snapshot).map_err(|error| {
             let message = error.to_string();
@@ -182,11 +181,11 @@ impl IterationObserver {
     }
 
     fn show(&mut self, number: u64, state: &SqpState) {
-        let (Some(at), Some(standing)) = (state.get_param(), state.get_residuals()) else { return };
+        let (Some(at), Some(info)) = (state.get_param(), state.get_residuals()) else { return };
         let mut x = std::mem::take(&mut self.shown.x);
         x.clone_from(at);
-        let &Standing { kkt_residual, violation, radius, kept } = standing;
-        self.shown = Iteration { number, value: state.get_cost(), x, kkt_residual, violation, radius, kept };
+        let &IterationInfo { kkt_residual, violation, radius, accepted } = info;
+        self.shown = Iteration { number, value: state.get_cost(), x, kkt_residual, violation, radius, kept: accepted };
         (self.show)(&self.shown);
     }
 }

@@ -5,9 +5,8 @@
 //! ```
 //!
 //! by sequential quadratic programming: at each iterate the quadratic model of the Lagrangian is minimised over the
-//! bounds, the linearised constraints and a box-shaped trust region ([`qp`]: bounds alone from face to face of the box,
-//! all else by a dual active-set method, or by Clarabel, polished so that active bounds are exact), the step is
-//! kept if the merit falls as the model promises, and the search ends where the KKT conditions hold ([`status`]). The loop ([`sqp`]) is an argmin `Solver`,
+//! bounds, the linearised constraints and a box-shaped trust region ([`qp`]: by the active set of the step before, or by
+//! Clarabel, polished so that active bounds are exact), the step is accepted if the merit falls as the model predicts, and the search ends where the KKT conditions hold ([`status`]). The loop ([`sqp`]) is an argmin `Solver`,
 //! run by argmin's `Executor`.
 //!
 //! A problem is a set of [`Functions`] written over any number, whose derivatives are then exact by themselves, or
@@ -36,7 +35,6 @@
 
 mod bundle;
 mod checkpoint;
-mod cholesky;
 pub(crate) mod continuation;
 mod convex;
 mod domain;
@@ -50,20 +48,23 @@ mod multistart;
 mod null_space;
 mod observer;
 mod options;
-mod plan;
 mod problem;
 pub mod qp;
 mod quasi_newton;
+mod reduction;
+mod redundant;
 mod restoration;
 mod saddle;
 mod scaling;
-mod search;
 pub mod sensitivity;
 pub(crate) mod sobol;
 mod solution;
 pub mod sqp;
 mod start;
+mod state;
 pub mod status;
+mod termination;
+mod trial_step;
 
 pub use crate::number::Taylor;
 pub use checkpoint::{Checkpoint, Run};
@@ -76,6 +77,6 @@ pub use observer::{Keep, Observer, Snapshot};
 pub use options::Options;
 pub use problem::{Evaluation, Problem};
 pub use scaling::Residual;
-pub use search::Effort;
 pub use solution::{Constrained, Iteration, Solution};
+pub use state::Effort;
 pub use status::Status;

@@ -1,7 +1,7 @@
 use nalgebra::DMatrix;
 
 /// An orthonormal basis of the vectors that every row of a matrix is normal to.
-fn null_space(rows: &DMatrix<f64>) -> DMatrix<f64> {
+pub(super) fn null_space(rows: &DMatrix<f64>) -> DMatrix<f64> {
     let n = rows.ncols();
     if n == 0 {
         return DMatrix::zeros(0, 0);

@@ -1,43 +1,61 @@
 use super::scaling::{Point, Scaling};
 use nalgebra::{DMatrix, DVector};
+use serde::{Deserialize, Serialize};
 
-/// The search's own Hessian of the Lagrangian, in scaled variables, after a step: the damped BFGS update (Powell 1978;
-/// Nocedal & Wright 2006, procedure 18.2). It stays positive definite.
-pub(super) fn updated(
-    before: &DMatrix<f64>,
-    scaling: &Scaling,
-    from: &Point,
-    to: &Point,
-    multipliers: &[f64],
-    is_first: bool,
-) -> DMatrix<f64> {
-    let n = from.x.len();
-    let (start, end) = (from.lagrangian_gradient(multipliers), to.lagrangian_gradient(multipliers));
-    let step = DVector::from_fn(n, |i, _| (to.x[i] - from.x[i]) / scaling.scale[i]);
-    let change = DVector::from_fn(n, |i, _| (end[i] - start[i]) * scaling.scale[i]);
-    let curvature = step.dot(&change);
-    if step.norm() == 0.0 {
-        return before.clone();
-    }
-    let first = change.norm_squared() / curvature;
-    let before = if is_first && curvature > 0.0 && first.is_finite() {
-        // the size that the first step saw (ibid., eq. 6.20)
-        DMatrix::identity(n, n) * first
-    } else {
-        before.clone()
-    };
-    let carried = &before * &step;
-    let expected = step.dot(&carried);
-    let damping = if curvature >= 0.2 * expected { 1.0 } else { 0.8 * expected / (expected - curvature) };
-    let change = change * damping + &carried * (1.0 - damping);
-    let updated =
-        &before - &carried * carried.transpose() / expected + &change * change.transpose() / step.dot(&change);
-    if updated.iter().all(|x| x.is_finite()) { updated } else { before }
+/// A quasi-Newton Hessian of the Lagrangian, in scaled variables, for a problem that gives gradients alone. It stays positive definite.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub(super) struct QuasiNewton {
+    rows: Vec<Vec<f64>>,
+    updates: u32,
 }
 
-/// The Hessian to begin with: f changes by its slope over the whole scale.
-pub(super) fn initial(scaling: &Scaling, at: &Point) -> DMatrix<f64> {
-    let n = at.x.len();
-    let slope = scaling.largest(at.f.objective.gradient.iter().copied()).max(f64::MIN_POSITIVE);
-    DMatrix::identity(n, n) * slope
+impl QuasiNewton {
+    /// The Hessian to begin with: f changes by its slope over the whole scale.
+    pub fn initial(scaling: &Scaling, at: &Point) -> Self {
+        let n = at.x.len();
+        let slope = scaling.largest(at.f.objective.gradient.iter().copied()).max(f64::MIN_POSITIVE);
+        Self { rows: rows(&(DMatrix::identity(n, n) * slope)), updates: 0 }
+    }
+
+    /// Whether it is one of `n` variables.
+    pub fn is_of(&self, n: usize) -> bool {
+        self.rows.len() == n && self.rows.iter().all(|row| row.len() == n)
+    }
+
+    pub fn matrix(&self) -> DMatrix<f64> {
+        let n = self.rows.len();
+        DMatrix::from_fn(n, n, |i, j| self.rows[i][j])
+    }
+
+    /// The damped BFGS update after a step (Powell 1978; Nocedal & Wright 2006, procedure 18.2).
+    pub fn update(&mut self, scaling: &Scaling, from: &Point, to: &Point, multipliers: &[f64]) {
+        let n = from.x.len();
+        let (start, end) = (from.lagrangian_gradient(multipliers), to.lagrangian_gradient(multipliers));
+        let s = DVector::from_fn(n, |i, _| (to.x[i] - from.x[i]) / scaling.scale[i]);
+        let y = DVector::from_fn(n, |i, _| (end[i] - start[i]) * scaling.scale[i]);
+        let is_first = self.updates == 0;
+        self.updates += 1;
+        if s.norm() == 0.0 {
+            return;
+        }
+        let curvature = s.dot(&y);
+        let initial = y.norm_squared() / curvature;
+        let before = if is_first && curvature > 0.0 && initial.is_finite() {
+            // the curvature that the first step saw (Nocedal & Wright 2006, eq. 6.20)
+            DMatrix::identity(n, n) * initial
+        } else {
+            self.matrix()
+        };
+        let bs = &before * &s;
+        let expected = s.dot(&bs);
+        let damping = if curvature >= 0.2 * expected { 1.0 } else { 0.8 * expected / (expected - curvature) };
+        let y = y * damping + &bs * (1.0 - damping);
+        let after = &before - &bs * bs.transpose() / expected + &y * y.transpose() / s.dot(&y);
+        let is_finite = after.iter().all(|entry| entry.is_finite());
+        self.rows = rows(if is_finite { &after } else { &before });
+    }
+}
+
+fn rows(matrix: &DMatrix<f64>) -> Vec<Vec<f64>> {
+    matrix.row_iter().map(|row| row.iter().copied().collect()).collect()
 }

@@ -8,12 +8,12 @@ use super::domain::Domain;
 use super::least_squares::{self, Rows};
 use super::options::Options;
 use super::scaling::{Point, norm};
-use super::search::{Evaluate, Search};
 use super::start::spread;
+use super::state::{Evaluate, State};
 use std::cell::RefCell;
 
 /// Points of the box from which the violation is minimised.
-const TRIALS: u32 = 8;
+const TRIALS: u32 = 32;
 /// Iterations for each of them.
 const ITERATIONS: u64 = 50;
 /// Times that a search looks elsewhere.
@@ -23,17 +23,17 @@ const BETTER: f64 = 0.99;
 /// The same for the search to end there: less is rounding.
 const LESS: f64 = 1.0 - 1e-6;
 
-impl Search {
+impl State {
     /// Goes on from a point that meets the constraints better, if one is found: by least squares on the violations from points
     /// spread over the box, up to the first that meets them all, or else the best. Whether there was one.
     pub fn restore(&mut self, options: &Options, evaluate: &mut Evaluate<'_>) -> Result<bool, argmin::core::Error> {
-        if self.restorations >= MOST {
+        if self.counters.restorations >= MOST {
             return Ok(false);
         }
-        self.restorations += 1;
+        self.counters.restorations += 1;
         let mut best: Option<(f64, Vec<f64>)> = None;
         for trial in 0..TRIALS {
-            let start = spread(&self.scaling.domain.variables, &self.at.x, trial);
+            let start = spread(&self.scaling.domain.variables, &self.point.x, trial);
             let Some((violation, x)) = self.least_violated(start, evaluate)? else { continue };
             if violation < best.as_ref().map_or(BETTER * self.violation(), |(least, _)| *least) {
                 best = Some((violation, x));
@@ -45,7 +45,7 @@ impl Search {
         let Some((_, x)) = best else { return Ok(false) };
         self.effort.evaluations += 1;
         let Ok(f) = evaluate(&x)? else { return Ok(false) };
-        self.begin_at(Point { x, f }, options.initial_radius);
+        self.restart_at(Point { x, f }, options.initial_radius);
         Ok(true)
     }
 
@@ -53,14 +53,14 @@ impl Search {
     /// violated least, near here or near where it began. Whether that is another point.
     pub fn settle(&mut self, begun_at: &[f64], evaluate: &mut Evaluate<'_>) -> Result<bool, argmin::core::Error> {
         let mut is_moved = false;
-        for start in [self.at.x.clone(), begun_at.to_vec()] {
+        for start in [self.point.x.clone(), begun_at.to_vec()] {
             let Some((violation, x)) = self.least_violated(start, evaluate)? else { continue };
             if violation >= LESS * self.violation() {
                 continue;
             }
             self.effort.evaluations += 1;
             if let Ok(f) = evaluate(&x)? {
-                self.begin_at(Point { x, f }, self.radius);
+                self.restart_at(Point { x, f }, self.radius);
                 is_moved = true;
             }
         }
@@ -68,7 +68,7 @@ impl Search {
     }
 
     /// Where the violation is least near a point, and what it is there.
-    fn least_violated(
+    pub(super) fn least_violated(
         &mut self,
         start: Vec<f64>,
         evaluate: &mut Evaluate<'_>,

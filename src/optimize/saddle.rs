@@ -3,7 +3,7 @@
 use super::model::lagrangian_hessian;
 use super::null_space::free_moves;
 use super::scaling::{Point, Scaling, norm};
-use super::search::{Evaluate, Search};
+use super::state::{Evaluate, State};
 use nalgebra::{DMatrix, DVector};
 
 /// Curvature below zero by less than this, in units of φ over the scale squared, is rounding.
@@ -12,7 +12,7 @@ const LEAST: f64 = 1e-8;
 const IDLE: f64 = 1e-8;
 
 /// Saddles left before a search gives up on finding anything else.
-const MOST_ESCAPES: u32 = 20;
+const MOST_SADDLES: u32 = 20;
 
 /// What is to be made smaller.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -23,27 +23,27 @@ pub(super) enum Goal {
     Feasibility,
 }
 
-impl Search {
+impl State {
     /// Where the point is a saddle of what is to be made smaller, goes down from it; whether it did.
     pub fn leave_saddle(&mut self, goal: Goal, evaluate: &mut Evaluate<'_>) -> Result<bool, argmin::core::Error> {
-        let Some((direction, curvature)) = self.downward(goal).filter(|_| self.escapes < MOST_ESCAPES) else {
+        let Some((direction, curvature)) = self.downward(goal).filter(|_| self.counters.saddles < MOST_SADDLES) else {
             return Ok(false);
         };
-        self.escapes += 1;
+        self.counters.saddles += 1;
         let measure = |search: &Self, at: &Point| match goal {
             // along the tangents of what is active it is the Lagrangian that falls, and the merit only once the
             // constraints are met again
             Goal::Merit => search.lagrangian(at),
             Goal::Feasibility => 0.5 * norm(search.scaling.violations(&at.f)).powi(2),
         };
-        let before = measure(self, &self.at);
+        let before = measure(self, &self.point);
         let mut reach = self.radius.clamp(1e-3, 0.25);
         for _ in 0..6 {
             let expected = -0.5 * curvature * reach * reach;
             let mut best: Option<(f64, Point)> = None;
             for sign in [1.0, -1.0] {
-                let coordinate = |i: usize| self.at.x[i] + sign * reach * direction[i] * self.scaling.scale[i];
-                let moved: Vec<f64> = (0..self.at.x.len()).map(coordinate).collect();
+                let coordinate = |i: usize| self.point.x[i] + sign * reach * direction[i] * self.scaling.scale[i];
+                let moved: Vec<f64> = (0..self.point.x.len()).map(coordinate).collect();
                 let x = self.scaling.domain.variables.project(&moved);
                 self.effort.evaluations += 1;
                 if let Ok(f) = evaluate(&x)? {
@@ -58,7 +58,7 @@ impl Search {
                 let multipliers = self.multipliers.clone();
                 self.move_to(best, multipliers);
                 self.radius = reach;
-                self.residual = self.scaling.residual(&self.at, &self.multipliers);
+                self.residual = self.scaling.residual(&self.point, &self.multipliers);
                 return Ok(true);
             }
             reach *= 0.1;
@@ -68,7 +68,7 @@ impl Search {
 
     /// The direction of most negative curvature, with that curvature, in scaled variables; `None` where there is none.
     fn downward(&self, goal: Goal) -> Option<(DVector<f64>, f64)> {
-        let Self { scaling, at, multipliers, .. } = self;
+        let Self { scaling, point: at, multipliers, .. } = self;
         let (hessian, free, size) = match goal {
             Goal::Merit => {
                 let hessian = lagrangian_hessian(scaling, at, multipliers)?;

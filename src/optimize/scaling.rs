@@ -150,6 +150,40 @@ impl Scaling {
         }
     }
 
+    /// Whether a constraint would reach a limit if the point moved on along its direction from 0.
+    pub fn has_limit_ahead(&self, at: &Point) -> bool {
+        /// A change of a constraint smaller than this part of its terms is rounding.
+        const ROUNDING: f64 = 1e-9;
+        let limits = &self.domain.constraints;
+        at.f.constraints.iter().enumerate().any(|(j, constraint)| {
+            let terms = constraint.gradient.iter().zip(&at.x).map(|(slope, x)| slope * x);
+            let (change, size) = terms.fold((0.0, 0.0), |(sum, size), term| (sum + term, size + term.abs()));
+            change.abs() > ROUNDING * size
+                && (change > 0.0 && limits.high[j].is_finite() || change < 0.0 && limits.low[j].is_finite())
+        })
+    }
+
+    /// Takes the size of a point as φ₀ where value and slopes vanished at the start.
+    pub fn floor_size(&mut self, at: &Point) {
+        if self.first_size <= f64::MIN_POSITIVE {
+            let slope = self.largest(at.f.objective.gradient.iter().copied());
+            self.first_size = at.f.objective.value.abs().max(slope).max(f64::MIN_POSITIVE);
+        }
+    }
+
+    /// A value of variable i, on its bound where only rounding separates them.
+    pub fn on_bound(&self, i: usize, x: f64) -> f64 {
+        let (low, high) = (self.domain.variables.low[i], self.domain.variables.high[i]);
+        let rounding = 4.0 * f64::EPSILON * self.scale[i].min(high - low);
+        if x - low <= rounding {
+            low
+        } else if high - x <= rounding {
+            high
+        } else {
+            x
+        }
+    }
+
     /// What each constraint is violated by, in units of γⱼ; below the lower limit < 0.
     pub fn violations<'a>(&'a self, f: &'a Evaluation) -> impl Iterator<Item = f64> + 'a {
         let limits = &self.domain.constraints;
@@ -168,17 +202,17 @@ impl Scaling {
         apart.fold(0.0, f64::max)
     }
 
-    /// Variables held by a bound that f falls towards the outside of.
-    pub fn held_variables<'a>(&'a self, at: &'a Point, multipliers: &[f64]) -> impl Iterator<Item = usize> + 'a {
+    /// Variables on a bound towards whose outside the Lagrangian falls.
+    pub fn active_bounds<'a>(&'a self, at: &'a Point, multipliers: &[f64]) -> impl Iterator<Item = usize> + 'a {
         let slopes = at.lagrangian_gradient(multipliers);
-        let is_held = move |i: &usize| self.is_at_a_bound(at, *i) && self.projected(at, slopes[*i], *i) == 0.0;
-        (0..at.x.len()).filter(is_held)
+        let is_active = move |i: &usize| self.is_at_a_bound(at, *i) && self.projected(at, slopes[*i], *i) == 0.0;
+        (0..at.x.len()).filter(is_active)
     }
 
     /// Equations, and constraints with multipliers.
-    pub fn held_rows<'a>(&'a self, multipliers: &'a [f64]) -> impl Iterator<Item = usize> + 'a {
-        let is_held = |j: &usize| multipliers[*j] != 0.0 || self.domain.constraints.is_fixed(*j);
-        (0..multipliers.len()).filter(is_held)
+    pub fn active_rows<'a>(&'a self, multipliers: &'a [f64]) -> impl Iterator<Item = usize> + 'a {
+        let is_active = |j: &usize| multipliers[*j] != 0.0 || self.domain.constraints.is_fixed(*j);
+        (0..multipliers.len()).filter(is_active)
     }
 
     /// Whether a variable lies on one of its bounds.

@@ -2,8 +2,8 @@ use super::domain::Domain;
 use super::kink::Kink;
 use super::model::lagrangian_hessian;
 use super::scaling::{Point, Residual};
-use super::search::{Effort, Search};
 use super::sqp::Progress;
+use super::state::{Effort, State};
 use super::status::{Status, Verdict};
 use serde::{Deserialize, Serialize};
 
@@ -78,13 +78,13 @@ impl Solution {
 
     /// What a search has found when it ends.
     pub(super) fn new(domain: &Domain, progress: Progress, start: Vec<f64>, iterations: u64) -> Self {
-        let Progress { search, verdict, undefined_at_start, begun_at, kink } = progress;
-        let largest = search.as_ref().map_or(f64::INFINITY, |search| search.residual.largest());
+        let Progress { state: search, verdict, undefined_at_start, begun_at, kink, .. } = progress;
+        let largest = search.as_ref().map(|search| search.residual.largest());
         let Verdict { status, message } = verdict.unwrap_or_else(|| Verdict::iteration_limit(iterations, largest));
         let Some(search) = search else {
             return Self::nowhere(domain, status, message, start, undefined_at_start);
         };
-        let Search { scaling, at, multipliers, residual, effort, .. } = search;
+        let State { scaling, point: at, multipliers, residual, effort, .. } = search;
         let slopes = at.lagrangian_gradient(&multipliers).into_owned();
         let bounds = &domain.variables;
         let price = |i: usize, is_held: bool, outward: f64| if is_held { (slopes[i] * outward).max(0.0) } else { 0.0 };

@@ -8,7 +8,11 @@
 //! multipliers times the distance from their limits over φ.
 
 use super::kink::Kink;
+use super::reduction::NOISE;
+use super::redundant::RedundantBound;
 use super::scaling::{Outward, Residual};
+use super::state::State;
+use super::trial_step::TrialStep;
 use crate::units::counted;
 use serde::{Deserialize, Serialize};
 use std::fmt;
@@ -19,11 +23,11 @@ use std::fmt;
 pub enum Status {
     /// The KKT conditions hold, and no direction of negative curvature is left.
     Converged,
-    /// The objective has a corner here, and no way down from it was found.
+    /// The objective has a corner here, and the model of its sides predicts no reduction.
     StalledAtKink,
-    /// No further progress can be made out above the rounding of the functions.
+    /// No step reduces the objective by more than rounding, though the KKT conditions do not hold.
     Stalled,
-    /// The constraints cannot all be met near here: their violation is at a minimum that is not zero.
+    /// No point was found that meets the constraints: their violation is at a minimum that is not zero.
     Infeasible,
     /// The objective falls without end: far out, with the constraints met, it still falls, and no bound lies ahead.
     Unbounded,
@@ -69,12 +73,13 @@ impl Verdict {
         Self { status, message }
     }
 
-    pub fn iteration_limit(iterations: u64, residual: f64) -> Self {
+    pub fn iteration_limit(iterations: u64, residual: Option<f64>) -> Self {
         Self::new(
             Status::IterationLimit,
             format!(
-                "stopped at the limit of {} with a KKT residual of {residual:.1e}; allow more iterations, or start nearer",
-                counted(iterations, "iteration")
+                "stopped at the limit of {}{}; allow more iterations, or start nearer",
+                counted(iterations, "iteration"),
+                with_residual(residual)
             ),
         )
     }
@@ -89,9 +94,9 @@ impl Verdict {
         Self::new(Status::Interrupted, message)
     }
 
-    pub fn interrupted(iterations: u64, residual: f64) -> Self {
+    pub fn interrupted(iterations: u64, residual: Option<f64>) -> Self {
         let after = counted(iterations, "iteration");
-        let message = format!("stopped after {after} with a KKT residual of {residual:.1e}");
+        let message = format!("stopped after {after}{}", with_residual(residual));
         Self::new(Status::Interrupted, message)
     }
 
@@ -116,11 +121,25 @@ impl Verdict {
         Self::new(Status::StalledAtKink, message)
     }
 
-    /// The verdict, with what is known of the place.
+    /// A point that meets the KKT conditions only by a multiplier that compensates a bound.
+    pub fn degenerate(pair: &RedundantBound, residual: f64) -> Self {
+        let RedundantBound { variable, constraint, multiplier } = pair;
+        let message = format!(
+            "constraint {constraint} and the bound of variable {variable} have parallel gradients here, and only a multiplier of \
+             {multiplier:.1e} balances them: no KKT point; KKT residual {residual:.1e}. Leave out that bound or start elsewhere"
+        );
+        Self::new(Status::Stalled, message)
+    }
+
+    /// The verdict, with more to say of the place.
     pub fn with(mut self, more: &str) -> Self {
         self.message += more;
         self
     }
+}
+
+fn with_residual(residual: Option<f64>) -> String {
+    residual.map_or(String::new(), |residual| format!(" with a KKT residual of {residual:.1e}"))
 }
 
 /// Converged: the KKT residual is small enough.
@@ -128,6 +147,12 @@ pub(super) fn gradient_test(residual: Residual, tolerance: f64) -> Option<Verdic
     let largest = residual.largest();
     let passed = largest <= tolerance;
     passed.then(|| Verdict::new(Status::Converged, format!("KKT residual {largest:.1e} <= {tolerance:.0e}")))
+}
+
+/// Whether the model predicts a reduction within the rounding of f: relative to a large constant in f any slope is small.
+pub(super) fn gain_test(state: &mut State) -> bool {
+    let step = state.trial_step();
+    state.predicted_reduction(&step) <= NOISE * state.scaling.size(&state.point)
 }
 
 /// Converged as far as can be told: nothing more can be gained, and measured by the size that the objective had at the
@@ -145,51 +170,48 @@ pub(super) fn rounding_test(residual: Residual, shrunk: f64, tolerance: f64) -> 
 
 /// Whether a variable has come so far that its slope by itself says little: far from 0 the slope times that distance must be a
 /// small part of φ too (the slope of −x³ is 3/x of its size, and falls below any tolerance).
-pub(super) fn is_running_off(outward: Option<Outward>, tolerance: f64) -> bool {
+pub(super) fn is_running_off(outward: Option<&Outward>, tolerance: f64) -> bool {
     /// Variables this many scales from 0 are far.
     const FAR: f64 = 1e4;
     outward.is_some_and(|outward| outward.reach >= FAR && outward.rate > tolerance)
 }
 
-/// Unbounded: with the constraints met, a variable without a bound ahead is at 1e15 scales and a doubling of it would still lower
+/// Unbounded: with the constraints met and no bound or constraint ahead, a variable is at 1e15 scales and a doubling of it would still lower
 /// the objective by a part of its size (one that has a lower bound cannot keep that up: its slope falls faster than 1/x); or the
 /// objective is below −1e60 times its size at the start (with constraints, which may still bend, −1e200), and still falls.
-pub(super) fn unbounded_test(
-    outward: Option<Outward>,
-    value: f64,
-    first_size: f64,
-    residual: Residual,
-    constraints: usize,
-) -> Option<Verdict> {
+pub(super) fn unbounded_test(outward: Option<&Outward>, state: &State) -> Option<Verdict> {
     const FARTHEST: f64 = 1e15;
     const RATE: f64 = 1e-3;
     const MET: f64 = 1e-6;
-    let deepest = if constraints == 0 { 1e60 } else { 1e200 };
     let outward = outward.filter(|outward| outward.is_open)?;
+    let value = state.point.f.objective.value;
+    let deepest = if state.multipliers.is_empty() { 1e60 } else { 1e200 };
     let is_far = outward.reach >= FARTHEST && outward.rate >= RATE;
-    let is_deep = value <= -deepest * first_size && residual.stationarity >= RATE;
-    (residual.feasibility <= MET && (is_far || is_deep)).then(|| {
-        let message = format!(
-            "the objective falls without end: it is {value:.1e} with variable {} at {:.1e}, still falls there, and no bound \
-             or constraint lies ahead; give that variable a bound",
-            outward.variable, outward.at
-        );
-        Verdict { status: Status::Unbounded, message }
-    })
+    let is_deep = value <= -deepest * state.scaling.first_size && state.residual.stationarity >= RATE;
+    if state.residual.feasibility > MET || !(is_far || is_deep) || state.scaling.has_limit_ahead(&state.point) {
+        return None;
+    }
+    let message = format!(
+        "the objective falls without end: it is {value:.1e} with variable {} at {:.1e}, still falls there, and no bound \
+         or constraint lies ahead; give that variable a bound",
+        outward.variable, outward.at
+    );
+    Some(Verdict { status: Status::Unbounded, message })
 }
 
-/// Infeasible: the constraints are violated, and the linearised ones say that no step makes it less.
-pub(super) fn infeasible_test(violation: f64, least: f64, radius: f64, tolerance: f64) -> Option<Verdict> {
+/// Infeasible: the constraints are violated, and no step reduces the violation of the linearised ones.
+pub(super) fn infeasible_test(step: &TrialStep, radius: f64, tolerance: f64) -> Option<Verdict> {
     const LEAST_GAIN: f64 = 1e-6;
-    let is_least = violation - least <= LEAST_GAIN * violation * radius.min(1.0);
-    (violation > tolerance && is_least).then(|| infeasible(violation))
+    let TrialStep { violation, linear_violation, is_relaxed, .. } = *step;
+    let is_least = violation - linear_violation <= LEAST_GAIN * violation * radius.min(1.0);
+    (is_relaxed && violation > tolerance && is_least).then(|| infeasible(violation))
 }
 
-/// The constraints cannot all be met: this is the least that they were violated by.
+/// No point was found that meets the constraints; the least violation found.
 pub(super) fn infeasible(violation: f64) -> Verdict {
     let message = format!(
-        "the constraints cannot all be met: their violation {violation:.3e} (relative) is the least found, from here and from other points \
-         of the box"
+        "no point was found that meets the constraints: their violation {violation:.3e} (relative) is the least found, from here and \
+         from other points of the box"
     );
     Verdict::new(Status::Infeasible, message)
 }
@@ -203,26 +225,24 @@ pub(super) fn radius_test(radius: f64, residual: f64) -> Option<Verdict> {
     })
 }
 
-/// The search sits in a corner: pieces of more than one of its sides hold the step, and the model promises
-/// nothing more.
-pub(super) fn corner_test(sides: usize, promised: f64, residual: f64) -> Option<Verdict> {
+/// A corner of f: terms of more than one of its sides are active, and the model predicts no reduction.
+pub(super) fn corner_test(active_terms: usize, predicted: f64, residual: f64) -> Option<Verdict> {
     const LEAST: f64 = 1e-13;
-    (sides > 1 && promised <= LEAST).then(|| {
+    (active_terms > 1 && predicted <= LEAST).then(|| {
         let message = format!(
-            "the search is in a corner of {sides} sides, and the model predicts a gain of {promised:.1e} <= {LEAST:.0e} (relative); \
-             KKT residual {residual:.1e}"
+            "the objective has a corner here: the model of {active_terms} of its sides predicts a reduction of {predicted:.1e} <= \
+             {LEAST:.0e} (relative); KKT residual {residual:.1e}"
         );
-        Verdict::new(Status::Stalled, message)
+        Verdict::new(Status::StalledAtKink, message)
     })
 }
 
-/// Nothing is left to gain: for some iterations the model has promised less than the function's rounding,
-/// and the residual has not fallen.
-pub(super) fn progress_test(idle: u32, promised: f64, residual: f64) -> Option<Verdict> {
+/// No progress: for some iterations the predicted reduction was within the rounding of f, and the residual has not fallen.
+pub(super) fn progress_test(iterations: u32, predicted: f64, residual: f64) -> Option<Verdict> {
     const PATIENCE: u32 = 4;
-    (idle >= PATIENCE).then(|| {
+    (iterations >= PATIENCE).then(|| {
         let message = format!(
-            "for {PATIENCE} iterations the model predicted a gain no larger than rounding (last {promised:.1e}, relative) and the KKT \
+            "for {PATIENCE} iterations the model predicted a reduction no larger than rounding (last {predicted:.1e}, relative) and the KKT \
              residual stays at {residual:.1e}"
         );
         Verdict::new(Status::Stalled, message)

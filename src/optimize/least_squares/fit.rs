@@ -1,6 +1,7 @@
 //! The loop: a step, the gain ratio, the damping, the verdict.
 
 use super::super::domain::Domain;
+use super::super::qp::QpSolver;
 use super::step::Point;
 use super::{Options, Residuals, Rows};
 use crate::error::{Error, Result};
@@ -204,6 +205,7 @@ struct Search {
     at: Point,
     begun_at: Vec<f64>,
     scale: Vec<f64>,
+    solver: QpSolver,
     damping: f64,
     growth: f64,
     iterations: u64,
@@ -218,6 +220,7 @@ impl Search {
         at.lengthen(&mut scale);
         Self {
             begun_at: at.x.clone(),
+            solver: QpSolver::from_no_active_bound(at.x.len()),
             at,
             scale,
             damping: FIRST_DAMPING,
@@ -273,14 +276,17 @@ impl Search {
                 let why = self.why_refused.as_ref().map_or(String::new(), |why| format!(" (last refused: {why})"));
                 return stalled(&format!("no step makes the sum smaller{why}"));
             }
-            let Some((to, promised)) = self.at.step(&domain.variables, &self.scale, self.damping) else {
+            let Some((to, promised)) = self.at.step(&domain.variables, &self.scale, self.damping, &mut self.solver)
+            else {
                 self.grow();
                 continue;
             };
             if promised <= NOISE * self.at.cost || to == self.at.x {
                 // what a step without damping could still gain is what tells the end from a standstill
-                let undamped =
-                    self.at.step(&domain.variables, &self.scale, LEAST_DAMPING).map_or(0.0, |(_, gain)| gain);
+                let undamped = self
+                    .at
+                    .step(&domain.variables, &self.scale, LEAST_DAMPING, &mut self.solver)
+                    .map_or(0.0, |(_, gain)| gain);
                 if undamped <= 1e3 * NOISE * self.at.cost || self.damping <= FIRST_DAMPING {
                     let part = if self.at.cost > 0.0 { undamped / self.at.cost } else { 0.0 };
                     let message = format!(
@@ -322,8 +328,8 @@ impl Search {
     }
 
     /// Converged, where no step lowers the sum and a step without damping would hardly move the point.
-    fn rounding(&self, domain: &Domain) -> Option<(Status, String)> {
-        let (to, _) = self.at.step(&domain.variables, &self.scale, LEAST_DAMPING)?;
+    fn rounding(&mut self, domain: &Domain) -> Option<(Status, String)> {
+        let (to, _) = self.at.step(&domain.variables, &self.scale, LEAST_DAMPING, &mut self.solver)?;
         let length = |of: &dyn Fn(usize) -> f64| -> f64 {
             (0..self.scale.len()).map(|i| (self.scale[i] * of(i)).powi(2)).sum::<f64>().sqrt()
         };

@@ -1,7 +1,7 @@
 //! The damped Gauss–Newton model at a point, and its minimum over the bounds.
 
 use super::super::domain::Bounds;
-use super::super::qp::{Piece, QuadraticProgram};
+use super::super::qp::{MaxTerm, QpSolver, QuadraticProgram, Side};
 use super::{Loss, Rows};
 use nalgebra::{DMatrix, DVector};
 
@@ -70,7 +70,7 @@ impl Point {
 
     /// The step that makes the model ½ dᵀ(JᵀWJ + μ D²) d + gᵀd least over the bounds, and what the undamped model
     /// promises to fall by.
-    pub fn step(&self, bounds: &Bounds, scale: &[f64], damping: f64) -> Option<(Vec<f64>, f64)> {
+    pub fn step(&self, bounds: &Bounds, scale: &[f64], damping: f64, solver: &mut QpSolver) -> Option<(Vec<f64>, f64)> {
         /// Steps beyond this, in scaled units, are not taken at once.
         const FAR: f64 = 1e12;
         let n = self.x.len();
@@ -79,21 +79,21 @@ impl Point {
             let own = if i == j { damping } else { 0.0 };
             self.curvature[(i, j)] / (size(i) * size(j)) + own
         };
-        let end = |i: usize, bound: f64| ((bound - self.x[i]) * size(i)).clamp(-FAR, FAR);
+        let end = |i: usize, bound: f64| (bound - self.x[i]) * size(i);
         let gradient = DVector::from_fn(n, |i, _| self.gradient[i] / size(i));
         let program = QuadraticProgram {
-            curvature: DMatrix::from_fn(n, n, damped),
-            pieces: vec![Piece { offset: 0.0, gradient }],
+            hessian: DMatrix::from_fn(n, n, damped),
+            max_terms: vec![MaxTerm { offset: 0.0, gradient }],
             low: DVector::from_fn(n, |i, _| end(i, bounds.low[i])),
             high: DVector::from_fn(n, |i, _| end(i, bounds.high[i])),
             rows: vec![],
         };
-        let found = program.solve()?;
+        let found = solver.solve(&program).filter(|found| found.d.amax() <= FAR)?;
         let d = DVector::from_fn(n, |i, _| found.d[i] / size(i));
         let promised = -(self.gradient.dot(&d) + 0.5 * d.dot(&(&self.curvature * &d)));
-        let to = |i: usize| match found.ends[i] {
-            super::super::qp::End::Low if bounds.low[i].is_finite() => bounds.low[i],
-            super::super::qp::End::High if bounds.high[i].is_finite() => bounds.high[i],
+        let to = |i: usize| match found.sides[i] {
+            Side::Lower if bounds.low[i].is_finite() => bounds.low[i],
+            Side::Upper if bounds.high[i].is_finite() => bounds.high[i],
             _ => (self.x[i] + d[i]).clamp(bounds.low[i], bounds.high[i]),
         };
         Some(((0..n).map(to).collect(), promised))

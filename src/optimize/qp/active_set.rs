@@ -1,42 +1,54 @@
-use super::program::{End, QuadraticProgram};
+use super::program::{QuadraticProgram, Side};
+use serde::{Deserialize, Serialize};
 
-/// Which ends, rows and pieces hold a step.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct ActiveSet {
-    pub ends: Vec<End>,
-    pub rows: Vec<End>,
-    pub pieces: Vec<bool>,
+/// The bounds, rows and terms of the maximum that are active at a solution.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub(in crate::optimize) struct ActiveSet {
+    pub bounds: Vec<Side>,
+    pub rows: Vec<Side>,
+    pub max_terms: Vec<bool>,
 }
 
-/// A constraint that can be active at a step.
+/// A bound, row or term that can be active.
 #[derive(Clone, Copy)]
 pub(super) enum ActiveConstraint {
-    Variable(usize, End),
-    Row(usize, End),
-    Piece(usize),
+    Bound(usize, Side),
+    Row(usize, Side),
+    MaxTerm(usize),
 }
 
-impl QuadraticProgram {
-    /// The active set of these holders, and of what holds any step: fixed variables, equations, and at least one piece.
-    pub(super) fn held_by(&self, holders: impl IntoIterator<Item = ActiveConstraint>) -> ActiveSet {
-        let fixed = |is_fixed: bool| if is_fixed { End::Low } else { End::Free };
-        let mut active = ActiveSet {
-            ends: (0..self.dimension()).map(|i| fixed(self.low[i] == self.high[i])).collect(),
-            rows: self.rows.iter().map(|row| fixed(row.low == row.high)).collect(),
-            pieces: vec![self.pieces.len() == 1; self.pieces.len()],
+impl ActiveSet {
+    /// Whether it is one of a program of `n` variables and `m` rows.
+    pub fn is_of(&self, n: usize, m: usize) -> bool {
+        self.bounds.len() == n && self.rows.len() == m && !self.max_terms.is_empty()
+    }
+
+    /// Whether it is one of a program of this shape.
+    pub fn fits(&self, program: &QuadraticProgram) -> bool {
+        self.bounds.len() == program.dimension()
+            && self.rows.len() == program.rows.len()
+            && self.max_terms.len() == program.max_terms.len()
+    }
+
+    /// The active set of these constraints, and of what is always active: fixed variables, equations, and at least one term.
+    pub(super) fn new(program: &QuadraticProgram, active: impl IntoIterator<Item = ActiveConstraint>) -> Self {
+        let fixed = |is_fixed: bool| if is_fixed { Side::Lower } else { Side::Inactive };
+        let terms = program.max_terms.len();
+        let mut set = Self {
+            bounds: (0..program.dimension()).map(|i| fixed(program.low[i] == program.high[i])).collect(),
+            rows: program.rows.iter().map(|row| fixed(row.is_equation())).collect(),
+            max_terms: vec![terms == 1; terms],
         };
-        for holder in holders {
-            match holder {
-                ActiveConstraint::Variable(i, end) if self.low[i] < self.high[i] => active.ends[i] = end,
-                ActiveConstraint::Row(j, end) if self.rows[j].low < self.rows[j].high => active.rows[j] = end,
-                ActiveConstraint::Piece(k) => active.pieces[k] = true,
-                // fixed already
-                ActiveConstraint::Variable(..) | ActiveConstraint::Row(..) => {}
+        for constraint in active {
+            match constraint {
+                ActiveConstraint::Bound(i, side) => set.bounds[i] = side,
+                ActiveConstraint::Row(j, side) => set.rows[j] = side,
+                ActiveConstraint::MaxTerm(k) => set.max_terms[k] = true,
             }
         }
-        if !active.pieces.contains(&true) {
-            active.pieces[0] = true;
+        if !set.max_terms.contains(&true) {
+            set.max_terms[0] = true;
         }
-        active
+        set
     }
 }

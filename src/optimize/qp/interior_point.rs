@@ -1,90 +1,285 @@
-use super::active_set::{ActiveConstraint, ActiveSet};
-use super::program::{End, QuadraticProgram};
+//! Clarabel, the interior-point method: active sets, approximate solutions, and proofs of infeasibility.
+
+use super::active_set::ActiveConstraint;
+use super::program::{QuadraticProgram, Side, Step, StepSource};
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{DefaultSettings, DefaultSolver, IPSolver, SolverStatus, SupportedConeT};
+use nalgebra::DVector;
+use std::fmt;
 
-impl QuadraticProgram {
-    /// Clarabel's active set; `None` where it does not answer "solved".
-    pub(super) fn clarabel(&self) -> Option<ActiveSet> {
-        let (n, pieces) = (self.dimension(), self.pieces.len());
-        // with several pieces their maximum is one more variable t ≥ offsetₖ + gradientₖ · d
-        let epigraph = usize::from(pieces > 1);
-        let size = n + epigraph;
-        // steps in units of the box, the objective in units of its slope over the box: Clarabel's tolerances
-        // are absolute
-        let reach = self.high.amax().max(self.low.amax()).max(f64::MIN_POSITIVE);
-        let slope = self.pieces.iter().map(|piece| piece.gradient.amax()).fold(0.0, f64::max);
-        let bend = if self.rows.is_empty() { 0.0 } else { self.curvature.amax() * reach * reach };
-        let unit = (slope * reach).max(bend).max(f64::MIN_POSITIVE);
+/// Clarabel's answer.
+pub(super) enum Answer {
+    /// The active constraints, those with the largest multipliers first, and the solution itself where Clarabel calls it one.
+    Found(Vec<ActiveConstraint>, Option<Step>),
+    /// The rows cannot be met within the bounds.
+    Infeasible,
+}
 
-        let mut p = vec![vec![0.0; size]; size];
-        for (i, row) in p.iter_mut().enumerate().take(n) {
-            // upper triangle
-            for (j, entry) in row.iter_mut().enumerate().take(n).skip(i) {
-                *entry = self.curvature[(i, j)] * (reach * reach / unit);
-            }
-        }
-        let mut q = vec![0.0; size];
-        if epigraph == 1 {
-            q[n] = 1.0;
-        } else {
-            q.copy_from_slice((&self.pieces[0].gradient * (reach / unit)).as_slice());
-        }
+/// A Clarabel solver for programs of one sparsity pattern. A program of the same pattern only updates its data.
+#[derive(Default)]
+pub(super) struct InteriorPoint {
+    solver: Option<DefaultSolver<f64>>,
+    equations: usize,
+}
 
-        let mut equations = Vec::new();
-        let mut inequalities = Vec::new();
-        let mut whose = Vec::new();
-        let mut add = |normal: Vec<f64>, limit: f64, is_equation: bool, holder: ActiveConstraint| {
-            if is_equation {
-                equations.push((normal, limit));
-            } else if limit.is_finite() {
-                inequalities.push((normal, limit));
-                whose.push(holder);
-            }
-        };
-        let wide = |normal: &mut dyn Iterator<Item = f64>| normal.chain(vec![0.0; epigraph]).collect::<Vec<_>>();
-        for i in 0..n {
-            for (sign, limit, end) in [(1.0, self.high[i], End::High), (-1.0, -self.low[i], End::Low)] {
-                let normal = wide(&mut (0..n).map(|k| if k == i { sign } else { 0.0 }));
-                add(normal, limit / reach, false, ActiveConstraint::Variable(i, end));
-            }
-        }
-        for (j, row) in self.rows.iter().enumerate() {
-            let longest = row.normal.amax().max(f64::MIN_POSITIVE);
-            for (sign, limit, end) in [(1.0, row.high, End::High), (-1.0, -row.low, End::Low)] {
-                let is_equation = row.low == row.high;
-                if !(is_equation && end == End::Low) {
-                    let normal = wide(&mut row.normal.iter().map(|a| sign * a / longest));
-                    add(normal, limit / (reach * longest), is_equation, ActiveConstraint::Row(j, end));
-                }
-            }
-        }
-        if epigraph == 1 {
-            for (k, piece) in self.pieces.iter().enumerate() {
-                let mut row: Vec<f64> = piece.gradient.iter().map(|g| g * (reach / unit)).collect();
-                row.push(-1.0);
-                add(row, -piece.offset / unit, false, ActiveConstraint::Piece(k));
-            }
-        }
+impl Clone for InteriorPoint {
+    /// A solver without a program: the data of the next one are all that its answer depends on.
+    fn clone(&self) -> Self {
+        Self::default()
+    }
+}
 
-        let first_inequality = equations.len();
-        let mut cones = vec![SupportedConeT::NonnegativeConeT(inequalities.len())];
-        if first_inequality > 0 {
-            cones.insert(0, SupportedConeT::ZeroConeT(first_inequality));
+impl fmt::Debug for InteriorPoint {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("InteriorPoint")
+    }
+}
+
+/// Accuracy asked of Clarabel. Where no active set is exact, its own multipliers must meet the KKT tolerance of a search.
+const TOLERANCE: f64 = 1e-10;
+
+/// A constraint as a row a · x + s = limit of Clarabel's standard form, with s = 0 or s ≥ 0.
+struct ConeRow {
+    coefficients: Coefficients,
+    limit: f64,
+    constraint: ActiveConstraint,
+    /// The program's multiplier for a unit of Clarabel's.
+    multiplier_unit: f64,
+}
+
+enum Coefficients {
+    One { variable: usize, value: f64 },
+    All(Vec<f64>),
+}
+
+impl ConeRow {
+    /// The coefficient of a variable; `None` for an entry that is no part of the sparsity pattern.
+    fn coefficient(&self, column: usize) -> Option<f64> {
+        match &self.coefficients {
+            Coefficients::One { variable, value } => (*variable == column).then_some(*value),
+            Coefficients::All(all) => Some(all[column]),
         }
-        let (rows, limits): (Vec<_>, Vec<_>) = equations.into_iter().chain(inequalities).unzip();
-        let settings = DefaultSettings { verbose: false, presolve_enable: false, ..DefaultSettings::default() };
-        let (p, a) = (CscMatrix::from(&p), CscMatrix::from(&rows));
-        let mut solver = DefaultSolver::new(&p, &q, &a, &limits, &cones, settings).ok()?;
+    }
+}
+
+/// A program in Clarabel's standard form, scaled: steps in units of the largest bound, the objective in units of its change over it, rows
+/// with a largest coefficient of 1. Clarabel's tolerances are absolute, and its own equilibration is then of no use.
+struct StandardForm {
+    /// The number of variables, with the epigraph variable t ≥ offsetₖ + gradientₖ · d where there are several terms.
+    size: usize,
+    hessian: CscMatrix<f64>,
+    gradient: Vec<f64>,
+    equations: Vec<ConeRow>,
+    inequalities: Vec<ConeRow>,
+    length_unit: f64,
+    value_unit: f64,
+}
+
+impl InteriorPoint {
+    /// Solves a program; `None` where Clarabel ends with neither a solution nor a proof.
+    pub fn solve(&mut self, program: &QuadraticProgram) -> Option<Answer> {
+        let form = StandardForm::new(program);
+        let solver = self.updated(&form)?;
         solver.solve();
         let solution = &solver.solution;
-        if !matches!(solution.status, SolverStatus::Solved) {
-            return None;
+        match solution.status {
+            SolverStatus::PrimalInfeasible | SolverStatus::AlmostPrimalInfeasible => return Some(Answer::Infeasible),
+            _ if !solution.x.iter().chain(&solution.z).all(|number| number.is_finite()) => return None,
+            _ => {}
         }
-
-        // at a solution a constraint's multiplier or its slack vanishes: the larger says which
-        let holds = |row: usize| solution.z[row] > solution.s[row];
-        let holders = whose.into_iter().enumerate().filter(|(at, _)| holds(first_inequality + at));
-        Some(self.held_by(holders.map(|(_, holder)| holder)))
+        let is_accurate = matches!(
+            solution.status,
+            SolverStatus::Solved | SolverStatus::AlmostSolved | SolverStatus::InsufficientProgress
+        );
+        // of a constraint's multiplier and its slack one vanishes at a solution: the larger says which
+        let first = form.equations.len();
+        let mut active: Vec<(f64, ActiveConstraint)> = form
+            .inequalities
+            .iter()
+            .zip(solution.z[first..].iter().zip(&solution.s[first..]))
+            .filter(|(_, (z, s))| z > s)
+            .map(|(row, (z, _))| (*z, row.constraint))
+            .collect();
+        active.sort_by(|a, b| b.0.total_cmp(&a.0));
+        let active = active.into_iter().map(|(_, constraint)| constraint).collect();
+        let own = is_accurate.then(|| form.step(program, &solution.x, &solution.z));
+        Some(Answer::Found(active, own))
     }
+
+    /// The solver with the data of a program.
+    fn updated(&mut self, form: &StandardForm) -> Option<&mut DefaultSolver<f64>> {
+        let (matrix, limits) = form.constraints();
+        if self.equations == form.equations.len()
+            && let Some(solver) = &mut self.solver
+            && solver.update_data(&form.hessian, &form.gradient, &matrix, &limits).is_ok()
+        {
+            return self.solver.as_mut();
+        }
+        let cones = [
+            SupportedConeT::ZeroConeT(form.equations.len()),
+            SupportedConeT::NonnegativeConeT(form.inequalities.len()),
+        ];
+        let settings = DefaultSettings {
+            verbose: false,
+            // data are updated, so nothing may be removed
+            presolve_enable: false,
+            equilibrate_enable: false,
+            tol_gap_abs: TOLERANCE,
+            tol_gap_rel: TOLERANCE,
+            tol_feas: TOLERANCE,
+            ..DefaultSettings::default()
+        };
+        self.equations = form.equations.len();
+        self.solver = DefaultSolver::new(&form.hessian, &form.gradient, &matrix, &limits, &cones, settings).ok();
+        self.solver.as_mut()
+    }
+}
+
+impl StandardForm {
+    fn new(program: &QuadraticProgram) -> Self {
+        let (n, terms) = (program.dimension(), program.max_terms.len());
+        let size = n + usize::from(terms > 1);
+        let length_unit = program.reach();
+        let bend = program.hessian.amax() * length_unit * length_unit;
+        let slope = program.largest_slope() * length_unit;
+        // between the two where curvature dominates: neither vanishes beside the tolerances
+        let value_unit = if slope > 0.0 { (slope * slope.max(bend)).sqrt() } else { bend.max(f64::MIN_POSITIVE) };
+        let slope_unit = value_unit / length_unit;
+
+        let mut gradient = vec![0.0; size];
+        if terms > 1 {
+            gradient[n] = 1.0;
+        } else {
+            gradient.copy_from_slice((&program.max_terms[0].gradient / slope_unit).as_slice());
+        }
+        let mut form = Self {
+            size,
+            hessian: upper_triangle(program, size, length_unit * length_unit / value_unit),
+            gradient,
+            equations: vec![],
+            inequalities: vec![],
+            length_unit,
+            value_unit,
+        };
+        for i in 0..n {
+            form.add_bounds(program, i);
+        }
+        for j in 0..program.rows.len() {
+            form.add_row(program, j);
+        }
+        if terms > 1 {
+            for (k, term) in program.max_terms.iter().enumerate() {
+                // gradientₖ · d − t ≤ −offsetₖ
+                let mut coefficients: Vec<f64> = term.gradient.iter().map(|slope| slope / slope_unit).collect();
+                coefficients.push(-1.0);
+                form.inequalities.push(ConeRow {
+                    coefficients: Coefficients::All(coefficients),
+                    limit: -term.offset / value_unit,
+                    constraint: ActiveConstraint::MaxTerm(k),
+                    multiplier_unit: 1.0,
+                });
+            }
+        }
+        form
+    }
+
+    fn add_bounds(&mut self, program: &QuadraticProgram, i: usize) {
+        let row = |value: f64, limit: f64, side: Side| ConeRow {
+            coefficients: Coefficients::One { variable: i, value },
+            limit: limit / self.length_unit,
+            constraint: ActiveConstraint::Bound(i, side),
+            multiplier_unit: self.value_unit / self.length_unit,
+        };
+        let (upper, lower) = (row(1.0, program.high[i], Side::Upper), row(-1.0, -program.low[i], Side::Lower));
+        if program.low[i] == program.high[i] {
+            self.equations.push(upper);
+            return;
+        }
+        self.inequalities.extend([upper, lower].into_iter().filter(|row| row.limit.is_finite()));
+    }
+
+    fn add_row(&mut self, program: &QuadraticProgram, j: usize) {
+        let row = &program.rows[j];
+        let largest = if row.normal.amax() > 0.0 { row.normal.amax() } else { 1.0 };
+        let cone_row = |sign: f64, limit: f64, side: Side| {
+            let mut coefficients: Vec<f64> = row.normal.iter().map(|a| sign * a / largest).collect();
+            coefficients.resize(self.size, 0.0);
+            ConeRow {
+                coefficients: Coefficients::All(coefficients),
+                limit: sign * limit / (self.length_unit * largest),
+                constraint: ActiveConstraint::Row(j, side),
+                multiplier_unit: sign * self.value_unit / (self.length_unit * largest),
+            }
+        };
+        if row.is_equation() {
+            let equation = cone_row(1.0, row.high, Side::Upper);
+            self.equations.push(equation);
+            return;
+        }
+        let sides = [(1.0, row.high, Side::Upper), (-1.0, row.low, Side::Lower)];
+        let limits: Vec<ConeRow> = sides
+            .into_iter()
+            .filter(|(_, limit, _)| limit.is_finite())
+            .map(|(sign, limit, side)| cone_row(sign, limit, side))
+            .collect();
+        self.inequalities.extend(limits);
+    }
+
+    /// Equations, then inequalities.
+    fn rows(&self) -> impl Iterator<Item = &ConeRow> {
+        self.equations.iter().chain(&self.inequalities)
+    }
+
+    /// The matrix A and the limits b of A x + s = b.
+    fn constraints(&self) -> (CscMatrix<f64>, Vec<f64>) {
+        let (mut starts, mut places, mut values) = (vec![0], vec![], vec![]);
+        for column in 0..self.size {
+            for (at, row) in self.rows().enumerate() {
+                if let Some(value) = row.coefficient(column) {
+                    places.push(at);
+                    values.push(value);
+                }
+            }
+            starts.push(values.len());
+        }
+        let limits: Vec<f64> = self.rows().map(|row| row.limit).collect();
+        (CscMatrix::new(limits.len(), self.size, starts, places, values), limits)
+    }
+
+    /// Clarabel's solution x with its multipliers z, moved inside the bounds.
+    fn step(&self, program: &QuadraticProgram, x: &[f64], z: &[f64]) -> Step {
+        let n = program.dimension();
+        let mut step = Step {
+            d: DVector::from_fn(n, |i, _| x[i] * self.length_unit),
+            sides: vec![Side::Inactive; n],
+            weights: vec![0.0; program.max_terms.len()],
+            multipliers: vec![0.0; program.rows.len()],
+            source: StepSource::Unpolished,
+        };
+        for (row, z) in self.rows().zip(z) {
+            match row.constraint {
+                ActiveConstraint::Bound(..) => {}
+                ActiveConstraint::Row(j, _) => step.multipliers[j] += z * row.multiplier_unit,
+                ActiveConstraint::MaxTerm(k) => step.weights[k] = *z,
+            }
+        }
+        if let [weight] = step.weights.as_mut_slice() {
+            *weight = 1.0;
+        }
+        step.move_inside(program);
+        step
+    }
+}
+
+/// The upper triangle of the scaled Hessian, with all entries in the sparsity pattern.
+fn upper_triangle(program: &QuadraticProgram, size: usize, scale: f64) -> CscMatrix<f64> {
+    let (n, mut starts, mut places, mut values) = (program.dimension(), vec![0], vec![], vec![]);
+    for column in 0..size {
+        if column < n {
+            places.extend(0..=column);
+            values.extend(program.hessian.column(column).iter().take(column + 1).map(|entry| entry * scale));
+        }
+        starts.push(values.len());
+    }
+    CscMatrix::new(size, size, starts, places, values)
 }

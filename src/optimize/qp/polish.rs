@@ -1,89 +1,122 @@
-//! From an active set to the exact solution it implies, and from there to a better active set.
+//! From an active set to the exact solution that it implies, and from there to a better active set.
 
-use super::active_set::ActiveSet;
-use super::ends::{clamp, corrected_end};
+use super::active_set::{ActiveConstraint, ActiveSet};
 use super::linear::solved;
-use super::program::{End, Method, Piece, QuadraticProgram, Row, Step};
+use super::program::{MaxTerm, QuadraticProgram, Row, Side, Step, StepSource};
 use nalgebra::{DMatrix, DVector};
 
-/// What an active set implies, perhaps outside the ends.
-pub(super) struct Candidate {
-    pub d: DVector<f64>,
-    pub weights: Vec<f64>,
-    pub multipliers: Vec<f64>,
-    /// The pieces' common value.
-    pub level: f64,
+/// The solution of the equations of an active set. It may violate other constraints.
+struct Candidate {
+    d: DVector<f64>,
+    weights: Vec<f64>,
+    multipliers: Vec<f64>,
+    /// The common value of the active terms of the maximum.
+    epigraph: f64,
 }
 
-/// Rounding allowed where a row is compared with its ends.
-const ROUNDING: f64 = 1e-11;
+/// Clarabel's solution is this near to the exact one, relative.
+const NEARBY: f64 = 1e-6;
+/// Rounding of a row's value, relative to its terms.
+const ROW_ROUNDING: f64 = 1e-11;
+/// Rounding of a variable, relative to the largest of the step.
+const BOUND_ROUNDING: f64 = 1e-14;
 
 impl QuadraticProgram {
-    /// The exact solution from an active set to begin with, and from what it implies if that is known. `Err` where none is consistent:
-    /// the best step met on the way, if one is worth taking.
-    pub(super) fn polished(
-        &self,
-        mut active: ActiveSet,
-        mut implied: Option<Candidate>,
-        by: Method,
-    ) -> Result<Step, Option<Step>> {
-        let mut best: Option<(f64, Step)> = None;
-        // a set that comes again would come again and again
+    /// The active set of these constraints, strongest first, without the weakest that contradict the others: two limits nearer to each other than
+    /// Clarabel's tolerance both look active.
+    pub(super) fn consistent_part(&self, mut ranked: Vec<ActiveConstraint>) -> ActiveSet {
+        loop {
+            let active = ActiveSet::new(self, ranked.iter().copied());
+            if self.candidate(&active).is_some() || ranked.pop().is_none() {
+                return active;
+            }
+        }
+    }
+
+    /// The exact solution near an active set, with its own: what contradicts the KKT conditions is corrected, up to a set that was
+    /// there before. `None` where no set on the way is exact.
+    pub(super) fn polished(&self, mut active: ActiveSet, source: StepSource) -> Option<(ActiveSet, Step)> {
         let mut seen = vec![];
         while seen.len() < self.most_corrections() && !seen.contains(&active) {
-            let Some(candidate) = implied.take().or_else(|| self.equality_step(&active)) else { break };
+            let candidate = self.candidate(&active)?;
             let corrected = self.corrected(&active, &candidate);
-            let step = self.taken(&candidate, &active, by);
             if corrected == active {
-                return if self.is_worth_it(&step) { Ok(step) } else { Err(None) };
-            }
-            let value = self.value(&step.d);
-            if self.is_worth_it(&step) && best.as_ref().is_none_or(|(least, _)| value < *least) {
-                best = Some((value, step));
+                let step = self.accepted(candidate, &active, source)?;
+                return Some((active, step));
             }
             seen.push(std::mem::replace(&mut active, corrected));
         }
-        Err(best.map(|(_, step)| step))
+        None
     }
 
-    /// Corrections of an active set after which it is given up.
+    /// The exact point of an active set with the multipliers of an approximate solution: where gradients of active constraints depend on
+    /// each other the point is unique, its multipliers are not, and those of the equations may have the wrong sign.
+    pub(super) fn with_multipliers_of(&self, active: &ActiveSet, approximate: &Step) -> Option<Step> {
+        let candidate = self.candidate(active)?;
+        let distance = (&candidate.d - &approximate.d).amax();
+        if distance > NEARBY * (approximate.d.amax() + self.reach().min(1.0)) {
+            return None;
+        }
+        let step = self.accepted(candidate, active, approximate.source)?;
+        let Step { weights, multipliers, .. } = approximate.clone();
+        Some(Step { weights, multipliers, ..step })
+    }
+
+    /// The solution that an active set implies, if the KKT conditions hold there.
+    pub(super) fn exact_step(&self, active: &ActiveSet, source: StepSource) -> Option<Step> {
+        let candidate = self.candidate(active)?;
+        if self.corrected(active, &candidate) != *active {
+            return None;
+        }
+        self.accepted(candidate, active, source)
+    }
+
+    /// Corrections after which a polish ends without a result.
     fn most_corrections(&self) -> usize {
-        2 * (self.dimension() + self.rows.len() + self.pieces.len()) + 4
+        2 * (self.dimension() + self.rows.len() + self.max_terms.len()) + 4
     }
 
-    /// Whether a step meets the rows and, where staying would meet them too, is better than that.
-    pub(super) fn is_worth_it(&self, step: &Step) -> bool {
-        let rows_met = self.missed(&step.d) <= 1e-9 * (1.0 + step.d.amax());
-        // a step that should be none is rounding, up or down
-        let reach = self.high.amax().max(self.low.amax());
-        let rounding = 1e-14 * reach * self.pieces.iter().map(|piece| piece.gradient.amax()).fold(0.0, f64::max);
-        let staying = self.pieces.iter().map(|piece| piece.offset).fold(f64::NEG_INFINITY, f64::max);
-        let staying_misses = self.rows.iter().any(|row| row.low > 0.0 || row.high < 0.0);
-        rows_met && (staying_misses || self.value(&step.d) <= staying + rounding)
+    /// A candidate as a step within the bounds; `None` where rounding has spoilt it.
+    fn accepted(&self, candidate: Candidate, active: &ActiveSet, source: StepSource) -> Option<Step> {
+        let Candidate { d, weights, multipliers, .. } = candidate;
+        let mut step = Step { d, sides: active.bounds.clone(), weights, multipliers, source };
+        step.move_inside(self);
+        let meets_rows = self.violation(&step.d) <= 1e-9 * (1.0 + step.d.amax());
+        (meets_rows && self.is_no_worse_than_none(&step)).then_some(step)
     }
 
-    /// Solves the program with the active ends, rows and pieces as equations: B d + Σ αₖ gradientₖ + Σ μⱼ normalⱼ = 0 on the free
-    /// variables, Σ αₖ = 1, and offsetₖ + gradientₖ · d the same for every active piece. The first of these pieces is taken off
-    /// the others, so that a single one asks for no equation.
-    fn equality_step(&self, active: &ActiveSet) -> Option<Candidate> {
-        let free: Vec<usize> = (0..self.dimension()).filter(|&i| active.ends[i] == End::Free).collect();
-        let tight: Vec<usize> = (0..self.rows.len()).filter(|&j| active.rows[j] != End::Free).collect();
-        let mut held = (0..self.pieces.len()).filter(|&k| active.pieces[k]);
-        let first = held.next()?;
-        let held: Vec<usize> = held.collect();
-        let Piece { offset, gradient } = &self.pieces[first];
-        let mut d = DVector::from_fn(self.dimension(), |i, _| match active.ends[i] {
-            End::Free => 0.0,
-            End::Low => self.low[i],
-            End::High => self.high[i],
+    /// Whether a step is better than none, where none meets the rows too.
+    fn is_no_worse_than_none(&self, step: &Step) -> bool {
+        if self.rows.iter().any(|row| row.low > 0.0 || row.high < 0.0) {
+            return true;
+        }
+        let at_zero = self.max_terms.iter().map(|term| term.offset).fold(f64::NEG_INFINITY, f64::max);
+        let rounding = 1e-14 * self.reach() * self.largest_slope();
+        self.value(&step.d) <= at_zero + rounding
+    }
+
+    /// Solves the program with the active bounds, rows and terms as equations: B d + Σ αₖ gradientₖ + Σ μⱼ normalⱼ = 0 on the inactive
+    /// variables, Σ αₖ = 1, and offsetₖ + gradientₖ · d equal for all active terms. The first active term is subtracted from
+    /// the others, so that a single one needs no equation.
+    fn candidate(&self, active: &ActiveSet) -> Option<Candidate> {
+        let free: Vec<usize> = (0..self.dimension()).filter(|&i| active.bounds[i] == Side::Inactive).collect();
+        let active_rows: Vec<usize> = (0..self.rows.len()).filter(|&j| active.rows[j] != Side::Inactive).collect();
+        let mut others = (0..self.max_terms.len()).filter(|&k| active.max_terms[k]);
+        let first = others.next()?;
+        let others: Vec<usize> = others.collect();
+        let MaxTerm { offset, gradient } = &self.max_terms[first];
+        let mut d = DVector::from_fn(self.dimension(), |i, _| match active.bounds[i] {
+            Side::Inactive => 0.0,
+            Side::Lower => self.low[i],
+            Side::Upper => self.high[i],
         });
 
-        let (f, after_pieces) = (free.len(), free.len() + held.len());
-        let size = after_pieces + tight.len();
+        let (f, after_terms) = (free.len(), free.len() + others.len());
+        let size = after_terms + active_rows.len();
         let mut matrix = DMatrix::zeros(size, size);
         let mut right = DVector::zeros(size);
         for (column, &i) in free.iter().enumerate() {
-            let bend = self.curvature.column(i);
+            let bend = self.hessian.column(i);
             for (row, &j) in free.iter().enumerate() {
                 matrix[(row, column)] = bend[j];
             }
@@ -96,13 +129,13 @@ impl QuadraticProgram {
             }
             right[at] = limit - d.iter().enumerate().map(|(i, d)| normal(i) * d).sum::<f64>();
         };
-        for (at, &k) in held.iter().enumerate() {
-            let other = &self.pieces[k];
+        for (at, &k) in others.iter().enumerate() {
+            let other = &self.max_terms[k];
             border(f + at, &|i| other.gradient[i] - gradient[i], offset - other.offset);
         }
-        for (at, &j) in tight.iter().enumerate() {
+        for (at, &j) in active_rows.iter().enumerate() {
             let Row { normal, low, high } = &self.rows[j];
-            border(after_pieces + at, &|i| normal[i], if active.rows[j] == End::Low { *low } else { *high });
+            border(after_terms + at, &|i| normal[i], if active.rows[j] == Side::Lower { *low } else { *high });
         }
 
         let solution = solved(matrix, right)?;
@@ -116,59 +149,85 @@ impl QuadraticProgram {
             }
             all
         };
-        let mut weights = spread(self.pieces.len(), &held, f);
+        let mut weights = spread(self.max_terms.len(), &others, f);
         weights[first] = 1.0 - weights.iter().sum::<f64>();
-        let level = offset + gradient.dot(&d);
-        Some(Candidate { weights, multipliers: spread(self.rows.len(), &tight, after_pieces), level, d })
+        let epigraph = offset + gradient.dot(&d);
+        Some(Candidate { weights, multipliers: spread(self.rows.len(), &active_rows, after_terms), epigraph, d })
     }
 
-    /// The active set with what a candidate contradicts put right: free variables and rows beyond an end are held,
-    /// held ones that pull inward are freed, and likewise for the pieces.
+    /// The active set with what a candidate contradicts corrected: a violated constraint becomes active, one whose multiplier has the wrong
+    /// sign inactive.
     fn corrected(&self, active: &ActiveSet, candidate: &Candidate) -> ActiveSet {
-        let Candidate { d, weights, multipliers, level } = candidate;
-        let mut pull = &self.curvature * d;
-        for (piece, weight) in self.pieces.iter().zip(weights) {
-            pull.axpy(*weight, &piece.gradient, 1.0);
-        }
-        for (row, multiplier) in self.rows.iter().zip(multipliers) {
-            pull.axpy(*multiplier, &row.normal, 1.0);
-        }
-        let row = |j: usize| {
-            let Row { normal, low, high } = &self.rows[j];
-            let (value, rounding) = (normal.dot(d), ROUNDING * (1.0 + normal.amax() * d.amax()));
-            match active.rows[j] {
-                _ if low == high => End::Low,
-                End::Free if value < low - rounding => End::Low,
-                End::Free if value > high + rounding => End::High,
-                End::Low if multipliers[j] > 0.0 => End::Free,
-                End::High if multipliers[j] < 0.0 => End::Free,
-                same => same,
-            }
-        };
-        let tolerance = 1e-12 * (1.0 + level.abs());
-        let piece = |k: usize| {
-            let Piece { offset, gradient } = &self.pieces[k];
-            if active.pieces[k] { weights[k] >= 0.0 } else { offset + gradient.dot(d) > level + tolerance }
-        };
-        let end = |i: usize| corrected_end((self.low[i], self.high[i]), active.ends[i], d[i], pull[i], || d.amax());
+        let slopes = self.lagrangian_slopes(candidate);
         ActiveSet {
-            ends: (0..self.dimension()).map(end).collect(),
-            rows: (0..self.rows.len()).map(row).collect(),
-            pieces: (0..self.pieces.len()).map(piece).collect(),
+            bounds: (0..self.dimension()).map(|i| self.corrected_bound(i, active, candidate, slopes[i])).collect(),
+            rows: (0..self.rows.len()).map(|j| self.corrected_row(j, active, candidate)).collect(),
+            max_terms: (0..self.max_terms.len()).map(|k| self.corrected_term(k, active, candidate)).collect(),
         }
     }
 
-    /// The candidate as a step, inside the ends.
-    fn taken(&self, candidate: &Candidate, active: &ActiveSet, by: Method) -> Step {
-        let Candidate { d, weights, multipliers, .. } = candidate;
-        let mut step = Step {
-            d: d.clone(),
-            ends: active.ends.clone(),
-            weights: weights.clone(),
-            multipliers: multipliers.clone(),
-            by,
-        };
-        clamp(&self.low, &self.high, &mut step);
-        step
+    /// B d + Σ αₖ gradientₖ + Σ μⱼ normalⱼ.
+    fn lagrangian_slopes(&self, candidate: &Candidate) -> DVector<f64> {
+        let mut slopes = &self.hessian * &candidate.d;
+        for (term, weight) in self.max_terms.iter().zip(&candidate.weights) {
+            slopes.axpy(*weight, &term.gradient, 1.0);
+        }
+        for (row, multiplier) in self.rows.iter().zip(&candidate.multipliers) {
+            slopes.axpy(*multiplier, &row.normal, 1.0);
+        }
+        slopes
+    }
+
+    fn corrected_bound(&self, i: usize, active: &ActiveSet, candidate: &Candidate, slope: f64) -> Side {
+        let (low, high, d) = (self.low[i], self.high[i], candidate.d[i]);
+        let is_beyond = |excess: f64| excess > 0.0 && excess > BOUND_ROUNDING * candidate.d.amax();
+        match active.bounds[i] {
+            _ if low == high => Side::Lower,
+            Side::Inactive if is_beyond(low - d) => Side::Lower,
+            Side::Inactive if is_beyond(d - high) => Side::Upper,
+            Side::Lower if slope < 0.0 => Side::Inactive,
+            Side::Upper if slope > 0.0 => Side::Inactive,
+            same => same,
+        }
+    }
+
+    fn corrected_row(&self, j: usize, active: &ActiveSet, candidate: &Candidate) -> Side {
+        let (row, multiplier) = (&self.rows[j], candidate.multipliers[j]);
+        let value = row.normal.dot(&candidate.d);
+        let rounding = ROW_ROUNDING * (1.0 + row.normal.amax() * candidate.d.amax());
+        match active.rows[j] {
+            _ if row.is_equation() => Side::Lower,
+            Side::Inactive if value < row.low - rounding => Side::Lower,
+            Side::Inactive if value > row.high + rounding => Side::Upper,
+            Side::Lower if multiplier > 0.0 => Side::Inactive,
+            Side::Upper if multiplier < 0.0 => Side::Inactive,
+            same => same,
+        }
+    }
+
+    fn corrected_term(&self, k: usize, active: &ActiveSet, candidate: &Candidate) -> bool {
+        if active.max_terms[k] {
+            return candidate.weights[k] >= 0.0;
+        }
+        let MaxTerm { offset, gradient } = &self.max_terms[k];
+        let rounding = 1e-12 * (1.0 + candidate.epigraph.abs());
+        offset + gradient.dot(&candidate.d) > candidate.epigraph + rounding
+    }
+}
+
+impl Step {
+    /// Moves a step inside the bounds; a variable within rounding of one is set on it.
+    pub(super) fn move_inside(&mut self, program: &QuadraticProgram) {
+        let rounding = BOUND_ROUNDING * self.d.amax();
+        for i in 0..self.d.len() {
+            let (low, high, d) = (program.low[i], program.high[i], self.d[i]);
+            (self.sides[i], self.d[i]) = if d - low <= rounding {
+                (Side::Lower, low)
+            } else if high - d <= rounding {
+                (Side::Upper, high)
+            } else {
+                (Side::Inactive, d)
+            };
+        }
     }
 }

@@ -1,18 +1,18 @@
 use nalgebra::{DMatrix, DVector};
 
-/// minimise  ½ dᵀB d + maxₖ (offsetₖ + gradientₖ · d)  over  low ≤ d ≤ high  and  rows, with B positive definite.
+/// minimise  ½ dᵀB d + maxₖ (offsetₖ + gradientₖ · d)  over  low ≤ d ≤ high  and  linear constraints, with B positive semidefinite.
 ///
-/// One piece is the usual quadratic model of a smooth function; more describe a function with a kink, each
-/// smooth side of it by a piece.
+/// One term of the maximum is the usual quadratic model of a smooth function; more describe a function with a corner, each smooth side of it
+/// by a term. All numbers must be finite but for limits of rows, and no lower end may exceed its upper one.
 #[derive(Clone, Debug, Default)]
 pub struct QuadraticProgram {
     /// B.
-    pub curvature: DMatrix<f64>,
-    /// The linear pieces; the first is the one that holds at d = 0.
-    pub pieces: Vec<Piece>,
-    /// Lower ends of the step, ≤ 0.
+    pub hessian: DMatrix<f64>,
+    /// The terms of the maximum, at least one; the first is the largest at d = 0.
+    pub max_terms: Vec<MaxTerm>,
+    /// Lower bounds of the step, ≤ 0, or −∞.
     pub low: DVector<f64>,
-    /// Upper ends of the step, ≥ 0.
+    /// Upper bounds of the step, ≥ 0, or ∞.
     pub high: DVector<f64>,
     /// Linear constraints.
     pub rows: Vec<Row>,
@@ -20,7 +20,7 @@ pub struct QuadraticProgram {
 
 /// offset + gradient · d.
 #[derive(Clone, Debug, Default)]
-pub struct Piece {
+pub struct MaxTerm {
     /// Value at d = 0.
     pub offset: f64,
     /// Slope.
@@ -32,96 +32,104 @@ pub struct Piece {
 pub struct Row {
     /// Coefficients of d.
     pub normal: DVector<f64>,
-    /// Lower end, or −∞.
+    /// Lower limit, or −∞.
     pub low: f64,
-    /// Upper end, or ∞.
+    /// Upper limit, or ∞.
     pub high: f64,
 }
 
-/// Where a variable or a row ends.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum End {
-    /// Between its ends.
-    Free,
+/// Whether a variable or a row is active, and on which side.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Side {
+    /// Not active.
+    Inactive,
     /// Exactly at the lower end.
-    Low,
+    Lower,
     /// Exactly at the upper end.
-    High,
+    Upper,
 }
 
-/// A step.
+/// A solution of a quadratic program.
 #[derive(Clone, Debug)]
 pub struct Step {
-    /// d; a variable at an end is there exactly.
+    /// d; a variable at a bound is there exactly.
     pub d: DVector<f64>,
-    /// Where each variable ends.
-    pub ends: Vec<End>,
-    /// Weight of each piece, ≥ 0, together 1.
+    /// The bounds on which the variables lie.
+    pub sides: Vec<Side>,
+    /// Multiplier α of each term of the maximum, ≥ 0, together 1.
     pub weights: Vec<f64>,
-    /// Multiplier of each row: > 0 at its upper end, < 0 at its lower, 0 between. Gradient, curvature and these
-    /// balance: B d + Σ αₖ gradientₖ + Σ μⱼ normalⱼ = 0 on the variables that are free.
+    /// Multiplier μ of each row: > 0 at its upper limit, < 0 at its lower, 0 between.
+    /// B d + Σ αₖ gradientₖ + Σ μⱼ normalⱼ = 0 on the variables that are not at a bound.
     pub multipliers: Vec<f64>,
-    /// Who found the active set.
-    pub by: Method,
+    /// How it was found.
+    pub source: StepSource,
 }
 
-impl Step {
-    /// That of a program without a solution: it stays where it is.
-    pub fn none(variables: usize, rows: usize) -> Self {
-        Self {
-            d: DVector::zeros(variables),
-            ends: vec![End::Free; variables],
-            weights: vec![1.0],
-            multipliers: vec![0.0; rows],
-            by: Method::Descent,
-        }
+/// How a quadratic program was solved.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum StepSource {
+    /// The active set of the program before holds: one linear system.
+    WarmStart,
+    /// Clarabel's active set, polished to an exact KKT point.
+    Clarabel,
+    /// Clarabel's own solution, moved inside the bounds: no active set near it is exact.
+    Unpolished,
+}
+
+impl Row {
+    pub(super) fn is_equation(&self) -> bool {
+        self.low == self.high
+    }
+
+    /// The amount by which d exceeds the limits: above the upper > 0, below the lower < 0.
+    pub(in crate::optimize) fn excess(&self, d: &DVector<f64>) -> f64 {
+        let value = self.normal.dot(d);
+        value - value.clamp(self.low, self.high)
     }
 }
 
-/// Who found the active set of a step.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Method {
-    /// The walk over the faces of the box.
-    Faces,
-    /// The dual active-set method.
-    Dual,
-    /// Clarabel.
-    Clarabel,
-    /// Clarabel, after the rows were rescaled.
-    Rescaled,
-    /// None: the step runs down the slope.
-    Descent,
-}
-
 impl QuadraticProgram {
-    /// Makes room for a program of `n` variables, one piece and `m` rows, without moving what has it.
+    /// Gives it the shape of a program of `n` variables, one term and `m` rows, in the memory that it has.
     pub(in crate::optimize) fn resize(&mut self, n: usize, m: usize) {
         if self.dimension() != n {
-            let own = Piece { offset: 0.0, gradient: DVector::zeros(n) };
-            let (low, high) = (DVector::zeros(n), DVector::zeros(n));
-            *self = Self { curvature: DMatrix::zeros(n, n), pieces: vec![own], low, high, rows: vec![] };
+            *self = Self {
+                hessian: DMatrix::zeros(n, n),
+                max_terms: vec![MaxTerm { offset: 0.0, gradient: DVector::zeros(n) }],
+                low: DVector::zeros(n),
+                high: DVector::zeros(n),
+                rows: vec![],
+            };
         }
-        self.pieces.truncate(1);
+        self.max_terms.truncate(1);
         self.rows.resize_with(m, Row::default);
     }
 
     /// The objective.
     pub fn value(&self, d: &DVector<f64>) -> f64 {
-        let pieces = self.pieces.iter().map(|piece| piece.offset + piece.gradient.dot(d));
-        0.5 * quadratic_form(&self.curvature, d) + pieces.fold(f64::NEG_INFINITY, f64::max)
+        let terms = self.max_terms.iter().map(|term| term.offset + term.gradient.dot(d));
+        0.5 * quadratic_form(&self.hessian, d) + terms.fold(f64::NEG_INFINITY, f64::max)
     }
 
-    /// The largest amount by which a row is missed.
-    pub(super) fn missed(&self, d: &DVector<f64>) -> f64 {
-        let missed = |row: &Row| {
-            let value = row.normal.dot(d);
-            (row.low - value).max(value - row.high).max(0.0)
-        };
-        self.rows.iter().map(missed).fold(0.0, f64::max)
+    /// The largest violation of a row.
+    pub(super) fn violation(&self, d: &DVector<f64>) -> f64 {
+        self.rows.iter().map(|row| row.excess(d).abs()).fold(0.0, f64::max)
     }
 
     pub(super) fn dimension(&self) -> usize {
         self.low.len()
+    }
+
+    /// The largest absolute value of a finite bound; 1 without one.
+    pub(super) fn reach(&self) -> f64 {
+        let bounds = self.low.iter().chain(&self.high).map(|bound| bound.abs());
+        let largest = bounds.filter(|bound| bound.is_finite()).fold(0.0, f64::max);
+        if largest > 0.0 { largest } else { 1.0 }
+    }
+
+    /// The largest slope of a term.
+    pub(super) fn largest_slope(&self) -> f64 {
+        self.max_terms.iter().map(|term| term.gradient.amax()).fold(0.0, f64::max)
     }
 }
 
