@@ -59,9 +59,9 @@ pub fn robust_reply(found: &Robust, within: Option<f64>, warnings: Vec<Message>,
 /// The limits of a model with the robust design, with what the greatest loss falls by.
 fn constraints(found: &Robust, model: usize) -> Vec<ConstraintReport> {
     let of_model = found.limits().filter(|(k, ..)| *k == model);
-    let report = |(_, j, at, _): (usize, usize, &Constrained, &[f64])| {
-        let multiplier = found.limit_price(model, j, at);
-        ConstraintReport { multiplier, ..ConstraintReport::of_goal(&found.search.subject_to[j], at) }
+    let report = |(_, j, at, _): (usize, usize, Constrained, &[f64])| {
+        let multiplier = found.limit_price(model, j, &at);
+        ConstraintReport { multiplier, ..ConstraintReport::of_goal(&found.search.subject_to[j], &at) }
     };
     of_model.map(report).collect()
 }
@@ -170,8 +170,8 @@ fn held_text(found: &Robust, system: System) -> String {
     let rows = found.limits().map(|(k, j, at, slopes)| {
         let limit = &search.subject_to[j];
         let by = (limit.goal.quantity, limit.goal.unit);
-        let gain = found.limit_price(k, j, at);
-        let of = Limit { gain, ..Limit::new(by, [limit.low, limit.high], at, slopes) };
+        let gain = found.limit_price(k, j, &at);
+        let of = Limit { gain, ..Limit::new(by, [limit.low, limit.high], &at, slopes) };
         let value = value_text(&limit.goal, at.value, system);
         let bests = of_the_bests([at.multiplier; 2], sought.price(gain, by, system)).filter(|_| is_converged);
         let bests = bests.map_or(String::new(), |price| format!("; {price} that the limit is relaxed"));

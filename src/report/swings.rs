@@ -41,8 +41,8 @@ pub fn swings_reply(
             "kept": nominal.kept.as_deref().map(goals),
         })),
         "unknown": unknown(price),
-        "quadrature_error": price.and_then(|price| match price.doubt { Some(Doubt::Quadrature(error)) => Some(error), _ => None }),
-        "sampling": price.and_then(|price| match &price.doubt {
+        "quadrature_error": price.and_then(|price| match price.doubt() { Some(Doubt::Quadrature(error)) => Some(error), _ => None }),
+        "sampling": price.and_then(|price| match price.doubt() {
             Some(Doubt::Sampling(found, sequences)) => Some(json!({ "interval": interval(found), "sequences": sequences })),
             _ => None,
         }),
@@ -55,7 +55,7 @@ pub fn swings_reply(
             "swings_to_tell": found.apart.and_then(|apart| apart.swings),
         })),
     })));
-    let constraints = search.subject_to.iter().zip(&solution.constraints);
+    let constraints = best.limits();
     let body = OptimumReport {
         objective: search.of.expression.clone(),
         sense: search.sense.name(),
@@ -64,12 +64,13 @@ pub fn swings_reply(
         start: (!found).then(|| by_name(&solution.x)),
         gradient: found.then(|| by_name(&best.gradient())),
         multipliers: found.then(|| (0..search.vary.len()).map(multipliers).collect()),
-        constraints: constraints.map(|(limit, at)| ConstraintReport::of_goal(limit, at)).collect(),
+        constraints: constraints.map(|(limit, at)| ConstraintReport::of_goal(limit, &at)).collect(),
         kkt_residual: json::number(found.then_some(solution.kkt_residual)),
         iterations: solution.iterations,
         evaluations: solution.evaluations,
         steps: solution.effort,
         optima: (best.starts() > 1).then(|| locals(best)),
+        sample: None,
         setup: found.then(|| json::setup(&best.setup)),
         launch: None,
         flight: None,
@@ -87,11 +88,10 @@ pub fn swings_reply(
 
 /// The local optima of a search from several starts.
 fn locals(best: &SwingsOptimum) -> Vec<LocalReport> {
-    let sign = best.search.sense.sign();
     let names = || best.search.vary.iter().map(|vary| vary.parameter.name);
-    let local = |local: &Local| LocalReport {
+    let local = |(local, value): (&Local, Option<f64>)| LocalReport {
         status: status_of(&local.solution),
-        value: json::number(local.solution.value.map(|value| sign * value)),
+        value: json::number(value),
         optimum: json::named(names().zip(local.solution.x.iter().map(|x| Some(*x)))),
         starts: local.starts.len(),
     };
@@ -104,7 +104,7 @@ fn unknown(price: Option<&Price>) -> Vec<String> {
     let nominal = price.nominal.as_ref().err();
     let nominal =
         nominal.map(|why| format!("there is no best design for the mean swing alone, which does not fly: {why}"));
-    let doubt = match &price.doubt {
+    let doubt = match price.doubt() {
         Some(Doubt::Unknown(why)) => Some(format!(
             "how far the best value is known is not known: of other swings of the same golfer one does not fly ({why})"
         )),
@@ -197,8 +197,8 @@ pub fn swings_text(
     text += &limits_text(best, system);
     text += &doubts(best, price, resampled, system);
     if best.starts() > 1 {
-        let ends = best.ended().map(|Local { solution, starts }| {
-            let value = solution.value.map(|value| value_text(&search.of, search.sense.sign() * value, system));
+        let ends = best.ended().map(|(Local { solution, starts }, value)| {
+            let value = value.map(|value| value_text(&search.of, value, system));
             (value.unwrap_or(shown::NONE.into()), &solution.x[..], starts.len(), status_of(solution))
         });
         text += &ends_text((&search.of.expression, &search.vary), ends, (best.starts(), best.stopped()), system);
@@ -215,7 +215,7 @@ fn sought(best: &SwingsOptimum) -> Sought {
     let is_converged = best.solution.status == Status::Converged;
     Sought {
         of: (goal.quantity, goal.unit),
-        value: best.solution.value.unwrap_or_default(),
+        value: best.value().unwrap_or_default(),
         sense: best.search.sense,
         is_converged,
     }
@@ -224,9 +224,9 @@ fn sought(best: &SwingsOptimum) -> Sought {
 /// The limits with their prices, as a table; empty without any.
 fn limits_text(best: &SwingsOptimum, system: System) -> String {
     let solution = &best.solution;
-    let rows = best.search.subject_to.iter().zip(&solution.constraints).enumerate().map(|(j, (limit, at))| {
+    let rows = best.limits().enumerate().map(|(j, (limit, at))| {
         let slopes = solution.jacobian.get(j).map_or(&[][..], Vec::as_slice);
-        let of = Limit::new((limit.goal.quantity, limit.goal.unit), [limit.low, limit.high], at, slopes);
+        let of = Limit::new((limit.goal.quantity, limit.goal.unit), [limit.low, limit.high], &at, slopes);
         vec![limit.expression.clone(), sought(best).limit(of, system)]
     });
     let rows: Vec<_> = rows.filter(|row| !row[1].is_empty()).collect();
@@ -271,23 +271,34 @@ fn doubts(best: &SwingsOptimum, price: Option<&Price>, resampled: Option<&Resamp
             .filter(|(is_broken, _)| *is_broken)
             .map(|(_, design)| format!("{design} breaks a limit, so that it is no alternative to the best one")),
     );
-    match price.and_then(|price| price.doubt.as_ref()) {
+    lines.extend(best.limits().zip(&best.solution.constraints).filter_map(|((limit, told), seen)| {
+        let is_broken = limit.is_met(seen.value) && !limit.is_met(told.value);
+        is_broken.then(|| {
+            format!(
+                "the search keeps to {} with smoothed edges; over all swings it is outside by {}: give a limit that is stricter by as much",
+                limit.expression,
+                difference_text(&limit.goal, told.violation.abs(), system)
+            )
+        })
+    }));
+    match price.and_then(Price::doubt) {
         Some(Doubt::Quadrature(error)) => lines.push(format!(
-            "{scenarios} by Gauss's rules; half as many nodes more change {} by {}",
+            "{scenarios} by Gauss's rules; {} is known to {}",
             goal.expression,
             difference_text(goal, *error, system)
         )),
         Some(Doubt::Sampling(found, sequences)) => lines.push(format!(
-            "{scenarios} of a quasi-random sequence; {} is {} (95 %, by {sequences} others of as many); it is known better with more \
-             --scenarios",
+            "{scenarios} {}; over all swings {} is {} (99 %, by {sequences} other quasi-random sequences){}",
+            taken(best.scenarios.rule),
             goal.expression,
-            between(found)
+            between(found),
+            if matches!(best.scenarios.rule, Rule::Sequence { .. }) {
+                "; it is known better with more --scenarios"
+            } else {
+                ""
+            }
         )),
-        Some(Doubt::Unknown(_)) | None => lines.push(match best.scenarios.rule {
-            Rule::Recorded => format!("{scenarios}, each as likely as any other"),
-            Rule::Quadrature(_) => format!("{scenarios} by Gauss's rules"),
-            Rule::Sequence { .. } => format!("{scenarios} of a quasi-random sequence"),
-        }),
+        Some(Doubt::Unknown(_)) | None => lines.push(format!("{scenarios} {}", taken(best.scenarios.rule))),
     }
     if best.scenarios.rule == Rule::Recorded && resampled.is_none() && best.solution.status == Status::Converged {
         lines.push("how well these swings tell the best design is not known: they are alike, or their resamples came to no optimum".into());
@@ -321,6 +332,15 @@ fn doubts(best: &SwingsOptimum, price: Option<&Price>, resampled: Option<&Resamp
         }
     }
     format!("\n{}", lines.iter().map(|line| paragraph(line)).collect::<String>())
+}
+
+/// How the swings of a search were taken.
+fn taken(rule: Rule) -> &'static str {
+    match rule {
+        Rule::Recorded => "as recorded, each as likely as any other",
+        Rule::Quadrature(_) => "by Gauss's rules",
+        Rule::Sequence { .. } => "of a quasi-random sequence",
+    }
 }
 
 /// A goal as people read it.

@@ -58,7 +58,13 @@ impl Held {
     /// How it stands at the best design.
     pub fn at(&self, best: &SwingsOptimum) -> Standing {
         let solution = &best.solution;
-        let (value, multiplier) = match self.by {
+        let margin_of = |value: f64| (value - self.range[0]).min(self.range[1] - value);
+        // what is not met has no price
+        let price_of = |value: Option<f64>, multiplier: f64| {
+            let is_met = value.is_none_or(|value| margin_of(value) >= -MET * self.step);
+            (multiplier > 0.0 && is_met).then_some(multiplier)
+        };
+        let (value, price) = match self.by {
             By::Bound(i) => {
                 let vary = best.search.vary[i];
                 // a bound of the search that is closer than the rule has the multiplier, and the rule has none
@@ -66,19 +72,19 @@ impl Held {
                 let multiplier = |is: bool, of: &[f64]| if is { of.get(i).copied().unwrap_or_default() } else { 0.0 };
                 let both =
                     multiplier(lower, &solution.lower_multipliers) + multiplier(upper, &solution.upper_multipliers);
-                (solution.x.get(i).copied(), both)
+                let value = solution.x.get(i).copied();
+                (value, price_of(value, both))
             }
             By::Limit(k) => {
-                let at = solution.constraints.get(k);
-                (at.map(|at| at.value), at.map_or(0.0, |at| at.multiplier.abs()))
+                // the search met the limit of the smoothed goal
+                let smoothed = solution.constraints.get(k);
+                let value = best.limits().nth(k).map(|(_, at)| at.value);
+                (value, smoothed.and_then(|at| price_of(Some(at.value), at.multiplier.abs())))
             }
-            By::Value(value) => (Some(value), 0.0),
-            By::Unknown => (None, 0.0),
+            By::Value(value) => (Some(value), None),
+            By::Unknown => (None, None),
         };
-        let margin = value.map(|value| (value - self.range[0]).min(self.range[1] - value));
-        // what is not met has no price
-        let is_met = margin.is_none_or(|margin| margin >= -MET * self.step);
-        let price = (multiplier > 0.0 && is_met).then_some(multiplier);
+        let margin = value.map(margin_of);
         Standing { held: self.clone(), value, margin, price }
     }
 }

@@ -1,5 +1,4 @@
 use super::optimum::{SwingsOptimum, posed};
-use crate::derivative::Order;
 use crate::error::Result;
 use crate::optimize::{Observer, Status, minimize_observed};
 use crate::parameters::Setup;
@@ -70,24 +69,22 @@ pub fn resampled(
             // n is small beside 2⁶⁴: no index is likelier by a visible amount
             weights[(random.next_u64() % n as u64) as usize] += 1.0 / n as f64;
         }
-        let better = |x: &[f64]| problem.goals_at(x, &weights, Order::Value).ok().map(|goals| goals[0].value);
-        let own = problem.as_set_up(&weights).ok().map(|goals| goals[0]);
-        let gain = better(&best.solution.x).zip(own).map(|(best, own)| -sign * (best - own));
-        let (weighted, domain, options) = (problem.weighted(weights), &problem.domain, &best.search.options);
+        let value = |x: &[f64]| problem.weighted_values(x, &weights).ok().map(|goals| goals[0]);
+        let own = problem.weighted_as_set_up(&weights).ok().map(|goals| goals[0]);
+        let gain = value(&best.solution.x).zip(own).map(|(best, own)| -sign * (best - own));
+        let (weighted, domain, options) = (problem.weighted(weights.clone()), &problem.domain, &best.search.options);
         let found = minimize_observed(&weighted, domain, &best.solution.x, options, observer);
-        found.ok().filter(|found| found.status == Status::Converged).map(|found| (found.x, found.value, gain))
+        found.ok().filter(|found| found.status == Status::Converged).map(|found| (value(&found.x), found.x, gain))
     };
     let found: Vec<_> = (0..rounds as u64).into_par_iter().filter_map(round).collect();
     let Some(value) = best.value().filter(|_| found.len() >= (rounds / 2).max(2)) else { return Ok(None) };
     let design = (0..best.solution.x.len())
-        .map(|i| interval(best.solution.x[i], found.iter().map(|(x, ..)| x[i]).collect()))
+        .map(|i| interval(best.solution.x[i], found.iter().map(|(_, x, _)| x[i]).collect()))
         .collect();
-    let goal = interval(value, found.iter().filter_map(|(_, value, _)| value.map(|value| sign * value)).collect());
+    let goal = interval(value, found.iter().filter_map(|(value, ..)| *value).collect());
     let gains: Vec<f64> = found.iter().filter_map(|(.., gain)| *gain).collect();
-    let all = vec![1.0 / n as f64; n];
-    let both = problem.goals_at(&best.solution.x, &all, Order::Value).ok().zip(problem.as_set_up(&all).ok());
-    let apart = both.filter(|_| gains.len() >= 2).map(|(best, own)| {
-        let mean = -sign * (best[0].value - own[0]);
+    let apart = problem.as_set_up().ok().filter(|_| gains.len() >= 2).map(|own| {
+        let mean = -sign * (value - own[0]);
         let better = interval(mean, gains.clone());
         // the standard error falls as the root of the number of swings
         let centre = gains.iter().sum::<f64>() / gains.len() as f64;

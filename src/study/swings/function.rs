@@ -9,7 +9,7 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 /// A goal over swings as a function of some parameters of the design, with as many derivatives as are asked for: for optimizers that take
-/// functions. The drives are integrated as the setup says.
+/// functions. Measures with an edge (`lowest`, `highest`, `within`) are smoothed there. The drives are integrated as the setup says.
 ///
 /// ```
 /// use longdrive::Setup;

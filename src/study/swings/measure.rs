@@ -1,5 +1,6 @@
 use super::chained::chained;
 use super::strokes::Strokes;
+use crate::derivative::Order;
 use crate::drive::Outcome;
 use crate::number::Taylor;
 use crate::parameters::Parameter;
@@ -66,35 +67,69 @@ impl Measure {
         }
     }
 
-    /// The measure from its outcomes in each scenario, and the weights of these: exact value, gradient and Hessian, as far as the
-    /// outcomes have these. Parameters of the design are none of theirs: they are 0 here.
-    pub(super) fn of(&self, drives: &[Vec<&Taylor>], weights: &[f64]) -> Taylor {
+    /// Whether it has an edge, where one drive more or less changes it with a kink or a jump.
+    pub(super) fn has_edge(&self) -> bool {
+        matches!(self, Self::Lowest(..) | Self::Highest(..) | Self::Within(..))
+    }
+
+    /// The measure by its definition, from a column of values for each of its outcomes. Parameters of the design have no outcomes: 0.
+    pub(super) fn exact(&self, columns: &[&[f64]], weights: &[f64]) -> f64 {
+        let each = || columns[0].iter().copied().zip(weights.iter().copied());
+        let mean = |f: &dyn Fn(f64) -> f64| each().map(|(x, weight)| weight * f(x)).sum::<f64>();
+        match self {
+            Self::Mean(_) => mean(&|x| x),
+            Self::Deviation(_) => {
+                let centre = mean(&|x| x);
+                mean(&|x| (x - centre).powi(2)).sqrt()
+            }
+            Self::RootMeanSquare(_) => mean(&|x| x * x).sqrt(),
+            Self::Lowest(_, share) => lowest_mean(each(), *share),
+            Self::Highest(_, share) => -lowest_mean(each().map(|(x, weight)| (-x, weight)), *share),
+            Self::Within(_, half) => mean(&|x| f64::from(u8::from(x.abs() <= *half))),
+            Self::Strokes(strokes, hole) => {
+                let left = columns[0].iter().zip(columns[1]).map(|(downrange, right)| (hole - downrange).hypot(*right));
+                left.zip(weights).map(|(left, weight)| weight * strokes.value(left)).sum()
+            }
+            Self::Parameter(_) | Self::One => 0.0,
+        }
+    }
+
+    /// The measure with its edges smoothed, from the gradients of its outcomes in each scenario, or from values alone; to second order also
+    /// from those Hessians that the outcomes have. Parameters of the design have no outcomes: 0.
+    pub(super) fn smoothed(&self, drives: &[Vec<&Taylor>], weights: &[f64], order: Order) -> Taylor {
         let each = || drives.iter().map(|outcomes| outcomes[0]).zip(weights.iter().copied());
         let one = |of: &Outcome| of.quantity().size_of(of.unit()).unwrap_or(1.0);
+        let is_second = order == Order::Second;
+        let sum = |h: &dyn Fn(f64) -> [f64; 3]| {
+            summed(each().map(|(f, weight)| (f, h(f.value).map(|part| weight * part))), &[], is_second)
+        };
         match self {
-            Self::Mean(_) => Taylor::sum(each()),
+            Self::Mean(_) => sum(&|f| [f, 1.0, 0.0]),
             Self::Deviation(of) => {
-                let mean = Taylor::sum(each());
-                // of the difference from the mean the square, whose slope by the mean is 0 in the sum
-                let squares = each().map(|(drive, weight)| (square(&minus(drive, &mean)), weight)).collect::<Vec<_>>();
-                root(&Taylor::sum(squares.iter().map(|(drive, weight)| (drive, *weight))), LEAST_DEVIATION * one(of))
+                let Taylor { value: mean, gradient, .. } =
+                    summed(each().map(|(f, w)| (f, [w * f.value, w, 0.0])), &[], false);
+                // Σ w (f − mean) = 0: the derivatives of the mean fall out of the slopes
+                let squares = each().map(|(f, w)| {
+                    let off = f.value - mean;
+                    (f, [w * off * off, 2.0 * w * off, 2.0 * w])
+                });
+                root(&summed(squares, &gradient, is_second), LEAST_DEVIATION * one(of))
             }
-            Self::RootMeanSquare(of) => {
-                let squares = each().map(|(drive, weight)| (square(drive), weight)).collect::<Vec<_>>();
-                root(&Taylor::sum(squares.iter().map(|(drive, weight)| (drive, *weight))), LEAST_DEVIATION * one(of))
-            }
-            Self::Lowest(of, share) => lowest(&each().collect::<Vec<_>>(), *share, SMOOTHING * one(of)),
+            Self::RootMeanSquare(of) => root(&sum(&|f| [f * f, 2.0 * f, 2.0]), LEAST_DEVIATION * one(of)),
+            Self::Lowest(of, share) => lowest(&each().collect::<Vec<_>>(), 1.0, *share, SMOOTHING * one(of), is_second),
             Self::Highest(of, share) => {
-                let negated: Vec<_> = each().map(|(drive, weight)| (drive.clone().negated(), weight)).collect();
-                let negated: Vec<_> = negated.iter().map(|(drive, weight)| (drive, *weight)).collect();
-                lowest(&negated, *share, SMOOTHING * one(of)).negated()
+                lowest(&each().collect::<Vec<_>>(), -1.0, *share, SMOOTHING * one(of), is_second).negated()
             }
-            Self::Within(of, half) => {
-                let scores = each().map(|(drive, weight)| (within(drive, *half, one(of)), weight)).collect::<Vec<_>>();
-                Taylor::sum(scores.iter().map(|(drive, weight)| (drive, *weight)))
-            }
+            Self::Within(of, half) => sum(&|f| within(f, *half, one(of))),
             Self::Strokes(strokes, hole) => {
-                let strokes = drives.iter().map(|outcomes| strokes.from(outcomes[0], outcomes[1], *hole));
+                let whole = |f: &Taylor| {
+                    let (n, mut whole) = (f.gradient.len(), f.clone());
+                    if is_second && whole.hessian.is_empty() {
+                        whole.hessian = vec![vec![0.0; n]; n];
+                    }
+                    whole
+                };
+                let strokes = drives.iter().map(|end| strokes.from(&whole(end[0]), &whole(end[1]), *hole));
                 let strokes: Vec<_> = strokes.zip(weights).collect();
                 Taylor::sum(strokes.iter().map(|(strokes, weight)| (strokes, **weight)))
             }
@@ -103,12 +138,40 @@ impl Measure {
     }
 }
 
-fn minus(a: &Taylor, b: &Taylor) -> Taylor {
-    Taylor::sum([(a, 1.0), (b, -1.0)])
+/// Σ hₖ(fₖ) from hₖ, hₖ′ and hₖ″ at each drive: Σ hₖ′ (∇fₖ − c), and to second order Σ hₖ″ (∇fₖ − c)(∇fₖ − c)ᵀ + Σ hₖ′ ∇²fₖ over the drives
+/// that have Hessians. The centre c is 0 where it is empty.
+fn summed<'a>(terms: impl Iterator<Item = (&'a Taylor, [f64; 3])>, centre: &[f64], is_second: bool) -> Taylor {
+    let mut all: Option<Taylor> = None;
+    for (f, [value, slope, bend]) in terms {
+        let n = f.gradient.len();
+        let sum = all.get_or_insert_with(|| Taylor::zero(n, if is_second { n } else { 0 }));
+        let change = |i: usize| f.gradient[i] - centre.get(i).copied().unwrap_or_default();
+        sum.value += value;
+        for i in 0..n {
+            sum.gradient[i] += slope * change(i);
+        }
+        for (i, row) in sum.hessian.iter_mut().enumerate() {
+            let along = bend * change(i);
+            row.iter_mut().enumerate().for_each(|(j, second)| *second += along * change(j));
+        }
+        for (row, seconds) in sum.hessian.iter_mut().zip(&f.hessian) {
+            row.iter_mut().zip(seconds).for_each(|(sum, second)| *sum += slope * second);
+        }
+    }
+    all.unwrap_or_default()
 }
 
-fn square(f: &Taylor) -> Taylor {
-    chained(f, [f.value * f.value, 2.0 * f.value, 2.0])
+/// The mean of the lowest share: of the drive at its edge, the part that belongs to the share counts.
+fn lowest_mean(drives: impl Iterator<Item = (f64, f64)>, share: f64) -> f64 {
+    let mut sorted: Vec<_> = drives.collect();
+    sorted.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let (mut counted, mut sum) = (0.0, 0.0);
+    for (value, weight) in sorted {
+        let part = weight.min(share - counted);
+        counted += part;
+        sum += part * value;
+    }
+    sum / counted
 }
 
 /// √(f + η²).
@@ -118,27 +181,27 @@ fn root(f: &Taylor, least: f64) -> Taylor {
 }
 
 /// σ((h − f)/e) − σ((−h − f)/e) with the logistic σ.
-fn within(f: &Taylor, half: f64, edge: f64) -> Taylor {
+fn within(f: f64, half: f64, edge: f64) -> [f64; 3] {
     let at = |end: f64| {
-        let s = 1.0 / (1.0 + ((f.value - end) / edge).exp());
+        let s = 1.0 / (1.0 + ((f - end) / edge).exp());
         let slope = s * (1.0 - s) / edge;
         [s, -slope, slope * (1.0 - 2.0 * s) / edge]
     };
     let (above, below) = (at(half), at(-half));
-    chained(f, std::array::from_fn(|k| above[k] - below[k]))
+    std::array::from_fn(|k| above[k] - below[k])
 }
 
-/// max over t of t − 1/α Σ wₖ φ(t − fₖ), φ(z) = (z + √(z² + 4ε²))/2: for ε → 0 the mean of the lowest share α.
+/// max over t of t − 1/α Σ wₖ φ(t − uₖ), φ(z) = (z + √(z² + 4ε²))/2 with uₖ = ±fₖ: for ε → 0 the mean of the lowest share α of uₖ.
 ///
 /// At the maximum the slope by t is 0, so that gradients are those at a fixed t; the Hessian has the way that t moves.
-fn lowest(drives: &[(&Taylor, f64)], share: f64, smoothing: f64) -> Taylor {
+fn lowest(drives: &[(&Taylor, f64)], sign: f64, share: f64, smoothing: f64, is_second: bool) -> Taylor {
     let plus = |z: f64| {
         let width = (z * z + 4.0 * smoothing * smoothing).sqrt();
         [0.5 * (z + width), 0.5 * (1.0 + z / width), 2.0 * smoothing * smoothing / width.powi(3)]
     };
-    let excess = |t: f64| drives.iter().map(|(f, weight)| weight * plus(t - f.value)[1]).sum::<f64>() - share;
+    let excess = |t: f64| drives.iter().map(|(f, weight)| weight * plus(t - sign * f.value)[1]).sum::<f64>() - share;
     // it rises with t from −α to 1 − α: halved to the last bit
-    let ends = |start: f64, pick: fn(f64, f64) -> f64| drives.iter().map(|(f, _)| f.value).fold(start, pick);
+    let ends = |start: f64, pick: fn(f64, f64) -> f64| drives.iter().map(|(f, _)| sign * f.value).fold(start, pick);
     let (mut low, mut high) = (ends(f64::INFINITY, f64::min), ends(f64::NEG_INFINITY, f64::max));
     let mut reach = smoothing;
     while excess(low) > 0.0 {
@@ -158,19 +221,18 @@ fn lowest(drives: &[(&Taylor, f64)], share: f64, smoothing: f64) -> Taylor {
         if excess(middle) > 0.0 { high = middle } else { low = middle }
     }
     let t = 0.5 * (low + high);
-    let parts = drives.iter().map(|(f, weight)| {
-        let [value, slope, bend] = plus(t - f.value);
-        // −φ(t − f) by f
-        (chained(f, [-value, slope, -bend]), weight / share)
+    let terms = drives.iter().map(|(f, weight)| {
+        let [value, slope, bend] = plus(t - sign * f.value);
+        // −φ(t − u) by f
+        (*f, [-value, sign * slope, -bend].map(|part| weight / share * part))
     });
-    let parts: Vec<_> = parts.collect();
-    let mut all = Taylor::sum(parts.iter().map(|(part, weight)| (part, *weight)));
+    let mut all = summed(terms, &[], is_second);
     all.value += t;
-    let bends: Vec<f64> = drives.iter().map(|(f, weight)| weight / share * plus(t - f.value)[2]).collect();
+    let bends: Vec<f64> = drives.iter().map(|(f, weight)| weight / share * plus(t - sign * f.value)[2]).collect();
     let bend: f64 = bends.iter().sum();
-    // ∂²/∂t∂x
+    // ∂²/∂t∂x but for its sign
     let mixed = |i: usize| bends.iter().zip(drives).map(|(bend, (f, _))| bend * f.gradient[i]).sum::<f64>();
-    let mixed: Vec<f64> = (0..all.gradient.len()).map(mixed).collect();
+    let mixed: Vec<f64> = (0..all.hessian.len()).map(mixed).collect();
     for (row, across) in all.hessian.iter_mut().zip(&mixed) {
         row.iter_mut().zip(&mixed).for_each(|(second, along)| *second += across * along / bend);
     }
@@ -179,7 +241,7 @@ fn lowest(drives: &[(&Taylor, f64)], share: f64, smoothing: f64) -> Taylor {
 
 #[cfg(test)]
 mod tests {
-    use super::{Measure, Taylor};
+    use super::{Measure, Order, Taylor};
     use crate::drive::Outcome;
     use crate::number::{Jet, Mixed, Numbers};
 
@@ -214,7 +276,7 @@ mod tests {
         let taylors = taylors(at);
         let drives: Vec<Vec<&Taylor>> = taylors.iter().map(|taylor| vec![taylor]).collect();
         let weights: Vec<f64> = (0..10).map(|k| f64::from(k + 1) / 55.0).collect();
-        measure.of(&drives, &weights)
+        measure.smoothed(&drives, &weights, Order::Second)
     }
 
     /// Gradients and Hessians of every measure of one outcome beside central differences of its values and gradients.
@@ -253,27 +315,48 @@ mod tests {
         }
     }
 
-    /// The smoothed mean of a lowest share beside the mean of the sorted values, and the other measures beside their definitions.
+    /// Each measure of ten numbers of equal weight beside its definition, exact and smoothed.
     #[test]
     fn exact_measures_of_ten_numbers() {
-        let at = [0.7, -0.4];
-        let values: Vec<f64> = taylors(at).iter().map(|taylor| taylor.value).collect();
+        let values: Vec<f64> = taylors([0.7, -0.4]).iter().map(|taylor| taylor.value).collect();
         let taylors: Vec<Taylor> = values.iter().map(|value| Taylor { value: *value, ..Taylor::default() }).collect();
         let drives: Vec<Vec<&Taylor>> = taylors.iter().map(|taylor| vec![taylor]).collect();
-        let of = |measure: Measure| measure.of(&drives, &[0.1; 10]).value;
         let mean = values.iter().sum::<f64>() / 10.0;
-        let variance = values.iter().map(|value| (value - mean).powi(2)).sum::<f64>() / 10.0;
-        assert!((of(Measure::Mean(Outcome::Carry)) - mean).abs() < 1e-13);
-        assert!((of(Measure::Deviation(Outcome::Carry)) - variance.sqrt()).abs() < 1e-12);
+        let about = |centre: f64| (values.iter().map(|value| (value - centre).powi(2)).sum::<f64>() / 10.0).sqrt();
         let mut sorted = values.clone();
         sorted.sort_by(f64::total_cmp);
-        let (low, high) = (sorted[..2].iter().sum::<f64>() / 2.0, sorted[7..].iter().sum::<f64>() / 3.0);
-        // the smoothing takes off what φ has at the edge of the share
-        assert!(
-            (of(Measure::Lowest(Outcome::Carry, 0.2)) - low).abs() < 0.1,
-            "{} {low}",
-            of(Measure::Lowest(Outcome::Carry, 0.2))
-        );
-        assert!((of(Measure::Highest(Outcome::Carry, 0.3)) - high).abs() < 0.1);
+        let low = sorted[..2].iter().sum::<f64>() / 2.0;
+        // a third of the numbers: three, and a third of the fourth
+        let high = (sorted[7..].iter().sum::<f64>() + sorted[6] / 3.0) / (10.0 / 3.0);
+        let inside = values.iter().filter(|value| value.abs() <= 9.0).count() as f64 / 10.0;
+        let of = Outcome::Carry;
+        let cases = [
+            (Measure::Mean(of), mean, 1e-13),
+            (Measure::Deviation(of), about(mean), 1e-12),
+            (Measure::RootMeanSquare(of), about(0.0), 1e-12),
+            // the smoothing takes off what φ has at the edge of the share
+            (Measure::Lowest(of, 0.2), low, 0.1),
+            (Measure::Highest(of, 1.0 / 3.0), high, 0.1),
+            (Measure::Within(of, 9.0), inside, 0.1),
+        ];
+        for (measure, expected, smoothing) in cases {
+            let exact = measure.exact(&[&values], &[0.1; 10]);
+            assert!((exact - expected).abs() < 1e-13 * expected.abs().max(1.0), "{measure:?}: {exact} {expected}");
+            let smoothed = measure.smoothed(&drives, &[0.1; 10], Order::Value).value;
+            assert!((smoothed - expected).abs() < smoothing, "{measure:?}: {smoothed} {expected}");
+        }
+    }
+
+    /// Where all drives are alike every share of them has their value, whatever the weights.
+    #[test]
+    fn exact_shares_of_drives_that_are_alike() {
+        let weights = [0.5, 0.25, 0.15, 0.1];
+        for share in [0.05, 0.1, 0.6, 0.99] {
+            for measure in [Measure::Lowest(Outcome::LaunchAngle, share), Measure::Highest(Outcome::LaunchAngle, share)]
+            {
+                let value = measure.exact(&[&[12.7; 4]], &weights);
+                assert!((value - 12.7).abs() < 1e-14, "{measure:?}: {value}");
+            }
+        }
     }
 }

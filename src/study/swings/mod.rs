@@ -3,18 +3,21 @@
 //!
 //! ```text
 //!   distributions, recorded swings ──▶ scenarios with weights, the same for every design
-//!   design ──▶ each scenario's drive with exact derivatives ──▶ mean, deviation, lowest part, hits ──▶ optimizer
+//!   design ──▶ each scenario's drive with exact derivatives ──▶ mean, deviation, smoothed lowest part, smoothed hits ──▶ optimizer
+//!   best design ──▶ values of the scenarios' drives, or of many more ──▶ mean, deviation, lowest part, hits ──▶ answer
 //! ```
 
 mod apart;
 mod beyond;
 mod chained;
 mod file;
+mod flown;
 mod function;
 mod golfer;
 mod measure;
 mod optimum;
 mod pareto;
+mod part;
 mod price;
 mod problem;
 mod quadrature;

@@ -2,7 +2,7 @@ use super::problem::SwingsProblem;
 use super::read::{Goal, GoalLimit};
 use super::scenarios::Scenarios;
 use crate::error::{Error, Result};
-use crate::optimize::{Domain, Follow, Local, Options, Problem, Solution, Status, minimize_from, starts};
+use crate::optimize::{Constrained, Domain, Follow, Local, Options, Problem, Solution, Status, minimize_from, starts};
 use crate::parameters::{Setup, Vary};
 use crate::study::Sense;
 use crate::study::optimum::stopped_of;
@@ -33,10 +33,12 @@ pub struct SwingsOptimum {
     pub search: SwingsSearch,
     /// The swings.
     pub scenarios: Scenarios,
-    /// How the best search ended; its objective is the goal times [`Sense::sign`].
+    /// How the best search ended; its objective is the goal times [`Sense::sign`], with smoothed edges.
     pub solution: Solution,
     /// Where the searches from all starts ended, the best first.
     pub locals: Vec<Local>,
+    /// The goals by their definitions where each of them ended: the objective, then what is limited; `None` where a swing does not fly.
+    pub local_goals: Vec<Option<Vec<f64>>>,
     /// The setup with the best design.
     pub setup: Setup<f64>,
     /// The goals over the swings with the setup's own design: the objective, then what is limited; `None` where a swing does not fly.
@@ -49,7 +51,7 @@ pub struct SwingsOptimum {
 impl SwingsOptimum {
     /// The goal at the optimum, SI.
     pub fn value(&self) -> Option<f64> {
-        self.solution.value.map(|value| self.search.sense.sign() * value)
+        Some(self.goals()?[0])
     }
 
     /// How many searches there were.
@@ -57,14 +59,15 @@ impl SwingsOptimum {
         self.locals.iter().map(|local| local.starts.len()).sum()
     }
 
-    /// The ends of the searches that came to one, the best first.
-    pub fn ended(&self) -> impl Iterator<Item = &Local> {
-        self.locals.iter().filter(|local| local.solution.status != Status::Interrupted)
+    /// The ends of the searches that came to one, the best first, each with the goal there, SI.
+    pub fn ended(&self) -> impl Iterator<Item = (&Local, Option<f64>)> {
+        let goals = self.local_goals.iter().map(|goals| Some(goals.as_ref()?[0]));
+        self.locals.iter().zip(goals).filter(|(local, _)| local.solution.status != Status::Interrupted)
     }
 
     /// How many searches were stopped from outside before they ended.
     pub fn stopped(&self) -> usize {
-        self.starts() - self.ended().map(|local| local.starts.len()).sum::<usize>()
+        self.starts() - self.ended().map(|(local, _)| local.starts.len()).sum::<usize>()
     }
 
     /// How far the searches came, if any was stopped from outside before it ended.
@@ -78,9 +81,17 @@ impl SwingsOptimum {
     }
 
     /// The goals at the optimum: the objective, then what is limited.
-    pub fn goals(&self) -> Option<Vec<f64>> {
-        let limited = self.solution.constraints.iter().map(|constraint| constraint.value);
-        Some([self.value()?].into_iter().chain(limited).collect())
+    pub fn goals(&self) -> Option<&[f64]> {
+        self.local_goals.first()?.as_deref()
+    }
+
+    /// Each limit at the optimum: its value and violation by the goal's definition, its multiplier by the search.
+    pub fn limits(&self) -> impl Iterator<Item = (&GoalLimit, Constrained)> {
+        let values = self.goals().map_or(&[][..], |goals| &goals[1..]);
+        let all = self.search.subject_to.iter().zip(values).zip(&self.solution.constraints);
+        all.map(|((limit, value), at)| {
+            (limit, Constrained { value: *value, violation: limit.violation(*value), ..*at })
+        })
     }
 
     /// How the search ended, in a sentence.
@@ -90,7 +101,7 @@ impl SwingsOptimum {
                 let why = self.solution.undefined_at_start.as_deref().unwrap_or("no drive flies");
                 format!("no design was found with which every swing flies; at the start: {why}")
             }
-            Status::Infeasible => violated(&self.search.subject_to, &self.solution),
+            Status::Infeasible => violated(&self.search.subject_to, &self.solution, self.goals()),
             Status::Interrupted if self.solution.value.is_none() => {
                 "stopped before a design was found with which every swing flies".into()
             }
@@ -162,19 +173,20 @@ pub fn status_of(solution: &Solution) -> &'static str {
     }
 }
 
-/// Which limits the nearest design found violates, with its values, where they cannot all be met.
-pub(super) fn violated(limits: &[GoalLimit], found: &Solution) -> String {
+/// Which limits the nearest design found violates, with its goals.
+pub(super) fn violated(limits: &[GoalLimit], found: &Solution, goals: Option<&[f64]>) -> String {
     let all = limits.iter().zip(&found.constraints).enumerate();
     let missed = all.filter(|(_, (_, constrained))| constrained.violation != 0.0);
     let missed = missed.map(|(j, (limit, constrained))| {
-        let [value, outside] = [constrained.value, constrained.violation.abs()]
-            .map(|value| limit.goal.quantity.show(value, limit.goal.unit));
+        let value = goals.map_or(constrained.value, |goals| goals[1 + j]);
+        let [value, outside] =
+            [value, limit.violation(value).abs()].map(|value| limit.goal.quantity.show(value, limit.goal.unit));
         let is_fixed = found.jacobian[j].iter().all(|slope| *slope == 0.0);
         let fixed = if is_fixed { "nothing that is varied changes it at this design: " } else { "" };
         format!("{} ({fixed}it is {value}, outside by {outside})", limit.expression)
     });
     let missed: Vec<_> = missed.collect();
-    format!("the limits cannot all be met; the nearest design found violates {}", missed.join(" and "))
+    format!("no design was found that meets the limits; the nearest one violates {}", missed.join(" and "))
 }
 
 /// Finds the design that makes a goal over many swings largest or smallest, from the setup's own values; a varied parameter that has none begins in the
@@ -228,11 +240,15 @@ pub fn swings_optima(
     let problem = posed(setup, &search, scenarios, &follow.interrupt)?;
     let starts = starts(&problem.domain, &problem.start(), count.max(1))?;
     let is_stopped = || follow.interrupt.load(Ordering::Relaxed);
-    let as_set_up = problem.as_set_up(&problem.scenarios().weights).ok();
+    let as_set_up = problem.as_set_up().ok();
     if as_set_up.is_none() && is_stopped() {
         return Err(stopped("the search began"));
     }
     let locals = minimize_from(&problem, &problem.domain, &starts, &search.options, follow)?;
+    // also after a stop: what was found until then is told
+    let never = AtomicBool::new(false);
+    let goals = |local: &Local| problem.values_until(local.solution.value.map(|_| &local.solution.x)?, &never).ok();
+    let local_goals = locals.iter().map(goals).collect();
     let best = locals.first().ok_or(Error::Nothing { doing: "search from", what: "start" })?;
     let solution = best.solution.clone();
     let beyond_strokes = match solution.value {
@@ -243,7 +259,7 @@ pub fn swings_optima(
     };
     let setup = problem.moved(&solution.x)?;
     let scenarios = problem.scenarios().clone();
-    Ok(SwingsOptimum { search, scenarios, solution, locals, setup, as_set_up, beyond_strokes })
+    Ok(SwingsOptimum { search, scenarios, solution, locals, local_goals, setup, as_set_up, beyond_strokes })
 }
 
 /// What a search minimizes, with where it begins: the goal times [`Sense::sign`], and what is limited, with exact derivatives, over the
@@ -294,7 +310,7 @@ pub fn goals_of(
 ) -> Result<Option<Vec<f64>>> {
     let one = |goal: &Goal| {
         let problem = SwingsProblem::new(setup, (goal, Sense::Maximize), &[], vary, scenarios.clone(), stop)?;
-        Ok(problem.as_set_up(&scenarios.weights).ok().map(|values| values[0]))
+        Ok(problem.as_set_up().ok().map(|values| values[0]))
     };
     let found = goals.iter().map(one).collect::<Result<Vec<_>>>()?;
     Ok(found.into_iter().collect())

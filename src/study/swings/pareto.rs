@@ -1,4 +1,5 @@
 use super::optimum::{SwingsSearch, posed, violated};
+use super::problem::SwingsProblem;
 use super::read::{Goal, GoalLimit};
 use super::scenarios::Scenarios;
 use crate::error::{Error, Result};
@@ -8,7 +9,7 @@ use crate::optimize::{Evaluation, Follow, Options, Problem, Status};
 use crate::parameters::{Setup, Vary};
 use crate::study::stoppable::stopped;
 use crate::study::{Active, ChartEvent, Sense};
-use std::sync::atomic::Ordering;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Two goals to be weighed against each other.
 #[derive(Clone, Debug)]
@@ -107,7 +108,7 @@ pub fn pareto(setup: &Setup<f64>, search: ParetoSearch, scenarios: Scenarios, fo
     let (vary, options) = (search.vary.clone(), search.options.clone());
     let alone = SwingsSearch { of: first, sense, vary, subject_to: limits.collect(), options };
     let problem = posed(setup, &alone, scenarios, &follow.interrupt)?;
-    let own = problem.as_set_up(&problem.scenarios().weights);
+    let own = problem.as_set_up();
     if own.is_err() && follow.interrupt.load(Ordering::Relaxed) {
         return Err(stopped("the search began"));
     }
@@ -121,8 +122,11 @@ pub fn pareto(setup: &Setup<f64>, search: ParetoSearch, scenarios: Scenarios, fo
     };
     let start = problem.domain.variables.project(&problem.start());
     let found = front(&minimised, &problem.domain, &start, (&search.options, search.points), follow);
-    let Front { points, knee, bend, dominated, ended, interrupted } = found.map_err(|error| named(error, &search))?;
+    let Front { points, knee, bend, dominated, ended, interrupted } =
+        found.map_err(|error| named(error, &search, &problem))?;
     let signs = [sense.sign(), against.sign()];
+    // also after a stop: what was found until then is told
+    let never = AtomicBool::new(false);
     let point = |point: FrontPoint| {
         let active = search.active(&point.x, &point.held);
         let is_apart = point.event == Some(FrontEvent::Jump);
@@ -136,9 +140,10 @@ pub fn pareto(setup: &Setup<f64>, search: ParetoSearch, scenarios: Scenarios, fo
                 ChartEvent::Changed { begins: only(&active, &before), ends: only(&before, &active) }.to_string()
             }
         });
+        let values = problem.values_until(&point.x, &never)?;
         Ok(ParetoPoint {
             setup: problem.moved(&point.x)?,
-            goals: std::array::from_fn(|k| signs[k] * point.values[k]),
+            goals: [values[0], values[values.len() - 1]],
             slope: point.slope.map(|slope| signs[0] * signs[1] * slope),
             design: point.x,
             active,
@@ -168,12 +173,12 @@ impl ParetoSearch {
 }
 
 /// Why the best of a goal alone was not found, in the goal's name.
-fn named(none: NoFront, search: &ParetoSearch) -> Error {
+fn named(none: NoFront, search: &ParetoSearch, problem: &SwingsProblem) -> Error {
     let NoFront::NoEnd { function, found } = none else { return none.into_error() };
     let (goal, sense) = &search.goals[function];
     let why = match (&found.undefined_at_start, found.status) {
         (Some(why), Status::Undefined) => why.clone(),
-        (_, Status::Infeasible) => violated(&search.subject_to, &found),
+        (_, Status::Infeasible) => violated(&search.subject_to, &found, problem.values(&found.x).ok().as_deref()),
         _ => found.message.clone(),
     };
     let status = match found.status {

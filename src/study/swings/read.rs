@@ -102,6 +102,11 @@ impl Goal {
         })
     }
 
+    /// Whether one of its measures has an edge: it is then smoothed for the search.
+    pub(super) fn has_edge(&self) -> bool {
+        self.terms.iter().any(|(_, measure)| measure.has_edge())
+    }
+
     /// The outcomes that it needs.
     pub fn outcomes(&self) -> Vec<Outcome> {
         self.terms.iter().flat_map(|(_, measure)| measure.outcomes()).collect()
@@ -113,6 +118,11 @@ impl GoalLimit {
     pub fn of_drive(constraint: &Constraint) -> Self {
         let Constraint { expression, outcome, low, high } = constraint;
         Self { expression: expression.clone(), goal: Goal::outcome(*outcome), low: *low, high: *high }
+    }
+
+    /// How far a value is beyond the limits: above the upper > 0, below the lower < 0.
+    pub fn violation(&self, value: f64) -> f64 {
+        value - value.clamp(self.low, self.high)
     }
 
     /// Whether a value is between the limits, but for the rounding of a search: a millionth of it, or of one.

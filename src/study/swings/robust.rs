@@ -9,7 +9,7 @@ use crate::optimize::{
 use crate::parameters::{LAW, NO_CLUB, Parameter, Setup};
 use crate::study::optimum::stopped_of;
 use crate::study::stoppable::stopped;
-use std::sync::atomic::Ordering;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// One of several ways in which drives may be computed: the setup with some changes.
 #[derive(Clone, Debug)]
@@ -96,6 +96,8 @@ pub struct Robust {
     pub design: Vec<f64>,
     /// The first model's setup with this design.
     pub setup: Setup<f64>,
+    /// The goals of each model with this design: the objective, then what is limited.
+    pub goals: Vec<Vec<f64>>,
     /// What each model loses with this design.
     pub losses: Vec<f64>,
     /// How much each model limits the design: the multiplier of its loss. They add up to 1, and are 0 for models that lose less than the
@@ -110,14 +112,19 @@ pub struct Robust {
 }
 
 impl Robust {
-    /// Each limit with the model that it is of, where the search ended: the number of the model, that of the limit, its value and
-    /// multiplier, and its gradient by the design and the greatest loss.
-    pub fn limits(&self) -> impl Iterator<Item = (usize, usize, &Constrained, &[f64])> {
+    /// Each limit with the model that it is of, where the search ended: the number of the model, that of the limit, its value by the goal's
+    /// definition, its multiplier by the search, and its gradient by the design and the greatest loss.
+    pub fn limits(&self) -> impl Iterator<Item = (usize, usize, Constrained, &[f64])> {
         // each model's first constraint is its loss
         let each = 1 + self.search.subject_to.len();
         let all = self.solution.constraints.iter().zip(&self.solution.jacobian).enumerate();
         let limits = all.filter(move |(i, _)| i % each > 0);
-        limits.map(move |(i, (at, slopes))| (i / each, i % each - 1, at, &slopes[..]))
+        limits.map(move |(i, (at, slopes))| {
+            let (model, limit) = (i / each, i % each - 1);
+            let value = self.goals[model][1 + limit];
+            let violation = self.search.subject_to[limit].violation(value);
+            (model, limit, Constrained { value, violation, ..*at }, &slopes[..])
+        })
     }
 
     /// What the greatest loss falls by for each unit that the lower bound of a variable is lowered, and that its upper one is raised: their multipliers, less
@@ -199,8 +206,8 @@ pub fn robust(
     }
     let problems = found.iter().map(|(model, _)| posed(&model.setup, &search, scenarios.clone(), &follow.interrupt));
     let problems = problems.collect::<Result<Vec<_>>>()?;
-    let least: Vec<f64> = found.iter().map(|(_, best)| best.solution.value.unwrap_or(f64::NAN)).collect();
     let sign = search.sense.sign();
+    let least: Vec<f64> = found.iter().map(|(_, best)| sign * best.value().unwrap_or(f64::NAN)).collect();
     let loss = |k: usize, x: &[f64]| problems[k].values(x).ok().map(|values| sign * values[0] - least[k]);
     let designs: Vec<&[f64]> = found.iter().map(|(_, best)| &best.solution.x[..]).collect();
     // a design that breaks a limit is no rival
@@ -223,12 +230,13 @@ pub fn robust(
         let message = "with the best design of each model some swing of another does not fly; vary less".into();
         return Err(Error::NotConverged { status: "no-flight", message });
     }
-    let own = |k: usize| problems[k].as_set_up(&scenarios.weights).ok();
+    let own = |k: usize| problems[k].as_set_up().ok();
     let as_set_up = (0..problems.len()).map(|k| rival(k, &own(k)?)).collect();
     if follow.interrupt.load(Ordering::Relaxed) {
         return Err(stopped("the search for one design for all models began"));
     }
-    let greatest = GreatestLoss { problems: &problems, least: &least };
+    let smoothed = found.iter().map(|(_, best)| best.solution.value.unwrap_or(f64::NAN)).collect();
+    let greatest = GreatestLoss { problems: &problems, least: smoothed };
     let ends = minimize_from(&greatest, &greatest.domain()?, &starts, &search.options, follow)?;
     let stopped =
         ends.iter().filter(|end| end.solution.status == Status::Interrupted).map(|end| end.starts.len()).sum();
@@ -239,19 +247,35 @@ pub fn robust(
         return Err(Error::NotConverged { status: solution.status.name(), message });
     }
     let design = solution.x[..search.vary.len()].to_vec();
+    // also after a stop: what was found until then is told
+    let never = AtomicBool::new(false);
+    let goals = problems.iter().map(|problem| problem.values_until(&design, &never)).collect::<Result<Vec<_>>>()?;
+    let losses = goals.iter().zip(&least).map(|(values, least)| sign * values[0] - least).collect();
     // each model's first constraint is its loss less t
     let each = 1 + search.subject_to.len();
-    let of_models = || solution.constraints.iter().step_by(each);
-    let losses = of_models().map(|constrained| constrained.value + solution.x[search.vary.len()]).collect();
-    let shares = of_models().map(|constrained| constrained.multiplier.max(0.0)).collect();
+    let shares = solution.constraints.iter().step_by(each).map(|at| at.multiplier.max(0.0)).collect();
     let setup = problems[0].moved(&design)?;
-    Ok(Robust { search, models: found, matrix, solution, design, setup, losses, shares, as_set_up, searches, stopped })
+    Ok(Robust {
+        search,
+        models: found,
+        matrix,
+        solution,
+        design,
+        setup,
+        goals,
+        losses,
+        shares,
+        as_set_up,
+        searches,
+        stopped,
+    })
 }
 
 /// t, and for each model its loss less t and what is limited, as functions of (x, t).
 struct GreatestLoss<'a> {
     problems: &'a [SwingsProblem],
-    least: &'a [f64],
+    /// The least value of each model that its own search found, with smoothed edges as here.
+    least: Vec<f64>,
 }
 
 impl GreatestLoss<'_> {
@@ -282,7 +306,7 @@ impl Problem for GreatestLoss<'_> {
         let mut greatest = Taylor { value: xt[n], gradient: vec![0.0; n + 1], hessian: vec![vec![0.0; n + 1]; n + 1] };
         greatest.gradient[n] = 1.0;
         let mut constraints = vec![];
-        for (problem, least) in self.problems.iter().zip(self.least) {
+        for (problem, least) in self.problems.iter().zip(&self.least) {
             let Evaluation { objective, constraints: limited } = problem.evaluate(&xt[..n])?;
             let mut loss = lifted(objective);
             loss.value -= least + xt[n];

@@ -4,6 +4,7 @@ use crate::error::{Error, Result};
 use crate::optimize::sobol;
 use crate::parameters::Parameter;
 use crate::study::uncertainty::{Distribution, Uncertain};
+use rayon::prelude::*;
 use statrs::distribution::{ContinuousCDF, Normal};
 
 /// How scenarios are taken.
@@ -35,6 +36,8 @@ pub struct Scenarios {
     pub rule: Rule,
     /// The ends of each parameter's distribution, SI, infinite where it has none; `None` for what was recorded.
     pub ends: Vec<Option<[f64; 2]>>,
+    /// The distributions that the points are of; `None` where there are none.
+    distributed: Option<Swings>,
 }
 
 /// Up to so many parameters are integrated by Gauss's rules.
@@ -45,6 +48,10 @@ const NODES: [usize; MOST_INTEGRATED] = [32, 16, 8];
 const SCENARIOS: usize = 512;
 /// More than this no search can wait for.
 const MOST_SCENARIOS: usize = 100_000;
+/// Independent sequences that tell how far a goal is known.
+const SEQUENCES: u32 = 8;
+/// Points of each of them, at least.
+const POINTS: usize = 2048;
 
 impl Rule {
     /// What suits some swings: `count` scenarios if it is given, and what their number of parameters needs if not.
@@ -91,15 +98,11 @@ impl Rule {
         Err(Error::Unreadable { name: "--seed".into(), source: why.into() })
     }
 
-    /// The same of other points, or of twice as many nodes: what a result should not depend on. `None` where there is no other.
-    pub fn other(self, round: u32) -> Option<Self> {
+    /// Gauss's rules with half as many nodes more.
+    pub(super) fn finer(self) -> Option<Self> {
         match self {
-            Self::Quadrature(nodes) => (round == 0).then_some(Self::Quadrature(nodes + nodes / 2)),
-            Self::Sequence { count, seed } => {
-                // far from the seeds that people give
-                Some(Self::Sequence { count, seed: seed.wrapping_add(0x9e37_79b9_u32.wrapping_mul(round + 1)) })
-            }
-            Self::Recorded => None,
+            Self::Quadrature(nodes) => Some(Self::Quadrature(nodes + nodes / 2)),
+            _ => None,
         }
     }
 }
@@ -107,7 +110,14 @@ impl Rule {
 impl Scenarios {
     /// One drive, as a setup has it: outcomes are then their own means.
     pub fn one_drive() -> Self {
-        Self { parameters: vec![], points: vec![vec![]], weights: vec![1.0], rule: Rule::Quadrature(1), ends: vec![] }
+        Self {
+            parameters: vec![],
+            points: vec![vec![]],
+            weights: vec![1.0],
+            rule: Rule::Quadrature(1),
+            ends: vec![],
+            distributed: None,
+        }
     }
 
     /// Whether there is one drive alone, of which nothing varies.
@@ -124,7 +134,7 @@ impl Scenarios {
             inputs.iter().try_for_each(Uncertain::check)?;
         }
         let parameters = swings.parameters();
-        let (points, weights) = match (swings, rule) {
+        let (points, weights): (Vec<Vec<f64>>, Vec<f64>) = match (swings, rule) {
             (Swings::Recorded { rows, .. }, _) => (rows.clone(), vec![1.0 / rows.len() as f64; rows.len()]),
             (Swings::Distributed { inputs, factor }, Rule::Sequence { count, seed }) => {
                 let normal = Normal::standard();
@@ -138,7 +148,7 @@ impl Scenarios {
                         .map(|(input, score)| at_score(input, score))
                         .collect()
                 };
-                ((0..count).map(point).collect(), vec![1.0 / count as f64; count])
+                ((0..count).into_par_iter().map(point).collect(), vec![1.0 / count as f64; count])
             }
             (Swings::Distributed { inputs, factor }, Rule::Quadrature(_) | Rule::Recorded) => {
                 let nodes = if let Rule::Quadrature(nodes) = rule { nodes } else { NODES[0] };
@@ -179,7 +189,21 @@ impl Scenarios {
             Swings::Recorded { .. } => vec![None; parameters.len()],
             Swings::Distributed { inputs, .. } => inputs.iter().map(|input| Some(input.distribution.ends())).collect(),
         };
-        Ok(Self { parameters, points, weights, rule, ends })
+        let distributed = matches!(swings, Swings::Distributed { .. }).then(|| swings.clone());
+        Ok(Self { parameters, points, weights, rule, ends, distributed })
+    }
+
+    /// Independent scramblings of Sobol's sequence over the same distributions, which no search has seen: at least as many points in each
+    /// as there are scenarios. Nothing where there are no distributions.
+    pub(super) fn sequences(&self) -> Vec<Result<Self>> {
+        let Some(swings) = &self.distributed else { return vec![] };
+        let (count, seed) = match self.rule {
+            Rule::Sequence { count, seed } => (count.max(POINTS), seed),
+            _ => (POINTS, 0),
+        };
+        // far from the seeds that people give
+        let seed = |round: u32| seed.wrapping_add(0x9e37_79b9_u32.wrapping_mul(round + 1));
+        (0..SEQUENCES).map(|round| Self::new(swings, Rule::Sequence { count, seed: seed(round) })).collect()
     }
 
     /// The scenarios, and then all combinations of the ends that the distributions of these parameters have, with what else varies as in each
@@ -213,7 +237,7 @@ impl Scenarios {
     pub fn mean(swings: &Swings) -> Self {
         let (parameters, points) = (swings.parameters(), vec![swings.means()]);
         let ends = vec![None; parameters.len()];
-        Self { parameters, points, weights: vec![1.0], rule: Rule::Recorded, ends }
+        Self { parameters, points, weights: vec![1.0], rule: Rule::Recorded, ends, distributed: None }
     }
 }
 

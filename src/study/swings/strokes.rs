@@ -88,6 +88,11 @@ impl Strokes {
         &self.outcomes
     }
 
+    /// The strokes from a distance.
+    pub(super) fn value(&self, distance: f64) -> f64 {
+        self.at(distance)[0]
+    }
+
     /// Value and two derivatives at a distance.
     fn at(&self, x: f64) -> [f64; 3] {
         let n = self.distance.len();
