@@ -21,6 +21,10 @@ impl<T: Numbers> AerodynamicLaw<T> for Ferguson<T> {
         }))
     }
 
+    fn continuous_derivatives(&self) -> Option<u32> {
+        Some(2)
+    }
+
     fn fitted(&self) -> Fitted {
         Fitted {
             spin_ratio: Some(MEASURED),

@@ -30,6 +30,10 @@ impl<T: Numbers> AerodynamicLaw<T> for Lyu<T> {
         false
     }
 
+    fn continuous_derivatives(&self) -> Option<u32> {
+        Some(2)
+    }
+
     fn fitted(&self) -> Fitted {
         Fitted {
             spin_ratio: Some(MEASURED),

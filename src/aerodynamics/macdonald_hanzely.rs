@@ -21,6 +21,10 @@ impl<T: Numbers> AerodynamicLaw<T> for MacdonaldHanzely<T> {
         false
     }
 
+    fn continuous_derivatives(&self) -> Option<u32> {
+        Some(2)
+    }
+
     fn published(&self) -> Published {
         Published {
             authors: "MacDonald & Hanzely",

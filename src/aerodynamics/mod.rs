@@ -90,6 +90,12 @@ pub trait AerodynamicLaw<T: Numbers> {
         true
     }
 
+    /// Number of continuous derivatives of C_D and C_L where pieces of the law join; `None` for a law without joins. A step across a join limits the
+    /// order of the integration.
+    fn continuous_derivatives(&self) -> Option<u32> {
+        None
+    }
+
     /// What the law was fitted to.
     fn fitted(&self) -> Fitted {
         Fitted::UNKNOWN
@@ -113,6 +119,10 @@ impl<T: Numbers> AerodynamicLaw<T> for Law<T> {
 
     fn has_corner_at_zero_spin(&self) -> bool {
         with_law!(self, |law| law.has_corner_at_zero_spin())
+    }
+
+    fn continuous_derivatives(&self) -> Option<u32> {
+        with_law!(self, |law| law.continuous_derivatives())
     }
 
     fn fitted(&self) -> Fitted {

@@ -24,6 +24,10 @@ impl<T: Numbers> AerodynamicLaw<T> for Nathan<T> {
         }))
     }
 
+    fn continuous_derivatives(&self) -> Option<u32> {
+        Some(2)
+    }
+
     fn fitted(&self) -> Fitted {
         // from a driver to a 5-iron as they leave
         Fitted { spin_ratio: Some([0.07, 0.2]), to: "the averages of seven clubs, driver to 5-iron", ..Fitted::UNKNOWN }

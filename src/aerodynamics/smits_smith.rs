@@ -15,6 +15,10 @@ impl<T: Numbers> AerodynamicLaw<T> for SmitsSmith<T> {
         Coefficients { drag, lift: power(self.cl1, self.cl_exp, s) }
     }
 
+    fn continuous_derivatives(&self) -> Option<u32> {
+        Some(2)
+    }
+
     fn fitted(&self) -> Fitted {
         Fitted {
             spin_ratio: Some([0.08, 0.2]),

@@ -15,6 +15,10 @@ impl<T: Numbers> AerodynamicLaw<T> for Table<T> {
         self.table.grid().begins.is_none()
     }
 
+    fn continuous_derivatives(&self) -> Option<u32> {
+        Some(2)
+    }
+
     fn fitted(&self) -> Fitted {
         let grid = self.table.grid();
         let range = |along| grid.axes().find(|axis| axis.along == along).map(|axis| axis.ends);

@@ -27,6 +27,10 @@ impl<T: Numbers> AerodynamicLaw<T> for UsgaItr<T> {
         }))
     }
 
+    fn continuous_derivatives(&self) -> Option<u32> {
+        Some(2)
+    }
+
     fn fitted(&self) -> Fitted {
         Fitted {
             spin_ratio: Some([0.042, 0.22]),

@@ -148,10 +148,24 @@ pub trait Numbers: Copy + Debug + 'static + Neg<Output = Self> + Arithmetic<Self
         power
     }
 
-    /// xᵃ for x > 0.
-    #[inline]
+    /// xᵃ, exact in every derivative that exists.
+    ///
+    /// - a whole: [`powi`](Numbers::powi), so any x; for a < 0 its reciprocal, infinite at 0.
+    /// - a > 0, not whole: 0 at 0, with derivatives up to the order ⌊a⌋; the next is infinite.
+    /// - a < 0, not whole: infinite at 0. For x < 0 NaN, as for every a that is not whole.
+    #[inline(always)]
     fn powf(self, a: f64) -> Self {
-        (self.ln() * a).exp()
+        if a.fract() == 0.0 && a.abs() <= f64::from(u32::MAX) {
+            let power = self.powi(a.abs() as u32);
+            return if a < 0.0 { power.recip() } else { power };
+        }
+        let power = inlined!(|| (self.ln() * a).exp());
+        if a < 0.0 {
+            return power();
+        }
+        let is_nonzero = self.below(0.0) | (-self).below(0.0);
+        // 2 f64::MAX is infinite, but 0 times each factor is 0
+        Self::choose(is_nonzero, power, inlined!(|| self.powi(a.ceil() as u32) * f64::MAX * 2.0))
     }
 
     /// tanh x, finite for every x (sinh/cosh overflows).

@@ -9,7 +9,7 @@ use longdrive::parameters::Parameter;
 use longdrive::report::{GradientReport, gradient_text};
 use longdrive::units::System;
 use longdrive::{Drive, Error, Outcome, Setup};
-use num_dual::{Dual2_64, Dual64, HyperDual64};
+use num_dual::{Dual2_64, Dual3_64, Dual64, HyperDual64};
 
 /// Outcomes of a setup seen over another number, with loft and attack angle as its variables.
 fn over<D: Number, const N: usize>(setup: &Setup<f64>, of: [Outcome; N], variable: impl Fn(f64, usize) -> D) -> [D; N] {
@@ -334,4 +334,52 @@ fn regress_derivatives_need_little_stack() {
         assert!(batch.evaluate(0, vec![0.17, 0.0, 0.2, 0.0]).outcome(1, 0).is_some());
     };
     std::thread::Builder::new().stack_size(512 << 10).spawn(work).unwrap().join().unwrap();
+}
+
+/// xᵃ with its first two derivatives, over every number: whole exponents at any base, others at 4 and at 0.
+#[test]
+fn exact_powers_of_negative_numbers_and_of_zero() {
+    const NONE: f64 = f64::INFINITY;
+    for (x, a, [value, first, second]) in [
+        (-2.0, 3.0, [-8.0, 12.0, -12.0]),
+        (-2.0, 2.0, [4.0, -4.0, 2.0]),
+        (-2.0, 1.0, [-2.0, 1.0, 0.0]),
+        (-2.0, 0.0, [1.0, 0.0, 0.0]),
+        (-2.0, -1.0, [-0.5, -0.25, -0.25]),
+        (-2.0, -2.0, [0.25, 0.25, 0.375]),
+        (0.0, 0.0, [1.0, 0.0, 0.0]),
+        (0.0, 1.0, [0.0, 1.0, 0.0]),
+        (0.0, 2.0, [0.0, 0.0, 2.0]),
+        (0.0, 3.0, [0.0, 0.0, 0.0]),
+        (0.0, 2.5, [0.0, 0.0, 0.0]),
+        (0.0, 1.5, [0.0, 0.0, NONE]),
+        (-0.0, 3.7, [0.0, 0.0, 0.0]),
+        (4.0, 2.5, [32.0, 20.0, 7.5]),
+        (4.0, -0.5, [0.5, -0.0625, 0.0234375]),
+    ] {
+        let about = |found: f64, exact: f64| {
+            assert!(found == exact || (found - exact).abs() < 4e-15 * exact.abs(), "{x}^{a}: {found} for {exact}");
+        };
+        about(Numbers::powf(x, a), value);
+        let jet = Numbers::powf(Jet::<3>::variable(x, 1), a);
+        let dual = Numbers::powf(Dual64::from(x).derivative(), a);
+        for (found, exact) in [(jet.re, value), (jet.gradient[1], first), (dual.re, value), (dual.eps, first)] {
+            about(found, exact);
+        }
+        assert_eq!((jet.gradient[0], jet.gradient[2]), (0.0, 0.0));
+        let mixed = Numbers::powf(mixed(x, true, true), a);
+        let dual = Numbers::powf(Dual2_64::from(x).derivative(), a);
+        let hyper = Numbers::powf(HyperDual64::new(x, 1.0, 1.0, 0.0), a);
+        for (found, exact) in [(mixed.re.re, value), (mixed.re.gradient[0], first), (mixed.gradient[0].re, first)] {
+            about(found, exact);
+        }
+        for found in [mixed.gradient[0].gradient[0], dual.v2, hyper.eps1eps2] {
+            about(found, second);
+        }
+        about(dual.v1, first);
+    }
+    let third = |a: f64| Numbers::powf(Dual3_64::from(0.0).derivative(), a).v3;
+    assert_eq!([3.0, 3.5, 2.5].map(third), [6.0, 0.0, NONE]);
+    assert_eq!(Numbers::powf(Jet::<1>::variable(0.0, 0), 0.5).gradient, [NONE]);
+    assert!(Numbers::powf(-2.0, 0.5).is_nan() && Numbers::powf(0.0, -0.5) == NONE);
 }

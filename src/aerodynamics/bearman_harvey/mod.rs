@@ -56,6 +56,10 @@ impl<T: Numbers> AerodynamicLaw<T> for BearmanHarvey<T> {
         false
     }
 
+    fn continuous_derivatives(&self) -> Option<u32> {
+        Some(2)
+    }
+
     fn fitted(&self) -> Fitted {
         Fitted {
             spin: Some(SPINS.map(|rpm| rpm * RPM)),

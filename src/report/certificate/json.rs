@@ -3,7 +3,7 @@ use crate::derivative::check::{Check, Point};
 use crate::report::lines::by_reason;
 use crate::report::{Reply, json};
 use crate::reproduce::LoopRow;
-use crate::study::certificate::{Certificate, Row};
+use crate::study::certificate::{Agreement, Certificate, Row};
 use crate::units::Message;
 use serde::Serialize;
 use serde_json::{Value, json};
@@ -50,6 +50,8 @@ pub struct CertificateRow {
     pub error: Value,
     /// How far they may be.
     pub tolerance: Value,
+    /// The derivative over `num_dual::Dual64`, and how far it is from the exact one.
+    pub num_dual: Value,
     /// The slopes below and above a corner; `None` for a side that is out of the parameter's range.
     pub sides: Option<[Option<f64>; 2]>,
     /// The step at which a plain central difference comes nearest.
@@ -85,7 +87,7 @@ impl CertificateReport {
         let planted = certificate
             .planted
             .iter()
-            .map(|planted| json!({ "error": planted.plant.name(), "rows": planted.rows, "caught": planted.caught }));
+            .map(|planted| json!({ "error": planted.plant.name(), "rows": planted.rows, "caught": planted.caught, "caught_by_num_dual": planted.caught_by_num_dual }));
         let landing = certificate.landing.iter().map(|row| {
             let mut entry = check_json(&row.check);
             entry["of"] = row.of.name().into();
@@ -113,6 +115,7 @@ impl CertificateReport {
                 "gradient_errors": errors(1),
                 "orders": found.orders,
                 "expected": found.expected,
+                "limited_by_law": found.limited_by_law,
                 "verdict": verdict_of(found.passed()),
             })
         });
@@ -155,6 +158,7 @@ impl CertificateRow {
             best_difference: json::number(check.best.map(|best| best.value)),
             error: json::number(Some(check.error)),
             tolerance: json::number(Some(check.bar)),
+            num_dual: agreement_json(&row.num_dual),
             sides: check.sides,
             best_step: json::number(best.map(|best| best.step)),
             best_step_error: json::number(best.map(|best| best.error)),
@@ -163,6 +167,15 @@ impl CertificateRow {
             curve: curve_json(&check.curve),
         }
     }
+}
+
+fn agreement_json(agreement: &Agreement) -> Value {
+    json!({
+        "verdict": verdict_of(agreement.holds()),
+        "derivative": json::number(Some(agreement.num_dual)),
+        "difference": json::number(Some(agreement.difference)),
+        "tolerance": json::number(Some(agreement.tolerance)),
+    })
 }
 
 fn check_json(check: &Check) -> Value {

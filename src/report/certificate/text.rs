@@ -15,8 +15,10 @@ pub fn certificate_text(certificate: &Certificate, loops: &[LoopRow], system: Sy
         text += &corner_text(row);
     }
     for row in &certificate.rows {
+        text += &disagreement_text(row);
         text += &second_text(row);
     }
+    text += &agreement_text(&certificate.rows);
     text += &landing_text(certificate);
     for found in &certificate.continuity {
         let show = |values: [f64; 3]| values.map(|value| format!("{value:.0e}")).join(", ");
@@ -42,7 +44,13 @@ pub fn certificate_text(certificate: &Certificate, loops: &[LoopRow], system: Sy
             0 => format!(
                 "  not checked: the planted error \"{name}\": there is no row that passed and that it changes\n"
             ),
-            _ => format!("  {}: the planted error \"{name}\" is found in {of_rows}\n", verdict_of(planted.is_caught())),
+            _ => {
+                let by_num_dual = counted_of(planted.caught_by_num_dual as u64, rows as u64, ["row", "rows"]);
+                let verdict = verdict_of(planted.is_caught());
+                format!(
+                    "  {verdict}: the planted error \"{name}\" is found in {of_rows} by differences, in {by_num_dual} by num-dual\n"
+                )
+            }
         };
     }
     text += &step_text(&certificate.step);
@@ -83,10 +91,9 @@ fn corner_text(row: &Row) -> String {
 
 /// What a second derivative fails by where the first passes, which is what the table shows.
 fn second_text(row: &Row) -> String {
-    let Some(second) = row.second.as_ref().filter(|it| it.verdict == Verdict::Fail) else { return String::new() };
-    if row.first.verdict != Verdict::Pass {
+    let Some(second) = row.second.as_ref().filter(|it| it.failed() && row.first.verdict == Verdict::Pass) else {
         return String::new();
-    }
+    };
     format!(
         "  fail: the second derivative of {} by {} is {} (SI); its difference from the numerical derivative is {:.0e} (allowed: {:.0e}). The first passes.\n",
         row.of.name(),
@@ -97,8 +104,42 @@ fn second_text(row: &Row) -> String {
     )
 }
 
+/// A first derivative that differs from num-dual's.
+fn disagreement_text(row: &Row) -> String {
+    let found = &row.num_dual;
+    if found.holds() {
+        return String::new();
+    }
+    format!(
+        "  fail: d {}/d {} is {} over the jets and {} over num-dual (SI); the difference is {:.0e} (allowed: {:.0e})\n",
+        row.of.name(),
+        row.parameter.name,
+        significant(row.first.exact, 16),
+        significant(found.num_dual, 16),
+        found.difference,
+        found.tolerance,
+    )
+}
+
+/// The first derivatives over the jets beside those over num-dual: the one that differs most of what it may.
+fn agreement_text(rows: &[Row]) -> String {
+    let part = |row: &&Row| row.num_dual.difference / row.num_dual.tolerance.max(f64::MIN_POSITIVE);
+    let Some(worst) = rows.iter().max_by(|a, b| part(a).total_cmp(&part(b))) else { return String::new() };
+    let agree = rows.iter().filter(|row| row.num_dual.holds()).count();
+    format!(
+        "  {}: {} of {} first derivatives agree with those over num_dual::Dual64; the largest difference, of d {}/d {}, is {:.0e} (allowed: {:.0e})\n",
+        verdict_of(agree == rows.len()),
+        agree,
+        rows.len(),
+        worst.of.name(),
+        worst.parameter.name,
+        worst.num_dual.difference,
+        worst.num_dual.tolerance,
+    )
+}
+
 fn rows_text(rows: &[Row]) -> String {
-    let head = ["outcome", "by", "verdict", "exact (SI)", "error", "allowed", "Taylor slopes"];
+    let head = ["outcome", "by", "verdict", "exact (SI)", "error", "allowed", "num-dual", "Taylor slopes"];
     let rows = rows.iter().map(|row| {
         let (check, exact) = (&row.first, settled(row));
         let relative = |error: f64| {
@@ -110,17 +151,19 @@ fn rows_text(rows: &[Row]) -> String {
             row.of.name().into(),
             row.parameter.name.into(),
             match (row.verdict(), check.verdict) {
+                (Verdict::Fail, _) if row.num_dual_fails() => "fail (num-dual)".into(),
                 (Verdict::Fail, Verdict::Pass) => "fail (second)".into(),
                 (verdict, _) => verdict.name().into(),
             },
             significant(exact, 8),
             relative(check.error),
             relative(check.bar),
+            relative(row.num_dual.difference),
             slopes.join(" "),
         ]
     });
-    let words = "errors are the differences from numerical derivatives, relative to the exact derivative; absolute where it is 0";
-    table(&head, &[3, 4, 5], rows) + "\n" + &item(words)
+    let words = "errors are the differences from numerical derivatives, and under num-dual from the derivative over num_dual::Dual64, relative to the exact derivative; absolute where it is 0";
+    table(&head, &[3, 4, 5, 6], rows) + "\n" + &item(words)
 }
 
 /// The exact derivative of a row as texts show it.
@@ -183,13 +226,16 @@ fn convergence_text(found: &Convergence) -> String {
         Some(order) => format!("{order:.2}"),
     };
     format!(
-        "  {}: {} converges with the step to order {}, its gradient to order {} (expected: {} and {})\n",
+        "  {}: {} converges with the step to order {}, its gradient to order {} (expected: {} and {}{})\n",
         verdict_of(found.passed()),
         found.of.name(),
         order(0),
         order(1),
         found.expected[0],
-        found.expected[1]
+        found.expected[1],
+        found
+            .limited_by_law
+            .map_or(String::new(), |k| format!(", since drag and lift have {k} continuous derivatives"))
     )
 }
 

@@ -5,9 +5,9 @@
 //!   height(T + dt, p + dp) = ground   ⇒   dt = −(∂height/∂p − ∂ground/∂p) dp / ẋ,   d carry = ∂z/∂p dp + ż dt
 //! ```
 
-use super::rows::in_few_steps;
+use super::rows::{demand, in_few_steps};
 use super::scale::{scale, size};
-use crate::derivative::check::{Check, Demand, Ladder};
+use crate::derivative::check::{Check, Ladder};
 use crate::derivative::jacobian;
 use crate::drive::{Drive, Outcome};
 use crate::error::Result;
@@ -74,7 +74,7 @@ pub(super) fn at_landing(setup: &Setup<f64>, wrt: &[&'static Parameter]) -> Resu
             })
         };
         let judge =
-            |(i, ladder): (usize, Ladder)| judged(&ladder.rounded_as(sizes[i]), exact[i].gradient[k], Demand::FIRST);
+            |(i, ladder): (usize, Ladder)| judged(&ladder.rounded_as(sizes[i]), exact[i].gradient[k], demand(&setup));
         let per_time = [landed.velocity.z, landed.velocity.y, 1.0];
         for (i, check) in in_few_steps(sample, judge, Check::failed).into_iter().enumerate() {
             let landing_term = per_time[i] * exact[2].gradient[k];

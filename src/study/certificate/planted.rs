@@ -1,3 +1,4 @@
+use super::agreement::Agreement;
 use super::landing::AT_LANDING;
 use super::rows::{Row, demand};
 use crate::derivative::check::Verdict;
@@ -37,14 +38,16 @@ pub struct Planted {
     pub plant: Plant,
     /// The rows it was planted in: derivatives that passed and are more than next to nothing, and that it changes.
     pub rows: usize,
-    /// In how many of them it was caught.
+    /// In how many of them differences caught it.
     pub caught: usize,
+    /// In how many of them the derivative over num-dual did.
+    pub caught_by_num_dual: usize,
 }
 
 impl Planted {
-    /// Whether it was caught wherever it was planted.
+    /// Whether both caught it wherever it was planted.
     pub fn is_caught(&self) -> bool {
-        self.caught == self.rows
+        self.caught == self.rows && self.caught_by_num_dual == self.rows
     }
 }
 
@@ -74,13 +77,15 @@ impl LandingTerms {
 /// Plants each error in every row that passed, and judges again.
 pub(super) fn planted(setup: &Setup<f64>, rows: &[Row], landing: Option<&LandingTerms>) -> [Planted; 3] {
     Plant::ALL.map(|plant| {
-        let mut planted = Planted { plant, rows: 0, caught: 0 };
-        for row in rows.iter().filter(|row| row.first.verdict == Verdict::Pass) {
+        let mut planted = Planted { plant, rows: 0, caught: 0, caught_by_num_dual: 0 };
+        for row in rows.iter().filter(|row| row.first.verdict == Verdict::Pass && row.num_dual.holds()) {
             let Some(wrong) = wrong(plant, row, landing).filter(|wrong| *wrong != row.first.exact) else {
                 continue;
             };
             planted.rows += 1;
-            planted.caught += usize::from(row.ladder.judge(wrong, demand(setup)).verdict == Verdict::Fail);
+            planted.caught += usize::from(row.ladder.judge(wrong, demand(setup)).failed());
+            planted.caught_by_num_dual +=
+                usize::from(!Agreement::new(wrong, row.num_dual.num_dual, &row.ladder).holds());
         }
         planted
     })

@@ -1,4 +1,6 @@
+use super::agreement::{Agreement, by_num_dual};
 use super::scale::{scale, size};
+use crate::aerodynamics::AerodynamicLaw;
 use crate::derivative::check::{Check, Demand, FEW_STEPS, Ladder, STEPS, Verdict, taylor_slopes};
 use crate::derivative::{Evaluator, Order, Taylor, evaluate};
 use crate::drive::{Drive, Outcome};
@@ -16,6 +18,8 @@ pub struct Row {
     pub ladder: Ladder,
     /// ∂/∂p beside differences of values.
     pub first: Check,
+    /// ∂/∂p beside the same over num-dual.
+    pub num_dual: Agreement,
     /// ∂²/∂p² beside differences of ∂/∂p; `None` where it does not exist, or is not continuous.
     pub second: Option<Check>,
     /// The slopes of Taylor's remainders: 1, 2 and 3, or more.
@@ -25,21 +29,37 @@ pub struct Row {
 impl Row {
     /// The verdict on both derivatives. A second derivative that jumps (a corner of the first) is no corner of the outcome.
     pub fn verdict(&self) -> Verdict {
-        let second = self.second.as_ref().map_or(Verdict::Pass, |check| check.verdict);
-        if self.first.verdict == Verdict::Pass && second == Verdict::Fail { Verdict::Fail } else { self.first.verdict }
+        if self.num_dual_fails() {
+            return Verdict::Fail;
+        }
+        if self.first.verdict == Verdict::Pass && self.second_fails() { Verdict::Fail } else { self.first.verdict }
+    }
+
+    /// Whether the derivative over num-dual shows the jet's to be wrong. At a corner each may be the slope to either side.
+    pub fn num_dual_fails(&self) -> bool {
+        self.first.verdict != Verdict::Corner && !self.num_dual.holds()
+    }
+
+    /// Whether differences of gradients show the second derivative to be wrong.
+    pub fn second_fails(&self) -> bool {
+        self.second.as_ref().is_some_and(Check::failed)
     }
 
     /// The error in bars: above 1 a derivative is wrong.
     pub fn severity(&self) -> f64 {
-        let of = |check: &Check| if check.error == 0.0 { 0.0 } else { check.error / check.bar };
-        of(&self.first).max(self.second.as_ref().map_or(0.0, of))
+        let bars = |error: f64, bar: f64| if error == 0.0 { 0.0 } else { error / bar };
+        let of = |check: &Check| bars(check.error, check.bar);
+        let of_second = self.second.as_ref().map_or(0.0, of);
+        of(&self.first).max(of_second).max(bars(self.num_dual.difference, self.num_dual.tolerance))
     }
 }
 
-/// What is asked of differences of outcomes. A logarithmic wind changes within centimetres of the ground, and derivatives with where the
-/// last steps end: differences over more than one such place are trusted to a tenth of what must be seen.
+/// Accuracy asked of differences of outcomes. Where third derivatives jump as stages of the steps cross joins of the law, or change fast as the last steps
+/// end elsewhere in a logarithmic wind, extrapolation does not cancel all that differences over many such places leave: they are trusted to a tenth of the
+/// error that must be seen.
 pub(super) fn demand(setup: &Setup<f64>) -> Demand {
-    if setup.wind.roughness.is_some() { Demand { least_bar: 1e-7, ..Demand::FIRST } } else { Demand::FIRST }
+    let is_rough = setup.wind.roughness.is_some() || setup.law.continuous_derivatives().is_some();
+    if is_rough { Demand { least_bar: 1e-7, ..Demand::FIRST } } else { Demand::FIRST }
 }
 
 /// The rows of some outcomes of a drive by one parameter; `None` once `is_stopped` says so. `exact` are the outcomes' derivatives by it, as they
@@ -90,10 +110,12 @@ pub(super) fn rows(
     if is_stopped() {
         return Ok(None);
     }
+    let over_num_dual = by_num_dual(setup, of, parameter)?;
     let row = |(i, (ladder, second)): (usize, (Ladder, Option<Check>))| Row {
         of: of[i],
         parameter,
         first: judge(of[i], &ladder, exact[i]),
+        num_dual: Agreement::new(exact[i], over_num_dual[i], &ladder),
         second,
         slopes: taylor_slopes(&ladder, exact[i], curvature(i).unwrap_or_default()),
         ladder,

@@ -1,0 +1,51 @@
+//! First derivatives computed again over `num_dual::Dual64`, in one flight per parameter. It shares no rule of differentiation with the jets,
+//! nor their lanes, nor the chain rule across the launch.
+
+use crate::derivative::check::Ladder;
+use crate::drive::{Drive, Outcome};
+use crate::error::Result;
+use crate::parameters::{Parameter, Setup};
+use num_dual::Dual64;
+
+/// Allowed difference, relative to the derivative.
+const RELATIVE: f64 = 1e-9;
+
+/// Allowed difference, in units of rounding of the numbers that the outcome is computed from over the parameter's scale.
+const ROUNDING: f64 = 64.0 * f64::EPSILON;
+
+/// A first derivative over the jets beside the same over num-dual.
+#[derive(Clone, Copy, Debug)]
+pub struct Agreement {
+    /// The derivative over `num_dual::Dual64`.
+    pub num_dual: f64,
+    /// |jet − num-dual|.
+    pub difference: f64,
+    /// The largest difference that rounding explains.
+    pub tolerance: f64,
+}
+
+impl Agreement {
+    /// Compares a derivative over the jets with that over num-dual.
+    pub(super) fn new(jet: f64, num_dual: f64, ladder: &Ladder) -> Self {
+        let size = num_dual.abs().max(ladder.next_to_nothing());
+        let tolerance = RELATIVE * size + ROUNDING * ladder.rounded / ladder.scale;
+        Self { num_dual, difference: (jet - num_dual).abs(), tolerance }
+    }
+
+    /// Whether the two agree; a derivative that is not a number agrees with none.
+    pub fn holds(&self) -> bool {
+        self.difference <= self.tolerance
+    }
+}
+
+/// The derivatives of some outcomes by a parameter, over num-dual.
+///
+/// # Errors
+/// As [`Drive::new`] and [`Outcome::of`].
+pub(super) fn by_num_dual(setup: &Setup<f64>, of: &[Outcome], parameter: &'static Parameter) -> Result<Vec<f64>> {
+    let variable = Dual64::from_re(setup.value(parameter).unwrap_or_default()).derivative();
+    let mut lifted = setup.constant::<Dual64>();
+    lifted.put(&[parameter], |_| variable);
+    let drive = Drive::in_any_steps(&lifted)?;
+    of.iter().map(|of| Ok(of.of(&drive)?.eps)).collect()
+}
