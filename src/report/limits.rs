@@ -97,7 +97,7 @@ pub(super) fn bound([lower, upper]: [f64; 2], prices: [f64; 2], shown: impl Fn(f
 pub(super) fn ended_at(status: Status, converged: &'static str) -> &'static str {
     match status {
         Status::Converged => converged,
-        // the constraints cannot all be met
+        // no point was found that meets the constraints
         Status::Infeasible => "nearest point",
         _ => "last point",
     }

@@ -8,7 +8,7 @@ use crate::error::Result;
 use crate::optimize::{Constrained, Effort, Iteration, Status};
 use crate::parameters::Preset;
 use crate::study::swings::GoalLimit;
-use crate::study::{Optima, Optimum, Search, Sense, Vary};
+use crate::study::{Optima, Optimum, Sample, Search, Sense, Vary};
 use crate::units::{Message, Quantity, System, counted, counted_of, fixed, signed, with_unit};
 use serde::Serialize;
 use serde_json::{Map, Value};
@@ -44,6 +44,8 @@ pub struct OptimumReport {
     pub steps: Effort,
     /// The local optima of a search from many starts, best first; `null` after a search from one.
     pub optima: Option<Vec<LocalReport>>,
+    /// The sample of the ranges that the optimum was compared with; `null` where there was none.
+    pub sample: Option<Sample>,
     /// Every parameter of the best drive; `null`, as its launch and flight, where nothing flew.
     pub setup: Option<Map<String, Value>>,
     /// Its launch.
@@ -172,6 +174,7 @@ impl OptimumReport {
             evaluations: solution.evaluations,
             steps: solution.effort,
             optima: None,
+            sample: optimum.sample,
             setup: optimum.drive.as_ref().map(|_| json::setup(&optimum.setup)),
             launch: optimum.drive.as_ref().map(launch),
             flight: optimum.drive.as_ref().and_then(flight),
@@ -200,6 +203,7 @@ pub fn optimum_text(optimum: &Optimum, system: System) -> String {
         counted(solution.evaluations, "evaluation")
     ));
     let (Some(value), Some(drive)) = (optimum.value(), &optimum.drive) else { return ending };
+    let ending = ending + &sample_text(optimum);
 
     let rows = search.vary.iter().enumerate().map(|(i, vary)| {
         vec![
@@ -236,6 +240,28 @@ pub fn optimum_text(optimum: &Optimum, system: System) -> String {
         row("launch", &line(launch)),
         row("flight", &line(flight))
     )
+}
+
+/// How the optimum compares with the sample of the ranges; empty without one, and where the message says it.
+fn sample_text(optimum: &Optimum) -> String {
+    let is_told = optimum.solution.status == Status::Infeasible;
+    let Some(Sample { points, feasible, better, improved }) = optimum.sample.filter(|_| !is_told) else {
+        return String::new();
+    };
+    let found = if improved { "found from a point of a sample of the ranges; " } else { "" };
+    let is_better = match better {
+        0 => format!("none of {points} other points in the ranges is better"),
+        _ => format!(
+            "{better} of {points} other points in the ranges are better; search from more starts, for example --starts 32"
+        ),
+    };
+    let met = match (optimum.search.subject_to.is_empty(), feasible) {
+        (true, _) => String::new(),
+        (false, 0) => " (none meets the constraints)".into(),
+        (false, 1) => " (1 meets the constraints)".into(),
+        (false, _) => format!(" ({feasible} meet the constraints)"),
+    };
+    paragraph(&format!("{found}{is_better}{met}"))
 }
 
 /// The constraints with their prices, as a table; empty without any.

@@ -1,7 +1,7 @@
 //! The optimum as a function of a parameter, followed by continuation.
 
 use super::Vary;
-use super::optimum::{Active, Optimum, optimum};
+use super::optimum::{Active, Optimum, local_optimum, optimum};
 use super::search::Search;
 use super::sensitivity::sensitivity;
 use crate::drive::{BeyondCount, Looked};
@@ -324,7 +324,8 @@ impl Follower<'_> {
             setup.set_value(vary.parameter, Some(*x))?;
         }
         let options = Options { initial_radius: RADIUS, ..self.search.options.clone() };
-        let found = point(to, optimum(&setup, Search { options, ..self.search.clone() }, self.observer.search())?)?;
+        let found =
+            point(to, local_optimum(&setup, Search { options, ..self.search.clone() }, self.observer.search())?)?;
         let apart = apart(&found.best.solution.x, &predicted, &bounds);
         Ok((found, apart))
     }

@@ -1,4 +1,5 @@
 use super::problem::DriveProblem;
+use super::sample::{Resampled, Sample, resample};
 use super::search::Search;
 use crate::drive::Drive;
 use crate::error::{Error, Result};
@@ -37,6 +38,8 @@ pub struct Optimum {
     pub setup: Setup<f64>,
     /// The drive there; `None` where nothing flew.
     pub drive: Option<Drive<f64>>,
+    /// The sample of the ranges that the optimum was compared with; `None` for a local search alone, and for one that was interrupted.
+    pub sample: Option<Sample>,
 }
 
 impl Optimum {
@@ -86,8 +89,13 @@ impl Optimum {
                             .words(")")
                     })
                     .collect();
-                Message::from("the constraints cannot all be met; the nearest point found violates ")
-                    .message(Message::joined(missed, " and "))
+                let tried = self.sample.map_or(String::new(), |sample| {
+                    format!(" (the search and {} other points in the ranges were tried)", sample.points)
+                });
+                Message::from(format!(
+                    "no point was found that meets the constraints{tried}; the nearest one violates "
+                ))
+                .message(Message::joined(missed, " and "))
             }
             (None, Status::Converged) if !self.idle().is_empty() => {
                 let (idle, varied) = (self.idle(), self.search.vary.iter().filter(|vary| vary.low < vary.high));
@@ -102,7 +110,8 @@ impl Optimum {
                 "stopped before a drive that flies was found".into()
             }
             (None, Status::Undefined) => {
-                let trials = self.search.options.start_trials;
+                let trials = self.search.options.start_trials as usize;
+                let trials = trials + self.sample.map_or(0, |sample| sample.points);
                 Message::from(format!(
                     "no drive of the search flies, neither at the start nor at the other points of the ranges that were tried ({trials}); at \
                      the start: "
@@ -173,7 +182,8 @@ impl Optimum {
     }
 }
 
-/// Finds the parameters that make an outcome largest or smallest, from the setup's own values, moved into the ranges.
+/// Finds the parameters that make an outcome largest or smallest: by a local search from the setup's own values, moved into the ranges, and by
+/// further ones from points of a [`Sample`] of the ranges that are better than its end.
 ///
 /// ```
 /// use longdrive::{Setup, optimize::Observer, study::{Search, Vary, optimum}};
@@ -193,8 +203,29 @@ impl Optimum {
 /// that is varied twice; what [`Setup::validate`] refuses.
 pub fn optimum(setup: &Setup<f64>, search: Search, observer: Observer) -> Result<Optimum> {
     let problem = posed(setup, &search)?;
+    let interrupt = observer.interrupt.clone();
+    let end = minimize_observed(&problem, &problem.domain, &problem.start(), &search.options, observer)?;
+    if end.status == Status::Interrupted {
+        return found(&problem, search, end, None);
+    }
+    let again = |start: &[f64]| {
+        let observer = Observer { interrupt: interrupt.clone(), ..Observer::default() };
+        minimize_observed(&problem, &problem.domain, start, &search.options, observer)
+    };
+    match resample(&problem, &end, &interrupt, again)? {
+        Some(Resampled { sample, solution }) => found(&problem, search, solution.unwrap_or(end), Some(sample)),
+        None => found(&problem, search, end, None),
+    }
+}
+
+/// The local optimum that a search from the setup's own values ends at.
+///
+/// # Errors
+/// As [`optimum`].
+pub(super) fn local_optimum(setup: &Setup<f64>, search: Search, observer: Observer) -> Result<Optimum> {
+    let problem = posed(setup, &search)?;
     let solution = minimize_observed(&problem, &problem.domain, &problem.start(), &search.options, observer)?;
-    found(&problem, search, solution)
+    found(&problem, search, solution, None)
 }
 
 /// Local optima, best first, each with the numbers of the starts that ended there.
@@ -202,7 +233,7 @@ pub fn optimum(setup: &Setup<f64>, search: Search, observer: Observer) -> Result
 pub struct Optima {
     /// The optima.
     pub locals: Vec<(Optimum, Vec<usize>)>,
-    /// How many starts there were.
+    /// How many starts there were, including the point of the [`Sample`] that the best optimum was found from, if so.
     pub starts: usize,
 }
 
@@ -243,7 +274,8 @@ pub(super) fn stopped_of(stopped: usize, all: usize, only: impl FnOnce() -> Stri
     })
 }
 
-/// Searches from the setup's own values and from starts spread evenly over the ranges, side by side.
+/// Searches from the setup's own values and from starts spread evenly over the ranges, side by side; then, as [`optimum`], from points of a
+/// [`Sample`] that are better.
 ///
 /// # Errors
 /// As [`optimum`]; [`Error::Nothing`] for no start; more starts than can be spread.
@@ -253,9 +285,28 @@ pub fn optima(setup: &Setup<f64>, search: &Search, count: usize, follow: &Follow
     }
     let problem = posed(setup, search)?;
     let starts = starts(&problem.domain, &problem.start(), count)?;
-    let locals = minimize_from(&problem, &problem.domain, &starts, &search.options, follow)?;
-    let whole = |Local { solution, starts }| Ok((found(&problem, search.clone(), solution)?, starts));
-    Ok(Optima { locals: locals.into_iter().map(whole).collect::<Result<_>>()?, starts: starts.len() })
+    let mut locals = minimize_from(&problem, &problem.domain, &starts, &search.options, follow)?;
+    let is_interrupted = |local: &Local| local.solution.status == Status::Interrupted;
+    let mut sample = None;
+    let mut count = starts.len();
+    if let Some(best) = locals.first().filter(|_| !locals.iter().any(is_interrupted)) {
+        let again = |start: &[f64]| {
+            let mut observer = Observer { interrupt: follow.interrupt.clone(), ..Observer::default() };
+            if let Some(show) = follow.iteration.clone() {
+                observer.iteration = Box::new(move |iteration| show(count, iteration));
+            }
+            minimize_observed(&problem, &problem.domain, start, &search.options, observer)
+        };
+        if let Some(resampled) = resample(&problem, &best.solution, &follow.interrupt, again)? {
+            sample = Some(resampled.sample);
+            if let Some(solution) = resampled.solution {
+                locals.insert(0, Local { solution, starts: vec![count] });
+                count += 1;
+            }
+        }
+    }
+    let whole = |Local { solution, starts }| Ok((found(&problem, search.clone(), solution, sample)?, starts));
+    Ok(Optima { locals: locals.into_iter().map(whole).collect::<Result<_>>()?, starts: count })
 }
 
 /// The search as a problem, if it makes sense.
@@ -276,8 +327,8 @@ pub(super) fn posed(setup: &Setup<f64>, search: &Search) -> Result<DriveProblem>
     Ok(problem)
 }
 
-fn found(problem: &DriveProblem, search: Search, solution: Solution) -> Result<Optimum> {
+fn found(problem: &DriveProblem, search: Search, solution: Solution, sample: Option<Sample>) -> Result<Optimum> {
     let setup = problem.moved(&solution.x)?;
     let drive = if solution.value.is_none() { None } else { Some(Drive::new(&setup)?) };
-    Ok(Optimum { search, solution, setup, drive })
+    Ok(Optimum { search, solution, setup, drive, sample })
 }

@@ -1,5 +1,6 @@
 use super::constraint::Constraint;
 use super::search::{Search, Sense};
+use crate::batch::Batch;
 use crate::derivative::{self, Evaluator, Order, Taylor};
 use crate::drive::Outcome;
 use crate::error::Result;
@@ -13,7 +14,7 @@ pub(super) struct DriveProblem {
     vary: Vec<&'static Parameter>,
     /// The outcome that is looked for, then those of the constraints.
     of: Vec<Outcome>,
-    sense: Sense,
+    pub sense: Sense,
     derivatives: Evaluator,
     pub domain: Domain,
 }
@@ -46,6 +47,11 @@ impl DriveProblem {
     /// The outcome looked for, then those of the constraints, without derivatives.
     pub fn values(&self) -> Result<Evaluator> {
         Evaluator::new(&self.setup, &self.of, &self.vary, Order::Value)
+    }
+
+    /// The same outcomes at very many points.
+    pub fn batch(&self) -> Result<Batch> {
+        Batch::new(&self.setup, &self.vary, &self.of, &[])
     }
 
     /// The functions at `x` with derivatives by the varied parameters, and by one more.

@@ -1,4 +1,4 @@
-//! What a design says of what was not asked, of parameters that are unset, of limits that cannot be met, and of questions that make no sense.
+//! What a design says of what was not asked, of parameters that are unset, of limits that no design meets, and of questions that make no sense.
 
 use crate::command_line::{json, longdrive, number};
 use crate::common::close;
@@ -80,7 +80,7 @@ fn a_relation_is_shown_in_the_unit_of_its_limit() {
     assert!(row.contains("mm") && !row.contains("yd  ") && !row.contains("1 m "), "{row}");
 }
 
-/// What cannot be met is told where it is violated least, and what nothing changes is told as such.
+/// The message of an infeasible search has the least violation found, and says which limits nothing varied changes.
 #[test]
 fn the_nearest_design_is_no_further_than_the_one_set_up() {
     let weight = [

@@ -1,0 +1,155 @@
+//! A sample of the ranges of a search, flown without derivatives: a check of where the search ended.
+
+use super::problem::DriveProblem;
+use crate::error::Result;
+use crate::optimize::{Solution, Status, starts};
+use serde::Serialize;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// The points of a sample, and how the optimum compares with them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct Sample {
+    /// Points flown: Sobol's sequence, scrambled, over the ranges.
+    pub points: usize,
+    /// Points that have every outcome and meet every constraint.
+    pub feasible: usize,
+    /// Points better than the optimum.
+    pub better: usize,
+    /// Whether a search from one of the points led to the optimum.
+    pub improved: bool,
+}
+
+/// A sample, and the better end of a search that was begun from it.
+pub(super) struct Resampled {
+    pub sample: Sample,
+    /// `None` where no search from a point of the sample ended better.
+    pub solution: Option<Solution>,
+}
+
+/// Points of a sample.
+const POINTS: usize = 128;
+
+/// Points flown before the next look at the interrupt.
+const AT_ONCE: usize = 16;
+
+/// Searches begun from points of a sample, at most.
+const SEARCHES: usize = 3;
+
+/// Compares the end of a search with a sample of the ranges. While a point is better than the best end, `search` is called to begin from it.
+/// `None` where `interrupt` became true before all points were flown.
+pub(super) fn resample(
+    problem: &DriveProblem,
+    end: &Solution,
+    interrupt: &AtomicBool,
+    mut search: impl FnMut(&[f64]) -> Result<Solution>,
+) -> Result<Option<Resampled>> {
+    let Some(points) = fly(problem, interrupt)? else { return Ok(None) };
+    let scale = Scale::of(problem, &points);
+    let mut ranked: Vec<_> = points.iter().map(|point| (scale.of_point(point), point)).collect();
+    ranked.sort_by(|(a, _), (b, _)| a.violation.total_cmp(&b.violation).then(a.objective.total_cmp(&b.objective)));
+
+    let (mut best, mut solution) = (scale.of_solution(end), None);
+    for (merit, point) in ranked.iter().take(SEARCHES) {
+        if !scale.is_better(merit, &best) {
+            break;
+        }
+        let found = search(&point.x)?;
+        let merit = scale.of_solution(&found);
+        if scale.is_better(&merit, &best) {
+            (best, solution) = (merit, Some(found));
+        }
+    }
+    let feasible = ranked.iter().filter(|(merit, _)| merit.is_feasible).count();
+    let better = ranked.iter().filter(|(merit, _)| scale.is_better(merit, &best)).count();
+    let sample = Sample { points: POINTS, feasible, better, improved: solution.is_some() };
+    Ok(Some(Resampled { sample, solution }))
+}
+
+/// A point of a sample that has every outcome.
+struct Point {
+    x: Vec<f64>,
+    objective: f64,
+    constraints: Vec<f64>,
+}
+
+/// The points of the sample that have every outcome; `None` where `interrupt` became true before all were flown.
+fn fly(problem: &DriveProblem, interrupt: &AtomicBool) -> Result<Option<Vec<Point>>> {
+    // the first start is the setup's own
+    let sample = starts(&problem.domain, &problem.start(), 1 + POINTS)?.split_off(1);
+    let batch = problem.batch()?;
+    let mut points = vec![];
+    for some in sample.chunks(AT_ONCE) {
+        if interrupt.load(Ordering::Relaxed) {
+            return Ok(None);
+        }
+        let block = batch.evaluate(0, some.concat());
+        points.extend(some.iter().enumerate().filter_map(|(row, x)| {
+            let mut values = block.outcomes(row).collect::<Option<Vec<f64>>>()?;
+            let constraints = values.split_off(1);
+            Some(Point { x: x.clone(), objective: problem.sense.sign() * values[0], constraints })
+        }));
+    }
+    Ok(Some(points))
+}
+
+/// How good a point is: first by its constraints, then by its objective.
+struct Merit {
+    /// Whether the point meets every constraint.
+    is_feasible: bool,
+    /// The largest violation of a constraint, relative to the spread of its outcome over the sample.
+    violation: f64,
+    /// f.
+    objective: f64,
+}
+
+/// The sizes that merits are measured by.
+struct Scale<'a> {
+    problem: &'a DriveProblem,
+    /// The spread of each constraint's outcome over the sample.
+    constraints: Vec<f64>,
+    /// Objectives that differ by less are equal but for rounding.
+    rounding: f64,
+}
+
+impl<'a> Scale<'a> {
+    fn of(problem: &'a DriveProblem, points: &[Point]) -> Self {
+        const ROUNDING: f64 = 1e-9;
+        let spread = |j: usize| {
+            let values = || points.iter().map(|point| point.constraints[j]);
+            let spread = values().fold(f64::NEG_INFINITY, f64::max) - values().fold(f64::INFINITY, f64::min);
+            if spread > 0.0 { spread } else { 1.0 }
+        };
+        let largest = points.iter().map(|point| point.objective.abs()).fold(0.0, f64::max);
+        let constraints = (0..problem.domain.constraints.dimension()).map(spread).collect();
+        Self { problem, constraints, rounding: ROUNDING * largest }
+    }
+
+    fn of_point(&self, point: &Point) -> Merit {
+        let violation = self.violation(point.constraints.iter().copied());
+        Merit { is_feasible: violation == 0.0, violation, objective: point.objective }
+    }
+
+    fn of_solution(&self, solution: &Solution) -> Merit {
+        /// Active constraints are met but for rounding.
+        const MET: f64 = 1e-8;
+        let Some(objective) = solution.value else {
+            return Merit { is_feasible: false, violation: f64::INFINITY, objective: f64::INFINITY };
+        };
+        let violation = self.violation(solution.constraints.iter().map(|at| at.value));
+        Merit { is_feasible: solution.status != Status::Infeasible && violation <= MET, violation, objective }
+    }
+
+    fn violation(&self, constraints: impl Iterator<Item = f64>) -> f64 {
+        let limits = &self.problem.domain.constraints;
+        let relative = |(j, (value, spread)): (usize, (f64, &f64))| limits.excess(j, value).abs() / spread;
+        constraints.zip(&self.constraints).enumerate().map(relative).fold(0.0, f64::max)
+    }
+
+    fn is_better(&self, one: &Merit, other: &Merit) -> bool {
+        match (one.is_feasible, other.is_feasible) {
+            (true, true) => one.objective < other.objective - self.rounding,
+            (false, false) => one.violation < other.violation,
+            (is_feasible, _) => is_feasible,
+        }
+    }
+}

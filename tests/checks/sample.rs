@@ -1,0 +1,169 @@
+//! The sample of the ranges that each optimum is compared with.
+
+use crate::command_line::{json, longdrive, number};
+use crate::common::LARGE_STEPS;
+use longdrive::batch::Batch;
+use longdrive::optimize::{Observer, Options, Status};
+use longdrive::parameters::PRESETS;
+use longdrive::study::{Constraint, Search, Sense, Vary, optimum};
+use longdrive::{Outcome, Setup};
+use rand_xoshiro::Xoshiro256PlusPlus;
+use rand_xoshiro::rand_core::{RngCore, SeedableRng};
+
+/// Random numbers, the same in every run.
+struct Random(Xoshiro256PlusPlus);
+
+impl Random {
+    fn between(&mut self, low: f64, high: f64) -> f64 {
+        low + (self.0.next_u64() >> 11) as f64 / (1u64 << 53) as f64 * (high - low)
+    }
+
+    fn below(&mut self, count: usize) -> usize {
+        (self.0.next_u64() % count as u64) as usize
+    }
+}
+
+/// Parameters with the widest ranges that are searched, SI.
+const VARIED: [(&str, f64, f64); 10] = [
+    ("club.loft", 0.0, 0.45),
+    ("swing.attack_angle", -0.2, 0.2),
+    ("strike.high", -0.015, 0.015),
+    ("strike.toe", -0.02, 0.02),
+    ("swing.face_angle", -0.15, 0.15),
+    ("swing.path", -0.15, 0.15),
+    ("swing.speed", 30.0, 60.0),
+    ("swing.shaft_lean", -0.1, 0.1),
+    ("wind.right", -15.0, 15.0),
+    ("wind.downrange", -15.0, 15.0),
+];
+
+const LIMITED: [Outcome; 7] = [
+    Outcome::ApexHeight,
+    Outcome::DescentAngle,
+    Outcome::Lateral,
+    Outcome::FlightTime,
+    Outcome::Backspin,
+    Outcome::LandingSpeed,
+    Outcome::LaunchAngle,
+];
+
+const LAWS: [&str; 6] = ["winfield-tan", "nathan", "ferguson", "robinson", "bearman-harvey", "launch-monitor"];
+
+/// A search, and the best objective of random points that meet its constraints: an outcome times the sense's sign.
+struct Generated {
+    setup: Setup<f64>,
+    search: Search,
+    best: f64,
+}
+
+/// A search over random ranges with up to two constraints, each met by at least one of 760 random points; `None` where no point meets them all.
+fn generated(random: &mut Random) -> Option<Generated> {
+    let mut setup = Setup::preset(PRESETS[random.below(PRESETS.len())].name).unwrap();
+    setup.set("aero.law", LAWS[random.below(LAWS.len())]).unwrap();
+    setup.set_all(LARGE_STEPS).unwrap();
+    let mut vary: Vec<Vary> = vec![];
+    for _ in 0..=random.below(4) {
+        let (name, low, high) = VARIED[random.below(VARIED.len())];
+        let [a, b] = [(); 2].map(|()| random.between(low, high));
+        if vary.iter().all(|vary| vary.parameter.name != name) {
+            vary.push(Vary::new(setup.variable(name).unwrap(), a.min(b), a.max(b)).unwrap());
+        }
+    }
+    let of = [Outcome::Carry, Outcome::CarryDistance, Outcome::Total][random.below(3)];
+    let first = random.below(LIMITED.len());
+    let limited: Vec<_> = (0..random.below(3)).map(|j| LIMITED[(first + j) % LIMITED.len()]).collect();
+    let parameters: Vec<_> = vary.iter().map(|vary| vary.parameter).collect();
+    let outcomes: Vec<_> = [of].into_iter().chain(limited.iter().copied()).collect();
+    let point = |_| vary.iter().map(|vary| random.between(vary.low, vary.high)).collect::<Vec<_>>();
+    let points: Vec<f64> = (0..760).flat_map(point).collect();
+    let block = Batch::new(&setup, &parameters, &outcomes, &[]).unwrap().evaluate(0, points);
+    let flown: Vec<Vec<f64>> = (0..block.rows()).filter_map(|row| block.outcomes(row).collect()).collect();
+    let mut subject_to = vec![];
+    for (j, outcome) in limited.into_iter().enumerate() {
+        let mut values: Vec<f64> = flown.iter().map(|values| values[1 + j]).collect();
+        values.sort_by(f64::total_cmp);
+        let (least, most) = (*values.first()?, *values.last()?);
+        // the constraint of an outcome that nothing varied changes is met, or not, by rounding
+        if most - least < 1e-6 * most.abs().max(1.0) {
+            return None;
+        }
+        let place = (random.between(0.0, 0.8).powi(2) * (values.len() - 1) as f64) as usize;
+        let (low, high) = match random.below(2) {
+            0 => (f64::NEG_INFINITY, values[place]),
+            _ => (values[values.len() - 1 - place], f64::INFINITY),
+        };
+        subject_to.push(Constraint { expression: format!("{low} <= {outcome} <= {high}"), outcome, low, high });
+    }
+    let is_met = |values: &&Vec<f64>| {
+        subject_to.iter().zip(&values[1..]).all(|(limit, value)| (limit.low..=limit.high).contains(value))
+    };
+    let best = flown.iter().filter(is_met).map(|values| -values[0]).reduce(f64::min)?;
+    let search = Search { of, sense: Sense::Maximize, vary, subject_to, options: Options::default() };
+    Some(Generated { setup, search, best })
+}
+
+/// Few generated searches end more than half a metre below the best of 760 random points of the same ranges, and none says that no point meets the
+/// constraints.
+#[test]
+fn independent_optima_are_hardly_ever_below_random_points() {
+    let mut random = Random(Xoshiro256PlusPlus::seed_from_u64(51));
+    let (mut below, mut improved) = (vec![], 0);
+    for number in 0..400 {
+        let Some(Generated { setup, search, best }) = generated(&mut random) else { continue };
+        let found = optimum(&setup, search, Observer::default()).unwrap();
+        let sample = found.sample.unwrap();
+        assert!(sample.feasible <= sample.points && sample.better <= sample.feasible, "{number}: {sample:?}");
+        assert_ne!(found.solution.status, Status::Infeasible, "{number}: {}", found.message());
+        improved += usize::from(sample.improved);
+        let value = found.solution.value.unwrap();
+        if value > best + 0.5 {
+            below.push((number, value, best));
+        }
+    }
+    assert!(below.len() <= 1, "{below:?}");
+    assert!(improved >= 1, "{improved} searches were improved by their samples");
+}
+
+/// 47 of 2,000 random points meet these constraints, but the search from the preset's own values ends where none is met.
+#[test]
+fn independent_a_small_feasible_region_is_found() {
+    let asked = [
+        "optimize",
+        "modern-driver",
+        "--set",
+        "aero.law=winfield-tan",
+        "--maximize",
+        "carry_distance",
+        "--vary",
+        "club.loft=0.03267802173667786rad..0.2726708361540153rad",
+        "--vary",
+        "strike.high=-0.010458154429292002m..0.008183702957722104m",
+        "--vary",
+        "swing.face_angle=-0.15rad..0.15rad",
+        "--subject-to",
+        "total <= 203.62809437379258 m",
+        "--subject-to",
+        "apex_height <= 14.362690438633521 m",
+    ];
+    let (status, found) = json(&asked);
+    assert_eq!((status, found["status"].as_str()), (0, Some("converged")), "{}", found["message"]);
+    // of searches from eight starts
+    assert!(number(&found["value"]) > 181.36, "{}", found["value"]);
+    assert_eq!(found["sample"]["improved"], true);
+    assert_eq!(found["optima"].as_array().unwrap().len(), 2);
+    let said = longdrive(&asked);
+    assert!(said.out.contains("found from a point of a sample of the ranges"), "{}", said.out);
+}
+
+/// `infeasible` says how many points were tried, and not that there is no other.
+#[test]
+fn infeasible_says_how_many_points_were_tried() {
+    let asked = ["optimize", "--subject-to", "apex_height <= 30 m", "--subject-to", "apex_height >= 31 m"];
+    let (status, found) = json(&asked);
+    assert_eq!((status, found["status"].as_str()), (1, Some("infeasible")));
+    let message = found["message"].as_str().unwrap();
+    let points = &found["sample"]["points"];
+    let told = format!("no point was found that meets the constraints (the search and {points} other points");
+    assert!(message.starts_with(&told), "{message}");
+    assert_eq!(found["sample"]["feasible"], 0);
+}
