@@ -55,8 +55,7 @@ impl State {
                 }
             }
             if let Some((_, best)) = best {
-                let multipliers = self.multipliers.clone();
-                self.move_to(best, multipliers);
+                self.move_to(best);
                 self.radius = reach;
                 self.residual = self.scaling.residual(&self.point, &self.multipliers);
                 return Ok(true);

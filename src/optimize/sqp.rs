@@ -89,9 +89,12 @@ impl Sqp {
             // Δ from the ratio of actual to predicted reduction
             state.update_radius(&trial.step, &trial.reduction);
         }
-        // x ← x + d, λ ← multipliers of the quadratic program
+        // λ ← multipliers of the quadratic program, also of a rejected step: with curvature of the constraints that it ran into, the next model
+        // is nearer to the functions
+        state.multipliers.clone_from(&trial.step.multipliers);
+        // x ← x + d
         let other = match trial.point {
-            Some(point) if is_accepted => Some(state.move_to(point, trial.step.multipliers.clone())),
+            Some(point) if is_accepted => Some(state.move_to(point)),
             rejected => rejected,
         };
         // a point on the other side of a corner of f becomes a term of the next model

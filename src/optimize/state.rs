@@ -257,8 +257,7 @@ impl State {
             let violation = norm(self.scaling.violations(&point.f));
             self.point.f.objective.value - point.f.objective.value + self.penalty * (self.violation() - violation)
         });
-        let size = self.scaling.size(&self.point) + self.penalty;
-        Reduction { actual, predicted: self.predicted_reduction(step), size }
+        Reduction { actual, predicted: self.predicted_reduction(step), size: self.merit_size() }
     }
 
     /// Whether a step that changes the merit by little more than rounding halves the KKT residual: near a solution the gradient has more
@@ -281,9 +280,8 @@ impl State {
         self.reflection = if is_exact { (SHRINK * self.reflection).max(LEAST_REFLECTION) } else { 1.0 };
     }
 
-    /// Moves to a point with the multipliers of the step that led there; returns the point before.
-    pub fn move_to(&mut self, to: Point, multipliers: Vec<f64>) -> Point {
-        self.multipliers = multipliers;
+    /// Moves to a point; returns the point before.
+    pub fn move_to(&mut self, to: Point) -> Point {
         self.scaling.floor_size(&to);
         if to.f.objective.hessian.is_empty() {
             let mut hessian = self.quasi_newton();
@@ -306,6 +304,11 @@ impl State {
     /// What the model says the merit falls by.
     pub fn predicted_reduction(&self, step: &TrialStep) -> f64 {
         step.objective_reduction + self.penalty * (step.violation - step.linear_violation)
+    }
+
+    /// The size of the merit, by which its rounding is measured: that of f, and a constraint's in units of γ.
+    pub fn merit_size(&self) -> f64 {
+        self.scaling.size(&self.point) + self.penalty
     }
 
     /// ‖v‖₂, in units of γ.

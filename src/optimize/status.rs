@@ -149,10 +149,10 @@ pub(super) fn gradient_test(residual: Residual, tolerance: f64) -> Option<Verdic
     passed.then(|| Verdict::new(Status::Converged, format!("KKT residual {largest:.1e} <= {tolerance:.0e}")))
 }
 
-/// Whether the model predicts a reduction within the rounding of f: relative to a large constant in f any slope is small.
+/// Whether the model predicts a reduction within the rounding of the merit: relative to a large constant in f any slope is small.
 pub(super) fn gain_test(state: &mut State) -> bool {
     let step = state.trial_step();
-    state.predicted_reduction(&step) <= NOISE * state.scaling.size(&state.point)
+    state.predicted_reduction(&step) <= NOISE * state.merit_size()
 }
 
 /// Converged as far as can be told: nothing more can be gained, and measured by the size that the objective had at the

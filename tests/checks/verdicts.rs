@@ -232,3 +232,45 @@ fn exact_minima_on_oblique_corners() {
         }
     }
 }
+
+/// The greatest loss t of three models: c (x − mₖ)² − sₖ (y − 0.087) − t, each the difference of two numbers near 275 as losses of carry are.
+struct GreatestLoss {
+    curvature: f64,
+    bests: [f64; 3],
+    slopes: [f64; 3],
+}
+
+impl Functions for GreatestLoss {
+    fn evaluate<T: Number>(&self, v: &[T]) -> Result<Values<T>, String> {
+        let (loft, attack, greatest) = (v[0], v[1], v[2]);
+        let loss = |(best, slope): (&f64, &f64)| {
+            let carry = (loft - *best).powi(2) * self.curvature - (attack - 0.087) * *slope + 275.0;
+            carry - greatest - 275.0
+        };
+        let constraints = self.bests.iter().zip(&self.slopes).map(loss).collect();
+        Ok(Values { objective: greatest, constraints })
+    }
+}
+
+/// y ends at its bound 0.087, and x in the middle of the outer mₖ: t = c ((max m − min m)/2)².
+#[test]
+fn exact_smallest_greatest_losses_of_a_hundred_problems_from_three_starts() {
+    for k in 0..100 {
+        let part = |i: u32| (f64::from(k) * (0.754_877_666 + 0.569_840_29 * f64::from(i)) + 0.1 * f64::from(i)).fract();
+        let curvature = 3000.0 + 3000.0 * part(1);
+        let bests = [2, 3, 4].map(|i| 0.105 + 0.012 * part(i));
+        let slopes = [5, 6, 7].map(|i| 60.0 + 60.0 * part(i));
+        let low = bests.into_iter().fold(f64::INFINITY, f64::min);
+        let high = bests.into_iter().fold(0.0, f64::max);
+        let exact = curvature * (0.5 * (high - low)).powi(2);
+        let bounds = [(0.0, 0.35), (-0.087, 0.087), FREE];
+        let limits = [(f64::NEG_INFINITY, 0.0); 3];
+        let elsewhere = [0.1 + 0.03 * part(8), 0.08 - 0.1 * part(9), 30.0];
+        for start in [[0.18, 0.0, 60.0], [bests[0], 0.087, 0.5], elsewhere] {
+            let problem = GreatestLoss { curvature, bests, slopes };
+            let found = solve(&Exact(problem), &bounds, &limits, &start);
+            converged(&found, exact, 2e-9);
+            assert!(found.iterations <= 40, "{k}: {} iterations from {start:?}", found.iterations);
+        }
+    }
+}
