@@ -23,9 +23,9 @@ fn main() -> Result<()> {
     }
     println!("## Every outcome by every parameter\n");
     println!(
-        "| preset | derivatives | pass | worst error, relative | worst error of a second derivative, in bars | landing, held at a fixed time | planted errors caught |"
+        "| preset | derivatives | pass | worst error, relative | largest difference from num-dual, relative | worst error of a second derivative, in bars | landing, held at a fixed time | planted errors caught |"
     );
-    println!("|---|---|---|---|---|---|---|");
+    println!("|---|---|---|---|---|---|---|---|");
     certificates.iter().for_each(|(name, certificate)| println!("{}", row(name, certificate)));
     println!(
         "\nErrors are relative to the derivative, over rows whose derivative is not nearly 0; a bar is the error that a derivative may have.\n"
@@ -52,6 +52,7 @@ fn row(name: &str, certificate: &Certificate) -> String {
     let rows = &certificate.rows;
     let is_something = |row: &&longdrive::study::certificate::Row| row.first.exact.abs() > row.ladder.next_to_nothing();
     let first = rows.iter().filter(is_something).map(|row| row.first.error / row.first.exact.abs());
+    let num_dual = rows.iter().filter(is_something).map(|row| row.num_dual.difference / row.first.exact.abs());
     let second = rows.iter().filter(is_something).filter_map(|row| row.second.as_ref());
     let second = second.filter(|check| check.error > 0.0).map(|check| check.error / check.bar);
     let passed = rows.iter().filter(|row| row.verdict() == Verdict::Pass).count();
@@ -59,9 +60,10 @@ fn row(name: &str, certificate: &Certificate) -> String {
     let planted =
         certificate.planted.map(|planted| format!("{} {}/{}", planted.plant.name(), planted.caught, planted.rows));
     format!(
-        "| `{name}` | {} | {passed} | {:.0e} | {:.2} | {landing} of {} | {} |",
+        "| `{name}` | {} | {passed} | {:.0e} | {:.0e} | {:.2} | {landing} of {} | {} |",
         rows.len(),
         first.fold(0.0, f64::max),
+        num_dual.fold(0.0, f64::max),
         second.fold(0.0, f64::max),
         certificate.landing.len(),
         planted.join(", ")
