@@ -58,7 +58,6 @@ pub mod atmosphere;
 pub mod batch;
 mod beside;
 mod cells;
-mod columns;
 #[cfg(feature = "cli")]
 pub mod command;
 pub mod derivative;

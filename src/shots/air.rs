@@ -1,7 +1,7 @@
 //! The air of each row, where the export states it.
 
 use super::head::ExportHead;
-use crate::columns::{Column, air_as_given, air_of_rows, air_of_setup};
+use crate::table::{Column, air_as_given, air_of_rows, air_of_setup};
 
 impl ExportHead {
     /// The place of its column among the further ones.

@@ -1,16 +1,14 @@
 //! A launch monitor's export: its rows as shots.
 
-use super::cells::cells;
 use super::flown::REFUSED;
 use super::further::within;
 use super::head::ExportHead;
-use super::lines::Record;
-use super::record::miscounted;
-use super::shot::{Club, Origin, Refusal, Shot, Value, of_conditions};
-use crate::columns::{
-    CONDITIONS, Stated, conditions, contradiction, implausible, implausible_launch, is_straight_by_assumption, summary,
-};
+use super::shot::{Club, Origin, Shot, StatedOfClub as Stated, Value, of_conditions};
 use crate::drive::Outcome;
+use crate::table::{
+    CONDITIONS, NoShot, Record, Refusal, Stated as Conditions, cells, conditions, contradiction, implausible,
+    implausible_launch, is_straight_by_assumption, miscounted,
+};
 
 /// Conditions of which the spin's origin is told in a column of its own.
 pub(super) const OF_SPIN: [Outcome; 4] = [Outcome::Spin, Outcome::Backspin, Outcome::Sidespin, Outcome::SpinAxis];
@@ -21,11 +19,8 @@ impl ExportHead {
         let unclosed = record.unclosed();
         let Record { line, text, .. } = record;
         let row = cells(&text, self.separator);
-        let summed = || {
-            let word = summary(row.iter().map(AsRef::as_ref)).filter(|_| self.is_export)?;
-            Some(Refusal::new(Refusal::SUMMARY, format!("the row sums up other rows ({word})")))
-        };
-        let wrong = unclosed.or_else(summed).or_else(|| miscounted(&row, self.heads.len()));
+        let no_shot = || NoShot::of(&row).filter(|_| self.is_export).map(NoShot::refusal);
+        let wrong = unclosed.or_else(no_shot).or_else(|| miscounted(&row, self.heads.len()));
         if let Some(refusal) = wrong {
             return Shot::refused(line, text.clone(), refusal);
         }
@@ -80,11 +75,11 @@ impl ExportHead {
                 Err(why) => shot.notes.push(format!("not compared: {name}: {why}")),
             }
         }
-        let club = |at: usize| {
-            let (at, column) = self.club[at].as_ref()?;
-            column.value(cell(*at)).ok().flatten()
-        };
-        shot.club = Club { speed: club(0), attack_angle: club(1), path: club(2), face_angle: club(3) };
+        let club = self.club.each_ref().map(|club| {
+            let (at, column) = club.as_ref()?;
+            Some(Stated { head: &column.head, value: column.value(cell(*at)).ok().flatten()? })
+        });
+        shot.club = Club::measured(club, &mut shot.notes);
         shot.condition = self.condition.map(|at| cell(at).to_owned()).filter(|text| !text.is_empty());
         shot.is_normalized = shot.condition.as_ref().filter(|text| says_normalized(text)).map(|_| true);
         let stated = of_conditions(|of| shot.value(of).map(|value| value.value));
@@ -97,7 +92,7 @@ impl ExportHead {
     }
 
     /// What is flown of a row.
-    fn point<S: AsRef<str>>(&self, stated: &Stated, row: &[S]) -> Result<Vec<f64>, Refusal> {
+    fn point<S: AsRef<str>>(&self, stated: &Conditions, row: &[S]) -> Result<Vec<f64>, Refusal> {
         let mut point = launch(stated, |of| self.name_of(of), |of| self.read.iter().any(|read| read.of == of))?;
         for (further, column) in self.further.iter().zip(&self.further_columns) {
             let name = &column.head;
@@ -125,7 +120,7 @@ fn says_normalized(text: &str) -> bool {
 
 /// The launch that these conditions make.
 pub(super) fn launch(
-    values: &Stated,
+    values: &Conditions,
     name: impl Fn(Outcome) -> String,
     has: impl Fn(Outcome) -> bool,
 ) -> Result<Vec<f64>, Refusal> {
@@ -146,7 +141,7 @@ pub(super) fn launch(
 }
 
 /// Says of a launch that is flown what is assumed to be 0, and which spins contradict each other.
-pub(super) fn tell(shot: &mut Shot, stated: &Stated, name: impl Fn(Outcome) -> String) {
+pub(super) fn tell(shot: &mut Shot, stated: &Conditions, name: impl Fn(Outcome) -> String) {
     shot.is_straight_by_assumption = is_straight_by_assumption(stated);
     let Some(&[_, _, _, back, side]) = shot.launch() else { return };
     if shot.value(Outcome::LaunchDirection).is_none() {

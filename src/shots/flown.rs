@@ -1,9 +1,11 @@
 //! Shots with what was found of their flights.
 
 use super::shot::Shot;
+use super::source::Export;
 use crate::batch::{Block, Status};
-use crate::columns::is_sideways;
 use crate::drive::{Beyond, Outcome};
+use crate::table::is_sideways;
+use std::sync::Arc;
 
 /// How the flight of a row ended that was not flown.
 pub(super) const REFUSED: &str = "refused";
@@ -17,6 +19,16 @@ pub struct Flown {
     flights: Vec<Option<usize>>,
     block: Block,
     is_on_their_ground: bool,
+    section: Option<Section>,
+}
+
+/// The part of a table that shots stand in.
+#[derive(Clone, Debug)]
+pub struct Section {
+    /// Its head.
+    pub export: Arc<Export>,
+    /// Whether it begins with these shots, and is not the first.
+    pub begins: bool,
 }
 
 impl Flown {
@@ -28,7 +40,17 @@ impl Flown {
         block: Block,
         is_on_their_ground: bool,
     ) -> Self {
-        Self { of: of.to_vec(), shots, flights, block, is_on_their_ground }
+        Self { of: of.to_vec(), shots, flights, block, is_on_their_ground, section: None }
+    }
+
+    /// The same in a section of a table.
+    pub(super) fn of_section(self, section: Option<Section>) -> Self {
+        Self { section, ..self }
+    }
+
+    /// The section of the table that they stand in; messages have none.
+    pub fn section(&self) -> Option<&Section> {
+        self.section.as_ref()
     }
 
     /// How many there are.

@@ -4,7 +4,7 @@ use super::flown::Flown;
 use super::objects::Piece;
 use super::open_connect;
 use super::shot::{LAUNCH, Shot};
-use super::source::Shots;
+use super::source::{Chunk, Shots};
 use super::tally::Tally;
 use crate::batch::{Batch, CHUNK, Run, in_order};
 use crate::drive::{Outcome, Part};
@@ -106,13 +106,13 @@ impl Flying {
         mut sink: impl FnMut(R) -> Result<()>,
     ) -> Result<Tally> {
         let mut tally = Tally::new(self.outcomes());
-        let Shots { layout, rows, parameters, .. } = shots;
-        let separator = layout.separator();
+        let Shots { rows, parameters, .. } = shots;
         let is_stopped = || run.stop.is_some_and(|stop| stop.load(Ordering::Relaxed));
-        let next = || if is_stopped() { Ok(None) } else { rows.next_rows(separator, CHUNK) };
-        let (layout, further) = (&*layout, &parameters[LAUNCH.len()..]);
-        let work = |chunk| {
-            let flown = self.flown(layout.shots(chunk, further));
+        let next = || if is_stopped() { Ok(None) } else { rows.next_rows(CHUNK) };
+        let further = &parameters[LAUNCH.len()..];
+        let work = |chunk: Chunk| {
+            let (shots, section) = chunk.shots(further);
+            let flown = self.flown(shots).of_section(section);
             let mut tally = Tally::new(self.outcomes());
             tally.add(&flown);
             (tally, work(flown))

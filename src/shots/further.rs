@@ -1,7 +1,7 @@
 //! Values of further parameters that a row has beside its launch.
 
-use super::shot::Refusal;
 use crate::parameters::Parameter;
+use crate::table::Refusal;
 
 /// The value, where it is in the parameter's range; `name` is that of its column.
 ///

@@ -1,23 +1,15 @@
 //! The head of an export: where it stands, and what its columns hold.
 
-use super::cells::cells;
-use super::decimals::Decimals;
-use super::lines::Lines;
-use super::maker::maker;
+use super::meant::Meant;
 use super::shot::{Club as ClubOfShot, Further, LAUNCH, Origin};
-use super::table::Table;
-use crate::columns::{
-    Club, Column, Format, Head, Holds, OF_FLOWN, Spin, given_air, is_export, near_known, nearest_head, separated,
-    split_unit, unstated, words,
-};
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
-use crate::parameters::{Golfer, Setup};
+use crate::parameters::{Parameter, Setup};
+use crate::table::{
+    Column, Decimals, Format, Head, Holds, OF_FLOWN, TextTable, given_air, near_known, nearest_head, split_unit, words,
+};
 use crate::units::Message;
 use std::ops::Range;
-
-/// The head stands among so many lines at the beginning of a file.
-const MOST_LINES: usize = 25;
 
 /// A column that is read.
 #[derive(Clone, Debug)]
@@ -54,94 +46,36 @@ pub(super) struct ExportHead {
     pub remarks: Vec<Message>,
 }
 
-/// The separator and the number of the line that the head is, in the beginning of a text.
-pub(super) fn found(beginning: &str) -> Option<(u8, usize)> {
-    let mut stated = None;
-    let mut first = None;
-    let lines = beginning.split(['\n', '\r']).filter(|line| !line.is_empty());
-    for (at, line) in lines.enumerate().take(MOST_LINES) {
-        let line = line.trim_start_matches('\u{feff}');
-        if line.starts_with("sep=") {
-            stated = Some(separated(&format!("{line}\n")).0);
-            continue;
-        }
-        if line.trim().is_empty() || line.starts_with('#') {
-            continue;
-        }
-        let separator = stated.unwrap_or_else(|| separated(line).0);
-        let heads = cells(line, separator);
-        if is_export(heads.iter().map(AsRef::as_ref)) {
-            return Some((separator, at));
-        }
-        first.get_or_insert((separator, at));
-    }
-    first
-}
-
 impl ExportHead {
-    /// Reads the head; the lines go on with the first row.
+    /// What the head of a table means for shots.
     ///
     /// # Errors
-    /// [`Error::Table`] for a table without a head, without a column that a launch needs, with an unknown column, or with a unit of another
-    /// kind.
-    pub fn read(setup: &Setup<f64>, lines: &mut Lines, beginning: &str, table: &Table) -> Result<Self> {
-        // shots are passed on as they are stated, + to the right for every golfer
-        let setup = &Setup { golfer: Golfer::Right, ..*setup };
-        let (separator, at) = found(beginning)
-            .ok_or_else(|| table.refused(String::new(), "it is empty; give a head and a row for each shot"))?;
-        let mut head = String::new();
-        let mut passed = vec![];
-        // as they were counted: empty lines are none
-        while passed.len() <= at {
-            let Some((_, line)) = table.io(lines.line())? else { break };
-            if !line.is_empty() {
-                passed.push(line);
-            }
-        }
-        if let Some(line) = passed.pop() {
-            head = line;
-        }
-        let heads: Vec<String> =
-            cells(head.trim_start_matches('\u{feff}'), separator).into_iter().map(Into::into).collect();
-        let below = table.io(lines.line())?;
-        let first: Option<Vec<String>> =
-            below.as_ref().map(|(_, line)| cells(line, separator).into_iter().map(Into::into).collect());
-        let of_heads = heads.iter().map(String::as_str);
-        let at_column = |(at, error): (usize, Error)| table.refused(format!(", column {}", at + 1), error.to_string());
-        let read = Head::read(
-            setup,
-            of_heads,
-            first.as_ref().map(|cells| cells.iter().map(String::as_str)),
-            separator,
-            Club::LeftOut,
-            Spin::OfRow,
-        )
-        .map_err(|wrong| wrong.of_launches().in_file(&table.0))?;
-        let units = first.filter(|_| read.has_units_row);
-        if units.is_none()
-            && let Some(line) = below
-        {
-            lines.give_back(line);
-        }
-        let is_export = read.format.is_export;
-        let mut columns: Vec<Column> = read.columns;
-        if is_export {
-            for (at, column) in columns.iter_mut().enumerate().filter(|(_, column)| column.is_unknown()) {
-                let unit = read_units(units.as_deref(), at);
-                if let Some(total) = total(setup, &column.head, &heads[at], unit, read.format)? {
-                    *column = total;
+    /// [`Error::Table`] for a table without a column that a launch needs, or with a unit of another kind.
+    pub fn read(setup: &Setup<f64>, mut head: Head, table: &TextTable) -> Result<Self> {
+        if head.format.is_export {
+            for at in 0..head.columns.len() {
+                let unit = read_units(head.units.as_deref(), at);
+                let column = &head.columns[at];
+                if column.is_unknown()
+                    && let Some(total) = total(setup, &column.head, &head.heads[at], unit, head.format)?
+                {
+                    head.columns[at] = total;
                 }
             }
         }
-        let without_unit = if is_export { unstated(&mut columns) } else { None };
+        let meant = Meant::found(Some(setup), &mut head, table);
+        let Head { heads, columns, format, units, encoding, .. } = head;
+        let is_export = format.is_export;
+        let name = &table.name;
+        let at_column = |(at, error): (usize, Error)| name.refused(format!(", column {}", at + 1), error.to_string());
         let in_degrees: Vec<String> = columns
             .iter()
             .filter(|column| is_export && column.is_in_degrees_untold())
             .map(|column| column.head.clone())
             .collect();
         let mut found = Self {
-            separator,
-            maker: None,
+            separator: table.separator,
+            maker: meant.maker,
             read: vec![],
             club: Default::default(),
             further: vec![],
@@ -152,26 +86,41 @@ impl ExportHead {
             decimals: Decimals::Point,
             added: added(&columns),
             air: setup.air.density,
-            remarks: vec![],
+            remarks: encoding.map(Message::from).into_iter().collect(),
             units,
             heads,
         };
         for (at, column) in columns.iter().enumerate() {
             found.take(setup, at, column).map_err(|error| at_column((at, error)))?;
         }
-        found.needs_a_launch(&columns).map_err(|reason| table.refused(String::new(), reason))?;
+        found.needs_a_launch(&columns).map_err(|reason| name.refused(String::new(), reason))?;
         let plain: Vec<String> = found.heads.iter().map(|head| words(split_unit(head).0)).collect();
-        found.maker = maker(&plain).filter(|_| is_export);
         let named = |names: &[&str]| plain.iter().position(|head| names.contains(&head.as_str()));
-        found.spin_type = named(&["spin rate type", "spin type", "spin reading", "spin source"]);
+        found.spin_type = named(&["spin rate type", "spin type", "spin reading", "spin source", "drehratentyp"]);
         found.condition = named(&["condition", "conditions"]);
-        found.decimals = Decimals::found(separator, found.read.iter().map(|read| read.at), beginning);
-        let has_comma = separator != b',' && found.decimals != Decimals::Point;
+        found.decimals = Decimals::found(table.separator, found.read.iter().map(|read| read.at), &table.beginning);
+        let has_comma = table.separator != b',' && found.decimals != Decimals::Point;
         for read in &mut found.read {
             read.column = read.column.clone().with_decimal_comma(has_comma);
         }
-        found.tell(&columns, without_unit, &in_degrees);
+        found.tell(&columns, meant.without_unit, &in_degrees);
+        found.remarks.extend(meant.turned.map(Message::from));
         Ok(found)
+    }
+
+    /// Gives the further parameters the order that the first section of the table has them in.
+    ///
+    /// # Errors
+    /// The name of one that this section has no column of, but for the air, which is then the setup's.
+    pub fn align(&mut self, further: &[&'static Parameter]) -> std::result::Result<(), &'static str> {
+        let (mut aligned, mut columns) = (vec![], vec![]);
+        for parameter in further {
+            let at = self.further.iter().position(|own| own.parameter == *parameter).ok_or(parameter.name)?;
+            aligned.push(self.further[at].clone());
+            columns.push(self.further_columns[at].clone());
+        }
+        (self.further, self.further_columns) = (aligned, columns);
+        Ok(())
     }
 
     /// Takes a column that is read.
@@ -194,10 +143,9 @@ impl ExportHead {
                 if let Holds::Input(parameter) = again.holds
                     && let Some(club) = ClubOfShot::NAMES.iter().position(|name| *name == parameter.name)
                     && self.club[club].is_none()
-                    && (again.in_unit("mph").check_unit().is_ok())
+                    && again.clone().in_unit("mph").check_unit().is_ok()
                 {
-                    let again = Column::read(setup, &self.heads[at], below, format)?.in_unit("mph");
-                    self.club[club] = Some((at, again));
+                    self.club[club] = Some((at, again.in_unit("mph")));
                 }
             }
             _ => {}
@@ -268,7 +216,7 @@ impl ExportHead {
         if !not_read.is_empty() {
             remarks.push(format!("columns that are copied and not used: {}", not_read.join(", ")));
         }
-        self.remarks = remarks.into_iter().map(Message::from).collect();
+        self.remarks.extend(remarks.into_iter().map(Message::from));
     }
 
     /// The columns of what an earlier one gives too, which are not used.
@@ -283,7 +231,7 @@ impl ExportHead {
     }
 
     /// The parameters that every row has a value of.
-    pub fn parameters(&self, setup: &Setup<f64>) -> Result<Vec<&'static crate::parameters::Parameter>> {
+    pub fn parameters(&self, setup: &Setup<f64>) -> Result<Vec<&'static Parameter>> {
         let launch = LAUNCH.iter().map(|name| setup.parameter(name)).collect::<Result<Vec<_>>>()?;
         Ok(launch.into_iter().chain(self.further.iter().map(|further| further.parameter)).collect())
     }
@@ -309,7 +257,10 @@ fn read_units(units: Option<&[String]>, at: usize) -> Option<&str> {
 }
 
 /// Heads of where the ball comes to rest, and what they are: `calibrate` does not read them, since the ground is not known.
-const TOTALS: [(&str, Outcome); 8] = [
+const TOTALS: [(&str, Outcome); 11] = [
+    ("gesamtstrecke", Outcome::Total),
+    ("gesamtabweichungsdistanz", Outcome::LateralTotal),
+    ("total offline", Outcome::LateralTotal),
     ("total", Outcome::Total),
     ("total distance", Outcome::Total),
     ("total length", Outcome::Total),

@@ -1,16 +1,19 @@
 //! Whose export a table is, by its heads.
 
 /// A maker, with heads in small letters that stand together in its exports alone. docs/sources.md says where they are from.
-const SIGNATURES: [(&str, &[&str]); 13] = [
+const SIGNATURES: [(&str, &[&str]); 16] = [
     ("TrackMan", &["carry flat length"]),
     ("TrackMan", &["tmd no"]),
     ("TrackMan", &["dyn loft", "spin rate"]),
     ("TrackMan", &["dynamic loft", "landing angle", "hang time"]),
-    ("Garmin", &["carry deviation distance", "apex height"]),
+    ("Garmin", &["carry deviation distance"]),
+    ("Garmin", &["carry abweichungsdistanz"]),
     ("FlightScope", &["launch v", "launch h"]),
     ("FlightScope", &["launch angle v", "height"]),
     ("Foresight", &["push pull", "peak height"]),
     ("Foresight", &["tilt angle", "total spin"]),
+    ("Foresight", &["side angle", "offline"]),
+    ("Foresight", &["azimuth", "offline"]),
     ("Rapsodo", &["side carry", "club type"]),
     ("Uneekor", &["side angle", "side distance"]),
     ("Square", &["index", "offline", "dynamic loft"]),

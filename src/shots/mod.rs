@@ -30,35 +30,31 @@
 //! ```
 
 mod air;
-mod cells;
-mod decimals;
 mod export;
 mod flown;
 mod fly;
 mod further;
 mod head;
-mod lines;
 mod maker;
+mod meant;
 mod objects;
 mod open_connect;
-mod record;
 mod shot;
+mod sides;
 mod sizes;
 mod source;
-mod table;
-mod tabled;
+mod suspicion;
 mod tally;
 mod written;
 
-pub(crate) use cells::{cells, quoted};
-pub use flown::Flown;
+pub use crate::table::Refusal;
+pub use flown::{Flown, Section};
 pub use fly::Flying;
-pub(crate) use lines::Record;
+pub(crate) use meant::Meant;
 pub use objects::{Objects, Piece};
 pub(crate) use open_connect::ASSUMED;
-pub(crate) use record::{miscounted, records};
-pub use shot::{Club, Origin, Refusal, Shot, Value};
+pub use shot::{Club, Origin, Shot, Value};
 pub(crate) use sizes::size;
+pub(crate) use source::is_json;
 pub use source::{Export, Layout, Shots};
-pub(crate) use tabled::tabled;
 pub use tally::{BANDS, Band, FLOOR, Refused, Sums, Tally};

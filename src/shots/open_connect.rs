@@ -3,13 +3,13 @@
 use super::export::{OF_SPIN, launch, tell};
 use super::flown::REFUSED;
 use super::objects::Piece;
-use super::shot::{Club, Origin, Refusal, Shot, Value, of_conditions};
+use super::shot::{Club, Origin, Shot, StatedOfClub, Value, of_conditions};
 use super::sizes::size;
 use super::written;
-use crate::columns::implausible;
 use crate::drive::Outcome;
 use crate::error::nearest;
 use crate::parameters::Parameter;
+use crate::table::{Refusal, implausible};
 use crate::units::Quantity;
 use serde_json::{Map, Value as Json};
 
@@ -169,14 +169,17 @@ fn fill(shot: &mut Shot, message: &Map<String, Json>, further: &[&'static Parame
     if let Some(Json::Object(club)) = message.get("ClubData")
         && is("ContainsClubData") != Some(false)
     {
-        let angle = |key| number(club, "ClubData", key).ok().flatten().map(|angle| angle.to_radians());
-        let speed = number(club, "ClubData", "Speed").ok().flatten().filter(|speed| *speed > 0.0);
-        shot.club = Club {
-            speed: speed.map(|speed| speed * size(Quantity::SPEED, speed_unit)),
-            attack_angle: angle("AngleOfAttack"),
-            path: angle("Path"),
-            face_angle: angle("FaceToTarget"),
-        };
+        let angle = |key| number(club, "ClubData", key).ok().flatten().map(f64::to_radians);
+        let speed = number(club, "ClubData", "Speed").ok().flatten();
+        let speed = speed.map(|speed| speed * size(Quantity::SPEED, speed_unit));
+        let stated = [
+            ("ClubData.Speed", speed),
+            ("ClubData.AngleOfAttack", angle("AngleOfAttack")),
+            ("ClubData.Path", angle("Path")),
+            ("ClubData.FaceToTarget", angle("FaceToTarget")),
+        ];
+        let stated = stated.map(|(head, value)| Some(StatedOfClub { head, value: value? }));
+        shot.club = Club::measured(stated, &mut shot.notes);
     }
     sent(&mut shot.values);
     let stated = of_conditions(|of| shot.value(of).map(|value| value.value));

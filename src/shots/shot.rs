@@ -1,8 +1,8 @@
 //! A shot as a launch monitor states it.
 
-use crate::columns::{CONDITIONS, Stated};
 use crate::drive::Outcome;
 use crate::parameters::Parameter;
+use crate::table::{CONDITIONS, Refusal, Stated, implausible_club};
 
 /// How a value came about, where the export says so.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -60,49 +60,41 @@ pub struct Club {
     pub face_angle: Option<f64>,
 }
 
+/// A value that is stated of a club, SI, with the head that it stands under.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct StatedOfClub<'a> {
+    pub head: &'a str,
+    pub value: f64,
+}
+
 impl Club {
     /// The parameters that its values are of, in their order.
     pub const NAMES: [&'static str; 4] = ["swing.speed", "swing.attack_angle", "swing.path", "swing.face_angle"];
 
+    /// Of what is stated in the order of the names, with notes of values that no club has, which count as not measured. A club that does not move
+    /// was not measured.
+    pub(super) fn measured(stated: [Option<StatedOfClub<'_>>; 4], notes: &mut Vec<String>) -> Self {
+        let is_still = stated[0].is_some_and(|speed| speed.value == 0.0);
+        if is_still && stated.iter().flatten().all(|stated| stated.value == 0.0) {
+            return Self::default();
+        }
+        let mut values = [None; 4];
+        for (at, stated) in stated.into_iter().enumerate() {
+            let Some(StatedOfClub { head, value }) = stated.filter(|stated| at > 0 || stated.value != 0.0) else {
+                continue;
+            };
+            match implausible_club(Self::NAMES[at], value, head) {
+                Some(why) => notes.push(why),
+                None => values[at] = Some(value),
+            }
+        }
+        let [speed, attack_angle, path, face_angle] = values;
+        Self { speed, attack_angle, path, face_angle }
+    }
+
     /// Its values, in the order of the names.
     pub fn values(&self) -> [Option<f64>; 4] {
         [self.speed, self.attack_angle, self.path, self.face_angle]
-    }
-}
-
-/// Why a row is not flown.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Refusal {
-    /// The kind of reason, by which rows are counted: "missing value".
-    pub kind: &'static str,
-    /// The reason, with the column and the value.
-    pub reason: String,
-}
-
-impl Refusal {
-    pub(super) const MISSING: &'static str = "missing value";
-    pub(super) const UNREADABLE: &'static str = "not a number";
-    pub(super) const RANGE: &'static str = "out of range";
-    pub(super) const SPIN: &'static str = "contradictory spin";
-    pub(super) const SUMMARY: &'static str = "sums up other rows";
-    pub(super) const CELLS: &'static str = "number of cells";
-    pub(super) const QUOTE: &'static str = "quote not closed";
-    pub(super) const JSON: &'static str = "not JSON";
-    pub(super) const NO_BALL: &'static str = "no ball data";
-    pub(super) const BEFORE: &'static str = "refused before";
-
-    /// Whether the row is a message that is no shot, such as a heartbeat.
-    pub fn is_no_shot(&self) -> bool {
-        self.kind == Self::NO_BALL
-    }
-
-    /// Whether nothing at all can be read from the row.
-    pub fn is_unreadable(&self) -> bool {
-        [Self::JSON, Self::QUOTE, Self::CELLS].contains(&self.kind)
-    }
-
-    pub(super) fn new(kind: &'static str, reason: impl Into<String>) -> Self {
-        Self { kind, reason: reason.into() }
     }
 }
 

@@ -1,24 +1,23 @@
 //! Where shots come from: an export, or messages of GSPro Open Connect.
 
+use super::flown::Section;
 use super::head::ExportHead;
-use super::lines::{Lines, Record};
 use super::objects::{Objects, Piece};
 use super::open_connect;
 use super::shot::{LAUNCH, Shot};
-use super::table::Table;
-use super::tabled::is_json;
 use super::written;
-use crate::columns::decoded;
+use crate::batch::CHUNK;
 use crate::drive::Outcome;
 use crate::error::Result;
-use crate::parameters::{Parameter, Setup};
+use crate::parameters::{Golfer, Parameter, Setup};
+use crate::table::{Decimals, Entry, Record, SourceName, Text, TextTable, Wanted, cells};
 use crate::units::Message;
+use std::borrow::Cow;
 use std::fs::File;
-use std::io::{self, BufReader, Cursor, Read};
+use std::io::{self, Read};
+use std::ops::Range;
 use std::path::Path;
-
-/// Bytes at the beginning of a file that its kind and its head are looked for in.
-const BEGINNING: u64 = 1 << 16;
+use std::sync::Arc;
 
 /// Bytes read at a time.
 const PIECE: usize = 1 << 16;
@@ -27,7 +26,7 @@ const PIECE: usize = 1 << 16;
 #[derive(Clone, Debug)]
 pub enum Layout {
     /// An export in comma-separated values.
-    Export(Box<Export>),
+    Export(Arc<Export>),
     /// Messages of GSPro Open Connect.
     OpenConnect,
 }
@@ -56,16 +55,16 @@ impl Export {
 
     /// Whether its numbers have decimal commas.
     pub fn has_decimal_comma(&self) -> bool {
-        self.head.decimals == super::decimals::Decimals::Comma
+        self.head.decimals == Decimals::Comma
     }
 
     /// The cells of a row.
-    pub fn cells<'a>(&self, text: &'a str) -> Vec<std::borrow::Cow<'a, str>> {
-        super::cells::cells(text, self.head.separator)
+    pub fn cells<'a>(&self, text: &'a str) -> Vec<Cow<'a, str>> {
+        cells(text, self.head.separator)
     }
 
     /// The columns that an earlier flight of the rows has added, which the table has not from its maker.
-    pub(crate) fn added(&self) -> std::ops::Range<usize> {
+    pub(crate) fn added(&self) -> Range<usize> {
         self.head.added.clone()
     }
 }
@@ -81,13 +80,35 @@ pub struct Shots {
 
 /// Rows that are not looked at yet.
 pub(super) enum Rows {
-    Lines(Lines, Table),
-    Objects(Box<dyn Read + Send>, Objects, Table),
+    Table(Box<TableRows>),
+    Objects(Box<dyn Read + Send>, Objects, SourceName),
+}
+
+/// The rows of a table, section by section.
+pub(super) struct TableRows {
+    table: TextTable,
+    setup: Setup<f64>,
+    /// The head of the section, and whether none of its rows has been handed on.
+    export: Arc<Export>,
+    is_begun: bool,
+    /// The further parameters that every row has a value of.
+    further: Vec<&'static Parameter>,
+    is_air_given: bool,
+    /// What its reader should know of later sections.
+    remarks: Vec<Message>,
+}
+
+/// Rows of a section of an export.
+pub(super) struct Records {
+    pub export: Arc<Export>,
+    /// Whether a later section begins with them.
+    pub begins: bool,
+    records: Vec<Record>,
 }
 
 /// Some rows.
 pub(super) enum Chunk {
-    Records(Vec<Record>),
+    Records(Records),
     Pieces(Vec<Piece>),
 }
 
@@ -101,7 +122,7 @@ impl Shots {
             return Self::read(setup, "standard input", io::stdin());
         }
         let name = path.display().to_string();
-        let table = Table(name.clone());
+        let table = SourceName(name.clone());
         // a folder opens, and cannot be read
         Self::read(setup, &name, table.io(File::open(path))?)
     }
@@ -112,23 +133,49 @@ impl Shots {
     /// [`Error::Table`](crate::Error::Table) for a text that cannot be read, is empty, or has a head without a column that a launch needs, with an unknown
     /// column, or with a unit of another kind.
     pub fn read(setup: &Setup<f64>, name: &str, source: impl Read + Send + 'static) -> Result<Self> {
-        let table = Table(name.into());
-        let mut source = table.io(decoded(source))?;
-        let mut beginning = vec![];
-        table.io((&mut source).take(BEGINNING).read_to_end(&mut beginning))?;
-        let text = String::from_utf8_lossy(&beginning).into_owned();
-        let source = Cursor::new(beginning).chain(source);
-        if is_json(&text) {
+        Self::of_text(setup, Text::open(name, source)?)
+    }
+
+    /// The shots of a text that is being read.
+    ///
+    /// # Errors
+    /// As [`read`](Self::read).
+    pub(crate) fn of_text(setup: &Setup<f64>, text: Text) -> Result<Self> {
+        if is_json(&text.beginning) {
             let launch = LAUNCH.iter().map(|name| setup.parameter(name)).collect::<Result<Vec<_>>>()?;
-            let rows = Rows::Objects(Box::new(source), Objects::default(), table);
-            let parameters = launch.into_iter().chain(written::further(setup, &text)).collect();
-            return Ok(Self { layout: Layout::OpenConnect, rows, parameters, is_written: written::begins(&text) });
+            let parameters = launch.into_iter().chain(written::further(setup, &text.beginning)).collect();
+            let is_written = written::begins(&text.beginning);
+            let rows = Rows::Objects(text.source, Objects::default(), text.name);
+            return Ok(Self { layout: Layout::OpenConnect, rows, parameters, is_written });
         }
-        let mut lines = Lines::new(Box::new(BufReader::with_capacity(PIECE, source)), &text);
-        let head = ExportHead::read(setup, &mut lines, &text, &table)?;
-        let parameters = head.parameters(setup)?;
-        let layout = Layout::Export(Box::new(Export { head }));
-        Ok(Self { layout, rows: Rows::Lines(lines, table), parameters, is_written: false })
+        // shots are passed on as they are stated, + to the right for every golfer
+        let setup = Setup { golfer: Golfer::Right, ..*setup };
+        let (table, head) = TextTable::open(text, &setup, &Wanted::LAUNCHES)?;
+        let head = ExportHead::read(&setup, head, &table)?;
+        let parameters = head.parameters(&setup)?;
+        let export = Arc::new(Export { head });
+        let rows = TableRows {
+            table,
+            setup,
+            export: export.clone(),
+            is_begun: false,
+            further: parameters[LAUNCH.len()..].to_vec(),
+            is_air_given: false,
+            remarks: vec![],
+        };
+        Ok(Self { layout: Layout::Export(export), rows: Rows::Table(Box::new(rows)), parameters, is_written: false })
+    }
+
+    /// All of them.
+    ///
+    /// # Errors
+    /// What the source returns.
+    pub(crate) fn all(mut self) -> Result<Vec<Shot>> {
+        let mut all = vec![];
+        while let Some(chunk) = self.rows.next_rows(CHUNK)? {
+            all.extend(chunk.shots(&self.parameters[LAUNCH.len()..]).0);
+        }
+        Ok(all)
     }
 
     /// How its rows are written.
@@ -142,6 +189,14 @@ impl Shots {
             Layout::Export(export) => export.head.maker,
             Layout::OpenConnect if self.is_written => Some("JSON lines of longdrive fly"),
             Layout::OpenConnect => Some("GSPro Open Connect"),
+        }
+    }
+
+    /// What its reader should know of later sections of a table, once their rows have been read.
+    pub fn remarks_of_sections(&self) -> &[Message] {
+        match &self.rows {
+            Rows::Table(rows) => &rows.remarks,
+            Rows::Objects(..) => &[],
         }
     }
 
@@ -163,13 +218,23 @@ impl Shots {
         matches!(&self.layout, Layout::Export(export) if export.head.has(of))
     }
 
+    /// What the column of an outcome is called.
+    pub fn name_of(&self, of: Outcome) -> String {
+        match &self.layout {
+            Layout::Export(export) => export.head.name_of(of),
+            Layout::OpenConnect => of.name().into(),
+        }
+    }
+
     /// Flies every row in the air of the setup, also where the export states that of each.
     pub fn in_given_air(&mut self) {
-        if let Layout::Export(export) = &mut self.layout
-            && export.head.leave_air_out()
-        {
-            let further = export.head.further.iter().map(|further| further.parameter);
-            self.parameters = self.parameters[..LAUNCH.len()].iter().copied().chain(further).collect();
+        let (Layout::Export(export), Rows::Table(rows)) = (&mut self.layout, &mut self.rows) else { return };
+        rows.is_air_given = true;
+        if Arc::make_mut(export).head.leave_air_out() {
+            rows.further = export.head.further.iter().map(|further| further.parameter).collect();
+            rows.export = export.clone();
+            self.parameters.truncate(LAUNCH.len());
+            self.parameters.extend(&rows.further);
         }
     }
 
@@ -179,21 +244,55 @@ impl Shots {
     }
 }
 
+impl TableRows {
+    /// The next rows of the same section.
+    fn next_rows(&mut self, most: usize) -> Result<Option<Chunk>> {
+        let mut records = vec![];
+        while records.len() < most {
+            match self.table.next_entry()? {
+                None => break,
+                Some(Entry::Row(record)) => records.push(record),
+                Some(Entry::Head(record)) if records.is_empty() => self.begin(&record)?,
+                Some(Entry::Head(record)) => {
+                    self.table.give_back(record);
+                    break;
+                }
+            }
+        }
+        if records.is_empty() {
+            return Ok(None);
+        }
+        let begins = std::mem::take(&mut self.is_begun);
+        Ok(Some(Chunk::Records(Records { export: self.export.clone(), begins, records })))
+    }
+
+    /// Begins the section of a head.
+    fn begin(&mut self, record: &Record) -> Result<()> {
+        let head = self.table.head(record, &self.setup, &Wanted::LAUNCHES)?;
+        if head.is_like(&self.export.head.heads, self.export.head.units.as_deref()) {
+            return Ok(());
+        }
+        let mut head = ExportHead::read(&self.setup, head, &self.table)?;
+        if self.is_air_given {
+            head.leave_air_out();
+        }
+        head.align(&self.further).map_err(|missing| {
+            let reason = format!("its head has no column of {missing}, as the first has; give the sections the same columns, or separate files");
+            self.table.name.refused(format!(", line {}", record.line), reason)
+        })?;
+        let told = |remark: &Message| Message::from(format!("from line {} on: ", record.line)).message(remark.clone());
+        self.remarks.extend(head.remarks.iter().map(told));
+        (self.export, self.is_begun) = (Arc::new(Export { head }), true);
+        Ok(())
+    }
+}
+
 impl Rows {
     /// The next rows, at most `most`; `None` at the end.
-    pub fn next_rows(&mut self, separator: u8, most: usize) -> Result<Option<Chunk>> {
+    pub fn next_rows(&mut self, most: usize) -> Result<Option<Chunk>> {
         match self {
-            Self::Lines(lines, table) => {
-                let mut records = vec![];
-                while records.len() < most {
-                    match table.io(lines.record(separator))? {
-                        Some(record) => records.push(record),
-                        None => break,
-                    }
-                }
-                Ok((!records.is_empty()).then_some(Chunk::Records(records)))
-            }
-            Self::Objects(source, objects, table) => {
+            Self::Table(rows) => rows.next_rows(most),
+            Self::Objects(source, objects, name) => {
                 let mut pieces = vec![];
                 let mut bytes = vec![0; PIECE];
                 while pieces.len() < most {
@@ -201,7 +300,7 @@ impl Rows {
                         pieces.push(piece);
                         continue;
                     }
-                    let read = table.io(source.read(&mut bytes))?;
+                    let read = name.io(source.read(&mut bytes))?;
                     if read > 0 {
                         objects.push(&bytes[..read]);
                     } else if objects.is_under_way() {
@@ -216,24 +315,27 @@ impl Rows {
     }
 }
 
-impl Layout {
-    /// What separates the cells of a row.
-    pub(super) fn separator(&self) -> u8 {
+impl Chunk {
+    /// The shots of these rows, of which each has values of these further parameters; and their section.
+    pub fn shots(self, further: &[&'static Parameter]) -> (Vec<Shot>, Option<Section>) {
         match self {
-            Self::Export(export) => export.head.separator,
-            Self::OpenConnect => b',',
+            Self::Records(Records { export, begins, records }) => {
+                let shots = records.into_iter().map(|record| export.head.shot(record)).collect();
+                (shots, Some(Section { export, begins }))
+            }
+            Self::Pieces(pieces) => {
+                (pieces.into_iter().map(|piece| open_connect::shot(piece, further)).collect(), None)
+            }
         }
     }
+}
 
-    /// The shots of some rows, of which each has values of these further parameters.
-    pub(super) fn shots(&self, chunk: Chunk, further: &[&'static Parameter]) -> Vec<Shot> {
-        match (self, chunk) {
-            (Self::Export(export), Chunk::Records(records)) => {
-                records.into_iter().map(|record| export.head.shot(record)).collect()
-            }
-            (_, Chunk::Pieces(pieces)) => pieces.into_iter().map(|piece| open_connect::shot(piece, further)).collect(),
-            // rows of a text are records
-            (Self::OpenConnect, Chunk::Records(_)) => vec![],
-        }
+/// Whether a text is of messages in JSON, not of lines with cells.
+pub(crate) fn is_json(text: &str) -> bool {
+    let mut characters = text.chars().filter(|c| !c.is_whitespace());
+    match characters.next() {
+        Some('{') => true,
+        Some('[') => matches!(characters.next(), None | Some('{' | ']')),
+        _ => false,
     }
 }

@@ -1,9 +1,12 @@
 //! How well shots are predicted: bias and mean absolute error by ball speed, and the rows that could not be flown.
 
 use super::flown::Flown;
-use super::shot::{Origin, Refusal};
+use super::shot::Origin;
+use super::suspicion::Comparison;
 use crate::batch::Status;
 use crate::drive::{BeyondCount, Outcome};
+use crate::table::Refusal;
+use crate::units::Message;
 use std::collections::BTreeMap;
 
 /// The ends of the bands of ball speed, mph.
@@ -110,6 +113,8 @@ pub struct Tally {
     pub noted: u64,
     /// Those that landed beyond what the law was fitted to.
     pub beyond: BeyondCount,
+    /// Predicted beside measured values.
+    comparison: Comparison,
 }
 
 impl Tally {
@@ -129,6 +134,7 @@ impl Tally {
             normalized: 0,
             noted: 0,
             beyond: BeyondCount::default(),
+            comparison: Comparison::new(of.len()),
         }
     }
 
@@ -150,6 +156,7 @@ impl Tally {
                 self.flown += 1;
                 self.beyond.add(flown.beyond(row));
             }
+            self.comparison.add(flown, row);
             let Some(speed) = shot.launch().map(|launch| launch[0]) else { continue };
             let band = BANDS.iter().filter(|end| speed >= **end * MPH).count();
             for outcome in 0..self.of.len() {
@@ -161,6 +168,11 @@ impl Tally {
         }
     }
 
+    /// Warnings about columns whose unit or sign is likely to be another; `name` is the head of an outcome's.
+    pub fn suspicions(&self, name: impl Fn(Outcome) -> String) -> Vec<Message> {
+        self.comparison.warnings(&self.of, name)
+    }
+
     /// Adds what was found of later shots.
     pub fn merge(&mut self, other: Self) {
         self.rows += other.rows;
@@ -169,6 +181,7 @@ impl Tally {
         self.normalized += other.normalized;
         self.noted += other.noted;
         self.beyond.merge(other.beyond);
+        self.comparison.merge(other.comparison);
         for (kind, refused) in other.refused {
             match self.refused.get_mut(kind) {
                 Some(found) => found.count += refused.count,

@@ -4,10 +4,10 @@ use super::export::launch;
 use super::flown::REFUSED;
 use super::further::within;
 use super::objects::Objects;
-use super::shot::{Club, Origin, Refusal, Shot, Value, of_conditions};
-use crate::columns::is_straight_by_assumption;
+use super::shot::{Club, Origin, Shot, Value, of_conditions};
 use crate::drive::Outcome;
 use crate::parameters::{Parameter, Setup};
+use crate::table::{Refusal, is_straight_by_assumption};
 use serde_json::{Map, Value as Json};
 
 /// What the row stands behind: the last member of a line, so that none of the others has it in its text.

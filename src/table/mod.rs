@@ -1,54 +1,59 @@
-//! Points that stand in a file, as [`Points`] of a batch: a column for each parameter, a row for each drive. [`open_table`] reads CSV,
-//! Parquet and Arrow.
+//! Tables that people, launch monitors and this program write, read once for all: encoding, records, heads with their units, sections, and
+//! the values of cells. Shots, calibration and sweeps ask for the columns that they want.
+//!
+//! Points that stand in a file, as [`Points`](crate::batch::Points) of a batch: [`open_table`] reads CSV, Parquet and Arrow.
 
-#[cfg(feature = "arrow")]
-mod arrow;
-mod columns;
-mod csv;
-#[cfg(feature = "parquet")]
-mod parquet;
-#[cfg(any(feature = "arrow", feature = "parquet"))]
-mod pieces;
-#[cfg(feature = "arrow")]
-mod record_batches;
-mod rows;
+mod air;
+mod cells;
+mod column;
+mod conditions;
+mod decimals;
+mod encoding;
+mod head;
+mod heads;
+mod launch_monitor;
+mod left_out;
+mod lines;
+mod marks;
+mod no_shot;
+mod plausible;
+mod points;
+mod refusal;
+mod source_name;
+mod stated;
+mod text;
+mod unstated;
+mod wrong;
 
-use crate::batch::Points;
-use crate::error::Result;
-#[cfg(not(all(feature = "arrow", feature = "parquet")))]
-use crate::features::how_to_get;
-use crate::parameters::Setup;
-use columns::refused;
-#[cfg(any(feature = "arrow", feature = "parquet"))]
-use pieces::PieceRows;
-use rows::Table;
-use std::path::Path;
+pub(crate) use air::{air_as_given, air_of_rows, air_of_setup, states_weather};
+pub(crate) use cells::{cells, quoted};
+pub(crate) use column::{Column, Format, Holds, OF_FLOWN};
+pub(crate) use conditions::{Fault, Stated, conditions, contradiction, is_sideways, is_straight_by_assumption};
+pub(crate) use decimals::Decimals;
+pub(crate) use head::{Head, Wanted};
+pub(crate) use launch_monitor::{nearest_head, split_unit, words};
+pub(crate) use left_out::{Club, given_air, near_known};
+pub(crate) use lines::Record;
+pub(crate) use marks::Marks;
+pub(crate) use no_shot::{NoShot, NoShots};
+pub(crate) use plausible::{implausible, implausible_club, implausible_launch, impossible, outside};
+pub use points::open_table;
+pub use refusal::Refusal;
+pub(crate) use source_name::SourceName;
+pub(crate) use text::{Entry, Text, TextTable, miscounted};
+#[cfg(feature = "cli")]
+pub(crate) use unstated::UNSTATED;
+pub(crate) use unstated::unstated;
 
-/// The table in a file, by the ending of its name: CSV (`.csv`; a launch monitor's export too, with cells separated by commas, semicolons or
-/// tabs), Parquet (`.parquet`), or Arrow IPC (`.arrow`, `.arrows`, `.feather`; a file or a stream, whichever its first bytes say). Columns
-/// are named by parameters, with their units in CSV, and are in SI in the others. All of it is read once here, so that a value
-/// that is missing is told before any work.
-///
-/// # Errors
-/// [`Error::Table`](crate::Error::Table) for a name without a known ending; a file that cannot be read, is damaged or cut short, or has no
-/// column of a parameter; a column that is unknown, given twice or not of numbers; a unit of another kind; and a value that is
-/// missing, no number, not finite where it must be, or whose decimal mark is uncertain.
-pub fn open_table(setup: &Setup<f64>, path: &Path) -> Result<Box<dyn Points + Send>> {
-    let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default().to_lowercase();
-    match ending.as_str() {
-        "csv" => Ok(Box::new(Table::new(csv::CsvRows::open(setup, path)?)?)),
-        #[cfg(feature = "parquet")]
-        "parquet" => Ok(Box::new(Table::new(PieceRows::<parquet::ParquetPieces>::open(setup, path)?)?)),
-        #[cfg(feature = "arrow")]
-        "arrow" | "arrows" | "feather" => {
-            Ok(Box::new(Table::new(PieceRows::<arrow::ArrowPieces>::open(setup, path)?)?))
-        }
-        #[cfg(not(feature = "parquet"))]
-        "parquet" => Err(refused(path, String::new(), how_to_get("parquet"))),
-        #[cfg(not(feature = "arrow"))]
-        "arrow" | "arrows" | "feather" => Err(refused(path, String::new(), how_to_get("arrow"))),
-        _ => {
-            Err(refused(path, String::new(), "a table's name must end in .csv, .parquet, .arrow, .arrows or .feather"))
-        }
-    }
-}
+use crate::drive::Outcome;
+
+/// Outcomes that, all together, are a launch.
+pub(crate) const CONDITIONS: [Outcome; 7] = [
+    Outcome::BallSpeed,
+    Outcome::LaunchAngle,
+    Outcome::LaunchDirection,
+    Outcome::Spin,
+    Outcome::Backspin,
+    Outcome::Sidespin,
+    Outcome::SpinAxis,
+];

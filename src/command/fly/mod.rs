@@ -5,7 +5,6 @@ mod listen;
 mod target;
 
 use crate::batch::Run;
-use crate::columns::UNSTATED;
 use crate::command::args::Fly;
 use crate::command::interrupt;
 use crate::command::output::{Answer, system, tell, warn};
@@ -15,6 +14,7 @@ use crate::parameters::Preset;
 use crate::report::ShotParquet;
 use crate::report::{Reply, ShotWriter, ShotsReport, shots_text};
 use crate::shots::{Flying, Shots, Tally};
+use crate::table::UNSTATED;
 use crate::units::{Message, counted};
 use crate::{Error, Outcome, Result};
 use asked::{asked, followed, setup};
@@ -65,6 +65,10 @@ fn fly(args: &Fly) -> Result<Answer> {
     let source = shots.maker();
     let run = Run { threads: args.threads, stop: Some(&stop), ..Run::default() };
     let (tally, output) = written(&target, &flying, &mut shots, &run)?;
+    for remark in shots.remarks_of_sections() {
+        tell(&format!("note: {}: {}", file.display(), remark.in_units(system())));
+        remarks.push(remark.clone());
+    }
     let is_stopped = stop.load(std::sync::atomic::Ordering::Relaxed);
     if tally.rows == 0 && !is_stopped {
         let reason = "it has no rows; give a row for each shot".into();
@@ -76,6 +80,9 @@ fn fly(args: &Fly) -> Result<Answer> {
     let beyond = tally.beyond.warnings(&setup.law, ["shot that landed", "shots that landed"], Looked::AtLaunch);
     warn(&beyond);
     warnings.extend(beyond);
+    let suspicions = tally.suspicions(|of| shots.name_of(of));
+    warn(&suspicions);
+    warnings.extend(suspicions);
     let missing = Missing { stopped: is_stopped.then(|| stopped(&tally, &target)), nothing: nothing(&tally, &remarks) };
     if args.question.json {
         let nothing: Vec<Message> = missing.nothing.iter().cloned().map(Message::from).collect();

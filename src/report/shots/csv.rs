@@ -1,8 +1,10 @@
 //! What is predicted of shots, in columns beside those of the export.
 
 use crate::drive::Outcome;
-use crate::shots::{Export, Flown, quoted, size};
+use crate::shots::{Export, Flown, size};
+use crate::table::quoted;
 use crate::units::System;
+use std::sync::Arc;
 
 /// Digits of a number in a table: four decimals, 0.1 mm of a length.
 const DECIMALS: f64 = 1e4;
@@ -79,13 +81,18 @@ impl Added {
 /// The rows of an export as they are, with the added columns.
 #[derive(Clone, Debug)]
 pub(super) struct Copied {
-    export: Export,
+    export: Arc<Export>,
     added: Added,
 }
 
 impl Copied {
-    pub fn new(export: &Export, of: &[Outcome], system: System) -> Self {
+    pub fn new(export: &Arc<Export>, of: &[Outcome], system: System) -> Self {
         Self { export: export.clone(), added: Added::new(of, system, export.separator(), export.has_decimal_comma()) }
+    }
+
+    /// The same for a section with another head.
+    pub fn of_section(&self, export: &Arc<Export>) -> Self {
+        Self::new(export, &self.added.of, self.added.system)
     }
 
     /// What an earlier flight has not added of the cells of a line, one for each column; a row of units may be shorter.

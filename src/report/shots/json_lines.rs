@@ -2,7 +2,8 @@
 
 use super::super::sweep::push_number;
 use crate::drive::Outcome;
-use crate::shots::{Club, Export, Flown, Layout, Shots};
+use crate::shots::{Club, Export, Flown, Section, Shots};
+use std::sync::Arc;
 
 /// The names of the launch, in the order of [`crate::shots::Shot::launch`].
 const LAUNCH: [&str; 5] = ["ball_speed", "launch_angle", "launch_direction", "backspin", "sidespin"];
@@ -14,7 +15,7 @@ pub(super) struct Keys {
     /// The further parameters that every row has a value of.
     further: Vec<&'static str>,
     /// The export, and `"head":` of each of its columns.
-    cells: Option<(Export, Vec<String>)>,
+    cells: Option<(Arc<Export>, Vec<String>)>,
 }
 
 fn text(bytes: &mut Vec<u8>, text: &str) {
@@ -45,20 +46,22 @@ fn numbers<'a>(bytes: &mut Vec<u8>, of: impl Iterator<Item = (&'a str, Option<f6
 
 impl Keys {
     pub fn new(shots: &Shots, of: &[Outcome]) -> Self {
-        let cells = match shots.layout() {
-            Layout::Export(export) => {
-                let heads = export.heads();
-                // heads that are alike get a number
-                let key = |(at, head): (usize, &String)| {
-                    let before = heads[..at].iter().filter(|other| *other == head).count();
-                    let name = if before == 0 { head.clone() } else { format!("{head} ({})", before + 1) };
-                    serde_json::Value::from(name).to_string() + ":"
-                };
-                Some(((**export).clone(), heads.iter().enumerate().map(key).collect()))
-            }
-            Layout::OpenConnect => None,
-        };
-        Self { of: of.to_vec(), further: shots.further().iter().map(|row| row.name).collect(), cells }
+        Self { of: of.to_vec(), further: shots.further().iter().map(|row| row.name).collect(), cells: None }
+    }
+
+    /// The keys of rows in a section of a table.
+    pub fn of_section(&self, section: Option<&Section>) -> Self {
+        let cells = section.map(|Section { export, .. }| {
+            let heads = export.heads();
+            // heads that are alike get a number
+            let key = |(at, head): (usize, &String)| {
+                let before = heads[..at].iter().filter(|other| *other == head).count();
+                let name = if before == 0 { head.clone() } else { format!("{head} ({})", before + 1) };
+                serde_json::Value::from(name).to_string() + ":"
+            };
+            (export.clone(), heads.iter().enumerate().map(key).collect())
+        });
+        Self { of: self.of.clone(), further: self.further.clone(), cells }
     }
 
     pub fn row(&self, flown: &Flown, row: usize, bytes: &mut Vec<u8>) {

@@ -68,14 +68,26 @@ impl ShotWriter {
         }
     }
 
-    /// A line for each row.
+    /// A line for each row, below a line of heads where a section of the table begins.
     pub fn rows(&self, flown: &Flown) -> Vec<u8> {
         let mut bytes = Vec::with_capacity(flown.rows() * 400);
+        let section = flown.section();
+        let copied = match (&self.table, section) {
+            (Table::Copied(copied), Some(section)) => Some(copied.of_section(&section.export)),
+            _ => None,
+        };
+        if let (Some(copied), true) = (&copied, section.is_some_and(|section| section.begins)) {
+            bytes.extend(copied.head());
+        }
+        let keys = match &self.table {
+            Table::JsonLines(keys) => Some(keys.of_section(section)),
+            _ => None,
+        };
         for row in 0..flown.rows() {
             match &self.table {
-                Table::Copied(copied) => copied.row(flown, row, &mut bytes),
+                Table::Copied(first) => copied.as_ref().unwrap_or(first).row(flown, row, &mut bytes),
                 Table::Columns(added) => columns::row(added, flown, row, &mut bytes),
-                Table::JsonLines(keys) => keys.row(flown, row, &mut bytes),
+                Table::JsonLines(first) => keys.as_ref().unwrap_or(first).row(flown, row, &mut bytes),
                 Table::OpenConnect => open_connect::row(flown, row, &mut bytes),
             }
             bytes.push(b'\n');

@@ -13,6 +13,7 @@ mod ranges;
 mod reading;
 mod refusal;
 mod residuals;
+mod rows;
 mod shot;
 mod statistics;
 mod verdict;

@@ -3,23 +3,26 @@
 use super::instrument::instrument;
 use super::shot::{Measurement, Shot, Stationary};
 use super::statistics::Uncertainties;
-use crate::columns::{
-    CONDITIONS, Club, Column, Fault, Holds, Stated, conditions, contradiction, implausible, implausible_launch,
-    impossible, is_sideways, is_straight_by_assumption, outside,
-};
 use crate::drive::{Outcome, Part};
-use crate::error::Error;
-use crate::parameters::Setup;
+use crate::error::{Error, Result as Read};
+use crate::parameters::{Parameter, Setup};
+use crate::shots::{Club as ClubOfShot, Meant, Shot as Stated};
+use crate::table::{
+    CONDITIONS, Club, Column, Fault, Head, Holds, Stated as Launch, TextTable, conditions, contradiction, implausible,
+    implausible_club, implausible_launch, impossible, is_sideways, is_straight_by_assumption, near_known, outside,
+};
 use crate::units::{Digits, Message, Quantity};
-use csv::StringRecord;
 
 /// No outcome of a drive is larger than this, in whatever SI unit.
 const MOST: f64 = 1e9;
 
-/// A table being read.
-pub(super) struct Reading<'a> {
-    pub setup: &'a Setup<f64>,
+/// What is read of the rows below a head.
+#[derive(Clone)]
+pub(super) struct Reading {
+    pub setup: Setup<f64>,
     pub columns: Vec<Column>,
+    /// What its reader should know of the columns.
+    pub remarks: Vec<Message>,
     pub is_launched: bool,
     /// Whether it is a launch monitor's export, of which `fly` tells what is no drive.
     pub is_export: bool,
@@ -38,7 +41,53 @@ pub(super) struct Row {
     pub implausible: Vec<String>,
     /// Why the air of the row is the setup's, where the table has a column of it.
     pub no_air: Option<String>,
+    /// The columns of the club that state nothing usable: what is known before the shot stands for them.
+    pub not_stated: Vec<String>,
 }
+
+/// What a row states of its columns.
+#[derive(Clone, Copy)]
+pub(super) enum Values<'a> {
+    /// The cells of a text.
+    Cells(&'a [&'a str]),
+    /// Numbers in SI.
+    Numbers(&'a [Option<f64>]),
+}
+
+impl<'a> Values<'a> {
+    /// The text of a column; none of numbers.
+    fn text(self, at: usize) -> &'a str {
+        match self {
+            Self::Cells(cells) => cells.get(at).copied().unwrap_or_default(),
+            Self::Numbers(_) => "",
+        }
+    }
+
+    /// The value of a column, SI.
+    fn value(self, at: usize, column: &Column) -> Result<Option<f64>, String> {
+        match self {
+            Self::Cells(_) => column.value(self.text(at)),
+            Self::Numbers(numbers) => Ok(numbers.get(at).copied().flatten()),
+        }
+    }
+}
+
+/// What messages state, by their columns.
+const OF_MESSAGES: [(Outcome, &str); 13] = [
+    (Outcome::BallSpeed, "Ball Speed"),
+    (Outcome::LaunchAngle, "Launch Angle"),
+    (Outcome::LaunchDirection, "Launch Direction"),
+    (Outcome::Spin, "Total Spin"),
+    (Outcome::SpinAxis, "Spin Axis"),
+    (Outcome::Backspin, "Back Spin"),
+    (Outcome::Sidespin, "Side Spin"),
+    (Outcome::CarryDistance, "Carry"),
+    (Outcome::Lateral, "Side"),
+    (Outcome::ApexHeight, "Apex"),
+    (Outcome::FlightTime, "Hang Time"),
+    (Outcome::DescentAngle, "Landing Angle"),
+    (Outcome::LandingSpeed, "Landing Speed"),
+];
 
 /// What is wrong with a row.
 pub(super) struct Wrong {
@@ -62,14 +111,88 @@ impl<T: Into<String>> From<(Option<String>, T)> for Wrong {
     }
 }
 
-impl Reading<'_> {
-    fn cell(&self, record: &StringRecord, holds: Holds) -> Result<Option<f64>, Wrong> {
-        let Some(at) = self.columns.iter().position(|column| column.holds == holds) else { return Ok(None) };
-        let column = &self.columns[at];
-        column.value(record.get(at).unwrap_or_default()).map_err(|why| (Some(column.head.clone()), why).into())
+impl Reading {
+    /// What is read of the rows below a head.
+    ///
+    /// # Errors
+    /// [`Error::Table`] for a column that is given twice or in a wrong unit, or whose value is missing that it is the uncertainty of; for an export
+    /// whose rows are neither launches nor strikes.
+    pub fn of_head(setup: &Setup<f64>, table: &TextTable, mut head: Head, club: Club) -> Read<Self> {
+        let refused = |place: String, reason: String| table.name.refused(place, reason);
+        let Meant { without_unit, turned, .. } =
+            Meant::found((club == Club::LeftOut).then_some(setup), &mut head, table);
+        let is_export = head.format.is_export;
+        let mut remarks: Vec<Message> = head.encoding.map(Message::from).into_iter().collect();
+        remarks.append(&mut head.remarks);
+        remarks.extend(without_unit.into_iter().chain(turned).map(Message::from));
+        if is_export {
+            remarks.extend(without_totals(&mut head));
+        }
+        check_columns(&head).map_err(|(at, reason)| refused(format!(", column {}", at + 1), reason))?;
+        let written = head.named(|column| column.holds == Holds::Written);
+        remarks.extend(written.told("columns that a sweep writes beside what is measured are not read"));
+        // where a delivery is sought, the launch is what was measured, and not given
+        let is_launched = head.is_launched() && club == Club::LeftOut;
+        let inputs = head.columns.iter().filter_map(|column| match column.holds {
+            Holds::Input(parameter) => Some(parameter.name),
+            _ => None,
+        });
+        setup
+            .refuse_replaced(&inputs.collect::<Vec<_>>())
+            .map_err(|error| refused(String::new(), error.to_string()))?;
+        let reading = Self { setup: *setup, is_launched, is_export, club, columns: head.columns, remarks };
+        let has_club = || reading.columns.iter().any(Column::is_of_the_strike);
+        if is_export && club == Club::LeftOut && !is_launched && !has_club() {
+            let near = near_known(&reading.columns);
+            let reason = format!(
+                "it has neither a whole launch (ball speed, launch angle and spin) nor a column of the club, such as club speed{near}; add \
+                 the missing columns"
+            );
+            return Err(refused(String::new(), reason));
+        }
+        Ok(reading)
     }
 
-    fn sigma(&self, record: &StringRecord, holds: Holds, one: f64) -> Result<f64, Wrong> {
+    /// What is read of messages, and of lines that `fly` wrote: what some of them states.
+    pub fn of_shots(setup: &Setup<f64>, shots: &[Stated], further: &[&'static Parameter], club: Club) -> Self {
+        let is_stated = |of: Outcome| shots.iter().any(|shot| shot.refusal().is_none() && shot.value(of).is_some());
+        let outcomes = OF_MESSAGES.into_iter().filter(|(of, _)| is_stated(*of));
+        let mut columns: Vec<Column> = outcomes.map(|(of, head)| Column::of(Holds::Outcome(of), head)).collect();
+        if club == Club::Kept {
+            let of_club = ClubOfShot::NAMES.iter().filter_map(|name| setup.variable(name).ok());
+            let is_given = |parameter: &&Parameter| {
+                let at = ClubOfShot::NAMES.iter().position(|name| *name == parameter.name);
+                at.is_some_and(|at| shots.iter().any(|shot| shot.club.values()[at].is_some()))
+            };
+            columns
+                .extend(of_club.filter(is_given).map(|parameter| Column::of(Holds::Input(parameter), parameter.name)));
+        }
+        columns.extend(further.iter().map(|parameter| Column::of(Holds::Input(parameter), parameter.name)));
+        let is_launched = club == Club::LeftOut;
+        Self { setup: *setup, is_launched, is_export: true, club, columns, remarks: vec![] }
+    }
+
+    /// What a message states of the columns.
+    pub fn numbers(&self, shot: &Stated, further: &[&'static Parameter]) -> Vec<Option<f64>> {
+        let of = |column: &Column| match column.holds {
+            Holds::Outcome(outcome) => shot.value(outcome).map(|value| value.value),
+            Holds::Input(parameter) => {
+                let of_club = ClubOfShot::NAMES.iter().position(|name| *name == parameter.name);
+                let at = || further.iter().position(|own| *own == parameter);
+                of_club.map_or_else(|| shot.further().get(at()?).copied(), |at| shot.club.values()[at])
+            }
+            _ => None,
+        };
+        self.columns.iter().map(of).collect()
+    }
+
+    fn cell(&self, record: Values<'_>, holds: Holds) -> Result<Option<f64>, Wrong> {
+        let Some(at) = self.columns.iter().position(|column| column.holds == holds) else { return Ok(None) };
+        let column = &self.columns[at];
+        record.value(at, column).map_err(|why| (Some(column.head.clone()), why).into())
+    }
+
+    fn sigma(&self, record: Values<'_>, holds: Holds, one: f64) -> Result<f64, Wrong> {
         let sigma = self.cell(record, holds)?;
         let has_column = self.columns.iter().any(|column| column.holds == holds);
         match sigma {
@@ -91,27 +214,33 @@ impl Reading<'_> {
     }
 
     /// The shot of a row.
-    pub fn shot(&self, row: usize, record: &StringRecord) -> Result<Row, Wrong> {
+    pub fn shot(&self, row: usize, record: Values<'_>) -> Result<Row, Wrong> {
         let (mut inputs, mut measured, mut not_compared, mut contradicts) = (vec![], vec![], None, None);
-        let (mut beyond, mut no_air) = (vec![], None);
+        let (mut beyond, mut no_air, mut not_stated) = (vec![], None, vec![]);
         let stated = self.stated(record)?;
         if let Some(wrong) = self.refused(&stated) {
             return Err(wrong);
         }
         let stated = self.is_launched.then_some(stated);
         let is_straight = stated.as_ref().is_some_and(is_straight_by_assumption);
-        let mut at_shot = *self.setup;
+        let mut at_shot = self.setup;
         for (at, column) in self.columns.iter().enumerate() {
             let here = || Some(column.head.clone());
             match column.holds {
-                Holds::Input(parameter) if column.is_stated_air() => {
-                    match column.stated_air(record.get(at).unwrap_or_default()) {
-                        Ok(density) => inputs.push((parameter, density)),
-                        Err(why) => no_air = Some(why),
-                    }
-                }
+                Holds::Input(parameter) if column.is_stated_air() => match column.stated_air(record.text(at)) {
+                    Ok(density) => inputs.push((parameter, density)),
+                    Err(why) => no_air = Some(why),
+                },
                 Holds::Input(parameter) => {
-                    let Some(value) = self.cell(record, column.holds)? else {
+                    let stated = self.cell(record, column.holds);
+                    if self.is_of_the_club(column) {
+                        match self.usable(column, parameter, stated) {
+                            Ok(value) => inputs.push((parameter, value)),
+                            Err(why) => not_stated.push(why),
+                        }
+                        continue;
+                    }
+                    let Some(value) = stated? else {
                         let why = "the cell is empty; every row needs the shot's own inputs";
                         return Err(Wrong::incomplete(here(), why));
                     };
@@ -184,7 +313,33 @@ impl Reading<'_> {
             return Err(Wrong::incomplete(None, why));
         }
         let shot = Shot { row, inputs, measured, stationary };
-        Ok(Row { shot, not_compared, contradiction: contradicts, implausible: beyond, no_air })
+        Ok(Row { shot, not_compared, contradiction: contradicts, implausible: beyond, no_air, not_stated })
+    }
+
+    /// Whether a column is of the club beside a measured launch, of which a row may lack a value.
+    fn is_of_the_club(&self, column: &Column) -> bool {
+        self.club == Club::Kept && column.is_of_the_strike()
+    }
+
+    /// The value that a row states of the club.
+    ///
+    /// # Errors
+    /// Why there is none that can be used.
+    fn usable(
+        &self,
+        column: &Column,
+        parameter: &'static Parameter,
+        stated: Result<Option<f64>, Wrong>,
+    ) -> Result<f64, String> {
+        let head = &column.head;
+        let value = stated.map_err(|wrong| format!("{head}: {}", wrong.why))?;
+        let value = value.ok_or_else(|| format!("{head}: not stated"))?;
+        if let Some(why) = implausible_club(parameter.name, value, head) {
+            return Err(why);
+        }
+        let mut changed = self.setup;
+        changed.set_value(parameter, Some(value)).map_err(|error| format!("{head}: {error}"))?;
+        Ok(value)
     }
 
     fn has(&self, outcome: Outcome) -> bool {
@@ -215,7 +370,7 @@ impl Reading<'_> {
     }
 
     /// The launch conditions that a row states.
-    fn stated(&self, record: &StringRecord) -> Result<Stated, Wrong> {
+    fn stated(&self, record: Values<'_>) -> Result<Launch, Wrong> {
         let mut values = [None; CONDITIONS.len()];
         for (value, outcome) in values.iter_mut().zip(CONDITIONS) {
             *value = self.cell(record, Holds::Outcome(outcome))?;
@@ -224,7 +379,7 @@ impl Reading<'_> {
     }
 
     /// Why the launch that a row states is none of a drive, as `fly` refuses it.
-    fn refused(&self, stated: &Stated) -> Option<Wrong> {
+    fn refused(&self, stated: &Launch) -> Option<Wrong> {
         let mut looked_at = *stated;
         for (value, of) in looked_at.iter_mut().zip(CONDITIONS) {
             *value = value.filter(|value| !self.may_be_none(of, *value));
@@ -251,7 +406,7 @@ impl Reading<'_> {
     }
 
     /// The launch that they make, by the parameters that it is.
-    fn launch(&self, stated: Stated) -> Result<[(&'static str, f64); 5], Wrong> {
+    fn launch(&self, stated: Launch) -> Result<[(&'static str, f64); 5], Wrong> {
         conditions(stated, |of| self.has(of)).map_err(|Fault { of, why, is_missing }| Wrong {
             column: Some(self.head(of)),
             why: why.into(),
@@ -259,13 +414,13 @@ impl Reading<'_> {
         })
     }
 
-    fn stationary(&self, record: &StringRecord, at_shot: &Setup<f64>) -> Result<Vec<Stationary>, Wrong> {
+    fn stationary(&self, record: Values<'_>, at_shot: &Setup<f64>) -> Result<Vec<Stationary>, Wrong> {
         let Some(at) = self.columns.iter().position(|column| column.holds == Holds::Stationary) else {
             return Ok(vec![]);
         };
         let here = || Some("stationary".to_owned());
         let mut all = vec![];
-        for name in record.get(at).unwrap_or_default().split_whitespace() {
+        for name in record.text(at).split_whitespace() {
             if self.is_launched {
                 return Err((here(), "rows of launch conditions have no parameter to be best in").into());
             }
@@ -327,4 +482,38 @@ impl Reading<'_> {
         }
         (remarks, worth)
     }
+}
+
+/// Takes the columns of where the ball comes to rest out of an export, since its ground is not known; and says so.
+fn without_totals(head: &mut Head) -> Option<Message> {
+    let is_total = |column: &Column| matches!(column.holds, Holds::Outcome(of) if of.is_of_the_run());
+    let told = head.named(is_total).told("where the ball comes to rest is not compared, since the ground is not known");
+    for column in head.columns.iter_mut().filter(|column| is_total(column)) {
+        column.holds = Holds::Note;
+    }
+    told
+}
+
+/// What is wrong with a column, with its place.
+fn check_columns(head: &Head) -> Result<(), (usize, String)> {
+    for (at, column) in head.columns.iter().enumerate() {
+        column.check_unit().map_err(|error| (at, error.to_string()))?;
+        let is_read = !matches!(column.holds, Holds::Note | Holds::Written);
+        if is_read && head.columns[..at].iter().any(|other| other.holds == column.holds) {
+            return Err((at, format!("'{}' has two columns; keep one", column.head)));
+        }
+        let of = match column.holds {
+            Holds::Sigma(outcome) => Holds::Outcome(outcome),
+            Holds::SigmaStationary => Holds::Stationary,
+            _ => continue,
+        };
+        if head.columns.iter().all(|other| other.holds != of) {
+            let reason = format!(
+                "'{}' is the uncertainty of what has no column; add that column, or leave this out",
+                column.head
+            );
+            return Err((at, reason));
+        }
+    }
+    Ok(())
 }

@@ -3,6 +3,7 @@
 use super::CONDITIONS;
 use super::conditions::{Stated, conditions, taken};
 use crate::drive::Outcome;
+use crate::units::Quantity;
 use std::sync::LazyLock;
 
 /// The range of a value, in its unit. The fastest ball on record left at 241.7 mph (108 m/s); no driver gives topspin.
@@ -23,6 +24,27 @@ const RANGES: &[(Outcome, f64, f64, &str)] = &[
     (Outcome::Total, 0.0, 800.0, "yd"),
     (Outcome::LateralTotal, -800.0, 800.0, "yd"),
 ];
+
+/// The range of what is measured of a club, by its parameter. No club on record moved at 170 mph (76 m/s).
+const OF_CLUB: &[(&str, f64, f64, &str)] = &[
+    ("swing.speed", 0.0, 170.0, "mph"),
+    ("swing.attack_angle", -45.0, 45.0, "deg"),
+    ("swing.path", -45.0, 45.0, "deg"),
+    ("swing.face_angle", -60.0, 60.0, "deg"),
+];
+
+/// Why a value of a parameter is none that was measured of a club, in words; `head` is that of its column.
+pub(crate) fn implausible_club(parameter: &str, value: f64, head: &str) -> Option<String> {
+    let (_, low, high, unit) = OF_CLUB.iter().find(|(known, ..)| *known == parameter)?;
+    let is_speed = *unit == "mph";
+    let quantity = if is_speed { Quantity::SPEED } else { Quantity::ANGLE };
+    let number = value / quantity.size_of(unit).unwrap_or(1.0);
+    let is_within = (*low..=*high).contains(&number) && !(is_speed && number == 0.0);
+    (!is_within).then(|| {
+        let shown = quantity.show(value, unit);
+        format!("{head}: {shown} is outside of what a club has, {low} to {high} {unit}; it counts as not measured")
+    })
+}
 
 /// Values that are above the lower end of their range: a 0 says that nothing was measured.
 const ABOVE: &[Outcome] = &[

@@ -1,11 +1,12 @@
 //! The mark of decimals in the numbers of a table.
 
 use super::cells::cells;
-use crate::columns::{has_thousands, without_side};
+use super::launch_monitor::has_thousands;
+use super::stated::digits;
 
 /// The mark of decimals in a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Decimals {
+pub(crate) enum Decimals {
     Point,
     Comma,
     /// No number at the beginning tells.
@@ -22,7 +23,7 @@ impl Decimals {
         for line in beginning.lines().take(200) {
             let cells = cells(line, separator);
             for cell in read.clone().filter_map(|at| cells.get(at)) {
-                let number = without_side(cell);
+                let number = digits(cell);
                 let is_number = number.bytes().all(|byte| byte.is_ascii_digit() || b"-.,".contains(&byte));
                 let has =
                     |mark, other| number.contains(mark) && !number.contains(other) && !has_thousands(number, mark);
@@ -40,7 +41,7 @@ impl Decimals {
     /// Whether a number has two meanings, thousands or decimals.
     pub fn is_ambiguous(self, cell: &str) -> bool {
         let of = |mark, other| {
-            let number = without_side(cell);
+            let number = digits(cell);
             has_thousands(number, mark) && !number.contains(other)
         };
         match self {

@@ -1,9 +1,9 @@
 //! The columns that every table of points has, whatever its format.
 
 use crate::batch::refuse_repeated;
-use crate::columns::{CONDITIONS, Column, Head, Holds, near_known};
 use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup};
+use crate::table::{CONDITIONS, Column, Head, Holds, near_known};
 use crate::units::Message;
 use std::path::Path;
 
@@ -52,6 +52,18 @@ impl Columns {
         }
         let notes = head.remarks.iter().cloned().chain(not_read(head, &at)).collect();
         Ok(Self { at, parameters, notes })
+    }
+
+    /// The places of the columns of these parameters.
+    ///
+    /// # Errors
+    /// The name of one that has none.
+    pub fn places_of(&self, parameters: &[&'static Parameter]) -> std::result::Result<Vec<usize>, &'static str> {
+        let place = |wanted: &&'static Parameter| {
+            let found = self.parameters.iter().position(|parameter| parameter == wanted);
+            found.map(|found| self.at[found]).ok_or(wanted.name)
+        };
+        parameters.iter().map(place).collect()
     }
 }
 

@@ -1,5 +1,7 @@
-//! Texts as programs save them: in UTF-8 or in UTF-16, behind one byte-order mark or more.
+//! Texts as programs save them: in UTF-8 or in UTF-16, behind one byte-order mark or more, or in Windows-1252.
 
+use crate::foreign::NOT_UTF_8;
+use encoding_rs::WINDOWS_1252;
 use std::io::{self, Read};
 
 /// The byte-order mark in UTF-8.
@@ -10,6 +12,44 @@ const SWAPPED_LINE_END: char = '\u{a00}';
 
 /// Bytes read at a time.
 const PIECE: usize = 1 << 14;
+
+/// How the lines of a text are encoded, once what is in UTF-16 is in UTF-8.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Encoding {
+    Utf8,
+    /// As programs of Windows save texts of western languages: `°` is the byte B0.
+    Windows1252,
+}
+
+impl Encoding {
+    /// The encoding of a text that begins with these bytes. Windows-1252 is what is no text in UTF-8, nor one that was cut within a character.
+    pub fn of(beginning: &[u8]) -> Self {
+        match std::str::from_utf8(beginning) {
+            Err(error) if error.error_len().is_some() && !beginning.contains(&0) => Self::Windows1252,
+            _ => Self::Utf8,
+        }
+    }
+
+    /// The text of a line.
+    ///
+    /// # Errors
+    /// A sentence for bytes that are no text.
+    pub fn text(self, bytes: Vec<u8>) -> Result<String, &'static str> {
+        match String::from_utf8(bytes) {
+            Ok(text) => Ok(text),
+            Err(_) if self == Self::Utf8 => Err(NOT_UTF_8),
+            Err(error) => Ok(WINDOWS_1252.decode_without_bom_handling(error.as_bytes()).0.into_owned()),
+        }
+    }
+
+    /// A text whose end may be cut within a character.
+    pub fn lossy(self, bytes: &[u8]) -> String {
+        match self {
+            Self::Utf8 => String::from_utf8_lossy(bytes).into_owned(),
+            Self::Windows1252 => WINDOWS_1252.decode_without_bom_handling(bytes).0.into_owned(),
+        }
+    }
+}
 
 /// A text in UTF-8, without byte-order marks.
 pub(crate) struct Decoded<R> {
@@ -37,14 +77,6 @@ fn begun(source: &mut impl Read) -> io::Result<(Vec<u8>, Option<Pairs>)> {
         _ => None,
     };
     Ok((raw, pairs))
-}
-
-/// Whether a text is in UTF-16, as its first bytes say.
-///
-/// # Errors
-/// What the source returns.
-pub(crate) fn is_utf_16(source: &mut impl Read) -> io::Result<bool> {
-    Ok(begun(source)?.1.is_some())
 }
 
 /// A text in UTF-8, or in UTF-16, with a byte-order mark or one that begins as tables do.

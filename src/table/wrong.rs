@@ -12,10 +12,10 @@ pub(crate) struct WrongColumns {
 pub(super) const OF_SHOTS: &str = "give each a name that is known, or take it out: a column is a parameter, an outcome, 'sigma OUTCOME', 'stationary', 'sigma stationary' or 'note'";
 
 /// Those of a table of points, or of swings.
-const OF_POINTS: &str = "give each a name that is known, or take it out: a column is a parameter, with its unit as in 'swing.speed [mph]', or one that a sweep has written, which is not read";
+pub(super) const OF_POINTS: &str = "give each a name that is known, or take it out: a column is a parameter, with its unit as in 'swing.speed [mph]', or one that a sweep has written, which is not read";
 
 /// Those of a table of shots that are flown.
-const OF_LAUNCHES: &str = "give the columns of the launch heads that are known, as in 'Ball Speed [mph]', 'Launch Angle [deg]', 'Spin Rate [rpm]'; the heads \
+pub(super) const OF_LAUNCHES: &str = "give the columns of the launch heads that are known, as in 'Ball Speed [mph]', 'Launch Angle [deg]', 'Spin Rate [rpm]'; the heads \
                            stand in one of the first lines, in English";
 
 impl WrongColumns {
@@ -37,14 +37,9 @@ impl WrongColumns {
         Some(Self { at: vec![at], reason: error.to_string() })
     }
 
-    /// The same of a table of points or of swings, in which nothing is measured.
-    pub fn of_points(self) -> Self {
-        Self { reason: self.reason.replace(OF_SHOTS, OF_POINTS), ..self }
-    }
-
-    /// The same of a table of shots that are flown from their launch.
-    pub fn of_launches(self) -> Self {
-        Self { reason: self.reason.replace(OF_SHOTS, OF_LAUNCHES), ..self }
+    /// The same with what to do in a table of another kind.
+    pub fn advised(self, advice: &str) -> Self {
+        Self { reason: self.reason.replace(OF_SHOTS, advice), ..self }
     }
 
     /// The refusal of the table in this file.

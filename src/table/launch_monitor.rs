@@ -1,16 +1,33 @@
 //! Tables as launch monitors write them: heads, units, separators and sides.
 
+use super::cells::cells;
 use super::heads::{HEADS, Meaning, NOT_USED};
+use super::stated::stated_number;
 use crate::drive::Outcome;
 use crate::units::Quantity;
 
 /// The meaning of a head without its unit; `None` for one of this program's own names, and for what it has no name for.
 pub(super) fn meaning(name: &str) -> Option<Meaning> {
-    if is_own(name) {
+    let is_a_name = || Outcome::ALL.iter().any(|of| of.name() == name);
+    if is_own(name) && (!name.contains('_') || is_a_name()) {
         return None;
     }
-    let words = words(name);
-    HEADS.iter().find(|(head, _)| *head == words).map(|(_, meaning)| *meaning)
+    let known = |words: &str| HEADS.iter().find(|(head, _)| *head == words).map(|(_, meaning)| *meaning);
+    known(&words(name)).or_else(|| known(&words(&apart(name))))
+}
+
+/// A name with a space before each capital that begins a word: `Ball Speed` for `BallSpeed`.
+fn apart(name: &str) -> String {
+    let mut spaced = String::with_capacity(name.len() + 4);
+    let mut before = ' ';
+    for c in name.chars() {
+        if c.is_uppercase() && before.is_lowercase() {
+            spaced.push(' ');
+        }
+        spaced.push(c);
+        before = c;
+    }
+    spaced
 }
 
 /// Whether a name is spelled as this program's are: `ball_speed`.
@@ -44,7 +61,9 @@ pub(super) fn meaning_with(name: &str, unit: Option<&str>) -> Option<Meaning> {
         // without a unit it is that of the day
         "Time" if is_time => Some(Meaning::Outcome(Outcome::FlightTime)),
         // numbers of g/L and of lb/ft³ differ by a factor of sixteen
-        _ if is_density && words(name) == "air density" => Some(Meaning::Input("air.density")),
+        _ if is_density && ["air density", "luftdichte"].contains(&words(name).as_str()) => {
+            Some(Meaning::Input("air.density"))
+        }
         _ => None,
     };
     by_unit.or_else(|| meaning(name))
@@ -53,10 +72,16 @@ pub(super) fn meaning_with(name: &str, unit: Option<&str>) -> Option<Meaning> {
 /// Whether a table is one of a launch monitor: two heads or more are written as these write them, perhaps with a slip of the pen.
 pub(crate) fn is_export<'a>(heads: impl Iterator<Item = &'a str>) -> bool {
     let is_near = |head: &str| !is_own(split_unit(head).0) && nearest_head(head).is_some();
-    heads.filter(|head| meaning(split_unit(head).0).is_some() || is_near(head)).count() >= 2
+    heads.filter(|head| is_known(head) || is_near(head)).count() >= 2
 }
 
-/// A head's name, and its unit: `Club Speed [mph]`, `Carry (yds)`, `Ball Speed MPH`.
+/// Whether a head is a launch monitor's; one of this program's names with a unit behind it is too, `ball_speed_mph`.
+fn is_known(head: &str) -> bool {
+    let (name, unit) = split_unit(head);
+    meaning(name).is_some() || unit.is_some() && head.trim().starts_with(name) && head[name.len()..].starts_with('_')
+}
+
+/// A head's name, and its unit: `Club Speed [mph]`, `Carry (yds)`, `Ball Speed MPH`, `BallSpeedMph`, `ball_speed_mph`.
 pub(crate) fn split_unit(head: &str) -> (&str, Option<String>) {
     let head = head.trim();
     for (open, close) in [('[', ']'), ('(', ')')] {
@@ -64,10 +89,18 @@ pub(crate) fn split_unit(head: &str) -> (&str, Option<String>) {
             return (name.trim(), Some(unit.trim_end().trim_end_matches(close).trim().to_owned()));
         }
     }
-    match head.rsplit_once(' ') {
-        Some((name, word)) if meaning(name.trim()).is_some() && is_unit(word) => (name.trim(), Some(word.to_owned())),
-        _ => (head, None),
+    let capital = || head.char_indices().rfind(|(at, c)| *at > 0 && c.is_uppercase()).map(|(at, _)| head.split_at(at));
+    let is_of_heads = |name: &str| {
+        let words = words(&apart(name));
+        HEADS.iter().any(|(known, _)| *known == words)
+    };
+    let last_word = [head.rsplit_once(' '), head.rsplit_once('_'), capital()].into_iter().flatten();
+    for (name, word) in last_word {
+        if is_unit(word) && is_of_heads(name) {
+            return (name.trim(), Some(word.to_owned()));
+        }
     }
+    (head, None)
 }
 
 /// Whether what stands in brackets is TrackMan's word for values of another flight model, `Carry (Sim)`, and not a unit.
@@ -75,7 +108,7 @@ fn is_simulated(word: &str) -> bool {
     word.trim_end_matches([')', ']']).trim().eq_ignore_ascii_case("sim")
 }
 
-fn is_unit(word: &str) -> bool {
+pub(super) fn is_unit(word: &str) -> bool {
     let unit = unit(word);
     [Quantity::SPEED, Quantity::LENGTH, Quantity::ANGLE, Quantity::ANGULAR_VELOCITY, Quantity::TIME]
         .iter()
@@ -99,20 +132,38 @@ pub(super) fn unit(written: &str) -> String {
     }
 }
 
-/// The units of a second line under the head, `[mph]` each or nothing, perhaps of quantities that are not read, `[g/L]`; `None` where the line is none of units.
-pub(super) fn units_row<'a>(cells: impl Iterator<Item = &'a str>) -> Option<Vec<Option<String>>> {
-    let read = |cell: &str| {
-        let cell = cell.trim();
-        let bare = cell.trim_matches(['[', ']', '(', ')']).trim().to_owned();
-        // units of other kinds, `[g/L]`, `[%]`
-        let is_in_brackets = cell.starts_with(['[', '(']) && cell.ends_with([']', ')']);
-        match bare.is_empty() {
-            true => Some(None),
-            false => (is_in_brackets || is_unit(&bare)).then_some(Some(bare)),
-        }
+/// The units of a line below the heads, `[mph]` each or nothing; `None` where the line is none of units. It is one where some cell under a known
+/// head is a unit, and none is a number, whatever stands under other heads. A word under a known head that is no unit is told as one.
+pub(super) fn units_row(heads: &[String], cells: &[String]) -> Option<Vec<Option<String>>> {
+    let is_known = |head: &str| {
+        let name = split_unit(head).0;
+        meaning(name).is_some() || is_own(name)
     };
-    let units = cells.map(read).collect::<Option<Vec<_>>>()?;
-    units.iter().flatten().any(|unit| is_unit(unit)).then_some(units)
+    let under_known: Vec<bool> = heads.iter().map(|head| is_known(head)).collect();
+    let is_under_known = |at: usize| under_known.get(at).copied().unwrap_or_default();
+    let bare = |cell: &str| cell.trim().trim_matches(['[', ']', '(', ')']).trim().to_owned();
+    let is_in_brackets = |cell: &str| cell.trim().starts_with(['[', '(']) && cell.trim().ends_with([']', ')']);
+    let is_number = |cell: &str| stated_number(cell, true).is_some();
+    if cells.iter().enumerate().any(|(at, cell)| is_under_known(at) && is_number(cell)) {
+        return None;
+    }
+    let has_unit = cells.iter().enumerate().any(|(at, cell)| is_under_known(at) && is_unit(&bare(cell)));
+    let unit = |(at, cell): (usize, &String)| {
+        let bare = bare(cell);
+        let is_unit = is_under_known(at) || is_in_brackets(cell) || is_unit(&bare);
+        Some(bare).filter(|bare| is_unit && !bare.is_empty())
+    };
+    has_unit.then(|| cells.iter().enumerate().map(unit).collect())
+}
+
+/// Whether a record is the head of a launch monitor's table.
+pub(super) fn is_head(text: &str, separator: u8) -> bool {
+    // nearly all rows have a number
+    let is_number = |cell: &str| cell.trim().parse::<f64>().is_ok();
+    if text.split(char::from(separator)).any(is_number) {
+        return false;
+    }
+    cells(text, separator).iter().filter(|cell| is_known(&cell.replace('\n', " "))).count() >= 2
 }
 
 /// What a row is that sums up others: the word for it, as it is written. Shots have none of these words in any cell.
@@ -146,53 +197,45 @@ pub(crate) fn summary<'a>(cells: impl Iterator<Item = &'a str>) -> Option<&'a st
     })
 }
 
-/// A number as these tables write it: with a decimal comma where that separates no cells, and with its side where it has one,
-/// `3.2 L`, `3.2R`, right of the target +.
-pub(super) fn number(cell: &str, has_decimal_comma: bool, has_side: impl Fn() -> bool) -> Option<f64> {
+/// A number as these tables write it: with a decimal comma where that separates no cells.
+pub(super) fn number(cell: &str, has_decimal_comma: bool) -> Option<f64> {
     let cell = cell.trim();
     // as nearly all are written, in every table
     if let Ok(number) = cell.parse::<f64>() {
         return Some(number).filter(|number| number.is_finite());
     }
-    let cell = cell.replace('\u{2212}', "-");
-    let (cell, sign) = match side(&cell).filter(|_| has_side()) {
-        Some((magnitude, sign)) if !magnitude.starts_with('-') => (magnitude.to_owned(), sign),
-        Some(_) => return None,
-        None => (cell, 1.0),
-    };
+    let cell = without_thousands(&cell.replace('\u{2212}', "-"));
     let cell = match has_decimal_comma {
         true if !cell.contains('.') => cell.replacen(',', ".", 1),
         false if has_thousands(&cell, ',') => cell.replace(',', ""),
         _ => cell,
     };
-    cell.parse().ok().filter(|number: &f64| number.is_finite()).map(|number| sign * number)
+    cell.parse().ok().filter(|number: &f64| number.is_finite())
+}
+
+/// A number without what stands between its thousands and is no decimal mark: `2 500`, `2\u{2019}500`.
+fn without_thousands(cell: &str) -> String {
+    const MARKS: [char; 7] = [' ', '\u{a0}', '\u{2009}', '\u{202f}', '\'', '\u{2019}', '_'];
+    let mark = MARKS.into_iter().find(|mark| cell.contains(*mark) && has_thousands(&cell.replace(*mark, "_"), '_'));
+    mark.map_or_else(|| cell.to_owned(), |mark| cell.replace(mark, ""))
 }
 
 /// Whether a mark may part the digits of a number into thousands: the comma in `2,686` or `1,234.5`, and not in `3,2` or `0,250`.
 pub(crate) fn has_thousands(cell: &str, mark: char) -> bool {
-    let decimal = if mark == ',' { '.' } else { ',' };
-    let whole = cell.trim_start_matches(['-', '\u{2212}']).split(decimal).next().unwrap_or_default();
+    let decimals: &[char] = if mark == ',' {
+        &['.']
+    } else if mark == '.' {
+        &[',']
+    } else {
+        &['.', ',']
+    };
+    let whole = cell.trim_start_matches(['+', '-', '\u{2212}']).split(decimals).next().unwrap_or_default();
     let mut groups = whole.split(mark);
     let is_of = |group: &str, digits: std::ops::RangeInclusive<usize>| {
         digits.contains(&group.len()) && group.bytes().all(|byte| byte.is_ascii_digit())
     };
     let begins = groups.next().is_some_and(|first| is_of(first, 1..=3) && !first.starts_with('0'));
     whole.contains(mark) && begins && groups.all(|group| is_of(group, 3..=3))
-}
-
-/// The magnitude and the sign of `3.2 L` or `R 3.2`.
-fn side(cell: &str) -> Option<(&str, f64)> {
-    let sides = [("Right", 1.0), ("Left", -1.0), ("R", 1.0), ("L", -1.0), ("r", 1.0), ("l", -1.0)];
-    sides.into_iter().find_map(|(word, sign)| {
-        let rest = cell.strip_suffix(word).or_else(|| cell.strip_prefix(word))?;
-        Some((rest.trim(), sign))
-    })
-}
-
-/// A cell without the side that may stand in it.
-pub(crate) fn without_side(cell: &str) -> &str {
-    let cell = cell.trim();
-    side(cell).map_or(cell, |(magnitude, _)| magnitude)
 }
 
 #[cfg(test)]
@@ -211,6 +254,11 @@ mod tests {
             ("Ball Speed (mph)", "Ball Speed", Meaning::Outcome(Outcome::BallSpeed)),
             ("Ball Speed MPH", "Ball Speed", Meaning::Outcome(Outcome::BallSpeed)),
             ("Carry Yards", "Carry", Meaning::Outcome(Outcome::CarryDistance)),
+            ("BallSpeed", "BallSpeed", Meaning::Outcome(Outcome::BallSpeed)),
+            ("LaunchAngleDeg", "LaunchAngle", Meaning::Outcome(Outcome::LaunchAngle)),
+            ("spin_rate_rpm", "spin_rate", Meaning::Outcome(Outcome::Spin)),
+            ("Attack Ang. [deg]", "Attack Ang.", Meaning::Input("swing.attack_angle")),
+            ("Ballgeschwindigkeit", "Ballgeschwindigkeit", Meaning::Outcome(Outcome::BallSpeed)),
             ("Launch V (°)", "Launch V", Meaning::Outcome(Outcome::LaunchAngle)),
         ] {
             assert_eq!((split_unit(head).0, meaning(name)), (name, Some(of)), "{head}");
@@ -219,7 +267,9 @@ mod tests {
         assert_eq!((meaning_with("Ball", None), meaning_with("Club", Some("deg"))), (None, None));
         assert_eq!((meaning("carry"), meaning("Total"), meaning("spin_axis")), (None, None, None));
         assert!(is_export(["Ball Speed", "Launch Angle", "Player"].into_iter()));
+        assert!(is_export(["ball_speed_mph", "launch_angle_deg"].into_iter()));
         assert!(!is_export(["carry [yd]", "club.loft [deg]", "Carry"].into_iter()));
+        assert!(!is_export(["ball_speed", "launch_angle [deg]", "spin_axis"].into_iter()));
         let mut seen = HashSet::new();
         for (head, of) in super::HEADS.iter() {
             assert!(seen.insert(head), "{head} is listed twice");
@@ -232,24 +282,31 @@ mod tests {
     #[test]
     fn exact_units_separators_and_sides() {
         assert_eq!(["MPH", "Yards", "yds", "°", "Pa s"].map(unit), ["mph", "yards", "yd", "°", "Pa s"]);
-        let units = units_row([" ", "[mph]", "(deg)", "rpm"].into_iter()).unwrap();
-        assert_eq!(units, [None, Some("mph".into()), Some("deg".into()), Some("rpm".into())]);
-        assert_eq!((units_row(["1", "[mph]"].into_iter()), units_row(["", ""].into_iter())), (None, None));
-        assert_eq!(number("3.2 L", false, || true), Some(-3.2));
-        assert_eq!(number("3,2R", true, || true), Some(3.2));
-        assert_eq!(number("Left 3", false, || true), Some(-3.0));
-        assert_eq!(number("2,686", false, || false), Some(2686.0));
-        assert_eq!(number("1,234,567.5", false, || false), Some(1_234_567.5));
-        assert_eq!(number("\u{2212}4.5", false, || true), Some(-4.5));
-        for (cell, comma, side) in [
-            ("12,34", false, false),
-            ("1234,567", false, false),
-            ("-3 L", false, true),
-            ("3 L", false, false),
-            ("3,2", false, true),
-            ("L", false, true),
+        let heads = ["Date", "Ball Speed", "Launch Angle", "Spin Rate"].map(String::from);
+        let below = |cells: [&str; 4]| units_row(&heads, &cells.map(String::from));
+        let read = Some(vec![None, Some("mph".into()), Some("deg".into()), Some("rpm".into())]);
+        assert_eq!(
+            (below([" ", "[mph]", "(deg)", "rpm"]), below(["yyyy-mm-dd", "mph", "deg", "rpm"])),
+            (read.clone(), read)
+        );
+        assert_eq!((below(["", "1", "[deg]", ""]), below(["", "", "", ""])), (None, None));
+        for (cell, comma, expected) in [
+            ("2,686", false, 2686.0),
+            ("1,234,567.5", false, 1_234_567.5),
+            ("\u{2212}4.5", false, -4.5),
+            ("+12,0", true, 12.0),
+            ("2 500", false, 2500.0),
+            ("2\u{a0}500", true, 2500.0),
+            ("2\u{202f}500,5", true, 2500.5),
+            ("-2'500", false, -2500.0),
+            ("2\u{2019}500.25", false, 2500.25),
         ] {
-            assert_eq!(number(cell, comma, || side), None, "{cell}");
+            assert_eq!(number(cell, comma), Some(expected), "{cell}");
+        }
+        for (cell, comma) in
+            [("12,34", false), ("1234,567", false), ("3,2", false), ("12 5", false), ("1'2", false), ("", true)]
+        {
+            assert_eq!(number(cell, comma), None, "{cell}");
         }
     }
 }

@@ -1,7 +1,8 @@
 //! The records of a text of comma-separated values, one after the other.
 
 use super::cells::is_open;
-use crate::foreign::NOT_UTF_8;
+use super::encoding::Encoding;
+use super::refusal::Refusal;
 use std::collections::VecDeque;
 use std::io::{self, BufRead, Read};
 
@@ -21,9 +22,18 @@ pub(crate) struct Record {
     pub is_open: bool,
 }
 
+impl Record {
+    /// Why it cannot be taken apart into cells, where its quote is not closed.
+    pub(crate) fn unclosed(&self) -> Option<Refusal> {
+        let reason = "a quote (\") is opened and not closed; close it, or take it out";
+        self.is_open.then(|| Refusal::new(Refusal::QUOTE, reason))
+    }
+}
+
 /// The lines of a text.
 pub(super) struct Lines {
     source: Box<dyn BufRead + Send>,
+    encoding: Encoding,
     /// What ends a line.
     end: u8,
     /// Lines that have been read from the source.
@@ -34,9 +44,9 @@ pub(super) struct Lines {
 
 impl Lines {
     /// The lines of a text that begins like this.
-    pub fn new(source: Box<dyn BufRead + Send>, beginning: &str) -> Self {
+    pub fn new(source: Box<dyn BufRead + Send>, beginning: &str, encoding: Encoding) -> Self {
         let end = if beginning.contains('\r') && !beginning.contains('\n') { b'\r' } else { b'\n' };
-        Self { source, end, read: 0, held: VecDeque::new() }
+        Self { source, encoding, end, read: 0, held: VecDeque::new() }
     }
 
     /// The next line, with its number.
@@ -53,8 +63,8 @@ impl Lines {
         while matches!(bytes.last(), Some(b'\n' | b'\r')) {
             bytes.pop();
         }
-        let text =
-            String::from_utf8(bytes).map_err(|_| io::Error::other(format!("line {}: {NOT_UTF_8}", self.read)))?;
+        let text = self.encoding.text(bytes);
+        let text = text.map_err(|why| io::Error::other(format!("line {}: {why}", self.read)))?;
         Ok((count > 0).then_some((self.read, text)))
     }
 
@@ -63,15 +73,26 @@ impl Lines {
         self.held.push_front(line);
     }
 
-    /// The next record. Empty lines and remarks (`#`) are none.
-    pub fn record(&mut self, separator: u8) -> io::Result<Option<Record>> {
-        let (line, mut text) = loop {
-            match self.line()? {
-                None => return Ok(None),
-                Some((_, text)) if text.trim().is_empty() || text.starts_with('#') => {}
-                Some(found) => break found,
+    /// Gives a record back: it is the next one again.
+    pub fn give_back_record(&mut self, record: Record) {
+        self.give_back((record.line, record.text));
+    }
+
+    /// The next line with a text: an empty one, a remark (`#`), and one that says what separates cells (`sep=;`), have none.
+    pub fn text_line(&mut self) -> io::Result<Option<(u64, String)>> {
+        loop {
+            let Some((line, text)) = self.line()? else { return Ok(None) };
+            let words = text.trim_start_matches('\u{feff}');
+            let is_none = words.trim().is_empty() || words.starts_with('#') || line == 1 && words.starts_with("sep=");
+            if !is_none {
+                return Ok(Some((line, text)));
             }
-        };
+        }
+    }
+
+    /// The next record.
+    pub fn record(&mut self, separator: u8) -> io::Result<Option<Record>> {
+        let Some((line, mut text)) = self.text_line()? else { return Ok(None) };
         if !is_open(&text, separator) {
             return Ok(Some(Record { line, text, is_open: false }));
         }
@@ -92,12 +113,12 @@ impl Lines {
 
 #[cfg(test)]
 mod tests {
-    use super::Lines;
+    use super::{Encoding, Lines};
 
     #[test]
     fn exact_a_quote_that_never_closes_takes_no_other_row_with_it() {
         let rows = |text: &'static str| {
-            let mut lines = Lines::new(Box::new(text.as_bytes()), text);
+            let mut lines = Lines::new(Box::new(text.as_bytes()), text, Encoding::Utf8);
             std::iter::from_fn(|| lines.record(b',').unwrap())
                 .map(|record| (record.line, record.text, record.is_open))
                 .collect::<Vec<_>>()

@@ -1,15 +1,13 @@
 //! What the head of a table says of a column.
 
 use super::heads::Meaning;
-use super::launch_monitor::{self, without_side};
+use super::launch_monitor;
+use super::stated::{Side, stated_number, unwrapped};
 use super::wrong::OF_SHOTS;
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::parameters::{Golfer, Parameter, Setup};
 use crate::units::{Quantity, Unit, UnitError};
-
-/// Why a cell with a line break is refused.
-const UNCLOSED: &str = "a quote (\") is opened and not closed in its line; close it, or take it out";
 
 /// What a column holds.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -47,6 +45,14 @@ pub(crate) struct Column {
     is_of_given_air: bool,
     /// The hand of the golfer whose swings it may hold.
     golfer: Golfer,
+    /// Whether its cells state their unit themselves.
+    has_units_in_cells: bool,
+    /// Whether its unit is one that launch monitors usually have, and none that the table states.
+    is_unit_assumed: bool,
+    /// Whether + is to the left.
+    is_turned: bool,
+    /// Whether its cells describe the weather in words, of which the air's density follows.
+    is_weather: bool,
 }
 
 /// How a table is written.
@@ -80,10 +86,6 @@ impl Column {
     /// A measured carry is the distance to where the ball lands, as launch monitors count it, not its part along the target line.
     pub fn read(setup: &Setup<f64>, head: &str, below: Option<&str>, format: Format) -> Result<Self> {
         let head = head.trim();
-        if head.contains('\n') {
-            let name = format!("the column '{}'", head.lines().next().unwrap_or_default());
-            return Err(Error::Unreadable { name, source: UNCLOSED.into() });
-        }
         let (name, unit) = launch_monitor::split_unit(head);
         let unit = unit.or_else(|| below.map(str::to_owned)).map(|unit| launch_monitor::unit(&unit));
         let is_given = |parameter: &str| is_replaced(setup, parameter);
@@ -101,7 +103,7 @@ impl Column {
         let mut column = Self { unit, format, is_of_given_air, golfer: setup.golfer, ..Self::of(holds, name) };
         let is_of_an_export = format.is_export && launch_monitor::meaning(name).is_some();
         if is_of_an_export && column.unit.is_none() && column.quantity() == Some(Quantity::ANGLE) {
-            (column.unit, column.is_in_degrees_untold) = (Some("deg".into()), true);
+            (column.unit, column.is_in_degrees_untold, column.is_unit_assumed) = (Some("deg".into()), true, true);
         }
         Ok(column.sized())
     }
@@ -122,7 +124,7 @@ impl Column {
     }
 
     /// A column in SI.
-    fn of(holds: Holds, head: &str) -> Self {
+    pub fn of(holds: Holds, head: &str) -> Self {
         let format = Format { is_export: false, has_decimal_comma: false };
         let is_dotted_condition = head.starts_with(LAUNCH) && matches!(holds, Holds::Outcome(_));
         Self {
@@ -135,6 +137,10 @@ impl Column {
             is_dotted_condition,
             is_of_given_air: false,
             golfer: Golfer::Right,
+            has_units_in_cells: false,
+            is_unit_assumed: false,
+            is_turned: false,
+            is_weather: false,
         }
     }
 
@@ -175,13 +181,14 @@ impl Column {
 
     /// Whether its cells are read as numbers.
     pub fn is_a_number(&self) -> bool {
-        self.quantity().is_some()
+        self.quantity().is_some() && !self.is_weather
     }
 
     /// Whether its unit is one of what it holds, and stated where it must be.
     pub fn check_unit(&self) -> Result<()> {
         match (&self.unit, self.quantity()) {
             _ if self.is_unknown() || self.is_of_given_air || self.holds == Holds::Written => Ok(()),
+            _ if self.has_units_in_cells || self.is_weather => Ok(()),
             (None, Some(quantity)) if !quantity.si.is_empty() => {
                 let unit = self.usual_unit();
                 Err(self.unreadable(format!("it has no unit; write it into the head, as in '{} [{unit}]'", self.head)))
@@ -209,7 +216,7 @@ impl Column {
     /// The same, read in this unit where the table states none.
     #[must_use]
     pub fn in_unit(self, unit: &str) -> Self {
-        if self.lacks_unit() { Self { unit: Some(unit.into()), ..self }.sized() } else { self }
+        if self.lacks_unit() { Self { unit: Some(unit.into()), is_unit_assumed: true, ..self }.sized() } else { self }
     }
 
     /// The same, with the size of its unit.
@@ -223,6 +230,35 @@ impl Column {
     pub fn with_decimal_comma(mut self, has_decimal_comma: bool) -> Self {
         self.format.has_decimal_comma = has_decimal_comma;
         self
+    }
+
+    /// The same, of which each cell states its unit.
+    #[must_use]
+    pub fn with_units_in_cells(self) -> Self {
+        Self { has_units_in_cells: true, is_in_degrees_untold: false, ..self }
+    }
+
+    /// The same, with + to the left.
+    #[must_use]
+    pub fn turned(self) -> Self {
+        Self { is_turned: !self.is_turned, ..self }
+    }
+
+    /// The same as the air of each row, which its cells describe in words.
+    #[must_use]
+    pub fn of_weather(self, density: &'static Parameter) -> Self {
+        Self { holds: Holds::Input(density), is_weather: true, ..self }
+    }
+
+    /// Whether its cells describe the weather in words.
+    pub fn is_weather(&self) -> bool {
+        self.is_weather
+    }
+
+    /// Whether a cell states its unit itself.
+    pub fn has_unit_in(&self, cell: &str) -> bool {
+        self.format.is_export
+            && stated_number(cell, self.format.has_decimal_comma).is_some_and(|cell| cell.unit.is_some())
     }
 
     /// The kind of its numbers.
@@ -256,19 +292,25 @@ impl Column {
         matches!(self.holds, Holds::Input(parameter) if parameter.range.contains(value))
     }
 
-    /// Whether its numbers may have a side: `3.2 L`.
-    fn has_side(&self) -> bool {
-        match self.holds {
-            Holds::Input(parameter) => ["swing.path", "swing.face_angle"].contains(&parameter.name),
-            Holds::Outcome(outcome) => [
-                Outcome::Lateral,
-                Outcome::LateralTotal,
-                Outcome::LaunchDirection,
-                Outcome::Sidespin,
-                Outcome::SpinAxis,
-            ]
-            .contains(&outcome),
-            _ => false,
+    /// Whether its numbers may have this side.
+    fn has(&self, side: Side) -> bool {
+        let of_parameter =
+            |names: &[&str]| matches!(self.holds, Holds::Input(parameter) if names.contains(&parameter.name));
+        let of_outcome = |all: &[Outcome]| matches!(self.holds, Holds::Outcome(outcome) if all.contains(&outcome));
+        match side {
+            Side::OfTarget { .. } => {
+                of_parameter(&[PATH, FACE])
+                    || of_outcome(&[
+                        Outcome::Lateral,
+                        Outcome::LateralTotal,
+                        Outcome::LaunchDirection,
+                        Outcome::Sidespin,
+                        Outcome::SpinAxis,
+                    ])
+            }
+            Side::UpDown { .. } => of_parameter(&["swing.attack_angle"]) || of_outcome(&[Outcome::LaunchAngle]),
+            Side::InOut { .. } => of_parameter(&[PATH]),
+            Side::OpenClosed { .. } => of_parameter(&[FACE]),
         }
     }
 
@@ -288,63 +330,102 @@ impl Column {
     /// # Errors
     /// A sentence for a cell that is no finite number.
     pub fn value(&self, cell: &str) -> std::result::Result<Option<f64>, String> {
-        let value = self.stated(cell)?;
-        Ok(if self.is_of_other_hand(cell) { value.map(|value| -value) } else { value })
-    }
-
-    /// Whether + is outwards for a golfer of whom the cell states + to the right: launch monitors have path and face so of every golfer, and so
-    /// does a cell that names its side.
-    fn is_of_other_hand(&self, cell: &str) -> bool {
-        let Holds::Input(parameter) = self.holds else { return false };
-        let is_of_the_course = || self.head != parameter.name || without_side(cell) != cell.trim();
-        self.golfer == Golfer::Left && self.has_side() && is_of_the_course()
-    }
-
-    fn stated(&self, cell: &str) -> std::result::Result<Option<f64>, String> {
         if cell.is_empty() || cell.trim().parse().is_ok_and(f64::is_nan) {
             return Ok(None);
         }
-        // a flat face has an infinite radius
-        let infinite = || cell.parse().ok().filter(|number: &f64| number.is_infinite() && self.may_be(*number));
-        let number = launch_monitor::number(cell, self.format.has_decimal_comma, || self.has_side()).or_else(infinite);
-        let Some(number) = number else {
-            if self.format.is_export && is_missing(cell) {
-                return Ok(None);
-            }
-            if cell.contains('\n') {
-                return Err(UNCLOSED.into());
-            }
-            let what = match cell.parse::<f64>() {
-                Ok(number) if number.is_infinite() => "not finite",
-                _ => "not a number",
-            };
-            if let Some((whole, decimals)) = cell.split_once(',').filter(|_| !self.format.has_decimal_comma)
-                && format!("{whole}.{decimals}").parse::<f64>().is_ok()
-            {
-                return Err(format!(
-                    "'{cell}' is {what}: decimals stand behind a comma only in tables whose cells are separated by semicolons or tabs; \
-                     write {whole}.{decimals}, or separate the cells so"
-                ));
-            }
-            return Err(format!(
-                "'{}' is {what}; a unit is written in the head, as in '{} [{}]', and a missing value is an empty cell",
-                visible(cell),
-                self.head,
-                self.unit()
-            ));
+        let Some(stated) = stated_number(cell, self.format.has_decimal_comma) else {
+            return self.no_number(cell);
         };
-        if self.format.is_export && number.abs() >= MISSING {
+        if self.format.is_export && stated.number.abs() >= MISSING {
             return Ok(None);
         }
-        match (&self.size, &self.unit, self.quantity()) {
-            (Some(size), ..) => Ok(Some(size.value(number))),
-            (None, Some(unit), Some(quantity)) => {
-                quantity.read(&format!("{number} {unit}")).map(Some).map_err(|error| error.to_string())
+        if stated.side.is_some_and(|side| !self.has(side)) || stated.unit.is_some() && !self.format.is_export {
+            return Err(self.is_not(cell, "not a number"));
+        }
+        let sign = stated.side.map_or(1.0, Side::sign) * self.sign(stated.side);
+        let value = self.converted(cell, stated.number, stated.unit.as_deref())?;
+        // a straight ball has no −0° of direction
+        Ok(Some(if sign < 0.0 { -value } else { value }))
+    }
+
+    /// The sign by which a number counts: launch monitors have path and face + to the right of every golfer, and so does a cell with its side of the
+    /// target, while + is outwards here; a turned column has + to the left.
+    fn sign(&self, side: Option<Side>) -> f64 {
+        if self.is_turned && side.is_none() {
+            return -1.0;
+        }
+        let Holds::Input(parameter) = self.holds else { return 1.0 };
+        let is_of_the_course = match side {
+            Some(Side::OfTarget { .. }) => true,
+            Some(_) => false,
+            None => self.head != parameter.name,
+        };
+        let is_of_other_hand =
+            self.golfer == Golfer::Left && is_of_the_course && [PATH, FACE].contains(&parameter.name);
+        if is_of_other_hand { -1.0 } else { 1.0 }
+    }
+
+    /// A number of a cell in SI: in the unit that the cell states, else in that of the column.
+    fn converted(&self, cell: &str, number: f64, unit: Option<&str>) -> std::result::Result<f64, String> {
+        let read = |unit: &str, quantity: Quantity| {
+            quantity.read(&format!("{number} {unit}")).map_err(|error| error.to_string())
+        };
+        match (unit, &self.size, &self.unit, self.quantity()) {
+            (Some(unit), _, of_head, Some(quantity)) => {
+                let value = read(unit, quantity)?;
+                let is_other =
+                    |of_head: &&String| !self.is_unit_assumed && quantity.size_of(of_head) != quantity.size_of(unit);
+                match of_head.as_ref().filter(is_other) {
+                    Some(of_head) => {
+                        Err(format!("'{cell}' states another unit than its head, [{of_head}]; correct one of them"))
+                    }
+                    None => Ok(value),
+                }
             }
-            _ => Ok(Some(number)),
+            (None, ..) if self.has_units_in_cells => Err(format!(
+                "'{cell}' has no unit, as other cells of its column have; write it behind the number, or into the head"
+            )),
+            (None, Some(size), ..) => Ok(size.value(number)),
+            (None, None, Some(unit), Some(quantity)) => read(unit, quantity),
+            _ => Ok(number),
         }
     }
+
+    /// The value of a cell that is no finite number.
+    fn no_number(&self, cell: &str) -> std::result::Result<Option<f64>, String> {
+        // a flat face has an infinite radius
+        if let Some(infinite) = cell.parse().ok().filter(|number: &f64| number.is_infinite() && self.may_be(*number)) {
+            return Ok(Some(infinite));
+        }
+        if self.format.is_export && is_missing(unwrapped(cell)) {
+            return Ok(None);
+        }
+        let is_infinite = cell.parse::<f64>().is_ok_and(f64::is_infinite);
+        Err(self.is_not(cell, if is_infinite { "not finite" } else { "not a number" }))
+    }
+
+    /// Why a cell cannot be read, and what to write.
+    fn is_not(&self, cell: &str, what: &str) -> String {
+        if let Some((whole, decimals)) = cell.split_once(',').filter(|_| !self.format.has_decimal_comma)
+            && format!("{whole}.{decimals}").parse::<f64>().is_ok()
+        {
+            return format!(
+                "'{cell}' is {what}: decimals stand behind a comma only in tables whose cells are separated by semicolons or tabs; \
+                 write {whole}.{decimals}, or separate the cells so"
+            );
+        }
+        format!(
+            "'{}' is {what}; a unit is written in the head, as in '{} [{}]', and a missing value is an empty cell",
+            visible(cell),
+            self.head,
+            self.unit()
+        )
+    }
 }
+
+/// The parameters of the club that have a side.
+const PATH: &str = "swing.path";
+const FACE: &str = "swing.face_angle";
 
 /// Numbers of a launch monitor from here on say that there is no value: the largest of 32 bits, 3.4e38, or one near it.
 const MISSING: f64 = 1e38;
@@ -357,7 +438,7 @@ fn visible(cell: &str) -> String {
 
 /// Whether a cell of a launch monitor says that there is no value: a dash, or `N/A`.
 fn is_missing(cell: &str) -> bool {
-    ["-", "--", "–", "—", "n/a", "na", "null"].iter().any(|word| cell.eq_ignore_ascii_case(word))
+    ["", "-", "--", "–", "—", "n/a", "na", "null"].iter().any(|word| cell.eq_ignore_ascii_case(word))
 }
 
 /// What a measured outcome is: launch monitors, and people, mean the distance to the landing point by carry.
@@ -378,7 +459,7 @@ fn is_of_flown(name: &str) -> bool {
 /// Whether a head is none of this program's: a launch monitor's own, and not spelled as names are here.
 fn is_foreign(name: &str, format: Format) -> bool {
     let is_written_otherwise = name.is_empty() || name.contains(". ");
-    let has_own_marks = name.contains(['_', '.']);
+    let has_own_marks = name.contains(['_', '.']) && !name.ends_with('.');
     // a name of this program with a slip of the pen is told, `cary`; `club` and `date` are a launch monitor's
     let is_a_slip = || Outcome::ALL.iter().any(|of| strsim::levenshtein(name, of.name()) <= 2);
     let is_its_own = !has_own_marks && (name.chars().any(char::is_uppercase) || !is_a_slip());

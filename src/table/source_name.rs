@@ -6,9 +6,9 @@ use std::io;
 
 /// The name of the file, for messages.
 #[derive(Clone, Debug)]
-pub(super) struct Table(pub String);
+pub(crate) struct SourceName(pub String);
 
-impl Table {
+impl SourceName {
     pub fn refused(&self, place: String, reason: impl Into<String>) -> Error {
         Error::Table { file: self.0.clone(), place, reason: reason.into() }
     }

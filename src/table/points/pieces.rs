@@ -1,8 +1,8 @@
 use super::columns::{Columns, refused};
 use super::rows::Rows;
-use crate::columns::Head;
 use crate::error::Result;
 use crate::parameters::{Parameter, Setup};
+use crate::table::Head;
 use std::path::{Path, PathBuf};
 
 /// A file of columns of numbers, SI, named by parameters, which stand in it a piece of rows after the other.
@@ -43,8 +43,7 @@ impl<P: Pieces> PieceRows<P> {
     pub fn open(setup: &Setup<f64>, path: &Path) -> Result<Self> {
         let pieces = P::open(path).map_err(|reason| refused(path, String::new(), reason))?;
         let names = pieces.names();
-        let head =
-            Head::in_si(setup, &names).map_err(|wrong| wrong.of_points().in_file(&path.display().to_string()))?;
+        let head = Head::in_si(setup, &names).map_err(|wrong| wrong.in_file(&path.display().to_string()))?;
         let columns = Columns::new(setup, path, &head)?;
         let refusal = columns.at.iter().find_map(|at| Some((&names[*at], pieces.refusal(*at)?)));
         match refusal {

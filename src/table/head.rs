@@ -1,58 +1,87 @@
+//! The head of a table: what its columns hold.
+
 use super::column::{Column, Format, Holds};
 use super::launch_monitor::{is_export, units_row};
 use super::left_out::{Club, Spin};
-use super::wrong::WrongColumns;
+use super::wrong::{OF_LAUNCHES, OF_POINTS, OF_SHOTS, WrongColumns};
 use super::{CONDITIONS, left_out};
 use crate::drive::Outcome;
 use crate::error::Result;
 use crate::parameters::Setup;
 use crate::units::Message;
 
+/// What is wanted of a table of text.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Wanted {
+    /// What becomes of the club beside a measured launch.
+    pub club: Club,
+    /// Where a spin is taken from that is stated twice.
+    pub spin: Spin,
+    /// What to do about a head without a meaning.
+    pub advice: &'static str,
+}
+
+impl Wanted {
+    /// Shots that are flown from their launch.
+    pub const LAUNCHES: Self = Self { club: Club::LeftOut, spin: Spin::OfRow, advice: OF_LAUNCHES };
+    /// Shots with what was measured of them.
+    pub const MEASUREMENTS: Self = Self { club: Club::LeftOut, spin: Spin::OfRow, advice: OF_SHOTS };
+    /// Shots whose delivery is sought.
+    pub const DELIVERIES: Self = Self { club: Club::Kept, spin: Spin::OfRow, advice: OF_SHOTS };
+    /// Points of a sweep, and swings.
+    pub const POINTS: Self = Self { club: Club::LeftOut, spin: Spin::OfTable, advice: OF_POINTS };
+}
+
 /// What the columns of a table hold.
 #[derive(Clone, Debug)]
 pub(crate) struct Head {
+    /// The heads, as they are written.
+    pub heads: Vec<String>,
     /// The columns, in their order.
     pub columns: Vec<Column>,
     /// How the table is written.
     pub format: Format,
-    /// Whether the first row below the head states units.
-    pub has_units_row: bool,
+    /// The cells of a line of units below the heads, where there is one.
+    pub units: Option<Vec<String>>,
     /// What deserves a word: columns of an export that are not used.
     pub remarks: Vec<Message>,
+    /// What deserves a word about the encoding of the text.
+    pub encoding: Option<&'static str>,
 }
 
 /// The names of some columns, as a message lists them.
 pub(crate) struct Names<'a>(pub Vec<&'a str>);
 
 impl Head {
-    /// Reads the heads of a CSV table and the first row below them, which may state units; `separator` is what stands between cells.
-    /// `club` is what becomes of the club beside a measured launch, and `spin` where a spin is taken from that is stated twice.
+    /// Reads the heads of a table of text and the first row below them, which may state units; `separator` is what stands between cells.
     ///
     /// # Errors
     /// The columns that cannot be read, and why.
-    pub fn read<'a>(
+    pub fn read(
         setup: &Setup<f64>,
-        heads: impl Iterator<Item = &'a str> + Clone,
-        first: Option<impl Iterator<Item = &'a str>>,
+        heads: Vec<String>,
+        first: Option<Vec<String>>,
         separator: u8,
-        club: Club,
-        spin: Spin,
+        wanted: &Wanted,
     ) -> Result<Self, WrongColumns> {
-        let format = Format { is_export: is_export(heads.clone()), has_decimal_comma: separator != b',' };
-        let units = first.and_then(units_row);
-        let column = |(at, head): (usize, &str)| {
+        let is_export = is_export(heads.iter().map(String::as_str));
+        let format = Format { is_export, has_decimal_comma: separator != b',' };
+        let units = first.as_ref().and_then(|first| units_row(&heads, first));
+        let column = |(at, head): (usize, &String)| {
             let below = units.as_ref().and_then(|units| units.get(at)?.as_deref());
             (at, Column::read(setup, head, below, format))
         };
-        let mut columns = all(heads.enumerate().map(column))?;
+        let columns = all(heads.iter().enumerate().map(column));
+        let mut columns = columns.map_err(|wrong| wrong.advised(wanted.advice))?;
         // a sweep needs a value in every row, and the delivery of a club none of the air
-        let is_air_of_rows = club == Club::LeftOut && spin == Spin::OfRow;
+        let is_air_of_rows = wanted.club == Club::LeftOut && wanted.spin == Spin::OfRow;
         for column in columns.iter_mut().filter(|column| !is_air_of_rows && column.is_stated_air()) {
             column.holds = Holds::Note;
         }
-        let remarks = if format.is_export { left_out::remarks(&mut columns, club, spin) } else { vec![] };
+        let remarks = if is_export { left_out::remarks(&mut columns, wanted.club, wanted.spin) } else { vec![] };
         told_apart(&mut columns);
-        Ok(Self { columns, format, has_units_row: units.is_some(), remarks })
+        let units = units.and(first);
+        Ok(Self { heads, columns, format, units, remarks, encoding: None })
     }
 
     /// Reads the names of the columns of a table that is in SI throughout.
@@ -61,10 +90,16 @@ impl Head {
     /// As [`read`](Self::read).
     #[cfg(any(feature = "arrow", feature = "parquet"))]
     pub fn in_si(setup: &Setup<f64>, names: &[String]) -> Result<Self, WrongColumns> {
-        let mut columns = all(names.iter().enumerate().map(|(at, name)| (at, Column::in_si(setup, name))))?;
+        let columns = all(names.iter().enumerate().map(|(at, name)| (at, Column::in_si(setup, name))));
+        let mut columns = columns.map_err(|wrong| wrong.advised(OF_POINTS))?;
         told_apart(&mut columns);
         let format = Format { is_export: false, has_decimal_comma: false };
-        Ok(Self { columns, format, has_units_row: false, remarks: vec![] })
+        Ok(Self { heads: names.to_vec(), columns, format, units: None, remarks: vec![], encoding: None })
+    }
+
+    /// Whether it is the same as another head.
+    pub fn is_like(&self, heads: &[String], units: Option<&[String]>) -> bool {
+        self.heads == heads && self.units.as_deref() == units
     }
 
     /// Whether a column is of the club's delivery.

@@ -1,7 +1,8 @@
 //! Which mark separates the decimals of a table's numbers.
 
 use super::column::Column;
-use super::launch_monitor::{has_thousands, without_side};
+use super::launch_monitor::has_thousands;
+use super::stated::digits;
 
 /// The marks in the numbers of a table whose cells may have a decimal comma. Where points and commas both stand in its numbers, one that
 /// might separate thousands, as in `2.500`, has two meanings.
@@ -37,7 +38,7 @@ impl Marks {
         if !(column.has_decimal_comma() && column.is_a_number()) {
             return Ok(());
         }
-        let number = without_side(text);
+        let number = digits(text);
         let of_one_mark = |at: &usize| number.contains(MARKS[*at].0) && !number.contains(MARKS[1 - at].0);
         let Some(at) = (0..MARKS.len()).find(of_one_mark) else { return Ok(()) };
         let cell = || Cell { row, head: column.head.clone(), text: text.to_owned() };

@@ -1,0 +1,101 @@
+//! Columns of an export whose + is to the other side than elsewhere.
+
+use crate::drive::Outcome;
+use crate::table::{Column, Holds};
+
+/// Which of the columns of the spin have + to the left.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Turned {
+    sidespin: bool,
+    axis: bool,
+}
+
+/// Rows that must tell the same: so many of those that tell anything.
+const SHARE: f64 = 0.8;
+
+/// A ball that curves by less than this part of its carry tells nothing.
+const STRAIGHT: f64 = 0.01;
+
+impl Turned {
+    /// In Garmin's exports + of a sidespin is to the left: alone, and beside an axis of the other sign. Where axis and sidespin agree and the balls
+    /// curve to the other side, both are turned.
+    pub fn found(maker: Option<&str>, columns: &[Column], rows: &[Vec<String>]) -> Self {
+        let has = |of: Outcome| columns.iter().any(|column| column.holds == Holds::Outcome(of));
+        if maker != Some("Garmin") || !has(Outcome::Sidespin) {
+            return Self::default();
+        }
+        if !has(Outcome::SpinAxis) {
+            return Self { sidespin: true, axis: false };
+        }
+        let signs: Vec<Signs> = rows.iter().map(|row| Signs::of(columns, row)).collect();
+        if mostly(signs.iter().filter_map(|row| Some(row.sidespin? != row.axis?))) {
+            return Self { sidespin: true, axis: false };
+        }
+        let curves_against = mostly(signs.iter().filter_map(|row| Some(row.curve? != row.axis?)));
+        Self { sidespin: curves_against, axis: curves_against }
+    }
+
+    /// Turns the columns.
+    pub fn turn(self, columns: &mut [Column]) {
+        for column in columns {
+            let is_turned = match column.holds {
+                Holds::Outcome(Outcome::Sidespin) => self.sidespin,
+                Holds::Outcome(Outcome::SpinAxis) => self.axis,
+                _ => false,
+            };
+            if is_turned {
+                *column = column.clone().turned();
+            }
+        }
+    }
+
+    /// What its reader should know.
+    pub fn told(self, columns: &[Column]) -> Option<String> {
+        let is_turned = |column: &&Column| match column.holds {
+            Holds::Outcome(Outcome::Sidespin) => self.sidespin,
+            Holds::Outcome(Outcome::SpinAxis) => self.axis,
+            _ => false,
+        };
+        let names: Vec<&str> = columns.iter().filter(is_turned).map(|column| column.head.as_str()).collect();
+        let (is, why) = match self.axis {
+            true => ("are", ": the balls curve to the other side than they say"),
+            false => ("is", ", as Garmin's exports have it"),
+        };
+        (!names.is_empty()).then(|| format!("{} {is} read with + to the left{why}", names.join(" and ")))
+    }
+}
+
+/// The signs of what a row states; `None` of what it does not, or of nearly 0.
+struct Signs {
+    sidespin: Option<bool>,
+    axis: Option<bool>,
+    /// To which side the ball curves from where it is launched.
+    curve: Option<bool>,
+}
+
+impl Signs {
+    fn of(columns: &[Column], row: &[String]) -> Self {
+        let value = |of: Outcome| {
+            let at = columns.iter().position(|column| column.holds == Holds::Outcome(of))?;
+            columns[at].value(row.get(at)?).ok().flatten()
+        };
+        let sign = |value: f64| (value != 0.0).then_some(value > 0.0);
+        let curve = || {
+            let (carry, side) = (value(Outcome::CarryDistance)?, value(Outcome::Lateral)?);
+            let curve = side - carry * value(Outcome::LaunchDirection)?.sin();
+            sign(curve).filter(|_| curve.abs() > STRAIGHT * carry)
+        };
+        let [sidespin, axis] = [Outcome::Sidespin, Outcome::SpinAxis].map(|of| value(of).and_then(sign));
+        Self { sidespin, axis, curve: curve() }
+    }
+}
+
+/// Whether most of some rows, and at least one, say yes.
+fn mostly(rows: impl Iterator<Item = bool>) -> bool {
+    let (mut all, mut yes) = (0_u32, 0_u32);
+    for row in rows {
+        all += 1;
+        yes += u32::from(row);
+    }
+    yes > 0 && f64::from(yes) >= SHARE * f64::from(all)
+}

@@ -1,0 +1,153 @@
+//! What all rows of a table together say of its columns: units and signs that are likely to be others.
+
+use super::flown::Flown;
+use crate::drive::Outcome;
+use crate::units::{Message, Quantity};
+
+/// Rows of which the ratios are kept: enough for a median.
+const MOST: usize = 4096;
+
+/// So many rows tell something at least; of a ratio near 1, so many.
+const LEAST: usize = 2;
+const LEAST_NEAR_ONE: usize = 5;
+
+/// A median is near a ratio within this part of it, and one near 1 within the next.
+const NEAR: f64 = 0.06;
+const NEAR_ONE: f64 = 0.025;
+
+/// Distances to the side up to this say nothing of their sign, m.
+const STRAIGHT: f64 = 3.0;
+
+/// Of all rows that tell a sign, at least this part disagrees.
+const MOST_DISAGREE: f64 = 0.8;
+
+/// What predicted/measured is where values in a first unit were read in a second.
+const MISTAKEN: [(Quantity, &str, &str); 6] = [
+    (Quantity::LENGTH, "yd", "ft"),
+    (Quantity::LENGTH, "ft", "yd"),
+    (Quantity::LENGTH, "m", "yd"),
+    (Quantity::LENGTH, "yd", "m"),
+    (Quantity::SPEED, "mph", "m/s"),
+    (Quantity::SPEED, "m/s", "mph"),
+];
+
+/// No ball carries farther than so many seconds times its speed: 62 m/s that were read as mph carry half as far again.
+const MOST_CARRY_PER_SPEED: f64 = 4.6;
+
+/// Predicted/measured carry of speeds in km/h that were read in mph.
+const IN_KMH: std::ops::Range<f64> = 1.45..2.0;
+
+/// A ball slower than this is no drive, whose carry says little of its speed, m/s.
+const SLOW: f64 = 22.0;
+
+/// What is compared of some shots.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Comparison {
+    /// predicted/measured of each outcome.
+    ratios: Vec<Vec<f64>>,
+    /// Rows whose sides are told, and those that disagree.
+    sides: [usize; 2],
+    /// Measured carry over ball speed.
+    carries: Vec<f64>,
+}
+
+impl Comparison {
+    pub fn new(outcomes: usize) -> Self {
+        Self { ratios: vec![vec![]; outcomes], ..Self::default() }
+    }
+
+    /// Adds a row.
+    pub fn add(&mut self, flown: &Flown, row: usize) {
+        for (at, of) in flown.outcomes().iter().enumerate() {
+            let (Some(predicted), Some(residual)) = (flown.predicted(row, at), flown.residual(row, at)) else {
+                continue;
+            };
+            let measured = predicted - residual;
+            if of.quantity() == Quantity::LENGTH && [Outcome::Lateral, Outcome::LateralTotal].contains(of) {
+                if predicted.abs().min(measured.abs()) > STRAIGHT && *of == Outcome::Lateral {
+                    self.sides[0] += 1;
+                    self.sides[1] += usize::from(predicted * measured < 0.0);
+                }
+            } else if measured > 0.0 && self.ratios[at].len() < MOST {
+                self.ratios[at].push(predicted / measured);
+            }
+        }
+        let shot = &flown.shots()[row];
+        if let (Some(launch), Some(carry)) = (shot.launch(), shot.value(Outcome::CarryDistance))
+            && launch[0] > SLOW
+            && self.carries.len() < MOST
+        {
+            self.carries.push(carry.value / launch[0]);
+        }
+    }
+
+    /// Adds those of later rows.
+    pub fn merge(&mut self, other: Self) {
+        for (own, theirs) in self.ratios.iter_mut().zip(other.ratios) {
+            own.extend(theirs.into_iter().take(MOST.saturating_sub(own.len())));
+        }
+        self.carries.extend(other.carries.into_iter().take(MOST.saturating_sub(self.carries.len())));
+        self.sides = [self.sides[0] + other.sides[0], self.sides[1] + other.sides[1]];
+    }
+
+    /// Warnings about columns; `name` is the head of an outcome's.
+    pub fn warnings(&self, of: &[Outcome], name: impl Fn(Outcome) -> String) -> Vec<Message> {
+        let mut told = vec![];
+        if let Some(speed) = self.speed(of) {
+            told.push(format!("{}: {speed}; state its unit in the head", name(Outcome::BallSpeed)));
+        } else {
+            let units = of.iter().zip(&self.ratios).filter_map(|(of, ratios)| {
+                let (ratio, (_, meant, read)) = mistaken(of.quantity(), ratios)?;
+                Some(format!(
+                    "{}: predicted values are {ratio:.2} times the measured ones in the median, as if these were in {meant} and read in {read}; \
+                     state the unit in the head",
+                    name(*of)
+                ))
+            });
+            told.extend(units);
+        }
+        let [all, disagree] = self.sides;
+        if all >= LEAST_NEAR_ONE && disagree as f64 >= MOST_DISAGREE * all as f64 {
+            told.push(format!(
+                "{}: of {all} rows that end beside the target line {disagree} end on the other side of it than predicted; its + may be to the left, or \
+                 that of the launch direction or the spin",
+                name(Outcome::Lateral)
+            ));
+        }
+        told.into_iter().map(Message::from).collect()
+    }
+
+    /// The unit that the ball speed is likely to be in, by the carries.
+    fn speed(&self, of: &[Outcome]) -> Option<&'static str> {
+        if self.carries.len() < LEAST {
+            return None;
+        }
+        if median(&self.carries)? > MOST_CARRY_PER_SPEED {
+            return Some("the balls carry farther than such speeds allow, as if they were in m/s and read in mph");
+        }
+        let carry = of.iter().position(|of| *of == Outcome::CarryDistance)?;
+        let ratio = median(&self.ratios[carry])?;
+        IN_KMH
+            .contains(&ratio)
+            .then_some("the balls carry less far than such speeds give, as if they were in km/h and read in mph")
+    }
+}
+
+/// The ratio of predicted to measured values, and the units that explain it.
+fn mistaken(quantity: Quantity, ratios: &[f64]) -> Option<(f64, (Quantity, &'static str, &'static str))> {
+    let ratio = median(ratios)?;
+    let is_it = |(of, meant, read): &(Quantity, &'static str, &'static str)| {
+        let size = |unit: &str| of.size_of(unit).unwrap_or(1.0);
+        let expected = size(meant) / size(read);
+        let is_near_one = (0.8..1.25).contains(&expected);
+        let (near, least) = if is_near_one { (NEAR_ONE, LEAST_NEAR_ONE) } else { (NEAR, LEAST) };
+        *of == quantity && ratios.len() >= least && (ratio / expected - 1.0).abs() <= near
+    };
+    MISTAKEN.iter().find(|mistake| is_it(mistake)).map(|mistake| (ratio, *mistake))
+}
+
+fn median(values: &[f64]) -> Option<f64> {
+    let mut sorted = values.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    sorted.get(values.len() / 2).copied()
+}

@@ -1,0 +1,136 @@
+use super::columns::{Columns, refused};
+use super::rows::Rows;
+use crate::error::{Error, Result};
+use crate::parameters::{Parameter, Setup};
+use crate::table::cells::cells;
+use crate::table::column::Column;
+use crate::table::head::{Head, Wanted};
+use crate::table::marks::Marks;
+use crate::table::no_shot::{NoShot, NoShots};
+use crate::table::text::{Entry, Text, TextTable, miscounted};
+use crate::units::Message;
+use std::fs::File;
+use std::path::{Path, PathBuf};
+
+/// The rows of a CSV file. Its head names the parameters with their units, `club.loft [deg]`, `impact.restitution`, or is that of a
+/// launch monitor's export, `Ball Speed [mph]`; cells are separated by commas, semicolons or tabs.
+pub(super) struct CsvRows {
+    path: PathBuf,
+    setup: Setup<f64>,
+    table: TextTable,
+    columns: Columns,
+    section: Section,
+    /// The number of the row in the file, and of those that are no drives.
+    row: u64,
+    no_shots: NoShots,
+    marks: Marks,
+}
+
+/// What is read of the rows up to the next head.
+struct Section {
+    /// How many cells a row has.
+    width: usize,
+    /// The columns that are read, with their places.
+    read: Vec<(usize, Column)>,
+    /// Whether they are a launch monitor's, of which rows that sum up others are passed over.
+    is_export: bool,
+}
+
+impl CsvRows {
+    /// # Errors
+    /// [`Error::Table`](crate::Error::Table) for a file that cannot be read or without a column of a parameter, for a column that is unknown
+    /// or given twice, and a unit of another kind. Of its rows: a cell that is no number or whose decimal mark is uncertain.
+    pub fn open(setup: &Setup<f64>, path: &Path) -> Result<Self> {
+        let (table, head) = opened(setup, path)?;
+        let columns = Columns::new(setup, path, &head)?;
+        let section = Section::new(path, &head, &columns.parameters, &columns.at)?;
+        let (path, setup) = (path.to_owned(), *setup);
+        Ok(Self { path, setup, table, columns, section, row: 0, no_shots: NoShots::default(), marks: Marks::default() })
+    }
+
+    /// The cells of the next row that is a drive.
+    fn cells(&mut self) -> Result<Option<Vec<String>>> {
+        loop {
+            let record = match self.table.next_entry()? {
+                None => return Ok(None),
+                Some(Entry::Head(record)) => {
+                    let head = self.table.head(&record, &self.setup, &Wanted::POINTS)?;
+                    let again = Columns::new(&self.setup, &self.path, &head)?;
+                    let at = again.places_of(&self.columns.parameters).map_err(|missing| {
+                        let reason =
+                            format!("the head in line {} has no column of {missing}, as the first has", record.line);
+                        refused(&self.path, String::new(), reason)
+                    })?;
+                    self.section = Section::new(&self.path, &head, &self.columns.parameters, &at)?;
+                    continue;
+                }
+                Some(Entry::Row(record)) => record,
+            };
+            self.row += 1;
+            let place = || format!(", row {}", self.row);
+            if let Some(refusal) = record.unclosed() {
+                return Err(refused(&self.path, place(), refusal.reason));
+            }
+            let row = cells(&record.text, self.table.separator);
+            if let Some(no_shot) = NoShot::of(&row).filter(|_| self.section.is_export) {
+                self.no_shots.add(self.row, no_shot);
+                continue;
+            }
+            if let Some(refusal) = miscounted(&row, self.section.width) {
+                return Err(refused(&self.path, place(), refusal.reason));
+            }
+            return Ok(Some(row.into_iter().map(Into::into).collect()));
+        }
+    }
+}
+
+fn opened(setup: &Setup<f64>, path: &Path) -> Result<(TextTable, Head)> {
+    let name = path.display().to_string();
+    let file = File::open(path).map_err(|error| refused(path, String::new(), crate::foreign::of_io(&error)))?;
+    TextTable::open(Text::open(&name, file)?, setup, &Wanted::POINTS)
+}
+
+impl Section {
+    fn new(path: &Path, head: &Head, parameters: &[&'static Parameter], at: &[usize]) -> Result<Self> {
+        let mut read = Vec::with_capacity(parameters.len());
+        for at in at {
+            let column = head.columns[*at].clone();
+            column
+                .check_unit()
+                .map_err(|error: Error| refused(path, format!(", column {}", at + 1), error.to_string()))?;
+            read.push((*at, column));
+        }
+        Ok(Self { width: head.heads.len(), read, is_export: head.format.is_export })
+    }
+}
+
+impl Rows for CsvRows {
+    fn columns(&self) -> &Columns {
+        &self.columns
+    }
+
+    fn rewind(&mut self) -> Result<()> {
+        // a text in another encoding has no places to go back to
+        let (table, head) = opened(&self.setup, &self.path)?;
+        self.section = Section::new(&self.path, &head, &self.columns.parameters, &self.columns.at)?;
+        (self.table, self.row, self.no_shots) = (table, 0, NoShots::default());
+        Ok(())
+    }
+
+    fn read(&mut self, most: usize, values: &mut Vec<f64>) -> Result<usize> {
+        for count in 0..most {
+            let Some(row) = self.cells()? else { return Ok(count) };
+            for (at, column) in &self.section.read {
+                let cell = row[*at].as_str();
+                let wrong = |reason| refused(&self.path, format!(", row {}, column {}", self.row, column.head), reason);
+                self.marks.look(self.row, column, cell).map_err(wrong)?;
+                values.push(column.value(cell).map_err(wrong)?.unwrap_or(f64::NAN));
+            }
+        }
+        Ok(most)
+    }
+
+    fn notes(&self) -> Vec<Message> {
+        self.columns.notes.iter().cloned().chain(self.no_shots.remarks()).collect()
+    }
+}

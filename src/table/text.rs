@@ -1,0 +1,188 @@
+//! A table of text being read: title lines, a head, rows, and further heads that begin sections of their own.
+
+use super::cells::cells;
+use super::encoding::{Encoding, decoded};
+use super::head::{Head, Wanted};
+use super::launch_monitor::is_head;
+use super::lines::{Lines, Record};
+use super::refusal::Refusal;
+use super::source_name::SourceName;
+use crate::cells::separated;
+use crate::error::Result;
+use crate::parameters::Setup;
+use std::io::{BufReader, Cursor, Read};
+
+/// Bytes at the beginning of a text that its kind, its head and its marks are looked for in.
+const BEGINNING: u64 = 1 << 16;
+
+/// Bytes read at a time.
+const PIECE: usize = 1 << 16;
+
+/// The head stands among so many records at the beginning of a table.
+const MOST_RECORDS: usize = 25;
+
+/// A text whose kind is to be found out: a table, or JSON.
+pub(crate) struct Text {
+    pub name: SourceName,
+    /// How it begins.
+    pub beginning: String,
+    /// All of it, in UTF-8 or with bytes of Windows-1252.
+    pub source: Box<dyn Read + Send>,
+    encoding: Encoding,
+}
+
+impl Text {
+    /// Begins to read a text in UTF-8, UTF-16 or Windows-1252, behind byte-order marks or not.
+    ///
+    /// # Errors
+    /// [`Error::Table`](crate::Error::Table) for a source that cannot be read.
+    pub fn open(name: &str, source: impl Read + Send + 'static) -> Result<Self> {
+        let name = SourceName(name.into());
+        let mut source = name.io(decoded(source))?;
+        let mut bytes = vec![];
+        name.io((&mut source).take(BEGINNING).read_to_end(&mut bytes))?;
+        let encoding = Encoding::of(&bytes);
+        let beginning = encoding.lossy(&bytes);
+        let source = Box::new(Cursor::new(bytes).chain(source));
+        Ok(Self { name, beginning, source, encoding })
+    }
+}
+
+/// What comes next in a table.
+pub(crate) enum Entry {
+    /// A row.
+    Row(Record),
+    /// A head that begins a section.
+    Head(Record),
+}
+
+/// A table of text being read.
+pub(crate) struct TextTable {
+    pub name: SourceName,
+    lines: Lines,
+    /// What stands between cells.
+    pub separator: u8,
+    /// How the text begins.
+    pub beginning: String,
+    encoding: Encoding,
+    /// Whether a row with the heads of a launch monitor begins a section.
+    has_sections: bool,
+}
+
+impl TextTable {
+    /// Begins to read a table, and its first head.
+    ///
+    /// # Errors
+    /// [`Error::Table`](crate::Error::Table) for an empty table, a head that is not closed, an unknown column, and what the source returns.
+    pub fn open(text: Text, setup: &Setup<f64>, wanted: &Wanted) -> Result<(Self, Head)> {
+        let Text { name, beginning, source, encoding } = text;
+        let Some(place) = HeadPlace::find(&beginning) else {
+            return Err(name.refused(String::new(), "it is empty; give a head and a row for each shot"));
+        };
+        let lines = Lines::new(Box::new(BufReader::with_capacity(PIECE, source)), &beginning, encoding);
+        let mut table = Self { name, lines, separator: place.separator, beginning, encoding, has_sections: false };
+        let record = loop {
+            match table.record()? {
+                None => {
+                    return Err(table.name.refused(String::new(), "it is empty; give a head and a row for each shot"));
+                }
+                Some(record) if record.line >= place.line => break record,
+                Some(_) => {}
+            }
+        };
+        let mut head = table.head(&record, setup, wanted)?;
+        table.has_sections = head.format.is_export;
+        if table.encoding == Encoding::Windows1252 {
+            head.encoding = Some("its text is not in UTF-8, and is read as Windows-1252");
+        }
+        Ok((table, head))
+    }
+
+    /// Reads the head in a record, and the line of units below it.
+    ///
+    /// # Errors
+    /// As [`open`](Self::open).
+    pub fn head(&mut self, record: &Record, setup: &Setup<f64>, wanted: &Wanted) -> Result<Head> {
+        if let Some(refusal) = record.unclosed() {
+            return Err(self.name.refused(format!(", line {}", record.line), refusal.reason));
+        }
+        let heads: Vec<String> = self.cells(record).into_iter().map(|head| head.replace(['\r', '\n'], " ")).collect();
+        let below = self.record()?;
+        let first = below.as_ref().map(|below| self.cells(below));
+        let head = Head::read(setup, heads, first, self.separator, wanted);
+        let head = head.map_err(|wrong| wrong.in_file(&self.name.0))?;
+        if head.units.is_none()
+            && let Some(below) = below
+        {
+            self.give_back(below);
+        }
+        Ok(head)
+    }
+
+    /// The next row or head; `None` at the end.
+    ///
+    /// # Errors
+    /// What the source returns; a line that is no text, or too long.
+    pub fn next_entry(&mut self) -> Result<Option<Entry>> {
+        let record = self.record()?;
+        Ok(record.map(|record| match self.has_sections && is_head(&record.text, self.separator) {
+            true => Entry::Head(record),
+            false => Entry::Row(record),
+        }))
+    }
+
+    /// Gives a record back: it is the next one again.
+    pub fn give_back(&mut self, record: Record) {
+        self.lines.give_back_record(record);
+    }
+
+    fn record(&mut self) -> Result<Option<Record>> {
+        self.name.io(self.lines.record(self.separator))
+    }
+
+    /// The cells of a record.
+    fn cells(&self, record: &Record) -> Vec<String> {
+        let text = record.text.trim_start_matches('\u{feff}');
+        cells(text, self.separator).into_iter().map(Into::into).collect()
+    }
+}
+
+/// Where the head of a table stands.
+struct HeadPlace {
+    separator: u8,
+    line: u64,
+}
+
+impl HeadPlace {
+    /// The first record with the heads of a launch monitor, else the first record.
+    fn find(beginning: &str) -> Option<Self> {
+        let mut lines = Lines::new(Box::new(Cursor::new(beginning.to_owned())), beginning, Encoding::Utf8);
+        let stated = separated(beginning);
+        let stated = (stated.1.len() != beginning.trim_start_matches('\u{feff}').len()).then_some(stated.0);
+        let mut first = None;
+        // what separates cells is not known before a record is, which may go on over lines
+        for _ in 0..MOST_RECORDS {
+            let Ok(Some((line, text))) = lines.text_line() else { break };
+            let separator = stated.unwrap_or_else(|| separated(&text).0);
+            lines.give_back((line, text));
+            let Ok(Some(record)) = lines.record(separator) else { break };
+            if is_head(&record.text, separator) {
+                return Some(Self { separator, line: record.line });
+            }
+            first.get_or_insert(Self { separator, line: record.line });
+        }
+        first
+    }
+}
+
+/// Why a row has not the cells of its head: one for each of so many columns, and nothing beyond.
+pub(crate) fn miscounted<S: AsRef<str>>(row: &[S], heads: usize) -> Option<Refusal> {
+    let filled = row.iter().rposition(|cell| !cell.as_ref().is_empty()).map_or(0, |at| at + 1);
+    if row.len() >= heads && filled <= heads {
+        return None;
+    }
+    let counted = |count: usize| if count == 1 { "1 cell".into() } else { format!("{count} cells") };
+    let (row, head) = (counted(row.len()), counted(heads));
+    let reason = format!("the row has {row}, but the head has {head}; give every row a cell for each column");
+    Some(Refusal::new(Refusal::CELLS, reason))
+}
